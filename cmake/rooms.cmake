@@ -1,0 +1,52 @@
+# Flags and the shape of a room: evc_room(name [KERNEL] [DEPENDS rooms...] [LIBRARIES targets...])
+# makes the library evc_<name> from src/<name>/*.cpp and the test <name>_test from *_test.cpp.
+
+add_library(evc_flags INTERFACE)
+target_include_directories(evc_flags INTERFACE ${CMAKE_SOURCE_DIR}/src)
+# The same bits from every compiler and level: no contraction, no fast-math (docs/architecture.md).
+target_compile_options(evc_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Werror)
+if(EVC_COVERAGE)
+  target_compile_options(evc_flags INTERFACE --coverage)
+  target_link_options(evc_flags INTERFACE --coverage)
+endif()
+
+# Kernel rooms need neither exceptions nor run-time types.
+add_library(evc_kernel_flags INTERFACE)
+target_link_libraries(evc_kernel_flags INTERFACE evc_flags)
+
+set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
+
+function(evc_room name)
+  cmake_parse_arguments(ROOM "KERNEL" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  set(tests ${sources})
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  set(library evc_${name})
+  if(sources)
+    add_library(${library} STATIC ${sources})
+    set(scope PUBLIC)
+    if(ROOM_KERNEL)
+      target_compile_options(${library} PRIVATE -fno-exceptions -fno-rtti -fno-asynchronous-unwind-tables
+                                                -fno-threadsafe-statics -fno-math-errno)
+      set_property(GLOBAL APPEND PROPERTY EVC_KERNEL_ROOMS ${library})
+    endif()
+  else()
+    add_library(${library} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(${library} ${scope} evc_flags)
+  foreach(other IN LISTS ROOM_DEPENDS)
+    target_link_libraries(${library} ${scope} evc_${other})
+  endforeach()
+  if(ROOM_LIBRARIES)
+    target_link_libraries(${library} ${scope} ${ROOM_LIBRARIES})
+  endif()
+  if(tests AND NOT EVC_KERNEL_ONLY)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
+    target_compile_definitions(${name}_test PRIVATE EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    add_test(NAME ${name} COMMAND ${name}_test)
+  endif()
+endfunction()
