@@ -50,3 +50,15 @@ function(evc_room name)
     add_test(NAME ${name} COMMAND ${name}_test)
   endif()
 endfunction()
+
+# evc_link_rooms(target): links every room that exists, for tests, benchmarks and fuzz targets that
+# look at the whole.
+function(evc_link_rooms target)
+  foreach(room IN ITEMS sim io kernel driver procedures protection sdm radio track balise brakes modes position
+                        train airgap lang base)
+    if(TARGET evc_${room})
+      target_link_libraries(${target} PRIVATE evc_${room})
+    endif()
+  endforeach()
+  target_compile_definitions(${target} PRIVATE EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+endfunction()

@@ -1,0 +1,109 @@
+"""The checks find what they are for, each shown by a small tree with that one fault."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+import check_layers  # noqa: E402
+import check_links  # noqa: E402
+import check_readme  # noqa: E402
+import check_tree  # noqa: E402
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+
+class Layers(Tree):
+    def breaches(self, name, text):
+        self.write(name, text)
+        return check_layers.check(self.root)
+
+    def test_allowed(self):
+        text = '#include "sdm/curves.h"\n#include <array>\n#include "base/units.h"\n#include "track/gradient.h"\n'
+        self.assertEqual(self.breaches("src/sdm/curves.cpp", text), [])
+
+    def test_arrow_turns_back(self):
+        self.assertEqual(self.breaches("src/modes/table.h", '#include "base/units.h"\n#include "kernel/evc.h"\n'),
+                         ["src/modes/table.h:2: modes may not include kernel"])
+
+    def test_kernel_room_takes_a_string(self):
+        self.assertEqual(self.breaches("src/lang/json.h", "#include <string>\n"),
+                         ["src/lang/json.h:1: <string> has no place in a kernel room"])
+
+    def test_a_test_in_a_kernel_room_may_use_strings_but_keeps_the_layers(self):
+        text = '#include <string>\n#include "sim/line.h"\n'
+        self.assertEqual(self.breaches("src/lang/json_test.cpp", text),
+                         ["src/lang/json_test.cpp:2: lang may not include sim"])
+
+    def test_libm_and_exceptions(self):
+        text = "// throw nothing\ndouble f(double x) { return std::pow(x, 2); }\nvoid g() { throw 1; }\n"
+        found = self.breaches("src/base/f.h", text)
+        self.assertEqual([b.split(":")[1] for b in found], ["2", "3"])
+
+    def test_unknown_room(self):
+        self.assertEqual(len(self.breaches("src/utils/x.h", "")), 1)
+
+    def test_file_without_room(self):
+        self.assertEqual(len(self.breaches("src/base/x.h", '#include "units.h"\n')), 1)
+
+
+class Links(Tree):
+    def test_good(self):
+        self.write("README.md", "[a](docs/a.md#two-words) [web](https://example.org)\n")
+        self.write("docs/a.md", "# A\n## Two words\n[back](../README.md)\n`[code](nowhere)`\n")
+        self.assertEqual(check_links.check(self.root), [])
+
+    def test_missing_file_anchor_and_unreached_page(self):
+        self.write("README.md", "[a](docs/a.md#three) ![b](docs/b.png)\n")
+        self.write("docs/a.md", "# A\n")
+        self.write("docs/lost.md", "# Lost\n")
+        broken = check_links.check(self.root)
+        self.assertEqual(len(broken), 3, broken)
+
+
+class Readme(unittest.TestCase):
+    PAGE = "text\n```console\n$ echo one\none\n$ printf 'a\\nb\\nc\\n' | \\\n  cat\na\n...\n```\n```sh\n$ false\n```\n"
+
+    def test_examples(self):
+        found = check_readme.examples(self.PAGE)
+        self.assertEqual([(n, e) for n, _, e in found], [(3, ["one"]), (5, ["a", "..."])])
+        self.assertEqual(found[1][1], "printf 'a\\nb\\nc\\n' | \\\n  cat")
+
+    def test_matches(self):
+        self.assertTrue(check_readme.matches(["one"], "one\n"))
+        self.assertTrue(check_readme.matches(["a", "..."], "a\nb\nc\n"))
+        self.assertTrue(check_readme.matches(["...", "c [...] e"], "a\nb\nc ddd e\n"))
+        self.assertTrue(check_readme.matches([], ""))
+        self.assertFalse(check_readme.matches(["one"], "two\n"))
+        self.assertFalse(check_readme.matches(["one"], "one\ntwo\n"))
+        self.assertFalse(check_readme.matches([], "noise\n"))
+
+
+class Tracked(Tree):
+    def test_faults(self):
+        self.write("a.py", "# see /wo" + "rk/main\n# TO" + "DO later\n")
+        self.write("b.sh", "#!/bin/sh\n")
+        self.write("c.md", "docs/wo" + "rk/x is a relative path, and so is ./ho" + "me/\n")
+        subprocess.run(["git", "init", "-q", self.root], check=True)
+        subprocess.run(["git", "-C", self.root, "add", "-A"], check=True)
+        faults = check_tree.check(self.root)
+        self.assertEqual(len(faults), 3, faults)
+
+
+if __name__ == "__main__":
+    unittest.main()

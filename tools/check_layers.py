@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Layering: who may include whom (docs/architecture.md), and what a kernel room may take from the
+standard library. Usage: tools/check_layers.py [SOURCE_ROOT]; prints FILE:LINE: reason, exit 1."""
+import pathlib
+import re
+import sys
+
+KERNEL_ROOMS = ("base lang airgap train position modes brakes balise track radio sdm protection procedures driver "
+                "kernel").split()
+BELOW_KERNEL = set(KERNEL_ROOMS) - {"kernel"}
+
+MAY_INCLUDE = {
+    "base": set(),
+    **{room: {"base"} for room in ("lang", "airgap", "train", "position", "modes", "brakes")},
+    **{room: {"base", "lang"} for room in ("balise", "track", "radio")},
+    "sdm": {"base", "train", "track", "position"},
+    "protection": {"base", "lang", "track", "position"},
+    "procedures": {"base", "modes"},
+    "driver": {"base", "modes"},
+    "kernel": BELOW_KERNEL,
+    "sim": BELOW_KERNEL | {"kernel"},
+    # The kernel's outside is made of the rooms below it, so who speaks with the kernel sees them too.
+    "io": BELOW_KERNEL | {"kernel"},
+    "capi": BELOW_KERNEL | {"kernel"},
+    "batch": BELOW_KERNEL | {"kernel"},
+    "app": BELOW_KERNEL | {"kernel", "sim", "io", "capi", "batch"},
+}
+
+# What a kernel room may take from the standard library: headers that need no heap, no clock, no file,
+# no thread and no locale. What they could still pull in is caught by tools/check_symbols.
+KERNEL_STANDARD = set("algorithm array bit climits cmath compare concepts cstddef cstdint cstring initializer_list "
+                      "iterator limits new numeric optional span string_view tuple type_traits utility version".split())
+
+INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+FORBIDDEN = [
+    (re.compile(r"\bthread_local\b"), "state outside State"),
+    (re.compile(r"\b(?:dynamic_cast|typeid)\b"), "run-time types"),
+    (re.compile(r"\b(?:throw|try|catch)\b(?=[\s({;])"), "exceptions"),
+    (re.compile(r"\bstd::(?:a?(?:sin|cos|tan)h?|exp2?|log(?:10|2|1p)?|pow|cbrt|hypot|fma|atan2|fmod|l?l?round|rint|erf)\("),
+     "libm: only + - * / sqrt give the same bits everywhere"),
+]
+
+
+def without_comments(text):
+    """The text with comments and string literals blanked, line breaks kept."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+    return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
+
+
+def check(root):
+    """All breaches below root/src, as 'file:line: reason'."""
+    breaches = []
+    source = pathlib.Path(root) / "src"
+    for path in sorted(source.rglob("*")):
+        if path.suffix not in (".h", ".cpp", ".hpp", ".cc", ".inc"):
+            continue
+        room = path.relative_to(source).parts[0]
+        where = path.relative_to(root)
+        if room not in MAY_INCLUDE:
+            breaches.append(f"{where}:1: room '{room}' is not in the table of rooms")
+            continue
+        kernel_code = room in KERNEL_ROOMS and not path.stem.endswith("_test")
+        text = path.read_text(encoding="utf-8")
+        for number, line in enumerate(text.splitlines(), 1):
+            found = INCLUDE.match(line)
+            if not found:
+                continue
+            own, system = found.groups()
+            if own:
+                other = own.split("/")[0]
+                if "/" not in own:
+                    breaches.append(f'{where}:{number}: "{own}" is not named with its room')
+                elif other != room and other not in MAY_INCLUDE[room]:
+                    breaches.append(f"{where}:{number}: {room} may not include {other}")
+            elif kernel_code and system not in KERNEL_STANDARD:
+                breaches.append(f"{where}:{number}: <{system}> has no place in a kernel room")
+        if kernel_code:
+            for number, line in enumerate(without_comments(text).splitlines(), 1):
+                for pattern, why in FORBIDDEN:
+                    if pattern.search(line):
+                        breaches.append(f"{where}:{number}: {why}: {line.strip()}")
+    return breaches
+
+
+def main():
+    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    breaches = check(root)
+    for breach in breaches:
+        print(breach)
+    print(f"layers: {len(breaches)} breaches")
+    return 1 if breaches else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

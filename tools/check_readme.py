@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Runs the examples of README.md and of the pages under docs/ as they are written.
+
+Every line `$ COMMAND` of a ```console block is run by bash; what follows, up to the next `$ ` line, is what
+it must print (standard output and error together). A line `...` stands for any number of lines, `[...]`
+inside a line for any text. The commands of one page share a scratch folder in which data/, docs/ and
+examples/ of the project are at hand and `evc` is in the PATH.
+
+Usage: tools/check_readme.py [--command build/dev/evc] [PAGE...]"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def examples(text):
+    """(line number, command, expected output lines) of every example in a page."""
+    found, inside, expected = [], False, []
+    lines = iter(enumerate(text.splitlines(), 1))
+    for number, line in lines:
+        if not inside:
+            inside = line.strip() == "```console"
+            expected = []
+        elif line.strip() == "```":
+            inside = False
+        elif line.startswith("$ "):
+            command = line[2:]
+            while command.endswith("\\"):
+                command += "\n" + next(lines)[1]
+            expected = []
+            found.append((number, command, expected))
+        else:
+            expected.append(line)
+    return found
+
+
+def matches(expected, printed):
+    """Whether the printed text is what the page shows."""
+    pattern = ""
+    for line in expected:
+        if line.strip() == "...":
+            pattern += r"(?:.*\n)*?"
+        else:
+            pattern += r"[^\n]*?".join(re.escape(part.rstrip()) for part in line.split("[...]")) + r"[ \t]*\n"
+    if printed and not printed.endswith("\n"):
+        printed += "\n"
+    return re.fullmatch(pattern, printed) is not None
+
+
+def run_page(page, command):
+    failures, count = [], 0
+    with tempfile.TemporaryDirectory(prefix="evc-readme-") as scratch:
+        for name in ("data", "docs", "examples"):
+            if (ROOT / name).exists():
+                os.symlink(ROOT / name, pathlib.Path(scratch) / name)
+        environment = dict(os.environ, PATH=f"{command.parent}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
+        for number, line, expected in examples(page.read_text(encoding="utf-8")):
+            count += 1
+            done = subprocess.run(["bash", "-o", "pipefail", "-c", line], cwd=scratch, env=environment, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300)
+            where = f"{page.relative_to(ROOT)}:{number}: {line}"
+            if done.returncode != 0:
+                failures.append(f"{where}\n  exit {done.returncode}\n{done.stdout}")
+            elif not matches(expected, done.stdout):
+                failures.append(f"{where}\n  the page shows:\n" + "\n".join(expected) + f"\n  it prints:\n{done.stdout}")
+    return count, failures
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--command", default=ROOT / "build/dev/evc", type=pathlib.Path)
+    parser.add_argument("pages", nargs="*", type=pathlib.Path)
+    options = parser.parse_args()
+    command = options.command.resolve()
+    if not command.exists():
+        sys.exit(f"{command} does not exist: build it first")
+    pages = [p.resolve() for p in options.pages] or [ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md"))]
+    total, failures = 0, []
+    for page in pages:
+        count, failed = run_page(page, command)
+        total += count
+        failures += failed
+    for failure in failures:
+        print(failure)
+    print(f"examples: {total} run, {len(failures)} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
