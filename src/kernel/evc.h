@@ -168,8 +168,11 @@ struct Outputs {
   Monitoring monitoring = Monitoring::none;
   Status status = Status::none;
   // Absent where not supervised.
-  std::optional<Speed> V_P, V_SBI, V_EBI, V_MRSP, V_target, V_release;
+  std::optional<Speed> V_P, V_W, V_SBI, V_EBI, V_MRSP, V_target, V_release;
   std::optional<Distance> d_target;
+  // End of authority and supervised location (3.8.4.3, 3.8.4.5) as nominal counter of the front end
+  // that stands there; absent without an authority.
+  std::optional<OdometerPlace> EOA, SvL;
   bool tco = false, sb = false, eb = false;
   InplaceVector<const char*, 24> brake_reasons;    // literals, one per cause that asks for a brake
   InplaceVector<const char*, 16> driver_requests;  // acknowledgements and entries asked of the driver

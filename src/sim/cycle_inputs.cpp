@@ -1,0 +1,29 @@
+#include "sim/cycle_inputs.h"
+
+namespace evc::sim {
+
+void CycleInputs::clear() {
+  balises.clear();
+  loops.clear();
+  radio.clear();
+  train_data.reset();
+  levels.radio_link = kernel::RadioLink::unchanged;
+  levels.driver = {};
+}
+
+const kernel::Inputs& CycleInputs::view() {
+  balise_views_.clear();
+  loop_views_.clear();
+  radio_views_.clear();
+  for (const Telegram& t : balises) balise_views_.push_back({t.bits.bytes, t.bits.size, t.at});
+  for (const Bits& l : loops) loop_views_.push_back({l.bytes});
+  for (const Bits& r : radio) radio_views_.push_back({r.bytes});
+  levels.now = {static_cast<double>(t_ms) / 1000.0};
+  levels.balise_telegrams = balise_views_;
+  levels.loop_messages = loop_views_;
+  levels.radio_messages = radio_views_;
+  levels.driver.train_data = train_data ? &*train_data : nullptr;
+  return levels;
+}
+
+}  // namespace evc::sim

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kernel/evc.h"
+#include "sim/line.h"
+#include "train/train_data.h"
+
+namespace evc::sim {
+
+/// The inputs of one cycle with the bytes that they refer to. `levels` keeps its value from cycle to
+/// cycle, `clear` takes away what belongs to one cycle only.
+struct CycleInputs {
+  struct Telegram {
+    Bits bits;
+    OdometerPlace at;
+  };
+  std::int64_t t_ms = 0;
+  kernel::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()
+  std::vector<Telegram> balises;
+  std::vector<Bits> loops;
+  std::vector<Bits> radio;
+  std::optional<train::TrainData> train_data;  // entered in this cycle
+
+  void clear();
+  /// The kernel's view; valid until this object is changed.
+  const kernel::Inputs& view();
+
+ private:
+  std::vector<kernel::BaliseTelegram> balise_views_;
+  std::vector<kernel::LoopMessage> loop_views_;
+  std::vector<kernel::RadioMessage> radio_views_;
+};
+
+}  // namespace evc::sim

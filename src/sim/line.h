@@ -1,0 +1,58 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/evc.h"
+
+namespace evc::sim {
+
+/// Bits as they are sent: left aligned, padded to a byte.
+struct Bits {
+  std::vector<std::uint8_t> bytes;
+  std::size_t size = 0;
+  /// The unsigned number in `width` <= 32 bits from `first`; bits beyond the end read as 0.
+  std::uint32_t number(std::size_t first, unsigned width) const;
+};
+
+/// A balise in the track: its centre in metres along the run and the telegram it sends.
+struct Balise {
+  double position_m = 0.0;
+  Bits telegram;
+  std::size_t group = 0;  // index of the group in the file
+};
+
+/// A radio message and the place of the true front end at which the trackside sends it.
+struct TracksideMessage {
+  int seq = 0;
+  double position_m = 0.0;
+  double delay_s = 0.0;  // after the front end has reached the place
+  Bits message;
+};
+
+struct GradientSegment {
+  double start_m = 0.0, end_m = 0.0, permille = 0.0;
+};
+struct SpeedSegment {
+  double start_m = 0.0, end_m = 0.0, kmh = 0.0;
+};
+
+/// What the trackside sends, where, and what the track is like (etcs-line/1).
+struct Line {
+  std::string name;
+  double length_m = 0.0;
+  double start_front_m = -50.0;
+  std::optional<double> end_m;
+  modes::Level start_level = modes::Level::NTC;
+  std::uint8_t start_nid_ntc = 1;
+  std::size_t groups = 0;
+  std::vector<Balise> balises;            // in order of position
+  std::vector<TracksideMessage> radio;    // in order of position
+  std::size_t absent_messages = 0;        // recorded without bits: neither sent nor invented
+  std::vector<GradientSegment> gradient;  // in order
+  std::vector<SpeedSegment> ssp;          // in order
+};
+
+}  // namespace evc::sim
