@@ -1,0 +1,86 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "balise/group.h"
+#include "balise/linking.h"
+#include "base/inplace_vector.h"
+
+// From telegrams to balise groups (3.4.1, 3.4.2, 3.16.2).
+namespace evc::balise {
+
+/// Farthest distance of two neighbours in one group (SUBSET-040 4.1.1.2), and what odometer and
+/// detection may add to it: 1 m each at both balises (SUBSET-036 4.2.10.2), 5 % of 12 m.
+inline constexpr Distance kBaliseSpacing{12.0};
+inline constexpr Distance kSpacingMargin{2.6};
+/// Two readings of the same balise closer than this are one passage.
+inline constexpr Distance kSameBalise{1.3};
+/// Virtual balise covers kept (3.15.9).
+inline constexpr std::size_t kCovers = 16;
+
+/// How the unit stands when the telegram is read: what of level and mode these rules need.
+struct Situation {
+  Duration now{};                        // since power-up
+  bool linking_checked = false;          // the mode supervises linking: FS, LS, OS (4.5.2)
+  bool braking_on_message_error = true;  // SB SH FS LS SR OS UN SN TR; not in SL PT NL RV PS (4.4.6.1.12 ...)
+  bool against_permitted_movement =
+      false;                   // reverse movement protection is active and the train moves against it (3.14.3.6)
+  bool level_1_2_3 = false;    // else level 0 or NTC (3.17.3.5 d, e)
+  std::uint8_t highest_X = 2;  // highest supported system version number
+};
+
+/// A balise as the antenna saw it.
+struct Reading {
+  std::span<const std::uint8_t> bytes;  // user bits, left aligned
+  std::size_t bits = 0;
+  OdometerReading counter;  // when the antenna was over it
+  PlaceInterval antenna;    // where the antenna was then: position::antenna_at
+};
+
+/// A virtual balise cover (packet 6).
+struct Cover {
+  std::uint8_t NID_VBCMK = 0;
+  std::uint16_t NID_C = 0;
+  Duration until{};  // since power-up
+  friend constexpr bool operator==(const Cover&, const Cover&) = default;
+};
+
+/// The group that is being read.
+struct OpenGroup {
+  GroupId id;
+  std::uint8_t N_TOTAL = 0;
+  bool Q_LINK = false;
+  bool identified = false;       // false: only unreadable balises so far
+  bool undecoded = false;        // a balise was detected but not decoded
+  bool header_mismatch = false;  // N_TOTAL or Q_LINK differ within the group
+  Judgement judgement;           // of its reference balise against linking
+  OdometerReading last;          // the last balise of it
+  PlaceInterval last_antenna;
+  InplaceVector<Telegram, kBalises> telegrams;
+};
+
+struct State {
+  std::optional<OpenGroup> open;
+  LinkingState linking;
+  InplaceVector<Cover, kCovers> covers;
+};
+
+/// A telegram was read. May finish the open group, and this one.
+void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
+/// A balise was detected whose telegram could not be decoded (3.16.2.4.1 b).
+void read_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
+/// Each cycle: finishes the open group once no further balise of it can come (3.16.2.1.3).
+void close_overdue(State& state, const OdometerReading& counter, const PlaceInterval& antenna,
+                   const Situation& situation, Outcome& outcome);
+/// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)?
+void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome);
+/// Drops a group that is only partly read (change of cab, power off).
+void abandon(State& state);
+
+/// Stores a cover; the same identity replaces (3.15.9.4). False: no room, the cover is not in force.
+[[nodiscard]] bool set_cover(State& state, const Cover& cover);
+void remove_cover(State& state, std::uint8_t NID_VBCMK, std::uint16_t NID_C);
+/// A consistent message with another NID_C was received (3.15.9.5 d).
+void keep_covers_of(State& state, std::uint16_t NID_C);
+
+}  // namespace evc::balise

@@ -1,0 +1,144 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/inplace_vector.h"
+#include "base/location.h"
+#include "base/units.h"
+
+// What comes out of this room: checked, oriented balise groups (SUBSET-026-3 3.4, 3.16.2).
+namespace evc::balise {
+
+/// Q_LINKREACTION and the reactions of 3.16.2. The larger one is the more severe.
+enum class Reaction : std::uint8_t { none, service_brake, trip };
+
+/// M_ERROR of packet 4, for the report to the RBC (3.16.4).
+enum class ErrorReport : std::uint8_t {
+  linking = 0,
+  linked_message = 1,
+  unlinked_message = 2,
+  double_linking = 7,
+  double_repositioning = 8,
+  none = 255
+};
+
+/// The most balises a group has (3.4.1.1), the longest telegram in bytes (830 user bits).
+inline constexpr std::size_t kBalises = 8;
+inline constexpr std::size_t kTelegramBytes = 104;
+
+/// One telegram of a group, its bits kept as they came.
+struct Telegram {
+  std::array<std::uint8_t, kTelegramBytes> bytes{};
+  std::uint16_t bits = 0;
+  std::uint8_t N_PIG = 0;
+  std::uint8_t M_DUP = 0;
+  std::uint8_t M_MCOUNT = 0;
+  std::uint8_t M_VERSION = 0;
+  bool used = true;                  // false: its duplicate is used instead (3.16.2.4.8)
+  bool default_information = false;  // packet 254
+  bool inhibits_reaction = false;    // packet 145
+  bool repositioning = false;        // packet 16
+  bool one_direction = false;        // some packet is for one direction only
+  bool faulty = false;               // spare value or broken packet (3.16.1.1)
+  OdometerReading counter;           // when the antenna was over it
+  PlaceInterval antenna;             // where the antenna was then
+  std::span<const std::uint8_t> span() const { return {bytes.data(), (bits + 7u) / 8u}; }
+};
+
+/// What was found wrong with a group, or with its absence. The clause says what follows.
+enum class Finding : std::uint8_t {
+  none,
+  balise_missed,       // a: 3.16.2.1.3
+  balise_not_decoded,  // b
+  invalid_value,       // c: 3.16.1.1
+  counters_differ,     // d: 3.16.2.4.7
+  not_announced,       // linking used, marked linked, not in it: 3.4.4.4.2, 3.16.2.4.3
+  outside_window,      // 3.16.2.3.1.1
+  wrong_direction,     // 3.16.2.3.2
+  not_repositioning,   // identity unknown expected, this one does not qualify: 3.4.4.4.2.1
+};
+
+/// A group as it was passed.
+struct Group {
+  GroupId id;
+  bool accepted = false;      // its information may be used
+  bool identified = true;     // false: no telegram could be read (3.16.2.2.1)
+  bool linked = false;        // Q_LINK
+  bool announced = false;     // by the linking that is checked
+  bool linking_used = false;  // when it was judged
+  /// May become the LRBG (3.6.2.2.2 a): accepted and marked linked, and announced where linking is used.
+  bool lrbg_compliant = false;
+  bool single =
+      false;  // gives no orientation of its own: one balise, or one of a pair of duplicates (3.4.2.3, 3.4.2.4)
+  bool repositioning = false;        // taken for the entry with unknown identity
+  bool default_information = false;  // packet 254 in use: the driver is told (3.16.2.4.9)
+  std::uint8_t X = 0;                // highest system version number X among its telegrams
+  Finding finding = Finding::none;
+  /// In which direction it was crossed, in the order of reading; of a single group the one announced.
+  Direction crossing = Direction::unknown;
+  /// nominal: N_PIG rises as the odometer counter grows. Unknown when the group cannot tell.
+  Direction counter_against_group = Direction::unknown;
+  /// Where the reference balise (N_PIG 0, or its duplicate when only that one was read) is.
+  OdometerReading counter;
+  PlaceInterval antenna;
+  std::optional<Place> link_place;   // by linking (3.6.4.3)
+  std::optional<Distance> Q_LOCACC;  // by linking (3.6.4.2.3)
+  /// In the order of reading. Only those with `used` count.
+  InplaceVector<Telegram, kBalises> telegrams;
+};
+
+/// Does information with this Q_DIR count for `direction` (3.6.3.1.3)? `direction` is the train
+/// orientation against the group or, in SL, PS, SH, the direction in which it was crossed; unknown: only
+/// "both" counts (3.6.3.1.4).
+constexpr bool valid_for(std::uint64_t Q_DIR, Direction direction) {
+  if (Q_DIR == 2) return true;
+  return direction != Direction::unknown && Q_DIR == static_cast<std::uint64_t>(direction);
+}
+
+/// What the kernel prints and reacts to.
+enum class Happened : std::uint8_t {
+  group_accepted,             // id; found in place if `announced`
+  linking_ok,                 // id: the announced group was found in its window
+  linking_error_early,        // 3.16.2.3.1 a
+  linking_error_missed,       // 3.16.2.3.1 b
+  linking_error_later,        // 3.16.2.3.1 c
+  wrong_direction,            // 3.16.2.3.2 [66]
+  double_linking_error,       // 3.16.2.7.1.1
+  double_repositioning,       // 3.16.2.7.2.2
+  message_error,              // 3.16.2.4.1, .4, 3.16.2.5.1: see `finding`
+  group_ignored,              // rejected without reaction
+  telegram_covered,           // 3.15.9.3
+  telegram_version_old,       // X = 0: 3.17.3.5 a
+  telegram_version_new,       // X above the highest supported: 3.17.3.5 d, e
+  telegram_against_movement,  // 3.14.3.6
+  capacity,                   // something could not be stored: see the clause
+};
+struct Event {
+  Happened what{};
+  GroupId id;  // the expected group for linking errors, else the one read
+  Finding finding = Finding::none;
+  Reaction reaction = Reaction::none;
+  ErrorReport report = ErrorReport::none;
+  const char* clause = "";  // a literal
+};
+
+/// What one call brought.
+struct Outcome {
+  InplaceVector<Group, 3> groups;  // finished ones, in the order of passage
+  InplaceVector<Event, 24> events;
+  /// The most severe reaction asked for in this call.
+  Reaction reaction = Reaction::none;
+  bool wrong_direction = false;   // condition [66]
+  bool version_too_high = false;  // condition [65], wherever the level asks for it
+  /// The service brake of this call is due to linking or message consistency: at standstill the
+  /// location data are shortened to the current position (A.3.4).
+  bool shorten_at_standstill = false;
+};
+
+/// One line a finding, for people.
+const char* name_of(Finding finding);
+const char* name_of(Happened what);
+
+}  // namespace evc::balise

@@ -1,0 +1,111 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "balise/group.h"
+#include "base/inplace_vector.h"
+
+// Linking (3.4.4, 3.16.2.3, 3.16.2.6, 3.16.2.7).
+namespace evc::balise {
+
+/// NID_BG of an announced group whose identity is not known (repositioning).
+inline constexpr std::uint16_t kIdentityUnknown = 16383;
+/// One packet announces up to 32 groups (1 + N_ITER 31); infill linking adds to what is stored.
+inline constexpr std::size_t kLinks = 64;
+
+/// One announced group, placed in the track frame.
+struct Link {
+  Place place;  // of its reference balise: reference + sum of D_LINK
+  Distance Q_LOCACC;
+  GroupId id;
+  Reaction reaction = Reaction::none;       // Q_LINKREACTION
+  Direction crossing = Direction::unknown;  // Q_LINKORIENTATION
+  bool gives_orientation = false;           // counted from a group with known orientation (3.4.2.3.2.3)
+  constexpr bool identity_unknown() const { return id.NID_BG == kIdentityUnknown; }
+  friend constexpr bool operator==(const Link&, const Link&) = default;
+};
+
+/// Packet 5 in SI, as the rules need it.
+struct LinkingList {
+  struct Entry {
+    Distance D_LINK;
+    std::optional<std::uint16_t> NID_C;  // Q_NEWCOUNTRY
+    std::uint16_t NID_BG = 0;
+    bool nominal = true;  // Q_LINKORIENTATION
+    Reaction reaction = Reaction::none;
+    Distance Q_LOCACC;
+  };
+  InplaceVector<Entry, 32> entries;
+};
+
+/// From where a linking list counts.
+struct LinkingReference {
+  GroupId id;               // sender, LRBG of the message, or the infill location reference
+  Place place;              // of its reference balise
+  std::uint16_t NID_C = 0;  // that of the sender, for a first entry without a country (7.5.1.121)
+  bool orientation_known = true;
+  bool infill = false;
+};
+
+/// What the linking supervision says of a reference balise that was just read.
+struct Judgement {
+  enum class Verdict : std::uint8_t {
+    unjudged,        // the reference balise was not read yet
+    not_used,        // linking is not used: every group is taken (3.4.4.4.1)
+    found,           // the expected one, inside its window
+    repositioning,   // may be the one with unknown identity: decided when the group is complete
+    outside_window,  // announced, elsewhere (3.16.2.3.1.1)
+    not_announced,   // marked linked, not in the list (3.4.4.4.2)
+  };
+  Verdict verdict = Verdict::unjudged;
+  std::optional<Link> link;  // the announced entry
+  bool reacted = false;      // its linking reaction was given already
+};
+
+struct LinkingState {
+  InplaceVector<Link, kLinks> links;  // in running order; the first one is expected
+  /// End of the window of the farthest announced group: until the antenna is past it linking is used (3.4.4.2.1.1).
+  std::optional<Place> used_until;
+  std::optional<Place> previous;  // of the last linked group, where a window with unknown identity opens (3.4.4.4.4)
+  std::optional<GroupId> found;   // the last group found in place, to be skipped in newer lists
+  /// Supervision against a second repositioning group (3.16.2.7.2).
+  struct Repositioned {
+    GroupId id;
+    Place end;
+    Direction crossing = Direction::unknown;
+  };
+  std::optional<Repositioned> repositioned;
+  std::uint8_t missed_in_row = 0;  // announced groups not detected (3.16.2.7.1)
+  bool detected = false;           // a balise of the expected group was read
+};
+
+/// Stores linking that passed the filters of 4.8; replaces from the reference on (3.7.3.1 m, n). Groups
+/// that were found already, and windows that have ended, are left out. Returns the place of the
+/// reference: another one than given when the list holds the current LRBG `current`, because then the
+/// distance by linking counts (3.6.4.3); everything in the same message is placed from it.
+/// `stored` becomes false when the list did not fit (the farthest groups are left out).
+struct Stored {
+  Place reference;
+  bool complete = true;
+};
+struct CurrentLrbg {
+  GroupId id;
+  Place place;
+};
+Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
+             const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current);
+/// All of it (4.10), or what lies beyond a place (A.3.4).
+void clear(LinkingState& linking);
+void clear_beyond(LinkingState& linking, Place place);
+
+/// Is linking used now: groups announced, and the farthest window not passed (3.4.4.2.1.1)?
+bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked);
+/// The expected group, or null.
+const Link* expected(const LinkingState& linking);
+/// Where it can first and last be found, without odometer tolerance (3.4.4.4.3, .4).
+Place first_possible(const LinkingState& linking, const Link& link);
+Place last_possible(const Link& link);
+/// Its window seen from the estimated antenna, for displays: [first - under-reading, last + over-reading].
+std::optional<PlaceInterval> window(const LinkingState& linking, const PlaceInterval& antenna);
+
+}  // namespace evc::balise

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+
+#include "base/units.h"
+
+namespace evc {
+
+/// The identity of a balise group: country or region and number (24 bits on the wire).
+struct GroupId {
+  std::uint16_t NID_C = 0;
+  std::uint16_t NID_BG = 0;
+  friend constexpr bool operator==(const GroupId&, const GroupId&) = default;
+};
+
+/// The odometer's three absolute counters at one moment; min <= nominal <= max. What the train truly
+/// ran between two readings lies between the increments of `min` and of `max`.
+struct OdometerReading {
+  OdometerPlace nominal, min, max;
+  friend constexpr bool operator==(const OdometerReading&, const OdometerReading&) = default;
+};
+
+/// Where something of the train is in the track frame: min <= est <= max, "max" being the far end in
+/// the train's orientation.
+struct PlaceInterval {
+  Place min, est, max;
+  friend constexpr bool operator==(const PlaceInterval&, const PlaceInterval&) = default;
+  friend constexpr PlaceInterval operator-(PlaceInterval a, Distance d) { return {a.min - d, a.est - d, a.max - d}; }
+};
+
+/// A direction against the co-ordinate system of a balise group; the codes are those of Q_DIRLRBG,
+/// Q_DLRBG and Q_DIRTRAIN.
+enum class Direction : std::uint8_t { reverse = 0, nominal = 1, unknown = 2 };
+
+/// The other direction; unknown stays unknown.
+constexpr Direction opposite(Direction d) {
+  if (d == Direction::unknown) return d;
+  return d == Direction::nominal ? Direction::reverse : Direction::nominal;
+}
+
+}  // namespace evc

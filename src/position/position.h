@@ -1,0 +1,163 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/location.h"
+#include "base/units.h"
+
+// Where the train is (SUBSET-026-3 3.4.2.3, 3.6.1, 3.6.2, 3.6.4).
+//
+// Two frames. The odometer counts from power-up and never jumps; its value is the place of the front
+// end of the active cab. Track data live in the track frame, which is tied to the balise groups.
+// One offset (and one sense, which a change of cab turns) leads from one to the other. When the train
+// relocates on a group whose distance the trackside gave, the offset takes up what the odometer
+// erred; the stored track data stay where they are (3.6.4.3).
+namespace evc::position {
+
+/// LRBGs remembered: at least the 8 last reported ones must be known (3.6.2.2.2 c).
+inline constexpr std::size_t kReferences = 16;
+/// PRVLRBGs remembered with one single balise group that awaits its assignment (3.4.2.3.3.7).
+inline constexpr std::size_t kPreviousReported = 2;
+/// Below this speed, for this long, and without this much movement the train stands. SUBSET-026
+/// gives no number: the supplier's choice.
+inline constexpr Speed kStandstillSpeed{0.05};
+inline constexpr Duration kStandstillTime{0.5};
+inline constexpr Distance kStandstillDistance{0.05};
+/// The counter has to come back this far before the train counts as having turned.
+inline constexpr Distance kTurnDistance{0.1};
+
+/// One reading of the odometer.
+struct Odometry {
+  OdometerReading counter;
+  Speed V_est, V_min, V_max;
+  Acceleration A_est;
+};
+
+enum class Status : std::uint8_t { invalid = 0, valid = 1, unknown = 2 };  // codes of Q_STATUS
+enum class Motion : std::uint8_t { standstill, forward, backward };        // as seen from the active cab
+
+/// A balise group the position can be referred to.
+struct Reference {
+  GroupId id;
+  OdometerReading counter;                     // when the antenna was over the reference balise
+  Place place;                                 // of the reference balise
+  Distance L_antenna;                          // antenna to front end when it was read
+  Distance Q_LOCACC;                           // frozen when the group was read (3.6.4.2.3)
+  Direction orientation = Direction::unknown;  // of the train (active cab) against the group (3.6.1.6)
+  bool single = false;                         // gives no orientation of its own (3.4.2.3)
+  bool reported = false;
+  /// The groups with which this one was reported as "previous" (packet 1) while its orientation was
+  /// unknown, and whether more than one such pair exists (3.4.2.3.3.7, .8).
+  std::optional<GroupId> previous;       // PRVLRBG now, for the next report
+  std::optional<GroupId> reported_with;  // PRVLRBG of the first such report
+  bool reported_ambiguously = false;
+};
+
+struct State {
+  Odometry now, before;  // this cycle and the one before
+  Duration time{};
+  double sense = 1.0;  // +1: the counter grows when the active cab leads; -1 after a change of cab
+  Distance offset{};   // Place of the front end = sense * counter + offset
+  Status status = Status::unknown;
+  InplaceVector<Reference, kReferences> references;  // oldest first; the last one is the LRBG
+  std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
+  OdometerPlace extreme;                             // farthest counter in the present direction
+  Motion last_motion = Motion::forward;              // never `standstill`
+  OdometerPlace rest;                                // counter when the train came to rest
+  Duration rest_since{};
+  bool started = false;  // an odometer reading was taken
+};
+
+/// A group that was read and accepted, and what the trackside says of its place.
+struct Passage {
+  GroupId id;
+  OdometerReading counter;                               // when the antenna was over the reference balise
+  Distance L_antenna;                                    // of the antenna behind the front end
+  std::optional<Place> link_place;                       // by linking (3.6.4.3); absent: the estimated place is taken
+  Distance Q_LOCACC;                                     // linking, else Q_NVLOCACC, else 12 m (3.6.4.2.3)
+  Direction counter_against_group = Direction::unknown;  // nominal: N_PIG rises as the counter grows
+  bool single = false;
+};
+
+/// Takes a reading of the odometer; `now` is the time since power-up. Detects direction and standstill.
+void update(State& state, const Odometry& odometry, Duration now);
+
+/// The three counters when the nominal one was `at`, interpolated between the last two readings.
+OdometerReading reading_at(const State& state, OdometerPlace at);
+
+/// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the frames are tied
+/// anew. Returns how far the estimated front end moved in the track frame (0 without linking).
+Distance relocate(State& state, const Passage& passage);
+/// An unlinked group was accepted: data that refer to it get an interval of their own (3.6.4.7).
+/// Returns its place in the track frame.
+Place refer_to_unlinked(State& state, const Passage& passage);
+
+// --- Where the train is. All are total; without an LRBG the interval counts from power-up.
+
+/// The LRBG, if any.
+const Reference* lrbg(const State& state);
+/// Front end now: min safe, estimated, max safe (3.6.4.2, 3.6.4.4).
+PlaceInterval front(const State& state);
+/// Front end now with the interval of another reference (3.6.4.7).
+PlaceInterval front(const State& state, const Reference& reference);
+/// Front end when the counters stood at `counter`.
+PlaceInterval front_at(const State& state, const OdometerReading& counter);
+/// Rear end; `min` is safe only while the integrity of the train is known (3.6.4.4.1). In SL, NL, PS
+/// the length is that of the engine.
+inline PlaceInterval rear(const State& state, Distance L_TRAIN) { return front(state) - L_TRAIN; }
+/// The active antenna, `L_antenna` behind the front end (3.4.4.4.3).
+inline PlaceInterval antenna(const State& state, Distance L_antenna) { return front(state) - L_antenna; }
+inline PlaceInterval antenna_at(const State& state, const OdometerReading& counter, Distance L_antenna) {
+  return front_at(state, counter) - L_antenna;
+}
+/// Distance from the estimated front end back to the min safe one / ahead to the max safe one.
+Distance L_DOUBTOVER(const State& state);
+Distance L_DOUBTUNDER(const State& state);
+
+/// From one frame to the other, at the present offset. A place ahead of the train gets a counter
+/// ahead of the train.
+Place place_of(const State& state, OdometerPlace counter);
+OdometerPlace counter_of(const State& state, Place place);
+
+/// The reference balise of a remembered LRBG (3.6.2.2.2 c): where the data of a radio message start.
+/// Absent: not among the remembered ones (the message is not used).
+std::optional<Place> place_of(const State& state, GroupId id);
+/// The remembered LRBG itself; null when it is not remembered.
+const Reference* find(const State& state, GroupId id);
+/// A linking chain received later gives a better place of a remembered reference (3.6.4.3).
+void correct_place(State& state, GroupId id, Place place);
+
+// --- Motion, orientation
+
+Motion motion(const State& state);
+/// The last direction in which the train moved; `forward` before it ever moved.
+Motion last_motion(const State& state);
+bool at_standstill(const State& state);
+/// Train orientation against the LRBG (Q_DIRLRBG).
+Direction orientation(const State& state);
+/// Running direction against the LRBG (Q_DIRTRAIN): at standstill that of the last movement.
+Direction running_direction(const State& state);
+/// The side of the LRBG on which the estimated front end is (Q_DLRBG).
+Direction side(const State& state);
+
+/// Radio message 45: the group named gets a co-ordinate system (3.4.2.3.3.6). `nominal`: the move from
+/// PRVLRBG to it, as reported, is its nominal direction. False: rejected (not remembered, not a single
+/// group, not reported with one and only one PRVLRBG; 3.4.2.3.3.8).
+[[nodiscard]] bool assign_orientation(State& state, GroupId id, Direction q_orientation);
+
+/// The cab at the other end of the engine becomes active: the track frame is mirrored (p -> -p), the
+/// front end is that of the other cab (5.12.2.5). The caller mirrors or drops what it holds in the frame.
+void change_cab(State& state, Distance L_engine);
+
+// --- Status (4.10, 4.11, 5.4)
+
+/// Position kept over No Power or entered as invalid: to be confirmed.
+void invalidate(State& state);
+/// Confirmed by the RBC (message 43) or by cold movement detection. Without a reference it stays unknown.
+void validate(State& state);
+/// Position deleted: unknown, no LRBG.
+void forget(State& state);
+
+}  // namespace evc::position
