@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+
+#include "modes/conditions.h"
+
+namespace evc::modes {
+
+/// One cell of the matrix 4.6.2: `from` is left for `to` when any of the listed conditions holds.
+/// Priority 1 is the highest; it orders the cells that leave one mode.
+template <class M>
+struct Cell {
+  M to{};
+  M from{};
+  std::array<std::uint8_t, 10> when{};  // the numbers in the page's order, 0 after the last
+  std::uint8_t priority = 0;
+  Conditions any;  // the same numbers as a set
+
+  constexpr Cell() = default;
+  constexpr Cell(M to_, M from_, std::initializer_list<int> numbers, int p)
+      : to(to_), from(from_), priority(static_cast<std::uint8_t>(p)) {
+    std::size_t i = 0;
+    for (const int n : numbers) {
+      when[i++] = static_cast<std::uint8_t>(n);
+      any.set(n);
+    }
+  }
+};
+
+/// A transition that fires: the mode entered, the first condition of the cell that holds and the
+/// cell's priority.
+template <class M>
+struct Transition {
+  M to{};
+  int number = 0;
+  int priority = 0;
+};
+
+/// The table again, the cells that leave one mode side by side (in the page's order), so that a cycle looks at a dozen
+/// cells and not at all of them.
+template <class M, std::size_t N, std::size_t Modes>
+struct ByLeaving {
+  std::array<Cell<M>, N> cells{};
+  std::array<std::uint16_t, Modes + 1> first{};
+
+  constexpr explicit ByLeaving(const std::array<Cell<M>, N>& table) {
+    std::size_t n = 0;
+    for (std::size_t m = 0; m < Modes; ++m) {
+      first[m] = static_cast<std::uint16_t>(n);
+      for (const Cell<M>& cell : table)
+        if (static_cast<std::size_t>(cell.from) == m) cells[n++] = cell;
+    }
+    first[Modes] = static_cast<std::uint16_t>(n);
+  }
+};
+
+/// The cell that fires, if any. Several enabled: the priority decides (4.6.2). Equal priorities are
+/// taken as exclusive by the standard; should two such cells hold in one cycle after all, the cell
+/// of a level transition goes first, then that of an event, for these are lost otherwise while a
+/// state is still there in the next cycle; then the page's order.
+template <class M, std::size_t N, std::size_t Modes>
+constexpr std::optional<Transition<M>> select(const ByLeaving<M, N, Modes>& table, M current,
+                                              const Conditions& holding) {
+  constexpr Conditions level_transitions = conditions_of(Nature::level);
+  constexpr Conditions events = conditions_of(Nature::event);
+  const std::size_t mode = static_cast<std::size_t>(current);
+  const Cell<M>* chosen = nullptr;
+  int chosen_rank = 0;
+  for (std::size_t i = table.first[mode]; i < table.first[mode + 1]; ++i) {
+    const Cell<M>& cell = table.cells[i];
+    if (!cell.any.any_of(holding)) continue;
+    const Conditions firing = cell.any & holding;
+    const int rank = cell.priority * 4 + (firing.any_of(level_transitions) ? 0 : firing.any_of(events) ? 1 : 2);
+    if (chosen == nullptr || rank < chosen_rank) {
+      chosen = &cell;
+      chosen_rank = rank;
+    }
+  }
+  if (chosen == nullptr) return std::nullopt;
+  std::size_t k = 0;
+  while (!holding.test(chosen->when[k])) ++k;
+  return Transition<M>{chosen->to, chosen->when[k], chosen->priority};
+}
+
+/// Every mode can be reached from NP.
+template <class M, std::size_t N>
+constexpr bool every_mode_is_reachable(const std::array<Cell<M>, N>& table, std::size_t modes) {
+  std::array<bool, 32> seen{};
+  seen[static_cast<std::size_t>(M::NP)] = true;
+  for (std::size_t round = 0; round < modes; ++round)
+    for (const Cell<M>& cell : table)
+      if (seen[static_cast<std::size_t>(cell.from)]) seen[static_cast<std::size_t>(cell.to)] = true;
+  for (std::size_t m = 0; m < modes; ++m)
+    if (!seen[m]) return false;
+  return true;
+}
+
+template <class M, std::size_t N>
+constexpr bool no_cell_twice(const std::array<Cell<M>, N>& table) {
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = i + 1; j < N; ++j)
+      if (table[i].to == table[j].to && table[i].from == table[j].from) return false;
+  return true;
+}
+
+/// Two cells that leave one mode with one priority share no condition: arbitration is total.
+template <class M, std::size_t N>
+constexpr bool equal_priority_means_disjoint_conditions(const std::array<Cell<M>, N>& table) {
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = i + 1; j < N; ++j)
+      if (table[i].from == table[j].from && table[i].priority == table[j].priority && table[i].any.any_of(table[j].any))
+        return false;
+  return true;
+}
+
+}  // namespace evc::modes

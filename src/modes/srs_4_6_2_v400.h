@@ -1,0 +1,191 @@
+#pragma once
+#include <optional>
+
+#include "modes/mode_table.h"
+
+// The mode table of SRS 4.0.0, beside that of 3.x: it has the modes SM (Supervised Manoeuvre) and AD (Automatic
+// Driving) and no level 3. Data only: the conditions 9, 11, 24, 33, 48, 53 and 75 to 84 are not observed by this unit.
+namespace evc::modes::v400 {
+
+/// The modes of 4.0.0 in its column order.
+enum class Mode : std::uint8_t { NP, SB, PS, SH, SM, FS, AD, LS, SR, OS, SL, NL, UN, TR, PT, SF, IS, SN, RV };
+inline constexpr std::size_t kModes = 19;
+
+constexpr const char* name(Mode mode) {
+  constexpr const char* names[kModes] = {"NP", "SB", "PS", "SH", "SM", "FS", "AD", "LS", "SR", "OS",
+                                         "SL", "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV"};
+  return names[static_cast<std::size_t>(mode)];
+}
+
+// clang-format off
+inline constexpr auto srs_4_6_2 = [] {
+  using enum Mode;
+  return std::to_array<Cell<Mode>>({
+    // into NP
+    {NP, SB, {29}, 2}, {NP, PS, {29}, 2}, {NP, SH, {29}, 2}, {NP, SM, {29}, 2}, {NP, FS, {29}, 2},
+    {NP, AD, {29}, 2}, {NP, LS, {29}, 2}, {NP, SR, {29}, 2}, {NP, OS, {29}, 2}, {NP, SL, {29}, 2},
+    {NP, NL, {29}, 2}, {NP, UN, {29}, 2}, {NP, TR, {29}, 2}, {NP, PT, {29}, 2}, {NP, SF, {29}, 2},
+    {NP, SN, {29}, 2}, {NP, RV, {29}, 2},
+    // into SB
+    {SB, NP, {4},          2},
+    {SB, PS, {22},         4},
+    {SB, SH, {19, 27, 30}, 5},
+    {SB, SM, {28, 82},     4},
+    {SB, FS, {28, 83},     5},
+    {SB, AD, {28, 83},     5},
+    {SB, LS, {28, 83},     5},
+    {SB, SR, {28, 83},     5},
+    {SB, OS, {28, 83},     5},
+    {SB, SL, {2, 3},       3},
+    {SB, NL, {28, 47},     3},
+    {SB, UN, {28, 83},     6},
+    {SB, PT, {28, 83},     4},
+    {SB, SN, {28, 83},     6},
+    {SB, RV, {28},         4},
+    // into PS
+    {PS, SH, {26}, 5},
+    // into SH
+    {SH, SB, {5, 6, 50},     7},
+    {SH, PS, {23},           4},
+    {SH, SM, {6},            6},
+    {SH, FS, {5, 6, 50, 51}, 6},
+    {SH, AD, {5, 6, 50, 51}, 6},
+    {SH, LS, {5, 6, 50, 51}, 6},
+    {SH, SR, {5, 6, 51},     6},
+    {SH, OS, {5, 6, 50, 51}, 6},
+    {SH, UN, {5, 61},        7},
+    {SH, TR, {68},           4},
+    {SH, PT, {5, 6, 50, 78}, 5},
+    {SH, SN, {5, 61},        7},
+    // into SM
+    {SM, SB, {81}, 8},
+    {SM, FS, {81}, 7},
+    {SM, AD, {81}, 7},
+    {SM, LS, {81}, 7},
+    {SM, SR, {81}, 7},
+    {SM, OS, {81}, 7},
+    {SM, PT, {81}, 6},
+    // into FS
+    {FS, SB, {10},                7},
+    {FS, AD, {9, 24, 33, 48, 53}, 7},
+    {FS, LS, {76},                6},
+    {FS, SR, {31, 32},            6},
+    {FS, OS, {75},                6},
+    {FS, UN, {25},                7},
+    {FS, PT, {31},                5},
+    {FS, SN, {25},                7},
+    // into AD
+    {AD, FS, {80}, 7},
+    // into LS
+    {LS, SB, {70},     7},
+    {LS, FS, {70, 72}, 6},
+    {LS, AD, {70, 72}, 6},
+    {LS, SR, {72},     6},
+    {LS, OS, {70, 74}, 6},
+    {LS, UN, {71},     7},
+    {LS, PT, {70},     5},
+    {LS, SN, {71},     7},
+    // into SR
+    {SR, SB, {8, 37},  7},
+    {SR, FS, {37},     6},
+    {SR, AD, {37},     6},
+    {SR, LS, {37},     6},
+    {SR, OS, {37},     6},
+    {SR, UN, {44, 45}, 4},
+    {SR, PT, {8, 37},  5},
+    {SR, SN, {44, 45}, 4},
+    // into OS
+    {OS, SB, {15},     7},
+    {OS, FS, {15, 40}, 6},
+    {OS, AD, {15, 40}, 6},
+    {OS, LS, {15, 73}, 6},
+    {OS, SR, {40},     6},
+    {OS, UN, {34},     7},
+    {OS, PT, {15},     5},
+    {OS, SN, {34},     7},
+    // into SL
+    {SL, SB, {14}, 5},
+    {SL, PS, {14}, 4},
+    // into NL
+    {NL, SB, {46}, 6},
+    {NL, SH, {46}, 5},
+    {NL, SM, {46}, 6},
+    {NL, FS, {46}, 6},
+    {NL, AD, {46}, 6},
+    {NL, LS, {46}, 6},
+    {NL, SR, {46}, 6},
+    {NL, OS, {46}, 6},
+    // into UN
+    {UN, SB, {60}, 7},
+    {UN, FS, {21}, 6},
+    {UN, AD, {21}, 6},
+    {UN, LS, {21}, 6},
+    {UN, SR, {21}, 6},
+    {UN, OS, {21}, 6},
+    {UN, TR, {62}, 4},
+    {UN, PT, {77}, 5},
+    {UN, SN, {21}, 7},
+    // into TR
+    {TR, SB, {20},                                     4},
+    {TR, SH, {49, 52, 65},                             4},
+    {TR, SM, {16, 17, 20, 41, 65, 66, 69},             5},
+    {TR, FS, {11, 12, 16, 17, 18, 20, 41, 65, 66, 69}, 4},
+    {TR, AD, {11, 12, 16, 17, 18, 20, 41, 65, 66, 69}, 4},
+    {TR, LS, {11, 12, 16, 17, 18, 20, 41, 65, 66, 69}, 4},
+    {TR, SR, {18, 20, 42, 43, 36, 54, 65},             4},
+    {TR, OS, {11, 12, 16, 17, 18, 20, 41, 65, 66, 69}, 4},
+    {TR, UN, {67, 39, 20},                             5},
+    {TR, SN, {67, 39, 38, 35, 20},                     5},
+    // into PT
+    {PT, TR, {7}, 4},
+    // into SF
+    {SF, SB, {13},     3},
+    {SF, SH, {13},     3},
+    {SF, SM, {13, 84}, 3},
+    {SF, FS, {13, 84}, 3},
+    {SF, AD, {13, 84}, 3},
+    {SF, LS, {13, 84}, 3},
+    {SF, SR, {13, 84}, 3},
+    {SF, OS, {13, 84}, 3},
+    {SF, UN, {13},     3},
+    {SF, TR, {13},     3},
+    {SF, PT, {13},     3},
+    {SF, SN, {13},     3},
+    {SF, RV, {13},     3},
+    // into IS
+    {IS, NP, {1}, 1}, {IS, SB, {1}, 1}, {IS, PS, {1}, 1}, {IS, SH, {1}, 1}, {IS, SM, {1}, 1},
+    {IS, FS, {1}, 1}, {IS, AD, {1}, 1}, {IS, LS, {1}, 1}, {IS, SR, {1}, 1}, {IS, OS, {1}, 1},
+    {IS, SL, {1}, 1}, {IS, NL, {1}, 1}, {IS, UN, {1}, 1}, {IS, TR, {1}, 1}, {IS, PT, {1}, 1},
+    {IS, SF, {1}, 1}, {IS, SN, {1}, 1}, {IS, RV, {1}, 1},
+    // into SN
+    {SN, SB, {58}, 7},
+    {SN, FS, {56}, 6},
+    {SN, AD, {56}, 6},
+    {SN, LS, {56}, 6},
+    {SN, SR, {56}, 6},
+    {SN, OS, {56}, 6},
+    {SN, UN, {56}, 7},
+    {SN, TR, {63}, 4},
+    {SN, PT, {79}, 5},
+    // into RV
+    {RV, FS, {59}, 6},
+    {RV, AD, {59}, 6},
+    {RV, LS, {59}, 6},
+    {RV, OS, {59}, 6},
+  });
+}();
+// clang-format on
+
+static_assert(srs_4_6_2.size() == 159);
+static_assert(every_mode_is_reachable(srs_4_6_2, kModes));
+static_assert(no_cell_twice(srs_4_6_2));
+static_assert(equal_priority_means_disjoint_conditions(srs_4_6_2));
+
+inline constexpr ByLeaving<Mode, srs_4_6_2.size(), kModes> srs_4_6_2_by_leaving(srs_4_6_2);
+
+/// As modes::next_mode, with the table of 4.0.0.
+constexpr std::optional<Transition<Mode>> next_mode(Mode current, const Conditions& holding) {
+  return select(srs_4_6_2_by_leaving, current, holding);
+}
+
+}  // namespace evc::modes::v400
