@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/units.h"
+
+// Roll away, reverse movement, standstill supervision (3.14.2-4) and post trip distance (4.4.14).
+namespace evc::protection {
+
+enum class Direction : std::int8_t { backward = -1, none = 0, forward = 1 };
+
+/// One protection by distance: a forbidden movement beyond its limit commands the brake until standstill and the
+/// driver's acknowledgement; afterwards it starts anew from there.
+struct DistanceGuard {
+  std::optional<OdometerPlace> reference;
+  bool braking = false;
+};
+struct MovementGuards {
+  DistanceGuard roll_away, reverse_movement, standstill;
+  std::optional<OdometerPlace> post_trip_from;  ///< front end when PT was entered
+  bool post_trip_braking = false;
+  std::optional<OdometerPlace> post_trip_released_at;  ///< released while still beyond: any backward move brakes again
+  std::optional<OdometerPlace> reversing_released_at;
+  bool reversing_braking = false;
+};
+
+/// What is supervised in the mode in force (4.5.2).
+struct GuardSelection {
+  bool roll_away = false;         ///< SH FS LS SR OS UN PT RV, with a direction controller
+  bool reverse_movement = false;  ///< FS LS SR OS PT RV
+  bool standstill = false;        ///< SB
+  bool post_trip = false;         ///< PT
+  bool reversing = false;         ///< RV
+};
+/// By M_MODE.
+GuardSelection guards_of(std::uint8_t M_MODE);
+
+struct Movement {
+  OdometerPlace nominal{};  ///< increases in running direction of the active cab
+  bool standstill = false;
+  std::optional<Direction> controller;       ///< position of the direction controller; absent: no interface
+  Direction permitted = Direction::forward;  ///< backward in PT and RV
+  std::optional<Distance> D_NVROLL;          ///< absent: infinite
+  std::optional<Distance> D_NVPOTRP;
+  std::optional<Distance>
+      reversing_left;         ///< RV: distance to the end of the reversing distance, negative beyond; absent: endless
+  bool acknowledged = false;  ///< the driver acknowledged the brake
+};
+/// Brakes asked for. Roll away, reverse movement and standstill leave the kind of brake open (3.14.1.1): emergency.
+struct Commands {
+  bool roll_away = false, reverse_movement = false, standstill = false;  ///< emergency brake
+  bool post_trip = false;                                                ///< service brake (4.4.14.1.3)
+  bool reversing = false;                                                ///< emergency brake (3.15.4.8)
+  bool against_permitted = false;  ///< moving against the permitted direction: balise data are ignored (3.14.3.6)
+  bool any() const { return roll_away || reverse_movement || standstill || post_trip || reversing; }
+};
+Commands guard(MovementGuards& guards, const GuardSelection& selection, const Movement& movement);
+/// A mode was entered: supervision that the mode does not have ends, roll away goes on (4.12).
+void enter_mode(MovementGuards& guards, const GuardSelection& selection, OdometerPlace nominal);
+
+}  // namespace evc::protection

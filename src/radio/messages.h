@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/units.h"
+
+namespace evc::radio {
+
+/// The address of an RBC. NID_RBC 16383: the last one known; NID_RADIO all ones: the stored number.
+struct Rbc {
+  std::uint16_t NID_C = 0, NID_RBC = 0;
+  std::uint64_t NID_RADIO = 0;
+  friend constexpr bool operator==(const Rbc&, const Rbc&) = default;
+  constexpr bool same_id(const Rbc& other) const { return NID_C == other.NID_C && NID_RBC == other.NID_RBC; }
+};
+inline constexpr std::uint16_t kLastKnownRbc = 16383;
+inline constexpr std::uint64_t kStoredNumber = 0xFFFF'FFFF'FFFF'FFFFu;
+inline constexpr std::uint32_t kUnknownLrbg = 0xFF'FFFF;
+inline constexpr std::uint32_t kUnknownTime = 0xFFFF'FFFF;
+
+/// The on-board clock in 10 ms units as T_TRAIN counts (7.5.1.154); never the code for unknown.
+constexpr std::uint32_t T_TRAIN_of(Duration now) {
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(now.si * 100.0 + 0.5) % 0xFFFF'FFFFu);
+}
+
+/// The header of a message to the train (8.4.4.6).
+struct Header {
+  std::uint8_t NID_MESSAGE = 0;
+  std::uint32_t T_TRAIN = kUnknownTime;
+  bool M_ACK = false;
+  std::uint32_t NID_LRBG = kUnknownLrbg;
+};
+
+/// A message that the train has to send; the bits come from `compose`.
+struct Intent {
+  std::uint8_t NID_MESSAGE = 0;
+  std::uint32_t T_TRAIN = 0;                     ///< its own stamp
+  std::uint32_t T_TRAIN_REF = 0;                 ///< 137, 138, 146: of the message that is answered
+  std::uint8_t NID_EM = 0, Q_EMERGENCYSTOP = 0;  ///< 147
+  std::uint8_t Q_MARQSTREASON = 0;               ///< 132
+  std::uint8_t Q_STATUS = 0;                     ///< 157: 0 invalid, 1 valid, 2 unknown
+  std::uint8_t NID_TEXTMESSAGE = 0;              ///< 158
+  std::optional<std::uint8_t> M_ERROR;           ///< packet 4 in 136, 157
+  std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
+};
+
+/// What leaves in one cycle.
+struct Outbox {
+  InplaceVector<Intent, 16> messages;
+  std::optional<Rbc> connect, disconnect;
+  bool inform_no_connection = false;  ///< start of mission: all tries failed (5.4.3.2 A32)
+  bool inform_no_version = false;     ///< message 154 was sent (3.5.3.8)
+  bool overflow = false;              ///< more messages than room: the oldest stay, sent again by their timers
+  void send(const Intent& intent) { overflow = !messages.push_back(intent) || overflow; }
+  void send(std::uint8_t NID_MESSAGE) {
+    Intent intent;
+    intent.NID_MESSAGE = NID_MESSAGE;
+    send(intent);
+  }
+};
+
+}  // namespace evc::radio

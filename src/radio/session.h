@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/units.h"
+#include "radio/messages.h"
+
+// Communication session with an RBC (3.5): set-up, version check, maintenance, termination.
+namespace evc::radio {
+
+/// N_CONN_TRIES, T_REP, N_REP, T_SESSION_KEEP, T_VERSION_WAIT, T_CONNSTATUS (A.3.1).
+inline constexpr std::uint8_t kConnectionTries = 3;
+inline constexpr Duration kRepeatAfter{15.0};
+inline constexpr std::uint8_t kRepetitions = 3;
+inline constexpr Duration kSessionKept{300.0};
+inline constexpr Duration kVersionWait{15.0};
+inline constexpr Duration kContactExtra{60.0};
+inline constexpr Duration kConnectionStatus{45.0};
+
+enum class Phase : std::uint8_t { idle, connecting, waiting_version, up, lost, terminating };
+/// Safe radio connection indication (3.5.7).
+enum class Indication : std::uint8_t { none, failed, up };
+/// What the bearer reports.
+enum class Link : std::uint8_t { unchanged, connected, lost, refused };
+/// Why a session is to be established (3.5.3.4).
+enum class Cause : std::uint8_t {
+  start_of_mission,
+  trackside_order,
+  mode_report,
+  driver_level,
+  radio_hole_end,
+  after_loss,
+  start_without_session
+};
+
+struct Session {
+  Phase phase = Phase::idle;
+  Rbc rbc{};
+  Cause cause = Cause::start_of_mission;
+  std::uint8_t tries = 0;        ///< connection requests made
+  std::uint8_t repetitions = 0;  ///< of message 156
+  Duration since{};              ///< the phase was entered, or the last repetition sent
+  std::optional<Duration> status_timer;
+  Indication indication = Indication::none;
+  std::uint8_t M_VERSION = 0;                 ///< of the RBC, from message 32; 0: not known
+  std::optional<std::uint32_t> last_T_TRAIN;  ///< of the last message not rejected: the sequence reference
+  bool request_connection = false;            ///< a request was made that the bearer has not answered yet
+  std::optional<Rbc> remembered;              ///< ordered while terminating; set up afterwards
+  Cause remembered_cause = Cause::trackside_order;
+
+  /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
+  bool established() const { return phase == Phase::up || phase == Phase::lost; }
+};
+
+struct Outbox;
+
+/// Establishes a session with `rbc` unless one with it is up or being set up (3.5.3.4.1); a session with another RBC is
+/// terminated first (3.5.3.5.2).
+void establish(Session& session, const Rbc& rbc, Cause cause, Duration now, Outbox& out);
+/// Terminates the session (3.5.5): message 156, repeated until 39; while connecting it just stops.
+void terminate(Session& session, Duration now, Outbox& out);
+/// What the bearer reports, and the timers. `in_radio_hole`: no attempts to connect (3.5.4.4). True in the cycle in
+/// which the session came to be lost for good after kSessionKept: cause `after_loss` is due (3.5.3.4 f).
+bool maintain(Session& session, Link link, bool in_radio_hole, Duration now, Outbox& out);
+/// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
+bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);
+/// Message 39 was received.
+void end(Session& session, Duration now, Outbox& out);
+/// No message since T_NVCONTACT + kContactExtra: the connection is released and set up again (3.16.3.4.3).
+void reconnect(Session& session, Duration now, Outbox& out);
+
+}  // namespace evc::radio

@@ -1,0 +1,85 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/units.h"
+
+namespace evc::track {
+
+/// A release speed as ordered (7.5.1.160): given, the national one, or computed on board.
+struct Release {
+  enum class Kind : std::uint8_t { none, given, national, on_board };
+  Kind kind = Kind::none;
+  Speed V{};
+  friend constexpr bool operator==(const Release&, const Release&) = default;
+};
+
+/// A timer of the movement authority. `limit` absent: endless.
+struct Timer {
+  std::optional<Duration> limit;
+  Duration started{};
+  bool running = false;
+  bool expired_at(Duration now) const { return running && limit && now - started > *limit; }
+  friend constexpr bool operator==(const Timer&, const Timer&) = default;
+};
+
+struct Section {
+  Place begin{}, end{};
+  bool timed = false;
+  Timer timer{};  ///< counts from the MA's time stamp; stops when the min safe front end passes `stop` (3.8.4.2)
+  Place stop{};
+  friend constexpr bool operator==(const Section&, const Section&) = default;
+};
+struct EndSectionTimer {
+  Place start{};
+  Timer timer{};
+  friend constexpr bool operator==(const EndSectionTimer&, const EndSectionTimer&) = default;
+};
+struct DangerPoint {
+  Place at{};
+  Release release{};
+  friend constexpr bool operator==(const DangerPoint&, const DangerPoint&) = default;
+};
+struct Overlap {
+  Place start{};  ///< of the timer
+  Place end{};
+  Timer timer{};
+  Release release{};
+  friend constexpr bool operator==(const Overlap&, const Overlap&) = default;
+};
+
+/// A movement authority (packets 12 and 15; 3.8). Sections are contiguous; the last one's end is the EOA, or
+/// the LOA when `V_LOA` is not zero.
+struct MovementAuthority {
+  InplaceVector<Section, 32> sections;
+  Speed V_LOA{};
+  Timer loa_timer{};
+  std::optional<EndSectionTimer> end_section;
+  std::optional<DangerPoint> danger_point;
+  std::optional<Overlap> overlap;
+  std::optional<Place> fixed_SvL;        ///< set by what shortened the MA (3.8.4.1.2, 3.10.2.2, A.3.4 [11])
+  std::optional<Release> fixed_release;  ///< likewise; a shortened MA has V_NVREL or none
+  bool level_1 = false;
+
+  bool limited() const { return V_LOA > Speed{}; }        ///< ends in an LOA
+  Place start() const { return sections.front().begin; }  ///< needs a section
+  Place end() const { return sections.back().end; }       ///< EOA or LOA; needs a section
+  /// The supervised location (3.8.4.5); absent while an LOA is supervised.
+  std::optional<Place> SvL() const;
+  /// The release speed that goes with the EOA (3.13.9.4.4).
+  Release release() const;
+  friend constexpr bool operator==(const MovementAuthority&, const MovementAuthority&) = default;
+};
+
+/// What is supervised at the end of the authority, the nearest of the MA's own points and the temporary ones of
+/// mode profile, route suitability and level crossings (3.12).
+struct Authority {
+  std::optional<Place> EOA, SvL;
+  std::optional<Place> LOA;
+  Speed V_LOA{};
+  Release release{};
+  friend constexpr bool operator==(const Authority&, const Authority&) = default;
+};
+
+}  // namespace evc::track

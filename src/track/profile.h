@@ -1,0 +1,88 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/units.h"
+
+namespace evc::track {
+
+/// A continuous profile (3.6.3.2.2): a value holds from its place to the next one's; the last one is
+/// endless unless it is the end-of-profile code. `Value` offers `known()` and `Value::unknown()`;
+/// a step that is not known is a hole or the end of the profile. Steps are in order of place; two at
+/// one place are an element without length, which still counts (3.6.3.2.2 e).
+template <class Value, std::size_t N>
+struct Profile {
+  struct Step {
+    Place from{};
+    Value value{};
+    friend constexpr bool operator==(const Step&, const Step&) = default;
+  };
+  InplaceVector<Step, N> steps;
+
+  constexpr bool empty() const { return steps.empty(); }
+
+  /// Appends at the far end. When full the profile ends at its last step: less is known, and an MA
+  /// that needs more is refused (3.7.2.3). False in that case or when `from` lies behind the end.
+  constexpr bool append(Place from, const Value& value) {
+    if (!steps.empty() && from < steps.back().from) return false;
+    if (steps.push_back({from, value})) return true;
+    steps.back().value = Value::unknown();
+    return false;
+  }
+  /// New data replace the stored ones from their start on; before it the old ones stay (3.7.3.1 a, b).
+  template <std::size_t M>
+  constexpr bool replace_from(const Profile<Value, M>& fresh) {
+    if (fresh.empty()) return true;
+    const Place start = fresh.steps.front().from;
+    while (!steps.empty() && steps.back().from >= start) steps.pop_back();
+    bool all = true;
+    for (const auto& step : fresh.steps) all = append(step.from, step.value) && all;
+    return all;
+  }
+  /// Withdraws everything from `at` on (A.3.4): the profile ends there.
+  constexpr void cut(Place at) {
+    if (steps.empty()) return;
+    while (!steps.empty() && steps.back().from >= at) steps.pop_back();
+    if (!steps.empty() && steps.back().value.known()) append(at, Value::unknown());
+  }
+  /// Forgets the steps whose whole length lies behind `limit` (A.3.6).
+  constexpr void forget_before(Place limit) {
+    std::size_t gone = 0;
+    while (gone + 1 < steps.size() && steps[gone + 1].from <= limit) ++gone;
+    if (gone > 0) steps.erase(0, gone);
+  }
+  /// Whether a known value stands at every place of [from, to).
+  constexpr bool covers(Place from, Place to) const {
+    if (steps.empty() || steps.front().from > from) return false;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const bool behind = i + 1 < steps.size() && steps[i + 1].from <= from;
+      if (!steps[i].value.known() && !behind && steps[i].from < to) return false;
+    }
+    return true;
+  }
+  /// The value at `x`; absent before the first step and where nothing is known.
+  constexpr std::optional<Value> at(Place x) const {
+    std::optional<Value> found;
+    for (const Step& step : steps) {
+      if (step.from > x) break;
+      found = step.value;
+    }
+    if (found && !found->known()) found.reset();
+    return found;
+  }
+  friend constexpr bool operator==(const Profile&, const Profile&) = default;
+};
+
+/// Whether `stored`, replaced from the start of `fresh` on, would cover [from, to) (3.7.2.3: what is
+/// stored and what comes in the same message count together).
+template <class Value, std::size_t N, std::size_t M>
+constexpr bool covers_together(const Profile<Value, N>& stored, const Profile<Value, M>& fresh, Place from, Place to) {
+  if (fresh.empty()) return stored.covers(from, to);
+  const Place start = fresh.steps.front().from;
+  if (start <= from) return fresh.covers(from, to);
+  if (start >= to) return stored.covers(from, to);
+  return stored.covers(from, start) && fresh.covers(start, to);
+}
+
+}  // namespace evc::track

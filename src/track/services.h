@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "track/description.h"
+
+// What the other rooms read from the track description.
+namespace evc::track {
+
+inline constexpr std::size_t kMrspSteps = 128;
+using Mrsp = StepFunction<Place, Speed, kMrspSteps>;
+/// Per mille, positive uphill.
+using GradientFunction = StepFunction<Place, double, 96>;
+
+/// A speed limit from outside the track description: mode, train, override, STM. Open ends: absent.
+struct Limit {
+  std::optional<Place> from, to;
+  Speed V{};
+};
+struct MrspQuery {
+  Place from{};  ///< where the function starts; something behind the train's rear end
+  Distance train_length{};
+  TrainCategory category{};
+  InplaceVector<Limit, 8> limits;  ///< at least the train's maximum speed
+};
+/// The highest speed of the language (7.5.1.173): the value where nothing limits.
+inline constexpr Speed kNoLimit = speed_of(120);
+
+/// The most restrictive speed profile (3.13.7): the lowest of SSP, ASP, TSR, PBD, LX, signalling speed and `limits`,
+/// with the train length delay of SSP, ASP and TSR. The speed in force is the lowest between min and max safe front
+/// end. Where there are more changes than there is room for, the lower neighbour is kept: never higher than due.
+Mrsp mrsp(const Description& d, const MrspQuery& query);
+
+/// The stored gradient, not compensated for the train length. Where it is not known: `unknown` per mille (0, or for
+/// targets of a TSR the default gradient; 3.13.4.1.2-3). Never empty: it starts at or before `from`.
+GradientFunction gradient(const Description& d, Place from, double unknown = 0.0);
+
+/// EOA, SvL, LOA and release speed to supervise now. `M_MODE` is the mode in force: the start of an area of that
+/// mode is no stop any more; in SH, SR and others nothing is asked.
+Authority authority(const Description& d, const TrainInterfaces& train, std::uint8_t M_MODE);
+
+/// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
+/// end; the farthest such area. Absent: none (3.12.4.5-6).
+std::optional<ModeArea> area_due(const Description& d, const Here& here);
+/// The nearest area whose acknowledgement window holds the estimated front end and that is not accepted (5.9.3.4).
+std::optional<ModeArea> area_to_acknowledge(const Description& d, const Here& here);
+/// The driver acknowledged, or the area was entered: it is no temporary EOA any more.
+void accept_area(Description& d, AreaMode mode, const Here& here);
+
+/// Adhesion that counts for a place: reduced between an area's start and its end plus the train length (3.13.5.3).
+bool slippery(const Description& d, Place at, Distance train_length);
+
+/// Estimated front end in rear of the first SSP or gradient stored (4.6.3 [69]).
+bool before_track_description(const Description& d, const Here& here);
+
+/// The nearest place from which the route does not suit the train (3.12.2.7).
+std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces& train);
+
+/// Marks the level crossing as substituted: V_LX instead of the stop, from `from` on (5.16).
+void substitute_level_crossing(Description& d, std::uint8_t NID_LX, Place from);
+
+/// The shortest time until a section timer or the LOA speed timer of the stored MA runs out, for the MA request
+/// (3.8.2.3 c; end section and overlap timers do not count). Absent: no such timer runs.
+std::optional<Duration> time_to_timeout(const Description& d, Duration now);
+
+/// Geographical position of the estimated front end in metres (3.6.6); absent when none applies.
+std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here);
+/// A balise group was passed at `at`: references to it become applicable after their offset.
+void note_group(Description& d, BaliseGroupId group, Place at);
+
+/// Text display (3.12.3): `brake_*` while a text waits for its acknowledgement beyond its end.
+struct TextDisplay {
+  InplaceVector<std::uint8_t, 6> shown;  ///< ids
+  InplaceVector<std::uint8_t, 6> to_acknowledge;
+  bool service_brake = false, emergency_brake = false;
+};
+/// Runs the texts one cycle. M_MODE, M_LEVEL, NID_NTC as in chapter 7. `acknowledged`: id of the text that the
+/// driver acknowledged now, 0 none. `reports`: NID_TEXTMESSAGE of messages 158 that are due.
+TextDisplay show_texts(Description& d, const Here& here, std::uint8_t M_MODE, std::uint8_t M_LEVEL,
+                       std::uint8_t NID_NTC, std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports);
+
+}  // namespace evc::track

@@ -1,0 +1,109 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "base/units.h"
+#include "track/profile.h"
+
+// Static speed restrictions and gradient (3.11, 3.11.12). Everything is stored for every train category:
+// which speed counts is decided when the MRSP is built.
+namespace evc::track {
+
+/// A speed of the language in steps of 5 km/h.
+using SpeedCode = std::uint8_t;
+inline constexpr SpeedCode kNoSpeed = 255;  ///< no value given
+inline constexpr SpeedCode kEndOfProfile = 127;
+constexpr Speed speed_of(SpeedCode code) { return {static_cast<double>(code * 5) / 3.6}; }
+
+/// What a train has to tell for the choice of speeds and for the route (3.18.3.2).
+struct TrainCategory {
+  std::uint8_t NC_CDTRAIN = 0;  ///< index of the cant deficiency, 0..10: 80 100 130 150 165 180 210 225 245 275 300 mm
+  std::uint16_t NC_TRAIN = 0;   ///< bit k: other international category k (0 freight P, 1 freight G, 2 passenger)
+  std::uint8_t M_AXLELOADCAT = 0;  ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
+  friend constexpr bool operator==(const TrainCategory&, const TrainCategory&) = default;
+};
+
+/// One element of the static speed profile (packet 27).
+struct StaticSpeed {
+  SpeedCode V_STATIC = kEndOfProfile;
+  bool Q_FRONT = false;          ///< true: no train length delay at the end of this element (3.11.3.1.3)
+  std::uint8_t replaces_cd = 0;  ///< bit k: other category k replaces the cant deficiency speed (Q_DIFF = 1)
+  std::array<SpeedCode, 11> cd{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
+                               kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
+  std::array<SpeedCode, 3> other{kNoSpeed, kNoSpeed, kNoSpeed};
+
+  static constexpr StaticSpeed unknown() { return {}; }
+  constexpr bool known() const { return V_STATIC != kEndOfProfile; }
+  /// The element's speed for one train (3.11.3.2.3, 3.11.3.2.6).
+  SpeedCode speed_for(const TrainCategory& train) const;
+  friend constexpr bool operator==(const StaticSpeed&, const StaticSpeed&) = default;
+};
+using StaticSpeedProfile = Profile<StaticSpeed, 64>;
+using NewStaticSpeedProfile = Profile<StaticSpeed, 32>;
+
+/// One element of the gradient profile (packet 21), per mille, positive uphill.
+struct Gradient {
+  std::int16_t permille = kUnknown;
+  static constexpr std::int16_t kUnknown = 32767;
+  static constexpr Gradient unknown() { return {}; }
+  constexpr bool known() const { return permille != kUnknown; }
+  friend constexpr bool operator==(const Gradient&, const Gradient&) = default;
+};
+using GradientProfile = Profile<Gradient, 96>;
+using NewGradientProfile = Profile<Gradient, 32>;
+
+/// One element of the axle load speed profile (packet 51).
+struct AxleLoadRestriction {
+  Place from{}, to{};
+  bool Q_FRONT = false;
+  std::array<SpeedCode, 13> V_AXLELOAD{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
+                                       kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
+  /// The lowest speed of the categories up to the train's (3.11.4.3 up to 3.6.0); absent when none applies.
+  SpeedCode speed_for(const TrainCategory& train) const;
+  friend constexpr bool operator==(const AxleLoadRestriction&, const AxleLoadRestriction&) = default;
+};
+
+/// A temporary speed restriction (packet 65). Identity 255 cannot be revoked (3.11.5).
+struct TemporarySpeedRestriction {
+  Place from{}, to{};
+  std::uint8_t NID_TSR = 255;
+  bool Q_FRONT = false;
+  SpeedCode V_TSR = 0;
+  bool from_rbc = false;
+  friend constexpr bool operator==(const TemporarySpeedRestriction&, const TemporarySpeedRestriction&) = default;
+};
+
+/// One element of the permitted braking distance profile (packet 52); its speed is computed in sdm.
+struct PermittedBrakingDistance {
+  Place from{}, to{};
+  Distance D_PBD{};
+  std::int16_t gradient_permille = 0;
+  bool service_brake = false;  ///< Q_PBDSR: false emergency brake, true service brake
+  SpeedCode speed = kNoSpeed;  ///< V_PBD, set by sdm; kNoSpeed: not computed yet
+  friend constexpr bool operator==(const PermittedBrakingDistance&, const PermittedBrakingDistance&) = default;
+};
+
+/// A level crossing (packet 88).
+struct LevelCrossing {
+  Place from{}, to{};
+  std::uint8_t NID_LX = 0;
+  bool unprotected = false;  ///< Q_LXSTATUS
+  SpeedCode V_LX = 0;
+  bool stop_required = false;  ///< Q_STOPLX
+  Distance L_STOPLX{};         ///< stopping area in rear of the crossing
+  bool substituted = false;    ///< V_LX holds instead of the stop (5.16), from `V_LX_from`
+  Place V_LX_from{};
+  friend constexpr bool operator==(const LevelCrossing&, const LevelCrossing&) = default;
+};
+
+/// Signalling related speed restriction (3.11.6), level 1 only.
+struct SignallingSpeed {
+  Place from{};
+  SpeedCode V_MAIN = 0;
+  std::optional<Place> to;  ///< where shortening cut it (A.3.4)
+  friend constexpr bool operator==(const SignallingSpeed&, const SignallingSpeed&) = default;
+};
+
+}  // namespace evc::track

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+
+#include "track/description.h"
+
+namespace evc::track {
+
+/// One thing that became of a packet: stored (clause null), refused or deleted because of the clause.
+struct Note {
+  std::uint8_t packet = 0;
+  enum class What : std::uint8_t { stored, refused, shortened, full } what = What::stored;
+  const char* clause = nullptr;
+};
+struct Stored {
+  bool ma_accepted = false, ma_refused = false;
+  bool shortened = false;   ///< the new MA was a shortening: data beyond the new SvL were deleted (3.8.5.1.3)
+  bool trip_order = false;  ///< V_MAIN = 0, not infill (3.11.6.2)
+  InplaceVector<Note, 40> notes;
+};
+
+/// Whether SSP and gradient, stored or in the same message, reach without hole from the estimated front end (or the
+/// infill reference) to the SvL of the MA, for an LOA to the LOA (3.7.2.3).
+bool complete(const Description& d, const Contents& c, const Here& here);
+/// The same for what is stored: the MA that is stored is still covered.
+bool complete(const Description& d, const Here& here);
+
+/// Stores what a message brings: shortening first, then the MA if it is complete, then each packet by its rule of
+/// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be taken now (3.10.2.4 pending emergency stop,
+/// 4.8.3 [3] train data not acknowledged), or null. What a full store cannot take is noted, and the data end there.
+Stored store(Description& d, const Contents& c, const Here& here, const char* refuse_ma = nullptr);
+
+}  // namespace evc::track

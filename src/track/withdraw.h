@@ -1,0 +1,91 @@
+#pragma once
+#include <cstdint>
+
+#include "track/description.h"
+
+namespace evc::track {
+
+/// Situations of A.3.4 in which stored data are shortened or deleted.
+enum class Situation : std::uint8_t {
+  a_conditional_emergency_stop,
+  b_shortened_ma,
+  c_section_timeout,
+  d_overlap_timeout,
+  e_end_section_timeout,
+  f_shortening_granted,
+  g_unlinked_group_inconsistent,
+  h_linking_reaction,
+  i_radio_contact_lost,
+  j_train_data_changed,
+  k_desk_closed_during_start,
+  l_rams_supervision,
+  m_linked_group_inconsistent,
+  n_loa_became_eoa,
+};
+
+/// Deletes from `d` what A.3.4 deletes. a-d, f, n: beyond `cut` (the new SvL; for a the stop location); e, g-j, l, m:
+/// beyond the max safe front end, the EOA becomes the estimated and the SvL the max safe front end, without release
+/// speed; k: all that is listed. `shunting`: the train is in SH (its list stays). Gives whether part of the track
+/// description was deleted in a situation after which an MA is requested (3.8.2.7.3).
+bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting = false);
+
+/// What a conditional emergency stop does to the MA (3.10.2.2): the value of Q_EMERGENCYSTOP for message 147, 0: EOA
+/// or LOA changed, 1: not changed. The caller has checked that the stop is not passed. Deletes per A.3.4 a.
+std::uint8_t stop_at(Description& d, Place stop, const Here& here);
+
+/// Events of the running supervision of stored data.
+struct Elapsed {
+  bool section_timeout = false, overlap_timeout = false, end_section_timeout = false, loa_timeout = false;
+  bool track_description_deleted = false;  ///< reason 8 of the MA request
+  bool any() const { return section_timeout || overlap_timeout || end_section_timeout || loa_timeout; }
+};
+/// Every cycle: timers of the MA (3.8.4), and data whose function is over (A.3.6): 300 m behind the min safe rear end
+/// for speed restrictions, gradient, adhesion, big metal masses, and areas passed.
+Elapsed advance(Description& d, const Here& here);
+
+/// The rows of 4.10 that live here. A set of them is a bit mask.
+enum class Item : std::uint8_t {
+  movement_authority,
+  gradient,
+  ssp,
+  asp,
+  tsr,
+  inhibit_revocable_tsr,
+  default_gradient_tsr,
+  signalling_speed,
+  route_suitability,
+  adhesion_trackside,
+  plain_text,
+  fixed_text,
+  geo_position,
+  mode_profile,
+  rbc_transition_order,
+  radio_infill_area,
+  track_conditions_general,
+  track_conditions_horn_stopping,
+  track_condition_bmm,
+  reversing_area,
+  reversing_supervision,
+  permitted_braking_distance,
+  level_crossing,
+  level_transition_order,
+  stop_sh_on_desk_opening,
+  sh_bg_list,
+  sr_bg_list,
+  vbc,
+  generic_ls_marker,
+  count
+};
+/// Deletes (resets) one item.
+void forget(Description& d, Item item);
+
+/// Whether an item is deleted or reset on entry of a mode, named by M_MODE (7.5.1.65; `kNoPower` for NP), coming
+/// from another (4.10, baseline 3.6.0).
+inline constexpr std::uint8_t kNoPower = 16;
+bool deleted_on_entry(Item item, std::uint8_t M_MODE, std::uint8_t from_M_MODE);
+/// Deletes what 4.10 deletes on entry of a mode.
+void enter_mode(Description& d, std::uint8_t M_MODE, std::uint8_t from_M_MODE);
+/// Deletes what 4.9 deletes on entry of a level (M_LEVEL: 0 level 0, 1 NTC, 2 level 1, 3 level 2, 4 level 3).
+void enter_level(Description& d, std::uint8_t M_LEVEL);
+
+}  // namespace evc::track
