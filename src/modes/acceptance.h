@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "modes/edition.h"
+#include "modes/information.h"
+#include "modes/level.h"
+#include "modes/mode.h"
+
+namespace evc::modes {
+
+enum class Medium : std::uint8_t { balise, loop, riu, rbc };
+
+/// Which of the two RBCs of a handover speaks (4.8.2, 3.15.1); without a handover it is the supervising one.
+enum class RbcRole : std::uint8_t { supervising, accepting, former };
+
+/// What a level transition order does when it is executed; packet 41 with D_LEVELTR 32767 is immediate, another one an
+/// announcement, packet 46 conditional.
+enum class OrderKind : std::uint8_t { immediate, announcement, conditional };
+
+/// The facts that the exceptions of 4.8.3 and 4.8.4 ask for, at the time of the evaluation.
+struct AcceptanceContext {
+  Mode mode = Mode::NP;
+  Level level = Level::L0;
+  Medium medium = Medium::balise;
+  RbcRole rbc = RbcRole::supervising;
+  bool infill = false;
+  // 4.8.3
+  std::optional<Level> announced;               // [1][2][6][7][9]: a transition to this level further on is ordered. An
+                                                // order in the same message that changes the level counts as one: the
+                                                // rest is then buffered and judged at the new level (4.8.1.3.1).
+  bool train_data_unacknowledged = false;       // [3]: sent to the RBC and not acknowledged
+  bool described_over_whole_ma = false;         // [4]: SSP and gradient, stored or in this message, cover the MA
+  bool emergency_stop_pending = false;          // [5]
+  bool revocable_and_inhibited = false;         // [8]: a revocable TSR while their inhibition is stored
+  bool other_previous_lrbg = false;             // [10]: the LRBG was reported with a different previous one
+  bool level_order_along_or_announced = false;  // [11]
+  bool text_awaits_acknowledgement = false;     // [12]: same message identity, report asked for, not yet acknowledged
+  bool immediate_order_to_1_2_3 = false;        // [13]: comes with the message
+  bool names_rbc_of_transition = false;         // [14]: the RBC of a stored or same-message RBC transition order
+  // 4.8.4
+  bool exit_from_trip_recognised = false;    // [1]: recognition received, and this information is later than it
+  bool desk_open = false;                    // [2]
+  bool orders_establishment = false;         // [3]: session management that orders to establish one
+  bool train_data_valid = false;             // [4]
+  OrderKind order = OrderKind::immediate;    // [5][7], of a level transition order
+  bool override_active = false;              // [6]
+  bool null_distance = false;                // [8]: RBC transition order to be executed at once
+  bool front_in_ls_area_of_message = false;  // [9]: max safe front in the LS area of a profile in this message
+  Edition edition = Edition::v3_6_0;
+};
+
+enum class Verdict : std::uint8_t {
+  accepted,
+  buffered,             // kept in the transition buffer and judged again when the level or RBC changes (4.8.5)
+  only_contact_stored,  // the RBC's identity and number are stored, nothing else is done (4.8.4 [3], [8])
+  order_stored,         // the level order is kept until another mode than SH or PS is entered (4.8.4 [7])
+  rejected,
+};
+
+struct Acceptance {
+  Verdict verdict = Verdict::rejected;
+  const char* clause = "";  // "4.8.3 [4]": the table and the exception that decided; the table alone for a plain cell
+};
+
+/// 4.8.1: the filter of level and medium (4.8.3), then that of the supervising RBC (4.8.2), then that of the mode
+/// (4.8.4). What is buffered passes the other filters when it is released. A cell that cannot occur rejects.
+Acceptance accept(Information information, const AcceptanceContext& context);
+
+/// The first filter alone.
+Acceptance accept_by_level(Information information, const AcceptanceContext& context);
+/// The second filter alone: what comes from the RBC that does not supervise (yet, or any more).
+Acceptance accept_by_rbc(Information information, const AcceptanceContext& context);
+/// The third filter alone.
+Acceptance accept_by_mode(Information information, const AcceptanceContext& context);
+
+/// 4.8.3, last part: what the national system X sends. `own_level_ntc`: the level is NTC of the same X;
+/// `announced_own`: a transition to NTC X further on is ordered.
+Acceptance accept_from_stm(Information information, bool own_level_ntc, bool announced_own,
+                           const AcceptanceContext& context);
+
+}  // namespace evc::modes

@@ -1,0 +1,200 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "modes/edition.h"
+#include "modes/level.h"
+#include "modes/mode.h"
+#include "modes/page.h"
+
+namespace evc::modes {
+
+// clang-format off
+/// The rows of 4.10.1.3: what the unit remembers.
+enum class Stored : std::uint8_t {
+  national_values,                // national values
+  pending_national_values,        // national values that do not apply yet
+  linking,                        // linking
+  movement_authority,             // movement authority
+  gradient,                       // gradient profile
+  ssp,                            // static speed profile
+  asp,                            // axle load speed profile
+  stm_max_speed,                  // maximum speed of a national system
+  stm_system_speed_distance,      // system speed and distance of a national system
+  level_transition_order,         // level transition order, conditional order
+  stop_sh_on_desk_opening,        // stop shunting on desk opening
+  sh_bg_list,                     // balise groups allowed in SH
+  ma_request_params,              // MA request parameters
+  position_report_params,         // position report parameters
+  sr_bg_list_speed_distance,      // balise groups allowed in SR; SR speed and distance from driver or trackside
+  tsr,                            // temporary speed restrictions
+  inhibit_revocable_tsr,          // inhibition of revocable TSRs
+  default_gradient_tsr,           // default gradient for TSR
+  signalling_speed,               // signalling related speed restriction
+  route_suitability,              // route suitability data
+  adhesion_trackside,             // adhesion factor from trackside
+  adhesion_driver,                // adhesion factor from the driver
+  plain_text,                     // plain texts
+  fixed_text,                     // fixed texts
+  geo_position,                   // geographical position
+  mode_profile,                   // mode profile
+  rbc_transition_order,           // RBC transition order
+  radio_infill_area,              // radio infill area
+  eolm,                           // end of loop marker
+  track_conditions_general,       // track conditions but the next two rows
+  track_conditions_horn_stopping, // sound horn, non stopping area, tunnel stopping area
+  track_condition_bmm,            // big metal masses
+  unconditional_stops,            // unconditional emergency stops
+  conditional_stops,              // conditional emergency stops
+  train_position,                 // train position
+  train_data,                     // train data
+  level,                          // ERTMS/ETCS level
+  trackside_level_table,          // table of priority of levels from trackside
+  driver_id,                      // driver identity
+  radio_network_id,               // radio network identity
+  rbc_id_phone,                   // RBC identity and phone number
+  train_running_number,           // train running number
+  reversing_area,                 // reversing area
+  reversing_supervision,          // reversing supervision
+  track_ahead_free_request,       // track ahead free request
+  permitted_braking_distance,     // permitted braking distance
+  level_crossing,                 // level crossings
+  rbc_riu_version,                // system version of RBC and RIU
+  operated_version,               // operated system version
+  vbc,                            // virtual balise covers
+  dmi_language,                   // language of the DMI
+  generic_ls_marker,              // generic LS function marker
+  lssma_toggle_on_order,          // LSSMA display on
+  count
+};
+// clang-format on
+inline constexpr std::size_t kStored = static_cast<std::size_t>(Stored::count);
+
+/// The name used in events ("movement_authority").
+const char* name(Stored stored);
+
+/// What happens to a piece of stored information: `U`, `D`, `TBR` (kept, but invalid until it is revalidated), `R`
+/// (back to its initial value), `NR` (the mode cannot be left but by power off; taken as unchanged).
+enum class Fate : std::uint8_t { unchanged, deleted, to_be_revalidated, reset, not_relevant };
+
+/// A row of 4.10.1.3. [1]: unchanged when coming from SH; [2]: unchanged when coming from PS.
+struct StoredRow {
+  struct Cell {
+    Fate fate = Fate::not_relevant;
+    std::uint8_t notes = 0;
+  };
+  Stored what{};
+  std::array<Cell, kModes> on_entry{};
+
+  constexpr StoredRow(Stored stored, std::string_view row) : what(stored) {
+    const auto word = page::words<kModes>(row);
+    for (std::size_t i = 0; i < kModes; ++i) {
+      const std::string_view m = page::mark(word[i]);
+      on_entry[i].notes = static_cast<std::uint8_t>(page::notes(word[i]));
+      if (m == "U")
+        on_entry[i].fate = Fate::unchanged;
+      else if (m == "D")
+        on_entry[i].fate = Fate::deleted;
+      else if (m == "TBR")
+        on_entry[i].fate = Fate::to_be_revalidated;
+      else if (m == "R")
+        on_entry[i].fate = Fate::reset;
+      else if (m != "NR")
+        page::row_cannot_be_read();
+    }
+  }
+};
+
+// clang-format off
+/// 4.10.1.3 of 3.6.0: on entry of the mode of the column. In 3.4.0 the texts are kept in NL and the RBC identity and
+/// phone number are deleted in UN and SN.
+inline constexpr auto srs_4_10 = [] {
+  using enum Stored;
+  return std::to_array<StoredRow>({
+    //                                 NP  SB      PS SH   FS LS SR OS SL   NL   UN TR PT SF IS SN RV
+    {national_values,                "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {pending_national_values,        "D   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {linking,                        "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {movement_authority,             "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {gradient,                       "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {ssp,                            "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {asp,                            "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {stm_max_speed,                  "D   D       D  D    U  U  D  U  D    D    U  U  U  NR NR U  D"},
+    {stm_system_speed_distance,      "D   D       D  D    U  U  D  U  D    D    U  U  U  NR NR U  D"},
+    {level_transition_order,         "D   D[1][2] U  D[2] U  U  D  U  D[2] D[1] D  U  U  NR NR D  D"},
+    {stop_sh_on_desk_opening,        "D   D       U  U    U  U  U  U  D    U    U  U  U  NR NR U  U"},
+    {sh_bg_list,                     "D   D       U  U    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {ma_request_params,              "D   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {position_report_params,         "D   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {sr_bg_list_speed_distance,      "D   D       D  D    D  D  U  D  D    D    D  D  U  NR NR D  D"},
+    {tsr,                            "D   D       D  D    U  U  U  U  D    D    U  U  U  NR NR D  D"},
+    {inhibit_revocable_tsr,          "D   D       D  D    U  U  D  U  D    D    D  U  U  NR NR D  D"},
+    {default_gradient_tsr,           "D   D       D  D    U  U  U  U  D    D    U  U  U  NR NR D  D"},
+    {signalling_speed,               "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {route_suitability,              "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {adhesion_trackside,             "R   R       R  R    U  U  U  U  R    R    U  U  U  NR NR R  U"},
+    {adhesion_driver,                "R   R       R  R    U  U  U  U  R    R    U  U  U  NR NR U  U"},
+    {plain_text,                     "D   D       D  D    U  U  U  U  D    D    U  U  U  NR NR D  U"},
+    {fixed_text,                     "D   D       D  D    U  U  U  U  D    D    U  U  U  NR NR D  U"},
+    {geo_position,                   "D   U       D  D    U  U  U  U  D    U    U  U  U  NR NR D  D"},
+    {mode_profile,                   "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {rbc_transition_order,           "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {radio_infill_area,              "D   D       D  D    U  U  D  D  D    D    D  D  U  NR NR D  D"},
+    {eolm,                           "TBR U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {track_conditions_general,       "R   R       R  R    U  U  R  U  R    U    R  U  U  NR NR R  R"},
+    {track_conditions_horn_stopping, "R   R       R  R    U  U  R  U  R    R    R  R  R  NR NR R  R"},
+    {track_condition_bmm,            "R   R       R  R    U  U  R  U  R    U    U  U  U  NR NR U  R"},
+    {unconditional_stops,            "D   D       D  D    U  U  D  U  D    D    D  U  U  NR NR D  D"},
+    {conditional_stops,              "D   D       D  D    U  U  D  U  D    D    D  U  U  NR NR D  D"},
+    {train_position,                 "TBR U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {train_data,                     "D   TBR     U  TBR  U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {level,                          "TBR U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {trackside_level_table,          "TBR U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {driver_id,                      "D   TBR     U  U    U  U  U  U  D    U    U  U  U  NR NR U  U"},
+    {radio_network_id,               "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {rbc_id_phone,                   "TBR U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {train_running_number,           "D   TBR     U  U    U  U  U  U  D    U    U  U  U  NR NR U  U"},
+    {reversing_area,                 "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  U"},
+    {reversing_supervision,          "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  U"},
+    {track_ahead_free_request,       "D   D       D  D    D  D  U  U  D    D    D  D  U  NR NR D  D"},
+    {permitted_braking_distance,     "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {level_crossing,                 "D   D       D  D    U  U  D  U  D    D    D  D  U  NR NR D  D"},
+    {rbc_riu_version,                "D   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {operated_version,               "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {vbc,                            "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {dmi_language,                   "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {generic_ls_marker,              "U   U       U  U    U  U  U  U  U    U    U  U  U  NR NR U  U"},
+    {lssma_toggle_on_order,          "D   D       D  D    D  U  D  D  D    D    D  D  U  NR NR D  D"},
+  });
+}();
+// clang-format on
+static_assert(srs_4_10.size() == kStored);
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kStored; ++i)
+        if (static_cast<std::size_t>(srs_4_10[i].what) != i) return false;
+      return true;
+    }(),
+    "one row for each, in order");
+
+/// 4.10: what to do with `stored` when mode `to` is entered from mode `from`.
+Fate on_entry(Mode to, Mode from, Stored stored, Edition edition = Edition::v3_6_0);
+
+/// 4.9.1: what to do with `stored` when level `to` is entered; every other level change touches nothing.
+Fate on_level_entry(Level to, Stored stored);
+
+/// A.3.4 situation k: what to do with `stored` when the desk is closed while start of mission goes on (the mode stays
+/// SB, so that on_entry does not apply).
+Fate on_desk_closed_in_start_of_mission(Stored stored);
+
+/// Validity of the five items that NP makes invalid, after power-up (4.11).
+enum class ColdMovement : std::uint8_t { none, moved_or_unknown };
+enum class Validity : std::uint8_t { valid, invalid, unknown };
+
+/// 4.11.1: the validity after power-up of an item that entering NP made invalid: eolm, train_position, level,
+/// trackside_level_table, rbc_id_phone. Items that NP left valid are not touched (answer: valid).
+Validity on_exit_np(ColdMovement movement, Stored stored);
+
+}  // namespace evc::modes
