@@ -20,7 +20,8 @@ MAY_INCLUDE = {
     "kernel": BELOW_KERNEL,
     "sim": BELOW_KERNEL | {"kernel"},
     # The kernel's outside is made of the rooms below it, so who speaks with the kernel sees them too.
-    "io": BELOW_KERNEL | {"kernel"},
+    # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
+    "io": BELOW_KERNEL | {"kernel", "sim"},
     "capi": BELOW_KERNEL | {"kernel"},
     "batch": BELOW_KERNEL | {"kernel"},
     "app": BELOW_KERNEL | {"kernel", "sim", "io", "capi", "batch"},

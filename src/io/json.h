@@ -1,0 +1,86 @@
+#pragma once
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/diagnostic.h"
+
+namespace evc::io {
+
+using Json = nlohmann::json;
+
+/// Thrown inside io's readers only and turned into a Result at their doors (`guarded`).
+struct ReadError {
+  Diagnostic diagnostic;
+};
+
+/// Runs a reader; what it throws becomes the Result's error.
+template <class F>
+auto guarded(F&& read) -> Result<decltype(read())> {
+  try {
+    return read();
+  } catch (ReadError& e) {
+    return tl::unexpected(std::move(e.diagnostic));
+  }
+}
+
+/// Parses a JSON text. Errors name line and column. Throws ReadError.
+Json parse_json(std::string_view text, const std::string& file, const std::string& where = "");
+
+/// A place in a JSON document, with the pointer that leads there. Every accessor throws ReadError
+/// with that pointer when the value is not of the wanted kind.
+class JsonPlace {
+ public:
+  JsonPlace(const Json& root, std::string file, std::string prefix = "")
+      : value_(&root), file_(std::move(file)), prefix_(std::move(prefix)) {}
+
+  const Json& value() const { return *value_; }
+  const std::string& file() const { return file_; }
+
+  bool is_object() const { return value_->is_object(); }
+  bool is_array() const { return value_->is_array(); }
+  bool is_string() const { return value_->is_string(); }
+  bool is_null() const { return value_->is_null(); }
+
+  /// The member `key` of this object; an error when it is absent.
+  JsonPlace operator[](std::string_view key) const;
+  /// The same, `nullopt` when absent.
+  std::optional<JsonPlace> find(std::string_view key) const;
+  /// Element `i` of this array; an error when it is absent.
+  JsonPlace operator[](std::size_t i) const;
+  std::size_t size() const;
+
+  /// Refuses keys that are not in `known` (a misspelt key must not be silently ignored).
+  void know_only(std::initializer_list<const char*> known) const;
+
+  double number() const;
+  double number(double least, double most) const;
+  std::int64_t integer(std::int64_t least, std::int64_t most) const;
+  bool boolean() const;
+  const std::string& string() const;
+  /// The index of this string in `names`; an error listing them otherwise.
+  std::size_t one_of(std::initializer_list<const char*> names) const;
+  /// The bytes of this string of hexadecimal digits.
+  std::vector<std::uint8_t> hex() const;
+  /// Requires `"schema": name` in this object.
+  void require_schema(const char* name) const;
+
+  [[noreturn]] void fail(std::string expected) const;
+  [[noreturn]] void fail(std::string found, std::string expected) const;
+
+ private:
+  JsonPlace child(const Json& value, std::string key) const;
+  std::string pointer() const;
+
+  const Json* value_;
+  std::string file_;
+  std::string prefix_;  // "line 7", or empty
+  std::string pointer_;
+};
+
+}  // namespace evc::io

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "io/diagnostic.h"
+#include "sim/line.h"
+
+namespace evc::io {
+
+/// Reads `etcs-line/1`. Unknown keys are allowed in this schema alone. A file none of whose groups has
+/// bits is refused, saying so.
+Result<sim::Line> read_line(std::string_view text, const std::string& file);
+
+}  // namespace evc::io

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+
+#include "io/json.h"
+#include "sim/dynamics.h"
+#include "train/national_values.h"
+#include "train/srs_version.h"
+#include "train/train_data.h"
+
+namespace evc::io {
+
+/// A train as a file describes it: what the on-board is told and what only the world knows.
+struct Train {
+  std::string name = "passenger, 135 %";
+  train::TrainData data;
+  sim::Dynamics dynamics;
+  std::string document = R"({"schema":"etcs-train/1"})";  // the file's JSON on one line, for `config`
+};
+
+/// Reads `etcs-train/1`; absent keys take the values of the standard train, unknown keys are errors.
+Result<Train> read_train(std::string_view text, const std::string& file);
+
+/// The same from a place in a larger document (`train` of a curves input, `config`, `enter`); throws
+/// ReadError. The key `schema` may be absent there.
+Train read_train(const JsonPlace& place);
+
+/// National values by their SRS names, speeds in km/h, distances in m; those left out keep the
+/// defaults of A.3.2. "infinity" where the standard has it. Throws ReadError.
+train::NationalValues read_national_values(const JsonPlace& place);
+
+/// "3.4.0", "3.6.0" or "4.0.0"; throws ReadError.
+train::SrsVersion read_srs_version(const JsonPlace& place);
+const char* name(train::SrsVersion version);
+
+}  // namespace evc::io
