@@ -1,0 +1,23 @@
+#pragma once
+#include "lang/variables.h"
+
+namespace evc::lang {
+
+/// Packet 45, Radio network registration (7.4.2.11.1), system version 1.0, 1.1, 2.0, 2.1.
+struct Packet45 {
+  static constexpr PacketInfo info{45,
+                                   "Radio network registration",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   media::balise | media::RBC | media::RIU,
+                                   "7.4.2.11.1",
+                                   ""};
+  var::Q_DIR Q_DIR;
+  var::NID_MN NID_MN;
+  friend constexpr bool operator==(const Packet45&, const Packet45&) = default;
+};
+
+template <>
+inline constexpr auto layout_of<Packet45> = layout(&Packet45::Q_DIR, &Packet45::NID_MN);
+
+}  // namespace evc::lang

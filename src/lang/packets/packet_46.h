@@ -1,0 +1,39 @@
+#pragma once
+#include "lang/variables.h"
+
+namespace evc::lang {
+
+struct Packet46_levels {
+  var::M_LEVELTR M_LEVELTR;
+  var::NID_NTC NID_NTC;  ///< only if M_LEVELTR == 1
+  friend constexpr bool operator==(const Packet46_levels&, const Packet46_levels&) = default;
+};
+
+/// Packet 46, Conditional level transition order (7.4.2.11.2), system version 1.0, 1.1, 2.0, 2.1.
+struct Packet46 {
+  static constexpr PacketInfo info{46,
+                                   "Conditional level transition order",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   media::balise,
+                                   "7.4.2.11.2",
+                                   ""};
+  var::Q_DIR Q_DIR;
+  var::M_LEVELTR M_LEVELTR;
+  var::NID_NTC NID_NTC;  ///< only if M_LEVELTR == 1
+  InplaceVector<Packet46_levels, 31> levels;
+  /// The element that stands before the counter, in the form of the further ones.
+  constexpr Packet46_levels first_levels() const { return {M_LEVELTR, NID_NTC}; }
+  friend constexpr bool operator==(const Packet46&, const Packet46&) = default;
+};
+
+template <>
+inline constexpr auto layout_of<Packet46_levels> =
+    layout(&Packet46_levels::M_LEVELTR, when(&Packet46_levels::M_LEVELTR, is(1), &Packet46_levels::NID_NTC));
+
+template <>
+inline constexpr auto layout_of<Packet46> = layout(&Packet46::Q_DIR, &Packet46::M_LEVELTR,
+                                                   when(&Packet46::M_LEVELTR, is(1), &Packet46::NID_NTC),
+                                                   repeat<var::N_ITER>("levels", &Packet46::levels));
+
+}  // namespace evc::lang

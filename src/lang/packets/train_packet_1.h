@@ -1,0 +1,67 @@
+#pragma once
+#include "lang/variables.h"
+
+namespace evc::lang {
+
+/// Packet 1, Position report, two groups (7.4.3.2), system version 2.0, 2.1.
+struct TrainPacket1 {
+  static constexpr PacketInfo info{
+      1, "Position report, two groups", Direction::to_track, v2_0 | v2_1, media::RBC | media::RIU, "7.4.3.2", ""};
+  var::Q_SCALE Q_SCALE;
+  var::NID_LRBG NID_LRBG;
+  var::NID_PRVLRBG NID_PRVLRBG;
+  var::D_LRBG D_LRBG;
+  var::Q_DIRLRBG Q_DIRLRBG;
+  var::Q_DLRBG Q_DLRBG;
+  var::L_DOUBTOVER L_DOUBTOVER;
+  var::L_DOUBTUNDER L_DOUBTUNDER;
+  var::Q_LENGTH Q_LENGTH;
+  var::L_TRAININT L_TRAININT;  ///< only if Q_LENGTH == 1 || Q_LENGTH == 2
+  var::V_TRAIN V_TRAIN;
+  var::Q_DIRTRAIN Q_DIRTRAIN;
+  var::M_MODE M_MODE;
+  var::M_LEVEL M_LEVEL;
+  var::NID_NTC NID_NTC;  ///< only if M_LEVEL == 1
+  friend constexpr bool operator==(const TrainPacket1&, const TrainPacket1&) = default;
+};
+
+template <>
+inline constexpr auto layout_of<TrainPacket1> =
+    layout(&TrainPacket1::Q_SCALE, &TrainPacket1::NID_LRBG, &TrainPacket1::NID_PRVLRBG, &TrainPacket1::D_LRBG,
+           &TrainPacket1::Q_DIRLRBG, &TrainPacket1::Q_DLRBG, &TrainPacket1::L_DOUBTOVER, &TrainPacket1::L_DOUBTUNDER,
+           &TrainPacket1::Q_LENGTH, when(&TrainPacket1::Q_LENGTH, is(1, 2), &TrainPacket1::L_TRAININT),
+           &TrainPacket1::V_TRAIN, &TrainPacket1::Q_DIRTRAIN, &TrainPacket1::M_MODE, &TrainPacket1::M_LEVEL,
+           when(&TrainPacket1::M_LEVEL, is(1), &TrainPacket1::NID_NTC));
+
+/// Packet 1, Position report, two groups (7.4.3.2), system version 1.0, 1.1.
+struct TrainPacket1_v1_0 {
+  static constexpr PacketInfo info{
+      1, "Position report, two groups", Direction::to_track, v1_0 | v1_1, media::RBC | media::RIU, "7.4.3.2", ""};
+  var::Q_SCALE Q_SCALE;
+  var::NID_LRBG NID_LRBG;
+  var::NID_PRVLRBG NID_PRVLRBG;
+  var::D_LRBG D_LRBG;
+  var::Q_DIRLRBG Q_DIRLRBG;
+  var::Q_DLRBG Q_DLRBG;
+  var::L_DOUBTOVER L_DOUBTOVER;
+  var::L_DOUBTUNDER L_DOUBTUNDER;
+  var::Q_LENGTH Q_LENGTH;
+  var::L_TRAININT L_TRAININT;  ///< only if Q_LENGTH == 1 || Q_LENGTH == 2
+  var::V_TRAIN V_TRAIN;
+  var::Q_DIRTRAIN Q_DIRTRAIN;
+  var::M_MODE_V1 M_MODE;
+  var::M_LEVEL M_LEVEL;
+  var::NID_NTC NID_NTC;  ///< only if M_LEVEL == 1
+  friend constexpr bool operator==(const TrainPacket1_v1_0&, const TrainPacket1_v1_0&) = default;
+};
+
+template <>
+inline constexpr auto layout_of<TrainPacket1_v1_0> =
+    layout(&TrainPacket1_v1_0::Q_SCALE, &TrainPacket1_v1_0::NID_LRBG, &TrainPacket1_v1_0::NID_PRVLRBG,
+           &TrainPacket1_v1_0::D_LRBG, &TrainPacket1_v1_0::Q_DIRLRBG, &TrainPacket1_v1_0::Q_DLRBG,
+           &TrainPacket1_v1_0::L_DOUBTOVER, &TrainPacket1_v1_0::L_DOUBTUNDER, &TrainPacket1_v1_0::Q_LENGTH,
+           when(&TrainPacket1_v1_0::Q_LENGTH, is(1, 2), &TrainPacket1_v1_0::L_TRAININT), &TrainPacket1_v1_0::V_TRAIN,
+           &TrainPacket1_v1_0::Q_DIRTRAIN, named("M_MODE", &TrainPacket1_v1_0::M_MODE), &TrainPacket1_v1_0::M_LEVEL,
+           when(&TrainPacket1_v1_0::M_LEVEL, is(1), &TrainPacket1_v1_0::NID_NTC));
+
+}  // namespace evc::lang

@@ -1,0 +1,203 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <tuple>
+#include <type_traits>
+
+#include "base/inplace_vector.h"
+
+// How the ETCS language is written down here. A packet is declared once: a plain struct, its
+// PacketInfo, and one `layout_of<>` that lists its fields in the order of SUBSET-026-7. The reader,
+// the writer, the JSON form, the tables of `evc describe` and the pages in docs/packets derive from it.
+namespace evc::lang {
+
+/// X.Y of the system version (SUBSET-026-6 6.5, M_VERSION).
+struct SystemVersion {
+  std::uint8_t x = 2;
+  std::uint8_t y = 1;
+  friend constexpr auto operator<=>(const SystemVersion&, const SystemVersion&) = default;
+};
+/// Of the 7 bits of M_VERSION: X in the upper three, Y in the lower four.
+constexpr SystemVersion system_version(std::uint64_t M_VERSION) {
+  return {static_cast<std::uint8_t>(M_VERSION >> 4), static_cast<std::uint8_t>(M_VERSION & 15u)};
+}
+
+/// A set of the four system versions whose layouts are known.
+using Versions = std::uint8_t;
+inline constexpr Versions v1_0 = 1, v1_1 = 2, v2_0 = 4, v2_1 = 8;
+/// The known version to read `sv` with: itself, or the newest known with the same X (3.17.3.11); 0 if
+/// X is unknown.
+constexpr Versions known_version(SystemVersion sv) {
+  if (sv.x == 1) return sv.y == 0 ? v1_0 : v1_1;
+  if (sv.x == 2) return sv.y == 0 ? v2_0 : v2_1;
+  return 0;
+}
+
+/// A set of the ways information travels.
+using Media = std::uint8_t;
+namespace media {
+inline constexpr Media balise = 1, loop = 2, RBC = 4, RIU = 8;
+}
+
+enum class Direction : std::uint8_t { to_train, to_track };
+
+/// What stands above the table of a packet in chapter 7.
+struct PacketInfo {
+  std::uint8_t NID_PACKET;
+  const char* name;
+  Direction direction;
+  Versions versions;
+  Media media;
+  const char* ref;
+  const char* note;
+};
+
+/// What stands above the table of a message in chapter 8.
+struct MessageInfo {
+  std::uint8_t NID_MESSAGE;
+  const char* name;
+  Direction direction;
+  Versions versions;
+  const char* ref;
+};
+
+template <std::size_t N>
+struct Name {
+  char text[N]{};
+  // NOLINTNEXTLINE(google-explicit-constructor): a literal is the name
+  constexpr Name(const char (&s)[N]) {
+    for (std::size_t i = 0; i < N; ++i) text[i] = s[i];
+  }
+};
+
+/// Codes `first` to `last`.
+struct Range {
+  std::uint64_t first, last;
+};
+
+constexpr std::uint64_t all_ones(unsigned bits) {
+  return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+/// One variable of the ETCS language (SUBSET-026-7 7.5): name and width are its type, `raw` is the
+/// number on the wire. Codes above `max` are no ordinary values: special ones, or spare ones.
+template <Name N, unsigned Bits, std::uint64_t Max = all_ones(Bits), Range... Spare>
+struct Variable {
+  static_assert(Bits >= 1 && Bits <= 64);
+  using Raw = std::conditional_t<
+      (Bits <= 8), std::uint8_t,
+      std::conditional_t<(Bits <= 16), std::uint16_t, std::conditional_t<(Bits <= 32), std::uint32_t, std::uint64_t>>>;
+  static constexpr const char* name = N.text;
+  static constexpr unsigned bits = Bits;
+  static constexpr std::uint64_t max = Max;
+  /// A code without a meaning in the versions of its layout (7.3.2, 3.16.1.1).
+  static constexpr bool is_spare([[maybe_unused]] std::uint64_t code) {
+    return ((code >= Spare.first && code <= Spare.last) || ...);
+  }
+  static constexpr bool has_spare = sizeof...(Spare) > 0;
+  Raw raw = 0;
+  friend constexpr bool operator==(Variable, Variable) = default;
+};
+
+/// Bits without a structure of ETCS's, up to the end given by L_PACKET (packet 44).
+struct Opaque {
+  std::uint16_t bits = 0;
+  InplaceVector<std::uint8_t, 1024> bytes;  // left aligned
+  friend constexpr bool operator==(const Opaque&, const Opaque&) = default;
+};
+
+/// The layout of a structure: specialised once per packet, message and repeated group.
+template <class T>
+inline constexpr bool layout_of = false;
+template <class T>
+concept HasLayout = !std::is_same_v<std::remove_cvref_t<decltype(layout_of<T>)>, bool>;
+
+/// The codes of another variable under which items are present.
+struct Test {
+  bool negated = false;
+  std::uint8_t count = 0;
+  std::uint16_t codes[2]{};
+  constexpr bool operator()(std::uint64_t code) const {
+    bool found = false;
+    for (std::uint8_t i = 0; i < count; ++i) found = found || codes[i] == code;
+    return found != negated;
+  }
+};
+constexpr Test is(std::uint16_t a) { return {false, 1, {a, 0}}; }
+constexpr Test is(std::uint16_t a, std::uint16_t b) { return {false, 2, {a, b}}; }
+constexpr Test is_not(std::uint16_t a) { return {true, 1, {a, 0}}; }
+
+template <class S, class V>
+struct Field {
+  const char* name;
+  V S::*member;
+};
+/// Items that are there only if `test` holds for `condition`.
+template <class S, class V, class... Items>
+struct When {
+  V S::*condition;
+  Test test;
+  std::tuple<Items...> items;
+};
+/// The same for a condition on the nearest variable V of the structures around this one.
+template <class V, class... Items>
+struct WhenAround {
+  Test test;
+  std::tuple<Items...> items;
+};
+/// A counter (N_ITER, L_TEXT), not stored because it is the number of elements, and the elements.
+template <class S, class Count, class E, std::size_t N>
+struct Repeat {
+  using Counter = Count;
+  using Element = E;
+  static constexpr std::size_t capacity = N;
+  const char* count_name;
+  const char* name;
+  InplaceVector<E, N> S::*elements;
+};
+template <class S>
+struct RestOfPacket {
+  const char* name;
+  Opaque S::*member;
+};
+
+template <class S, class V>
+constexpr Field<S, V> item(V S::*member) {
+  return {V::name, member};
+}
+template <class I>
+constexpr I item(I i) {
+  return i;
+}
+/// A field whose name in the structure is not the variable's.
+template <class S, class V>
+constexpr Field<S, V> named(const char* name, V S::*member) {
+  return {name, member};
+}
+template <class S, class V, class... I>
+constexpr auto when(V S::*condition, Test test, I... items) {
+  return When<S, V, decltype(item(items))...>{condition, test, {item(items)...}};
+}
+template <class V, class... I>
+constexpr auto when_around(Test test, I... items) {
+  return WhenAround<V, decltype(item(items))...>{test, {item(items)...}};
+}
+template <class Count, class S, class E, std::size_t N>
+constexpr Repeat<S, Count, E, N> repeat(const char* name, InplaceVector<E, N> S::*elements) {
+  return {Count::name, name, elements};
+}
+template <class Count, class S, class E, std::size_t N>
+constexpr Repeat<S, Count, E, N> repeat(const char* count_name, const char* name, InplaceVector<E, N> S::*elements) {
+  return {count_name, name, elements};
+}
+template <class S>
+constexpr RestOfPacket<S> rest_of_packet(const char* name, Opaque S::*member) {
+  return {name, member};
+}
+template <class... I>
+constexpr auto layout(I... items) {
+  return std::tuple<decltype(item(items))...>{item(items)...};
+}
+
+}  // namespace evc::lang

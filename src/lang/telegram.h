@@ -1,0 +1,111 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/inplace_vector.h"
+#include "lang/fault.h"
+#include "lang/schema.h"
+#include "lang/variables.h"
+
+// Telegrams and messages as found on the wire: header variables and where the packets are. Nothing
+// is copied or allocated; a view is valid as long as the bytes it was made from.
+namespace evc::lang {
+
+/// A packet inside a telegram or message.
+struct PacketView {
+  std::uint16_t NID_PACKET = 0;
+  std::uint8_t Q_DIR = 2;      ///< raw; 2 (both) for packets without Q_DIR and from the train
+  std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
+  SystemVersion sv;
+  Direction direction = Direction::to_train;
+  bool known = true;                    ///< false: skipped by its length, of a later version Y (3.17.3.11)
+  std::span<const std::uint8_t> bytes;  ///< of the whole telegram or message
+  std::size_t bit = 0;                  ///< of NID_PACKET in `bytes`
+};
+
+inline constexpr std::size_t kPacketsMax = 64;
+using PacketViews = InplaceVector<PacketView, kPacketsMax>;
+
+/// A balise telegram (8.4.2). `fault` set: the telegram is not consistent and nothing else here counts,
+/// except that the header is what was read as far as it was read.
+struct TelegramView {
+  var::Q_UPDOWN Q_UPDOWN;
+  var::M_VERSION M_VERSION;
+  var::Q_MEDIA Q_MEDIA;
+  var::N_PIG N_PIG;
+  var::N_TOTAL N_TOTAL;
+  var::M_DUP M_DUP;
+  var::M_MCOUNT M_MCOUNT;
+  var::NID_C NID_C;
+  var::NID_BG NID_BG;
+  var::Q_LINK Q_LINK;
+  SystemVersion sv;
+  PacketViews packets;        ///< without packet 255
+  std::size_t bits_used = 0;  ///< up to the end of packet 255
+  FaultAt at;
+  Fault fault = Fault::none;  ///< = at.fault
+};
+
+/// A Euroloop message (8.4.3).
+struct LoopMessageView {
+  var::Q_UPDOWN Q_UPDOWN;
+  var::M_VERSION M_VERSION;
+  var::Q_MEDIA Q_MEDIA;
+  var::NID_C NID_C;
+  var::NID_LOOP NID_LOOP;
+  SystemVersion sv;
+  PacketViews packets;
+  std::size_t bits_used = 0;
+  FaultAt at;
+  Fault fault = Fault::none;
+};
+
+/// A radio message from the RBC or RIU (8.4.4). Its own variables are read with decode(view, Message3&).
+struct MessageToTrainView {
+  std::uint8_t NID_MESSAGE = 0;
+  std::uint16_t L_MESSAGE = 0;  ///< bytes
+  var::T_TRAIN T_TRAIN;
+  var::M_ACK M_ACK;
+  var::NID_LRBG NID_LRBG;
+  SystemVersion sv;
+  std::span<const std::uint8_t> bytes;
+  PacketViews packets;        ///< mandatory ones first
+  std::size_t bits_used = 0;  ///< up to the padding
+  FaultAt at;
+  Fault fault = Fault::none;
+};
+
+/// A radio message of a train (8.4.4).
+struct MessageToTrackView {
+  std::uint8_t NID_MESSAGE = 0;
+  std::uint16_t L_MESSAGE = 0;
+  var::T_TRAIN T_TRAIN;
+  var::NID_ENGINE NID_ENGINE;
+  SystemVersion sv;
+  std::span<const std::uint8_t> bytes;
+  PacketViews packets;
+  std::size_t bits_used = 0;
+  FaultAt at;
+  Fault fault = Fault::none;
+};
+
+/// What is checked beyond what is needed to find the packets.
+enum class Check : std::uint8_t {
+  all,        ///< everything 3.16.2, 7.3 and 8.4 say: also the inside of every packet, its media, duplicates
+  structure,  ///< only that the packets can be found
+};
+
+/// Reads the user bits of a balise telegram. Every packet is checked (spare values, L_PACKET against
+/// content, medium, duplicates), so decode() of its packets cannot fail. Telegrams of an unknown X
+/// give Fault::unknown_version with the header read.
+TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
+LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
+/// Radio messages carry no version of their own: `sv` is that of the session (3.5.3.5.2). `bytes` is the
+/// whole message: more or fewer than L_MESSAGE is a fault.
+MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv,
+                                         Check check = Check::all);
+MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv,
+                                         Check check = Check::all);
+
+}  // namespace evc::lang
