@@ -1,0 +1,54 @@
+# The house's front door. Each target does all its set-up: packages, configuration, build.
+#   make run      an on-board unit drives the line that ships with the program; report in out/run/
+#   make test     all tests
+#   make bench    benchmarks and instruction counts
+#   make fuzz     every fuzz target for a minute
+#   make clean    removes build/ and out/
+# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines
+# LINE=file.json RUN_ARGS="--driver reckless" go to `evc run`.
+
+SHELL := /bin/bash
+JOBS ?= $(shell nproc)
+LINE ?=
+RUN_ARGS ?=
+export JOBS
+
+.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines
+
+help:
+	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
+
+evc:
+	@tools/setup build
+	@tools/build release evc
+
+run: evc
+	@mkdir -p out/run
+	build/release/evc run $(LINE) $(RUN_ARGS) -o out/run
+	@echo "report: $(CURDIR)/out/run/report.html"
+
+test:
+	@tools/setup build test
+	@tools/build dev
+	ctest --preset dev -j $(JOBS)
+
+bench:
+	@tools/setup build bench
+	@tools/build release evc benches
+	@tools/run_benches
+
+fuzz:
+	@tools/setup build fuzz
+	@tools/check_fuzz $(or $(SECONDS_EACH),60)
+
+# Each fuzz target until it has seen RUNS inputs.
+campaign-fuzz:
+	@tools/setup build fuzz
+	@RUNS=$(or $(RUNS),20000000) tools/check_fuzz 0
+
+# Reckless drivers on a line with the last authority at every place in turn, and many seeds.
+campaign-lines: evc
+	@tools/campaign_lines $(LINE)
+
+clean:
+	rm -rf build out
