@@ -9,7 +9,7 @@ namespace evc::modes {
 
 /// Where the mode's speed limit comes from (4.4, 3.11.7).
 enum class SpeedLimit : std::uint8_t {
-  none,           // no speed supervised
+  no_limit,       // no speed supervised
   standstill,     // SB: the train has to stand
   profile_only,   // FS: the most restrictive speed profile has no mode element
   V_NVSHUNT,      // unless the mode profile brings another one
@@ -22,7 +22,7 @@ enum class SpeedLimit : std::uint8_t {
 };
 
 /// Kind of speed and distance monitoring (4.5.2).
-enum class Supervision : std::uint8_t { none, ceiling, mrsp_targets, mrsp_and_sr_distance, full };
+enum class Supervision : std::uint8_t { unsupervised, ceiling, mrsp_targets, mrsp_and_sr_distance, full };
 
 /// What the mode itself does to the brakes (4.4).
 enum class ModeBrake : std::uint8_t { none, emergency_brake };
@@ -50,21 +50,21 @@ inline constexpr auto srs_4_4 = [] {
   using enum Supervision;
   constexpr ModeBrake nothing = ModeBrake::none, eb = ModeBrake::emergency_brake;
   return std::to_array<ModeProperties>({
-    {Mode::NP, kAnyLevel,  SpeedLimit::none, Supervision::none,    eb,      false, "keep the emergency brake on",                       "nothing"},
-    {Mode::SB, kAnyLevel,  standstill,       Supervision::none,    nothing, false, "keep the train standing",                           "nothing"},
-    {Mode::PS, kAnyLevel,  SpeedLimit::none, Supervision::none,    nothing, false, "know where the engine is",                          "nothing: another engine leads"},
+    {Mode::NP, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "keep the emergency brake on",                       "nothing"},
+    {Mode::SB, kAnyLevel,  standstill,       unsupervised,         nothing, false, "keep the train standing",                           "nothing"},
+    {Mode::PS, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "know where the engine is",                          "nothing: another engine leads"},
     {Mode::SH, kAnyLevel,  V_NVSHUNT,        ceiling,              nothing, true,  "shunting speed and the border of the area, if any", "stay in the area, every movement"},
     {Mode::FS, kLevels123, profile_only,     full,                 nothing, true,  "everything",                                        "the EOA below the release speed; the rear not covered at entry"},
     {Mode::LS, kLevels123, V_NVLIMSUPERV,    full,                 nothing, true,  "what the data allow, in the background",            "lineside signals and rules"},
     {Mode::SR, kLevels123, V_NVSTFF,         mrsp_and_sr_distance, nothing, true,  "ceiling speed, SR distance and list if any",        "track, points, lineside information"},
     {Mode::OS, kLevels123, V_NVONSIGHT,      full,                 nothing, true,  "everything but an occupied track",                  "look out for what is on the track"},
-    {Mode::SL, kAnyLevel,  SpeedLimit::none, Supervision::none,    nothing, false, "know where the engine is",                          "nothing: another engine leads"},
-    {Mode::NL, kAnyLevel,  SpeedLimit::none, Supervision::none,    nothing, true,  "show track conditions",                             "obey what is shown; another engine leads"},
+    {Mode::SL, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "know where the engine is",                          "nothing: another engine leads"},
+    {Mode::NL, kAnyLevel,  no_limit,         unsupervised,          nothing, true,  "show track conditions",                             "obey what is shown; another engine leads"},
     {Mode::UN, kLevel0,    V_NVUNFIT,        mrsp_targets,         nothing, true,  "ceiling speed and temporary restrictions",          "lineside signals, everything"},
-    {Mode::TR, kAnyLevel,  SpeedLimit::none, Supervision::none,    eb,      false, "stop the train and hold it",                        "acknowledge at standstill"},
-    {Mode::PT, kLevels123, SpeedLimit::none, Supervision::none,    nothing, true,  "backwards only, within D_NVPOTRP",                  "moving backwards"},
-    {Mode::SF, kAnyLevel,  SpeedLimit::none, Supervision::none,    eb,      false, "keep the emergency brake on",                       "nothing"},
-    {Mode::IS, kAnyLevel,  SpeedLimit::none, Supervision::none,    nothing, false, "nothing",                                           "everything"},
+    {Mode::TR, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "stop the train and hold it",                        "acknowledge at standstill"},
+    {Mode::PT, kLevels123, no_limit,         unsupervised,          nothing, true,  "backwards only, within D_NVPOTRP",                  "moving backwards"},
+    {Mode::SF, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "keep the emergency brake on",                       "nothing"},
+    {Mode::IS, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "nothing",                                           "everything"},
     {Mode::SN, kLevelNTC,  national,         ceiling,              nothing, true,  "what the national system asks for",                 "as the national system says"},
     {Mode::RV, kLevels123, V_REVERSE,        ceiling,              nothing, true,  "ceiling speed and reversing distance",              "keep within the distance"},
   });

@@ -1,0 +1,111 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "base/units.h"
+#include "modes/requests.h"
+
+namespace evc::procedures {
+
+using modes::Ack;
+using modes::Entry;
+using modes::Set;
+
+/// What the procedure lets the driver choose now (beside the conditions of the mode, driver/actions.h).
+enum class Offer : std::uint8_t {
+  start,
+  shunting,
+  non_leading,
+  train_data,
+  override_,
+  driver_id,
+  train_running_number,
+  level,
+  count
+};
+
+/// Messages and session orders; each is sent once per cycle in which it stands in the effects.
+enum class Send : std::uint8_t {
+  open_session,
+  terminate_session,
+  train_data,               // 129
+  shunting_request,         // 130
+  ma_request,               // 132, reason "start selected"
+  position_report,          // 136 with the new mode or level
+  end_of_mission,           // 150
+  start_of_mission_report,  // 157
+  count
+};
+
+/// What the driver is told; the texts are those of the DMI (driver/texts.h).
+enum class Inform : std::uint8_t {
+  network_registration_failed,
+  session_failed,
+  train_rejected,
+  SH_refused,
+  SH_request_failed,
+  count
+};
+
+/// Changes of the status of data (5.4.3.3, "status of data").
+enum class Status : std::uint8_t {
+  position_unknown,
+  position_valid,
+  level_invalid,
+  level_valid,
+  rbc_contact_invalid,
+  rbc_contact_valid,
+  count
+};
+
+/// What a procedure wants in this cycle. The kernel joins those of all procedures.
+struct Effects {
+  Set<Ack> requests;
+  Set<Entry> entries;
+  Set<Offer> offers;
+  Set<Send> send;
+  Set<Inform> inform;
+  Set<Status> status;
+  bool service_brake = false;  // an acknowledgement is overdue (T_ACK)
+
+  constexpr Effects& operator|=(const Effects& b) {
+    requests |= b.requests;
+    entries |= b.entries;
+    offers |= b.offers;
+    send |= b.send;
+    inform |= b.inform;
+    status |= b.status;
+    service_brake = service_brake || b.service_brake;
+    return *this;
+  }
+};
+
+/// A.3.1: time in which a change of mode or level has to be acknowledged.
+inline constexpr Duration T_ACK{5.0};
+/// A.3.1: a message without its answer is repeated three times, 15 s apart.
+inline constexpr Duration T_REPEAT{15.0};
+inline constexpr std::uint8_t N_REPEAT = 3;
+
+/// Send, wait 15 s, repeat three times, wait again, then give up (A.3.1).
+struct Repetition {
+  Duration next{};        // when the next sending or the end is due
+  std::uint8_t left = 0;  // repetitions left
+  bool waiting = false;
+
+  enum class Due : std::uint8_t { nothing, send_again, give_up };
+
+  constexpr void start(Duration now) { *this = {now + T_REPEAT, N_REPEAT, true}; }
+  constexpr void stop() { waiting = false; }
+  constexpr Due due(Duration now) {
+    if (!waiting || now < next) return Due::nothing;
+    if (left == 0) {
+      waiting = false;
+      return Due::give_up;
+    }
+    --left;
+    next = now + T_REPEAT;
+    return Due::send_again;
+  }
+};
+
+}  // namespace evc::procedures

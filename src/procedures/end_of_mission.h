@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+
+#include "modes/mode.h"
+#include "procedures/effects.h"
+
+// End of mission, SUBSET-026-5 5.5, and the end of the session after entry to SH without a mission (5.6, A095 to A115).
+namespace evc::procedures::end_of_mission {
+
+struct State {
+  bool mission = false;            // a mission goes on (5.4.7: entered FS, LS, SR, OS, NL, UN or SN)
+  bool waits_for_order = false;    // for the RBC's order to terminate the session
+  bool reports_mode_only = false;  // what is repeated meanwhile: 136 instead of 150
+  Repetition repetition;
+};
+
+struct Inputs {
+  Duration now{};
+  modes::Mode mode = modes::Mode::NP;           // now
+  modes::Mode previous_mode = modes::Mode::NP;  // in the cycle before
+  bool session_open = false;                    // with an RBC; a session with an infill unit ends at once (kernel)
+  bool termination_ordered = false;             // packet 42, in this cycle
+  bool level_2_or_3 = false;
+};
+
+/// One cycle, after the mode transition. Sends 150 (136 for SH without a mission), repeats it three times, terminates
+/// the session when the RBC orders it or at the end of the last wait.
+Effects step(State& state, const Inputs& inputs);
+
+/// 5.5.2: whether the transition ends a mission that goes on.
+bool ends_mission(modes::Mode from, modes::Mode to, bool mission);
+
+}  // namespace evc::procedures::end_of_mission

@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/units.h"
+#include "modes/level.h"
+#include "modes/mode.h"
+
+// Override, SUBSET-026-5 5.8.
+namespace evc::procedures::override_ {
+
+struct State {
+  bool active = false;
+  Duration until{};                 // a: T_NVOVTRP after the selection
+  OdometerPlace start{};            // b: where it was selected
+  std::optional<Place> former_eoa;  // c and [43]; kept after the end of override, deleted when SR is left
+  bool former_eoa_passed = false;
+  std::optional<Place> sr_distance_end;  // h: the SR distance supervised before the selection
+};
+
+struct Inputs {
+  Duration now{};
+  OdometerPlace odometer{};  // nominal
+  Speed V_est{};
+  modes::Mode mode = modes::Mode::SB;
+  modes::Level level = modes::Level::L0;
+  bool selected = false;  // the driver, in this cycle
+  bool train_data_valid = false;
+  // National values; an infinite distance is no value, a T_NVOVTRP is never infinite.
+  Speed V_NVALLOWOVTRP{};
+  Duration T_NVOVTRP{60.0};
+  std::optional<Distance> D_NVOVTRP{Distance{200.0}};
+  // Position
+  Place est_front{};
+  Place min_safe_antenna{};
+  std::optional<Place> eoa_or_loa;       // in force (FS, LS, OS)
+  std::optional<Place> sr_distance_end;  // in force (SR)
+  // Events of this cycle
+  bool stop_if_in_SR = false;
+  bool stop_if_in_SH = false;
+  bool balise_proceed = false;     // e: MA or signalling related speed that is not zero
+  bool ma_from_rbc = false;        // f: level 2/3
+  bool group_not_in_list = false;  // g: not in the SR or SH list
+};
+
+struct Result {
+  bool selected = false;           // Facts::selects_override: [37]
+  bool started = false;            // (re)started in this cycle: SR speed and distance go back to the national values
+  bool active = false;             // Facts::override_active: before the end conditions of this cycle
+  bool former_eoa_passed = false;  // Facts::former_eoa_passed: becomes true in this cycle
+  const char* ended_by = nullptr;  // "5.8.4.1 a" ..., when it ends in this cycle
+};
+
+/// 5.8.2.1: whether the driver may choose override now.
+bool selectable(const Inputs& inputs);
+
+/// One cycle, before the mode transition. The override distance is run on the nominal odometer.
+Result step(State& state, const Inputs& inputs);
+
+/// To be told of every mode transition: 5.8.4.1 i (TR, LS, OS, SH end it), and SR left deletes the former EOA.
+void on_mode_change(State& state, modes::Mode from, modes::Mode to);
+
+}  // namespace evc::procedures::override_

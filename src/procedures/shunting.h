@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+
+#include "modes/level.h"
+#include "modes/mode.h"
+#include "procedures/effects.h"
+
+// Shunting that the driver asks for, SUBSET-026-5 5.6, and going on with it when the desk is closed (5.12.4).
+namespace evc::procedures::shunting {
+
+struct State {
+  bool waits_for_answer = false;  // S050: 130 is sent
+  bool continues = false;         // "continue shunting on desk closure" is on
+  Repetition repetition;
+};
+
+struct Inputs {
+  Duration now{};
+  modes::Mode mode = modes::Mode::SB;
+  modes::Level level = modes::Level::L0;
+  bool standstill = false;
+  bool session_open = false;
+  bool selects_SH = false;        // the driver, while the choice is enabled
+  bool selects_continue = false;  // "maintain shunting"
+  bool authorised = false;        // 28, in this cycle
+  bool refused = false;           // 27, in this cycle
+};
+
+struct Result {
+  Effects effects;
+  bool granted = false;     // Facts::SH_granted: 28 answers the request that is open
+  bool selects_SH = false;  // Facts::selects_SH: in levels 0, NTC and 1 the selection acts at once
+};
+
+/// One cycle. A grant or refusal without an open request is no answer (4.6.3 [6]).
+Result step(State& state, const Inputs& inputs);
+
+}  // namespace evc::procedures::shunting

@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "modes/level.h"
+#include "modes/mode.h"
+#include "procedures/effects.h"
+
+// Start of mission, SUBSET-026-5 5.4. The steps bear the standard's names.
+namespace evc::procedures::start_of_mission {
+
+enum class DataStatus : std::uint8_t { unknown, invalid, valid };
+enum class Session : std::uint8_t { none, establishing, open };
+
+/// The steps in which something is waited for; decisions and actions between them take no time.
+enum class Step : std::uint8_t {
+  S0,   // no mission is being started
+  S1,   // driver identity
+  S2,   // level
+  S3,   // RBC contact
+  D31,  // the session is being opened
+  D33,  // the RBC validates the position or decides (D33, D22)
+  S10,  // shunting, non leading or train data
+  S12,  // train data
+  S13,  // train running number
+  S11,  // train data are at the RBC
+  S20,  // start
+  S21,  // the RBC answers the MA request
+  S22,  // SN is acknowledged
+  S23,  // UN
+  S24,  // SR
+  S25,  // OS, LS or SH
+};
+const char* name(Step step);
+
+struct State {
+  Step step = Step::S0;
+  modes::Mode profile = modes::Mode::OS;  // S25: the mode to acknowledge
+  Duration next_request{};                // S21: when the MA request is repeated
+};
+
+struct Inputs {
+  Duration now{};
+  modes::Mode mode = modes::Mode::SB;
+  modes::Level level = modes::Level::L0;
+  bool desk_open = false;
+  Session session = Session::none;
+  bool mobile_terminal_registered = false;
+  Duration T_CYCRQST{60.0};  // cycle of the MA request (packet 57, default of A.3.1)
+  // Status of the stored data, entries of this cycle included.
+  DataStatus driver_id = DataStatus::unknown;
+  DataStatus train_running_number = DataStatus::unknown;
+  DataStatus position = DataStatus::unknown;
+  DataStatus level_status = DataStatus::unknown;
+  DataStatus train_data = DataStatus::unknown;
+  // The driver, this cycle.
+  bool enters_level = false;        // entered or revalidated (S2, and as re-entry in S10 and S20)
+  bool enters_rbc_contact = false;  // entered, revalidated or "last RBC" chosen
+  bool enters_train_data = false;
+  bool selects_start = false;
+  // The RBC, this cycle.
+  bool train_data_acknowledged = false;  // 8, or still in force from before
+  bool position_confirmed = false;       // 43
+  bool train_accepted = false;           // 41
+  bool train_rejected = false;           // 40
+  bool SR_authorised = false;            // 2
+  // MA, SSP and gradient are stored and the profile asks for this mode where the train stands (OS, LS or SH).
+  std::optional<modes::Mode> profile_at_front;
+};
+
+/// One cycle. Outside SB, or with the desk closed, the procedure is over (step S0). The acknowledgements asked for in
+/// S22 to S25 become [58], [60], [8], [15], [70], [50] in observe(); a plain MA in S21 is [10].
+Effects step(State& state, const Inputs& inputs);
+
+}  // namespace evc::procedures::start_of_mission

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "modes/level.h"
+#include "modes/mode.h"
+#include "procedures/effects.h"
+
+// Train trip, SUBSET-026-5 5.11, from the entry to TR until PT is left.
+namespace evc::procedures::train_trip {
+
+enum class Step : std::uint8_t {
+  S010,  // no trip
+  S050,  // TR: standstill is waited for
+  S060,  // TR: the acknowledgement is asked for
+  S120,  // PT: the RBC recognises the exit from trip
+  S121,  // PT: the RBC did not, the session is terminated; only override, a new session or another level helps (C36)
+  S130,  // PT: emergency stops are revoked
+  S140,  // PT: start or shunting
+  S150,  // PT: the RBC answers the MA request
+  S160,  // PT: SR is acknowledged
+  S170,  // PT: OS, LS or SH is acknowledged
+};
+const char* name(Step step);
+
+struct State {
+  Step step = Step::S010;
+  modes::Mode profile = modes::Mode::OS;  // S170: the mode to acknowledge
+  Repetition repetition;
+  Duration next_request{};
+};
+
+struct Inputs {
+  Duration now{};
+  modes::Mode mode = modes::Mode::SB;
+  modes::Level level = modes::Level::L0;
+  bool desk_open = false;
+  bool standstill = false;
+  bool session_open = false;
+  bool train_data_valid = false;
+  bool exit_recognised = false;         // 6, in this cycle
+  bool emergency_stop_pending = false;  // accepted, neither revoked nor deleted
+  bool selects_start = false;
+  bool SR_authorised = false;  // 2, in this cycle
+  Duration T_CYCRQST{60.0};
+  std::optional<modes::Mode> profile_at_front;  // as in start_of_mission
+};
+
+/// One cycle, after the mode transition. The acknowledgement asked for in S060 becomes [7], [62], [63] or [68] in
+/// observe(); what is deleted at the entry to TR and PT stands in 4.10. With the desk closed nothing is asked of the
+/// driver, and the train stays in TR (4.4.13.1.6).
+Effects step(State& state, const Inputs& inputs);
+
+/// 4.8.4 [1], level 2/3 in PT: the RBC has recognised the exit from trip.
+constexpr bool exit_recognised(const State& state) {
+  return state.step == Step::S130 || state.step == Step::S140 || state.step == Step::S150 || state.step == Step::S160 ||
+         state.step == Step::S170;
+}
+
+}  // namespace evc::procedures::train_trip
