@@ -1,0 +1,289 @@
+#include "io/input_stream.h"
+
+#include <memory>
+#include <utility>
+
+#include "io/input_names.h"
+
+namespace evc::io {
+namespace {
+
+using sim::CycleInputs;
+
+/// A gap in a stream is filled with cycles: longer ones are taken for a mistake.
+constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
+constexpr double kFarMetres = 1e9;
+
+Configuration read_configuration(const JsonPlace& place) {
+  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values"});
+  Configuration c;
+  if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
+  if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
+  if (const auto p = place.find("train")) c.train = read_train(*p);
+  if (const auto p = place.find("national_values")) c.national_values = read_national_values(*p);
+  if (const auto p = place.find("levels")) {
+    c.levels.fill(false);
+    for (std::size_t i = 0; i < p->size(); ++i) c.levels[(*p)[i].one_of(kLevelNames)] = true;
+  }
+  c.document = place.value().dump();
+  return c;
+}
+
+void read_odometer(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"nominal_m", "min_m", "max_m", "speed_mps", "speed_min_mps", "speed_max_mps", "accel_mps2"});
+  kernel::Odometry o;
+  const auto metres = [&](const char* key) { return OdometerPlace{{place[key].number(-kFarMetres, kFarMetres)}}; };
+  const auto speed = [&](const char* key) { return Speed{place[key].number(-300.0, 300.0)}; };
+  o.nominal = metres("nominal_m");
+  o.min = metres("min_m");
+  o.max = metres("max_m");
+  o.V_est = speed("speed_mps");
+  o.V_min = place.find("speed_min_mps") ? speed("speed_min_mps") : o.V_est;
+  o.V_max = place.find("speed_max_mps") ? speed("speed_max_mps") : o.V_est;
+  if (const auto p = place.find("accel_mps2")) o.A_est = {p->number(-50.0, 50.0)};
+  if (o.min > o.nominal || o.nominal > o.max) place.fail("min_m <= nominal_m <= max_m");
+  if (o.V_min > o.V_est || o.V_est > o.V_max) place.fail("speed_min_mps <= speed_mps <= speed_max_mps");
+  cycle.levels.odometry = o;
+}
+
+/// User bits of a telegram: 830 and 210 (SUBSET-036) are padded to whole bytes in the text.
+std::size_t user_bits(const JsonPlace& place, std::size_t digits) {
+  const auto bits = static_cast<std::int64_t>(4 * digits);
+  if (const auto p = place.find("bits")) return static_cast<std::size_t>(p->integer(1, bits));
+  return bits == 832 ? 830u : bits == 216 ? 210u : static_cast<std::size_t>(bits);
+}
+
+void read_balise(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"telegram", "at_m", "bits"});
+  CycleInputs::Telegram t;
+  const JsonPlace hex = place["telegram"];
+  t.bits.bytes = hex.hex();
+  t.bits.size = user_bits(place, hex.string().size());
+  if (t.bits.size > 830) hex.fail(std::to_string(t.bits.size) + " bits", "at most 830");
+  t.bits.bytes.resize((t.bits.size + 7) / 8);
+  t.at = {{place["at_m"].number(-kFarMetres, kFarMetres)}};
+  cycle.balises.push_back(std::move(t));
+}
+
+sim::Bits read_message(const JsonPlace& hex) {
+  sim::Bits bits;
+  bits.bytes = hex.hex();
+  bits.size = 8 * bits.bytes.size();
+  if (hex.string().size() % 2 != 0) hex.fail("an even number of hexadecimal digits");
+  // L_MESSAGE has ten bits (7.5.1.50).
+  if (bits.bytes.size() > 1023) hex.fail(std::to_string(bits.bytes.size()) + " bytes", "at most 1023");
+  return bits;
+}
+
+void read_loop(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"message"});
+  cycle.loops.push_back(read_message(place["message"]));
+}
+
+void read_radio(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"message", "session"});
+  if (const auto p = place.find("message")) cycle.radio.push_back(read_message(*p));
+  if (const auto p = place.find("session"))
+    cycle.levels.radio_link = static_cast<kernel::RadioLink>(1 + p->one_of(kSessionNames));
+}
+
+/// Decimal digits as BCD, left aligned, padded with F (7.5.1.92 NID_OPERATIONAL).
+std::uint32_t packed_digits(const JsonPlace& place) {
+  std::string digits;
+  if (place.is_string())
+    digits = place.string();
+  else
+    digits = std::to_string(place.integer(0, 99999999));
+  if (digits.empty() || digits.size() > 8 || digits.find_first_not_of("0123456789") != std::string::npos)
+    place.fail("1 to 8 decimal digits");
+  std::uint32_t packed = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    packed = packed << 4 | (i < digits.size() ? static_cast<std::uint32_t>(digits[i] - '0') : 15u);
+  return packed;
+}
+
+kernel::DriverActions::RbcContact read_contact(const JsonPlace& place) {
+  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
+  kernel::DriverActions::RbcContact contact{};
+  contact.NID_C = static_cast<std::uint16_t>(place["NID_C"].integer(0, 1023));
+  contact.NID_RBC = static_cast<std::uint16_t>(place["NID_RBC"].integer(0, 16383));
+  const JsonPlace radio = place["NID_RADIO"];
+  if (radio.string().size() != 16) radio.fail("16 hexadecimal digits");
+  for (const std::uint8_t b : radio.hex()) contact.NID_RADIO = contact.NID_RADIO << 8 | b;
+  return contact;
+}
+
+void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
+  place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m"});
+  auto& driver = cycle.levels.driver;
+  if (const auto p = place.find("driver_id")) driver.driver_id = packed_digits(*p);
+  if (const auto p = place.find("level")) driver.level = static_cast<modes::Level>(p->one_of(kLevelNames));
+  if (const auto p = place.find("nid_ntc")) driver.nid_ntc = static_cast<std::uint8_t>(p->integer(0, 255));
+  if (const auto p = place.find("train_running_number")) driver.train_running_number = packed_digits(*p);
+  if (const auto p = place.find("rbc")) driver.rbc_contact = read_contact(*p);
+  if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
+  if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
+  if (const auto p = place.find("train_data")) {
+    entered = read_train(*p);
+    cycle.train_data = entered->data;
+  }
+}
+
+/// One name or an array of names, each a bit.
+std::uint32_t read_names(const JsonPlace& place, std::initializer_list<const char*> names) {
+  if (!place.is_array()) return 1u << place.one_of(names);
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) bits |= 1u << place[i].one_of(names);
+  return bits;
+}
+
+void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
+  place.know_only({"select", "ack", "enter"});
+  auto& driver = cycle.levels.driver;
+  if (const auto p = place.find("select")) driver.selected |= read_names(*p, kSelectNames);
+  if (const auto p = place.find("ack")) driver.acknowledged |= read_names(*p, kAckNames);
+  if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
+}
+
+void read_signals(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
+                   "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
+                   "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
+                   "additional_brake_active"});
+  auto& t = cycle.levels.train;
+  const auto flag = [&](bool& signal, const char* key) {
+    if (const auto p = place.find(key)) signal = p->boolean();
+  };
+  flag(t.powered, "powered");
+  flag(t.isolated, "isolated");
+  flag(t.desk_open, "desk_open");
+  flag(t.sleeping, "sleeping");
+  flag(t.non_leading, "non_leading");
+  flag(t.passive_shunting, "passive_shunting");
+  flag(t.service_brake_feedback, "service_brake_feedback");
+  flag(t.regenerative_brake_active, "regenerative_brake_active");
+  flag(t.eddy_current_brake_active, "eddy_current_brake_active");
+  flag(t.magnetic_shoe_brake_active, "magnetic_shoe_brake_active");
+  flag(t.ep_brake_active, "ep_brake_active");
+  flag(t.additional_brake_active, "additional_brake_active");
+  if (const auto p = place.find("direction_controller"))
+    t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(kDirectionNames));
+  if (const auto p = place.find("brake_pressure_kpa")) {
+    t.brake_pressure_kpa.reset();
+    if (!p->is_null()) t.brake_pressure_kpa = p->number(0.0, 2000.0);
+  }
+}
+
+void read_national_system(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"available", "trip_active"});
+  auto& national = cycle.levels.national_system;
+  if (const auto p = place.find("available")) {
+    national.available = 0;
+    for (std::size_t i = 0; i < p->size(); ++i) national.available |= std::uint64_t{1} << (*p)[i].integer(0, 63);
+  }
+  if (const auto p = place.find("trip_active")) national.trip_active = p->boolean();
+}
+
+void read_fault(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"safety"});
+  if (const auto p = place.find("safety")) cycle.levels.safety_fault = p->boolean();
+}
+
+void read_object(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
+  place.know_only(
+      {"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "national_system", "fault"});
+  if (const auto p = place.find("config")) p->fail("it on the first line only");
+  if (const auto p = place.find("odometer")) read_odometer(cycle, *p);
+  if (const auto p = place.find("balise")) read_balise(cycle, *p);
+  if (const auto p = place.find("loop")) read_loop(cycle, *p);
+  if (const auto p = place.find("radio")) read_radio(cycle, *p);
+  if (const auto p = place.find("driver")) read_driver(cycle, entered, *p);
+  if (const auto p = place.find("train")) read_signals(cycle, *p);
+  if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
+  if (const auto p = place.find("fault")) read_fault(cycle, *p);
+}
+
+}  // namespace
+
+kernel::Config Configuration::for_kernel() const {
+  kernel::Config config;
+  config.cycle = {static_cast<double>(cycle_ms) / 1000.0};
+  config.srs = srs;
+  config.train = train.data;
+  config.national_values = national_values;
+  config.levels = levels;
+  return config;
+}
+
+Result<Configuration> read_configuration(std::string_view text, const std::string& file) {
+  return guarded([&] {
+    const Json document = parse_json(text, file);
+    return read_configuration(JsonPlace(document, file));
+  });
+}
+
+Result<InputStream> InputStream::open(std::string file, NextLine next_line, std::optional<Configuration> given) {
+  return guarded([&] {
+    InputStream stream(std::move(file), std::move(next_line));
+    stream.read_ahead();
+    if (stream.pending_ && stream.pending_->object.contains("config")) {
+      const JsonPlace place(stream.pending_->object, stream.file_, stream.place_of_line());
+      stream.configuration_ = read_configuration(place["config"]);
+      stream.pending_->object.erase("config");
+      if (stream.pending_->object.empty()) stream.read_ahead();
+    }
+    if (given) stream.configuration_ = *std::move(given);
+    return stream;
+  });
+}
+
+void InputStream::read_ahead() {
+  pending_.reset();
+  std::string text;
+  while (next_line_(text)) {
+    ++line_;
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    if (text.find_first_not_of(" \t") == std::string::npos) continue;
+    Pending read{parse_json(text, file_, place_of_line()), 0};
+    const JsonPlace place(read.object, file_, place_of_line());
+    const auto t = place.find("t_ms");
+    // `config` is of no time: it may stand alone.
+    if (t || !place.find("config")) {
+      const JsonPlace time = place["t_ms"];
+      read.t_ms = time.integer(0, INT64_MAX / 4);
+      if (read.t_ms < last_ms_) time.fail("a time not before " + std::to_string(last_ms_));
+      if (read.t_ms - last_ms_ > kLongestGapMs) time.fail("a time within 24 h of " + std::to_string(last_ms_));
+      last_ms_ = read.t_ms;
+    }
+    pending_ = std::move(read);
+    return;
+  }
+}
+
+Result<bool> InputStream::next(sim::CycleInputs& cycle) {
+  return guarded([&] {
+    if (!pending_) return false;
+    cycle.clear();
+    cycle.t_ms = next_cycle_ms_;
+    while (pending_ && pending_->t_ms <= cycle.t_ms) {
+      read_object(cycle, entered_, JsonPlace(pending_->object, file_, place_of_line()));
+      read_ahead();
+    }
+    next_cycle_ms_ += configuration_.cycle_ms;
+    return true;
+  });
+}
+
+InputStream::NextLine lines_of(std::string text) {
+  auto rest = std::make_shared<std::pair<std::string, std::size_t>>(std::move(text), 0);
+  return [rest](std::string& line) {
+    auto& [all, at] = *rest;
+    if (at >= all.size()) return false;
+    const std::size_t end = std::min(all.find('\n', at), all.size());
+    line.assign(all, at, end - at);
+    at = end + 1;
+    return true;
+  };
+}
+
+}  // namespace evc::io

@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "io/json.h"
+#include "io/train_file.h"
+#include "kernel/evc.h"
+#include "sim/cycle_inputs.h"
+
+namespace evc::io {
+
+/// The `config` of a stream of inputs.
+struct Configuration {
+  std::int64_t cycle_ms = 100;
+  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  Train train;
+  train::NationalValues national_values;
+  std::array<bool, modes::kLevels> levels{true, true, true, true, true};
+  std::string document = "{}";  // as read, on one line
+
+  kernel::Config for_kernel() const;
+};
+
+/// Reads the object of `config`, from a file of its own or from the first line of a stream.
+Result<Configuration> read_configuration(std::string_view text, const std::string& file);
+
+/// Reads a stream of inputs cycle by cycle. A cycle consumes every input with `t_ms` up to its own
+/// time; cycles follow each other every `cycle_ms` from 0 until the last input is consumed.
+class InputStream {
+ public:
+  /// Puts the next line, without its end, into the argument; false at the end.
+  using NextLine = std::function<bool(std::string&)>;
+
+  /// `given` takes the place of a `config` in the stream.
+  static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});
+
+  const Configuration& configuration() const { return configuration_; }
+  /// Fills `cycle` with the inputs of the next cycle, signals kept; false when there is none. An error
+  /// names the line; the cycles before it are whole.
+  Result<bool> next(sim::CycleInputs& cycle);
+
+ private:
+  struct Pending {
+    Json object;
+    std::int64_t t_ms = 0;
+  };
+  InputStream(std::string file, NextLine next_line) : file_(std::move(file)), next_line_(std::move(next_line)) {}
+  void read_ahead();
+  std::string place_of_line() const { return "line " + std::to_string(line_); }
+
+  std::string file_;
+  NextLine next_line_;
+  Configuration configuration_;
+  std::optional<Pending> pending_;
+  std::optional<Train> entered_;
+  std::size_t line_ = 0;
+  std::int64_t last_ms_ = 0;
+  std::int64_t next_cycle_ms_ = 0;
+};
+
+/// Lines of a text in memory.
+InputStream::NextLine lines_of(std::string text);
+
+}  // namespace evc::io

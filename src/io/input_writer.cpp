@@ -1,0 +1,200 @@
+#include "io/input_writer.h"
+
+#include "io/input_names.h"
+#include "io/number.h"
+
+namespace evc::io {
+namespace {
+
+using sim::CycleInputs;
+
+std::string opened(std::int64_t t_ms) {
+  std::string line = "{\"t_ms\":";
+  append_number(line, t_ms);
+  return line;
+}
+
+void append_odometer(std::string& out, const kernel::Odometry& o) {
+  const auto field = [&](const char* key, double value) {
+    out += key;
+    append_number(out, value);
+  };
+  field(",\"odometer\":{\"nominal_m\":", o.nominal.from_origin.si);
+  field(",\"min_m\":", o.min.from_origin.si);
+  field(",\"max_m\":", o.max.from_origin.si);
+  field(",\"speed_mps\":", o.V_est.si);
+  field(",\"speed_min_mps\":", o.V_min.si);
+  field(",\"speed_max_mps\":", o.V_max.si);
+  field(",\"accel_mps2\":", o.A_est.si);
+  out += '}';
+}
+
+const char* name_of(std::initializer_list<const char*> names, std::size_t i) { return names.begin()[i]; }
+
+/// Appends what changed in the signals as `,"train":{...}`.
+void append_signals(std::string& out, kernel::TrainSignals& before, const kernel::TrainSignals& now) {
+  std::string fields;
+  const auto flag = [&](const char* key, bool kernel::TrainSignals::*signal) {
+    if (before.*signal == now.*signal) return;
+    fields += fields.empty() ? "\"" : ",\"";
+    fields += key;
+    fields += now.*signal ? "\":true" : "\":false";
+  };
+  using S = kernel::TrainSignals;
+  flag("powered", &S::powered);
+  flag("isolated", &S::isolated);
+  flag("desk_open", &S::desk_open);
+  flag("sleeping", &S::sleeping);
+  flag("non_leading", &S::non_leading);
+  flag("passive_shunting", &S::passive_shunting);
+  flag("service_brake_feedback", &S::service_brake_feedback);
+  flag("regenerative_brake_active", &S::regenerative_brake_active);
+  flag("eddy_current_brake_active", &S::eddy_current_brake_active);
+  flag("magnetic_shoe_brake_active", &S::magnetic_shoe_brake_active);
+  flag("ep_brake_active", &S::ep_brake_active);
+  flag("additional_brake_active", &S::additional_brake_active);
+  if (before.direction_controller != now.direction_controller) {
+    fields += fields.empty() ? "" : ",";
+    fields += "\"direction_controller\":\"";
+    fields += name_of(kDirectionNames, static_cast<std::size_t>(now.direction_controller));
+    fields += '"';
+  }
+  if (before.brake_pressure_kpa != now.brake_pressure_kpa) {
+    fields += fields.empty() ? "" : ",";
+    fields += "\"brake_pressure_kpa\":";
+    if (now.brake_pressure_kpa)
+      append_number(fields, *now.brake_pressure_kpa);
+    else
+      fields += "null";
+  }
+  before = now;
+  if (!fields.empty()) out += ",\"train\":{" + fields + "}";
+}
+
+void append_national(std::string& out, kernel::NationalSystem& before, const kernel::NationalSystem& now) {
+  if (before.available == now.available && before.trip_active == now.trip_active) return;
+  before = now;
+  out += ",\"national_system\":{\"available\":[";
+  bool first = true;
+  for (unsigned n = 0; n < 64; ++n) {
+    if (((now.available >> n) & 1u) == 0) continue;
+    if (!first) out += ',';
+    first = false;
+    append_number(out, static_cast<std::int64_t>(n));
+  }
+  out += now.trip_active ? "],\"trip_active\":true}" : "],\"trip_active\":false}";
+}
+
+/// The digits of a packed number, without the padding.
+void append_packed(std::string& out, const char* key, std::uint32_t packed) {
+  out += key;
+  out += '"';
+  for (int shift = 28; shift >= 0; shift -= 4) {
+    const std::uint32_t digit = (packed >> shift) & 15u;
+    if (digit < 10) out += static_cast<char>('0' + digit);
+  }
+  out += '"';
+}
+
+void append_enter(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
+  const auto& d = cycle.levels.driver;
+  std::string fields;
+  if (d.driver_id) append_packed(fields, ",\"driver_id\":", *d.driver_id);
+  if (d.level) {
+    fields += ",\"level\":\"";
+    fields += name_of(kLevelNames, static_cast<std::size_t>(*d.level));
+    fields += '"';
+    if (*d.level == modes::Level::NTC) {
+      fields += ",\"nid_ntc\":";
+      append_number(fields, static_cast<std::int64_t>(d.nid_ntc));
+    }
+  }
+  if (d.rbc_contact) {
+    fields += ",\"rbc\":{\"NID_C\":";
+    append_number(fields, static_cast<std::int64_t>(d.rbc_contact->NID_C));
+    fields += ",\"NID_RBC\":";
+    append_number(fields, static_cast<std::int64_t>(d.rbc_contact->NID_RBC));
+    fields += ",\"NID_RADIO\":\"";
+    std::uint8_t bytes[8];
+    for (unsigned i = 0; i < 8; ++i)
+      bytes[i] = static_cast<std::uint8_t>((d.rbc_contact->NID_RADIO >> (56 - 8 * i)) & 0xffu);
+    append_hex(fields, bytes);
+    fields += "\"}";
+  }
+  if (d.V_sr) {
+    fields += ",\"V_sr_kmh\":";
+    append_number(fields, d.V_sr->si * 3.6);
+  }
+  if (d.D_sr) {
+    fields += ",\"D_sr_m\":";
+    append_number(fields, d.D_sr->si);
+  }
+  if (cycle.train_data) fields += ",\"train_data\":" + train_document;
+  if (d.train_running_number) append_packed(fields, ",\"train_running_number\":", *d.train_running_number);
+  if (!fields.empty()) out += opened(cycle.t_ms) + ",\"driver\":{\"enter\":{" + fields.substr(1) + "}}}\n";
+}
+
+void append_driver(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
+  append_enter(out, cycle, train_document);
+  const auto bits = [&](std::uint32_t set, const char* key, std::initializer_list<const char*> names) {
+    for (std::size_t n = 0; n < names.size(); ++n)
+      if (((set >> n) & 1u) != 0)
+        out += opened(cycle.t_ms) + ",\"driver\":{\"" + key + "\":\"" + name_of(names, n) + "\"}}\n";
+  };
+  bits(cycle.levels.driver.selected, "select", kSelectNames);
+  bits(cycle.levels.driver.acknowledged, "ack", kAckNames);
+}
+
+void append_message(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits) {
+  out += opened(t_ms) + ",\"" + key + "\":{\"message\":\"";
+  append_hex(out, bits.bytes);
+  out += "\"}}\n";
+}
+
+}  // namespace
+
+void InputWriter::append(std::string& out, const CycleInputs& cycle) {
+  out += config_line_;
+  config_line_.clear();
+  out += opened(cycle.t_ms);
+  append_odometer(out, cycle.levels.odometry);
+  append_signals(out, signals_, cycle.levels.train);
+  append_national(out, national_, cycle.levels.national_system);
+  if (safety_fault_ != cycle.levels.safety_fault)
+    out += cycle.levels.safety_fault ? ",\"fault\":{\"safety\":true}" : ",\"fault\":{\"safety\":false}";
+  safety_fault_ = cycle.levels.safety_fault;
+  out += "}\n";
+  for (const auto& t : cycle.balises) {
+    out += opened(cycle.t_ms) + ",\"balise\":{\"telegram\":\"";
+    append_hex(out, t.bits.bytes);
+    out += "\",\"at_m\":";
+    append_number(out, t.at.from_origin.si);
+    // 830 and 210 bits are told by the number of digits (the reader's user_bits).
+    if (t.bits.size != 830 && t.bits.size != 210) {
+      out += ",\"bits\":";
+      append_number(out, static_cast<std::int64_t>(t.bits.size));
+    }
+    out += "}}\n";
+  }
+  for (const auto& loop : cycle.loops) append_message(out, cycle.t_ms, "loop", loop);
+  if (cycle.levels.radio_link != kernel::RadioLink::unchanged)
+    out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
+           name_of(kSessionNames, static_cast<std::size_t>(cycle.levels.radio_link) - 1) + "\"}}\n";
+  for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message);
+  append_driver(out, cycle, train_document_);
+}
+
+std::string configuration_document(const Configuration& c) {
+  std::string out = "{\"cycle_ms\":";
+  append_number(out, c.cycle_ms);
+  out += std::string(",\"srs\":\"") + name(c.srs) + "\",\"train\":" + c.train.document + ",\"levels\":[";
+  bool first = true;
+  for (std::size_t n = 0; n < modes::kLevels; ++n) {
+    if (!c.levels[n]) continue;
+    out += std::string(first ? "\"" : ",\"") + name_of(kLevelNames, n) + "\"";
+    first = false;
+  }
+  return out + "]}";
+}
+
+}  // namespace evc::io

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "io/input_stream.h"
+
+namespace evc::io {
+
+/// Writes the inputs that a world made as the stream that `InputStream` reads: replaying it gives the
+/// same outputs.
+class InputWriter {
+ public:
+  explicit InputWriter(const Configuration& configuration) : train_document_(configuration.train.document) {
+    config_line_ = "{\"t_ms\":0,\"config\":" + configuration.document + "}\n";
+  }
+  /// Appends the lines of one cycle; the first call also the line with `config`.
+  void append(std::string& out, const sim::CycleInputs& cycle);
+
+ private:
+  std::string config_line_;
+  std::string train_document_;
+  kernel::TrainSignals signals_;
+  kernel::NationalSystem national_;
+  bool safety_fault_ = false;
+};
+
+/// The configuration's document from its parts, for a run that was not given one.
+std::string configuration_document(const Configuration& configuration);
+
+}  // namespace evc::io

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "kernel/evc.h"
+
+namespace evc::io {
+
+/// Appends one line of `evc-state/1`: speeds in km/h, places in metres of the nominal counter, both
+/// rounded to a millionth; the same bytes on every machine.
+void append_output(std::string& out, std::int64_t t_ms, const kernel::Outputs& outputs);
+
+/// The same as one row of comma separated values, nested keys joined with a dot; lists are joined
+/// with a semicolon in one quoted field.
+void append_trace(std::string& out, std::int64_t t_ms, const kernel::Outputs& outputs);
+/// The header row of these.
+std::string trace_header();
+
+/// "SUBJECT what [clause or condition]".
+void append_event(std::string& out, const kernel::Event& event);
+
+/// Whether anything other than position and speed differs (`--changes`): events, messages and
+/// radio orders of the cycle count as differences.
+bool differ_beyond_motion(const kernel::Outputs& a, const kernel::Outputs& b);
+
+}  // namespace evc::io
