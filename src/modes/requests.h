@@ -42,4 +42,27 @@ enum class Ack : std::uint8_t { OS, LS, SH, SR, UN, SN, RV, trip, level, text, b
 /// Data that the driver is asked to enter or to revalidate.
 enum class Entry : std::uint8_t { driver_id, level, rbc_contact, train_data, train_running_number, count };
 
+/// What the procedure lets the driver choose now (beside the conditions of the mode, driver/actions.h).
+enum class Offer : std::uint8_t {
+  start,
+  shunting,
+  non_leading,
+  train_data,
+  override_,
+  driver_id,
+  train_running_number,
+  level,
+  count
+};
+
+/// What the driver is told; the texts are those of the DMI (driver/texts.h).
+enum class Inform : std::uint8_t {
+  network_registration_failed,
+  session_failed,
+  train_rejected,
+  SH_refused,
+  SH_request_failed,
+  count
+};
+
 }  // namespace evc::modes

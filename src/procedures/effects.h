@@ -9,20 +9,9 @@ namespace evc::procedures {
 
 using modes::Ack;
 using modes::Entry;
+using modes::Inform;
+using modes::Offer;
 using modes::Set;
-
-/// What the procedure lets the driver choose now (beside the conditions of the mode, driver/actions.h).
-enum class Offer : std::uint8_t {
-  start,
-  shunting,
-  non_leading,
-  train_data,
-  override_,
-  driver_id,
-  train_running_number,
-  level,
-  count
-};
 
 /// Messages and session orders; each is sent once per cycle in which it stands in the effects.
 enum class Send : std::uint8_t {
@@ -34,16 +23,6 @@ enum class Send : std::uint8_t {
   position_report,          // 136 with the new mode or level
   end_of_mission,           // 150
   start_of_mission_report,  // 157
-  count
-};
-
-/// What the driver is told; the texts are those of the DMI (driver/texts.h).
-enum class Inform : std::uint8_t {
-  network_registration_failed,
-  session_failed,
-  train_rejected,
-  SH_refused,
-  SH_request_failed,
   count
 };
 

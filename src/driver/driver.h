@@ -1,0 +1,97 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/inplace_vector.h"
+#include "driver/srs_4_7_2.h"
+#include "modes/level.h"
+#include "modes/mode.h"
+#include "modes/requests.h"
+
+// Box A6 of the memo: what the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
+// ERA_ERTMS_015560). The symbols are named as there (MO07, LE04, ST01, ...).
+namespace evc::driver {
+
+using modes::Ack;
+using modes::Entry;
+using modes::Level;
+using modes::Offer;
+using modes::Set;
+
+/// What decides which choices are enabled, beside the mode (windows Main, Override and Special).
+struct ActionContext {
+  Mode mode = Mode::NP;
+  std::optional<Level> level;  // none when it is not valid
+  bool desk_open = false;
+  bool standstill = false;
+  bool driver_id_valid = false;
+  bool train_data_valid = false;
+  bool train_running_number_valid = false;
+  bool session_open = false;
+  bool train_data_acknowledged = false;  // by the RBC
+  bool emergency_stop_pending = false;
+  bool exit_from_trip_recognised = false;
+  bool non_leading_signal = false;
+  bool passive_shunting_signal = false;
+  bool slow_enough_for_override = false;    // V_est <= V_NVALLOWOVTRP
+  bool driver_may_change_adhesion = false;  // Q_NVDRIVER_ADHES
+  bool driver_id_while_running = false;     // M_NVDERUN
+  bool reversing_possible = false;
+  bool track_ahead_free_asked = false;
+  Set<Offer> offers;  // what start of mission and train trip let the driver choose
+  Set<Ack> requests;  // acknowledgements asked for
+};
+
+/// The inputs of 4.7.2 that are enabled now. Menus are closed while an acknowledgement is asked for (015560 5.4), but
+/// for acknowledgements and isolation.
+Set<Input> enabled(const ActionContext& context);
+
+enum class RadioStatus : std::uint8_t { none, up, lost };
+
+struct ShowContext {
+  Mode mode = Mode::NP;
+  bool desk_open = false;
+  std::optional<Level> level;      // none when it is not valid
+  std::optional<Level> announced;  // a transition that will change the level
+  Set<Ack> requests;               // acknowledgements asked for
+  Set<Entry> entries;              // entries asked for
+  bool override_active = false;
+  bool brake_commanded = false;  // service or emergency brake
+  RadioStatus radio = RadioStatus::none;
+  bool slippery_rail = false;
+  bool reversing_possible = false;
+  bool lx_not_protected = false;
+  bool lssma = false;  // the lowest supervised speed is shown
+  bool track_ahead_free_asked = false;
+  bool tunnel_stopping_area = false;
+};
+
+struct Show {
+  InplaceVector<const char*, 32> symbols;   // in the order of the areas of the screen
+  InplaceVector<const char*, 16> requests;  // "OS", "level", "brake", ..., then entries "driver_id", ...
+};
+
+/// What is shown now. All texts are literals. With no desk open nothing is (4.7.2 marks it A in SB and TR), but for the
+/// system failure.
+Show show(const ShowContext& context);
+
+/// The symbol of a mode ("MO11"), null for NP, PS, SL and IS.
+const char* symbol(Mode mode);
+/// The symbol with which the mode's acknowledgement is asked for ("MO08"), null where there is none.
+const char* symbol(Ack ack);
+/// The symbol of a level ("LE04").
+const char* symbol(Level level);
+/// The symbol of an announced level, with (yellow) or without acknowledgement. Levels 1, 2 and 3 have a yellow one only
+/// up to 3.6.0 and then from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are taken.
+const char* announcement_symbol(Level level, bool acknowledgement);
+
+/// The name of a request or entry as in the outputs ("OS", "trip", "driver_id").
+const char* name(Ack ack);
+const char* name(Entry entry);
+
+/// The text of the DMI for what a procedure tells (015560 15).
+const char* text(modes::Inform inform);
+/// The trip reason for the condition of 4.6.3 that led to TR, null for one that has none.
+const char* trip_reason(int condition);
+
+}  // namespace evc::driver
