@@ -23,8 +23,9 @@ struct Situation {
   Duration now{};                        // since power-up
   bool linking_checked = false;          // the mode supervises linking: FS, LS, OS (4.5.2)
   bool braking_on_message_error = true;  // SB SH FS LS SR OS UN SN TR; not in SL PT NL RV PS (4.4.6.1.12 ...)
-  bool against_permitted_movement =
-      false;                   // reverse movement protection is active and the train moves against it (3.14.3.6)
+  /// Reverse movement protection is active and the train moves against it (3.14.3.6).
+  bool against_permitted_movement = false;
+  bool counter_rises = true;   // the way the train moves, as the odometer counts
   bool level_1_2_3 = false;    // else level 0 or NTC (3.17.3.5 d, e)
   std::uint8_t highest_X = 2;  // highest supported system version number
 };
@@ -56,6 +57,7 @@ struct OpenGroup {
   Judgement judgement;           // of its reference balise against linking
   OdometerReading last;          // the last balise of it
   PlaceInterval last_antenna;
+  std::uint8_t seen = 0;  // bit n: N_PIG n was read, used or not
   InplaceVector<Telegram, kBalises> telegrams;
 };
 
@@ -65,13 +67,14 @@ struct State {
   InplaceVector<Cover, kCovers> covers;
 };
 
+// Each call begins with an empty `outcome`: what stood in it before is gone.
+
 /// A telegram was read. May finish the open group, and this one.
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
 /// A balise was detected whose telegram could not be decoded (3.16.2.4.1 b).
 void read_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
 /// Each cycle: finishes the open group once no further balise of it can come (3.16.2.1.3).
-void close_overdue(State& state, const OdometerReading& counter, const PlaceInterval& antenna,
-                   const Situation& situation, Outcome& outcome);
+void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome);
 /// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)?
 void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome);
 /// Drops a group that is only partly read (change of cab, power off).

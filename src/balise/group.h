@@ -39,8 +39,8 @@ struct Telegram {
   bool used = true;                  // false: its duplicate is used instead (3.16.2.4.8)
   bool default_information = false;  // packet 254
   bool inhibits_reaction = false;    // packet 145
-  bool repositioning = false;        // packet 16
-  bool one_direction = false;        // some packet is for one direction only
+  std::uint8_t repositioning = 0;    // packet 16: bit n is set for Q_DIR n
+  bool one_direction = false;        // some packet is for one direction only (packet 44 apart)
   bool faulty = false;               // spare value or broken packet (3.16.1.1)
   OdometerReading counter;           // when the antenna was over it
   PlaceInterval antenna;             // where the antenna was then
@@ -70,8 +70,8 @@ struct Group {
   bool linking_used = false;  // when it was judged
   /// May become the LRBG (3.6.2.2.2 a): accepted and marked linked, and announced where linking is used.
   bool lrbg_compliant = false;
-  bool single =
-      false;  // gives no orientation of its own: one balise, or one of a pair of duplicates (3.4.2.3, 3.4.2.4)
+  /// Gives no orientation of its own: one balise, or one of a pair of duplicates (3.4.2.3, 3.4.2.4).
+  bool single = false;
   bool repositioning = false;        // taken for the entry with unknown identity
   bool default_information = false;  // packet 254 in use: the driver is told (3.16.2.4.9)
   std::uint8_t X = 0;                // highest system version number X among its telegrams
@@ -126,7 +126,7 @@ struct Event {
 
 /// What one call brought.
 struct Outcome {
-  InplaceVector<Group, 3> groups;  // finished ones, in the order of passage
+  InplaceVector<Group, 2> groups;  // finished ones, in the order of passage
   InplaceVector<Event, 24> events;
   /// The most severe reaction asked for in this call.
   Reaction reaction = Reaction::none;
@@ -136,6 +136,9 @@ struct Outcome {
   /// location data are shortened to the current position (A.3.4).
   bool shorten_at_standstill = false;
 };
+
+/// Adds an event and what it asks for. A full list keeps the reaction and turns its last entry into `capacity`.
+void note(Outcome& outcome, const Event& event);
 
 /// One line a finding, for people.
 const char* name_of(Finding finding);

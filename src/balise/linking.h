@@ -4,6 +4,7 @@
 
 #include "balise/group.h"
 #include "base/inplace_vector.h"
+#include "lang/packets/packet_5.h"
 
 // Linking (3.4.4, 3.16.2.3, 3.16.2.6, 3.16.2.7).
 namespace evc::balise {
@@ -12,6 +13,8 @@ namespace evc::balise {
 inline constexpr std::uint16_t kIdentityUnknown = 16383;
 /// One packet announces up to 32 groups (1 + N_ITER 31); infill linking adds to what is stored.
 inline constexpr std::size_t kLinks = 64;
+/// A balise may still be detected this far behind its centre (3.16.2.3.1.1): only then is it missed.
+inline constexpr Distance kDetectionZone{1.3};
 
 /// One announced group, placed in the track frame.
 struct Link {
@@ -38,6 +41,9 @@ struct LinkingList {
   InplaceVector<Entry, 32> entries;
 };
 
+/// The packet as read, in SI. A reaction code that is spare cannot come here: decode() refuses it.
+LinkingList linking_list(const lang::Packet5& packet);
+
 /// From where a linking list counts.
 struct LinkingReference {
   GroupId id;               // sender, LRBG of the message, or the infill location reference
@@ -51,6 +57,7 @@ struct LinkingReference {
 struct Judgement {
   enum class Verdict : std::uint8_t {
     unjudged,        // the reference balise was not read yet
+    unlinked,        // marked unlinked: always considered (3.4.4.4.2)
     not_used,        // linking is not used: every group is taken (3.4.4.4.1)
     found,           // the expected one, inside its window
     repositioning,   // may be the one with unknown identity: decided when the group is complete
@@ -59,7 +66,6 @@ struct Judgement {
   };
   Verdict verdict = Verdict::unjudged;
   std::optional<Link> link;  // the announced entry
-  bool reacted = false;      // its linking reaction was given already
 };
 
 struct LinkingState {
@@ -83,7 +89,7 @@ struct LinkingState {
 /// that were found already, and windows that have ended, are left out. Returns the place of the
 /// reference: another one than given when the list holds the current LRBG `current`, because then the
 /// distance by linking counts (3.6.4.3); everything in the same message is placed from it.
-/// `stored` becomes false when the list did not fit (the farthest groups are left out).
+/// Not `complete`: the list did not fit, its farthest groups are left out.
 struct Stored {
   Place reference;
   bool complete = true;
@@ -97,6 +103,23 @@ Stored store(LinkingState& linking, const LinkingList& list, const LinkingRefere
 /// All of it (4.10), or what lies beyond a place (A.3.4).
 void clear(LinkingState& linking);
 void clear_beyond(LinkingState& linking, Place place);
+
+/// The reference balise of a group was read with the antenna at `antenna`: the window of the expected group
+/// is tested, errors a and c of 3.16.2.3.1 react, the expectation moves on (3.4.4.4.6).
+Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const PlaceInterval& antenna,
+                bool linking_checked, Outcome& outcome);
+/// A group whose reference balise was missed, without a duplicate, the antenna last at `antenna`: the
+/// expected one counts as found with an error in its message (3.16.2.4.1 a), the expectation moves on.
+Judgement judge_without_reference(LinkingState& linking, GroupId id, const PlaceInterval& antenna,
+                                  bool linking_checked);
+/// The repositioning group was taken: the expectation moves on, a second one is looked for (3.16.2.7.2).
+void take_repositioning(LinkingState& linking, GroupId id, const Link& link);
+/// A group with repositioning was read, crossed in `crossing`: is it a second one (3.16.2.7.2.2)?
+bool second_repositioning(const LinkingState& linking, GroupId id, Direction crossing);
+/// Each cycle: windows that ended without their group (3.16.2.3.1 b), two of them in a row (3.16.2.7.1).
+/// `reading`: the group that is being read and not judged yet; its window waits for it.
+void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linking_checked,
+                 const std::optional<GroupId>& reading, Outcome& outcome);
 
 /// Is linking used now: groups announced, and the farthest window not passed (3.4.4.2.1.1)?
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked);

@@ -27,6 +27,8 @@ inline constexpr Duration kStandstillTime{0.5};
 inline constexpr Distance kStandstillDistance{0.05};
 /// The counter has to come back this far before the train counts as having turned.
 inline constexpr Distance kTurnDistance{0.1};
+/// What an odometer may err over a distance (SUBSET-041 5.3.1.1), where no reading bounds it.
+inline constexpr double kOdometerError = 0.05;
 
 /// One reading of the odometer.
 struct Odometry {
@@ -47,6 +49,9 @@ struct Reference {
   Distance Q_LOCACC;                           // frozen when the group was read (3.6.4.2.3)
   Direction orientation = Direction::unknown;  // of the train (active cab) against the group (3.6.1.6)
   bool single = false;                         // gives no orientation of its own (3.4.2.3)
+  /// Against the move from `previous` to this group, as a single group without orientation is reported (3.4.2.3.3.2).
+  Direction pair_orientation = Direction::unknown;
+  bool counter_rising = true;  // how the counter ran when it was passed (3.4.2.3.3.4)
   bool reported = false;
   /// The groups with which this one was reported as "previous" (packet 1) while its orientation was
   /// unknown, and whether more than one such pair exists (3.4.2.3.3.7, .8).
@@ -67,7 +72,8 @@ struct State {
   Motion last_motion = Motion::forward;              // never `standstill`
   OdometerPlace rest;                                // counter when the train came to rest
   Duration rest_since{};
-  bool started = false;  // an odometer reading was taken
+  OdometerReading origin;  // the first reading: counts while there is no LRBG
+  bool started = false;    // an odometer reading was taken
 };
 
 /// A group that was read and accepted, and what the trackside says of its place.
@@ -84,7 +90,9 @@ struct Passage {
 /// Takes a reading of the odometer; `now` is the time since power-up. Detects direction and standstill.
 void update(State& state, const Odometry& odometry, Duration now);
 
-/// The three counters when the nominal one was `at`, interpolated between the last two readings.
+/// The three counters when the nominal one was `at`: interpolated between the last two readings; farther
+/// away 5 % of the distance to the nearer one is added. Only increments of the bounds have a meaning: just
+/// there `min` <= `nominal` <= `max` need not hold.
 OdometerReading reading_at(const State& state, OdometerPlace at);
 
 /// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the frames are tied

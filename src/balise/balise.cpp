@@ -1,0 +1,186 @@
+#include "balise/balise.h"
+
+#include "balise/message.h"
+#include "balise/telegram.h"
+
+namespace evc::balise {
+namespace {
+
+void begin(Outcome& outcome) {
+  outcome.groups.clear();
+  outcome.events.clear();
+  outcome.reaction = Reaction::none;
+  outcome.wrong_direction = false;
+  outcome.version_too_high = false;
+  outcome.shorten_at_standstill = false;
+}
+
+void tell(Outcome& outcome, Happened what, GroupId id, const char* clause) {
+  note(outcome, {what, id, Finding::none, Reaction::none, ErrorReport::none, clause});
+}
+
+Distance between(const OdometerReading& a, const OdometerReading& b) {
+  const Distance d = a.nominal - b.nominal;
+  return d.si < 0 ? -d : d;
+}
+
+bool too_far(const OpenGroup& open, const OdometerReading& counter) {
+  return between(counter, open.last) > kBaliseSpacing + kSpacingMargin;
+}
+
+/// Finishes the open group. One of which nothing but telegrams of too new a version was read says nothing.
+void close(State& state, const Situation& situation, Outcome& outcome) {
+  if (state.open->identified && state.open->telegrams.empty() && !state.open->undecoded) {
+    state.open.reset();
+    return;
+  }
+  OpenGroup open = *state.open;
+  state.open.reset();
+  judge_message(state.linking, open, situation, outcome);
+}
+
+bool seen(const OpenGroup& open, std::uint8_t N_PIG) { return ((open.seen >> N_PIG) & 1u) != 0; }
+
+/// The same balise under the antenna still (3.16.2.1.1: one telegram).
+bool same_passage(const OpenGroup& open, const Header& header, const Reading& reading) {
+  return open.identified && open.id == header.id && !open.telegrams.empty() &&
+         open.telegrams.back().N_PIG == header.N_PIG &&
+         between(reading.counter, open.telegrams.back().counter) < kSameBalise;
+}
+
+/// Does this telegram continue the open group? Another group, a balise seen before, or one against the
+/// order so far (the train has turned) begins a new passage.
+bool continues(const OpenGroup& open, const Header& header) {
+  if (!open.identified) return true;
+  if (!(open.id == header.id) || seen(open, header.N_PIG)) return false;
+  if (open.telegrams.size() < 2) return true;
+  const bool rising = open.telegrams.back().N_PIG > open.telegrams.front().N_PIG;
+  return (header.N_PIG > open.telegrams.back().N_PIG) == rising;
+}
+
+/// The group to which the telegram belongs; closes another one before.
+OpenGroup& group_of(State& state, const Header& header, const Reading& reading, const Situation& situation,
+                    Outcome& outcome) {
+  if (state.open && (!continues(*state.open, header) || too_far(*state.open, reading.counter)))
+    close(state, situation, outcome);
+  if (!state.open) state.open = OpenGroup{};
+  OpenGroup& open = *state.open;
+  if (!open.identified) {
+    open.identified = true;
+    open.id = header.id;
+    open.N_TOTAL = header.N_TOTAL;
+    open.Q_LINK = header.Q_LINK;
+  }
+  // Identity is equal; the rest of what a group has in common must be, too (3.16.1.1).
+  if (open.N_TOTAL != header.N_TOTAL || open.Q_LINK != header.Q_LINK) open.header_mismatch = true;
+  open.seen = static_cast<std::uint8_t>(open.seen | (1u << header.N_PIG));
+  open.last = reading.counter;
+  open.last_antenna = reading.antenna;
+  return open;
+}
+
+bool complete(const OpenGroup& open) {
+  const unsigned all = (1u << (open.N_TOTAL + 1u)) - 1u;
+  return (open.seen & all) == all;
+}
+
+bool covered(const State& state, const Header& header, Duration now) {
+  for (const Cover& cover : state.covers)
+    if (header.NID_VBCMK && cover.NID_VBCMK == *header.NID_VBCMK && cover.NID_C == header.id.NID_C &&
+        now <= cover.until)
+      return true;
+  return false;
+}
+
+/// The checks of a telegram by itself, in the order of A.3.3; true: nothing of it is used.
+bool dropped(State& state, const Header& header, const Reading& reading, const Situation& situation, Outcome& outcome) {
+  if (header.X() == 0) {
+    tell(outcome, Happened::telegram_version_old, header.id, "3.17.3.5 a");
+    return true;
+  }
+  if (covered(state, header, situation.now)) {
+    tell(outcome, Happened::telegram_covered, header.id, "3.15.9.3");
+    return true;
+  }
+  if (situation.against_permitted_movement) {
+    tell(outcome, Happened::telegram_against_movement, header.id, "3.14.3.6");
+    return true;
+  }
+  if (header.X() <= situation.highest_X) return false;
+  // Ignored, but not missed: its balise was there.
+  group_of(state, header, reading, situation, outcome);
+  tell(outcome, Happened::telegram_version_new, header.id, situation.level_1_2_3 ? "3.17.3.5 d" : "3.17.3.5 e");
+  if (situation.level_1_2_3) outcome.version_too_high = true;
+  if (complete(*state.open)) close(state, situation, outcome);
+  return true;
+}
+
+void note_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
+  if (situation.against_permitted_movement) return;  // 3.14.3.6
+  if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
+  if (!state.open) state.open = OpenGroup{};
+  state.open->undecoded = true;
+  state.open->last = reading.counter;
+  state.open->last_antenna = reading.antenna;
+}
+
+}  // namespace
+
+void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
+  begin(outcome);
+  const Header header = read_header(reading.bytes, reading.bits);
+  if (!header.readable) return note_undecodable(state, reading, situation, outcome);
+  if (dropped(state, header, reading, situation, outcome)) return;
+  if (state.open && same_passage(*state.open, header, reading)) return;
+
+  OpenGroup& open = group_of(state, header, reading, situation, outcome);
+  Telegram telegram = look_into(reading.bytes, reading.bits, header);
+  telegram.counter = reading.counter;
+  telegram.antenna = reading.antenna;
+  EVC_REQUIRE(open.telegrams.push_back(telegram));  // at most one for each N_PIG
+
+  const Link* next = expected(state.linking);
+  if (next != nullptr && next->id == header.id) state.linking.detected = true;
+  if (header.N_PIG == 0)
+    open.judgement =
+        judge(state.linking, header.id, header.Q_LINK, reading.antenna, situation.linking_checked, outcome);
+  if (complete(open)) close(state, situation, outcome);
+}
+
+void read_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
+  begin(outcome);
+  note_undecodable(state, reading, situation, outcome);
+}
+
+void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome) {
+  begin(outcome);
+  if (state.open && too_far(*state.open, counter)) close(state, situation, outcome);
+}
+
+void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome) {
+  begin(outcome);
+  std::optional<GroupId> reading;
+  if (state.open && state.open->identified) {
+    const Judgement::Verdict verdict = state.open->judgement.verdict;
+    if (verdict == Judgement::Verdict::unjudged || verdict == Judgement::Verdict::repositioning)
+      reading = state.open->id;
+  }
+  end_windows(state.linking, antenna, situation.linking_checked, reading, outcome);
+}
+
+void abandon(State& state) { state.open.reset(); }
+
+bool set_cover(State& state, const Cover& cover) {
+  remove_cover(state, cover.NID_VBCMK, cover.NID_C);
+  return state.covers.push_back(cover);
+}
+
+void remove_cover(State& state, std::uint8_t NID_VBCMK, std::uint16_t NID_C) {
+  state.covers.erase_if([&](const Cover& c) { return c.NID_VBCMK == NID_VBCMK && c.NID_C == NID_C; });
+}
+
+void keep_covers_of(State& state, std::uint16_t NID_C) {
+  state.covers.erase_if([&](const Cover& c) { return c.NID_C != NID_C; });
+}
+
+}  // namespace evc::balise

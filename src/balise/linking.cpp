@@ -1,0 +1,224 @@
+#include "balise/linking.h"
+
+namespace evc::balise {
+namespace {
+
+std::optional<std::size_t> index_of(const LinkingState& linking, GroupId id) {
+  for (std::size_t i = 0; i < linking.links.size(); ++i)
+    if (linking.links[i].id == id) return i;
+  return std::nullopt;
+}
+
+/// The expectation moves on to the next entry (3.4.4.4.6).
+Link move_on(LinkingState& linking) {
+  const Link link = linking.links.front();
+  linking.links.erase(0);
+  linking.previous = link.place;
+  linking.detected = false;
+  return link;
+}
+
+void react(Outcome& outcome, Happened what, const Link& link, const char* clause) {
+  note(outcome, {what, link.id, Finding::none, link.reaction, ErrorReport::linking, clause});
+}
+
+Judgement found(LinkingState& linking) {
+  Judgement judgement;
+  judgement.verdict = Judgement::Verdict::found;
+  judgement.link = move_on(linking);
+  linking.found = judgement.link->id;
+  linking.missed_in_row = 0;
+  linking.repositioned.reset();  // 3.16.2.7.2.1 b
+  return judgement;
+}
+
+/// The expected group itself: before, in or behind its window.
+Judgement judge_expected(LinkingState& linking, const PlaceInterval& antenna, Outcome& outcome) {
+  const Link link = linking.links.front();
+  const bool early = antenna.max < first_possible(linking, link);
+  const bool late = antenna.min > last_possible(link);
+  if (!early && !late) return found(linking);
+  move_on(linking);
+  linking.missed_in_row = 0;  // elsewhere, but detected
+  if (early)
+    react(outcome, Happened::linking_error_early, link, "3.16.2.3.1 a");
+  else
+    react(outcome, Happened::linking_error_missed, link, "3.16.2.3.1 b");
+  return {Judgement::Verdict::outside_window, link};
+}
+
+/// A group announced for later, `ahead` entries after the expected one.
+Judgement judge_later(LinkingState& linking, std::size_t ahead, const PlaceInterval& antenna, Outcome& outcome) {
+  for (; ahead > 0; --ahead) {
+    const Link& next = linking.links.front();
+    // Neither a) nor c) holds while the window of the expected group is not open: no reaction.
+    if (antenna.max < first_possible(linking, next)) return {Judgement::Verdict::outside_window, linking.links[ahead]};
+    react(outcome, Happened::linking_error_later, move_on(linking), "3.16.2.3.1 c");
+    linking.missed_in_row = 0;
+  }
+  return judge_expected(linking, antenna, outcome);  // 3.4.4.4.6.1
+}
+
+/// Linking is stored but not supervised (or not used any more): groups passed leave the list, their places stay true.
+Judgement judge_unsupervised(LinkingState& linking, GroupId id) {
+  Judgement judgement;
+  judgement.verdict = Judgement::Verdict::not_used;
+  const std::optional<std::size_t> i = index_of(linking, id);
+  if (!i) return judgement;
+  judgement.link = linking.links[*i];
+  linking.links.erase(0, *i + 1);
+  linking.previous = judgement.link->place;
+  linking.found = id;
+  return judgement;
+}
+
+void miss(LinkingState& linking, Outcome& outcome) {
+  const bool seen = linking.detected;
+  const Link link = move_on(linking);
+  react(outcome, Happened::linking_error_missed, link, "3.16.2.3.1 b");
+  linking.missed_in_row = seen ? std::uint8_t{0} : static_cast<std::uint8_t>(linking.missed_in_row + 1);
+  if (linking.missed_in_row < 2) return;
+  linking.missed_in_row = 1;  // a third one makes a pair with this one
+  note(outcome, {Happened::double_linking_error, link.id, Finding::none, Reaction::service_brake,
+                 ErrorReport::double_linking, "3.16.2.7.1.1"});
+}
+
+Place end_of(const LinkingState& linking) {
+  Place end = last_possible(linking.links.front());
+  for (const Link& link : linking.links)
+    if (last_possible(link) > end) end = last_possible(link);
+  return end;
+}
+
+}  // namespace
+
+Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const PlaceInterval& antenna,
+                bool linking_checked, Outcome& outcome) {
+  if (!marked_linked) return {Judgement::Verdict::unlinked, std::nullopt};
+  if (!used(linking, antenna, linking_checked)) return judge_unsupervised(linking, id);
+  const std::optional<std::size_t> i = index_of(linking, id);
+  if (i) return *i == 0 ? judge_expected(linking, antenna, outcome) : judge_later(linking, *i, antenna, outcome);
+  const Link* next = expected(linking);
+  if (next == nullptr || !next->identity_unknown()) return {Judgement::Verdict::not_announced, std::nullopt};
+  const bool inside = antenna.max >= first_possible(linking, *next) && antenna.min <= last_possible(*next);
+  if (!inside) return {Judgement::Verdict::not_announced, std::nullopt};
+  return {Judgement::Verdict::repositioning, *next};
+}
+
+Judgement judge_without_reference(LinkingState& linking, GroupId id, const PlaceInterval& antenna,
+                                  bool linking_checked) {
+  if (!used(linking, antenna, linking_checked)) return judge_unsupervised(linking, id);
+  const std::optional<std::size_t> i = index_of(linking, id);
+  if (i && *i > 0) return {Judgement::Verdict::outside_window, linking.links[*i]};
+  if (i) {
+    linking.missed_in_row = 0;  // not its reference balise, but the group was detected
+    return {Judgement::Verdict::found, move_on(linking)};
+  }
+  const Link* next = expected(linking);
+  if (next != nullptr && next->identity_unknown()) return {Judgement::Verdict::repositioning, *next};
+  return {Judgement::Verdict::not_announced, std::nullopt};
+}
+
+void take_repositioning(LinkingState& linking, GroupId id, const Link& link) {
+  const Link* next = expected(linking);
+  if (next != nullptr && *next == link) move_on(linking);
+  linking.missed_in_row = 0;
+  linking.found = id;
+  linking.repositioned = LinkingState::Repositioned{id, last_possible(link), link.crossing};
+}
+
+bool second_repositioning(const LinkingState& linking, GroupId id, Direction crossing) {
+  return linking.repositioned && !(linking.repositioned->id == id) && linking.repositioned->crossing == crossing;
+}
+
+void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linking_checked,
+                 const std::optional<GroupId>& reading, Outcome& outcome) {
+  if (linking.repositioned && antenna.min > linking.repositioned->end) linking.repositioned.reset();
+  if (!linking_checked) {
+    while (!linking.links.empty() && antenna.min > last_possible(linking.links.front())) move_on(linking);
+    linking.missed_in_row = 0;
+  }
+  while (!linking.links.empty()) {
+    const Link& next = linking.links.front();
+    if (!(antenna.min > last_possible(next) + kDetectionZone)) break;
+    if (reading && (next.id == *reading || next.identity_unknown())) break;
+    miss(linking, outcome);
+  }
+  if (linking.links.empty() && linking.used_until && antenna.min > *linking.used_until) linking.used_until.reset();
+}
+
+Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
+             const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
+  Place place = reference.place;
+  std::uint16_t country = reference.NID_C;
+  InplaceVector<Link, 32> links;
+  Distance correction{};
+  std::size_t passed = 0;  // entries up to the last one that is behind
+  for (const LinkingList::Entry& entry : list.entries) {
+    place = place + entry.D_LINK;
+    if (entry.NID_C) country = *entry.NID_C;  // 7.5.1.121: else that of the entry before
+    const Link link{place,
+                    entry.Q_LOCACC,
+                    {country, entry.NID_BG},
+                    entry.reaction,
+                    entry.nominal ? Direction::nominal : Direction::reverse,
+                    reference.orientation_known};
+    EVC_REQUIRE(links.push_back(link));
+    if (link.identity_unknown()) continue;
+    const bool is_current = current && link.id == current->id;
+    // 3.6.4.3: the list holds the reference and the LRBG, so their distance is the one by linking.
+    if (is_current) correction = current->place - link.place;
+    if (is_current || (linking.found && *linking.found == link.id)) passed = links.size();
+  }
+  for (Link& link : links) link.place = link.place + correction;
+  Stored stored{reference.place + correction, true};
+
+  if (reference.infill) {  // 3.7.3.1 n: what is announced up to the infill reference stays
+    linking.links.erase_if([&](const Link& link) { return link.place > stored.reference; });
+  } else {  // 3.7.3.1 m
+    linking.links.clear();
+    linking.used_until.reset();
+    linking.previous = passed > 0 ? links[passed - 1].place : stored.reference;
+    linking.detected = false;
+  }
+  for (std::size_t i = passed; i < links.size(); ++i) {
+    // Windows that have ended already are no errors (3.4.4.4.5).
+    if (linking.links.empty() && antenna.min > last_possible(links[i])) continue;
+    if (!linking.links.push_back(links[i])) stored.complete = false;
+  }
+  if (!linking.links.empty()) linking.used_until = end_of(linking);
+  return stored;
+}
+
+void clear(LinkingState& linking) { linking = LinkingState{}; }
+
+void clear_beyond(LinkingState& linking, Place place) {
+  const std::size_t before = linking.links.size();
+  linking.links.erase_if([&](const Link& link) { return link.place > place; });
+  if (linking.links.size() == before) return;
+  linking.used_until.reset();
+  if (!linking.links.empty()) linking.used_until = end_of(linking);
+}
+
+bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked) {
+  return linking_checked && linking.used_until && antenna.min <= *linking.used_until;
+}
+
+const Link* expected(const LinkingState& linking) { return linking.links.empty() ? nullptr : &linking.links.front(); }
+
+Place first_possible(const LinkingState& linking, const Link& link) {
+  // 3.4.4.4.4: a group without known identity may come right behind the last linked group.
+  if (link.identity_unknown() && linking.previous) return *linking.previous;
+  return link.place - link.Q_LOCACC;
+}
+
+Place last_possible(const Link& link) { return link.place + link.Q_LOCACC; }
+
+std::optional<PlaceInterval> window(const LinkingState& linking, const PlaceInterval& antenna) {
+  const Link* next = expected(linking);
+  if (next == nullptr) return std::nullopt;
+  return PlaceInterval{first_possible(linking, *next) - (antenna.max - antenna.est), next->place,
+                       last_possible(*next) + (antenna.est - antenna.min)};
+}
+
+}  // namespace evc::balise

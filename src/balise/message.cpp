@@ -1,0 +1,295 @@
+#include "balise/message.h"
+
+namespace evc::balise {
+namespace {
+
+constexpr std::uint8_t kNextIsSame = 1, kPreviousIsSame = 2;  // M_DUP
+constexpr std::uint8_t kFitsNone = 254, kFitsAll = 255;       // M_MCOUNT
+
+Telegram* read_of(OpenGroup& open, int N_PIG) {
+  for (Telegram& telegram : open.telegrams)
+    if (telegram.N_PIG == N_PIG) return &telegram;
+  return nullptr;
+}
+
+/// The telegram that says it duplicates balise `n`, or null.
+Telegram* duplicate_of(OpenGroup& open, int n) {
+  Telegram* before = read_of(open, n - 1);
+  if (before != nullptr && before->M_DUP == kNextIsSame) return before;
+  Telegram* after = read_of(open, n + 1);
+  if (after != nullptr && after->M_DUP == kPreviousIsSame) return after;
+  return nullptr;
+}
+
+/// What is wrong within the group; a and b with their ways out.
+struct Examined {
+  bool missed = false;       // a, and no duplicate was read
+  bool not_decoded = false;  // b, and no duplicate was read
+  bool saved = false;        // a or b, made good by a duplicate
+  bool all_read = false;
+  bool direction_saved = true;  // what the saving duplicates hold can be used without linking (3.16.2.4.4.1 a)
+  bool single = false;
+  Finding content = Finding::none;  // c or d
+  Direction crossing = Direction::unknown;
+};
+
+/// Out of each pair of duplicates one is used (3.16.2.4.8.1, .2).
+void choose_duplicates(OpenGroup& open) {
+  for (Telegram& first : open.telegrams) {
+    if (first.M_DUP != kNextIsSame) continue;
+    Telegram* second = read_of(open, first.N_PIG + 1);
+    if (second == nullptr || second->M_DUP != kPreviousIsSame) continue;
+    if (first.default_information != second->default_information) {
+      (first.default_information ? first : *second).used = false;
+      continue;
+    }
+    const bool second_is_last = second > &first;  // they stand in the order of reading
+    (second_is_last ? first : *second).used = false;
+  }
+}
+
+bool counters_fit(const OpenGroup& open) {
+  int common = kFitsAll;
+  for (const Telegram& telegram : open.telegrams) {
+    if (!telegram.used || telegram.M_MCOUNT == kFitsAll) continue;
+    if (telegram.M_MCOUNT == kFitsNone) return false;  // 3.16.2.4.7, .7.1
+    if (common != kFitsAll && common != telegram.M_MCOUNT) return false;
+    common = telegram.M_MCOUNT;
+  }
+  return true;
+}
+
+Direction order_of_reading(const OpenGroup& open) {
+  if (open.telegrams.size() < 2) return Direction::unknown;
+  return open.telegrams.back().N_PIG > open.telegrams.front().N_PIG ? Direction::nominal : Direction::reverse;
+}
+
+/// 3.4.2.3, 3.4.2.4.1: one balise, or a pair of duplicates of which one was read.
+bool gives_no_orientation(const OpenGroup& open) {
+  if (open.N_TOTAL == 0) return true;
+  return open.N_TOTAL == 1 && open.telegrams.size() == 1 && open.telegrams.front().M_DUP != 0 &&
+         open.telegrams.front().M_DUP != 3;
+}
+
+void examine_missing(OpenGroup& open, Examined& found) {
+  bool any = false;
+  for (int n = 0; n <= open.N_TOTAL; ++n) {
+    if (((open.seen >> n) & 1u) != 0) continue;
+    any = true;
+    const Telegram* duplicate = duplicate_of(open, n);
+    if (duplicate == nullptr || duplicate->faulty) {
+      (open.undecoded ? found.not_decoded : found.missed) = true;
+      continue;
+    }
+    found.saved = true;
+    if (duplicate->one_direction && found.crossing == Direction::unknown) found.direction_saved = false;
+  }
+  found.all_read = !any;
+  // Something else than a balise of this group could not be decoded: no duplicate makes that good.
+  if (!any && open.undecoded) found.not_decoded = true;
+}
+
+Examined examine(OpenGroup& open) {
+  Examined found;
+  found.single = gives_no_orientation(open);
+  found.crossing = order_of_reading(open);
+  examine_missing(open, found);
+  choose_duplicates(open);
+  bool faulty = open.header_mismatch;
+  for (const Telegram& telegram : open.telegrams) faulty = faulty || (telegram.used && telegram.faulty);
+  if (faulty)
+    found.content = Finding::invalid_value;
+  else if (!counters_fit(open))
+    found.content = Finding::counters_differ;
+  return found;
+}
+
+/// The error that counts; `linked_by_list`: linking was the reference, so a duplicate saves in any case.
+Finding error_of(const Examined& found, bool linked_by_list) {
+  if (found.not_decoded) return Finding::balise_not_decoded;
+  if (found.missed || (found.saved && !linked_by_list && !found.direction_saved)) return Finding::balise_missed;
+  return found.content;
+}
+
+/// 3.16.2.4.4.1 b: packet 145 in a telegram that was read takes the brake off errors a and b.
+bool inhibited(const OpenGroup& open, const Examined& found) {
+  if (found.all_read || found.content != Finding::none) return false;
+  for (const Telegram& telegram : open.telegrams)
+    if (telegram.inhibits_reaction && !telegram.faulty) return true;
+  return false;
+}
+
+bool repositioning_for(const OpenGroup& open, Direction crossing) {
+  for (const Telegram& telegram : open.telegrams) {
+    if (!telegram.used) continue;
+    for (std::uint64_t Q_DIR = 0; Q_DIR < 3; ++Q_DIR)
+      if (((telegram.repositioning >> Q_DIR) & 1u) != 0 && valid_for(Q_DIR, crossing)) return true;
+  }
+  return false;
+}
+
+void refuse(Group& group, Finding finding, Happened what, Reaction reaction, ErrorReport report, const char* clause,
+            Outcome& outcome) {
+  group.accepted = false;
+  group.finding = finding;
+  note(outcome, {what, group.id, finding, reaction, report, clause});
+}
+
+/// Linking is not what the group is held against: 3.16.2.4.4, 3.16.2.5.1.
+void judge_by_itself(Group& group, const OpenGroup& open, const Examined& found, const Situation& situation,
+                     Outcome& outcome) {
+  const Finding error = error_of(found, false);
+  group.accepted = error == Finding::none;
+  if (group.accepted) return;
+  const bool brakes = situation.braking_on_message_error && !inhibited(open, found);
+  const Reaction reaction = brakes ? Reaction::service_brake : Reaction::none;
+  if (group.linked)
+    refuse(group, error, Happened::message_error, reaction, ErrorReport::linked_message, "3.16.2.4.4", outcome);
+  else
+    refuse(group, error, Happened::message_error, reaction, ErrorReport::unlinked_message, "3.16.2.5.1", outcome);
+}
+
+/// The announced group, its reference balise in its window (or missed): 3.16.2.3.2, 3.16.2.4.1.
+void judge_announced(Group& group, const Link& link, const Examined& found, Outcome& outcome) {
+  group.accepted = true;
+  if (found.crossing != Direction::unknown && found.crossing != link.crossing)
+    refuse(group, Finding::wrong_direction, Happened::wrong_direction, Reaction::trip, ErrorReport::linking,
+           "3.16.2.3.2", outcome);
+  const Finding error = error_of(found, true);
+  if (error != Finding::none)
+    refuse(group, error, Happened::message_error, link.reaction, ErrorReport::linked_message, "3.16.2.4.1", outcome);
+  if (!group.accepted) return;
+  group.link_place = link.place;
+  group.Q_LOCACC = link.Q_LOCACC;
+  note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.3"});
+}
+
+/// Identity unknown was expected: 3.4.4.4.2.1 a to c.
+void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& open, const Link& link,
+                         const Examined& found, Outcome& outcome) {
+  const bool fits = found.crossing != Direction::unknown && found.crossing == link.crossing &&
+                    repositioning_for(open, found.crossing);
+  const Finding error = error_of(found, true);
+  if (!fits || error != Finding::none) {
+    refuse(group, error != Finding::none ? error : Finding::not_repositioning, Happened::group_ignored, Reaction::none,
+           ErrorReport::none, "3.4.4.4.2.1", outcome);
+    return;
+  }
+  take_repositioning(linking, group.id, link);
+  group.accepted = true;
+  group.repositioning = true;
+  group.announced = true;
+  // The unknown entry breaks the chain of link distances: the estimated place counts (3.6.4.3).
+  group.Q_LOCACC = link.Q_LOCACC;
+  note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"});
+}
+
+/// Where linking is not supervised a stored entry still tells place, accuracy and orientation.
+void use_stored_link(Group& group, const std::optional<Link>& link) {
+  if (!link || !group.accepted) return;
+  group.link_place = link->place;
+  group.Q_LOCACC = link->Q_LOCACC;
+}
+
+void look_for_second_repositioning(LinkingState& linking, const Group& group, const OpenGroup& open, Outcome& outcome) {
+  if (!group.linked || group.announced || !second_repositioning(linking, group.id, group.crossing)) return;
+  if (!repositioning_for(open, group.crossing)) return;
+  linking.repositioned.reset();
+  note(outcome, {Happened::double_repositioning, group.id, Finding::none, Reaction::service_brake,
+                 ErrorReport::double_repositioning, "3.16.2.7.2.2"});
+}
+
+/// The reference balise is N_PIG 0, or its duplicate where that one was not read (3.16.2.3.3).
+const Telegram* location_reference(OpenGroup& open) {
+  const Telegram* reference = read_of(open, 0);
+  return reference != nullptr ? reference : duplicate_of(open, 0);
+}
+
+Direction against_counter(const OpenGroup& open, Direction crossing, const Situation& situation) {
+  if (crossing == Direction::unknown) return crossing;
+  if (open.telegrams.size() > 1) {
+    const Telegram& first = open.telegrams.front();
+    const Telegram& last = open.telegrams.back();
+    if (last.counter.nominal > first.counter.nominal) return crossing;
+    if (last.counter.nominal < first.counter.nominal) return opposite(crossing);
+  }
+  return situation.counter_rises ? crossing : opposite(crossing);
+}
+
+Group described(OpenGroup& open, const Telegram* reference) {
+  Group group;
+  group.id = open.id;
+  group.identified = open.identified;
+  group.linked = open.identified && open.Q_LINK;
+  group.counter = reference != nullptr ? reference->counter : open.last;
+  if (reference != nullptr) group.antenna = reference->antenna;
+  return group;
+}
+
+void finish(Group& group, const OpenGroup& open) {
+  for (const Telegram& telegram : open.telegrams) {
+    if (telegram.used && telegram.default_information) group.default_information = true;
+    const auto X = static_cast<std::uint8_t>(telegram.M_VERSION >> 4);
+    if (X > group.X) group.X = X;
+  }
+  group.telegrams = open.telegrams;
+  const bool place_fits = group.linking_used ? group.announced : true;
+  group.lrbg_compliant = group.accepted && group.linked && place_fits;  // 3.6.2.2.2 a
+}
+
+}  // namespace
+
+void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
+  using Verdict = Judgement::Verdict;
+  const Telegram* reference = location_reference(open);
+  Judgement& judgement = open.judgement;
+  const Examined found = examine(open);
+  Group group = described(open, reference);
+
+  if (!open.identified || !open.Q_LINK) {
+    judgement = {Verdict::unlinked, std::nullopt};
+  } else if (judgement.verdict == Verdict::unjudged && reference != nullptr) {
+    judgement = judge(linking, open.id, true, reference->antenna, situation.linking_checked, outcome);
+  } else if (judgement.verdict == Verdict::unjudged) {
+    judgement = judge_without_reference(linking, open.id, open.last_antenna, situation.linking_checked);
+  }
+  group.linking_used = judgement.verdict != Verdict::not_used && judgement.verdict != Verdict::unlinked;
+  // 3.4.2.3.2.2: a group without orientation of its own takes the announced one.
+  group.single = found.single;
+  group.crossing = found.crossing;
+  if (found.crossing == Direction::unknown && judgement.link && judgement.link->gives_orientation)
+    group.crossing = judgement.link->crossing;
+  group.counter_against_group = against_counter(open, group.crossing, situation);
+
+  switch (judgement.verdict) {
+    case Verdict::found:
+      group.announced = true;
+      judge_announced(group, *judgement.link, found, outcome);
+      break;
+    case Verdict::repositioning:
+      judge_repositioning(linking, group, open, *judgement.link, found, outcome);
+      break;
+    case Verdict::outside_window:
+      group.announced = true;
+      refuse(group, Finding::outside_window, Happened::group_ignored, Reaction::none, ErrorReport::none, "3.16.2.3.1.1",
+             outcome);
+      break;
+    case Verdict::not_announced:
+      refuse(group, Finding::not_announced, Happened::group_ignored, Reaction::none, ErrorReport::none, "3.16.2.4.3",
+             outcome);
+      break;
+    case Verdict::unjudged:
+    case Verdict::unlinked:
+    case Verdict::not_used:
+      judge_by_itself(group, open, found, situation, outcome);
+      use_stored_link(group, judgement.link);
+      break;
+  }
+  if (situation.linking_checked) look_for_second_repositioning(linking, group, open, outcome);
+  finish(group, open);
+  if (group.accepted && !group.announced)
+    note(outcome, {Happened::group_accepted, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.1"});
+  EVC_REQUIRE(outcome.groups.push_back(group));
+}
+
+}  // namespace evc::balise

@@ -1,0 +1,10 @@
+#pragma once
+#include "balise/balise.h"
+
+// The message of a complete group: duplicates, counters, orientation, and the matrix of 3.16.2.4-5.
+namespace evc::balise {
+
+/// Judges the group and hands it out. `open` is done with afterwards.
+void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome);
+
+}  // namespace evc::balise

@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "balise/group.h"
+
+// One telegram: what the rules for groups need to see of it.
+namespace evc::balise {
+
+/// The 50 bits in front of the packets (8.4.2.1), and the marker for virtual balise covers.
+struct Header {
+  bool readable = false;  // the bits are there, from the track, from a balise
+  std::uint8_t M_VERSION = 0;
+  std::uint8_t N_PIG = 0;
+  std::uint8_t N_TOTAL = 0;
+  std::uint8_t M_DUP = 0;
+  std::uint8_t M_MCOUNT = 0;
+  GroupId id;
+  bool Q_LINK = false;
+  std::optional<std::uint8_t> NID_VBCMK;  // packet 0, in X = 1 packet 200, first of all (3.15.9.3, 6.6)
+  constexpr std::uint8_t X() const { return static_cast<std::uint8_t>(M_VERSION >> 4); }
+};
+
+Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits);
+
+/// Keeps the bits and looks at the packets. More bits than a telegram has are faulty (3.16.1.1).
+Telegram look_into(std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header);
+
+}  // namespace evc::balise

@@ -1,0 +1,272 @@
+#include "position/position.h"
+
+namespace evc::position {
+namespace {
+
+constexpr Distance magnitude(Distance d) { return d.si < 0 ? -d : d; }
+constexpr Distance at_least_zero(Distance d) { return d.si > 0 ? d : Distance{0}; }
+
+/// Where the counter stands in the track frame.
+Place in_track(const State& state, OdometerPlace counter) {
+  return Place{state.sense * counter.from_origin + state.offset};
+}
+
+/// The bounds at `at`, a distance away from a reading: the increments may err by kOdometerError.
+OdometerReading away_from(const OdometerReading& reading, OdometerPlace at) {
+  const Distance d = at - reading.nominal;
+  const Distance error = kOdometerError * magnitude(d);
+  return {at, reading.min + d + error, reading.max + d - error};
+}
+
+/// What a position without LRBG counts from.
+Reference since_power_up(const State& state) {
+  Reference origin;
+  origin.counter = state.origin;
+  return origin;
+}
+
+PlaceInterval interval(const State& state, const Reference& reference, const OdometerReading& counter) {
+  const bool grows = state.sense > 0;
+  const OdometerReading& from = reference.counter;
+  const Distance run = state.sense * (counter.nominal - from.nominal);
+  const Distance least = grows ? counter.min - from.min : from.max - counter.max;
+  const Distance most = grows ? counter.max - from.max : from.min - counter.min;
+  // 3.6.4.2: over-reading lies behind, under-reading ahead of the estimated front end.
+  const Distance over = reference.Q_LOCACC + at_least_zero(run - least);
+  const Distance under = reference.Q_LOCACC + at_least_zero(most - run);
+  const Place est = in_track(state, counter.nominal);
+  return {est - over, est, est + under};
+}
+
+/// Room for one more reference: the oldest one that was not reported goes first, for the RBC does not
+/// know it; the last one, the LRBG, stays.
+void make_room(State& state) {
+  auto& references = state.references;
+  if (!references.full()) return;
+  for (std::size_t i = 0; i + 1 < references.size(); ++i) {
+    if (references[i].reported) continue;
+    references.erase(i);
+    return;
+  }
+  references.erase(0);
+}
+
+std::optional<std::size_t> index_of(const State& state, GroupId id) {
+  for (std::size_t i = state.references.size(); i-- > 0;)
+    if (state.references[i].id == id) return i;
+  return std::nullopt;
+}
+
+Reference reference_for(const State& state, const Passage& passage, Place place) {
+  Reference reference;
+  reference.id = passage.id;
+  reference.counter = passage.counter;
+  reference.place = place;
+  reference.L_antenna = passage.L_antenna;
+  reference.Q_LOCACC = passage.Q_LOCACC;
+  reference.single = passage.single;
+  reference.orientation = state.sense > 0 ? passage.counter_against_group : opposite(passage.counter_against_group);
+  reference.counter_rising = (state.last_motion == Motion::forward) == (state.sense > 0);
+  return reference;
+}
+
+/// A group met before: what was learnt of it by reports and assignment is kept.
+void take_over(Reference& reference, const Reference& earlier) {
+  reference.reported = earlier.reported;
+  reference.reported_with = earlier.reported_with;
+  reference.reported_ambiguously = earlier.reported_ambiguously;
+  if (reference.orientation == Direction::unknown) reference.orientation = earlier.orientation;
+}
+
+/// 3.4.2.3.3: the pair with which a single group without orientation is reported.
+void pair_up(const State& state, Reference& reference) {
+  if (reference.orientation != Direction::unknown || state.references.empty()) return;
+  const Reference& last = state.references.back();
+  if (last.id == reference.id) {  // 3.4.2.3.3.5: read again, the pair stays
+    reference.previous = last.previous;
+    reference.pair_orientation = last.pair_orientation;
+    return;
+  }
+  if (last.counter_rising != reference.counter_rising) return;  // 3.4.2.3.3.4
+  reference.previous = last.id;
+  reference.pair_orientation = state.last_motion == Motion::forward ? Direction::nominal : Direction::reverse;
+}
+
+void mirror(Reference& reference) {
+  reference.place = Place{-reference.place.from_origin};
+  reference.orientation = opposite(reference.orientation);
+  reference.pair_orientation = opposite(reference.pair_orientation);
+}
+
+constexpr Motion turned(Motion m) { return m == Motion::forward ? Motion::backward : Motion::forward; }
+
+}  // namespace
+
+void update(State& state, const Odometry& odometry, Duration now) {
+  const OdometerPlace at = odometry.counter.nominal;
+  if (!state.started) {
+    state.started = true;
+    state.before = odometry;
+    state.origin = odometry.counter;
+    state.extreme = at;
+    state.rest = at;
+    state.rest_since = now;
+  } else {
+    state.before = state.now;
+  }
+  state.now = odometry;
+  state.time = now;
+
+  const double ahead = state.last_motion == Motion::forward ? state.sense : -state.sense;
+  const Distance gained = ahead * (at - state.extreme);
+  if (gained.si > 0) state.extreme = at;
+  if (gained < -kTurnDistance) {
+    state.last_motion = turned(state.last_motion);
+    state.extreme = at;
+  }
+  const bool fast = odometry.V_est > kStandstillSpeed || odometry.V_est < -kStandstillSpeed;
+  if (fast || magnitude(at - state.rest) > kStandstillDistance) {
+    state.rest = at;
+    state.rest_since = now;
+  }
+}
+
+OdometerReading reading_at(const State& state, OdometerPlace at) {
+  const OdometerReading& a = state.before.counter;
+  const OdometerReading& b = state.now.counter;
+  const Distance whole = b.nominal - a.nominal;
+  const Distance part = at - a.nominal;
+  if (at == b.nominal) return b;
+  if (part.si * whole.si >= 0 && magnitude(part) <= magnitude(whole)) {
+    if (part.si == 0) return a;
+    const double f = part.si / whole.si;
+    return {at, a.min + f * (b.min - a.min), a.max + f * (b.max - a.max)};
+  }
+  return away_from(magnitude(at - b.nominal) < magnitude(part) ? b : a, at);
+}
+
+Distance relocate(State& state, const Passage& passage) {
+  const Place estimated = in_track(state, passage.counter.nominal) - passage.L_antenna;
+  const Place place = passage.link_place ? *passage.link_place : estimated;
+  const Distance shift = place - estimated;
+  state.offset += shift;
+  Reference reference = reference_for(state, passage, place);
+  const std::optional<std::size_t> known = index_of(state, passage.id);
+  if (known) take_over(reference, state.references[*known]);
+  pair_up(state, reference);
+  if (known) state.references.erase(*known);
+  make_room(state);
+  EVC_REQUIRE(state.references.push_back(reference));
+  state.unlinked.reset();
+  state.status = Status::valid;
+  return shift;
+}
+
+Place refer_to_unlinked(State& state, const Passage& passage) {
+  const Place place = in_track(state, passage.counter.nominal) - passage.L_antenna;
+  state.unlinked = reference_for(state, passage, place);
+  return place;
+}
+
+const Reference* lrbg(const State& state) { return state.references.empty() ? nullptr : &state.references.back(); }
+
+PlaceInterval front(const State& state) { return front_at(state, state.now.counter); }
+
+PlaceInterval front(const State& state, const Reference& reference) {
+  return interval(state, reference, state.now.counter);
+}
+
+PlaceInterval front_at(const State& state, const OdometerReading& counter) {
+  const Reference* reference = lrbg(state);
+  return reference ? interval(state, *reference, counter) : interval(state, since_power_up(state), counter);
+}
+
+Distance L_DOUBTOVER(const State& state) {
+  const PlaceInterval at = front(state);
+  return at.est - at.min;
+}
+
+Distance L_DOUBTUNDER(const State& state) {
+  const PlaceInterval at = front(state);
+  return at.max - at.est;
+}
+
+Place place_of(const State& state, OdometerPlace counter) { return in_track(state, counter); }
+
+OdometerPlace counter_of(const State& state, Place place) {
+  return OdometerPlace{state.sense * (place.from_origin - state.offset)};
+}
+
+std::optional<Place> place_of(const State& state, GroupId id) {
+  const Reference* reference = find(state, id);
+  if (reference == nullptr) return std::nullopt;
+  return reference->place;
+}
+
+const Reference* find(const State& state, GroupId id) {
+  const std::optional<std::size_t> i = index_of(state, id);
+  return i ? &state.references[*i] : nullptr;
+}
+
+void correct_place(State& state, GroupId id, Place place) {
+  const std::optional<std::size_t> i = index_of(state, id);
+  // The LRBG is what ties the frames: it moves with them, in relocate() only.
+  if (i && *i + 1 < state.references.size()) state.references[*i].place = place;
+}
+
+Motion motion(const State& state) { return at_standstill(state) ? Motion::standstill : state.last_motion; }
+Motion last_motion(const State& state) { return state.last_motion; }
+
+bool at_standstill(const State& state) { return state.started && state.time - state.rest_since >= kStandstillTime; }
+
+Direction orientation(const State& state) {
+  const Reference* reference = lrbg(state);
+  return reference ? reference->orientation : Direction::unknown;
+}
+
+Direction running_direction(const State& state) {
+  const Direction cab = orientation(state);
+  return state.last_motion == Motion::forward ? cab : opposite(cab);
+}
+
+Direction side(const State& state) {
+  const Reference* reference = lrbg(state);
+  if (reference == nullptr) return Direction::unknown;
+  const Distance ahead = front(state).est - reference->place;
+  return ahead.si >= 0 ? reference->orientation : opposite(reference->orientation);
+}
+
+bool assign_orientation(State& state, GroupId id, Direction q_orientation) {
+  const std::optional<std::size_t> i = index_of(state, id);
+  if (!i || q_orientation == Direction::unknown) return false;
+  Reference& reference = state.references[*i];
+  if (!reference.single || !reference.reported_with || reference.reported_ambiguously) return false;
+  if (reference.pair_orientation == Direction::unknown) return false;
+  reference.orientation =
+      q_orientation == Direction::nominal ? reference.pair_orientation : opposite(reference.pair_orientation);
+  return true;
+}
+
+void change_cab(State& state, Distance L_engine) {
+  state.sense = -state.sense;
+  state.offset = -state.offset + L_engine;
+  for (Reference& reference : state.references) mirror(reference);
+  if (state.unlinked) mirror(*state.unlinked);
+  state.last_motion = turned(state.last_motion);
+}
+
+void invalidate(State& state) {
+  if (state.status == Status::valid) state.status = Status::invalid;
+}
+
+void validate(State& state) {
+  if (!state.references.empty()) state.status = Status::valid;
+}
+
+void forget(State& state) {
+  state.references.clear();
+  state.unlinked.reset();
+  state.status = Status::unknown;
+}
+
+}  // namespace evc::position
