@@ -1,0 +1,55 @@
+#pragma once
+/// The library of braking curves and supervision limits in one header: speed and distance monitoring of
+/// SUBSET-026 3.13 for one train approaching one target, with every intermediate value.
+///
+///     evc::sdm::Inputs in;                       // train, national values, track, target
+///     auto derived = std::make_unique<evc::sdm::Derived>();
+///     evc::sdm::rebuild(*derived, in);           // curves
+///     auto row = evc::sdm::explain(*derived, derived->targets.back(), V, V_ura, A_est);
+///
+/// Units are SI; places are metres along the line in running direction.
+#include <optional>
+
+#include "sdm/braking_curve.h"
+#include "sdm/deceleration.h"
+#include "sdm/inputs.h"
+#include "sdm/limits.h"
+#include "sdm/locations.h"
+#include "sdm/rules.h"
+#include "sdm/supervision.h"
+
+namespace evc::sdm {
+
+/// All limits of one target for one speed, with what they were computed from. `EBD` is absent for
+/// nothing but is meaningful for every kind (SvL for EOA_SvL); `SBD` for EOA_SvL only.
+struct Explanation {
+  Approach approach{};
+  train::BuildUpTimes build_up{};  // before reduction
+  Times times{};
+  Limits EBD{};
+  std::optional<Limits> SBD;
+  // The curves at the speed itself.
+  Place d_EBD{};
+  std::optional<Place> d_SBD, d_GUI;
+  // Decelerations at that speed and at the place where the curve has it.
+  Acceleration A_safe{}, A_brake_safe{}, A_brake_emergency{};
+  Acceleration A_expected{}, A_brake_service{};
+  Acceleration A_gradient_EBD{}, A_gradient_SBD{};
+  /// The most restrictive of both curves: the nearer one (3.3.0's FLOI and the limits drawn).
+  Place d_FLOI{}, d_W{}, d_P{}, d_I{};
+};
+/// Limits at speed `V`. With 4.0.0's reduced build-up times the train's front matters: `motion` gives
+/// it; without, the times are those of a train at the limits' own places (not reduced).
+Explanation explain(const Derived& derived, const Inputs& in, const Target& target, Speed V, Speed V_ura,
+                    Acceleration A_est, const Motion* motion = nullptr);
+
+/// Speeds of one target's curves and limits at a place (3.13.9.3.3.7 ff., not iterated: the supervision
+/// limits invert to these only when V_est equals them). `iterated`: the speed V whose limit location is
+/// `x`, found by bisection to 1e-9 m/s.
+struct PositionRow {
+  Speed EBD, SBD, EBI, SBI, W, P, I;
+};
+PositionRow speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
+                      Acceleration A_est);
+
+}  // namespace evc::sdm

@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+
+#include "base/units.h"
+#include "sdm/limits.h"
+
+// Service brake feedback, A.3.10: the pressure tells that the driver brakes, the build-up times shrink.
+namespace evc::sdm {
+
+struct FeedbackState {
+  bool started = false, locked = false;
+  bool p0_known = false;
+  double p0 = 0.0;
+  // Search for the first stable pressure: 3 s within +-20 kPa.
+  bool searching = false;
+  double p_search = 0.0;
+  Duration since{};
+  Duration last{};
+  bool has_last = false;
+  Duration T_bs1_previous{};
+};
+
+/// Follows p0 (A.3.10.2) in every cycle, whatever is monitored.
+void follow_pressure(FeedbackState& s, std::optional<double> p_kpa, Duration now);
+
+/// Forgets what was reached: on leaving TSM or passing the target (3.4.0), on entering CSM, on entering
+/// TSM or RSM from CSM (4.0.0).
+void reset_feedback(FeedbackState& s, Duration T_bs);
+
+/// T_bs1 and T_bs2 now (A.3.10.3); without a known pressure T_bs. T_bs2 is at least T_bs2_min.
+FeedbackTimes feedback_times(FeedbackState& s, std::optional<double> p_kpa, Duration T_bs,
+                             const train::FixedValues& fixed);
+
+/// Main pipe pressure from the brake cylinder's (A.3.10.1), kPa.
+constexpr double p_from_cylinder(double p_cylinder, double k1) { return 500.0 - p_cylinder / k1; }
+
+}  // namespace evc::sdm

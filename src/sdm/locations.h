@@ -1,0 +1,28 @@
+#pragma once
+#include <optional>
+
+#include "sdm/inputs.h"
+#include "sdm/limits.h"
+#include "sdm/supervision.h"
+
+// Locations and speeds that other functions need from speed and distance monitoring.
+namespace evc::sdm {
+
+/// Where the supervision of an unprotected level crossing's start as EOA and SvL gives way to its speed
+/// (3.13.9.3.5.11-12, 5.16.2-3), when no stop is required. `passed`: the deciding front end has passed
+/// it, and the LX speed enters the MRSP from there.
+struct LxSubstitution {
+  Place d_P{};
+  bool from_SBD = false;  // decided by SBI1: against the estimated front end
+  bool passed = false;
+  Limits EBD{}, SBD{};
+};
+/// `LX_start`: the temporary EOA and SvL. Curves are traced here.
+LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place LX_start, Speed V_LX,
+                               const Motion& motion);
+
+/// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
+/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient that came with it.
+Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake);
+
+}  // namespace evc::sdm

@@ -1,0 +1,116 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "base/step_function.h"
+#include "base/units.h"
+#include "train/fixed_values.h"
+#include "train/national_values.h"
+#include "train/srs_version.h"
+#include "train/train_data.h"
+
+// From train data and national values to the decelerations and times of 3.13.6. All step functions here
+// are read with `value_below` (a step includes its upper limit).
+namespace evc::train {
+
+/// Which special brakes are active now (3.13.2.2.6), from the train interface. A brake without an
+/// interface is not counted at all.
+struct BrakeStatus {
+  bool regenerative = true, eddy_current = true, magnetic_shoe = true, electro_pneumatic = true;
+  bool adhesion_independent = false;
+  friend constexpr bool operator==(const BrakeStatus&, const BrakeStatus&) = default;
+};
+
+/// Why train data or national values cannot be used. `clause()` names the paragraph.
+enum class Fault : std::uint8_t {
+  none,
+  brake_percentage,         // lambda outside 30..250 %
+  train_length_lambda,      // longer than the conversion model covers
+  maximum_speed_lambda,     // faster than 200 km/h with the conversion model
+  train_length,             // 0 < L <= 4095 m
+  maximum_speed,            // 0 < V <= 600 km/h
+  traction_cut_off_time,    // < 0
+  antenna,                  // < 0
+  rotating_mass,            // outside M_rotating_min..max
+  no_emergency_model,       // gamma without A_brake_emergency for no special brake at all
+  no_service_model,         // the same for A_brake_service
+  no_emergency_time,        // the same for T_brake_emergency
+  no_service_time,          // the same for T_brake_service
+  deceleration,             // negative, or the first step is not 0
+  correction_factor,        // Kdry_rst, Kwet_rst outside 0..1
+  build_up_time,            // negative, or shorter than the reaction time
+  Kn,                       // outside 0..10 m/s2
+  guidance_without_model,   // Q_NVGUIPERM is set by the national value but no normal service model given
+  special_brake_interface,  // a combination that 3.13.2.2.6 does not allow
+  Kv_int,                   // empty, or outside 0..2.54
+  Kr_int,                   // empty, or outside 0..1.55
+  Kt_int,                   // outside 0..1.55
+  A_NVP,                    // A_NVP12 > A_NVP23
+  M_NVAVADH,                // outside 0..1
+  M_NVEBCL,                 // above 9
+  A_NVMAXREDADH,            // outside 0..3.15 m/s2
+  count
+};
+/// "3.13.3.2.1 b": the paragraph that the fault offends.
+const char* clause(Fault fault);
+/// A short name for messages: "brake_percentage".
+const char* name(Fault fault);
+
+/// The first fault found, `Fault::none` when everything is in range.
+Fault check(const TrainData& train);
+Fault check(const NationalValues& values);
+
+/// 3.13.3.2: speed, percentage and length within the validity limits of the conversion model.
+bool conversion_model_applies(const TrainData& train);
+
+/// The basic deceleration A_basic(V) of A.3.7 for a brake percentage (already limited to 135 for service).
+DecelerationSteps A_basic(double lambda0);
+/// V_lim of A.3.7, m/s.
+Speed V_lim(double lambda0);
+
+/// Special brakes that count for the emergency brake, service brake: fitted with an interface that
+/// affects it, active, and not in `inhibited`.
+BrakeSet in_use_emergency(const TrainData& train, const BrakeStatus& status, BrakeSet inhibited);
+BrakeSet in_use_service(const TrainData& train, const BrakeStatus& status, BrakeSet inhibited);
+
+inline constexpr std::size_t kMergedSteps = 16;
+using MergedSteps = StepFunction<Speed, Acceleration, kMergedSteps>;
+
+/// A_brake_emergency(V) with the special brakes `in_use` (gamma), or of the conversion model.
+DecelerationSteps A_brake_emergency(const TrainData& train, BrakeSet in_use);
+/// A_brake_service(V), the same.
+DecelerationSteps A_brake_service(const TrainData& train, BrakeSet in_use);
+/// A_brake_safe(V) of 3.13.6.2.1.4: with Kdry_rst, Kwet_rst, M_NVEBCL, M_NVAVADH (gamma) or Kv_int, Kr_int.
+MergedSteps A_brake_safe(const TrainData& train, const NationalValues& values, BrakeSet in_use);
+/// A_brake_normal_service(V), selected by A_brake_service(V = 0) (3.13.6.4.4); empty when not given.
+DecelerationSteps A_brake_normal_service(const TrainData& train, Acceleration A_brake_service_0);
+/// Kv_int(V) for this train (3.13.6.2.1.8).
+NationalValues::KvFreight Kv_int(const TrainData& train, const NationalValues& values);
+/// The maximum deceleration under reduced adhesion that applies to this train (3.13.6.2.1.6).
+MaxReducedAdhesion A_MAXREDADH(const TrainData& train, const NationalValues& values, const BrakeStatus& status);
+
+/// Build-up and reaction times of 3.13.6.2.2 and 3.13.6.3.2.
+struct BuildUpTimes {
+  Duration T_be, T_be_react, T_bs, T_bs_react;
+  friend constexpr bool operator==(const BuildUpTimes&, const BuildUpTimes&) = default;
+};
+/// `target_is_zero`: V_target = 0 (cm0), else the times of the conversion model are multiplied by kto.
+BuildUpTimes build_up_times(const TrainData& train, const NationalValues& values, const BrakeStatus& status,
+                            bool target_is_zero);
+
+/// SB command and feedback available (3.13.10.4.9, 3.13.2.2.7).
+constexpr bool service_brake_available(const TrainData& t, const NationalValues& v) {
+  return t.service_brake_interface && v.Q_NVSBTSMPERM;
+}
+constexpr bool service_brake_feedback_available(const TrainData& t, const NationalValues& v) {
+  return t.service_brake_feedback && v.Q_NVSBFBPERM;
+}
+
+/// A_gradient of 3.13.4.3.2 for a gradient in per mille (uphill positive).
+Acceleration A_gradient(double grad, const TrainData& train, const FixedValues& fixed);
+
+/// The speed measurement accuracy that SUBSET-041 5.3.1.2 requires: f41(V). From memory of two public
+/// implementations: 2 km/h up to 30 km/h, then linear to 12 km/h at 500 km/h.
+Speed f41(Speed V);
+
+}  // namespace evc::train
