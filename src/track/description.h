@@ -90,6 +90,8 @@ struct Contents {
   std::optional<SpeedCode> V_MAIN;        ///< packet 12; 0 is a trip order
   std::optional<ModeProfile> mode_profile;
   std::optional<GroupList> sh_list;
+  bool sr_authorisation = false;                 ///< message 2: the list of balise groups for SR is replaced or deleted
+  std::optional<GroupList> sr_list;              ///< packet 63
   std::optional<Distance> repositioned_section;  ///< packet 16, from the group that sent it
   Place reference{};                             ///< of that group
 
@@ -127,10 +129,10 @@ struct Contents {
   bool generic_ls_marker = false;
 
   // Not stored: they act at once.
-  std::optional<bool> stop_if_in_sr;                 ///< packet 137: true stop
-  std::optional<bool> danger_for_shunting;           ///< packet 132: true stop
-  std::optional<BaliseGroupId> track_ahead_free_to;  ///< packet 90: border group
-  bool overflow = false;                             ///< the message brought more than there is room for
+  std::optional<bool> stop_if_in_sr;           ///< packet 137: true stop
+  std::optional<bool> danger_for_shunting;     ///< packet 132: true stop
+  std::optional<GroupId> track_ahead_free_to;  ///< packet 90: border group
+  bool overflow = false;                       ///< the message brought more than there is room for
 };
 
 }  // namespace evc::track

@@ -3,18 +3,14 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 #include "track/speed_restrictions.h"
 
 namespace evc::track {
 
-struct BaliseGroupId {
-  std::uint16_t NID_C = 0, NID_BG = 0;
-  friend constexpr bool operator==(const BaliseGroupId&, const BaliseGroupId&) = default;
-};
-
 /// A list of balise groups that may be passed in SH (packet 49) or SR (packet 63). An empty list lets none pass.
-using GroupList = InplaceVector<BaliseGroupId, 32>;
+using GroupList = InplaceVector<GroupId, 32>;
 
 /// M_LEVELTR of one level of an order's table, in order of priority.
 struct OrderedLevel {
@@ -46,7 +42,7 @@ struct RadioInfillArea {
   bool establish = false;
   std::uint16_t NID_C = 0, NID_RIU = 0;
   std::uint64_t NID_RADIO = 0;
-  BaliseGroupId next_main_signal{};
+  GroupId next_main_signal{};
   friend constexpr bool operator==(const RadioInfillArea&, const RadioInfillArea&) = default;
 };
 
@@ -71,7 +67,7 @@ struct VirtualBaliseCover {
 
 /// One reference of the geographical position (packet 79; 3.6.6).
 struct GeoReference {
-  BaliseGroupId group{};
+  GroupId group{};
   Distance D_POSOFF{};
   bool counts_up = true;                    ///< Q_MPOSITION
   std::optional<std::uint32_t> M_POSITION;  ///< metres; absent: no more geographical position

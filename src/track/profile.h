@@ -40,11 +40,16 @@ struct Profile {
     for (const auto& step : fresh.steps) all = append(step.from, step.value) && all;
     return all;
   }
-  /// Withdraws everything from `at` on (A.3.4): the profile ends there.
-  constexpr void cut(Place at) {
-    if (steps.empty()) return;
-    while (!steps.empty() && steps.back().from >= at) steps.pop_back();
-    if (!steps.empty() && steps.back().value.known()) append(at, Value::unknown());
+  /// Withdraws everything from `at` on (A.3.4): the profile ends there. Whether anything known stood there.
+  constexpr bool cut(Place at) {
+    bool known_beyond = false;
+    while (!steps.empty() && steps.back().from >= at) {
+      known_beyond = known_beyond || steps.back().value.known();
+      steps.pop_back();
+    }
+    if (steps.empty() || !steps.back().value.known()) return known_beyond;
+    append(at, Value::unknown());
+    return true;
   }
   /// Forgets the steps whose whole length lies behind `limit` (A.3.6).
   constexpr void forget_before(Place limit) {

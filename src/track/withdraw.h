@@ -43,7 +43,7 @@ struct Elapsed {
 /// for speed restrictions, gradient, adhesion, big metal masses, and areas passed.
 Elapsed advance(Description& d, const Here& here);
 
-/// The rows of 4.10 that live here. A set of them is a bit mask.
+/// What the tables of 4.9 and 4.10 name and is stored here; the tables themselves are in modes/.
 enum class Item : std::uint8_t {
   movement_authority,
   gradient,
@@ -76,16 +76,7 @@ enum class Item : std::uint8_t {
   generic_ls_marker,
   count
 };
-/// Deletes (resets) one item.
+/// Deletes (resets to the initial state) one item.
 void forget(Description& d, Item item);
-
-/// Whether an item is deleted or reset on entry of a mode, named by M_MODE (7.5.1.65; `kNoPower` for NP), coming
-/// from another (4.10, baseline 3.6.0).
-inline constexpr std::uint8_t kNoPower = 16;
-bool deleted_on_entry(Item item, std::uint8_t M_MODE, std::uint8_t from_M_MODE);
-/// Deletes what 4.10 deletes on entry of a mode.
-void enter_mode(Description& d, std::uint8_t M_MODE, std::uint8_t from_M_MODE);
-/// Deletes what 4.9 deletes on entry of a level (M_LEVEL: 0 level 0, 1 NTC, 2 level 1, 3 level 2, 4 level 3).
-void enter_level(Description& d, std::uint8_t M_LEVEL);
 
 }  // namespace evc::track

@@ -1,0 +1,278 @@
+#include "track/from_packets.h"
+
+#include "lang/decode.h"
+#include "lang/packets.h"
+#include "lang/si.h"
+#include "track/from_packets_parts.h"
+
+namespace evc::track {
+namespace {
+
+using lang::Fault;
+using lang::metres;
+
+Release release_of(unsigned code) {
+  if (code == 126) return {Release::Kind::on_board, {}};
+  if (code == 127) return {Release::Kind::national, {}};
+  return {Release::Kind::given, speed_of(static_cast<SpeedCode>(code))};
+}
+
+template <class P>
+Section section_of(const P& p, lang::var::Q_SCALE scale, Place begin, Distance length, Duration time) {
+  Section section;
+  section.begin = begin;
+  section.end = begin + length;
+  section.timed = p.Q_SECTIONTIMER.raw == 1;
+  if (section.timed) {
+    section.stop = begin + metres(scale, p.D_SECTIONTIMERSTOPLOC);
+    section.timer = {lang::seconds(p.T_SECTIONTIMER), time, true};
+  }
+  return section;
+}
+
+/// Packets 12 and 15 have the same form but for V_MAIN (3.8.3).
+template <class P>
+MovementAuthority authority_of(const P& p, const Contents& c, const Reference& r) {
+  MovementAuthority ma;
+  Place at = r.place;
+  for (const auto& s : p.sections) {
+    // 31 sections and the last one: there is room.
+    (void)ma.sections.push_back(section_of(s, p.Q_SCALE, at, metres(p.Q_SCALE, s.L_SECTION), c.time));
+    at = ma.sections.back().end;
+  }
+  (void)ma.sections.push_back(section_of(p, p.Q_SCALE, at, metres(p.Q_SCALE, p.L_ENDSECTION), c.time));
+  const Place end = ma.end();
+  ma.V_LOA = speed_of(p.V_EMA.raw);
+  if (ma.limited()) ma.loa_timer = {lang::seconds(p.T_EMA), c.time, true};
+  if (p.Q_ENDTIMER.raw == 1)
+    ma.end_section =
+        EndSectionTimer{end - metres(p.Q_SCALE, p.D_ENDTIMERSTARTLOC), {lang::seconds(p.T_ENDTIMER), {}, false}};
+  if (p.Q_DANGERPOINT.raw == 1)
+    ma.danger_point = DangerPoint{end + metres(p.Q_SCALE, p.D_DP), release_of(p.V_RELEASEDP.raw)};
+  if (p.Q_OVERLAP.raw == 1)
+    ma.overlap = Overlap{end - metres(p.Q_SCALE, p.D_STARTOL),
+                         end + metres(p.Q_SCALE, p.D_OL),
+                         {lang::seconds(p.T_OL), {}, false},
+                         release_of(p.V_RELEASEOL.raw)};
+  return ma;
+}
+
+void take(Contents& c, const lang::Packet12& p, const Reference& r) {
+  c.ma = authority_of(p, c, r);
+  c.ma->level_1 = true;
+  c.V_MAIN = p.V_MAIN.raw;
+}
+void take(Contents& c, const lang::Packet15& p, const Reference& r) { c.ma = authority_of(p, c, r); }
+
+void take(Contents& c, const lang::Packet16& p, const Reference& r) {
+  c.repositioned_section = metres(p.Q_SCALE, p.L_SECTION);
+  c.reference = r.place;
+}
+
+void take(Contents& c, const lang::Packet21& p, const Reference& r) {
+  NewGradientProfile profile;
+  Place at = r.place;
+  const auto append = [&](const lang::Packet21_steps& step) {
+    at = at + metres(p.Q_SCALE, step.D_GRADIENT);
+    Gradient gradient;
+    if (step.G_A.raw <= lang::var::G_A::max)
+      gradient.permille = static_cast<std::int16_t>(step.Q_GDIR.raw == 1 ? step.G_A.raw : -step.G_A.raw);
+    profile.append(at, gradient);
+  };
+  append(p.first_steps());
+  for (const auto& step : p.steps) append(step);
+  c.gradient = profile;
+}
+
+void limit_to(SpeedCode& stored, unsigned code) {
+  if (code < stored) stored = static_cast<SpeedCode>(code);
+}
+
+StaticSpeed element_of(const lang::Packet27_steps& step) {
+  StaticSpeed element;
+  element.V_STATIC = step.V_STATIC.raw;
+  element.Q_FRONT = step.Q_FRONT.raw == 1;
+  for (const auto& diff : step.diffs) {
+    if (diff.Q_DIFF.raw == 0) {
+      // The class is the step of the same number in the rising order of 3.11.3.2.2.
+      if (diff.NC_CDDIFF.raw < element.cd.size()) limit_to(element.cd[diff.NC_CDDIFF.raw], diff.V_DIFF.raw);
+    } else if (diff.NC_DIFF.raw < element.other.size()) {
+      limit_to(element.other[diff.NC_DIFF.raw], diff.V_DIFF.raw);
+      if (diff.Q_DIFF.raw == 1)
+        element.replaces_cd = static_cast<std::uint8_t>(element.replaces_cd | (1u << diff.NC_DIFF.raw));
+    }
+  }
+  return element;
+}
+
+void take(Contents& c, const lang::Packet27& p, const Reference& r) {
+  NewStaticSpeedProfile profile;
+  Place at = r.place;
+  const auto append = [&](const lang::Packet27_steps& step) {
+    at = at + metres(p.Q_SCALE, step.D_STATIC);
+    profile.append(at, element_of(step));
+  };
+  append(p.first_steps());
+  for (const auto& step : p.steps) append(step);
+  c.ssp = profile;
+}
+
+void take(Contents& c, const lang::Packet51& p, const Reference& r) {
+  Fresh<AxleLoadRestriction> fresh;
+  if (p.Q_TRACKINIT.raw == 1) {
+    fresh.initial_state = true;
+    fresh.from = r.place + metres(p.Q_SCALE, p.D_TRACKINIT);
+    c.asp = fresh;
+    return;
+  }
+  Place at = r.place;
+  const auto append = [&](const lang::Packet51_restrictions& e) {
+    at = at + metres(p.Q_SCALE, e.D_AXLELOAD);
+    AxleLoadRestriction element;
+    element.from = at;
+    element.to = at + metres(p.Q_SCALE, e.L_AXLELOAD);
+    element.Q_FRONT = e.Q_FRONT.raw == 1;
+    for (const auto& category : e.categories)
+      if (category.M_AXLELOADCAT.raw < element.V_AXLELOAD.size())
+        limit_to(element.V_AXLELOAD[category.M_AXLELOADCAT.raw], category.V_AXLELOAD.raw);
+    (void)fresh.elements.push_back(element);  // one and 31 further: there is room
+  };
+  append(p.first_restrictions());
+  fresh.from = at;
+  for (const auto& e : p.restrictions) append(e);
+  c.asp = fresh;
+}
+
+void take(Contents& c, const lang::Packet52& p, const Reference& r) {
+  Fresh<PermittedBrakingDistance> fresh;
+  if (p.Q_TRACKINIT.raw == 1) {
+    fresh.initial_state = true;
+    fresh.from = r.place + metres(p.Q_SCALE, p.D_TRACKINIT);
+    c.pbd = fresh;
+    return;
+  }
+  Place at = r.place;
+  const auto append = [&](const lang::Packet52_restrictions& e) {
+    at = at + metres(p.Q_SCALE, e.D_PBDSR);
+    PermittedBrakingDistance element;
+    element.from = at;
+    element.to = at + metres(p.Q_SCALE, e.L_PBDSR);
+    element.D_PBD = metres(p.Q_SCALE, e.D_PBD);
+    element.gradient_permille = static_cast<std::int16_t>(e.Q_GDIR.raw == 1 ? e.G_PBDSR.raw : -e.G_PBDSR.raw);
+    element.service_brake = e.Q_PBDSR.raw == 1;
+    (void)fresh.elements.push_back(element);
+  };
+  append(p.first_restrictions());
+  fresh.from = at;
+  for (const auto& e : p.restrictions) append(e);
+  c.pbd = fresh;
+}
+
+void take(Contents& c, const lang::Packet65& p, const Reference& r) {
+  TemporarySpeedRestriction tsr;
+  tsr.from = r.place + metres(p.Q_SCALE, p.D_TSR);
+  tsr.to = tsr.from + metres(p.Q_SCALE, p.L_TSR);
+  tsr.NID_TSR = p.NID_TSR.raw;
+  tsr.Q_FRONT = p.Q_FRONT.raw == 1;
+  tsr.V_TSR = p.V_TSR.raw;
+  tsr.from_rbc = r.source == Source::rbc;
+  c.overflow = !c.tsr.push_back(tsr) || c.overflow;
+}
+void take(Contents& c, const lang::Packet66& p, const Reference&) {
+  c.overflow = !c.revoked_tsr.push_back(p.NID_TSR.raw) || c.overflow;
+}
+void take(Contents& c, const lang::Packet64&, const Reference&) { c.inhibit_revocable_tsr = true; }
+void take(Contents& c, const lang::Packet141& p, const Reference&) {
+  c.default_gradient = static_cast<std::int16_t>(p.Q_GDIR.raw == 1 ? p.G_TSR.raw : -p.G_TSR.raw);
+}
+
+void take(Contents& c, const lang::Packet88& p, const Reference& r) {
+  LevelCrossing lx;
+  lx.from = r.place + metres(p.Q_SCALE, p.D_LX);
+  lx.to = lx.from + metres(p.Q_SCALE, p.L_LX);
+  lx.NID_LX = p.NID_LX.raw;
+  lx.unprotected = p.Q_LXSTATUS.raw == 1;
+  if (lx.unprotected) {
+    lx.V_LX = p.V_LX.raw;
+    lx.stop_required = p.Q_STOPLX.raw == 1;
+    if (lx.stop_required) lx.L_STOPLX = metres(p.Q_SCALE, p.L_STOPLX);
+  }
+  c.overflow = !c.lx.push_back(lx) || c.overflow;
+}
+
+void take(Contents& c, const lang::Packet80& p, const Reference& r) {
+  ModeProfile profile;
+  Place at = r.place;
+  const auto append = [&](const lang::Packet80_modes& m) {
+    at = at + metres(p.Q_SCALE, m.D_MAMODE);
+    ModeArea area;
+    area.from = at;
+    area.mode = static_cast<AreaMode>(m.M_MAMODE.raw);
+    const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
+    // The length of a shunting area is not used: it is left by its own rules (3.12.4.2).
+    if (length && area.mode != AreaMode::SH) area.to = at + *length;
+    if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
+    area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);
+    area.also_SvL = m.Q_MAMODE.raw == 1;
+    (void)profile.push_back(area);
+  };
+  append(p.first_modes());
+  for (const auto& m : p.modes) append(m);
+  c.mode_profile = profile;
+}
+
+template <class P>
+Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
+  P packet;
+  if (const Fault fault = lang::decode(view, packet); fault != Fault::none)
+    return fault == Fault::not_applicable ? Added::not_stored_here : Added::faulty;
+  take(c, packet, r);
+  return Added::added;
+}
+
+}  // namespace
+
+bool valid_direction(std::uint8_t Q_DIR, Direction orientation) {
+  if (Q_DIR == 2) return true;
+  if (orientation == Direction::unknown) return false;
+  return (Q_DIR == 1) == (orientation == Direction::nominal);
+}
+
+Added add(Contents& contents, const lang::PacketView& view, const Reference& reference) {
+  if (!valid_direction(view.Q_DIR, reference.orientation)) return Added::other_direction;
+  contents.source = reference.source;
+  switch (view.NID_PACKET) {
+    case 12:
+      return decode_and_take<lang::Packet12>(contents, view, reference);
+    case 15:
+      return decode_and_take<lang::Packet15>(contents, view, reference);
+    case 16:
+      return decode_and_take<lang::Packet16>(contents, view, reference);
+    case 21:
+      return decode_and_take<lang::Packet21>(contents, view, reference);
+    case 27:
+      return decode_and_take<lang::Packet27>(contents, view, reference);
+    case 51:
+      return decode_and_take<lang::Packet51>(contents, view, reference);
+    case 52:
+      return decode_and_take<lang::Packet52>(contents, view, reference);
+    case 64:
+      return decode_and_take<lang::Packet64>(contents, view, reference);
+    case 65:
+      return decode_and_take<lang::Packet65>(contents, view, reference);
+    case 66:
+      return decode_and_take<lang::Packet66>(contents, view, reference);
+    case 80:
+      return decode_and_take<lang::Packet80>(contents, view, reference);
+    case 88:
+      return decode_and_take<lang::Packet88>(contents, view, reference);
+    case 141:
+      return decode_and_take<lang::Packet141>(contents, view, reference);
+    default:
+      break;
+  }
+  const Added condition = add_condition(contents, view, reference);
+  return condition == Added::not_stored_here ? add_order(contents, view, reference) : condition;
+}
+
+}  // namespace evc::track

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+#include "base/location.h"
+#include "lang/telegram.h"
+#include "track/description.h"
+
+// From the wire into the track frame (3.6.2, 3.6.3).
+namespace evc::track {
+
+/// What the distances of a packet count from: the group that sent it, the LRBG of a radio message (shifted by
+/// D_REF), or the infill location reference.
+struct Reference {
+  Place place{};
+  /// Of the train against the group (in SL, PS, SH: the direction in which the group was crossed, 3.6.3.1.3).
+  Direction orientation = Direction::unknown;
+  GroupId group{};  ///< its NID_C stands where a packet says "same country"
+  Source source = Source::balise;
+  Duration now{};
+};
+
+/// Whether information with this Q_DIR counts for the orientation; while it is unknown only "both" does (3.6.3.1.3-4).
+bool valid_direction(std::uint8_t Q_DIR, Direction orientation);
+
+enum class Added : std::uint8_t {
+  added,
+  other_direction,  ///< 3.6.3.1.3
+  not_stored_here,  ///< another room's packet
+  faulty            ///< the packet does not decode; the message should have been rejected
+};
+/// Adds a packet to the contents of its message.
+Added add(Contents& contents, const lang::PacketView& view, const Reference& reference);
+
+}  // namespace evc::track

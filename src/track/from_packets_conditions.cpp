@@ -1,0 +1,183 @@
+#include "lang/decode.h"
+#include "lang/packets.h"
+#include "lang/si.h"
+#include "track/from_packets_parts.h"
+
+namespace evc::track {
+namespace {
+
+using lang::Fault;
+using lang::metres;
+
+/// Profiles of areas: increments from start to start, each with its length (3.6.3.2.4).
+template <class T, class P, class E, class List, class Make>
+Fresh<T> areas_of(const P& p, const E& first, const List& further, Place reference, Make make) {
+  Fresh<T> fresh;
+  Place at = reference;
+  const auto append = [&](const E& e) {
+    at = at + metres(p.Q_SCALE, e.D_TRACKCOND);
+    T element = make(e);
+    element.from = at;
+    element.to = at + metres(p.Q_SCALE, e.L_TRACKCOND);
+    (void)fresh.elements.push_back(element);  // one and 31 further: there is room
+  };
+  append(first);
+  fresh.from = at;
+  for (const E& e : further) append(e);
+  return fresh;
+}
+template <class T, class P>
+Fresh<T> initial_state_of(const P& p, Place reference) {
+  Fresh<T> fresh;
+  fresh.initial_state = true;
+  fresh.from = reference + metres(p.Q_SCALE, p.D_TRACKINIT);
+  return fresh;
+}
+
+void take(Contents& c, const lang::Packet68& p, const Reference& r) {
+  if (p.Q_TRACKINIT.raw == 1) {
+    c.conditions = initial_state_of<TrackCondition>(p, r.place);
+    return;
+  }
+  c.conditions = areas_of<TrackCondition>(p, p.first_conditions(), p.conditions, r.place, [](const auto& e) {
+    TrackCondition condition;
+    condition.kind = static_cast<Condition>(e.M_TRACKCOND.raw);
+    return condition;
+  });
+}
+void take(Contents& c, const lang::Packet67& p, const Reference& r) {
+  c.big_metal =
+      areas_of<BigMetalMass>(p, p.first_areas(), p.areas, r.place, [](const auto&) { return BigMetalMass{}; });
+}
+void take(Contents& c, const lang::Packet69& p, const Reference& r) {
+  if (p.Q_TRACKINIT.raw == 1) {
+    c.platforms = initial_state_of<Platform>(p, r.place);
+    return;
+  }
+  c.platforms = areas_of<Platform>(p, p.first_platforms(), p.platforms, r.place, [](const auto& e) {
+    Platform platform;
+    platform.M_PLATFORM = e.M_PLATFORM.raw;
+    platform.Q_PLATFORM = e.Q_PLATFORM.raw;
+    return platform;
+  });
+}
+void take(Contents& c, const lang::Packet39& p, const Reference& r) {
+  c.traction = TractionChange{r.place + metres(p.Q_SCALE, p.D_TRACTION), p.M_VOLTAGE.raw, p.NID_CTRACTION.raw};
+}
+void take(Contents& c, const lang::Packet40& p, const Reference& r) {
+  CurrentChange change{r.place + metres(p.Q_SCALE, p.D_CURRENT), std::nullopt};
+  if (p.M_CURRENT.raw <= lang::var::M_CURRENT::max) change.amperes = static_cast<std::uint16_t>(p.M_CURRENT.raw * 10u);
+  c.current = change;
+}
+
+void take(Contents& c, const lang::Packet70& p, const Reference& r) {
+  Fresh<RouteSuitability> fresh;
+  if (p.Q_TRACKINIT.raw == 1) {
+    fresh = initial_state_of<RouteSuitability>(p, r.place);
+    c.suitability = fresh;
+    return;
+  }
+  Place at = r.place;
+  const auto append = [&](const lang::Packet70_points& e) {
+    at = at + metres(p.Q_SCALE, e.D_SUITABILITY);
+    RouteSuitability item;
+    item.at = at;
+    item.kind = static_cast<Suitability>(e.Q_SUITABILITY.raw);
+    item.M_LINEGAUGE = e.M_LINEGAUGE.raw;
+    item.M_AXLELOADCAT = e.M_AXLELOADCAT.raw;
+    item.M_VOLTAGE = e.M_VOLTAGE.raw;
+    item.NID_CTRACTION = e.NID_CTRACTION.raw;
+    (void)fresh.elements.push_back(item);
+  };
+  append(p.first_points());
+  fresh.from = at;
+  for (const auto& e : p.points) append(e);
+  c.suitability = fresh;
+}
+
+void take(Contents& c, const lang::Packet71& p, const Reference& r) {
+  AdhesionArea area;
+  area.from = r.place + metres(p.Q_SCALE, p.D_ADHESION);
+  area.to = area.from + metres(p.Q_SCALE, p.L_ADHESION);
+  area.slippery = p.M_ADHESION.raw == 0;
+  c.adhesion = area;
+}
+
+/// What packets 72 and 76 share (3.12.3.2-4).
+template <class P>
+Text text_of(const P& p, const Reference& r) {
+  Text t;
+  t.Q_TEXTCLASS = p.Q_TEXTCLASS.raw;
+  t.all_parts = p.Q_TEXTDISPLAY.raw == 1;
+  if (const std::optional<Distance> d = metres(p.Q_SCALE, p.D_TEXTDISPLAY)) t.start_at = r.place + *d;
+  if (p.M_MODETEXTDISPLAY_START.raw != 15) t.start_mode = p.M_MODETEXTDISPLAY_START.raw;
+  if (p.M_LEVELTEXTDISPLAY_START.raw != 5) t.start_level = p.M_LEVELTEXTDISPLAY_START.raw;
+  t.start_NTC = p.NID_NTC_START.raw;
+  // The length counts from the start place, without one from the reference.
+  if (const std::optional<Distance> l = metres(p.Q_SCALE, p.L_TEXTDISPLAY))
+    t.end_at = (t.start_at ? *t.start_at : r.place) + *l;
+  t.T_TEXTDISPLAY = lang::seconds(p.T_TEXTDISPLAY);
+  if (p.M_MODETEXTDISPLAY_END.raw != 15) t.end_mode = p.M_MODETEXTDISPLAY_END.raw;
+  if (p.M_LEVELTEXTDISPLAY_END.raw != 5) t.end_level = p.M_LEVELTEXTDISPLAY_END.raw;
+  t.end_NTC = p.NID_NTC_END.raw;
+  t.Q_TEXTCONFIRM = p.Q_TEXTCONFIRM.raw;
+  if (t.Q_TEXTCONFIRM != 0) {
+    t.ack_and_end = p.Q_CONFTEXTDISPLAY.raw == 1;
+    t.report = p.Q_TEXTREPORT.raw == 1;
+    t.NID_TEXTMESSAGE = p.NID_TEXTMESSAGE.raw;
+    t.NID_C = p.NID_C.raw;
+    t.NID_RBC = p.NID_RBC.raw;
+  }
+  return t;
+}
+void take(Contents& c, const lang::Packet72& p, const Reference& r) {
+  Text t = text_of(p, r);
+  for (const auto& x : p.text) {
+    t.characters[t.length] = static_cast<char>(x.X_TEXT.raw);
+    ++t.length;
+  }
+  c.overflow = !c.texts.push_back(t) || c.overflow;
+}
+void take(Contents& c, const lang::Packet76& p, const Reference& r) {
+  Text t = text_of(p, r);
+  t.Q_TEXT = p.Q_TEXT.raw;
+  c.overflow = !c.texts.push_back(t) || c.overflow;
+}
+
+template <class P>
+Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
+  P packet;
+  if (const Fault fault = lang::decode(view, packet); fault != Fault::none)
+    return fault == Fault::not_applicable ? Added::not_stored_here : Added::faulty;
+  take(c, packet, r);
+  return Added::added;
+}
+
+}  // namespace
+
+Added add_condition(Contents& contents, const lang::PacketView& view, const Reference& reference) {
+  switch (view.NID_PACKET) {
+    case 39:
+      return decode_and_take<lang::Packet39>(contents, view, reference);
+    case 40:
+      return decode_and_take<lang::Packet40>(contents, view, reference);
+    case 67:
+      return decode_and_take<lang::Packet67>(contents, view, reference);
+    case 68:
+      return decode_and_take<lang::Packet68>(contents, view, reference);
+    case 69:
+      return decode_and_take<lang::Packet69>(contents, view, reference);
+    case 70:
+      return decode_and_take<lang::Packet70>(contents, view, reference);
+    case 71:
+      return decode_and_take<lang::Packet71>(contents, view, reference);
+    case 72:
+      return decode_and_take<lang::Packet72>(contents, view, reference);
+    case 76:
+      return decode_and_take<lang::Packet76>(contents, view, reference);
+    default:
+      return Added::not_stored_here;
+  }
+}
+
+}  // namespace evc::track

@@ -1,0 +1,157 @@
+#include "lang/decode.h"
+#include "lang/packets.h"
+#include "lang/si.h"
+#include "track/from_packets_parts.h"
+
+namespace evc::track {
+namespace {
+
+using lang::Fault;
+using lang::metres;
+
+constexpr Duration kDay{86400.0};
+
+void take(Contents& c, const lang::Packet6& p, const Reference& r) {
+  Contents::CoverOrder order;
+  order.set = p.Q_VBCO.raw == 1;
+  order.cover.NID_VBCMK = p.NID_VBCMK.raw;
+  order.cover.NID_C = p.NID_C.raw;
+  order.cover.until = r.now + static_cast<double>(p.T_VBC.raw) * kDay;
+  c.overflow = !c.covers.push_back(order) || c.overflow;
+}
+
+void take(Contents& c, const lang::Packet41& p, const Reference& r) {
+  LevelOrder order;
+  const auto append = [&](const lang::Packet41_levels& l) {
+    (void)order.levels.push_back({l.M_LEVELTR.raw, l.NID_NTC.raw, metres(p.Q_SCALE, l.L_ACKLEVELTR)});
+  };
+  append(p.first_levels());
+  for (const auto& l : p.levels) append(l);
+  const std::optional<Distance> distance = metres(p.Q_SCALE, p.D_LEVELTR);
+  order.immediate = !distance;
+  order.at = distance ? r.place + *distance : r.place;
+  c.level_order = order;
+}
+void take(Contents& c, const lang::Packet46& p, const Reference& r) {
+  LevelOrder order;
+  const auto append = [&](const lang::Packet46_levels& l) {
+    (void)order.levels.push_back({l.M_LEVELTR.raw, l.NID_NTC.raw, {}});
+  };
+  append(p.first_levels());
+  for (const auto& l : p.levels) append(l);
+  order.immediate = true;
+  order.conditional = true;
+  order.at = r.place;
+  // An order in the same message that is not conditional counts (5.10.1.2).
+  if (!c.level_order || c.level_order->conditional) c.level_order = order;
+}
+
+/// Lists of balise groups: "same country" is that of the group before, of the sender for the first one.
+template <class List>
+GroupList groups_of(const List& list, const Reference& r) {
+  GroupList groups;
+  std::uint16_t NID_C = r.group.NID_C;
+  for (const auto& g : list) {
+    if (g.Q_NEWCOUNTRY.raw == 1) NID_C = g.NID_C.raw;
+    (void)groups.push_back({NID_C, g.NID_BG.raw});
+  }
+  return groups;
+}
+void take(Contents& c, const lang::Packet49& p, const Reference& r) { c.sh_list = groups_of(p.groups, r); }
+void take(Contents& c, const lang::Packet63& p, const Reference& r) { c.sr_list = groups_of(p.groups, r); }
+
+void take(Contents& c, const lang::Packet79& p, const Reference& r) {
+  InplaceVector<GeoReference, 32> geo;
+  std::uint16_t NID_C = r.group.NID_C;
+  const auto append = [&](const lang::Packet79_references& e) {
+    if (e.Q_NEWCOUNTRY.raw == 1) NID_C = e.NID_C.raw;
+    GeoReference reference;
+    reference.group = {NID_C, e.NID_BG.raw};
+    reference.D_POSOFF = metres(p.Q_SCALE, e.D_POSOFF);
+    reference.counts_up = (e.Q_MPOSITION.raw == 1) == (r.orientation != Direction::reverse);
+    if (e.M_POSITION.raw <= lang::var::M_POSITION::max) reference.M_POSITION = e.M_POSITION.raw;
+    if (reference.group == r.group) reference.applies_from = r.place + reference.D_POSOFF;
+    (void)geo.push_back(reference);
+  };
+  append(p.first_references());
+  for (const auto& e : p.references) append(e);
+  c.geo = geo;
+}
+
+void take(Contents& c, const lang::Packet90& p, const Reference& r) {
+  c.track_ahead_free_to = GroupId{p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : r.group.NID_C, p.NID_BG.raw};
+}
+void take(Contents& c, const lang::Packet131& p, const Reference& r) {
+  c.rbc_transition = RbcTransition{r.place + metres(p.Q_SCALE, p.D_RBCTR), p.NID_C.raw, p.NID_RBC.raw, p.NID_RADIO.raw,
+                                   p.Q_SLEEPSESSION.raw == 1};
+}
+void take(Contents& c, const lang::Packet132& p, const Reference&) { c.danger_for_shunting = p.Q_ASPECT.raw == 0; }
+void take(Contents& c, const lang::Packet133& p, const Reference& r) {
+  RadioInfillArea area;
+  area.at = r.place + metres(p.Q_SCALE, p.D_INFILL);
+  area.establish = p.Q_RIU.raw == 1;
+  area.NID_C = p.NID_C_RIU.raw;
+  area.NID_RIU = p.NID_RIU.raw;
+  area.NID_RADIO = p.NID_RADIO.raw;
+  area.next_main_signal = {p.NID_C.raw, p.NID_BG.raw};
+  c.radio_infill = area;
+}
+void take(Contents& c, const lang::Packet135&, const Reference&) { c.stop_shunting_on_desk_opening = true; }
+void take(Contents& c, const lang::Packet137& p, const Reference&) { c.stop_if_in_sr = p.Q_SRSTOP.raw == 0; }
+void take(Contents& c, const lang::Packet138& p, const Reference& r) {
+  const Place from = r.place + metres(p.Q_SCALE, p.D_STARTREVERSE);
+  c.reversing_area = ReversingArea{from, from + metres(p.Q_SCALE, p.L_REVERSEAREA)};
+}
+void take(Contents& c, const lang::Packet139& p, const Reference&) {
+  c.reversing_supervision = ReversingSupervision{metres(p.Q_SCALE, p.D_REVERSE), p.V_REVERSE.raw};
+}
+void take(Contents& c, const lang::Packet181&, const Reference&) { c.generic_ls_marker = true; }
+
+template <class P>
+Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
+  P packet;
+  if (lang::decode(view, packet) != Fault::none) return Added::faulty;
+  take(c, packet, r);
+  return Added::added;
+}
+
+}  // namespace
+
+Added add_order(Contents& contents, const lang::PacketView& view, const Reference& reference) {
+  switch (view.NID_PACKET) {
+    case 6:
+      return decode_and_take<lang::Packet6>(contents, view, reference);
+    case 41:
+      return decode_and_take<lang::Packet41>(contents, view, reference);
+    case 46:
+      return decode_and_take<lang::Packet46>(contents, view, reference);
+    case 49:
+      return decode_and_take<lang::Packet49>(contents, view, reference);
+    case 63:
+      return decode_and_take<lang::Packet63>(contents, view, reference);
+    case 79:
+      return decode_and_take<lang::Packet79>(contents, view, reference);
+    case 90:
+      return decode_and_take<lang::Packet90>(contents, view, reference);
+    case 131:
+      return decode_and_take<lang::Packet131>(contents, view, reference);
+    case 132:
+      return decode_and_take<lang::Packet132>(contents, view, reference);
+    case 133:
+      return decode_and_take<lang::Packet133>(contents, view, reference);
+    case 135:
+      return decode_and_take<lang::Packet135>(contents, view, reference);
+    case 137:
+      return decode_and_take<lang::Packet137>(contents, view, reference);
+    case 138:
+      return decode_and_take<lang::Packet138>(contents, view, reference);
+    case 139:
+      return decode_and_take<lang::Packet139>(contents, view, reference);
+    case 181:
+      return decode_and_take<lang::Packet181>(contents, view, reference);
+    default:
+      return Added::not_stored_here;
+  }
+}
+
+}  // namespace evc::track

@@ -1,0 +1,21 @@
+#include "track/movement_authority.h"
+
+namespace evc::track {
+
+std::optional<Place> MovementAuthority::SvL() const {
+  if (fixed_SvL) return fixed_SvL;
+  if (limited()) return std::nullopt;
+  if (overlap) return overlap->end;
+  if (danger_point) return danger_point->at;
+  return end();
+}
+
+Release MovementAuthority::release() const {
+  if (fixed_release) return *fixed_release;
+  if (limited()) return {};
+  if (overlap) return overlap->release;
+  if (danger_point) return danger_point->release;
+  return {};
+}
+
+}  // namespace evc::track

@@ -1,0 +1,107 @@
+#include "track/services.h"
+
+namespace evc::track {
+namespace {
+
+/// Where a restriction without an end ends: farther than any stored place.
+constexpr Place kFar{Distance{1.0e9}};
+
+/// Makes room for one step: the two neighbours at the far end become one at their lower speed.
+void merge_last(Mrsp& f) {
+  const Speed last = f.steps.back().value;
+  f.steps.pop_back();
+  if (last < f.steps.back().value) f.steps.back().value = last;
+}
+
+/// Splits the function at `x` and gives the index of the step that starts there.
+std::size_t split(Mrsp& f, Place x) {
+  std::size_t i = f.index_at(x);
+  if (f.steps[i].from >= x) return i;
+  if (f.steps.full()) merge_last(f);
+  if (i >= f.size()) i = f.size() - 1;
+  const Mrsp::Step step{x, f.steps[i].value};
+  return f.steps.insert(i + 1, step) ? i + 1 : i;
+}
+
+/// Lowers the function to at most `v` in [from, to).
+void lower(Mrsp& f, Place from, Place to, Speed v) {
+  if (to <= f.steps.front().from || to <= from) return;
+  if (from < f.steps.front().from) from = f.steps.front().from;
+  bool needed = false;
+  for (std::size_t i = f.index_at(from); i < f.size() && f.steps[i].from < to; ++i)
+    needed = needed || f.steps[i].value > v;
+  if (!needed) return;
+  if (to < kFar) (void)split(f, to);
+  const std::size_t first = split(f, from);
+  for (std::size_t i = first; i < f.size() && f.steps[i].from < to; ++i)
+    if (f.steps[i].value > v) f.steps[i].value = v;
+}
+
+/// Neighbours of equal speed become one.
+void join_equal(Mrsp& f) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (kept > 0 && f.steps[kept - 1].value == f.steps[i].value) continue;
+    f.steps[kept] = f.steps[i];
+    ++kept;
+  }
+  while (f.size() > kept) f.steps.pop_back();
+}
+
+void lower_by_ssp(Mrsp& f, const Description& d, const MrspQuery& q) {
+  const auto& steps = d.ssp.steps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!steps[i].value.known()) continue;
+    const bool last = i + 1 == steps.size();
+    const Speed v = speed_of(steps[i].value.speed_for(q.category));
+    Place to = last ? kFar : steps[i + 1].from;
+    // Up to where the rear end has left the element; towards a lower speed it makes no difference (3.11.3.1.3).
+    if (!last && !steps[i].value.Q_FRONT) to = to + q.train_length;
+    lower(f, steps[i].from, to, v);
+  }
+}
+
+template <class Areas, class SpeedOf>
+void lower_by_areas(Mrsp& f, const Areas& areas, Distance delay, SpeedOf speed) {
+  for (const auto& area : areas) {
+    const SpeedCode code = speed(area);
+    if (code != kNoSpeed) lower(f, area.from, area.Q_FRONT ? area.to : area.to + delay, speed_of(code));
+  }
+}
+
+}  // namespace
+
+Mrsp mrsp(const Description& d, const MrspQuery& query) {
+  Mrsp f;
+  (void)f.append(query.from, kNoLimit);
+  for (const Limit& limit : query.limits)
+    lower(f, limit.from ? *limit.from : query.from, limit.to ? *limit.to : kFar, limit.V);
+  lower_by_ssp(f, d, query);
+  lower_by_areas(f, d.asp, query.train_length,
+                 [&](const AxleLoadRestriction& a) { return a.speed_for(query.category); });
+  lower_by_areas(f, d.tsr, query.train_length, [](const TemporarySpeedRestriction& t) { return t.V_TSR; });
+  for (const PermittedBrakingDistance& pbd : d.pbd)
+    if (pbd.speed != kNoSpeed) lower(f, pbd.from, pbd.to, speed_of(pbd.speed));
+  for (const LevelCrossing& lx : d.lx)
+    if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));
+  if (d.signalling)
+    lower(f, d.signalling->from, d.signalling->to ? *d.signalling->to : kFar, speed_of(d.signalling->V_MAIN));
+  join_equal(f);
+  return f;
+}
+
+GradientFunction gradient(const Description& d, Place from, double unknown) {
+  GradientFunction f;
+  const auto& steps = d.gradient.steps;
+  std::size_t i = 0;
+  while (i + 1 < steps.size() && steps[i + 1].from <= from) ++i;
+  if (steps.empty() || steps[i].from > from) (void)f.append(from, unknown);
+  for (; i < steps.size(); ++i) {
+    const double value = steps[i].value.known() ? static_cast<double>(steps[i].value.permille) : unknown;
+    // Room for one more than the profile holds is missing only when it begins beyond `from`: keep the lower one.
+    if (!f.append(steps[i].from, value) && value < f.steps.back().value) f.steps.back().value = value;
+  }
+  return f;
+}
+
+}  // namespace evc::track

@@ -1,0 +1,167 @@
+#include "track/services.h"
+
+#include "base/units.h"
+
+namespace evc::track {
+namespace {
+
+// Codes of M_MODE (7.5.1.65) in which an MA is supervised or an area's mode is in force.
+constexpr std::uint8_t kFS = 0, kOS = 1, kLS = 12;
+
+void nearest(std::optional<Place>& best, Place at) {
+  if (!best || at < *best) best = at;
+}
+
+bool mode_is(AreaMode area, std::uint8_t M_MODE) {
+  return (area == AreaMode::OS && M_MODE == kOS) || (area == AreaMode::LS && M_MODE == kLS);
+}
+
+}  // namespace
+
+bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train) {
+  switch (item.kind) {
+    case Suitability::gauge:
+      // A train that fits none of the interoperable profiles fits no listed one.
+      return train.M_LOADINGGAUGE == 0 || ((item.M_LINEGAUGE >> (train.M_LOADINGGAUGE - 1)) & 1u) == 0;
+    case Suitability::axle_load:
+      return train.M_AXLELOADCAT > item.M_AXLELOADCAT;
+    case Suitability::traction:
+      for (const TrainInterfaces::Traction& t : train.tractions)
+        if (t.M_VOLTAGE == item.M_VOLTAGE && (item.M_VOLTAGE == 0 || t.NID_CTRACTION == item.NID_CTRACTION))
+          return false;
+      return true;
+  }
+  return true;
+}
+
+std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces& train) {
+  std::optional<Place> first;
+  for (const RouteSuitability& item : d.suitability)
+    if (unsuitable(item, train)) nearest(first, item.at);
+  return first;
+}
+
+Authority authority(const Description& d, const TrainInterfaces& train, std::uint8_t M_MODE) {
+  Authority a;
+  if (!d.ma || (M_MODE != kFS && M_MODE != kOS && M_MODE != kLS)) return a;
+  const MovementAuthority& ma = *d.ma;
+  std::optional<Place> EOA, SvL;  // temporary ones
+  for (const ModeArea& area : d.mode_profile) {
+    if (area.accepted || mode_is(area.mode, M_MODE)) continue;
+    nearest(EOA, area.from);
+    if (area.also_SvL) {
+      nearest(SvL, area.from);
+    } else if (ma.limited()) {
+      // Beyond an area's start there is no LOA; the overlap or danger point would count without it, else the end.
+      MovementAuthority ended = ma;
+      ended.V_LOA = {};
+      if (const std::optional<Place> end = ended.SvL()) nearest(SvL, ma.end() < area.from ? area.from : *end);
+    }
+  }
+  if (const std::optional<Place> closed = unsuitable_from(d, train)) {
+    nearest(EOA, *closed);
+    nearest(SvL, *closed);
+  }
+  for (const LevelCrossing& lx : d.lx)
+    if (lx.unprotected && !lx.substituted) {
+      nearest(EOA, lx.from);
+      nearest(SvL, lx.from);
+    }
+  if (ma.limited()) {
+    a.LOA = ma.end();
+    a.V_LOA = ma.V_LOA;
+    a.EOA = EOA;
+    a.SvL = SvL;
+    return a;
+  }
+  a.EOA = ma.end();
+  a.SvL = ma.SvL();
+  a.release = ma.release();
+  if (EOA && *EOA <= *a.EOA) {
+    a.EOA = EOA;
+    a.release = {};
+  }
+  if (SvL && a.SvL && *SvL <= *a.SvL) {
+    a.SvL = SvL;
+    a.release = {};
+  }
+  return a;
+}
+
+std::optional<ModeArea> area_due(const Description& d, const Here& here) {
+  std::optional<ModeArea> due;
+  for (const ModeArea& area : d.mode_profile) {
+    const bool begun = area.accepted || here.max_safe_front >= area.from;
+    const bool left = area.mode != AreaMode::SH && area.to && here.min_safe_front > *area.to;
+    if (begun && !left && (!due || area.from >= due->from)) due = area;
+  }
+  return due;
+}
+
+std::optional<ModeArea> area_to_acknowledge(const Description& d, const Here& here) {
+  for (const ModeArea& area : d.mode_profile)
+    if (!area.accepted && here.est_front >= area.ack_from && (!area.to || here.min_safe_front <= *area.to)) return area;
+  return std::nullopt;
+}
+
+void accept_area(Description& d, AreaMode mode, const Here& here) {
+  for (ModeArea& area : d.mode_profile)
+    if (area.mode == mode && (here.est_front >= area.ack_from || here.max_safe_front >= area.from) && !area.accepted) {
+      area.accepted = true;
+      ++d.revision;
+    }
+}
+
+bool slippery(const Description& d, Place at, Distance train_length) {
+  for (const AdhesionArea& area : d.adhesion)
+    if (area.slippery && at >= area.from && at <= area.to + train_length) return true;
+  return false;
+}
+
+bool before_track_description(const Description& d, const Here& here) {
+  return d.ssp.empty() || d.gradient.empty() || here.est_front < d.ssp.steps.front().from ||
+         here.est_front < d.gradient.steps.front().from;
+}
+
+void substitute_level_crossing(Description& d, std::uint8_t NID_LX, Place from) {
+  for (LevelCrossing& lx : d.lx)
+    if (lx.NID_LX == NID_LX && lx.unprotected && !lx.substituted) {
+      lx.substituted = true;
+      lx.V_LX_from = from;
+      ++d.revision;
+    }
+}
+
+std::optional<Duration> time_to_timeout(const Description& d, Duration now) {
+  std::optional<Duration> shortest;
+  if (!d.ma) return shortest;
+  const auto consider = [&](const Timer& timer) {
+    if (!timer.running || !timer.limit) return;
+    const Duration left = *timer.limit - (now - timer.started);
+    if (!shortest || left < *shortest) shortest = left;
+  };
+  for (const Section& section : d.ma->sections) consider(section.timer);
+  if (d.ma->limited()) consider(d.ma->loa_timer);
+  return shortest;
+}
+
+std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here) {
+  const GeoReference* running = nullptr;
+  for (const GeoReference& reference : d.geo)
+    if (reference.applies_from && *reference.applies_from <= here.est_front &&
+        (running == nullptr || *reference.applies_from >= *running->applies_from))
+      running = &reference;
+  if (running == nullptr || !running->M_POSITION) return std::nullopt;
+  const double run = (here.est_front - *running->applies_from).si;
+  const double origin = static_cast<double>(*running->M_POSITION);
+  const double value = running->counts_up ? origin + run : origin - run;
+  if (value < 0.0 || value > 9'999'999.0) return std::nullopt;
+  return static_cast<std::uint32_t>(value + 0.5);
+}
+
+void note_group(Description& d, GroupId group, Place at) {
+  for (GeoReference& reference : d.geo)
+    if (reference.group == group) reference.applies_from = at + reference.D_POSOFF;
+}
+
+}  // namespace evc::track

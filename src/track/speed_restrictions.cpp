@@ -1,0 +1,28 @@
+#include "track/speed_restrictions.h"
+
+namespace evc::track {
+
+SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
+  // The basic speed stands below every cant deficiency class; a missing class takes the next lower one.
+  SpeedCode base = V_STATIC;
+  for (std::size_t k = 0; k <= train.NC_CDTRAIN && k < cd.size(); ++k)
+    if (cd[k] != kNoSpeed) base = cd[k];
+  SpeedCode lowest = kNoSpeed;
+  bool replaced = false;
+  for (std::size_t k = 0; k < other.size(); ++k) {
+    if (other[k] == kNoSpeed || ((train.NC_TRAIN >> k) & 1u) == 0) continue;
+    if (other[k] < lowest) lowest = other[k];
+    replaced = replaced || ((replaces_cd >> k) & 1u) != 0;
+  }
+  if (!replaced && base < lowest) lowest = base;
+  return lowest;
+}
+
+SpeedCode AxleLoadRestriction::speed_for(const TrainCategory& train) const {
+  SpeedCode lowest = kNoSpeed;
+  for (std::size_t k = 0; k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
+    if (V_AXLELOAD[k] < lowest) lowest = V_AXLELOAD[k];
+  return lowest;
+}
+
+}  // namespace evc::track

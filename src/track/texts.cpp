@@ -1,0 +1,84 @@
+#include "track/services.h"
+
+namespace evc::track {
+namespace {
+
+struct Situation {
+  Place est_front{};
+  Duration now{};
+  std::uint8_t M_MODE = 0, M_LEVEL = 0, NID_NTC = 0;
+};
+
+bool level_is(std::uint8_t M_LEVEL, std::uint8_t NID_NTC, const Situation& s) {
+  return M_LEVEL == s.M_LEVEL && (M_LEVEL != 1 || NID_NTC == s.NID_NTC);
+}
+
+/// "All" parts in use, or one of them; no part in use: fulfilled at once for the start, never for the end.
+struct Parts {
+  bool all = false;
+  unsigned used = 0, true_now = 0;
+  void part(bool in_use, bool holds) {
+    if (!in_use) return;
+    ++used;
+    if (holds) ++true_now;
+  }
+  bool fulfilled() const { return used > 0 && (all ? true_now == used : true_now > 0); }
+};
+
+bool starts(const Text& t, const Situation& s) {
+  Parts parts{t.all_parts};
+  parts.part(t.start_at.has_value(), t.start_at && s.est_front >= *t.start_at);
+  parts.part(t.start_mode.has_value(), t.start_mode && *t.start_mode == s.M_MODE);
+  parts.part(t.start_level.has_value(), t.start_level && level_is(*t.start_level, t.start_NTC, s));
+  return parts.used == 0 || parts.fulfilled();
+}
+
+/// Each part of the end is latched on its own (3.12.3.4.3.1.2 of 4.0.0).
+bool ends(Text& t, const Situation& s) {
+  t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
+  t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
+  t.end_mode_left = t.end_mode_left || (t.end_mode && *t.end_mode != s.M_MODE);
+  t.end_level_left = t.end_level_left || (t.end_level && !level_is(*t.end_level, t.end_NTC, s));
+  Parts parts{t.all_parts};
+  parts.part(t.end_at.has_value(), t.end_place_passed);
+  parts.part(t.T_TEXTDISPLAY.has_value(), t.end_time_over);
+  parts.part(t.end_mode.has_value(), t.end_mode_left);
+  parts.part(t.end_level.has_value(), t.end_level_left);
+  return parts.fulfilled();
+}
+
+}  // namespace
+
+TextDisplay show_texts(Description& d, const Here& here, std::uint8_t M_MODE, std::uint8_t M_LEVEL,
+                       std::uint8_t NID_NTC, std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports) {
+  const Situation s{here.est_front, here.now, M_MODE, M_LEVEL, NID_NTC};
+  TextDisplay display;
+  for (Text& t : d.texts) {
+    if (t.state == Text::State::waiting && starts(t, s)) {
+      t.state = Text::State::shown;
+      t.shown_since = s.now;
+    }
+    if (t.state != Text::State::shown) continue;
+    const bool confirm = t.Q_TEXTCONFIRM != 0;
+    if (confirm && acknowledged == t.id && !t.acknowledged) {
+      t.acknowledged = true;
+      if (t.report) (void)reports.push_back(t.NID_TEXTMESSAGE);  // at most one per stored text: there is room
+    }
+    const bool end = ends(t, s);
+    const bool waits = confirm && !t.acknowledged;
+    const bool over = confirm ? (t.ack_and_end ? t.acknowledged && end : t.acknowledged) : end;
+    if (over) {
+      t.state = Text::State::ended;
+      continue;
+    }
+    (void)display.shown.push_back(t.id);  // as many as texts are stored
+    if (!waits) continue;
+    (void)display.to_acknowledge.push_back(t.id);
+    // Beyond its end the text stays until it is acknowledged, with the brake it orders (3.12.3.4.7).
+    display.service_brake = display.service_brake || (end && t.Q_TEXTCONFIRM == 2);
+    display.emergency_brake = display.emergency_brake || (end && t.Q_TEXTCONFIRM == 3);
+  }
+  return display;
+}
+
+}  // namespace evc::track

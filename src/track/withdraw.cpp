@@ -1,0 +1,342 @@
+#include "track/withdraw.h"
+
+#include "track/services.h"
+
+namespace evc::track {
+namespace {
+
+/// D_KEEP_REAR (A.3.1): speed restrictions, gradient, adhesion and big metal masses are kept this far behind.
+constexpr Distance kKeptBehind{300.0};
+
+bool cuts_at_train(Situation situation) {
+  switch (situation) {
+    case Situation::e_end_section_timeout:
+    case Situation::g_unlinked_group_inconsistent:
+    case Situation::h_linking_reaction:
+    case Situation::i_radio_contact_lost:
+    case Situation::j_train_data_changed:
+    case Situation::l_rams_supervision:
+    case Situation::m_linked_group_inconsistent:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// 3.8.2.7.3: after these an MA is not requested.
+bool without_request(Situation situation) {
+  return situation == Situation::a_conditional_emergency_stop || situation == Situation::b_shortened_ma ||
+         situation == Situation::f_shortening_granted || situation == Situation::k_desk_closed_during_start;
+}
+
+/// Elements beyond `at` go, the one across it ends there. Whether there was any.
+template <class T, std::size_t N>
+bool cut_areas(InplaceVector<T, N>& areas, Place at) {
+  bool changed = false;
+  const std::size_t before = areas.size();
+  areas.erase_if([&](const T& area) { return area.from >= at; });
+  changed = areas.size() != before;
+  for (T& area : areas)
+    if (area.to > at) {
+      area.to = at;
+      changed = true;
+    }
+  return changed;
+}
+
+/// The track description beyond `at`: what an MA brings along (3.7.1.1). Whether any was there.
+bool cut_description(Description& d, Place at) {
+  bool deleted = d.ssp.cut(at);
+  deleted = d.gradient.cut(at) || deleted;
+  deleted = cut_areas(d.asp, at) || deleted;
+  deleted = cut_areas(d.pbd, at) || deleted;
+  deleted = cut_areas(d.conditions, at) || deleted;
+  deleted = cut_areas(d.big_metal, at) || deleted;
+  (void)cut_areas(d.platforms, at);
+  const std::size_t points = d.suitability.size();
+  d.suitability.erase_if([&](const RouteSuitability& item) { return item.at >= at; });
+  deleted = deleted || d.suitability.size() != points;
+  if (d.traction && d.traction->at >= at) d.traction.reset();
+  if (d.current && d.current->at >= at) d.current.reset();
+  if (d.rbc_transition && d.rbc_transition->at >= at) d.rbc_transition.reset();
+  if (d.radio_infill && d.radio_infill->at >= at) d.radio_infill.reset();
+  if (d.reversing_area && d.reversing_area->from >= at) d.reversing_area.reset();
+  if (d.reversing_area && d.reversing_area->to > at) d.reversing_area->to = at;
+  if (d.signalling && d.signalling->from >= at) d.signalling.reset();
+  if (d.signalling && (!d.signalling->to || *d.signalling->to > at)) d.signalling->to = at;
+  return deleted;
+}
+
+/// The mode areas that begin beyond `at` go with their windows; one that begins in rear of it stays whole (A.3.4 [7],
+/// [12]).
+void cut_mode_profile(Description& d, Place at) {
+  d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= at; });
+}
+
+void cut_texts(Description& d, Place at) {
+  d.texts.erase_if(
+      [&](const Text& text) { return text.state == Text::State::waiting && text.start_at && *text.start_at > at; });
+}
+
+/// What A.3.4 k deletes here.
+void delete_all(Description& d) {
+  const auto covers = d.covers;
+  const auto geo = d.geo;
+  const bool stop_shunting = d.stop_shunting_on_desk_opening;
+  const bool marker = d.generic_ls_marker;
+  const std::uint32_t revision = d.revision;
+  const std::uint8_t text_id = d.next_text_id;
+  d = Description{};
+  d.covers = covers;
+  d.geo = geo;
+  d.stop_shunting_on_desk_opening = stop_shunting;
+  d.generic_ls_marker = marker;
+  d.revision = revision;
+  d.next_text_id = text_id;
+}
+
+/// The MA ends at `end` from now on; its own end data are gone.
+void end_at(MovementAuthority& ma, Place end) {
+  while (ma.sections.size() > 1 && ma.sections.back().begin >= end) ma.sections.pop_back();
+  ma.sections.back().end = end;
+  if (ma.sections.back().begin > end) ma.sections.back().begin = end;
+  ma.V_LOA = {};
+  ma.loa_timer = {};
+  ma.end_section.reset();
+  ma.danger_point.reset();
+  ma.overlap.reset();
+  ma.fixed_SvL.reset();
+  ma.fixed_release = Release{};
+}
+
+void end_at_train(Description& d, const Here& here) {
+  if (!d.ma) return;
+  end_at(*d.ma, here.est_front);
+  d.ma->fixed_SvL = here.max_safe_front;
+}
+
+Place SvL_or_end(const MovementAuthority& ma) {
+  const std::optional<Place> SvL = ma.SvL();
+  return SvL ? *SvL : ma.end();
+}
+
+// --- timers of the MA
+
+void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
+  MovementAuthority& ma = *d.ma;
+  for (std::size_t k = 0; k < ma.sections.size(); ++k) {
+    Section& section = ma.sections[k];
+    if (!section.timer.running) continue;
+    if (here.min_safe_front > section.stop) {
+      section.timer.running = false;
+      continue;
+    }
+    if (!section.timer.expired_at(here.now)) continue;
+    // The nearest expired section decides (3.8.4.2.2): its start becomes EOA and SvL, with the national release speed.
+    end_at(ma, section.begin);
+    ma.fixed_release = Release{Release::Kind::national, {}};
+    elapsed.section_timeout = true;
+    elapsed.track_description_deleted =
+        shorten(d, Situation::c_section_timeout, ma.end(), here) || elapsed.track_description_deleted;
+    return;
+  }
+}
+
+void run_loa_timer(Description& d, const Here& here, Elapsed& elapsed) {
+  MovementAuthority& ma = *d.ma;
+  if (!ma.limited() || !ma.loa_timer.expired_at(here.now)) return;
+  ma.V_LOA = {};
+  ma.loa_timer.running = false;
+  elapsed.loa_timeout = true;
+  elapsed.track_description_deleted =
+      shorten(d, Situation::n_loa_became_eoa, SvL_or_end(ma), here) || elapsed.track_description_deleted;
+}
+
+void run_overlap_timer(Description& d, const Here& here, Elapsed& elapsed) {
+  MovementAuthority& ma = *d.ma;
+  if (!ma.overlap) return;
+  Timer& timer = ma.overlap->timer;
+  if (!timer.running && here.max_safe_front > ma.overlap->start) {
+    timer.running = true;
+    timer.started = here.now;
+  }
+  // Standstill after the start ends the overlap as well, also an endless one (3.8.4.4.3).
+  if (!timer.running || !(timer.expired_at(here.now) || here.standstill)) return;
+  ma.overlap.reset();
+  ma.V_LOA = {};
+  elapsed.overlap_timeout = true;
+  elapsed.track_description_deleted =
+      shorten(d, Situation::d_overlap_timeout, SvL_or_end(ma), here) || elapsed.track_description_deleted;
+}
+
+void run_end_section_timer(Description& d, const Here& here, Elapsed& elapsed) {
+  MovementAuthority& ma = *d.ma;
+  if (!ma.end_section) return;
+  Timer& timer = ma.end_section->timer;
+  if (!timer.running && here.max_safe_front > ma.end_section->start) {
+    timer.running = true;
+    timer.started = here.now;
+  }
+  if (!timer.expired_at(here.now)) return;
+  elapsed.end_section_timeout = true;
+  elapsed.track_description_deleted =
+      shorten(d, Situation::e_end_section_timeout, here.max_safe_front, here) || elapsed.track_description_deleted;
+}
+
+template <class T, std::size_t N>
+void forget_areas(InplaceVector<T, N>& areas, Place limit) {
+  if (!areas.empty()) areas.erase_if([&](const T& area) { return area.to < limit; });
+}
+
+void forget_passed(Description& d, const Here& here) {
+  const Place limit = here.min_safe_rear - kKeptBehind;
+  d.ssp.forget_before(limit);
+  d.gradient.forget_before(limit);
+  forget_areas(d.asp, limit);
+  forget_areas(d.tsr, limit);
+  forget_areas(d.pbd, limit);
+  forget_areas(d.lx, limit);
+  forget_areas(d.big_metal, limit);
+  forget_areas(d.adhesion, limit);
+  forget_areas(d.conditions, limit);
+  forget_areas(d.platforms, limit);
+  if (d.ma)
+    while (d.ma->sections.size() > 1 && d.ma->sections.front().end < limit) d.ma->sections.erase(0);
+  // An area is left when the min safe front end passes its end (3.12.4.6).
+  const std::size_t areas = d.mode_profile.size();
+  d.mode_profile.erase_if([&](const ModeArea& area) { return area.to && here.min_safe_front > *area.to; });
+  if (d.mode_profile.size() != areas) ++d.revision;
+  d.texts.erase_if([](const Text& text) { return text.state == Text::State::ended; });
+}
+
+}  // namespace
+
+bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting) {
+  ++d.revision;
+  if (situation == Situation::k_desk_closed_during_start) {
+    delete_all(d);
+    return false;
+  }
+  const bool at_train = cuts_at_train(situation);
+  if (at_train) {
+    cut = here.max_safe_front;
+    end_at_train(d, here);
+  }
+  const bool deleted = cut_description(d, cut);
+  cut_mode_profile(d, cut);
+  cut_texts(d, cut);
+  if (!at_train || !shunting) d.sh_list.reset();
+  return deleted && !without_request(situation);
+}
+
+std::uint8_t stop_at(Description& d, Place stop, const Here& here) {
+  std::uint8_t answer = 1;
+  if (d.ma) {
+    MovementAuthority& ma = *d.ma;
+    const std::optional<Place> SvL = ma.SvL();
+    if (stop <= ma.end()) {
+      end_at(ma, stop);
+      answer = 0;
+    } else if (!SvL) {
+      end_at(ma, ma.end());
+      answer = 0;
+    } else if (stop <= *SvL) {
+      ma.fixed_SvL = stop;
+      ma.fixed_release = Release{};
+    }
+  }
+  (void)shorten(d, Situation::a_conditional_emergency_stop, stop, here);
+  return answer;
+}
+
+Elapsed advance(Description& d, const Here& here) {
+  Elapsed elapsed;
+  if (d.ma) {
+    run_section_timers(d, here, elapsed);
+    run_loa_timer(d, here, elapsed);
+    run_overlap_timer(d, here, elapsed);
+    run_end_section_timer(d, here, elapsed);
+  }
+  forget_passed(d, here);
+  return elapsed;
+}
+
+void forget(Description& d, Item item) {
+  const auto horn_or_stopping = [](const TrackCondition& c) {
+    return c.kind == Condition::sound_horn || c.kind == Condition::non_stopping_area ||
+           c.kind == Condition::tunnel_stopping_area;
+  };
+  ++d.revision;
+  switch (item) {
+    case Item::movement_authority:
+      return d.ma.reset();
+    case Item::gradient:
+      return d.gradient.steps.clear();
+    case Item::ssp:
+      return d.ssp.steps.clear();
+    case Item::asp:
+      return d.asp.clear();
+    case Item::tsr:
+      return d.tsr.clear();
+    case Item::inhibit_revocable_tsr:
+      d.revocable_tsr_inhibited = false;
+      return;
+    case Item::default_gradient_tsr:
+      return d.default_gradient.reset();
+    case Item::signalling_speed:
+      return d.signalling.reset();
+    case Item::route_suitability:
+      return d.suitability.clear();
+    case Item::adhesion_trackside:
+      return d.adhesion.clear();
+    case Item::plain_text:
+      return d.texts.erase_if([](const Text& t) { return !t.Q_TEXT; });
+    case Item::fixed_text:
+      return d.texts.erase_if([](const Text& t) { return t.Q_TEXT.has_value(); });
+    case Item::geo_position:
+      return d.geo.clear();
+    case Item::mode_profile:
+      return d.mode_profile.clear();
+    case Item::rbc_transition_order:
+      return d.rbc_transition.reset();
+    case Item::radio_infill_area:
+      return d.radio_infill.reset();
+    case Item::track_conditions_general:
+      d.conditions.erase_if([&](const TrackCondition& c) { return !horn_or_stopping(c); });
+      d.platforms.clear();
+      d.traction.reset();
+      d.current.reset();
+      return;
+    case Item::track_conditions_horn_stopping:
+      return d.conditions.erase_if(horn_or_stopping);
+    case Item::track_condition_bmm:
+      return d.big_metal.clear();
+    case Item::reversing_area:
+      d.reversing_reference.reset();
+      return d.reversing_area.reset();
+    case Item::reversing_supervision:
+      return d.reversing_supervision.reset();
+    case Item::permitted_braking_distance:
+      return d.pbd.clear();
+    case Item::level_crossing:
+      return d.lx.clear();
+    case Item::level_transition_order:
+      return d.level_order.reset();
+    case Item::stop_sh_on_desk_opening:
+      d.stop_shunting_on_desk_opening = false;
+      return;
+    case Item::sh_bg_list:
+      return d.sh_list.reset();
+    case Item::sr_bg_list:
+      return d.sr_list.reset();
+    case Item::vbc:
+      return d.covers.clear();
+    case Item::generic_ls_marker:
+      d.generic_ls_marker = false;
+      return;
+    case Item::count:
+      return;
+  }
+}
+
+}  // namespace evc::track
