@@ -1,0 +1,341 @@
+#include "position/position.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <type_traits>
+
+namespace evc::position {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<State>);
+static_assert(sizeof(State) < 3072);
+
+OdometerReading exact(double c) {
+  return {OdometerPlace{Distance{c}}, OdometerPlace{Distance{c}}, OdometerPlace{Distance{c}}};
+}
+OdometerReading spread(double c, double under, double over) {
+  return {OdometerPlace{Distance{c}}, OdometerPlace{Distance{c - over}}, OdometerPlace{Distance{c + under}}};
+}
+Odometry moving(const OdometerReading& counter, double v = 10.0) {
+  return {counter, Speed{v}, Speed{v}, Speed{v}, Acceleration{}};
+}
+Passage passage(std::uint16_t NID_BG, const OdometerReading& counter, double L_antenna = 2.0) {
+  Passage p;
+  p.id = {426, NID_BG};
+  p.counter = counter;
+  p.L_antenna = Distance{L_antenna};
+  p.Q_LOCACC = 12_m;
+  p.counter_against_group = Direction::nominal;
+  return p;
+}
+
+TEST(Position, StartsUnknownAndCountsFromPowerUp) {
+  State s;
+  update(s, moving(spread(100, 3, 2)), 0_s);
+  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(lrbg(s), nullptr);
+  update(s, moving(spread(150, 4, 5)), 1_s);
+  const PlaceInterval f = front(s);
+  EXPECT_EQ(f.est.from_origin.si, 150);
+  EXPECT_EQ(f.min.from_origin.si, 147);
+  EXPECT_EQ(f.max.from_origin.si, 151);
+  EXPECT_EQ(orientation(s), Direction::unknown);
+  EXPECT_EQ(side(s), Direction::unknown);
+  EXPECT_EQ(place_of(s, GroupId{426, 1}), std::nullopt);
+}
+
+// The worked numbers of a train with the worst allowed odometer: 5 m + 5 % of the run.
+TEST(Position, ConfidenceIntervalOfTheWorstAllowedOdometer) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  Passage p = passage(1, exact(0));
+  p.Q_LOCACC = 5_m;
+  relocate(s, p);
+  // Front 1014 m after the group was read with the antenna: 5 + 5 + 50.7 m each way.
+  update(s, moving(spread(1014, 5 + 0.05 * 1014, 5 + 0.05 * 1014)), 60_s);
+  EXPECT_NEAR(L_DOUBTOVER(s).si, 60.7, 1e-9);
+  EXPECT_NEAR(L_DOUBTUNDER(s).si, 60.7, 1e-9);
+  EXPECT_NEAR(front(s).min.from_origin.si, 953.3, 1e-9);
+  EXPECT_NEAR(front(s).max.from_origin.si, 1074.7, 1e-9);
+  EXPECT_NEAR(antenna(s, 2_m).est.from_origin.si, 1012, 1e-9);
+  EXPECT_NEAR(rear(s, 200_m).min.from_origin.si, 753.3, 1e-9);
+}
+
+TEST(Position, LinkingTakesThePlaceOfTheMeasuredDistance) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0)));  // the reference balise is at -2
+  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -2);
+  update(s, moving(spread(1012, 50, 50)), 60_s);
+  Passage p = passage(2, spread(1012, 50, 50));
+  p.link_place = Place{998_m};  // D_LINK 1000 from -2; the odometer says 1010
+  p.Q_LOCACC = 10_m;
+  EXPECT_EQ(relocate(s, p).si, -12);
+  EXPECT_EQ(front(s).est.from_origin.si, 1000);
+  EXPECT_EQ(L_DOUBTOVER(s).si, 10);  // the interval restarts
+  EXPECT_EQ(L_DOUBTUNDER(s).si, 10);
+  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -2);  // stored data stay
+  // An EOA 3000 m from the first group is 2000 m from the second.
+  EXPECT_EQ((Place{2998_m} - lrbg(s)->place).si, 2000);
+  // Both frames agree there and back.
+  EXPECT_EQ(counter_of(s, Place{1000_m}).from_origin.si, 1012);
+  EXPECT_EQ(place_of(s, OdometerPlace{1012_m}).from_origin.si, 1000);
+}
+
+TEST(Position, WithoutLinkingTheEstimatedDistanceIsTaken) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0)));
+  update(s, moving(spread(1012, 50, 50)), 60_s);
+  EXPECT_EQ(relocate(s, passage(2, spread(1012, 50, 50))).si, 0);
+  EXPECT_EQ(lrbg(s)->place.from_origin.si, 1010);
+  EXPECT_EQ(front(s).est.from_origin.si, 1012);
+  EXPECT_EQ(L_DOUBTOVER(s).si, 12);
+}
+
+TEST(Position, TheGroupIsWhereTheAntennaWasWhenItWasReadEvenIfItIsTakenLater) {
+  State s;
+  update(s, moving(exact(100)), 0_s);
+  update(s, moving({OdometerPlace{110_m}, OdometerPlace{109_m}, OdometerPlace{112_m}}), 1_s);
+  const OdometerReading at = reading_at(s, OdometerPlace{105_m});
+  EXPECT_EQ(at.nominal.from_origin.si, 105);
+  EXPECT_DOUBLE_EQ(at.min.from_origin.si, 104.5);
+  EXPECT_DOUBLE_EQ(at.max.from_origin.si, 106);
+  relocate(s, passage(1, at));
+  EXPECT_EQ(lrbg(s)->place.from_origin.si, 103);
+  EXPECT_DOUBLE_EQ(L_DOUBTOVER(s).si, 12.5);  // 5 m run, at least 4.5
+  EXPECT_DOUBLE_EQ(L_DOUBTUNDER(s).si, 13);
+}
+
+TEST(Position, AReadingOutsideTheLastTwoCostsFivePercent) {
+  State s;
+  update(s, moving(exact(100)), 0_s);
+  EXPECT_EQ(reading_at(s, OdometerPlace{100_m}).min.from_origin.si, 100);
+  update(s, moving(exact(110)), 1_s);
+  EXPECT_EQ(reading_at(s, OdometerPlace{100_m}), exact(100));
+  EXPECT_EQ(reading_at(s, OdometerPlace{110_m}), exact(110));
+  relocate(s, passage(1, reading_at(s, OdometerPlace{60_m})));  // 0.05 * 40
+  EXPECT_DOUBLE_EQ(L_DOUBTOVER(s).si, 14);
+  EXPECT_DOUBLE_EQ(L_DOUBTUNDER(s).si, 14);
+  relocate(s, passage(2, reading_at(s, OdometerPlace{130_m})));
+  EXPECT_GE(L_DOUBTOVER(s).si, 12);
+  EXPECT_GE(L_DOUBTUNDER(s).si, 12);
+}
+
+TEST(Position, DirectionNeedsATurnDistanceAndStandstillATime) {
+  State s;
+  Odometry still = moving(exact(0), 0.0);
+  update(s, still, 0_s);
+  EXPECT_FALSE(at_standstill(s));
+  update(s, still, 0.5_s);
+  EXPECT_TRUE(at_standstill(s));
+  EXPECT_EQ(motion(s), Motion::standstill);
+  update(s, moving(exact(0), 0.1), 1_s);  // 0.1 m/s is no standstill
+  EXPECT_FALSE(at_standstill(s));
+  update(s, moving(exact(5)), 2_s);
+  EXPECT_EQ(motion(s), Motion::forward);
+  update(s, moving(exact(4.95)), 3_s);
+  EXPECT_EQ(motion(s), Motion::forward);
+  update(s, moving(exact(4.8)), 4_s);
+  EXPECT_EQ(motion(s), Motion::backward);
+  EXPECT_EQ(last_motion(s), Motion::backward);
+  update(s, moving(exact(4.0)), 5_s);
+  update(s, moving(exact(4.05)), 6_s);
+  EXPECT_EQ(motion(s), Motion::backward);
+  update(s, moving(exact(4.2)), 7_s);
+  EXPECT_EQ(motion(s), Motion::forward);
+}
+
+TEST(Position, CreepingWithoutSpeedIsNoStandstill) {
+  State s;
+  for (int i = 0; i < 40; ++i) update(s, moving(exact(0.02 * i), 0.0), Duration{0.1 * i});
+  EXPECT_FALSE(at_standstill(s));
+}
+
+TEST(Position, OrientationSideAndRunningDirection) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  Passage p = passage(1, exact(0));
+  p.counter_against_group = Direction::reverse;
+  relocate(s, p);
+  update(s, moving(exact(10)), 1_s);
+  EXPECT_EQ(orientation(s), Direction::reverse);
+  EXPECT_EQ(side(s), Direction::reverse);
+  EXPECT_EQ(running_direction(s), Direction::reverse);
+  update(s, moving(exact(-10)), 2_s);
+  EXPECT_EQ(orientation(s), Direction::reverse);
+  EXPECT_EQ(side(s), Direction::nominal);
+  EXPECT_EQ(running_direction(s), Direction::nominal);
+}
+
+TEST(Position, ChangeOfCabKeepsTheTrainWhereItIs) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0), 2));
+  update(s, moving(spread(100, 3, 8)), 10_s);
+  const State before = s;
+  change_cab(s, 20_m);
+  // The other end is 20 m behind: at 80, mirrored.
+  EXPECT_EQ(front(s).est.from_origin.si, -80);
+  EXPECT_EQ(orientation(s), Direction::reverse);
+  EXPECT_EQ(side(s), Direction::nominal);
+  EXPECT_EQ(L_DOUBTOVER(s), L_DOUBTUNDER(before));
+  EXPECT_EQ(L_DOUBTUNDER(s), L_DOUBTOVER(before));
+  EXPECT_EQ((lrbg(s)->place - front(s).est).si, 82);
+  // Leading from there the counter falls and the train comes back to the group.
+  update(s, moving(spread(60, 3.5, 8.5)), 20_s);
+  EXPECT_EQ(motion(s), Motion::forward);
+  EXPECT_EQ((lrbg(s)->place - front(s).est).si, 42);
+  EXPECT_EQ(counter_of(s, front(s).est).from_origin.si, 60);
+  Passage p = passage(2, spread(60, 3.5, 8.5), 3);
+  p.counter_against_group = Direction::nominal;  // N_PIG rises with the counter, which falls
+  relocate(s, p);
+  EXPECT_EQ(orientation(s), Direction::reverse);
+  EXPECT_EQ((front(s).est - lrbg(s)->place).si, 3);
+  change_cab(s, 20_m);
+  EXPECT_EQ(orientation(s), Direction::nominal);
+  EXPECT_EQ(front(s).est.from_origin.si, 60);
+}
+
+TEST(Position, AnUnlinkedGroupHasItsOwnIntervalUntilTheNextLrbg) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0)));
+  update(s, moving(spread(400, 20, 20)), 1_s);
+  EXPECT_EQ(refer_to_unlinked(s, passage(9, spread(400, 20, 20))).from_origin.si, 398);
+  ASSERT_TRUE(s.unlinked);
+  EXPECT_EQ(lrbg(s)->id.NID_BG, 1);
+  update(s, moving(spread(500, 25, 24)), 2_s);
+  EXPECT_EQ((front(s).est - front(s).min).si, 36);
+  EXPECT_EQ((front(s).est - front(s, *s.unlinked).min).si, 16);
+  change_cab(s, 0_m);
+  EXPECT_EQ(s.unlinked->place.from_origin.si, -398);
+  relocate(s, passage(2, spread(500, 25, 24)));
+  EXPECT_FALSE(s.unlinked);
+}
+
+TEST(Position, ReportedGroupsAreForgottenLast) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  for (std::uint16_t i = 0; i < 8; ++i) {
+    relocate(s, passage(i, exact(i * 10.0)));
+    s.references.back().reported = true;
+  }
+  for (std::uint16_t i = 100; i < 150; ++i) relocate(s, passage(i, exact(i * 10.0)));
+  for (std::uint16_t i = 0; i < 8; ++i) EXPECT_TRUE(place_of(s, GroupId{426, i})) << i;
+  EXPECT_EQ(s.references.size(), kReferences);
+  EXPECT_EQ(lrbg(s)->id.NID_BG, 149);
+  for (Reference& r : s.references) r.reported = true;
+  relocate(s, passage(200, exact(3000)));
+  EXPECT_FALSE(place_of(s, GroupId{426, 0}));
+  EXPECT_TRUE(place_of(s, GroupId{426, 1}));
+  EXPECT_TRUE(place_of(s, GroupId{426, 200}));
+}
+
+TEST(Position, AGroupReadAgainMovesToTheEndAndKeepsWhatIsKnownOfIt) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0)));
+  s.references.back().reported = true;
+  relocate(s, passage(2, exact(100)));
+  Passage again = passage(1, exact(200));
+  again.counter_against_group = Direction::unknown;
+  relocate(s, again);
+  EXPECT_EQ(s.references.size(), 2u);
+  EXPECT_TRUE(lrbg(s)->reported);
+  EXPECT_EQ(orientation(s), Direction::nominal);
+  EXPECT_EQ(find(s, GroupId{426, 2})->place.from_origin.si, 98);
+}
+
+TEST(Position, PlacesOfOlderReferencesCanBeCorrectedTheLrbgNot) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, passage(1, exact(0)));
+  relocate(s, passage(2, exact(100)));
+  correct_place(s, GroupId{426, 1}, Place{-7_m});
+  correct_place(s, GroupId{426, 2}, Place{-7_m});
+  correct_place(s, GroupId{426, 3}, Place{-7_m});
+  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -7);
+  EXPECT_EQ(place_of(s, GroupId{426, 2})->from_origin.si, 98);
+}
+
+TEST(Position, Status) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  validate(s);
+  EXPECT_EQ(s.status, Status::unknown);
+  invalidate(s);
+  EXPECT_EQ(s.status, Status::unknown);
+  relocate(s, passage(1, exact(0)));
+  EXPECT_EQ(s.status, Status::valid);
+  invalidate(s);
+  EXPECT_EQ(s.status, Status::invalid);
+  validate(s);
+  EXPECT_EQ(s.status, Status::valid);
+  forget(s);
+  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(lrbg(s), nullptr);
+}
+
+// 3.6.4: wherever the odometer's bounds hold and the groups lie within their accuracy, the train is
+// inside its interval. Random runs, forward and backward, linked and unlinked groups, changes of cab.
+TEST(Position, TheTrueFrontIsAlwaysInsideTheInterval) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double a, double b) {
+      return a + (b - a) * (static_cast<double>(random()) / 4294967295.0);
+    };
+    State s;
+    double truth = 0, cabs = 1, engine = 25;  // place of the leading cab's end in the frame of cab A
+    double frame = 0;                         // true place of the track frame's origin, found at the first group
+    OdometerReading counter = exact(0);
+    bool tied = false;
+    double previous_balise = 0;  // nominal place of the LRBG, in the world
+    update(s, moving(counter), 0_s);
+    for (int step = 1; step < 400; ++step) {
+      const double run = uniform(0, 1) < 0.9 ? uniform(0, 20) : uniform(-10, 0);  // as the cab leads
+      const double error = uniform(-0.02, 0.02);
+      const double d = cabs * run;
+      truth += d;
+      const double nominal = d * (1 + error);
+      const double slack = 0.05 * (d < 0 ? -d : d);
+      counter.nominal = counter.nominal + Distance{nominal};
+      counter.min = counter.min + Distance{nominal - slack};
+      counter.max = counter.max + Distance{nominal + slack};
+      update(s, moving(counter), Duration{0.1 * step});
+      if (uniform(0, 1) < 0.15 && run > 0) {  // a balise under the antenna, 3 m behind the leading end
+        const double accuracy = uniform(1, 12);
+        const double world = truth - cabs * 3;
+        const double balise = world + uniform(-accuracy, accuracy);  // where the trackside believes it is
+        Passage p;
+        p.id = {1, static_cast<std::uint16_t>(step)};
+        p.counter = counter;
+        p.L_antenna = 3_m;
+        p.Q_LOCACC = Distance{accuracy};
+        if (tied) p.link_place = lrbg(s)->place + Distance{cabs * (balise - previous_balise)};
+        relocate(s, p);
+        previous_balise = balise;
+        if (!tied) frame = balise - lrbg(s)->place.from_origin.si * cabs;
+        tied = true;
+      }
+      if (tied && uniform(0, 1) < 0.01) {
+        // The mirrored frame's place p is at frame + cabs * p: the origin stays where it is.
+        change_cab(s, Distance{engine});
+        truth -= cabs * engine;
+        cabs = -cabs;
+      }
+      if (!tied) continue;
+      const PlaceInterval f = front(s);
+      const double at = cabs * (truth - frame);
+      ASSERT_LE(f.min, f.est);
+      ASSERT_LE(f.est, f.max);
+      ASSERT_GE(at, f.min.from_origin.si - 1e-9) << "seed " << seed << " step " << step;
+      ASSERT_LE(at, f.max.from_origin.si + 1e-9) << "seed " << seed << " step " << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evc::position
