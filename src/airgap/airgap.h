@@ -19,7 +19,9 @@ constexpr std::size_t user_bits(Format format) { return format == Format::long_ 
 constexpr std::size_t bytes_for(std::size_t bits) { return (bits + 7) / 8; }
 
 /// Bit `i` of a left aligned bit string; 0 is the first one sent.
-constexpr bool bit(std::span<const std::uint8_t> bytes, std::size_t i) { return (bytes[i / 8] >> (7 - i % 8) & 1) != 0; }
+constexpr bool bit(std::span<const std::uint8_t> bytes, std::size_t i) {
+  return (bytes[i / 8] >> (7 - i % 8) & 1) != 0;
+}
 
 /// Why there is no telegram. Each value is one test of the standard.
 enum class Fault : std::uint8_t {
@@ -98,8 +100,8 @@ Outcome<Received> read(std::span<const std::uint8_t> period, Format format);
 /// `Received::end`. The fault is that of the window that came furthest; bits of a format to come end the search.
 Outcome<Received> receive(std::span<const std::uint8_t> stream, std::size_t count, std::size_t from = 0);
 
-/// The self-test at power-up: a long and a short telegram, coded, shifted, inverted, repeated and with a bit error, must
-/// be received or refused as they should. False: the tables or the machine are not sound.
+/// The self-test at power-up: a long and a short telegram, coded, shifted, inverted, repeated and with a bit error,
+/// must be received or refused as they should. False: the tables or the machine are not sound.
 bool self_test();
 
 }  // namespace evc::airgap
