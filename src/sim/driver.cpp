@@ -1,0 +1,200 @@
+#include "sim/driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace evc::sim {
+namespace {
+
+using kernel::Ack;
+using kernel::Outputs;
+using kernel::Select;
+using modes::Level;
+using modes::Mode;
+
+constexpr double kKmh = 3.6;
+constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
+constexpr double kBeforeLevel2 = 60.0 / kKmh;
+constexpr double kComfortable = 0.45;        // m/s2, braking ahead
+constexpr double kMargin = 3.0 / kKmh;       // below the permitted speed
+constexpr double kStopShort = 12.0;          // metres before the end of authority
+constexpr std::int64_t kStanding_ms = 1500;  // before the entries at start of mission
+constexpr std::int64_t kAgain_ms = 3000;     // an entry that had no effect is made again
+
+constexpr const char* kAckNames[] = {"OS", "LS",   "SH",    "SR",   "UN",    "SN",
+                                     "RV", "trip", "level", "text", "brake", "train_data"};
+static_assert(std::size(kAckNames) == static_cast<std::size_t>(Ack::count));
+
+bool asks(const Outputs& seen, const char* name) {
+  return std::any_of(seen.driver_requests.begin(), seen.driver_requests.end(),
+                     [name](const char* request) { return std::strcmp(request, name) == 0; });
+}
+
+constexpr std::uint32_t bit(Select s) { return 1u << static_cast<unsigned>(s); }
+
+/// The speed from which `a` reaches `v` within `d` metres.
+double braking_from(double v, double a, double d) { return std::sqrt(v * v + 2.0 * a * std::max(0.0, d)); }
+
+}  // namespace
+
+Driver::Driver(DriverKind kind, const Line& line, const train::TrainData& train)
+    : kind_(kind), line_(line), train_(train) {}
+
+void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+  if (seen.level == Level::L2 || seen.level == Level::L3) level_2_entered_ = true;
+  inputs.levels.train.desk_open = true;
+  inputs.levels.train.direction_controller = kernel::DirectionController::forward;
+  start_mission(seen, t_ms, inputs);
+  acknowledge(seen, t_ms, inputs);
+}
+
+/// The entries of 5.4.3: driver identity, level, train data, running number, start.
+void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+  auto& driver = inputs.levels.driver;
+  if (seen.mode != Mode::SB) return;
+  const std::int64_t since = t_ms - kStanding_ms;
+  if (since < 0) return;
+  switch (entered_) {
+    case 0:
+      driver.driver_id = 0x4711FFFFu;
+      break;
+    case 1:
+      driver.level = line_.start_level;
+      driver.nid_ntc = line_.start_nid_ntc;
+      break;
+    case 2:
+      driver.selected |= bit(Select::train_data);
+      break;
+    case 3:
+      inputs.train_data = train_;
+      break;
+    case 4:
+      driver.acknowledged |= 1u << static_cast<unsigned>(Ack::train_data);
+      break;
+    case 5:
+      driver.train_running_number = 0x4711FFFFu;
+      break;
+    default:
+      if (t_ms < start_after_ms_ || !seen.driver_requests.empty()) return;
+      driver.selected |= bit(Select::start);
+      start_after_ms_ = t_ms + kAgain_ms;
+      return;
+  }
+  ++entered_;
+  start_after_ms_ = t_ms + 1000;
+}
+
+void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+  // 5 s are allowed (T_ACK, A.3.1).
+  const std::int64_t delay = kind_ == DriverKind::late ? 3500 : 1000;
+  for (std::size_t n = 0; n < asked_since_.size(); ++n) {
+    if (!asks(seen, kAckNames[n])) {
+      asked_since_[n].reset();
+      continue;
+    }
+    if (!asked_since_[n]) asked_since_[n] = t_ms;
+    if (t_ms - *asked_since_[n] < delay) continue;
+    inputs.levels.driver.acknowledged |= 1u << n;
+    asked_since_[n] = t_ms;
+  }
+}
+
+bool Driver::must_stand(const Outputs& seen) const {
+  switch (seen.mode) {
+    case Mode::NP:
+    case Mode::SB:
+    case Mode::TR:
+    case Mode::PT:
+    case Mode::SF:
+    case Mode::IS:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The line's own speed under the train, with a comfortable braking to lower ones ahead.
+double Driver::speed_of_line(const Motion& motion) const {
+  const double rear = motion.front() - train_.L_TRAIN.si;
+  const double cap = level_2_entered_ ? 1000.0 : kBeforeLevel2;
+  double allowed = cap;
+  double covered_to = rear;  // the front has to be on a segment, or there is no speed
+  for (const SpeedSegment& s : line_.ssp) {
+    const double v = s.kmh / kKmh;
+    if (s.end_m <= rear) continue;
+    if (s.start_m <= motion.front()) {
+      allowed = std::min(allowed, v);
+      if (s.end_m > motion.front()) covered_to = s.end_m;
+    } else {
+      allowed = std::min(allowed, braking_from(v, kComfortable, s.start_m - motion.front()));
+    }
+  }
+  if (covered_to <= motion.front()) allowed = std::min(allowed, kWithoutSpeed);
+  return std::max(0.0, allowed - std::min(kMargin, 0.1 * allowed));
+}
+
+/// The speed to hold so that no limit is ever exceeded.
+double Driver::permitted(const Outputs& seen, const Motion& motion) const {
+  if (!seen.V_P) return speed_of_line(motion);
+  double limit = seen.V_P->si;
+  const bool to_stop = seen.V_target && seen.V_target->si == 0.0;
+  if (to_stop && seen.V_release) limit = std::max(limit, seen.V_release->si);
+  double wanted = limit - std::min(kMargin, 0.12 * limit);
+  if (seen.V_target && seen.d_target) {
+    // To a stop the train aims short of the place, and creeps the last metres.
+    const double target = to_stop ? 0.0 : seen.V_target->si - std::min(kMargin, 0.12 * seen.V_target->si);
+    const double d = seen.d_target->si - (to_stop ? kStopShort : 0.0);
+    wanted = std::min(wanted, to_stop && d <= 0.0 ? 0.0 : braking_from(target, kComfortable, d));
+  }
+  return std::max(0.0, wanted);
+}
+
+/// As fast as the train goes; after an intervention before a stop it creeps below the release speed.
+double Driver::reckless_speed(const Outputs& seen, const Motion& motion) {
+  if (!seen.V_P) {
+    creeping_ = false;
+    return speed_of_line(motion);
+  }
+  const bool before_stop = seen.V_release && seen.V_target && seen.V_target->si == 0.0;
+  if (before_stop && (seen.eb || seen.sb)) creeping_ = true;
+  if (!before_stop) creeping_ = false;
+  if (creeping_) return std::max(0.5, seen.V_release->si - 1.0 / kKmh);
+  return 100.0;
+}
+
+Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) {
+  Handle handle;
+  if (must_stand(seen)) {
+    last_wanted_.reset();
+    wanted_.clear();
+    handle.brake = 1.0;
+    return handle;
+  }
+  const bool reckless = kind_ == DriverKind::reckless;
+  const double wanted = reckless ? reckless_speed(seen, motion) : permitted(seen, motion);
+  // A falling permitted speed is followed, not only corrected to; a step is corrected to.
+  double following = 0.0;
+  if (last_wanted_ && std::abs(wanted - *last_wanted_) < 1.5 * step_s)
+    following = std::clamp((wanted - *last_wanted_) / step_s, -1.2, 0.0);
+  last_wanted_ = wanted;
+  const double gap = wanted - motion.speed();
+  double a = std::clamp(0.5 * gap + (gap < 1.0 ? following : 0.0), -1.3, 0.7);
+  if (reckless && !creeping_ && gap > 10.0) a = 10.0;
+  if (wanted == 0.0 && motion.speed() < 1.0) a = std::min(a, -0.4);
+  if (kind_ == DriverKind::late) {
+    wanted_.push_back(a);
+    const auto cycles = static_cast<std::size_t>(1.2 / step_s);
+    if (wanted_.size() <= cycles) return handle;
+    a = wanted_.front();
+    wanted_.pop_front();
+  }
+  const double push = a - motion.coasting();
+  if (push > 0.0)
+    handle.traction = motion.full_traction() > 0.0 ? std::min(1.0, push / motion.full_traction()) : 0.0;
+  else
+    handle.brake = std::min(1.0, -push / motion.full_service_brake());
+  return handle;
+}
+
+}  // namespace evc::sim

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/evc.h"
+#include "sim/cycle_inputs.h"
+#include "sim/line.h"
+#include "sim/motion.h"
+
+namespace evc::sim {
+
+/// perfect: follows the permitted speed with a comfortable braking ahead. late: the same, but reacts
+/// and acknowledges late. reckless: ignores the permitted speed.
+enum class DriverKind : std::uint8_t { perfect, late, reckless };
+
+/// The driver: starts the mission, follows or ignores the permitted speed, acknowledges. Where the
+/// on-board gives no permitted speed he drives to the line's own speeds, 40 km/h where there are none
+/// and at most 60 km/h until level 2 is entered.
+class Driver {
+ public:
+  Driver(DriverKind kind, const Line& line, const train::TrainData& train);
+
+  /// The driver sees the outputs of the last cycle and acts in the inputs of this one.
+  void act(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  /// Where the handle stands until the next cycle.
+  Handle handle(const kernel::Outputs& seen, const Motion& motion, double step_s);
+
+ private:
+  void start_mission(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void acknowledge(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  double speed_of_line(const Motion& motion) const;
+  double permitted(const kernel::Outputs& seen, const Motion& motion) const;
+  double reckless_speed(const kernel::Outputs& seen, const Motion& motion);
+  bool must_stand(const kernel::Outputs& seen) const;
+
+  DriverKind kind_;
+  const Line& line_;
+  const train::TrainData& train_;
+  bool level_2_entered_ = false;
+  bool creeping_ = false;
+  std::optional<double> last_wanted_;
+  std::deque<double> wanted_;  // accelerations not yet acted on (late)
+  std::array<std::optional<std::int64_t>, static_cast<std::size_t>(kernel::Ack::count)> asked_since_{};
+  std::int64_t start_after_ms_ = 4000;
+  int entered_ = 0;
+};
+
+}  // namespace evc::sim

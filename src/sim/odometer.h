@@ -1,0 +1,34 @@
+#pragma once
+#include "kernel/evc.h"
+#include "sim/random.h"
+
+namespace evc::sim {
+
+/// A wheel sensor with a wrong wheel diameter and slip: the counted way differs from the true one by a
+/// constant share and a slowly wandering one. It declares a bound that is never exceeded: over any
+/// stretch the true way lies between the counted `min` and `max`.
+class Odometer {
+ public:
+  struct Errors {
+    double declared = 0.02;   // share of the way that min and max allow for
+    double constant = 0.003;  // most the constant share can be
+    double wander = 0.002;    // most the wandering share can be
+  };
+  Odometer(const Errors& errors, Random& random);
+
+  /// The train moved by `way_m` (negative: backwards) within `step_s`.
+  void move(double way_m, double step_s);
+  /// Counters in whole millimetres; speed and acceleration as the sensor sees them.
+  kernel::Odometry read(double v, double a) const;
+  /// The nominal counter after a further true way of `way_m` (a balise between two readings).
+  double nominal_after(double way_m) const { return nominal_ + way_m * (1.0 + error()); }
+
+ private:
+  double error() const { return constant_ + wander_; }
+  Errors errors_;
+  Random& random_;
+  double constant_ = 0.0, wander_ = 0.0, wander_to_ = 0.0, until_next_s_ = 0.0;
+  double nominal_ = 0.0, min_ = 0.0, max_ = 0.0;
+};
+
+}  // namespace evc::sim

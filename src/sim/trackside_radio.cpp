@@ -1,0 +1,169 @@
+#include "sim/trackside_radio.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lang/encode.h"
+#include "lang/messages.h"
+#include "lang/packets.h"
+
+namespace evc::sim {
+namespace {
+
+constexpr std::int64_t kSilence_ms = 20000;  // then a general message keeps T_NVCONTACT from running out
+// Places of the headers' variables in bits (8.4.4.6, 8.4.4.7).
+constexpr std::size_t kStampAt = 18;
+constexpr std::size_t kAfterTrainHeader = 8 + 10 + 32 + 24;
+
+template <class M, class... P>
+Bits message_of(const M& message, const P&... packets) {
+  std::array<std::uint8_t, 256> bytes{};
+  BitWriter out(bytes);
+  lang::encode_message(out, message, packets...);
+  const auto used = out.bytes();
+  return {{used.begin(), used.end()}, 8 * used.size()};
+}
+
+void stamp(Bits& message, std::uint32_t T_TRAIN) {
+  for (unsigned i = 0; i < 32 && message.bytes.size() * 8 > kStampAt + i; ++i) {
+    const std::size_t at = kStampAt + i;
+    const auto mask = static_cast<std::uint8_t>(0x80u >> (at % 8));
+    const bool set = ((T_TRAIN >> (31 - i)) & 1u) != 0;
+    message.bytes[at / 8] =
+        static_cast<std::uint8_t>(set ? message.bytes[at / 8] | mask : message.bytes[at / 8] & ~mask);
+  }
+}
+
+/// Movement authority, and movement authority with shifted location reference (8.7.2, 8.7.13).
+bool has_movement_authority(const Bits& message) {
+  const auto NID_MESSAGE = message.number(0, 8);
+  return NID_MESSAGE == 3 || NID_MESSAGE == 33;
+}
+
+}  // namespace
+
+TracksideRadio::TracksideRadio(const Line& line, std::optional<int> last_ma, Random& random)
+    : line_(line), last_ma_(last_ma), random_(random) {
+  if (!line.balises.empty()) M_VERSION_ = static_cast<std::uint8_t>(line.balises.front().telegram.number(1, 7));
+}
+
+void TracksideRadio::hear(const kernel::Outputs& outputs, std::int64_t t_ms) {
+  if (outputs.radio_disconnect) {
+    bearer_ = session_ = false;
+    connected_at_ms_.reset();
+    replies_.clear();
+  }
+  if (outputs.radio_connect && !bearer_ && !connected_at_ms_)
+    connected_at_ms_ = t_ms + static_cast<std::int64_t>(random_.between(1500.0, 4000.0));
+  if (!bearer_) return;
+  for (const kernel::OutgoingMessage& message : outputs.radio_out) answer(message, t_ms);
+}
+
+void TracksideRadio::answer(const kernel::OutgoingMessage& message, std::int64_t t_ms) {
+  const Bits bits{{message.bytes.begin(), message.bytes.end()}, 8 * message.bytes.size()};
+  const std::uint32_t NID_MESSAGE = bits.number(0, 8);
+  const std::uint32_t T_TRAIN = bits.number(kStampAt, 32);
+  // Position packets 0 and 1 begin with NID_PACKET, L_PACKET, Q_SCALE, NID_LRBG.
+  if (NID_MESSAGE == 129 || NID_MESSAGE == 136) NID_LRBG_ = bits.number(kAfterTrainHeader + 23, 24);
+  if (NID_MESSAGE == 157) NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
+  switch (NID_MESSAGE) {
+    case 155: {
+      lang::Message32 version;
+      version.M_VERSION.raw = M_VERSION_;
+      version.NID_LRBG.raw = 0xFFFFFF;
+      reply(t_ms, message_of(version));
+      break;
+    }
+    case 156: {
+      lang::Message39 end;
+      end.NID_LRBG.raw = 0xFFFFFF;
+      session_ = false;
+      reply(t_ms, message_of(end));
+      break;
+    }
+    case 159:
+      session_ = true;
+      last_sent_ms_ = t_ms;
+      break;
+    case 129: {
+      lang::Message8 acknowledgement;
+      acknowledgement.NID_LRBG.raw = NID_LRBG_;
+      acknowledgement.T_TRAIN_REF.raw = T_TRAIN;
+      reply(t_ms, message_of(acknowledgement));
+      break;
+    }
+    case 130: {
+      lang::Message27 refused;
+      refused.NID_LRBG.raw = NID_LRBG_;
+      refused.T_TRAIN_REF.raw = T_TRAIN;
+      reply(t_ms, message_of(refused));
+      break;
+    }
+    case 157: {
+      // Q_STATUS 1: the position is valid (7.5.1.143).
+      const bool valid = bits.number(kAfterTrainHeader, 2) == 1;
+      lang::Message41 accepted;
+      lang::Message43 confirmed;
+      accepted.NID_LRBG.raw = confirmed.NID_LRBG.raw = NID_LRBG_;
+      reply(t_ms, valid ? message_of(confirmed) : message_of(accepted));
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+void TracksideRadio::reply(std::int64_t t_ms, Bits message) {
+  const std::int64_t due = t_ms + static_cast<std::int64_t>(random_.between(300.0, 800.0));
+  // In order: a message never overtakes another one.
+  const std::int64_t not_before = replies_.empty() ? due : std::max(due, replies_.back().due_ms);
+  replies_.push_back({not_before, std::move(message)});
+}
+
+void TracksideRadio::send(Bits message, int seq, std::int64_t t_ms, double front_m, CycleInputs& inputs) {
+  // Strictly increasing (3.16.3.3.2): two messages of one cycle differ by a hundredth of a second.
+  auto T_TRAIN = static_cast<std::uint32_t>(t_ms / 10);
+  if (last_stamp_ && T_TRAIN <= *last_stamp_) T_TRAIN = *last_stamp_ + 1;
+  last_stamp_ = T_TRAIN;
+  stamp(message, T_TRAIN);
+  last_sent_ms_ = t_ms;
+  deliveries_.push_back({t_ms, front_m, seq, static_cast<std::uint8_t>(message.number(0, 8))});
+  inputs.radio.push_back(std::move(message));
+}
+
+void TracksideRadio::deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs) {
+  for (; next_ < line_.radio.size() && line_.radio[next_].position_m <= front_m; ++next_) {
+    const TracksideMessage& message = line_.radio[next_];
+    if (last_ma_ && message.seq > *last_ma_ && has_movement_authority(message.message)) {
+      ++withheld_;
+      continue;
+    }
+    reached_.push_back({t_ms + static_cast<std::int64_t>(message.delay_s * 1000.0), next_});
+  }
+  if (connected_at_ms_ && *connected_at_ms_ <= t_ms) {
+    connected_at_ms_.reset();
+    bearer_ = true;
+    inputs.levels.radio_link = kernel::RadioLink::connected;
+  }
+  if (!bearer_) return;
+  while (!replies_.empty() && replies_.front().due_ms <= t_ms) {
+    send(std::move(replies_.front().message), -1, t_ms, front_m, inputs);
+    replies_.erase(replies_.begin());
+  }
+  if (!session_) return;
+  for (std::size_t i = 0; i < reached_.size();) {
+    if (reached_[i].due_ms > t_ms) {
+      ++i;
+      continue;
+    }
+    const TracksideMessage& message = line_.radio[reached_[i].message];
+    send(message.message, message.seq, t_ms, front_m, inputs);
+    reached_.erase(reached_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  if (t_ms - last_sent_ms_ < kSilence_ms) return;
+  lang::Message24 nothing;
+  nothing.NID_LRBG.raw = NID_LRBG_;
+  send(message_of(nothing), -1, t_ms, front_m, inputs);
+}
+
+}  // namespace evc::sim

@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kernel/evc.h"
+#include "sim/cycle_inputs.h"
+#include "sim/line.h"
+#include "sim/random.h"
+
+namespace evc::sim {
+
+/// A message as it was delivered.
+struct Delivery {
+  std::int64_t t_ms = 0;
+  double front_m = 0.0;
+  int seq = -1;  // of the recorded message; -1: made by the simulated radio
+  std::uint8_t NID_MESSAGE = 0;
+};
+
+/// The radio bearer and a simulated RBC: it answers the on-board's calls (session set-up and end, train
+/// data, start of mission), sends the line's messages when the front end reaches their places, re-stamped
+/// with the time of delivery, and a general message after 20 s of silence. It decides nothing else.
+class TracksideRadio {
+ public:
+  /// `last_ma`: messages with a movement authority and a higher `seq` are withheld.
+  TracksideRadio(const Line& line, std::optional<int> last_ma, Random& random);
+
+  /// What the on-board asked of the bearer and sent in the cycle at `t_ms`.
+  void hear(const kernel::Outputs& outputs, std::int64_t t_ms);
+  /// Puts what arrives in the cycle at `t_ms` into its inputs.
+  void deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs);
+
+  const std::vector<Delivery>& deliveries() const { return deliveries_; }
+  /// Messages of the line whose place was reached and that wait for a session or their delay.
+  std::size_t waiting() const { return reached_.size(); }
+  std::size_t withheld() const { return withheld_; }
+  bool session() const { return session_; }
+
+ private:
+  struct Reply {
+    std::int64_t due_ms = 0;
+    Bits message;
+  };
+  struct Reached {
+    std::int64_t due_ms = 0;
+    std::size_t message = 0;  // index in the line
+  };
+  void answer(const kernel::OutgoingMessage& message, std::int64_t t_ms);
+  void reply(std::int64_t t_ms, Bits message);
+  void send(Bits message, int seq, std::int64_t t_ms, double front_m, CycleInputs& inputs);
+
+  const Line& line_;
+  std::optional<int> last_ma_;
+  Random& random_;
+  std::uint8_t M_VERSION_ = 33;  // of the line's telegrams
+  std::optional<std::int64_t> connected_at_ms_;
+  bool bearer_ = false, session_ = false;
+  std::uint32_t NID_LRBG_ = 0xFFFFFF;  // as last reported
+  std::optional<std::uint32_t> last_stamp_;
+  std::int64_t last_sent_ms_ = 0;
+  std::size_t next_ = 0;
+  std::size_t withheld_ = 0;
+  std::vector<Reply> replies_;
+  std::vector<Reached> reached_;
+  std::vector<Delivery> deliveries_;
+};
+
+}  // namespace evc::sim

@@ -1,0 +1,85 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/cycle_inputs.h"
+#include "sim/driver.h"
+#include "sim/line.h"
+#include "sim/motion.h"
+#include "sim/odometer.h"
+#include "sim/trackside_radio.h"
+
+namespace evc::sim {
+
+/// A balise group as it was passed: what ties the on-board's counter to the track.
+struct Passing {
+  std::uint16_t NID_C = 0, NID_BG = 0;
+  double position_m = 0.0;  // of its balise N_PIG 0
+  double nominal_m = 0.0;   // nominal counter when the antenna was there
+  std::size_t group = 0;
+};
+
+/// The world outside the on-board: the train moves along the line, its antenna reads balises, the
+/// radio delivers, the driver drives. One call of `advance` is one cycle; `observe` gives it what the
+/// on-board answered. Reproducible from the seed.
+class World {
+ public:
+  struct Settings {
+    DriverKind driver = DriverKind::perfect;
+    std::optional<int> last_ma;
+    std::uint64_t seed = 1;
+    std::int64_t cycle_ms = 100;
+    double adhesion_mps2 = 1.5;  // the most deceleration that the rail gives
+    Odometer::Errors odometer;
+  };
+  /// `line` and `train` must outlive the world.
+  World(const Line& line, const train::TrainData& train, const Dynamics& dynamics, const Settings& settings);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// The inputs of the next cycle; the first one is of t = 0, before anything moves.
+  CycleInputs& advance();
+  void observe(const kernel::Outputs& outputs);
+  /// The rear has passed the last group, or the front the end; or the train stands for good.
+  bool finished() const;
+
+  std::int64_t t_ms() const { return inputs_.t_ms; }
+  double front_m() const { return motion_.front(); }
+  double start_m() const { return start_m_; }
+  double end_m() const { return end_m_; }
+  const Motion& motion() const { return motion_; }
+  const TracksideRadio& radio() const { return radio_; }
+  /// Groups in the order they were passed, the last balise N_PIG 0 of each.
+  const std::vector<Passing>& passings() const { return passings_; }
+  std::size_t telegrams_read() const { return telegrams_read_; }
+  /// True way of the front end beyond the reference group `lrbg` since it was passed last, and the
+  /// nominal counter that the front end had when it stood at that reference; absent when never passed.
+  struct Reference {
+    double position_m, nominal_m;
+  };
+  std::optional<Reference> reference(const kernel::NidLrbg& lrbg) const;
+
+ private:
+  void move_one_cycle();
+  void read_balises(double antenna_before, double antenna_after, double nominal_before, double nominal_after);
+
+  const Line& line_;
+  const train::TrainData& train_;
+  Settings settings_;
+  Random random_;
+  Heights heights_;
+  Motion motion_;
+  Odometer odometer_;
+  TracksideRadio radio_;
+  Driver driver_;
+  CycleInputs inputs_;
+  kernel::Outputs seen_;
+  bool first_ = true;
+  double start_m_, end_m_;
+  std::int64_t moved_at_ms_ = 0;
+  std::size_t telegrams_read_ = 0;
+  std::vector<Passing> passings_;
+};
+
+}  // namespace evc::sim
