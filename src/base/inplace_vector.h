@@ -28,6 +28,12 @@ class InplaceVector {
     items_[size_++] = value;
     return true;
   }
+  /// Makes room for one more element and gives it to be filled in; what it holds before that is not
+  /// specified. Null when full.
+  [[nodiscard]] constexpr T* grow() {
+    if (size_ == Capacity) return nullptr;
+    return &items_[size_++];
+  }
   /// Inserts before index `i` (`i` <= size()). False when full.
   [[nodiscard]] constexpr bool insert(std::size_t i, const T& value) {
     EVC_REQUIRE(i <= size_);

@@ -20,10 +20,10 @@ enum class Fault : std::uint8_t {
   wrong_place,               ///< a packet that must come first does not (packets 0, 200)
   missing_packet,            ///< a message without one of its mandatory packets (8.4.4)
   unexpected_packet,         ///< a message with a packet that is not on its list (8.4.4)
-  unknown_packet,            ///< X known, Y not later than known, and no such packet (7.4)
   unknown_message,           ///< no such message in this version (8.5)
   message_length_mismatch,   ///< L_MESSAGE is not the number of bytes received (8.4.4.4)
   unknown_version,           ///< X of the system version is not known here (3.17.3.5)
+  not_applicable,            ///< information of X = 1 that a unit of X = 2 ignores (6.6.3.2.3, exceptions 11 to 13)
   not_a_packet_of_this_kind  ///< decode() was asked for another packet than the view is of: a caller's mistake
 };
 

@@ -14,6 +14,8 @@ namespace evc::lang {
 
 /// A packet inside a telegram or message.
 struct PacketView {
+  /// The packet number of version 2.1: 200, 206, 207 and 239 of version 1.1 are 0, 68, 70 and 39 here
+  /// (6.6.3.2.3, translations 15, 17, 18, 19).
   std::uint16_t NID_PACKET = 0;
   std::uint8_t Q_DIR = 2;      ///< raw; 2 (both) for packets without Q_DIR and from the train
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length

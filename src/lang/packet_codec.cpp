@@ -1,0 +1,118 @@
+#include "lang/packet_codec.h"
+
+#include <array>
+
+#include "lang/decode.h"
+#include "lang/encode.h"
+#include "lang/packets.h"
+#include "lang/translate.h"
+
+namespace evc::lang {
+
+FaultAt verdict(const codec::Source& from, const PacketView& view) {
+  const std::int32_t packet = view.NID_PACKET;
+  const std::size_t end = view.bit + view.L_PACKET;
+  if (from.in.faulty()) [[unlikely]]
+    return {end > view.bytes.size() * 8 ? Fault::truncated : Fault::length_mismatch, from.in.position(), packet,
+            from.in.failed_on(), view.L_PACKET};
+  if (from.in.position() != end) [[unlikely]]
+    return {Fault::length_mismatch, from.in.position(), packet, "L_PACKET", view.L_PACKET};
+  if (from.spare_variable != nullptr) [[unlikely]] {
+    const bool later = (view.sv.x == 2 && view.sv.y > 1) || (view.sv.x == 1 && view.sv.y > 1);
+    const bool needed = from.spare_variable == var::Q_SCALE::name || from.spare_variable == var::Q_DIR::name;
+    if (!later || needed) return {Fault::spare_value, from.spare_bit, packet, from.spare_variable, from.spare_value};
+  }
+  return {};
+}
+
+namespace {
+
+template <class P, class... Older>
+FaultAt read_older([[maybe_unused]] const PacketView& view, [[maybe_unused]] std::uint8_t nid,
+                   [[maybe_unused]] Versions version, [[maybe_unused]] P& packet, Forms<Older...>) {
+  FaultAt at{Fault::not_a_packet_of_this_kind, view.bit, view.NID_PACKET, "NID_PACKET", nid};
+  (
+      [&] {
+        if (Older::info.NID_PACKET != nid || (Older::info.versions & version) == 0) return;
+        Older older;
+        at = read_packet(view, older);
+        if (!at && !translate(older, packet)) at = {Fault::not_applicable, view.bit, nid, nullptr, 0};
+      }(),
+      ...);
+  return at;
+}
+
+}  // namespace
+
+template <class P>
+FaultAt decode_at(const PacketView& view, P& packet) {
+  const auto nid = static_cast<std::uint8_t>(BitReader(view.bytes, view.bytes.size() * 8, view.bit).read(8));
+  const Versions version = known_version(view.sv);
+  if (nid == P::info.NID_PACKET && view.direction == P::info.direction && (P::info.versions & version) != 0) [[likely]]
+    return read_packet(view, packet);
+  if (view.direction != P::info.direction)
+    return {Fault::not_a_packet_of_this_kind, view.bit, view.NID_PACKET, "NID_PACKET", nid};
+  return read_older(view, nid, version, packet, typename OlderForms<P>::type{});
+}
+template <class P>
+Fault decode(const PacketView& view, P& packet) {
+  return decode_at(view, packet).fault;
+}
+
+template <class P>
+void encode(BitWriter& out, const P& packet) {
+  const std::size_t start = out.position();
+  std::size_t length = 0;
+  out.write(P::info.NID_PACKET, 8);
+  if constexpr (codec::has_direction<P>) out.write(packet.Q_DIR.raw, 2);
+  if constexpr (codec::has_length<P>) {
+    length = out.position();
+    out.write(0, 13);
+  }
+  codec::write_structure<codec::has_direction<P> ? 1 : 0>(out, codec::Scope<const P, void>{packet, nullptr});
+  if constexpr (codec::has_length<P>) out.patch(length, out.position() - start, 13);
+}
+
+#define EVC_INSTANTIATE(P)                              \
+  template FaultAt decode_at<P>(const PacketView&, P&); \
+  template Fault decode<P>(const PacketView&, P&);      \
+  template void encode<P>(BitWriter&, const P&);
+EVC_PACKETS_TO_TRAIN(EVC_INSTANTIATE)
+EVC_PACKETS_TO_TRACK(EVC_INSTANTIATE)
+
+namespace {
+
+#define EVC_ROW(P) &codec_of<P>,
+constexpr std::array to_train{EVC_PACKETS_TO_TRAIN(EVC_ROW)};
+constexpr std::array to_track{EVC_PACKETS_TO_TRACK(EVC_ROW)};
+#undef EVC_ROW
+
+/// The place of every packet number in the lists above, one more; 0: no such packet.
+using Index = std::array<std::uint8_t, 256>;
+template <std::size_t N>
+consteval std::array<Index, 4> index_of(const std::array<const PacketCodec*, N>& list) {
+  std::array<Index, 4> index{};
+  for (unsigned v = 0; v < 4; ++v)
+    for (std::size_t i = 0; i < N; ++i)
+      if ((list[i]->info->versions & (1u << v)) != 0) {
+        if (index[v][list[i]->info->NID_PACKET] != 0) __builtin_trap();  // two layouts in one version
+        index[v][list[i]->info->NID_PACKET] = static_cast<std::uint8_t>(i + 1);
+      }
+  return index;
+}
+constexpr auto index_to_train = index_of(to_train);
+constexpr auto index_to_track = index_of(to_track);
+
+}  // namespace
+
+const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid) {
+  const unsigned v = version == v1_0 ? 0u : version == v1_1 ? 1u : version == v2_0 ? 2u : 3u;
+  if (direction == Direction::to_train) {
+    const std::uint8_t i = index_to_train[v][nid];
+    return i == 0 ? nullptr : to_train[i - 1u];
+  }
+  const std::uint8_t i = index_to_track[v][nid];
+  return i == 0 ? nullptr : to_track[i - 1u];
+}
+
+}  // namespace evc::lang

@@ -1,0 +1,283 @@
+#include "lang/telegram.h"
+
+#include "lang/codec.h"
+#include "lang/message_codec.h"
+#include "lang/message_table.h"
+#include "lang/packet_codec.h"
+
+namespace evc::lang {
+namespace {
+
+/// Numbers of 0 to 255.
+struct NumberSet {
+  std::uint64_t words[4]{};
+  constexpr bool has(std::uint8_t n) const { return ((words[n / 64] >> (n % 64)) & 1u) != 0; }
+  constexpr void add(std::uint8_t n) { words[n / 64] |= std::uint64_t{1} << (n % 64); }
+};
+constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
+  NumberSet s;
+  for (const std::uint8_t n : numbers) s.add(n);
+  return s;
+}
+/// 8.4.1.4: may stand several times; the last four are told apart by their content or their group.
+constexpr NumberSet repeatable = set_of({44, 65, 66, 88, 0, 6, 145, 254, 200, 136});
+
+enum class Ending : std::uint8_t { packet_255, padding };
+
+/// What is the same for all packets of one telegram or message.
+struct Frame {
+  std::span<const std::uint8_t> bytes;
+  std::size_t end = 0;  // bits
+  Direction direction = Direction::to_train;
+  SystemVersion sv;
+  Media medium = 0;  // 0: given by the message's list
+  Ending ending = Ending::packet_255;
+  Check check = Check::all;
+};
+
+/// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19).
+std::uint8_t newest_number(std::uint8_t nid, Versions version) {
+  if (version != v1_1) return nid;
+  return nid == 200   ? std::uint8_t{0}
+         : nid == 206 ? std::uint8_t{68}
+         : nid == 207 ? std::uint8_t{70}
+         : nid == 239 ? std::uint8_t{39}
+                      : nid;
+}
+
+FaultAt fault_in(Fault fault, std::size_t bit, std::uint8_t nid, const char* variable, std::uint64_t value) {
+  return {fault, bit, nid, variable, value};
+}
+
+/// Finds where the packet at `view.bit` ends; `known` is null if the number says nothing here.
+FaultAt measure(const Frame& frame, PacketView& view, const PacketCodec* known) {
+  const std::size_t left = frame.end - view.bit;
+  const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
+  if (known != nullptr && !known->has_length) {
+    view.L_PACKET = 14;  // packet 0: NID_PACKET, NID_VBCMK
+    return left < 14 ? fault_in(Fault::truncated, view.bit, nid, "NID_VBCMK", 0) : FaultAt{};
+  }
+  const bool with_direction = frame.direction == Direction::to_train;
+  const unsigned header = with_direction ? 8 + 2 + 13 : 8 + 13;
+  if (left < header) return fault_in(Fault::truncated, view.bit + 8, nid, with_direction ? "Q_DIR" : "L_PACKET", 0);
+  BitReader in(frame.bytes, frame.end, view.bit + 8);
+  if (with_direction) view.Q_DIR = static_cast<std::uint8_t>(in.read(2));
+  view.L_PACKET = static_cast<std::uint16_t>(in.read(13));
+  const std::size_t at = view.bit + header - 13;
+  if (view.L_PACKET < header) return fault_in(Fault::length_too_small, at, nid, "L_PACKET", view.L_PACKET);
+  if (view.L_PACKET > left) return fault_in(Fault::length_beyond_end, at, nid, "L_PACKET", view.L_PACKET);
+  return {};
+}
+
+/// 8.4.1.4: one instance of a packet per direction; what follows packet 136 refers to another group.
+struct Seen {
+  NumberSet numbers[2]{};
+  bool second(const PacketView& view, std::uint8_t nid) {
+    if (nid == 136) *this = {};
+    if (repeatable.has(nid)) return false;
+    bool twice = false;
+    for (unsigned direction = 0; direction < 2; ++direction)
+      if (view.Q_DIR == 2 || view.Q_DIR == direction) {
+        twice = twice || numbers[direction].has(nid);
+        numbers[direction].add(nid);
+      }
+    return twice;
+  }
+};
+
+/// Packets 39, 68 and 70 of X = 1 that stand beside 239, 206, 207 for units of version 1.0 only (6.6.3.2.3
+/// exceptions 9, 11, 13) are not for us.
+void drop_superseded(PacketViews& packets) {
+  NumberSet wire;
+  for (const PacketView& p : packets)
+    wire.add(static_cast<std::uint8_t>(BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8)));
+  if (!wire.has(206) && !wire.has(207) && !wire.has(239)) return;
+  packets.erase_if([&](const PacketView& p) {
+    const std::uint64_t nid = BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8);
+    return (nid == 68 && wire.has(206)) || (nid == 70 && wire.has(207)) || (nid == 39 && wire.has(239));
+  });
+}
+
+/// The packets from bit `at` on; `used` is the bit after the last one (after packet 255).
+FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, std::size_t& used) {
+  const Versions version = known_version(frame.sv);
+  Seen seen;
+  for (;;) {
+    used = at;
+    if (frame.end - at < 8) {
+      if (frame.ending == Ending::padding) break;
+      return {Fault::no_end_packet, frame.end, -1, "NID_PACKET", 0};
+    }
+    const auto nid = static_cast<std::uint8_t>(BitReader(frame.bytes, frame.end, at).read(8));
+    if (nid == 255) {
+      used = at + 8;
+      if (frame.ending == Ending::packet_255) break;
+      return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
+    }
+    const PacketCodec* codec = find_packet_codec(frame.direction, version, nid);
+    PacketView view{nid, 2, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, at};
+    if (const FaultAt fault = measure(frame, view, codec)) return fault;
+    if (codec != nullptr && frame.check == Check::all) {
+      if (const FaultAt fault = codec->check(view)) return fault;
+      if (frame.medium != 0 && (codec->info->media & frame.medium) == 0)
+        return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
+      if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !packets.empty() &&
+          packets.back().NID_PACKET != 0)
+        return fault_in(Fault::wrong_place, at, nid, "NID_PACKET", nid);
+      if (seen.second(view, nid)) return fault_in(Fault::duplicate_packet, at, nid, "NID_PACKET", nid);
+    }
+    view.NID_PACKET = newest_number(nid, version);
+    if (!packets.push_back(view)) return fault_in(Fault::too_many_packets, at, nid, "NID_PACKET", nid);
+    at += view.L_PACKET;
+  }
+  if (version == v1_1) drop_superseded(packets);
+  return {};
+}
+
+/// M_VERSION as X.Y, if it can be read further (3.17.3.5).
+FaultAt check_version(var::M_VERSION M_VERSION) {
+  if (var::M_VERSION::is_spare(M_VERSION.raw)) return {Fault::spare_value, 1, -1, "M_VERSION", M_VERSION.raw};
+  if (known_version(system_version(M_VERSION.raw)) == 0)
+    return {Fault::unknown_version, 1, -1, "M_VERSION", M_VERSION.raw};
+  return {};
+}
+
+template <class View>
+void set_fault(View& view, const FaultAt& at) {
+  view.at = at;
+  view.fault = at.fault;
+}
+
+/// The header is whole and for this receiver.
+FaultAt check_header(const codec::Source& from, var::Q_UPDOWN Q_UPDOWN, var::M_VERSION M_VERSION, Check check) {
+  if (from.in.faulty()) return {Fault::truncated, from.in.position(), -1, from.in.failed_on(), 0};
+  if (Q_UPDOWN.raw != 1 && check == Check::all) return {Fault::wrong_direction, 0, -1, "Q_UPDOWN", Q_UPDOWN.raw};
+  if (const FaultAt at = check_version(M_VERSION)) return at;
+  const SystemVersion sv = system_version(M_VERSION.raw);
+  const bool later = sv.x == 2 && sv.y > 1;
+  if (from.spare_variable != nullptr && !later && check == Check::all)
+    return {Fault::spare_value, from.spare_bit, -1, from.spare_variable, from.spare_value};
+  return {};
+}
+
+bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
+  for (const std::uint8_t i : list)
+    if (i == n) return true;
+  return false;
+}
+std::uint8_t wire_number(const PacketView& p) {
+  return static_cast<std::uint8_t>(BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8));
+}
+
+/// 8.4.4: the mandatory packets come first, in their order; the others are on the message's list.
+/// Unknown packets are passed over.
+FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end) {
+  std::size_t next = 0;
+  for (const auto& one_of : rules.required) {
+    if (one_of.empty()) continue;
+    if (next >= packets.size()) return {Fault::missing_packet, end, one_of[0], nullptr, 0};
+    if (!contains(one_of, wire_number(packets[next])))
+      return {Fault::missing_packet, packets[next].bit, one_of[0], nullptr, packets[next].NID_PACKET};
+    ++next;
+  }
+  for (; next < packets.size(); ++next) {
+    const std::uint8_t nid = wire_number(packets[next]);
+    if (packets[next].known && !contains(rules.optional, nid))
+      return fault_in(Fault::unexpected_packet, packets[next].bit, nid, "NID_PACKET", nid);
+  }
+  return {};
+}
+
+/// Everything that messages of both directions share.
+template <class View, class Codec>
+FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersion), Direction direction, Check check) {
+  BitReader in(view.bytes);
+  view.NID_MESSAGE = static_cast<std::uint8_t>(in.read(8, "NID_MESSAGE"));
+  view.L_MESSAGE = static_cast<std::uint16_t>(in.read(10, "L_MESSAGE"));
+  if (in.faulty()) return {Fault::truncated, in.position(), -1, in.failed_on(), 0};
+  const MessageRules* rules = find_message_rules(direction, view.NID_MESSAGE, view.sv);
+  const Codec* codec = find(view.NID_MESSAGE, view.sv);
+  if (rules == nullptr || codec == nullptr) {
+    const Fault fault = known_version(view.sv) == 0 ? Fault::unknown_version : Fault::unknown_message;
+    return {fault, 0, -1, "NID_MESSAGE", view.NID_MESSAGE};
+  }
+  if (view.L_MESSAGE != view.bytes.size()) return {Fault::message_length_mismatch, 8, -1, "L_MESSAGE", view.L_MESSAGE};
+  std::size_t at = 0;
+  const FaultAt fixed = codec->check(view, at);
+  if (fixed && (check == Check::all || fixed.fault == Fault::truncated)) return fixed;
+  const Frame frame{view.bytes, view.bytes.size() * 8, direction, view.sv, 0, Ending::padding, check};
+  if (const FaultAt fault = find_packets(frame, at, view.packets, view.bits_used)) return fault;
+  return check == Check::all ? check_list(*rules, view.packets, view.bits_used) : FaultAt{};
+}
+
+}  // namespace
+
+TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
+  TelegramView view;
+  codec::Source from{BitReader(bytes, bits)};
+  codec::get(from, view.Q_UPDOWN);
+  codec::get(from, view.M_VERSION);
+  codec::get(from, view.Q_MEDIA);
+  codec::get(from, view.N_PIG);
+  codec::get(from, view.N_TOTAL);
+  codec::get(from, view.M_DUP);
+  codec::get(from, view.M_MCOUNT);
+  codec::get(from, view.NID_C);
+  codec::get(from, view.NID_BG);
+  codec::get(from, view.Q_LINK);
+  view.sv = system_version(view.M_VERSION.raw);
+  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
+  if (!at && check == Check::all && view.Q_MEDIA.raw != 0) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 1};
+  if (!at) {
+    const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::balise, Ending::packet_255, check};
+    at = find_packets(frame, from.in.position(), view.packets, view.bits_used);
+  }
+  set_fault(view, at);
+  return view;
+}
+
+LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
+  LoopMessageView view;
+  codec::Source from{BitReader(bytes, bits)};
+  codec::get(from, view.Q_UPDOWN);
+  codec::get(from, view.M_VERSION);
+  codec::get(from, view.Q_MEDIA);
+  codec::get(from, view.NID_C);
+  codec::get(from, view.NID_LOOP);
+  view.sv = system_version(view.M_VERSION.raw);
+  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
+  if (!at && check == Check::all && view.Q_MEDIA.raw != 1) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 0};
+  if (!at) {
+    const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::loop, Ending::packet_255, check};
+    at = find_packets(frame, from.in.position(), view.packets, view.bits_used);
+  }
+  set_fault(view, at);
+  return view;
+}
+
+MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv, Check check) {
+  MessageToTrainView view;
+  view.sv = sv;
+  view.bytes = bytes;
+  BitReader in(bytes, bytes.size() * 8, 18);
+  view.T_TRAIN.raw = static_cast<std::uint32_t>(in.read(32));
+  view.M_ACK.raw = static_cast<std::uint8_t>(in.read(1));
+  view.NID_LRBG.raw = static_cast<std::uint32_t>(in.read(24));
+  set_fault(view, scan_message(view, &find_message_to_train, Direction::to_train, check));
+  // 6.6.3.3 [2]: an RBC of X = 1 may give a group here, which has no meaning.
+  if (sv.x == 1 && (view.NID_MESSAGE == 40 || view.NID_MESSAGE == 41)) view.NID_LRBG.raw = 16777215u;
+  return view;
+}
+
+MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv, Check check) {
+  MessageToTrackView view;
+  view.sv = sv;
+  view.bytes = bytes;
+  BitReader in(bytes, bytes.size() * 8, 18);
+  view.T_TRAIN.raw = static_cast<std::uint32_t>(in.read(32));
+  view.NID_ENGINE.raw = static_cast<std::uint32_t>(in.read(24));
+  set_fault(view, scan_message(view, &find_message_to_track, Direction::to_track, check));
+  return view;
+}
+
+}  // namespace evc::lang

@@ -1,0 +1,69 @@
+#pragma once
+#include "lang/messages.h"
+#include "lang/packets.h"
+
+// Information of system version X = 1 in the form of X = 2, and the other way round for what is sent
+// to an RBC of X = 1 (SUBSET-026-6 6.6.3). decode() and encode() with a version call these.
+namespace evc::lang {
+
+template <class... P>
+struct Forms {};
+/// The older layouts a packet can be made from.
+template <class P>
+struct OlderForms {
+  using type = Forms<>;
+};
+#define EVC_OLDER_FORMS(NEW, ...)    \
+  template <>                        \
+  struct OlderForms<NEW> {           \
+    using type = Forms<__VA_ARGS__>; \
+  };
+EVC_OLDER_FORMS(Packet0, Packet200)
+EVC_OLDER_FORMS(Packet3, Packet3_v1_0)
+EVC_OLDER_FORMS(Packet27, Packet27_v1_0)
+EVC_OLDER_FORMS(Packet39, Packet39_v1_0, Packet239)
+EVC_OLDER_FORMS(Packet44, Packet44_v1_0)
+EVC_OLDER_FORMS(Packet51, Packet51_v1_0)
+EVC_OLDER_FORMS(Packet68, Packet68_v1_0, Packet206)
+EVC_OLDER_FORMS(Packet70, Packet70_v1_0, Packet207)
+EVC_OLDER_FORMS(Packet72, Packet72_v1_0)
+EVC_OLDER_FORMS(Packet76, Packet76_v1_0)
+EVC_OLDER_FORMS(Packet79, Packet79_v1_0)
+EVC_OLDER_FORMS(Packet80, Packet80_v1_0)
+EVC_OLDER_FORMS(Packet140, Packet140_v1_0)
+#undef EVC_OLDER_FORMS
+
+/// 6.6.3.2.3. False: a unit of X = 2 ignores the packet (exceptions 11 to 13).
+bool translate(const Packet200& from, Packet0& to);
+/// Q_NVSRBKTRG stands in the place of Q_NVSBTSMPERM. V_NVLIMSUPERV and Q_NVLOCACC get their defaults
+/// (A.3.2; exception 1a), as do the values of packet 203, which append() sets. Whether values stored
+/// before are to be kept instead (exceptions 1b and 2) is the receiver's to decide: it sees `view.sv`.
+bool translate(const Packet3_v1_0& from, Packet3& to);
+bool translate(const Packet27_v1_0& from, Packet27& to);
+bool translate(const Packet39_v1_0& from, Packet39& to);
+bool translate(const Packet239& from, Packet39& to);
+bool translate(const Packet44_v1_0& from, Packet44& to);
+bool translate(const Packet51_v1_0& from, Packet51& to);
+bool translate(const Packet68_v1_0& from, Packet68& to);
+bool translate(const Packet206& from, Packet68& to);
+bool translate(const Packet70_v1_0& from, Packet70& to);
+bool translate(const Packet207& from, Packet70& to);
+bool translate(const Packet72_v1_0& from, Packet72& to);
+bool translate(const Packet76_v1_0& from, Packet76& to);
+bool translate(const Packet79_v1_0& from, Packet79& to);
+bool translate(const Packet80_v1_0& from, Packet80& to);
+bool translate(const Packet140_v1_0& from, Packet140& to);
+
+/// Packet 203 appended to the packet 3 of the same message (6.6.3.2.3 exception 16).
+void append(Packet3& national_values, const Packet203& braking_curves);
+
+/// 6.6.3.4.5: what is sent to an RBC or RIU of X = 1. `M_LEVEL` 4 stays 4.
+TrainPacket0_v1_0 for_version_1(const TrainPacket0& from);
+TrainPacket1_v1_0 for_version_1(const TrainPacket1& from);
+TrainPacket4_v1_0 for_version_1(const TrainPacket4& from);
+/// NID_OPERATIONAL is not in the packet of X = 2 and is given apart (6.6.3.4.5 exception 3a).
+TrainPacket11_v1_0 for_version_1(const TrainPacket11& from, var::NID_OPERATIONAL_V1 NID_OPERATIONAL);
+TrainMessage132_v1_0 for_version_1(const TrainMessage132& from);
+TrainMessage147_v1_0 for_version_1(const TrainMessage147& from);
+
+}  // namespace evc::lang
