@@ -43,6 +43,7 @@ struct Intent {
   std::uint8_t NID_TEXTMESSAGE = 0;              ///< 158
   std::optional<std::uint8_t> M_ERROR;           ///< packet 4 in 136, 157
   std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
+  bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
 };
 
 /// What leaves in one cycle.

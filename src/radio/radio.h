@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -8,30 +7,20 @@
 #include "radio/messages.h"
 #include "radio/session.h"
 
-// Radio (A3): everything between the bearer and the contents of messages.
+// Radio (A3): everything between the bearer and the contents of messages. When a position report is due by
+// its parameters is said in position/; here it gets its session.
 namespace evc::radio {
+
+/// T_CYCRQSTD: cycle of the MA request while no packet 57 was received (A.3.1).
+inline constexpr Duration kDefaultRequestCycle{60.0};
 
 /// Packet 57. Absent: off.
 struct MaRequestParameters {
   std::optional<Duration> T_MAR, T_TIMEOUTRQST, T_CYCRQST;
   friend constexpr bool operator==(const MaRequestParameters&, const MaRequestParameters&) = default;
 };
-/// Packet 58, with its places in the odometer or track frame as metres of one axis: the kernel's choice.
-struct PositionReportParameters {
-  std::optional<Duration> T_CYCLOC;
-  std::optional<Distance> D_CYCLOC;
-  bool now = false, every_group = false;  ///< M_LOC 0, 1; neither: 2
-  struct Location {
-    Place at{};
-    bool max_front = false;  ///< Q_LGTLOC: false min safe rear end, true max safe front end
-    bool reported = false;
-    friend constexpr bool operator==(const Location&, const Location&) = default;
-  };
-  InplaceVector<Location, 32> locations;
-  friend constexpr bool operator==(const PositionReportParameters&, const PositionReportParameters&) = default;
-};
 
-/// Reasons of an MA request, bits of Q_MARQSTREASON (7.5.1.121.1).
+/// Reasons of an MA request, bits of Q_MARQSTREASON (7.5.1.118.3).
 enum Reason : std::uint8_t {
   kStartSelected = 1,
   kBeforePerturbation = 2,
@@ -47,8 +36,9 @@ struct ContactRule {
   Reaction M_NVCONTACT = Reaction::none;
 };
 
-/// An exchange that is repeated every kRepeatAfter until its answer comes (end of mission, SH request, exit from
-/// trip, leaving the RBC area); after the last wait the session is terminated.
+/// An exchange that is repeated every kRepeatAfter until its answer comes: 130 until 27 or 28, 150 and the 136 after
+/// leaving the area until the order to terminate, the 136 of post trip until 6. After the last wait the
+/// session is terminated (5.5.4, 5.6.4, 5.11.4, 3.5.5.1 e).
 struct Exchange {
   std::uint8_t NID_MESSAGE = 0;  ///< 0: none runs
   std::uint8_t repetitions = 0;
@@ -59,65 +49,61 @@ struct State {
   Session session;
   std::optional<Rbc> contact;              ///< stored RBC contact
   std::optional<std::uint32_t> last_sent;  ///< T_TRAIN of the last message sent: stamps are unique (3.16.3.3.2)
+  bool established_now = false;            ///< message 32 was taken since the last cycle
   // 3.16.3.4
-  std::optional<Duration> contact_reference;  ///< T_REF: stamp of the last message, or level switch, or hole left
-  bool contact_lost = false;                  ///< expired and no new message since
-  bool contact_reported = false;              ///< M_ERROR 5 is owed when the link is back
-  bool was_in_hole = false;
+  std::optional<Duration> contact_reference;  ///< T_REF: stamp of the last message, level switch, or radio hole left
+  bool contact_lost = false;                  ///< T_NVCONTACT expired and no new message since
+  bool contact_brake_released = false;        ///< the service brake for it was released at standstill
+  bool reconnected = false;                   ///< 60 s later the connection was set up again
+  bool was_in_hole = false, was_level_2_or_3 = false;
   // 3.18.3.4
-  bool train_data_pending = false;                ///< has to be sent in this session
+  bool train_data_pending = false;                ///< has to be sent
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
   bool train_data_acknowledged = false;           ///< in this session
-  // 3.6.2.2
-  InplaceVector<std::uint32_t, 8> reported_lrbg;  ///< newest last
-  bool unknown_lrbg_allowed = false;
   // 3.8.2
   std::optional<MaRequestParameters> ma_request;
-  std::uint8_t reasons = 0;  ///< true at the last cycle
+  std::uint8_t reasons = 0;  ///< that were sent and are still true
   std::optional<Duration> requested_at;
-  // 3.6.5
-  std::optional<PositionReportParameters> report;
-  std::optional<Duration> reported_at;
-  std::optional<Place> reported_place;
-  bool report_due = false;
-  InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report
+  InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report (3.16.4)
   Exchange exchange;
-  std::optional<std::uint32_t> exit_from_trip_stamp;  ///< T_TRAIN of message 6, for PT
+  std::optional<std::uint32_t> exit_from_trip;  ///< T_TRAIN of message 6 (4.8.4 [1])
 };
 
 /// Why a message was rejected as a whole (3.16.3.1.1).
-enum class Rejected : std::uint8_t { no, no_session, terminating, stamp, lrbg };
-/// The clause of a rejection, a literal.
+enum class Rejected : std::uint8_t { no, no_session, terminating, time_stamp };
+/// The clause of a rejection, a literal; null when not rejected.
 const char* clause(Rejected rejected);
 
-/// Takes a message whose bits were found right: order of time stamps, LRBG known to both, acknowledgement (146) when
-/// M_ACK, contact supervision. 32 and 39 are carried out here too.
-Rejected receive(State& state, const Header& header, Duration now, Outbox& out);
-/// A message with bits that are not right: the error is reported to the RBC (3.16.3.1.1.2).
-void receive_inconsistent(State& state);
-/// Message 32.
-void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out);
-/// Message 8: `T_TRAIN_REF` of the 129 that it acknowledges.
-void receive_train_data_ack(State& state, std::uint32_t T_TRAIN_REF);
+/// Whether stamp `a` is later than `b`; the counter runs over after 497 days (3.16.3.2.3).
+constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-/// Packet 42, packet 131 as an establishment order, or the driver's choice (3.5.3). `sleeping`: only orders for
-/// sleeping units count. `store_only`: SH, PS. Gives false when the order is ignored.
+/// Takes a message whose bits were found right: session, order of time stamps, acknowledgement (146) when M_ACK,
+/// contact supervision (3.16.3). Message 39 is carried out here. What the message contains may still be refused by
+/// filters: it counts as received all the same.
+Rejected receive(State& state, const Header& header, Duration now, Outbox& out);
+/// A message whose bits are not right (3.16.3.1.1.2): reported to the RBC.
+void receive_inconsistent(State& state);
+/// Message 32, after `receive`.
+void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out);
+/// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
+void receive_train_data_ack(State& state, std::uint32_t T_TRAIN_REF);
+/// An error of balises or radio to report when a session is there (3.16.4): M_ERROR.
+void report_error(State& state, std::uint8_t M_ERROR);
+
+/// Packet 42, packet 131 as an order to establish, or the driver's choice (3.5.3).
 struct SessionOrder {
   bool establish = true;
   Rbc rbc{};
-  bool sleeping_too = false;
+  bool sleeping_too = false;  ///< Q_SLEEPSESSION
   Cause cause = Cause::trackside_order;
 };
+/// `sleeping`: only orders with Q_SLEEPSESSION count. `store_only`: in SH and PS just the contact is stored. False
+/// when the order is ignored: nothing stored for "last known RBC", a sleeping unit, another RBC to leave.
 bool order(State& state, const SessionOrder& order, bool sleeping, bool store_only, Duration now, Outbox& out);
 
-/// Events that ask for a position report (3.6.5.1.4), set by the kernel in the cycle they happen and filtered by mode.
-struct ReportEvents {
-  bool standstill_reached = false, mode_changed = false, level_changed = false, border_passed = false,
-       integrity_changed = false, session_established = false;
-  bool group_passed = false;      ///< an LRBG compliant balise group was evaluated
-  bool start_of_mission = false;  ///< the report goes as 157 with `Q_STATUS`
-  std::uint8_t Q_STATUS = 1;
-};
+/// MA and others from the RBC are refused while train data are sent and not acknowledged (4.8.3 [3]).
+bool train_data_acknowledgement_pending(const State& state);
+
 struct Inputs {
   Duration now{};
   Link link = Link::unchanged;
@@ -125,40 +111,52 @@ struct Inputs {
   bool level_2_or_3 = false;
   bool contact_supervised = false;  ///< level 2/3 and FS, LS or OS (4.5.2)
   bool standstill = false;
-  bool reports_allowed = true;    ///< the mode reports by packet 58 (4.5.2)
   bool train_data_valid = false;  ///< valid, and the engine leads: not in SL, NL
   ContactRule contact{};
-  Place est_front{}, min_safe_rear{}, max_safe_front{};
-  std::uint32_t NID_LRBG = kUnknownLrbg;
-  bool orientation_known = true;
-  ReportEvents events{};
+  bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
+  bool start_of_mission = false;  ///< reports go as 157 with Q_STATUS (5.4)
+  std::uint8_t Q_STATUS = 1;
   std::uint8_t reasons = 0;                ///< reasons of the MA request that are true now
   std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the border's group
 };
 struct Result {
   bool session_established = false, session_lost = false;
-  bool trip = false;           ///< condition [41]
-  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1
-  bool contact_lost = false;   ///< driver: no message in due time
-  bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i
+  bool trip = false;           ///< condition [41], as long as it holds
+  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
+  bool contact_lost = false;   ///< for the driver: no message in due time
+  bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
 };
-/// One cycle: session, contact supervision, train data, position reports, MA requests, repetitions; finally
-/// every intent gets its time stamp.
+/// One cycle: session, contact supervision, train data, position reports, MA requests, repetitions. Afterwards every
+/// message of the outbox has its own time stamp; what has no connection to leave by is taken out (3.5.4.5).
 Result supervise(State& state, const Inputs& inputs, Outbox& out);
 
 /// Train data were validated or changed: 129 is due (3.18.3.4).
 void send_train_data(State& state);
-/// Starts a repeated exchange: 130, 136, 150 (1.7).
+/// Sends and repeats a message until `end_exchange`: 130, 136, 150.
 void begin_exchange(State& state, std::uint8_t NID_MESSAGE, Duration now, Outbox& out);
 /// Its answer came.
 void end_exchange(State& state);
 
-/// The driver's text acknowledgement, emergency stop answers and others go straight to the outbox.
+/// Message 147.
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = 147;
   intent.NID_EM = NID_EM;
   intent.Q_EMERGENCYSTOP = Q_EMERGENCYSTOP;
+  out.send(intent);
+}
+/// Messages 137 (granted) and 138 (rejected): the answer to message 9 with that stamp (3.8.6).
+inline void answer_shortening(bool granted, std::uint32_t T_TRAIN_REF, Outbox& out) {
+  Intent intent;
+  intent.NID_MESSAGE = granted ? 137 : 138;
+  intent.T_TRAIN_REF = T_TRAIN_REF;
+  out.send(intent);
+}
+/// Message 158.
+inline void report_text_acknowledged(std::uint8_t NID_TEXTMESSAGE, Outbox& out) {
+  Intent intent;
+  intent.NID_MESSAGE = 158;
+  intent.NID_TEXTMESSAGE = NID_TEXTMESSAGE;
   out.send(intent);
 }
 

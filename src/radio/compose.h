@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/inplace_vector.h"
+#include "radio/messages.h"
+
+// Messages to the RBC as bits (8.6), in the version that the RBC told in its message 32 (6.6.3.4).
+namespace evc::radio {
+
+/// The codes of packet 0, of packet 1 when NID_PRVLRBG is present (7.4.3.1-2).
+struct PositionReport {
+  std::uint8_t Q_SCALE = 1;
+  std::uint32_t NID_LRBG = kUnknownLrbg;
+  std::optional<std::uint32_t> NID_PRVLRBG;
+  std::uint16_t D_LRBG = 32767;
+  std::uint8_t Q_DIRLRBG = 2, Q_DLRBG = 2;
+  std::uint16_t L_DOUBTOVER = 32767, L_DOUBTUNDER = 32767;
+  std::uint8_t Q_LENGTH = 0;
+  std::uint16_t L_TRAININT = 0;
+  std::uint8_t V_TRAIN = 0, Q_DIRTRAIN = 2;
+  std::uint8_t M_MODE = 6, M_LEVEL = 0, NID_NTC = 0;
+};
+
+/// Packet 11 (7.4.3.5).
+struct TrainDataReport {
+  std::uint8_t NC_CDTRAIN = 2;
+  std::uint16_t NC_TRAIN = 0;
+  std::uint16_t L_TRAIN = 0;    ///< m
+  std::uint8_t V_MAXTRAIN = 0;  ///< steps of 5 km/h
+  std::uint8_t M_LOADINGGAUGE = 1, M_AXLELOADCAT = 0, M_AIRTIGHT = 0;
+  std::uint16_t N_AXLE = 1023;  ///< 1023: unknown
+  struct Traction {
+    std::uint8_t M_VOLTAGE = 0;
+    std::uint16_t NID_CTRACTION = 0;
+  };
+  InplaceVector<Traction, 8> tractions;
+  InplaceVector<std::uint8_t, 8> NID_NTC;  ///< fitted national systems
+  std::optional<std::uint32_t> NID_OPERATIONAL;
+};
+
+struct OnBoard {
+  std::uint32_t NID_ENGINE = 0;
+  InplaceVector<std::uint64_t, 4> NID_RADIO;  ///< telephone numbers of the mobile terminals, for packet 3
+};
+
+/// Writes the message; the number of bytes, or 0 when it is not sent to this version (158 to X = 1) or `bytes` is too
+/// small. `M_VERSION`: of the RBC, 0 while it is not known.
+std::size_t compose(const Intent& intent, const PositionReport& position, const TrainDataReport& train,
+                    const OnBoard& unit, std::uint8_t M_VERSION, std::span<std::uint8_t> bytes);
+
+}  // namespace evc::radio
