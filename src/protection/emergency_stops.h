@@ -37,8 +37,6 @@ Answer accept_conditional(EmergencyStops& stops, track::Description& d, std::uin
 Answer accept_unconditional(EmergencyStops& stops, std::uint8_t NID_EM);
 /// Message 18: removes its own stop only (3.10.3.3). False: no such stop, ignored.
 bool revoke(EmergencyStops& stops, std::uint8_t NID_EM);
-/// Modes in which stops stay stored on entry: FS, LS, OS, TR, PT (4.10); named by M_MODE.
-bool kept_on_entry(std::uint8_t M_MODE);
 /// The value for an RBC of system version 1 (6.6.3.4.5).
 std::uint8_t Q_EMERGENCYSTOP_for_version_1(std::uint8_t Q_EMERGENCYSTOP);
 

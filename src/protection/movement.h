@@ -7,7 +7,8 @@
 // Roll away, reverse movement, standstill supervision (3.14.2-4) and post trip distance (4.4.14).
 namespace evc::protection {
 
-enum class Direction : std::int8_t { backward = -1, none = 0, forward = 1 };
+/// A way to move, as seen from the active cab.
+enum class Way : std::int8_t { backward = -1, none = 0, forward = 1 };
 
 /// One protection by distance: a forbidden movement beyond its limit commands the brake until standstill and the
 /// driver's acknowledgement; afterwards it starts anew from there.
@@ -38,9 +39,9 @@ GuardSelection guards_of(std::uint8_t M_MODE);
 struct Movement {
   OdometerPlace nominal{};  ///< increases in running direction of the active cab
   bool standstill = false;
-  std::optional<Direction> controller;       ///< position of the direction controller; absent: no interface
-  Direction permitted = Direction::forward;  ///< backward in PT and RV
-  std::optional<Distance> D_NVROLL;          ///< absent: infinite
+  std::optional<Way> controller;     ///< position of the direction controller; absent: no interface
+  Way permitted = Way::forward;      ///< backward in PT and RV
+  std::optional<Distance> D_NVROLL;  ///< absent: infinite
   std::optional<Distance> D_NVPOTRP;
   std::optional<Distance>
       reversing_left;         ///< RV: distance to the end of the reversing distance, negative beyond; absent: endless

@@ -177,7 +177,7 @@ void put_established(const Composer& c) {
   if (c.tells_versions) {
     lang::TrainPacket2 p;
     p.M_VERSION.raw = 0x21;
-    for (const std::uint8_t M_VERSION : {0x20, 0x11, 0x10}) {
+    for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 3>{0x20, 0x11, 0x10}) {
       lang::TrainPacket2_versions e;
       e.M_VERSION.raw = M_VERSION;
       (void)p.versions.push_back(e);

@@ -1,0 +1,53 @@
+#include "protection/emergency_stops.h"
+
+#include <array>
+
+#include "track/withdraw.h"
+
+namespace evc::protection {
+namespace {
+
+/// A stop with a known identity takes the place of the old one (3.10.1.3.1). Sixteen identities: there is room.
+void keep(EmergencyStops& stops, const EmergencyStop& stop) {
+  stops.pending.erase_if([&](const EmergencyStop& old) { return old.NID_EM == stop.NID_EM; });
+  if (!stops.pending.push_back(stop)) stops.pending.back() = stop;
+}
+
+}  // namespace
+
+bool EmergencyStops::conditional_pending() const {
+  for (const EmergencyStop& stop : pending)
+    if (stop.conditional) return true;
+  return false;
+}
+bool EmergencyStops::unconditional_pending() const {
+  for (const EmergencyStop& stop : pending)
+    if (!stop.conditional) return true;
+  return false;
+}
+
+Answer accept_conditional(EmergencyStops& stops, track::Description& d, std::uint8_t NID_EM, Place stop,
+                          Place min_front_at_reception, const track::Here& here) {
+  // A place that is already passed cannot be stopped at: refused, and nothing changes (3.10.2.2).
+  if (min_front_at_reception > stop) return {false, 3, "3.10.2.2"};
+  keep(stops, {NID_EM, true, stop});
+  return {true, track::stop_at(d, stop, here), nullptr};
+}
+
+Answer accept_unconditional(EmergencyStops& stops, std::uint8_t NID_EM) {
+  keep(stops, {NID_EM, false, {}});
+  return {true, 2, nullptr};
+}
+
+bool revoke(EmergencyStops& stops, std::uint8_t NID_EM) {
+  const std::size_t before = stops.pending.size();
+  stops.pending.erase_if([&](const EmergencyStop& stop) { return stop.NID_EM == NID_EM; });
+  return stops.pending.size() != before;
+}
+
+std::uint8_t Q_EMERGENCYSTOP_for_version_1(std::uint8_t Q_EMERGENCYSTOP) {
+  constexpr std::array<std::uint8_t, 4> kValue{0, 0, 2, 1};
+  return kValue[Q_EMERGENCYSTOP & 3u];
+}
+
+}  // namespace evc::protection

@@ -1,0 +1,115 @@
+#include "protection/movement.h"
+
+namespace evc::protection {
+namespace {
+
+// Codes of M_MODE (7.5.1.72).
+enum : std::uint8_t { kFS, kOS, kSR, kSH, kUN, kSL, kSB, kTR, kPT, kSF, kIS, kNL, kLS, kSN, kRV, kPS };
+
+Distance moved(const Movement& m, OdometerPlace from, Way way) {
+  return way == Way::backward ? from - m.nominal : m.nominal - from;
+}
+
+/// The ways that are forbidden: up to both.
+struct Forbidden {
+  bool forward = false, backward = false;
+};
+
+Forbidden against_controller(const Movement& m) {
+  if (!m.controller) return {};  // without the interface the function is absent (3.14.2.3)
+  return {*m.controller != Way::forward, *m.controller != Way::backward};
+}
+
+/// The reference follows the train as long as it moves as allowed; forbidden movement counts from where it began.
+/// Coming back towards the reference takes the distance back.
+void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) {
+  if (g.braking) {
+    if (m.standstill && m.acknowledged) g = {m.nominal, false};
+    return;
+  }
+  if (!g.reference) g.reference = m.nominal;
+  Distance forward = moved(m, *g.reference, Way::forward);
+  if ((forward > Distance{} && !forbidden.forward) || (forward < Distance{} && !forbidden.backward)) {
+    g.reference = m.nominal;
+    forward = {};
+  }
+  const Distance away = forward < Distance{} ? -forward : forward;
+  g.braking = m.D_NVROLL && away > *m.D_NVROLL;
+}
+
+/// PT distance and reversing distance: beyond it the brake; after standstill and acknowledgement any further movement
+/// backwards while still beyond brakes again (4.4.14.1.3.2, 3.15.4.8).
+void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& released_at, const Movement& m) {
+  if (braking) {
+    if (m.standstill && m.acknowledged) {
+      braking = false;
+      released_at = m.nominal;
+    }
+    return;
+  }
+  if (!beyond) {
+    released_at.reset();
+    return;
+  }
+  if (!released_at || m.nominal < *released_at) braking = true;
+}
+
+}  // namespace
+
+GuardSelection guards_of(std::uint8_t M_MODE) {
+  GuardSelection s;
+  s.standstill = M_MODE == kSB;
+  s.post_trip = M_MODE == kPT;
+  s.reversing = M_MODE == kRV;
+  s.reverse_movement =
+      M_MODE == kFS || M_MODE == kLS || M_MODE == kSR || M_MODE == kOS || M_MODE == kPT || M_MODE == kRV;
+  s.roll_away = s.reverse_movement || M_MODE == kSH || M_MODE == kUN;
+  return s;
+}
+
+Commands guard(MovementGuards& g, const GuardSelection& selection, const Movement& m) {
+  Commands c;
+  const Forbidden against_permitted{m.permitted == Way::backward, m.permitted == Way::forward};
+  if (selection.roll_away) supervise(g.roll_away, against_controller(m), m);
+  if (selection.reverse_movement) {
+    supervise(g.reverse_movement, against_permitted, m);
+    const Distance forward = moved(m, *g.reverse_movement.reference, Way::forward);
+    c.against_permitted =
+        (forward > Distance{} && against_permitted.forward) || (forward < Distance{} && against_permitted.backward);
+  }
+  if (selection.standstill) supervise(g.standstill, {true, true}, m);
+  if (selection.post_trip) {
+    if (!g.post_trip_from) g.post_trip_from = m.nominal;
+    const bool beyond = m.D_NVPOTRP && moved(m, *g.post_trip_from, Way::backward) > *m.D_NVPOTRP;
+    supervise_end(beyond, g.post_trip_braking, g.post_trip_released_at, m);
+  }
+  if (selection.reversing) {
+    const bool beyond = m.reversing_left && *m.reversing_left < Distance{};
+    // A longer distance ends the reason at once (3.14.1.7.1).
+    if (!beyond) g.reversing_braking = false;
+    supervise_end(beyond, g.reversing_braking, g.reversing_released_at, m);
+  }
+  c.roll_away = g.roll_away.braking;
+  c.reverse_movement = g.reverse_movement.braking;
+  c.standstill = g.standstill.braking;
+  c.post_trip = g.post_trip_braking;
+  c.reversing = g.reversing_braking;
+  return c;
+}
+
+void enter_mode(MovementGuards& g, const GuardSelection& selection, OdometerPlace nominal) {
+  if (!selection.roll_away) g.roll_away = {};
+  if (!selection.reverse_movement) g.reverse_movement = {};
+  if (!selection.standstill) g.standstill = {};
+  // The permitted direction turns on entry and on exit of PT and RV (4.12).
+  const bool turned = selection.post_trip || selection.reversing || g.post_trip_from.has_value();
+  if (turned) g.reverse_movement = {};
+  g.post_trip_braking = false;
+  g.post_trip_released_at.reset();
+  g.post_trip_from.reset();
+  if (selection.post_trip) g.post_trip_from = nominal;
+  g.reversing_braking = false;
+  g.reversing_released_at.reset();
+}
+
+}  // namespace evc::protection
