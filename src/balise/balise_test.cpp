@@ -1,0 +1,369 @@
+#include "balise/balise.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <type_traits>
+
+#include "balise/test_train.h"
+
+namespace evc::balise {
+namespace {
+
+using test::Balise;
+using test::Bits;
+using test::Train;
+
+static_assert(std::is_trivially_copyable_v<State>);
+static_assert(sizeof(State) < 5 * 1024);
+
+TEST(Balise, BitsAreKeptAsTheyCame) {
+  Train t;
+  Balise b{5, 0, 0};
+  b.packets = {test::directional(1)};
+  const Bits bits = b.telegram(830);
+  t.read_at(10, bits);
+  ASSERT_EQ(t.last().telegrams.size(), 1u);
+  const Telegram& telegram = t.last().telegrams[0];
+  EXPECT_EQ(telegram.bits, 830);
+  const std::vector<std::uint8_t> bytes = bits.bytes();
+  ASSERT_EQ(telegram.span().size(), bytes.size());
+  EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), telegram.span().begin()));
+  EXPECT_EQ(t.last().id, (GroupId{426, 5}));
+  EXPECT_EQ(t.last().X, 2);
+}
+
+TEST(Balise, MoreBitsThanATelegramHasAreAFault) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 0}.telegram(840));
+  EXPECT_EQ(t.last().finding, Finding::invalid_value);
+  // A count beyond the bytes that are there is cut to them.
+  Train u;
+  const Bits bits = Balise{5, 0, 0}.telegram(216);
+  const std::vector<std::uint8_t> bytes = bits.bytes();
+  Outcome outcome;
+  read(u.state, {bytes, 5000, u.counter(), u.antenna()}, u.situation, outcome);
+  ASSERT_EQ(outcome.groups.size(), 1u);
+  EXPECT_EQ(outcome.groups[0].telegrams[0].bits, 216);
+  EXPECT_TRUE(outcome.groups[0].accepted);
+}
+
+TEST(Balise, AGroupIsCompleteWithItsLastBalise) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 2});
+  t.read_at(13, Balise{5, 1, 2});
+  EXPECT_TRUE(t.groups.empty());
+  t.read_at(16, Balise{5, 2, 2});
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_TRUE(t.last().accepted);
+  EXPECT_FALSE(t.state.open);
+  EXPECT_EQ(t.last().crossing, Direction::nominal);
+  EXPECT_EQ(t.last().counter.nominal.from_origin.si, 10);
+  EXPECT_EQ(t.count(Happened::group_accepted), 1);
+}
+
+TEST(Balise, MissingOnesAreMissedAfterTheLargestSpacing) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 1});
+  t.run_to(24.5);
+  EXPECT_TRUE(t.groups.empty());
+  t.run_to(24.7);
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_EQ(t.last().finding, Finding::balise_missed);
+}
+
+TEST(Balise, TheSpacingCountsAtTheNextTelegramToo) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 1});
+  t.read_at(40, Balise{5, 1, 1});
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_EQ(t.last().finding, Finding::balise_missed);
+  EXPECT_TRUE(t.state.open);
+  t.undecodable_at(80);
+  EXPECT_EQ(t.groups.size(), 2u);
+}
+
+TEST(Balise, AnotherGroupEndsTheOneBefore) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 1});
+  t.read_at(12, Balise{6, 0, 0});
+  ASSERT_EQ(t.groups.size(), 2u);
+  EXPECT_EQ(t.groups[0].id.NID_BG, 5);
+  EXPECT_FALSE(t.groups[0].accepted);
+  EXPECT_EQ(t.groups[1].id.NID_BG, 6);
+  EXPECT_TRUE(t.groups[1].accepted);
+}
+
+TEST(Balise, EqualNumbersOfTwoCountriesAreTwoGroups) {
+  Train t;
+  Balise a{5, 0, 1};
+  Balise b{5, 1, 1};
+  b.NID_C = 33;
+  t.read_at(10, a);
+  t.read_at(12, b);
+  EXPECT_EQ(t.groups.size(), 1u);
+  EXPECT_EQ(t.state.open->id.NID_C, 33);
+}
+
+TEST(Balise, OneBaliseReadTwiceInAPassageIsOneTelegram) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 1});
+  t.read_at(10.5, Balise{5, 0, 1});
+  t.read_at(13, Balise{5, 1, 1});
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_EQ(t.last().telegrams.size(), 2u);
+  EXPECT_TRUE(t.last().accepted);
+}
+
+TEST(Balise, TurningWithinAGroupBeginsANewPassage) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 2});
+  t.read_at(13, Balise{5, 1, 2});
+  t.read_at(10, Balise{5, 0, 2});  // back over the first one
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_FALSE(t.groups[0].accepted);
+  EXPECT_EQ(t.state.open->telegrams.size(), 1u);
+  Train u;
+  u.read_at(10, Balise{5, 0, 3});
+  u.read_at(13, Balise{5, 2, 3});
+  u.read_at(11.5, Balise{5, 1, 3});  // against the order so far
+  EXPECT_EQ(u.groups.size(), 1u);
+}
+
+TEST(Balise, OrientationAgainstTheCounter) {
+  Train t;
+  t.counter_sense = -1;
+  t.situation.counter_rises = false;
+  t.pass(10, 5);
+  EXPECT_EQ(t.last().crossing, Direction::nominal);
+  EXPECT_EQ(t.last().counter_against_group, Direction::reverse);
+  // Two telegrams with one and the same counter: the movement tells.
+  t.read_at(50, Balise{6, 0, 1});
+  t.read_at(50, Balise{6, 1, 1});
+  EXPECT_EQ(t.last().counter_against_group, Direction::reverse);
+  t.read_at(60, Balise{7, 0, 0});
+  EXPECT_EQ(t.last().counter_against_group, Direction::unknown);
+}
+
+TEST(Balise, AbandonedGroupsSayNothing) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 1});
+  abandon(t.state);
+  t.run_to(100);
+  EXPECT_TRUE(t.groups.empty());
+}
+
+TEST(Balise, ValidityDirection) {
+  EXPECT_TRUE(valid_for(2, Direction::unknown));
+  EXPECT_FALSE(valid_for(1, Direction::unknown));  // rows 43, 44
+  EXPECT_FALSE(valid_for(0, Direction::unknown));
+  EXPECT_TRUE(valid_for(1, Direction::nominal));
+  EXPECT_FALSE(valid_for(0, Direction::nominal));
+  EXPECT_TRUE(valid_for(0, Direction::reverse));
+  EXPECT_FALSE(valid_for(1, Direction::reverse));
+  EXPECT_FALSE(valid_for(3, Direction::reverse));
+}
+
+// --- Version, covers, reverse movement: the checks of single telegrams in their order.
+
+TEST(Telegrams, Row34VersionZeroIsIgnored) {
+  Train t;
+  t.situation.level_1_2_3 = true;
+  Balise b{5, 0, 0};
+  b.M_VERSION = 0x0F;
+  t.read_at(10, b);
+  t.run_to(100);
+  EXPECT_TRUE(t.groups.empty());
+  EXPECT_EQ(t.count(Happened::telegram_version_old), 1);
+  EXPECT_FALSE(t.version_too_high);
+}
+
+TEST(Telegrams, Row35And36TooNewAVersion) {
+  for (const bool level_1_2_3 : {true, false}) {
+    Train t;
+    t.situation.level_1_2_3 = level_1_2_3;
+    Balise b{5, 0, 1};
+    b.M_VERSION = 0x30;
+    t.read_at(10, b);
+    b.N_PIG = 1;
+    t.read_at(13, b);
+    EXPECT_EQ(t.version_too_high, level_1_2_3);
+    EXPECT_TRUE(t.groups.empty());
+    EXPECT_EQ(t.reaction, Reaction::none);
+    // One alone, its mate of a supported version: ignored is not missed.
+    b.NID_BG = 6;
+    t.read_at(40, b);
+    t.read_at(43, Balise{6, 0, 1});
+    ASSERT_EQ(t.groups.size(), 1u);
+    EXPECT_TRUE(t.last().accepted);
+  }
+}
+
+TEST(Telegrams, Row39UnknownPacketOfALaterYIsSkipped) {
+  Train t;
+  Balise b{5, 0, 0};
+  b.M_VERSION = 0x29;
+  b.packets = {test::packet(99, 1, Bits{}.put(5, 10))};
+  t.read_at(10, b);
+  EXPECT_TRUE(t.last().accepted);
+  // Row 40: in a version that is known it is a fault.
+  Balise c{6, 0, 0};
+  c.packets = b.packets;
+  t.read_at(40, c);
+  EXPECT_EQ(t.last().finding, Finding::invalid_value);
+}
+
+TEST(Telegrams, Row33CoversHideTelegramsFaultyOrNot) {
+  Train t;
+  ASSERT_TRUE(set_cover(t.state, {17, 426, 100_s}));
+  Balise b{5, 0, 1};
+  b.packets = {test::marker(17), test::spare()};
+  t.read_at(10, b);
+  t.run_to(60);
+  EXPECT_TRUE(t.groups.empty());
+  EXPECT_EQ(t.count(Happened::telegram_covered), 1);
+  EXPECT_EQ(t.reaction, Reaction::none);
+  // Another marker, another country, none, or the time is over.
+  b.packets = {test::marker(18)};
+  b.N_TOTAL = 0;
+  t.read_at(100, b);
+  EXPECT_TRUE(t.last().accepted);
+  b.packets = {test::marker(17)};
+  b.NID_C = 33;
+  t.read_at(200, b);
+  EXPECT_TRUE(t.last().accepted);
+  b.NID_C = 426;
+  t.situation.now = 101_s;
+  t.read_at(300, b);
+  EXPECT_TRUE(t.last().accepted);
+  t.situation.now = 100_s;
+  t.read_at(400, b);
+  EXPECT_EQ(t.groups.size(), 3u);
+}
+
+TEST(Telegrams, CoversInVersionOneUseAnotherPacket) {
+  Train t;
+  ASSERT_TRUE(set_cover(t.state, {17, 426, 100_s}));
+  Balise b{5, 0, 0};
+  b.M_VERSION = 0x10;
+  b.packets = {test::old_marker(17)};
+  t.read_at(10, b);
+  EXPECT_EQ(t.count(Happened::telegram_covered), 1);
+  b.packets = {};  // packet 255 alone
+  t.read_at(50, b.telegram(58));
+  EXPECT_EQ(t.count(Happened::telegram_covered), 1);
+  // Telegrams that end before or within the marker.
+  b.M_VERSION = 0x21;
+  for (const std::size_t bits : {54u, 60u}) {
+    const std::vector<std::uint8_t> bytes = [&] {
+      Balise c = b;
+      c.packets = {test::marker(17)};
+      return c.telegram().bytes();
+    }();
+    Outcome outcome;
+    read(t.state, {bytes, bits, t.counter(), t.antenna()}, t.situation, outcome);
+    for (const Event& e : outcome.events) EXPECT_NE(e.what, Happened::telegram_covered);
+    abandon(t.state);
+  }
+}
+
+TEST(Telegrams, CoversAreReplacedRemovedAndKeptByCountry) {
+  State s;
+  ASSERT_TRUE(set_cover(s, {1, 426, 10_s}));
+  ASSERT_TRUE(set_cover(s, {1, 426, 20_s}));
+  EXPECT_EQ(s.covers.size(), 1u);
+  EXPECT_EQ(s.covers[0].until, 20_s);
+  ASSERT_TRUE(set_cover(s, {1, 33, 20_s}));
+  ASSERT_TRUE(set_cover(s, {2, 426, 20_s}));
+  remove_cover(s, 2, 426);
+  EXPECT_EQ(s.covers.size(), 2u);
+  keep_covers_of(s, 33);
+  ASSERT_EQ(s.covers.size(), 1u);
+  EXPECT_EQ(s.covers[0].NID_C, 33);
+  for (std::uint8_t i = 0; i < kCovers - 1; ++i) ASSERT_TRUE(set_cover(s, {i, 500, 20_s}));
+  EXPECT_FALSE(set_cover(s, {60, 500, 20_s}));
+}
+
+TEST(Telegrams, Row46AgainstThePermittedMovement) {
+  Train t;
+  t.situation.against_permitted_movement = true;
+  t.situation.level_1_2_3 = true;
+  Balise b{5, 0, 1};
+  t.read_at(10, b);
+  b.M_VERSION = 0x30;  // tested before the version: no trip
+  t.read_at(8, b);
+  t.undecodable_at(6);
+  t.run_to(-100);
+  EXPECT_TRUE(t.groups.empty());
+  EXPECT_EQ(t.count(Happened::telegram_against_movement), 2);
+  EXPECT_FALSE(t.version_too_high);
+}
+
+TEST(Events, NamesAreGivenToAll) {
+  for (int i = 0; i <= static_cast<int>(Finding::not_repositioning); ++i)
+    EXPECT_STRNE(name_of(static_cast<Finding>(i)), "");
+  for (int i = 0; i <= static_cast<int>(Happened::capacity); ++i) EXPECT_STRNE(name_of(static_cast<Happened>(i)), "");
+  EXPECT_STREQ(name_of(static_cast<Finding>(200)), "");
+  EXPECT_STREQ(name_of(static_cast<Happened>(200)), "");
+}
+
+TEST(Events, AFullListKeepsTheReaction) {
+  Outcome outcome;
+  for (std::size_t i = 0; i < outcome.events.capacity(); ++i) note(outcome, {});
+  note(outcome, {Happened::linking_error_missed, {}, Finding::none, Reaction::trip, ErrorReport::linking, ""});
+  EXPECT_EQ(outcome.reaction, Reaction::trip);
+  EXPECT_EQ(outcome.events.back().what, Happened::capacity);
+}
+
+// Whatever the antenna brings: no crash, no group out of nothing, the state stays small and sane.
+TEST(Balise, NoiseIsAnswered) {
+  std::mt19937 random(11);
+  Train t;
+  std::vector<Balise> some;
+  for (int i = 0; i < 20; ++i) {
+    Balise b;
+    b.NID_BG = static_cast<std::uint16_t>(random() % 6);
+    b.N_PIG = random() % 8;
+    b.N_TOTAL = random() % 8;
+    b.Q_LINK = random() % 2;
+    b.M_DUP = random() % 4;
+    b.M_VERSION = random() % 0x40;
+    some.push_back(b);
+  }
+  double x = 0;
+  for (int i = 0; i < 20000; ++i) {
+    x += static_cast<double>(random() % 100) / 10.0 - 2.0;
+    t.situation.linking_checked = random() % 4 != 0;
+    switch (random() % 6) {
+      case 0:
+        t.undecodable_at(x);
+        break;
+      case 1: {
+        Bits noise;
+        for (int n = 0; n < 7; ++n) noise.put(random(), 30);
+        t.read_at(x, noise);
+        break;
+      }
+      case 2:
+        t.run_to(x);
+        break;
+      case 3:
+        t.at = x;
+        test::announce(t, {test::entry(x > 0 ? x + 20 : 20, static_cast<std::uint16_t>(random() % 6)),
+                           test::entry(50, random() % 3 ? std::uint16_t{3} : kIdentityUnknown)});
+        break;
+      default:
+        t.read_at(x, some[random() % some.size()]);
+    }
+    for (const Group& g : t.groups) {
+      ASSERT_LE(g.telegrams.size(), kBalises);
+      ASSERT_FALSE(g.accepted && g.finding != Finding::none);
+      ASSERT_FALSE(g.lrbg_compliant && !g.accepted);
+    }
+    t.groups.clear();
+    t.events.clear();
+  }
+}
+
+}  // namespace
+}  // namespace evc::balise
