@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""The generated pages are what the program's own tables print, and the comparisons of those tables with the
+reference data were really made in the last test run (build/ci/cases, where it is there).
+Usage: tools/check_tables.py [--write]   --write brings the pages up to date."""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Tests that lay a table beside the reference data: these may not be skipped where that material is at hand.
+COMPARISONS = ("modes_test", "lang_test")
+
+
+def mode_page():
+    with tempfile.TemporaryDirectory() as folder:
+        program = pathlib.Path(folder) / "mode_table_page"
+        subprocess.run(["c++", "-std=c++20", "-I", ROOT / "src", ROOT / "tools/mode_table_page.cpp", "-o", program],
+                       check=True)
+        return subprocess.run([program], check=True, capture_output=True, text=True).stdout
+
+
+def pages():
+    yield ROOT / "docs/modes.md", mode_page()
+
+
+def skipped_comparisons():
+    """Names of comparisons that were skipped although the reference material is at hand."""
+    shared = pathlib.Path(os.environ.get("OPENEVC_SHARED", ROOT / "../shared"))
+    cases = ROOT / "build/ci/cases"
+    if not shared.exists() or not cases.exists():
+        return []
+    faults = []
+    for name in COMPARISONS:
+        file = cases / f"{name}.xml"
+        if not file.exists():
+            faults.append(f"{name} did not run")
+            continue
+        for case in xml.etree.ElementTree.parse(file).getroot().iter("testcase"):
+            if case.get("result") == "skipped":
+                faults.append(f"{case.get('classname')}.{case.get('name')} was skipped")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--write", action="store_true")
+    write = parser.parse_args().write
+    faults = []
+    for path, text in pages():
+        if write:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        elif not path.exists() or path.read_text(encoding="utf-8") != text:
+            faults.append(f"{path.relative_to(ROOT)} is not what the tables print: tools/check_tables.py --write")
+    faults += skipped_comparisons()
+    for fault in faults:
+        print(fault)
+    print(f"tables: {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
