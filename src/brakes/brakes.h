@@ -93,9 +93,9 @@ inline constexpr auto srs_3_14_1 = [] {
     {Cause::overspeed_traction,                 tco, when_gone,                          false, "overspeed: warning",                 "3.13.10"},
     {Cause::overspeed_service,                  sb,  when_gone,                          false, "overspeed: SBI",                     "3.13.10.3"},
     {Cause::overspeed_emergency,                eb,  when_gone,                          false, "overspeed: EBI",                     "3.13.10.3"},
-    {Cause::roll_away,                          eb,  acknowledged_at_standstill,         false, "roll away",                          "3.14.1.5"},
-    {Cause::reverse_movement,                   eb,  acknowledged_at_standstill,         false, "reverse movement",                   "3.14.1.5"},
-    {Cause::standstill,                         eb,  acknowledged_at_standstill,         false, "standstill",                         "3.14.1.5"},
+    {Cause::roll_away,                          eb,  acknowledged_at_standstill,         true,  "roll away",                          "3.14.1.5"},
+    {Cause::reverse_movement,                   eb,  acknowledged_at_standstill,         true,  "reverse movement",                   "3.14.1.5"},
+    {Cause::standstill,                         eb,  acknowledged_at_standstill,         true,  "standstill",                         "3.14.1.5"},
     {Cause::linking,                            sb,  at_standstill,                      false, "linking",                            "3.14.1.6"},
     {Cause::balise_group_consistency,           sb,  at_standstill,                      false, "balise group consistency",           "3.14.1.6"},
     {Cause::two_groups_missed,                  sb,  at_standstill,                      false, "two balise groups missed",           "3.14.1.6"},
@@ -146,11 +146,14 @@ struct Command {
 /// emergency brake are joined over the causes each by itself.
 Command command(State& state, CauseSet asked, const Context& context);
 
-/// 4.12 of 4.0.0, used for 3.x too, which is silent: commands that a mode entry revokes. `column` is the mode's place
-/// in the column order of 4.6.2: NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV.
-void on_mode_entry(State& state, std::size_t column);
+/// The columns of 4.6.2, NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV, by their place (the number of the mode).
+inline constexpr std::size_t kModeColumns = 17;
 
-/// The fate of one cause's command: true when the entry revokes it.
-bool revoked_on_mode_entry(Cause cause, std::size_t column);
+/// 4.12 of 4.0.0, used for 3.x too, which is silent: a mode entry revokes commands. Those that last as long as they are
+/// asked for are not touched here: the rooms that ask for them stop asking.
+void on_mode_entry(State& state, std::size_t to, std::size_t from);
+
+/// Whether the entry of mode `to` from mode `from` revokes the command of a cause.
+bool revoked_on_mode_entry(Cause cause, std::size_t to, std::size_t from);
 
 }  // namespace evc::brakes

@@ -13,7 +13,8 @@ using modes::Inform;
 using modes::Offer;
 using modes::Set;
 
-/// Messages and session orders; each is sent once per cycle in which it stands in the effects.
+/// Messages and session orders; each is sent once in a cycle in which it stands in the effects. A position report for a
+/// new mode or level is one with those that the radio's own rules ask for in the same cycle (3.6.5.1.4 b, g).
 enum class Send : std::uint8_t {
   open_session,
   terminate_session,
@@ -26,7 +27,8 @@ enum class Send : std::uint8_t {
   count
 };
 
-/// Changes of the status of data (5.4.3.3, "status of data").
+/// Changes of the status of data (5.4.3.3, "status of data"). Of one kind of data "invalid" and "unknown" come before
+/// "valid" when both stand in one cycle.
 enum class Status : std::uint8_t {
   position_unknown,
   position_valid,

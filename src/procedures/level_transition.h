@@ -19,6 +19,7 @@ struct Order {
 
 struct State {
   std::optional<modes::PendingTransition> pending;
+  bool shown = false;           // the acknowledgement is asked for
   bool acknowledged = false;    // the pending transition is acknowledged already
   bool unacknowledged = false;  // a transition was executed and its acknowledgement is missing
   modes::Level unacknowledged_level = modes::Level::L0;
@@ -43,7 +44,8 @@ struct Result {
   Effects effects;                               // request Ack::level, service brake
   std::optional<modes::OrderedLevel> switch_to;  // execute a transition in this cycle
   bool by_driver = false;
-  bool announced = false;  // a transition that will change the level waits: buffer per 4.8.3 [1], [2], [6]
+  std::optional<modes::Level> overdue;  // transition to it not acknowledged for T_ACK: the cause of the service brake
+  bool announced = false;               // a transition that will change the level waits: buffer per 4.8.3 [1], [2], [6]
   bool cancelled = false;  // a pending transition was dropped or replaced: the transition buffer is deleted (4.8.5)
 };
 

@@ -36,6 +36,7 @@ const char* name(Step step);
 struct State {
   Step step = Step::S0;
   modes::Mode profile = modes::Mode::OS;  // S25: the mode to acknowledge
+  bool without_session = false;           // S24: Start was chosen in level 2/3 without a session
   Duration next_request{};                // S21: when the MA request is repeated
 };
 

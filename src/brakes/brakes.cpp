@@ -1,0 +1,113 @@
+#include "brakes/brakes.h"
+
+namespace evc::brakes {
+namespace {
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kCauses; ++i)
+        if (static_cast<std::size_t>(srs_3_14_1[i].cause) != i) return false;
+      return true;
+    }(),
+    "one row for each cause, in order");
+
+/// A mark of 4.12: R revoked, M maintained, P maintained unless the train comes from PT.
+struct EntryRow {
+  Cause cause;
+  std::array<char, kModeColumns> marks{};
+  constexpr EntryRow(Cause c, std::string_view row) : cause(c) {
+    std::size_t n = 0;
+    for (const char mark : row)
+      if (mark != ' ') marks[n++] = mark;
+    if (n != kModeColumns) __builtin_trap();  // not constexpr: the row does not compile
+  }
+};
+
+// clang-format off
+constexpr auto kOnEntry = std::to_array<EntryRow>({
+    //                                          NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV
+    {Cause::roll_away,                          "R R R M M M M M R R M R M M R R M"},
+    {Cause::reverse_movement,                   "R R R R P P P P R R R R R M R R R"},
+    {Cause::standstill,                         "R R R R R R R R R R R R R M R R R"},
+    {Cause::linking,                            "R R R M M M M M R M M M M M R M M"},
+    {Cause::balise_group_consistency,           "R R R M M M M M R M M M M M R M M"},
+    {Cause::two_groups_missed,                  "R R R M M M M M R M M M M M R M M"},
+    {Cause::T_NVCONTACT,                        "R R R R M M R M R R R R R M R R R"},
+    {Cause::reversing_distance,                 "R R R R R R R R R R R R R M R R M"},
+    {Cause::train_data_changed,                 "R R R R M M M M R R M M M M R M M"},
+    {Cause::movement_while_entering_train_data, "R R R R M M M M R R M M M M R M M"},
+    {Cause::movement_while_entering_SR_data,    "R R R R R R M R R R R R R M R R R"},
+    {Cause::post_trip_distance,                 "R R R R R R R R R R R R M M R R R"},
+});
+// clang-format on
+
+constexpr std::size_t kPT = 12;
+
+bool acknowledged(const Context& c) { return c.standstill && c.driver_acknowledges; }
+
+/// Whether the release rule of a command that was given is fulfilled.
+bool released(Release rule, bool asked, const Context& c) {
+  switch (rule) {
+    case Release::at_standstill:
+      return c.standstill;
+    case Release::at_standstill_or_message:
+      return c.standstill || c.new_consistent_message;
+    case Release::acknowledged_at_standstill:
+      return acknowledged(c);
+    case Release::gone_or_acknowledged_at_standstill:
+      return !asked || acknowledged(c);
+    default:  // when_gone
+      return !asked;
+  }
+}
+
+bool wants_acknowledgement(Release rule) {
+  return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
+}
+
+/// Whether the cause gives a new command: when it appears, and with movement where the rule says so.
+bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
+  if (!asked) return false;
+  if (r.release == Release::when_gone) return true;
+  return !asked_before || (r.again_on_movement && !c.standstill);
+}
+
+}  // namespace
+
+Command command(State& state, CauseSet asked, const Context& c) {
+  Command out;
+  for (const CauseRow& r : srs_3_14_1) {
+    const bool asks = asked.has(r.cause);
+    bool active = state.active.has(r.cause);
+    if (active && released(r.release, asks, c)) active = false;
+    if (gives(r, asks, state.asked_before.has(r.cause), c)) active = true;
+    if (!active) {
+      state.active.remove(r.cause);
+      continue;
+    }
+    state.active.add(r.cause);
+    out.reasons.add(r.cause);
+    out.tco = out.tco || (r.kind == Kind::traction_cut_off && c.traction_cut_off_fitted);
+    out.sb = out.sb || r.kind == Kind::service_brake;
+    out.eb = out.eb || r.kind == Kind::emergency_brake;
+    out.acknowledgement_wanted = out.acknowledgement_wanted || (wants_acknowledgement(r.release) && c.standstill);
+  }
+  state.asked_before = asked;
+  // 3.14.1.2: the emergency brake when the service brake does not come, or is not there; it goes with its causes.
+  if (out.sb && (c.service_brake_failed || !c.service_brake_fitted)) out.eb = true;
+  if (!c.service_brake_fitted) out.sb = false;
+  return out;
+}
+
+bool revoked_on_mode_entry(Cause cause, std::size_t to, std::size_t from) {
+  for (const EntryRow& r : kOnEntry)
+    if (r.cause == cause) return r.marks[to] == 'R' || (r.marks[to] == 'P' && from == kPT);
+  return false;
+}
+
+void on_mode_entry(State& state, std::size_t to, std::size_t from) {
+  for (const CauseRow& r : srs_3_14_1)
+    if (revoked_on_mode_entry(r.cause, to, from)) state.active.remove(r.cause);
+}
+
+}  // namespace evc::brakes

@@ -1,0 +1,121 @@
+#include "procedures/level_transition.h"
+
+#include "modes/stored_information.h"
+
+namespace evc::procedures::level_transition {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+using modes::OrderedLevel;
+using modes::OrderEffect;
+
+bool waits_for_other_mode(Mode mode) { return mode == Mode::SH || mode == Mode::PS; }
+
+/// The transition is executed in this cycle.
+void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
+  out.switch_to = to;
+  const bool needed = modes::acknowledgement_needed(in.current, to, in.mode, in.edition);
+  // 5.10.4.3: within T_ACK after the transition, unless it was given ahead.
+  state.unacknowledged = needed && !state.acknowledged;
+  state.unacknowledged_level = to.level;
+  state.deadline = in.now + T_ACK;
+  state.pending.reset();
+  state.acknowledged = false;
+}
+
+void take(State& state, const Inputs& in, const Order& order, Result& out) {
+  const modes::OrderDecision decision = modes::judge(order.kind, order.table, in.current, in.mode, in.available);
+  if (decision.effect == OrderEffect::keep_until_mode_left) {
+    state.kept = true;  // one only, the newest (4.4.8.1.5)
+    state.kept_order = order;
+    return;
+  }
+  // An acknowledgement given for the same level stays good when the order is repeated, for the driver knows already.
+  const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
+  if (decision.cancels_pending && state.pending.has_value()) {
+    state.pending.reset();
+    out.cancelled = !same;
+    if (!same) state.acknowledged = false;
+  }
+  if (decision.effect == OrderEffect::announce)
+    state.pending = modes::PendingTransition{decision.to, order.border};
+  else if (decision.effect == OrderEffect::execute)
+    execute(state, in, decision.to, out);
+}
+
+/// 5.10.4: ask for the acknowledgement, ahead of the transition or after it.
+void ask(State& state, const Inputs& in, Result& out) {
+  // An acknowledgement counts when it was asked for in the cycle before, or is asked for now.
+  const bool ahead = state.pending.has_value() && !state.acknowledged &&
+                     modes::acknowledgement_needed(in.current, state.pending->to, in.mode, in.edition) &&
+                     modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
+  if (in.acknowledged && state.shown) {
+    if (state.unacknowledged)
+      state.unacknowledged = false;
+    else if (ahead)
+      state.acknowledged = true;
+  }
+  state.shown = state.unacknowledged || (ahead && !state.acknowledged);
+  out.effects.requests.add(Ack::level, state.shown);
+  if (state.unacknowledged && in.now >= state.deadline) {
+    out.overdue = state.unacknowledged_level;
+    out.effects.service_brake = true;
+  }
+}
+
+}  // namespace
+
+Result step(State& state, const Inputs& in) {
+  Result out;
+  if (in.order != nullptr) {
+    take(state, in, *in.order, out);
+  } else if (state.kept && !waits_for_other_mode(in.mode)) {
+    state.kept = false;
+    take(state, in, state.kept_order, out);
+  }
+  if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front)) {
+    const OrderedLevel to = state.pending->to;
+    if (to.same_level(in.current))
+      state.pending.reset();
+    else
+      execute(state, in, to, out);
+  }
+  if (!out.switch_to.has_value() && in.driver_level.has_value() && !in.driver_level->same_level(in.current)) {
+    out.switch_to = in.driver_level;
+    out.by_driver = true;
+    state.unacknowledged = false;  // the level in question is left
+    if (in.edition == modes::Edition::v4_0_0) {
+      out.cancelled = state.pending.has_value();
+      state.pending.reset();
+    }
+  }
+  ask(state, in, out);
+  out.announced = state.pending.has_value() && modes::announced_to_driver(*state.pending, in.current);
+  return out;
+}
+
+void on_mode_change(State& state, Mode from, Mode to) {
+  if (modes::on_entry(to, from, modes::Stored::level_transition_order) == modes::Fate::deleted) {
+    state.pending.reset();
+    state.acknowledged = false;
+    state.kept = false;
+  }
+  switch (to) {  // 4.12 of 4.0.0: the command that waits for the acknowledgement is revoked
+    case Mode::NP:
+    case Mode::SB:
+    case Mode::PS:
+    case Mode::SH:
+    case Mode::SL:
+    case Mode::NL:
+    case Mode::TR:
+    case Mode::SF:
+    case Mode::IS:
+      state.unacknowledged = false;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace evc::procedures::level_transition

@@ -1,0 +1,100 @@
+#include "procedures/mode_profile.h"
+
+namespace evc::procedures::mode_profile {
+namespace {
+
+using modes::Mode;
+
+Ack acknowledgement(Mode mode) { return mode == Mode::OS ? Ack::OS : mode == Mode::LS ? Ack::LS : Ack::SH; }
+
+/// A shunting area has an entry and no end (3.12.4.2).
+bool ends_before(const Area& area, Place p) { return area.mode != Mode::SH && area.end.has_value() && p >= *area.end; }
+
+bool holds(const Area& area, Place max_safe_front) {
+  return max_safe_front >= area.start && !ends_before(area, max_safe_front);
+}
+
+bool overlaps(const Area& area, Place min_safe_front, Place max_safe_front) {
+  return max_safe_front >= area.start && !ends_before(area, min_safe_front);
+}
+
+bool in_ack_length(const Area& area, Place est_front) {
+  return est_front >= area.start - area.L_ack && est_front < area.start;
+}
+
+/// From these modes the driver may acknowledge ahead of the area (4.6.2: [15], [50], [70]); from SR, UN, SN the train
+/// gets there by way of FS or LS.
+bool may_acknowledge_ahead(Mode mode, Mode area) {
+  return mode != area && (mode == Mode::FS || mode == Mode::LS || mode == Mode::OS);
+}
+
+/// The nearest area ahead that asks for another mode.
+const Area* next_area(const Inputs& in) {
+  const Area* nearest = nullptr;
+  for (const Area& area : in.areas) {
+    if (in.max_safe_front >= area.start || !may_acknowledge_ahead(in.mode, area.mode)) continue;
+    if (nearest == nullptr || area.start < nearest->start) nearest = &area;
+  }
+  return nearest;
+}
+
+/// 5.7.3, 5.9.3, 5.19.3: the request ahead of the area. Once shown it stays, also when the window is left again; it
+/// goes when the area does.
+void ask_ahead(State& state, const Inputs& in) {
+  const Area* area = next_area(in);
+  if (area == nullptr || (state.shown && state.asked != area->mode)) state.shown = false;
+  if (area == nullptr || state.shown || !in_ack_length(*area, in.est_front)) return;
+  const bool slow = in.edition == modes::Edition::v4_0_0 ? in.V_est <= area->V : in.V_est < area->V;
+  if (!slow) return;
+  state.shown = true;
+  state.asked = area->mode;
+}
+
+}  // namespace
+
+Result step(State& state, const Inputs& in) {
+  Result out;
+  for (const Area& area : in.areas) {
+    const bool inside = holds(area, in.max_safe_front);
+    out.demands_OS = out.demands_OS || (inside && area.mode == Mode::OS);
+    out.demands_LS = out.demands_LS || (inside && area.mode == Mode::LS);
+    out.demands_SH = out.demands_SH || (inside && area.mode == Mode::SH);
+    out.in_force = out.in_force || overlaps(area, in.min_safe_front, in.max_safe_front);
+    out.front_in_OS_ack_area = out.front_in_OS_ack_area || (area.mode == Mode::OS && in_ack_length(area, in.est_front));
+    out.front_in_LS_ack_area = out.front_in_LS_ack_area || (area.mode == Mode::LS && in_ack_length(area, in.est_front));
+    if (inside && !out.at_front.has_value()) out.at_front = area.mode;
+  }
+  if (state.unacknowledged) {
+    if (in.acknowledged.has(acknowledgement(state.asked))) state.unacknowledged = false;
+  } else {
+    ask_ahead(state, in);
+  }
+  if (state.unacknowledged || state.shown) out.effects.requests.add(acknowledgement(state.asked));
+  if (state.unacknowledged && in.now >= state.deadline) {
+    out.overdue = state.asked;
+    out.effects.service_brake = true;
+  }
+  return out;
+}
+
+void on_mode_change(State& state, Mode to, int condition, Duration now) {
+  state = State{};
+  switch (condition) {
+    case 34:
+    case 40:
+    case 73:
+    case 71:
+    case 72:
+    case 74:
+    case 51:
+    case 61:
+      state.unacknowledged = true;
+      state.asked = to;
+      state.deadline = now + T_ACK;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace evc::procedures::mode_profile

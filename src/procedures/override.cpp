@@ -1,0 +1,100 @@
+#include "procedures/override.h"
+
+namespace evc::procedures::override_ {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+/// Starts or restarts the supervision of override (5.8.3.1).
+void start(State& state, const Inputs& in) {
+  state.active = true;
+  state.until = in.now + in.T_NVOVTRP;
+  state.start = in.odometer;
+  state.sr_distance_end = in.mode == Mode::SR ? in.sr_distance_end : std::nullopt;
+  switch (in.mode) {
+    case Mode::FS:
+    case Mode::LS:
+    case Mode::OS:
+      state.former_eoa = in.eoa_or_loa;
+      state.former_eoa_passed = false;
+      break;
+    case Mode::SB:
+    case Mode::PT:
+      state.former_eoa = in.est_front;
+      state.former_eoa_passed = false;
+      break;
+    default:  // in SR the former EOA stays what it is; SH, UN and SN make none
+      break;
+  }
+}
+
+/// 5.8.4.1: the end condition that is met, null for none. In UN and SN only a and b are looked at; in SH there is no
+/// SR distance and no former EOA.
+const char* end_condition(const State& state, const Inputs& in, bool eoa_passes) {
+  if (in.now >= state.until) return "5.8.4.1 a";
+  if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b";
+  if (in.D_NVOVTRP.has_value() && state.start - in.odometer > *in.D_NVOVTRP) return "5.8.4.1 b";
+  if (in.mode == Mode::UN || in.mode == Mode::SN) return nullptr;
+  if (eoa_passes) return "5.8.4.1 c";
+  if (in.stop_if_in_SR || in.stop_if_in_SH) return "5.8.4.1 d";
+  if (in.balise_proceed) return "5.8.4.1 e";
+  if (in.ma_from_rbc && (in.level == Level::L2 || in.level == Level::L3)) return "5.8.4.1 f";
+  if (in.group_not_in_list) return "5.8.4.1 g";
+  if (state.sr_distance_end.has_value() && in.est_front > *state.sr_distance_end) return "5.8.4.1 h";
+  return nullptr;
+}
+
+}  // namespace
+
+bool selectable(const Inputs& in) {
+  if (in.V_est > in.V_NVALLOWOVTRP) return false;
+  switch (in.mode) {
+    case Mode::SH:
+      return true;
+    case Mode::FS:
+    case Mode::LS:
+    case Mode::OS:
+    case Mode::SR:
+    case Mode::UN:
+    case Mode::PT:
+    case Mode::SN:
+      return in.train_data_valid;
+    case Mode::SB:
+      return in.train_data_valid && (in.level == Level::L2 || in.level == Level::L3);
+    default:
+      return false;
+  }
+}
+
+Result step(State& state, const Inputs& in) {
+  Result out;
+  if (in.selected && selectable(in)) {
+    start(state, in);
+    out.started = true;
+    // [37] leads from SB, FS, LS, OS and PT to SR; the mode table has no such cell elsewhere.
+    out.selected = true;
+  }
+  out.active = state.active;
+  const bool eoa_passes =
+      state.former_eoa.has_value() && !state.former_eoa_passed && in.min_safe_antenna > *state.former_eoa;
+  if (eoa_passes) state.former_eoa_passed = true;
+  // 4.6.3 [43] asks for the passage itself, with the override status that held when it happened.
+  out.former_eoa_passed = eoa_passes;
+  if (state.active && !out.started) {
+    out.ended_by = end_condition(state, in, eoa_passes);
+    if (out.ended_by != nullptr) state.active = false;
+  }
+  // 5.8.3.1.3: the former EOA is deleted by a stop if in SR.
+  if (in.stop_if_in_SR) state.former_eoa.reset();
+  return out;
+}
+
+void on_mode_change(State& state, Mode from, Mode to) {
+  if (to == Mode::TR || to == Mode::LS || to == Mode::OS || to == Mode::SH) state.active = false;  // 5.8.4.1 i
+  // Other modes have no override (4.5.2): SB, FS, NL, ... end it with the mission or authority.
+  if (to != Mode::SR && to != Mode::UN && to != Mode::SN) state.active = false;
+  if (from == Mode::SR) state.former_eoa.reset();
+}
+
+}  // namespace evc::procedures::override_

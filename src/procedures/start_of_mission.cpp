@@ -1,0 +1,252 @@
+#include "procedures/start_of_mission.h"
+
+namespace evc::procedures::start_of_mission {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+bool is_2_3(Level level) { return level == Level::L2 || level == Level::L3; }
+bool valid(DataStatus status) { return status == DataStatus::valid; }
+
+bool session_lost(const Inputs& in) { return is_2_3(in.level) && in.session != Session::open; }
+
+/// S10, S20: Start leads to the acknowledgement of the level's mode, or to the RBC. In level 2/3 without a session the
+/// mission starts in SR (5.4.5.3 h).
+Step after_start(State& state, const Inputs& in) {
+  switch (in.level) {
+    case Level::NTC:
+      return Step::S22;
+    case Level::L0:
+      return Step::S23;
+    case Level::L1:
+      return Step::S24;
+    default:
+      state.without_session = in.session != Session::open;
+      return state.without_session ? Step::S24 : Step::S21;
+  }
+}
+
+/// D2, D3, D7: where the identity of the driver is known.
+Step after_driver_id(const Inputs& in, Effects& out) {
+  if (!valid(in.position) || !valid(in.level_status)) {
+    // The level chosen in this very cycle is the driver's answer already.
+    if (!in.enters_level) out.status.add(Status::level_invalid, valid(in.level_status));
+    out.status.add(Status::rbc_contact_invalid);
+    return Step::S2;
+  }
+  if (!is_2_3(in.level)) return Step::S10;
+  if (in.mobile_terminal_registered) {
+    out.send.add(Send::open_session);  // A31
+    return Step::D31;
+  }
+  out.inform.add(Inform::network_registration_failed);  // A29
+  return Step::S10;
+}
+
+/// S3: contact to the RBC.
+Step after_level(const Inputs& in, Effects& out) {
+  if (!in.mobile_terminal_registered) {
+    out.inform.add(Inform::network_registration_failed);
+    return Step::S10;
+  }
+  if (!in.enters_rbc_contact) return Step::S3;
+  out.status.add(Status::rbc_contact_valid);
+  out.send.add(Send::open_session);
+  return Step::D31;
+}
+
+/// D31, D32, A32 to A34: the attempt to open the session has ended.
+Step after_session(const Inputs& in, Effects& out) {
+  if (in.session != Session::open) {
+    out.inform.add(Inform::session_failed);
+    return Step::S10;
+  }
+  out.status.add(Status::rbc_contact_valid);
+  out.send.add(Send::start_of_mission_report);
+  return valid(in.position) ? Step::S10 : Step::D33;
+}
+
+/// D33, D22: the RBC has confirmed the position, or taken or refused the train.
+Step after_validation(const Inputs& in, Effects& out) {
+  if (in.position_confirmed && in.position == DataStatus::invalid) {
+    out.status.add(Status::position_valid);  // A35
+    return Step::S10;
+  }
+  if (in.train_accepted) {
+    out.status.add(Status::position_unknown);  // A24
+    return Step::S10;
+  }
+  if (in.train_rejected) {
+    out.status.add(Status::position_unknown);  // A39, A40
+    out.send.add(Send::terminate_session);
+    out.inform.add(Inform::train_rejected);
+    return Step::S10;
+  }
+  return in.session == Session::open ? Step::D33 : Step::S10;
+}
+
+/// D10, D11: train data and running number are there.
+Step after_running_number(const Inputs& in, Effects& out) {
+  if (!is_2_3(in.level)) return Step::S20;
+  if (in.session != Session::open) return Step::S10;
+  out.send.add(Send::train_data);
+  return Step::S11;
+}
+
+/// S21: the RBC answers, or the session is lost (5.4.5.1).
+Step after_ma_request(State& state, const Inputs& in) {
+  if (in.session != Session::open) return Step::S10;
+  if (in.SR_authorised) return Step::S24;
+  if (in.profile_at_front.has_value()) {
+    state.profile = *in.profile_at_front;
+    return Step::S25;
+  }
+  return Step::S21;
+}
+
+/// S10 and S20 offer nearly the same.
+Step choose(State& state, const Inputs& in, Effects& out) {
+  if (in.enters_level) {  // re-entry: level and RBC data are asked for again
+    out.status |= {Status::rbc_contact_invalid, Status::level_valid};
+    return is_2_3(in.level) ? Step::S3 : Step::S10;
+  }
+  if (in.enters_train_data) return Step::S12;
+  if (state.step == Step::S20 && session_lost(in)) return Step::S10;
+  if (in.selects_start && valid(in.train_data) && valid(in.train_running_number)) return after_start(state, in);
+  return state.step;
+}
+
+/// S22 to S24: the acknowledgement stands as long as the level does; a session lost meanwhile leads back (5.4.5.1),
+/// but for a start without one.
+Step while_acknowledging(const State& state, const Inputs& in) {
+  switch (state.step) {
+    case Step::S22:
+      return in.level == Level::NTC ? Step::S22 : Step::S20;
+    case Step::S23:
+      return in.level == Level::L0 ? Step::S23 : Step::S20;
+    default:
+      if (!is_2_3(in.level)) return in.level == Level::L1 ? Step::S24 : Step::S20;
+      return session_lost(in) && !state.without_session ? Step::S10 : Step::S24;
+  }
+}
+
+Step next(State& state, const Inputs& in, Effects& out) {
+  switch (state.step) {
+    case Step::S0:
+      return in.session == Session::none ? Step::S1 : Step::S0;
+    case Step::S1:
+      return valid(in.driver_id) ? after_driver_id(in, out) : Step::S1;
+    case Step::S2:
+      if (!in.enters_level) return Step::S2;
+      out.status.add(Status::level_valid);
+      return is_2_3(in.level) ? Step::S3 : Step::S10;
+    case Step::S3:
+      return after_level(in, out);
+    case Step::D31:
+      return in.session == Session::establishing ? Step::D31 : after_session(in, out);
+    case Step::D33:
+      return after_validation(in, out);
+    case Step::S10:
+    case Step::S20:
+      return choose(state, in, out);
+    case Step::S12:
+      if (!valid(in.train_data)) return Step::S12;
+      return valid(in.train_running_number) ? after_running_number(in, out) : Step::S13;
+    case Step::S13:
+      return valid(in.train_running_number) ? after_running_number(in, out) : Step::S13;
+    case Step::S11:
+      if (in.session != Session::open) return Step::S10;
+      return in.train_data_acknowledged ? Step::S20 : Step::S11;
+    case Step::S21:
+      return after_ma_request(state, in);
+    case Step::S25:
+      return session_lost(in) ? Step::S10 : Step::S25;
+    default:
+      return while_acknowledging(state, in);
+  }
+}
+
+/// What a waiting step asks for and offers.
+void ask(const State& state, const Inputs& in, Effects& out) {
+  switch (state.step) {
+    case Step::S1:
+      out.entries.add(Entry::driver_id);
+      out.offers.add(Offer::train_running_number);
+      break;
+    case Step::S2:
+      out.entries.add(Entry::level);
+      break;
+    case Step::S3:
+      out.entries.add(Entry::rbc_contact);
+      break;
+    case Step::S10:
+    case Step::S20:
+      out.offers |= {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
+                     Offer::driver_id, Offer::train_running_number, Offer::level};
+      out.offers.add(Offer::start, valid(in.train_data) && valid(in.train_running_number));
+      // Not asked for by the standard, but without train data only shunting and non leading are left.
+      out.entries.add(Entry::train_data, !valid(in.train_data));
+      break;
+    case Step::S12:
+      out.entries.add(Entry::train_data);
+      break;
+    case Step::S13:
+      out.entries.add(Entry::train_running_number);
+      break;
+    case Step::S22:
+      out.requests.add(Ack::SN);
+      break;
+    case Step::S23:
+      out.requests.add(Ack::UN);
+      break;
+    case Step::S24:
+      out.requests.add(Ack::SR);
+      break;
+    case Step::S25:
+      out.requests.add(state.profile == Mode::OS ? Ack::OS : state.profile == Mode::LS ? Ack::LS : Ack::SH);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+const char* name(Step step) {
+  constexpr const char* names[] = {"S0",  "S1",  "S2",  "S3",  "D31", "D33", "S10", "S12",
+                                   "S13", "S11", "S20", "S21", "S22", "S23", "S24", "S25"};
+  return names[static_cast<std::size_t>(step)];
+}
+
+Effects step(State& state, const Inputs& in) {
+  Effects out;
+  if (in.mode != Mode::SB || !in.desk_open) {
+    // E10, E12, E30 to E32: with the mission an invalid position becomes unknown (5.4.3.3).
+    if (in.mode != Mode::SB && state.step != Step::S0 && in.position == DataStatus::invalid)
+      out.status.add(Status::position_unknown);
+    state = State{};
+    return out;
+  }
+  // Decisions take no time: go on until a step waits. Every step is passed at most once in a cycle.
+  Inputs now = in;
+  for (int k = 0; k < 16; ++k) {
+    const Step before = state.step;
+    state.step = next(state, now, out);
+    if (before == Step::S10 || before == Step::S20 || before == Step::S2) now.enters_level = false;
+    if (before == Step::S10 || before == Step::S20) now.enters_train_data = now.selects_start = false;
+    if (before == Step::S3 && state.step != Step::S3) now.enters_rbc_contact = false;
+    if (state.step == before) break;
+    // What begins with this cycle's outputs cannot be answered before the next one.
+    if (state.step == Step::D31 || state.step == Step::S11 || state.step == Step::S21) break;
+  }
+  if (state.step == Step::S21 && in.now >= state.next_request) {
+    out.send.add(Send::ma_request);
+    state.next_request = in.now + in.T_CYCRQST;
+  }
+  if (state.step != Step::S21) state.next_request = Duration{};
+  ask(state, in, out);
+  return out;
+}
+
+}  // namespace evc::procedures::start_of_mission

@@ -1,0 +1,134 @@
+#include "procedures/train_trip.h"
+
+namespace evc::procedures::train_trip {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+bool is_2_3(Level level) { return level == Level::L2 || level == Level::L3; }
+
+/// S120: the report of PT is repeated until the RBC recognises it, as long as there is a session.
+Step wait_for_recognition(State& state, const Inputs& in, Effects& out) {
+  if (!is_2_3(in.level)) return in.level == Level::L1 ? Step::S140 : Step::S120;
+  if (in.exit_recognised && in.session_open) {
+    state.repetition.stop();
+    return Step::S130;
+  }
+  if (!in.session_open) {
+    state.repetition.stop();
+    return Step::S120;
+  }
+  if (!state.repetition.waiting) {  // A115
+    state.repetition.start(in.now);
+    out.send.add(Send::position_report);
+    return Step::S120;
+  }
+  switch (state.repetition.due(in.now)) {
+    case Repetition::Due::send_again:
+      out.send.add(Send::position_report);
+      return Step::S120;
+    case Repetition::Due::give_up:
+      out.send.add(Send::terminate_session);
+      return Step::S121;
+    default:
+      return Step::S120;
+  }
+}
+
+/// S150: the RBC answers the request.
+Step after_ma_request(State& state, const Inputs& in) {
+  if (!in.session_open) return Step::S140;
+  if (in.SR_authorised) return Step::S160;
+  if (in.profile_at_front.has_value()) {
+    state.profile = *in.profile_at_front;
+    return Step::S170;
+  }
+  return Step::S150;
+}
+
+Step next(State& state, const Inputs& in, Effects& out) {
+  switch (state.step) {
+    case Step::S120:
+      return wait_for_recognition(state, in, out);
+    case Step::S121:
+      return in.session_open && is_2_3(in.level) ? Step::S121 : Step::S120;
+    case Step::S130:
+      return in.emergency_stop_pending ? Step::S130 : Step::S140;
+    case Step::S140:
+      if (!in.selects_start || !in.train_data_valid) return Step::S140;
+      if (in.level == Level::L1) return Step::S160;
+      return is_2_3(in.level) && in.session_open ? Step::S150 : Step::S140;
+    case Step::S150:
+      return after_ma_request(state, in);
+    default:  // S160, S170: an answer of the RBC holds as long as its session
+      return is_2_3(in.level) && !in.session_open ? Step::S140 : state.step;
+  }
+}
+
+Effects in_trip(State& state, const Inputs& in) {
+  Effects out;
+  if (state.step != Step::S050 && state.step != Step::S060) {
+    out.send.add(Send::position_report, is_2_3(in.level));  // A030
+  }
+  state.step = in.standstill ? Step::S060 : Step::S050;
+  out.requests.add(Ack::trip, state.step == Step::S060 && in.desk_open);
+  return out;
+}
+
+void ask(const State& state, const Inputs& in, Effects& out) {
+  switch (state.step) {
+    case Step::S140:
+      out.offers.add(Offer::shunting);
+      out.offers.add(Offer::start, in.train_data_valid && (!is_2_3(in.level) || in.session_open));
+      out.offers.add(Offer::override_);
+      break;
+    case Step::S120:
+    case Step::S121:
+      out.offers.add(Offer::override_, !in.session_open);  // 5.11.4.2
+      break;
+    case Step::S160:
+      out.requests.add(Ack::SR);
+      break;
+    case Step::S170:
+      out.requests.add(state.profile == Mode::OS ? Ack::OS : state.profile == Mode::LS ? Ack::LS : Ack::SH);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+const char* name(Step step) {
+  constexpr const char* names[] = {"S010", "S050", "S060", "S120", "S121", "S130", "S140", "S150", "S160", "S170"};
+  return names[static_cast<std::size_t>(step)];
+}
+
+Effects step(State& state, const Inputs& in) {
+  if (in.mode == Mode::TR) return in_trip(state, in);
+  if (in.mode != Mode::PT) {
+    state = State{};
+    return {};
+  }
+  Effects out;
+  if (state.step == Step::S010 || state.step == Step::S050 || state.step == Step::S060) {  // A105, D110
+    state = State{};
+    state.step = Step::S120;
+  }
+  for (int k = 0; k < 8; ++k) {
+    const Step before = state.step;
+    state.step = next(state, in, out);
+    if (state.step == before || state.step == Step::S121 || state.step == Step::S150) break;
+    if (before == Step::S140) break;  // one selection of Start, one step
+  }
+  if (state.step == Step::S150 && in.now >= state.next_request) {
+    out.send.add(Send::ma_request);
+    state.next_request = in.now + in.T_CYCRQST;
+  }
+  if (state.step != Step::S150) state.next_request = Duration{};
+  ask(state, in, out);
+  return out;
+}
+
+}  // namespace evc::procedures::train_trip
