@@ -110,7 +110,9 @@ TEST(Vectors, EncodeGivesTheFirstTelegram) {
 }
 
 TEST(Vectors, DecodeGivesTheUserBits) {
-  for (const auto& vector : bit_by_bit::reference("eurobalise_vectors.json").at("vectors")) {
+  const auto reference = bit_by_bit::reference("eurobalise_vectors.json");
+  ASSERT_EQ(reference.at("vectors").size(), 12u);
+  for (const auto& vector : reference.at("vectors")) {
     SCOPED_TRACE(vector.at("name").get<std::string>());
     const Bytes coded = bytes_of(vector.at("telegram_hex").get<std::string>());
     const auto found = read(coded, format_of(vector));

@@ -21,7 +21,7 @@ Fault examine(std::span<const std::uint8_t> coded, Format format) {
 std::string_view name(Fault fault) {
   switch (fault) {
     case Fault::none:
-      return "none";
+      break;
     case Fault::size:
       return "size";
     case Fault::too_few_bits:
