@@ -68,7 +68,7 @@ struct ShowContext {
 
 struct Show {
   InplaceVector<const char*, 32> symbols;   // in the order of the areas of the screen
-  InplaceVector<const char*, 16> requests;  // "OS", "level", "brake", ..., then entries "driver_id", ...
+  InplaceVector<const char*, 16> requests;  // "OS", "level", "brake", ..., then entries "enter driver_id", ...
 };
 
 /// What is shown now. All texts are literals. With no desk open nothing is (4.7.2 marks it A in SB and TR), but for the
@@ -85,11 +85,12 @@ const char* symbol(Level level);
 /// up to 3.6.0 and then from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are taken.
 const char* announcement_symbol(Level level, bool acknowledgement);
 
-/// The name of a request or entry as in the outputs ("OS", "trip", "driver_id").
+/// The name of a request as in the inputs of the driver ("OS", "trip"), and of an entry ("enter driver_id").
 const char* name(Ack ack);
 const char* name(Entry entry);
 
-/// The text of the DMI for what a procedure tells (015560 15).
+/// The text of the DMI for what a procedure tells (015560 15); null for what a symbol tells (a session that could not
+/// be opened: RadioStatus::lost).
 const char* text(modes::Inform inform);
 /// The trip reason for the condition of 4.6.3 that led to TR, null for one that has none.
 const char* trip_reason(int condition);

@@ -5,7 +5,7 @@
 
 namespace evc::modes {
 
-/// A set of enumerators (at most 32).
+/// A set of enumerators (at most 64; bits() and of_bits() are those of the first 32).
 template <class E>
 class Set {
  public:

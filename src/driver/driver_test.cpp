@@ -1,0 +1,255 @@
+#include "driver/driver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+namespace evc::driver {
+namespace {
+
+using nlohmann::json;
+
+json reference() {
+  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/dmi_io_by_mode.json");
+  return json::parse(in);
+}
+
+std::string text(Mark mark) {
+  const char* texts[] = {"-", "X", "A", "NA", "NS"};
+  return texts[static_cast<int>(mark)];
+}
+
+/// The rows of 3.6.0 made from those of 3.4.0 and the listed differences.
+std::map<std::string, std::map<std::string, std::string>> rows(const std::string& kind) {
+  const json file = reference();
+  std::map<std::string, std::map<std::string, std::string>> out;
+  for (const json& r : file[kind]) out[r["id"]] = r["marks"].get<std::map<std::string, std::string>>();
+  const json& newer = file["differences_3_6_0"];
+  for (const auto& [id, change] : newer[kind + "_changed"].items()) {
+    const json& marks = change.contains("marks") ? change["marks"] : change;
+    for (const auto& [mode, mark] : marks.items())
+      if (mode != "note") out[id][mode] = mark;
+  }
+  for (const auto& [id, marks] : newer[kind + "_new"].items())
+    out[id] = marks.get<std::map<std::string, std::string>>();
+  if (kind == "outputs")
+    for (const json& id : newer["outputs_removed"]) out.erase(id.get<std::string>());
+  return out;
+}
+
+template <class What, class Rows>
+void expect_rows(const Rows& table, const std::string& kind) {
+  const auto expected = rows(kind);
+  EXPECT_EQ(table.size(), expected.size());
+  for (const auto& row : table) {
+    ASSERT_EQ(expected.count(name(row.what)), 1u) << name(row.what);
+    for (std::size_t m = 0; m < kModes; ++m) {
+      const Mode mode = static_cast<Mode>(m);
+      EXPECT_EQ(text(mark(row.what, mode)), expected.at(name(row.what)).at(modes::name(mode)))
+          << name(row.what) << modes::name(mode);
+    }
+  }
+}
+
+TEST(Driver, Inputs_are_4_7_2) { expect_rows<Input>(srs_4_7_2_inputs, "inputs"); }
+TEST(Driver, Outputs_are_4_7_2) { expect_rows<Output>(srs_4_7_2_outputs, "outputs"); }
+
+/// Everything that can be true is true.
+ActionContext everything(Mode mode, Level level) {
+  ActionContext c;
+  c.mode = mode;
+  c.level = level;
+  c.desk_open = c.standstill = c.driver_id_valid = c.train_data_valid = c.train_running_number_valid = true;
+  c.session_open = c.train_data_acknowledged = c.exit_from_trip_recognised = c.non_leading_signal = true;
+  c.passive_shunting_signal = c.slow_enough_for_override = c.driver_may_change_adhesion = true;
+  c.driver_id_while_running = c.reversing_possible = c.track_ahead_free_asked = true;
+  c.offers = Set<Offer>::of_bits(~0u);
+  return c;
+}
+
+TEST(Driver, With_every_condition_met_exactly_the_inputs_of_the_mode_are_enabled) {
+  for (std::size_t m = 0; m < kModes; ++m) {
+    const Mode mode = static_cast<Mode>(m);
+    const Set<Input> choices = enabled(everything(mode, Level::L2));
+    ActionContext asked = everything(mode, Level::L2);
+    asked.requests = Set<Ack>::of_bits(~0u);
+    const Set<Input> acks = enabled(asked);
+    for (std::size_t i = 0; i < kInputs; ++i) {
+      const Input input = static_cast<Input>(i);
+      const bool is_ack = std::string(name(input)).rfind("ack_", 0) == 0;
+      EXPECT_EQ((is_ack ? acks : choices).has(input), allowed(input, mode)) << modes::name(mode) << name(input);
+    }
+  }
+}
+
+TEST(Driver, Without_a_desk_only_the_isolation_device_is_left) {
+  for (std::size_t m = 0; m < kModes; ++m) {
+    ActionContext c = everything(static_cast<Mode>(m), Level::L2);
+    c.desk_open = false;
+    EXPECT_EQ(enabled(c), Set<Input>{Input::isolation});
+  }
+}
+
+TEST(Driver, While_an_acknowledgement_is_asked_for_the_menus_are_closed) {
+  ActionContext c = everything(Mode::FS, Level::L2);
+  c.requests = {Ack::OS};
+  EXPECT_EQ(enabled(c), (Set<Input>{Input::ack_OS, Input::isolation}));
+}
+
+TEST(Driver, Each_condition_closes_what_needs_it) {
+  struct Case {
+    Mode mode;
+    Level level;
+    bool ActionContext::*fact;
+    Input input;
+  };
+  using C = ActionContext;
+  const Case cases[] = {
+      {Mode::SB, Level::L1, &C::standstill, Input::start},
+      {Mode::SB, Level::L1, &C::train_data_valid, Input::start},
+      {Mode::SB, Level::L1, &C::train_running_number_valid, Input::start},
+      {Mode::SB, Level::L2, &C::train_data_acknowledged, Input::start},
+      {Mode::PT, Level::L1, &C::standstill, Input::start},
+      {Mode::SR, Level::L2, &C::session_open, Input::start},
+      {Mode::SB, Level::L2, &C::session_open, Input::shunting},
+      {Mode::FS, Level::L1, &C::standstill, Input::shunting},
+      {Mode::FS, Level::L1, &C::driver_id_valid, Input::shunting},
+      {Mode::FS, Level::L1, &C::slow_enough_for_override, Input::override_},
+      {Mode::FS, Level::L1, &C::train_data_valid, Input::override_},
+      {Mode::SB, Level::L2, &C::train_running_number_valid, Input::override_},
+      {Mode::PT, Level::L2, &C::train_running_number_valid, Input::override_},
+      {Mode::SH, Level::L1, &C::slow_enough_for_override, Input::override_},
+      {Mode::SB, Level::L1, &C::standstill, Input::driver_id},
+      {Mode::FS, Level::L1, &C::standstill, Input::train_data},
+      {Mode::FS, Level::L1, &C::standstill, Input::level},
+      {Mode::SB, Level::L1, &C::standstill, Input::train_running_number},
+      {Mode::FS, Level::L2, &C::standstill, Input::rbc_contact},
+      {Mode::FS, Level::L1, &C::non_leading_signal, Input::non_leading},
+      {Mode::SH, Level::L1, &C::passive_shunting_signal, Input::continue_shunting},
+      {Mode::FS, Level::L1, &C::driver_may_change_adhesion, Input::adhesion},
+      {Mode::SR, Level::L1, &C::standstill, Input::sr_speed_distance},
+      {Mode::SH, Level::L1, &C::standstill, Input::exit_shunting},
+      {Mode::FS, Level::L2, &C::train_data_valid, Input::integrity_confirmation},
+      {Mode::OS, Level::L2, &C::track_ahead_free_asked, Input::track_ahead_free},
+  };
+  for (const Case& one : cases) {
+    ActionContext c = everything(one.mode, one.level);
+    EXPECT_TRUE(enabled(c).has(one.input)) << modes::name(one.mode) << name(one.input);
+    c.*one.fact = false;
+    EXPECT_FALSE(enabled(c).has(one.input)) << modes::name(one.mode) << name(one.input);
+  }
+}
+
+TEST(Driver, Start_of_mission_opens_the_choices_of_standby) {
+  ActionContext c = everything(Mode::SB, Level::L1);
+  c.offers = {};
+  for (const Input input : {Input::start, Input::shunting, Input::override_, Input::train_data})
+    EXPECT_FALSE(enabled(c).has(input)) << name(input);
+  c.level.reset();
+  c.offers = Set<Offer>::of_bits(~0u);
+  for (const Input input : {Input::start, Input::shunting, Input::non_leading}) EXPECT_FALSE(enabled(c).has(input));
+  // Start in level 2 without a session leads to SR (5.4.5.3 h).
+  c = everything(Mode::SB, Level::L2);
+  c.session_open = c.train_data_acknowledged = false;
+  EXPECT_TRUE(enabled(c).has(Input::start));
+  // While running the driver identity may be changed where the national value allows it.
+  c = everything(Mode::FS, Level::L2);
+  c.standstill = false;
+  EXPECT_TRUE(enabled(c).has(Input::driver_id));
+  c.driver_id_while_running = false;
+  EXPECT_FALSE(enabled(c).has(Input::driver_id));
+}
+
+std::vector<std::string> list(const Show& shown) {
+  std::vector<std::string> out;
+  for (const char* s : shown.symbols) out.emplace_back(s);
+  return out;
+}
+
+ShowContext cab(Mode mode, Level level) {
+  ShowContext c;
+  c.mode = mode;
+  c.level = level;
+  c.desk_open = true;
+  return c;
+}
+
+using Symbols = std::vector<std::string>;
+
+TEST(Driver, Mode_and_level_are_shown) {
+  EXPECT_EQ(list(show(cab(Mode::FS, Level::L2))), (Symbols{"MO11", "LE04"}));
+  EXPECT_EQ(list(show(cab(Mode::SN, Level::NTC))), (Symbols{"MO19", "LE02"}));
+  EXPECT_EQ(list(show(cab(Mode::SF, Level::L1))), (Symbols{"MO18"}));
+  std::set<std::string> symbols;
+  for (std::size_t m = 0; m < kModes; ++m)
+    if (const char* s = symbol(static_cast<Mode>(m))) symbols.insert(s);
+  EXPECT_EQ(symbols.size(), 13u);
+}
+
+TEST(Driver, Nothing_is_shown_without_a_desk_or_power) {
+  ShowContext c = cab(Mode::SB, Level::L1);
+  c.desk_open = false;
+  EXPECT_TRUE(show(c).symbols.empty());
+  for (const Mode mode : {Mode::NP, Mode::PS, Mode::SL}) EXPECT_TRUE(show(cab(mode, Level::L1)).symbols.empty());
+}
+
+TEST(Driver, A_mode_acknowledgement_hides_the_announcement_of_a_level) {
+  ShowContext c = cab(Mode::FS, Level::L2);
+  c.announced = Level::NTC;
+  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "LE08"}));
+  c.requests = {Ack::level};
+  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "LE09"}));
+  c.requests = {Ack::level, Ack::OS};
+  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "MO08"}));
+  // After the transition the new level is what is acknowledged.
+  ShowContext after = cab(Mode::SN, Level::NTC);
+  after.requests = {Ack::level};
+  EXPECT_EQ(list(show(after)), (Symbols{"MO19", "LE02", "LE09"}));
+}
+
+TEST(Driver, Requests_and_entries_are_named) {
+  ShowContext c = cab(Mode::SB, Level::L1);
+  c.requests = Set<Ack>::of_bits(~0u);
+  c.entries = Set<Entry>::of_bits(~0u);
+  std::set<std::string> names;
+  for (const char* request : show(c).requests) names.insert(request);
+  EXPECT_EQ(names.size(), 16u);  // twelve acknowledgements and the first four entries fill the list
+  EXPECT_EQ(names.count("trip"), 1u);
+  EXPECT_EQ(names.count("enter driver_id"), 1u);
+  std::set<std::string> symbols;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(Ack::count); ++a)
+    if (const char* s = symbol(static_cast<Ack>(a))) symbols.insert(s);
+  EXPECT_EQ(symbols, (std::set<std::string>{"MO02", "MO05", "MO08", "MO10", "MO15", "MO17", "MO20", "MO22"}));
+}
+
+TEST(Driver, Status_symbols_appear_in_the_modes_that_have_them) {
+  ShowContext c = cab(Mode::FS, Level::L2);
+  c.override_active = c.brake_commanded = c.slippery_rail = c.reversing_possible = c.lx_not_protected = true;
+  c.lssma = c.track_ahead_free_asked = c.tunnel_stopping_area = true;
+  c.radio = RadioStatus::up;
+  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "ST02", "LX01", "ST06", "ST01", "ST03", "TC36"}));
+  c.mode = Mode::SR;
+  c.radio = RadioStatus::lost;
+  EXPECT_EQ(list(show(c)), (Symbols{"MO09", "LE04", "ST02", "MO03", "ST01", "DR02", "ST04"}));
+  c.mode = Mode::LS;
+  const Symbols in_ls = list(show(c));
+  EXPECT_EQ(std::count(in_ls.begin(), in_ls.end(), "LS01"), 1);
+}
+
+TEST(Driver, Texts_of_procedures_and_trips) {
+  std::set<std::string> texts;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(modes::Inform::count); ++i)
+    if (const char* t = driver::text(static_cast<modes::Inform>(i))) texts.insert(t);
+  EXPECT_EQ(texts.size(), 4u);
+  for (const int n : {12, 16, 17, 18, 20, 35, 36, 38, 39, 41, 42, 43, 49, 52, 54, 65, 66, 67, 69})
+    EXPECT_NE(trip_reason(n), nullptr) << n;
+  EXPECT_EQ(trip_reason(28), nullptr);
+}
+
+}  // namespace
+}  // namespace evc::driver
