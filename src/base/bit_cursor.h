@@ -32,21 +32,40 @@ class BitReader {
   }
 
   /// The next `bits` bits (1 to 64); `what` names them for failed_on().
-  std::uint64_t read(unsigned bits, const char* what = nullptr) {
+  [[gnu::always_inline]] std::uint64_t read(unsigned bits, const char* what = nullptr) {
     if (at_ + bits > end_) [[unlikely]] {
       fail(what);
       return 0;
     }
-    const std::size_t byte = at_ / 8;
-    const unsigned shift = static_cast<unsigned>(at_ % 8);
-    if (byte + 8 <= size_ && shift + bits <= 64) [[likely]] {
-      std::uint64_t word = 0;
-      std::memcpy(&word, data_ + byte, 8);
+    if (bits <= kWindow) [[likely]] {
+      const std::uint64_t value = window() >> (64 - bits);
       at_ += bits;
-      return (__builtin_bswap64(word) << shift) >> (64 - bits);
+      return value;
     }
-    return read_bytewise(bits);
+    const std::uint64_t high = window() >> 32;
+    at_ += 32;
+    const std::uint64_t low = window() >> (96 - bits);
+    at_ += bits - 32;
+    return (high << (bits - 32)) | low;
   }
+  /// Bits that window() holds at least.
+  static constexpr unsigned kWindow = 57;
+  /// The bits from position() on, the first one in the most significant place; zeros after the bytes' end.
+  [[gnu::always_inline]] std::uint64_t window() const {
+    const std::size_t byte = at_ / 8;
+    std::uint64_t word = 0;
+    if (byte + 8 <= size_) [[likely]] {
+      std::memcpy(&word, data_ + byte, 8);
+      word = __builtin_bswap64(word);
+    } else {
+      word = window_at_end(byte);
+    }
+    return word << (at_ % 8);
+  }
+  /// True if `bits` more bits are there.
+  constexpr bool has(std::size_t bits) const { return at_ + bits <= end_; }
+  /// Passes over `bits` bits, which must be there: has(bits).
+  constexpr void advance(std::size_t bits) { at_ += bits; }
   /// The same, one bit at a time: the plain form the fast one is compared with.
   constexpr std::uint64_t read_bit_by_bit(unsigned bits, const char* what = nullptr) {
     if (at_ + bits > end_) {
@@ -66,17 +85,16 @@ class BitReader {
   }
 
  private:
-  constexpr std::uint64_t read_bytewise(unsigned bits) {
-    std::uint64_t value = 0;
-    while (bits > 0) {
-      const unsigned in_byte = static_cast<unsigned>(8 - at_ % 8);
-      const unsigned take = bits < in_byte ? bits : in_byte;
-      const unsigned chunk = (static_cast<unsigned>(data_[at_ / 8]) >> (in_byte - take)) & ((1u << take) - 1u);
-      value = (value << take) | chunk;
-      at_ += take;
-      bits -= take;
+  /// The bytes from `byte` on where fewer than eight are left.
+  [[gnu::noinline]] std::uint64_t window_at_end(std::size_t byte) const {
+    if (byte >= size_) return 0;
+    std::uint64_t word = 0;
+    if (size_ >= 8) {
+      std::memcpy(&word, data_ + size_ - 8, 8);
+      return __builtin_bswap64(word) << (8 * (byte + 8 - size_));
     }
-    return value;
+    for (std::size_t i = byte; i < byte + 8; ++i) word = (word << 8) | (i < size_ ? data_[i] : 0u);
+    return word;
   }
 
   const std::uint8_t* data_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -80,19 +81,61 @@ template <std::size_t From = 0, class... I, class F>
   (std::make_index_sequence<sizeof...(I) - From>{});
 }
 
+/// Width of an item if it is a plain field, else 0.
+template <class I>
+inline constexpr unsigned field_bits = 0;
+template <class S, class V>
+inline constexpr unsigned field_bits<Field<S, V>> = V::bits;
+/// Where the run of plain fields that starts at item `from` ends: all that fit into one window of the reader.
+template <class... I>
+consteval std::size_t end_of_run(std::size_t from, const std::tuple<I...>*) {
+  constexpr std::array<unsigned, sizeof...(I) + 1> widths{field_bits<I>..., 0};
+  std::size_t end = from;
+  unsigned total = 0;
+  while (end < sizeof...(I) && widths[end] != 0 && total + widths[end] <= BitReader::kWindow) total += widths[end++];
+  return end;
+}
+
 // ---- reading
 
+template <class V>
+[[gnu::always_inline]] inline void note_spare(Source& from, std::uint64_t code) {
+  if (!V::has_spare || !V::is_spare(code) || from.spare_variable != nullptr) [[likely]]
+    return;
+  from.spare_variable = V::name;
+  from.spare_bit = from.in.position() - V::bits;
+  from.spare_value = code;
+}
 template <class V>
 [[gnu::always_inline]] inline void get(Source& from, V& v) {
   const std::uint64_t code = from.in.read(V::bits, V::name);
   v.raw = static_cast<typename V::Raw>(code);
-  if constexpr (V::has_spare) {
-    if (V::is_spare(code) && from.spare_variable == nullptr) [[unlikely]] {
-      from.spare_variable = V::name;
-      from.spare_bit = from.in.position() - V::bits;
-      from.spare_value = code;
-    }
-  }
+  note_spare<V>(from, code);
+}
+/// One by one: where a run does not fit into what is left, or one of its codes is spare.
+template <class S, class... V>
+[[gnu::noinline]] void get_singly(Source& from, S& s, const Field<S, V>&... fields) {
+  (get(from, s.*fields.member), ...);
+}
+/// A run of fields out of one window.
+template <class S, class... V>
+[[gnu::always_inline]] inline void get_run(Source& from, S& s, const Field<S, V>&... fields) {
+  constexpr unsigned total = (V::bits + ...);
+  if (!from.in.has(total)) [[unlikely]]
+    return get_singly(from, s, fields...);
+  const std::uint64_t window = from.in.window();
+  unsigned taken = 0;
+  bool spare = false;
+  const auto take = [&]<class W>(const Field<S, W>& f) __attribute__((always_inline)) {
+    const std::uint64_t code = (window << taken) >> (64 - W::bits);
+    taken += W::bits;
+    (s.*f.member).raw = static_cast<typename W::Raw>(code);
+    if constexpr (W::has_spare) spare = spare || W::is_spare(code);
+  };
+  (take(fields), ...);
+  if (spare) [[unlikely]]
+    return get_singly(from, s, fields...);
+  from.in.advance(total);
 }
 
 template <class S, class V>
@@ -115,15 +158,14 @@ constexpr void clear(S& s, const When<S, V, I...>& w) {
 template <std::size_t From, class T, class Up>
 void read_structure(Source& from, Scope<T, Up> scope);
 
-template <class S, class Up, class V>
-[[gnu::always_inline]] inline void read(Source& from, Scope<S, Up>& scope, const Field<S, V>& f) {
-  get(from, scope.self.*f.member);
-}
+/// Items [From, end): fields in runs, the others by themselves.
+template <std::size_t From = 0, class S, class Up, class... I>
+[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const std::tuple<I...>& items);
 template <class S, class Up, class... I>
 [[gnu::always_inline]] inline void read_if(bool present, Source& from, Scope<S, Up>& scope,
                                            const std::tuple<I...>& items) {
   if (present)
-    each(items, [&](const auto& i) { read(from, scope, i); });
+    read_items(from, scope, items);
   else
     each(items, [&](const auto& i) { clear(scope.self, i); });
 }
@@ -157,10 +199,31 @@ void read(Source& from, Scope<S, Up>& scope, const RestOfPacket<S>& r) {
   }
 }
 
+template <class S, class Up, class V>
+[[gnu::always_inline]] inline void read(Source& from, Scope<S, Up>& scope, const Field<S, V>& f) {
+  get(from, scope.self.*f.member);
+}
+template <std::size_t From, class S, class Up, class... I>
+[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const std::tuple<I...>& items) {
+  if constexpr (From < sizeof...(I)) {
+    constexpr std::size_t end = end_of_run(From, static_cast<const std::tuple<I...>*>(nullptr));
+    if constexpr (end > From + 1) {
+      [&]<std::size_t... K>(std::index_sequence<K...>) __attribute__((always_inline)) {
+        get_run(from, scope.self, std::get<From + K>(items)...);
+      }
+      (std::make_index_sequence<end - From>{});
+      read_items<end>(from, scope, items);
+    } else {
+      read(from, scope, std::get<From>(items));
+      read_items<From + 1>(from, scope, items);
+    }
+  }
+}
+
 /// Reads the items of T from item `From` on.
 template <std::size_t From, class T, class Up>
-void read_structure(Source& from, Scope<T, Up> scope) {
-  each<From>(layout_of<T>, [&](const auto& i) { read(from, scope, i); });
+[[gnu::always_inline]] inline void read_structure(Source& from, Scope<T, Up> scope) {
+  read_items<From>(from, scope, layout_of<T>);
 }
 
 // ---- writing

@@ -25,14 +25,14 @@ FaultAt verdict(const codec::Source& from, const PacketView& view);
 
 /// Reads the packet in exactly the layout of P.
 template <class P>
-FaultAt read_packet(const PacketView& view, P& packet) {
+[[gnu::noinline]] FaultAt read_packet(const PacketView& view, P& packet) {
   codec::Source from{BitReader(view.bytes, view.bit + view.L_PACKET, view.bit + 8)};
   if constexpr (codec::has_direction<P>) {
     codec::get(from, packet.Q_DIR);
-    from.in.seek(view.bit + 8 + 2 + 13, "L_PACKET");
+    from.in.advance(13);  // L_PACKET: the view has it, and it is at least this long
     codec::read_structure<1>(from, codec::Scope<P, void>{packet, nullptr});
   } else {
-    if constexpr (codec::has_length<P>) from.in.seek(view.bit + 8 + 13, "L_PACKET");
+    if constexpr (codec::has_length<P>) from.in.advance(13);
     codec::read_structure<0>(from, codec::Scope<P, void>{packet, nullptr});
   }
   return verdict(from, view);

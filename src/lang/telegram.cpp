@@ -49,30 +49,39 @@ FaultAt fault_in(Fault fault, std::size_t bit, std::uint8_t nid, const char* var
   return {fault, bit, nid, variable, value};
 }
 
+template <class S, class V>
+constexpr Field<S, V> field(V S::*member) {
+  return {V::name, member};
+}
+
 /// Finds where the packet at `view.bit` ends; `known` is null if the number says nothing here.
-FaultAt measure(const Frame& frame, PacketView& view, const PacketCodec* known) {
+[[gnu::always_inline]] inline FaultAt measure(const Frame& frame, PacketView& view, const PacketCodec* known) {
   const std::size_t left = frame.end - view.bit;
   const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
-  if (known != nullptr && !known->has_length) {
+  if (known != nullptr && !known->has_length) [[unlikely]] {
+    view.Q_DIR = 2;
     view.L_PACKET = 14;  // packet 0: NID_PACKET, NID_VBCMK
     return left < 14 ? fault_in(Fault::truncated, view.bit, nid, "NID_VBCMK", 0) : FaultAt{};
   }
   const bool with_direction = frame.direction == Direction::to_train;
   const unsigned header = with_direction ? 8 + 2 + 13 : 8 + 13;
-  if (left < header) return fault_in(Fault::truncated, view.bit + 8, nid, with_direction ? "Q_DIR" : "L_PACKET", 0);
-  BitReader in(frame.bytes, frame.end, view.bit + 8);
-  if (with_direction) view.Q_DIR = static_cast<std::uint8_t>(in.read(2));
-  view.L_PACKET = static_cast<std::uint16_t>(in.read(13));
+  if (left < header) [[unlikely]]
+    return fault_in(Fault::truncated, view.bit + 8, nid, with_direction ? "Q_DIR" : "L_PACKET", 0);
+  const std::uint64_t window = BitReader(frame.bytes, frame.end, view.bit).window();
+  view.Q_DIR = static_cast<std::uint8_t>(with_direction ? (window >> 54) & 3u : 2u);
+  view.L_PACKET = static_cast<std::uint16_t>((window >> (64 - header)) & 0x1FFFu);
   const std::size_t at = view.bit + header - 13;
-  if (view.L_PACKET < header) return fault_in(Fault::length_too_small, at, nid, "L_PACKET", view.L_PACKET);
-  if (view.L_PACKET > left) return fault_in(Fault::length_beyond_end, at, nid, "L_PACKET", view.L_PACKET);
+  if (view.L_PACKET < header) [[unlikely]]
+    return fault_in(Fault::length_too_small, at, nid, "L_PACKET", view.L_PACKET);
+  if (view.L_PACKET > left) [[unlikely]]
+    return fault_in(Fault::length_beyond_end, at, nid, "L_PACKET", view.L_PACKET);
   return {};
 }
 
 /// 8.4.1.4: one instance of a packet per direction; what follows packet 136 refers to another group.
 struct Seen {
   NumberSet numbers[2]{};
-  bool second(const PacketView& view, std::uint8_t nid) {
+  [[gnu::always_inline]] bool second(const PacketView& view, std::uint8_t nid) {
     if (nid == 136) *this = {};
     if (repeatable.has(nid)) return false;
     bool twice = false;
@@ -115,7 +124,8 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
       return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
     }
     const PacketCodec* codec = find_packet_codec(frame.direction, version, nid);
-    PacketView view{nid, 2, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, at};
+    PacketView view{
+        nid, 0, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, static_cast<std::uint32_t>(at)};
     if (const FaultAt fault = measure(frame, view, codec)) return fault;
     if (codec != nullptr && frame.check == Check::all) {
       if (const FaultAt fault = codec->check(view)) return fault;
@@ -215,16 +225,10 @@ FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersio
 TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
   TelegramView view;
   codec::Source from{BitReader(bytes, bits)};
-  codec::get(from, view.Q_UPDOWN);
-  codec::get(from, view.M_VERSION);
-  codec::get(from, view.Q_MEDIA);
-  codec::get(from, view.N_PIG);
-  codec::get(from, view.N_TOTAL);
-  codec::get(from, view.M_DUP);
-  codec::get(from, view.M_MCOUNT);
-  codec::get(from, view.NID_C);
-  codec::get(from, view.NID_BG);
-  codec::get(from, view.Q_LINK);
+  codec::get_run(from, view, field(&TelegramView::Q_UPDOWN), field(&TelegramView::M_VERSION),
+                 field(&TelegramView::Q_MEDIA), field(&TelegramView::N_PIG), field(&TelegramView::N_TOTAL),
+                 field(&TelegramView::M_DUP), field(&TelegramView::M_MCOUNT), field(&TelegramView::NID_C),
+                 field(&TelegramView::NID_BG), field(&TelegramView::Q_LINK));
   view.sv = system_version(view.M_VERSION.raw);
   FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
   if (!at && check == Check::all && view.Q_MEDIA.raw != 0) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 1};
@@ -239,11 +243,8 @@ TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits
 LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
   LoopMessageView view;
   codec::Source from{BitReader(bytes, bits)};
-  codec::get(from, view.Q_UPDOWN);
-  codec::get(from, view.M_VERSION);
-  codec::get(from, view.Q_MEDIA);
-  codec::get(from, view.NID_C);
-  codec::get(from, view.NID_LOOP);
+  codec::get_run(from, view, field(&LoopMessageView::Q_UPDOWN), field(&LoopMessageView::M_VERSION),
+                 field(&LoopMessageView::Q_MEDIA), field(&LoopMessageView::NID_C), field(&LoopMessageView::NID_LOOP));
   view.sv = system_version(view.M_VERSION.raw);
   FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
   if (!at && check == Check::all && view.Q_MEDIA.raw != 1) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 0};

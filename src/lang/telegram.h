@@ -17,16 +17,16 @@ struct PacketView {
   /// The packet number of version 2.1: 200, 206, 207 and 239 of version 1.1 are 0, 68, 70 and 39 here
   /// (6.6.3.2.3, translations 15, 17, 18, 19).
   std::uint16_t NID_PACKET = 0;
-  std::uint8_t Q_DIR = 2;      ///< raw; 2 (both) for packets without Q_DIR and from the train
+  std::uint8_t Q_DIR = 0;      ///< raw; 2 (both) for packets without Q_DIR and from the train
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
-  SystemVersion sv;
+  SystemVersion sv{0, 0};      ///< to be set in views made by hand
   Direction direction = Direction::to_train;
-  bool known = true;                    ///< false: skipped by its length, of a later version Y (3.17.3.11)
+  bool known = false;                   ///< false: skipped by its length, of a later version Y (3.17.3.11)
   std::span<const std::uint8_t> bytes;  ///< of the whole telegram or message
-  std::size_t bit = 0;                  ///< of NID_PACKET in `bytes`
+  std::uint32_t bit = 0;                ///< of NID_PACKET in `bytes`
 };
 
-inline constexpr std::size_t kPacketsMax = 64;
+inline constexpr std::size_t kPacketsMax = 48;
 using PacketViews = InplaceVector<PacketView, kPacketsMax>;
 
 /// A balise telegram (8.4.2). `fault` set: the telegram is not consistent and nothing else here counts,
