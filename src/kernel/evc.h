@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "modes/level.h"
 #include "modes/mode.h"
+#include "modes/requests.h"
 #include "train/national_values.h"
 #include "train/srs_version.h"
 #include "train/train_data.h"
@@ -63,10 +64,11 @@ enum class Select : std::uint8_t {
   sr_speed_distance,
   brake_release,
   isolate,
+  track_ahead_free,
   count
 };
 /// Acknowledgements of the driver in this cycle, one bit each.
-enum class Ack : std::uint8_t { OS, LS, SH, SR, UN, SN, RV, trip, level, text, brake, train_data, count };
+using modes::Ack;
 
 struct DriverActions {
   std::uint32_t selected = 0;      // bit n: Select(n)
@@ -148,6 +150,14 @@ struct NidLrbg {
   friend constexpr bool operator==(const NidLrbg&, const NidLrbg&) = default;
 };
 
+/// A text on the driver interface (3.12.3).
+struct ShownText {
+  std::uint8_t id = 0;                 // given on board
+  std::optional<std::uint8_t> Q_TEXT;  // a fixed text; absent: plain text
+  std::uint8_t length = 0;
+  std::array<char, 255> characters{};  // ISO 8859-1, not terminated
+};
+
 struct OutgoingMessage {
   InplaceVector<std::uint8_t, 192> bytes;
 };
@@ -176,7 +186,7 @@ struct Outputs {
   bool tco = false, sb = false, eb = false;
   InplaceVector<const char*, 24> brake_reasons;    // literals, one per cause that asks for a brake
   InplaceVector<const char*, 16> driver_requests;  // acknowledgements and entries asked of the driver
-  InplaceVector<std::uint8_t, 8> text_ids;         // ids of texts shown (packets 72, 76), see Texts
+  InplaceVector<ShownText, 6> texts;               // texts shown now (packets 72, 76)
   InplaceVector<const char*, 32> symbols;          // DMI symbol names (MO07, LE04, ...)
   InplaceVector<OutgoingMessage, 8> radio_out;
   std::optional<RbcAddress> radio_connect, radio_disconnect;

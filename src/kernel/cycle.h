@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "kernel/state.h"
+#include "procedures/observe.h"
+#include "radio/messages.h"
+#include "track/services.h"
+#include "track/withdraw.h"
+
+// What the parts of one cycle hand to each other. Nothing of it outlives the cycle.
+namespace evc::kernel {
+
+/// One cycle: the state it works on, and the facts, wishes and messages it gathers.
+struct Cycle {
+  Cycle(State& s, Derived& d, const Inputs& i, Outputs& o) : state(s), derived(d), in(i), out(o) {}
+  State& state;
+  Derived& derived;
+  const Inputs& in;
+  Outputs& out;
+
+  track::Here here;             // the train in the track frame, after relocation
+  procedures::Facts facts;      // for the conditions of 4.6.3
+  procedures::Effects effects;  // what the procedures want
+  brakes::CauseSet asked;       // brakes asked for
+  radio::Outbox outbox;
+  position::ReportEvents report_events;
+  std::uint8_t ma_request_reasons = 0;
+
+  std::optional<procedures::level_transition::Order> order;  // the last level transition order accepted
+  std::optional<modes::Level> switching_to;                  // it will be executed in this cycle
+  // Events of this cycle for the procedures.
+  bool SR_authorised = false;
+  bool position_confirmed = false, train_accepted = false, train_rejected = false;
+  bool train_data_acknowledged = false;
+  bool exit_from_trip = false;
+  bool SH_authorised = false, SH_refused = false;
+  bool termination_ordered = false;
+  bool balise_proceed = false, ma_from_rbc = false;
+  bool new_radio_message = false;
+  bool train_data_entered = false;
+  std::optional<modes::Mode> profile_at_front;  // of the area in which the max safe front end is
+  std::optional<std::uint32_t> NID_LTRBG;
+  bool reversing_possible = false;
+  bool taf_granted = false;  // message 149 is due
+  track::TextDisplay texts;
+  bool MA_request_before_perturbation = false;
+};
+
+/// Adds an event; when there is no room the last one says so.
+void note(Cycle& cycle, const Event& event);
+
+/// The codes of chapter 7.
+std::uint8_t M_MODE(modes::Mode mode);  // 7.5.1.76
+constexpr std::uint8_t M_LEVEL(modes::Level level) { return static_cast<std::uint8_t>(level); }
+
+/// The train in the track frame now.
+track::Here here(const State& state);
+
+/// Whether the level is 2 or 3: the RBC gives the authority.
+constexpr bool level_2_or_3(modes::Level level) { return level == modes::Level::L2 || level == modes::Level::L3; }
+constexpr bool level_1_2_3(modes::Level level) { return level == modes::Level::L1 || level_2_or_3(level); }
+
+modes::Edition edition(train::SrsVersion srs);
+
+}  // namespace evc::kernel

@@ -1,0 +1,231 @@
+#include "kernel/enter.h"
+
+#include "modes/mode_properties.h"
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Fate;
+using modes::Mode;
+using modes::Stored;
+
+constexpr bool clears(Fate fate) { return fate == Fate::deleted || fate == Fate::reset; }
+
+std::optional<track::Item> track_item(Stored stored) {
+  using enum Stored;
+  using track::Item;
+  switch (stored) {
+    case movement_authority:
+      return Item::movement_authority;
+    case gradient:
+      return Item::gradient;
+    case ssp:
+      return Item::ssp;
+    case asp:
+      return Item::asp;
+    case tsr:
+      return Item::tsr;
+    case inhibit_revocable_tsr:
+      return Item::inhibit_revocable_tsr;
+    case default_gradient_tsr:
+      return Item::default_gradient_tsr;
+    case signalling_speed:
+      return Item::signalling_speed;
+    case route_suitability:
+      return Item::route_suitability;
+    case adhesion_trackside:
+      return Item::adhesion_trackside;
+    case plain_text:
+      return Item::plain_text;
+    case fixed_text:
+      return Item::fixed_text;
+    case geo_position:
+      return Item::geo_position;
+    case mode_profile:
+      return Item::mode_profile;
+    case rbc_transition_order:
+      return Item::rbc_transition_order;
+    case radio_infill_area:
+      return Item::radio_infill_area;
+    case track_conditions_general:
+      return Item::track_conditions_general;
+    case track_conditions_horn_stopping:
+      return Item::track_conditions_horn_stopping;
+    case track_condition_bmm:
+      return Item::track_condition_bmm;
+    case reversing_area:
+      return Item::reversing_area;
+    case reversing_supervision:
+      return Item::reversing_supervision;
+    case permitted_braking_distance:
+      return Item::permitted_braking_distance;
+    case level_crossing:
+      return Item::level_crossing;
+    case stop_sh_on_desk_opening:
+      return Item::stop_sh_on_desk_opening;
+    case sh_bg_list:
+      return Item::sh_bg_list;
+    case generic_ls_marker:
+      return Item::generic_ls_marker;
+    default:
+      return std::nullopt;
+  }
+}
+
+void remove_stops(State& s, bool conditional) {
+  s.emergency_stops.pending.erase_if(
+      [conditional](const protection::EmergencyStop& e) { return e.conditional == conditional; });
+}
+
+/// Deletes or resets what is kept outside the track description.
+void clear_other(State& s, Stored stored) {
+  using enum Stored;
+  switch (stored) {
+    case pending_national_values:
+      s.pending_national_values.reset();
+      return;
+    case linking:
+      balise::clear(s.balise.linking);
+      return;
+    case ma_request_params:
+      s.radio.ma_request.reset();
+      return;
+    case position_report_params:
+      position::clear_parameters(s.reports);
+      return;
+    case sr_bg_list_speed_distance:
+      s.staff_responsible = {};
+      track::forget(s.track, track::Item::sr_bg_list);
+      return;
+    case adhesion_driver:
+      s.slippery_rail = false;
+      return;
+    case unconditional_stops:
+      remove_stops(s, false);
+      return;
+    case conditional_stops:
+      remove_stops(s, true);
+      return;
+    case train_position:
+      position::forget(s.position);
+      return;
+    case train_data:
+      s.data.train_data_status = DataStatus::unknown;
+      return;
+    case level:
+      s.data.level_status = DataStatus::unknown;
+      return;
+    case trackside_level_table:
+      s.level_table.reset();
+      return;
+    case driver_id:
+      s.data.driver_id_status = DataStatus::unknown;
+      return;
+    case rbc_id_phone:
+      s.radio.contact.reset();
+      return;
+    case train_running_number:
+      s.data.train_running_number_status = DataStatus::unknown;
+      return;
+    case track_ahead_free_request:
+      s.track_ahead_free = {};
+      return;
+    default:
+      return;  // national values, versions, covers and language are never deleted (4.10)
+  }
+}
+
+void invalidate(DataStatus& status) {
+  if (status == DataStatus::valid) status = DataStatus::invalid;
+}
+
+void revalidate(State& s, Stored stored) {
+  using enum Stored;
+  switch (stored) {
+    case train_position:
+      position::invalidate(s.position);
+      return;
+    case train_data:
+      invalidate(s.data.train_data_status);
+      return;
+    case level:
+      invalidate(s.data.level_status);
+      return;
+    case driver_id:
+      invalidate(s.data.driver_id_status);
+      return;
+    case train_running_number:
+      invalidate(s.data.train_running_number_status);
+      return;
+    default:
+      return;
+  }
+}
+
+void apply(State& s, Stored stored, Fate fate) {
+  if (fate == Fate::to_be_revalidated) return revalidate(s, stored);
+  if (!clears(fate)) return;
+  if (const auto item = track_item(stored)) return track::forget(s.track, *item);
+  clear_other(s, stored);
+}
+
+template <class FateOf>
+void apply_all(State& s, FateOf fate_of) {
+  for (std::size_t i = 0; i < modes::kStored; ++i) {
+    const auto stored = static_cast<Stored>(i);
+    apply(s, stored, fate_of(stored));
+  }
+}
+
+track::AreaMode area_mode(Mode mode) {
+  return mode == Mode::OS ? track::AreaMode::OS : mode == Mode::LS ? track::AreaMode::LS : track::AreaMode::SH;
+}
+
+}  // namespace
+
+void enter_mode(Cycle& cycle, Mode to, int number) {
+  State& s = cycle.state;
+  const Mode from = s.mode;
+  note(cycle, Event{.subject = "mode", .from = modes::name(from), .to = modes::name(to), .number = number});
+  // The area that was entered is no end of authority any more; before 4.10 deletes the profile (SH).
+  if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, area_mode(to), cycle.here);
+  apply_all(s, [&](Stored stored) { return modes::on_entry(to, from, stored, edition(s.srs)); });
+  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
+  s.mode = to;
+  ++s.revision;
+  procedures::level_transition::on_mode_change(s.level_transition, from, to);
+  procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
+  procedures::override_::on_mode_change(s.override_, from, to);
+  if (!s.level_transition.pending) s.buffer.clear();
+  brakes::on_mode_entry(s.brakes, static_cast<std::size_t>(to), static_cast<std::size_t>(from));
+  protection::enter_mode(s.guards, protection::guards_of(M_MODE(to)), s.position.now.counter.nominal);
+  if (to == Mode::SR) {
+    // 4.4.11.1.3.1: the national distance from the estimated front end, unless the RBC gave one with its authorisation.
+    if (!s.staff_responsible.by_rbc && s.national_values.D_NVSTFF)
+      s.staff_responsible.end = cycle.here.est_front + *s.national_values.D_NVSTFF;
+  }
+  cycle.report_events.mode_change = true;
+}
+
+void enter_level(Cycle& cycle, const modes::OrderedLevel& to, bool by_driver) {
+  State& s = cycle.state;
+  note(cycle, Event{.subject = "level",
+                    .from = modes::name(s.level.level),
+                    .to = modes::name(to.level),
+                    .what = by_driver ? "by driver" : nullptr,
+                    .clause = "5.10"});
+  s.level = to;
+  s.data.level_status = DataStatus::valid;
+  ++s.revision;
+  apply_all(s, [&](Stored stored) { return modes::on_level_entry(to.level, stored); });
+  cycle.report_events.level_change = true;
+}
+
+void close_desk_in_start_of_mission(Cycle& cycle) {
+  State& s = cycle.state;
+  apply_all(s, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
+  ++s.revision;
+}
+
+}  // namespace evc::kernel

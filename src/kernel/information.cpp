@@ -1,0 +1,493 @@
+#include "kernel/information.h"
+
+#include "kernel/national_values.h"
+#include "kernel/orders.h"
+#include "lang/decode.h"
+#include "lang/packets.h"
+#include "lang/si.h"
+#include "track/store.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Acceptance;
+using modes::AcceptanceContext;
+using modes::Verdict;
+
+/// Facts of the message as a whole that exceptions of the acceptance tables ask for.
+struct Evaluation {
+  Cycle& cycle;
+  const Information& information;
+  AcceptanceContext context;
+  track::Contents contents;
+  track::Reference reference;
+  std::uint64_t judge = 0;  // bit n: the n-th packet
+  std::uint8_t refused = 0;
+  Waiting waiting;
+  const char* refused_because = nullptr;
+};
+
+bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }
+
+AcceptanceContext context_of(const Cycle& cycle, const Information& information) {
+  const State& s = cycle.state;
+  AcceptanceContext c;
+  c.mode = s.mode;
+  c.level = s.level.level;
+  c.medium = information.medium;
+  if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
+    c.announced = s.level_transition.pending->to.level;
+  if (cycle.switching_to) c.announced = cycle.switching_to;
+  c.train_data_unacknowledged = s.radio.train_data_stamp.has_value();
+  c.emergency_stop_pending = s.emergency_stops.any();
+  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
+  c.desk_open = cycle.in.train.desk_open;
+  c.train_data_valid = s.data.train_data_status == DataStatus::valid;
+  c.override_active = s.override_.active;
+  c.edition = edition(s.srs);
+  return c;
+}
+
+void tell(Evaluation& e, const char* subject, int id, const Acceptance& a) {
+  const char* what = a.verdict == Verdict::buffered              ? "buffered"
+                     : a.verdict == Verdict::order_stored        ? "kept"
+                     : a.verdict == Verdict::rejected            ? "refused"
+                     : a.verdict == Verdict::only_contact_stored ? "contact stored"
+                                                                 : "accepted";
+  note(
+      e.cycle,
+      Event{.subject = subject, .id = id, .what = what, .clause = a.verdict == Verdict::accepted ? nullptr : a.clause});
+  if (a.verdict == Verdict::rejected) {
+    ++e.refused;
+    e.refused_because = a.clause;
+  }
+}
+
+/// Judges packet `i`; leaves it to wait when the filter says so. Gives whether it is to be used now.
+bool accept_packet(Evaluation& e, std::size_t i, int detail = 0) {
+  const lang::PacketView& view = e.information.packets[i];
+  const modes::Informations rows = modes::information_of_packet(view.NID_PACKET, detail);
+  Acceptance worst{Verdict::accepted, ""};
+  for (const modes::Information row : rows) {
+    const Acceptance a = modes::accept(row, e.context);
+    if (a.verdict != Verdict::accepted) worst = a;
+  }
+  tell(e, "packet", view.NID_PACKET, worst);
+  if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
+  return worst.verdict == Verdict::accepted;
+}
+
+// --- Level transition orders come first (4.8.1.3)
+
+template <class P>
+modes::LevelTable table_of(const P& p) {
+  modes::LevelTable table;
+  const auto entry = [&p](const auto& e) {
+    modes::OrderedLevel level;
+    level.level = static_cast<modes::Level>(e.M_LEVELTR.raw);
+    level.nid_ntc = level.level == modes::Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
+    if constexpr (requires { e.L_ACKLEVELTR; }) level.L_ack = lang::metres(p.Q_SCALE, e.L_ACKLEVELTR);
+    return level;
+  };
+  bool room = table.push_back(entry(p.first_levels()));
+  for (const auto& further : p.levels) room = room && table.push_back(entry(further));
+  return table;
+}
+
+std::optional<procedures::level_transition::Order> order_of(const Evaluation& e, const lang::PacketView& view) {
+  procedures::level_transition::Order order;
+  if (view.NID_PACKET == 46) {
+    lang::Packet46 p;
+    if (lang::decode(view, p) != lang::Fault::none) return {};
+    order.kind = modes::OrderKind::conditional;
+    order.table = table_of(p);
+    return order;
+  }
+  lang::Packet41 p;
+  if (lang::decode(view, p) != lang::Fault::none) return {};
+  const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
+  order.kind = D_LEVELTR ? modes::OrderKind::announcement : modes::OrderKind::immediate;
+  if (D_LEVELTR) order.border = e.information.reference + *D_LEVELTR;
+  order.table = table_of(p);
+  return order;
+}
+
+void evaluate_level_orders(Evaluation& e) {
+  bool along = false;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i)
+    along = along || e.information.packets[i].NID_PACKET == 41;
+  e.context.level_order_along_or_announced = along || e.cycle.state.level_transition.pending.has_value();
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if ((view.NID_PACKET != 41 && view.NID_PACKET != 46) || !judged(e, i)) continue;
+    const auto order = order_of(e, view);
+    if (!order) continue;
+    e.context.order = order->kind;
+    if (!accept_packet(e, i)) continue;
+    const modes::OrderDecision decision = give_order(e.cycle, *order);
+    if (decision.effect == modes::OrderEffect::execute || decision.effect == modes::OrderEffect::announce)
+      e.context.announced = decision.to.level;
+    else if (decision.cancels_pending)
+      e.context.announced.reset();
+    e.context.immediate_order_to_1_2_3 =
+        decision.effect == modes::OrderEffect::execute && level_1_2_3(decision.to.level);
+  }
+}
+
+// --- Linking goes before other location data (4.8.1.6)
+
+balise::LinkingList list_of(const lang::Packet5& p) {
+  balise::LinkingList list;
+  const auto entry = [&p](const lang::Packet5_links& l) {
+    balise::LinkingList::Entry e;
+    e.D_LINK = lang::metres(p.Q_SCALE, l.D_LINK);
+    if (l.Q_NEWCOUNTRY.raw == 1) e.NID_C = l.NID_C.raw;
+    e.NID_BG = l.NID_BG.raw;
+    e.nominal = l.Q_LINKORIENTATION.raw == 1;
+    // Q_LINKREACTION: 0 trip, 1 service brake, 2 none (7.5.1.113).
+    e.reaction = l.Q_LINKREACTION.raw == 0   ? balise::Reaction::trip
+                 : l.Q_LINKREACTION.raw == 1 ? balise::Reaction::service_brake
+                                             : balise::Reaction::none;
+    e.Q_LOCACC = lang::metres(l.Q_LOCACC);
+    return e;
+  };
+  bool room = list.entries.push_back(entry(p.first_links()));
+  for (const auto& further : p.links) room = room && list.entries.push_back(entry(further));
+  return list;
+}
+
+void evaluate_linking(Evaluation& e, bool infill) {
+  State& s = e.cycle.state;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (view.NID_PACKET != 5 || !judged(e, i)) continue;
+    lang::Packet5 p;
+    if (!accept_packet(e, i) || lang::decode(view, p) != lang::Fault::none) continue;
+    balise::LinkingReference reference;
+    reference.id = e.reference.group;
+    reference.place = e.reference.place;
+    reference.NID_C = e.information.group.NID_C;
+    reference.orientation_known = e.information.orientation != Direction::unknown;
+    reference.infill = infill;
+    std::optional<balise::CurrentLrbg> current;
+    if (const position::Reference* lrbg = position::lrbg(s.position))
+      current = balise::CurrentLrbg{lrbg->id, lrbg->place};
+    const balise::Stored stored = balise::store(s.balise.linking, list_of(p), reference,
+                                                position::antenna(s.position, s.train.L_antenna_front), current);
+    // The list holds the LRBG: its distance by linking counts, and everything in the message with it (3.6.4.3).
+    e.reference.place = stored.reference;
+    if (!stored.complete) note(e.cycle, Event{.subject = "linking", .what = "too many groups: farthest left out"});
+  }
+}
+
+// --- Everything else
+
+void take_national_values(Evaluation& e, const lang::PacketView& view) {
+  State& s = e.cycle.state;
+  lang::Packet3 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  const ReceivedNationalValues received = read(p);
+  if (!received.D_VALIDNV) {
+    use_national_values(s, received.values, received.areas);
+    s.pending_national_values.reset();
+    note(e.cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.4"});
+    return;
+  }
+  s.pending_national_values =
+      PendingNationalValues{e.reference.place + *received.D_VALIDNV, received.values, received.areas};
+}
+
+void take_session_order(Evaluation& e, const lang::PacketView& view, bool store_only) {
+  State& s = e.cycle.state;
+  lang::Packet42 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  radio::SessionOrder order;
+  order.establish = p.Q_RBC.raw == 1;
+  order.rbc = {p.NID_C.raw, p.NID_RBC.raw, p.NID_RADIO.raw};
+  order.sleeping_too = p.Q_SLEEPSESSION.raw == 1;
+  if (radio::order(s.radio, order, s.mode == modes::Mode::SL, store_only, s.now, e.cycle.outbox))
+    note(e.cycle,
+         Event{.subject = "session", .what = order.establish ? "ordered" : "termination ordered", .clause = "3.5.3.5"});
+  if (!order.establish) e.cycle.termination_ordered = true;
+}
+
+void take_ma_request_parameters(Evaluation& e, const lang::PacketView& view) {
+  lang::Packet57 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  e.cycle.state.radio.ma_request =
+      radio::MaRequestParameters{lang::seconds(p.T_MAR), lang::seconds(p.T_TIMEOUTRQST), lang::seconds(p.T_CYCRQST)};
+}
+
+void take_report_parameters(Evaluation& e, const lang::PacketView& view) {
+  lang::Packet58 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  position::ReportParameters r;
+  r.T_CYCLOC = lang::seconds(p.T_CYCLOC);
+  r.D_CYCLOC = lang::metres(p.Q_SCALE, p.D_CYCLOC);
+  r.M_LOC = p.M_LOC.raw;
+  for (const auto& at : p.locations) {
+    // 31 places at the most: there is room.
+    (void)r.at.push_back({e.reference.place + lang::metres(p.Q_SCALE, at.D_LOC), at.Q_LGTLOC.raw == 1});
+  }
+  State& s = e.cycle.state;
+  position::set_parameters(s.reports, s.position, r);
+}
+
+void take_cover(Evaluation& e, const lang::PacketView& view) {
+  lang::Packet6 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  State& s = e.cycle.state;
+  if (p.Q_VBCO.raw == 0) {
+    balise::remove_cover(s.balise, static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw);
+    return;
+  }
+  // T_VBC in days (7.5.1.155.1).
+  const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
+  if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
+    note(e.cycle, Event{.subject = "virtual balise cover", .what = "no room: not set"});
+}
+
+/// Packets whose use is not with the track description.
+bool take_here(Evaluation& e, std::size_t i) {
+  const lang::PacketView& view = e.information.packets[i];
+  switch (view.NID_PACKET) {
+    case 3:
+      if (accept_packet(e, i)) take_national_values(e, view);
+      return true;
+    case 6:
+      if (accept_packet(e, i)) take_cover(e, view);
+      return true;
+    case 42: {
+      lang::Packet42 p;
+      if (lang::decode(view, p) == lang::Fault::none) e.context.orders_establishment = p.Q_RBC.raw == 1;
+      const auto rows = modes::information_of_packet(42);
+      const Acceptance a = modes::accept(rows[0], e.context);
+      tell(e, "packet", 42, a);
+      if (a.verdict == Verdict::accepted || a.verdict == Verdict::only_contact_stored)
+        take_session_order(e, view, a.verdict == Verdict::only_contact_stored);
+      return true;
+    }
+    case 57:
+      if (accept_packet(e, i)) take_ma_request_parameters(e, view);
+      return true;
+    case 58:
+      if (accept_packet(e, i)) take_report_parameters(e, view);
+      return true;
+    case 2:
+    case 44:
+    case 45:
+    case 133:
+    case 134:
+    case 140:
+    case 143:
+    case 180:
+    case 254:
+      // The filters judge them; this unit has no use for what they say (CAVEATS).
+      (void)accept_packet(e, i);
+      return true;
+    case 0:
+    case 145:
+    case 255:
+    case 136:
+    case 5:
+    case 41:
+    case 46:
+      return true;  // evaluated elsewhere
+    default:
+      return false;
+  }
+}
+
+int detail_of(const lang::PacketView& view) {
+  if (view.NID_PACKET != 68) return 0;
+  lang::Packet68 p;
+  if (lang::decode(view, p) != lang::Fault::none || p.Q_TRACKINIT.raw == 1) return 0;
+  return p.M_TRACKCOND.raw;
+}
+
+constexpr bool belongs_to_authority(int NID_PACKET) { return NID_PACKET == 80 || NID_PACKET == 49 || NID_PACKET == 63; }
+constexpr bool is_authority(int NID_PACKET) { return NID_PACKET == 12 || NID_PACKET == 15; }
+
+void evaluate_track_packets(Evaluation& e) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (!judged(e, i) || is_authority(view.NID_PACKET) || belongs_to_authority(view.NID_PACKET)) continue;
+    if (take_here(e, i)) continue;
+    if (accept_packet(e, i, detail_of(view))) (void)track::add(e.contents, view, e.reference);
+  }
+}
+
+/// The movement authority is judged last: whether SSP and gradient cover it shows only now (4.8.3 [4]).
+void evaluate_authority(Evaluation& e) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (!is_authority(view.NID_PACKET) || !judged(e, i)) continue;
+    track::Contents whole = e.contents;
+    if (track::add(whole, view, e.reference) != track::Added::added) continue;
+    e.context.described_over_whole_ma = track::complete(e.cycle.state.track, whole, e.cycle.here);
+    if (view.NID_PACKET == 12 && whole.V_MAIN && *whole.V_MAIN == 0 && !e.contents.infill) {
+      // The signalling related speed restriction "0" is a row of its own: a trip order (3.11.6.2).
+      const Acceptance trip = modes::accept(modes::Information::signalling_speed, e.context);
+      if (trip.verdict == Verdict::accepted) {
+        e.contents.V_MAIN = whole.V_MAIN;
+        e.cycle.facts.trip_order = true;
+        note(e.cycle, Event{.subject = "trip", .what = "ordered by balise group", .clause = "3.11.6.2"});
+      }
+    }
+    if (!accept_packet(e, i)) {
+      for (std::size_t k = 0; k < e.information.packets.size(); ++k)
+        if (belongs_to_authority(e.information.packets[k].NID_PACKET) && (e.waiting.packets >> i & 1u) != 0)
+          e.waiting.packets |= std::uint64_t{1} << k;
+      continue;
+    }
+    e.contents = whole;
+    for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
+      const lang::PacketView& other = e.information.packets[k];
+      if (other.NID_PACKET == 80 || (other.NID_PACKET == 49 && judged(e, k)))
+        (void)track::add(e.contents, other, e.reference);
+    }
+  }
+}
+
+void tell_stored(Evaluation& e, const track::Stored& stored) {
+  for (const track::Note& n : stored.notes) {
+    if (n.what == track::Note::What::stored) continue;
+    note(e.cycle, Event{.subject = "packet",
+                        .id = n.packet,
+                        .what = n.what == track::Note::What::full        ? "no room"
+                                : n.what == track::Note::What::shortened ? "shortened"
+                                                                         : "refused",
+                        .clause = n.clause});
+    if (n.what == track::Note::What::refused) {
+      ++e.refused;
+      e.refused_because = n.clause;
+    }
+  }
+}
+
+void store_contents(Evaluation& e) {
+  Cycle& c = e.cycle;
+  State& s = c.state;
+  const bool authority = e.contents.ma.has_value();
+  const track::Stored stored = track::store(s.track, e.contents, c.here);
+  tell_stored(e, stored);
+  if (stored.trip_order) c.facts.trip_order = true;
+  if (stored.ma_accepted) {
+    s.ma_with_trip_order = c.facts.trip_order;
+    c.facts.ma_accepted = true;
+    if (e.information.medium == modes::Medium::rbc)
+      c.ma_from_rbc = true;
+    else if (!c.facts.trip_order)
+      c.balise_proceed = true;
+    note(c, Event{.subject = "MA", .what = "accepted", .clause = "3.8.4"});
+  } else if (authority) {
+    note(c, Event{.subject = "MA", .what = "refused", .clause = "3.7.2.3"});
+  }
+  if (e.contents.stop_if_in_sr && *e.contents.stop_if_in_sr) c.facts.stop_if_in_SR = true;
+  if (e.contents.danger_for_shunting && *e.contents.danger_for_shunting) c.facts.stop_if_in_SH = true;
+  if (e.contents.track_ahead_free_to) {
+    c.ma_request_reasons |= radio::kTrackAheadFree;
+    c.NID_LTRBG = (std::uint32_t{e.contents.track_ahead_free_to->NID_C} << 14) | e.contents.track_ahead_free_to->NID_BG;
+  }
+}
+
+/// The information of the radio message itself, beside its packets.
+void evaluate_message(Evaluation& e) {
+  const lang::MessageToTrainView& message = *e.information.message;
+  if (!e.information.judge_message || message.NID_MESSAGE == 3 || message.NID_MESSAGE == 33) return;
+  for (const modes::Information row : modes::information_of_message(message.NID_MESSAGE)) {
+    const Acceptance a = modes::accept(row, e.context);
+    if (a.verdict == Verdict::buffered) e.waiting.message = true;
+    if (a.verdict == Verdict::rejected) {
+      ++e.refused;
+      e.refused_because = a.clause;
+    }
+    if (a.verdict != Verdict::accepted) continue;
+    if (const char* clause = take_message(e.cycle, e.information, message, e.contents, e.reference)) {
+      ++e.refused;
+      e.refused_because = clause;
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/// Everything behind packet 136 is infill (3.6.2.3.1, 7.4.2.32): it counts from another group, which linking names.
+struct Infill {
+  std::size_t at = 0;  // index of packet 136
+  GroupId group;
+  std::optional<Place> place;
+};
+std::optional<Infill> find_infill(const Information& information, const State& s) {
+  for (std::size_t i = 0; i < information.packets.size(); ++i) {
+    if (information.packets[i].NID_PACKET != 136) continue;
+    Infill infill;
+    infill.at = i;
+    lang::Packet136 p;
+    if (lang::decode(information.packets[i], p) != lang::Fault::none) return infill;
+    infill.group = {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
+    for (const balise::Link& link : s.balise.linking.links)
+      if (link.id == infill.group) infill.place = link.place;
+    return infill;
+  }
+  return std::nullopt;
+}
+
+void evaluate_part(Evaluation& e) {
+  evaluate_level_orders(e);
+  evaluate_linking(e, e.contents.infill.has_value());
+  evaluate_track_packets(e);
+  evaluate_authority(e);
+}
+
+/// The infill part, after the rest of the message (4.8.1.5).
+void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
+  if (!infill.place) {
+    note(e.cycle, Event{.subject = "infill", .id = infill.group.NID_BG, .what = "refused", .clause = "3.6.2.3.1"});
+    return;
+  }
+  e.judge = judge;
+  e.context.infill = true;
+  e.reference.place = *infill.place;
+  e.reference.group = infill.group;
+  e.contents = track::Contents{};
+  e.contents.source = e.reference.source;
+  e.contents.time = e.information.time;
+  e.contents.reference = *infill.place;
+  e.contents.infill = *infill.place;
+  evaluate_part(e);
+  store_contents(e);
+}
+
+}  // namespace
+
+Waiting evaluate(Cycle& cycle, const Information& information) {
+  Evaluation e{cycle, information, context_of(cycle, information), {}, {}, 0, 0, {}, nullptr};
+  e.reference = {information.reference, information.orientation, information.group,
+                 information.medium == modes::Medium::rbc ? track::Source::rbc : track::Source::balise,
+                 cycle.state.now};
+  e.contents.source = e.reference.source;
+  e.contents.time = information.time;
+  e.contents.reference = information.reference;
+  const std::optional<Infill> infill = find_infill(information, cycle.state);
+  // Packets before packet 136; bit n stands for the n-th packet.
+  const std::uint64_t before = infill ? (std::uint64_t{1} << infill->at) - 1u : ~std::uint64_t{0};
+  e.judge = information.judge_packets & before;
+  evaluate_part(e);
+  if (information.message != nullptr) evaluate_message(e);
+  store_contents(e);
+  if (infill) evaluate_infill(e, *infill, information.judge_packets & ~before);
+  if (information.message != nullptr) {
+    const bool refused = e.refused != 0;
+    const char* what = refused ? "refused" : e.waiting.any() ? "buffered" : "accepted";
+    note(cycle, Event{.subject = "message",
+                      .id = information.message->NID_MESSAGE,
+                      .what = what,
+                      .clause = refused ? e.refused_because : nullptr});
+  }
+  return e.waiting;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,109 @@
+#include "kernel/national_values.h"
+
+#include "lang/si.h"
+
+namespace evc::kernel {
+namespace {
+
+/// D_NVROLL 32767: farther than any train rolls.
+constexpr Distance kInfinite{1e9};
+
+/// V_NV...: 126 and 127 are spare there; the default stands in for them, the codec has refused them before.
+template <class V>
+void take(Speed& to, V v) {
+  if (const auto speed = lang::speed(v)) to = *speed;
+}
+
+train::MaxReducedAdhesion max_reduced(std::uint8_t raw) {
+  using train::MaxReducedAdhesion;
+  // 7.5.1.2: 61, 62, 63 set no maximum and differ in what is displayed.
+  if (raw == 61) return MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::target_information);
+  if (raw == 62) return MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::time_to_indication);
+  if (raw == 63) return MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::none);
+  return MaxReducedAdhesion::at_most({static_cast<double>(raw) / 20.0});
+}
+
+Speed step_speed(lang::var::V_NVKVINT v) { return Speed{static_cast<double>(v.raw * 5u) / 3.6}; }
+
+/// Correction factors Kv_int: sets for freight and conventional passenger trains (A.3.7).
+void read_Kv(const lang::Packet3_kv_sets& set, train::NationalValues& nv) {
+  const auto first = set.first_kv_steps();
+  if (set.Q_NVKVINTSET.raw == 0) {
+    nv.Kv_int_freight = {};
+    bool room = nv.Kv_int_freight.append(step_speed(first.V_NVKVINT), lang::factor(first.M_NVKVINT_A));
+    for (const auto& step : set.kv_steps)
+      room = room && nv.Kv_int_freight.append(step_speed(step.V_NVKVINT), lang::factor(step.M_NVKVINT_A));
+    // More steps than 3.18.2.5 allows: the default is not weaker evidence than a cut table.
+    if (!room) nv.Kv_int_freight = train::NationalValues{}.Kv_int_freight;
+    return;
+  }
+  nv.A_NVP12 = lang::acceleration(set.A_NVP12);
+  nv.A_NVP23 = lang::acceleration(set.A_NVP23);
+  nv.Kv_int_passenger = {};
+  const auto pair = [](const lang::Packet3_kv_steps& s) {
+    return train::KvPair{lang::factor(s.M_NVKVINT_A), lang::factor(s.M_NVKVINT_B)};
+  };
+  bool room = nv.Kv_int_passenger.append(step_speed(first.V_NVKVINT), pair(first));
+  for (const auto& step : set.kv_steps)
+    room = room && nv.Kv_int_passenger.append(step_speed(step.V_NVKVINT), pair(step));
+  if (!room) nv.Kv_int_passenger = train::NationalValues{}.Kv_int_passenger;
+}
+
+void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) {
+  if (p.Q_NVKINT.raw == 0) return;
+  read_Kv(p.first_kv_sets(), nv);
+  for (const auto& set : p.kv_sets) read_Kv(set, nv);
+  const auto first = p.first_kr_steps();
+  nv.Kr_int = {};
+  bool room = nv.Kr_int.append(lang::metres(first.L_NVKRINT), lang::factor(first.M_NVKRINT));
+  for (const auto& step : p.kr_steps)
+    room = room && nv.Kr_int.append(lang::metres(step.L_NVKRINT), lang::factor(step.M_NVKRINT));
+  if (!room) nv.Kr_int = train::NationalValues{}.Kr_int;
+  nv.Kt_int = lang::factor(p.M_NVKTINT);
+}
+
+}  // namespace
+
+ReceivedNationalValues read(const lang::Packet3& p) {
+  ReceivedNationalValues received;
+  train::NationalValues& nv = received.values;
+  take(nv.V_NVSHUNT, p.V_NVSHUNT);
+  take(nv.V_NVSTFF, p.V_NVSTFF);
+  take(nv.V_NVONSIGHT, p.V_NVONSIGHT);
+  take(nv.V_NVLIMSUPERV, p.V_NVLIMSUPERV);
+  take(nv.V_NVUNFIT, p.V_NVUNFIT);
+  take(nv.V_NVREL, p.V_NVREL);
+  take(nv.V_NVALLOWOVTRP, p.V_NVALLOWOVTRP);
+  take(nv.V_NVSUPOVTRP, p.V_NVSUPOVTRP);
+  // Only D_NVROLL and D_NVSTFF have a code for infinity (7.5.1.17, 7.5.1.18).
+  const std::optional<Distance> D_NVROLL = lang::metres(p.Q_SCALE, p.D_NVROLL);
+  nv.D_NVROLL = D_NVROLL ? *D_NVROLL : kInfinite;
+  nv.D_NVOVTRP = lang::metres(p.Q_SCALE, p.D_NVOVTRP);
+  nv.D_NVPOTRP = lang::metres(p.Q_SCALE, p.D_NVPOTRP);
+  nv.D_NVSTFF = lang::metres(p.Q_SCALE, p.D_NVSTFF);
+  nv.T_NVOVTRP = lang::seconds(p.T_NVOVTRP);
+  nv.T_NVCONTACT = lang::seconds(p.T_NVCONTACT);
+  nv.Q_NVLOCACC = lang::metres(p.Q_NVLOCACC);
+  nv.M_NVCONTACT = static_cast<train::ContactReaction>(p.M_NVCONTACT.raw);
+  nv.M_NVDERUN = p.M_NVDERUN.raw != 0;
+  nv.Q_NVDRIVER_ADHES = p.Q_NVDRIVER_ADHES.raw != 0;
+  nv.Q_NVSBTSMPERM = p.Q_NVSBTSMPERM.raw != 0;
+  nv.Q_NVEMRRLS = p.Q_NVEMRRLS.raw != 0;
+  nv.Q_NVGUIPERM = p.Q_NVGUIPERM.raw != 0;
+  nv.Q_NVSBFBPERM = p.Q_NVSBFBPERM.raw != 0;
+  nv.Q_NVINHSMICPERM = p.Q_NVINHSMICPERM.raw != 0;
+  nv.A_NVMAXREDADH1 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH1.raw));
+  nv.A_NVMAXREDADH2 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH2.raw));
+  nv.A_NVMAXREDADH3 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH3.raw));
+  nv.M_NVAVADH = lang::factor(p.M_NVAVADH);
+  nv.M_NVEBCL = static_cast<std::uint8_t>(p.M_NVEBCL.raw);
+  read_correction_factors(p, nv);
+
+  const std::optional<Distance> D_VALIDNV = lang::metres(p.Q_SCALE, p.D_VALIDNV);
+  received.D_VALIDNV = D_VALIDNV;
+  bool room = received.areas.push_back(p.NID_C.raw);
+  for (const auto& area : p.areas) room = room && received.areas.push_back(area.NID_C.raw);
+  return received;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,218 @@
+#include "kernel/orders.h"
+
+#include "kernel/supervise.h"
+#include "lang/decode.h"
+#include "lang/messages.h"
+#include "lang/si.h"
+#include "sdm/supervision.h"
+#include "track/services.h"
+#include "track/store.h"
+
+namespace evc::kernel {
+
+modes::AvailableLevels available_levels(const Cycle& cycle) {
+  modes::AvailableLevels available;
+  available.fitted = cycle.state.fitted_levels;
+  available.national_systems[0] = cycle.in.national_system.available;
+  return available;
+}
+
+modes::OrderDecision give_order(Cycle& cycle, const procedures::level_transition::Order& order) {
+  State& s = cycle.state;
+  s.level_table = order.table;
+  const modes::OrderDecision decision = modes::judge(order.kind, order.table, s.level, s.mode, available_levels(cycle));
+  // The procedure looks at one order a cycle, the last one; an earlier one of the same cycle is replaced
+  // (5.10.1.6), but never an order that is to be executed by one that is not.
+  const bool executes = decision.effect == modes::OrderEffect::execute;
+  if (executes || !cycle.switching_to) {
+    cycle.order = order;
+    cycle.switching_to = executes ? std::optional<modes::Level>(decision.to.level) : std::nullopt;
+  }
+  return decision;
+}
+
+void use_national_values(State& state, const train::NationalValues& values,
+                         const InplaceVector<std::uint16_t, 32>& areas) {
+  state.national_values = values;
+  state.national_areas = areas;
+  ++state.revision;
+}
+
+void advance_national_values(Cycle& cycle) {
+  State& s = cycle.state;
+  if (!s.pending_national_values || cycle.here.max_safe_front < s.pending_national_values->from) return;
+  use_national_values(s, s.pending_national_values->values, s.pending_national_values->areas);
+  s.pending_national_values.reset();
+  note(cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.9"});
+}
+
+void leave_area(Cycle& cycle, std::uint16_t NID_C) {
+  State& s = cycle.state;
+  if (s.national_areas.empty()) return;
+  for (const std::uint16_t area : s.national_areas)
+    if (area == NID_C) return;
+  use_national_values(s, s.initial_national_values, {});
+  note(cycle, Event{.subject = "national values", .what = "defaults", .clause = "3.18.2.9"});
+}
+
+namespace {
+
+/// Along the running direction: +1 where Q_DIR points with it, -1 against it.
+double sense(std::uint8_t Q_DIR, Direction orientation) {
+  const bool nominal = Q_DIR == 1;
+  return nominal == (orientation == Direction::nominal) ? 1.0 : -1.0;
+}
+
+const char* take_conditional_stop(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
+  State& s = cycle.state;
+  lang::Message15 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  // 3.10.2.2: the place counts from the LRBG, D_REF included, in the direction of Q_DIR.
+  const Distance d = lang::metres(m.Q_SCALE, m.D_EMERGENCYSTOP);
+  const Distance d_ref = lang::metres(m.Q_SCALE, m.D_REF);
+  const double along = information.orientation == Direction::reverse ? -1.0 : 1.0;
+  const Place stop = information.reference + along * d_ref + sense(m.Q_DIR.raw, information.orientation) * d;
+  const protection::Answer answer = protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw, stop,
+                                                                   information.min_safe_front, cycle.here);
+  std::uint8_t Q = answer.Q_EMERGENCYSTOP;
+  if (information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
+  radio::answer_emergency_stop(m.NID_EM.raw, Q, cycle.outbox);
+  note(cycle, Event{.subject = "emergency stop",
+                    .id = m.NID_EM.raw,
+                    .what = answer.accepted ? "accepted" : "refused: place passed",
+                    .clause = answer.accepted ? "3.10.2.2" : answer.clause});
+  return answer.accepted ? nullptr : answer.clause;
+}
+
+const char* take_unconditional_stop(Cycle& cycle, const lang::MessageToTrainView& view,
+                                    const Information& information) {
+  lang::Message16 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  const protection::Answer answer = protection::accept_unconditional(cycle.state.emergency_stops, m.NID_EM.raw);
+  std::uint8_t Q = answer.Q_EMERGENCYSTOP;
+  if (information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
+  radio::answer_emergency_stop(m.NID_EM.raw, Q, cycle.outbox);
+  cycle.facts.ues_accepted = answer.accepted;
+  cycle.facts.ues_received = true;
+  note(cycle, Event{.subject = "emergency stop", .id = m.NID_EM.raw, .what = "unconditional", .clause = "3.10.2.3"});
+  return answer.accepted ? nullptr : answer.clause;
+}
+
+const char* take_revocation(Cycle& cycle, const lang::MessageToTrainView& view) {
+  lang::Message18 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  if (!protection::revoke(cycle.state.emergency_stops, m.NID_EM.raw)) return "3.10.3.3";
+  note(cycle, Event{.subject = "emergency stop", .id = m.NID_EM.raw, .what = "revoked", .clause = "3.10.3.3"});
+  return nullptr;
+}
+
+/// SR authorisation: D_SR from the estimated front end, and the list of packet 63 (4.4.11.1.3.2).
+const char* take_SR_authorisation(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view,
+                                  const track::Reference& reference) {
+  State& s = cycle.state;
+  lang::Message2 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  cycle.SR_authorised = true;
+  const std::optional<Distance> D_SR = lang::metres(m.Q_SCALE, m.D_SR);
+  s.staff_responsible.end.reset();
+  s.staff_responsible.by_rbc = true;
+  ++s.revision;
+  if (D_SR) s.staff_responsible.end = cycle.here.est_front + *D_SR;
+  s.track.sr_list.reset();
+  for (const lang::PacketView& p : information.packets) {
+    if (p.NID_PACKET != 63) continue;
+    track::Contents list;
+    if (track::add(list, p, reference) == track::Added::added) s.track.sr_list = list.sr_list;
+  }
+  return nullptr;
+}
+
+/// Message 9: granted only when the train would not have to brake for it (3.8.6.2).
+const char* take_shortening(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view,
+                            track::Contents& contents, const track::Reference& reference) {
+  track::Contents proposed;
+  proposed.source = contents.source;
+  proposed.time = contents.time;
+  proposed.reference = contents.reference;
+  for (const lang::PacketView& p : information.packets)
+    if (p.NID_PACKET == 15 || p.NID_PACKET == 80 || p.NID_PACKET == 49) (void)track::add(proposed, p, reference);
+  const bool granted = proposed.ma && !proposed.ma->sections.empty() && can_stop_before(cycle, *proposed.ma);
+  radio::Intent answer;
+  answer.NID_MESSAGE = granted ? 137 : 138;
+  answer.T_TRAIN_REF = view.T_TRAIN.raw;
+  cycle.outbox.send(answer);
+  note(cycle, Event{.subject = "MA shortening", .what = granted ? "granted" : "rejected", .clause = "3.8.6"});
+  if (!granted) return "3.8.6.2";
+  proposed.ma_is_shortening_request = true;
+  const track::Stored stored = track::store(cycle.state.track, proposed, cycle.here);
+  return stored.ma_accepted ? nullptr : "3.7.2.3";
+}
+
+const char* take_track_ahead_free(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
+  lang::Message34 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  const double along = information.orientation == Direction::reverse ? -1.0 : 1.0;
+  const Place reference = information.reference + along * lang::metres(m.Q_SCALE, m.D_REF);
+  const double s = sense(m.Q_DIR.raw, information.orientation);
+  const Place from = reference + s * lang::metres(m.Q_SCALE, m.D_TAFDISPLAY);
+  const Place to = from + s * lang::metres(m.Q_SCALE, m.L_TAFDISPLAY);
+  protection::request(cycle.state.track_ahead_free, from, to);
+  return nullptr;
+}
+
+}  // namespace
+
+const char* take_message(Cycle& cycle, const Information& information, const lang::MessageToTrainView& message,
+                         track::Contents& contents, const track::Reference& reference) {
+  State& s = cycle.state;
+  switch (message.NID_MESSAGE) {
+    case 2:
+      return take_SR_authorisation(cycle, information, message, reference);
+    case 6:
+      cycle.exit_from_trip = true;
+      s.radio.exit_from_trip = message.T_TRAIN.raw;
+      return nullptr;
+    case 8: {
+      lang::Message8 m;
+      if (lang::decode(message, m) != lang::Fault::none) return "3.16.3.1.1";
+      radio::receive_train_data_ack(s.radio, m.T_TRAIN_REF.raw);
+      cycle.train_data_acknowledged = true;
+      return nullptr;
+    }
+    case 9:
+      return take_shortening(cycle, information, message, contents, reference);
+    case 15:
+      return take_conditional_stop(cycle, information, message);
+    case 16:
+      return take_unconditional_stop(cycle, message, information);
+    case 18:
+      return take_revocation(cycle, message);
+    case 27:
+      cycle.SH_refused = true;
+      return nullptr;
+    case 28:
+      cycle.SH_authorised = true;
+      return nullptr;
+    case 34:
+      return take_track_ahead_free(cycle, information, message);
+    case 40:
+      cycle.train_rejected = true;
+      return nullptr;
+    case 41:
+      cycle.train_accepted = true;
+      return nullptr;
+    case 43:
+      cycle.position_confirmed = true;
+      return nullptr;
+    case 45: {
+      lang::Message45 m;
+      if (lang::decode(message, m) != lang::Fault::none) return "3.16.3.1.1";
+      const Direction nominal = m.Q_ORIENTATION.raw == 1 ? Direction::nominal : Direction::reverse;
+      return position::assign_orientation(s.position, information.group, nominal) ? nullptr : "3.4.2.3.3.8";
+    }
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,325 @@
+#include "kernel/receive.h"
+
+#include "kernel/information.h"
+#include "kernel/orders.h"
+#include "lang/decode.h"
+#include "lang/messages.h"
+#include "lang/si.h"
+#include "modes/active_functions.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Mode;
+
+bool judged_by_crossing(Mode mode) { return mode == Mode::SL || mode == Mode::PS || mode == Mode::SH; }
+
+balise::Situation situation_of(const Cycle& cycle) {
+  const State& s = cycle.state;
+  balise::Situation now;
+  now.now = s.now;
+  now.linking_checked = modes::active(modes::Function::link_consistency, s.mode);
+  now.braking_on_message_error = modes::active(modes::Function::bg_msg_consistency_unlinked, s.mode);
+  now.against_permitted_movement = modes::active(modes::Function::reverse_movement, s.mode) && s.mode != Mode::PT &&
+                                   s.mode != Mode::RV && position::motion(s.position) == position::Motion::backward;
+  now.counter_rises = position::last_motion(s.position) != position::Motion::backward;
+  now.level_1_2_3 = level_1_2_3(s.level.level);
+  return now;
+}
+
+void react(Cycle& cycle, const balise::Outcome& outcome) {
+  State& s = cycle.state;
+  bool linking = false;
+  bool two_missed = false;
+  for (const balise::Event& e : outcome.events) {
+    note(cycle, Event{.subject = e.what == balise::Happened::linking_ok ? "linking BG" : "BG",
+                      .id = e.id.NID_BG,
+                      .what = e.what == balise::Happened::linking_ok ? "ok" : balise::name_of(e.what),
+                      .clause = e.clause != nullptr && e.clause[0] != '\0' ? e.clause : nullptr});
+    if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level) &&
+        !s.radio.errors.push_back(static_cast<std::uint8_t>(e.report)))
+      note(cycle, Event{.subject = "error report", .what = "lost", .clause = "3.16.4"});
+    linking = linking || e.what == balise::Happened::linking_error_early ||
+              e.what == balise::Happened::linking_error_missed || e.what == balise::Happened::linking_error_later;
+    two_missed = two_missed || e.what == balise::Happened::double_linking_error;
+  }
+  if (outcome.reaction == balise::Reaction::trip) cycle.facts.linking_reaction_trip = true;
+  if (outcome.reaction == balise::Reaction::service_brake) {
+    cycle.asked.add(two_missed ? brakes::Cause::two_groups_missed
+                    : linking  ? brakes::Cause::linking
+                               : brakes::Cause::balise_group_consistency);
+    s.shorten_at_standstill = s.shorten_at_standstill || outcome.shorten_at_standstill;
+  }
+  if (outcome.wrong_direction) cycle.facts.linked_group_wrong_direction = true;
+  if (outcome.version_too_high) cycle.facts.telegram_version_too_high = true;
+}
+
+/// The group becomes the LRBG, or at least the reference of its own information.
+const position::Reference* locate(Cycle& cycle, const balise::Group& group) {
+  State& s = cycle.state;
+  position::Passage passage;
+  passage.id = group.id;
+  passage.counter = group.counter;
+  passage.L_antenna = s.train.L_antenna_front;
+  passage.link_place = group.link_place;
+  passage.Q_LOCACC = group.Q_LOCACC ? *group.Q_LOCACC : s.national_values.Q_NVLOCACC;
+  passage.counter_against_group = group.counter_against_group;
+  passage.single = group.single;
+  if (group.lrbg_compliant) {
+    const Distance moved = position::relocate(s.position, passage);
+    cycle.report_events.new_lrbg = true;
+    (void)moved;
+    return position::lrbg(s.position);
+  }
+  (void)position::refer_to_unlinked(s.position, passage);
+  return s.position.unlinked ? &*s.position.unlinked : nullptr;
+}
+
+void check_lists(Cycle& cycle, GroupId id) {
+  State& s = cycle.state;
+  const auto named = [id](const track::GroupList& list) {
+    for (const GroupId& g : list)
+      if (g == id) return true;
+    return false;
+  };
+  if (s.mode == Mode::SR && s.track.sr_list) {
+    if (named(*s.track.sr_list))
+      cycle.facts.group_passed_in_SR_list = true;
+    else
+      cycle.facts.group_passed_not_in_SR_list = true;
+  }
+  if (s.mode == Mode::SH && s.track.sh_list && !named(*s.track.sh_list)) cycle.facts.group_passed_not_in_SH_list = true;
+}
+
+void keep(State& state, const BufferedSet& set) {
+  // 4.8.5.3: the newest set takes the place of the oldest.
+  if (state.buffer.full()) state.buffer.erase(0);
+  (void)state.buffer.push_back(set);
+}
+
+BufferedSet set_of(const Information& information, const Waiting& waiting, const State& state) {
+  BufferedSet set;
+  set.medium = information.medium;
+  set.group = information.group;
+  set.reference = information.reference;
+  set.orientation = information.orientation;
+  set.min_safe_front = information.min_safe_front;
+  set.received = information.time;
+  set.waiting = waiting.packets;
+  set.message_waits = waiting.message;
+  set.M_VERSION = state.radio.session.M_VERSION;
+  return set;
+}
+
+/// The packets of a group's telegrams that count for the train's direction, in the order of reading. `bytes` of the
+/// telegrams must outlive them.
+void gather(Information& information, const lang::TelegramView& view) {
+  for (const lang::PacketView& p : view.packets)
+    if (track::valid_direction(p.Q_DIR, information.orientation))
+      if (!information.packets.push_back(p)) return;  // 64 packets: more than eight telegrams can hold
+}
+
+void receive_group(Cycle& cycle, const balise::Group& group) {
+  State& s = cycle.state;
+  if (!group.accepted) return;
+  const position::Reference* reference = locate(cycle, group);
+  if (reference == nullptr) return;
+  cycle.here = here(s);
+  leave_area(cycle, group.id.NID_C);
+  balise::keep_covers_of(s.balise, group.id.NID_C);
+  track::note_group(s.track, group.id, reference->place);
+  check_lists(cycle, group.id);
+  note(cycle, Event{.subject = "group", .id = group.id.NID_BG, .what = "accepted"});
+
+  Information information;
+  information.medium = modes::Medium::balise;
+  information.group = group.id;
+  information.reference = reference->place;
+  information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference->orientation;
+  information.min_safe_front = cycle.here.min_safe_front;
+  information.time = s.now;
+  for (const balise::Telegram& t : group.telegrams) {
+    if (!t.used) continue;
+    const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
+    information.sv = view.sv;
+    gather(information, view);
+  }
+  const Waiting waiting = evaluate(cycle, information);
+  if (!waiting.any()) return;
+  BufferedSet set = set_of(information, waiting, s);
+  for (const balise::Telegram& t : group.telegrams) {
+    if (!t.used) continue;
+    const auto bytes = t.span();
+    for (std::size_t i = 0; i < bytes.size(); ++i) set.bytes[set.size + i] = bytes[i];
+    set.size = static_cast<std::uint16_t>(set.size + bytes.size());
+    (void)set.telegram_bits.push_back(t.bits);  // at most eight
+  }
+  keep(s, set);
+}
+
+void take(Cycle& cycle, const balise::Outcome& outcome) {
+  react(cycle, outcome);
+  for (const balise::Group& group : outcome.groups) receive_group(cycle, group);
+}
+
+lang::SystemVersion session_version(const State& state) {
+  const std::uint8_t M_VERSION = state.radio.session.M_VERSION;
+  return M_VERSION == 0 ? lang::SystemVersion{2, 1} : lang::system_version(M_VERSION);
+}
+
+/// Reference and orientation of a radio message: its NID_LRBG among those remembered (3.6.2.2.2 c).
+bool refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
+  const auto id = lang::group(view.NID_LRBG);
+  if (!id) {
+    // LRBG unknown (3.6.2.2.2.3): only what needs no place can be used; distances count from the front end.
+    information.reference = position::front(state.position).est;
+    information.orientation = Direction::unknown;
+    return true;
+  }
+  information.group = {id->NID_C, id->NID_BG};
+  const position::Reference* reference = position::find(state.position, information.group);
+  if (reference == nullptr) return false;
+  information.reference = reference->place;
+  information.orientation = reference->orientation;
+  return true;
+}
+
+/// Message 33 counts from a point D_REF away from the LRBG (3.6.3.2.5).
+void shift_reference(Information& information, const lang::MessageToTrainView& view) {
+  if (view.NID_MESSAGE != 33) return;
+  lang::Message33 m;
+  if (lang::decode(view, m) != lang::Fault::none) return;
+  const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
+  information.reference =
+      information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
+}
+
+void gather(Information& information, const lang::MessageToTrainView& view) {
+  for (const lang::PacketView& p : view.packets)
+    if (track::valid_direction(p.Q_DIR, information.orientation))
+      if (!information.packets.push_back(p)) return;
+}
+
+void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes) {
+  State& s = cycle.state;
+  Information information;
+  information.medium = modes::Medium::rbc;
+  information.sv = view.sv;
+  information.message = &view;
+  information.min_safe_front = cycle.here.min_safe_front;
+  information.time = s.now;
+  // 3.8.4.2.1: timers count from the time stamp of the message.
+  if (const auto stamp = lang::seconds(view.T_TRAIN); stamp && *stamp < s.now) information.time = *stamp;
+  if (!refer(information, s, view)) {
+    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "refused", .clause = "3.6.2.2.2"});
+    return;
+  }
+  shift_reference(information, view);
+  gather(information, view);
+  const Waiting waiting = evaluate(cycle, information);
+  if (!waiting.any()) return;
+  BufferedSet set = set_of(information, waiting, s);
+  for (std::size_t i = 0; i < bytes.size() && i < set.bytes.size(); ++i) set.bytes[i] = bytes[i];
+  set.size = static_cast<std::uint16_t>(bytes.size());
+  keep(s, set);
+}
+
+void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
+  State& s = cycle.state;
+  const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s));
+  if (view.fault != lang::Fault::none || bytes.size() > 1024) {
+    radio::receive_inconsistent(s.radio);
+    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "rejected", .clause = "3.16.3.1.1"});
+    return;
+  }
+  radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
+  // 40 and 41 of an old RBC may carry any LRBG (6.6.3.3.2).
+  if (view.sv.x == 1 && (view.NID_MESSAGE == 40 || view.NID_MESSAGE == 41)) header.NID_LRBG = radio::kUnknownLrbg;
+  const radio::Rejected rejected = radio::receive(s.radio, header, s.now, cycle.outbox);
+  if (rejected != radio::Rejected::no) {
+    note(cycle,
+         Event{.subject = "message", .id = view.NID_MESSAGE, .what = "rejected", .clause = radio::clause(rejected)});
+    return;
+  }
+  cycle.new_radio_message = true;
+  if (view.NID_MESSAGE == 32) {
+    lang::Message32 m;
+    if (lang::decode(view, m) == lang::Fault::none)
+      radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, cycle.outbox);
+  }
+  evaluate_radio(cycle, view, bytes);
+}
+
+}  // namespace
+
+void receive_balises(Cycle& cycle) {
+  State& s = cycle.state;
+  balise::Outcome outcome;
+  for (const BaliseTelegram& t : cycle.in.balise_telegrams) {
+    balise::Reading reading;
+    reading.bytes = t.bytes;
+    reading.bits = t.bits;
+    reading.counter = position::reading_at(s.position, t.at);
+    reading.antenna = position::antenna_at(s.position, reading.counter, s.train.L_antenna_front);
+    balise::read(s.balise, reading, situation_of(cycle), outcome);
+    take(cycle, outcome);
+  }
+  balise::close_overdue(s.balise, s.position.now.counter, situation_of(cycle), outcome);
+  take(cycle, outcome);
+  balise::expect(s.balise, position::antenna(s.position, s.train.L_antenna_front), situation_of(cycle), outcome);
+  take(cycle, outcome);
+}
+
+void receive_loops(Cycle& cycle) {
+  for (std::size_t i = 0; i < cycle.in.loop_messages.size(); ++i)
+    note(cycle, Event{.subject = "loop message", .what = "not used"});
+}
+
+void receive_radio(Cycle& cycle) {
+  for (const RadioMessage& m : cycle.in.radio_messages) receive_message(cycle, m.bytes);
+}
+
+void clear_buffer(State& state) { state.buffer.clear(); }
+
+void release_buffer(Cycle& cycle) {
+  State& s = cycle.state;
+  // Taken out first: a set that has to wait again waits behind.
+  const InplaceVector<BufferedSet, kBufferedSets> sets = s.buffer;
+  s.buffer.clear();
+  for (const BufferedSet& set : sets) {
+    Information information;
+    information.medium = set.medium;
+    information.group = set.group;
+    information.reference = set.reference;
+    information.orientation = set.orientation;
+    information.min_safe_front = set.min_safe_front;
+    information.time = set.received;
+    information.judge_packets = set.waiting;
+    information.judge_message = set.message_waits;
+    information.released = true;
+    if (set.medium == modes::Medium::rbc) {
+      const std::span<const std::uint8_t> bytes{set.bytes.data(), set.size};
+      const lang::MessageToTrainView view = lang::scan_message_to_train(
+          bytes, set.M_VERSION == 0 ? lang::SystemVersion{2, 1} : lang::system_version(set.M_VERSION),
+          lang::Check::structure);
+      information.sv = view.sv;
+      information.message = &view;
+      gather(information, view);
+      (void)evaluate(cycle, information);
+      continue;
+    }
+    std::size_t at = 0;
+    for (const std::uint16_t bits : set.telegram_bits) {
+      const std::size_t length = (bits + 7u) / 8u;
+      const lang::TelegramView view =
+          lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
+      information.sv = view.sv;
+      gather(information, view);
+      at += length;
+    }
+    (void)evaluate(cycle, information);
+  }
+}
+
+}  // namespace evc::kernel

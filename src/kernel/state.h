@@ -1,0 +1,145 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "balise/balise.h"
+#include "base/inplace_vector.h"
+#include "base/units.h"
+#include "brakes/brakes.h"
+#include "kernel/evc.h"
+#include "modes/acceptance.h"
+#include "modes/levels.h"
+#include "position/position.h"
+#include "position/report.h"
+#include "procedures/end_of_mission.h"
+#include "procedures/level_transition.h"
+#include "procedures/mode_profile.h"
+#include "procedures/override.h"
+#include "procedures/shunting.h"
+#include "procedures/start_of_mission.h"
+#include "procedures/train_trip.h"
+#include "protection/authority.h"
+#include "protection/emergency_stops.h"
+#include "protection/movement.h"
+#include "radio/radio.h"
+#include "sdm/supervision.h"
+#include "track/description.h"
+#include "track/services.h"
+
+// What the unit remembers (State) and what follows from it (Derived).
+namespace evc::kernel {
+
+using procedures::start_of_mission::DataStatus;
+
+/// National values that wait for their place (3.18.2.9).
+struct PendingNationalValues {
+  Place from{};
+  train::NationalValues values;
+  InplaceVector<std::uint16_t, 32> areas;
+};
+
+/// One set of information in the transition buffer (4.8.5): the bits as received and what of them waits.
+struct BufferedSet {
+  modes::Medium medium = modes::Medium::balise;
+  GroupId group;
+  Place reference{};
+  Direction orientation = Direction::unknown;
+  Place min_safe_front{};  // at reception: a conditional emergency stop is judged with it (4.8.5.7)
+  Duration received{};
+  std::uint64_t waiting = 0;                      // bit n: the n-th packet
+  bool message_waits = false;                     // the information of the radio message itself
+  std::uint8_t M_VERSION = 0;                     // of the RBC session
+  InplaceVector<std::uint16_t, 8> telegram_bits;  // of each telegram, in order of reading
+  std::array<std::uint8_t, 1024> bytes{};         // telegrams one behind the other, or one message
+  std::uint16_t size = 0;
+};
+/// 4.8.5.1: three sets of information.
+inline constexpr std::size_t kBufferedSets = 3;
+
+/// Data that the driver enters (3.18.4) and their status.
+struct DriverData {
+  DataStatus driver_id_status = DataStatus::unknown;
+  DataStatus train_running_number_status = DataStatus::unknown;
+  DataStatus train_data_status = DataStatus::unknown;
+  DataStatus level_status = DataStatus::unknown;
+  std::uint32_t driver_id = 0;
+  std::uint32_t train_running_number = 0xFFFFFFFF;  // NID_OPERATIONAL, unknown
+};
+
+/// The distance that may be run in SR, and what the driver entered (4.4.11).
+struct StaffResponsible {
+  std::optional<Place> end;  // absent: infinite
+  bool by_rbc = false;       // given with an SR authorisation, also an infinite one
+  std::optional<Speed> V;
+};
+
+/// All that the unit remembers. Trivially copyable: a snapshot is a memcpy.
+struct State {
+  Duration cycle{0.1};
+  Duration now{};
+  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  std::array<bool, modes::kLevels> fitted_levels{true, true, true, true, true};
+  modes::Mode mode = modes::Mode::NP;
+  modes::Mode previous_mode = modes::Mode::NP;
+  modes::OrderedLevel level;
+  std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
+
+  train::TrainData train;
+  train::NationalValues national_values;
+  train::NationalValues initial_national_values;  // those of the configuration: valid where none were received
+  InplaceVector<std::uint16_t, 32> national_areas;
+  std::optional<PendingNationalValues> pending_national_values;
+  DriverData data;
+
+  position::State position;
+  position::ReportState reports;
+  balise::State balise;
+  track::Description track;
+  radio::State radio;
+  InplaceVector<BufferedSet, kBufferedSets> buffer;
+
+  procedures::start_of_mission::State start_of_mission;
+  procedures::level_transition::State level_transition;
+  procedures::mode_profile::State mode_profile;
+  procedures::train_trip::State train_trip;
+  procedures::end_of_mission::State end_of_mission;
+  procedures::override_::State override_;
+  procedures::shunting::State shunting;
+  modes::Set<modes::Ack> requested;  // acknowledgements shown in the cycle before
+  StaffResponsible staff_responsible;
+  bool slippery_rail = false;  // chosen by the driver
+  bool ma_with_trip_order = false;
+
+  protection::EmergencyStops emergency_stops;
+  protection::MovementGuards guards;
+  protection::TrackAheadFree track_ahead_free;
+  brakes::State brakes;
+  bool shorten_at_standstill = false;                   // after a linking or consistency reaction (A.3.4 g, h, l, m)
+  bool track_description_deleted = false;               // reason of the MA request until a new MA (3.8.2.7.3)
+  InplaceVector<std::uint8_t, 6> texts_to_acknowledge;  // ids, the first is acknowledged first
+
+  sdm::Supervision supervision;
+  std::uint32_t revision = 0;  // grows when train data, national values, mode or level change what is supervised
+  bool contact_trip = false;   // [41], found at the end of the cycle before
+  bool powered = false;
+};
+static_assert(std::is_trivially_copyable_v<State>);
+static_assert(sizeof(State) <= 64 * 1024);
+
+/// What can be computed anew from State at any time: curves and merged profiles. Never in a snapshot.
+struct Derived {
+  struct Key {
+    std::uint32_t track = 0;
+    std::uint32_t revision = 0;
+    bool valid = false;
+    friend constexpr bool operator==(const Key&, const Key&) = default;
+  };
+  Key key;
+  track::Authority authority;
+  sdm::Inputs inputs;
+  sdm::Derived sdm;
+};
+
+}  // namespace evc::kernel

@@ -1,0 +1,105 @@
+#include "kernel/conclude.h"
+#include "kernel/evc.h"
+#include "kernel/observe.h"
+#include "kernel/receive.h"
+#include "kernel/supervise.h"
+#include "track/services.h"
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+position::Odometry odometry_of(const Odometry& in) {
+  return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
+}
+
+/// Timers of the authority, data whose function is over, and what a reaction shortens once the train stands
+/// (3.8.4, A.3.4, A.3.6).
+void advance_track(Cycle& cycle) {
+  State& s = cycle.state;
+  const track::Elapsed elapsed = track::advance(s.track, cycle.here);
+  if (elapsed.any()) note(cycle, Event{.subject = "MA", .what = "timer elapsed", .clause = "3.8.4"});
+  if (elapsed.track_description_deleted) s.track_description_deleted = true;
+  if (s.shorten_at_standstill && cycle.here.standstill) {
+    s.shorten_at_standstill = false;
+    if (track::shorten(s.track, track::Situation::h_linking_reaction, cycle.here.max_safe_front, cycle.here))
+      s.track_description_deleted = true;
+    balise::clear_beyond(s.balise.linking, cycle.here.max_safe_front);
+    note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "A.3.4"});
+  }
+  if (cycle.facts.ma_accepted) s.track_description_deleted = false;
+}
+
+void run_texts(Cycle& cycle) {
+  State& s = cycle.state;
+  std::uint8_t acknowledged = 0;
+  if (cycle.facts.acknowledged.has(modes::Ack::text) && !s.texts_to_acknowledge.empty())
+    acknowledged = s.texts_to_acknowledge[0];
+  InplaceVector<std::uint8_t, 6> reports;
+  cycle.texts = track::show_texts(s.track, cycle.here, M_MODE(s.mode), M_LEVEL(s.level.level), s.level.nid_ntc,
+                                  acknowledged, reports);
+  s.texts_to_acknowledge = cycle.texts.to_acknowledge;
+  cycle.effects.requests.add(modes::Ack::text, !cycle.texts.to_acknowledge.empty());
+  cycle.asked.add(brakes::Cause::text_service, cycle.texts.service_brake);
+  cycle.asked.add(brakes::Cause::text_emergency, cycle.texts.emergency_brake);
+  for (const std::uint8_t id : reports) {
+    radio::Intent intent;
+    intent.NID_MESSAGE = 158;
+    intent.NID_TEXTMESSAGE = id;
+    cycle.outbox.send(intent);
+  }
+}
+
+void ask_track_ahead_free(Cycle& cycle) {
+  State& s = cycle.state;
+  const bool confirmed = cycle.in.driver.has(Select::track_ahead_free);
+  cycle.taf_granted = protection::ask(s.track_ahead_free, cycle.here.est_front, confirmed).granted;
+}
+
+}  // namespace
+
+void power_up(State& state, Derived& derived, const Config& config) noexcept {
+  state = State{};
+  derived.key = {};
+  derived.authority = {};
+  derived.sdm.valid = false;
+  state.cycle = config.cycle;
+  state.srs = config.srs;
+  state.fitted_levels = config.levels;
+  state.train = config.train;
+  state.national_values = config.national_values;
+  state.initial_national_values = config.national_values;
+}
+
+/// One cycle: the picture of docs/architecture.md, from top to bottom.
+void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
+  begin(outputs);
+  Cycle cycle(state, derived, inputs, outputs);
+  state.now = inputs.now;
+
+  position::update(state.position, odometry_of(inputs.odometry), inputs.now);
+  cycle.here = here(state);
+  take_driver_actions(cycle);
+
+  receive_balises(cycle);
+  receive_loops(cycle);
+  receive_radio(cycle);
+  cycle.here = here(state);
+  advance_track(cycle);
+
+  run_procedures(cycle);
+  change_mode(cycle);
+  run_procedures_after(cycle);
+
+  refresh(cycle);
+  supervise_speed(cycle);
+  guard_movement(cycle);
+  run_texts(cycle);
+  ask_track_ahead_free(cycle);
+
+  run_radio(cycle);
+  command_brakes(cycle);
+  show(cycle);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,272 @@
+#include "kernel/supervise.h"
+
+#include "modes/mode_properties.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Mode;
+
+/// NC_CDTRAIN (7.5.1.82.1): the cant deficiencies in mm by code.
+constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 180, 210, 225, 245, 275, 300};
+
+track::TrainCategory category_of(const train::TrainData& train) {
+  track::TrainCategory c;
+  for (std::size_t i = 0; i < kCantDeficiency.size(); ++i)
+    if (kCantDeficiency[i] <= train.cant_deficiency_mm) c.NC_CDTRAIN = static_cast<std::uint8_t>(i);
+  c.NC_TRAIN = train.other_categories;
+  c.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
+  return c;
+}
+
+/// The speed limit of the mode (3.11.7); absent: the mode has none.
+std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
+  const train::NationalValues& nv = s.national_values;
+  const auto of_area = [&](track::AreaMode mode, Speed national) {
+    const auto area = track::area_due(s.track, here);
+    return area && area->mode == mode && area->V_MAMODE != track::kNoSpeed ? track::speed_of(area->V_MAMODE) : national;
+  };
+  switch (modes::properties(s.mode).speed_limit) {
+    case modes::SpeedLimit::V_NVSHUNT:
+      return of_area(track::AreaMode::SH, nv.V_NVSHUNT);
+    case modes::SpeedLimit::V_NVSTFF:
+      return s.staff_responsible.V ? *s.staff_responsible.V : nv.V_NVSTFF;
+    case modes::SpeedLimit::V_NVONSIGHT:
+      return of_area(track::AreaMode::OS, nv.V_NVONSIGHT);
+    case modes::SpeedLimit::V_NVLIMSUPERV:
+      return of_area(track::AreaMode::LS, nv.V_NVLIMSUPERV);
+    case modes::SpeedLimit::V_NVUNFIT:
+      return nv.V_NVUNFIT;
+    case modes::SpeedLimit::V_REVERSE:
+      return s.track.reversing_supervision ? track::speed_of(s.track.reversing_supervision->V_REVERSE) : Speed{};
+    case modes::SpeedLimit::no_limit:
+    case modes::SpeedLimit::standstill:
+    case modes::SpeedLimit::profile_only:
+    case modes::SpeedLimit::national:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool within(const State& s, modes::Supervision kind) { return modes::properties(s.mode).supervision == kind; }
+
+sdm::Authority authority_of(const State& s, const track::Authority& a, const track::Here& here) {
+  sdm::Authority out;
+  if (a.LOA) {
+    out.kind = sdm::Authority::Kind::LOA;
+    out.EOA = *a.LOA;
+    out.V_LOA = a.V_LOA;
+    return out;
+  }
+  if (!a.EOA) return out;
+  out.kind = sdm::Authority::Kind::EOA_SvL;
+  out.EOA = *a.EOA;
+  out.SvL = a.SvL ? *a.SvL : *a.EOA;
+  using Kind = track::Release::Kind;
+  out.release_speed = a.release.kind == Kind::given      ? sdm::ReleaseSpeedChoice::value
+                      : a.release.kind == Kind::national ? sdm::ReleaseSpeedChoice::national
+                      : a.release.kind == Kind::on_board ? sdm::ReleaseSpeedChoice::on_board
+                                                         : sdm::ReleaseSpeedChoice::none;
+  out.V_release = a.release.V;
+  out.level_1_at_EOA = s.level.level == modes::Level::L1;
+  if (const position::Reference* lrbg = position::lrbg(s.position)) {
+    out.Q_LOCACC_reference = lrbg->Q_LOCACC;
+    out.reference = lrbg->place;
+  }
+  out.confidence_interval = here.max_safe_front - here.min_safe_front;
+  out.V_ura = s.position.now.V_max - s.position.now.V_est;
+  return out;
+}
+
+void earliest(std::optional<Place>& at, Place from) {
+  if (!at || from < *at) at = from;
+}
+
+sdm::TrackConditions conditions_of(const State& s) {
+  sdm::TrackConditions c;
+  for (const track::AdhesionArea& area : s.track.adhesion)
+    if (area.slippery && !c.reduced_adhesion.push_back({area.from, area.to})) c.slippery_rail = true;
+  c.slippery_rail = c.slippery_rail || s.slippery_rail;
+  for (const track::TrackCondition& t : s.track.conditions) {
+    using enum track::Condition;
+    if (t.kind == switch_off_regenerative_brake) earliest(c.regenerative_off, t.from);
+    if (t.kind == switch_off_eddy_current_emergency_brake) earliest(c.eddy_current_emergency_off, t.from);
+    if (t.kind == switch_off_eddy_current_service_brake) earliest(c.eddy_current_service_off, t.from);
+    if (t.kind == switch_off_magnetic_shoe_brake) earliest(c.magnetic_shoe_off, t.from);
+    if (t.kind == powerless_lower_pantograph || t.kind == powerless_main_switch_off) earliest(c.powerless, t.from);
+  }
+  return c;
+}
+
+/// Steps of the MRSP that a TSR holds down: their targets use the default gradient (3.13.4.1.3).
+void mark_TSR_steps(const State& s, sdm::Inputs& in) {
+  in.mrsp_due_to_TSR = {};
+  for (std::size_t i = 0; i < in.mrsp.steps.size(); ++i)
+    for (const track::TemporarySpeedRestriction& t : s.track.tsr)
+      if (t.from == in.mrsp.steps[i].from && track::speed_of(t.V_TSR) == in.mrsp.steps[i].value)
+        in.mrsp_due_to_TSR[i] = true;
+}
+
+void add_limit(track::MrspQuery& query, Speed v) {
+  // Three limits at the most: there is room for eight.
+  (void)query.limits.push_back({std::nullopt, std::nullopt, v});
+}
+
+void build_inputs(Cycle& cycle, const track::Authority& authority) {
+  const State& s = cycle.state;
+  sdm::Inputs& in = cycle.derived.inputs;
+  ++in.revision;
+  in.srs = s.srs;
+  in.train = s.train;
+  in.national_values = s.national_values;
+  in.brakes.regenerative = cycle.in.train.regenerative_brake_active;
+  in.brakes.eddy_current = cycle.in.train.eddy_current_brake_active;
+  in.brakes.magnetic_shoe = cycle.in.train.magnetic_shoe_brake_active;
+  in.brakes.electro_pneumatic = cycle.in.train.ep_brake_active;
+  in.brakes.adhesion_independent = cycle.in.train.additional_brake_active;
+
+  track::MrspQuery query;
+  query.from = cycle.here.min_safe_rear;
+  query.train_length = s.train.L_TRAIN;
+  query.category = category_of(s.train);
+  add_limit(query, s.train.V_MAXTRAIN);
+  if (const auto v = mode_speed(s, cycle.here)) add_limit(query, *v);
+  if (s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
+  in.mrsp = track::mrsp(s.track, query);
+  mark_TSR_steps(s, in);
+  in.supervise_targets = !within(s, modes::Supervision::ceiling);
+  in.authority = within(s, modes::Supervision::full) ? authority_of(s, authority, cycle.here) : sdm::Authority{};
+  in.SR_end = within(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
+  in.gradient.permille = track::gradient(s.track, cycle.here.min_safe_rear);
+  in.gradient.default_for_TSR.reset();
+  if (s.track.default_gradient) in.gradient.default_for_TSR = static_cast<double>(*s.track.default_gradient);
+  in.conditions = conditions_of(s);
+}
+
+sdm::Motion motion_of(const Cycle& cycle) {
+  const position::Odometry& now = cycle.state.position.now;
+  sdm::Motion m;
+  m.est_front = cycle.here.est_front;
+  m.min_safe_front = cycle.here.min_safe_front;
+  m.max_safe_front = cycle.here.max_safe_front;
+  m.V_est = now.V_est;
+  m.V_ura = now.V_max - now.V_est;
+  m.A_est = now.A_est;
+  m.standstill = cycle.here.standstill;
+  m.now = cycle.state.now;
+  m.brake_pressure_kpa = cycle.in.train.brake_pressure_kpa;
+  if (cycle.state.radio.ma_request) m.T_MAR = cycle.state.radio.ma_request->T_MAR;
+  return m;
+}
+
+void show_limits(Cycle& cycle, const sdm::Result& r) {
+  Outputs& out = cycle.out;
+  out.monitoring = r.monitoring == sdm::Monitoring::CSM   ? Monitoring::CSM
+                   : r.monitoring == sdm::Monitoring::TSM ? Monitoring::TSM
+                                                          : Monitoring::RSM;
+  out.status = static_cast<Status>(static_cast<int>(r.status) + 1);
+  out.V_P = r.V_P;
+  out.V_W = r.V_W;
+  out.V_SBI = r.V_SBI;
+  out.V_EBI = r.V_EBI;
+  out.V_MRSP = r.V_MRSP;
+  out.V_target = r.V_target;
+  out.d_target = r.d_target;
+  out.V_release = r.V_release;
+}
+
+protection::Way way_of(DirectionController controller) {
+  return controller == DirectionController::forward    ? protection::Way::forward
+         : controller == DirectionController::backward ? protection::Way::backward
+                                                       : protection::Way::none;
+}
+
+}  // namespace
+
+bool supervises_speed(Mode mode) {
+  return modes::properties(mode).supervision != modes::Supervision::unsupervised && mode != Mode::SN;
+}
+
+track::TrainInterfaces interfaces_of(const train::TrainData& train) {
+  track::TrainInterfaces i;
+  i.M_LOADINGGAUGE = static_cast<std::uint8_t>(train.loading_gauge);
+  i.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
+  for (const train::TractionSystem& t : train.traction_systems)
+    (void)i.tractions.push_back({t.M_VOLTAGE, t.NID_CTRACTION});  // both hold eight
+  return i;
+}
+
+void refresh(Cycle& cycle) {
+  State& s = cycle.state;
+  Derived& d = cycle.derived;
+  const Derived::Key key{s.track.revision, s.revision, true};
+  if (d.key == key) return;
+  d.key = key;
+  d.authority = within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), M_MODE(s.mode))
+                                                    : track::Authority{};
+  if (!supervises_speed(s.mode)) return;
+  build_inputs(cycle, d.authority);
+  (void)sdm::rebuild(d.sdm, d.inputs);
+  if (d.sdm.truncated) note(cycle, Event{.subject = "supervision", .what = "too many targets: kept on the safe side"});
+  if (d.sdm.no_deceleration)
+    note(cycle, Event{.subject = "supervision", .what = "no deceleration before a target", .clause = "3.13.6.2"});
+}
+
+void supervise_speed(Cycle& cycle) {
+  State& s = cycle.state;
+  if (!supervises_speed(s.mode) || !cycle.derived.sdm.valid) {
+    s.supervision = {};
+    return;
+  }
+  const sdm::Result r = sdm::supervise(s.supervision, cycle.derived.sdm, motion_of(cycle));
+  show_limits(cycle, r);
+  cycle.asked.add(brakes::Cause::overspeed_traction, r.tco);
+  cycle.asked.add(brakes::Cause::overspeed_service, r.sb);
+  cycle.asked.add(brakes::Cause::overspeed_emergency, r.eb);
+  cycle.MA_request_before_perturbation = r.MA_request;
+}
+
+void guard_movement(Cycle& cycle) {
+  State& s = cycle.state;
+  protection::Movement m;
+  m.nominal = s.position.now.counter.nominal;
+  m.standstill = cycle.here.standstill;
+  m.controller = way_of(cycle.in.train.direction_controller);
+  m.permitted = s.mode == Mode::PT || s.mode == Mode::RV ? protection::Way::backward : protection::Way::forward;
+  m.D_NVROLL = s.national_values.D_NVROLL;
+  m.D_NVPOTRP = s.national_values.D_NVPOTRP;
+  if (s.mode == Mode::RV && s.track.reversing_reference && s.track.reversing_supervision &&
+      s.track.reversing_supervision->D_REVERSE)
+    m.reversing_left =
+        cycle.here.est_front - (*s.track.reversing_reference - *s.track.reversing_supervision->D_REVERSE);
+  m.acknowledged = cycle.facts.acknowledged.has(modes::Ack::brake);
+  const protection::Commands c = protection::guard(s.guards, protection::guards_of(M_MODE(s.mode)), m);
+  cycle.asked.add(brakes::Cause::roll_away, c.roll_away);
+  cycle.asked.add(brakes::Cause::reverse_movement, c.reverse_movement);
+  cycle.asked.add(brakes::Cause::standstill, c.standstill);
+  cycle.asked.add(brakes::Cause::post_trip_distance, c.post_trip);
+  cycle.asked.add(brakes::Cause::reversing_distance, c.reversing);
+}
+
+bool can_stop_before(Cycle& cycle, const track::MovementAuthority& proposed) {
+  State& s = cycle.state;
+  if (!within(s, modes::Supervision::full)) return false;
+  track::Authority a;
+  if (proposed.limited()) {
+    a.LOA = proposed.end();
+    a.V_LOA = proposed.V_LOA;
+  } else {
+    a.EOA = proposed.end();
+    a.SvL = proposed.SvL();
+  }
+  // The curves of the proposed authority stand in the place of those in force, which are built anew afterwards.
+  build_inputs(cycle, a);
+  (void)sdm::rebuild(cycle.derived.sdm, cycle.derived.inputs);
+  cycle.derived.key.valid = false;
+  sdm::Supervision fresh;
+  const sdm::Result r = sdm::supervise(fresh, cycle.derived.sdm, motion_of(cycle));
+  return r.monitoring == sdm::Monitoring::CSM && r.status == sdm::Status::Normal;
+}
+
+}  // namespace evc::kernel
