@@ -5,7 +5,7 @@
 #include <random>
 #include <type_traits>
 
-#include "balise/test_train.h"
+#include "balise/train_test.h"
 
 namespace evc::balise {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "balise/test_train.h"
+#include "balise/train_test.h"
 
 namespace evc::balise {
 namespace {

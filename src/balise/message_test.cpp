@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "balise/balise.h"
-#include "balise/test_train.h"
+#include "balise/train_test.h"
 
 // Balise group message consistency (3.16.2.4, 3.16.2.5): every error of a group against every way it can be
 // met: announced by linking, marked linked without linking, marked unlinked.
