@@ -202,8 +202,7 @@ void clear_beyond(LinkingState& linking, Place place) {
 
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked) {
   // A window counts as passed only when it was judged: the group may be under the antenna still.
-  return linking_checked &&
-         (!linking.links.empty() || (linking.used_until && antenna.min <= *linking.used_until));
+  return linking_checked && (!linking.links.empty() || (linking.used_until && antenna.min <= *linking.used_until));
 }
 
 const Link* expected(const LinkingState& linking) { return linking.links.empty() ? nullptr : &linking.links.front(); }
