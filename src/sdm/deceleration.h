@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "base/inplace_vector.h"
 #include "base/step_function.h"
@@ -15,7 +16,7 @@
 namespace evc::sdm {
 
 inline constexpr std::size_t kGradientSteps = 96;
-inline constexpr std::size_t kSegments = 128;
+inline constexpr std::size_t kSegments = 144;
 inline constexpr std::size_t kZones = 16;
 
 /// Per mille, positive uphill.

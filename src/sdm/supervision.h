@@ -106,6 +106,7 @@ struct Motion {
   bool standstill = false;
   Duration now{};
   std::optional<double> brake_pressure_kpa;  // main pipe (or from the cylinder), for the feedback
+  std::optional<Duration> T_MAR;             // of the RBC's MA request parameters (packet 57)
 };
 
 enum class Monitoring : std::uint8_t { CSM, TSM, RSM };
@@ -135,8 +136,8 @@ struct Supervision {
   FeedbackState feedback;
   // Shown values that may not rise (A.3.10, A.3.13).
   bool hold_P = false, hold_SBI = false, hold_target_distance = false;
-  std::optional<Speed> shown_P, shown_SBI;
-  std::optional<Distance> shown_target_distance;
+  std::optional<Speed> shown_P{}, shown_SBI{};
+  std::optional<Distance> shown_target_distance{};
 };
 
 /// Why something is commanded, for brake reasons and events: the number of the triggering condition.

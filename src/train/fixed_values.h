@@ -17,7 +17,6 @@ struct FixedValues {
   Duration T_driver{4.0};
   Duration T_preindication{7.0};  // 3.4.0 only
   Duration T_dispTTI{14.0};       // 3.6.0 on
-  Duration T_MAR{10.0};           // MA request before the perturbation location when the RBC gave none; not in A.3.1
   // Rotating mass, % of the train's weight.
   double M_rotating_max = 15.0;
   double M_rotating_min = 2.0;

@@ -1,0 +1,50 @@
+#include "sdm/braking_curve.h"
+
+namespace evc::sdm {
+
+std::size_t CurveView::knot_at(Place x) const {
+  // The last knot that is not upstream of x; knots run from the foot upstream.
+  std::size_t low = 0;
+  std::size_t high = knots.size();
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (x < knots[middle].x)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+std::size_t CurveView::knot_at(Speed V) const {
+  // The last knot with a lower speed: at a speed that a level stretch has, its downstream end decides.
+  const SpeedSquared w = V * V;
+  std::size_t low = 0;
+  std::size_t high = knots.size();
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (knots[middle].w < w)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+SpeedSquared CurveView::speed_squared_at(Place x) const {
+  const Knot& k = knots[knot_at(x)];
+  if (x >= k.x) return k.w;
+  return k.w + 2.0 * (k.A * (k.x - x));
+}
+
+Speed CurveView::speed_at(Place x) const { return {__builtin_sqrt(speed_squared_at(x).si)}; }
+
+Place CurveView::place_at(Speed V) const {
+  const SpeedSquared w = V * V;
+  const Knot& k = knots[knot_at(V)];
+  if (w <= k.w) return k.x;
+  if (k.A.si <= 0.0) return {{-1e9}};  // a level end: this speed is nowhere allowed
+  return k.x - Distance{(w - k.w).si / (2.0 * k.A.si)};
+}
+
+}  // namespace evc::sdm

@@ -1,0 +1,116 @@
+#include "sdm/curves.h"
+
+#include <algorithm>
+
+#include "sdm/evaluate.h"
+
+namespace evc::sdm {
+namespace {
+
+/// The segment whose arc gives the curve its speed just upstream of x.
+const Segment& segment_before(const Segments& s, Place x) {
+  std::size_t i = s.size() - 1;
+  while (i > 0 && !(s[i].from < x)) --i;
+  return s[i];
+}
+const Band& band_at(const Bands& bands, Speed V) {
+  std::size_t i = 0;
+  while (i + 1 < bands.size() && bands[i].w_upto < V * V) ++i;
+  return bands[i];
+}
+
+train::BrakeSet off(const Inputs& in, Place x, bool service) {
+  const TrackConditions& c = in.conditions;
+  const auto gone = [x](const std::optional<Place>& from) { return from.has_value() && *from < x; };
+  unsigned set = 0;
+  if (gone(c.regenerative_off)) set |= train::kRegenerative;
+  if (in.train.regenerative_needs_line_voltage && gone(c.powerless)) set |= train::kRegenerative;
+  if (gone(service ? c.eddy_current_service_off : c.eddy_current_emergency_off)) set |= train::kEddyCurrent;
+  if (gone(c.magnetic_shoe_off)) set |= train::kMagneticShoe;
+  return static_cast<train::BrakeSet>(set);
+}
+
+void decelerations(Explanation& e, const Derived& d, const Inputs& in, const Target& t, Speed V) {
+  const Decelerations& A = d.decelerations;
+  const Segment& s = segment_before(A.segments_of(t.due_to_TSR), e.d_EBD);
+  const Band& b = band_at(A.bands(CurveKind::EBD, s), V);
+  e.A_gradient_EBD = s.A_gradient;
+  e.A_safe = deceleration(b, s);
+  e.A_brake_safe = b.A[0];
+  e.A_brake_emergency = train::value_below(
+      train::A_brake_emergency(in.train, train::in_use_emergency(in.train, in.brakes, off(in, e.d_EBD, false))), V);
+  // The expected deceleration where the SBD has the speed; without an SBD where the EBD has it.
+  const Place where = e.d_SBD.value_or(e.d_EBD);
+  const Segment& z = segment_before(A.segments, where);
+  const Band& service = band_at(A.bands(CurveKind::SBD, z), V);
+  e.A_gradient_SBD = z.A_gradient;
+  e.A_expected = deceleration(service, z);
+  e.A_brake_service = service.A[0];
+}
+
+/// The speed whose location `place(V)` is `x`: places fall with the speed.
+template <class PlaceOf>
+Speed speed_of(PlaceOf place, Place x, Speed V_top) {
+  Speed low{0.0};
+  Speed high = V_top;
+  if (place(low) <= x) return low;
+  if (place(high) >= x) return high;
+  for (int i = 0; i < 60; ++i) {
+    const Speed middle = low + (high - low) / 2.0;
+    (place(middle) >= x ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V, Speed V_ura, Acceleration A_est,
+                    const Motion* motion) {
+  Explanation e;
+  e.approach = approach(V, d.Q_NVINHSMICPERM ? Speed{0.0} : V_ura, A_est, d.fixed);
+  e.build_up = t.zero ? d.cm0 : d.cmt;
+  TimesAsked asked;
+  if (d.rules.reduced_build_up) {
+    const Place here = d.view(t.EBD).place_at(V);
+    asked.reduced_from = motion != nullptr ? Fronts{motion->est_front, motion->min_safe_front} : Fronts{here, here};
+  }
+  const TargetLimits l = limits_of(d, t, e.approach, asked);
+  e.times = l.times.EBD;
+  e.EBD = l.EBD;
+  e.SBD = l.SBD;
+  e.d_EBD = d.view(t.EBD).place_at(V);
+  if (t.kind == TargetKind::EOA_SvL) e.d_SBD = d.view(t.SBD).place_at(V);
+  if (d.view(t.GUI).exists()) e.d_GUI = d.view(t.GUI).place_at(V);
+  decelerations(e, d, in, t, V);
+  e.d_FLOI = e.EBD.d_SBI;
+  e.d_W = e.EBD.d_W;
+  e.d_P = e.EBD.d_P;
+  e.d_I = e.EBD.d_I;
+  // The official tool of 3.4.0 draws P to the target at most; I does not follow it.
+  if (d.rules.pre_indication) e.d_P = std::min(e.d_P, t.d_target);
+  if (e.SBD.has_value()) {
+    e.d_FLOI = std::min(e.d_FLOI, e.SBD->d_SBI);
+    e.d_W = std::min(e.d_W, e.SBD->d_W);
+    e.d_P = std::min(e.d_P, e.SBD->d_P);
+    e.d_I = std::min(e.d_I, e.SBD->d_I);
+  }
+  return e;
+}
+
+PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura, Acceleration A_est) {
+  PositionRow row{};
+  const Speed top = in.V_top.value_or(d.V_relevant);
+  row.EBD = d.view(t.EBD).speed_at(x);
+  if (t.kind == TargetKind::EOA_SvL) row.SBD = d.view(t.SBD).speed_at(x);
+  const auto speed = [&](auto pick) {
+    return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est)); }, x, top);
+  };
+  row.EBI = speed([](const Explanation& e) { return *e.EBD.d_EBI; });
+  row.SBI = speed([](const Explanation& e) { return e.d_FLOI; });
+  row.W = speed([](const Explanation& e) { return e.d_W; });
+  row.P = speed([](const Explanation& e) { return e.d_P; });
+  row.I = speed([](const Explanation& e) { return e.d_I; });
+  return row;
+}
+
+}  // namespace evc::sdm

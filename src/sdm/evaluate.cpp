@@ -1,0 +1,122 @@
+#include "sdm/evaluate.h"
+
+#include <algorithm>
+
+#include "sdm/reduced_build_up.h"
+
+namespace evc::sdm {
+namespace {
+
+Duration T_traction_with(const TimeConfig& c, Duration T_bs2, const train::FixedValues& f) {
+  if (!c.traction_cut_off_interface) return c.T_traction_cut_off;
+  return std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
+}
+
+/// T_bs_reduced for the curve that ends at `end` (A.3.12, service brake).
+Duration reduced_T_bs(const Derived& d, const Target& target, const train::BuildUpTimes& b, const Approach& a,
+                      Place end, const Fronts& fronts) {
+  const bool stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
+  const Speed Vt = stop ? Speed{0.0} : target.V_target;
+  if (stop ? a.V.si <= 0.0 : a.V <= Vt) return std::min(b.T_bs, b.T_bs_react);
+  Ramp r{.T = b.T_bs, .T_react = b.T_bs_react, .v0 = a.V, .V_target = Vt, .stop = stop};
+  r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
+                           std::min(fronts.est, end), std::min(Vt, a.V), std::max(Vt, a.V));
+  return reduced_build_up_time(r);
+}
+
+Duration reduced_T_be(const Derived& d, const Target& target, const train::BuildUpTimes& b, const Approach& a,
+                      const Times& unreduced, const Fronts& fronts) {
+  if (b.T_be.si <= 0.0 || b.T_be_react.si <= 0.0) return b.T_be;  // Kt_int = 0 among them
+  if (unreduced.T_traction >= b.T_be) return b.T_be;              // A.3.12.1.5
+  const TimeConfig& c = d.time_config;
+  const bool stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
+  const Speed Vt = stop ? Speed{0.0} : target.V_target;
+  const Speed V_bec = before_emergency_effort(a, unreduced, Vt).V_bec;
+  Ramp r{.T = b.T_be,
+         .T_react = b.T_be_react,
+         .v0 = a.V + a.V_delta0,
+         .V_target = Vt,
+         .stop = stop,
+         .A_est1 = a.A_est1,
+         .A_est2 = a.A_est2};
+  r.T_traction_max = T_traction_with(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed);
+  r.T_traction_min = T_traction_with(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed);
+  const Place end = target.d_target;
+  r.A = deceleration_range(d.decelerations, CurveKind::EBD, target.due_to_TSR, std::min(fronts.est, end), end,
+                           std::min(fronts.min_safe, end), Vt, std::max(Vt, V_bec));
+  return reduced_build_up_time(r);
+}
+
+}  // namespace
+
+Speed V_delta0_41(const Derived& d, Speed V) { return d.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V); }
+
+TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked) {
+  const train::BuildUpTimes& full = target.zero ? d.cm0 : d.cmt;
+  TargetTimes t;
+  t.EBD = times(d.time_config, full, asked.feedback, d.rules, d.fixed);
+  t.SBD = t.EBD;
+  if (!d.rules.reduced_build_up || !asked.reduced_from.has_value()) return t;
+  train::BuildUpTimes reduced = full;
+  train::BuildUpTimes reduced_SBD = full;
+  // 3.13.6.3.2.5: only without feedback. The service brake first: T_traction needs its time.
+  if (!d.time_config.feedback_available) {
+    reduced.T_bs = reduced_T_bs(d, target, full, a, target.d_target, *asked.reduced_from);
+    if (target.kind == TargetKind::EOA_SvL)
+      reduced_SBD.T_bs = reduced_T_bs(d, target, full, a, target.d_EOA, *asked.reduced_from);
+  }
+  const Times unreduced_be = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
+  reduced.T_be = reduced_T_be(d, target, full, a, unreduced_be, *asked.reduced_from);
+  t.EBD = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
+  t.SBD = times(d.time_config, reduced_SBD, asked.feedback, d.rules, d.fixed);
+  t.reduced_be = reduced.T_be < full.T_be;
+  t.reduced_bs = reduced.T_bs < full.T_bs || reduced_SBD.T_bs < full.T_bs;
+  return t;
+}
+
+Limits EBD_limits_of(const Derived& d, const Target& target, const Approach& a, const Times& t) {
+  std::optional<Place> d_target;
+  if (d.rules.P_not_beyond_target) d_target = target.d_target;
+  return limits_of_EBD(d.view(target.EBD), d.view(target.GUI), a, t, target.V_target, d_target, d.fixed);
+}
+
+Limits SBD_limits_of(const Derived& d, const Target& target, const Approach& a, const Times& t) {
+  return limits_of_SBD(d.view(target.SBD), d.view(target.GUI_EOA), a, t, d.fixed);
+}
+
+TargetLimits limits_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked) {
+  TargetLimits l;
+  l.times = times_of(d, target, a, asked);
+  l.EBD = EBD_limits_of(d, target, a, l.times.EBD);
+  if (target.kind == TargetKind::EOA_SvL) l.SBD = SBD_limits_of(d, target, a, l.times.SBD);
+  if (d.rules.indication_ignores_feedback && asked.feedback.has_value()) {
+    // 3.13.9.3.6.5: T_bs1 = T_bs2 = T_bs in everything that leads to d_I.
+    const train::BuildUpTimes& full = target.zero ? d.cm0 : d.cmt;
+    const Times without = times(d.time_config, full, FeedbackTimes{full.T_bs, full.T_bs}, d.rules, d.fixed);
+    l.EBD.d_I = EBD_limits_of(d, target, a, without).d_I;
+    if (l.SBD.has_value()) l.SBD->d_I = SBD_limits_of(d, target, a, without).d_I;
+  }
+  return l;
+}
+
+RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Place d_trip, bool on_board,
+                   const std::optional<FeedbackTimes>& feedback) {
+  const Approach a{.V = V_release, .V_delta0 = V_delta0_41(d, V_release), .A_est1 = {}, .A_est2 = {}};
+  const auto asked = [&](const Target& t) {
+    TimesAsked times{feedback, {}};
+    // Reduced times from the place where the curve has the speed: the location shall not depend on the
+    // train's.
+    const Place here = d.view(t.EBD).place_at(V_release);
+    if (d.rules.reduced_build_up) times.reduced_from = Fronts{here, here};
+    return times;
+  };
+  const TargetLimits l = limits_of(d, EOA_SvL, a, asked(EOA_SvL));
+  RsmStart start{l.SBD->d_SBI, l.EBD.d_SBI};
+  if (!on_board) return start;
+  for (const Target& t : d.targets)
+    if (t.kind == TargetKind::MRSP && t.d_target >= d_trip && t.d_target <= EOA_SvL.d_target)
+      start.d_SBI2 = std::min(start.d_SBI2, limits_of(d, t, a, asked(t)).EBD.d_SBI);
+  return start;
+}
+
+}  // namespace evc::sdm

@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+
+#include "sdm/limits.h"
+#include "sdm/supervision.h"
+
+// One target's limits for one speed: the only place where they are put together, used by supervision,
+// by the fixed locations and by `explain`.
+namespace evc::sdm {
+
+/// Where the train is, for the build-up times of 4.0.0. Without it the times are not reduced.
+struct Fronts {
+  Place est{}, min_safe{};
+};
+
+/// What a clause says about the times.
+struct TimesAsked {
+  std::optional<FeedbackTimes> feedback;  // service brake feedback in action
+  std::optional<Fronts> reduced_from;     // 4.0.0: reduced build-up times from these front ends
+};
+
+struct TargetTimes {
+  Times EBD, SBD;
+  bool reduced_be = false, reduced_bs = false;
+};
+TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked);
+
+/// Limits of a target: EBD always, SBD for EOA_SvL.
+struct TargetLimits {
+  TargetTimes times;
+  Limits EBD{};
+  std::optional<Limits> SBD;
+};
+TargetLimits limits_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked);
+/// The same with times already known.
+Limits EBD_limits_of(const Derived& d, const Target& target, const Approach& a, const Times& t);
+Limits SBD_limits_of(const Derived& d, const Target& target, const Approach& a, const Times& t);
+
+/// V_delta0 that a clause takes from SUBSET-041 instead of V_ura: f41(V), 0 where inhibited.
+Speed V_delta0_41(const Derived& d, Speed V);
+
+/// Start of release speed monitoring for a release speed (3.13.9.4.6-7).
+struct RsmStart {
+  Place d_SBI1{}, d_SBI2{};
+};
+RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Place d_trip, bool on_board,
+                   const std::optional<FeedbackTimes>& feedback);
+
+}  // namespace evc::sdm

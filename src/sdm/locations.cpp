@@ -1,0 +1,92 @@
+#include "sdm/locations.h"
+
+#include <algorithm>
+
+#include "sdm/evaluate.h"
+
+namespace evc::sdm {
+namespace {
+
+Speed top_speed(const Inputs& in) { return in.V_top.value_or(in.train.V_MAXTRAIN + Speed{100.0 / 3.6}); }
+
+}  // namespace
+
+LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_start, Speed V_LX, const Motion& m) {
+  LxSubstitution lx;
+  const Speed top = top_speed(in);
+  const Decelerations& A = d.decelerations;
+  const BrakingCurve EBD = trace(A, CurveKind::EBD, false, LX_start, {}, {}, top);
+  const BrakingCurve SBD = trace(A, CurveKind::SBD, false, LX_start, {}, {}, top);
+  BrakingCurve GUI;
+  if (d.guidance) GUI = trace(A, CurveKind::GUI, false, LX_start, {}, {}, top);
+  const Times t = times(d.time_config, d.cm0, std::nullopt, d.rules, d.fixed);
+  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: those of the moment.
+  Approach a{.V = V_LX, .V_delta0 = V_delta0_41(d, V_LX), .A_est1 = {}, .A_est2 = {}};
+  if (d.rules.LX_with_current_motion) a = approach(V_LX, d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura, m.A_est, d.fixed);
+  // The EOA's GUI and the SvL's are the same curve here.
+  lx.EBD = limits_of_EBD(EBD.view(), GUI.view(), a, t, Speed{0.0}, std::nullopt, d.fixed);
+  lx.SBD = limits_of_SBD(SBD.view(), GUI.view(), a, t, d.fixed);
+  lx.from_SBD = lx.EBD.d_SBI - lx.SBD.d_SBI >= m.max_safe_front - m.est_front;
+  lx.d_P = lx.from_SBD ? lx.SBD.d_P : lx.EBD.d_P;
+  lx.passed = (lx.from_SBD ? m.est_front : m.max_safe_front) > lx.d_P;
+  return lx;
+}
+
+Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake) {
+  // 3.11.11.4: the own gradient only, no trackside adhesion, inhibition or powerless section; the
+  // driver's slippery rail counts. Traction cut-off and feedback as if not implemented.
+  GradientProfile gradient;
+  EVC_REQUIRE(gradient.permille.append({{-1e9}}, grad));
+  TrackConditions conditions;
+  conditions.slippery_rail = in.conditions.slippery_rail;
+  Decelerations A;
+  determine(A, in.train, in.national_values, in.fixed, in.brakes, gradient, conditions);
+  const Place d_PBD{permitted};
+  const Speed top = top_speed(in);
+  const BrakingCurve EBD = trace(A, CurveKind::EBD, false, d_PBD, {}, {}, top);
+  const BrakingCurve SBD = trace(A, CurveKind::SBD, false, d_PBD, {}, {}, top);
+  TimeConfig config = time_config(in.train, in.national_values);
+  config.traction_cut_off_interface = false;
+  config.feedback_available = false;
+  const train::BuildUpTimes build_up = train::build_up_times(in.train, in.national_values, in.brakes, true);
+  const Times t = times(config, build_up, std::nullopt, rules_of(in.srs), in.fixed);
+  const Duration T_be = t.T_traction + t.T_berem;
+  const auto V_delta0 = [&](Speed V) { return in.national_values.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V); };
+  // Excess of the speed over what the EBD allows where the full effort begins (V_ = V + dV).
+  const auto EBD_excess = [&](Speed V_, Duration T_bs2) {
+    const Speed v = V_ + V_delta0(V_);
+    const Place x = Place{in.train.L_antenna_front} + v * in.fixed.T41_balise + v * T_be + V_ * T_bs2;
+    return x > d_PBD ? Speed{1e9} : V_ - (EBD.speed_at(x) - V_delta0(V_));
+  };
+  const auto SBD_excess = [&](Speed V_) {
+    const Place x = Place{in.train.L_antenna_front} + V_ * in.fixed.T41_balise + V_ * t.T_bs1;
+    return x > d_PBD ? Speed{1e9} : V_ - SBD.speed_at(x);
+  };
+  const auto excess = [&](Speed V) {
+    if (emergency_brake) return EBD_excess(V + dV_ebi(V, in.fixed), Duration{0.0});
+    const Speed V_ = V + dV_sbi(V, in.fixed);
+    return std::max(EBD_excess(V_, t.T_bs2), SBD_excess(V_));
+  };
+  // The excess grows with V; the lowest speed within the tolerance is taken (deterministic, safe side),
+  // and none within it gives 0.
+  const Speed tolerance = in.fixed.search_tolerance;
+  Speed low{0.0};
+  Speed high = top;
+  if (excess(low) > tolerance) return Speed{0.0};
+  if (excess(low) < -tolerance) {
+    if (excess(high) < -tolerance) return top;
+    for (int i = 0; i < 60; ++i) {
+      const Speed middle = low + (high - low) / 2.0;
+      (excess(middle) >= -tolerance ? high : low) = middle;
+    }
+    if (excess(high) > tolerance) return Speed{0.0};
+  } else {
+    high = low;
+  }
+  // Round down to 5 km/h, without a floor function: count the steps.
+  Speed V{0.0};
+  for (int n = 1; Speed{n * in.fixed.PBD_rounding.si} <= high; ++n) V = {n * in.fixed.PBD_rounding.si};
+  return V;
+}
+
+}  // namespace evc::sdm

@@ -1,0 +1,34 @@
+#pragma once
+#include "base/units.h"
+#include "sdm/deceleration.h"
+#include "sdm/limits.h"
+
+// A.3.12 of 4.0.0: the equivalent build-up time shrinks where the ramp of the brake reaches the target
+// speed before it is fully built up. Formulas A.3.12.5-8 are re-derived from the informative annex.
+namespace evc::sdm {
+
+/// Lowest brake deceleration (no gradient) and highest deceleration (with it) in a rectangle of place
+/// and speed.
+struct DecelerationRange {
+  Acceleration A_brake_min{};  // A_EB, A_SB
+  Acceleration A_max{};        // A_safe_max, A_expected_max
+};
+/// `from` <= `to`, `V_low` <= `V_high`. With `reduced_from`: adhesion also counts from there (the min
+/// safe front end; A.3.12.2.2).
+DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, bool due_to_TSR, Place from, Place to,
+                                     Place reduced_from, Speed V_low, Speed V_high);
+
+/// What the ramp model needs for one target and one brake.
+struct Ramp {
+  Duration T{}, T_react{};  // T_be, T_be_react or T_bs, T_bs_react
+  Speed v0{};               // V_est + V_delta0, V_est for the service brake
+  Speed V_target{};
+  bool stop = false;  // EOA, SvL, SR end
+  Acceleration A_est1{}, A_est2{};
+  Duration T_traction_max{}, T_traction_min{};
+  DecelerationRange A{};
+};
+/// T_be_reduced or T_bs_reduced; never more than T.
+Duration reduced_build_up_time(const Ramp& r);
+
+}  // namespace evc::sdm
