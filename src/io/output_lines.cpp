@@ -150,11 +150,36 @@ void append_lrbg(Row& row, const std::optional<kernel::NidLrbg>& lrbg) {
   row.close();
 }
 
+/// A fixed text by its number (7.5.1.137), a plain one as UTF-8.
+void append_shown_text(std::string& out, const kernel::ShownText& text) {
+  if (text.Q_TEXT) {
+    out += *text.Q_TEXT == 0 ? "Level crossing not protected" : *text.Q_TEXT == 1 ? "Acknowledgement" : "fixed text ";
+    if (*text.Q_TEXT > 1) append_number(out, std::int64_t{*text.Q_TEXT});
+    return;
+  }
+  for (std::size_t i = 0; i < text.length; ++i) {
+    const auto c = static_cast<unsigned char>(text.characters[i]);
+    if (c < 0x80) {
+      out += static_cast<char>(c);
+    } else {
+      out += static_cast<char>(0xC0 | (c >> 6));
+      out += static_cast<char>(0x80 | (c & 0x3F));
+    }
+  }
+}
+
+bool same_shown(const InplaceVector<kernel::ShownText, 6>& a, const InplaceVector<kernel::ShownText, 6>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].id != b[i].id) return false;
+  return true;
+}
+
 void append_driver(Row& row, const Outputs& o) {
   const auto text = [](std::string& out, const char* s) { out += s; };
   if (row.json()) row.open("driver");
   row.list("requests", o.driver_requests, text);
-  row.list("texts", o.text_ids, [](std::string& out, std::uint8_t id) { append_number(out, std::int64_t{id}); });
+  row.list("texts", o.texts, append_shown_text);
   row.list("symbols", o.symbols, text);
   row.close();
 }
@@ -263,7 +288,7 @@ bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
   const bool same = a.mode == b.mode && a.level == b.level && a.lrbg == b.lrbg && a.monitoring == b.monitoring &&
                     a.status == b.status && a.V_MRSP == b.V_MRSP && a.V_target == b.V_target &&
                     a.V_release == b.V_release && a.EOA == b.EOA && a.SvL == b.SvL && a.tco == b.tco && a.sb == b.sb &&
-                    a.eb == b.eb && a.text_ids == b.text_ids;
+                    a.eb == b.eb && same_shown(a.texts, b.texts);
   return !same || !same_texts(a.brake_reasons, b.brake_reasons) || !same_texts(a.driver_requests, b.driver_requests) ||
          !same_texts(a.symbols, b.symbols);
 }

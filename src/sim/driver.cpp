@@ -16,11 +16,11 @@ using modes::Mode;
 constexpr double kKmh = 3.6;
 constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
 constexpr double kBeforeLevel2 = 60.0 / kKmh;
-constexpr double kComfortable = 0.45;        // m/s2, braking ahead
-constexpr double kMargin = 3.0 / kKmh;       // below the permitted speed
-constexpr double kStopShort = 12.0;          // metres before the end of authority
-constexpr std::int64_t kStanding_ms = 1500;  // before the entries at start of mission
-constexpr std::int64_t kAgain_ms = 3000;     // an entry that had no effect is made again
+constexpr double kComfortable = 0.45;           // m/s2, braking ahead
+constexpr double kMargin = 3.0 / kKmh;          // below the permitted speed
+constexpr double kStopShort = 12.0;             // metres before the end of authority
+constexpr std::int64_t kEntry_ms = 1000;        // from one entry to the next
+constexpr std::uint32_t kDigits = 0x4711FFFFu;  // driver identity and train running number 4711, packed
 
 constexpr const char* kAckNames[] = {"OS", "LS",   "SH",    "SR",   "UN",    "SN",
                                      "RV", "trip", "level", "text", "brake", "train_data"};
@@ -49,40 +49,25 @@ void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
   acknowledge(seen, t_ms, inputs);
 }
 
-/// The entries of 5.4.3: driver identity, level, train data, running number, start.
+/// Start of mission (5.4.3): what is asked for is entered, then Start is chosen.
 void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+  if (seen.mode != Mode::SB || t_ms < next_entry_ms_) return;
   auto& driver = inputs.levels.driver;
-  if (seen.mode != Mode::SB) return;
-  const std::int64_t since = t_ms - kStanding_ms;
-  if (since < 0) return;
-  switch (entered_) {
-    case 0:
-      driver.driver_id = 0x4711FFFFu;
-      break;
-    case 1:
-      driver.level = line_.start_level;
-      driver.nid_ntc = line_.start_nid_ntc;
-      break;
-    case 2:
-      driver.selected |= bit(Select::train_data);
-      break;
-    case 3:
-      inputs.train_data = train_;
-      break;
-    case 4:
-      driver.acknowledged |= 1u << static_cast<unsigned>(Ack::train_data);
-      break;
-    case 5:
-      driver.train_running_number = 0x4711FFFFu;
-      break;
-    default:
-      if (t_ms < start_after_ms_ || !seen.driver_requests.empty()) return;
-      driver.selected |= bit(Select::start);
-      start_after_ms_ = t_ms + kAgain_ms;
-      return;
+  next_entry_ms_ = t_ms + (kind_ == DriverKind::late ? 2 * kEntry_ms : kEntry_ms);
+  if (asks(seen, "enter driver_id")) {
+    driver.driver_id = kDigits;
+  } else if (asks(seen, "enter level")) {
+    driver.level = line_.start_level;
+    driver.nid_ntc = line_.start_nid_ntc;
+  } else if (asks(seen, "enter train_data")) {
+    inputs.train_data = train_;
+    data_entered_ = true;
+  } else if (asks(seen, "enter train_running_number")) {
+    driver.train_running_number = kDigits;
+  } else if (seen.driver_requests.empty()) {
+    // Nothing is asked for: train data are chosen to be entered once, then Start.
+    driver.selected |= bit(data_entered_ ? Select::start : Select::train_data);
   }
-  ++entered_;
-  start_after_ms_ = t_ms + 1000;
 }
 
 void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {

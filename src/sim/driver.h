@@ -45,8 +45,8 @@ class Driver {
   std::optional<double> last_wanted_;
   std::deque<double> wanted_;  // accelerations not yet acted on (late)
   std::array<std::optional<std::int64_t>, static_cast<std::size_t>(kernel::Ack::count)> asked_since_{};
-  std::int64_t start_after_ms_ = 4000;
-  int entered_ = 0;
+  std::int64_t next_entry_ms_ = 1000;
+  bool data_entered_ = false;
 };
 
 }  // namespace evc::sim

@@ -1,0 +1,95 @@
+#include "io/line_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "io/file.h"
+
+namespace evc::io {
+namespace {
+
+const char* kSmall = R"({"schema":"etcs-line/1","name":"small","length_m":100,"anything":1,
+  "balise_groups":[{"seq":0,"balises":[{"position_m":50,"telegram_hex":"9002FFB540B0","telegram_bits":45},
+                                       {"position_m":20,"telegram_hex":"90"}]}],
+  "rbc_messages":[{"seq":2,"trigger":{"position_m":30,"delay_s":4},"message_hex":"180014"},
+                  {"seq":1,"trigger":{"position_m":10},"missing_raw":true}],
+  "physical_track":{"gradient":[{"start_m":0,"end_m":100,"gradient_permille":-5}],
+                    "ssp":[{"start_m":0,"end_m":100,"v_kmh":80}],
+                    "level_transitions":[{"position_m":-60,"levels":[2]},{"position_m":50,"levels":[3]}]}})";
+
+std::string error_of(const char* text) {
+  const auto line = read_line(text, "l.json");
+  return line ? "" : line.error().text();
+}
+
+TEST(LineFile, ReadsWhatTheContractNames) {
+  const auto line = read_line(kSmall, "l.json");
+  ASSERT_TRUE(line) << line.error().text();
+  EXPECT_EQ(line->groups, 1u);
+  ASSERT_EQ(line->balises.size(), 2u);
+  EXPECT_EQ(line->balises[0].position_m, 20.0);
+  EXPECT_EQ(line->balises[1].telegram.size, 45u);
+  EXPECT_EQ(line->balises[1].telegram.number(1, 7), 16u);
+  ASSERT_EQ(line->radio.size(), 1u);
+  EXPECT_EQ(line->radio[0].delay_s, 4.0);
+  EXPECT_EQ(line->absent_messages, 1u);
+  EXPECT_EQ(line->start_front_m, -50.0);
+  EXPECT_EQ(line->start_level, modes::Level::L1);  // the transition behind the start: M_LEVELTR 2 is level 1
+  EXPECT_EQ(line->ssp[0].kmh, 80.0);
+}
+
+TEST(LineFile, ErrorsNameTheJsonPointer) {
+  EXPECT_EQ(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+    {"position_m":0,"telegram_hex":"90G2"}]}]})"),
+            "l.json: /balise_groups/0/balises/0/telegram_hex: found \"G\" at digit 3, expected hexadecimal digits");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+    {"telegram_hex":"90"}]}]})"),
+            "l.json: /balise_groups/0/balises/0: found no key \"position_m\", expected one");
+  EXPECT_NE(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+    {"position_m":0,"telegram_hex":"90","telegram_bits":9}]}]})")
+                .find("telegram_bits"),
+            std::string::npos);
+}
+
+TEST(LineFile, WithoutBitsIsRefused) {
+  const std::string error = error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,
+    "balise_groups":[{"balises":[{"position_m":0}]},{"balises":[]}]})");
+  EXPECT_EQ(error,
+            "l.json: /balise_groups: found 2 groups, 1 balises without bits, expected telegram_hex in at least one: "
+            "the on-board reads bits");
+}
+
+std::string shared_folder() {
+  const char* given = std::getenv("OPENEVC_SHARED");
+  return given != nullptr ? given : std::string(EVC_SOURCE_DIR) + "/../shared";
+}
+
+TEST(LineFile, TheRecordedLine) {
+  const std::string file = shared_folder() + "/lines/amsterdam_utrecht.json";
+  const auto text = read_text(file);
+  if (!text) GTEST_SKIP() << "needs " << file;
+  const auto line = read_line(*text, file);
+  ASSERT_TRUE(line) << line.error().text();
+  EXPECT_EQ(line->groups, 103u);
+  EXPECT_EQ(line->balises.size(), 206u);
+  EXPECT_EQ(line->radio.size(), 57u);
+  EXPECT_EQ(line->absent_messages, 1u);
+  EXPECT_EQ(line->start_level, modes::Level::NTC);
+}
+
+TEST(LineFile, SyntheticLinesWithoutBitsAreRefused) {
+  const std::string folder = shared_folder() + "/lines";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "needs " << folder;
+  for (const char* name : {"envsim_us13.json", "envsim_us14.json", "envsim_test.json"}) {
+    const auto text = read_text(folder + "/" + name);
+    ASSERT_TRUE(text);
+    const auto line = read_line(*text, name);
+    ASSERT_FALSE(line) << name;
+    EXPECT_NE(line.error().text().find("without bits"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace evc::io

@@ -1,0 +1,267 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "io/file.h"
+#include "io/input_stream.h"
+#include "io/input_writer.h"
+#include "io/number.h"
+#include "io/output_lines.h"
+
+namespace evc::io {
+namespace {
+
+std::string number(double v) {
+  std::string s;
+  append_number(s, v);
+  return s;
+}
+
+TEST(Number, ReadsBackToTheSameDouble) {
+  for (const double v : {0.1, 1.0 / 3.0, 1e300, -2.5e-7, 123456789.125, 5e-324, 38.888888888888886}) {
+    EXPECT_EQ(Json::parse(number(v)).get<double>(), v);
+  }
+  EXPECT_EQ(number(0.0), "0");
+  EXPECT_EQ(number(-0.0), "-0.0");
+  EXPECT_TRUE(std::signbit(Json::parse(number(-0.0)).get<double>()));
+  EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN()), "null");
+  std::string micro;
+  append_micro(micro, 140.0 / 3.6 * 3.6);
+  EXPECT_EQ(micro, "140");
+}
+
+TEST(Number, StringsAreEscaped) {
+  std::string s;
+  append_string(s, "a\"b\\c\n\x01");
+  EXPECT_EQ(s, R"("a\"b\\c\u000a\u0001")");
+}
+
+InputStream open(std::string text) {
+  auto stream = InputStream::open("in.jsonl", lines_of(std::move(text)));
+  if (!stream) throw std::runtime_error(stream.error().text());
+  return *std::move(stream);
+}
+
+std::string error_in(std::string text) {
+  auto stream = InputStream::open("in.jsonl", lines_of(std::move(text)));
+  if (!stream) return stream.error().text();
+  sim::CycleInputs cycle;
+  for (;;) {
+    const auto more = stream->next(cycle);
+    if (!more) return more.error().text();
+    if (!*more) return "";
+  }
+}
+
+TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
+  auto stream = open(R"({"config":{"cycle_ms":200,"srs":"4.0.0","levels":["NTC","2"]}}
+{"t_ms":0,"train":{"desk_open":true}}
+{"t_ms":150,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3}}
+
+{"t_ms":200,"balise":{"telegram":"9002","at_m":0.5}}
+{"t_ms":200,"radio":{"message":"180014"}}
+{"t_ms":201,"radio":{"session":"lost"}}
+{"t_ms":700,"driver":{"ack":["OS","level"],"select":"override","enter":{"driver_id":"12","level":"2"}}}
+)");
+  EXPECT_EQ(stream.configuration().cycle_ms, 200);
+  EXPECT_EQ(stream.configuration().srs, train::SrsVersion::v4_0_0);
+  EXPECT_EQ(stream.configuration().levels, (std::array<bool, 5>{false, true, false, true, false}));
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 0);
+  EXPECT_TRUE(cycle.levels.train.desk_open);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 200);
+  EXPECT_EQ(cycle.levels.odometry.V_max.si, 3.0);
+  const auto& inputs = cycle.view();
+  EXPECT_TRUE(inputs.train.desk_open);
+  ASSERT_EQ(inputs.balise_telegrams.size(), 1u);
+  EXPECT_EQ(inputs.balise_telegrams[0].bits, 16u);
+  EXPECT_EQ(inputs.radio_messages[0].bytes[0], 0x18);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.levels.radio_link, kernel::RadioLink::lost);
+  EXPECT_TRUE(cycle.view().balise_telegrams.empty());
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 600);
+  EXPECT_EQ(cycle.levels.radio_link, kernel::RadioLink::unchanged);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::OS));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::level));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::override_));
+  EXPECT_EQ(cycle.levels.driver.driver_id, 0x12FFFFFFu);
+  EXPECT_FALSE(*stream.next(cycle));
+}
+
+TEST(InputStream, ErrorsNameTheLine) {
+  EXPECT_EQ(error_in("{\"t_ms\":0}\n{\"t_ms\":0,\"radoi\":{}}\n").substr(0, 44),
+            "in.jsonl: line 2 /radoi: found an unknown ke");
+  EXPECT_EQ(error_in("{\"t_ms\":100}\n{\"t_ms\":50}\n"),
+            "in.jsonl: line 2 /t_ms: found 50, expected a time not before 100");
+  EXPECT_EQ(error_in("{\"t_ms\":0}\n{\"t_ms\":1\n").substr(0, 26), "in.jsonl: line 2 column 10");
+  EXPECT_NE(error_in("{\"t_ms\":0}\n{\"t_ms\":0,\"config\":{}}\n").find("line 2 /config"), std::string::npos);
+  EXPECT_NE(
+      error_in("{\"t_ms\":0,\"odometer\":{\"nominal_m\":1,\"min_m\":2,\"max_m\":3,\"speed_mps\":0}}").find("min_m"),
+      std::string::npos);
+  EXPECT_NE(error_in("{\"odometer\":{}}"), "");
+  EXPECT_NE(error_in("{\"t_ms\":0,\"radio\":{\"message\":\"123\"}}").find("even"), std::string::npos);
+  EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
+}
+
+/// Everything that a cycle can hold is written and read back to the same.
+TEST(InputWriter, RoundTrip) {
+  Configuration configuration;
+  configuration.train.document = R"({"schema":"etcs-train/1","length_m":123})";
+  configuration.document = configuration_document(configuration);
+  InputWriter writer(configuration);
+  sim::CycleInputs first;
+  first.levels.train.desk_open = true;
+  first.levels.train.direction_controller = kernel::DirectionController::backward;
+  first.levels.train.brake_pressure_kpa = 480.5;
+  first.levels.national_system.available = 2;
+  first.levels.radio_link = kernel::RadioLink::connected;
+  auto& d = first.levels.driver;
+  d.selected = 5;
+  d.acknowledged = 0x801;
+  d.driver_id = 0x4711FFFF;
+  d.level = modes::Level::NTC;
+  d.nid_ntc = 1;
+  d.train_running_number = 0x12345678;
+  d.rbc_contact = {426, 7, 0x0031840880150FFFu};
+  d.D_sr = 500_m;
+  first.train_data = train::TrainData{};
+  first.balises.push_back({{std::vector<std::uint8_t>(104, 0xAB), 830}, {{12.345}}});
+  first.balises.push_back({{{0x90, 0x02}, 13}, {{13.5}}});
+  first.radio.push_back({{0x18, 0x00, 0x14}, 24});
+  first.loops.push_back({{0x01}, 8});
+  std::string text;
+  writer.append(text, first);
+  sim::CycleInputs second;
+  second.t_ms = 100;
+  second.levels.train = first.levels.train;
+  second.levels.odometry = {{{1.25}}, {{1.0}}, {{1.5}}, {2.0}, {1.9}, {2.1}, {-0.5}};
+  second.levels.safety_fault = true;
+  writer.append(text, second);
+
+  auto stream = open(text);
+  EXPECT_EQ(stream.configuration().train.data.L_TRAIN, 123_m);
+  sim::CycleInputs read;
+  ASSERT_TRUE(*stream.next(read));
+  const auto& rd = read.levels.driver;
+  EXPECT_EQ(rd.selected, d.selected);
+  EXPECT_EQ(rd.acknowledged, d.acknowledged);
+  EXPECT_EQ(rd.driver_id, d.driver_id);
+  EXPECT_EQ(rd.level, d.level);
+  EXPECT_EQ(rd.nid_ntc, d.nid_ntc);
+  EXPECT_EQ(rd.train_running_number, d.train_running_number);
+  EXPECT_EQ(rd.rbc_contact->NID_RADIO, d.rbc_contact->NID_RADIO);
+  EXPECT_EQ(rd.D_sr, d.D_sr);
+  EXPECT_EQ(read.train_data->L_TRAIN, 123_m);
+  EXPECT_EQ(read.levels.radio_link, kernel::RadioLink::connected);
+  EXPECT_EQ(read.levels.train.brake_pressure_kpa, 480.5);
+  EXPECT_EQ(read.levels.train.direction_controller, kernel::DirectionController::backward);
+  EXPECT_EQ(read.levels.national_system.available, 2u);
+  ASSERT_EQ(read.balises.size(), 2u);
+  EXPECT_EQ(read.balises[0].bits.size, 830u);
+  EXPECT_EQ(read.balises[0].bits.bytes, first.balises[0].bits.bytes);
+  EXPECT_EQ(read.balises[1].bits.size, 13u);
+  EXPECT_EQ(read.balises[1].at, first.balises[1].at);
+  EXPECT_EQ(read.radio[0].bytes, first.radio[0].bytes);
+  EXPECT_EQ(read.loops[0].bytes, first.loops[0].bytes);
+  ASSERT_TRUE(*stream.next(read));
+  EXPECT_EQ(read.levels.odometry.A_est.si, -0.5);
+  EXPECT_EQ(read.levels.odometry.min.from_origin.si, 1.0);
+  EXPECT_TRUE(read.levels.safety_fault);
+  EXPECT_FALSE(*stream.next(read));
+}
+
+kernel::Outputs some_outputs() {
+  kernel::Outputs o;
+  o.mode = modes::Mode::FS;
+  o.level = modes::Level::L2;
+  o.lrbg = kernel::NidLrbg{426, 352};
+  o.est_front = {{1200.5}};
+  o.v = 139.7_km_h;
+  o.monitoring = kernel::Monitoring::TSM;
+  o.status = kernel::Status::Indication;
+  o.V_P = 140_km_h;
+  o.V_target = 0_km_h;
+  o.d_target = 812.4_m;
+  o.sb = true;
+  (void)o.brake_reasons.push_back("speed");
+  (void)o.driver_requests.push_back("OS");
+  (void)o.symbols.push_back("MO07");
+  kernel::OutgoingMessage m;
+  (void)m.bytes.push_back(0x9B);
+  (void)o.radio_out.push_back(m);
+  o.radio_connect = kernel::RbcAddress{426, 1, 0x0031840880150FFFu};
+  (void)o.events.push_back({"mode", -1, "SR", "FS", nullptr, nullptr, 31});
+  (void)o.events.push_back({"linking BG", 353, nullptr, nullptr, "ok", nullptr, -1});
+  (void)o.events.push_back({"packet", 65, nullptr, nullptr, "refused", "4.8.3", -1});
+  return o;
+}
+
+TEST(OutputLines, Json) {
+  std::string line;
+  append_output(line, 12300, some_outputs());
+  EXPECT_EQ(
+      line,
+      "{\"t_ms\":12300,\"mode\":\"FS\",\"level\":\"2\",\"lrbg\":{\"NID_C\":426,\"NID_BG\":352},\"est_front_m\":1200.5,"
+      "\"min_safe_front_m\":0,\"max_safe_front_m\":0,\"v_kmh\":139.7,\"monitoring\":\"TSM\",\"status\":\"Indication\","
+      "\"V_P\":140,\"V_W\":null,\"V_SBI\":null,\"V_EBI\":null,\"V_MRSP\":null,\"V_target\":0,\"d_target_m\":812.4,"
+      "\"V_release\":null,\"EOA_m\":null,\"SvL_m\":null,\"tco\":false,\"sb\":true,\"eb\":false,"
+      "\"brake_reasons\":[\"speed\"],\"driver\":{\"requests\":[\"OS\"],\"texts\":[],\"symbols\":[\"MO07\"]},"
+      "\"radio_out\":[\"9B\"],\"radio_connect\":{\"NID_C\":426,\"NID_RBC\":1,\"NID_RADIO\":\"0031840880150FFF\"},"
+      "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
+      "[4.8.3]\"]}\n");
+  EXPECT_TRUE(Json::accept(line));
+}
+
+TEST(OutputLines, CsvHasOneFieldPerColumn) {
+  const auto fields = [](const std::string& row) {
+    std::size_t n = 1;
+    bool quoted = false;
+    for (const char c : row) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted) ++n;
+    }
+    return n;
+  };
+  for (const auto& outputs : {some_outputs(), kernel::Outputs{}}) {
+    std::string row;
+    append_trace(row, 12300, outputs);
+    EXPECT_EQ(fields(row), fields(trace_header())) << row;
+  }
+}
+
+TEST(OutputLines, ChangesAreWhatIsNotMotion) {
+  kernel::Outputs a;
+  kernel::Outputs b;
+  b.v = 10_km_h;
+  b.est_front = {{5.0}};
+  EXPECT_FALSE(differ_beyond_motion(a, b));
+  b.tco = true;
+  EXPECT_TRUE(differ_beyond_motion(a, b));
+  EXPECT_TRUE(differ_beyond_motion(a, some_outputs()));
+}
+
+TEST(WholeFile, AppearsOnlyWhenWhole) {
+  const std::string file = ::testing::TempDir() + "/whole_file_test.txt";
+  std::filesystem::remove(file);
+  {
+    auto out = WholeFile::create(file);
+    ASSERT_TRUE(out);
+    out->write("half");
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_TRUE(write_whole(file, "whole"));
+  EXPECT_EQ(*read_text(file), "whole");
+  std::filesystem::remove(file);
+  EXPECT_FALSE(write_whole("/nonexistent/folder/file", "x"));
+  EXPECT_FALSE(read_text("/nonexistent/file"));
+  EXPECT_FALSE(read_text("/"));
+}
+
+}  // namespace
+}  // namespace evc::io

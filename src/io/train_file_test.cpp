@@ -1,0 +1,118 @@
+#include "io/train_file.h"
+
+#include <gtest/gtest.h>
+
+namespace evc::io {
+namespace {
+
+std::string error_of(const char* text) {
+  const auto train = read_train(text, "t.json");
+  return train ? "" : train.error().text();
+}
+
+TEST(TrainFile, AnEmptyOneIsTheStandardTrain) {
+  const auto train = read_train(R"({"schema":"etcs-train/1"})", "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  EXPECT_EQ(train->data, train::TrainData{});
+  EXPECT_EQ(train->name, "passenger, 135 %");
+  EXPECT_EQ(train->dynamics.mass_t, 200.0);
+}
+
+TEST(TrainFile, EveryPlainKeyArrives) {
+  const auto train = read_train(R"({"schema":"etcs-train/1","name":"x","brake_model":"lambda",
+    "brake_position":"FreightG","brake_percentage":65,"length_m":600,"max_speed_kmh":100,"L_antenna_front_m":3,
+    "M_rotating_nom_pct":8,"T_traction_cut_off_s":6,"traction_cut_off_interface":false,
+    "service_brake_interface":false,"service_brake_feedback":true,
+    "category":{"cant_deficiency_mm":80,"other":["FreightG"],"axle_load":"D4","loading_gauge":"GC",
+                "traction_systems":[1,{"M_VOLTAGE":3,"NID_CTRACTION":7}],"airtight":true},
+    "dynamics":{"mass_t":1600,"davis":[1,2,3],"tractive_effort":[[0,300],[100,100]],
+                "brake":{"emergency":[[0,0.8]],"service":[[0,0.7]],"build_up_s":12}}})",
+                                "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  const auto& d = train->data;
+  EXPECT_EQ(d.brake_position, train::BrakePosition::FreightG);
+  EXPECT_EQ(d.brake_percentage, 65.0);
+  EXPECT_EQ(d.L_TRAIN, 600_m);
+  EXPECT_EQ(d.V_MAXTRAIN, 100_km_h);
+  EXPECT_EQ(d.L_antenna_front, 3_m);
+  EXPECT_EQ(d.M_rotating_nom, 8.0);
+  EXPECT_EQ(d.T_traction_cut_off, 6_s);
+  EXPECT_FALSE(d.traction_cut_off_interface);
+  EXPECT_FALSE(d.service_brake_interface);
+  EXPECT_TRUE(d.service_brake_feedback);
+  EXPECT_EQ(d.cant_deficiency_mm, 80);
+  EXPECT_EQ(d.other_categories, train::kFreightG);
+  EXPECT_EQ(d.axle_load, train::AxleLoad::D4);
+  EXPECT_EQ(d.loading_gauge, train::LoadingGauge::GC);
+  ASSERT_EQ(d.traction_systems.size(), 2u);
+  EXPECT_EQ(d.traction_systems[1], (train::TractionSystem{7, 3}));
+  EXPECT_TRUE(d.airtight);
+  EXPECT_EQ(train->dynamics.mass_t, 1600.0);
+  EXPECT_EQ(train->dynamics.build_up_s, 12.0);
+  EXPECT_EQ(sim::at(train->dynamics.tractive_effort, 50.0), 200.0);
+}
+
+TEST(TrainFile, GammaStepsAndFactorsGetCommonSteps) {
+  const auto train = read_train(R"({"schema":"etcs-train/1","brake_model":"gamma",
+    "A_brake_emergency":[[0,1.2],[100,1.0]],"Kdry_rst":[[0,0.8],[150,0.7]],"Kwet_rst":[[0,0.9]],
+    "A_brake_service":[[0,0.9]],"A_brake_normal_service":[[0,0.6]],"Kn_plus":[[0,5]],"Kn_minus":[[0,4]],
+    "T_brake_emergency_s":2.5,"T_brake_service_s":3.5})",
+                                "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  const auto& e = train->data.emergency[0].steps;
+  ASSERT_EQ(e.size(), 3u);
+  EXPECT_EQ(e.steps[1].from, 100_km_h);
+  EXPECT_EQ(e.steps[1].value.A_brake_emergency, 1.0_m_s2);
+  EXPECT_EQ(e.steps[1].value.Kdry_rst[9].value(), 0.8);
+  EXPECT_EQ(e.steps[2].from, 150_km_h);
+  EXPECT_EQ(e.steps[2].value.Kdry_rst[0].value(), 0.7);
+  EXPECT_EQ(e.steps[2].value.Kwet_rst.value(), 0.9);
+  EXPECT_EQ(train->data.T_emergency[0].T_brake, 2.5_s);
+  EXPECT_EQ(train->data.normal_service.A_brake_normal_service[2].at({}), 0.6_m_s2);
+  EXPECT_EQ(train->data.Kn_minus.at({}), 4_m_s2);
+}
+
+TEST(TrainFile, SpecialBrakes) {
+  const auto train = read_train(R"({"schema":"etcs-train/1","brake_model":"gamma",
+    "A_brake_emergency":[[0,1.2]],"A_brake_service":[[0,0.9]],"T_brake_emergency_s":2.5,"T_brake_service_s":3.5,
+    "special_brakes":{"regenerative":"affects both","magnetic shoe":"status affects EB only",
+      "models":[{"with":["regenerative","magnetic shoe"],"A_brake_emergency":[[0,1.5]],"T_brake_emergency_s":2}]}})",
+                                "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  EXPECT_EQ(train->data.regenerative, train::SpecialBrakeInterface::both);
+  ASSERT_EQ(train->data.emergency.size(), 2u);
+  EXPECT_EQ(train->data.emergency[1].with, train::kRegenerative | train::kMagneticShoe);
+}
+
+TEST(TrainFile, ErrorsNameThePlace) {
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","lenght_m":200})").substr(0, 41),
+            "t.json: /lenght_m: found an unknown key, ");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":"long"})"),
+            "t.json: /length_m: found \"long\", expected a number");
+  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_model":"gamma"})").find("A_brake_emergency"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"schema":"etcs-line/1"})").find("/schema"), std::string::npos);
+  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","A_brake_service":[[0,1],[0,2]]})").find("/A_brake_service/1/0"),
+            std::string::npos);
+  EXPECT_EQ(error_of("{\n \"schema\": }"), "t.json: line 2 column 12: found \"}\", expected JSON");
+  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_percentage":1e999})"), "");
+}
+
+TEST(NationalValues, NamesUnitsAndInfinity) {
+  const Json json = Json::parse(R"({"V_NVREL":15,"D_NVSTFF":null,"T_NVCONTACT":35,"M_NVCONTACT":0,
+    "Kv_int_passenger":[[0,0.7,0.6],[150,0.65,0.5]],"Kr_int":[[0,0.95],[400,0.9]],"A_NVMAXREDADH2":"no maximum"})");
+  const auto nv = read_national_values(JsonPlace(json, "n.json"));
+  EXPECT_EQ(nv.V_NVREL, 15_km_h);
+  EXPECT_FALSE(nv.D_NVSTFF);
+  EXPECT_EQ(nv.T_NVCONTACT, 35_s);
+  EXPECT_EQ(nv.M_NVCONTACT, train::ContactReaction::train_trip);
+  EXPECT_EQ(nv.Kv_int_passenger.steps[1].value, (train::KvPair{0.65, 0.5}));
+  EXPECT_EQ(nv.Kr_int.at(400_m), 0.9);
+  EXPECT_TRUE(nv.A_NVMAXREDADH2.no_maximum);
+  EXPECT_EQ(nv.V_NVSTFF, train::NationalValues{}.V_NVSTFF);
+  const Json wrong = Json::parse(R"({"V_NVRELL":15})");
+  EXPECT_THROW(read_national_values(JsonPlace(wrong, "n.json")), ReadError);
+}
+
+}  // namespace
+}  // namespace evc::io
