@@ -43,13 +43,15 @@ struct Profile {
   /// Withdraws everything from `at` on (A.3.4): the profile ends there. Whether anything known stood there.
   constexpr bool cut(Place at) {
     bool known_beyond = false;
+    bool ended_there = false;  // a step began exactly where it is cut
     while (!steps.empty() && steps.back().from >= at) {
       known_beyond = known_beyond || steps.back().value.known();
+      ended_there = steps.back().from == at;
       steps.pop_back();
     }
     if (steps.empty() || !steps.back().value.known()) return known_beyond;
     append(at, Value::unknown());
-    return true;
+    return known_beyond || !ended_there;
   }
   /// Forgets the steps whose whole length lies behind `limit` (A.3.6).
   constexpr void forget_before(Place limit) {

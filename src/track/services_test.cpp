@@ -1,0 +1,206 @@
+#include "track/services.h"
+
+#include <gtest/gtest.h>
+
+#include "track/testing.h"
+#include "track/withdraw.h"
+
+namespace evc::track {
+namespace {
+
+using namespace testing;
+
+Description with_ma(double end) {
+  Description d;
+  d.ma = authority_to(end);
+  return d;
+}
+void put_area(Description& d, double from, double to, AreaMode mode, bool also_SvL = true) {
+  ModeArea area;
+  area.from = at(from);
+  area.to = at(to);
+  area.ack_from = at(from - 100);
+  area.mode = mode;
+  area.also_SvL = also_SvL;
+  if (!d.mode_profile.push_back(area)) __builtin_trap();
+}
+constexpr std::uint8_t FS = 0, OS = 1, SR = 2, LS = 12;
+
+TEST(Authority, OnlyWhereAnMaIsSupervised) {
+  const Description d = with_ma(1000);
+  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, OS).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, LS).EOA, at(1000));
+  EXPECT_FALSE(authority(d, {}, SR).EOA);
+  EXPECT_FALSE(authority(Description{}, {}, FS).EOA);
+}
+
+TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
+  Description d = with_ma(1000);
+  d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{4}}};
+  put_area(d, 600, 800, AreaMode::OS);
+  Authority a = authority(d, {}, FS);
+  EXPECT_EQ(a.EOA, at(600));
+  EXPECT_EQ(a.SvL, at(600));
+  EXPECT_EQ(a.release.kind, Release::Kind::none);
+  EXPECT_EQ(authority(d, {}, OS).EOA, at(1000)) << "in OS already";
+  d.mode_profile[0].also_SvL = false;
+  a = authority(d, {}, FS);
+  EXPECT_EQ(a.EOA, at(600));
+  EXPECT_EQ(a.SvL, at(1050));
+  EXPECT_EQ(a.release.kind, Release::Kind::none);
+  accept_area(d, AreaMode::OS, front_at(550));
+  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000));
+  put_area(d, 700, 900, AreaMode::LS);
+  EXPECT_EQ(authority(d, {}, OS).EOA, at(700));
+  EXPECT_EQ(authority(d, {}, LS).EOA, at(1000));
+}
+
+TEST(Authority, WithAnLoa) {
+  Description d = with_ma(1000);
+  d.ma->V_LOA = Speed{15};
+  Authority a = authority(d, {}, FS);
+  EXPECT_EQ(a.LOA, at(1000));
+  EXPECT_EQ(a.V_LOA, Speed{15});
+  EXPECT_FALSE(a.EOA || a.SvL);
+  put_area(d, 600, 800, AreaMode::OS, false);
+  a = authority(d, {}, FS);
+  EXPECT_EQ(a.EOA, at(600));
+  EXPECT_EQ(a.SvL, at(1000)) << "as if there were no LOA";
+  d.mode_profile[0].from = at(1200);
+  EXPECT_EQ(authority(d, {}, FS).SvL, at(1200)) << "the LOA lies in rear of the area";
+}
+
+TEST(Authority, UnsuitableRouteAndLevelCrossing) {  // 3.12.2, 3.12.5
+  Description d = with_ma(1000);
+  RouteSuitability item;
+  item.at = at(700);
+  item.kind = Suitability::axle_load;
+  item.M_AXLELOADCAT = 3;
+  ASSERT_TRUE(d.suitability.push_back(item));
+  TrainInterfaces train;
+  train.M_AXLELOADCAT = 3;
+  EXPECT_EQ(authority(d, train, FS).EOA, at(1000));
+  train.M_AXLELOADCAT = 4;
+  EXPECT_EQ(authority(d, train, FS).EOA, at(700));
+  EXPECT_EQ(authority(d, train, FS).SvL, at(700));
+  LevelCrossing lx;
+  lx.NID_LX = 3;
+  lx.from = at(500);
+  lx.to = at(510);
+  lx.unprotected = true;
+  ASSERT_TRUE(d.lx.push_back(lx));
+  EXPECT_EQ(authority(d, train, FS).EOA, at(500));
+  substitute_level_crossing(d, 4, at(450));
+  EXPECT_EQ(authority(d, train, FS).EOA, at(500));
+  substitute_level_crossing(d, 3, at(450));
+  EXPECT_EQ(authority(d, train, FS).EOA, at(700));
+  EXPECT_EQ(d.lx[0].V_LX_from, at(450));
+}
+
+TEST(Suitability, ByKind) {
+  TrainInterfaces train;
+  RouteSuitability gauge;
+  gauge.kind = Suitability::gauge;
+  gauge.M_LINEGAUGE = 0b0110;  // GA, GB
+  for (const auto& [code, closed] : {std::pair{0, true}, {1, true}, {2, false}, {3, false}, {4, true}}) {
+    train.M_LOADINGGAUGE = static_cast<std::uint8_t>(code);
+    EXPECT_EQ(unsuitable(gauge, train), closed) << code;
+  }
+  RouteSuitability traction;
+  traction.kind = Suitability::traction;
+  traction.M_VOLTAGE = 1;
+  traction.NID_CTRACTION = 12;
+  EXPECT_TRUE(unsuitable(traction, train));
+  ASSERT_TRUE(train.tractions.push_back({1, 13}));
+  EXPECT_TRUE(unsuitable(traction, train));
+  ASSERT_TRUE(train.tractions.push_back({1, 12}) && train.tractions.push_back({0, 0}));
+  EXPECT_FALSE(unsuitable(traction, train));
+  traction.M_VOLTAGE = 0;
+  EXPECT_FALSE(unsuitable(traction, train)) << "not fitted with any";
+  traction.kind = static_cast<Suitability>(3);
+  EXPECT_TRUE(unsuitable(traction, train)) << "what is not understood closes";
+}
+
+TEST(Areas, DueWithTheMaxSafeFrontEnd) {  // 3.12.4.5-6
+  Description d;
+  put_area(d, 600, 800, AreaMode::OS);
+  put_area(d, 700, 900, AreaMode::LS);
+  EXPECT_FALSE(area_due(d, front_at(594)));
+  EXPECT_EQ(area_due(d, front_at(595))->mode, AreaMode::OS);
+  EXPECT_EQ(area_due(d, front_at(695))->mode, AreaMode::LS) << "the farthest one";
+  EXPECT_EQ(area_due(d, front_at(905))->mode, AreaMode::LS);
+  EXPECT_FALSE(area_due(d, front_at(906)));
+  d.mode_profile.clear();
+  put_area(d, 600, 700, AreaMode::SH);
+  EXPECT_TRUE(area_due(d, front_at(5000))) << "a shunting area has no end";
+  d.mode_profile[0].accepted = true;
+  EXPECT_TRUE(area_due(d, front_at(0)));
+}
+
+TEST(Areas, AcknowledgementWindow) {
+  Description d;
+  put_area(d, 600, 800, AreaMode::OS);
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(499)));
+  EXPECT_TRUE(area_to_acknowledge(d, front_at(500)));
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(806)));
+  const std::uint32_t revision = d.revision;
+  accept_area(d, AreaMode::LS, front_at(500));
+  accept_area(d, AreaMode::OS, front_at(400));
+  EXPECT_EQ(d.revision, revision);
+  accept_area(d, AreaMode::OS, front_at(500));
+  EXPECT_GT(d.revision, revision);
+}
+
+TEST(Adhesion, ReducedUntilTheRearHasLeft) {  // 3.13.5.3
+  Description d;
+  ASSERT_TRUE(d.adhesion.push_back({at(100), at(200), true}));
+  EXPECT_FALSE(slippery(d, at(99), Distance{50}));
+  EXPECT_TRUE(slippery(d, at(100), Distance{50}));
+  EXPECT_TRUE(slippery(d, at(250), Distance{50}));
+  EXPECT_FALSE(slippery(d, at(251), Distance{50}));
+}
+
+TEST(TrackDescription, FrontInRearOfIt) {  // [69]
+  Description d;
+  EXPECT_TRUE(before_track_description(d, front_at(0)));
+  ASSERT_TRUE(d.ssp.replace_from(ssp({{100, 50}})));
+  EXPECT_TRUE(before_track_description(d, front_at(200)));
+  ASSERT_TRUE(d.gradient.replace_from(slopes({{150, 0}})));
+  EXPECT_TRUE(before_track_description(d, front_at(149)));
+  EXPECT_FALSE(before_track_description(d, front_at(150)));
+  ASSERT_TRUE(d.gradient.replace_from(slopes({{50, 0}})));
+  EXPECT_TRUE(before_track_description(d, front_at(99)));
+}
+
+TEST(Timeout, NoneWithoutAnMa) { EXPECT_FALSE(time_to_timeout(Description{}, Duration{0})); }
+
+TEST(GeographicalPosition, CountsFromTheOffset) {  // 3.6.6
+  Description d;
+  EXPECT_FALSE(geographical_position(d, front_at(0)));
+  GeoReference up;
+  up.group = {1, 10};
+  up.D_POSOFF = Distance{50};
+  up.M_POSITION = 12000;
+  GeoReference down = up;
+  down.group = {1, 11};
+  down.counts_up = false;
+  down.M_POSITION = 30;
+  GeoReference stop = up;
+  stop.group = {1, 12};
+  stop.M_POSITION.reset();
+  ASSERT_TRUE(d.geo.push_back(up) && d.geo.push_back(down) && d.geo.push_back(stop));
+  EXPECT_FALSE(geographical_position(d, front_at(500))) << "its group was not passed yet";
+  note_group(d, {1, 10}, at(100));
+  EXPECT_FALSE(geographical_position(d, front_at(149)));
+  EXPECT_EQ(geographical_position(d, front_at(150)), 12000u);
+  EXPECT_EQ(geographical_position(d, front_at(250.4)), 12100u);
+  note_group(d, {1, 11}, at(400));
+  EXPECT_EQ(geographical_position(d, front_at(460)), 20u);
+  EXPECT_FALSE(geographical_position(d, front_at(490))) << "below zero";
+  note_group(d, {1, 12}, at(600));
+  EXPECT_FALSE(geographical_position(d, front_at(700))) << "told to stop";
+}
+
+}  // namespace
+}  // namespace evc::track

@@ -1,0 +1,478 @@
+#include "track/store.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "track/testing.h"
+#include "track/withdraw.h"
+
+namespace evc::track {
+namespace {
+
+using namespace testing;
+
+std::string_view clause_of(const Stored& s, std::uint8_t packet) {
+  for (const Note& n : s.notes)
+    if (n.packet == packet && n.clause != nullptr) return n.clause;
+  return "";
+}
+TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
+  TemporarySpeedRestriction t;
+  t.NID_TSR = id;
+  t.from = at(from);
+  t.to = at(to);
+  t.V_TSR = v;
+  t.from_rbc = rbc;
+  return t;
+}
+
+TEST(Store, AnMaWithSspAndGradientIsAccepted) {
+  Description d;
+  const Stored s = store(d, whole(1000), front_at(100));
+  EXPECT_TRUE(s.ma_accepted);
+  EXPECT_FALSE(s.shortened);
+  ASSERT_TRUE(d.ma);
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_EQ(d.ma->SvL(), at(1000));
+  EXPECT_EQ(d.revision, 1u);
+  EXPECT_TRUE(complete(d, front_at(100)));
+  EXPECT_TRUE(complete(Description{}, front_at(100)));
+}
+
+TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
+  struct Case {
+    const char* name;
+    NewStaticSpeedProfile ssp;
+    NewGradientProfile gradient;
+    bool accepted;
+  };
+  const NewStaticSpeedProfile good_ssp = ssp({{0, 100}, {1000, kEnd}});
+  const NewGradientProfile good_gradient = slopes({{0, 0}, {1000, Gradient::kUnknown}});
+  const Case cases[] = {
+      {"both", good_ssp, good_gradient, true},
+      {"no SSP", {}, good_gradient, false},
+      {"no gradient", good_ssp, {}, false},
+      {"SSP one metre short", ssp({{0, 100}, {999, kEnd}}), good_gradient, false},
+      {"gradient one metre short", good_ssp, slopes({{0, 0}, {999, Gradient::kUnknown}}), false},
+      {"SSP begins ahead of the front", ssp({{101, 100}}), good_gradient, false},
+      {"endless values", ssp({{0, 100}}), slopes({{0, 0}}), true},
+  };
+  for (const Case& c : cases) {
+    Description d;
+    Contents contents = whole(1000);
+    contents.ssp = c.ssp;
+    contents.gradient = c.gradient;
+    contents.mode_profile = ModeProfile{};
+    contents.sh_list = GroupList{};
+    ASSERT_TRUE(contents.tsr.push_back(tsr_of(1, 200, 300, 8)));
+    const Stored s = store(d, contents, front_at(100));
+    EXPECT_EQ(s.ma_accepted, c.accepted) << c.name;
+    EXPECT_EQ(s.ma_refused, !c.accepted) << c.name;
+    EXPECT_EQ(d.ma.has_value(), c.accepted) << c.name;
+    EXPECT_EQ(clause_of(s, 15), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(clause_of(s, 80), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(clause_of(s, 49), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(d.tsr.size(), 1u) << "the other packets are judged on their own: " << c.name;
+    EXPECT_EQ(d.ssp.empty(), contents.ssp->empty()) << c.name;
+  }
+}
+
+TEST(Store, ARefusedMaLeavesTheOldOne) {
+  Description d;
+  store(d, whole(1000), front_at(100));
+  Contents c;
+  c.ma = authority_to(2000);
+  EXPECT_TRUE(store(d, c, front_at(100)).ma_refused);
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_EQ(clause_of(store(d, whole(3000), front_at(100), "3.10.2.4"), 15), "3.10.2.4");
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_TRUE(d.ssp.covers(at(0), at(3000))) << "only the MA is refused";
+}
+
+TEST(Store, AnMaAloneRestsOnWhatIsStored) {  // 3.7.2.1
+  Description d;
+  store(d, whole(2000), front_at(100));
+  Contents c;
+  c.ma = authority_to(1500);
+  EXPECT_TRUE(store(d, c, front_at(200)).ma_accepted);
+}
+
+TEST(Store, AShorteningDeletesBeyondTheNewSvL) {  // 3.8.5.1.3, A.3.4 b
+  Description d;
+  Contents first = whole(3000);
+  ASSERT_TRUE(first.tsr.push_back(tsr_of(3, 2500, 2600, 8)));
+  store(d, first, front_at(100));
+  Contents c;
+  c.ma = authority_to(1500);
+  const Stored s = store(d, c, front_at(200));
+  EXPECT_TRUE(s.shortened);
+  EXPECT_TRUE(d.ssp.covers(at(0), at(1500)));
+  EXPECT_FALSE(d.ssp.at(at(1500)));
+  EXPECT_FALSE(d.gradient.at(at(1500)));
+  EXPECT_EQ(d.tsr.size(), 1u) << "restrictions stay";
+  EXPECT_FALSE(store(d, whole(2500), front_at(200)).shortened);
+}
+
+TEST(Store, AnSvLWhereAnLoaWasIsAShorteningWhereverItLies) {  // 3.8.5.1.4
+  Description d;
+  Contents c = whole(2000);
+  c.ma->V_LOA = Speed{20};
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.ma->SvL());
+  EXPECT_EQ(authority(d, {}, 0).LOA, at(2000));
+  EXPECT_TRUE(store(d, whole(2500), front_at(100)).shortened);
+  EXPECT_TRUE(d.ssp.covers(at(0), at(2500))) << "the new packets follow the deletion";
+  c.ma->sections[0].end = at(500);
+  EXPECT_FALSE(store(d, c, front_at(100)).shortened) << "a new LOA never is one";
+}
+
+TEST(Store, GrantedShorteningRequest) {
+  Description d;
+  store(d, whole(3000), front_at(100));
+  Contents c;
+  c.ma = authority_to(1000);
+  c.ma_is_shortening_request = true;
+  const Stored s = store(d, c, front_at(100));
+  EXPECT_TRUE(s.shortened);
+  EXPECT_EQ(clause_of(s, 15), "3.8.6");
+}
+
+TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
+  Description d;
+  Contents first = whole(2000);
+  ModeArea near, far;
+  near.from = at(500);
+  far.from = at(1800);
+  first.mode_profile = ModeProfile{};
+  ASSERT_TRUE(first.mode_profile->push_back(near) && first.mode_profile->push_back(far));
+  store(d, first, front_at(100));
+  Contents c;
+  c.infill = at(1500);
+  c.ma = authority_to(3000, 1500);
+  c.ma->level_1 = true;
+  c.V_MAIN = 20;
+  c.ssp = ssp({{1500, 80}, {3000, kEnd}});
+  c.gradient = slopes({{1500, 0}, {3000, Gradient::kUnknown}});
+  EXPECT_TRUE(complete(d, c, front_at(100)));
+  EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
+  ASSERT_EQ(d.ma->sections.size(), 2u);
+  EXPECT_EQ(d.ma->sections[0].end, at(1500)) << "the section running there is cut";
+  EXPECT_EQ(d.ma->end(), at(3000));
+  ASSERT_EQ(d.mode_profile.size(), 1u);
+  EXPECT_EQ(d.mode_profile[0].from, at(500));
+  EXPECT_EQ(d.signalling->from, at(1500));
+  c.V_MAIN = 0;
+  EXPECT_FALSE(store(d, c, front_at(100)).trip_order) << "3.11.6.5: no trip order from infill";
+}
+
+TEST(Store, SignallingSpeed) {  // 3.11.6
+  Description d;
+  Contents c = whole(1000);
+  c.ma->level_1 = true;
+  c.V_MAIN = 8;
+  EXPECT_FALSE(store(d, c, front_at(100)).trip_order);
+  EXPECT_EQ(d.signalling->V_MAIN, 8);
+  c.V_MAIN = 0;
+  EXPECT_TRUE(store(d, c, front_at(100)).trip_order);
+  EXPECT_EQ(d.signalling->V_MAIN, 8) << "a trip order is not stored";
+  store(d, whole(1500), front_at(100));
+  EXPECT_FALSE(d.signalling) << "an MA of level 2 ends it";
+}
+
+TEST(Store, Repositioning) {  // 3.8.5.2
+  Description d;
+  Contents c = whole(3000);
+  c.ma->sections.clear();
+  for (const double end : {1000.0, 2000.0}) {
+    Section s;
+    s.begin = at(end - 1000);
+    s.end = at(end);
+    s.stop = at(end - 10);
+    ASSERT_TRUE(c.ma->sections.push_back(s));
+  }
+  c.ma->danger_point = DangerPoint{at(2100), {}};
+  c.ma->overlap = Overlap{at(1900), at(2200), {}, {}};
+  c.ma->end_section = EndSectionTimer{at(1800), {}};
+  store(d, c, front_at(100));
+  Contents r;
+  r.repositioned_section = Distance{850};
+  r.reference = at(200);
+  store(d, r, front_at(210));
+  EXPECT_EQ(d.ma->sections[0].end, at(1050));
+  EXPECT_EQ(d.ma->sections[1].begin, at(1050));
+  EXPECT_EQ(d.ma->sections[1].stop, at(2040));
+  EXPECT_EQ(d.ma->end(), at(2050));
+  EXPECT_EQ(d.ma->danger_point->at, at(2150));
+  EXPECT_EQ(d.ma->overlap->end, at(2250));
+  EXPECT_EQ(d.ma->overlap->start, at(1950));
+  EXPECT_EQ(d.ma->end_section->start, at(1850));
+  Description none;
+  store(none, r, front_at(210));
+  EXPECT_FALSE(none.ma);
+}
+
+TEST(Store, TemporarySpeedRestrictions) {  // 3.11.5
+  Description d;
+  Contents c;
+  for (const auto& t : {tsr_of(255, 0, 10, 8), tsr_of(255, 20, 30, 8), tsr_of(5, 0, 10, 8), tsr_of(5, 40, 50, 6)})
+    ASSERT_TRUE(c.tsr.push_back(t));
+  store(d, c, front_at(0));
+  ASSERT_EQ(d.tsr.size(), 3u) << "255 is always added, 5 is replaced";
+  EXPECT_EQ(d.tsr[2].from, at(40));
+  Contents revoke;
+  ASSERT_TRUE(revoke.revoked_tsr.push_back(255) && revoke.revoked_tsr.push_back(5) && revoke.revoked_tsr.push_back(9));
+  revoke.default_gradient = -8;
+  store(d, revoke, front_at(0));
+  EXPECT_EQ(d.tsr.size(), 2u);
+  EXPECT_EQ(d.default_gradient, -8);
+  Contents inhibit;
+  inhibit.inhibit_revocable_tsr = true;
+  store(d, inhibit, front_at(0));
+  Contents more;
+  for (const auto& t : {tsr_of(7, 0, 1, 8), tsr_of(200, 0, 1, 8, true), tsr_of(255, 0, 1, 8)})
+    ASSERT_TRUE(more.tsr.push_back(t));
+  EXPECT_EQ(clause_of(store(d, more, front_at(0)), 65), "3.11.5.12");
+  EXPECT_EQ(d.tsr.size(), 4u);
+}
+
+TEST(Store, AFullTsrStoreGrowsItsLastOneToCoverBoth) {
+  Description d;
+  for (std::size_t i = 0; i < d.tsr.capacity(); ++i)
+    ASSERT_TRUE(d.tsr.push_back(tsr_of(static_cast<std::uint8_t>(i), 1000, 1100, 16)));
+  Contents c;
+  ASSERT_TRUE(c.tsr.push_back(tsr_of(100, 500, 600, 4)) && c.tsr.push_back(tsr_of(101, 2000, 2100, 20)));
+  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 65), "3.11.5");
+  EXPECT_EQ(d.tsr.back().from, at(500));
+  EXPECT_EQ(d.tsr.back().to, at(2100));
+  EXPECT_EQ(d.tsr.back().V_TSR, 4);
+}
+
+TEST(Store, AnyTrackConditionReplacesTheWholeFamilyFromItsStart) {  // 3.7.3.1 g
+  Description d;
+  Contents c;
+  c.conditions = Fresh<TrackCondition>{at(300), false, {}};
+  ASSERT_TRUE(c.conditions->elements.push_back({at(300), at(900), Condition::radio_hole}));
+  ASSERT_TRUE(c.conditions->elements.push_back({at(800), at(1000), Condition::tunnel_stopping_area}));
+  store(d, c, front_at(0));
+  Contents horn;
+  horn.conditions = Fresh<TrackCondition>{at(500), false, {}};
+  ASSERT_TRUE(horn.conditions->elements.push_back({at(500), at(510), Condition::sound_horn}));
+  store(d, horn, front_at(0));
+  ASSERT_EQ(d.conditions.size(), 2u);
+  EXPECT_EQ(d.conditions[0].to, at(500)) << "what spans the start is cut there";
+  EXPECT_EQ(d.conditions[1].kind, Condition::sound_horn);
+  Contents initial;
+  initial.conditions = Fresh<TrackCondition>{at(400), true, {}};
+  store(d, initial, front_at(0));
+  ASSERT_EQ(d.conditions.size(), 1u);
+  EXPECT_EQ(d.conditions[0].to, at(400));
+}
+
+TEST(Store, SuitabilityByKind) {  // 3.7.3.1 h-j
+  Description d;
+  Contents c;
+  c.suitability = Fresh<RouteSuitability>{at(100), false, {}};
+  RouteSuitability gauge, axle;
+  gauge.at = at(100);
+  gauge.kind = Suitability::gauge;
+  axle.at = at(200);
+  axle.kind = Suitability::axle_load;
+  ASSERT_TRUE(c.suitability->elements.push_back(gauge) && c.suitability->elements.push_back(axle));
+  store(d, c, front_at(0));
+  Contents again;
+  axle.at = at(900);
+  again.suitability = Fresh<RouteSuitability>{at(900), false, {}};
+  ASSERT_TRUE(again.suitability->elements.push_back(axle));
+  store(d, again, front_at(0));
+  ASSERT_EQ(d.suitability.size(), 2u);
+  EXPECT_EQ(d.suitability[0].kind, Suitability::gauge);
+  EXPECT_EQ(d.suitability[1].at, at(900));
+  Contents initial;
+  initial.suitability = Fresh<RouteSuitability>{at(500), true, {}};
+  store(d, initial, front_at(0));
+  EXPECT_EQ(d.suitability.size(), 1u);
+}
+
+TEST(Store, EveryOtherKind) {
+  Description d;
+  Contents c;
+  c.asp = Fresh<AxleLoadRestriction>{at(10), false, {}};
+  AxleLoadRestriction asp;
+  asp.from = at(10);
+  asp.to = at(20);
+  ASSERT_TRUE(c.asp->elements.push_back(asp));
+  c.pbd = Fresh<PermittedBrakingDistance>{at(10), false, {}};
+  PermittedBrakingDistance pbd;
+  pbd.from = at(10);
+  pbd.to = at(20);
+  ASSERT_TRUE(c.pbd->elements.push_back(pbd));
+  c.big_metal = Fresh<BigMetalMass>{at(10), false, {}};
+  ASSERT_TRUE(c.big_metal->elements.push_back({at(10), at(20)}));
+  c.platforms = Fresh<Platform>{at(10), false, {}};
+  ASSERT_TRUE(c.platforms->elements.push_back({at(10), at(20), 1, 2}));
+  c.traction = TractionChange{at(30), 1, 7};
+  c.current = CurrentChange{at(30), std::uint16_t{500}};
+  c.adhesion = AdhesionArea{at(40), at(50), true};
+  c.level_order = LevelOrder{};
+  c.rbc_transition = RbcTransition{};
+  c.radio_infill = RadioInfillArea{};
+  c.reversing_area = ReversingArea{at(60), at(70)};
+  c.reversing_supervision = ReversingSupervision{Distance{100}, 8};
+  c.sh_list = GroupList{};
+  c.sr_authorisation = true;
+  c.sr_list = GroupList{};
+  c.stop_shunting_on_desk_opening = true;
+  c.generic_ls_marker = true;
+  ASSERT_TRUE(c.covers.push_back({{3, 400, {}}, true}));
+  c.geo = InplaceVector<GeoReference, 32>{};
+  ASSERT_TRUE(c.geo->push_back(GeoReference{}));
+  Text text;
+  ASSERT_TRUE(c.texts.push_back(text));
+  store(d, c, front_at(0));
+  EXPECT_EQ(d.asp.size(), 1u);
+  EXPECT_EQ(d.pbd.size(), 1u);
+  EXPECT_EQ(d.big_metal.size(), 1u);
+  EXPECT_EQ(d.platforms.size(), 1u);
+  EXPECT_TRUE(d.traction && d.current && d.level_order && d.rbc_transition && d.radio_infill);
+  EXPECT_EQ(d.reversing_reference, at(70));
+  EXPECT_TRUE(d.reversing_supervision && d.sh_list && d.sr_list);
+  EXPECT_TRUE(d.stop_shunting_on_desk_opening && d.generic_ls_marker);
+  EXPECT_EQ(d.covers.size(), 1u);
+  EXPECT_EQ(d.geo.size(), 1u);
+  EXPECT_EQ(d.texts[0].id, 1);
+  Contents less;
+  less.adhesion = AdhesionArea{at(45), at(50), false};
+  ASSERT_TRUE(less.covers.push_back({{3, 400, {}}, false}));
+  less.sr_authorisation = true;
+  less.mode_profile = ModeProfile{};
+  ModeArea ls;
+  ls.mode = AreaMode::LS;
+  ASSERT_TRUE(less.mode_profile->push_back(ls));
+  store(d, less, front_at(0));
+  ASSERT_EQ(d.adhesion.size(), 1u);
+  EXPECT_EQ(d.adhesion[0].to, at(45)) << "not slippery clears from its start";
+  EXPECT_TRUE(d.covers.empty());
+  EXPECT_FALSE(d.sr_list);
+  EXPECT_FALSE(d.generic_ls_marker) << "an LS profile without the marker";
+}
+
+TEST(Store, LevelCrossings) {
+  Description d;
+  Contents c;
+  LevelCrossing lx;
+  lx.NID_LX = 7;
+  lx.from = at(500);
+  lx.to = at(510);
+  lx.unprotected = true;
+  ASSERT_TRUE(c.lx.push_back(lx));
+  store(d, c, front_at(0));
+  substitute_level_crossing(d, 7, at(450));
+  store(d, c, front_at(0));
+  ASSERT_EQ(d.lx.size(), 1u);
+  EXPECT_TRUE(d.lx[0].substituted) << "repeated: the speed goes on";
+  c.lx[0].unprotected = false;
+  store(d, c, front_at(0));
+  EXPECT_FALSE(d.lx[0].unprotected);
+  for (std::uint8_t i = 20; d.lx.size() < d.lx.capacity(); ++i) {
+    lx.NID_LX = i;
+    ASSERT_TRUE(d.lx.push_back(lx));
+  }
+  Contents near;
+  lx.NID_LX = 99;
+  lx.from = at(100);
+  ASSERT_TRUE(near.lx.push_back(lx));
+  EXPECT_EQ(clause_of(store(d, near, front_at(0)), 88), "3.12.5");
+  EXPECT_EQ(d.lx.back().from, at(100)) << "no room: the nearer stop holds";
+}
+
+TEST(Store, TheSameTextIdentityIsRefusedWhileUnacknowledged) {  // 3.12.3.5.3
+  Description d;
+  Contents c;
+  Text t;
+  t.report = true;
+  t.NID_TEXTMESSAGE = 4;
+  t.Q_TEXTCONFIRM = 1;
+  ASSERT_TRUE(c.texts.push_back(t));
+  store(d, c, front_at(0));
+  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 72), "3.12.3.5.3");
+  EXPECT_EQ(d.texts.size(), 1u);
+  Contents plain;
+  ASSERT_TRUE(plain.texts.push_back(Text{}));
+  for (int i = 0; i < 5; ++i) store(d, plain, front_at(0));
+  EXPECT_EQ(clause_of(store(d, plain, front_at(0)), 72), "3.12.3") << "full";
+  d.next_text_id = 255;
+  d.texts.clear();
+  store(d, plain, front_at(0));
+  EXPECT_EQ(d.next_text_id, 1) << "0 means none";
+}
+
+TEST(Store, TimersOfAReplacedMa) {  // 3.8.4.1.3-4, 3.8.4.4.4-5
+  Description d;
+  Contents c = whole(3000);
+  c.ma->overlap = Overlap{at(50), at(3100), {Duration{30}, {}, false}, {}};
+  c.ssp = ssp({{0, 100}});
+  c.gradient = slopes({{0, 0}});
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.ma->overlap) << "its start is behind and no timer ran: expired at once";
+  EXPECT_EQ(d.ma->SvL(), at(3000));
+  c.ma->overlap->start = at(150);
+  store(d, c, front_at(100));
+  Here here = front_at(160);
+  here.now = Duration{10};
+  advance(d, here);
+  EXPECT_TRUE(d.ma->overlap->timer.running);
+  here.now = Duration{30};
+  store(d, c, here);
+  ASSERT_TRUE(d.ma->overlap);
+  EXPECT_EQ(d.ma->overlap->timer.started, Duration{10}) << "the running timer goes on";
+  c.ma->overlap->timer.limit = Duration{15};
+  store(d, c, here);
+  EXPECT_FALSE(d.ma->overlap) << "under the new limit it is over";
+  c.ma->overlap.reset();
+  c.ma->end_section = EndSectionTimer{at(50), {Duration{30}, {}, false}};
+  store(d, c, front_at(400));
+  EXPECT_EQ(d.ma->end(), at(400));
+  EXPECT_EQ(d.ma->SvL(), at(405));
+  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+}
+
+TEST(Store, AnAcceptedAreaStaysAcceptedInTheNextMa) {  // 5.9.2.7
+  Description d;
+  Contents c = whole(2000);
+  ModeArea os;
+  os.from = at(300);
+  os.to = at(900);
+  os.ack_from = at(150);
+  c.mode_profile = ModeProfile{};
+  ASSERT_TRUE(c.mode_profile->push_back(os));
+  store(d, c, front_at(100));
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(100)));
+  ASSERT_TRUE(area_to_acknowledge(d, front_at(200)));
+  accept_area(d, AreaMode::OS, front_at(200));
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(200)));
+  store(d, c, front_at(210));
+  EXPECT_TRUE(d.mode_profile[0].accepted);
+  ASSERT_TRUE(area_due(d, front_at(210)));
+  EXPECT_FALSE(area_due(d, front_at(910)));
+}
+
+TEST(Store, ShuntingAreaBringsItsList) {
+  Description d;
+  Contents c = whole(2000);
+  ModeArea sh;
+  sh.from = at(300);
+  sh.mode = AreaMode::SH;
+  c.mode_profile = ModeProfile{};
+  ASSERT_TRUE(c.mode_profile->push_back(sh));
+  c.sh_list = GroupList{};
+  ASSERT_TRUE(c.sh_list->push_back({1, 2}));
+  store(d, c, front_at(100));
+  ASSERT_TRUE(d.sh_list);
+  c.sh_list.reset();
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.sh_list) << "3.12.4.4";
+}
+
+}  // namespace
+}  // namespace evc::track

@@ -1,0 +1,68 @@
+#pragma once
+#include "track/description.h"
+#include "track/services.h"
+#include "track/store.h"
+
+// Short ways to write track data down in tests.
+namespace evc::track::testing {
+
+constexpr Place at(double metres) { return Place{Distance{metres}}; }
+
+inline Here front_at(double est, double doubt = 5.0, double length = 200.0, double antenna = 5.0) {
+  Here here;
+  here.est_front = at(est);
+  here.min_safe_front = at(est - doubt);
+  here.max_safe_front = at(est + doubt);
+  here.min_safe_rear = at(est - doubt - length);
+  here.min_safe_antenna = at(est - doubt - antenna);
+  return here;
+}
+
+struct SpeedAt {
+  double from, kmh;
+  bool no_delay = false;
+};
+/// A speed of 127 * 5 km/h ends the profile.
+inline NewStaticSpeedProfile ssp(std::initializer_list<SpeedAt> steps) {
+  NewStaticSpeedProfile profile;
+  for (const SpeedAt& s : steps) {
+    StaticSpeed element;
+    element.V_STATIC = static_cast<SpeedCode>(s.kmh / 5.0);
+    element.Q_FRONT = s.no_delay;
+    profile.append(at(s.from), element);
+  }
+  return profile;
+}
+inline constexpr double kEnd = 635.0;
+
+struct GradientAt {
+  double from;
+  int permille;
+};
+inline NewGradientProfile slopes(std::initializer_list<GradientAt> steps) {
+  NewGradientProfile profile;
+  for (const GradientAt& s : steps) profile.append(at(s.from), Gradient{static_cast<std::int16_t>(s.permille)});
+  return profile;
+}
+
+/// An MA of one section from 0.
+inline MovementAuthority authority_to(double end, double begin = 0.0) {
+  MovementAuthority ma;
+  Section section;
+  section.begin = at(begin);
+  section.end = at(end);
+  if (!ma.sections.push_back(section)) __builtin_trap();
+  return ma;
+}
+
+/// An MA with SSP and gradient that cover it.
+inline Contents whole(double end, double kmh = 100.0) {
+  Contents c;
+  c.source = Source::rbc;
+  c.ma = authority_to(end);
+  c.ssp = ssp({{0.0, kmh}, {end, kEnd}});
+  c.gradient = slopes({{0.0, 0}, {end, Gradient::kUnknown}});
+  return c;
+}
+
+}  // namespace evc::track::testing

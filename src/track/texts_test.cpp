@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include "track/testing.h"
+
+namespace evc::track {
+namespace {
+
+using namespace testing;
+
+struct Display {
+  Description d;
+  InplaceVector<std::uint8_t, 6> reports;
+  explicit Display(Text t) {
+    t.id = 7;
+    if (!d.texts.push_back(t)) __builtin_trap();
+  }
+  TextDisplay run(double front, double now, std::uint8_t mode = 0, std::uint8_t level = 3, std::uint8_t ntc = 0,
+                  std::uint8_t acknowledged = 0) {
+    Here here = front_at(front);
+    here.now = Duration{now};
+    reports.clear();
+    return show_texts(d, here, mode, level, ntc, acknowledged, reports);
+  }
+  bool shown(double front, double now, std::uint8_t mode = 0, std::uint8_t level = 3, std::uint8_t ntc = 0) {
+    return !run(front, now, mode, level, ntc).shown.empty();
+  }
+};
+
+TEST(Texts, WithoutPartsAtOnceAndForEver) {
+  Display x{Text{}};
+  EXPECT_TRUE(x.shown(0, 0));
+  EXPECT_TRUE(x.shown(1e6, 1e6));
+}
+
+TEST(Texts, OnePartIsEnough) {
+  Text t;
+  t.start_at = at(100);
+  t.start_mode = 1;
+  t.start_level = 1;
+  t.start_NTC = 5;
+  EXPECT_FALSE(Display{t}.shown(99, 0));
+  EXPECT_TRUE(Display{t}.shown(100, 0));
+  EXPECT_TRUE(Display{t}.shown(0, 0, 1));
+  EXPECT_TRUE(Display{t}.shown(0, 0, 0, 1, 5));
+  EXPECT_FALSE(Display{t}.shown(0, 0, 0, 1, 6)) << "another national system";
+  t.all_parts = true;
+  EXPECT_FALSE(Display{t}.shown(100, 0, 1));
+  EXPECT_TRUE(Display{t}.shown(100, 0, 1, 1, 5));
+}
+
+TEST(Texts, EndsByPlaceTimeModeOrLevel) {
+  Text t;
+  t.end_at = at(200);
+  t.T_TEXTDISPLAY = Duration{30};
+  t.end_mode = 0;
+  t.end_level = 3;
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(199, 0));
+    EXPECT_FALSE(x.shown(200, 1));
+    EXPECT_FALSE(x.shown(100, 2)) << "it does not come back";
+  }
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 10));
+    EXPECT_TRUE(x.shown(0, 39.9));
+    EXPECT_FALSE(x.shown(0, 40));
+  }
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 0));
+    EXPECT_FALSE(x.shown(0, 1, 1));
+  }
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 0));
+    EXPECT_FALSE(x.shown(0, 1, 0, 2));
+  }
+  {
+    t.all_parts = true;
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 0));
+    EXPECT_TRUE(x.shown(200, 1)) << "each part is latched";
+    EXPECT_TRUE(x.shown(0, 2, 1));
+    EXPECT_TRUE(x.shown(0, 3, 0, 2));
+    EXPECT_FALSE(x.shown(0, 31));
+  }
+}
+
+TEST(Texts, AlreadyEndedIsNeverShown) {
+  Text t;
+  t.end_at = at(50);
+  EXPECT_FALSE(Display{t}.shown(60, 0));
+}
+
+TEST(Texts, Acknowledgement) {  // 3.12.3.4.7
+  for (std::uint8_t confirm = 1; confirm <= 3; ++confirm) {
+    Text t;
+    t.end_at = at(100);
+    t.Q_TEXTCONFIRM = confirm;
+    t.report = true;
+    t.NID_TEXTMESSAGE = 42;
+    Display x{t};
+    TextDisplay shown = x.run(0, 0);
+    ASSERT_EQ(shown.to_acknowledge.size(), 1u);
+    EXPECT_EQ(shown.to_acknowledge[0], 7);
+    EXPECT_FALSE(shown.service_brake || shown.emergency_brake);
+    shown = x.run(101, 1);
+    EXPECT_EQ(shown.shown.size(), 1u) << "stays beyond its end";
+    EXPECT_EQ(shown.service_brake, confirm == 2);
+    EXPECT_EQ(shown.emergency_brake, confirm == 3);
+    shown = x.run(101, 2, 0, 3, 0, 9);
+    EXPECT_EQ(shown.shown.size(), 1u) << "another text was acknowledged";
+    shown = x.run(101, 3, 0, 3, 0, 7);
+    EXPECT_TRUE(shown.shown.empty());
+    EXPECT_FALSE(shown.service_brake || shown.emergency_brake);
+    ASSERT_EQ(x.reports.size(), 1u);
+    EXPECT_EQ(x.reports[0], 42);
+  }
+}
+
+TEST(Texts, AcknowledgementAndEnd) {  // Q_CONFTEXTDISPLAY
+  Text t;
+  t.end_at = at(100);
+  t.Q_TEXTCONFIRM = 1;
+  t.ack_and_end = true;
+  Display x{t};
+  EXPECT_EQ(x.run(0, 0, 0, 3, 0, 7).shown.size(), 1u);
+  EXPECT_TRUE(x.reports.empty());
+  EXPECT_TRUE(x.run(0, 1).to_acknowledge.empty());
+  EXPECT_TRUE(x.run(100, 2).shown.empty());
+}
+
+}  // namespace
+}  // namespace evc::track
