@@ -45,12 +45,11 @@ void take(State& state, const Inputs& in, const Order& order, Result& out) {
 }
 
 /// 5.10.4: ask for the acknowledgement, ahead of the transition or after it.
-void ask(State& state, const Inputs& in, Result& out) {
-  // An acknowledgement counts when it was asked for in the cycle before, or is asked for now.
+void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& out) {
   const bool ahead = state.pending.has_value() && !state.acknowledged &&
-                     modes::acknowledgement_needed(in.current, state.pending->to, in.mode, in.edition) &&
+                     modes::acknowledgement_needed(current, state.pending->to, in.mode, in.edition) &&
                      modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
-  if (in.acknowledged && state.shown) {
+  if (in.acknowledged && state.shown) {  // one that was not asked for is none
     if (state.unacknowledged)
       state.unacknowledged = false;
     else if (ahead)
@@ -90,8 +89,9 @@ Result step(State& state, const Inputs& in) {
       state.pending.reset();
     }
   }
-  ask(state, in, out);
-  out.announced = state.pending.has_value() && modes::announced_to_driver(*state.pending, in.current);
+  const OrderedLevel current = out.switch_to.value_or(in.current);
+  ask(state, in, current, out);
+  out.announced = state.pending.has_value() && modes::announced_to_driver(*state.pending, current);
   return out;
 }
 
