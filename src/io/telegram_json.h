@@ -64,12 +64,10 @@ struct EncodeOptions {
   std::optional<lang::SystemVersion> sv;
 };
 /// The user bits: up to packet 255, or as many as the member "bits" says, filled with ones.
-tl::expected<Bits, TelegramError> encode_balise_json(const nlohmann::ordered_json& telegram);
-tl::expected<Bits, TelegramError> encode_loop_json(const nlohmann::ordered_json& message);
-tl::expected<Bits, TelegramError> encode_radio_json(const nlohmann::ordered_json& message,
-                                                    const EncodeOptions& options = {});
-tl::expected<Bits, TelegramError> encode_packet_json(const nlohmann::ordered_json& packet,
-                                                     const EncodeOptions& options = {});
+tl::expected<Bits, TelegramError> encode_balise_json(const nlohmann::json& telegram);
+tl::expected<Bits, TelegramError> encode_loop_json(const nlohmann::json& message);
+tl::expected<Bits, TelegramError> encode_radio_json(const nlohmann::json& message, const EncodeOptions& options = {});
+tl::expected<Bits, TelegramError> encode_packet_json(const nlohmann::json& packet, const EncodeOptions& options = {});
 
 /// "2.1" as X.Y; empty if it is not a version.
 std::optional<lang::SystemVersion> parse_version(std::string_view text);

@@ -64,9 +64,10 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
     data_entered_ = true;
   } else if (asks(seen, "enter train_running_number")) {
     driver.train_running_number = kDigits;
-  } else if (seen.driver_requests.empty()) {
-    // Nothing is asked for: train data are chosen to be entered once, then Start.
-    driver.selected |= bit(data_entered_ ? Select::start : Select::train_data);
+  } else if (asks(seen, "start") && data_entered_) {
+    driver.selected |= bit(Select::start);
+  } else if (!data_entered_) {
+    driver.selected |= bit(Select::train_data);
   }
 }
 

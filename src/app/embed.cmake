@@ -1,0 +1,12 @@
+# Makes a C++ source with the text of INPUT as a string.
+file(READ ${INPUT} text HEX)
+string(LENGTH "${text}" digits)
+set(literals "")
+set(at 0)
+while(at LESS digits)
+  string(SUBSTRING "${text}" ${at} 512 piece)
+  string(REGEX REPLACE "(..)" "\\\\x\\1" piece "${piece}")
+  string(APPEND literals "    \"${piece}\"\n")
+  math(EXPR at "${at} + 512")
+endwhile()
+file(WRITE ${OUTPUT} "namespace evc::app {\nextern const char report_template[];\nconst char report_template[] =\n${literals}    ;\n}\n")

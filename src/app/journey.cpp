@@ -1,0 +1,148 @@
+#include "app/journey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "io/output_lines.h"
+
+namespace evc::app {
+namespace {
+
+using kernel::Outputs;
+
+double kmh(const std::optional<Speed>& v) { return v ? v->si * 3.6 : Sample::none; }
+
+Sample sample_of(double t_s, double x_m, const Outputs& o) {
+  Sample s;
+  s.t_s = t_s;
+  s.x_m = x_m;
+  s.v = o.v.si * 3.6;
+  s.mrsp = kmh(o.V_MRSP);
+  s.p = kmh(o.V_P);
+  s.w = kmh(o.V_W);
+  s.sbi = kmh(o.V_SBI);
+  s.ebi = kmh(o.V_EBI);
+  s.target = kmh(o.V_target);
+  s.d_target = o.d_target ? o.d_target->si : Sample::none;
+  s.release = kmh(o.V_release);
+  s.mode = static_cast<std::uint8_t>(o.mode);
+  s.level = static_cast<std::uint8_t>(o.level);
+  s.monitoring = static_cast<std::uint8_t>(o.monitoring);
+  s.status = static_cast<std::uint8_t>(o.status);
+  s.brakes = static_cast<std::uint8_t>((o.tco ? 1 : 0) | (o.sb ? 2 : 0) | (o.eb ? 4 : 0));
+  return s;
+}
+
+bool is(const char* a, const char* b) { return a != nullptr && std::strcmp(a, b) == 0; }
+
+}  // namespace
+
+void Journey::record(const sim::CycleInputs& inputs, const Outputs& outputs) {
+  const double t_s = static_cast<double>(inputs.t_ms) / 1000.0;
+  samples_.push_back(sample_of(t_s, world_.front_m(), outputs));
+  telegrams_in_cycle_ = !inputs.balises.empty();
+  note_changes(outputs);
+  note_position(outputs);
+  note_events(outputs);
+  count_messages(outputs);
+  if (outputs.V_EBI) {
+    const double margin = (outputs.V_EBI->si - outputs.v.si) * 3.6;
+    min_margin_ = min_margin_ ? std::min(*min_margin_, margin) : margin;
+  }
+}
+
+void Journey::note_changes(const Outputs& o) {
+  if (o.tco && !tco_) ++interventions_.tco;
+  if (o.sb && !sb_) ++interventions_.sb;
+  if (o.eb && !eb_) ++interventions_.eb;
+  tco_ = o.tco;
+  sb_ = o.sb;
+  eb_ = o.eb;
+  // Before start of mission the level is the one of the last mission: the first entered is the first that counts.
+  if (mode_ != o.mode) {
+    if (o.mode == modes::Mode::TR) ++interventions_.trip;
+    if (o.mode != modes::Mode::NP) modes_.emplace_back(modes::name(o.mode));
+    mode_ = o.mode;
+  }
+  if (level_ != o.level && o.mode != modes::Mode::NP && o.mode != modes::Mode::SB) {
+    levels_.emplace_back(modes::name(o.level));
+    level_ = o.level;
+  }
+}
+
+/// The truth against what the on-board believes, both measured from the group that it refers to.
+void Journey::note_position(const Outputs& o) {
+  const auto reference = o.lrbg ? world_.reference(*o.lrbg) : std::nullopt;
+  if (!reference) return;
+  const auto on_line = [&](OdometerPlace p) {
+    return reference->position_m + (p.from_origin.si - reference->nominal_m);
+  };
+  const double front = world_.front_m();
+  max_position_error_ = std::max(max_position_error_, std::abs(on_line(o.est_front) - front));
+  // A millimetre for the rounding of the counters.
+  if (on_line(o.min_safe_front) > front + 1e-3 || on_line(o.max_safe_front) < front - 1e-3) ++violations_;
+  const bool tripped = o.mode == modes::Mode::TR || o.mode == modes::Mode::PT;
+  if (o.SvL)
+    svl_m_ = on_line(*o.SvL);
+  else if (!tripped)
+    svl_m_.reset();
+  if (svl_m_ && front > *svl_m_) svl_overrun_ = std::max(svl_overrun_.value_or(0.0), front - *svl_m_);
+}
+
+void Journey::note_events(const Outputs& o) {
+  for (const kernel::Event& event : o.events) {
+    count(event);
+    JourneyEvent e{samples_.back().t_s, samples_.back().x_m, {}};
+    io::append_event(e.text, event);
+    events_.push_back(std::move(e));
+  }
+}
+
+/// The groups' own events; names of balise::Happened.
+void Journey::count(const kernel::Event& e) {
+  if (is(e.subject, "linking BG") && is(e.what, "ok")) ++counts_.groups_linked_ok;
+  if (!is(e.subject, "BG")) return;
+  if (is(e.what, "not found in its window") || is(e.what, "a later group found in its window")) ++counts_.groups_missed;
+  if (is(e.what, "message inconsistent") || is(e.what, "found before its window") ||
+      is(e.what, "crossed in the wrong direction"))
+    ++counts_.groups_rejected;
+  if (is(e.what, "message inconsistent")) ++counts_.telegrams_rejected;
+}
+
+/// What became of the messages delivered in this cycle: each one's verdict is the first event of its
+/// number that is not another one's.
+void Journey::count_messages(const Outputs& outputs) {
+  std::vector<const kernel::Event*> verdicts;
+  bool authority_refused = false;
+  bool authority_accepted = false;
+  for (const kernel::Event& e : outputs.events) {
+    if (is(e.subject, "message") && e.id >= 0) verdicts.push_back(&e);
+    if (is(e.subject, "MA") && is(e.what, "refused")) authority_refused = true;
+    if (is(e.subject, "MA") && is(e.what, "accepted")) authority_accepted = true;
+  }
+  const auto& deliveries = world_.radio().deliveries();
+  bool authority_by_radio = false;
+  for (; next_delivery_ < deliveries.size(); ++next_delivery_) {
+    const sim::Delivery& d = deliveries[next_delivery_];
+    const auto verdict = std::find_if(verdicts.begin(), verdicts.end(),
+                                      [&](const kernel::Event* e) { return e != nullptr && e->id == d.NID_MESSAGE; });
+    const char* what = verdict == verdicts.end() ? nullptr : (*verdict)->what;
+    if (verdict != verdicts.end()) *verdict = nullptr;
+    if (d.seq < 0) continue;
+    // A message that waits in a transition buffer has passed the checks and filters.
+    const bool accepted = is(what, "accepted") || is(what, "buffered");
+    if (accepted) ++counts_.messages_accepted;
+    if (is(what, "refused")) ++counts_.messages_refused;
+    if (is(what, "rejected")) ++counts_.messages_rejected;
+    if (d.NID_MESSAGE != 3 && d.NID_MESSAGE != 33) continue;
+    authority_by_radio = true;
+    ++counts_.authorities_received;
+    if (accepted && !authority_refused) ++counts_.authorities_accepted;
+  }
+  if (authority_by_radio || !telegrams_in_cycle_) return;
+  if (authority_accepted || authority_refused) ++counts_.authorities_received;
+  if (authority_accepted) ++counts_.authorities_accepted;
+}
+
+}  // namespace evc::app

@@ -1,0 +1,34 @@
+#include "app/on_board.h"
+
+#include <chrono>
+
+#include "kernel/state.h"
+
+namespace evc::app {
+
+struct OnBoard::Memory {
+  kernel::State state;
+  kernel::Derived derived;
+  kernel::Outputs outputs;
+};
+
+OnBoard::OnBoard(const kernel::Config& config) : memory_(std::make_unique<Memory>()) {
+  kernel::power_up(memory_->state, memory_->derived, config);
+  costs_.reserve(1 << 16);
+}
+
+OnBoard::~OnBoard() = default;
+
+const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
+  const std::size_t allocations_before = allocations();
+  const auto before = std::chrono::steady_clock::now();
+  kernel::step(memory_->state, memory_->derived, inputs, memory_->outputs);
+  const auto after = std::chrono::steady_clock::now();
+  allocations_ += allocations() - allocations_before;
+  costs_.push_back(std::chrono::duration<float>(after - before).count());
+  return memory_->outputs;
+}
+
+std::size_t OnBoard::state_bytes() { return sizeof(kernel::State); }
+
+}  // namespace evc::app

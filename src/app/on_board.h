@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "kernel/evc.h"
+
+namespace evc::app {
+
+/// Heap allocations of the whole program so far.
+std::size_t allocations();
+
+/// The kernel with its state, and what its steps cost.
+class OnBoard {
+ public:
+  explicit OnBoard(const kernel::Config& config);
+  ~OnBoard();
+  OnBoard(const OnBoard&) = delete;
+  OnBoard& operator=(const OnBoard&) = delete;
+
+  /// One cycle. The outputs stay valid until the next one.
+  const kernel::Outputs& step(const kernel::Inputs& inputs);
+
+  static std::size_t state_bytes();
+  std::size_t allocations_in_step() const { return allocations_; }
+  /// Seconds of every step so far.
+  const std::vector<float>& costs() const { return costs_; }
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+  std::size_t allocations_ = 0;
+  std::vector<float> costs_;
+};
+
+}  // namespace evc::app

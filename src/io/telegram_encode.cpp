@@ -1,0 +1,410 @@
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/bit_cursor.h"
+#include "io/telegram_json.h"
+#include "lang/layouts.h"
+#include "lang/walk.h"
+
+namespace evc::io {
+namespace {
+
+using Json = nlohmann::json;
+using lang::Direction;
+using lang::PacketLayout;
+using lang::Step;
+using lang::SystemVersion;
+using lang::Versions;
+
+TelegramError complaint(std::string variable, std::string why, int packet = -1) {
+  return {0, packet, std::move(variable), {}, std::move(why)};
+}
+
+/// Thrown inside this file and caught at its doors.
+struct Refused {
+  TelegramError error;
+};
+[[noreturn]] void refuse(std::string variable, std::string why) {
+  throw Refused{complaint(std::move(variable), std::move(why))};
+}
+
+std::optional<std::uint64_t> hex_number(const std::string& text) {
+  std::string_view digits = text;
+  if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
+  std::uint64_t n = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n, 16);
+  if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size()) return {};
+  return n;
+}
+
+/// The raw code of a member: a number, a negative one for D_REF, or a string of hexadecimal digits.
+std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
+  std::uint64_t code = 0;
+  if (value.is_number_unsigned()) {
+    code = value.get<std::uint64_t>();
+  } else if (value.is_number_integer()) {
+    const auto n = value.get<std::int64_t>();
+    if (std::strcmp(name, "D_REF") != 0 || n < -32768) refuse(name, "less than 0");
+    code = static_cast<std::uint64_t>(n) & 0xFFFFu;
+  } else if (value.is_string()) {
+    const auto n = hex_number(value.get_ref<const std::string&>());
+    if (!n) refuse(name, "not a number in hexadecimal digits");
+    code = *n;
+  } else {
+    refuse(name, "expected a number");
+  }
+  if (code > lang::all_ones(bits)) refuse(name, "needs more than its " + std::to_string(bits) + " bits");
+  return code;
+}
+
+/// Writes the members of one object along a layout. Every member must be used.
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(BitWriter& out) : out_(out) {}
+
+  void write(const Json& object, std::span<const Step> steps, const lang::WalkScope* up, std::size_t first,
+             std::size_t known_members) {
+    std::array<std::uint64_t, lang::kStepsMax> codes{};
+    const lang::WalkScope scope{steps, codes.data(), up};
+    std::size_t used = known_members;
+    for (std::size_t i = first; i < steps.size(); ++i) {
+      const Step& step = steps[i];
+      switch (step.kind) {
+        case Step::Kind::field:
+          codes[i] = code_of(member(object, step.name), step.name, step.bits);
+          ++used;
+          out_.write(codes[i], step.bits);
+          break;
+        case Step::Kind::when:
+          if (!step.test(codes[step.condition])) i += step.count;
+          break;
+        case Step::Kind::when_around:
+          if (!step.test(scope.around(step.variable))) i += step.count;
+          break;
+        case Step::Kind::repeat: {
+          const Json& group = member(object, step.name);
+          ++used;
+          if (object.contains(step.counter)) ++used;
+          if (!group.is_array()) refuse(step.name, "expected an array");
+          if (group.size() > step.capacity) refuse(step.name, "more than " + std::to_string(step.capacity));
+          out_.write(group.size(), step.bits);
+          for (const Json& element : group) {
+            if (!element.is_object()) refuse(step.name, "expected objects");
+            write(element, step.element(), &scope, 0, 0);
+          }
+          break;
+        }
+        case Step::Kind::rest: {
+          const Json& value = member(object, step.name);
+          ++used;
+          if (!value.is_string()) refuse(step.name, "expected a string of 0 and 1");
+          for (const char c : value.get_ref<const std::string&>()) {
+            if (c != '0' && c != '1') refuse(step.name, "expected a string of 0 and 1");
+            out_.write(c == '1' ? 1 : 0, 1);
+          }
+          break;
+        }
+      }
+    }
+    if (used != object.size()) refuse_unknown(object, steps, first);
+  }
+
+ private:
+  static const Json& member(const Json& object, const char* name) {
+    const auto it = object.find(name);
+    if (it == object.end()) refuse(name, "missing");
+    return *it;
+  }
+  /// Names one member that is of no use: misspelt, or its condition does not hold.
+  [[noreturn]] static void refuse_unknown(const Json& object, std::span<const Step> steps, std::size_t first) {
+    static constexpr std::array<const char*, 9> frame{"NID_PACKET", "L_PACKET",  "NID_MESSAGE",
+                                                      "L_MESSAGE",  "packets",   "padding",
+                                                      "schema",     "direction", "system_version"};
+    for (const auto& [key, value] : object.items()) {
+      bool in_layout = false;
+      for (std::size_t i = 0; i < steps.size(); ++i)
+        if (key == steps[i].name || key == steps[i].counter) in_layout = true;
+      bool in_frame = first > 0 && key == "Q_DIR";
+      for (const char* name : frame) in_frame = in_frame || key == name;
+      if (!in_layout && !in_frame) refuse(key, "unknown member");
+    }
+    for (const auto& [key, value] : object.items())
+      for (const Step& step : steps)
+        if (key == step.name && step.kind == Step::Kind::field) refuse(key, "a member whose condition does not hold");
+    refuse("", "members that do not belong together");
+  }
+
+  BitWriter& out_;
+};
+
+std::size_t count_present(const Json& object, std::initializer_list<const char*> names) {
+  std::size_t n = 0;
+  for (const char* name : names)
+    if (object.contains(name)) ++n;
+  return n;
+}
+
+void write_packet_as(BitWriter& out, const Json& packet, const PacketLayout& layout) {
+  const std::size_t start = out.position();
+  std::size_t length = 0;
+  out.write(layout.info->NID_PACKET, 8);
+  if (layout.has_direction) {
+    const auto it = packet.find("Q_DIR");
+    if (it == packet.end()) refuse("Q_DIR", "missing");
+    out.write(code_of(*it, "Q_DIR", 2), 2);
+  }
+  if (layout.has_length) {
+    length = out.position();
+    out.write(0, 13);
+  }
+  const std::size_t first = layout.has_direction ? 1 : 0;
+  ObjectWriter(out).write(packet, layout.steps, nullptr, first,
+                          first + count_present(packet, {"NID_PACKET", "L_PACKET"}));
+  if (layout.has_length) {
+    if (out.position() - start > 8191) refuse("L_PACKET", "packet longer than 8191 bits");
+    out.patch(length, out.position() - start, 13);
+  }
+}
+
+/// `{NID_PACKET, Q_DIR, L_PACKET, raw}`: as it was.
+void write_raw_packet(BitWriter& out, const Json& packet, std::uint64_t nid) {
+  const bool with_direction = packet.contains("Q_DIR");
+  if (!packet.contains("L_PACKET")) refuse("L_PACKET", "missing");
+  const std::uint64_t length = code_of(packet.at("L_PACKET"), "L_PACKET", 13);
+  const std::size_t header = with_direction ? 23 : 21;
+  if (length < header) refuse("L_PACKET", "less than the packet's header");
+  out.write(nid, 8);
+  if (with_direction) out.write(code_of(packet.at("Q_DIR"), "Q_DIR", 2), 2);
+  out.write(length, 13);
+  if (!packet.at("raw").is_string()) refuse("raw", "expected hexadecimal digits");
+  const auto raw = bits_of_hex(packet.at("raw").get_ref<const std::string&>());
+  if (!raw) refuse("raw", raw.error().why);
+  if ((length - header + 3) / 4 != raw->bits / 4) refuse("raw", "not as many digits as L_PACKET wants");
+  BitReader in(raw->bytes, length - header);
+  while (in.left() > 0) {
+    const auto bits = static_cast<unsigned>(in.left() < 32 ? in.left() : 32);
+    out.write(in.read(bits), bits);
+  }
+}
+
+struct Wish {
+  std::optional<Direction> direction;
+  std::optional<SystemVersion> sv;
+};
+
+/// The layouts to try, the newest first.
+std::vector<const PacketLayout*> candidates(const Json& packet, std::uint8_t nid, const Wish& wish) {
+  std::vector<const PacketLayout*> found;
+  Direction direction = Direction::to_train;
+  if (wish.direction)
+    direction = *wish.direction;
+  else if (!packet.contains("Q_DIR") && nid != 255 && !(nid == 0 && packet.contains("NID_VBCMK")))
+    direction = Direction::to_track;
+  for (const PacketLayout& layout : lang::packet_layouts()) {
+    if (layout.info->NID_PACKET != nid || layout.info->direction != direction) continue;
+    if (wish.sv && (layout.info->versions & lang::known_version(*wish.sv)) == 0) continue;
+    found.push_back(&layout);
+  }
+  return found;
+}
+
+void append(BitWriter& out, std::span<const std::uint8_t> bytes, std::size_t bits) {
+  BitReader in(bytes, bits);
+  while (in.left() > 0) {
+    const auto n = static_cast<unsigned>(in.left() < 32 ? in.left() : 32);
+    out.write(in.read(n), n);
+  }
+}
+
+void write_packet(BitWriter& out, const Json& packet, const Wish& wish) {
+  if (!packet.is_object()) refuse("packets", "expected objects");
+  const auto it = packet.find("NID_PACKET");
+  if (it == packet.end()) refuse("NID_PACKET", "missing");
+  const auto nid = static_cast<std::uint8_t>(code_of(*it, "NID_PACKET", 8));
+  try {
+    if (packet.contains("raw")) return write_raw_packet(out, packet, nid);
+    const std::vector<const PacketLayout*> layouts = candidates(packet, nid, wish);
+    if (layouts.empty()) refuse("NID_PACKET", "no such packet in this version and direction");
+    std::array<std::uint8_t, 1100> room{};
+    std::optional<Refused> first;
+    for (const bool exact : {true, false}) {
+      for (const PacketLayout* layout : layouts) {
+        BitWriter trial(room);
+        try {
+          write_packet_as(trial, packet, *layout);
+        } catch (const Refused& refused) {
+          if (!first) first = refused;
+          continue;
+        }
+        const auto length = packet.find("L_PACKET");
+        if (exact && length != packet.end() && *length != trial.position()) continue;
+        return append(out, trial.bytes(), trial.position());
+      }
+    }
+    throw *first;
+  } catch (Refused& refused) {
+    if (refused.error.packet < 0) refused.error.packet = nid;
+    throw;
+  }
+}
+
+struct HeaderField {
+  const char* name;
+  unsigned bits;
+};
+constexpr std::array<HeaderField, 10> balise_header{{{"Q_UPDOWN", 1},
+                                                     {"M_VERSION", 7},
+                                                     {"Q_MEDIA", 1},
+                                                     {"N_PIG", 3},
+                                                     {"N_TOTAL", 3},
+                                                     {"M_DUP", 2},
+                                                     {"M_MCOUNT", 8},
+                                                     {"NID_C", 10},
+                                                     {"NID_BG", 14},
+                                                     {"Q_LINK", 1}}};
+constexpr std::array<HeaderField, 5> loop_header{
+    {{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"NID_C", 10}, {"NID_LOOP", 14}}};
+
+void know_only(const Json& object, std::initializer_list<const char*> names) {
+  for (const auto& [key, value] : object.items()) {
+    bool known = false;
+    for (const char* name : names) known = known || key == name;
+    if (!known) refuse(key, "unknown member");
+  }
+}
+
+const Json& packets_of(const Json& object) {
+  static const Json none = Json::array();
+  const auto it = object.find("packets");
+  if (it == object.end()) return none;
+  if (!it->is_array()) refuse("packets", "expected an array");
+  return *it;
+}
+
+void put_padding(BitWriter& out, const Json& padding, std::size_t bits) {
+  if (!padding.is_string()) refuse("padding", "expected hexadecimal digits");
+  const auto raw = bits_of_hex(padding.get_ref<const std::string&>());
+  if (!raw) refuse("padding", raw.error().why);
+  if (raw->bits < bits) refuse("padding", "fewer bits than \"bits\" wants");
+  append(out, raw->bytes, bits);
+}
+
+Bits finish(std::vector<std::uint8_t>& room, const BitWriter& out) {
+  if (out.faulty()) refuse("", "longer than a telegram or message can be");
+  room.resize((out.position() + 7) / 8);
+  return {std::move(room), out.position()};
+}
+
+Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, std::size_t most_bits) {
+  if (!telegram.is_object()) refuse("", "expected an object");
+  know_only(telegram, {"schema", "system_version", "header", "packets", "bits", "padding", "airgap"});
+  if (const auto it = telegram.find("schema"); it != telegram.end() && *it != "evc-telegram/1")
+    refuse("schema", "expected evc-telegram/1");
+  const auto it = telegram.find("header");
+  if (it == telegram.end() || !it->is_object()) refuse("header", "missing");
+  std::vector<std::uint8_t> room((most_bits + 7) / 8 + 8);
+  BitWriter out(room);
+  std::uint64_t M_VERSION = 0;
+  for (const HeaderField& f : header) {
+    const auto value = it->find(f.name);
+    if (value == it->end()) refuse(f.name, "missing");
+    const std::uint64_t code = code_of(*value, f.name, f.bits);
+    if (std::strcmp(f.name, "M_VERSION") == 0) M_VERSION = code;
+    out.write(code, f.bits);
+  }
+  if (it->size() != header.size()) {
+    for (const auto& [key, value] : it->items()) {
+      bool known = false;
+      for (const HeaderField& f : header) known = known || key == f.name;
+      if (!known) refuse(key, "unknown member");
+    }
+  }
+  const SystemVersion sv = lang::system_version(M_VERSION);
+  if (lang::known_version(sv) == 0) refuse("M_VERSION", "unknown system version");
+  for (const Json& packet : packets_of(telegram)) write_packet(out, packet, {Direction::to_train, sv});
+  out.write(255, 8);
+  if (out.position() > most_bits)
+    refuse("packets", std::to_string(out.position()) + " bits: more than " + std::to_string(most_bits));
+  if (const auto bits = telegram.find("bits"); bits != telegram.end()) {
+    const std::uint64_t n = code_of(*bits, "bits", 16);
+    if (n < out.position() || n > most_bits) refuse("bits", "less than the packets need, or too many");
+    if (const auto padding = telegram.find("padding"); padding != telegram.end())
+      put_padding(out, *padding, n - out.position());
+    while (out.position() < n) out.write(1, 1);
+  }
+  return finish(room, out);
+}
+
+template <class Write>
+tl::expected<Bits, TelegramError> guarded(Write write) {
+  try {
+    return write();
+  } catch (Refused& refused) {
+    return tl::unexpected(std::move(refused.error));
+  }
+}
+
+}  // namespace
+
+tl::expected<Bits, TelegramError> encode_balise_json(const Json& telegram) {
+  return guarded([&] { return write_telegram(telegram, balise_header, 830); });
+}
+
+tl::expected<Bits, TelegramError> encode_loop_json(const Json& message) {
+  return guarded([&] { return write_telegram(message, loop_header, 8192); });
+}
+
+tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const EncodeOptions& options) {
+  return guarded([&]() -> Bits {
+    if (!message.is_object()) refuse("", "expected an object");
+    const auto it = message.find("NID_MESSAGE");
+    if (it == message.end()) refuse("NID_MESSAGE", "missing");
+    const auto nid = static_cast<std::uint8_t>(code_of(*it, "NID_MESSAGE", 8));
+    Wish wish{options.direction, options.sv};
+    if (!wish.direction) wish.direction = nid >= 128 ? Direction::to_track : Direction::to_train;
+    if (const auto sv = message.find("system_version"); !wish.sv && sv != message.end()) {
+      if (sv->is_string()) wish.sv = parse_version(sv->get_ref<const std::string&>());
+      if (!wish.sv) refuse("system_version", "expected X.Y");
+    }
+    std::optional<Refused> first;
+    for (const lang::MessageLayout& layout : lang::message_layouts()) {
+      if (layout.info->NID_MESSAGE != nid || layout.info->direction != *wish.direction) continue;
+      if (wish.sv && (layout.info->versions & lang::known_version(*wish.sv)) == 0) continue;
+      std::vector<std::uint8_t> room(1300);
+      BitWriter out(room);
+      try {
+        out.write(nid, 8);
+        out.write(0, 10);
+        ObjectWriter(out).write(
+            message, layout.steps, nullptr, 0,
+            count_present(message, {"NID_MESSAGE", "L_MESSAGE", "packets", "padding", "schema", "system_version"}));
+        for (const Json& packet : packets_of(message)) write_packet(out, packet, wish);
+        const std::size_t filling = (8 - out.position() % 8) % 8;
+        if (const auto padding = message.find("padding"); padding != message.end())
+          put_padding(out, *padding, filling);
+        else if (filling > 0)
+          out.write(0, static_cast<unsigned>(filling));
+        if (out.position() / 8 > 1023) refuse("L_MESSAGE", "longer than 1023 bytes");
+        out.patch(8, out.position() / 8, 10);
+        return finish(room, out);
+      } catch (const Refused& refused) {
+        if (!first) first = refused;
+      }
+    }
+    if (first) throw *first;
+    refuse("NID_MESSAGE", "no such message in this version and direction");
+  });
+}
+
+tl::expected<Bits, TelegramError> encode_packet_json(const Json& packet, const EncodeOptions& options) {
+  return guarded([&] {
+    std::vector<std::uint8_t> room(1100);
+    BitWriter out(room);
+    write_packet(out, packet, {options.direction, options.sv});
+    return finish(room, out);
+  });
+}
+
+}  // namespace evc::io
