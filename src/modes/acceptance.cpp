@@ -52,10 +52,8 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return c.text_awaits_acknowledgement;
     case 13:
       return !c.immediate_order_to_1_2_3;
-    case 14:
+    default:  // 14
       return c.edition != Edition::v3_4_0 && c.names_rbc_of_transition;
-    default:
-      return false;
   }
 }
 
@@ -66,10 +64,8 @@ bool level_exception_buffers(std::size_t n, const AcceptanceContext& c) {
       return c.announced == Level::L1;
     case 2:
       return announced_2_3(c);
-    case 6:
+    default:  // 6
       return c.announced == Level::NTC;
-    default:
-      return false;
   }
 }
 
