@@ -1,0 +1,81 @@
+// What callgrind counts (tools/count_instructions.py): one scenario, collecting inside the cycles that matter only.
+// Prints how many cycles those were. Usage: instructions busy|change|journey [INPUT.jsonl]
+#include <valgrind/callgrind.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "io/input_stream.h"
+#include "ride.h"
+
+namespace {
+
+using evc::bench::Ride;
+
+template <class F>
+void counted(F&& step) {
+  CALLGRIND_TOGGLE_COLLECT;
+  step();
+  CALLGRIND_TOGGLE_COLLECT;
+}
+
+int busy() {
+  Ride ride;
+  ride.into_full_supervision(35.0);
+  if (ride.outputs().mode != evc::modes::Mode::FS) return -1;
+  constexpr int cycles = 600;
+  for (int i = 0; i < cycles; ++i) {
+    ride.prepare(35.0);
+    counted([&] { ride.step(); });
+    ride.finish();
+  }
+  return cycles;
+}
+
+int change() {
+  Ride ride;
+  ride.into_full_supervision(35.0);
+  int cycles = 0;
+  for (std::uint16_t n = 2; n < 52; ++n, ++cycles) {
+    for (int i = 0; i < 10; ++i) ride.cycle(35.0);
+    const auto telegrams = evc::bench::group(n);
+    ride.read(telegrams);
+    ride.prepare(35.0);
+    counted([&] { ride.step(); });
+    ride.finish();
+    if (ride.outputs().mode != evc::modes::Mode::FS) return -1;
+  }
+  return cycles;
+}
+
+int journey(const char* file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  auto stream = evc::io::InputStream::open(file, evc::io::lines_of(text.str()));
+  if (!stream) return -1;
+  auto state = std::make_unique<evc::kernel::State>();
+  auto derived = std::make_unique<evc::kernel::Derived>();
+  auto outputs = std::make_unique<evc::kernel::Outputs>();
+  evc::kernel::power_up(*state, *derived, stream->configuration().for_kernel());
+  evc::sim::CycleInputs cycle;
+  int cycles = 0;
+  for (auto more = stream->next(cycle); more && *more; more = stream->next(cycle), ++cycles) {
+    const evc::kernel::Inputs& inputs = cycle.view();
+    counted([&] { evc::kernel::step(*state, *derived, inputs, *outputs); });
+  }
+  return cycles;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int cycles = -1;
+  if (argc == 2 && std::strcmp(argv[1], "busy") == 0) cycles = busy();
+  if (argc == 2 && std::strcmp(argv[1], "change") == 0) cycles = change();
+  if (argc == 3 && std::strcmp(argv[1], "journey") == 0) cycles = journey(argv[2]);
+  std::printf("%d\n", cycles);
+  return cycles > 0 ? 0 : 1;
+}
