@@ -43,26 +43,33 @@ constexpr auto kOnEntry = std::to_array<EntryRow>({
 
 constexpr std::size_t kPT = 12;
 
-bool acknowledged(const Context& c) { return c.standstill && c.driver_acknowledges; }
+bool wants_acknowledgement(Release rule) {
+  return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
+}
+
+/// 3.14.1.10: an acknowledgement at standstill is for the causes of one clause; another clause needs its own. The
+/// clauses come in the order of the table.
+std::string_view acknowledged_clause(const State& state, const Context& c) {
+  if (!c.standstill || !c.driver_acknowledges) return {};
+  for (const CauseRow& r : srs_3_14_1)
+    if (state.active.has(r.cause) && wants_acknowledgement(r.release)) return r.clause;
+  return {};
+}
 
 /// Whether the release rule of a command that was given is fulfilled.
-bool released(Release rule, bool asked, const Context& c) {
+bool released(Release rule, bool asked, bool acknowledged, const Context& c) {
   switch (rule) {
     case Release::at_standstill:
       return c.standstill;
     case Release::at_standstill_or_message:
       return c.standstill || c.new_consistent_message;
     case Release::acknowledged_at_standstill:
-      return acknowledged(c);
+      return acknowledged;
     case Release::gone_or_acknowledged_at_standstill:
-      return !asked || acknowledged(c);
+      return !asked || acknowledged;
     default:  // when_gone
       return !asked;
   }
-}
-
-bool wants_acknowledgement(Release rule) {
-  return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
 }
 
 /// Whether the cause gives a new command: when it appears, and with movement where the rule says so.
@@ -76,10 +83,11 @@ bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
 
 Command command(State& state, CauseSet asked, const Context& c) {
   Command out;
+  const std::string_view clause = acknowledged_clause(state, c);
   for (const CauseRow& r : srs_3_14_1) {
     const bool asks = asked.has(r.cause);
     bool active = state.active.has(r.cause);
-    if (active && released(r.release, asks, c)) active = false;
+    if (active && released(r.release, asks, clause == r.clause, c)) active = false;
     if (gives(r, asks, state.asked_before.has(r.cause), c)) active = true;
     if (!active) {
       state.active.remove(r.cause);

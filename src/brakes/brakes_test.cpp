@@ -89,6 +89,15 @@ TEST(Brakes, The_acknowledgement_is_wanted_once_the_train_stands) {
   EXPECT_FALSE(after.eb);
 }
 
+TEST(Brakes, One_acknowledgement_is_for_the_causes_of_one_clause) {
+  State state;
+  command(state, {Cause::roll_away, Cause::reverse_movement, Cause::post_trip_distance}, moving());
+  const Command first = command(state, {}, acknowledging());  // 3.14.1.5
+  EXPECT_EQ(first.reasons, CauseSet{Cause::post_trip_distance});
+  EXPECT_TRUE(first.acknowledgement_wanted);
+  EXPECT_TRUE(command(state, {}, acknowledging()).reasons.empty());  // 3.14.1.7.4
+}
+
 TEST(Brakes, Two_causes_of_one_brake_release_it_only_together) {
   State state;
   command(state, {Cause::roll_away, Cause::trip}, moving());
