@@ -26,7 +26,7 @@ Judgement found(LinkingState& linking) {
   Judgement judgement;
   judgement.verdict = Judgement::Verdict::found;
   judgement.link = move_on(linking);
-  linking.found = judgement.link->id;
+  linking.found = LinkingState::Found{judgement.link->id, judgement.link->place};
   linking.missed_in_row = 0;
   linking.repositioned.reset();  // 3.16.2.7.2.1 b
   return judgement;
@@ -68,7 +68,7 @@ Judgement judge_unsupervised(LinkingState& linking, GroupId id) {
   judgement.link = linking.links[*i];
   linking.links.erase(0, *i + 1);
   linking.previous = judgement.link->place;
-  linking.found = id;
+  linking.found = LinkingState::Found{id, judgement.link->place};
   return judgement;
 }
 
@@ -123,7 +123,7 @@ void take_repositioning(LinkingState& linking, GroupId id, const Link& link) {
   const Link* next = expected(linking);
   if (next != nullptr && *next == link) move_on(linking);
   linking.missed_in_row = 0;
-  linking.found = id;
+  linking.found = LinkingState::Found{id, link.place};
   linking.repositioned = LinkingState::Repositioned{id, last_possible(link), link.crossing};
 }
 
@@ -147,13 +147,29 @@ void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linki
   if (linking.links.empty() && linking.used_until && antenna.min > *linking.used_until) linking.used_until.reset();
 }
 
-Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
-             const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
+namespace {
+
+/// Is the entry the group that was passed at `place`, and not the same group once more, around a loop? What
+/// lies between is what a measured distance may err.
+bool passed_at(const Link& link, const LinkingReference& reference, GroupId id, Place place) {
+  constexpr Distance kSure{100};
+  if (!(link.id == id) || link.id == reference.id) return false;
+  const Distance run = place - reference.place;
+  return link.place - place <= kSure + 0.1 * run;
+}
+
+/// The list in the track frame, and how much of it is behind the train.
+struct Placed {
+  InplaceVector<Link, 32> links;
+  std::size_t passed = 0;  // entries up to the last one that was passed
+  Distance correction{};   // of all places, so that the current LRBG is where it is
+};
+
+Placed place_links(const LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
+                   const std::optional<CurrentLrbg>& current) {
+  Placed placed;
   Place place = reference.place;
   std::uint16_t country = reference.NID_C;
-  InplaceVector<Link, 32> links;
-  Distance correction{};
-  std::size_t passed = 0;  // entries up to the last one that is behind
   for (const LinkingList::Entry& entry : list.entries) {
     place = place + entry.D_LINK;
     if (entry.NID_C) country = *entry.NID_C;  // 7.5.1.121: else that of the entry before
@@ -163,28 +179,36 @@ Stored store(LinkingState& linking, const LinkingList& list, const LinkingRefere
                     entry.reaction,
                     entry.nominal ? Direction::nominal : Direction::reverse,
                     reference.orientation_known};
-    EVC_REQUIRE(links.push_back(link));
+    EVC_REQUIRE(placed.links.push_back(link));
     if (link.identity_unknown()) continue;
-    const bool is_current = current && link.id == current->id;
+    const bool is_current = current && passed_at(link, reference, current->id, current->place);
+    const bool is_found = linking.found && passed_at(link, reference, linking.found->id, linking.found->place);
     // 3.6.4.3: the list holds the reference and the LRBG, so their distance is the one by linking.
-    if (is_current) correction = current->place - link.place;
-    if (is_current || (linking.found && *linking.found == link.id)) passed = links.size();
+    if (is_current) placed.correction = current->place - link.place;
+    if (is_current || is_found) placed.passed = placed.links.size();
   }
-  for (Link& link : links) link.place = link.place + correction;
-  Stored stored{reference.place + correction, true};
+  for (Link& link : placed.links) link.place = link.place + placed.correction;
+  return placed;
+}
 
+}  // namespace
+
+Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
+             const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
+  const Placed placed = place_links(linking, list, reference, current);
+  Stored stored{reference.place + placed.correction, true};
   if (reference.infill) {  // 3.7.3.1 n: what is announced up to the infill reference stays
     linking.links.erase_if([&](const Link& link) { return link.place > stored.reference; });
   } else {  // 3.7.3.1 m
     linking.links.clear();
     linking.used_until.reset();
-    linking.previous = passed > 0 ? links[passed - 1].place : stored.reference;
+    linking.previous = placed.passed > 0 ? placed.links[placed.passed - 1].place : stored.reference;
     linking.detected = false;
   }
-  for (std::size_t i = passed; i < links.size(); ++i) {
+  for (std::size_t i = placed.passed; i < placed.links.size(); ++i) {
     // Windows that have ended already are no errors (3.4.4.4.5).
-    if (linking.links.empty() && antenna.min > last_possible(links[i])) continue;
-    if (!linking.links.push_back(links[i])) stored.complete = false;
+    if (linking.links.empty() && antenna.min > last_possible(placed.links[i])) continue;
+    if (!linking.links.push_back(placed.links[i])) stored.complete = false;
   }
   if (!linking.links.empty()) linking.used_until = end_of(linking);
   return stored;

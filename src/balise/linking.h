@@ -73,7 +73,12 @@ struct LinkingState {
   /// End of the window of the farthest announced group: until the antenna is past it linking is used (3.4.4.2.1.1).
   std::optional<Place> used_until;
   std::optional<Place> previous;  // of the last linked group, where a window with unknown identity opens (3.4.4.4.4)
-  std::optional<GroupId> found;   // the last group found in place, to be skipped in newer lists
+  /// The last group found in place, to be skipped in newer lists.
+  struct Found {
+    GroupId id;
+    Place place;
+  };
+  std::optional<Found> found;
   /// Supervision against a second repositioning group (3.16.2.7.2).
   struct Repositioned {
     GroupId id;

@@ -92,7 +92,7 @@ TEST(Linking, GroupsPassedAreLeftOutOfAList) {
   ASSERT_EQ(linking.links.size(), 2u);
   EXPECT_EQ(expected(linking)->id.NID_BG, 3);
   // 3 was found just now, though its window is still open.
-  linking.found = GroupId{426, 3};
+  linking.found = LinkingState::Found{{426, 3}, Place{297_m}};
   store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(206, 290, 300), std::nullopt);
   ASSERT_EQ(linking.links.size(), 1u);
   EXPECT_EQ(expected(linking)->id.NID_BG, 4);
@@ -110,6 +110,25 @@ TEST(Linking, AListOverTheCurrentLrbgPlacesItsReferenceByLinking) {
   EXPECT_EQ(stored.reference, Place{3_m});
   ASSERT_EQ(linking.links.size(), 1u);
   EXPECT_EQ(linking.links[0].place, Place{203_m});
+}
+
+TEST(Linking, AGroupThatComesAgainAroundALoopIsStillAhead) {
+  LinkingState linking;
+  LinkingList list;
+  static_cast<void>(list.entries.push_back(entry(100, 1)));
+  static_cast<void>(list.entries.push_back(entry(400, 2)));
+  static_cast<void>(list.entries.push_back(entry(400, 9)));
+  static_cast<void>(list.entries.push_back(entry(100, 1)));
+  linking.found = LinkingState::Found{{426, 1}, Place{103_m}};
+  const Stored stored = store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(104, 110, 115),
+                              CurrentLrbg{{426, 1}, Place{103_m}});
+  EXPECT_EQ(stored.reference, Place{3_m});
+  ASSERT_EQ(linking.links.size(), 3u);
+  EXPECT_EQ(expected(linking)->id.NID_BG, 2);
+  // Counted from the LRBG itself.
+  linking.found = LinkingState::Found{{426, 9}, Place{}};
+  store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(4, 10, 15), CurrentLrbg{{426, 9}, Place{}});
+  EXPECT_EQ(linking.links.size(), 4u);
 }
 
 TEST(Linking, InfillKeepsWhatIsAnnouncedUpToItsReference) {

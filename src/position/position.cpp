@@ -66,7 +66,7 @@ Reference reference_for(const State& state, const Passage& passage, Place place)
   reference.Q_LOCACC = passage.Q_LOCACC;
   reference.single = passage.single;
   reference.orientation = state.sense > 0 ? passage.counter_against_group : opposite(passage.counter_against_group);
-  reference.counter_rising = (state.last_motion == Motion::forward) == (state.sense > 0);
+  reference.counter_rising = counter_rises(state);
   return reference;
 }
 
@@ -218,6 +218,17 @@ Motion motion(const State& state) { return at_standstill(state) ? Motion::stands
 Motion last_motion(const State& state) { return state.last_motion; }
 
 bool at_standstill(const State& state) { return state.started && state.time - state.rest_since >= kStandstillTime; }
+
+bool counter_rises(const State& state) { return (state.last_motion == Motion::forward) == (state.sense > 0); }
+
+bool odometer_impaired(const State& state) {
+  Reference from = lrbg(state) ? *lrbg(state) : since_power_up(state);
+  from.Q_LOCACC = Distance{0};
+  const PlaceInterval at = front(state, from);
+  const Distance run = magnitude(state.now.counter.nominal - from.counter.nominal);
+  const Distance allowed = kOdometerBase + kOdometerError * run;
+  return at.est - at.min > allowed || at.max - at.est > allowed;
+}
 
 Direction orientation(const State& state) {
   const Reference* reference = lrbg(state);

@@ -27,7 +27,9 @@ inline constexpr Duration kStandstillTime{0.5};
 inline constexpr Distance kStandstillDistance{0.05};
 /// The counter has to come back this far before the train counts as having turned.
 inline constexpr Distance kTurnDistance{0.1};
-/// What an odometer may err over a distance (SUBSET-041 5.3.1.1), where no reading bounds it.
+/// What an odometer may err over a distance (SUBSET-041 5.3.1.1); the part of the distance is also taken
+/// where no reading bounds it.
+inline constexpr Distance kOdometerBase{5.0};
 inline constexpr double kOdometerError = 0.05;
 
 /// One reading of the odometer.
@@ -143,6 +145,10 @@ Motion motion(const State& state);
 /// The last direction in which the train moved; `forward` before it ever moved.
 Motion last_motion(const State& state);
 bool at_standstill(const State& state);
+/// The counter grew with the last movement.
+bool counter_rises(const State& state);
+/// The over- or under-reading since the LRBG is more than the 5 m + 5 % that an odometer may err (SUBSET-041 5.3.1.1).
+bool odometer_impaired(const State& state);
 /// Train orientation against the LRBG (Q_DIRLRBG).
 Direction orientation(const State& state);
 /// Running direction against the LRBG (Q_DIRTRAIN): at standstill that of the last movement.

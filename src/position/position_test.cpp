@@ -154,6 +154,19 @@ TEST(Position, CreepingWithoutSpeedIsNoStandstill) {
   EXPECT_FALSE(at_standstill(s));
 }
 
+TEST(Position, AnOdometerWorseThanAllowedIsImpaired) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  update(s, moving(spread(100, 10, 10)), 1_s);
+  EXPECT_FALSE(odometer_impaired(s));
+  update(s, moving(spread(100, 10.1, 10)), 2_s);
+  EXPECT_TRUE(odometer_impaired(s));
+  relocate(s, passage(1, spread(100, 10.1, 10)));
+  EXPECT_FALSE(odometer_impaired(s));
+  update(s, moving(spread(0, 10.1, 20.1)), 3_s);  // 100 m back
+  EXPECT_TRUE(odometer_impaired(s));
+}
+
 TEST(Position, OrientationSideAndRunningDirection) {
   State s;
   update(s, moving(exact(0)), 0_s);
