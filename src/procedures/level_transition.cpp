@@ -46,7 +46,9 @@ void take(State& state, const Inputs& in, const Order& order, Result& out) {
 
 /// 5.10.4: ask for the acknowledgement, ahead of the transition or after it.
 void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& out) {
-  const bool ahead = state.pending.has_value() && !state.acknowledged &&
+  // 5.10.4.1.2 of 4.0.0: in SB only at the change; 3.x does not say.
+  const bool only_at_change = in.edition == modes::Edition::v4_0_0 && in.mode == Mode::SB;
+  const bool ahead = state.pending.has_value() && !state.acknowledged && !only_at_change &&
                      modes::acknowledgement_needed(current, state.pending->to, in.mode, in.edition) &&
                      modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
   if (in.acknowledged && state.shown) {  // one that was not asked for is none

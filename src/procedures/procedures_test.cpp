@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "procedures/end_of_mission.h"
+#include "procedures/leaving_rbc.h"
 #include "procedures/level_transition.h"
 #include "procedures/mode_profile.h"
 #include "procedures/override.h"
@@ -141,6 +142,51 @@ TEST(EndOfMission, Power_off_forgets_the_mission) {
   EXPECT_TRUE(m.state.mission);
   m.to(Mode::NP);
   EXPECT_FALSE(m.state.mission);
+}
+
+// --- leaving the RBC's area -------------------------------------------------------------------------
+
+struct Leaving {
+  leaving_rbc::State state;
+  leaving_rbc::Inputs in;
+  Leaving() { in.session_open = true; }
+  Effects cycle() {
+    in.now += Duration{1.0};
+    const Effects out = step(state, in);
+    in.exit_reported = in.termination_ordered = false;
+    return out;
+  }
+};
+
+TEST(LeavingRbc, The_report_is_repeated_and_then_the_session_ends) {
+  Leaving l;
+  EXPECT_TRUE(l.cycle().send.empty());
+  l.in.exit_reported = true;
+  EXPECT_TRUE(l.cycle().send.empty());  // the report of the border itself is the radio's
+  int reports = 0;
+  Effects last;
+  for (int i = 0; i < 60; ++i) {
+    last = l.cycle();
+    reports += last.send.has(Send::position_report) ? 1 : 0;
+  }
+  EXPECT_EQ(reports, 3);
+  EXPECT_TRUE(last.send.has(Send::terminate_session));
+  for (int i = 0; i < 60; ++i) EXPECT_TRUE(l.cycle().send.empty());
+}
+
+TEST(LeavingRbc, An_order_a_lost_session_or_level_2_end_the_wait) {
+  for (int which = 0; which < 3; ++which) {
+    Leaving l;
+    l.in.exit_reported = true;
+    l.cycle();
+    if (which == 0) l.in.termination_ordered = true;
+    if (which == 1) l.in.session_open = false;
+    if (which == 2) l.in.level_2_or_3 = true;
+    l.cycle();
+    l.in.session_open = true;
+    l.in.level_2_or_3 = false;
+    for (int i = 0; i < 70; ++i) EXPECT_TRUE(l.cycle().send.empty()) << which;
+  }
 }
 
 // --- shunting ---------------------------------------------------------------------------------------
@@ -745,6 +791,16 @@ TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
   r = b.cycle(10.0);
   EXPECT_FALSE(r.effects.service_brake);
   EXPECT_TRUE(r.effects.requests.empty());
+}
+
+TEST(LevelTransition, In_SB_4_0_0_asks_only_at_the_change) {
+  for (const modes::Edition edition : {modes::Edition::v3_6_0, modes::Edition::v4_0_0}) {
+    Border b(level(Level::L2), Mode::SB);
+    b.in.edition = edition;
+    b.give(OrderKind::announcement, level(Level::L0), 1000.0);
+    EXPECT_EQ(b.cycle(900.0).effects.requests.empty(), edition == modes::Edition::v4_0_0);
+    EXPECT_EQ(b.cycle(1000.0).effects.requests, Set<Ack>{Ack::level});
+  }
 }
 
 TEST(LevelTransition, The_newest_order_counts) {
