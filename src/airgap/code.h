@@ -16,6 +16,11 @@ struct Residue {
   friend constexpr Residue operator^(Residue a, Residue b) { return {a.high ^ b.high, a.low ^ b.low}; }
   friend constexpr bool operator==(Residue, Residue) = default;
   constexpr Residue times_x() const { return {high << 1 | low >> 63, low << 1}; }
+  /// This, or nothing when the lowest bit of `condition` is 0.
+  constexpr Residue if_set(std::uint64_t condition) const {
+    const std::uint64_t mask = std::uint64_t{0} - (condition & 1);
+    return {high & mask, low & mask};
+  }
   constexpr bool has(std::size_t i) const { return ((i < 64 ? low >> i : high >> (i - 64)) & 1) != 0; }
 };
 
@@ -128,10 +133,7 @@ struct Arithmetic {
   /// v mod g, of v mod f*g.
   static constexpr Residue modulo_g(Residue v) {
     const std::size_t top = leading(v);
-    for (std::size_t i = 0; i < 10; ++i) {
-      const std::uint64_t mask = std::uint64_t{0} - (top >> i & 1);
-      v = v ^ Residue { multiple[i].high &mask, multiple[i].low &mask };
-    }
+    for (std::size_t i = 0; i < 10; ++i) v = v ^ multiple[i].if_set(top >> i);
     return v;
   }
 

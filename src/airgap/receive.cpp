@@ -32,15 +32,15 @@ void restore_first_block(Bits<M>& user) {
   user = user ^ change;
 }
 
-/// Steps 4 to 12 of the receiver: a window that is a multiple of g, with this residue modulo f*g.
+/// Steps 4 to 12 of the receiver: a window from index `at` that is a multiple of g, with this residue modulo f*g.
 template <class Code>
-Outcome<Received> read_window(const Bits<Code::n>& window, Residue residue) {
+Outcome<Received> read_window(std::span<const std::uint8_t> stream, std::size_t at, Residue residue) {
   Outcome<Received> out;
   out.value.format = Code::format;
   const std::int16_t start = Arithmetic<Code>::start[Arithmetic<Code>::leading(residue)];
   if (start < 0) return {Fault::synchronisation, out.value};
   out.value.rotation = static_cast<std::uint16_t>(start);
-  Bits<Code::n> bits = rotate(window, out.value.rotation);
+  Bits<Code::n> bits = rotate(load<Code::n>(stream, at), out.value.rotation);
   out.value.inverted = bits[kControlAt + 2];
   if (out.value.inverted) bits = bits.inverted();  // the alphabet is closed under inversion
 
@@ -66,10 +66,9 @@ Outcome<Received> read_window(const Bits<Code::n>& window, Residue residue) {
 template <class Code>
 Outcome<Received> read_as(std::span<const std::uint8_t> period) {
   if (period.size() < bytes_for(Code::n)) return {Fault::size, {}};
-  const Bits<Code::n> window = load<Code::n>(period, 0);
-  const Residue residue = Arithmetic<Code>::of(window);
+  const Residue residue = Arithmetic<Code>::of(load<Code::n>(period, 0));
   if (Arithmetic<Code>::modulo_g(residue) != Residue{}) return {Fault::parity, {}};
-  Outcome<Received> out = read_window<Code>(window, residue);
+  Outcome<Received> out = read_window<Code>(period, 0, residue);
   out.value.end = Code::n;
   return out;
 }
@@ -93,24 +92,30 @@ Outcome<Received> search(std::span<const std::uint8_t> stream, std::size_t from,
   // The window's residue modulo g slides along: the bit that leaves and the one that enters both weigh x^0, as
   // x^n = 1 modulo g.
   Residue sliding = Arithmetic<Code>::modulo_g(Arithmetic<Code>::of(load<n>(stream, from)));
+  // ... and modulo f*g while one multiple of g follows the other, as on a dead line.
+  Residue whole;
+  bool have_whole = false;
+  std::uint64_t changes = 0;
   for (std::size_t at = from;; ++at) {
     const std::size_t extra = at - from > far ? n : Code::r;
     if (at + n + extra > count) return best;
-    if (sliding == Residue{}) {
+    if (sliding != Residue{}) {
+      have_whole = false;
+    } else {
+      whole = have_whole ? Arithmetic<Code>::step(whole) : Arithmetic<Code>::of(load<n>(stream, at));
+      have_whole = true;
       Outcome<Received> found{Fault::repetition, {}};
-      if (equal(stream, at, at + n, extra)) {
-        const Bits<n> window = load<n>(stream, at);
-        found = read_window<Code>(window, Arithmetic<Code>::of(window));
-      }
+      if (equal(stream, at, at + n, extra)) found = read_window<Code>(stream, at, whole);
       found.value.start = at;
       found.value.end = at + n + extra;
       if (found || found.fault == Fault::unknown_format) return found;
       if (further(found.fault, best.fault)) best = found;
     }
+    if ((at - from) % 64 == 0) changes = take(stream, at, 64) ^ take(stream, at + n, 64);  // r > 64
     sliding = sliding.times_x();
-    const std::uint64_t over = std::uint64_t{0} - (sliding.high >> 11 & 1);
-    sliding = sliding ^ Residue { Code::g.high &over, Code::g.low &over };
-    sliding.low ^= static_cast<std::uint64_t>(bit(stream, at) != bit(stream, at + n));
+    sliding = sliding ^ Code::g.if_set(sliding.high >> 11);
+    sliding.low ^= changes >> 63;
+    changes <<= 1;
   }
 }
 
