@@ -35,11 +35,15 @@ AirgapTelegram telegram_of(std::span<const std::uint8_t> bytes, const airgap::Re
   return telegram;
 }
 
+io::TelegramError refusal(std::size_t bit, std::string_view why) {
+  return {bit, -1, "", {}, "air gap: " + std::string(why)};
+}
+
 const char* format_name(Format format) { return format == Format::long_ ? "long" : "short"; }
 
 }  // namespace
 
-tl::expected<AirgapTelegram, AirgapError> read_airgap(std::span<const std::uint8_t> bytes, std::size_t bits) {
+tl::expected<AirgapTelegram, io::TelegramError> read_airgap(std::span<const std::uint8_t> bytes, std::size_t bits) {
   // One period; or, in as many bits as a long one, the short telegram three times.
   std::optional<Fault> as_period;
   for (const Format format : {Format::long_, Format::short_}) {
@@ -50,10 +54,10 @@ tl::expected<AirgapTelegram, AirgapError> read_airgap(std::span<const std::uint8
   }
   const airgap::Outcome<airgap::Received> found = airgap::receive(bytes, bits);
   if (found) return telegram_of(bytes, *found, true);
-  if (as_period) return tl::unexpected(AirgapError{0, std::string(airgap::name(*as_period))});
+  if (as_period) return tl::unexpected(refusal(0, airgap::name(*as_period)));
   std::string why(airgap::name(found.fault));
   if (found.fault == Fault::too_few_bits) why += ": a period has 1023 or 341, a stream at least 462";
-  return tl::unexpected(AirgapError{found->start, why});
+  return tl::unexpected(refusal(found->start, why));
 }
 
 std::string airgap_json(const AirgapTelegram& telegram) {
@@ -105,33 +109,62 @@ tl::expected<AirgapWish, std::string> airgap_wish(const nlohmann::json& airgap) 
     else
       wrong = "airgap/inverted: expected true or false";
   }
+  if (airgap.contains("fill")) wish.fill = number("fill", 2) != 0;
   if (!wrong.empty()) return tl::unexpected(wrong);
   return wish;
 }
 
-tl::expected<std::string, std::string> encode_airgap(std::span<const std::uint8_t> user, std::size_t bits,
-                                                     const AirgapWish& wish) {
+tl::expected<io::Bits, std::string> encode_airgap(std::span<const std::uint8_t> user, std::size_t bits,
+                                                  const AirgapWish& wish) {
   if (bits > airgap::user_bits(Format::long_))
     return tl::unexpected(fmt::format("{} user bits: a telegram holds 830", bits));
   const Format format = wish.long_format || bits > airgap::user_bits(Format::short_) ? Format::long_ : Format::short_;
-  std::vector<std::uint8_t> filled(airgap::bytes_for(airgap::user_bits(format)), 0xFF);
-  for (std::size_t i = 0; i < bits; ++i)
-    if (!airgap::bit(user, i)) filled[i / 8] &= static_cast<std::uint8_t>(~(0x80u >> i % 8));
+  std::vector<std::uint8_t> filled(airgap::bytes_for(airgap::user_bits(format)));
+  for (std::size_t i = 0; i < airgap::user_bits(format); ++i)
+    if (i < bits ? airgap::bit(user, i) : wish.fill) filled[i / 8] |= static_cast<std::uint8_t>(0x80u >> i % 8);
 
   airgap::Outcome<airgap::Coded> coded = airgap::encode(filled, format, wish.from);
   if (!coded) coded = airgap::encode(filled, format);  // none from there on: any other is as right
   if (!coded) return tl::unexpected(std::string(airgap::name(coded.fault)));
   const std::size_t n = airgap::coded_bits(format);
-  std::string hex;
-  for (std::size_t at = 0; at < n; at += 4) {
-    unsigned digit = 0;
-    for (std::size_t i = at; i < at + 4; ++i) {
-      const bool sent = i < n && airgap::bit(coded->bytes, (i + wish.rotation) % n) != wish.inverted;
-      digit = digit << 1 | static_cast<unsigned>(sent);
-    }
-    hex += "0123456789ABCDEF"[digit];
+  io::Bits period{std::vector<std::uint8_t>(airgap::bytes_for(n)), n};
+  for (std::size_t i = 0; i < n; ++i)
+    if (airgap::bit(coded->bytes, (i + wish.rotation) % n) != wish.inverted)
+      period.bytes[i / 8] |= static_cast<std::uint8_t>(0x80u >> i % 8);
+  return period;
+}
+
+tl::expected<void, io::TelegramError> append_airgap_json(std::string& out, std::span<const std::uint8_t> bytes,
+                                                         std::size_t bits, io::Spare spare) {
+  const auto telegram = read_airgap(bytes, bits);
+  if (!telegram) return tl::unexpected(telegram.error());
+  const std::span<const std::uint8_t> user = telegram->received.user_bytes();
+  const std::size_t count = airgap::user_bits(telegram->received.format);
+  const std::size_t before = out.size();
+  if (const auto done = io::append_balise_json(out, user, count, spare); !done) return tl::unexpected(done.error());
+  std::string json = airgap_json(*telegram);
+  // Less than a byte of zeros behind packet 255 is not told by the JSON of the user bits.
+  if (out.find("\"bits\":", before) == std::string::npos && !airgap::bit(user, count - 1)) {
+    json.pop_back();
+    json += ",\"fill\":0}";
   }
-  return hex;
+  out.pop_back();
+  out += ",\"airgap\":" + json + "}";
+  return {};
+}
+
+tl::expected<io::Bits, io::TelegramError> encode_airgap_json(const nlohmann::json& telegram) {
+  const auto user = io::encode_balise_json(telegram);
+  if (!user) return user;
+  AirgapWish wish;
+  if (const auto it = telegram.find("airgap"); it != telegram.end()) {
+    const auto read = airgap_wish(*it);
+    if (!read) return tl::unexpected(io::TelegramError{0, -1, "airgap", {}, read.error()});
+    wish = *read;
+  }
+  auto coded = encode_airgap(user->bytes, user->bits, wish);
+  if (!coded) return tl::unexpected(refusal(0, coded.error()));
+  return *coded;
 }
 
 }  // namespace evc::app

@@ -5,12 +5,12 @@
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
-#include <vector>
 
 #include "airgap/airgap.h"
+#include "io/telegram_json.h"
 
-// The air-gap side of `evc decode airgap` and `evc encode airgap` (docs/airgap.md): what stands around the user bits.
-// The user bits themselves are a balise telegram like any other.
+// The air gap of `evc decode airgap` and `evc encode airgap` (docs/airgap.md): the JSON of a balise telegram with one
+// more member, "airgap", that says how its user bits were coded.
 namespace evc::app {
 
 /// What was found in coded bits.
@@ -21,14 +21,9 @@ struct AirgapTelegram {
   /// The test of 4.3.2.5 that the telegram fails though every receiver takes it: its encoder was wrong.
   airgap::Fault fails = airgap::Fault::none;
 };
-struct AirgapError {
-  std::size_t bit = 0;  ///< where the window begins that came furthest
-  std::string why;
-};
-
 /// Reads `bits` coded bits, left aligned. 1023 or 341 bits, filled up to whole hexadecimal digits or bytes or not, are
-/// one period at any rotation; any more are a stream.
-tl::expected<AirgapTelegram, AirgapError> read_airgap(std::span<const std::uint8_t> bytes, std::size_t bits);
+/// one period at any rotation; any more are a stream. The error's bit is where the window begins that came furthest.
+tl::expected<AirgapTelegram, io::TelegramError> read_airgap(std::span<const std::uint8_t> bytes, std::size_t bits);
 
 /// The value of the member "airgap" in the JSON of the telegram, on one line.
 std::string airgap_json(const AirgapTelegram& telegram);
@@ -41,14 +36,20 @@ struct AirgapWish {
   airgap::Shaping from;      ///< the first pair to try
   std::size_t rotation = 0;
   bool inverted = false;
+  bool fill = true;  ///< the bit that user bits are filled up with
 };
 /// Reads the member "airgap" of a telegram's JSON; all members may be left out. The error names the member.
 tl::expected<AirgapWish, std::string> airgap_wish(const nlohmann::json& airgap);
 
-/// Codes `bits` user bits, at most 830: filled up with ones to 210 or 830 (what stands behind packet 255 has no
-/// meaning). Gives one period in upper-case hexadecimal digits, the last one filled with zeros (256 or 86 digits). With
-/// the wish read from the JSON of a decoded period the same bits come back.
-tl::expected<std::string, std::string> encode_airgap(std::span<const std::uint8_t> user, std::size_t bits,
-                                                     const AirgapWish& wish);
+/// Codes `bits` user bits, at most 830, filled up to 210 or 830 (what stands behind packet 255 has no meaning). Gives
+/// one period; with the wish read from the JSON of a decoded period the same bits come back.
+tl::expected<io::Bits, std::string> encode_airgap(std::span<const std::uint8_t> user, std::size_t bits,
+                                                  const AirgapWish& wish);
+
+/// Appends the JSON object of the telegram in these coded bits. On error `out` is as before.
+tl::expected<void, io::TelegramError> append_airgap_json(std::string& out, std::span<const std::uint8_t> bytes,
+                                                         std::size_t bits, io::Spare spare = io::Spare::refuse);
+/// The coded period of a telegram's JSON, with or without the member "airgap".
+tl::expected<io::Bits, io::TelegramError> encode_airgap_json(const nlohmann::json& telegram);
 
 }  // namespace evc::app
