@@ -176,6 +176,15 @@ PlaceInterval front(const State& state, const Reference& reference) {
   return interval(state, reference, state.now.counter);
 }
 
+PlaceInterval widest_front(const State& state) {
+  PlaceInterval hull = front(state);
+  if (!state.unlinked) return hull;
+  const PlaceInterval other = front(state, *state.unlinked);
+  if (other.min < hull.min) hull.min = other.min;
+  if (other.max > hull.max) hull.max = other.max;
+  return hull;
+}
+
 PlaceInterval front_at(const State& state, const OdometerReading& counter) {
   const Reference* reference = lrbg(state);
   return reference ? interval(state, *reference, counter) : interval(state, since_power_up(state), counter);

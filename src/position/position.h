@@ -112,6 +112,9 @@ const Reference* lrbg(const State& state);
 PlaceInterval front(const State& state);
 /// Front end now with the interval of another reference (3.6.4.7).
 PlaceInterval front(const State& state, const Reference& reference);
+/// The hull of the interval by the LRBG and, while there is one, that by the last unlinked group: on the safe
+/// side for data of either (3.6.4.7).
+PlaceInterval widest_front(const State& state);
 /// Front end when the counters stood at `counter`.
 PlaceInterval front_at(const State& state, const OdometerReading& counter);
 /// Rear end; `min` is safe only while the integrity of the train is known (3.6.4.4.1). In SL, NL, PS

@@ -223,6 +223,15 @@ TEST(Position, AnUnlinkedGroupHasItsOwnIntervalUntilTheNextLrbg) {
   update(s, moving(spread(500, 25, 24)), 2_s);
   EXPECT_EQ((front(s).est - front(s).min).si, 36);
   EXPECT_EQ((front(s).est - front(s, *s.unlinked).min).si, 16);
+  EXPECT_EQ(widest_front(s), front(s));
+  State close = s;  // an LRBG just passed, known to 1 m, and an unlinked group known to 12 m
+  Passage exact_one = passage(3, spread(500, 25, 24));
+  exact_one.Q_LOCACC = 1_m;
+  relocate(close, exact_one);
+  EXPECT_EQ(widest_front(close), front(close));
+  refer_to_unlinked(close, passage(9, spread(500, 25, 24)));
+  EXPECT_EQ((front(close).max - front(close).min).si, 2);
+  EXPECT_EQ((widest_front(close).max - widest_front(close).min).si, 24);
   change_cab(s, 0_m);
   EXPECT_EQ(s.unlinked->place.from_origin.si, -398);
   relocate(s, passage(2, spread(500, 25, 24)));
