@@ -330,6 +330,9 @@ void Builder::release_speed() {
   }
   r.d_SBI1 = start.d_SBI1;
   r.d_SBI2 = start.d_SBI2;
+  // A release speed of 0 would brake every movement before the EOA: it is none, and the curves are
+  // supervised to their feet.
+  r.exists = r.V_release.si > 0.0;
 }
 
 }  // namespace
