@@ -5,7 +5,6 @@
 namespace evc::procedures::level_transition {
 namespace {
 
-using modes::Level;
 using modes::Mode;
 using modes::OrderedLevel;
 using modes::OrderEffect;

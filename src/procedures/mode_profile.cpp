@@ -22,6 +22,14 @@ bool in_ack_length(const Area& area, Place est_front) {
   return est_front >= area.start - area.L_ack && est_front < area.start;
 }
 
+/// 3.x speaks of the max safe front end, 4.0.0 of the furthest area that the confidence interval overlaps. From FS, LS
+/// and OS the words of 3.x are followed. Where the mode is entered only now (SR, UN, SN, SB, PT) they would leave a
+/// train whose rear end of the interval is still in the area with neither this mode nor FS, so that 4.0.0 is followed
+/// there.
+bool overlap_demands(const Inputs& in) {
+  return in.edition == modes::Edition::v4_0_0 || (in.mode != Mode::FS && in.mode != Mode::LS && in.mode != Mode::OS);
+}
+
 /// From these modes the driver may acknowledge ahead of the area (4.6.2: [15], [50], [70]); from SR, UN, SN the train
 /// gets there by way of FS or LS.
 bool may_acknowledge_ahead(Mode mode, Mode area) {
@@ -54,15 +62,19 @@ void ask_ahead(State& state, const Inputs& in) {
 
 Result step(State& state, const Inputs& in) {
   Result out;
+  const Area* furthest = nullptr;
   for (const Area& area : in.areas) {
-    const bool inside = holds(area, in.max_safe_front);
-    out.demands_OS = out.demands_OS || (inside && area.mode == Mode::OS);
-    out.demands_LS = out.demands_LS || (inside && area.mode == Mode::LS);
-    out.demands_SH = out.demands_SH || (inside && area.mode == Mode::SH);
-    out.in_force = out.in_force || overlaps(area, in.min_safe_front, in.max_safe_front);
     out.front_in_OS_ack_area = out.front_in_OS_ack_area || (area.mode == Mode::OS && in_ack_length(area, in.est_front));
     out.front_in_LS_ack_area = out.front_in_LS_ack_area || (area.mode == Mode::LS && in_ack_length(area, in.est_front));
-    if (inside && !out.at_front.has_value()) out.at_front = area.mode;
+    if (!overlaps(area, in.min_safe_front, in.max_safe_front)) continue;
+    out.in_force = true;
+    if (furthest == nullptr || area.start > furthest->start) furthest = &area;
+  }
+  if (furthest != nullptr && (holds(*furthest, in.max_safe_front) || overlap_demands(in))) {
+    out.demands_OS = furthest->mode == Mode::OS;
+    out.demands_LS = furthest->mode == Mode::LS;
+    out.demands_SH = furthest->mode == Mode::SH;
+    out.at_front = furthest->mode;
   }
   if (state.unacknowledged) {
     if (in.acknowledged.has(acknowledgement(state.asked))) state.unacknowledged = false;

@@ -41,11 +41,11 @@ struct Inputs {
 
 struct Result {
   Effects effects;
-  bool demands_OS = false, demands_LS = false, demands_SH = false;  // by the max safe front end
+  bool demands_OS = false, demands_LS = false, demands_SH = false;  // by the area in which the train is
   bool in_force = false;                                            // Facts::profile_in_force
   bool front_in_OS_ack_area = false, front_in_LS_ack_area = false;  // by the estimated front end
   std::optional<modes::Mode> overdue;   // entered and not acknowledged for T_ACK: the cause of Effects::service_brake
-  std::optional<modes::Mode> at_front;  // the mode of the area in which the max safe front end is; for S25 and S170
+  std::optional<modes::Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
 };
 
 /// One cycle, before the mode transition.

@@ -27,6 +27,10 @@ modes::Conditions observe(const Facts& f) {
   const bool held_by_ack_area = (f.mode_is_OS && f.front_in_OS_ack_area) || (f.mode_is_LS && f.front_in_LS_ack_area);
   const bool full = f.ma_ssp_gradient_stored && !f.profile_in_force;
 
+  // An MA whose SSP or gradient does not begin at the train gives no mode of [25], [34], [61] or [71]: taken as none,
+  // for UN and SN must not go on in a level that they do not belong to.
+  const bool usable_ma = f.ma_accepted && f.ma_ssp_gradient_stored;
+
   modes::Conditions c;
   // clang-format off
   c.set( 1, f.isolated);
@@ -63,7 +67,7 @@ modes::Conditions observe(const Facts& f) {
   c.set(36, f.group_passed_not_in_SR_list && !f.override_active);
   c.set(37, f.selects_override);
   c.set(38, (to_0 || to_1_2_3) && f.national_trip);
-  c.set(39, to_1_2_3 && !f.ma_accepted);
+  c.set(39, to_1_2_3 && !usable_ma);
   c.set(40, f.profile_demands_OS);
   c.set(41, f.T_NVCONTACT_trip);
   c.set(42, f.SR_distance_passed && !f.override_active);

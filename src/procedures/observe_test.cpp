@@ -99,7 +99,9 @@ std::vector<Case> cases() {
       {37, {is("override", &F::selects_override)}},
       {38, {switched(Level::L0, Level::NTC), is("national trip", &F::national_trip)}},
       {38, {switched(Level::L2), is("national trip", &F::national_trip)}},
-      {39, {switched(Level::L1, Level::L0), is("ma", &F::ma_accepted, false)}},
+      {39,
+       {switched(Level::L1, Level::L0),
+        {"ma", [](F&) {}, [](F& f) { f.ma_accepted = f.ma_ssp_gradient_stored = true; }}}},
       {40, {is("OS", &F::profile_demands_OS)}},
       {41, {is("T_NVCONTACT", &F::T_NVCONTACT_trip)}},
       {42, {is("distance", &F::SR_distance_passed), no_override()}},
@@ -177,6 +179,14 @@ TEST(Observe, A_mode_entered_by_an_early_acknowledgement_is_not_left_for_FS) {
   EXPECT_FALSE(observe(f).test(31));
   f.level = Level::L1;
   EXPECT_FALSE(observe(f).test(32));
+}
+
+TEST(Observe, An_MA_without_a_description_under_the_train_is_none_at_the_border) {
+  Facts f;
+  f.level = Level::L2;
+  f.level_switched_to = Level::L2;
+  f.ma_accepted = true;
+  EXPECT_TRUE(observe(f).test(39));
 }
 
 TEST(Observe, From_one_national_system_to_another_SN_stays) {

@@ -160,7 +160,8 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return in.train_data_acknowledged ? Step::S20 : Step::S11;
     case Step::S21:
       return after_ma_request(state, in);
-    case Step::S25:
+    case Step::S25:  // the mode profile is the RBC's
+      if (!is_2_3(in.level)) return Step::S20;
       return session_lost(in) ? Step::S10 : Step::S25;
     default:
       return while_acknowledging(state, in);

@@ -154,6 +154,17 @@ TEST(StartOfMission, Level_2_with_a_mode_profile) {
   }
 }
 
+TEST(StartOfMission, Another_level_takes_the_acknowledgement_of_a_mode_profile_back) {
+  Cab cab;
+  cab.to_S20_in_level_2();
+  cab.start();
+  cab.in.profile_at_front = Mode::OS;
+  cab.cycle();
+  cab.in.level = Level::L0;
+  EXPECT_TRUE(cab.cycle().requests.empty());
+  EXPECT_EQ(cab.state.step, Step::S20);
+}
+
 TEST(StartOfMission, The_RBC_answers_the_position) {
   Cab cab;
   cab.cycle();

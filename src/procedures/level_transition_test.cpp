@@ -1,0 +1,189 @@
+#include "procedures/level_transition.h"
+
+#include <gtest/gtest.h>
+
+namespace evc::procedures {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+constexpr Place at(double metres) { return Place{Distance{metres}}; }
+
+modes::OrderedLevel level(Level l, std::uint8_t ntc = 0) { return {l, ntc, Distance{300.0}}; }
+
+struct Border {
+  level_transition::State state;
+  level_transition::Inputs in;
+  level_transition::Order order;
+  bool send = false;
+  Border(modes::OrderedLevel current, Mode mode) {
+    in.current = current;
+    in.mode = mode;
+    in.available.national_systems[0] = ~std::uint64_t{0};
+  }
+  void give(modes::OrderKind kind, modes::OrderedLevel to, double border = 0.0) {
+    order = {};
+    order.kind = kind;
+    order.border = at(border);
+    EXPECT_TRUE(order.table.push_back(to));
+    send = true;
+  }
+  level_transition::Result cycle(double front) {
+    in.now += Duration{1.0};
+    in.est_front = at(front);
+    in.max_safe_front = at(front + 10.0);
+    in.order = send ? &order : nullptr;
+    const level_transition::Result out = step(state, in);
+    send = false;
+    in.acknowledged = false;
+    in.driver_level.reset();
+    if (out.switch_to.has_value()) in.current = *out.switch_to;
+    return out;
+  }
+};
+
+using modes::OrderKind;
+
+TEST(LevelTransition, Announced_and_executed_at_its_place_without_acknowledgement) {
+  Border b(level(Level::L1), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::L2), 1000.0);
+  auto r = b.cycle(500.0);
+  EXPECT_TRUE(r.announced);
+  EXPECT_FALSE(r.switch_to.has_value());
+  EXPECT_TRUE(b.cycle(999.9).announced);
+  r = b.cycle(1000.0);
+  ASSERT_TRUE(r.switch_to.has_value());
+  EXPECT_EQ(r.switch_to->level, Level::L2);
+  EXPECT_FALSE(r.announced || r.by_driver);
+  EXPECT_TRUE(r.effects.requests.empty());
+  EXPECT_FALSE(b.cycle(1001.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, Acknowledged_ahead) {
+  Border b(level(Level::L2), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::NTC, 1), 1000.0);
+  EXPECT_TRUE(b.cycle(500.0).effects.requests.empty());
+  EXPECT_TRUE(b.cycle(689.0).effects.requests.empty());
+  EXPECT_EQ(b.cycle(690.0).effects.requests, Set<Ack>{Ack::level});
+  b.in.acknowledged = true;
+  EXPECT_TRUE(b.cycle(700.0).effects.requests.empty());
+  // The same order again asks for nothing new.
+  b.give(OrderKind::announcement, level(Level::NTC, 1), 1010.0);
+  const auto again = b.cycle(710.0);
+  EXPECT_TRUE(again.effects.requests.empty());
+  EXPECT_FALSE(again.cancelled);
+  const auto r = b.cycle(1010.0);
+  EXPECT_TRUE(r.switch_to.has_value());
+  EXPECT_TRUE(r.effects.requests.empty());
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(b.cycle(1020.0).effects.service_brake);
+}
+
+TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
+  Border b(level(Level::L2), Mode::FS);
+  b.give(OrderKind::immediate, level(Level::L0));
+  auto r = b.cycle(0.0);
+  EXPECT_EQ(r.switch_to->level, Level::L0);
+  EXPECT_EQ(r.effects.requests, Set<Ack>{Ack::level});
+  level_transition::on_mode_change(b.state, Mode::FS, Mode::UN);
+  b.in.mode = Mode::UN;
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(b.cycle(10.0).effects.service_brake);
+  r = b.cycle(10.0);
+  EXPECT_TRUE(r.effects.service_brake);
+  EXPECT_EQ(r.overdue, Level::L0);
+  b.in.acknowledged = true;
+  r = b.cycle(10.0);
+  EXPECT_FALSE(r.effects.service_brake);
+  EXPECT_TRUE(r.effects.requests.empty());
+}
+
+TEST(LevelTransition, In_SB_4_0_0_asks_only_at_the_change) {
+  for (const modes::Edition edition : {modes::Edition::v3_6_0, modes::Edition::v4_0_0}) {
+    Border b(level(Level::L2), Mode::SB);
+    b.in.edition = edition;
+    b.give(OrderKind::announcement, level(Level::L0), 1000.0);
+    EXPECT_EQ(b.cycle(900.0).effects.requests.empty(), edition == modes::Edition::v4_0_0);
+    EXPECT_EQ(b.cycle(1000.0).effects.requests, Set<Ack>{Ack::level});
+  }
+}
+
+TEST(LevelTransition, The_newest_order_counts) {
+  Border b(level(Level::L2), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::NTC, 1), 1000.0);
+  b.cycle(500.0);
+  b.give(OrderKind::announcement, level(Level::L1), 2000.0);
+  EXPECT_TRUE(b.cycle(600.0).cancelled);
+  EXPECT_FALSE(b.cycle(1500.0).switch_to.has_value());
+  // An order for the level that the unit is in drops what waits.
+  b.give(OrderKind::immediate, level(Level::L2));
+  const auto r = b.cycle(1600.0);
+  EXPECT_TRUE(r.cancelled);
+  EXPECT_FALSE(r.announced || r.switch_to.has_value());
+  EXPECT_FALSE(b.cycle(2100.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, An_order_for_a_place_already_passed_is_executed_at_once) {
+  Border b(level(Level::L1), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::L2), 400.0);
+  EXPECT_TRUE(b.cycle(500.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, A_pending_level_that_the_driver_chose_meanwhile_is_no_transition) {
+  Border b(level(Level::L1), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::L2), 1000.0);
+  b.cycle(500.0);
+  b.in.driver_level = level(Level::L2);
+  const auto r = b.cycle(600.0);
+  EXPECT_TRUE(r.by_driver);
+  EXPECT_FALSE(r.announced);
+  EXPECT_TRUE(r.effects.requests.empty());  // a level that the driver chose needs no acknowledgement
+  EXPECT_FALSE(b.cycle(1000.0).switch_to.has_value());
+  // 4.0.0 drops the order.
+  Border n(level(Level::L1), Mode::FS);
+  n.in.edition = modes::Edition::v4_0_0;
+  n.give(OrderKind::announcement, level(Level::L2), 1000.0);
+  n.cycle(500.0);
+  n.in.driver_level = level(Level::L0);
+  EXPECT_TRUE(n.cycle(600.0).cancelled);
+  n.in.driver_level = level(Level::L0);
+  EXPECT_FALSE(n.cycle(600.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, Kept_in_shunting) {
+  Border b(level(Level::L1), Mode::SH);
+  b.give(OrderKind::announcement, level(Level::L2), 100.0);
+  EXPECT_FALSE(b.cycle(0.0).announced);
+  b.give(OrderKind::immediate, level(Level::L2));
+  EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
+  EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
+  level_transition::on_mode_change(b.state, Mode::SH, Mode::SB);
+  b.in.mode = Mode::SB;
+  EXPECT_EQ(b.cycle(0.0).switch_to->level, Level::L2);
+  // Left to a mode that deletes the order (4.10).
+  Border d(level(Level::L1), Mode::SH);
+  d.give(OrderKind::immediate, level(Level::L2));
+  d.cycle(0.0);
+  level_transition::on_mode_change(d.state, Mode::SH, Mode::NP);
+  d.in.mode = Mode::SB;
+  EXPECT_FALSE(d.cycle(0.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, Mode_entries_delete_what_4_10_says) {
+  Border b(level(Level::L2), Mode::FS);
+  b.give(OrderKind::announcement, level(Level::L1), 1000.0);
+  b.cycle(500.0);
+  level_transition::on_mode_change(b.state, Mode::FS, Mode::OS);
+  EXPECT_TRUE(b.state.pending.has_value());
+  level_transition::on_mode_change(b.state, Mode::OS, Mode::SR);
+  EXPECT_FALSE(b.state.pending.has_value());
+  // And in TR nothing is asked of the driver for a level.
+  Border t(level(Level::L2), Mode::FS);
+  t.give(OrderKind::immediate, level(Level::L0));
+  t.cycle(0.0);
+  level_transition::on_mode_change(t.state, Mode::FS, Mode::TR);
+  t.in.mode = Mode::TR;
+  EXPECT_TRUE(t.cycle(0.0).effects.requests.empty());
+}
+
+}  // namespace
+}  // namespace evc::procedures

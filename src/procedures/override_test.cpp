@@ -1,0 +1,195 @@
+#include "procedures/override.h"
+
+#include <gtest/gtest.h>
+
+namespace evc::procedures {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+constexpr Place at(double metres) { return Place{Distance{metres}}; }
+
+struct Driver {
+  override_::State state;
+  override_::Inputs in;
+  Driver() {
+    in.mode = Mode::FS;
+    in.level = Level::L2;
+    in.train_data_valid = true;
+    in.V_NVALLOWOVTRP = Speed{5.0};
+    in.eoa_or_loa = at(100.0);
+    in.est_front = at(95.0);
+    in.min_safe_antenna = at(85.0);
+  }
+  override_::Result cycle(double seconds = 1.0) {
+    in.now += Duration{seconds};
+    const override_::Result out = step(state, in);
+    in.selected = in.stop_if_in_SR = in.stop_if_in_SH = in.balise_proceed = in.ma_from_rbc = in.group_not_in_list =
+        false;
+    return out;
+  }
+  /// Selects override in FS and goes to SR.
+  override_::Result select() {
+    in.selected = true;
+    const override_::Result out = cycle();
+    override_::on_mode_change(state, in.mode, Mode::SR);
+    in.mode = Mode::SR;
+    return out;
+  }
+};
+
+TEST(Override, Where_it_may_be_selected) {
+  for (std::size_t m = 0; m < modes::kModes; ++m) {
+    Driver d;
+    d.in.mode = static_cast<Mode>(m);
+    const bool with_data = d.in.mode == Mode::FS || d.in.mode == Mode::LS || d.in.mode == Mode::OS ||
+                           d.in.mode == Mode::SR || d.in.mode == Mode::UN || d.in.mode == Mode::PT ||
+                           d.in.mode == Mode::SN || d.in.mode == Mode::SB;
+    EXPECT_EQ(override_::selectable(d.in), with_data || d.in.mode == Mode::SH) << modes::name(d.in.mode);
+    d.in.train_data_valid = false;
+    EXPECT_EQ(override_::selectable(d.in), d.in.mode == Mode::SH) << modes::name(d.in.mode);
+    d.in.train_data_valid = true;
+    d.in.V_est = Speed{5.1};
+    EXPECT_FALSE(override_::selectable(d.in));
+  }
+  Driver standby;
+  standby.in.mode = Mode::SB;
+  standby.in.level = Level::L1;
+  EXPECT_FALSE(override_::selectable(standby.in));
+}
+
+TEST(Override, Too_fast_is_no_selection) {
+  Driver d;
+  d.in.selected = true;
+  d.in.V_est = Speed{6.0};
+  const auto r = d.cycle();
+  EXPECT_FALSE(r.selected || r.started || r.active);
+}
+
+TEST(Override, Every_end_condition_ends_it_and_is_named) {
+  const auto ended_by = [](auto&& change, double seconds = 1.0) {
+    Driver d;
+    const auto selected = d.select();
+    EXPECT_TRUE(selected.selected && selected.started && selected.active);
+    change(d);
+    const auto r = d.cycle(seconds);
+    EXPECT_TRUE(r.active);  // the status before the end conditions of this cycle (5.8.4.2)
+    EXPECT_EQ(d.state.active, r.ended_by == nullptr);
+    return r.ended_by;
+  };
+  EXPECT_EQ(ended_by([](Driver&) {}), nullptr);
+  EXPECT_STREQ(ended_by([](Driver&) {}, 60.0), "5.8.4.1 a");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{200.1}}; }), "5.8.4.1 b");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{-200.1}}; }), "5.8.4.1 b");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.min_safe_antenna = at(100.1); }), "5.8.4.1 c");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.stop_if_in_SR = true; }), "5.8.4.1 d");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.stop_if_in_SH = true; }), "5.8.4.1 d");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.balise_proceed = true; }), "5.8.4.1 e");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.ma_from_rbc = true; }), "5.8.4.1 f");
+  EXPECT_STREQ(ended_by([](Driver& d) { d.in.group_not_in_list = true; }), "5.8.4.1 g");
+  EXPECT_EQ(ended_by([](Driver& d) {
+              d.in.level = Level::L1;
+              d.in.ma_from_rbc = true;
+            }),
+            nullptr);
+  EXPECT_EQ(ended_by([](Driver& d) {
+              d.in.D_NVOVTRP.reset();
+              d.in.odometer = OdometerPlace{Distance{1.0e6}};
+            }),
+            nullptr);
+}
+
+TEST(Override, In_UN_and_SN_only_time_and_distance_end_it) {
+  for (const Mode mode : {Mode::UN, Mode::SN}) {
+    Driver d;
+    d.in.mode = mode;
+    d.in.selected = true;
+    d.cycle();
+    d.in.balise_proceed = d.in.group_not_in_list = true;
+    EXPECT_EQ(d.cycle().ended_by, nullptr);
+    EXPECT_FALSE(d.state.former_eoa.has_value());
+    EXPECT_STREQ(d.cycle(60.0).ended_by, "5.8.4.1 a");
+  }
+}
+
+TEST(Override, The_SR_distance_before_it_ends_it) {
+  Driver d;
+  d.in.mode = Mode::SR;
+  d.in.sr_distance_end = at(120.0);
+  d.in.selected = true;
+  d.cycle();
+  d.in.sr_distance_end = at(1000.0);
+  EXPECT_EQ(d.cycle().ended_by, nullptr);
+  d.in.est_front = at(120.1);
+  EXPECT_STREQ(d.cycle().ended_by, "5.8.4.1 h");
+}
+
+TEST(Override, The_former_EOA_is_passed_once) {
+  Driver d;
+  d.select();
+  EXPECT_STREQ(d.cycle(60.0).ended_by, "5.8.4.1 a");
+  d.in.min_safe_antenna = at(100.1);
+  const auto passed = d.cycle();
+  EXPECT_TRUE(passed.former_eoa_passed);
+  EXPECT_FALSE(passed.active);  // [43]
+  EXPECT_FALSE(d.cycle().former_eoa_passed);
+  // While override is on the passage ends it, and is no trip afterwards.
+  Driver on;
+  on.select();
+  on.in.min_safe_antenna = at(100.1);
+  const auto r = on.cycle();
+  EXPECT_TRUE(r.former_eoa_passed && r.active);
+  const auto after = on.cycle();
+  EXPECT_FALSE(after.former_eoa_passed || after.active);
+}
+
+TEST(Override, The_former_EOA_is_where_the_train_stands_in_SB_and_PT) {
+  for (const Mode mode : {Mode::SB, Mode::PT}) {
+    Driver d;
+    d.in.mode = mode;
+    d.select();
+    EXPECT_EQ(d.state.former_eoa, at(95.0));
+  }
+}
+
+TEST(Override, The_former_EOA_goes_with_a_stop_or_with_SR) {
+  Driver d;
+  d.select();
+  d.in.stop_if_in_SR = true;
+  d.cycle();
+  EXPECT_FALSE(d.state.former_eoa.has_value());
+  Driver e;
+  e.select();
+  override_::on_mode_change(e.state, Mode::SR, Mode::SB);
+  EXPECT_FALSE(e.state.former_eoa.has_value());
+  EXPECT_FALSE(e.state.active);
+}
+
+TEST(Override, Selected_again_it_starts_again) {
+  Driver d;
+  d.select();
+  d.cycle(50.0);
+  d.in.selected = true;
+  EXPECT_TRUE(d.cycle().started);
+  EXPECT_EQ(d.cycle(50.0).ended_by, nullptr);
+  EXPECT_EQ(d.state.former_eoa, at(100.0));  // in SR a later selection changes nothing
+}
+
+TEST(Override, Mode_changes_end_it) {
+  for (const Mode to : {Mode::TR, Mode::LS, Mode::OS, Mode::SH}) {
+    Driver d;
+    d.select();
+    override_::on_mode_change(d.state, Mode::SR, to);
+    EXPECT_FALSE(d.state.active) << modes::name(to);
+  }
+  Driver d;
+  d.in.mode = Mode::SN;
+  d.in.selected = true;
+  d.cycle();
+  override_::on_mode_change(d.state, Mode::SN, Mode::SR);
+  EXPECT_TRUE(d.state.active);
+}
+
+}  // namespace
+}  // namespace evc::procedures

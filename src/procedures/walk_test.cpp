@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+
+#include "modes/mode_properties.h"
+#include "modes/srs_4_6_2.h"
+#include "procedures/observe.h"
+
+// A random walk through modes and levels: whatever happens in one cycle, the unit is never left in a mode that the
+// level does not have.
+namespace evc::procedures {
+namespace {
+
+using modes::Level;
+using modes::Mode;
+
+struct Dice {
+  std::uint64_t state;
+  std::uint64_t roll(std::uint64_t sides) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (state >> 33) % sides;
+  }
+  bool one_in(std::uint64_t n) { return roll(n) == 0; }
+};
+
+bool has_authority(Level level) { return level != Level::L0 && level != Level::NTC; }
+
+/// Facts that can hold together: an MA and its profile are used in levels 1, 2 and 3 only; SR is proposed there only,
+/// UN in level 0, SN in level NTC (5.4); override is not to be had in SB outside level 2 and 3 (5.8.2.1).
+Facts anything(Dice& dice, Mode mode, Level level) {
+  Facts f;
+  f.isolated = dice.one_in(400);
+  f.powered = mode == Mode::NP ? dice.one_in(2) : !dice.one_in(100);
+  f.desk_open = !dice.one_in(10);
+  f.standstill = dice.one_in(2);
+  f.sleeping = dice.one_in(5);
+  f.non_leading = dice.one_in(4);
+  f.passive_shunting = dice.one_in(3);
+  f.safety_fault = dice.one_in(200);
+  f.selects_SH = dice.one_in(10);
+  f.selects_exit_SH = dice.one_in(5);
+  f.selects_NL = dice.one_in(10);
+  f.train_data_valid = dice.one_in(2);
+  f.ma_ssp_gradient_stored = has_authority(level) && dice.one_in(2);
+  f.ma_accepted = f.ma_ssp_gradient_stored || dice.one_in(2);
+  f.ma_with_trip_order = dice.one_in(10);
+  const bool profile = has_authority(level) && f.ma_ssp_gradient_stored;
+  f.profile_demands_OS = profile && dice.one_in(4);
+  f.profile_demands_LS = profile && dice.one_in(4);
+  f.profile_demands_SH = profile && dice.one_in(8);
+  f.profile_in_force = f.profile_demands_OS || f.profile_demands_LS || f.profile_demands_SH;
+  f.front_in_OS_ack_area = profile && dice.one_in(4);
+  f.front_in_LS_ack_area = profile && dice.one_in(4);
+  f.mode_is_OS = mode == Mode::OS;
+  f.mode_is_LS = mode == Mode::LS;
+  f.min_safe_antenna_beyond_eoa = dice.one_in(30);
+  f.min_safe_front_beyond_eoa = dice.one_in(30);
+  f.linking_reaction_trip = dice.one_in(50);
+  f.trip_order = dice.one_in(30);
+  f.stop_if_in_SR = dice.one_in(30);
+  f.stop_if_in_SH = dice.one_in(30);
+  f.ues_accepted = has_authority(level) && dice.one_in(40);
+  f.override_active = dice.one_in(4);
+  f.continue_shunting = dice.one_in(2);
+  f.stop_shunting_stored = dice.one_in(2);
+  f.national_trip = mode == Mode::SN && dice.one_in(10);
+  f.SH_granted = dice.one_in(10);
+  const bool level_2_3 = level == Level::L2 || level == Level::L3;
+  f.selects_override = dice.one_in(15) && (mode != Mode::SB || level_2_3);
+  f.acknowledged = Set<Ack>::of_bits(static_cast<std::uint32_t>(dice.roll(1u << 12)));
+  f.requested.add(Ack::trip, mode == Mode::TR);
+  f.requested.add(Ack::SR, has_authority(level) && dice.one_in(3));
+  f.requested.add(Ack::UN, level == Level::L0 && dice.one_in(2));
+  f.requested.add(Ack::SN, level == Level::NTC && dice.one_in(2));
+  f.requested.add(Ack::OS, profile && dice.one_in(3));
+  f.requested.add(Ack::LS, profile && dice.one_in(3));
+  f.requested.add(Ack::SH, profile && dice.one_in(3));
+  f.requested.add(Ack::RV, profile && dice.one_in(20));
+  return f;
+}
+
+/// Modes in which a transition of level leads to another mode or none is needed. PT and RV handle none in 3.x (4.8.4
+/// [5], 3.15.4.6), SF and IS are the end.
+bool level_may_change(Mode mode) {
+  return mode != Mode::PT && mode != Mode::RV && mode != Mode::SF && mode != Mode::IS && mode != Mode::NP;
+}
+
+TEST(Walk, The_mode_is_always_one_of_the_level) {
+  Dice dice{20240517};
+  std::array<std::uint64_t, modes::kModes> visits{};
+  for (int journey = 0; journey < 2000; ++journey) {
+    Mode mode = Mode::NP;
+    Level level = static_cast<Level>(dice.roll(modes::kLevels));
+    for (int cycle = 0; cycle < 200; ++cycle) {
+      const Level before = level;
+      if (dice.one_in(8) && level_may_change(mode)) level = static_cast<Level>(dice.roll(modes::kLevels));
+      Facts f = anything(dice, mode, level);
+      f.level = level;
+      if (level != before) f.level_switched_to = level;
+      const auto went = modes::next_mode(mode, observe(f));
+      if (went.has_value()) mode = went->to;
+      ++visits[static_cast<std::size_t>(mode)];
+      ASSERT_TRUE(modes::possible_in(mode, level))
+          << modes::name(mode) << " in level " << modes::name(level) << " by [" << (went ? went->number : 0) << "]";
+    }
+  }
+  for (std::size_t m = 0; m < modes::kModes; ++m) EXPECT_GT(visits[m], 0u) << modes::name(static_cast<Mode>(m));
+}
+
+}  // namespace
+}  // namespace evc::procedures
