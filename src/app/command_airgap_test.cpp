@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -205,6 +206,33 @@ TEST(CommandAirgap, JsonErrorsLeaveTheTextAlone) {
   auto telegram = described();
   telegram["airgap"]["sb"] = 5000;
   EXPECT_EQ(encode_airgap_json(telegram).error().why, "airgap/sb: expected a number from 0 to 4095");
+}
+
+TEST(CommandAirgap, RecordedTelegramsThroughTheAir) {
+  const char* given = std::getenv("OPENEVC_SHARED");
+  const std::string shared = given != nullptr ? given : std::string(EVC_SOURCE_DIR) + "/../shared";
+  std::ifstream in(shared + "/reference/telegram_vectors.json");
+  if (!in) GTEST_SKIP() << "the recorded telegrams are not here (OPENEVC_SHARED)";
+  int through = 0;
+  const auto reference = nlohmann::json::parse(in);
+  for (const auto& vector : reference.at("telegrams")) {
+    SCOPED_TRACE(vector.at("name").get<std::string>());
+    std::string hex = vector.at("hex");
+    if (hex.size() % 2 != 0) hex += '0';
+    const auto coded = encode_airgap(bytes_of(hex), vector.at("bits"), {});
+    ASSERT_TRUE(coded) << coded.error();
+    std::string json, user_json;
+    const bool sound = io::append_balise_json(user_json, bytes_of(hex), vector.at("bits")).has_value();
+    ASSERT_EQ(append_airgap_json(json, coded->bytes, coded->bits).has_value(), sound);
+    if (!sound) continue;
+    auto telegram = nlohmann::json::parse(json);
+    const auto again = encode_airgap_json(telegram);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->bytes, coded->bytes);
+    EXPECT_EQ(telegram.at("packets"), nlohmann::json::parse(user_json).at("packets"));
+    ++through;
+  }
+  EXPECT_GT(through, 20);
 }
 
 }  // namespace
