@@ -39,9 +39,12 @@ def variable_type(key, v):
     if v["kind"] in ("enum", "table", "bitset") or v["spare"] and top == full:
         top = full
     args = []
-    if top != full or v["spare"]:
+    decimal = key in ("NID_MN", "NID_OPERATIONAL", "NID_OPERATIONAL_V1")
+    if top != full or v["spare"] or decimal:
         args.append("all_ones(%d)" % bits if top == full else str(top))
     args += ["Range{%d%s, %d%s}" % (a, "u" if a > 2**31 else "", b, "u" if b > 2**31 else "") for a, b in v["spare"]]
+    if decimal:
+        args.append("decimal_digits")
     return 'Variable<"%s", %d%s>' % (key, bits, "".join(", " + a for a in args))
 
 
@@ -396,7 +399,13 @@ def main():
     def macro(name, entries):
         return "#define %s(X) \\\n" % name + " \\\n".join("  X(%s)" % e for e in entries) + "\n"
     text = HEAD + "// Every packet, and the lists from which readers, writers and tables are made.\n" + "".join(includes) + "\n"
-    text += "// Track to train (7.4.2), newest layout first where there are several.\n" + macro("EVC_PACKETS_TO_TRAIN", lists[0][1])
+    text += "// Track to train (7.4.2), newest layout first where there are several, in three parts: the readers\n// of each are made in a file of their own.\n"
+    names = lists[0][1]
+    cuts = [0, next(i for i, n in enumerate(names) if n == "Packet39"), next(i for i, n in enumerate(names) if n == "Packet80"), len(names)]
+    parts = ["EVC_PACKETS_TO_TRAIN_%d" % (k + 1) for k in range(3)]
+    for k, part in enumerate(parts):
+        text += macro(part, names[cuts[k]:cuts[k + 1]]) + "\n"
+    text += "#define EVC_PACKETS_TO_TRAIN(X) " + " ".join(p + "(X)" for p in parts) + "\n"
     text += "\n// Train to track (7.4.3).\n" + macro("EVC_PACKETS_TO_TRACK", lists[1][1])
     out("src/lang/packets.h", text)
     text = HEAD + "// Every message, and the lists from which readers, writers and tables are made.\n"

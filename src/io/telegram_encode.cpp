@@ -46,8 +46,8 @@ std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
     code = value.get<std::uint64_t>();
   } else if (value.is_number_integer()) {
     const auto n = value.get<std::int64_t>();
-    if (std::strcmp(name, "D_REF") != 0 || n < -32768) refuse(name, "less than 0");
-    code = static_cast<std::uint64_t>(n) & 0xFFFFu;
+    if (n < 0 && (std::strcmp(name, "D_REF") != 0 || n < -32768)) refuse(name, "less than 0");
+    code = n < 0 ? static_cast<std::uint64_t>(n) & 0xFFFFu : static_cast<std::uint64_t>(n);
   } else if (value.is_string()) {
     const auto n = hex_number(value.get_ref<const std::string&>());
     if (!n) refuse(name, "not a number in hexadecimal digits");
@@ -68,9 +68,11 @@ class ObjectWriter {
              std::size_t known_members) {
     std::array<std::uint64_t, lang::kStepsMax> codes{};
     const lang::WalkScope scope{steps, codes.data(), up};
+    std::array<bool, lang::kStepsMax> present{};
     std::size_t used = known_members;
     for (std::size_t i = first; i < steps.size(); ++i) {
       const Step& step = steps[i];
+      present[i] = true;
       switch (step.kind) {
         case Step::Kind::field:
           codes[i] = code_of(member(object, step.name), step.name, step.bits);
@@ -108,7 +110,7 @@ class ObjectWriter {
         }
       }
     }
-    if (used != object.size()) refuse_unknown(object, steps, first);
+    if (used != object.size()) refuse_unknown(object, steps, first, present);
   }
 
  private:
@@ -118,7 +120,8 @@ class ObjectWriter {
     return *it;
   }
   /// Names one member that is of no use: misspelt, or its condition does not hold.
-  [[noreturn]] static void refuse_unknown(const Json& object, std::span<const Step> steps, std::size_t first) {
+  [[noreturn]] static void refuse_unknown(const Json& object, std::span<const Step> steps, std::size_t first,
+                                          const std::array<bool, lang::kStepsMax>& present) {
     static constexpr std::array<const char*, 9> frame{"NID_PACKET", "L_PACKET",  "NID_MESSAGE",
                                                       "L_MESSAGE",  "packets",   "padding",
                                                       "schema",     "direction", "system_version"};
@@ -131,8 +134,8 @@ class ObjectWriter {
       if (!in_layout && !in_frame) refuse(key, "unknown member");
     }
     for (const auto& [key, value] : object.items())
-      for (const Step& step : steps)
-        if (key == step.name && step.kind == Step::Kind::field) refuse(key, "a member whose condition does not hold");
+      for (std::size_t i = first; i < steps.size(); ++i)
+        if (key == steps[i].name && !present[i]) refuse(key, "a member whose condition does not hold");
     refuse("", "members that do not belong together");
   }
 

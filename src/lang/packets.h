@@ -70,80 +70,87 @@
 #include "lang/packets/train_packet_5.h"
 #include "lang/packets/train_packet_9.h"
 
-// Track to train (7.4.2), newest layout first where there are several.
-#define EVC_PACKETS_TO_TRAIN(X) \
-  X(Packet0)                    \
-  X(Packet2)                    \
-  X(Packet3)                    \
-  X(Packet3_v1_0)               \
-  X(Packet5)                    \
-  X(Packet6)                    \
-  X(Packet12)                   \
-  X(Packet13)                   \
-  X(Packet15)                   \
-  X(Packet16)                   \
-  X(Packet21)                   \
-  X(Packet27)                   \
-  X(Packet27_v1_0)              \
-  X(Packet39)                   \
-  X(Packet39_v1_0)              \
-  X(Packet40)                   \
-  X(Packet41)                   \
-  X(Packet42)                   \
-  X(Packet44)                   \
-  X(Packet44_v1_0)              \
-  X(Packet45)                   \
-  X(Packet46)                   \
-  X(Packet49)                   \
-  X(Packet51)                   \
-  X(Packet51_v1_0)              \
-  X(Packet52)                   \
-  X(Packet57)                   \
-  X(Packet58)                   \
-  X(Packet63)                   \
-  X(Packet64)                   \
-  X(Packet65)                   \
-  X(Packet66)                   \
-  X(Packet67)                   \
-  X(Packet68)                   \
-  X(Packet68_v1_0)              \
-  X(Packet69)                   \
-  X(Packet70)                   \
-  X(Packet70_v1_0)              \
-  X(Packet71)                   \
-  X(Packet72)                   \
-  X(Packet72_v1_0)              \
-  X(Packet76)                   \
-  X(Packet76_v1_0)              \
-  X(Packet79)                   \
-  X(Packet79_v1_0)              \
-  X(Packet80)                   \
-  X(Packet80_v1_0)              \
-  X(Packet88)                   \
-  X(Packet90)                   \
-  X(Packet131)                  \
-  X(Packet132)                  \
-  X(Packet133)                  \
-  X(Packet134)                  \
-  X(Packet135)                  \
-  X(Packet136)                  \
-  X(Packet137)                  \
-  X(Packet138)                  \
-  X(Packet139)                  \
-  X(Packet140)                  \
-  X(Packet140_v1_0)             \
-  X(Packet141)                  \
-  X(Packet143)                  \
-  X(Packet145)                  \
-  X(Packet180)                  \
-  X(Packet181)                  \
-  X(Packet200)                  \
-  X(Packet203)                  \
-  X(Packet206)                  \
-  X(Packet207)                  \
-  X(Packet239)                  \
-  X(Packet254)                  \
+// Track to train (7.4.2), newest layout first where there are several, in three parts: the readers
+// of each are made in a file of their own.
+#define EVC_PACKETS_TO_TRAIN_1(X) \
+  X(Packet0)                      \
+  X(Packet2)                      \
+  X(Packet3)                      \
+  X(Packet3_v1_0)                 \
+  X(Packet5)                      \
+  X(Packet6)                      \
+  X(Packet12)                     \
+  X(Packet13)                     \
+  X(Packet15)                     \
+  X(Packet16)                     \
+  X(Packet21)                     \
+  X(Packet27)                     \
+  X(Packet27_v1_0)
+
+#define EVC_PACKETS_TO_TRAIN_2(X) \
+  X(Packet39)                     \
+  X(Packet39_v1_0)                \
+  X(Packet40)                     \
+  X(Packet41)                     \
+  X(Packet42)                     \
+  X(Packet44)                     \
+  X(Packet44_v1_0)                \
+  X(Packet45)                     \
+  X(Packet46)                     \
+  X(Packet49)                     \
+  X(Packet51)                     \
+  X(Packet51_v1_0)                \
+  X(Packet52)                     \
+  X(Packet57)                     \
+  X(Packet58)                     \
+  X(Packet63)                     \
+  X(Packet64)                     \
+  X(Packet65)                     \
+  X(Packet66)                     \
+  X(Packet67)                     \
+  X(Packet68)                     \
+  X(Packet68_v1_0)                \
+  X(Packet69)                     \
+  X(Packet70)                     \
+  X(Packet70_v1_0)                \
+  X(Packet71)                     \
+  X(Packet72)                     \
+  X(Packet72_v1_0)                \
+  X(Packet76)                     \
+  X(Packet76_v1_0)                \
+  X(Packet79)                     \
+  X(Packet79_v1_0)
+
+#define EVC_PACKETS_TO_TRAIN_3(X) \
+  X(Packet80)                     \
+  X(Packet80_v1_0)                \
+  X(Packet88)                     \
+  X(Packet90)                     \
+  X(Packet131)                    \
+  X(Packet132)                    \
+  X(Packet133)                    \
+  X(Packet134)                    \
+  X(Packet135)                    \
+  X(Packet136)                    \
+  X(Packet137)                    \
+  X(Packet138)                    \
+  X(Packet139)                    \
+  X(Packet140)                    \
+  X(Packet140_v1_0)               \
+  X(Packet141)                    \
+  X(Packet143)                    \
+  X(Packet145)                    \
+  X(Packet180)                    \
+  X(Packet181)                    \
+  X(Packet200)                    \
+  X(Packet203)                    \
+  X(Packet206)                    \
+  X(Packet207)                    \
+  X(Packet239)                    \
+  X(Packet254)                    \
   X(Packet255)
+
+#define EVC_PACKETS_TO_TRAIN(X) EVC_PACKETS_TO_TRAIN_1(X) EVC_PACKETS_TO_TRAIN_2(X) EVC_PACKETS_TO_TRAIN_3(X)
 
 // Train to track (7.4.3).
 #define EVC_PACKETS_TO_TRACK(X) \

@@ -76,6 +76,15 @@ struct Range {
   std::uint64_t first, last;
 };
 
+/// In the place of a range of spare codes: those with a decimal digit A to E (7.5.1.91.1, 7.5.1.92).
+inline constexpr Range decimal_digits{1, 0};
+constexpr bool is_in(Range range, std::uint64_t code) {
+  if (range.first <= range.last) return code >= range.first && code <= range.last;
+  for (; code != 0; code >>= 4)
+    if ((code & 15u) >= 10 && (code & 15u) <= 14) return true;
+  return false;
+}
+
 constexpr std::uint64_t all_ones(unsigned bits) {
   return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }
@@ -92,9 +101,7 @@ struct Variable {
   static constexpr unsigned bits = Bits;
   static constexpr std::uint64_t max = Max;
   /// A code without a meaning in the versions of its layout (7.3.2, 3.16.1.1).
-  static constexpr bool is_spare([[maybe_unused]] std::uint64_t code) {
-    return ((code >= Spare.first && code <= Spare.last) || ...);
-  }
+  static constexpr bool is_spare([[maybe_unused]] std::uint64_t code) { return (is_in(Spare, code) || ...); }
   static constexpr bool has_spare = sizeof...(Spare) > 0;
   Raw raw = 0;
   friend constexpr bool operator==(Variable, Variable) = default;

@@ -281,4 +281,16 @@ MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, Sy
   return view;
 }
 
+FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Direction direction, SystemVersion sv) {
+  BitReader in(bytes, bits);
+  const auto nid = static_cast<std::uint8_t>(in.read(8, "NID_PACKET"));
+  if (in.faulty()) return {Fault::truncated, 0, -1, "NID_PACKET", 0};
+  const PacketCodec* codec = find_packet_codec(direction, known_version(sv), nid);
+  PacketView view{nid, 0, 0, sv, direction, codec != nullptr, bytes, 0};
+  const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::all};
+  if (nid == 255) view.L_PACKET = 8;
+  if (const FaultAt fault = nid == 255 ? FaultAt{} : measure(frame, view, codec)) return fault;
+  return codec != nullptr ? codec->check(view) : FaultAt{};
+}
+
 }  // namespace evc::lang

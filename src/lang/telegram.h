@@ -110,4 +110,7 @@ MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, Sy
 MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all);
 
+/// Checks the one packet that `bytes` begin with, of `bits` bits.
+FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Direction direction, SystemVersion sv);
+
 }  // namespace evc::lang

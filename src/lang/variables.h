@@ -159,14 +159,15 @@ using NID_LRBG = Variable<"NID_LRBG", 24>;            ///< NID_C then NID_BG of 
 using NID_LTRBG = Variable<"NID_LTRBG", 24>;          ///< level 2/3 transition group (7.5.1.90.1)
 using NID_LX = Variable<"NID_LX", 8>;                 ///< crossing identity; 0-126 non RBC, 127-255 RBC (7.5.1.90.2)
 using NID_MESSAGE = Variable<"NID_MESSAGE", 8>;       ///< radio message identifier (7.5.1.91)
-using NID_MN =
-    Variable<"NID_MN", 24>;  ///< radio network, up to 6 digits, left adjusted, pad F; A-E unused (7.5.1.91.1)
-using NID_NTC = Variable<"NID_NTC", 8>;  ///< national system identity (7.5.1.98)
-using NID_OPERATIONAL = Variable<"NID_OPERATIONAL", 32, all_ones(32),
-                                 Range{4294967295u, 4294967295u}>;  ///< running number, up to 8 digits, left adjusted,
-                                                                    ///< pad F; A-E spare (7.5.1.92)
+using NID_MN = Variable<"NID_MN", 24, all_ones(24), decimal_digits>;  ///< radio network, up to 6 digits, left adjusted,
+                                                                      ///< pad F; A-E unused (7.5.1.91.1)
+using NID_NTC = Variable<"NID_NTC", 8>;                               ///< national system identity (7.5.1.98)
+using NID_OPERATIONAL =
+    Variable<"NID_OPERATIONAL", 32, all_ones(32), Range{4294967295u, 4294967295u},
+             decimal_digits>;  ///< running number, up to 8 digits, left adjusted, pad F; A-E spare (7.5.1.92)
 using NID_OPERATIONAL_V1 =
-    Variable<"NID_OPERATIONAL_V1", 32>;  ///< running number, X=1; F digits may sit anywhere; A-E spare (6.5.1.5.34.2)
+    Variable<"NID_OPERATIONAL_V1", 32, all_ones(32),
+             decimal_digits>;  ///< running number, X=1; F digits may sit anywhere; A-E spare (6.5.1.5.34.2)
 using NID_PACKET = Variable<"NID_PACKET", 8>;     ///< packet identifier (7.5.1.93)
 using NID_PRVLRBG = Variable<"NID_PRVLRBG", 24>;  ///< previous LRBG (7.5.1.94)
 using NID_RADIO =

@@ -1,0 +1,241 @@
+#include "io/telegram_json.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace evc::io {
+namespace {
+
+using Json = nlohmann::json;
+using lang::Direction;
+
+/// A file of the shared material; null if it is not there.
+Json shared(const std::string& name) {
+  const char* folder = std::getenv("OPENEVC_SHARED");
+  const std::string path = (folder != nullptr ? folder : EVC_SOURCE_DIR "/../shared") + ("/" + name);
+  std::ifstream file(path);
+  return file ? Json::parse(file) : Json();
+}
+
+/// The vectors in the form of the contract: without counters, wide numbers as hexadecimal digits.
+Json without_counters(const Json& j) {
+  if (j.is_array()) {
+    Json out = Json::array();
+    for (const Json& e : j) out.push_back(without_counters(e));
+    return out;
+  }
+  if (!j.is_object()) return j;
+  Json out = Json::object();
+  for (const auto& [key, value] : j.items()) {
+    if (key.starts_with("N_ITER") || key == "bits_used") continue;
+    if (key == "NID_RADIO") {
+      char text[17];
+      std::snprintf(text, sizeof text, "%016llX", static_cast<unsigned long long>(value.get<std::uint64_t>()));
+      out[key] = text;
+    } else {
+      out[key] = without_counters(value);
+    }
+  }
+  return out;
+}
+
+Direction direction_of(const Json& vector) {
+  return vector.at("direction") == "track_to_train" ? Direction::to_train : Direction::to_track;
+}
+
+TEST(TelegramVectors, Telegrams) {
+  const Json vectors = shared("reference/telegram_vectors.json");
+  if (vectors.is_null()) GTEST_SKIP() << "no shared material";
+  ASSERT_EQ(vectors.at("telegrams").size(), 41u);
+  for (const Json& v : vectors.at("telegrams")) {
+    SCOPED_TRACE(v.at("name").get<std::string>());
+    const std::string hex = v.at("hex");
+    const auto bits = bits_of_hex(hex);
+    ASSERT_TRUE(bits);
+    std::string text;
+    const auto done = append_balise_json(text, bits->bytes, bits->bits);
+    ASSERT_TRUE(done) << error_json(done.error());
+    Json decoded = Json::parse(text);
+    Json expected = without_counters(v.at("decoded"));
+    expected["schema"] = "evc-telegram/1";
+    EXPECT_EQ(decoded, expected);
+    const auto encoded = encode_balise_json(decoded);
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    EXPECT_EQ(encoded->bits, v.at("bits"));
+    EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
+    // From the vector's own values as well.
+    expected["packets"] = v.at("decoded").at("packets");
+    const auto from_vector = encode_balise_json(expected);
+    ASSERT_TRUE(from_vector) << error_json(from_vector.error());
+    EXPECT_EQ(hex_of_bits(from_vector->bytes, from_vector->bits), hex);
+  }
+}
+
+TEST(TelegramVectors, Packets) {
+  const Json vectors = shared("reference/telegram_vectors.json");
+  if (vectors.is_null()) GTEST_SKIP() << "no shared material";
+  ASSERT_EQ(vectors.at("packets").size(), 140u);
+  for (const Json& v : vectors.at("packets")) {
+    const std::string hex = v.at("hex");
+    SCOPED_TRACE(v.at("name").get<std::string>() + " " + hex);
+    const auto bits = bits_of_hex(hex);
+    ASSERT_TRUE(bits);
+    const auto sv = parse_version(v.at("system_version").get<std::string>());
+    ASSERT_TRUE(sv);
+    std::string text;
+    const auto done = append_packet_json(text, bits->bytes, bits->bits, direction_of(v), *sv);
+    ASSERT_TRUE(done) << error_json(done.error());
+    const Json decoded = Json::parse(text);
+    EXPECT_EQ(decoded, without_counters(v.at("decoded")));
+    const auto encoded = encode_packet_json(decoded, {direction_of(v), sv});
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    EXPECT_EQ(encoded->bits, v.at("bits"));
+    EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
+    // Direction and version found out from the members.
+    const auto guessed = encode_packet_json(v.at("decoded"));
+    ASSERT_TRUE(guessed) << error_json(guessed.error());
+    EXPECT_EQ(hex_of_bits(guessed->bytes, guessed->bits), hex);
+    // Spare codes are named when they are not wanted, and only then.
+    text.clear();
+    const auto strict = append_packet_json(text, bits->bytes, bits->bits, direction_of(v), *sv, Spare::refuse);
+    EXPECT_EQ(!strict, v.contains("warnings")) << (strict ? "" : error_json(strict.error()));
+  }
+}
+
+TEST(TelegramVectors, Messages) {
+  const Json vectors = shared("reference/telegram_vectors.json");
+  if (vectors.is_null()) GTEST_SKIP() << "no shared material";
+  ASSERT_EQ(vectors.at("messages").size(), 8u);
+  for (const Json& v : vectors.at("messages")) {
+    SCOPED_TRACE(v.at("name").get<std::string>());
+    const std::string hex = v.at("hex");
+    const auto bits = bits_of_hex(hex);
+    ASSERT_TRUE(bits);
+    const auto sv = parse_version(v.at("system_version").get<std::string>());
+    std::string text;
+    const auto done = append_radio_json(text, bits->bytes, direction_of(v), *sv);
+    ASSERT_TRUE(done) << error_json(done.error());
+    const Json decoded = Json::parse(text);
+    EXPECT_EQ(decoded, without_counters(v.at("decoded")));
+    const auto encoded = encode_radio_json(decoded);
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
+  }
+}
+
+/// All that was recorded on a real line decodes, and encodes to the same digits.
+TEST(TelegramJson, RecordedLine) {
+  const Json line = shared("lines/amsterdam_utrecht.json");
+  if (line.is_null()) GTEST_SKIP() << "no shared material";
+  std::size_t telegrams = 0;
+  for (const Json& group : line.at("balise_groups"))
+    for (const Json& balise : group.at("balises")) {
+      const std::string hex = balise.at("telegram_hex");
+      const auto bits = bits_of_hex(hex);
+      std::string text;
+      ASSERT_TRUE(append_balise_json(text, bits->bytes, bits->bits)) << hex;
+      const Json decoded = Json::parse(text);
+      EXPECT_EQ(decoded.at("header"), balise.at("header"));
+      const auto encoded = encode_balise_json(decoded);
+      ASSERT_TRUE(encoded);
+      EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
+      ++telegrams;
+    }
+  EXPECT_EQ(telegrams, 206u);
+  std::size_t messages = 0;
+  for (const Json& message : line.at("rbc_messages")) {
+    if (!message.contains("message_hex")) continue;
+    const std::string hex = message.at("message_hex");
+    const auto bits = bits_of_hex(hex);
+    std::string text;
+    const auto done = append_radio_json(text, bits->bytes, Direction::to_train, {1, 0});
+    ASSERT_TRUE(done) << error_json(done.error());
+    const auto encoded = encode_radio_json(Json::parse(text));
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
+    ++messages;
+  }
+  EXPECT_EQ(messages, 57u);
+}
+
+std::string balise_error(const std::string& hex) {
+  const auto bits = bits_of_hex(hex);
+  if (!bits) return error_json(bits.error());
+  std::string text = "before";
+  const auto done = append_balise_json(text, bits->bytes, bits->bits);
+  if (done) return text;
+  EXPECT_EQ(text, "before");
+  return error_json(done.error());
+}
+
+TEST(TelegramJson, SaysWhatIsWrong) {
+  EXPECT_EQ(balise_error("9002G"), R"({"error":{"bit":16,"why":"not a hexadecimal digit: G"}})");
+  EXPECT_EQ(balise_error(""), R"({"error":{"bit":0,"why":"no bits"}})");
+  EXPECT_EQ(balise_error("9002FF"), R"({"error":{"bit":17,"variable":"M_MCOUNT","why":"ends inside a variable"}})");
+  // No packet 255.
+  EXPECT_EQ(balise_error("9002FFB540B00"), R"({"error":{"bit":52,"variable":"NID_PACKET","why":"no packet 255"}})");
+}
+
+TEST(TelegramJson, KeepsTheFilling) {
+  // The same telegram without filling, filled with ones to 830, and with something else behind packet 255.
+  Json short_form = Json::parse(R"({"schema":"evc-telegram/1","system_version":"2.1","header":{"Q_UPDOWN":1,
+    "M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":0,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},
+    "packets":[{"NID_PACKET":254,"Q_DIR":1,"L_PACKET":23},{"NID_PACKET":99,"Q_DIR":0,"L_PACKET":30,"raw":"AA"}]})");
+  for (const std::size_t bits : {0u, 210u, 830u}) {
+    Json telegram = short_form;
+    if (bits != 0) telegram["bits"] = bits;
+    const auto encoded = encode_balise_json(telegram);
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    EXPECT_EQ(encoded->bits, bits != 0 ? bits : 111u);
+    const auto again = bits_of_hex(hex_of_bits(encoded->bytes, encoded->bits));
+    std::string text;
+    ASSERT_TRUE(append_balise_json(text, again->bytes, again->bits));
+    EXPECT_EQ(Json::parse(text), telegram);
+  }
+  Json odd = short_form;
+  odd["bits"] = 128;
+  odd["padding"] = "12340";
+  const auto encoded = encode_balise_json(odd);
+  ASSERT_TRUE(encoded);
+  std::string text;
+  ASSERT_TRUE(append_balise_json(text, encoded->bytes, encoded->bits));
+  EXPECT_EQ(Json::parse(text), odd);
+}
+
+TEST(TelegramJson, RefusesWrongMembers) {
+  const auto why = [](const char* text) {
+    const auto encoded = encode_packet_json(Json::parse(text));
+    return encoded ? "taken: " + hex_of_bits(encoded->bytes, encoded->bits) : error_json(encoded.error());
+  };
+  EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":9})"), "taken: 42403E12");
+  EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"missing"}})");
+  EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":256})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"needs more than its 8 bits"}})");
+  EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":-1})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"less than 0"}})");
+  EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":1,"D_TSR":2})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"D_TSR","why":"unknown member"}})");
+  EXPECT_EQ(why(R"({"NID_PACKET":180,"Q_DIR":1,"Q_LSSMA":0,"T_LSSMA":2})"),
+            R"({"error":{"bit":0,"packet":180,"variable":"T_LSSMA","why":"a member whose condition does not hold"}})");
+  EXPECT_EQ(why(R"({"NID_PACKET":66.5})"), R"({"error":{"bit":0,"variable":"NID_PACKET","why":"expected a number"}})");
+  EXPECT_EQ(why(R"([])"), R"({"error":{"bit":0,"variable":"packets","why":"expected objects"}})");
+}
+
+TEST(TelegramJson, SignedReference) {
+  const Json message =
+      Json::parse(R"({"NID_MESSAGE":15,"L_MESSAGE":15,"T_TRAIN":1,"M_ACK":0,"NID_LRBG":16777215,"NID_EM":3,
+    "Q_SCALE":1,"D_REF":-7,"Q_DIR":1,"D_EMERGENCYSTOP":200,"packets":[]})");
+  const auto encoded = encode_radio_json(message);
+  ASSERT_TRUE(encoded) << error_json(encoded.error());
+  std::string text;
+  const auto done = append_radio_json(text, encoded->bytes, Direction::to_train, {2, 1});
+  ASSERT_TRUE(done) << error_json(done.error());
+  EXPECT_EQ(Json::parse(text), message);
+}
+
+}  // namespace
+}  // namespace evc::io

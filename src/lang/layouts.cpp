@@ -1,0 +1,166 @@
+#include "lang/layouts.h"
+
+#include <array>
+#include <tuple>
+
+#include "lang/messages.h"
+#include "lang/packets.h"
+
+namespace evc::lang {
+namespace {
+
+template <class T>
+constexpr auto steps_of_structure();
+template <class T>
+inline constexpr auto steps_of = steps_of_structure<T>();
+
+template <class I>
+inline constexpr std::size_t steps_in = 1;
+template <class S, class V, class... I>
+inline constexpr std::size_t steps_in<When<S, V, I...>> = 1 + (steps_in<I> + ... + 0);
+template <class V, class... I>
+inline constexpr std::size_t steps_in<WhenAround<V, I...>> = 1 + (steps_in<I> + ... + 0);
+template <class... I>
+inline constexpr std::size_t steps_in<std::tuple<I...>> = (steps_in<I> + ... + 0);
+
+/// Looks for the step that reads `member`; `at` counts the steps passed.
+template <class S, class W, class M>
+constexpr void seek(const Field<S, W>& f, M member, std::size_t& at, std::size_t& found) {
+  if constexpr (std::is_same_v<M, W S::*>)
+    if (f.member == member) found = at;
+  ++at;
+}
+template <class I, class M>
+constexpr void seek(const I&, M, std::size_t& at, std::size_t&) {
+  ++at;
+}
+template <class... I, class M>
+constexpr void seek(const std::tuple<I...>& items, M member, std::size_t& at, std::size_t& found) {
+  std::apply(
+      [&](const auto&... i) {
+        const auto one = [&](const auto& item) {
+          if constexpr (requires { item.items; }) {
+            ++at;
+            seek(item.items, member, at, found);
+          } else {
+            seek(item, member, at, found);
+          }
+        };
+        (one(i), ...);
+      },
+      items);
+}
+
+template <class S, std::size_t N>
+struct Writer {
+  std::array<Step, N> steps{};
+  std::size_t n = 0;
+
+  template <class V>
+  constexpr void add(const Field<S, V>& f) {
+    Step& s = steps[n++];
+    s.bits = static_cast<std::uint8_t>(V::bits);
+    s.name = f.name;
+    s.variable = V::name;
+    if constexpr (V::has_spare) s.is_spare = &V::is_spare;
+  }
+  template <class V, class... I>
+  constexpr void add(const When<S, V, I...>& w) {
+    std::size_t at = 0;
+    std::size_t found = 255;
+    seek(layout_of<S>, w.condition, at, found);
+    Step& s = steps[n++];
+    s.kind = Step::Kind::when;
+    s.variable = V::name;
+    s.condition = static_cast<std::uint8_t>(found);
+    s.count = static_cast<std::uint8_t>(steps_in<std::tuple<I...>>);
+    s.test = w.test;
+    add_all(w.items);
+  }
+  template <class V, class... I>
+  constexpr void add(const WhenAround<V, I...>& w) {
+    Step& s = steps[n++];
+    s.kind = Step::Kind::when_around;
+    s.variable = V::name;
+    s.count = static_cast<std::uint8_t>(steps_in<std::tuple<I...>>);
+    s.test = w.test;
+    add_all(w.items);
+  }
+  template <class Count, class E, std::size_t Capacity>
+  constexpr void add(const Repeat<S, Count, E, Capacity>& r) {
+    Step& s = steps[n++];
+    s.kind = Step::Kind::repeat;
+    s.bits = static_cast<std::uint8_t>(Count::bits);
+    s.capacity = static_cast<std::uint16_t>(Capacity);
+    s.name = r.name;
+    s.variable = Count::name;
+    s.counter = r.count_name;
+    s.body = steps_of<E>.data();
+    s.body_size = static_cast<std::uint8_t>(steps_of<E>.size());
+  }
+  constexpr void add(const RestOfPacket<S>& r) {
+    Step& s = steps[n++];
+    s.kind = Step::Kind::rest;
+    s.name = r.name;
+  }
+  template <class... I>
+  constexpr void add_all(const std::tuple<I...>& items) {
+    std::apply([&](const auto&... i) { (add(i), ...); }, items);
+  }
+};
+
+template <class T>
+constexpr auto steps_of_structure() {
+  Writer<T, steps_in<std::remove_cvref_t<decltype(layout_of<T>)>>> writer;
+  writer.add_all(layout_of<T>);
+  return writer.steps;
+}
+
+template <class P>
+constexpr PacketLayout packet_layout(const char* type) {
+  const bool to_track = P::info.direction == Direction::to_track;
+  const bool has_length = to_track || (P::info.NID_PACKET != 0 && P::info.NID_PACKET != 255);
+  return {&P::info, type, has_length, has_length && !to_track, steps_of<P>};
+}
+
+#define EVC_ROW(P) packet_layout<P>(#P),
+constexpr PacketLayout packets[]{EVC_PACKETS_TO_TRAIN(EVC_ROW) EVC_PACKETS_TO_TRACK(EVC_ROW)};
+#undef EVC_ROW
+#define EVC_ROW(M) MessageLayout{&M::info, #M, steps_of<M>},
+constexpr MessageLayout messages[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW) EVC_MESSAGES_TO_TRACK(EVC_ROW)};
+#undef EVC_ROW
+
+/// Place of each number in `packets`, one more, per direction and version.
+using Index = std::array<std::array<std::uint8_t, 256>, 8>;
+constexpr Index make_index() {
+  Index index{};
+  for (std::size_t i = 0; i < std::size(packets); ++i)
+    for (unsigned v = 0; v < 4; ++v)
+      if ((packets[i].info->versions & (1u << v)) != 0)
+        index[(packets[i].info->direction == Direction::to_track ? 4u : 0u) + v][packets[i].info->NID_PACKET] =
+            static_cast<std::uint8_t>(i + 1);
+  return index;
+}
+constexpr Index packet_index = make_index();
+
+}  // namespace
+
+std::span<const PacketLayout> packet_layouts() { return packets; }
+std::span<const MessageLayout> message_layouts() { return messages; }
+
+const PacketLayout* find_packet_layout(Direction direction, Versions version, std::uint8_t nid) {
+  const unsigned v = version == v1_0 ? 0u : version == v1_1 ? 1u : version == v2_0 ? 2u : 3u;
+  const std::uint8_t i = packet_index[(direction == Direction::to_track ? 4u : 0u) + v][nid];
+  return i == 0 ? nullptr : &packets[i - 1u];
+}
+
+const MessageLayout* find_message_layout(Direction direction, SystemVersion sv, std::uint8_t nid) {
+  const Versions version = known_version(sv);
+  for (const MessageLayout& m : messages)
+    if (m.info->direction == direction && m.info->NID_MESSAGE == nid &&
+        (version == 0 || (m.info->versions & version) != 0))
+      return &m;
+  return nullptr;
+}
+
+}  // namespace evc::lang

@@ -1,0 +1,5 @@
+#include "lang/packet_codec_body.h"
+
+namespace evc::lang {
+EVC_PACKETS_TO_TRAIN_1(EVC_INSTANTIATE)
+}  // namespace evc::lang
