@@ -287,6 +287,8 @@ void show(Cycle& cycle) {
     (void)out.driver_requests.push_back("start");
   show_texts(cycle);
   s.requested = cycle.effects.requests;
+  s.offers = cycle.effects.offers;
+  s.entries = cycle.effects.entries;
 }
 
 }  // namespace evc::kernel

@@ -19,6 +19,7 @@ struct Cycle {
   const Inputs& in;
   Outputs& out;
 
+  DriverActions driver;         // of the selections those that are enabled (4.7.2)
   track::Here here;             // the train in the track frame, after relocation
   procedures::Facts facts;      // for the conditions of 4.6.3
   procedures::Effects effects;  // what the procedures want

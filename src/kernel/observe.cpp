@@ -39,6 +39,66 @@ DataStatus position_status(const State& s) {
 
 modes::Set<Ack> acknowledged(const DriverActions& driver) { return modes::Set<Ack>::of_bits(driver.acknowledged); }
 
+/// What decides which inputs of the driver are enabled now (4.7.2).
+driver::ActionContext action_context(const Cycle& cycle) {
+  const State& s = cycle.state;
+  driver::ActionContext c;
+  c.mode = s.mode;
+  if (valid(s.data.level_status)) c.level = s.level.level;
+  c.desk_open = cycle.in.train.desk_open;
+  c.standstill = cycle.here.standstill;
+  c.driver_id_valid = valid(s.data.driver_id_status);
+  c.train_data_valid = valid(s.data.train_data_status);
+  c.train_running_number_valid = valid(s.data.train_running_number_status);
+  c.session_open = s.radio.session.established();
+  c.train_data_acknowledged = s.radio.train_data_acknowledged;
+  c.emergency_stop_pending = s.emergency_stops.any();
+  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
+  c.non_leading_signal = cycle.in.train.non_leading;
+  c.passive_shunting_signal = cycle.in.train.passive_shunting;
+  c.slow_enough_for_override = s.position.now.V_est <= s.national_values.V_NVALLOWOVTRP;
+  c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
+  c.driver_id_while_running = s.national_values.M_NVDERUN;
+  c.track_ahead_free_asked = s.track_ahead_free.asking;
+  c.offers = s.offers;
+  // What start of mission asks for is offered too (S12).
+  c.offers.add(modes::Offer::train_data, s.entries.has(modes::Entry::train_data));
+  c.requests = s.requested;
+  return c;
+}
+
+/// Whether the driver may do it now; an action that is not enabled has no effect, and the event says so.
+bool may(Cycle& cycle, driver::Input input, const char* what) {
+  if (driver::enabled(action_context(cycle)).has(input)) return true;
+  note(cycle, Event{.subject = "driver", .what = what, .clause = "4.7.2: not enabled"});
+  return false;
+}
+
+/// Selections that are enabled; the others are dropped.
+DriverActions enabled_selections(Cycle& cycle) {
+  struct Row {
+    Select select;
+    driver::Input input;
+    const char* what;
+  };
+  constexpr std::array<Row, 9> rows{{
+      {Select::start, driver::Input::start, "start"},
+      {Select::override_, driver::Input::override_, "override"},
+      {Select::shunting, driver::Input::shunting, "shunting"},
+      {Select::exit_shunting, driver::Input::exit_shunting, "exit of shunting"},
+      {Select::non_leading, driver::Input::non_leading, "non leading"},
+      {Select::maintain_shunting, driver::Input::continue_shunting, "maintain shunting"},
+      {Select::slippery_rail, driver::Input::adhesion, "slippery rail"},
+      {Select::adhesion_normal, driver::Input::adhesion, "adhesion"},
+      {Select::track_ahead_free, driver::Input::track_ahead_free, "track ahead free"},
+  }};
+  DriverActions actions = cycle.in.driver;
+  for (const Row& row : rows)
+    if (actions.has(row.select) && !may(cycle, row.input, row.what))
+      actions.selected &= ~(1u << static_cast<unsigned>(row.select));
+  return actions;
+}
+
 void enter_train_data(Cycle& cycle, const train::TrainData& data) {
   State& s = cycle.state;
   if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
@@ -55,8 +115,9 @@ void enter_train_data(Cycle& cycle, const train::TrainData& data) {
 /// Entry of SR speed and distance (4.4.11.1.5): only in SR, the distance from the front end at the entry.
 void enter_SR_data(Cycle& cycle) {
   State& s = cycle.state;
-  if (s.mode != Mode::SR || (!cycle.in.driver.V_sr && !cycle.in.driver.D_sr)) return;
-  if (!cycle.here.standstill) cycle.asked.add(brakes::Cause::movement_while_entering_SR_data);
+  if (!cycle.in.driver.V_sr && !cycle.in.driver.D_sr) return;
+  if (s.mode == Mode::SR && !cycle.here.standstill) cycle.asked.add(brakes::Cause::movement_while_entering_SR_data);
+  if (!may(cycle, driver::Input::sr_speed_distance, "SR speed and distance")) return;
   if (cycle.in.driver.V_sr) s.staff_responsible.V = cycle.in.driver.V_sr;
   if (cycle.in.driver.D_sr) s.staff_responsible.end = cycle.here.est_front + *cycle.in.driver.D_sr;
   ++s.revision;
@@ -79,9 +140,9 @@ std::span<const procedures::mode_profile::Area> areas_of(const State& s,
   return {areas.begin(), areas.size()};
 }
 
-std::optional<modes::OrderedLevel> driver_level(const Cycle& cycle) {
+std::optional<modes::OrderedLevel> driver_level(Cycle& cycle) {
   const State& s = cycle.state;
-  if (!cycle.in.driver.level || !cycle.here.standstill || !cycle.in.train.desk_open) return {};
+  if (!cycle.in.driver.level || !may(cycle, driver::Input::level, "level")) return {};
   modes::OrderedLevel level;
   level.level = *cycle.in.driver.level;
   if (level.level == modes::Level::NTC) level.nid_ntc = cycle.in.driver.nid_ntc;
@@ -156,7 +217,7 @@ Duration request_cycle(const State& s) {
 
 void run_start_of_mission(Cycle& cycle) {
   State& s = cycle.state;
-  const DriverActions& driver = cycle.in.driver;
+  const DriverActions& driver = cycle.driver;
   procedures::start_of_mission::Inputs in;
   in.now = s.now;
   in.mode = s.mode;
@@ -195,7 +256,7 @@ void run_override(Cycle& cycle) {
   in.V_est = s.position.now.V_est;
   in.mode = s.mode;
   in.level = s.level.level;
-  in.selected = cycle.in.driver.has(Select::override_);
+  in.selected = cycle.driver.has(Select::override_);
   in.train_data_valid = valid(s.data.train_data_status);
   in.V_NVALLOWOVTRP = s.national_values.V_NVALLOWOVTRP;
   in.T_NVOVTRP = s.national_values.T_NVOVTRP;
@@ -232,8 +293,8 @@ void run_shunting(Cycle& cycle) {
   in.level = s.level.level;
   in.standstill = cycle.here.standstill;
   in.session_open = s.radio.session.established();
-  in.selects_SH = cycle.in.driver.has(Select::shunting);
-  in.selects_continue = cycle.in.driver.has(Select::maintain_shunting);
+  in.selects_SH = cycle.driver.has(Select::shunting);
+  in.selects_continue = cycle.driver.has(Select::maintain_shunting);
   in.authorised = cycle.SH_authorised;
   in.refused = cycle.SH_refused;
   const auto r = procedures::shunting::step(s.shunting, in);
@@ -279,8 +340,8 @@ void observe_state(Cycle& cycle) {
   f.safety_fault = cycle.in.safety_fault;
   f.level = s.level.level;
   f.requested = s.requested;
-  f.selects_exit_SH = cycle.in.driver.has(Select::exit_shunting);
-  f.selects_NL = cycle.in.driver.has(Select::non_leading);
+  f.selects_exit_SH = cycle.driver.has(Select::exit_shunting);
+  f.selects_NL = cycle.driver.has(Select::non_leading);
   f.train_data_valid = valid(s.data.train_data_status);
   f.ma_ssp_gradient_stored = s.track.ma.has_value() && track::complete(s.track, cycle.here);
   f.ma_accepted = f.ma_accepted || s.track.ma.has_value();
@@ -308,27 +369,31 @@ void observe_authority(Cycle& cycle) {
 
 void take_driver_actions(Cycle& cycle) {
   State& s = cycle.state;
-  const DriverActions& driver = cycle.in.driver;
+  cycle.driver = cycle.in.driver;
+  if (cycle.driver.selected != 0) cycle.driver = enabled_selections(cycle);
+  const DriverActions& driver = cycle.driver;
   cycle.facts.acknowledged = acknowledged(driver);
-  if (driver.driver_id) {
+  if (driver.driver_id && may(cycle, driver::Input::driver_id, "driver identity")) {
     s.data.driver_id = *driver.driver_id;
     s.data.driver_id_status = DataStatus::valid;
   }
-  if (driver.train_running_number) {
+  if (driver.train_running_number && may(cycle, driver::Input::train_running_number, "train running number")) {
     s.data.train_running_number = *driver.train_running_number;
     s.data.train_running_number_status = DataStatus::valid;
   }
   if (driver.train_data != nullptr) {
-    enter_train_data(cycle, *driver.train_data);
-    cycle.train_data_entered = valid(s.data.train_data_status);
+    if (may(cycle, driver::Input::train_data, "train data")) {
+      enter_train_data(cycle, *driver.train_data);
+      cycle.train_data_entered = valid(s.data.train_data_status);
+    }
   } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown) {
     s.data.train_data_status = DataStatus::valid;
     radio::send_train_data(s.radio);
     cycle.train_data_entered = true;
   }
-  if (driver.rbc_contact)
+  if (driver.rbc_contact && may(cycle, driver::Input::rbc_contact, "RBC contact"))
     s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
-  if (driver.has(Select::slippery_rail) && s.national_values.Q_NVDRIVER_ADHES && !s.slippery_rail) {
+  if (driver.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;
     ++s.revision;
   }
@@ -373,7 +438,7 @@ void run_procedures_after(Cycle& cycle) {
   trip.train_data_valid = valid(s.data.train_data_status);
   trip.exit_recognised = cycle.exit_from_trip;
   trip.emergency_stop_pending = s.emergency_stops.any();
-  trip.selects_start = cycle.in.driver.has(Select::start);
+  trip.selects_start = cycle.driver.has(Select::start);
   trip.SR_authorised = cycle.SR_authorised;
   trip.T_CYCRQST = request_cycle(s);
   if (cycle.facts.ma_ssp_gradient_stored) trip.profile_at_front = cycle.profile_at_front;

@@ -33,6 +33,8 @@ void react(Cycle& cycle, const balise::Outcome& outcome) {
   bool linking = false;
   bool two_missed = false;
   for (const balise::Event& e : outcome.events) {
+    // What the group brings is told where it is evaluated.
+    if (e.what == balise::Happened::group_accepted) continue;
     note(cycle, Event{.subject = e.what == balise::Happened::linking_ok ? "linking BG" : "BG",
                       .id = e.id.NID_BG,
                       .what = e.what == balise::Happened::linking_ok ? "ok" : balise::name_of(e.what),
@@ -67,9 +69,8 @@ const position::Reference* locate(Cycle& cycle, const balise::Group& group) {
   passage.counter_against_group = group.counter_against_group;
   passage.single = group.single;
   if (group.lrbg_compliant) {
-    const Distance moved = position::relocate(s.position, passage);
+    (void)position::relocate(s.position, passage);
     cycle.report_events.new_lrbg = true;
-    (void)moved;
     return position::lrbg(s.position);
   }
   (void)position::refer_to_unlinked(s.position, passage);

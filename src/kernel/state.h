@@ -108,6 +108,8 @@ struct State {
   procedures::override_::State override_;
   procedures::shunting::State shunting;
   modes::Set<modes::Ack> requested;  // acknowledgements shown in the cycle before
+  modes::Set<modes::Offer> offers;   // what the procedures let the driver choose, and
+  modes::Set<modes::Entry> entries;  // enter, in the cycle before
   StaffResponsible staff_responsible;
   bool slippery_rail = false;  // chosen by the driver
   bool ma_with_trip_order = false;

@@ -52,7 +52,7 @@ void run_texts(Cycle& cycle) {
 
 void ask_track_ahead_free(Cycle& cycle) {
   State& s = cycle.state;
-  const bool confirmed = cycle.in.driver.has(Select::track_ahead_free);
+  const bool confirmed = cycle.driver.has(Select::track_ahead_free);
   cycle.taf_granted = protection::ask(s.track_ahead_free, cycle.here.est_front, confirmed).granted;
 }
 

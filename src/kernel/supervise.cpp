@@ -1,6 +1,7 @@
 #include "kernel/supervise.h"
 
 #include "modes/mode_properties.h"
+#include "sdm/locations.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -113,8 +114,18 @@ void add_limit(track::MrspQuery& query, Speed v) {
   (void)query.limits.push_back({std::nullopt, std::nullopt, v});
 }
 
+/// Speeds of the permitted braking distances (3.11.11): with the brakes of now.
+void compute_PBD(State& s, const sdm::Inputs& in) {
+  for (track::PermittedBrakingDistance& p : s.track.pbd) {
+    const Speed v =
+        sdm::permitted_braking_distance_speed(in, p.D_PBD, static_cast<double>(p.gradient_permille), !p.service_brake);
+    // Steps of 5 km/h; sdm has rounded down.
+    p.speed = static_cast<track::SpeedCode>(v.si * 3.6 / 5.0 + 0.5);
+  }
+}
+
 void build_inputs(Cycle& cycle, const track::Authority& authority) {
-  const State& s = cycle.state;
+  State& s = cycle.state;
   sdm::Inputs& in = cycle.derived.inputs;
   ++in.revision;
   in.srs = s.srs;
@@ -126,6 +137,7 @@ void build_inputs(Cycle& cycle, const track::Authority& authority) {
   in.brakes.electro_pneumatic = cycle.in.train.ep_brake_active;
   in.brakes.adhesion_independent = cycle.in.train.additional_brake_active;
 
+  compute_PBD(s, in);
   track::MrspQuery query;
   query.from = cycle.here.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
@@ -182,6 +194,22 @@ protection::Way way_of(DirectionController controller) {
                                                        : protection::Way::none;
 }
 
+/// 5.16.2: in rear of an unprotected level crossing without an order to stop, the stop gives way to the LX speed once
+/// the train has passed the place that 3.13.9.3.5.11 defines.
+void pass_level_crossings(Cycle& cycle, const sdm::Motion& motion) {
+  State& s = cycle.state;
+  for (const track::LevelCrossing& lx : s.track.lx) {
+    if (!lx.unprotected || lx.stop_required || lx.substituted || cycle.here.est_front > lx.from) continue;
+    const sdm::LxSubstitution place =
+        sdm::lx_substitution(cycle.derived.inputs, cycle.derived.sdm, lx.from, track::speed_of(lx.V_LX), motion);
+    if (!place.passed) continue;
+    track::substitute_level_crossing(s.track, lx.NID_LX, cycle.here.est_front);
+    note(cycle,
+         Event{.subject = "level crossing", .id = lx.NID_LX, .what = "speed instead of stop", .clause = "5.16.2"});
+    return;  // the others are looked at with the curves built anew
+  }
+}
+
 }  // namespace
 
 bool supervises_speed(Mode mode) {
@@ -219,7 +247,9 @@ void supervise_speed(Cycle& cycle) {
     s.supervision = {};
     return;
   }
-  const sdm::Result r = sdm::supervise(s.supervision, cycle.derived.sdm, motion_of(cycle));
+  const sdm::Motion motion = motion_of(cycle);
+  pass_level_crossings(cycle, motion);
+  const sdm::Result r = sdm::supervise(s.supervision, cycle.derived.sdm, motion);
   show_limits(cycle, r);
   cycle.asked.add(brakes::Cause::overspeed_traction, r.tco);
   cycle.asked.add(brakes::Cause::overspeed_service, r.sb);
