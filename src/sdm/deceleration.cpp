@@ -370,11 +370,6 @@ class Pen {
   bool truncated_ = false;
 };
 
-std::size_t band_above(const Bands& bands, SpeedSquared w) {
-  std::size_t i = 0;
-  while (i + 1 < bands.size() && bands[i].w_upto <= w) ++i;
-  return i;
-}
 std::size_t band_below(const Bands& bands, SpeedSquared w) {
   std::size_t i = 0;
   while (i + 1 < bands.size() && bands[i].w_upto < w) ++i;
@@ -382,7 +377,7 @@ std::size_t band_below(const Bands& bands, SpeedSquared w) {
 }
 
 struct Downstream {
-  InplaceVector<Knot, kMaxKnots> knots;  // from the anchor to the foot; A of the arc that leads to the next
+  InplaceVector<Knot, 32> knots;  // from the anchor to the foot; A of the arc that leads to the next
   bool reached = false;
 };
 
@@ -417,22 +412,26 @@ Downstream to_foot(const Decelerations& d, CurveKind kind, const Segments& segme
 void upstream(Pen& pen, CurveWarnings& warnings, const Decelerations& d, CurveKind kind, const Segments& segments,
               Place x, SpeedSquared w, SpeedSquared w_top) {
   std::size_t s = segment_upstream_of(segments, x);
+  std::size_t b = 0;
+  const Bands* last = nullptr;
   for (;;) {
     const Place border = segments[s].from;
     const Bands& bands = d.bands(kind, segments[s]);
-    const std::size_t b = band_above(bands, w);
+    if (&bands != last || (b > 0 && bands[b - 1].w_upto > w)) b = 0;
+    last = &bands;
+    while (b + 1 < bands.size() && bands[b].w_upto <= w) ++b;
     const Acceleration A = deceleration(bands[b], segments[s]);
     if (A.si > 0.0) {
       pen.arc(A);
       if (w >= w_top) return;
       const SpeedSquared upper = std::min(w_top, bands[b].w_upto);
-      const Distance to_band{(upper - w).si / (2.0 * A.si)};
-      if (x - to_band >= border) {
-        x = x - to_band;
-        w = upper;
-      } else {
-        w = w + 2.0 * (A * (x - border));
+      const SpeedSquared at_border = w + 2.0 * (A * (x - border));
+      if (at_border < upper) {
         x = border;
+        w = at_border;
+      } else {
+        x = std::max(border, x - Distance{(upper - w).si / (2.0 * A.si)});
+        w = upper;
       }
     } else {
       warnings.no_deceleration = true;

@@ -158,18 +158,6 @@ class Builder {
     trace_curves(last);
   }
 
-  /// Limits of a target at an MRSP speed without acceleration and feedback (3.13.11.3-4).
-  TargetLimits at_MRSP_speed(const Target& t, Speed V) const {
-    const Approach a{.V = V, .V_delta0 = V_delta0_41(d_, V), .A_est1 = {}, .A_est2 = {}};
-    TargetLimits l;
-    const train::BuildUpTimes& build_up = t.zero ? d_.cm0 : d_.cmt;
-    l.times.EBD = l.times.SBD = times(d_.time_config, build_up, std::nullopt, d_.rules, d_.fixed);
-    // No d_target cap here (3.13.11.4).
-    l.EBD = limits_of_EBD(d_.view(t.EBD), d_.view(t.GUI), a, l.times.EBD, t.V_target, std::nullopt, d_.fixed);
-    if (t.kind == TargetKind::EOA_SvL) l.SBD = SBD_limits_of(d_, t, a, l.times.SBD);
-    return l;
-  }
-
   struct Reference {
     std::optional<Place> d;  // d_ref of 3.13.11.5-6
     Speed V{};               // V_n of its element
@@ -196,22 +184,30 @@ class Builder {
 };
 
 Builder::Reference Builder::reference(const Target& t, bool SBD, Speed skip_below) const {
+  // Without acceleration, with f41 of the element's speed, without feedback (3.13.11.3); no d_target cap
+  // (3.13.11.4).
+  const Times T = times(d_.time_config, t.zero ? d_.cm0 : d_.cmt, std::nullopt, d_.rules, d_.fixed);
+  const CurveView curve = d_.view(SBD ? t.SBD : t.EBD);
+  const CurveView GUI = d_.view(SBD ? t.GUI_EOA : t.GUI);
   const auto d_I = [&](Speed V) {
-    const TargetLimits l = at_MRSP_speed(t, V);
-    return SBD ? l.SBD->d_I : l.EBD.d_I;
+    const Approach a{.V = V, .V_delta0 = V_delta0_41(d_, V), .A_est1 = {}, .A_est2 = {}};
+    return SBD ? limits_of_SBD(curve, GUI, a, T, d_.fixed).d_I
+               : limits_of_EBD(curve, GUI, a, T, t.V_target, std::nullopt, d_.fixed).d_I;
   };
   const auto& steps = in_.mrsp.steps;
+  std::optional<Place> known;  // d_I of element n, from the step before
   for (std::size_t n = 0; n < steps.size() && steps[n].from < t.d_target; ++n) {
     const Speed V = steps[n].value;
+    const std::optional<Place> of_this = known;
+    known.reset();
     if (V < skip_below) continue;
     const Place a = steps[n].from;
-    const Place here = d_I(V);
+    const Place here = of_this.has_value() ? *of_this : d_I(V);
     const bool last = n + 1 == steps.size();
     if (a < here && (last || here <= steps[n + 1].from)) return {here, V};
-    if (last || here <= a) continue;
-    const Place b = steps[n + 1].from;
-    if (steps[n + 1].value < skip_below) continue;
-    if (d_I(steps[n + 1].value) < b) return {b, V};
+    if (last || here <= a || steps[n + 1].value < skip_below) continue;
+    known = d_I(steps[n + 1].value);
+    if (*known < steps[n + 1].from) return {steps[n + 1].from, V};
   }
   return {};
 }
