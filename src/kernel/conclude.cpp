@@ -121,6 +121,20 @@ position::ReportEvents filtered_events(const Cycle& cycle) {
   return e;
 }
 
+/// The report that the rear left the RBC's area is repeated until the RBC ends the session (3.5.5.1 e).
+void leave_rbc(Cycle& cycle, bool exit_reported) {
+  State& s = cycle.state;
+  procedures::leaving_rbc::Inputs in;
+  in.now = s.now;
+  in.exit_reported = exit_reported;
+  in.level_2_or_3 = level_2_or_3(s.level.level);
+  in.session_open = s.radio.session.established();
+  in.termination_ordered = cycle.termination_ordered;
+  const procedures::Effects effects = procedures::leaving_rbc::step(s.leaving_rbc, in);
+  cycle.effects |= effects;
+  if (effects.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.session, s.now, cycle.outbox);
+}
+
 std::uint8_t request_reasons(Cycle& cycle) {
   State& s = cycle.state;
   std::uint8_t reasons = cycle.ma_request_reasons;
@@ -220,8 +234,9 @@ void run_radio(Cycle& cycle) {
   in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
   in.contact.T_NVCONTACT = s.national_values.T_NVCONTACT;
   in.contact.M_NVCONTACT = static_cast<radio::Reaction>(s.national_values.M_NVCONTACT);
-  in.report_due = position::due(s.reports, s.position, filtered_events(cycle), s.train.L_TRAIN) != 0 ||
-                  cycle.effects.send.has(procedures::Send::position_report);
+  const std::uint16_t due = position::due(s.reports, s.position, filtered_events(cycle), s.train.L_TRAIN);
+  leave_rbc(cycle, (due & static_cast<std::uint16_t>(position::Due::border)) != 0);
+  in.report_due = due != 0 || cycle.effects.send.has(procedures::Send::position_report);
   in.start_of_mission = cycle.effects.send.has(procedures::Send::start_of_mission_report);
   in.Q_STATUS = static_cast<std::uint8_t>(s.position.status);
   in.reasons = request_reasons(cycle);

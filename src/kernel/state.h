@@ -14,6 +14,7 @@
 #include "position/position.h"
 #include "position/report.h"
 #include "procedures/end_of_mission.h"
+#include "procedures/leaving_rbc.h"
 #include "procedures/level_transition.h"
 #include "procedures/mode_profile.h"
 #include "procedures/override.h"
@@ -105,6 +106,7 @@ struct State {
   procedures::mode_profile::State mode_profile;
   procedures::train_trip::State train_trip;
   procedures::end_of_mission::State end_of_mission;
+  procedures::leaving_rbc::State leaving_rbc;
   procedures::override_::State override_;
   procedures::shunting::State shunting;
   modes::Set<modes::Ack> requested;  // acknowledgements shown in the cycle before
