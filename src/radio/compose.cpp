@@ -157,11 +157,9 @@ void put_ma_request(const Composer& c) {
 
 void put_emergency_answer(const Composer& c) {
   if (c.version_1) {
-    // X = 1 tells apart: conditional accepted 0, refused 1, unconditional 2 (6.6.3.4.5 [5]).
-    constexpr std::array<std::uint8_t, 4> kAnswer{0, 0, 2, 1};
     auto m = message_of<lang::TrainMessage147_v1_0>(c);
     m.NID_EM.raw = c.intent.NID_EM;
-    m.Q_EMERGENCYSTOP.raw = kAnswer[c.intent.Q_EMERGENCYSTOP & 3u];
+    m.Q_EMERGENCYSTOP.raw = c.intent.Q_EMERGENCYSTOP;
     lang::begin_message(c.out, m);
   } else {
     auto m = message_of<lang::TrainMessage147>(c);

@@ -37,7 +37,7 @@ struct Intent {
   std::uint8_t NID_MESSAGE = 0;
   std::uint32_t T_TRAIN = 0;                     ///< its own stamp
   std::uint32_t T_TRAIN_REF = 0;                 ///< 137, 138, 146: of the message that is answered
-  std::uint8_t NID_EM = 0, Q_EMERGENCYSTOP = 0;  ///< 147
+  std::uint8_t NID_EM = 0, Q_EMERGENCYSTOP = 0;  ///< 147, in the codes of the RBC's version
   std::uint8_t Q_MARQSTREASON = 0;               ///< 132
   std::uint8_t Q_STATUS = 0;                     ///< 157: 0 invalid, 1 valid, 2 unknown
   std::uint8_t NID_TEXTMESSAGE = 0;              ///< 158

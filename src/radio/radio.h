@@ -137,7 +137,7 @@ void begin_exchange(State& state, std::uint8_t NID_MESSAGE, Duration now, Outbox
 /// Its answer came.
 void end_exchange(State& state);
 
-/// Message 147.
+/// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (protection/ tells those of X = 1).
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = 147;

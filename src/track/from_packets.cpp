@@ -238,6 +238,17 @@ bool valid_direction(std::uint8_t Q_DIR, Direction orientation) {
   return (Q_DIR == 1) == (orientation == Direction::nominal);
 }
 
+Reference shifted(const Reference& reference, Distance D_REF) {
+  Reference r = reference;
+  r.place = r.place + (r.orientation == Direction::reverse ? -D_REF : D_REF);
+  return r;
+}
+
+std::optional<Place> stop_location(const lang::Message15& message, const Reference& lrbg) {
+  if (!valid_direction(message.Q_DIR.raw, lrbg.orientation)) return std::nullopt;
+  return shifted(lrbg, metres(message.Q_SCALE, message.D_REF)).place + metres(message.Q_SCALE, message.D_EMERGENCYSTOP);
+}
+
 Added add(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   if (!valid_direction(view.Q_DIR, reference.orientation)) return Added::other_direction;
   contents.source = reference.source;

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "base/location.h"
+#include "lang/messages.h"
 #include "lang/telegram.h"
 #include "track/description.h"
 
@@ -21,6 +23,11 @@ struct Reference {
 
 /// Whether information with this Q_DIR counts for the orientation; while it is unknown only "both" does (3.6.3.1.3-4).
 bool valid_direction(std::uint8_t Q_DIR, Direction orientation);
+
+/// The reference of messages 15, 33 and 34: shifted by D_REF, positive in the nominal direction of the LRBG (7.5.1.22).
+Reference shifted(const Reference& reference, Distance D_REF);
+/// The stop location of a conditional emergency stop (message 15); absent when its direction is not the train's.
+std::optional<Place> stop_location(const lang::Message15& message, const Reference& lrbg);
 
 enum class Added : std::uint8_t {
   added,

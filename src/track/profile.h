@@ -40,6 +40,14 @@ struct Profile {
     for (const auto& step : fresh.steps) all = append(step.from, step.value) && all;
     return all;
   }
+  /// Whether replace_from(fresh) would find room for everything.
+  template <std::size_t M>
+  constexpr bool has_room_for(const Profile<Value, M>& fresh) const {
+    if (fresh.empty()) return true;
+    std::size_t kept = 0;
+    while (kept < steps.size() && steps[kept].from < fresh.steps.front().from) ++kept;
+    return kept + fresh.steps.size() <= N;
+  }
   /// Withdraws everything from `at` on (A.3.4): the profile ends there. Whether anything known stood there.
   constexpr bool cut(Place at) {
     bool known_beyond = false;

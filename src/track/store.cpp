@@ -340,7 +340,9 @@ void store_texts(const Filing& f) {
 void store_orders(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
-  if (c.level_order) {
+  if (c.level_order && c.level_order->conditional && d.level_order && !d.level_order->immediate) {
+    f.note(46, Note::What::refused, "4.8.3");  // [11]: an announced transition is pending
+  } else if (c.level_order) {
     d.level_order = c.level_order;
     f.note(c.level_order->conditional ? 46 : 41, Note::What::stored, nullptr);
   }
@@ -402,10 +404,11 @@ bool complete(const Description& d, const Contents& c, const Here& here) {
   if (!c.ma || c.ma->sections.empty()) return true;
   const Place from = c.infill ? *c.infill : here.est_front;
   const Place to = far_end(*c.ma);
-  const NewStaticSpeedProfile no_ssp;
-  const NewGradientProfile no_gradient;
-  return covers_together(d.ssp, c.ssp ? *c.ssp : no_ssp, from, to) &&
-         covers_together(d.gradient, c.gradient ? *c.gradient : no_gradient, from, to);
+  const NewStaticSpeedProfile ssp = c.ssp ? *c.ssp : NewStaticSpeedProfile{};
+  const NewGradientProfile gradient = c.gradient ? *c.gradient : NewGradientProfile{};
+  // What there is no room for would be a hole as well.
+  return d.ssp.has_room_for(ssp) && d.gradient.has_room_for(gradient) && covers_together(d.ssp, ssp, from, to) &&
+         covers_together(d.gradient, gradient, from, to);
 }
 
 bool complete(const Description& d, const Here& here) {

@@ -78,6 +78,15 @@ TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
   }
 }
 
+TEST(Store, WithoutRoomForItsProfilesAnMaIsRefused) {
+  Description d;
+  for (int i = 0; i < 95; ++i) ASSERT_TRUE(d.gradient.append(at(-500 + i), Gradient{1}));
+  EXPECT_TRUE(store(d, whole(1000), front_at(100)).ma_refused) << "95 and 2 steps";
+  Description e;
+  for (int i = 0; i < 94; ++i) ASSERT_TRUE(e.gradient.append(at(-500 + i), Gradient{1}));
+  EXPECT_TRUE(store(e, whole(1000), front_at(100)).ma_accepted);
+}
+
 TEST(Store, ARefusedMaLeavesTheOldOne) {
   Description d;
   store(d, whole(1000), front_at(100));
@@ -355,6 +364,18 @@ TEST(Store, EveryOtherKind) {
   EXPECT_TRUE(d.covers.empty());
   EXPECT_FALSE(d.sr_list);
   EXPECT_FALSE(d.generic_ls_marker) << "an LS profile without the marker";
+}
+
+TEST(Store, AConditionalOrderIsRefusedWhileATransitionIsAnnounced) {  // 4.8.3 [11]
+  Description d;
+  Contents conditional;
+  conditional.level_order = LevelOrder{{}, at(0), true, true};
+  EXPECT_EQ(clause_of(store(d, conditional, front_at(0)), 46), "");
+  Contents announced;
+  announced.level_order = LevelOrder{{}, at(900), false, false};
+  store(d, announced, front_at(0));
+  EXPECT_EQ(clause_of(store(d, conditional, front_at(0)), 46), "4.8.3");
+  EXPECT_EQ(d.level_order->at, at(900));
 }
 
 TEST(Store, LevelCrossings) {

@@ -1,0 +1,193 @@
+#include "radio/compose.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "lang/decode.h"
+#include "lang/messages.h"
+#include "lang/packets.h"
+#include "lang/telegram.h"
+
+namespace evc::radio {
+namespace {
+
+struct Sent {
+  std::array<std::uint8_t, 192> bytes{};
+  std::size_t size = 0;
+  lang::MessageToTrackView view;
+
+  Sent(const Intent& intent, std::uint8_t M_VERSION, const PositionReport& position = {}, TrainDataReport train = {}) {
+    OnBoard unit;
+    unit.NID_ENGINE = 0xABCDEF;
+    if (!unit.NID_RADIO.push_back(0x0612345678FFFFFF)) __builtin_trap();
+    size = compose(intent, position, train, unit, M_VERSION, bytes);
+    if (size == 0) return;
+    view = lang::scan_message_to_track(std::span<const std::uint8_t>(bytes).first(size),
+                                       lang::system_version(M_VERSION == 0 ? 0x21 : M_VERSION));
+    EXPECT_EQ(view.fault, lang::Fault::none)
+        << int{intent.NID_MESSAGE} << " in version " << int{M_VERSION} << ": " << lang::text_of(view.fault);
+    EXPECT_EQ(view.T_TRAIN.raw, intent.T_TRAIN);
+    EXPECT_EQ(view.NID_ENGINE.raw, 0xABCDEFu);
+    EXPECT_EQ(view.NID_MESSAGE, intent.NID_MESSAGE);
+  }
+  bool has(std::uint16_t packet) const {
+    for (const auto& p : view.packets)
+      if (p.NID_PACKET == packet) return true;
+    return false;
+  }
+  template <class P>
+  P packet() const {
+    P p;
+    for (const auto& v : view.packets)
+      if (v.NID_PACKET == P::info.NID_PACKET) {
+        EXPECT_EQ(lang::decode(v, p), lang::Fault::none);
+        return p;
+      }
+    ADD_FAILURE() << "no packet " << int{P::info.NID_PACKET};
+    return p;
+  }
+  template <class M>
+  M message() const {
+    M m;
+    EXPECT_EQ(lang::decode(view, m), lang::Fault::none);
+    return m;
+  }
+};
+Intent intent_of(std::uint8_t NID_MESSAGE) {
+  Intent i;
+  i.NID_MESSAGE = NID_MESSAGE;
+  i.T_TRAIN = 4711;
+  i.T_TRAIN_REF = 815;
+  i.NID_EM = 5;
+  return i;
+}
+
+TEST(Compose, EveryMessageInEveryVersionReadsBack) {
+  for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 4>{0x10, 0x11, 0x20, 0x21})
+    for (const std::uint8_t id :
+         std::array<std::uint8_t, 16>{129, 130, 132, 136, 137, 138, 146, 147, 149, 150, 154, 155, 156, 157, 158, 159}) {
+      PositionReport two_groups;
+      two_groups.NID_PRVLRBG = 17;
+      if (id == 158 && M_VERSION < 0x20) {
+        EXPECT_EQ(Sent(intent_of(id), M_VERSION).size, 0u) << "X = 1 does not know it";
+        continue;
+      }
+      EXPECT_GT(Sent(intent_of(id), M_VERSION).size, 0u);
+      EXPECT_GT(Sent(intent_of(id), M_VERSION, two_groups).size, 0u);
+    }
+  std::array<std::uint8_t, 192> bytes{};
+  EXPECT_EQ(compose(intent_of(99), {}, {}, {}, 0x21, bytes), 0u);
+  EXPECT_EQ(compose(intent_of(136), {}, {}, {}, 0x21, std::span<std::uint8_t>(bytes).first(6)), 0u);
+}
+
+TEST(Compose, PositionReport) {
+  PositionReport r;
+  r.NID_LRBG = 123456;
+  r.D_LRBG = 77;
+  r.Q_DIRLRBG = r.Q_DLRBG = 1;
+  r.L_DOUBTOVER = 5;
+  r.L_DOUBTUNDER = 6;
+  r.Q_LENGTH = 1;
+  r.L_TRAININT = 210;
+  r.V_TRAIN = 28;
+  r.Q_DIRTRAIN = 1;
+  r.M_MODE = 15;
+  r.M_LEVEL = 1;
+  r.NID_NTC = 6;
+  const auto p = Sent(intent_of(136), 0x21, r).packet<lang::TrainPacket0>();
+  EXPECT_EQ(p.NID_LRBG.raw, 123456u);
+  EXPECT_EQ(p.D_LRBG.raw, 77);
+  EXPECT_EQ(p.L_TRAININT.raw, 210);
+  EXPECT_EQ(p.M_MODE.raw, 15);
+  EXPECT_EQ(p.NID_NTC.raw, 6);
+  EXPECT_EQ(Sent(intent_of(136), 0x10, r).packet<lang::TrainPacket0_v1_0>().M_MODE.raw, 3) << "PS is SH for X = 1";
+  r.NID_PRVLRBG = 99;
+  EXPECT_EQ(Sent(intent_of(136), 0x21, r).packet<lang::TrainPacket1>().NID_PRVLRBG.raw, 99u);
+  EXPECT_FALSE(Sent(intent_of(146), 0x21, r).has(1)) << "no position in an acknowledgement";
+}
+
+TEST(Compose, ErrorsAndRunningNumber) {
+  Intent i = intent_of(136);
+  i.M_ERROR = 6;
+  i.running_number = true;
+  TrainDataReport train;
+  train.NID_OPERATIONAL = 0x12345FFF;
+  EXPECT_EQ(Sent(i, 0x21, {}, train).packet<lang::TrainPacket4>().M_ERROR.raw, 6);
+  EXPECT_EQ(Sent(i, 0x21, {}, train).packet<lang::TrainPacket5>().NID_OPERATIONAL.raw, 0x12345FFFu);
+  EXPECT_EQ(Sent(i, 0x10, {}, train).packet<lang::TrainPacket4_v1_0>().M_ERROR.raw, 7);
+  EXPECT_FALSE(Sent(i, 0x10, {}, train).has(5));
+  i.M_ERROR = 8;
+  EXPECT_FALSE(Sent(i, 0x10, {}, train).has(4)) << "X = 1 has no such error";
+  EXPECT_TRUE(Sent(i, 0x20, {}, train).has(4));
+}
+
+TEST(Compose, EmergencyStopAnswers) {
+  for (std::uint8_t q = 0; q < 4; ++q) {
+    Intent i = intent_of(147);
+    i.Q_EMERGENCYSTOP = q;
+    EXPECT_EQ(Sent(i, 0x21).message<lang::TrainMessage147>().Q_EMERGENCYSTOP.raw, q);
+    if (q == 3) continue;  // X = 1 has no such code
+    EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage147_v1_0>().Q_EMERGENCYSTOP.raw, q);
+    EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage147_v1_0>().NID_EM.raw, 5);
+  }
+}
+
+TEST(Compose, MaRequest) {
+  Intent i = intent_of(132);
+  i.Q_MARQSTREASON = 1 | 8;
+  i.NID_LTRBG = 4242;
+  EXPECT_EQ(Sent(i, 0x20).message<lang::TrainMessage132>().Q_MARQSTREASON.raw, 9);
+  EXPECT_EQ(Sent(i, 0x20).packet<lang::TrainPacket9>().NID_LTRBG.raw, 4242u);
+  EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage132_v1_0>().Q_TRACKDEL.raw, 1);
+  i.Q_MARQSTREASON = 1;
+  EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage132_v1_0>().Q_TRACKDEL.raw, 0);
+}
+
+TEST(Compose, AnswersNameTheirMessage) {
+  EXPECT_EQ(Sent(intent_of(137), 0x21).message<lang::TrainMessage137>().T_TRAIN_REF.raw, 815u);
+  EXPECT_EQ(Sent(intent_of(138), 0x21).message<lang::TrainMessage138>().T_TRAIN_REF.raw, 815u);
+  EXPECT_EQ(Sent(intent_of(146), 0x10).message<lang::TrainMessage146>().T_TRAIN_REF.raw, 815u);
+  Intent i = intent_of(157);
+  i.Q_STATUS = 2;
+  EXPECT_EQ(Sent(i, 0x21).message<lang::TrainMessage157>().Q_STATUS.raw, 2);
+  i = intent_of(158);
+  i.NID_TEXTMESSAGE = 66;
+  EXPECT_EQ(Sent(i, 0x21).message<lang::TrainMessage158>().NID_TEXTMESSAGE.raw, 66);
+}
+
+TEST(Compose, TrainData) {
+  TrainDataReport t;
+  t.NC_CDTRAIN = 2;
+  t.NC_TRAIN = 4;
+  t.L_TRAIN = 200;
+  t.V_MAXTRAIN = 32;
+  t.M_AXLELOADCAT = 7;
+  ASSERT_TRUE(t.tractions.push_back({1, 12}) && t.NID_NTC.push_back(6));
+  const auto p = Sent(intent_of(129), 0x21, {}, t).packet<lang::TrainPacket11>();
+  EXPECT_EQ(p.NC_CDTRAIN.raw, 2);
+  EXPECT_EQ(p.L_TRAIN.raw, 200);
+  EXPECT_EQ(p.M_AXLELOADCAT.raw, 7);
+  ASSERT_EQ(p.tractions.size(), 1u);
+  EXPECT_EQ(p.tractions[0].NID_CTRACTION.raw, 12);
+  EXPECT_EQ(p.ntcs[0].NID_NTC.raw, 6);
+  const auto old = Sent(intent_of(129), 0x10, {}, t).packet<lang::TrainPacket11_v1_0>();
+  EXPECT_EQ(old.NC_TRAIN.raw, (1u << 3) | (1u << 11)) << "130 mm, passenger";
+  EXPECT_EQ(old.M_AXLELOAD.raw, 45) << "22.5 t";
+  EXPECT_EQ(old.NID_OPERATIONAL.raw, 0xFFFFFFFFu);
+  EXPECT_TRUE(old.tractions.empty());
+  EXPECT_EQ(old.ntcs.size(), 1u);
+}
+
+TEST(Compose, VersionsOrTelephoneNumbers) {  // 6.6.3.4.1.1
+  const auto numbers = Sent(intent_of(159), 0x10).packet<lang::TrainPacket3>();
+  ASSERT_EQ(numbers.numbers.size(), 1u);
+  EXPECT_EQ(numbers.numbers[0].NID_RADIO.raw, 0x0612345678FFFFFFu);
+  EXPECT_TRUE(Sent(intent_of(159), 0x20).has(3));
+  const auto versions = Sent(intent_of(159), 0x21).packet<lang::TrainPacket2>();
+  EXPECT_EQ(versions.M_VERSION.raw, 0x21);
+  EXPECT_EQ(versions.versions.size(), 3u);
+}
+
+}  // namespace
+}  // namespace evc::radio

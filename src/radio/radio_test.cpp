@@ -1,0 +1,616 @@
+#include "radio/radio.h"
+
+#include <gtest/gtest.h>
+
+#include "radio/from_packets.h"
+
+namespace evc::radio {
+namespace {
+
+constexpr Rbc kRbc{426, 1, 0x0031840880150FFF};
+constexpr Rbc kOther{426, 2, 0x0031840880151FFF};
+
+/// A unit and what it sends, cycle by cycle of 100 ms.
+struct Unit {
+  State s;
+  Inputs in;
+  Outbox out;
+  double now = 0;
+  std::uint32_t stamp = 1000;
+
+  Unit() {
+    in.level_2_or_3 = true;
+    in.train_data_valid = true;
+  }
+  Result cycle(Link link = Link::unchanged) {
+    in.now = Duration{now};
+    in.link = link;
+    const Result r = supervise(s, in, out);
+    now += 0.1;
+    return r;
+  }
+  /// Runs quietly for a time; the messages sent meanwhile.
+  std::vector<int> run(double seconds) {
+    std::vector<int> sent;
+    for (const double end = now + seconds; now < end;) {
+      fresh();
+      cycle();
+      for (const int m : messages()) sent.push_back(m);
+    }
+    fresh();
+    return sent;
+  }
+  void fresh() { out = Outbox{}; }
+  std::vector<int> messages() const {
+    std::vector<int> ids;
+    for (const Intent& i : out.messages) ids.push_back(i.NID_MESSAGE);
+    return ids;
+  }
+  Rejected message(std::uint8_t NID_MESSAGE, bool M_ACK = false) {
+    return receive(s, {NID_MESSAGE, T_TRAIN_of(Duration{now}), M_ACK, kUnknownLrbg}, Duration{now}, out);
+  }
+  void order_session(const Rbc& rbc = kRbc, bool establish = true) {
+    ASSERT_TRUE(order(s, {establish, rbc, false, Cause::trackside_order}, false, false, Duration{now}, out));
+  }
+  void version(std::uint8_t M_VERSION = 0x10) {
+    ASSERT_EQ(message(32), Rejected::no);
+    receive_version(s, M_VERSION, Duration{now}, out);
+  }
+  /// Session up, everything sent that its start asks for.
+  void up(std::uint8_t M_VERSION = 0x10) {
+    order_session();
+    cycle();
+    cycle(Link::connected);
+    fresh();
+    version(M_VERSION);
+    cycle();
+    fresh();
+    if (s.train_data_stamp) receive_train_data_ack(s, *s.train_data_stamp);
+  }
+};
+using Ids = std::vector<int>;
+
+TEST(Session, SetUp) {  // 3.5.3.7
+  Unit u;
+  u.order_session();
+  EXPECT_EQ(u.out.connect, kRbc);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  u.cycle();
+  u.fresh();
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.messages(), Ids{155});
+  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  EXPECT_EQ(u.message(3), Rejected::no_session) << "only the version is taken now";
+  u.fresh();
+  u.version(0x10);
+  EXPECT_TRUE(u.s.session.established());
+  EXPECT_TRUE(u.cycle().session_established);
+  EXPECT_EQ(u.messages(), (Ids{159, 136, 129}));
+  EXPECT_FALSE(u.cycle().session_established);
+  EXPECT_EQ(u.s.session.M_VERSION, 0x10);
+  EXPECT_EQ(u.s.session.indication, Indication::up);
+}
+
+TEST(Session, StartOfMissionReports157) {
+  Unit u;
+  u.in.start_of_mission = true;
+  u.in.Q_STATUS = 2;
+  u.in.train_data_valid = false;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.version();
+  u.cycle();
+  EXPECT_EQ(u.messages(), (Ids{159, 157}));
+  EXPECT_EQ(u.out.messages[1].Q_STATUS, 2);
+  EXPECT_TRUE(u.out.messages[1].running_number);
+}
+
+TEST(Session, ThreeTriesInStartOfMission) {  // N_CONN_TRIES
+  Unit u;
+  ASSERT_TRUE(order(u.s, {true, kRbc, false, Cause::start_of_mission}, false, false, Duration{0}, u.out));
+  for (int i = 0; i < 2; ++i) {
+    u.fresh();
+    u.cycle(Link::refused);
+    EXPECT_EQ(u.out.connect, kRbc);
+    EXPECT_FALSE(u.out.inform_no_connection);
+  }
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_TRUE(u.out.inform_no_connection);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.session.indication, Indication::failed);
+}
+
+TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
+  Unit u;
+  u.order_session();
+  for (int i = 0; i < 400; ++i) {
+    u.fresh();
+    u.cycle(Link::refused);
+    ASSERT_EQ(u.out.connect, kRbc);
+  }
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  u.run(6);
+  EXPECT_EQ(u.s.session.indication, Indication::failed) << "after 45 s";
+}
+
+TEST(Session, NoVersionIn15Seconds) {
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.run(14.8);
+  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  u.run(0.4);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+}
+
+TEST(Session, LinkLostBeforeTheVersionIsATry) {
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Session, UnknownVersion) {  // 3.5.3.8
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.version(0x30);
+  EXPECT_EQ(u.messages(), (Ids{154, 156}));
+  EXPECT_TRUE(u.out.inform_no_version);
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  EXPECT_FALSE(u.cycle().session_established);
+}
+
+TEST(Session, TheVersionAgainIsAnsweredAgain) {
+  Unit u;
+  u.up();
+  u.version();
+  EXPECT_EQ(u.messages(), Ids{159});
+  EXPECT_FALSE(u.cycle().session_established);
+}
+
+TEST(Session, Termination) {  // 3.5.5
+  Unit u;
+  u.up();
+  u.order_session(kRbc, false);
+  EXPECT_EQ(u.messages(), Ids{156});
+  EXPECT_EQ(u.message(3), Rejected::terminating);
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+}
+
+TEST(Session, TerminationIsRepeatedThreeTimes) {  // 3.5.5.3.1-2
+  Unit u;
+  u.up();
+  u.order_session(kRbc, false);
+  u.fresh();
+  EXPECT_EQ(u.run(59.5), (Ids{156, 156, 156}));
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  u.run(1.0);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+}
+
+TEST(Session, TerminationWhileConnecting) {
+  Unit u;
+  u.order_session();
+  u.order_session(kRbc, false);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  EXPECT_FALSE(order(u.s, {false, kRbc, false, {}}, false, false, Duration{0}, u.out));
+}
+
+TEST(Session, AnotherRbcEndsTheFirstOne) {  // 3.5.3.5.2, 3.5.3.4.2
+  Unit u;
+  u.up();
+  u.order_session(kRbc);
+  EXPECT_EQ(u.s.session.phase, Phase::up) << "already there";
+  u.order_session(kOther);
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  u.order_session(kOther);
+  u.cycle();
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  EXPECT_EQ(u.out.connect, kOther);
+  EXPECT_EQ(u.s.session.rbc, kOther);
+  u.fresh();
+  u.order_session(kOther);
+  EXPECT_FALSE(u.out.connect) << "being set up already";
+  u.order_session(kRbc);
+  EXPECT_EQ(u.out.disconnect, kOther);
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
+  Unit u;
+  u.up();
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.in.report_due = true;
+  EXPECT_TRUE(u.run(20).empty()) << "what is due meanwhile counts as sent";
+  u.in.report_due = false;
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.run(40);
+  EXPECT_EQ(u.s.session.indication, Indication::failed);
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.s.session.phase, Phase::up);
+  EXPECT_EQ(u.s.session.indication, Indication::up);
+  u.cycle(Link::lost);
+  u.run(299);
+  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  bool lost = false;
+  for (int i = 0; i < 20; ++i) {
+    u.fresh();
+    if (u.cycle().session_lost) {
+      lost = true;
+      EXPECT_EQ(u.out.connect, kRbc) << "cause f: at once again";
+    }
+  }
+  EXPECT_TRUE(lost);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+}
+
+TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
+  Unit u;
+  u.up();
+  u.in.in_radio_hole = true;
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_FALSE(u.out.connect);
+  EXPECT_EQ(u.s.session.indication, Indication::none);
+  u.run(10);
+  EXPECT_FALSE(u.s.session.request_connection);
+  u.in.in_radio_hole = false;
+  u.fresh();
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.in.in_radio_hole = true;
+  u.cycle(Link::refused);
+  u.run(301);
+  EXPECT_EQ(u.s.session.phase, Phase::idle) << "died inside the hole: no new one there";
+}
+
+TEST(Session, ConnectingStopsInAHoleAndGoesOnAfterIt) {
+  Unit u;
+  u.order_session();
+  u.in.in_radio_hole = true;
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_FALSE(u.out.connect);
+  u.in.in_radio_hole = false;
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Order, FromPackets) {
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  p.NID_C.raw = 426;
+  p.NID_RBC.raw = 1;
+  p.NID_RADIO.raw = kRbc.NID_RADIO;
+  EXPECT_TRUE(session_order_of(p).establish);
+  EXPECT_EQ(session_order_of(p).rbc, kRbc);
+  p.Q_RBC.raw = 0;
+  p.Q_SLEEPSESSION.raw = 1;
+  EXPECT_FALSE(session_order_of(p).establish);
+  EXPECT_TRUE(session_order_of(p).sleeping_too);
+  lang::Packet131 transition;
+  transition.NID_RBC.raw = 9;
+  EXPECT_TRUE(session_order_of(transition).establish);
+  EXPECT_EQ(session_order_of(transition).rbc.NID_RBC, 9);
+  lang::Packet57 request;
+  request.T_MAR.raw = 255;
+  request.T_TIMEOUTRQST.raw = 1023;
+  request.T_CYCRQST.raw = 20;
+  EXPECT_EQ(ma_request_of(request), (MaRequestParameters{std::nullopt, std::nullopt, Duration{20}}));
+}
+
+TEST(Order, KnowsTheLastRbcAndSleeping) {
+  Unit u;
+  const Rbc last{0, kLastKnownRbc, kStoredNumber};
+  EXPECT_FALSE(order(u.s, {true, last, false, {}}, false, false, Duration{0}, u.out)) << "nothing is stored";
+  EXPECT_FALSE(order(u.s, {true, kRbc, false, {}}, true, false, Duration{0}, u.out)) << "not for sleeping units";
+  EXPECT_TRUE(order(u.s, {true, kRbc, true, {}}, true, true, Duration{0}, u.out));
+  EXPECT_FALSE(u.out.connect) << "SH and PS only store it";
+  EXPECT_TRUE(order(u.s, {true, last, false, {}}, false, false, Duration{0}, u.out));
+  EXPECT_EQ(u.out.connect, kRbc);
+  EXPECT_FALSE(order(u.s, {false, kOther, false, {}}, false, false, Duration{0}, u.out));
+}
+
+TEST(Messages, OrderOfTimeStamps) {  // 3.16.3.3
+  Unit u;
+  u.up();
+  const auto stamped = [&](std::uint32_t T_TRAIN) {
+    return receive(u.s, {24, T_TRAIN, false, kUnknownLrbg}, Duration{u.now}, u.out);
+  };
+  const std::uint32_t base = *u.s.session.last_T_TRAIN;
+  EXPECT_EQ(stamped(base), Rejected::time_stamp) << "equal";
+  EXPECT_EQ(stamped(base - 1), Rejected::time_stamp);
+  EXPECT_EQ(stamped(kUnknownTime), Rejected::time_stamp);
+  EXPECT_EQ(u.s.errors.size(), 1u) << "reported once";
+  EXPECT_EQ(u.s.errors[0], 4);
+  EXPECT_EQ(stamped(base + 1), Rejected::no);
+  EXPECT_EQ(*u.s.session.last_T_TRAIN, base + 1);
+  EXPECT_TRUE(later(5, 0xFFFFFFF0u)) << "the counter runs over";
+  EXPECT_FALSE(later(0xFFFFFFF0u, 5));
+}
+
+TEST(Messages, AcknowledgementWhenAsked) {  // 3.16.3.5
+  Unit u;
+  u.up();
+  EXPECT_EQ(u.message(24, false), Rejected::no);
+  EXPECT_TRUE(u.out.messages.empty());
+  u.now += 0.1;
+  EXPECT_EQ(u.message(3, true), Rejected::no);
+  ASSERT_EQ(u.messages(), Ids{146});
+  EXPECT_EQ(u.out.messages[0].T_TRAIN_REF, T_TRAIN_of(Duration{u.now}));
+  u.fresh();
+  EXPECT_EQ(u.message(3, true), Rejected::time_stamp);
+  EXPECT_TRUE(u.out.messages.empty()) << "a rejected message is not acknowledged";
+  State idle;
+  EXPECT_EQ(receive(idle, {24, 5, true, 0}, Duration{0}, u.out), Rejected::no_session);
+  for (const Rejected r : {Rejected::no_session, Rejected::terminating, Rejected::time_stamp})
+    EXPECT_NE(clause(r), nullptr);
+  EXPECT_EQ(clause(Rejected::no), nullptr);
+}
+
+TEST(Messages, EveryOneHasItsOwnStamp) {  // 3.16.3.3.2
+  Unit u;
+  u.up();
+  for (std::uint8_t i = 0; i < 5; ++i) answer_emergency_stop(i, 3, u.out);
+  answer_shortening(true, 77, u.out);
+  report_text_acknowledged(4, u.out);
+  u.cycle();
+  ASSERT_EQ(u.messages(), (Ids{147, 147, 147, 147, 147, 137, 158}));
+  for (std::size_t i = 1; i < u.out.messages.size(); ++i)
+    EXPECT_TRUE(later(u.out.messages[i].T_TRAIN, u.out.messages[i - 1].T_TRAIN));
+  EXPECT_EQ(u.out.messages[5].T_TRAIN_REF, 77u);
+  u.fresh();
+  answer_shortening(false, 78, u.out);
+  EXPECT_EQ(u.out.messages[0].NID_MESSAGE, 138);
+  State s;
+  s.session.phase = Phase::up;
+  s.last_sent = 0xFFFFFFFEu;
+  Outbox out;
+  out.send(136);
+  Inputs in;
+  in.now = Duration{0};
+  supervise(s, in, out);
+  EXPECT_EQ(out.messages[0].T_TRAIN, 0u) << "never the code for unknown";
+  EXPECT_EQ(T_TRAIN_of(Duration{12.34}), 1234u);
+}
+
+TEST(Messages, AFullOutboxSaysSo) {
+  Outbox out;
+  for (std::size_t i = 0; i < out.messages.capacity(); ++i) out.send(136);
+  EXPECT_FALSE(out.overflow);
+  out.send(136);
+  EXPECT_TRUE(out.overflow);
+}
+
+TEST(Messages, ErrorsAreReportedOneByOne) {  // 3.16.4
+  Unit u;
+  u.up();
+  receive_inconsistent(u.s);
+  for (const std::uint8_t e : std::array<std::uint8_t, 5>{0, 1, 2, 4, 0}) report_error(u.s, e);
+  EXPECT_EQ(u.s.errors.size(), 4u) << "the oldest made room";
+  u.cycle();
+  ASSERT_EQ(u.messages(), Ids{136});
+  EXPECT_EQ(u.out.messages[0].M_ERROR, 0);
+  EXPECT_EQ(u.run(1).size(), 3u);
+}
+
+TEST(Contact, Reactions) {  // 3.16.3.4
+  for (const Reaction reaction : {Reaction::trip, Reaction::service_brake, Reaction::none}) {
+    Unit u;
+    u.up();
+    u.in.contact = {Duration{35}, reaction};
+    u.in.contact_supervised = true;
+    u.message(24);
+    u.run(34.8);
+    EXPECT_FALSE(u.s.contact_lost);
+    u.run(0.4);
+    Result r = u.cycle();
+    EXPECT_TRUE(u.s.contact_lost);
+    EXPECT_EQ(r.trip, reaction == Reaction::trip);
+    EXPECT_EQ(r.service_brake, reaction == Reaction::service_brake);
+    EXPECT_EQ(r.contact_lost, reaction != Reaction::none);
+    u.message(24);
+    r = u.cycle();
+    EXPECT_FALSE(r.trip || r.service_brake || r.contact_lost || u.s.contact_lost);
+  }
+}
+
+TEST(Contact, TheStampCountsNotTheArrival) {
+  Unit u;
+  u.up();
+  u.in.contact = {Duration{35}, Reaction::trip};
+  u.in.contact_supervised = true;
+  u.run(30);
+  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now - 20}), false, 0}, Duration{u.now}, u.out), Rejected::no);
+  u.run(15.2);
+  EXPECT_TRUE(u.cycle().trip);
+  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now + 50}), false, 0}, Duration{u.now}, u.out), Rejected::no);
+  u.run(35.2);
+  EXPECT_TRUE(u.cycle().trip) << "a stamp from the future does not prolong";
+}
+
+TEST(Contact, NotSupervisedElsewhereOrWithoutALimit) {
+  Unit u;
+  u.up();
+  u.in.contact = {Duration{35}, Reaction::trip};
+  u.run(100);
+  EXPECT_FALSE(u.cycle().trip);
+  u.in.contact_supervised = true;
+  EXPECT_TRUE(u.cycle().trip) << "the old stamp counts on return";
+  u.in.contact.T_NVCONTACT.reset();
+  EXPECT_FALSE(u.cycle().trip);
+}
+
+TEST(Contact, TheBrakeIsReleasedAtStandstill) {
+  Unit u;
+  u.up();
+  u.in.contact = {Duration{35}, Reaction::service_brake};
+  u.in.contact_supervised = true;
+  u.run(36);
+  EXPECT_TRUE(u.cycle().service_brake);
+  u.in.standstill = true;
+  Result r = u.cycle();
+  EXPECT_TRUE(r.shorten);
+  EXPECT_FALSE(r.service_brake);
+  u.in.standstill = false;
+  r = u.cycle();
+  EXPECT_FALSE(r.shorten || r.service_brake) << "not again without a new message";
+}
+
+TEST(Contact, SixtySecondsLaterTheConnectionIsSetUpAgain) {  // 3.16.3.4.3
+  Unit u;
+  u.up();
+  u.in.contact = {Duration{35}, Reaction::none};
+  u.in.contact_supervised = true;
+  u.run(94);
+  EXPECT_EQ(u.s.session.phase, Phase::up);
+  u.run(2);
+  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.s.session.phase, Phase::up);
+  u.run(70);
+  EXPECT_EQ(u.s.session.phase, Phase::up) << "once";
+}
+
+TEST(Contact, RadioHoleAndLevelSwitchStartItAnew) {
+  Unit u;
+  u.up();
+  u.in.contact = {Duration{35}, Reaction::trip};
+  u.in.contact_supervised = true;
+  u.in.in_radio_hole = true;
+  u.run(100);
+  EXPECT_FALSE(u.cycle().trip);
+  u.in.in_radio_hole = false;
+  u.run(34);
+  EXPECT_FALSE(u.cycle().trip);
+  u.run(2);
+  EXPECT_TRUE(u.cycle().trip);
+  Unit v;
+  v.in.contact = u.in.contact;
+  v.in.contact_supervised = true;
+  v.run(36);
+  EXPECT_TRUE(v.cycle().trip) << "from the switch to level 2 on, without a session";
+}
+
+TEST(TrainData, SentAcknowledgedAndSentAgain) {  // 3.18.3.4
+  Unit u;
+  u.up();
+  EXPECT_FALSE(train_data_acknowledgement_pending(u.s));
+  EXPECT_TRUE(u.s.train_data_acknowledged);
+  send_train_data(u.s);
+  u.cycle();
+  ASSERT_EQ(u.messages(), Ids{129});
+  EXPECT_TRUE(train_data_acknowledgement_pending(u.s));
+  receive_train_data_ack(u.s, u.out.messages[0].T_TRAIN + 1);
+  EXPECT_TRUE(train_data_acknowledgement_pending(u.s)) << "of another sending";
+  u.fresh();
+  u.cycle(Link::lost);
+  u.fresh();
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.messages(), Ids{129}) << "in the kept session";
+  receive_train_data_ack(u.s, *u.s.train_data_stamp);
+  EXPECT_FALSE(train_data_acknowledgement_pending(u.s));
+}
+
+TEST(MaRequest, RepeatedEvery60SecondsWithoutParameters) {  // 3.8.2, A.3.1
+  Unit u;
+  u.up();
+  u.in.reasons = kStartSelected;
+  u.cycle();
+  ASSERT_EQ(u.messages(), Ids{132});
+  EXPECT_EQ(u.out.messages[0].Q_MARQSTREASON, 1);
+  u.fresh();
+  EXPECT_TRUE(u.run(59).empty());
+  EXPECT_EQ(u.run(2), Ids{132});
+  u.in.reasons = 0;
+  EXPECT_TRUE(u.run(130).empty());
+}
+
+TEST(MaRequest, ParametersAndNewReasons) {
+  Unit u;
+  u.up();
+  u.s.ma_request = MaRequestParameters{Duration{5}, std::nullopt, std::nullopt};
+  u.in.reasons = kBeforePerturbation | kBeforeTimeout;
+  u.cycle();
+  ASSERT_EQ(u.messages(), Ids{132});
+  EXPECT_EQ(u.out.messages[0].Q_MARQSTREASON, kBeforePerturbation) << "T_TIMEOUTRQST is off";
+  u.fresh();
+  EXPECT_TRUE(u.run(300).empty()) << "T_CYCRQST 255: once only";
+  u.in.reasons = kBeforePerturbation | kTrackDescriptionDeleted;
+  u.cycle();
+  EXPECT_EQ(u.messages(), Ids{132});
+  EXPECT_EQ(u.out.messages[0].Q_MARQSTREASON, kBeforePerturbation | kTrackDescriptionDeleted);
+  u.s.ma_request->T_CYCRQST = Duration{10};
+  u.fresh();
+  EXPECT_EQ(u.run(20.5).size(), 2u);
+  u.s.ma_request.reset();
+  u.in.reasons = kBeforePerturbation;
+  EXPECT_TRUE(u.run(70).empty()) << "without parameters the criterion does not exist";
+}
+
+TEST(MaRequest, WaitsForTheSessionAndTrackAheadFreeGoesOnce) {
+  Unit u;
+  u.in.reasons = kStartSelected;
+  u.cycle();
+  EXPECT_TRUE(u.out.messages.empty());
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.version();
+  u.cycle();
+  EXPECT_EQ(u.messages(), (Ids{159, 136, 129, 132}));
+  u.in.reasons = kTrackAheadFree;
+  u.in.NID_LTRBG = 12345;
+  u.fresh();
+  u.cycle();
+  ASSERT_EQ(u.messages(), Ids{132});
+  EXPECT_EQ(u.out.messages[0].NID_LTRBG, 12345u);
+  u.fresh();
+  EXPECT_TRUE(u.run(130).empty());
+}
+
+TEST(Exchange, RepeatedThenTheSessionEnds) {  // 5.5.4
+  Unit u;
+  begin_exchange(u.s, 150, Duration{0}, u.out);
+  EXPECT_TRUE(u.out.messages.empty()) << "no session is opened for it";
+  u.up();
+  begin_exchange(u.s, 150, Duration{u.now}, u.out);
+  EXPECT_EQ(u.messages(), Ids{150});
+  u.fresh();
+  EXPECT_EQ(u.run(59.5), (Ids{150, 150, 150}));
+  EXPECT_EQ(u.run(1), Ids{156});
+  Unit v;
+  v.up();
+  begin_exchange(v.s, 130, Duration{v.now}, v.out);
+  v.run(16);
+  end_exchange(v.s);
+  EXPECT_TRUE(v.run(60).empty());
+}
+
+TEST(Reports, WhenDue) {
+  Unit u;
+  u.up();
+  u.in.report_due = true;
+  u.cycle();
+  EXPECT_EQ(u.messages(), Ids{136});
+  EXPECT_FALSE(u.out.messages[0].M_ERROR || u.out.messages[0].running_number);
+}
+
+}  // namespace
+}  // namespace evc::radio

@@ -1,0 +1,571 @@
+#include "track/from_packets.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "lang/encode.h"
+#include "lang/packets.h"
+#include "track/testing.h"
+
+namespace evc::track {
+namespace {
+
+using namespace testing;
+
+/// A packet written with the language's own encoder and found again as in a telegram of version 2.1.
+struct Written {
+  std::array<std::uint8_t, 2048> bytes{};
+  lang::PacketView view;
+  template <class P>
+  explicit Written(const P& packet, lang::SystemVersion sv = {2, 1}) {
+    BitWriter out(bytes);
+    lang::encode(out, packet);
+    EXPECT_FALSE(out.faulty());
+    view.NID_PACKET = P::info.NID_PACKET;
+    view.Q_DIR = packet.Q_DIR.raw;
+    view.L_PACKET = static_cast<std::uint16_t>(out.position());
+    view.sv = sv;
+    view.bytes = bytes;
+  }
+};
+Reference reference(double place = 1000.0) {
+  Reference r;
+  r.place = at(place);
+  r.orientation = Direction::nominal;
+  r.group = {426, 7};
+  r.source = Source::rbc;
+  r.now = Duration{100};
+  return r;
+}
+template <class P>
+Contents contents_of(P packet, lang::SystemVersion sv = {2, 1}) {
+  Contents c;
+  c.time = Duration{90};
+  packet.Q_DIR.raw = 1;
+  const Written written(packet, sv);
+  EXPECT_EQ(add(c, written.view, reference()), Added::added);
+  return c;
+}
+template <class P>
+P packet_in_metres() {
+  P p;
+  p.Q_SCALE.raw = 1;
+  return p;
+}
+
+TEST(FromPackets, Direction) {  // 3.6.3.1.3-4
+  struct Case {
+    std::uint8_t Q_DIR;
+    Direction orientation;
+    bool valid;
+  };
+  for (const Case& c :
+       {Case{2, Direction::unknown, true}, Case{1, Direction::unknown, false}, Case{0, Direction::unknown, false},
+        Case{1, Direction::nominal, true}, Case{0, Direction::nominal, false}, Case{0, Direction::reverse, true},
+        Case{1, Direction::reverse, false}, Case{2, Direction::reverse, true}})
+    EXPECT_EQ(valid_direction(c.Q_DIR, c.orientation), c.valid);
+  lang::Packet66 p;
+  p.Q_DIR.raw = 0;
+  const Written written(p);
+  Contents c;
+  EXPECT_EQ(add(c, written.view, reference()), Added::other_direction);
+}
+
+TEST(FromPackets, StopLocation) {
+  lang::Message15 m;
+  m.Q_SCALE.raw = 1;
+  m.D_REF.raw = static_cast<std::uint16_t>(-30);
+  m.Q_DIR.raw = 1;
+  m.D_EMERGENCYSTOP.raw = 100;
+  Reference r = reference();
+  EXPECT_EQ(stop_location(m, r), at(1070)) << "the reference lies 30 m in rear";
+  m.Q_DIR.raw = 0;
+  EXPECT_FALSE(stop_location(m, r));
+  r.orientation = Direction::reverse;
+  EXPECT_EQ(stop_location(m, r), at(1130)) << "against the nominal direction the shift turns";
+}
+
+TEST(FromPackets, OthersAndBrokenOnes) {
+  lang::Packet57 p;
+  p.Q_DIR.raw = 1;
+  Contents c;
+  EXPECT_EQ(add(c, Written(p).view, reference()), Added::not_stored_here);
+  for (const std::uint16_t id : std::array<std::uint16_t, 3>{12, 39, 41}) {
+    Written broken(p);
+    broken.view.NID_PACKET = id;
+    broken.view.bytes = std::span<const std::uint8_t>(broken.bytes).first(4);
+    EXPECT_EQ(add(c, broken.view, reference()), Added::faulty) << id;
+  }
+}
+
+TEST(FromPackets, MovementAuthorityLevel2) {
+  auto p = packet_in_metres<lang::Packet15>();
+  p.V_EMA.raw = 4;
+  p.T_EMA.raw = 60;
+  lang::Packet15_sections s;
+  s.L_SECTION.raw = 500;
+  s.Q_SECTIONTIMER.raw = 1;
+  s.T_SECTIONTIMER.raw = 30;
+  s.D_SECTIONTIMERSTOPLOC.raw = 100;
+  ASSERT_TRUE(p.sections.push_back(s));
+  p.L_ENDSECTION.raw = 700;
+  p.Q_SECTIONTIMER.raw = 1;
+  p.T_SECTIONTIMER.raw = 1023;
+  p.D_SECTIONTIMERSTOPLOC.raw = 50;
+  p.Q_ENDTIMER.raw = 1;
+  p.T_ENDTIMER.raw = 20;
+  p.D_ENDTIMERSTARTLOC.raw = 200;
+  p.Q_DANGERPOINT.raw = 1;
+  p.D_DP.raw = 10;
+  p.V_RELEASEDP.raw = 126;
+  p.Q_OVERLAP.raw = 1;
+  p.D_STARTOL.raw = 300;
+  p.T_OL.raw = 40;
+  p.D_OL.raw = 60;
+  p.V_RELEASEOL.raw = 8;
+  const Contents c = contents_of(p);
+  ASSERT_TRUE(c.ma);
+  const MovementAuthority& ma = *c.ma;
+  EXPECT_FALSE(ma.level_1);
+  ASSERT_EQ(ma.sections.size(), 2u);
+  EXPECT_EQ(ma.sections[0].begin, at(1000));
+  EXPECT_EQ(ma.sections[0].end, at(1500));
+  EXPECT_EQ(ma.sections[0].stop, at(1100));
+  EXPECT_EQ(ma.sections[0].timer.limit, Duration{30});
+  EXPECT_EQ(ma.sections[0].timer.started, Duration{90});
+  EXPECT_EQ(ma.sections[1].stop, at(1550));
+  EXPECT_FALSE(ma.sections[1].timer.limit) << "endless";
+  EXPECT_EQ(ma.end(), at(2200));
+  EXPECT_TRUE(ma.limited());
+  EXPECT_EQ(ma.V_LOA, Speed{20 / 3.6});
+  EXPECT_EQ(ma.loa_timer.limit, Duration{60});
+  EXPECT_EQ(ma.end_section->start, at(2000));
+  EXPECT_EQ(ma.danger_point->at, at(2210));
+  EXPECT_EQ(ma.danger_point->release.kind, Release::Kind::on_board);
+  EXPECT_EQ(ma.overlap->start, at(1900));
+  EXPECT_EQ(ma.overlap->end, at(2260));
+  EXPECT_EQ(ma.overlap->release.V, Speed{40 / 3.6});
+}
+
+TEST(FromPackets, MovementAuthorityLevel1AndRepositioning) {
+  auto p = packet_in_metres<lang::Packet12>();
+  p.V_MAIN.raw = 16;
+  p.L_ENDSECTION.raw = 900;
+  p.Q_DANGERPOINT.raw = 1;
+  p.V_RELEASEDP.raw = 127;
+  const Contents c = contents_of(p);
+  EXPECT_TRUE(c.ma->level_1);
+  EXPECT_EQ(c.V_MAIN, 16);
+  EXPECT_EQ(c.ma->danger_point->release.kind, Release::Kind::national);
+  EXPECT_FALSE(c.ma->loa_timer.running);
+  auto r = packet_in_metres<lang::Packet16>();
+  r.L_SECTION.raw = 321;
+  const Contents d = contents_of(r);
+  EXPECT_EQ(d.repositioned_section, Distance{321});
+  EXPECT_EQ(d.reference, at(1000));
+}
+
+TEST(FromPackets, Profiles) {
+  auto g = packet_in_metres<lang::Packet21>();
+  g.Q_SCALE.raw = 0;
+  g.D_GRADIENT.raw = 15;
+  g.G_A.raw = 7;
+  lang::Packet21_steps gs;
+  gs.D_GRADIENT.raw = 1000;
+  gs.Q_GDIR.raw = 1;
+  gs.G_A.raw = 12;
+  ASSERT_TRUE(g.steps.push_back(gs));
+  gs.G_A.raw = 255;
+  ASSERT_TRUE(g.steps.push_back(gs));
+  const NewGradientProfile gradient = *contents_of(g).gradient;
+  ASSERT_EQ(gradient.steps.size(), 3u);
+  EXPECT_EQ(gradient.steps[0].from, at(1001.5));
+  EXPECT_EQ(gradient.steps[0].value.permille, -7) << "downhill";
+  EXPECT_EQ(gradient.steps[1].value.permille, 12);
+  EXPECT_EQ(gradient.steps[2].from, at(1201.5));
+  EXPECT_FALSE(gradient.steps[2].value.known());
+
+  auto s = packet_in_metres<lang::Packet27>();
+  s.V_STATIC.raw = 28;
+  s.Q_FRONT.raw = 1;
+  lang::Packet27_diffs diff;
+  diff.NC_CDDIFF.raw = 2;
+  diff.V_DIFF.raw = 32;
+  ASSERT_TRUE(s.diffs.push_back(diff));
+  diff.Q_DIFF.raw = 1;
+  diff.NC_DIFF.raw = 2;
+  diff.V_DIFF.raw = 20;
+  ASSERT_TRUE(s.diffs.push_back(diff));
+  diff.Q_DIFF.raw = 2;
+  diff.NC_DIFF.raw = 0;
+  diff.V_DIFF.raw = 18;
+  ASSERT_TRUE(s.diffs.push_back(diff));
+  lang::Packet27_steps end;
+  end.D_STATIC.raw = 400;
+  end.V_STATIC.raw = 127;
+  ASSERT_TRUE(s.steps.push_back(end));
+  const NewStaticSpeedProfile ssp = *contents_of(s).ssp;
+  ASSERT_EQ(ssp.steps.size(), 2u);
+  const StaticSpeed& e = ssp.steps[0].value;
+  EXPECT_TRUE(e.Q_FRONT);
+  EXPECT_EQ(e.cd[2], 32);
+  EXPECT_EQ(e.other[2], 20);
+  EXPECT_EQ(e.other[0], 18);
+  EXPECT_EQ(e.replaces_cd, 4);
+  EXPECT_EQ(e.speed_for({2, 0, 0}), 32);
+  EXPECT_EQ(ssp.steps[1].from, at(1400));
+  EXPECT_FALSE(ssp.steps[1].value.known());
+}
+
+TEST(FromPackets, AxleLoadAndPermittedBrakingDistance) {
+  auto a = packet_in_metres<lang::Packet51>();
+  a.D_AXLELOAD.raw = 100;
+  a.L_AXLELOAD.raw = 50;
+  lang::Packet51_categories category;
+  category.M_AXLELOADCAT.raw = 4;
+  category.V_AXLELOAD.raw = 10;
+  ASSERT_TRUE(a.categories.push_back(category));
+  lang::Packet51_restrictions more;
+  more.D_AXLELOAD.raw = 20;
+  more.L_AXLELOAD.raw = 5;
+  more.Q_FRONT.raw = 1;
+  ASSERT_TRUE(a.restrictions.push_back(more));
+  const auto asp = *contents_of(a).asp;
+  EXPECT_EQ(asp.from, at(1100));
+  ASSERT_EQ(asp.elements.size(), 2u);
+  EXPECT_EQ(asp.elements[0].to, at(1150));
+  EXPECT_EQ(asp.elements[0].V_AXLELOAD[4], 10);
+  EXPECT_EQ(asp.elements[1].from, at(1120)) << "from start to start";
+  auto init = packet_in_metres<lang::Packet51>();
+  init.Q_TRACKINIT.raw = 1;
+  init.D_TRACKINIT.raw = 30;
+  EXPECT_TRUE(contents_of(init).asp->initial_state);
+  EXPECT_EQ(contents_of(init).asp->from, at(1030));
+
+  auto b = packet_in_metres<lang::Packet52>();
+  b.D_PBD.raw = 800;
+  b.G_PBDSR.raw = 9;
+  b.Q_PBDSR.raw = 1;
+  b.D_PBDSR.raw = 100;
+  b.L_PBDSR.raw = 10;
+  lang::Packet52_restrictions next;
+  next.Q_GDIR.raw = 1;
+  next.G_PBDSR.raw = 4;
+  next.D_PBDSR.raw = 5;
+  ASSERT_TRUE(b.restrictions.push_back(next));
+  const auto pbd = *contents_of(b).pbd;
+  EXPECT_EQ(pbd.elements[0].D_PBD, Distance{800});
+  EXPECT_EQ(pbd.elements[0].gradient_permille, -9);
+  EXPECT_TRUE(pbd.elements[0].service_brake);
+  EXPECT_EQ(pbd.elements[1].from, at(1105));
+  EXPECT_EQ(pbd.elements[1].gradient_permille, 4);
+  auto empty = packet_in_metres<lang::Packet52>();
+  empty.Q_TRACKINIT.raw = 1;
+  EXPECT_TRUE(contents_of(empty).pbd->initial_state);
+}
+
+TEST(FromPackets, TemporarySpeedRestrictions) {
+  auto p = packet_in_metres<lang::Packet65>();
+  p.NID_TSR.raw = 130;
+  p.D_TSR.raw = 200;
+  p.L_TSR.raw = 300;
+  p.V_TSR.raw = 8;
+  const Contents c = contents_of(p);
+  ASSERT_EQ(c.tsr.size(), 1u);
+  EXPECT_EQ(c.tsr[0].from, at(1200));
+  EXPECT_EQ(c.tsr[0].to, at(1500));
+  EXPECT_TRUE(c.tsr[0].from_rbc);
+  EXPECT_FALSE(c.tsr[0].Q_FRONT);
+  lang::Packet66 revoke;
+  revoke.NID_TSR.raw = 9;
+  EXPECT_EQ(contents_of(revoke).revoked_tsr[0], 9);
+  EXPECT_TRUE(contents_of(lang::Packet64{}).inhibit_revocable_tsr);
+  lang::Packet141 gradient;
+  gradient.G_TSR.raw = 6;
+  EXPECT_EQ(contents_of(gradient).default_gradient, -6);
+  gradient.Q_GDIR.raw = 1;
+  EXPECT_EQ(contents_of(gradient).default_gradient, 6);
+}
+
+TEST(FromPackets, LevelCrossingAndModeProfile) {
+  auto x = packet_in_metres<lang::Packet88>();
+  x.NID_LX.raw = 4;
+  x.D_LX.raw = 100;
+  x.L_LX.raw = 20;
+  EXPECT_FALSE(contents_of(x).lx[0].unprotected);
+  x.Q_LXSTATUS.raw = 1;
+  x.V_LX.raw = 2;
+  x.Q_STOPLX.raw = 1;
+  x.L_STOPLX.raw = 30;
+  const LevelCrossing lx = contents_of(x).lx[0];
+  EXPECT_TRUE(lx.unprotected && lx.stop_required);
+  EXPECT_EQ(lx.to, at(1120));
+  EXPECT_EQ(lx.L_STOPLX, Distance{30});
+
+  auto m = packet_in_metres<lang::Packet80>();
+  m.D_MAMODE.raw = 500;
+  m.V_MAMODE.raw = 127;
+  m.L_MAMODE.raw = 32767;
+  m.L_ACKMAMODE.raw = 200;
+  m.Q_MAMODE.raw = 1;
+  lang::Packet80_modes sh;
+  sh.D_MAMODE.raw = 300;
+  sh.M_MAMODE.raw = 1;
+  sh.V_MAMODE.raw = 5;
+  sh.L_MAMODE.raw = 100;
+  ASSERT_TRUE(m.modes.push_back(sh));
+  sh.M_MAMODE.raw = 2;
+  ASSERT_TRUE(m.modes.push_back(sh));
+  const ModeProfile profile = *contents_of(m).mode_profile;
+  ASSERT_EQ(profile.size(), 3u);
+  EXPECT_EQ(profile[0].mode, AreaMode::OS);
+  EXPECT_EQ(profile[0].ack_from, at(1300));
+  EXPECT_EQ(profile[0].V_MAMODE, kNoSpeed);
+  EXPECT_FALSE(profile[0].to);
+  EXPECT_TRUE(profile[0].also_SvL);
+  EXPECT_EQ(profile[1].from, at(1800));
+  EXPECT_FALSE(profile[1].to) << "the length of a shunting area is ignored";
+  EXPECT_FALSE(profile[1].also_SvL);
+  EXPECT_EQ(profile[2].mode, AreaMode::LS);
+  EXPECT_EQ(profile[2].to, at(2200));
+  EXPECT_EQ(profile[2].V_MAMODE, 5);
+}
+
+TEST(FromPackets, Conditions) {
+  auto p = packet_in_metres<lang::Packet68>();
+  p.D_TRACKCOND.raw = 100;
+  p.L_TRACKCOND.raw = 50;
+  p.M_TRACKCOND.raw = 4;
+  lang::Packet68_conditions more;
+  more.D_TRACKCOND.raw = 10;
+  more.L_TRACKCOND.raw = 5;
+  more.M_TRACKCOND.raw = 2;
+  ASSERT_TRUE(p.conditions.push_back(more));
+  const auto conditions = *contents_of(p).conditions;
+  EXPECT_EQ(conditions.from, at(1100));
+  EXPECT_EQ(conditions.elements[0].kind, Condition::radio_hole);
+  EXPECT_EQ(conditions.elements[0].to, at(1150));
+  EXPECT_EQ(conditions.elements[1].from, at(1110));
+  auto init = packet_in_metres<lang::Packet68>();
+  init.Q_TRACKINIT.raw = 1;
+  init.D_TRACKINIT.raw = 7;
+  EXPECT_TRUE(contents_of(init).conditions->initial_state);
+  EXPECT_EQ(contents_of(init).conditions->from, at(1007));
+
+  auto metal = packet_in_metres<lang::Packet67>();
+  metal.L_TRACKCOND.raw = 12;
+  EXPECT_EQ(contents_of(metal).big_metal->elements[0].to, at(1012));
+  auto platform = packet_in_metres<lang::Packet69>();
+  platform.L_TRACKCOND.raw = 200;
+  platform.M_PLATFORM.raw = 3;
+  platform.Q_PLATFORM.raw = 2;
+  EXPECT_EQ(contents_of(platform).platforms->elements[0].M_PLATFORM, 3);
+  platform.Q_TRACKINIT.raw = 1;
+  EXPECT_TRUE(contents_of(platform).platforms->initial_state);
+  auto traction = packet_in_metres<lang::Packet39>();
+  traction.D_TRACTION.raw = 40;
+  traction.M_VOLTAGE.raw = 1;
+  traction.NID_CTRACTION.raw = 12;
+  EXPECT_EQ(contents_of(traction).traction->at, at(1040));
+  EXPECT_EQ(contents_of(traction).traction->NID_CTRACTION, 12);
+  auto current = packet_in_metres<lang::Packet40>();
+  current.M_CURRENT.raw = 50;
+  EXPECT_EQ(contents_of(current).current->amperes, 500);
+  current.M_CURRENT.raw = 1023;
+  EXPECT_FALSE(contents_of(current).current->amperes);
+  auto adhesion = packet_in_metres<lang::Packet71>();
+  adhesion.L_ADHESION.raw = 80;
+  EXPECT_TRUE(contents_of(adhesion).adhesion->slippery);
+  EXPECT_EQ(contents_of(adhesion).adhesion->to, at(1080));
+}
+
+TEST(FromPackets, Suitability) {
+  auto p = packet_in_metres<lang::Packet70>();
+  p.D_SUITABILITY.raw = 100;
+  p.M_LINEGAUGE.raw = 3;
+  lang::Packet70_points point;
+  point.D_SUITABILITY.raw = 50;
+  point.Q_SUITABILITY.raw = 2;
+  point.M_VOLTAGE.raw = 1;
+  point.NID_CTRACTION.raw = 12;
+  ASSERT_TRUE(p.points.push_back(point));
+  const auto items = *contents_of(p).suitability;
+  EXPECT_EQ(items.elements[0].kind, Suitability::gauge);
+  EXPECT_EQ(items.elements[0].M_LINEGAUGE, 3);
+  EXPECT_EQ(items.elements[1].at, at(1150));
+  EXPECT_EQ(items.elements[1].NID_CTRACTION, 12);
+  auto init = packet_in_metres<lang::Packet70>();
+  init.Q_TRACKINIT.raw = 1;
+  EXPECT_TRUE(contents_of(init).suitability->initial_state);
+}
+
+TEST(FromPackets, Texts) {
+  auto p = packet_in_metres<lang::Packet72>();
+  p.D_TEXTDISPLAY.raw = 100;
+  p.M_MODETEXTDISPLAY_START.raw = 15;
+  p.M_LEVELTEXTDISPLAY_START.raw = 1;
+  p.NID_NTC_START.raw = 6;
+  p.L_TEXTDISPLAY.raw = 50;
+  p.T_TEXTDISPLAY.raw = 1023;
+  p.M_MODETEXTDISPLAY_END.raw = 0;
+  p.M_LEVELTEXTDISPLAY_END.raw = 5;
+  p.Q_TEXTCONFIRM.raw = 2;
+  p.Q_CONFTEXTDISPLAY.raw = 1;
+  p.Q_TEXTREPORT.raw = 1;
+  p.NID_TEXTMESSAGE.raw = 77;
+  p.NID_RBC.raw = 5;
+  for (const char c : {'H', 'i'}) {
+    lang::Packet72_text x;
+    x.X_TEXT.raw = static_cast<std::uint8_t>(c);
+    ASSERT_TRUE(p.text.push_back(x));
+  }
+  const Text t = contents_of(p).texts[0];
+  EXPECT_EQ(t.start_at, at(1100));
+  EXPECT_EQ(t.end_at, at(1150));
+  EXPECT_FALSE(t.start_mode || t.end_level || t.T_TEXTDISPLAY);
+  EXPECT_EQ(t.start_level, 1);
+  EXPECT_EQ(t.start_NTC, 6);
+  EXPECT_EQ(t.end_mode, 0);
+  EXPECT_TRUE(t.ack_and_end && t.report);
+  EXPECT_EQ(t.NID_TEXTMESSAGE, 77);
+  EXPECT_EQ(std::string_view(t.characters.data(), t.length), "Hi");
+  auto f = packet_in_metres<lang::Packet76>();
+  f.D_TEXTDISPLAY.raw = 32767;
+  f.M_MODETEXTDISPLAY_START.raw = f.M_MODETEXTDISPLAY_END.raw = 15;
+  f.M_LEVELTEXTDISPLAY_START.raw = f.M_LEVELTEXTDISPLAY_END.raw = 5;
+  f.L_TEXTDISPLAY.raw = 30;
+  f.T_TEXTDISPLAY.raw = 20;
+  f.Q_TEXT.raw = 1;
+  const Text fixed = contents_of(f).texts[0];
+  EXPECT_EQ(fixed.Q_TEXT, 1);
+  EXPECT_EQ(fixed.end_at, at(1030));
+  EXPECT_EQ(fixed.T_TEXTDISPLAY, Duration{20});
+}
+
+TEST(FromPackets, LevelOrders) {
+  auto p = packet_in_metres<lang::Packet41>();
+  p.D_LEVELTR.raw = 600;
+  p.M_LEVELTR.raw = 3;
+  p.L_ACKLEVELTR.raw = 100;
+  lang::Packet41_levels ntc;
+  ntc.M_LEVELTR.raw = 1;
+  ntc.NID_NTC.raw = 6;
+  ASSERT_TRUE(p.levels.push_back(ntc));
+  LevelOrder order = *contents_of(p).level_order;
+  EXPECT_EQ(order.at, at(1600));
+  EXPECT_FALSE(order.immediate || order.conditional);
+  ASSERT_EQ(order.levels.size(), 2u);
+  EXPECT_EQ(order.levels[0].L_ACKLEVELTR, Distance{100});
+  EXPECT_EQ(order.levels[1].NID_NTC, 6);
+  p.D_LEVELTR.raw = 32767;
+  EXPECT_TRUE(contents_of(p).level_order->immediate);
+  lang::Packet46 conditional;
+  conditional.M_LEVELTR.raw = 2;
+  lang::Packet46_levels zero;
+  ASSERT_TRUE(conditional.levels.push_back(zero));
+  order = *contents_of(conditional).level_order;
+  EXPECT_TRUE(order.immediate && order.conditional);
+  EXPECT_EQ(order.levels.size(), 2u);
+}
+
+TEST(FromPackets, ListsOfGroups) {
+  lang::Packet49 p;
+  lang::Packet49_groups g;
+  g.NID_BG.raw = 1;
+  ASSERT_TRUE(p.groups.push_back(g));
+  g.Q_NEWCOUNTRY.raw = 1;
+  g.NID_C.raw = 12;
+  g.NID_BG.raw = 2;
+  ASSERT_TRUE(p.groups.push_back(g));
+  g.Q_NEWCOUNTRY.raw = 0;
+  g.NID_BG.raw = 3;
+  ASSERT_TRUE(p.groups.push_back(g));
+  const GroupList list = *contents_of(p).sh_list;
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0], (GroupId{426, 1}));
+  EXPECT_EQ(list[1], (GroupId{12, 2}));
+  EXPECT_EQ(list[2], (GroupId{12, 3})) << "as the group before";
+  EXPECT_TRUE(contents_of(lang::Packet63{}).sr_list->empty());
+}
+
+TEST(FromPackets, GeographicalPosition) {
+  auto p = packet_in_metres<lang::Packet79>();
+  p.NID_BG.raw = 7;
+  p.D_POSOFF.raw = 20;
+  p.Q_MPOSITION.raw = 1;
+  p.M_POSITION.raw = 12345;
+  lang::Packet79_references r;
+  r.Q_NEWCOUNTRY.raw = 1;
+  r.NID_C.raw = 5;
+  r.NID_BG.raw = 8;
+  r.M_POSITION.raw = 16777215;
+  ASSERT_TRUE(p.references.push_back(r));
+  const auto geo = *contents_of(p).geo;
+  EXPECT_EQ(geo[0].applies_from, at(1020)) << "the sender itself";
+  EXPECT_TRUE(geo[0].counts_up);
+  EXPECT_EQ(geo[0].M_POSITION, 12345u);
+  EXPECT_EQ(geo[1].group, (GroupId{5, 8}));
+  EXPECT_FALSE(geo[1].M_POSITION || geo[1].applies_from);
+}
+
+TEST(FromPackets, OrdersThatActAtOnce) {
+  lang::Packet137 sr;
+  EXPECT_EQ(contents_of(sr).stop_if_in_sr, true);
+  sr.Q_SRSTOP.raw = 1;
+  EXPECT_EQ(contents_of(sr).stop_if_in_sr, false);
+  lang::Packet132 sh;
+  EXPECT_EQ(contents_of(sh).danger_for_shunting, true);
+  lang::Packet90 taf;
+  taf.NID_BG.raw = 99;
+  EXPECT_EQ(contents_of(taf).track_ahead_free_to, (GroupId{426, 99}));
+  EXPECT_TRUE(contents_of(lang::Packet135{}).stop_shunting_on_desk_opening);
+  EXPECT_TRUE(contents_of(lang::Packet181{}).generic_ls_marker);
+}
+
+TEST(FromPackets, CoversTransitionsReversing) {
+  lang::Packet6 p;
+  p.Q_VBCO.raw = 1;
+  p.NID_VBCMK.raw = 9;
+  p.NID_C.raw = 426;
+  p.T_VBC.raw = 2;
+  const auto cover = contents_of(p).covers[0];
+  EXPECT_TRUE(cover.set);
+  EXPECT_EQ(cover.cover.until, Duration{100 + 2 * 86400.0});
+  auto rbc = packet_in_metres<lang::Packet131>();
+  rbc.D_RBCTR.raw = 900;
+  rbc.NID_RBC.raw = 3;
+  rbc.Q_SLEEPSESSION.raw = 1;
+  EXPECT_EQ(contents_of(rbc).rbc_transition->at, at(1900));
+  EXPECT_TRUE(contents_of(rbc).rbc_transition->sleeping_too);
+  auto riu = packet_in_metres<lang::Packet133>();
+  riu.Q_RIU.raw = 1;
+  riu.D_INFILL.raw = 10;
+  riu.NID_C.raw = 4;
+  riu.NID_BG.raw = 6;
+  EXPECT_EQ(contents_of(riu).radio_infill->next_main_signal, (GroupId{4, 6}));
+  auto area = packet_in_metres<lang::Packet138>();
+  area.D_STARTREVERSE.raw = 100;
+  area.L_REVERSEAREA.raw = 200;
+  EXPECT_EQ(contents_of(area).reversing_area->to, at(1300));
+  auto reverse = packet_in_metres<lang::Packet139>();
+  reverse.D_REVERSE.raw = 32767;
+  reverse.V_REVERSE.raw = 6;
+  EXPECT_FALSE(contents_of(reverse).reversing_supervision->D_REVERSE);
+  EXPECT_EQ(contents_of(reverse).reversing_supervision->V_REVERSE, 6);
+}
+
+TEST(FromPackets, MoreThanThereIsRoomForIsSaid) {
+  lang::Packet66 p;
+  p.Q_DIR.raw = 1;
+  const Written written(p);
+  Contents c;
+  for (std::size_t i = 0; i < c.revoked_tsr.capacity(); ++i) ASSERT_EQ(add(c, written.view, reference()), Added::added);
+  EXPECT_FALSE(c.overflow);
+  ASSERT_EQ(add(c, written.view, reference()), Added::added);
+  EXPECT_TRUE(c.overflow);
+}
+
+}  // namespace
+}  // namespace evc::track
