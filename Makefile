@@ -48,7 +48,7 @@ campaign-fuzz:
 
 # Reckless drivers on a line with the last authority at every place in turn, and many seeds.
 campaign-lines: evc
-	@tools/campaign_lines $(LINE)
+	@tools/campaign_lines $(LINE) --runs $(or $(RUNS),1000)
 
 clean:
 	rm -rf build out
