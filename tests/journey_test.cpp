@@ -167,7 +167,7 @@ TEST_F(Journey, AnswersEveryCycleWhateverTheTrackSends) {
     std::string all;
     for (auto more = stream->next(cycle); more.value(); more = stream->next(cycle)) all += unit.step(cycle);
     EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), cycles) << "seed " << seed;
-    different += all != outputs() ? 1 : 0;
+    if (all != outputs()) ++different;
   }
   EXPECT_GE(different, 6u) << "the damage does not reach the unit";
 }
