@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/train_file.h"
+#include "sdm/curves.h"
+#include "sdm/memo_model.h"
+
+namespace evc::io {
+
+/// What is asked about one target: an `evc-curves/1` document.
+struct CurvesInput {
+  std::string name;        // of the case: the key `name`, else the file's name
+  std::string train_name;  // of the train
+  sdm::Inputs inputs;
+  sdm::TargetKind target = sdm::TargetKind::EOA_SvL;
+  Place target_location{};  // distances count from here: EOA, LOA or start of the restriction
+  Acceleration A_est{};
+  Speed V_ura{};
+  /// The train's place, where `state` gives one (4.0.0's reduced build-up times depend on it).
+  std::optional<sdm::Motion> motion;
+  std::vector<double> speeds_kmh;
+  std::vector<double> positions_m;
+  /// Constants of the design memo's spreadsheet, where the document gives them (`--model workbook`).
+  std::optional<sdm::WorkbookInputs> workbook;
+};
+
+/// Reads `evc-curves/1`. Absent keys take the defaults of A.3.1, A.3.2 and the standard train; unknown
+/// keys are errors; train data and national values out of range are refused with the clause. `train`
+/// and `national_values` may be names of files, relative to `file`.
+Result<CurvesInput> read_curves(std::string_view text, const std::string& file);
+
+}  // namespace evc::io
