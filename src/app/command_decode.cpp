@@ -1,0 +1,251 @@
+#include "app/command_decode.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/command_airgap.h"
+#include "io/file.h"
+#include "io/telegram_explain.h"
+#include "io/telegram_json.h"
+
+namespace evc::app {
+namespace {
+
+using lang::Direction;
+
+enum class What : std::uint8_t { balise, airgap, radio, packet };
+
+struct Options {
+  What what = What::balise;
+  std::string input, output = "-", sv = "2.1";
+  bool explain = false, to_train = false, to_track = false, strict = false, tolerant = false, loop = false;
+};
+
+using Done = tl::expected<void, io::TelegramError>;
+
+/// What one line of input becomes. The JSON object is appended to `out`.
+class Decoder {
+ public:
+  Decoder(const Options& options, lang::SystemVersion sv) : options_(options), sv_(sv) {
+    direction_ = options.to_track ? Direction::to_track : Direction::to_train;
+    // A single packet out of its telegram is looked at, not acted upon: spare codes are shown.
+    const bool accept = options.tolerant || (options.what == What::packet && !options.strict);
+    spare_ = accept ? io::Spare::accept : io::Spare::refuse;
+  }
+
+  /// False: refused, and the error object appended.
+  bool line(std::string& out, std::string_view hex) const {
+    Done done;
+    const auto bits = io::bits_of_hex(hex);
+    if (bits)
+      done = options_.explain ? explain(out, *bits) : json(out, *bits);
+    else
+      done = tl::unexpected(bits.error());
+    if (!done) out += io::error_json(done.error());
+    if (!done || !options_.explain) out += '\n';
+    return done.has_value();
+  }
+
+ private:
+  Done json(std::string& out, const io::Bits& bits) const {
+    switch (options_.what) {
+      case What::balise:
+        return options_.loop ? io::append_loop_json(out, bits.bytes, bits.bits, spare_)
+                             : io::append_balise_json(out, bits.bytes, bits.bits, spare_);
+      case What::airgap:
+        return append_airgap_json(out, bits.bytes, bits.bits, spare_);
+      case What::radio:
+        return io::append_radio_json(out, bits.bytes, direction_, sv_, spare_);
+      case What::packet:
+        return io::append_packet_json(out, bits.bytes, bits.bits, direction_, sv_, spare_);
+    }
+    return {};
+  }
+  /// The table, after the same checks as for JSON.
+  Done explain(std::string& out, const io::Bits& bits) const {
+    std::string sink;
+    if (Done done = json(sink, bits); !done) return done;
+    if (!out.empty()) out += '\n';
+    switch (options_.what) {
+      case What::balise:
+        out += io::explain_balise(bits.bytes, bits.bits);
+        break;
+      case What::airgap: {
+        const auto coded = read_airgap(bits.bytes, bits.bits);
+        if (!coded) break;
+        out += explain_airgap(*coded);
+        out += io::explain_balise(coded->received.user_bytes(), airgap::user_bits(coded->received.format));
+        break;
+      }
+      case What::radio:
+        out += io::explain_radio(bits.bytes, direction_, sv_);
+        break;
+      case What::packet:
+        out += io::explain_packet(bits.bytes, bits.bits, direction_, sv_);
+        break;
+    }
+    return {};
+  }
+
+  const Options& options_;
+  lang::SystemVersion sv_;
+  Direction direction_;
+  io::Spare spare_;
+};
+
+/// How far a long file is, on standard error if that is a terminal.
+class Share {
+ public:
+  explicit Share(std::uint64_t bytes) : bytes_(bytes), terminal_(bytes > 4'000'000 && ::isatty(2) != 0) {}
+  ~Share() {
+    if (shown_ >= 0) fmt::print(stderr, "\r\033[K");
+  }
+  Share(const Share&) = delete;
+  Share& operator=(const Share&) = delete;
+  void reach(std::uint64_t done, std::uint64_t lines) {
+    if (!terminal_) return;
+    const int percent = static_cast<int>(100 * done / bytes_);
+    if (percent == shown_) return;
+    shown_ = percent;
+    fmt::print(stderr, "\rdecode [{:40}] {:3} %  {} lines ",
+               std::string(static_cast<std::size_t>(percent * 2 / 5), '#'), percent, lines);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::uint64_t bytes_;
+  bool terminal_;
+  int shown_ = -1;
+};
+
+/// Lines of a file or pipe, answered as they come.
+int decode_stream(int stream, const std::string& name, const Decoder& decoder, io::WholeFile& out) {
+  struct stat info {};
+  const bool is_file = ::fstat(stream, &info) == 0 && S_ISREG(info.st_mode);
+  Share share(is_file ? static_cast<std::uint64_t>(info.st_size) : 0);
+  std::string pending, answers;
+  std::string chunk(1 << 20, '\0');
+  bool all_taken = true;
+  std::uint64_t done = 0;
+  std::uint64_t lines = 0;
+  const auto answer = [&](std::string_view line) {
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+    if (line.empty() || line.front() == '#') return;
+    ++lines;
+    all_taken = decoder.line(answers, line) && all_taken;
+  };
+  for (;;) {
+    const ::ssize_t n = ::read(stream, chunk.data(), chunk.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      fmt::print(stderr, "{}: {}\n", name, std::strerror(errno));
+      return 2;
+    }
+    if (n == 0) break;
+    done += static_cast<std::uint64_t>(n);
+    std::string_view rest(chunk.data(), static_cast<std::size_t>(n));
+    for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+      if (pending.empty()) {
+        answer(rest.substr(0, end));
+      } else {
+        pending.append(rest.substr(0, end));
+        answer(pending);
+        pending.clear();
+      }
+      rest.remove_prefix(end + 1);
+    }
+    pending.append(rest);
+    out.write(answers);
+    answers.clear();
+    share.reach(done, lines);
+  }
+  answer(pending);
+  out.write(answers);
+  return all_taken ? 0 : 1;
+}
+
+int decode_input(const Options& options) {
+  const auto sv = io::parse_version(options.sv);
+  if (!sv || lang::known_version(*sv) == 0) {
+    fmt::print(stderr, "--sv: found {}, expected a system version 1.Y or 2.Y\n", options.sv);
+    return 2;
+  }
+  auto out = io::WholeFile::create(options.output);
+  if (!out) {
+    fmt::print(stderr, "{}\n", out.error().text());
+    return 2;
+  }
+  const Decoder decoder(options, *sv);
+  int code = 0;
+  if (options.input == "-") {
+    code = decode_stream(0, "-", decoder, *out);
+  } else if (const int stream = ::open(options.input.c_str(), O_RDONLY | O_CLOEXEC); stream >= 0) {
+    code = decode_stream(stream, options.input, decoder, *out);
+    ::close(stream);
+  } else {
+    // Not a file: the digits themselves; a name that holds none is a file that is missing.
+    if (options.input.find_first_of("./") != std::string::npos) {
+      fmt::print(stderr, "{}: {}\n", options.input, std::strerror(errno));
+      return 2;
+    }
+    std::string text;
+    code = decoder.line(text, options.input) ? 0 : 1;
+    out->write(text);
+  }
+  if (code == 2) return code;
+  if (const auto done = out->commit(); !done) {
+    fmt::print(stderr, "{}\n", done.error().text());
+    return 2;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_decode_command(CLI::App& app, int& exit_code) {
+  CLI::App* decode = app.add_subcommand("decode", "Bits of balises and radio to JSON or a table");
+  decode->require_subcommand(1);
+  struct Kind {
+    const char* name;
+    const char* help;
+    What what;
+  };
+  for (const Kind& kind :
+       {Kind{"balise", "User bits of a balise telegram: 830, 210, or fewer up to packet 255", What::balise},
+        Kind{"airgap", "Coded bits of a balise: 1023 or 341 at any rotation, or a stream", What::airgap},
+        Kind{"radio", "A radio message", What::radio}, Kind{"packet", "One packet", What::packet}}) {
+    CLI::App* sub = decode->add_subcommand(kind.name, kind.help);
+    const auto o = std::make_shared<Options>();
+    o->what = kind.what;
+    sub->add_option("INPUT", o->input, "Hexadecimal digits, a file with one telegram a line, or - for standard input")
+        ->required();
+    sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
+    sub->add_flag("--explain", o->explain, "A table for people: bit, variable, raw code, meaning");
+    CLI::Option* strict = sub->add_flag("--strict", o->strict, "Refuse spare codes (always done except for packets)");
+    sub->add_flag("--tolerant", o->tolerant, "Take spare codes, wrong media and packets that stand twice")
+        ->excludes(strict);
+    if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are of a Euroloop message");
+    if (kind.what == What::radio || kind.what == What::packet) {
+      CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");
+      CLI::Option* to_track = sub->add_flag("--to-track", o->to_track, "From train to track");
+      to_track->excludes(to_train);
+      sub->add_option("--sv", o->sv, "System version of the session")->capture_default_str();
+    }
+    const bool needs_direction = kind.what == What::radio || kind.what == What::packet;
+    sub->callback([o, needs_direction, &exit_code] {
+      if (needs_direction && !o->to_train && !o->to_track) throw CLI::RequiredError("--to-train or --to-track");
+      exit_code = decode_input(*o);
+    });
+  }
+}
+
+}  // namespace evc::app
