@@ -335,6 +335,17 @@ TEST(LinkingFaults, Row24AGroupBetweenOrOneReadOutsideItsWindowEndsTheRow) {
   EXPECT_EQ(t.count(Happened::double_linking_error), 0);
 }
 
+TEST(LinkingFaults, Row24AnAnnouncedGroupThatCallsItselfUnlinkedWasDetected) {
+  Train t;
+  announce(t, {entry(100, 1, Reaction::none), entry(100, 2, Reaction::none)});
+  t.pass(100, 1, true, 0);
+  t.run_to(107);
+  EXPECT_EQ(t.count(Happened::linking_error_missed), 1);  // not found as a linked group
+  t.run_to(207);
+  EXPECT_EQ(t.count(Happened::linking_error_missed), 2);
+  EXPECT_EQ(t.count(Happened::double_linking_error), 0);
+}
+
 TEST(LinkingFaults, Row26NoReactionButReported) {
   Train t;
   announce(t, {entry(100, 1, Reaction::none)});

@@ -25,7 +25,6 @@ Telegram* duplicate_of(OpenGroup& open, int n) {
 struct Examined {
   bool missed = false;       // a, and no duplicate was read
   bool not_decoded = false;  // b, and no duplicate was read
-  bool saved = false;        // a or b, made good by a duplicate
   bool all_read = false;
   bool direction_saved = true;  // what the saving duplicates hold can be used without linking (3.16.2.4.4.1 a)
   bool single = false;
@@ -81,7 +80,6 @@ void examine_missing(OpenGroup& open, Examined& found) {
       (open.undecoded ? found.not_decoded : found.missed) = true;
       continue;
     }
-    found.saved = true;
     if (duplicate->one_direction && found.crossing == Direction::unknown) found.direction_saved = false;
   }
   found.all_read = !any;
@@ -107,7 +105,7 @@ Examined examine(OpenGroup& open) {
 /// The error that counts; `linked_by_list`: linking was the reference, so a duplicate saves in any case.
 Finding error_of(const Examined& found, bool linked_by_list) {
   if (found.not_decoded) return Finding::balise_not_decoded;
-  if (found.missed || (found.saved && !linked_by_list && !found.direction_saved)) return Finding::balise_missed;
+  if (found.missed || (!linked_by_list && !found.direction_saved)) return Finding::balise_missed;
   return found.content;
 }
 

@@ -167,6 +167,8 @@ TEST(MessageConsistency, AnnouncedGroupsGiveTheLinkingReaction) {
       EXPECT_EQ(t.first(Happened::message_error)->report, ErrorReport::linked_message);
     }
     EXPECT_EQ(t.count(Happened::linking_error_missed), 0);  // never twice for one group
+    EXPECT_EQ(t.count(Happened::group_accepted), 0);
+    EXPECT_EQ(t.events.size(), 1u);
   }
 }
 
@@ -180,6 +182,7 @@ TEST(MessageConsistency, LinkedGroupsWithoutLinkingAndUnlinkedOnesBrake) {
       EXPECT_EQ(t.last().accepted, c.other_accepted);
       EXPECT_EQ(t.reaction, c.other_brakes ? Reaction::service_brake : Reaction::none);
       EXPECT_EQ(t.shorten, c.other_brakes);
+      EXPECT_EQ(t.count(Happened::group_accepted), c.other_accepted ? 1 : 0);
       EXPECT_EQ(t.last().lrbg_compliant, c.other_accepted && met == Met::linked);
       if (c.other_accepted) continue;
       EXPECT_EQ(t.last().finding, c.finding);

@@ -119,6 +119,8 @@ TEST(Position, AReadingOutsideTheLastTwoCostsFivePercent) {
   relocate(s, passage(1, reading_at(s, OdometerPlace{60_m})));  // 0.05 * 40
   EXPECT_DOUBLE_EQ(L_DOUBTOVER(s).si, 14);
   EXPECT_DOUBLE_EQ(L_DOUBTUNDER(s).si, 14);
+  relocate(s, passage(3, reading_at(s, OdometerPlace{95_m})));  // just behind the older reading
+  EXPECT_DOUBLE_EQ(L_DOUBTOVER(s).si, 12.25);
   relocate(s, passage(2, reading_at(s, OdometerPlace{130_m})));
   EXPECT_GE(L_DOUBTOVER(s).si, 12);
   EXPECT_GE(L_DOUBTUNDER(s).si, 12);
@@ -141,6 +143,7 @@ TEST(Position, DirectionNeedsATurnDistanceAndStandstillATime) {
   update(s, moving(exact(4.8)), 4_s);
   EXPECT_EQ(motion(s), Motion::backward);
   EXPECT_EQ(last_motion(s), Motion::backward);
+  EXPECT_FALSE(counter_rises(s));
   update(s, moving(exact(4.0)), 5_s);
   update(s, moving(exact(4.05)), 6_s);
   EXPECT_EQ(motion(s), Motion::backward);
@@ -200,6 +203,7 @@ TEST(Position, ChangeOfCabKeepsTheTrainWhereItIs) {
   // Leading from there the counter falls and the train comes back to the group.
   update(s, moving(spread(60, 3.5, 8.5)), 20_s);
   EXPECT_EQ(motion(s), Motion::forward);
+  EXPECT_FALSE(counter_rises(s));
   EXPECT_EQ((lrbg(s)->place - front(s).est).si, 42);
   EXPECT_EQ(counter_of(s, front(s).est).from_origin.si, 60);
   Passage p = passage(2, spread(60, 3.5, 8.5), 3);
