@@ -74,6 +74,7 @@ Reference reference_for(const State& state, const Passage& passage, Place place)
 void take_over(Reference& reference, const Reference& earlier) {
   reference.reported = earlier.reported;
   reference.reported_with = earlier.reported_with;
+  reference.reported_orientation = earlier.reported_orientation;
   reference.reported_ambiguously = earlier.reported_ambiguously;
   if (reference.orientation == Direction::unknown) reference.orientation = earlier.orientation;
 }
@@ -96,6 +97,7 @@ void mirror(Reference& reference) {
   reference.place = Place{-reference.place.from_origin};
   reference.orientation = opposite(reference.orientation);
   reference.pair_orientation = opposite(reference.pair_orientation);
+  reference.reported_orientation = opposite(reference.reported_orientation);
 }
 
 constexpr Motion turned(Motion m) { return m == Motion::forward ? Motion::backward : Motion::forward; }
@@ -261,9 +263,8 @@ bool assign_orientation(State& state, GroupId id, Direction q_orientation) {
   if (!i || q_orientation == Direction::unknown) return false;
   Reference& reference = state.references[*i];
   if (!reference.single || !reference.reported_with || reference.reported_ambiguously) return false;
-  if (reference.pair_orientation == Direction::unknown) return false;
-  reference.orientation =
-      q_orientation == Direction::nominal ? reference.pair_orientation : opposite(reference.pair_orientation);
+  const Direction pair = reference.reported_orientation;
+  reference.orientation = q_orientation == Direction::nominal ? pair : opposite(pair);
   return true;
 }
 

@@ -57,8 +57,9 @@ struct Reference {
   bool reported = false;
   /// The groups with which this one was reported as "previous" (packet 1) while its orientation was
   /// unknown, and whether more than one such pair exists (3.4.2.3.3.7, .8).
-  std::optional<GroupId> previous;       // PRVLRBG now, for the next report
-  std::optional<GroupId> reported_with;  // PRVLRBG of the first such report
+  std::optional<GroupId> previous;                      // PRVLRBG now, for the next report
+  std::optional<GroupId> reported_with;                 // PRVLRBG of the first such report
+  Direction reported_orientation = Direction::unknown;  // of the train against that pair
   bool reported_ambiguously = false;
 };
 

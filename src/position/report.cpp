@@ -94,7 +94,9 @@ void note_reported(State& state, const Report& sent) {
     const GroupId with{static_cast<std::uint16_t>(*sent.NID_PRVLRBG >> 14),
                        static_cast<std::uint16_t>(*sent.NID_PRVLRBG & 0x3FFFu)};
     if (reference.reported_with && !(*reference.reported_with == with)) reference.reported_ambiguously = true;
+    if (reference.reported_with) continue;
     reference.reported_with = with;
+    reference.reported_orientation = reference.pair_orientation;
   }
 }
 

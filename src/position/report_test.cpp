@@ -188,6 +188,26 @@ TEST(Report, AssignmentOfACoordinateSystem) {
   EXPECT_EQ(report(reversed, {}).Q_DIRTRAIN, 0);
 }
 
+// The train has turned back meanwhile, or the other cab leads: what was reported still tells.
+TEST(Report, AssignmentCountsFromThePairThatWasReported) {
+  State s = single_after(7, false);
+  note_reported(s, report(s, {}));
+  update(s, moving(spread(200)), 12_s);
+  relocate(s, passage(9, 200));
+  update(s, moving(spread(150)), 13_s);
+  Passage p = passage(7, 100);
+  p.single = true;
+  p.counter_against_group = Direction::unknown;
+  relocate(s, p);
+  State other_cab = s;
+  EXPECT_TRUE(assign_orientation(s, GroupId{426, 7}, Direction::nominal));
+  EXPECT_EQ(orientation(s), Direction::nominal);
+  EXPECT_EQ(running_direction(s), Direction::reverse);
+  change_cab(other_cab, 20_m);
+  EXPECT_TRUE(assign_orientation(other_cab, GroupId{426, 7}, Direction::nominal));
+  EXPECT_EQ(orientation(other_cab), Direction::reverse);
+}
+
 TEST(Report, AssignmentIsRefusedWhenReportedWithTwoDifferentPreviousGroups) {
   State s = single_after(7, false);
   note_reported(s, report(s, {}));
