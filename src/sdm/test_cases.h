@@ -125,4 +125,51 @@ inline RandomCase random_case(std::uint64_t seed, train::SrsVersion srs = train:
   return c;
 }
 
+/// A train to compute with by hand: A_brake_safe 1.0, A_brake_service 0.8 m/s2 at any speed, T_be 8 s,
+/// T_bs 3 s, traction cut-off 10 s with an interface, 100 m long; 108 km/h everywhere.
+inline train::TrainData simple_train() {
+  train::TrainData t;
+  t.brake_model = train::BrakeModel::gamma;
+  t.L_TRAIN = {100.0};
+  t.V_MAXTRAIN = {30.0};
+  t.T_traction_cut_off = {10.0};
+  train::EmergencyModel e;
+  train::EmergencyStep step;
+  step.A_brake_emergency = {1.0};
+  step.Kdry_rst.fill(train::Factor::of(1.0));
+  (void)e.steps.append({0.0}, step);
+  (void)t.emergency.push_back(e);
+  train::ServiceModel s;
+  (void)s.A_brake_service.append({0.0}, {0.8});
+  (void)t.service.push_back(s);
+  (void)t.T_emergency.push_back({{8.0}, {2.0}, 0});
+  (void)t.T_service.push_back({{3.0}, {1.0}, 0});
+  return t;
+}
+
+inline Inputs simple_inputs(train::SrsVersion srs = train::SrsVersion::v3_6_0) {
+  Inputs in;
+  in.revision = 1;
+  in.srs = srs;
+  in.train = simple_train();
+  in.national_values.Q_NVINHSMICPERM = true;
+  (void)in.gradient.permille.append({{-10000.0}}, 0.0);
+  (void)in.mrsp.append({{-1000.0}}, {30.0});
+  return in;
+}
+
+inline void set_EOA(Inputs& in, double EOA, double SvL) {
+  in.authority.kind = Authority::Kind::EOA_SvL;
+  in.authority.EOA = {{EOA}};
+  in.authority.SvL = {{SvL}};
+}
+
+inline Motion at(double x, double V) {
+  Motion m;
+  m.est_front = m.max_safe_front = m.min_safe_front = {{x}};
+  m.V_est = {V};
+  m.standstill = V == 0.0;
+  return m;
+}
+
 }  // namespace evc::sdm::test
