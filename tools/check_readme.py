@@ -2,7 +2,7 @@
 """Runs the examples of README.md and of the pages under docs/ as they are written.
 
 Every line `$ COMMAND` of a ```console block is run by bash; what follows, up to the next `$ ` line, is what
-it must print (standard output and error together). A line `...` stands for any number of lines, `[...]`
+it must print (standard output and error together; empty lines at the end do not count). A line `...` stands for any number of lines, `[...]`
 inside a line for any text. The commands of one page share a scratch folder in which data/, docs/ and
 examples/ of the project are at hand and `evc` is in the PATH.
 
@@ -42,13 +42,14 @@ def examples(text):
 def matches(expected, printed):
     """Whether the printed text is what the page shows."""
     pattern = ""
+    while expected and not expected[-1].strip():
+        expected = expected[:-1]
     for line in expected:
         if line.strip() == "...":
             pattern += r"(?:.*\n)*?"
         else:
             pattern += r"[^\n]*?".join(re.escape(part.rstrip()) for part in line.split("[...]")) + r"[ \t]*\n"
-    if printed and not printed.endswith("\n"):
-        printed += "\n"
+    printed = printed.rstrip("\n") + "\n" if printed.strip("\n") else ""
     return re.fullmatch(pattern, printed) is not None
 
 
