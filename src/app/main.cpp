@@ -5,18 +5,10 @@
 #if __has_include("app/command_curves.h")
 #include "app/command_curves.h"
 #endif
-#if __has_include("app/command_decode.h")
 #include "app/command_decode.h"
-#endif
-#if __has_include("app/command_encode.h")
-#include "app/command_encode.h"
-#endif
-#if __has_include("app/command_describe.h")
 #include "app/command_describe.h"
-#endif
-#if __has_include("app/command_make_line.h")
+#include "app/command_encode.h"
 #include "app/command_make_line.h"
-#endif
 
 int main(int argc, char** argv) {
   CLI::App app{"openevc: an open ETCS on-board unit. It claims no safety integrity."};
@@ -28,18 +20,10 @@ int main(int argc, char** argv) {
 #if __has_include("app/command_curves.h")
   evc::app::add_curves_command(app, exit_code);
 #endif
-#if __has_include("app/command_decode.h")
   evc::app::add_decode_command(app, exit_code);
-#endif
-#if __has_include("app/command_encode.h")
   evc::app::add_encode_command(app, exit_code);
-#endif
-#if __has_include("app/command_describe.h")
   evc::app::add_describe_command(app, exit_code);
-#endif
-#if __has_include("app/command_make_line.h")
   evc::app::add_make_line_command(app, exit_code);
-#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -168,6 +168,10 @@ Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) 
   double a = std::clamp(0.5 * gap + (gap < 1.0 ? following : 0.0), -1.3, 0.7);
   if (reckless && !creeping_ && gap > 10.0) a = 10.0;
   if (wanted == 0.0 && motion.speed() < 1.0) a = std::min(a, -0.4);
+  // Nobody pulls towards a target that asks for less.
+  const bool approaching = seen.monitoring == kernel::Monitoring::TSM && seen.V_target;
+  if (!reckless && approaching && motion.speed() > seen.V_target->si && motion.speed() > std::max(8.0, 0.8 * wanted))
+    a = std::min(a, 0.0);
   if (kind_ == DriverKind::late) {
     wanted_.push_back(a);
     const auto cycles = static_cast<std::size_t>(1.2 / step_s);

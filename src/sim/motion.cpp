@@ -7,6 +7,7 @@ namespace evc::sim {
 namespace {
 
 constexpr double kGravity = 9.81;
+constexpr double kTractionBuildUp_s = 2.0;  // from nothing to the full effort; cut off at once
 
 double towards(double from, double to, double step) {
   return from < to ? std::min(to, from + step) : std::max(to, from - step);
@@ -89,7 +90,9 @@ void Motion::move(const Handle& handle, double step_s) {
                                  emergency_level_ * at(dynamics_.emergency_brake, kmh));
   const double brake = std::min(wanted, adhesion_);
   const bool cut = handle.cut_off || handle.service || handle.emergency;
-  const double traction = cut ? 0.0 : std::clamp(handle.traction, 0.0, 1.0) * full_traction();
+  traction_level_ =
+      cut ? 0.0 : towards(traction_level_, std::clamp(handle.traction, 0.0, 1.0), step_s / kTractionBuildUp_s);
+  const double traction = traction_level_ * full_traction();
   const double free = coasting() + traction;
   const double before = v_;
   if (v_ == 0.0) {

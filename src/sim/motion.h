@@ -52,6 +52,7 @@ class Motion {
   const Heights& heights_;
   double front_, v_ = 0.0, a_ = 0.0;
   double service_level_ = 1.0, emergency_level_ = 0.0;  // 0..1; the train stands braked at the start
+  double traction_level_ = 0.0;                         // 0..1
   double adhesion_;
 };
 

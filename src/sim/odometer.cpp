@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kWanderEvery_s = 20.0;  // a new wandering share is drawn
 constexpr double kSpeedError = 0.25;     // m/s declared besides the share
+constexpr double kSmoothing_s = 1.0;     // of the acceleration
 double milli(double v) { return std::nearbyint(v * 1e3) / 1e3 + 0.0; }
 
 }  // namespace
@@ -30,7 +31,11 @@ void Odometer::move(double way_m, double step_s) {
   max_ += counted + bound;
 }
 
-kernel::Odometry Odometer::read(double v, double a) const {
+void Odometer::accelerate(double a, double step_s) {
+  acceleration_ += (a - acceleration_) * std::min(1.0, step_s / kSmoothing_s);
+}
+
+kernel::Odometry Odometer::read(double v) const {
   kernel::Odometry o;
   // Outwards, so that rounding cannot exclude the truth.
   o.nominal = {{milli(nominal_)}};
@@ -43,7 +48,7 @@ kernel::Odometry Odometer::read(double v, double a) const {
   o.V_est = {milli(seen)};
   o.V_min = {std::min(std::floor((seen - half) * 1e3) / 1e3 + 0.0, o.V_est.si)};
   o.V_max = {std::max(std::ceil((seen + half) * 1e3) / 1e3 + 0.0, o.V_est.si)};
-  o.A_est = {milli(a)};
+  o.A_est = {milli(acceleration_)};
   return o;
 }
 

@@ -18,8 +18,10 @@ class Odometer {
 
   /// The train moved by `way_m` (negative: backwards) within `step_s`.
   void move(double way_m, double step_s);
-  /// Counters in whole millimetres; speed and acceleration as the sensor sees them.
-  kernel::Odometry read(double v, double a) const;
+  /// The true acceleration over the last `step_s`; the sensor smooths it.
+  void accelerate(double a, double step_s);
+  /// Counters in whole millimetres; speed `v` and acceleration as the sensor sees them.
+  kernel::Odometry read(double v) const;
   /// The nominal counter after a further true way of `way_m` (a balise between two readings).
   double nominal_after(double way_m) const { return nominal_ + way_m * (1.0 + error()); }
 
@@ -29,6 +31,7 @@ class Odometer {
   Random& random_;
   double constant_ = 0.0, wander_ = 0.0, wander_to_ = 0.0, until_next_s_ = 0.0;
   double nominal_ = 0.0, min_ = 0.0, max_ = 0.0;
+  double acceleration_ = 0.0;
 };
 
 }  // namespace evc::sim

@@ -28,6 +28,7 @@ World::World(const Line& line, const train::TrainData& train, const Dynamics& dy
       driver_(settings.driver, line, train),
       start_m_(line.start_front_m),
       end_m_(line.end_m.value_or(last_group(line) + train.L_TRAIN.si)) {
+  stood_at_m_ = start_m_;
   // The national systems that the train has: those of the start (levels NTC of the line announce theirs).
   inputs_.levels.national_system.available = line.start_nid_ntc < 64 ? std::uint64_t{1} << line.start_nid_ntc : 0;
 }
@@ -38,7 +39,7 @@ CycleInputs& World::advance() {
     first_ = false;
   else
     move_one_cycle();
-  inputs_.levels.odometry = odometer_.read(motion_.speed(), motion_.acceleration());
+  inputs_.levels.odometry = odometer_.read(motion_.speed());
   radio_.deliver(inputs_.t_ms, motion_.front(), inputs_);
   driver_.act(seen_, inputs_.t_ms, inputs_);
   return inputs_;
@@ -57,10 +58,14 @@ void World::move_one_cycle() {
     const double nominal_before = odometer_.nominal_after(0.0);
     motion_.move(handle, step_s);
     odometer_.move(motion_.front() - before, step_s);
+    odometer_.accelerate(motion_.acceleration(), step_s);
     const double antenna = train_.L_antenna_front.si;
     read_balises(before - antenna, motion_.front() - antenna, nominal_before, odometer_.nominal_after(0.0));
   }
-  if (motion_.speed() != 0.0) moved_at_ms_ = inputs_.t_ms;
+  if (std::abs(motion_.front() - stood_at_m_) > 1.0) {
+    stood_at_m_ = motion_.front();
+    moved_at_ms_ = inputs_.t_ms;
+  }
 }
 
 void World::read_balises(double antenna_before, double antenna_after, double nominal_before, double nominal_after) {

@@ -77,7 +77,8 @@ class World {
   kernel::Outputs seen_;
   bool first_ = true;
   double start_m_, end_m_;
-  std::int64_t moved_at_ms_ = 0;
+  std::int64_t moved_at_ms_ = 0;  // when the train last was a metre away from where it stood
+  double stood_at_m_ = 0.0;
   std::size_t telegrams_read_ = 0;
   std::vector<Passing> passings_;
 };

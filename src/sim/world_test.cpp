@@ -169,7 +169,7 @@ TEST(Odometer, BoundsHoldOverAnyStretch) {
     truth += way;
     odometer.move(way, 0.01);
     if (i % 50 == 0) {
-      const auto o = odometer.read(0.0, 0.0);
+      const auto o = odometer.read(0.0);
       readings.push_back({truth, o.min.from_origin.si, o.nominal.from_origin.si, o.max.from_origin.si});
     }
   }
