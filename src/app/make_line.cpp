@@ -1,0 +1,483 @@
+#include "app/make_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "io/json.h"
+#include "io/number.h"
+#include "io/train_file.h"
+#include "lang/encode.h"
+#include "lang/messages.h"
+#include "lang/packets.h"
+
+namespace evc::app {
+namespace {
+
+using io::JsonPlace;
+using nlohmann::ordered_json;
+
+constexpr double kBaliseSpacing = 3.0;  // metres, N_PIG 0 to N_PIG 1
+constexpr std::size_t kLinks = 10;      // groups announced ahead
+constexpr double kBeyond = 100.0;       // profiles reach so far beyond the danger point
+constexpr std::uint8_t kLocationAccuracy = 5;
+
+struct Group {
+  std::uint16_t NID_BG = 0;
+  double position_m = 0.0;
+};
+struct Step {
+  double from_m = 0.0, to_m = 0.0, value = 0.0;
+};
+
+/// A packet's fields in one direction (nominal), in metres.
+template <class P>
+P nominal() {
+  P p;
+  p.Q_DIR.raw = 1;
+  if constexpr (requires { p.Q_SCALE; }) p.Q_SCALE.raw = 1;
+  return p;
+}
+
+std::uint8_t codes_of_5_kmh(double kmh) { return static_cast<std::uint8_t>(std::lround(kmh / 5.0)); }
+std::uint16_t whole(double v) { return static_cast<std::uint16_t>(std::lround(v)); }
+
+/// Counts metres between places one after another, without adding up roundings.
+class Increments {
+ public:
+  explicit Increments(double reference_m) : reference_(reference_m) {}
+  std::uint16_t to(double place_m) {
+    const long now = std::lround(place_m - reference_);
+    const long step = now - last_;
+    last_ = now;
+    return static_cast<std::uint16_t>(step);
+  }
+
+ private:
+  double reference_;
+  long last_ = 0;
+};
+
+/// What is written into one telegram or message, seen from its reference group.
+class Encoder {
+ public:
+  Encoder(const JsonPlace& root, std::vector<Group> groups, std::vector<Step> gradient, std::vector<Step> ssp,
+          std::uint16_t NID_C)
+      : root_(root), groups_(std::move(groups)), gradient_(std::move(gradient)), ssp_(std::move(ssp)), NID_C_(NID_C) {}
+
+  /// Appends the packets of one order of the description and names them in `contains`.
+  void encode(BitWriter& out, const JsonPlace& order, const Group& reference, bool by_radio, ordered_json& contains) {
+    contains_ = &contains;
+    const auto is = [&](const char* key) { return order.find(key); };
+    if (const auto p = is("authority")) return authority(out, *p, reference, by_radio);
+    if (const auto p = is("national_values")) return national_values(out, *p);
+    if (const auto p = is("session")) return session(out, *p);
+    if (const auto p = is("level_transition")) return level_transition(out, *p, reference);
+    if (const auto p = is("temporary_speed_restriction")) return restriction(out, *p, reference);
+    if (const auto p = is("revoke_temporary_speed_restriction")) return revocation(out, *p);
+    if (const auto p = is("mode_profile")) return mode_profile(out, *p, reference);
+    if (const auto p = is("text")) return text(out, *p);
+    if (const auto p = is("ma_requests")) return ma_requests(out, *p);
+    if (const auto p = is("position_reports")) return position_reports(out, *p);
+    order.fail("an order that is not known",
+               "authority, national_values, session, level_transition, temporary_speed_restriction, "
+               "revoke_temporary_speed_restriction, mode_profile, text, ma_requests or position_reports");
+  }
+  const Group& group(const JsonPlace& NID_BG) const {
+    const auto wanted = NID_BG.integer(0, 16382);
+    const auto it = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.NID_BG == wanted; });
+    if (it == groups_.end()) NID_BG.fail("the NID_BG of a group");
+    return *it;
+  }
+  const std::vector<Group>& groups() const { return groups_; }
+  std::uint16_t NID_C() const { return NID_C_; }
+
+ private:
+  template <class P>
+  void add(BitWriter& out, const P& packet) {
+    lang::encode(out, packet);
+    contains_->push_back(std::to_string(P::info.NID_PACKET) + " " + P::info.name);
+  }
+
+  void authority(BitWriter& out, const JsonPlace& p, const Group& reference, bool by_radio) {
+    p.know_only({"to_m", "danger_point_m", "release_kmh"});
+    const double to = p["to_m"].number(reference.position_m, reference.position_m + 32000.0);
+    const auto danger = p.find("danger_point_m");
+    const double danger_m = danger ? danger->number(to, to + 5000.0) : to;
+    const auto release = p.find("release_kmh");
+    const auto fill = [&](auto packet) {
+      packet.T_EMA.raw = 1023;
+      packet.L_ENDSECTION.raw = whole(to - reference.position_m);
+      packet.Q_DANGERPOINT.raw = danger ? 1 : 0;
+      packet.D_DP.raw = whole(danger_m - to);
+      packet.V_RELEASEDP.raw = release ? codes_of_5_kmh(release->number(0.0, 100.0)) : std::uint8_t{127};
+      return packet;
+    };
+    if (by_radio) {
+      add(out, fill(nominal<lang::Packet15>()));
+    } else {
+      auto packet = fill(nominal<lang::Packet12>());
+      packet.V_MAIN.raw = 32;
+      add(out, packet);
+    }
+    linking(out, reference);
+    gradient_profile(out, reference, danger_m + kBeyond);
+    speed_profile(out, reference, danger_m + kBeyond);
+  }
+
+  void linking(BitWriter& out, const Group& reference) {
+    auto packet = nominal<lang::Packet5>();
+    Increments metres(reference.position_m);
+    std::size_t n = 0;
+    for (const Group& g : groups_) {
+      if (g.position_m <= reference.position_m || n == kLinks) continue;
+      lang::Packet5_links link;
+      link.D_LINK.raw = metres.to(g.position_m);
+      link.NID_BG.raw = g.NID_BG;
+      link.Q_LINKORIENTATION.raw = 1;
+      link.Q_LINKREACTION.raw = 1;  // service brake
+      link.Q_LOCACC.raw = kLocationAccuracy;
+      if (n == 0) {
+        packet.D_LINK = link.D_LINK;
+        packet.NID_BG = link.NID_BG;
+        packet.Q_LINKORIENTATION = link.Q_LINKORIENTATION;
+        packet.Q_LINKREACTION = link.Q_LINKREACTION;
+        packet.Q_LOCACC = link.Q_LOCACC;
+      } else {
+        (void)packet.links.push_back(link);
+      }
+      ++n;
+    }
+    if (n > 0) add(out, packet);
+  }
+
+  /// The steps of a profile from the reference to `to`, the first one beginning at the reference.
+  std::vector<Step> part(const std::vector<Step>& profile, double from, double to) const {
+    std::vector<Step> steps;
+    for (const Step& s : profile)
+      if (s.to_m > from && s.from_m < to) steps.push_back({std::max(s.from_m, from), std::min(s.to_m, to), s.value});
+    if (steps.empty() || steps.front().from_m > from || steps.back().to_m < to)
+      root_.fail("a profile with a hole from " + std::to_string(std::lround(from)) + " m to " +
+                     std::to_string(std::lround(to)) + " m",
+                 "gradient and ssp over the whole of every authority and 100 m beyond");
+    return steps;
+  }
+
+  void gradient_profile(BitWriter& out, const Group& reference, double to) {
+    auto packet = nominal<lang::Packet21>();
+    Increments metres(reference.position_m);
+    bool first = true;
+    const auto append = [&](double from, bool uphill, std::uint8_t G_A) {
+      lang::Packet21_steps step;
+      step.D_GRADIENT.raw = metres.to(from);
+      step.Q_GDIR.raw = uphill ? 1 : 0;
+      step.G_A.raw = G_A;
+      if (first) {
+        packet.D_GRADIENT = step.D_GRADIENT;
+        packet.Q_GDIR = step.Q_GDIR;
+        packet.G_A = step.G_A;
+      } else {
+        (void)packet.steps.push_back(step);
+      }
+      first = false;
+    };
+    for (const Step& s : part(gradient_, reference.position_m, to))
+      append(s.from_m, s.value >= 0.0, static_cast<std::uint8_t>(std::lround(std::abs(s.value))));
+    append(to, false, 255);
+    add(out, packet);
+  }
+
+  void speed_profile(BitWriter& out, const Group& reference, double to) {
+    auto packet = nominal<lang::Packet27>();
+    Increments metres(reference.position_m);
+    bool first = true;
+    const auto append = [&](double from, std::uint8_t V_STATIC) {
+      lang::Packet27_steps step;
+      step.D_STATIC.raw = metres.to(from);
+      step.V_STATIC.raw = V_STATIC;
+      if (first) {
+        packet.D_STATIC = step.D_STATIC;
+        packet.V_STATIC = step.V_STATIC;
+      } else {
+        (void)packet.steps.push_back(step);
+      }
+      first = false;
+    };
+    for (const Step& s : part(ssp_, reference.position_m, to)) append(s.from_m, codes_of_5_kmh(s.value));
+    append(to, 127);
+    add(out, packet);
+  }
+
+  void national_values(BitWriter& out, const JsonPlace& p) {
+    const train::NationalValues nv = io::read_national_values(p);
+    auto packet = nominal<lang::Packet3>();
+    packet.D_VALIDNV.raw = 32767;  // now
+    packet.NID_C.raw = NID_C_;
+    const auto speed = [](Speed v) { return codes_of_5_kmh(v.si * 3.6); };
+    packet.V_NVSHUNT.raw = speed(nv.V_NVSHUNT);
+    packet.V_NVSTFF.raw = speed(nv.V_NVSTFF);
+    packet.V_NVONSIGHT.raw = speed(nv.V_NVONSIGHT);
+    packet.V_NVLIMSUPERV.raw = speed(nv.V_NVLIMSUPERV);
+    packet.V_NVUNFIT.raw = speed(nv.V_NVUNFIT);
+    packet.V_NVREL.raw = speed(nv.V_NVREL);
+    packet.D_NVROLL.raw = whole(nv.D_NVROLL.si);
+    packet.Q_NVSBTSMPERM.raw = nv.Q_NVSBTSMPERM ? 1 : 0;
+    packet.Q_NVEMRRLS.raw = nv.Q_NVEMRRLS ? 1 : 0;
+    packet.Q_NVGUIPERM.raw = nv.Q_NVGUIPERM ? 1 : 0;
+    packet.Q_NVSBFBPERM.raw = nv.Q_NVSBFBPERM ? 1 : 0;
+    packet.Q_NVINHSMICPERM.raw = nv.Q_NVINHSMICPERM ? 1 : 0;
+    packet.V_NVALLOWOVTRP.raw = speed(nv.V_NVALLOWOVTRP);
+    packet.V_NVSUPOVTRP.raw = speed(nv.V_NVSUPOVTRP);
+    packet.D_NVOVTRP.raw = whole(nv.D_NVOVTRP.si);
+    packet.T_NVOVTRP.raw = static_cast<std::uint8_t>(std::lround(nv.T_NVOVTRP.si));
+    packet.D_NVPOTRP.raw = whole(nv.D_NVPOTRP.si);
+    packet.M_NVCONTACT.raw = static_cast<std::uint8_t>(nv.M_NVCONTACT);
+    packet.T_NVCONTACT.raw =
+        nv.T_NVCONTACT ? static_cast<std::uint8_t>(std::lround(nv.T_NVCONTACT->si)) : std::uint8_t{255};
+    packet.M_NVDERUN.raw = nv.M_NVDERUN ? 1 : 0;
+    packet.D_NVSTFF.raw = nv.D_NVSTFF ? whole(nv.D_NVSTFF->si) : std::uint16_t{32767};
+    packet.Q_NVDRIVER_ADHES.raw = nv.Q_NVDRIVER_ADHES ? 1 : 0;
+    // 0.05 m/s2 (7.5.1.1).
+    const auto adhesion = [](const train::MaxReducedAdhesion& a) {
+      return a.no_maximum ? std::uint8_t{63} : static_cast<std::uint8_t>(std::lround(a.A.si / 0.05));
+    };
+    packet.A_NVMAXREDADH1.raw = adhesion(nv.A_NVMAXREDADH1);
+    packet.A_NVMAXREDADH2.raw = adhesion(nv.A_NVMAXREDADH2);
+    packet.A_NVMAXREDADH3.raw = adhesion(nv.A_NVMAXREDADH3);
+    packet.Q_NVLOCACC.raw = static_cast<std::uint8_t>(std::lround(nv.Q_NVLOCACC.si));
+    packet.M_NVAVADH.raw = static_cast<std::uint8_t>(std::lround(nv.M_NVAVADH / 0.05));
+    packet.M_NVEBCL.raw = nv.M_NVEBCL;
+    add(out, packet);
+  }
+
+  void session(BitWriter& out, const JsonPlace& p) {
+    p.know_only({"establish", "NID_RBC", "NID_RADIO"});
+    lang::Packet42 packet;
+    packet.Q_DIR.raw = 1;
+    packet.Q_RBC.raw = p["establish"].boolean() ? 1 : 0;
+    packet.NID_C.raw = NID_C_;
+    packet.NID_RBC.raw = static_cast<std::uint16_t>(p["NID_RBC"].integer(0, 16383));
+    const JsonPlace number = p["NID_RADIO"];
+    if (number.string().size() != 16) number.fail("16 hexadecimal digits");
+    for (const std::uint8_t byte : number.hex()) packet.NID_RADIO.raw = packet.NID_RADIO.raw << 8 | byte;
+    add(out, packet);
+  }
+
+  void level_transition(BitWriter& out, const JsonPlace& p, const Group& reference) {
+    p.know_only({"at_m", "level", "nid_ntc", "acknowledge_m"});
+    auto packet = nominal<lang::Packet41>();
+    packet.D_LEVELTR.raw = whole(p["at_m"].number(reference.position_m, 1e6) - reference.position_m);
+    packet.M_LEVELTR.raw = static_cast<std::uint8_t>(p["level"].one_of({"0", "NTC", "1", "2", "3"}));
+    if (const auto nid = p.find("nid_ntc")) packet.NID_NTC.raw = static_cast<std::uint8_t>(nid->integer(0, 255));
+    packet.L_ACKLEVELTR.raw = whole(p["acknowledge_m"].number(0.0, 5000.0));
+    add(out, packet);
+  }
+
+  void restriction(BitWriter& out, const JsonPlace& p, const Group& reference) {
+    p.know_only({"NID_TSR", "from_m", "to_m", "kmh"});
+    auto packet = nominal<lang::Packet65>();
+    packet.NID_TSR.raw = static_cast<std::uint8_t>(p["NID_TSR"].integer(0, 254));
+    const double from = p["from_m"].number(reference.position_m, 1e6);
+    packet.D_TSR.raw = whole(from - reference.position_m);
+    packet.L_TSR.raw = whole(p["to_m"].number(from, from + 30000.0) - from);
+    packet.V_TSR.raw = codes_of_5_kmh(p["kmh"].number(5.0, 500.0));
+    add(out, packet);
+  }
+
+  void revocation(BitWriter& out, const JsonPlace& p) {
+    lang::Packet66 packet;
+    packet.Q_DIR.raw = 1;
+    packet.NID_TSR.raw = static_cast<std::uint8_t>(p.integer(0, 254));
+    add(out, packet);
+  }
+
+  void mode_profile(BitWriter& out, const JsonPlace& p, const Group& reference) {
+    p.know_only({"mode", "from_m", "to_m", "kmh", "acknowledge_m"});
+    auto packet = nominal<lang::Packet80>();
+    const double from = p["from_m"].number(reference.position_m, 1e6);
+    packet.D_MAMODE.raw = whole(from - reference.position_m);
+    packet.M_MAMODE.raw = static_cast<std::uint8_t>(p["mode"].one_of({"OS", "SH", "LS"}));
+    const auto kmh = p.find("kmh");
+    packet.V_MAMODE.raw = kmh ? codes_of_5_kmh(kmh->number(5.0, 500.0)) : std::uint8_t{127};
+    packet.L_MAMODE.raw = whole(p["to_m"].number(from, from + 30000.0) - from);
+    packet.L_ACKMAMODE.raw = whole(p["acknowledge_m"].number(0.0, 5000.0));
+    add(out, packet);
+  }
+
+  void text(BitWriter& out, const JsonPlace& p) {
+    p.know_only({"text", "for_s"});
+    auto packet = nominal<lang::Packet72>();
+    packet.M_MODETEXTDISPLAY_START.raw = packet.M_MODETEXTDISPLAY_END.raw = 15;   // not limited by mode
+    packet.M_LEVELTEXTDISPLAY_START.raw = packet.M_LEVELTEXTDISPLAY_END.raw = 5;  // nor by level
+    packet.L_TEXTDISPLAY.raw = 32767;
+    packet.T_TEXTDISPLAY.raw = static_cast<std::uint16_t>(p["for_s"].integer(1, 1022));
+    for (const char c : p["text"].string()) {
+      const auto u = static_cast<unsigned char>(c);
+      if (u < 0x20 || u > 0x7e) p["text"].fail("printable ASCII");
+      lang::Packet72_text character;
+      character.X_TEXT.raw = u;
+      (void)packet.text.push_back(character);
+    }
+    add(out, packet);
+  }
+
+  void ma_requests(BitWriter& out, const JsonPlace& p) {
+    p.know_only({"before_perturbation_s", "before_timeout_s", "every_s"});
+    lang::Packet57 packet;
+    packet.Q_DIR.raw = 1;
+    packet.T_MAR.raw = static_cast<std::uint8_t>(p["before_perturbation_s"].integer(0, 254));
+    packet.T_TIMEOUTRQST.raw = static_cast<std::uint16_t>(p["before_timeout_s"].integer(0, 1022));
+    packet.T_CYCRQST.raw = static_cast<std::uint8_t>(p["every_s"].integer(1, 254));
+    add(out, packet);
+  }
+
+  void position_reports(BitWriter& out, const JsonPlace& p) {
+    p.know_only({"every_s", "at_groups"});
+    auto packet = nominal<lang::Packet58>();
+    packet.T_CYCLOC.raw = static_cast<std::uint8_t>(p["every_s"].integer(1, 254));
+    packet.D_CYCLOC.raw = 32767;
+    packet.M_LOC.raw = p["at_groups"].boolean() ? 1 : 2;
+    add(out, packet);
+  }
+
+  JsonPlace root_;
+  std::vector<Group> groups_;
+  std::vector<Step> gradient_, ssp_;
+  std::uint16_t NID_C_;
+  ordered_json* contains_ = nullptr;
+};
+
+std::string hex(std::span<const std::uint8_t> bytes) {
+  std::string digits;
+  io::append_hex(digits, bytes);
+  return digits;
+}
+
+/// The telegram of balise `N_PIG` of a group of two; the second one carries nothing but its header.
+ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, const std::optional<JsonPlace>& orders) {
+  std::array<std::uint8_t, 104> bytes{};
+  BitWriter out(bytes);
+  lang::TelegramHeader header;
+  header.N_PIG.raw = static_cast<std::uint8_t>(N_PIG);
+  header.N_TOTAL.raw = 1;
+  header.M_MCOUNT.raw = 1;
+  header.NID_C.raw = encoder.NID_C();
+  header.NID_BG.raw = group.NID_BG;
+  header.Q_LINK.raw = 1;
+  lang::begin_telegram(out, header);
+  ordered_json contains = ordered_json::array();
+  for (std::size_t i = 0; N_PIG == 0 && orders && i < orders->size(); ++i)
+    encoder.encode(out, (*orders)[i], group, false, contains);
+  lang::end_telegram(out, 830);
+  if (out.faulty()) orders->fail("more than 830 bits", "orders that fit in one telegram");
+  return {{"position_m", group.position_m + kBaliseSpacing * N_PIG},
+          {"contains", contains},
+          {"telegram_bits", 830},
+          {"telegram_hex", hex(bytes)}};
+}
+
+ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
+  place.know_only({"at_m", "delay_s", "lrbg", "orders", "note"});
+  const Group& reference = encoder.group(place["lrbg"]);
+  const double at = place["at_m"].number(reference.position_m, 1e6);
+  const JsonPlace orders = place["orders"];
+  bool authority = false;
+  for (std::size_t i = 0; i < orders.size(); ++i) authority = authority || orders[i].find("authority").has_value();
+  std::array<std::uint8_t, 512> bytes{};
+  BitWriter out(bytes);
+  const std::uint32_t NID_LRBG = std::uint32_t{encoder.NID_C()} << 14 | reference.NID_BG;
+  const auto begin = [&](auto message) {
+    message.NID_LRBG.raw = NID_LRBG;
+    message.M_ACK.raw = authority ? 1 : 0;
+    lang::begin_message(out, message);
+  };
+  if (authority)
+    begin(lang::Message3{});
+  else
+    begin(lang::Message24{});
+  ordered_json contains = ordered_json::array();
+  // The mandatory packet of message 3 comes first (8.7.2).
+  for (const bool first : {true, false})
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (orders[i].find("authority").has_value() == first) encoder.encode(out, orders[i], reference, true, contains);
+  lang::end_message(out);
+  if (out.faulty()) orders.fail("more than 512 bytes", "orders that fit in one message");
+  ordered_json trigger = {{"position_m", at}};
+  if (const auto delay = place.find("delay_s")) trigger["delay_s"] = delay->number(0.0, 3600.0);
+  return {{"seq", seq},
+          {"trigger", trigger},
+          {"nid_message", authority ? 3 : 24},
+          {"contains", contains},
+          {"message_bits", 8 * out.bytes().size()},
+          {"message_hex", hex(out.bytes())}};
+}
+
+std::vector<Step> read_profile(const JsonPlace& list, double least, double most) {
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonPlace row = list[i];
+    if (row.size() != 3) row.fail("[from_m, to_m, value]");
+    const double from = row[0].number(-1e5, 1e6);
+    steps.push_back({from, row[1].number(from, 1e6), row[2].number(least, most)});
+  }
+  return steps;
+}
+
+ordered_json physical_track(const std::vector<Step>& gradient, const std::vector<Step>& ssp) {
+  ordered_json track = {{"gradient", ordered_json::array()}, {"ssp", ordered_json::array()}};
+  for (const Step& s : gradient)
+    track["gradient"].push_back({{"start_m", s.from_m}, {"end_m", s.to_m}, {"gradient_permille", s.value}});
+  for (const Step& s : ssp) track["ssp"].push_back({{"start_m", s.from_m}, {"end_m", s.to_m}, {"v_kmh", s.value}});
+  return track;
+}
+
+ordered_json line_of(const JsonPlace& root) {
+  root.require_schema("evc-line-description/1");
+  root.know_only({"schema", "name", "about", "NID_C", "length_m", "start", "gradient", "ssp", "groups", "radio"});
+  const auto gradient = read_profile(root["gradient"], -50.0, 50.0);
+  const auto ssp = read_profile(root["ssp"], 5.0, 500.0);
+  const JsonPlace list = root["groups"];
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    list[i].know_only({"NID_BG", "at_m", "orders", "note"});
+    const double at = list[i]["at_m"].number(-1e5, 1e6);
+    if (!groups.empty() && at <= groups.back().position_m) list[i]["at_m"].fail("a place beyond the group before");
+    groups.push_back({static_cast<std::uint16_t>(list[i]["NID_BG"].integer(0, 16382)), at});
+  }
+  Encoder encoder(root, groups, gradient, ssp, static_cast<std::uint16_t>(root["NID_C"].integer(0, 1023)));
+  ordered_json line = {{"schema", "etcs-line/1"},
+                       {"name", root["name"].string()},
+                       {"length_m", root["length_m"].number(0.0, 1e6)},
+                       {"system_version", "2.1"},
+                       {"source", "made by evc make-line from " + root.file().substr(root.file().rfind('/') + 1)}};
+  line["start"] = ordered_json::parse(root["start"].value().dump());
+  line["balise_groups"] = ordered_json::array();
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto orders = list[i].find("orders");
+    line["balise_groups"].push_back({{"seq", i},
+                                     {"nid_c", encoder.NID_C()},
+                                     {"nid_bg", groups[i].NID_BG},
+                                     {"position_m", groups[i].position_m},
+                                     {"balises", ordered_json::array({telegram(encoder, groups[i], 0, orders),
+                                                                      telegram(encoder, groups[i], 1, orders)})}});
+  }
+  line["rbc_messages"] = ordered_json::array();
+  const JsonPlace radio = root["radio"];
+  for (std::size_t i = 0; i < radio.size(); ++i)
+    line["rbc_messages"].push_back(radio_message(encoder, radio[i], static_cast<int>(i)));
+  line["physical_track"] = physical_track(gradient, ssp);
+  return line;
+}
+
+}  // namespace
+
+io::Result<std::string> make_line(std::string_view description, const std::string& file) {
+  return io::guarded([&] {
+    const io::Json document = io::parse_json(description, file);
+    return line_of(JsonPlace(document, file)).dump(1) + "\n";
+  });
+}
+
+}  // namespace evc::app
