@@ -20,7 +20,8 @@ def room_of(path):
         parts = pathlib.Path(path).resolve().relative_to(ROOT / "src").parts
     except ValueError:
         return None
-    return parts[0] if parts[0] in check_layers.KERNEL_ROOMS and not path.endswith(("_test.cpp", "_test.h")) else None
+    kernel = parts[0] in check_layers.KERNEL_ROOMS and not check_layers.is_test(pathlib.Path(path))
+    return parts[0] if kernel else None
 
 
 def build_and_test():

@@ -42,6 +42,11 @@ FORBIDDEN = [
 ]
 
 
+def is_test(path):
+    """Tests and the headers that only tests include."""
+    return path.stem.endswith(("_test", "_testing")) or path.stem.startswith("test_")
+
+
 def without_comments(text):
     """The text with comments and string literals blanked, line breaks kept."""
     pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
@@ -60,7 +65,7 @@ def check(root):
         if room not in MAY_INCLUDE:
             breaches.append(f"{where}:1: room '{room}' is not in the table of rooms")
             continue
-        kernel_code = room in KERNEL_ROOMS and not path.stem.endswith("_test")
+        kernel_code = room in KERNEL_ROOMS and not is_test(path)
         text = path.read_text(encoding="utf-8")
         for number, line in enumerate(text.splitlines(), 1):
             found = INCLUDE.match(line)
