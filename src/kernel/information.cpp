@@ -79,6 +79,12 @@ bool accept_packet(Evaluation& e, std::size_t i, int detail = 0) {
 
 // --- Level transition orders come first (4.8.1.3)
 
+/// Packet 46 has no place and so no length in rear of it.
+Distance L_ack(const lang::Packet41& p, const lang::Packet41_levels& e) {
+  return lang::metres(p.Q_SCALE, e.L_ACKLEVELTR);
+}
+Distance L_ack(const lang::Packet46&, const lang::Packet46_levels&) { return {}; }
+
 template <class P>
 modes::LevelTable table_of(const P& p) {
   modes::LevelTable table;
@@ -86,7 +92,7 @@ modes::LevelTable table_of(const P& p) {
     modes::OrderedLevel level;
     level.level = static_cast<modes::Level>(e.M_LEVELTR.raw);
     level.nid_ntc = level.level == modes::Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
-    if constexpr (requires { e.L_ACKLEVELTR; }) level.L_ack = lang::metres(p.Q_SCALE, e.L_ACKLEVELTR);
+    level.L_ack = L_ack(p, e);
     return level;
   };
   bool room = table.push_back(entry(p.first_levels()));
