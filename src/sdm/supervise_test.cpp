@@ -1,0 +1,788 @@
+// 3.13.10: types of monitoring, statuses, commands, displayed values, cycle by cycle.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "sdm/evaluate.h"
+#include "sdm/test_cases.h"
+
+namespace {
+
+using namespace evc;
+using namespace evc::sdm;
+using namespace evc::sdm::test;
+using train::SrsVersion;
+
+/// Inputs, curves and memory of one unit.
+struct Unit {
+  Inputs in;
+  std::unique_ptr<Derived> d = std::make_unique<Derived>();
+  Supervision s;
+  Result r;
+
+  explicit Unit(SrsVersion srs = SrsVersion::v3_6_0) : in(simple_inputs(srs)) {}
+  Unit& build() {
+    ++in.revision;
+    rebuild(*d, in);
+    return *this;
+  }
+  const Result& cycle(const Motion& m) { return r = supervise(s, *d, m); }
+  const Result& cycle(double x, double V) { return cycle(at(x, V)); }
+};
+
+Unit approaching_EOA(SrsVersion srs = SrsVersion::v3_6_0) {
+  Unit u(srs);
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.build();
+  return u;
+}
+
+// Ceiling: 30 m/s = 108 km/h; +4, +5.5, +7.5 km/h.
+constexpr double kM = 30.0, kW = 30.0 + 4 / 3.6, kSBI = 30.0 + 5.5 / 3.6, kEBI = 30.0 + 7.5 / 3.6;
+
+TEST(CSM, StatusesAndCommandsBySpeed) {
+  Unit u;
+  u.build();
+  EXPECT_EQ(u.cycle(0, kM).status, Status::Normal);
+  EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
+  EXPECT_EQ(u.cycle(0, kM + 0.01).status, Status::Overspeed);
+  EXPECT_EQ(u.cycle(0, kW).status, Status::Overspeed);
+  EXPECT_EQ(u.cycle(0, kW + 0.01).status, Status::Warning);
+  EXPECT_FALSE(u.r.tco);  // TCO is target speed monitoring's
+  EXPECT_EQ(u.cycle(0, kSBI).status, Status::Warning);
+  EXPECT_EQ(u.cycle(0, kSBI + 0.01).status, Status::Intervention);
+  EXPECT_TRUE(u.r.sb);
+  EXPECT_FALSE(u.r.eb);
+  EXPECT_EQ(u.r.highest.condition, 4);
+  u.cycle(0, kEBI + 0.01);
+  EXPECT_TRUE(u.r.sb);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_EQ(u.r.highest.condition, 5);
+  EXPECT_TRUE(u.r.show_SBI);
+  EXPECT_NEAR(u.r.V_SBI.si, kSBI, 1e-12);
+  EXPECT_NEAR(u.r.V_EBI.si, kEBI, 1e-12);
+  EXPECT_NEAR(u.r.V_W.si, kW, 1e-12);
+  EXPECT_NEAR(u.r.V_P.si, kM, 1e-12);
+  // Below the SBI again nothing is taken back; below the ceiling the service brake is.
+  u.cycle(0, kM + 0.01);
+  EXPECT_TRUE(u.r.sb && u.r.eb);
+  u.cycle(0, kM);
+  EXPECT_FALSE(u.r.sb);
+  EXPECT_TRUE(u.r.eb);  // only at standstill
+  EXPECT_EQ(u.r.status, Status::Intervention);
+  u.cycle(0, 0.0);
+  EXPECT_FALSE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Normal);
+}
+
+TEST(CSM, OverspeedAndWarningLastUntilTheCeiling) {
+  Unit u;
+  u.build();
+  u.cycle(0, kW + 0.1);
+  EXPECT_EQ(u.r.status, Status::Warning);
+  EXPECT_EQ(u.cycle(0, kM + 0.1).status, Status::Warning);
+  EXPECT_EQ(u.cycle(0, kM).status, Status::Normal);
+}
+
+TEST(CSM, EmergencyBrakeReleasedByNationalValue) {
+  Unit u;
+  u.in.national_values.Q_NVEMRRLS = true;
+  u.build();
+  u.cycle(0, kEBI + 0.1);
+  EXPECT_TRUE(u.r.eb);
+  u.cycle(0, kM);
+  EXPECT_FALSE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Normal);
+}
+
+TEST(CSM, WithoutServiceBrakeInterfaceTheEmergencyBrakeTakesItsPlace) {
+  Unit u;
+  u.in.train.service_brake_interface = false;
+  u.build();
+  u.cycle(0, kSBI + 0.1);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_FALSE(u.r.sb);
+  u.cycle(0, kM);  // revoked as the service brake would be
+  EXPECT_FALSE(u.r.eb);
+  // With the EBI exceeded as well its own rule prevails.
+  u.cycle(0, kEBI + 0.1);
+  u.cycle(0, kM);
+  EXPECT_TRUE(u.r.eb);
+}
+
+TEST(CSM, SeesTheLowestSpeedUnderTheConfidenceInterval) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{1000.0}}, {20.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{1500.0}}, {30.0}));
+  u.build();
+  Motion m = at(995.0, 10.0);
+  EXPECT_EQ(u.cycle(m).V_MRSP.si, 30.0);
+  m.max_safe_front = {{1000.0}};
+  EXPECT_EQ(u.cycle(m).V_MRSP.si, 20.0);
+  m = at(1505.0, 10.0);
+  m.min_safe_front = {{1499.0}};
+  EXPECT_EQ(u.cycle(m).V_MRSP.si, 20.0);
+  EXPECT_EQ(V_MRSP(Mrsp{}, {}, {}).si, 0.0);
+}
+
+TEST(TSM, ATrainThatDoesNotBrake) {
+  // 30 m/s, no acceleration: EBD limits I 3830, P 4100, W 4160, SBI2 4220, EBI 4310 (SvL 5000); SBD
+  // limits I 3857.5, P 4127.5, W 4187.5, SBI1 4247.5 (EOA 4900).
+  Unit u = approaching_EOA();
+  EXPECT_EQ(u.cycle(3830, kM).monitoring, Monitoring::CSM);  // at the limit it is not passed
+  EXPECT_EQ(u.cycle(3830.1, kM).monitoring, Monitoring::TSM);
+  EXPECT_TRUE(u.r.monitoring_changed);
+  EXPECT_EQ(u.r.status, Status::Indication);
+  EXPECT_TRUE(u.r.MRDT_changed);
+  EXPECT_EQ(*u.r.V_target, Speed{0.0});
+  EXPECT_NEAR(u.r.d_target->si, 4900 - 3830.1, 1e-9);
+  EXPECT_EQ(u.cycle(4100, kM).status, Status::Indication);
+  EXPECT_FALSE(u.r.MRDT_changed);
+  EXPECT_EQ(u.cycle(4100.1, kM).status, Status::Overspeed);
+  EXPECT_EQ(u.r.highest.condition, 4);
+  EXPECT_FALSE(u.r.tco);
+  EXPECT_EQ(u.cycle(4160.1, kM).status, Status::Warning);
+  EXPECT_TRUE(u.r.tco);
+  EXPECT_FALSE(u.r.sb);
+  EXPECT_EQ(u.cycle(4220.1, kM).status, Status::Intervention);
+  EXPECT_TRUE(u.r.sb);
+  EXPECT_FALSE(u.r.eb);
+  u.cycle(4310.1, kM);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_EQ(u.r.highest.condition, 13);
+  // Slower than P: service brake and traction are free, the emergency brake stays to standstill.
+  u.cycle(4320, 10.0);
+  EXPECT_FALSE(u.r.tco || u.r.sb);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Intervention);
+  u.cycle(4325, 0.0);
+  EXPECT_FALSE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Indication);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+}
+
+TEST(TSM, CommandsAreTakenBackBelowThePermittedSpeedOnly) {
+  Unit u = approaching_EOA();
+  u.cycle(4170, kM);
+  EXPECT_TRUE(u.r.tco);
+  // Find a speed between P and W at this place: W(V) is 2 s, P(V) 4 s in rear of the SBI.
+  const auto limits = [&](double V) { return explain(*u.d, u.in, u.d->targets[0], {V}, {}, {}); };
+  double V = kM;
+  while (limits(V).d_W.from_origin.si < 4170.0) V -= 0.01;
+  EXPECT_LT(limits(V).d_P.from_origin.si, 4170.0);
+  u.cycle(4170, V);
+  EXPECT_TRUE(u.r.tco);
+  EXPECT_EQ(u.r.status, Status::Warning);
+  while (limits(V).d_P.from_origin.si < 4170.0) V -= 0.01;
+  u.cycle(4170, V);
+  EXPECT_FALSE(u.r.tco);
+  EXPECT_EQ(u.r.status, Status::Indication);
+}
+
+TEST(TSM, ServiceBrakeNotPermittedInTSM) {
+  Unit u;
+  u.in.national_values.Q_NVSBTSMPERM = false;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.build();
+  // T_bs1 = T_bs2 = 0, T_traction = 8 s: SBI1 = 4337.5, SBI2 = EBI = 5000 - 450 - 240.
+  u.cycle(4200, kM);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  u.cycle(4310.1, kM);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_FALSE(u.r.sb);
+  // In CSM the interface alone counts: a service brake commanded there stays in TSM.
+  Unit v;
+  v.in.national_values.Q_NVSBTSMPERM = false;
+  set_EOA(v.in, 4900.0, 5000.0);
+  v.build();
+  v.cycle(0, kSBI + 0.1);
+  EXPECT_TRUE(v.r.sb);
+  v.cycle(4000, kM + 0.1);
+  EXPECT_EQ(v.r.monitoring, Monitoring::TSM);
+  EXPECT_TRUE(v.r.sb);
+}
+
+TEST(TSM, WithoutTractionCutOffInterfaceNoneIsCommanded) {
+  Unit u;
+  u.in.train.traction_cut_off_interface = false;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.build();
+  u.cycle(4200, kM);
+  EXPECT_GE(u.r.status, Status::Warning);
+  EXPECT_FALSE(u.r.tco);
+}
+
+TEST(TSM, AnMRSPTargetAndItsCeilings) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  const Explanation e = explain(*u.d, u.in, u.d->targets[0], {kM}, {}, {});
+  u.cycle(e.d_I.from_origin.si + 0.1, kM);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(*u.r.V_target, Speed{20.0});
+  EXPECT_NEAR(u.r.d_target->si, (u.d->targets[0].d_P_target - Place{{e.d_I.from_origin.si + 0.1}}).si, 1e-9);
+  EXPECT_FALSE(u.r.V_release.has_value());
+  // Overspeed against the ceiling while the curves still allow it (t6), warning (t9), brakes (t12, t15).
+  const double x = e.d_I.from_origin.si + 50;
+  EXPECT_EQ(u.cycle(x, kM + 0.1).status, Status::Overspeed);
+  EXPECT_EQ(u.r.highest.condition, 6);
+  EXPECT_EQ(u.cycle(x, kW + 0.1).status, Status::Warning);
+  EXPECT_EQ(u.r.highest.condition, 9);
+  EXPECT_TRUE(u.r.tco);
+  u.cycle(x, kSBI + 0.1);
+  EXPECT_EQ(u.r.highest.condition, 12);
+  EXPECT_TRUE(u.r.sb);
+  u.cycle(x, kEBI + 0.1);
+  EXPECT_EQ(u.r.highest.condition, 15);
+  EXPECT_TRUE(u.r.eb);
+  // At or below the target speed everything but the emergency brake is free.
+  u.cycle(x, 20.0);
+  EXPECT_FALSE(u.r.tco || u.r.sb);
+  EXPECT_TRUE(u.r.eb);
+  u.in.national_values.Q_NVEMRRLS = true;
+  u.build();
+  u.cycle(x, 20.0);
+  EXPECT_FALSE(u.r.eb);
+}
+
+TEST(TSM, APassedTargetEndsIt) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  u.cycle(3900, 22.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.cycle(3999.9, 20.0).monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.cycle(4000.1, 20.0).monitoring, Monitoring::CSM);
+  EXPECT_EQ(u.r.status, Status::Normal);
+  EXPECT_EQ(u.r.V_MRSP.si, 20.0);
+  EXPECT_FALSE(u.r.V_target.has_value());
+}
+
+TEST(TSM, ALongerAuthorityEndsItAndFreesTheTraction) {
+  Unit u = approaching_EOA();
+  u.cycle(4170, kM);
+  EXPECT_TRUE(u.r.tco);
+  set_EOA(u.in, 9000.0, 9000.0);
+  u.build();
+  u.cycle(4173, kM);
+  EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
+  EXPECT_FALSE(u.r.tco);
+  EXPECT_EQ(u.r.status, Status::Normal);
+}
+
+TEST(TSM, EndsWhenTheMRSPFallsToTheTargetSpeed) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  u.cycle(3500, 25.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  // A ceiling of 20 m/s everywhere (a mode, say): the list is the same, its target no longer below.
+  u.in.mrsp.steps[0].value = {20.0};
+  ++u.in.revision;
+  u.in.mrsp = {};
+  ASSERT_TRUE(u.in.mrsp.append({{-1000.0}}, {20.0}));
+  u.build();
+  EXPECT_EQ(u.cycle(3510, 19.0).monitoring, Monitoring::CSM);
+}
+
+TEST(RSM, FromItsStartToStandstill) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  // Start: SBI1 at 4869.375.
+  u.cycle(4700, 6.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
+  u.cycle(4850, 4.9);
+  EXPECT_EQ(u.cycle(4869.3, 4.9).monitoring, Monitoring::CSM);
+  EXPECT_EQ(u.cycle(4869.4, 4.9).monitoring, Monitoring::RSM);
+  EXPECT_EQ(u.r.status, Status::Indication);
+  EXPECT_EQ(*u.r.V_release, Speed{5.0});
+  EXPECT_NEAR(u.r.d_target->si, 4900 - 4869.4, 1e-9);
+  EXPECT_EQ(u.r.V_EBI.si, 5.0);
+  EXPECT_LT(u.r.V_P.si, 5.0);
+  u.cycle(4875, 5.01);
+  EXPECT_TRUE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Intervention);
+  EXPECT_EQ(u.r.highest.condition, 2);
+  u.cycle(4876, 4.0);
+  EXPECT_TRUE(u.r.eb);
+  u.cycle(4877, 0.0);
+  EXPECT_FALSE(u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Indication);
+}
+
+TEST(RSM, TheServiceBrakeGoesWhenItIsEntered) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.cycle(4800, 13.5);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  ASSERT_TRUE(u.r.sb);
+  ASSERT_TRUE(u.r.tco);
+  EXPECT_FALSE(u.r.eb);
+  u.cycle(4870, 5.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::RSM);
+  EXPECT_FALSE(u.r.sb || u.r.tco || u.r.eb);
+  EXPECT_EQ(u.r.status, Status::Intervention);  // as the table has it: until standstill
+  // A new authority without release speed: the same end is supervised by its curves.
+  u.in.authority.release_speed = ReleaseSpeedChoice::none;
+  u.build();
+  EXPECT_EQ(u.cycle(4871, 1.0).monitoring, Monitoring::TSM);
+  set_EOA(u.in, 9900.0, 9900.0);
+  u.build();
+  EXPECT_EQ(u.cycle(4872, 1.0).monitoring, Monitoring::CSM);
+}
+
+TEST(RSM, FirstMonitoringOfAnActivation) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  EXPECT_EQ(u.cycle(4880, 0.0).monitoring, Monitoring::RSM);
+  EXPECT_EQ(u.r.status, Status::Indication);
+  u.s = {};
+  EXPECT_EQ(u.cycle(4500, 20.0).monitoring, Monitoring::TSM);
+  u.s = {};
+  EXPECT_EQ(u.cycle(0, 20.0).monitoring, Monitoring::CSM);
+}
+
+TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.cycle(4500, 20.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  // Not yet in RSM, beyond P for this speed but not above the release speed.
+  u.cycle(4865, 5.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.status, Status::Indication);
+  EXPECT_FALSE(u.r.tco || u.r.sb || u.r.eb);
+  EXPECT_EQ(*u.r.V_release, Speed{5.0});
+  // 4.0.0 knows t0-t2 for exactly the release speed.
+  Unit v(SrsVersion::v4_0_0);
+  v.in.authority = u.in.authority;
+  v.build();
+  v.cycle(4500, 20.0);
+  v.cycle(4865, 5.0);
+  EXPECT_EQ(v.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(v.r.status, Status::Warning);
+  EXPECT_EQ(v.r.highest.condition, 2);
+}
+
+TEST(TSM340, NormalStatusBetweenPreIndicationAndIndication) {
+  // Pre-indication 3740 (EBD), 3767.5 (SBD); Indication 3950, 3977.5; P 4100.
+  Unit u = approaching_EOA(SrsVersion::v3_4_0);
+  EXPECT_EQ(u.cycle(3740, kM).monitoring, Monitoring::CSM);
+  EXPECT_EQ(u.cycle(3741, kM).monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.status, Status::Normal);
+  EXPECT_EQ(u.cycle(3951, kM).status, Status::Indication);
+  // Slower, in rear of I: Indication stays while the displayed target stays (r2).
+  EXPECT_EQ(u.cycle(3952, 10.0).status, Status::Indication);
+  EXPECT_EQ(u.cycle(4101, kM).status, Status::Overspeed);
+  // From Overspeed r2 leads to Normal.
+  EXPECT_EQ(u.cycle(4102, 10.0).status, Status::Normal);
+  // Ceiling before the Indication limit at the MRSP speed: t5, t8, t11, t14.
+  Unit v = approaching_EOA(SrsVersion::v3_4_0);
+  v.cycle(3745, kM);
+  EXPECT_EQ(v.cycle(3745, kM + 0.1).highest.condition, 5);
+  EXPECT_EQ(v.cycle(3745, kW + 0.1).highest.condition, 8);
+  EXPECT_TRUE(v.r.tco);
+  EXPECT_EQ(v.cycle(3745, kSBI + 0.1).highest.condition, 11);
+  EXPECT_EQ(v.cycle(3745, kEBI + 0.1).highest.condition, 14);
+  EXPECT_EQ(v.cycle(3960, kEBI + 0.1).highest.condition, 15);
+  // The list changes and nothing is near: ceiling speed monitoring.
+  set_EOA(v.in, 9000.0, 9000.0);
+  v.build();
+  EXPECT_EQ(v.cycle(3961, kM).monitoring, Monitoring::CSM);
+}
+
+TEST(TSM340, IndicationEndsAtTheTargetSpeed) {
+  Unit u(SrsVersion::v3_4_0);
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  u.cycle(3500, 29.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  ASSERT_GE(u.r.status, Status::Indication);
+  EXPECT_EQ(u.cycle(3600, 20.0).status, Status::Normal);  // r1
+}
+
+TEST(TSM340, ReleaseSpeedMonitoringAtItsStart) {
+  Unit u(SrsVersion::v3_4_0);
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.cycle(4800, 5.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.cycle(4870, 4.0).monitoring, Monitoring::RSM);
+}
+
+TEST(LOA, ASpeedNotAStop) {
+  Unit u;
+  u.in.authority.kind = Authority::Kind::LOA;
+  u.in.authority.EOA = {{4000.0}};
+  u.in.authority.V_LOA = {20.0};
+  u.build();
+  u.cycle(3700, 26.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.MRDT->kind, TargetKind::LOA);
+  EXPECT_EQ(*u.r.V_target, Speed{20.0});
+  // Beyond it its speed is a ceiling.
+  EXPECT_EQ(u.cycle(4001, 19.0).V_MRSP.si, 20.0);
+  EXPECT_EQ(u.cycle(4001, 20.0 + 7.6 / 3.6).eb, true);
+}
+
+TEST(SR, EndOfTheDistance) {
+  Unit u;
+  u.in.supervise_targets = true;
+  u.in.SR_end = Place{{5000.0}};
+  u.build();
+  // EBD only: P 4100, EBI 4310.
+  u.cycle(4000, kM);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.cycle(4101, kM).status, Status::Overspeed);
+  EXPECT_TRUE(u.cycle(4311, kM).eb);
+  EXPECT_EQ(u.r.MRDT->kind, TargetKind::SR_end);
+  EXPECT_NEAR(u.r.d_target->si, 5000 - 4311, 1e-9);  // d_P(0) = d_EBD(0)
+}
+
+TEST(Display, PermittedSpeedFollowsTheLowestTarget) {
+  Unit u = approaching_EOA();
+  u.cycle(4200, 25.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  // x = 4200 + 25 * 7 + 25 * 8 (EBD), 4200 + 25 * 7 (SBD).
+  const double P_EBD = std::sqrt(2 * (5000 - 4575.0));
+  const double P_SBD = std::sqrt(1.6 * (4900 - 4375.0));
+  EXPECT_NEAR(u.r.V_P.si, std::min({P_EBD, P_SBD, kM}), 1e-9);
+  u.cycle(4400, 10.0);
+  EXPECT_NEAR(u.r.V_P.si, std::min(std::sqrt(2 * (5000 - 4550.0)), std::sqrt(1.6 * (4900 - 4470.0))), 1e-9);
+  EXPECT_LT(u.r.V_P, u.r.V_W);
+  EXPECT_LT(u.r.V_W, u.r.V_SBI);
+}
+
+TEST(Display, NothingIsNearInCSM) {
+  Unit u = approaching_EOA();
+  u.cycle(0, 25.0);
+  EXPECT_EQ(u.r.V_P.si, kM);
+  EXPECT_FALSE(u.r.V_target.has_value());
+  // The first Indication location is given whatever A_NVMAXREDADH says.
+  const Explanation e = explain(*u.d, u.in, u.d->targets[0], {25.0}, {}, {});
+  ASSERT_TRUE(u.r.first_indication.has_value());
+  EXPECT_NEAR(u.r.first_indication->si, e.d_I.from_origin.si, 1e-9);
+  EXPECT_FALSE(u.r.TTI.has_value());
+}
+
+TEST(Display, TimeToIndicationWhenAskedFor) {
+  using Display = train::MaxReducedAdhesion::Display;
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.national_values.A_NVMAXREDADH2 = train::MaxReducedAdhesion::without_maximum(Display::time_to_indication);
+  u.build();
+  u.cycle(3830 - 30 * 15.0, kM);
+  EXPECT_FALSE(u.r.TTI.has_value());  // 15 s
+  u.cycle(3830 - 30 * 13.0, kM);
+  ASSERT_TRUE(u.r.TTI.has_value());
+  EXPECT_NEAR(u.r.TTI->si, 13.0, 1e-9);
+  EXPECT_FALSE(u.r.V_target.has_value());
+  u.in.national_values.A_NVMAXREDADH2 = train::MaxReducedAdhesion::without_maximum(Display::target_information);
+  u.build();
+  u.cycle(3500, kM);
+  EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
+  EXPECT_EQ(*u.r.V_target, Speed{0.0});
+  EXPECT_FALSE(u.r.TTI.has_value());
+  // 3.4.0 knows none of this.
+  Unit v = approaching_EOA(SrsVersion::v3_4_0);
+  EXPECT_FALSE(v.cycle(3000, kM).first_indication.has_value());
+}
+
+TEST(Display, FirstIndicationBelowTheReleaseSpeed) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.cycle(1000, 4.0);
+  // To the start of release speed monitoring.
+  EXPECT_NEAR(u.r.first_indication->si, 4869.375 - 1000, 1e-9);
+  u.cycle(1000, 5.0);
+  const Explanation e = explain(*u.d, u.in, u.d->targets[0], {5.0}, {}, {});
+  EXPECT_NEAR(u.r.first_indication->si, e.d_I.from_origin.si - 1000, 1e-9);
+}
+
+TEST(MRDT, AMaskedTargetIsShown) {
+  // Two restrictions close to each other: the first one's P is the lowest, but the second one's
+  // Indication at the first one's speed lies before the first one's P.
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4150.0}}, {10.0}));
+  u.build();
+  u.cycle(3500, 28.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.V_target->si, 10.0);
+  // Far apart: the first one.
+  Unit v;
+  ASSERT_TRUE(v.in.mrsp.append({{4000.0}}, {20.0}));
+  ASSERT_TRUE(v.in.mrsp.append({{7000.0}}, {10.0}));
+  v.build();
+  v.cycle(3500, 28.0);
+  EXPECT_EQ(v.r.V_target->si, 20.0);
+}
+
+TEST(MRDT, StaysUntilALowerOneIsSelected) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  u.cycle(3500, 28.0);
+  ASSERT_EQ(u.r.V_target->si, 20.0);
+  // Slower than the target: not among the concerned ones any more, but it stays.
+  u.cycle(3550, 19.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.V_target->si, 20.0);
+  EXPECT_FALSE(u.r.MRDT_changed);
+  // A stop before it takes over.
+  set_EOA(u.in, 3900.0, 3900.0);
+  u.build();
+  u.cycle(3551, 19.0);
+  EXPECT_EQ(u.r.V_target->si, 0.0);
+  EXPECT_TRUE(u.r.MRDT_changed);
+}
+
+TEST(MARequest, BeforeThePerturbationLocation) {
+  Unit u = approaching_EOA();
+  Motion m = at(0, kM);
+  EXPECT_FALSE(u.cycle(m).MA_request);  // the RBC gave no parameters
+  m.T_MAR = Duration{10.0};
+  EXPECT_FALSE(u.cycle(m).MA_request);
+  // 3830 - (30 + 4/3.6) * 10.
+  m = at(3830 - 311.2, kM);
+  m.T_MAR = Duration{10.0};
+  EXPECT_FALSE(u.cycle(m).MA_request);
+  m = at(3830 - 311.0, kM);
+  m.T_MAR = Duration{10.0};
+  EXPECT_TRUE(u.cycle(m).MA_request);
+  Unit none;
+  none.build();
+  EXPECT_FALSE(none.cycle(m).MA_request);
+  set_EOA(u.in, -960.0, -850.0);
+  u.build();
+  m = at(-990, 1.0);
+  m.T_MAR = Duration{10.0};
+  EXPECT_TRUE(u.cycle(m).MA_request);
+  Unit loa;
+  loa.in.authority.kind = Authority::Kind::LOA;
+  loa.in.authority.EOA = {{5000.0}};
+  loa.in.authority.V_LOA = {20.0};
+  loa.build();
+  m = at(100, kM);
+  m.T_MAR = Duration{10.0};
+  EXPECT_FALSE(loa.cycle(m).MA_request);
+  m = at(4999, 20.0);
+  m.T_MAR = Duration{10.0};
+  EXPECT_TRUE(loa.cycle(m).MA_request);
+}
+
+TEST(Trip, MinSafeFrontEndOrAntennaBeyondTheEnd) {
+  Authority a;
+  Motion m = at(5000, 5.0);
+  EXPECT_FALSE(passed_end_of_authority(a, m, false, {5.0}));
+  a.kind = Authority::Kind::EOA_SvL;
+  a.EOA = {{5000.0}};
+  EXPECT_FALSE(passed_end_of_authority(a, m, false, {5.0}));
+  m.min_safe_front = {{5000.1}};
+  EXPECT_TRUE(passed_end_of_authority(a, m, false, {5.0}));
+  EXPECT_FALSE(passed_end_of_authority(a, m, true, {5.0}));
+  m.min_safe_front = {{5005.1}};
+  EXPECT_TRUE(passed_end_of_authority(a, m, true, {5.0}));
+}
+
+TEST(Memo, SixStatuses) {
+  Unit u = approaching_EOA();
+  const auto status = [&](double x, double V) {
+    u.s = {};
+    u.cycle(x, V);
+    return memo_status(u.r, {V}, false);
+  };
+  EXPECT_EQ(status(0, kM), MemoStatus::Null);  // the equality belongs to Null
+  EXPECT_EQ(status(0, kM + 0.1), MemoStatus::P);
+  EXPECT_EQ(status(4101, kM), MemoStatus::P);
+  EXPECT_EQ(status(4161, kM), MemoStatus::W);
+  EXPECT_EQ(status(4221, kM), MemoStatus::SB);
+  EXPECT_EQ(status(4311, kM), MemoStatus::EB);
+  EXPECT_EQ(memo_status(u.r, {kM}, true), MemoStatus::Trip);
+}
+
+// ---- Service brake feedback, A.3.10 ----------------------------------------------------------------
+
+TEST(Feedback, FirstStablePressureAndItsDrift) {
+  FeedbackState s;
+  follow_pressure(s, 300.0, {0.0});  // too low to begin with
+  follow_pressure(s, 480.0, {1.0});
+  follow_pressure(s, 510.0, {2.0});  // moved by more than 20 kPa: again
+  follow_pressure(s, 500.0, {3.0});
+  EXPECT_FALSE(s.p0_known);
+  follow_pressure(s, 505.0, {5.0});
+  ASSERT_TRUE(s.p0_known);
+  EXPECT_EQ(s.p0, 505.0);
+  follow_pressure(s, 520.0, {6.0});
+  EXPECT_EQ(s.p0, 506.5);
+  follow_pressure(s, 490.0, {7.5});
+  EXPECT_EQ(s.p0, 506.0);
+  follow_pressure(s, 400.0, {8.5});  // braking: unchanged
+  EXPECT_EQ(s.p0, 506.0);
+  follow_pressure(s, 700.0, {60.0});
+  EXPECT_EQ(s.p0, 550.0);
+  FeedbackState none;
+  follow_pressure(none, std::nullopt, {0.0});
+  EXPECT_FALSE(none.searching);
+  EXPECT_EQ(p_from_cylinder(200.0, 2.5), 420.0);
+}
+
+TEST(Feedback, TimesShrinkWithThePressureAndLock) {
+  const train::FixedValues f;
+  FeedbackState s;
+  s.p0_known = true;
+  s.p0 = 500.0;
+  FeedbackTimes t = feedback_times(s, 480.0, {6.0}, f);
+  EXPECT_EQ(t.T_bs1.si, 6.0);
+  t = feedback_times(s, 470.0, {6.0}, f);  // p1: 6 * (470 - 350) / 150
+  EXPECT_NEAR(t.T_bs1.si, 4.8, 1e-12);
+  EXPECT_NEAR(t.T_bs2.si, 4.8, 1e-12);
+  t = feedback_times(s, 490.0, {6.0}, f);  // started: it goes on above p1
+  EXPECT_NEAR(t.T_bs1.si, 5.6, 1e-12);
+  t = feedback_times(s, 445.0, {6.0}, f);
+  EXPECT_NEAR(t.T_bs1.si, 6.0 * 95 / 150, 1e-12);
+  t = feedback_times(s, 440.0, {6.0}, f);  // p2: locked
+  EXPECT_EQ(t.T_bs1.si, 0.0);
+  EXPECT_EQ(t.T_bs2.si, 2.0);
+  EXPECT_EQ(feedback_times(s, 500.0, {6.0}, f).T_bs1.si, 0.0);
+  reset_feedback(s, {6.0});
+  EXPECT_EQ(feedback_times(s, 500.0, {6.0}, f).T_bs1.si, 6.0);
+  // Never below 2 s for T_bs2, nor without a pressure.
+  EXPECT_EQ(feedback_times(s, 500.0, {1.0}, f).T_bs2.si, 2.0);
+  EXPECT_EQ(feedback_times(s, std::nullopt, {6.0}, f).T_bs1.si, 6.0);
+}
+
+Unit with_feedback(SrsVersion srs) {
+  Unit u(srs);
+  u.in.national_values.Q_NVSBFBPERM = true;
+  u.in.train.service_brake_feedback = true;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.build();
+  return u;
+}
+
+TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = with_feedback(srs);
+    const auto cycle = [&](double x, double V, double p, double now) {
+      Motion m = at(x, V);
+      m.brake_pressure_kpa = p;
+      m.now = {now};
+      return u.cycle(m);
+    };
+    cycle(0, 25.0, 500.0, 0.0);
+    cycle(100, 25.0, 500.0, 4.0);
+    ASSERT_TRUE(u.s.feedback.p0_known);
+    cycle(4150, 25.0, 500.0, 5.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    const Speed before = u.r.V_P;
+    EXPECT_FALSE(u.s.feedback.started);
+    // The driver brakes: T_bs1 and T_bs2 shrink to 0 and 2 s; the permitted speed shown does not rise.
+    cycle(4152, 24.9, 460.0, 5.1);
+    cycle(4154, 24.8, 430.0, 5.2);
+    EXPECT_TRUE(u.s.feedback.locked);
+    EXPECT_LE(u.r.V_P, before);
+    const Speed held = u.r.V_P;
+    cycle(4156, 24.7, 430.0, 5.3);
+    EXPECT_LE(u.r.V_P, held);
+    // Out of target speed monitoring everything is forgotten.
+    set_EOA(u.in, 9900.0, 9900.0);
+    u.build();
+    cycle(4160, 20.0, 430.0, 5.4);
+    cycle(4162, 20.0, 430.0, 5.5);
+    EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
+    EXPECT_FALSE(u.s.feedback.locked);
+  }
+}
+
+TEST(Feedback, TheIndicationLimitOf400IgnoresIt) {
+  Unit u = with_feedback(SrsVersion::v4_0_0);
+  const Target& t = u.d->targets[0];
+  const Approach a = approach({20.0}, {}, {}, u.d->fixed);
+  TimesAsked none;
+  TimesAsked locked;
+  locked.feedback = FeedbackTimes{{0.0}, {2.0}};
+  const TargetLimits full = limits_of(*u.d, t, a, none);
+  const TargetLimits moved = limits_of(*u.d, t, a, locked);
+  EXPECT_GT(moved.SBD->d_P, full.SBD->d_P);
+  EXPECT_EQ(moved.SBD->d_I, full.SBD->d_I);
+  EXPECT_EQ(moved.EBD.d_I, full.EBD.d_I);
+  // 3.4.0 and 3.6.0 have no such clause.
+  Unit v = with_feedback(SrsVersion::v3_6_0);
+  EXPECT_GT(limits_of(*v.d, v.d->targets[0], a, locked).SBD->d_I, limits_of(*v.d, v.d->targets[0], a, none).SBD->d_I);
+}
+
+TEST(Feedback, TheTargetDistanceUsesTheTimesOfTheMoment) {
+  Unit u(SrsVersion::v3_6_0);
+  u.in.national_values.Q_NVSBFBPERM = true;
+  u.in.train.service_brake_feedback = true;
+  u.in.authority = {};
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {10.0}));
+  u.in.authority.kind = Authority::Kind::EOA_SvL;
+  u.in.authority.EOA = u.in.authority.SvL = {{8000.0}};
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.s.feedback.p0_known = true;
+  u.s.feedback.p0 = 500.0;
+  Motion m = at(3500, 25.0);
+  m.brake_pressure_kpa = 500.0;
+  u.cycle(m);
+  u.cycle(m);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_NEAR(u.r.d_target->si, (u.d->targets[0].d_P_target - m.max_safe_front).si, 1e-9);
+}
+
+TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
+  Unit u = approaching_EOA(SrsVersion::v4_0_0);
+  u.cycle(4550, 15.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  u.cycle(4880, 2.0);
+  const Speed shown = u.r.V_P;
+  u.cycle(4880, 1.0);  // slower: shorter times; the speed shown must not rise
+  EXPECT_LE(u.r.V_P, shown);
+}
+
+TEST(Safety, TSM360SupervisesTheCeilingInRearOfAllIndicationLimits) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  u.cycle(3400, 28.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  // The train is set back in the frame (relocation): no Indication limit is exceeded, and it is too fast.
+  u.cycle(500, kM + 0.1);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.status, Status::Overspeed);
+  u.cycle(500, kEBI + 0.1);
+  EXPECT_TRUE(u.r.eb);
+}
+
+TEST(Safety, ReportsWhatTheCurvesMet) {
+  Unit u;
+  u.in.gradient.permille.steps[0].value = -200.0;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.build();
+  u.cycle(0, 1.0);
+  EXPECT_TRUE(u.r.no_deceleration);
+  EXPECT_TRUE(u.r.eb);
+}
+
+}  // namespace
