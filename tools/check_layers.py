@@ -44,7 +44,7 @@ FORBIDDEN = [
 
 def is_test(path):
     """Tests and the headers that only tests include."""
-    return path.stem.endswith(("_test", "_testing")) or path.stem.startswith("test_")
+    return path.stem.endswith(("_test", "testing")) or path.stem.startswith("test_")
 
 
 def without_comments(text):
