@@ -235,54 +235,66 @@ void finish(Group& group, const OpenGroup& open) {
   group.lrbg_compliant = group.accepted && group.linked && place_fits;  // 3.6.2.2.2 a
 }
 
-}  // namespace
-
-void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
-  using Verdict = Judgement::Verdict;
-  const Telegram* reference = location_reference(open);
+/// The judgement of the reference balise, made up for where it is still open.
+void complete_judgement(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   Judgement& judgement = open.judgement;
-  const Examined found = examine(open);
-  Group group = described(open, reference);
-
   if (!open.identified || !open.Q_LINK) {
-    judgement = {Verdict::unlinked, std::nullopt};
-  } else if (judgement.verdict == Verdict::unjudged && reference != nullptr) {
-    judgement = judge(linking, open.id, true, reference->antenna, situation.linking_checked, outcome);
-  } else if (judgement.verdict == Verdict::unjudged) {
-    judgement = judge_without_reference(linking, open.id, open.last_antenna, situation.linking_checked);
+    judgement = {Judgement::Verdict::unlinked, std::nullopt};
+    return;
   }
-  group.linking_used = judgement.verdict != Verdict::not_used && judgement.verdict != Verdict::unlinked;
-  // 3.4.2.3.2.2: a group without orientation of its own takes the announced one.
+  if (judgement.verdict != Judgement::Verdict::unjudged) return;
+  if (const Telegram* reference = location_reference(open))
+    judgement = judge(linking, open.id, true, reference->antenna, situation.linking_checked, outcome);
+  else
+    judgement = judge_without_reference(linking, open.id, open.last_antenna, situation.linking_checked);
+}
+
+void orient(Group& group, const OpenGroup& open, const Examined& found, const Situation& situation) {
+  const std::optional<Link>& link = open.judgement.link;
   group.single = found.single;
   group.crossing = found.crossing;
-  if (found.crossing == Direction::unknown && judgement.link && judgement.link->gives_orientation)
-    group.crossing = judgement.link->crossing;
+  // 3.4.2.3.2.2: a group without orientation of its own takes the announced one.
+  if (found.crossing == Direction::unknown && link && link->gives_orientation) group.crossing = link->crossing;
   group.counter_against_group = against_counter(open, group.crossing, situation);
+}
 
-  switch (judgement.verdict) {
+/// Accepted or not, by what linking says of the group.
+void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Examined& found,
+            const Situation& situation, Outcome& outcome) {
+  using Verdict = Judgement::Verdict;
+  const auto ignore = [&](Finding finding, const char* clause) {
+    refuse(group, finding, Happened::group_ignored, Reaction::none, ErrorReport::none, clause, outcome);
+  };
+  switch (open.judgement.verdict) {
     case Verdict::found:
       group.announced = true;
-      judge_announced(group, *judgement.link, found, outcome);
-      break;
+      return judge_announced(group, *open.judgement.link, found, outcome);
     case Verdict::repositioning:
-      judge_repositioning(linking, group, open, *judgement.link, found, outcome);
-      break;
+      return judge_repositioning(linking, group, open, *open.judgement.link, found, outcome);
     case Verdict::outside_window:
       group.announced = true;
-      refuse(group, Finding::outside_window, Happened::group_ignored, Reaction::none, ErrorReport::none, "3.16.2.3.1.1",
-             outcome);
-      break;
+      return ignore(Finding::outside_window, "3.16.2.3.1.1");
     case Verdict::not_announced:
-      refuse(group, Finding::not_announced, Happened::group_ignored, Reaction::none, ErrorReport::none, "3.16.2.4.3",
-             outcome);
-      break;
+      return ignore(Finding::not_announced, "3.16.2.4.3");
     case Verdict::unjudged:
     case Verdict::unlinked:
     case Verdict::not_used:
       judge_by_itself(group, open, found, situation, outcome);
-      use_stored_link(group, judgement.link);
-      break;
+      return use_stored_link(group, open.judgement.link);
   }
+}
+
+}  // namespace
+
+void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
+  using Verdict = Judgement::Verdict;
+  const Examined found = examine(open);
+  Group group = described(open, location_reference(open));
+  complete_judgement(linking, open, situation, outcome);
+  const Verdict verdict = open.judgement.verdict;
+  group.linking_used = verdict != Verdict::not_used && verdict != Verdict::unlinked;
+  orient(group, open, found, situation);
+  decide(linking, group, open, found, situation, outcome);
   if (situation.linking_checked) look_for_second_repositioning(linking, group, open, outcome);
   finish(group, open);
   if (group.accepted && !group.announced)
