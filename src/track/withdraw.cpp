@@ -185,7 +185,8 @@ void run_end_section_timer(Description& d, const Here& here, Elapsed& elapsed) {
 
 template <class T, std::size_t N>
 void forget_areas(InplaceVector<T, N>& areas, Place limit) {
-  if (!areas.empty()) areas.erase_if([&](const T& area) { return area.to < limit; });
+  for (const T& area : areas)
+    if (area.to < limit) return areas.erase_if([&](const T& a) { return a.to < limit; });
 }
 
 void forget_passed(Description& d, const Here& here) {
@@ -203,10 +204,19 @@ void forget_passed(Description& d, const Here& here) {
   if (d.ma)
     while (d.ma->sections.size() > 1 && d.ma->sections.front().end < limit) d.ma->sections.erase(0);
   // An area is left when the min safe front end passes its end (3.12.4.6).
-  const std::size_t areas = d.mode_profile.size();
-  d.mode_profile.erase_if([&](const ModeArea& area) { return area.to && here.min_safe_front > *area.to; });
-  if (d.mode_profile.size() != areas) ++d.revision;
-  d.texts.erase_if([](const Text& text) { return text.state == Text::State::ended; });
+  const auto left = [&](const ModeArea& area) { return area.to && here.min_safe_front > *area.to; };
+  for (const ModeArea& area : d.mode_profile)
+    if (left(area)) {
+      d.mode_profile.erase_if(left);
+      ++d.revision;
+      break;
+    }
+  const auto ended = [](const Text& text) { return text.state == Text::State::ended; };
+  for (const Text& text : d.texts)
+    if (ended(text)) {
+      d.texts.erase_if(ended);
+      break;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,285 @@
+#include "radio/session.h"
+
+#include "radio/from_packets.h"
+#include "radio/testing.h"
+
+namespace evc::radio {
+namespace {
+
+using namespace testing;
+
+TEST(Session, SetUp) {  // 3.5.3.7
+  Unit u;
+  u.order_session();
+  EXPECT_EQ(u.out.connect, kRbc);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  u.cycle();
+  u.fresh();
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.messages(), Ids{155});
+  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  EXPECT_EQ(u.message(3), Rejected::no_session) << "only the version is taken now";
+  u.fresh();
+  u.version(0x10);
+  EXPECT_TRUE(u.s.session.established());
+  EXPECT_TRUE(u.cycle().session_established);
+  EXPECT_EQ(u.messages(), (Ids{159, 136, 129}));
+  EXPECT_FALSE(u.cycle().session_established);
+  EXPECT_EQ(u.s.session.M_VERSION, 0x10);
+  EXPECT_EQ(u.s.session.indication, Indication::up);
+}
+
+TEST(Session, StartOfMissionReports157) {
+  Unit u;
+  u.in.start_of_mission = true;
+  u.in.Q_STATUS = 2;
+  u.in.train_data_valid = false;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.version();
+  u.cycle();
+  EXPECT_EQ(u.messages(), (Ids{159, 157}));
+  EXPECT_EQ(u.out.messages[1].Q_STATUS, 2);
+  EXPECT_TRUE(u.out.messages[1].running_number);
+}
+
+TEST(Session, ThreeTriesInStartOfMission) {  // N_CONN_TRIES
+  Unit u;
+  ASSERT_TRUE(order(u.s, {true, kRbc, false, Cause::start_of_mission}, false, false, Duration{0}, u.out));
+  for (int i = 0; i < 2; ++i) {
+    u.fresh();
+    u.cycle(Link::refused);
+    EXPECT_EQ(u.out.connect, kRbc);
+    EXPECT_FALSE(u.out.inform_no_connection);
+  }
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_TRUE(u.out.inform_no_connection);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.session.indication, Indication::failed);
+}
+
+TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
+  Unit u;
+  u.order_session();
+  for (int i = 0; i < 400; ++i) {
+    u.fresh();
+    u.cycle(Link::refused);
+    ASSERT_EQ(u.out.connect, kRbc);
+  }
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  u.run(6);
+  EXPECT_EQ(u.s.session.indication, Indication::failed) << "after 45 s";
+}
+
+TEST(Session, NoVersionIn15Seconds) {
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.run(14.8);
+  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  u.run(0.4);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+}
+
+TEST(Session, LinkLostBeforeTheVersionIsATry) {
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Session, UnknownVersion) {  // 3.5.3.8
+  Unit u;
+  u.order_session();
+  u.cycle(Link::connected);
+  u.fresh();
+  u.version(0x30);
+  EXPECT_EQ(u.messages(), (Ids{154, 156}));
+  EXPECT_TRUE(u.out.inform_no_version);
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  EXPECT_FALSE(u.cycle().session_established);
+}
+
+TEST(Session, TheVersionAgainIsAnsweredAgain) {
+  Unit u;
+  u.up();
+  u.version();
+  EXPECT_EQ(u.messages(), Ids{159});
+  EXPECT_FALSE(u.cycle().session_established);
+}
+
+TEST(Session, Termination) {  // 3.5.5
+  Unit u;
+  u.up();
+  u.order_session(kRbc, false);
+  EXPECT_EQ(u.messages(), Ids{156});
+  EXPECT_EQ(u.message(3), Rejected::terminating);
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+}
+
+TEST(Session, TerminationIsRepeatedThreeTimes) {  // 3.5.5.3.1-2
+  Unit u;
+  u.up();
+  u.order_session(kRbc, false);
+  u.fresh();
+  EXPECT_EQ(u.run(59.5), (Ids{156, 156, 156}));
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  u.run(1.0);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+}
+
+TEST(Session, TerminationWhileConnecting) {
+  Unit u;
+  u.order_session();
+  u.order_session(kRbc, false);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  EXPECT_FALSE(order(u.s, {false, kRbc, false, {}}, false, false, Duration{0}, u.out));
+}
+
+TEST(Session, AnotherRbcEndsTheFirstOne) {  // 3.5.3.5.2, 3.5.3.4.2
+  Unit u;
+  u.up();
+  u.order_session(kRbc);
+  EXPECT_EQ(u.s.session.phase, Phase::up) << "already there";
+  u.order_session(kOther);
+  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  u.order_session(kOther);
+  u.cycle();
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  EXPECT_EQ(u.out.connect, kOther);
+  EXPECT_EQ(u.s.session.rbc, kOther);
+  u.fresh();
+  u.order_session(kOther);
+  EXPECT_FALSE(u.out.connect) << "being set up already";
+  u.order_session(kRbc);
+  EXPECT_EQ(u.out.disconnect, kOther);
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
+  Unit u;
+  u.up();
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.in.report_due = true;
+  EXPECT_TRUE(u.run(20).empty()) << "what is due meanwhile counts as sent";
+  u.in.report_due = false;
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.run(40);
+  EXPECT_EQ(u.s.session.indication, Indication::failed);
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.s.session.phase, Phase::up);
+  EXPECT_EQ(u.s.session.indication, Indication::up);
+  u.cycle(Link::lost);
+  u.run(299);
+  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  bool lost = false;
+  for (int i = 0; i < 20; ++i) {
+    u.fresh();
+    if (u.cycle().session_lost) {
+      lost = true;
+      EXPECT_EQ(u.out.connect, kRbc) << "cause f: at once again";
+    }
+  }
+  EXPECT_TRUE(lost);
+  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+}
+
+TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
+  Unit u;
+  u.up();
+  u.in.in_radio_hole = true;
+  u.fresh();
+  u.cycle(Link::lost);
+  EXPECT_FALSE(u.out.connect);
+  EXPECT_EQ(u.s.session.indication, Indication::none);
+  u.run(10);
+  EXPECT_FALSE(u.s.session.request_connection);
+  u.in.in_radio_hole = false;
+  u.fresh();
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.in.in_radio_hole = true;
+  u.cycle(Link::refused);
+  u.run(301);
+  EXPECT_EQ(u.s.session.phase, Phase::idle) << "died inside the hole: no new one there";
+}
+
+TEST(Session, ConnectingStopsInAHoleAndGoesOnAfterIt) {
+  Unit u;
+  u.order_session();
+  u.in.in_radio_hole = true;
+  u.fresh();
+  u.cycle(Link::refused);
+  EXPECT_FALSE(u.out.connect);
+  u.in.in_radio_hole = false;
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kRbc);
+}
+
+TEST(Order, FromPackets) {
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  p.NID_C.raw = 426;
+  p.NID_RBC.raw = 1;
+  p.NID_RADIO.raw = kRbc.NID_RADIO;
+  EXPECT_TRUE(session_order_of(p).establish);
+  EXPECT_EQ(session_order_of(p).rbc, kRbc);
+  p.Q_RBC.raw = 0;
+  p.Q_SLEEPSESSION.raw = 1;
+  EXPECT_FALSE(session_order_of(p).establish);
+  EXPECT_TRUE(session_order_of(p).sleeping_too);
+  lang::Packet131 transition;
+  transition.NID_RBC.raw = 9;
+  EXPECT_TRUE(session_order_of(transition).establish);
+  EXPECT_EQ(session_order_of(transition).rbc.NID_RBC, 9);
+  lang::Packet57 request;
+  request.T_MAR.raw = 255;
+  request.T_TIMEOUTRQST.raw = 1023;
+  request.T_CYCRQST.raw = 20;
+  EXPECT_EQ(ma_request_of(request), (MaRequestParameters{std::nullopt, std::nullopt, Duration{20}}));
+}
+
+TEST(Order, KnowsTheLastRbcAndSleeping) {
+  Unit u;
+  const Rbc last{0, kLastKnownRbc, kStoredNumber};
+  EXPECT_FALSE(order(u.s, {true, last, false, {}}, false, false, Duration{0}, u.out)) << "nothing is stored";
+  EXPECT_FALSE(order(u.s, {true, kRbc, false, {}}, true, false, Duration{0}, u.out)) << "not for sleeping units";
+  EXPECT_TRUE(order(u.s, {true, kRbc, true, {}}, true, true, Duration{0}, u.out));
+  EXPECT_FALSE(u.out.connect) << "SH and PS only store it";
+  EXPECT_TRUE(order(u.s, {true, last, false, {}}, false, false, Duration{0}, u.out));
+  EXPECT_EQ(u.out.connect, kRbc);
+  EXPECT_FALSE(order(u.s, {false, kOther, false, {}}, false, false, Duration{0}, u.out));
+}
+
+TEST(Session, WhatTheBearerSaysWithoutASessionIsNothing) {
+  Unit u;
+  u.cycle(Link::lost);
+  u.cycle(Link::connected);
+  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  terminate(u.s.session, Duration{0}, u.out);
+  end(u.s.session, Duration{0}, u.out);
+  reconnect(u.s.session, Duration{0}, u.out);
+  EXPECT_TRUE(u.out.messages.empty());
+  EXPECT_FALSE(u.out.connect || u.out.disconnect);
+  u.up();
+  u.order_session(kRbc, false);
+  u.cycle(Link::lost);
+  EXPECT_EQ(u.s.session.phase, Phase::terminating) << "its repetitions run out by themselves";
+}
+
+}  // namespace
+}  // namespace evc::radio

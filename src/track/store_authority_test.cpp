@@ -1,0 +1,298 @@
+#include "track/store.h"
+
+#include <gtest/gtest.h>
+
+#include "track/testing.h"
+#include "track/withdraw.h"
+
+namespace evc::track {
+namespace {
+
+using namespace testing;
+
+std::string_view clause_of(const Stored& s, std::uint8_t packet) {
+  for (const Note& n : s.notes)
+    if (n.packet == packet && n.clause != nullptr) return n.clause;
+  return "";
+}
+TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
+  TemporarySpeedRestriction t;
+  t.NID_TSR = id;
+  t.from = at(from);
+  t.to = at(to);
+  t.V_TSR = v;
+  t.from_rbc = rbc;
+  return t;
+}
+
+TEST(Store, AnMaWithSspAndGradientIsAccepted) {
+  Description d;
+  const Stored s = store(d, whole(1000), front_at(100));
+  EXPECT_TRUE(s.ma_accepted);
+  EXPECT_FALSE(s.shortened);
+  ASSERT_TRUE(d.ma);
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_EQ(d.ma->SvL(), at(1000));
+  EXPECT_EQ(d.revision, 1u);
+  EXPECT_TRUE(complete(d, front_at(100)));
+  EXPECT_TRUE(complete(Description{}, front_at(100)));
+}
+
+TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
+  struct Case {
+    const char* name;
+    NewStaticSpeedProfile ssp;
+    NewGradientProfile gradient;
+    bool accepted;
+  };
+  const NewStaticSpeedProfile good_ssp = ssp({{0, 100}, {1000, kEnd}});
+  const NewGradientProfile good_gradient = slopes({{0, 0}, {1000, Gradient::kUnknown}});
+  const Case cases[] = {
+      {"both", good_ssp, good_gradient, true},
+      {"no SSP", {}, good_gradient, false},
+      {"no gradient", good_ssp, {}, false},
+      {"SSP one metre short", ssp({{0, 100}, {999, kEnd}}), good_gradient, false},
+      {"gradient one metre short", good_ssp, slopes({{0, 0}, {999, Gradient::kUnknown}}), false},
+      {"SSP begins ahead of the front", ssp({{101, 100}}), good_gradient, false},
+      {"endless values", ssp({{0, 100}}), slopes({{0, 0}}), true},
+  };
+  for (const Case& c : cases) {
+    Description d;
+    Contents contents = whole(1000);
+    contents.ssp = c.ssp;
+    contents.gradient = c.gradient;
+    contents.mode_profile = ModeProfile{};
+    contents.sh_list = GroupList{};
+    ASSERT_TRUE(contents.tsr.push_back(tsr_of(1, 200, 300, 8)));
+    const Stored s = store(d, contents, front_at(100));
+    EXPECT_EQ(s.ma_accepted, c.accepted) << c.name;
+    EXPECT_EQ(s.ma_refused, !c.accepted) << c.name;
+    EXPECT_EQ(d.ma.has_value(), c.accepted) << c.name;
+    EXPECT_EQ(clause_of(s, 15), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(clause_of(s, 80), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(clause_of(s, 49), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(d.tsr.size(), 1u) << "the other packets are judged on their own: " << c.name;
+    EXPECT_EQ(d.ssp.empty(), contents.ssp->empty()) << c.name;
+  }
+}
+
+TEST(Store, WithoutRoomForItsProfilesAnMaIsRefused) {
+  Description d;
+  for (int i = 0; i < 95; ++i) ASSERT_TRUE(d.gradient.append(at(-500 + i), Gradient{1}));
+  EXPECT_TRUE(store(d, whole(1000), front_at(100)).ma_refused) << "95 and 2 steps";
+  Description e;
+  for (int i = 0; i < 94; ++i) ASSERT_TRUE(e.gradient.append(at(-500 + i), Gradient{1}));
+  EXPECT_TRUE(store(e, whole(1000), front_at(100)).ma_accepted);
+}
+
+TEST(Store, ARefusedMaLeavesTheOldOne) {
+  Description d;
+  store(d, whole(1000), front_at(100));
+  Contents c;
+  c.ma = authority_to(2000);
+  EXPECT_TRUE(store(d, c, front_at(100)).ma_refused);
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_EQ(clause_of(store(d, whole(3000), front_at(100), "3.10.2.4"), 15), "3.10.2.4");
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_TRUE(d.ssp.covers(at(0), at(3000))) << "only the MA is refused";
+}
+
+TEST(Store, AnMaAloneRestsOnWhatIsStored) {  // 3.7.2.1
+  Description d;
+  store(d, whole(2000), front_at(100));
+  Contents c;
+  c.ma = authority_to(1500);
+  EXPECT_TRUE(store(d, c, front_at(200)).ma_accepted);
+}
+
+TEST(Store, AShorteningDeletesBeyondTheNewSvL) {  // 3.8.5.1.3, A.3.4 b
+  Description d;
+  Contents first = whole(3000);
+  ASSERT_TRUE(first.tsr.push_back(tsr_of(3, 2500, 2600, 8)));
+  store(d, first, front_at(100));
+  Contents c;
+  c.ma = authority_to(1500);
+  const Stored s = store(d, c, front_at(200));
+  EXPECT_TRUE(s.shortened);
+  EXPECT_TRUE(d.ssp.covers(at(0), at(1500)));
+  EXPECT_FALSE(d.ssp.at(at(1500)));
+  EXPECT_FALSE(d.gradient.at(at(1500)));
+  EXPECT_EQ(d.tsr.size(), 1u) << "restrictions stay";
+  EXPECT_FALSE(store(d, whole(2500), front_at(200)).shortened);
+}
+
+TEST(Store, AnSvLWhereAnLoaWasIsAShorteningWhereverItLies) {  // 3.8.5.1.4
+  Description d;
+  Contents c = whole(2000);
+  c.ma->V_LOA = Speed{20};
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.ma->SvL());
+  EXPECT_EQ(authority(d, {}, 0).LOA, at(2000));
+  EXPECT_TRUE(store(d, whole(2500), front_at(100)).shortened);
+  EXPECT_TRUE(d.ssp.covers(at(0), at(2500))) << "the new packets follow the deletion";
+  c.ma->sections[0].end = at(500);
+  EXPECT_FALSE(store(d, c, front_at(100)).shortened) << "a new LOA never is one";
+}
+
+TEST(Store, GrantedShorteningRequest) {
+  Description d;
+  store(d, whole(3000), front_at(100));
+  Contents c;
+  c.ma = authority_to(1000);
+  c.ma_is_shortening_request = true;
+  const Stored s = store(d, c, front_at(100));
+  EXPECT_TRUE(s.shortened);
+  EXPECT_EQ(clause_of(s, 15), "3.8.6");
+}
+
+TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
+  Description d;
+  Contents first = whole(2000);
+  ModeArea near, far;
+  near.from = at(500);
+  far.from = at(1800);
+  first.mode_profile = ModeProfile{};
+  ASSERT_TRUE(first.mode_profile->push_back(near) && first.mode_profile->push_back(far));
+  store(d, first, front_at(100));
+  Contents c;
+  c.infill = at(1500);
+  c.ma = authority_to(3000, 1500);
+  c.ma->level_1 = true;
+  c.V_MAIN = 20;
+  c.ssp = ssp({{1500, 80}, {3000, kEnd}});
+  c.gradient = slopes({{1500, 0}, {3000, Gradient::kUnknown}});
+  EXPECT_TRUE(complete(d, c, front_at(100)));
+  EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
+  ASSERT_EQ(d.ma->sections.size(), 2u);
+  EXPECT_EQ(d.ma->sections[0].end, at(1500)) << "the section running there is cut";
+  EXPECT_EQ(d.ma->end(), at(3000));
+  ASSERT_EQ(d.mode_profile.size(), 1u);
+  EXPECT_EQ(d.mode_profile[0].from, at(500));
+  EXPECT_EQ(d.signalling->from, at(1500));
+  c.V_MAIN = 0;
+  EXPECT_FALSE(store(d, c, front_at(100)).trip_order) << "3.11.6.5: no trip order from infill";
+}
+
+TEST(Store, InfillWithoutAnMaIsRefused) {
+  Description d;
+  Contents c = whole(3000);
+  c.infill = at(1500);
+  EXPECT_EQ(clause_of(store(d, c, front_at(1600)), 15), "3.8.5.1");
+  EXPECT_FALSE(d.ma);
+}
+
+TEST(Store, SignallingSpeed) {  // 3.11.6
+  Description d;
+  Contents c = whole(1000);
+  c.ma->level_1 = true;
+  c.V_MAIN = 8;
+  EXPECT_FALSE(store(d, c, front_at(100)).trip_order);
+  EXPECT_EQ(d.signalling->V_MAIN, 8);
+  c.V_MAIN = 0;
+  EXPECT_TRUE(store(d, c, front_at(100)).trip_order);
+  EXPECT_EQ(d.signalling->V_MAIN, 8) << "a trip order is not stored";
+  store(d, whole(1500), front_at(100));
+  EXPECT_FALSE(d.signalling) << "an MA of level 2 ends it";
+}
+
+TEST(Store, Repositioning) {  // 3.8.5.2
+  Description d;
+  Contents c = whole(3000);
+  c.ma->sections.clear();
+  for (const double end : {1000.0, 2000.0}) {
+    Section s;
+    s.begin = at(end - 1000);
+    s.end = at(end);
+    s.stop = at(end - 10);
+    ASSERT_TRUE(c.ma->sections.push_back(s));
+  }
+  c.ma->danger_point = DangerPoint{at(2100), {}};
+  c.ma->overlap = Overlap{at(1900), at(2200), {}, {}};
+  c.ma->end_section = EndSectionTimer{at(1800), {}};
+  store(d, c, front_at(100));
+  Contents r;
+  r.repositioned_section = Distance{850};
+  r.reference = at(200);
+  store(d, r, front_at(210));
+  EXPECT_EQ(d.ma->sections[0].end, at(1050));
+  EXPECT_EQ(d.ma->sections[1].begin, at(1050));
+  EXPECT_EQ(d.ma->sections[1].stop, at(2040));
+  EXPECT_EQ(d.ma->end(), at(2050));
+  EXPECT_EQ(d.ma->danger_point->at, at(2150));
+  EXPECT_EQ(d.ma->overlap->end, at(2250));
+  EXPECT_EQ(d.ma->overlap->start, at(1950));
+  EXPECT_EQ(d.ma->end_section->start, at(1850));
+  Description none;
+  store(none, r, front_at(210));
+  EXPECT_FALSE(none.ma);
+}
+
+TEST(Store, TimersOfAReplacedMa) {  // 3.8.4.1.3-4, 3.8.4.4.4-5
+  Description d;
+  Contents c = whole(3000);
+  c.ma->overlap = Overlap{at(50), at(3100), {Duration{30}, {}, false}, {}};
+  c.ssp = ssp({{0, 100}});
+  c.gradient = slopes({{0, 0}});
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.ma->overlap) << "its start is behind and no timer ran: expired at once";
+  EXPECT_EQ(d.ma->SvL(), at(3000));
+  c.ma->overlap->start = at(150);
+  store(d, c, front_at(100));
+  Here here = front_at(160);
+  here.now = Duration{10};
+  advance(d, here);
+  EXPECT_TRUE(d.ma->overlap->timer.running);
+  here.now = Duration{30};
+  store(d, c, here);
+  ASSERT_TRUE(d.ma->overlap);
+  EXPECT_EQ(d.ma->overlap->timer.started, Duration{10}) << "the running timer goes on";
+  c.ma->overlap->timer.limit = Duration{15};
+  store(d, c, here);
+  EXPECT_FALSE(d.ma->overlap) << "under the new limit it is over";
+  c.ma->overlap.reset();
+  c.ma->end_section = EndSectionTimer{at(50), {Duration{30}, {}, false}};
+  store(d, c, front_at(400));
+  EXPECT_EQ(d.ma->end(), at(400));
+  EXPECT_EQ(d.ma->SvL(), at(405));
+  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+}
+
+TEST(Store, AnAcceptedAreaStaysAcceptedInTheNextMa) {  // 5.9.2.7
+  Description d;
+  Contents c = whole(2000);
+  ModeArea os;
+  os.from = at(300);
+  os.to = at(900);
+  os.ack_from = at(150);
+  c.mode_profile = ModeProfile{};
+  ASSERT_TRUE(c.mode_profile->push_back(os));
+  store(d, c, front_at(100));
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(100)));
+  ASSERT_TRUE(area_to_acknowledge(d, front_at(200)));
+  accept_area(d, AreaMode::OS, front_at(200));
+  EXPECT_FALSE(area_to_acknowledge(d, front_at(200)));
+  store(d, c, front_at(210));
+  EXPECT_TRUE(d.mode_profile[0].accepted);
+  ASSERT_TRUE(area_due(d, front_at(210)));
+  EXPECT_FALSE(area_due(d, front_at(910)));
+}
+
+TEST(Store, ShuntingAreaBringsItsList) {
+  Description d;
+  Contents c = whole(2000);
+  ModeArea sh;
+  sh.from = at(300);
+  sh.mode = AreaMode::SH;
+  c.mode_profile = ModeProfile{};
+  ASSERT_TRUE(c.mode_profile->push_back(sh));
+  c.sh_list = GroupList{};
+  ASSERT_TRUE(c.sh_list->push_back({1, 2}));
+  store(d, c, front_at(100));
+  ASSERT_TRUE(d.sh_list);
+  c.sh_list.reset();
+  store(d, c, front_at(100));
+  EXPECT_FALSE(d.sh_list) << "3.12.4.4";
+}
+
+}  // namespace
+}  // namespace evc::track

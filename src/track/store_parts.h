@@ -1,0 +1,33 @@
+#pragma once
+#include "track/store.h"
+
+// The parts of `store`, one file each.
+namespace evc::track {
+
+/// One message on its way into the store.
+struct Filing {
+  Description& d;
+  const Contents& c;
+  const Here& here;
+  Stored& report;
+
+  void note(std::uint8_t packet, Note::What what, const char* clause) const {
+    // The report holds one note per packet kind; a full one loses notes, never data.
+    if (!report.notes.full()) (void)report.notes.push_back({packet, what, clause});
+  }
+  void stored(std::uint8_t packet, bool room, const char* clause) const {
+    if (room)
+      note(packet, Note::What::stored, nullptr);
+    else
+      note(packet, Note::What::full, clause);
+  }
+};
+
+/// The MA with its mode profile and list for SH: shortening, completeness, timers (3.8).
+void store_authority(const Filing& filing, const char* refuse_ma);
+/// V_MAIN (3.11.6).
+void store_signalling_speed(const Filing& filing);
+/// Packet 16 (3.8.5.2).
+void reposition(const Filing& filing);
+
+}  // namespace evc::track
