@@ -20,7 +20,7 @@ using io::JsonPlace;
 using nlohmann::ordered_json;
 
 constexpr double kBaliseSpacing = 3.0;  // metres, N_PIG 0 to N_PIG 1
-constexpr std::size_t kLinks = 10;      // groups announced ahead
+constexpr std::size_t kLinks = 14;      // groups announced ahead at most
 constexpr double kBeyond = 100.0;       // profiles reach so far beyond the danger point
 constexpr std::uint8_t kLocationAccuracy = 5;
 
@@ -122,17 +122,21 @@ class Encoder {
       packet.V_MAIN.raw = 32;
       add(out, packet);
     }
-    linking(out, reference);
+    linking(out, reference, to);
     gradient_profile(out, reference, danger_m + kBeyond);
     speed_profile(out, reference, danger_m + kBeyond);
   }
 
-  void linking(BitWriter& out, const Group& reference) {
+  /// The groups on the way to `to` and the one after.
+  void linking(BitWriter& out, const Group& reference, double to) {
     auto packet = nominal<lang::Packet5>();
     Increments metres(reference.position_m);
     std::size_t n = 0;
+    double last_m = reference.position_m;
     for (const Group& g : groups_) {
-      if (g.position_m <= reference.position_m || n == kLinks) continue;
+      if (g.position_m <= reference.position_m) continue;
+      if (n == kLinks || last_m > to) break;
+      last_m = g.position_m;
       lang::Packet5_links link;
       link.D_LINK.raw = metres.to(g.position_m);
       link.NID_BG.raw = g.NID_BG;
@@ -355,8 +359,11 @@ std::string hex(std::span<const std::uint8_t> bytes) {
   return digits;
 }
 
-/// The telegram of balise `N_PIG` of a group of two; the second one carries nothing but its header.
-ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, const std::optional<JsonPlace>& orders) {
+/// The telegram of balise `N_PIG` with the orders from `next` on that fit; the others are left for the
+/// next balise of the group.
+ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, const std::optional<JsonPlace>& orders,
+                      std::size_t& next) {
+  constexpr std::size_t room = 830 - 8;  // packet 255 follows
   std::array<std::uint8_t, 104> bytes{};
   BitWriter out(bytes);
   lang::TelegramHeader header;
@@ -368,14 +375,28 @@ ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, cons
   header.Q_LINK.raw = 1;
   lang::begin_telegram(out, header);
   ordered_json contains = ordered_json::array();
-  for (std::size_t i = 0; N_PIG == 0 && orders && i < orders->size(); ++i)
-    encoder.encode(out, (*orders)[i], group, false, contains);
+  for (; orders && next < orders->size(); ++next) {
+    const BitWriter before = out;
+    const ordered_json contained = contains;
+    encoder.encode(out, (*orders)[next], group, false, contains);
+    if (!out.faulty() && out.position() <= room) continue;
+    out = before;
+    contains = contained;
+    break;
+  }
   lang::end_telegram(out, 830);
-  if (out.faulty()) orders->fail("more than 830 bits", "orders that fit in one telegram");
   return {{"position_m", group.position_m + kBaliseSpacing * N_PIG},
           {"contains", contains},
           {"telegram_bits", 830},
           {"telegram_hex", hex(bytes)}};
+}
+
+ordered_json balises(Encoder& encoder, const Group& group, const std::optional<JsonPlace>& orders) {
+  std::size_t next = 0;
+  ordered_json both = ordered_json::array();
+  for (const unsigned N_PIG : {0u, 1u}) both.push_back(telegram(encoder, group, N_PIG, orders, next));
+  if (orders && next < orders->size()) (*orders)[next].fail("more than two telegrams of 830 bits", "fewer orders");
+  return both;
 }
 
 ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
@@ -460,8 +481,7 @@ ordered_json line_of(const JsonPlace& root) {
                                      {"nid_c", encoder.NID_C()},
                                      {"nid_bg", groups[i].NID_BG},
                                      {"position_m", groups[i].position_m},
-                                     {"balises", ordered_json::array({telegram(encoder, groups[i], 0, orders),
-                                                                      telegram(encoder, groups[i], 1, orders)})}});
+                                     {"balises", balises(encoder, groups[i], orders)}});
   }
   line["rbc_messages"] = ordered_json::array();
   const JsonPlace radio = root["radio"];
