@@ -1,0 +1,133 @@
+#include "app/command_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/curves_compare.h"
+#include "app/curves_explain.h"
+#include "app/curves_plot.h"
+#include "app/curves_result.h"
+#include "app/curves_workbook.h"
+#include "app/data_files.h"
+#include "io/file.h"
+
+namespace evc::app {
+namespace {
+
+constexpr const char* kShippedInput = "curves/passenger_eoa.json";
+constexpr const char* kShippedWorkbook = "curves/workbook.json";
+
+struct Options {
+  std::string input;
+  std::string format = "json";
+  std::string model = "srs";
+  std::string plot;
+  std::string output = "-";
+  double explain_kmh = -1.0;
+};
+struct CompareOptions {
+  std::string a, b;
+  std::string format = "table";
+  std::string plot;
+  std::string output = "-";
+};
+
+int complain(const io::Diagnostic& diagnostic) {
+  fmt::print(stderr, "{}\n", diagnostic.text());
+  return 2;
+}
+
+Format format_of(const std::string& name) {
+  return name == "csv" ? Format::csv : name == "table" ? Format::table : Format::json;
+}
+
+bool ends_with(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+io::Result<Approached> load(const std::string& file) {
+  const auto text = io::read_text(file);
+  if (!text) return tl::unexpected(text.error());
+  auto input = io::read_curves(*text, file);
+  if (!input) return tl::unexpected(input.error());
+  return Approached(std::move(*input));
+}
+
+/// Writes what was asked for; a plot alone leaves standard output empty.
+int deliver(const std::string& output, const std::string& text, const std::string& plot_file, const std::string& plot) {
+  if (!plot_file.empty())
+    if (const auto written = io::write_whole(plot_file, plot); !written) return complain(written.error());
+  if (plot_file.empty() || output != "-")
+    if (const auto written = io::write_whole(output, text); !written) return complain(written.error());
+  return 0;
+}
+
+int wrong_plot(const std::string& file, const char* expected) {
+  return complain({"--plot", "", file, std::string("a file name that ends in ") + expected});
+}
+
+int run(const Options& o) {
+  const bool workbook = o.model == "workbook";
+  const auto approached = load(!o.input.empty() ? o.input : data_file(workbook ? kShippedWorkbook : kShippedInput));
+  if (!approached) return complain(approached.error());
+  const bool svg = ends_with(o.plot, ".svg");
+  if (!o.plot.empty() && !svg && (workbook || !ends_with(o.plot, ".html")))
+    return wrong_plot(o.plot, workbook ? ".svg" : ".svg or .html");
+  if (workbook) {
+    const Workbook sheet = workbook_of(*approached);
+    return deliver(o.output, workbook_text(sheet, format_of(o.format)), o.plot,
+                   o.plot.empty() ? "" : workbook_svg(sheet, *approached));
+  }
+  if (o.explain_kmh >= 0.0) return deliver(o.output, explain_text(*approached, o.explain_kmh), "", "");
+  std::string plot;
+  if (!o.plot.empty()) plot = svg ? curves_svg(*approached) : curves_html(*approached);
+  return deliver(o.output, curves_text(curves_result(*approached), format_of(o.format)), o.plot, plot);
+}
+
+int compare(const CompareOptions& o) {
+  const auto a = load(o.a);
+  if (!a) return complain(a.error());
+  const auto b = load(o.b);
+  if (!b) return complain(b.error());
+  if (!o.plot.empty() && !ends_with(o.plot, ".svg")) return wrong_plot(o.plot, ".svg");
+  const Comparison comparison = compare_curves(*a, *b);
+  return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot,
+                 o.plot.empty() ? "" : comparison_svg(comparison));
+}
+
+}  // namespace
+
+void add_curves_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
+  command->add_option("input", options->input, "what is asked (evc-curves/1); a shipped example when not given");
+  command->add_option("--format", options->format, "json, csv or table")
+      ->check(CLI::IsMember({"json", "csv", "table"}))
+      ->capture_default_str();
+  command->add_option("--model", options->model, "srs, or workbook: the design memo's spreadsheet")
+      ->check(CLI::IsMember({"srs", "workbook"}))
+      ->capture_default_str();
+  command->add_option("--explain", options->explain_kmh, "the computation for this speed in km/h, step by step")
+      ->check(CLI::Range(0.0, 600.0));
+  command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html to work with");
+  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  command->callback([command, options, &exit_code] {
+    if (command->get_subcommands().empty()) exit_code = run(*options);
+  });
+
+  auto two = std::make_shared<CompareOptions>();
+  CLI::App* comparison =
+      command->add_subcommand("compare", "Difference between two trains, sets of national values or SRS versions");
+  comparison->add_option("a", two->a, "input A (evc-curves/1)")->required();
+  comparison->add_option("b", two->b, "input B")->required();
+  comparison->add_option("--format", two->format, "json, csv or table")
+      ->check(CLI::IsMember({"json", "csv", "table"}))
+      ->capture_default_str();
+  comparison->add_option("--plot", two->plot, "a chart: FILE.svg");
+  comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
+  comparison->callback([two, &exit_code] { exit_code = compare(*two); });
+}
+
+}  // namespace evc::app

@@ -1,0 +1,94 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/curves_file.h"
+#include "sdm/curves.h"
+
+namespace evc::app {
+
+/// A curves input with everything that follows from it; the curves of its target.
+class Approached {
+ public:
+  explicit Approached(io::CurvesInput input);
+
+  const io::CurvesInput& input() const { return input_; }
+  const sdm::Derived& derived() const { return *derived_; }
+  const sdm::Target& target() const { return *target_; }
+  sdm::Explanation explain(Speed V) const { return explain(V, *target_); }
+  sdm::Explanation explain(Speed V, const sdm::Target& target) const;
+  /// Metres before the target location.
+  double before_target(Place place) const { return (input_.target_location - place).si; }
+  /// Where release speed monitoring begins (3.13.9.4.9).
+  std::optional<Place> start_of_RSM() const;
+  /// Remarks on what the standard does not foresee and on what did not fit.
+  std::vector<std::string> notes() const;
+
+ private:
+  io::CurvesInput input_;
+  std::unique_ptr<sdm::Derived> derived_;
+  const sdm::Target* target_ = nullptr;
+};
+
+using Value = std::optional<double>;
+
+/// Curves and limits at one speed: metres before the target location, decelerations in m/s2.
+struct SpeedRow {
+  double v_kmh = 0.0;
+  Value A_safe, A_expected, A_brake_emergency, A_brake_service;
+  Value EBD, SBD, GUI, EBI, SBI1, SBI2, FLOI, W, P, I;
+  Value W_EOA, P_EOA, I_EOA, W_SvL, P_SvL, I_SvL;
+};
+/// Speeds in km/h of curves and limits at one place of the line.
+struct PositionRow {
+  double position_m = 0.0;
+  Value EBD, SBD, EBI, SBI, W, P, I;
+};
+struct Scalars {
+  Value T_be_s, T_bs_s, V_release_kmh, d_start_RSM_m, d_preindication_m, d_perturbation_m;
+};
+struct CurvesResult {
+  Scalars scalars;
+  std::vector<SpeedRow> by_speed;
+  std::vector<PositionRow> by_position;
+  std::vector<std::string> notes;
+  bool separate_EOA = false;  // EOA and SvL differ: the rows have the limits of both
+};
+
+/// A member of a row with the name it has outside.
+template <class Row>
+struct Column {
+  const char* name;
+  Value Row::*value;
+};
+const std::vector<Column<SpeedRow>>& speed_columns(bool separate_EOA);
+const std::vector<Column<PositionRow>>& position_columns();
+const std::vector<Column<Scalars>>& scalar_columns();
+/// Curves and limits alone, as they are drawn and compared.
+const std::vector<Column<SpeedRow>>& curve_columns();
+
+SpeedRow speed_row(const Approached& approached, double v_kmh);
+CurvesResult curves_result(const Approached& approached);
+
+enum class Format { json, csv, table };
+/// `evc-curves-result/1` and its two readable forms.
+std::string curves_text(const CurvesResult& result, Format format);
+
+/// Right-aligned columns; "-" where a value does not exist.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> names) : rows_{std::move(names)} {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+/// With `digits` decimals; "-" for none.
+std::string fixed(const Value& value, int digits);
+/// Shortest decimal that reads back to the same double; `none` for none.
+std::string shortest(const Value& value, const char* none);
+
+}  // namespace evc::app
