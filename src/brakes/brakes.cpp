@@ -1,5 +1,9 @@
 #include "brakes/brakes.h"
 
+#include <array>
+#include <optional>
+#include <string_view>
+
 namespace evc::brakes {
 namespace {
 
@@ -47,12 +51,21 @@ bool wants_acknowledgement(Release rule) {
   return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
 }
 
+/// For each row of the table the first one of the same clause, compared when compiled: no text is compared in a cycle.
+constexpr auto first_of_clause = [] {
+  std::array<std::size_t, srs_3_14_1.size()> first{};
+  for (std::size_t i = 0; i < first.size(); ++i)
+    while (std::string_view(srs_3_14_1[first[i]].clause) != srs_3_14_1[i].clause) ++first[i];
+  return first;
+}();
+
 /// 3.14.1.10: an acknowledgement at standstill is for the causes of one clause; another clause needs its own. The
-/// clauses come in the order of the table.
-std::string_view acknowledged_clause(const State& state, const Context& c) {
+/// clauses come in the order of the table. The first row of the clause; absent: nothing is acknowledged.
+std::optional<std::size_t> acknowledged_clause(const State& state, const Context& c) {
   if (!c.standstill || !c.driver_acknowledges) return {};
-  for (const CauseRow& r : srs_3_14_1)
-    if (state.active.has(r.cause) && wants_acknowledgement(r.release)) return r.clause;
+  for (std::size_t i = 0; i < srs_3_14_1.size(); ++i)
+    if (state.active.has(srs_3_14_1[i].cause) && wants_acknowledgement(srs_3_14_1[i].release))
+      return first_of_clause[i];
   return {};
 }
 
@@ -83,11 +96,12 @@ bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
 
 Command command(State& state, CauseSet asked, const Context& c) {
   Command out;
-  const std::string_view clause = acknowledged_clause(state, c);
-  for (const CauseRow& r : srs_3_14_1) {
+  const std::optional<std::size_t> acknowledged = acknowledged_clause(state, c);
+  for (std::size_t i = 0; i < srs_3_14_1.size(); ++i) {
+    const CauseRow& r = srs_3_14_1[i];
     const bool asks = asked.has(r.cause);
     bool active = state.active.has(r.cause);
-    if (active && released(r.release, asks, clause == r.clause, c)) active = false;
+    if (active && released(r.release, asks, acknowledged == first_of_clause[i], c)) active = false;
     if (gives(r, asks, state.asked_before.has(r.cause), c)) active = true;
     if (!active) {
       state.active.remove(r.cause);
