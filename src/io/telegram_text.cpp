@@ -13,7 +13,7 @@ struct Digits {
     for (unsigned char& v : value) v = 17;
     for (unsigned char i = 0; i < 10; ++i) value['0' + i] = i;
     for (unsigned char i = 0; i < 6; ++i) value['A' + i] = value['a' + i] = static_cast<unsigned char>(10 + i);
-    value[' '] = value['\t'] = value['\r'] = 16;
+    for (const int blank : {' ', '\t', '\r'}) value[blank] = 16;
   }
 };
 constexpr Digits digits;
