@@ -43,8 +43,6 @@ Extended extended(const GradientProfile& p, double unknown) {
 template <class Steps>
 CompensatedGradient lowest_under_train(const Steps& f, Distance L) {
   CompensatedGradient c;
-  double lowest = f.steps[0].value;
-  for (const auto& s : f.steps) lowest = std::min(lowest, s.value);
   // A queue of steps with increasing values: its head is the minimum in the window.
   std::array<std::uint16_t, kGradientSteps + 2> queue{};
   std::size_t head = 0;
@@ -58,11 +56,8 @@ CompensatedGradient lowest_under_train(const Steps& f, Distance L) {
     }
     // A step has left when its end plus the train length is reached by the front.
     while (head + 1 < tail && f.steps[queue[head] + 1u].from + L <= front) ++head;
-    if (!c.permille.append(front, f.steps[queue[head]].value)) {
-      c.permille.steps.back().value = lowest;
-      c.truncated = true;
-      return c;
-    }
+    const bool room = c.permille.append(front, f.steps[queue[head]].value);
+    EVC_REQUIRE(room);
     const bool more = next < f.size();
     const bool leaves = head + 1 < tail;
     if (!more && !leaves) return c;
@@ -75,13 +70,13 @@ CompensatedGradient lowest_under_train(const Steps& f, Distance L) {
 /// Change points of all that makes a segment, sorted and without doubles.
 struct Borders {
   InplaceVector<Place, kSegments> at;
-  bool truncated = false;
 
   void add(Place p) {
     std::size_t i = at.size();
     while (i > 0 && at[i - 1] > p) --i;
     if (i > 0 && at[i - 1] == p) return;
-    if (!at.insert(i, p)) truncated = true;
+    const bool room = at.insert(i, p);
+    EVC_REQUIRE(room);
   }
 };
 
@@ -151,14 +146,10 @@ CompensatedGradient compensated_gradient(const GradientProfile& profile, Distanc
   // compensation; a steeper fall under the rest of the train is kept (safe side).
   const Covered cover = covered(profile);
   CompensatedGradient tsr;
-  tsr.truncated = c.truncated;
   const double unknown = *profile.default_for_TSR;
-  double lowest = unknown;
-  for (const auto& s : c.permille.steps) lowest = std::min(lowest, s.value);
-  const auto put = [&tsr, lowest](Place from, double value) {
-    if (tsr.permille.append(from, value)) return;
-    tsr.permille.steps.back().value = lowest;
-    tsr.truncated = true;
+  const auto put = [&tsr](Place from, double value) {
+    const bool room = tsr.permille.append(from, value);
+    EVC_REQUIRE(room);
   };
   const auto outside = [&](Place x, double compensated) {
     // The zero that stands for "not known" does not count here, only a known fall under the train.
@@ -227,7 +218,7 @@ Acceleration Decelerations::at(CurveKind kind, Speed V, Place x, bool due_to_TSR
 namespace {
 
 /// Segments for one version of the gradient.
-void build_segments(Segments& out, bool& truncated, const CompensatedGradient& gradient, const TrackConditions& c,
+void build_segments(Segments& out, const CompensatedGradient& gradient, const TrackConditions& c,
                     const train::TrainData& t, const train::FixedValues& fixed,
                     const InplaceVector<train::BrakeSet, Decelerations::kStages>& emergency,
                     const InplaceVector<train::BrakeSet, Decelerations::kStages>& service) {
@@ -240,7 +231,6 @@ void build_segments(Segments& out, bool& truncated, const CompensatedGradient& g
   for (const auto& from :
        {c.regenerative_off, c.eddy_current_emergency_off, c.eddy_current_service_off, c.magnetic_shoe_off, c.powerless})
     if (from.has_value()) borders.add(*from);
-  truncated = truncated || gradient.truncated || borders.truncated;
   out.clear();
   const auto index_of = [](const auto& stages, train::BrakeSet off) {
     std::uint8_t i = 0;
@@ -262,18 +252,6 @@ void build_segments(Segments& out, bool& truncated, const CompensatedGradient& g
     const bool room = out.push_back(s);
     EVC_REQUIRE(room);
   }
-  if (!borders.truncated) return;
-  // Not all borders fitted: the worst of everything holds everywhere.
-  Segment worst;
-  worst.from = {{-kNowhere}};
-  for (const auto& s : gradient.permille.steps) worst.grad = std::min(worst.grad, s.value);
-  worst.A_gradient = train::A_gradient(worst.grad, t, fixed);
-  worst.emergency = static_cast<std::uint8_t>(emergency.size() - 1);
-  worst.service = static_cast<std::uint8_t>(service.size() - 1);
-  worst.reduced_adhesion = true;
-  out.clear();
-  const bool room = out.push_back(worst);
-  EVC_REQUIRE(room);
 }
 
 }  // namespace
@@ -313,13 +291,11 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
     out.normal_service[i].clear();
     if (values.Q_NVGUIPERM) out.normal_service[i] = guidance_bands(t, A.steps.front().value);
   }
-  out.truncated = false;
-  build_segments(out.segments, out.truncated, compensated_gradient(gradient, t.L_TRAIN, false), c, t, fixed, emergency,
-                 service);
+  build_segments(out.segments, compensated_gradient(gradient, t.L_TRAIN, false), c, t, fixed, emergency, service);
   out.segments_for_TSR.clear();
   if (gradient.default_for_TSR.has_value())
-    build_segments(out.segments_for_TSR, out.truncated, compensated_gradient(gradient, t.L_TRAIN, true), c, t, fixed,
-                   emergency, service);
+    build_segments(out.segments_for_TSR, compensated_gradient(gradient, t.L_TRAIN, true), c, t, fixed, emergency,
+                   service);
 }
 
 namespace {

@@ -16,8 +16,9 @@
 namespace evc::sdm {
 
 inline constexpr std::size_t kGradientSteps = 96;
-inline constexpr std::size_t kSegments = 144;
 inline constexpr std::size_t kZones = 16;
+/// Change points of the gradient, starts and ends of adhesion zones, starts of brake inhibitions.
+inline constexpr std::size_t kSegments = kGradientSteps + 8 + 2 * kZones + 5;
 
 /// Per mille, positive uphill.
 using GradientFunction = StepFunction<Place, double, kGradientSteps>;
@@ -47,11 +48,10 @@ struct TrackConditions {
 };
 
 /// Lowest gradient under a train whose front is at x, as a step function of x (3.13.4.2). Where part of
-/// the train stands on track without a known gradient, `unknown` counts for that part (safe side).
-/// Capacity: not more change points than the input has, plus the ends.
+/// the train stands on track without a known gradient, 0 counts for that part (safe side). Each step of
+/// the input is the lowest one at most once, so the room is always enough.
 struct CompensatedGradient {
-  StepFunction<Place, double, kGradientSteps + 4> permille;
-  bool truncated = false;  // did not fit: the rest has the lowest gradient of all
+  StepFunction<Place, double, kGradientSteps + 8> permille;
 };
 CompensatedGradient compensated_gradient(const GradientProfile& profile, Distance L_TRAIN, bool target_due_to_TSR);
 

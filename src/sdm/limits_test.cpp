@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -537,6 +538,66 @@ TEST(PreIndication, SevenSecondsBefore) {
   EXPECT_TRUE(built(in)->targets[0].preindication_passed_at_once);
 }
 
+TEST(PreIndication, OfALimitOfAuthority) {
+  Inputs in = simple_inputs(SrsVersion::v3_4_0);
+  in.authority.kind = Authority::Kind::LOA;
+  in.authority.EOA = {{5000.0}};
+  in.authority.V_LOA = {20.0};
+  const double v = 20.0 + 7.5 / 3.6;
+  EXPECT_NEAR(m(*built(in)->targets[0].d_preindication_EBD), 5000 - (900 - v * v) / 2 - 240 - 90 - 120 - 150 - 210,
+              1e-9);
+  // Faster than everything before it: no reason to brake.
+  in.authority.V_LOA = {40.0};
+  ++in.revision;
+  const auto d = built(in);
+  EXPECT_FALSE(d->targets[0].d_preindication_EBD.has_value());
+  EXPECT_FALSE(d->targets[0].preindication_passed_at_once);
+}
+
+TEST(Curves, WithoutRoomTheRestIsLevel) {
+  Inputs in = simple_inputs();
+  in.gradient.permille = {};
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(in.gradient.permille.append({{i * 100.0}}, i % 2 == 0 ? 5.0 : 0.0));
+  in.train.L_TRAIN = {10.0};
+  set_EOA(in, 2000.0, 2000.0);
+  const auto d = built(in);
+  std::array<Knot, 5> room{};
+  std::size_t used = 0;
+  const CurveWarnings w = trace(room, used, d->decelerations, CurveKind::EBD, false, {{2000.0}}, {}, {}, {100.0});
+  EXPECT_TRUE(w.truncated);
+  ASSERT_EQ(used, 5u);
+  const CurveView curve{room};
+  const Speed last{std::sqrt(room[4].w.si)};
+  EXPECT_EQ(curve.speed_at({{0.0}}), last);               // no more speed further upstream
+  EXPECT_LE(m(curve.place_at(last + Speed{0.1})), -1e8);  // a higher one nowhere
+}
+
+TEST(Gradient, TheLargestInputsFit) {
+  Inputs in = simple_inputs();
+  in.gradient.permille = {};
+  for (std::size_t i = 0; i < kGradientSteps; ++i)
+    ASSERT_TRUE(
+        in.gradient.permille.append({{static_cast<double>(i) * 37.0}}, static_cast<double>((i * 29) % 31) - 15));
+  in.gradient.known_to = Place{{static_cast<double>(kGradientSteps) * 37.0}};
+  in.gradient.default_for_TSR = -3.0;
+  for (std::size_t i = 0; i < kZones; ++i)
+    ASSERT_TRUE(in.conditions.reduced_adhesion.push_back(
+        {{{static_cast<double>(i) * 201.0 + 3.0}}, {{static_cast<double>(i) * 201.0 + 55.0}}}));
+  in.conditions.regenerative_off = Place{{10.5}};
+  in.conditions.magnetic_shoe_off = Place{{20.5}};
+  in.conditions.eddy_current_emergency_off = Place{{30.5}};
+  in.conditions.eddy_current_service_off = Place{{40.5}};
+  in.conditions.powerless = Place{{50.5}};
+  in.train.L_TRAIN = {20.0};
+  set_EOA(in, 3500.0, 3500.0);
+  ASSERT_TRUE(in.mrsp.append({{3000.0}}, {10.0}));
+  in.mrsp_due_to_TSR[1] = true;
+  const auto d = built(in);
+  EXPECT_GT(d->decelerations.segments.size(), 100u);
+  EXPECT_GT(d->decelerations.segments_for_TSR.size(), 100u);
+  EXPECT_FALSE(d->truncated);
+}
+
 TEST(LevelCrossing, WhereItsSpeedTakesOver) {
   Inputs in = simple_inputs();
   auto d = built(in);
@@ -580,6 +641,7 @@ TEST(PermittedBrakingDistance, RoundedDownTo5KmH) {
   // No speed fits.
   EXPECT_EQ(permitted_braking_distance_speed(in, {10.0}, 0.0, true).si, 0.0);
   EXPECT_EQ(permitted_braking_distance_speed(in, {30.0}, 0.0, false).si, 0.0);
+  EXPECT_EQ(permitted_braking_distance_speed(in, {30.1}, 0.0, true).si, 0.0);  // 0 km/h itself is a solution
   // The whole range of speeds fits.
   EXPECT_GT(permitted_braking_distance_speed(in, {90000.0}, 0.0, true).si * 3.6, 200.0);
   // Slippery rail selected by the driver counts.

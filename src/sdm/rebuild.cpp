@@ -41,7 +41,7 @@ class Builder {
     d_.perturbation = {};
     d_.no_deceleration = false;
     determine(d_.decelerations, in_.train, in_.national_values, in_.fixed, in_.brakes, in_.gradient, in_.conditions);
-    d_.truncated = d_.decelerations.truncated;
+    d_.truncated = false;
     d_.guidance = in_.national_values.Q_NVGUIPERM && !d_.decelerations.normal_service[0].empty();
     const Speed top = std::max(in_.train.V_MAXTRAIN, highest(in_.mrsp));
     V_top_ = in_.V_top.value_or(top + kMargin);

@@ -73,10 +73,9 @@ Duration reduced_build_up_time(const Ramp& r) {
     const double D0 = v0 * t_min + a1 * t_min * t_min / 2.0;
     const double q = (V1 / a2) * (V1 / a2) - (V1 * V1 - Vt * Vt + 2.0 * A_max * (D0 - D)) / (a2 * (A_max + a2));
     t_d = -(v0 + (a1 - a2) * t_min) / a2 + __builtin_sqrt(std::max(0.0, q));
-  } else if (v0 > 0.0) {
-    t_d = (D + Vt * Vt / (2.0 * A_max)) / v0 - v0 / (2.0 * A_max);
   } else {
-    t_d = react;
+    // Without acceleration v0 is above the target speed here (A.3.12.3), so above 0.
+    t_d = (D + Vt * Vt / (2.0 * A_max)) / v0 - v0 / (2.0 * A_max);
   }
   // A.3.12.8.
   return {std::min(T, std::max((react + t_e) / 2.0, t_d))};

@@ -755,10 +755,31 @@ TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
   Unit u = approaching_EOA(SrsVersion::v4_0_0);
   u.cycle(4550, 15.0);
   ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
-  u.cycle(4880, 2.0);
+  u.cycle(4880, 1.5);
   const Speed shown = u.r.V_P;
-  u.cycle(4880, 1.0);  // slower: shorter times; the speed shown must not rise
-  EXPECT_LE(u.r.V_P, shown);
+  // Slower: the build-up times are shorter still, and 1.0 m/s leaves more room. Shown is what was.
+  u.cycle(4880, 1.0);
+  EXPECT_EQ(u.r.V_P, shown);
+  Unit other = approaching_EOA(SrsVersion::v3_6_0);
+  other.cycle(4550, 15.0);
+  other.cycle(4880, 1.5);
+  const Speed before = other.r.V_P;
+  EXPECT_GT(other.cycle(4880, 1.0).V_P, before);
+}
+
+TEST(Display, TargetsBehindTheTripLocationDoNotIndicateBelowTheReleaseSpeed) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5300.0);
+  u.in.authority.reference = {{4800.0}};
+  u.in.authority.release_speed = ReleaseSpeedChoice::on_board;
+  ASSERT_TRUE(u.in.mrsp.append({{5100.0}}, {2.0}));
+  u.build();
+  ASSERT_TRUE(u.d->release_speed.exists);
+  const double V = u.d->release_speed.V_release.si - 0.1;
+  ASSERT_GT(V, 2.0);
+  u.cycle(1000, V);
+  const double start = std::min(u.d->release_speed.d_SBI1, u.d->release_speed.d_SBI2).from_origin.si;
+  EXPECT_NEAR(u.r.first_indication->si, start - 1000, 1e-9);
 }
 
 TEST(Safety, TSM360SupervisesTheCeilingInRearOfAllIndicationLimits) {
