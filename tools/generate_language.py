@@ -87,7 +87,7 @@ def write_variable_table(variables, out):
             return shared[table]
         def meanings(kind):
             t = v.get(kind) or {}
-            if kind == "enum" and v.get("table"):
+            if kind == "enum" and v.get("table") and v.get("unit"):
                 t = {}
             r = code_rows(t)
             return emit({"enum": "codes", "special": "special", "bits_meaning": "bits"}[kind], r, (r, len(t)), "Meanings")

@@ -71,6 +71,8 @@ void add_describe_command(CLI::App& app, int& exit_code) {
   CLI::Option* to_train = packets->add_flag("--to-train", options->to_train, "Only the packet from track to train");
   packets->add_flag("--to-track", options->to_track, "Only the packet from train to track")->excludes(to_train);
   packets->add_flag("--index", options->index, "The index of the pages in docs/packets");
+  CLI::App* schema = describe->add_subcommand("schema", "The JSON schema of telegrams, messages and packets");
+  schema->callback([&exit_code] { exit_code = print(io::telegram_schema(), "schema", ""); });
   packets->callback([options, &exit_code] { exit_code = describe_packets(*options); });
   variables->callback([options, &exit_code] { exit_code = describe_variables(*options); });
   messages->callback([options, &exit_code] { exit_code = describe_messages(*options); });

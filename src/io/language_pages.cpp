@@ -45,7 +45,7 @@ std::string codes_text(const VariableInfo& v) {
     parts.emplace_back(std::string("table, ") + v.unit);
   else if (v.resolution != 0 && (*v.unit != '\0' || v.resolution != 1)) {
     char text[40];
-    std::snprintf(text, sizeof text, "%g %s", v.resolution, v.unit);
+    std::snprintf(text, sizeof text, "steps of %g %s", v.resolution, v.unit);
     std::string s = text;
     if (s.back() == ' ') s.pop_back();
     parts.push_back(s);
@@ -158,7 +158,7 @@ std::string table(const std::vector<Row>& rows, bool markdown) {
       std::string name = r.name;
       std::size_t blanks = name.find_first_not_of(' ');
       std::string lead;
-      for (std::size_t i = 0; i < blanks; ++i) lead += "&nbsp;&nbsp;";
+      for (std::size_t i = 0; i < blanks; ++i) lead += "&nbsp;";
       out += "| " + r.bit + " | " + lead + escaped(name.substr(blanks)) + " | " + r.bits + " | " + escaped(r.when) +
              " | " + escaped(r.about) + " |\n";
     }
@@ -335,6 +335,114 @@ std::string list_variables() {
                   v.about);
     out += text;
   }
+  return out;
+}
+
+namespace {
+
+/// JSON schema of the members that a list of steps gives.
+class Schema {
+ public:
+  void object(std::string& out, std::span<const Step> steps, const std::string& head,
+              const std::string& required_head) {
+    std::string required = required_head;
+    out += "{\"type\": \"object\", \"properties\": {" + head;
+    members(out, steps, required);
+    out += "}, \"required\": [" + required + "], \"additionalProperties\": false}";
+  }
+  static std::string number(unsigned bits, bool is_signed = false) {
+    if (bits > 53) return "{\"type\": \"string\", \"pattern\": \"^[0-9A-F]{" + std::to_string(bits / 4) + "}$\"}";
+    const std::string least = is_signed ? "-" + std::to_string(1ull << (bits - 1)) : "0";
+    const std::uint64_t most = is_signed ? lang::all_ones(bits - 1) : lang::all_ones(bits);
+    return "{\"type\": \"integer\", \"minimum\": " + least + ", \"maximum\": " + std::to_string(most) + "}";
+  }
+
+ private:
+  static void comma(std::string& out, const std::string& after = "{") {
+    if (out.substr(out.size() - after.size()) != after) out += ", ";
+  }
+  void members(std::string& out, std::span<const Step> steps, std::string& required) {
+    std::size_t conditional_to = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const Step& s = steps[i];
+      if (s.kind == Step::Kind::when || s.kind == Step::Kind::when_around) {
+        conditional_to = std::max(conditional_to, i + 1 + s.count);
+        continue;
+      }
+      comma(out);
+      out += "\"" + std::string(s.name) + "\": ";
+      if (i >= conditional_to) required += (required.empty() ? "\"" : ", \"") + std::string(s.name) + "\"";
+      if (s.kind == Step::Kind::field) {
+        out += number(s.bits, lang::find_variable(s.variable)->is_signed);
+      } else if (s.kind == Step::Kind::rest) {
+        out += "{\"type\": \"string\", \"pattern\": \"^[01]*$\"}";
+      } else {
+        out += "{\"type\": \"array\", \"maxItems\": " + std::to_string(s.capacity) + ", \"items\": ";
+        object(out, s.element(), "", "");
+        out += "}";
+        out += ", \"" + std::string(s.counter) + "\": " + number(s.bits);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::string telegram_schema() {
+  std::string out =
+      "{\n\"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n\"title\": \"evc-telegram/1\",\n"
+      "\"description\": \"A balise telegram, Euroloop message, radio message or packet of the ETCS language as raw "
+      "codes. "
+      "Made by evc describe schema.\",\n"
+      "\"anyOf\": [{\"$ref\": \"#/$defs/telegram\"}, {\"$ref\": \"#/$defs/message\"}, {\"$ref\": \"#/$defs/packet\"}, "
+      "{\"$ref\": \"#/$defs/refusal\"}],\n\"$defs\": {\n";
+  out +=
+      "\"telegram\": {\"type\": \"object\", \"properties\": {\"schema\": {\"const\": \"evc-telegram/1\"}, "
+      "\"system_version\": {\"type\": \"string\", \"pattern\": \"^[0-7][.][0-9]+$\"}, \"header\": {\"type\": "
+      "\"object\", "
+      "\"properties\": {";
+  for (const char* name : {"Q_UPDOWN", "M_VERSION", "Q_MEDIA", "N_PIG", "N_TOTAL", "M_DUP", "M_MCOUNT", "NID_C",
+                           "NID_BG", "NID_LOOP", "Q_LINK"})
+    out += std::string(out.back() == '{' ? "" : ", ") + "\"" + name +
+           "\": " + Schema::number(lang::find_variable(name)->bits);
+  out +=
+      "}, \"required\": [\"Q_UPDOWN\", \"M_VERSION\", \"Q_MEDIA\", \"NID_C\"], \"additionalProperties\": false}, "
+      "\"packets\": {\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/packet\"}}, \"bits\": " +
+      Schema::number(13) +
+      ", \"padding\": {\"type\": \"string\", \"pattern\": \"^[0-9A-F]*$\"}, \"airgap\": {\"type\": \"object\"}}, "
+      "\"required\": [\"header\"], \"additionalProperties\": false},\n";
+  out +=
+      "\"refusal\": {\"type\": \"object\", \"properties\": {\"error\": {\"type\": \"object\", \"properties\": "
+      "{\"bit\": "
+      "{\"type\": \"integer\", \"minimum\": 0}, \"packet\": " +
+      Schema::number(8) +
+      ", \"variable\": {\"type\": \"string\"}, \"value\": {\"type\": \"integer\"}, \"why\": {\"type\": \"string\"}}, "
+      "\"required\": [\"bit\", \"why\"]}}, \"required\": [\"error\"], \"additionalProperties\": false},\n";
+  out += "\"message\": {\"anyOf\": [";
+  bool first = true;
+  for (const lang::MessageLayout& m : lang::message_layouts()) {
+    out += first ? "\n" : ",\n";
+    first = false;
+    Schema().object(
+        out, m.steps,
+        "\"NID_MESSAGE\": {\"const\": " + std::to_string(m.info->NID_MESSAGE) +
+            "}, \"L_MESSAGE\": " + Schema::number(10) +
+            ", \"system_version\": {\"type\": \"string\"}, \"packets\": {\"type\": \"array\", \"items\": {\"$ref\": "
+            "\"#/$defs/packet\"}}, \"padding\": {\"type\": \"string\"}",
+        "\"NID_MESSAGE\"");
+  }
+  out += "]},\n\"packet\": {\"anyOf\": [";
+  out += "\n{\"type\": \"object\", \"properties\": {\"NID_PACKET\": " + Schema::number(8) +
+         ", \"Q_DIR\": " + Schema::number(2) + ", \"L_PACKET\": " + Schema::number(13) +
+         ", \"raw\": {\"type\": \"string\", \"pattern\": \"^[0-9A-F]*$\"}}, \"required\": "
+         "[\"NID_PACKET\", \"L_PACKET\", \"raw\"], \"additionalProperties\": false}";
+  for (const PacketLayout& l : lang::packet_layouts()) {
+    out += ",\n";
+    std::string head = "\"NID_PACKET\": {\"const\": " + std::to_string(l.info->NID_PACKET) + "}";
+    if (l.has_length) head += ", \"L_PACKET\": " + Schema::number(13);
+    Schema().object(out, l.steps, head, "\"NID_PACKET\"");
+  }
+  out += "]}\n}\n}\n";
   return out;
 }
 

@@ -76,9 +76,9 @@ class Table {
     out_ += text;
     std::string left(static_cast<std::size_t>(depth) * 2, ' ');
     left += name;
-    if (left.size() < 28) left.resize(28, ' ');
+    if (left.size() < 27) left.resize(27, ' ');
     out_ += left;
-    if (raw.size() < 10) out_.append(10 - raw.size(), ' ');
+    if (raw.size() < 16) out_.append(16 - raw.size(), ' ');
     out_ += raw;
     if (!meaning.empty()) out_ += "  " + meaning;
     out_ += '\n';
@@ -236,7 +236,7 @@ std::string explain_balise(std::span<const std::uint8_t> bytes, std::size_t bits
   BitReader in(bytes, bits);
   const SystemVersion sv = lang::system_version(BitReader(bytes, bits, 1).read(7));
   table.title("balise telegram, system version " + version_text(sv));
-  table.title("  bit  variable                           raw  meaning");
+  table.title("  bit  variable                                raw  meaning");
   for (const char* name :
        {"Q_UPDOWN", "M_VERSION", "Q_MEDIA", "N_PIG", "N_TOTAL", "M_DUP", "M_MCOUNT", "NID_C", "NID_BG", "Q_LINK"})
     known(table, in, name, 0);
@@ -264,7 +264,7 @@ std::string explain_radio(std::span<const std::uint8_t> bytes, Direction directi
   const lang::MessageLayout* layout = lang::find_message_layout(direction, sv, nid);
   table.title(std::string("radio message ") + (direction == Direction::to_train ? "to the train" : "to the track") +
               ", system version " + version_text(sv));
-  table.title("  bit  variable                           raw  meaning");
+  table.title("  bit  variable                                raw  meaning");
   if (layout == nullptr) {
     table.title("! unknown message " + std::to_string(nid));
     return table.take();
@@ -291,7 +291,7 @@ std::string explain_packet(std::span<const std::uint8_t> bytes, std::size_t bits
   Table table;
   table.title(std::string("packet ") + (direction == Direction::to_train ? "to the train" : "to the track") +
               ", system version " + version_text(sv));
-  table.title("  bit  variable                           raw  meaning");
+  table.title("  bit  variable                                raw  meaning");
   if (explain_one(table, bytes, 0, bits, direction, sv) == 0) table.title("! not sound from here on");
   return table.take();
 }

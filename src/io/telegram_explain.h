@@ -30,6 +30,8 @@ std::string describe_packet(std::uint8_t NID_PACKET, lang::Direction direction, 
 std::string describe_message(std::uint8_t NID_MESSAGE, bool markdown);
 /// By name ("V_STATIC": with its _V1 form) ; "" if there is none.
 std::string describe_variable(std::string_view name, bool markdown);
+/// The JSON schema of everything that append_..._json() gives.
+std::string telegram_schema();
 /// The index of the packet pages.
 std::string packet_index_page();
 /// File name of a packet's page: `packet_5.md`, `train_packet_0.md`.

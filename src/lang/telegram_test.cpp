@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "lang/decode.h"
 #include "lang/encode.h"
-#include "lang/packets/packet_45.h"
-#include "lang/packets/packet_5.h"
+#include "lang/messages.h"
+#include "lang/packets.h"
 #include "lang/si.h"
 
 namespace evc::lang {
@@ -34,6 +36,409 @@ TEST(Telegram, OfARealLine) {
   EXPECT_EQ(p.NID_MN.raw, 2114079u);
   Packet5 linking;
   EXPECT_EQ(decode(t.packets[0], linking), Fault::not_a_packet_of_this_kind);
+}
+
+/// A telegram of version 2.1 (or what `M_VERSION` says) with what `fill` writes.
+template <class Fill>
+struct Made {
+  std::array<std::uint8_t, 128> room{};
+  BitWriter out{room};
+  explicit Made(Fill fill, std::uint8_t M_VERSION = 33, std::size_t bits = 830) {
+    TelegramHeader header;
+    header.M_VERSION.raw = M_VERSION;
+    header.NID_BG.raw = 9;
+    begin_telegram(out, header);
+    fill(out);
+    end_telegram(out, bits);
+  }
+  TelegramView scan(Check check = Check::all) const { return scan_telegram(out.bytes(), out.position(), check); }
+};
+
+void raw_packet(BitWriter& out, unsigned nid, unsigned Q_DIR, unsigned L_PACKET) {
+  out.write(nid, 8);
+  out.write(Q_DIR, 2);
+  out.write(L_PACKET, 13);
+}
+
+TEST(Telegram, UnknownPacketWithLengthZero) {
+  const Made made([](BitWriter& out) { raw_packet(out, 99, 1, 0); });
+  for (const Check check : {Check::all, Check::structure}) {
+    const TelegramView t = made.scan(check);
+    EXPECT_EQ(t.fault, Fault::length_too_small);
+    EXPECT_EQ(t.at.bit, 60u);
+    EXPECT_EQ(t.at.packet, 99);
+  }
+}
+
+TEST(Telegram, CounterAtItsLimit) {
+  // 31 further links announced, none there: the packet ends by its own length.
+  const Made made([](BitWriter& out) {
+    raw_packet(out, 5, 1, 69);
+    out.write(1, 2);
+    out.write(0, 15 + 1 + 14 + 1 + 2 + 6);
+    out.write(31, 5);
+  });
+  const TelegramView t = made.scan();
+  EXPECT_EQ(t.fault, Fault::length_mismatch);
+  EXPECT_STREQ(t.at.variable, "D_LINK");
+  // As many as there can be.
+  Packet5 full;
+  full.Q_DIR.raw = 1;
+  while (!full.links.full()) (void)full.links.push_back({});
+  std::array<std::uint8_t, 200> room{};
+  BitWriter out(room);
+  encode(out, full);
+  PacketView view;
+  view.L_PACKET = static_cast<std::uint16_t>(out.position());
+  view.sv = {2, 1};
+  view.bytes = out.bytes();
+  Packet5 read;
+  ASSERT_EQ(decode(view, read), Fault::none);
+  EXPECT_EQ(read, full);
+}
+
+TEST(Telegram, PacketThatEndsBeyondTheTelegram) {
+  const Made made([](BitWriter& out) { raw_packet(out, 99, 1, 8191); });
+  const TelegramView t = made.scan(Check::structure);
+  EXPECT_EQ(t.fault, Fault::length_beyond_end);
+  EXPECT_EQ(t.at.value, 8191u);
+  // The header of a packet cut off.
+  const Made cut([](BitWriter&) {}, 33, 0);
+  std::array<std::uint8_t, 8> bytes{};
+  std::copy_n(cut.room.begin(), 8, bytes.begin());
+  bytes[6] = static_cast<std::uint8_t>(bytes[6] & 0xC0);
+  bytes[7] = 0x15;
+  EXPECT_EQ(scan_telegram(bytes, 60).fault, Fault::truncated);
+}
+
+TEST(Telegram, UnknownPacketIsSkipped) {
+  const Made made([](BitWriter& out) {
+    raw_packet(out, 99, 1, 30);
+    out.write(0x55, 7);
+    encode(out, Packet45{{1}, {7}});
+  });
+  const TelegramView t = made.scan();
+  ASSERT_EQ(t.fault, Fault::none);
+  ASSERT_EQ(t.packets.size(), 2u);
+  EXPECT_FALSE(t.packets[0].known);
+  EXPECT_TRUE(t.packets[1].known);
+}
+
+TEST(Telegram, SpareCode) {
+  const auto fill = [](BitWriter& out) {
+    Packet65 tsr;
+    tsr.Q_DIR.raw = 1;
+    tsr.V_TSR.raw = 121;
+    encode(out, tsr);
+  };
+  const TelegramView t = Made(fill).scan();
+  EXPECT_EQ(t.fault, Fault::spare_value);
+  EXPECT_EQ(t.at.packet, 65);
+  EXPECT_STREQ(t.at.variable, "V_TSR");
+  EXPECT_EQ(t.at.value, 121u);
+  EXPECT_EQ(t.at.bit, 50u + 23 + 2 + 8 + 15 + 15 + 1);
+  EXPECT_EQ(Made(fill).scan(Check::structure).fault, Fault::none);
+  // A later version of the same X: let through (3.17.3.11).
+  EXPECT_EQ(Made(fill, 34).scan().fault, Fault::none);
+  // But not a scale that nothing is known of.
+  const auto scale = [](BitWriter& out) {
+    Packet65 tsr;
+    tsr.Q_DIR.raw = 1;
+    tsr.Q_SCALE.raw = 3;
+    encode(out, tsr);
+  };
+  EXPECT_EQ(Made(scale, 34).scan().fault, Fault::spare_value);
+}
+
+TEST(Telegram, Versions) {
+  const auto nothing = [](BitWriter&) {};
+  EXPECT_EQ(Made(nothing, 16).scan().fault, Fault::none);
+  EXPECT_EQ(Made(nothing, 17).scan().fault, Fault::none);
+  EXPECT_EQ(Made(nothing, 32).scan().fault, Fault::none);
+  EXPECT_EQ(Made(nothing, 47).scan().fault, Fault::none);
+  EXPECT_EQ(Made(nothing, 15).scan().fault, Fault::unknown_version);
+  EXPECT_EQ(Made(nothing, 48).scan().fault, Fault::unknown_version);
+  EXPECT_EQ(Made(nothing, 18).scan().fault, Fault::spare_value);
+  EXPECT_EQ(Made(nothing, 48).scan().NID_BG.raw, 9);
+}
+
+TEST(Telegram, Header) {
+  Made made([](BitWriter&) {});
+  made.room[0] = static_cast<std::uint8_t>(made.room[0] & 0x7F);
+  EXPECT_EQ(made.scan().fault, Fault::wrong_direction);
+  made.room[0] = static_cast<std::uint8_t>(made.room[0] | 0x80);
+  made.room[1] = static_cast<std::uint8_t>(made.room[1] | 0x80);
+  EXPECT_EQ(made.scan().fault, Fault::wrong_medium);
+  made.room[1] = 1;  // M_DUP 3
+  made.room[2] = 0x80;
+  EXPECT_EQ(made.scan().fault, Fault::spare_value);
+  EXPECT_EQ(scan_telegram(made.room, 49).fault, Fault::truncated);
+  EXPECT_EQ(scan_telegram({}, 0).fault, Fault::truncated);
+  EXPECT_STREQ(scan_telegram({}, 0).at.variable, "Q_UPDOWN");
+}
+
+TEST(Telegram, PacketsThatStandTwice) {
+  const auto twice = [](unsigned first, unsigned second) {
+    return Made([=](BitWriter& out) {
+             encode(out, Packet45{{static_cast<std::uint8_t>(first)}, {7}});
+             encode(out, Packet45{{static_cast<std::uint8_t>(second)}, {7}});
+           })
+        .scan()
+        .fault;
+  };
+  EXPECT_EQ(twice(1, 1), Fault::duplicate_packet);
+  EXPECT_EQ(twice(0, 1), Fault::none);
+  EXPECT_EQ(twice(2, 1), Fault::duplicate_packet);
+  EXPECT_EQ(twice(0, 2), Fault::duplicate_packet);
+  // 8.4.1.4: temporary speed restrictions, and what follows packet 136.
+  EXPECT_EQ(Made([](BitWriter& out) {
+              encode(out, Packet65{{1}, {1}, {1}, {}, {}, {}, {}});
+              encode(out, Packet65{{1}, {1}, {2}, {}, {}, {}, {}});
+            })
+                .scan()
+                .fault,
+            Fault::none);
+  EXPECT_EQ(Made([](BitWriter& out) {
+              encode(out, Packet5{});
+              encode(out, Packet136{});
+              encode(out, Packet5{});
+            })
+                .scan()
+                .fault,
+            Fault::none);
+}
+
+TEST(Telegram, MediumAndPlace) {
+  // Packet 57 comes by radio only.
+  EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan().fault, Fault::wrong_medium);
+  EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan(Check::structure).fault, Fault::none);
+  const auto marker = [](BitWriter& out) {
+    encode(out, Packet0{{5}});
+    encode(out, Packet0{{6}});
+    encode(out, Packet45{});
+  };
+  const Made made(marker);
+  const TelegramView t = made.scan();
+  ASSERT_EQ(t.fault, Fault::none);
+  EXPECT_EQ(t.packets[0].L_PACKET, 14);
+  Packet0 p;
+  ASSERT_EQ(decode(t.packets[1], p), Fault::none);
+  EXPECT_EQ(p.NID_VBCMK.raw, 6);
+  EXPECT_EQ(Made([](BitWriter& out) {
+              encode(out, Packet45{});
+              encode(out, Packet0{{5}});
+            })
+                .scan()
+                .fault,
+            Fault::wrong_place);
+}
+
+// 6.6.3.2.3 exceptions 9, 11, 13: beside 206, 207, 239 the old packets are for other units.
+TEST(Telegram, SupersededPackets) {
+  const Made made(
+      [](BitWriter& out) {
+        Packet68_v1_0 old;
+        old.Q_TRACKINIT.raw = 1;
+        encode(out, old);
+        Packet206 own;
+        own.Q_TRACKINIT.raw = 1;
+        own.D_TRACKINIT.raw = 9;
+        encode(out, own);
+        encode(out, Packet39_v1_0{});
+        encode(out, Packet239{});
+      },
+      17);
+  const TelegramView t = made.scan();
+  ASSERT_EQ(t.fault, Fault::none);
+  ASSERT_EQ(t.packets.size(), 2u);
+  EXPECT_EQ(t.packets[0].NID_PACKET, 68);
+  EXPECT_EQ(t.packets[1].NID_PACKET, 39);
+  Packet68 p;
+  ASSERT_EQ(decode(t.packets[0], p), Fault::none);
+  EXPECT_EQ(p.D_TRACKINIT.raw, 9);
+}
+
+TEST(Telegram, MorePacketsThanCanBeHeld) {
+  std::array<std::uint8_t, 400> room{};
+  BitWriter out(room);
+  begin_telegram(out, {});
+  for (std::size_t i = 0; i <= kPacketsMax; ++i) encode(out, Packet0{{1}});
+  end_telegram(out, 0);
+  EXPECT_EQ(scan_telegram(out.bytes(), out.position()).fault, Fault::too_many_packets);
+}
+
+TEST(LoopMessage, IsRead) {
+  std::array<std::uint8_t, 32> room{};
+  BitWriter out(room);
+  out.write(1, 1);
+  out.write(33, 7);
+  out.write(1, 1);
+  out.write(426, 10);
+  out.write(77, 14);
+  encode(out, Packet136{});
+  end_telegram(out, 0);
+  const LoopMessageView m = scan_loop_message(out.bytes(), out.position());
+  ASSERT_EQ(m.fault, Fault::none);
+  EXPECT_EQ(m.NID_LOOP.raw, 77);
+  EXPECT_EQ(m.packets.size(), 1u);
+  EXPECT_EQ(m.bits_used, out.position());
+  room[1] = static_cast<std::uint8_t>(room[1] & 0x7F);
+  EXPECT_EQ(scan_loop_message(out.bytes(), out.position()).fault, Fault::wrong_medium);
+}
+
+/// A message with what `fill` writes after its own variables.
+template <class M, class Fill>
+std::vector<std::uint8_t> message(const M& m, Fill fill) {
+  std::array<std::uint8_t, 200> room{};
+  BitWriter out(room);
+  begin_message(out, m);
+  fill(out);
+  end_message(out);
+  EXPECT_FALSE(out.faulty());
+  return {out.bytes().begin(), out.bytes().end()};
+}
+const auto no_packets = [](BitWriter&) {};
+
+TEST(Message, ToTheTrain) {
+  Message3 ma;
+  ma.T_TRAIN.raw = 100;
+  ma.M_ACK.raw = 1;
+  ma.NID_LRBG.raw = 12345;
+  const auto bytes = message(ma, [](BitWriter& out) {
+    encode(out, Packet15{});
+    encode(out, Packet21{});
+  });
+  const MessageToTrainView m = scan_message_to_train(bytes, {2, 1});
+  ASSERT_EQ(m.fault, Fault::none) << m.at.bit;
+  EXPECT_EQ(m.NID_MESSAGE, 3);
+  EXPECT_EQ(m.L_MESSAGE, bytes.size());
+  EXPECT_EQ(m.T_TRAIN.raw, 100u);
+  EXPECT_EQ(m.NID_LRBG.raw, 12345u);
+  ASSERT_EQ(m.packets.size(), 2u);
+  Message3 read;
+  ASSERT_EQ(decode(m, read), Fault::none);
+  EXPECT_EQ(read, ma);
+}
+
+TEST(Message, Lists) {
+  const auto fault = [](const std::vector<std::uint8_t>& bytes) { return scan_message_to_train(bytes, {2, 1}).fault; };
+  EXPECT_EQ(fault(message(Message3{}, no_packets)), Fault::missing_packet);
+  EXPECT_EQ(fault(message(Message3{}, [](BitWriter& out) { encode(out, Packet21{}); })), Fault::missing_packet);
+  EXPECT_EQ(fault(message(Message3{},
+                          [](BitWriter& out) {
+                            encode(out, Packet15{});
+                            encode(out, Packet137{});
+                          })),
+            Fault::unexpected_packet);
+  EXPECT_EQ(fault(message(Message3{},
+                          [](BitWriter& out) {
+                            encode(out, Packet15{});
+                            raw_packet(out, 99, 1, 23);
+                          })),
+            Fault::none);
+  EXPECT_EQ(fault(message(Message3{},
+                          [](BitWriter& out) {
+                            encode(out, Packet15{});
+                            out.write(255, 8);
+                          })),
+            Fault::wrong_medium);
+  EXPECT_EQ(fault(message(Message24{}, no_packets)), Fault::none);
+}
+
+TEST(Message, LengthAndVersion) {
+  std::vector<std::uint8_t> bytes = message(Message16{}, no_packets);
+  EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::none);
+  EXPECT_EQ(scan_message_to_train(bytes, {3, 0}).fault, Fault::unknown_version);
+  bytes.push_back(0);
+  EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::message_length_mismatch);
+  bytes[0] = 200;
+  EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::unknown_message);
+  EXPECT_EQ(scan_message_to_train({}, {2, 1}).fault, Fault::truncated);
+  // Before a version is agreed only the messages that every version has are read (8.4.4.1.1).
+  const std::vector<std::uint8_t> version = message(Message32{}, no_packets);
+  EXPECT_EQ(scan_message_to_train(version, {0, 0}).fault, Fault::none);
+  // Shorter than its own variables.
+  std::vector<std::uint8_t> cut = message(Message16{}, no_packets);
+  cut.resize(6);
+  cut[1] = 6 >> 2;
+  cut[2] = static_cast<std::uint8_t>((cut[2] & 0x3F) | (6 & 3) << 6);
+  EXPECT_EQ(scan_message_to_train(cut, {2, 1}).fault, Fault::truncated);
+  // A spare code among them.
+  Message15 stop;
+  stop.Q_DIR.raw = 3;
+  EXPECT_EQ(scan_message_to_train(message(stop, no_packets), {2, 1}).fault, Fault::spare_value);
+}
+
+TEST(Message, ToTheTrack) {
+  std::array<std::uint8_t, 100> room{};
+  BitWriter out(room);
+  TrainMessage136 m;
+  m.NID_ENGINE.raw = 77;
+  TrainPacket0 report;
+  report.Q_LENGTH.raw = 1;
+  report.L_TRAININT.raw = 400;
+  encode_message(out, m, report, TrainPacket5{{0x12FFFFFF}});
+  ASSERT_FALSE(out.faulty());
+  const MessageToTrackView view = scan_message_to_track(out.bytes(), {2, 1});
+  ASSERT_EQ(view.fault, Fault::none) << text_of(view.fault) << view.at.bit;
+  EXPECT_EQ(view.NID_ENGINE.raw, 77u);
+  ASSERT_EQ(view.packets.size(), 2u);
+  TrainPacket0 read;
+  ASSERT_EQ(decode(view.packets[0], read), Fault::none);
+  EXPECT_EQ(read, report);
+  Packet0 other;
+  EXPECT_EQ(decode(view.packets[0], other), Fault::not_a_packet_of_this_kind);
+  TrainMessage136 again;
+  ASSERT_EQ(decode(view, again), Fault::none);
+  EXPECT_EQ(again, m);
+  // A position report is mandatory.
+  const auto bare = message(TrainMessage136{}, no_packets);
+  EXPECT_EQ(scan_message_to_track(bare, {2, 1}).fault, Fault::missing_packet);
+  // In version 1.0 packet 5 does not exist: unknown, passed over.
+  EXPECT_EQ(scan_message_to_track(out.bytes(), {1, 0}).fault, Fault::none);
+}
+
+TEST(CheckPacket, Alone) {
+  std::array<std::uint8_t, 16> room{};
+  BitWriter out(room);
+  encode(out, Packet66{{1}, {9}});
+  EXPECT_FALSE(check_packet(out.bytes(), out.position(), Direction::to_train, {2, 1}));
+  EXPECT_EQ(check_packet(out.bytes(), 30, Direction::to_train, {2, 1}).fault, Fault::length_beyond_end);
+  EXPECT_EQ(check_packet(out.bytes(), 7, Direction::to_train, {2, 1}).fault, Fault::truncated);
+  const std::array<std::uint8_t, 1> end{255};
+  EXPECT_FALSE(check_packet(end, 8, Direction::to_train, {2, 1}));
+}
+
+TEST(Fault, EveryOneHasAText) {
+  for (int f = 0; f <= static_cast<int>(Fault::not_a_packet_of_this_kind); ++f)
+    EXPECT_STRNE(text_of(static_cast<Fault>(f)), "");
+}
+
+TEST(Encode, NoRoom) {
+  std::array<std::uint8_t, 4> room{};
+  BitWriter out(room);
+  encode(out, Packet5{});
+  EXPECT_TRUE(out.faulty());
+  BitWriter wide(room);
+  wide.write(4, 2);
+  EXPECT_TRUE(wide.faulty());
+  // A message begins at bit 0.
+  std::array<std::uint8_t, 64> more{};
+  BitWriter late(more);
+  late.write(0, 3);
+  begin_message(late, Message16{});
+  EXPECT_TRUE(late.faulty());
+  // A telegram that is too long for its form.
+  BitWriter telegram(more);
+  begin_telegram(telegram, {});
+  end_telegram(telegram, 50);
+  EXPECT_TRUE(telegram.faulty());
+  // Bits of an application that are not there.
+  BitWriter application(more);
+  Packet44 p;
+  p.OTHER_DATA.bits = 9;
+  encode(application, p);
+  EXPECT_TRUE(application.faulty());
 }
 
 }  // namespace

@@ -292,6 +292,7 @@ constexpr Meanings<2> Q_PBDSR_codes{{{0u, "EB intervention"}, {1u, "SB intervent
 constexpr Meanings<3> Q_PLATFORM_codes{{{0u, "left"}, {1u, "right"}, {2u, "both"}}};
 constexpr Meanings<2> Q_RBC_codes{{{0u, "terminate session"}, {1u, "establish session"}}};
 constexpr Numbers<3> Q_SCALE_numbers{{{0u, 0.1}, {1u, 1}, {2u, 10}}};
+constexpr Meanings<3> Q_SCALE_codes{{{0u, "0.1 m"}, {1u, "1 m"}, {2u, "10 m"}}};
 constexpr Meanings<2> Q_SECTIONTIMER_codes{{{0u, "no section timer"}, {1u, "section timer follows"}}};
 constexpr Meanings<2> Q_SLEEPSESSION_codes{{{0u, "ignore order in sleeping"}, {1u, "execute order in sleeping"}}};
 constexpr Meanings<2> Q_SRSTOP_codes{{{0u, "stop if in SR"}, {1u, "go if in SR"}}};
@@ -747,7 +748,7 @@ constexpr std::array<VariableInfo, 244> table{{
                     "RBC session order", "7.5.1.127", ""),
     row<var::Q_RIU>("Q_RIU", Kind::enumeration, "", 0, false, false, {}, Q_RBC_codes, {}, {}, v1_0 | v1_1 | v2_0 | v2_1,
                     "RIU session order", "7.5.1.128", ""),
-    row<var::Q_SCALE>("Q_SCALE", Kind::enumeration, "", 0, false, false, {}, {}, {}, Q_SCALE_numbers,
+    row<var::Q_SCALE>("Q_SCALE", Kind::enumeration, "", 0, false, false, {}, Q_SCALE_codes, {}, Q_SCALE_numbers,
                       v1_0 | v1_1 | v2_0 | v2_1, "unit of scaled distances", "7.5.1.129", ""),
     row<var::Q_SECTIONTIMER>("Q_SECTIONTIMER", Kind::enumeration, "", 0, false, false, {}, Q_SECTIONTIMER_codes, {}, {},
                              v1_0 | v1_1 | v2_0 | v2_1, "section timer flag", "7.5.1.130", ""),
