@@ -143,7 +143,8 @@ double Driver::reckless_speed(const Outputs& seen, const Motion& motion) {
     return speed_of_line(motion);
   }
   const bool before_stop = seen.V_release && seen.V_target && seen.V_target->si == 0.0;
-  if (before_stop && (seen.eb || seen.sb)) creeping_ = true;
+  // Braked down to the release speed by the on-board, or standing.
+  if (before_stop && (seen.eb || seen.sb || seen.tco) && motion.speed() <= seen.V_release->si) creeping_ = true;
   if (!before_stop) creeping_ = false;
   if (creeping_) return std::max(0.5, seen.V_release->si - 1.0 / kKmh);
   return 100.0;

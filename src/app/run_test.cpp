@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/make_line.h"
+#include "app/sha256.h"
+#include "io/file.h"
+#include "io/train_file.h"
+
+// The program as its users see it.
+namespace evc::app {
+namespace {
+
+using nlohmann::json;
+
+struct Finished {
+  int exit_code = -1;
+  std::string output;  // standard output and standard error
+};
+
+Finished evc(const std::string& arguments) {
+  const std::string command = "OPENEVC_DATA='" EVC_SOURCE_DIR "/data' '" EVC_PROGRAM "' " + arguments + " 2>&1";
+  Finished finished;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return finished;
+  char block[4096];
+  for (std::size_t n = 0; (n = std::fread(block, 1, sizeof block, pipe)) > 0;) finished.output.append(block, n);
+  const int status = ::pclose(pipe);
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return finished;
+}
+
+std::string text_of(const std::string& file) {
+  const auto text = io::read_text(file);
+  return text ? *text : std::string();
+}
+
+class Folder {
+ public:
+  explicit Folder(const char* name) : path_(::testing::TempDir() + "/openevc_" + name) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string operator/(const char* name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string shared_line() {
+  const char* given = std::getenv("OPENEVC_SHARED");
+  return (given != nullptr ? std::string(given) : std::string(EVC_SOURCE_DIR "/../shared")) +
+         "/lines/amsterdam_utrecht.json";
+}
+
+TEST(ShippedLine, IsWhatItsDescriptionGives) {
+  const std::string folder = EVC_SOURCE_DIR "/data/lines/";
+  const auto made = make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
+  ASSERT_TRUE(made) << made.error().text();
+  EXPECT_EQ(*made, text_of(folder + "brunnental.json"))
+      << "run: evc make-line data/lines/brunnental.description.json -o data/lines/brunnental.json";
+}
+
+TEST(ShippedTrains, AreReadAndTheStandardOneIsTheDefault) {
+  for (const auto& entry : std::filesystem::directory_iterator(EVC_SOURCE_DIR "/data/trains")) {
+    const auto train = io::read_train(text_of(entry.path().string()), entry.path().string());
+    ASSERT_TRUE(train) << train.error().text();
+    if (entry.path().filename() != "standard.json") continue;
+    EXPECT_EQ(train->data, train::TrainData{});
+    EXPECT_EQ(train->dynamics.tractive_effort, sim::Dynamics{}.tractive_effort);
+    EXPECT_EQ(train->dynamics.davis, sim::Dynamics{}.davis);
+    EXPECT_EQ(train->dynamics.emergency_brake, sim::Dynamics{}.emergency_brake);
+    EXPECT_EQ(train->dynamics.service_brake, sim::Dynamics{}.service_brake);
+    EXPECT_EQ(train->dynamics.build_up_s, sim::Dynamics{}.build_up_s);
+  }
+}
+
+TEST(MakeLine, ErrorsNameThePlace) {
+  const auto error_of = [](const char* text) {
+    const auto made = make_line(text, "d.json");
+    return made ? std::string() : made.error().text();
+  };
+  EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
+    "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authorty":{}}]}],
+    "radio":[]})")
+                .find("/groups/0/orders/0"),
+            std::string::npos);
+  // The profile has to reach the danger point and 100 m beyond.
+  EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
+    "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],
+    "radio":[]})")
+                .find("a profile with a hole from 0 m to 190 m"),
+            std::string::npos);
+}
+
+TEST(Sha256, OfTheStandard) {
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+/// A whole journey, and what the summary says of it.
+void expect_clean_run(const json& s) {
+  EXPECT_EQ(s["balise_groups"]["read"], s["balise_groups"]["on_line"]);
+  EXPECT_EQ(s["balise_groups"]["missed"], 0);
+  EXPECT_EQ(s["balise_groups"]["rejected"], 0);
+  EXPECT_EQ(s["telegrams"]["rejected"], 0);
+  EXPECT_EQ(s["movement_authorities"]["received"], s["movement_authorities"]["accepted"]);
+  for (const char* kind : {"tco", "sb", "eb", "trip"}) EXPECT_EQ(s["interventions"][kind], 0) << kind;
+  EXPECT_EQ(s["confidence_interval_violations"], 0);
+  EXPECT_EQ(s["allocations_in_step"], 0);
+  EXPECT_TRUE(s["svl_overrun_m"].is_null());
+}
+
+TEST(Run, TheShippedLineAndItsReplay) {
+  const Folder folder("run");
+  const Finished run = evc("run -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json summary = json::parse(text_of(folder / "summary.json"));
+  expect_clean_run(summary);
+  EXPECT_EQ(summary["modes"], json({"SB", "SR", "FS", "OS", "FS", "SN"}));
+  EXPECT_EQ(summary["levels"], json({"1", "2", "NTC"}));
+  EXPECT_EQ(summary["radio_messages"]["received"], summary["radio_messages"]["accepted"]);
+  const std::string outputs = text_of(folder / "outputs.jsonl");
+  EXPECT_EQ(summary["output_hash"], sha256(outputs));
+  // Replaying the inputs gives the same outputs, byte for byte.
+  const Finished replay = evc("replay '" + (folder / "inputs.jsonl") + "' -o '" + (folder / "replayed.jsonl") + "'");
+  ASSERT_EQ(replay.exit_code, 0) << replay.output;
+  EXPECT_TRUE(text_of(folder / "replayed.jsonl") == outputs);
+  // The thinned streams are parts of the whole one.
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const Finished every = evc("replay --every 10 '" + (folder / "inputs.jsonl") + "'");
+  EXPECT_EQ(lines(every.output), (lines(outputs) + 9) / 10);
+  const Finished changes = evc("replay --changes - < '" + (folder / "inputs.jsonl") + "'");
+  EXPECT_GT(lines(changes.output), 100);
+  EXPECT_LT(lines(changes.output), lines(outputs) / 2);
+  EXPECT_EQ(lines(text_of(folder / "trace.csv")), lines(outputs) + 1);
+  const std::string page = text_of(folder / "report.html");
+  EXPECT_EQ(page.find("/*DATA*/null"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos) << "the page needs no network";
+}
+
+TEST(Run, TheRecordedLine) {
+  if (!std::filesystem::exists(shared_line())) GTEST_SKIP() << "needs " << shared_line();
+  const Folder folder("recorded");
+  const Finished run = evc("run '" + shared_line() + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  expect_clean_run(s);
+  EXPECT_EQ(s["modes"], json({"SB", "SN", "FS", "SN"}));
+  EXPECT_EQ(s["levels"], json({"NTC", "2", "NTC"}));
+  EXPECT_EQ(s["balise_groups"]["on_line"], 103);
+  EXPECT_EQ(s["telegrams"]["decoded"], 206);
+  EXPECT_EQ(s["radio_messages"]["received"], 57);
+  EXPECT_EQ(s["radio_messages"]["accepted"], 18);
+  EXPECT_EQ(s["radio_messages"]["refused"], 39);
+  EXPECT_EQ(s["radio_messages"]["absent"], 1);
+  EXPECT_EQ(s["movement_authorities"]["received"], 16);
+}
+
+TEST(Run, ARecklessDriverIsStoppedBeforeTheEndOfHisLastAuthority) {
+  if (!std::filesystem::exists(shared_line())) GTEST_SKIP() << "needs " << shared_line();
+  const Folder folder("reckless");
+  for (const char* choice : {"--last-ma 5 --seed 3", "--last-ma 23 --seed 4", "--last-ma 32 --seed 5"}) {
+    const Finished run = evc("run '" + shared_line() + "' --driver reckless " + choice + " -o '" + folder.path() + "'");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const json s = json::parse(text_of(folder / "summary.json"));
+    EXPECT_EQ(s["confidence_interval_violations"], 0);
+    EXPECT_EQ(s["interventions"]["trip"], 1) << choice;
+    // He creeps past at or below the release speed of 15 km/h: 1 s, and the way to stand still from there.
+    EXPECT_LT(s["svl_overrun_m"].get<double>(), 20.0) << choice;
+  }
+}
+
+TEST(Run, WrongInputsAreToldAndLeaveNothing) {
+  const Folder folder("wrong");
+  ASSERT_TRUE(io::write_whole(folder / "line.json", R"({"schema":"etcs-line/1","name":"x","length_m":1,
+    "balise_groups":[{"balises":[{"position_m":"here","telegram_hex":"90"}]}]})"));
+  const Finished line = evc("run '" + (folder / "line.json") + "' -o '" + (folder / "out") + "'");
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_NE(line.output.find("/balise_groups/0/balises/0/position_m: found \"here\", expected a number"),
+            std::string::npos)
+      << line.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(evc("run --driver sleepy").exit_code, 2);
+  EXPECT_EQ(evc("run --train /nonexistent.json").exit_code, 2);
+  EXPECT_EQ(evc("").exit_code, 2);
+  EXPECT_EQ(evc("--help").exit_code, 0);
+}
+
+TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
+  const Folder folder("replay");
+  ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));
+  const Finished replay = evc("replay '" + (folder / "in.jsonl") + "' -o '" + (folder / "out.jsonl") + "'");
+  EXPECT_EQ(replay.exit_code, 2);
+  EXPECT_NE(replay.output.find("line 3"), std::string::npos) << replay.output;
+  const std::string outputs = text_of(folder / "out.jsonl");
+  ASSERT_FALSE(outputs.empty());
+  EXPECT_EQ(outputs.back(), '\n');
+  EXPECT_TRUE(json::accept(outputs.substr(0, outputs.find('\n'))));
+}
+
+}  // namespace
+}  // namespace evc::app
