@@ -341,6 +341,7 @@ bool permitted(const Derived& d, const Inputs& in, const Motion& m, Speed V) {
   if (V > V_MRSP(in.mrsp, m.min_safe_front, front)) return false;
   for (const Target& t : d.targets) {
     if (t.kind == TargetKind::MRSP && front > t.d_target) continue;
+    if (t.kind == TargetKind::LOA && front >= t.d_target && V > t.V_target) return false;
     if (V > t.V_target && front > explain(d, in, t, V, m.V_ura, {}, &m).d_P) return false;
   }
   return true;

@@ -116,16 +116,24 @@ void first_indication(Cycle& c, std::size_t i, const Target& t, const TargetLimi
   }
 }
 
+void note_reduced(Cycle& c, const TargetTimes& t) {
+  c.reduced = c.reduced || t.reduced_be || (t.reduced_bs && c.d.time_config.service_brake_available);
+}
+
 void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   const Target& t = c.d.targets[i];
   seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar};
   double room = 0.0;
-  if (far_away(c, t, room) && (!c.d.rules.first_indication || room >= c.first_indication)) return;
+  if (far_away(c, t, room) && (!c.d.rules.first_indication || room >= c.first_indication)) {
+    // A.3.13 asks whether any target's build-up time is reduced, the far ones' too.
+    if (c.d.rules.reduced_build_up && !c.reduced) note_reduced(c, times_of(c.d, t, c.a, asked(c, t)));
+    return;
+  }
   seen.near = true;
   TargetLimits l;
   if (c.d.rules.reduced_build_up || c.d.time_config.feedback_available) {
     l = limits_of(c.d, t, c.a, asked(c, t));
-    c.reduced = c.reduced || l.times.reduced_be || (l.times.reduced_bs && c.d.time_config.service_brake_available);
+    note_reduced(c, l.times);
   } else {
     l.times.EBD = l.times.SBD = t.zero ? c.cm0 : c.cmt;
     l.EBD = EBD_limits_of(c.d, t, c.a, l.times.EBD);
