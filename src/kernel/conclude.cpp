@@ -1,6 +1,7 @@
 #include "kernel/conclude.h"
 
 #include "driver/driver.h"
+#include "kernel/orders.h"
 #include "modes/active_functions.h"
 #include "radio/compose.h"
 #include "track/services.h"
@@ -76,7 +77,7 @@ void compose_messages(Cycle& cycle) {
       continue;
     }
     position_sent = position_sent || (intent.NID_MESSAGE != 146 && intent.NID_MESSAGE < 154);
-    position_sent = position_sent || intent.NID_MESSAGE == 157;
+    position_sent = position_sent || intent.NID_MESSAGE == 157 || intent.NID_MESSAGE == 158;
   }
   if (position_sent) position::note_reported(s.position, report);
 }
@@ -112,7 +113,8 @@ position::ReportEvents filtered_events(const Cycle& cycle) {
   position::ReportEvents e = cycle.report_events;
   const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
   e.mode_change = e.mode_change && level_2_or_3(s.level.level) && in_mode(Function::report_mode_change);
-  e.level_change = e.level_change && in_mode(Function::report_level_change_trackside);
+  e.level_change = e.level_change && in_mode(cycle.level_changed_by_driver ? Function::report_level_change_driver
+                                                                           : Function::report_level_change_trackside);
   e.session_established = s.radio.established_now && in_mode(Function::report_session_established);
   e.error_to_report = !s.radio.errors.empty() && in_mode(Function::report_data_consistency_error);
   e.parameters_active = in_mode(Function::report_rbc_requested) || in_mode(Function::report_every_bg);
@@ -249,7 +251,7 @@ void run_radio(Cycle& cycle) {
   if (r.shorten) {
     if (track::shorten(s.track, track::Situation::i_radio_contact_lost, cycle.here.max_safe_front, cycle.here))
       s.track_description_deleted = true;
-    balise::clear_beyond(s.balise.linking, cycle.here.max_safe_front);
+    cut_other(s, cycle.here.max_safe_front);
     note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "3.16.3.4.5"});
   }
   compose_messages(cycle);

@@ -49,9 +49,10 @@ std::uint8_t M_MODE(modes::Mode mode) {
 }
 
 track::Here here(const State& state) {
-  const PlaceInterval front = position::front(state.position);
-  const PlaceInterval rear = position::rear(state.position, state.train.L_TRAIN);
-  const PlaceInterval antenna = position::antenna(state.position, state.train.L_antenna_front);
+  // Data may refer to the LRBG or to an unlinked group: the wider interval holds for both (3.6.4.7).
+  const PlaceInterval front = position::widest_front(state.position);
+  const PlaceInterval rear = front - state.train.L_TRAIN;
+  const PlaceInterval antenna = front - state.train.L_antenna_front;
   track::Here h;
   h.est_front = front.est;
   h.min_safe_front = front.min;

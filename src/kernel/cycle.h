@@ -40,6 +40,7 @@ struct Cycle {
   bool balise_proceed = false, ma_from_rbc = false;
   bool new_radio_message = false;
   bool train_data_entered = false;
+  bool level_changed_by_driver = false;
   std::optional<modes::Mode> profile_at_front;  // of the area in which the max safe front end is
   std::optional<std::uint32_t> NID_LTRBG;
   bool reversing_possible = false;

@@ -158,6 +158,9 @@ void revalidate(State& s, Stored stored) {
     case train_running_number:
       invalidate(s.data.train_running_number_status);
       return;
+    case rbc_id_phone:
+      invalidate(s.contact_status);
+      return;
     default:
       return;
   }
@@ -198,6 +201,7 @@ void enter_mode(Cycle& cycle, Mode to, int number) {
   procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
   procedures::override_::on_mode_change(s.override_, from, to);
   if (!s.level_transition.pending) s.buffer.clear();
+  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, static_cast<std::size_t>(to), static_cast<std::size_t>(from));
   protection::enter_mode(s.guards, protection::guards_of(M_MODE(to)), s.position.now.counter.nominal);
   if (to == Mode::SR) {
@@ -220,6 +224,7 @@ void enter_level(Cycle& cycle, const modes::OrderedLevel& to, bool by_driver) {
   ++s.revision;
   apply_all(s, [&](Stored stored) { return modes::on_level_entry(to.level, stored); });
   cycle.report_events.level_change = true;
+  cycle.level_changed_by_driver = by_driver;
 }
 
 void close_desk_in_start_of_mission(Cycle& cycle) {

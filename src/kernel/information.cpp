@@ -113,7 +113,7 @@ std::optional<procedures::level_transition::Order> order_of(const Evaluation& e,
   if (lang::decode(view, p) != lang::Fault::none) return {};
   const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
   order.kind = D_LEVELTR ? modes::OrderKind::announcement : modes::OrderKind::immediate;
-  if (D_LEVELTR) order.border = e.information.reference + *D_LEVELTR;
+  if (D_LEVELTR) order.border = e.reference.place + *D_LEVELTR;
   order.table = table_of(p);
   return order;
 }
@@ -142,26 +142,6 @@ void evaluate_level_orders(Evaluation& e) {
 
 // --- Linking goes before other location data (4.8.1.6)
 
-balise::LinkingList list_of(const lang::Packet5& p) {
-  balise::LinkingList list;
-  const auto entry = [&p](const lang::Packet5_links& l) {
-    balise::LinkingList::Entry e;
-    e.D_LINK = lang::metres(p.Q_SCALE, l.D_LINK);
-    if (l.Q_NEWCOUNTRY.raw == 1) e.NID_C = l.NID_C.raw;
-    e.NID_BG = l.NID_BG.raw;
-    e.nominal = l.Q_LINKORIENTATION.raw == 1;
-    // Q_LINKREACTION: 0 trip, 1 service brake, 2 none (7.5.1.113).
-    e.reaction = l.Q_LINKREACTION.raw == 0   ? balise::Reaction::trip
-                 : l.Q_LINKREACTION.raw == 1 ? balise::Reaction::service_brake
-                                             : balise::Reaction::none;
-    e.Q_LOCACC = lang::metres(l.Q_LOCACC);
-    return e;
-  };
-  bool room = list.entries.push_back(entry(p.first_links()));
-  for (const auto& further : p.links) room = room && list.entries.push_back(entry(further));
-  return list;
-}
-
 void evaluate_linking(Evaluation& e, bool infill) {
   State& s = e.cycle.state;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
@@ -178,7 +158,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
     std::optional<balise::CurrentLrbg> current;
     if (const position::Reference* lrbg = position::lrbg(s.position))
       current = balise::CurrentLrbg{lrbg->id, lrbg->place};
-    const balise::Stored stored = balise::store(s.balise.linking, list_of(p), reference,
+    const balise::Stored stored = balise::store(s.balise.linking, balise::linking_list(p), reference,
                                                 position::antenna(s.position, s.train.L_antenna_front), current);
     // The list holds the LRBG: its distance by linking counts, and everything in the message with it (3.6.4.3).
     e.reference.place = stored.reference;
@@ -325,6 +305,8 @@ void evaluate_track_packets(Evaluation& e) {
 
 /// The movement authority is judged last: whether SSP and gradient cover it shows only now (4.8.3 [4]).
 void evaluate_authority(Evaluation& e) {
+  // The authority of a request to shorten is a proposal: take_message decides (3.8.6).
+  if (e.information.message != nullptr && e.information.message->NID_MESSAGE == 9) return;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (!is_authority(view.NID_PACKET) || !judged(e, i)) continue;
@@ -378,6 +360,11 @@ void store_contents(Evaluation& e) {
   const track::Stored stored = track::store(s.track, e.contents, c.here);
   tell_stored(e, stored);
   if (stored.trip_order) c.facts.trip_order = true;
+  if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
+    // Linking and national values of this very message were stored already; those of the old MA go (3.8.5.1.3).
+    const std::optional<Place> SvL = s.track.ma->SvL();
+    cut_other(s, SvL ? *SvL : s.track.ma->end());
+  }
   if (stored.ma_accepted) {
     s.ma_with_trip_order = c.facts.trip_order;
     c.facts.ma_accepted = true;
@@ -401,6 +388,8 @@ void store_contents(Evaluation& e) {
 void evaluate_message(Evaluation& e) {
   const lang::MessageToTrainView& message = *e.information.message;
   if (!e.information.judge_message || message.NID_MESSAGE == 3 || message.NID_MESSAGE == 33) return;
+  if (message.NID_MESSAGE == 9)
+    e.context.described_over_whole_ma = proposal_is_described(e.cycle, e.information, e.reference);
   for (const modes::Information row : modes::information_of_message(message.NID_MESSAGE)) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict == Verdict::buffered) e.waiting.message = true;
@@ -409,7 +398,7 @@ void evaluate_message(Evaluation& e) {
       e.refused_because = a.clause;
     }
     if (a.verdict != Verdict::accepted) continue;
-    if (const char* clause = take_message(e.cycle, e.information, message, e.contents, e.reference)) {
+    if (const char* clause = take_message(e.cycle, e.information, message, e.reference)) {
       ++e.refused;
       e.refused_because = clause;
     }

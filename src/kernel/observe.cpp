@@ -99,12 +99,29 @@ DriverActions enabled_selections(Cycle& cycle) {
   return actions;
 }
 
+/// 3.18.3.7: the authority was given for another train.
+void forget_authority_of_old_train(Cycle& cycle) {
+  State& s = cycle.state;
+  if (s.track.ma) {
+    if (track::shorten(s.track, track::Situation::j_train_data_changed, cycle.here.max_safe_front, cycle.here))
+      s.track_description_deleted = true;
+    cut_other(s, cycle.here.max_safe_front);
+    note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "3.18.3.7"});
+  }
+  clear_buffer(s);
+}
+
 void enter_train_data(Cycle& cycle, const train::TrainData& data) {
   State& s = cycle.state;
   if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
     note(cycle, Event{.subject = "train data", .what = train::name(fault), .clause = train::clause(fault)});
     return;
   }
+  const bool route_matters = s.train.cant_deficiency_mm != data.cant_deficiency_mm ||
+                             s.train.other_categories != data.other_categories || s.train.axle_load != data.axle_load ||
+                             s.train.loading_gauge != data.loading_gauge ||
+                             !(s.train.traction_systems == data.traction_systems);
+  if (route_matters && s.data.train_data_status == DataStatus::valid) forget_authority_of_old_train(cycle);
   s.train = data;
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;
@@ -215,6 +232,21 @@ Duration request_cycle(const State& s) {
   return s.radio.ma_request && s.radio.ma_request->T_CYCRQST ? *s.radio.ma_request->T_CYCRQST : Duration{60.0};
 }
 
+/// 5.4.3.3: what start of mission makes of the status of data.
+void change_statuses(Cycle& cycle, modes::Set<procedures::Status> status) {
+  State& s = cycle.state;
+  using procedures::Status;
+  if (status.has(Status::position_unknown))
+    position::forget(s.position);
+  else if (status.has(Status::position_valid))
+    position::validate(s.position);
+  if (status.has(Status::level_invalid) && valid(s.data.level_status)) s.data.level_status = DataStatus::invalid;
+  if (status.has(Status::level_valid)) s.data.level_status = DataStatus::valid;
+  if (status.has(Status::rbc_contact_invalid) && valid(s.contact_status)) s.contact_status = DataStatus::invalid;
+  if (status.has(Status::rbc_contact_valid)) s.contact_status = DataStatus::valid;
+  cycle.here = here(s);
+}
+
 void run_start_of_mission(Cycle& cycle) {
   State& s = cycle.state;
   const DriverActions& driver = cycle.driver;
@@ -242,7 +274,9 @@ void run_start_of_mission(Cycle& cycle) {
   in.SR_authorised = cycle.SR_authorised;
   if (cycle.facts.ma_ssp_gradient_stored) in.profile_at_front = cycle.profile_at_front;
   const bool was_running = s.start_of_mission.step != procedures::start_of_mission::Step::S0;
-  cycle.effects |= procedures::start_of_mission::step(s.start_of_mission, in);
+  const procedures::Effects effects = procedures::start_of_mission::step(s.start_of_mission, in);
+  cycle.effects |= effects;
+  change_statuses(cycle, effects.status);
   if (was_running && s.mode == Mode::SB && !cycle.in.train.desk_open) close_desk_in_start_of_mission(cycle);
   if (s.start_of_mission.step == procedures::start_of_mission::Step::S21)
     cycle.ma_request_reasons |= radio::kStartSelected;

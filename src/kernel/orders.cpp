@@ -40,7 +40,7 @@ void use_national_values(State& state, const train::NationalValues& values,
 
 void advance_national_values(Cycle& cycle) {
   State& s = cycle.state;
-  if (!s.pending_national_values || cycle.here.max_safe_front < s.pending_national_values->from) return;
+  if (!s.pending_national_values || cycle.here.est_front < s.pending_national_values->from) return;
   use_national_values(s, s.pending_national_values->values, s.pending_national_values->areas);
   s.pending_national_values.reset();
   note(cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.9"});
@@ -51,22 +51,44 @@ void leave_area(Cycle& cycle, std::uint16_t NID_C) {
   if (s.national_areas.empty()) return;
   for (const std::uint16_t area : s.national_areas)
     if (area == NID_C) return;
-  use_national_values(s, s.initial_national_values, {});
+  use_national_values(s, train::NationalValues{}, {});
   note(cycle, Event{.subject = "national values", .what = "defaults", .clause = "3.18.2.9"});
+}
+
+track::Contents proposal(const Information& information, const track::Reference& reference) {
+  track::Contents proposed;
+  proposed.source = reference.source;
+  proposed.time = information.time;
+  proposed.reference = information.reference;
+  for (const lang::PacketView& p : information.packets)
+    if (p.NID_PACKET == 15 || p.NID_PACKET == 80 || p.NID_PACKET == 49) (void)track::add(proposed, p, reference);
+  return proposed;
+}
+
+bool proposal_is_described(const Cycle& cycle, const Information& information, const track::Reference& reference) {
+  const track::Contents proposed = proposal(information, reference);
+  return proposed.ma && track::complete(cycle.state.track, proposed, cycle.here);
+}
+
+void cut_other(State& state, Place beyond) {
+  balise::clear_beyond(state.balise.linking, beyond);
+  if (state.pending_national_values && state.pending_national_values->from > beyond)
+    state.pending_national_values.reset();
 }
 
 namespace {
 
-/// Along the running direction: +1 where Q_DIR points with it, -1 against it.
+/// Along the running direction: +1 where Q_DIR points with it or means both directions, -1 against it.
 double sense(std::uint8_t Q_DIR, Direction orientation) {
-  const bool nominal = Q_DIR == 1;
-  return nominal == (orientation == Direction::nominal) ? 1.0 : -1.0;
+  if (Q_DIR == 2) return 1.0;
+  return (Q_DIR == 1) == (orientation == Direction::nominal) ? 1.0 : -1.0;
 }
 
 const char* take_conditional_stop(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
   State& s = cycle.state;
   lang::Message15 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  if (information.orientation == Direction::unknown) return "3.6.3.1.4";
   // 3.10.2.2: the place counts from the LRBG, D_REF included, in the direction of Q_DIR.
   const Distance d = lang::metres(m.Q_SCALE, m.D_EMERGENCYSTOP);
   const Distance d_ref = lang::metres(m.Q_SCALE, m.D_REF);
@@ -75,6 +97,7 @@ const char* take_conditional_stop(Cycle& cycle, const Information& information, 
   const protection::Answer answer = protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw, stop,
                                                                    information.min_safe_front, cycle.here);
   std::uint8_t Q = answer.Q_EMERGENCYSTOP;
+  if (answer.accepted) cut_other(s, stop);
   if (information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
   radio::answer_emergency_stop(m.NID_EM.raw, Q, cycle.outbox);
   note(cycle, Event{.subject = "emergency stop",
@@ -127,16 +150,13 @@ const char* take_SR_authorisation(Cycle& cycle, const Information& information, 
   return nullptr;
 }
 
-/// Message 9: granted only when the train would not have to brake for it (3.8.6.2).
+/// Message 9: granted only when the authority is described and the train would not have to brake for it (3.8.6.2).
 const char* take_shortening(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view,
-                            track::Contents& contents, const track::Reference& reference) {
-  track::Contents proposed;
-  proposed.source = contents.source;
-  proposed.time = contents.time;
-  proposed.reference = contents.reference;
-  for (const lang::PacketView& p : information.packets)
-    if (p.NID_PACKET == 15 || p.NID_PACKET == 80 || p.NID_PACKET == 49) (void)track::add(proposed, p, reference);
-  const bool granted = proposed.ma && !proposed.ma->sections.empty() && can_stop_before(cycle, *proposed.ma);
+                            const track::Reference& reference) {
+  State& s = cycle.state;
+  track::Contents proposed = proposal(information, reference);
+  const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
+                       track::complete(s.track, proposed, cycle.here) && can_stop_before(cycle, *proposed.ma);
   radio::Intent answer;
   answer.NID_MESSAGE = granted ? 137 : 138;
   answer.T_TRAIN_REF = view.T_TRAIN.raw;
@@ -144,13 +164,16 @@ const char* take_shortening(Cycle& cycle, const Information& information, const 
   note(cycle, Event{.subject = "MA shortening", .what = granted ? "granted" : "rejected", .clause = "3.8.6"});
   if (!granted) return "3.8.6.2";
   proposed.ma_is_shortening_request = true;
-  const track::Stored stored = track::store(cycle.state.track, proposed, cycle.here);
-  return stored.ma_accepted ? nullptr : "3.7.2.3";
+  (void)track::store(s.track, proposed, cycle.here);
+  const std::optional<Place> SvL = proposed.ma->SvL();
+  cut_other(s, SvL ? *SvL : proposed.ma->end());
+  return nullptr;
 }
 
 const char* take_track_ahead_free(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
   lang::Message34 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
+  if (information.orientation == Direction::unknown) return "3.6.3.1.4";
   const double along = information.orientation == Direction::reverse ? -1.0 : 1.0;
   const Place reference = information.reference + along * lang::metres(m.Q_SCALE, m.D_REF);
   const double s = sense(m.Q_DIR.raw, information.orientation);
@@ -163,7 +186,7 @@ const char* take_track_ahead_free(Cycle& cycle, const Information& information, 
 }  // namespace
 
 const char* take_message(Cycle& cycle, const Information& information, const lang::MessageToTrainView& message,
-                         track::Contents& contents, const track::Reference& reference) {
+                         const track::Reference& reference) {
   State& s = cycle.state;
   switch (message.NID_MESSAGE) {
     case 2:
@@ -180,7 +203,7 @@ const char* take_message(Cycle& cycle, const Information& information, const lan
       return nullptr;
     }
     case 9:
-      return take_shortening(cycle, information, message, contents, reference);
+      return take_shortening(cycle, information, message, reference);
     case 15:
       return take_conditional_stop(cycle, information, message);
     case 16:

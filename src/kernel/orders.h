@@ -17,13 +17,20 @@ modes::OrderDecision give_order(Cycle& cycle, const procedures::level_transition
 /// National values come into force (3.18.2.4).
 void use_national_values(State& state, const train::NationalValues& values,
                          const InplaceVector<std::uint16_t, 32>& areas);
-/// Each cycle: pending values come into force at their place (max safe front end, 3.18.2.9 b); values received for
-/// other areas than the country of the group just passed give way to the defaults (3.18.2.9 c).
+/// Each cycle: pending values come into force where the estimated front end passes their place (3.18.2.3); values
+/// received for other areas than the country of the group just passed give way to the defaults (3.18.2.9 c).
 void advance_national_values(Cycle& cycle);
 void leave_area(Cycle& cycle, std::uint16_t NID_C);
 
+/// Message 9: the authority that it proposes, and whether SSP and gradient cover it (4.8.3 [4]).
+track::Contents proposal(const Information& information, const track::Reference& reference);
+bool proposal_is_described(const Cycle& cycle, const Information& information, const track::Reference& reference);
+
+/// Linking and pending national values beyond a place are deleted (A.3.4).
+void cut_other(State& state, Place beyond);
+
 /// Carries out the information of a radio message itself (not its packets). A literal clause when it is refused.
 const char* take_message(Cycle& cycle, const Information& information, const lang::MessageToTrainView& message,
-                         track::Contents& contents, const track::Reference& reference);
+                         const track::Reference& reference);
 
 }  // namespace evc::kernel

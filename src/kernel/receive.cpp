@@ -15,15 +15,29 @@ using modes::Mode;
 
 bool judged_by_crossing(Mode mode) { return mode == Mode::SL || mode == Mode::PS || mode == Mode::SH; }
 
+/// Modes in which an inconsistent message does not brake (4.4.6.1.12, 4.4.14.1.9, 4.4.15.1.10, 4.4.18.1.10,
+/// 4.4.20.1.15).
+bool brakes_on_message_error(Mode mode) {
+  return modes::active(modes::Function::bg_msg_consistency_unlinked, mode) && mode != Mode::SL && mode != Mode::PT &&
+         mode != Mode::NL && mode != Mode::RV && mode != Mode::PS;
+}
+
+/// 3.14.3.6: what is read during a movement that reverse movement protection forbids is ignored. In PT and RV the
+/// permitted direction is backward.
+bool moves_against_permission(const State& s) {
+  if (!modes::active(modes::Function::reverse_movement, s.mode)) return false;
+  const bool backward_permitted = s.mode == Mode::PT || s.mode == Mode::RV;
+  return position::motion(s.position) == (backward_permitted ? position::Motion::forward : position::Motion::backward);
+}
+
 balise::Situation situation_of(const Cycle& cycle) {
   const State& s = cycle.state;
   balise::Situation now;
   now.now = s.now;
   now.linking_checked = modes::active(modes::Function::link_consistency, s.mode);
-  now.braking_on_message_error = modes::active(modes::Function::bg_msg_consistency_unlinked, s.mode);
-  now.against_permitted_movement = modes::active(modes::Function::reverse_movement, s.mode) && s.mode != Mode::PT &&
-                                   s.mode != Mode::RV && position::motion(s.position) == position::Motion::backward;
-  now.counter_rises = position::last_motion(s.position) != position::Motion::backward;
+  now.braking_on_message_error = brakes_on_message_error(s.mode);
+  now.against_permitted_movement = moves_against_permission(s);
+  now.counter_rises = position::counter_rises(s.position);
   now.level_1_2_3 = level_1_2_3(s.level.level);
   return now;
 }
@@ -124,10 +138,11 @@ void gather(Information& information, const lang::TelegramView& view) {
 void receive_group(Cycle& cycle, const balise::Group& group) {
   State& s = cycle.state;
   if (!group.accepted) return;
+  // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
+  leave_area(cycle, group.id.NID_C);
   const position::Reference* reference = locate(cycle, group);
   if (reference == nullptr) return;
   cycle.here = here(s);
-  leave_area(cycle, group.id.NID_C);
   balise::keep_covers_of(s.balise, group.id.NID_C);
   track::note_group(s.track, group.id, reference->place);
   check_lists(cycle, group.id);

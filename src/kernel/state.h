@@ -89,7 +89,6 @@ struct State {
 
   train::TrainData train;
   train::NationalValues national_values;
-  train::NationalValues initial_national_values;  // those of the configuration: valid where none were received
   InplaceVector<std::uint16_t, 32> national_areas;
   std::optional<PendingNationalValues> pending_national_values;
   DriverData data;
@@ -126,7 +125,8 @@ struct State {
 
   sdm::Supervision supervision;
   std::uint32_t revision = 0;  // grows when train data, national values, mode or level change what is supervised
-  bool contact_trip = false;   // [41], found at the end of the cycle before
+  DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
+  bool contact_trip = false;                        // [41], found at the end of the cycle before
   bool powered = false;
 };
 static_assert(std::is_trivially_copyable_v<State>);
@@ -137,6 +137,7 @@ struct Derived {
   struct Key {
     std::uint32_t track = 0;
     std::uint32_t revision = 0;
+    std::uint8_t brakes = 0;  // special brakes reported active (3.13.2.2.6), one bit each
     bool valid = false;
     friend constexpr bool operator==(const Key&, const Key&) = default;
   };

@@ -1,6 +1,7 @@
 #include "kernel/conclude.h"
 #include "kernel/evc.h"
 #include "kernel/observe.h"
+#include "kernel/orders.h"
 #include "kernel/receive.h"
 #include "kernel/supervise.h"
 #include "track/services.h"
@@ -18,13 +19,21 @@ position::Odometry odometry_of(const Odometry& in) {
 void advance_track(Cycle& cycle) {
   State& s = cycle.state;
   const track::Elapsed elapsed = track::advance(s.track, cycle.here);
-  if (elapsed.any()) note(cycle, Event{.subject = "MA", .what = "timer elapsed", .clause = "3.8.4"});
+  if (elapsed.any()) {
+    note(cycle, Event{.subject = "MA", .what = "timer elapsed", .clause = "3.8.4"});
+    if (s.track.ma && !s.track.ma->sections.empty()) {
+      const std::optional<Place> SvL = s.track.ma->SvL();
+      cut_other(s, SvL ? *SvL : s.track.ma->end());
+    } else {
+      cut_other(s, cycle.here.max_safe_front);
+    }
+  }
   if (elapsed.track_description_deleted) s.track_description_deleted = true;
   if (s.shorten_at_standstill && cycle.here.standstill) {
     s.shorten_at_standstill = false;
     if (track::shorten(s.track, track::Situation::h_linking_reaction, cycle.here.max_safe_front, cycle.here))
       s.track_description_deleted = true;
-    balise::clear_beyond(s.balise.linking, cycle.here.max_safe_front);
+    cut_other(s, cycle.here.max_safe_front);
     note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "A.3.4"});
   }
   if (cycle.facts.ma_accepted) s.track_description_deleted = false;
@@ -68,7 +77,6 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.fitted_levels = config.levels;
   state.train = config.train;
   state.national_values = config.national_values;
-  state.initial_national_values = config.national_values;
 }
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.

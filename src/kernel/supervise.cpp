@@ -124,6 +124,23 @@ void compute_PBD(State& s, const sdm::Inputs& in) {
   }
 }
 
+train::BrakeStatus brake_status(const TrainSignals& t) {
+  train::BrakeStatus b;
+  b.regenerative = t.regenerative_brake_active;
+  b.eddy_current = t.eddy_current_brake_active;
+  b.magnetic_shoe = t.magnetic_shoe_brake_active;
+  b.electro_pneumatic = t.ep_brake_active;
+  b.adhesion_independent = t.additional_brake_active;
+  return b;
+}
+
+/// The same as bits.
+std::uint8_t brake_bits(const TrainSignals& t) {
+  return static_cast<std::uint8_t>((t.regenerative_brake_active ? 1 : 0) | (t.eddy_current_brake_active ? 2 : 0) |
+                                   (t.magnetic_shoe_brake_active ? 4 : 0) | (t.ep_brake_active ? 8 : 0) |
+                                   (t.additional_brake_active ? 16 : 0));
+}
+
 void build_inputs(Cycle& cycle, const track::Authority& authority) {
   State& s = cycle.state;
   sdm::Inputs& in = cycle.derived.inputs;
@@ -131,11 +148,7 @@ void build_inputs(Cycle& cycle, const track::Authority& authority) {
   in.srs = s.srs;
   in.train = s.train;
   in.national_values = s.national_values;
-  in.brakes.regenerative = cycle.in.train.regenerative_brake_active;
-  in.brakes.eddy_current = cycle.in.train.eddy_current_brake_active;
-  in.brakes.magnetic_shoe = cycle.in.train.magnetic_shoe_brake_active;
-  in.brakes.electro_pneumatic = cycle.in.train.ep_brake_active;
-  in.brakes.adhesion_independent = cycle.in.train.additional_brake_active;
+  in.brakes = brake_status(cycle.in.train);
 
   compute_PBD(s, in);
   track::MrspQuery query;
@@ -228,7 +241,7 @@ track::TrainInterfaces interfaces_of(const train::TrainData& train) {
 void refresh(Cycle& cycle) {
   State& s = cycle.state;
   Derived& d = cycle.derived;
-  const Derived::Key key{s.track.revision, s.revision, true};
+  const Derived::Key key{s.track.revision, s.revision, brake_bits(cycle.in.train), true};
   if (d.key == key) return;
   d.key = key;
   d.authority = within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), M_MODE(s.mode))
