@@ -49,14 +49,12 @@ struct Description {
   InplaceVector<AdhesionArea, 16> adhesion;
   InplaceVector<Text, 6> texts;
   // orders
-  std::optional<LevelOrder> level_order;
   std::optional<RbcTransition> rbc_transition;
   std::optional<RadioInfillArea> radio_infill;
   std::optional<GroupList> sh_list, sr_list;
   std::optional<ReversingArea> reversing_area;
   std::optional<Place> reversing_reference;  ///< end of the area as received; cutting does not move it (3.15.4)
   std::optional<ReversingSupervision> reversing_supervision;
-  InplaceVector<VirtualBaliseCover, 8> covers;
   InplaceVector<GeoReference, 32> geo;
   bool stop_shunting_on_desk_opening = false;  ///< packet 135
   bool generic_ls_marker = false;              ///< packet 181
@@ -114,16 +112,10 @@ struct Contents {
   std::optional<AdhesionArea> adhesion;
   InplaceVector<Text, 2> texts;
 
-  std::optional<LevelOrder> level_order;
   std::optional<RbcTransition> rbc_transition;
   std::optional<RadioInfillArea> radio_infill;
   std::optional<ReversingArea> reversing_area;
   std::optional<ReversingSupervision> reversing_supervision;
-  struct CoverOrder {
-    VirtualBaliseCover cover{};
-    bool set = false;
-  };
-  InplaceVector<CoverOrder, 4> covers;
   std::optional<InplaceVector<GeoReference, 32>> geo;
   bool stop_shunting_on_desk_opening = false;
   bool generic_ls_marker = false;

@@ -9,43 +9,6 @@ namespace {
 using lang::Fault;
 using lang::metres;
 
-constexpr Duration kDay{86400.0};
-
-void take(Contents& c, const lang::Packet6& p, const Reference& r) {
-  Contents::CoverOrder order;
-  order.set = p.Q_VBCO.raw == 1;
-  order.cover.NID_VBCMK = p.NID_VBCMK.raw;
-  order.cover.NID_C = p.NID_C.raw;
-  order.cover.until = r.now + static_cast<double>(p.T_VBC.raw) * kDay;
-  c.overflow = !c.covers.push_back(order) || c.overflow;
-}
-
-void take(Contents& c, const lang::Packet41& p, const Reference& r) {
-  LevelOrder order;
-  const auto append = [&](const lang::Packet41_levels& l) {
-    (void)order.levels.push_back({l.M_LEVELTR.raw, l.NID_NTC.raw, metres(p.Q_SCALE, l.L_ACKLEVELTR)});
-  };
-  append(p.first_levels());
-  for (const auto& l : p.levels) append(l);
-  const std::optional<Distance> distance = metres(p.Q_SCALE, p.D_LEVELTR);
-  order.immediate = !distance;
-  order.at = distance ? r.place + *distance : r.place;
-  c.level_order = order;
-}
-void take(Contents& c, const lang::Packet46& p, const Reference& r) {
-  LevelOrder order;
-  const auto append = [&](const lang::Packet46_levels& l) {
-    (void)order.levels.push_back({l.M_LEVELTR.raw, l.NID_NTC.raw, {}});
-  };
-  append(p.first_levels());
-  for (const auto& l : p.levels) append(l);
-  order.immediate = true;
-  order.conditional = true;
-  order.at = r.place;
-  // An order in the same message that is not conditional counts (5.10.1.2).
-  if (!c.level_order || c.level_order->conditional) c.level_order = order;
-}
-
 /// Lists of balise groups: "same country" is that of the group before, of the sender for the first one.
 template <class List>
 GroupList groups_of(const List& list, const Reference& r) {
@@ -119,12 +82,6 @@ Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference
 
 Added add_order(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
-    case 6:
-      return decode_and_take<lang::Packet6>(contents, view, reference);
-    case 41:
-      return decode_and_take<lang::Packet41>(contents, view, reference);
-    case 46:
-      return decode_and_take<lang::Packet46>(contents, view, reference);
     case 49:
       return decode_and_take<lang::Packet49>(contents, view, reference);
     case 63:

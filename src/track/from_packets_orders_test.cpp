@@ -116,32 +116,6 @@ TEST(FromPackets, Texts) {
   EXPECT_EQ(fixed.T_TEXTDISPLAY, Duration{20});
 }
 
-TEST(FromPackets, LevelOrders) {
-  auto p = packet_in_metres<lang::Packet41>();
-  p.D_LEVELTR.raw = 600;
-  p.M_LEVELTR.raw = 3;
-  p.L_ACKLEVELTR.raw = 100;
-  lang::Packet41_levels ntc;
-  ntc.M_LEVELTR.raw = 1;
-  ntc.NID_NTC.raw = 6;
-  ASSERT_TRUE(p.levels.push_back(ntc));
-  LevelOrder order = *contents_of(p).level_order;
-  EXPECT_EQ(order.at, at(1600));
-  EXPECT_FALSE(order.immediate || order.conditional);
-  ASSERT_EQ(order.levels.size(), 2u);
-  EXPECT_EQ(order.levels[0].L_ACKLEVELTR, Distance{100});
-  EXPECT_EQ(order.levels[1].NID_NTC, 6);
-  p.D_LEVELTR.raw = 32767;
-  EXPECT_TRUE(contents_of(p).level_order->immediate);
-  lang::Packet46 conditional;
-  conditional.M_LEVELTR.raw = 2;
-  lang::Packet46_levels zero;
-  ASSERT_TRUE(conditional.levels.push_back(zero));
-  order = *contents_of(conditional).level_order;
-  EXPECT_TRUE(order.immediate && order.conditional);
-  EXPECT_EQ(order.levels.size(), 2u);
-}
-
 TEST(FromPackets, ListsOfGroups) {
   lang::Packet49 p;
   lang::Packet49_groups g;
@@ -196,15 +170,7 @@ TEST(FromPackets, OrdersThatActAtOnce) {
   EXPECT_TRUE(contents_of(lang::Packet181{}).generic_ls_marker);
 }
 
-TEST(FromPackets, CoversTransitionsReversing) {
-  lang::Packet6 p;
-  p.Q_VBCO.raw = 1;
-  p.NID_VBCMK.raw = 9;
-  p.NID_C.raw = 426;
-  p.T_VBC.raw = 2;
-  const auto cover = contents_of(p).covers[0];
-  EXPECT_TRUE(cover.set);
-  EXPECT_EQ(cover.cover.until, Duration{100 + 2 * 86400.0});
+TEST(FromPackets, TransitionsAndReversing) {
   auto rbc = packet_in_metres<lang::Packet131>();
   rbc.D_RBCTR.raw = 900;
   rbc.NID_RBC.raw = 3;

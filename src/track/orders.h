@@ -12,22 +12,6 @@ namespace evc::track {
 /// A list of balise groups that may be passed in SH (packet 49) or SR (packet 63). An empty list lets none pass.
 using GroupList = InplaceVector<GroupId, 32>;
 
-/// M_LEVELTR of one level of an order's table, in order of priority.
-struct OrderedLevel {
-  std::uint8_t M_LEVELTR = 0;  ///< 0 level 0, 1 NTC, 2 level 1, 3 level 2, 4 level 3
-  std::uint8_t NID_NTC = 0;
-  Distance L_ACKLEVELTR{};  ///< length of the acknowledgement window in rear of the place
-  friend constexpr bool operator==(const OrderedLevel&, const OrderedLevel&) = default;
-};
-/// A level transition order (packet 41) or a conditional one (packet 46, at once).
-struct LevelOrder {
-  InplaceVector<OrderedLevel, 32> levels;
-  Place at{};
-  bool immediate = false;    ///< D_LEVELTR = "now", or conditional
-  bool conditional = false;  ///< packet 46
-  friend constexpr bool operator==(const LevelOrder&, const LevelOrder&) = default;
-};
-
 /// RBC transition order (packet 131).
 struct RbcTransition {
   Place at{};
@@ -55,14 +39,6 @@ struct ReversingSupervision {
   std::optional<Distance> D_REVERSE;  ///< from the end of the area backwards; absent: endless
   SpeedCode V_REVERSE = 0;
   friend constexpr bool operator==(const ReversingSupervision&, const ReversingSupervision&) = default;
-};
-
-/// A virtual balise cover (packet 6; 3.15.9).
-struct VirtualBaliseCover {
-  std::uint8_t NID_VBCMK = 0;
-  std::uint16_t NID_C = 0;
-  Duration until{};
-  friend constexpr bool operator==(const VirtualBaliseCover&, const VirtualBaliseCover&) = default;
 };
 
 /// One reference of the geographical position (packet 79; 3.6.6).

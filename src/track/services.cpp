@@ -98,12 +98,6 @@ std::optional<ModeArea> area_due(const Description& d, const Here& here) {
   return due;
 }
 
-std::optional<ModeArea> area_to_acknowledge(const Description& d, const Here& here) {
-  for (const ModeArea& area : d.mode_profile)
-    if (!area.accepted && here.est_front >= area.ack_from && (!area.to || here.min_safe_front <= *area.to)) return area;
-  return std::nullopt;
-}
-
 void accept_area(Description& d, AreaMode mode, const Here& here) {
   for (ModeArea& area : d.mode_profile)
     if (area.mode == mode && (here.est_front >= area.ack_from || here.max_safe_front >= area.from) && !area.accepted) {

@@ -42,8 +42,6 @@ Authority authority(const Description& d, const TrainInterfaces& train, std::uin
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
 /// end; the farthest such area. Absent: none (3.12.4.5-6).
 std::optional<ModeArea> area_due(const Description& d, const Here& here);
-/// The nearest area whose acknowledgement window holds the estimated front end and that is not accepted (5.9.3.4).
-std::optional<ModeArea> area_to_acknowledge(const Description& d, const Here& here);
 /// The driver acknowledged, or the area was entered: it is no temporary EOA any more.
 void accept_area(Description& d, AreaMode mode, const Here& here);
 

@@ -155,12 +155,6 @@ void store_texts(const Filing& f) {
 void store_orders(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
-  if (c.level_order && c.level_order->conditional && d.level_order && !d.level_order->immediate) {
-    f.note(46, Note::What::refused, "4.8.3");  // [11]: an announced transition is pending
-  } else if (c.level_order) {
-    d.level_order = c.level_order;
-    f.note(c.level_order->conditional ? 46 : 41, Note::What::stored, nullptr);
-  }
   if (c.rbc_transition) {
     d.rbc_transition = c.rbc_transition;
     f.note(131, Note::What::stored, nullptr);
@@ -197,16 +191,6 @@ void store_orders(const Filing& f) {
     d.generic_ls_marker = false;
 }
 
-void store_covers(const Filing& f) {
-  Description& d = f.d;
-  for (const Contents::CoverOrder& order : f.c.covers) {
-    d.covers.erase_if([&](const VirtualBaliseCover& old) {
-      return old.NID_VBCMK == order.cover.NID_VBCMK && old.NID_C == order.cover.NID_C;
-    });
-    f.stored(6, !order.set || d.covers.push_back(order.cover), "3.15.9");
-  }
-}
-
 bool matters_to_monitoring(const Contents& c) {
   return c.ma || c.V_MAIN || c.mode_profile || c.repositioned_section || c.ssp || c.gradient || c.asp || c.pbd ||
          !c.tsr.empty() || !c.revoked_tsr.empty() || c.default_gradient || !c.lx.empty() || c.conditions ||
@@ -225,7 +209,6 @@ Stored store(Description& d, const Contents& c, const Here& here, const char* re
   store_conditions(f);
   store_texts(f);
   store_orders(f);
-  store_covers(f);
   if (matters_to_monitoring(c)) ++d.revision;
   return report;
 }

@@ -128,7 +128,6 @@ TEST(Store, EveryOtherKind) {
   c.traction = TractionChange{at(30), 1, 7};
   c.current = CurrentChange{at(30), std::uint16_t{500}};
   c.adhesion = AdhesionArea{at(40), at(50), true};
-  c.level_order = LevelOrder{};
   c.rbc_transition = RbcTransition{};
   c.radio_infill = RadioInfillArea{};
   c.reversing_area = ReversingArea{at(60), at(70)};
@@ -138,7 +137,6 @@ TEST(Store, EveryOtherKind) {
   c.sr_list = GroupList{};
   c.stop_shunting_on_desk_opening = true;
   c.generic_ls_marker = true;
-  ASSERT_TRUE(c.covers.push_back({{3, 400, {}}, true}));
   c.geo = InplaceVector<GeoReference, 32>{};
   ASSERT_TRUE(c.geo->push_back(GeoReference{}));
   Text text;
@@ -148,16 +146,14 @@ TEST(Store, EveryOtherKind) {
   EXPECT_EQ(d.pbd.size(), 1u);
   EXPECT_EQ(d.big_metal.size(), 1u);
   EXPECT_EQ(d.platforms.size(), 1u);
-  EXPECT_TRUE(d.traction && d.current && d.level_order && d.rbc_transition && d.radio_infill);
+  EXPECT_TRUE(d.traction && d.current && d.rbc_transition && d.radio_infill);
   EXPECT_EQ(d.reversing_reference, at(70));
   EXPECT_TRUE(d.reversing_supervision && d.sh_list && d.sr_list);
   EXPECT_TRUE(d.stop_shunting_on_desk_opening && d.generic_ls_marker);
-  EXPECT_EQ(d.covers.size(), 1u);
   EXPECT_EQ(d.geo.size(), 1u);
   EXPECT_EQ(d.texts[0].id, 1);
   Contents less;
   less.adhesion = AdhesionArea{at(45), at(50), false};
-  ASSERT_TRUE(less.covers.push_back({{3, 400, {}}, false}));
   less.sr_authorisation = true;
   less.mode_profile = ModeProfile{};
   ModeArea ls;
@@ -166,21 +162,8 @@ TEST(Store, EveryOtherKind) {
   store(d, less, front_at(0));
   ASSERT_EQ(d.adhesion.size(), 1u);
   EXPECT_EQ(d.adhesion[0].to, at(45)) << "not slippery clears from its start";
-  EXPECT_TRUE(d.covers.empty());
   EXPECT_FALSE(d.sr_list);
   EXPECT_FALSE(d.generic_ls_marker) << "an LS profile without the marker";
-}
-
-TEST(Store, AConditionalOrderIsRefusedWhileATransitionIsAnnounced) {  // 4.8.3 [11]
-  Description d;
-  Contents conditional;
-  conditional.level_order = LevelOrder{{}, at(0), true, true};
-  EXPECT_EQ(clause_of(store(d, conditional, front_at(0)), 46), "");
-  Contents announced;
-  announced.level_order = LevelOrder{{}, at(900), false, false};
-  store(d, announced, front_at(0));
-  EXPECT_EQ(clause_of(store(d, conditional, front_at(0)), 46), "4.8.3");
-  EXPECT_EQ(d.level_order->at, at(900));
 }
 
 TEST(Store, LevelCrossings) {

@@ -80,14 +80,12 @@ void cut_texts(Description& d, Place at) {
 
 /// What A.3.4 k deletes here.
 void delete_all(Description& d) {
-  const auto covers = d.covers;
   const auto geo = d.geo;
   const bool stop_shunting = d.stop_shunting_on_desk_opening;
   const bool marker = d.generic_ls_marker;
   const std::uint32_t revision = d.revision;
   const std::uint8_t text_id = d.next_text_id;
   d = Description{};
-  d.covers = covers;
   d.geo = geo;
   d.stop_shunting_on_desk_opening = stop_shunting;
   d.generic_ls_marker = marker;
@@ -330,8 +328,6 @@ void forget(Description& d, Item item) {
       return d.pbd.clear();
     case Item::level_crossing:
       return d.lx.clear();
-    case Item::level_transition_order:
-      return d.level_order.reset();
     case Item::stop_sh_on_desk_opening:
       d.stop_shunting_on_desk_opening = false;
       return;
@@ -339,8 +335,6 @@ void forget(Description& d, Item item) {
       return d.sh_list.reset();
     case Item::sr_bg_list:
       return d.sr_list.reset();
-    case Item::vbc:
-      return d.covers.clear();
     case Item::generic_ls_marker:
       d.generic_ls_marker = false;
       return;

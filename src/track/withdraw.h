@@ -68,11 +68,9 @@ enum class Item : std::uint8_t {
   reversing_supervision,
   permitted_braking_distance,
   level_crossing,
-  level_transition_order,
   stop_sh_on_desk_opening,
   sh_bg_list,
   sr_bg_list,
-  vbc,
   generic_ls_marker,
   count
 };

@@ -75,14 +75,12 @@ Description full() {
   c.reversing_area = ReversingArea{at(1000), at(2500)};
   c.reversing_supervision = ReversingSupervision{};
   c.adhesion = AdhesionArea{at(3000), at(3100), true};
-  c.level_order = LevelOrder{};
   c.sh_list = GroupList{};
   c.default_gradient = -5;
   c.generic_ls_marker = true;
   c.stop_shunting_on_desk_opening = true;
   c.geo = InplaceVector<GeoReference, 32>{};
   room = c.geo->push_back(GeoReference{}) && room;
-  room = c.covers.push_back({{1, 2, {}}, true}) && room;
   const Stored stored = store(d, c, front_at(100));
   if (!room || !stored.ma_accepted) __builtin_trap();
   d.sh_list = GroupList{};
@@ -113,7 +111,7 @@ TEST(Shorten, AheadOfThePointEverythingOfTheTrackDescriptionGoes) {
   EXPECT_EQ(d.tsr.size(), 1u);
   EXPECT_EQ(d.lx.size(), 1u);
   EXPECT_EQ(d.adhesion.size(), 1u);
-  EXPECT_TRUE(d.level_order && d.reversing_supervision && d.default_gradient);
+  EXPECT_TRUE(d.reversing_supervision && d.default_gradient);
   EXPECT_FALSE(shorten(d, Situation::d_overlap_timeout, at(2500), front_at(100))) << "nothing was left there";
 }
 
@@ -151,10 +149,9 @@ TEST(Shorten, DeskClosedDuringStart) {
   Description d = full();
   const std::uint32_t revision = d.revision;
   shorten(d, Situation::k_desk_closed_during_start, at(0), front_at(100));
-  EXPECT_FALSE(d.ma || d.level_order || d.signalling || d.default_gradient);
+  EXPECT_FALSE(d.ma || d.signalling || d.default_gradient);
   EXPECT_TRUE(d.ssp.empty() && d.tsr.empty() && d.lx.empty() && d.texts.empty() && d.adhesion.empty());
   EXPECT_TRUE(d.generic_ls_marker && d.stop_shunting_on_desk_opening);
-  EXPECT_EQ(d.covers.size(), 1u);
   EXPECT_EQ(d.geo.size(), 1u);
   EXPECT_GT(d.revision, revision);
 }
@@ -340,11 +337,9 @@ TEST(Forget, EachItem) {
                          !d.reversing_supervision,
                          d.pbd.empty(),
                          d.lx.empty(),
-                         !d.level_order,
                          !d.stop_shunting_on_desk_opening,
                          !d.sh_list,
                          !d.sr_list,
-                         d.covers.empty(),
                          !d.generic_ls_marker};
     static_assert(std::size(gone) == static_cast<std::size_t>(Item::count));
     for (unsigned k = 0; k < std::size(gone); ++k) EXPECT_EQ(gone[k], k == i) << "forget " << i << " touched " << k;
