@@ -137,8 +137,9 @@ class Ride {
   }
   /// The three balises of a group, 3 m apart, are read in the next cycle.
   void read(const Group& telegrams) {
-    for (std::size_t i = 0; i < telegrams.size(); ++i)
-      read_[i] = {telegrams[i].bytes, Telegram::bits, {{front_ + 0.3 * static_cast<double>(i)}}};
+    telegrams_ = telegrams;
+    for (std::size_t i = 0; i < telegrams_.size(); ++i)
+      read_[i] = {telegrams_[i].bytes, Telegram::bits, {{front_ + 0.3 * static_cast<double>(i)}}};
     inputs_.balise_telegrams = read_;
   }
   /// Start of mission in level 1 into SR (5.4).
@@ -177,6 +178,7 @@ class Ride {
   std::unique_ptr<kernel::Derived> derived_ = std::make_unique<kernel::Derived>();
   std::unique_ptr<kernel::Outputs> outputs_ = std::make_unique<kernel::Outputs>();
   kernel::Inputs inputs_;
+  Group telegrams_{};
   std::array<kernel::BaliseTelegram, 3> read_{};
   double front_ = 0.0, doubt_ = 0.0, speed_ = 0.0, time_ = 0.0;
 };
