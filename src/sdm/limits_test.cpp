@@ -254,6 +254,12 @@ TEST(Curves, AnInhibitedBrakeIsMissingToTheFoot) {
   d = built(in);
   EXPECT_EQ(d->decelerations.at(CurveKind::SBD, {10.0}, {{1999.0}}).si, 0.9);
   EXPECT_EQ(d->decelerations.at(CurveKind::SBD, {10.0}, {{2001.0}}).si, 0.8);
+  in.conditions = {};
+  in.conditions.eddy_current_service_off = Place{{2000.0}};
+  ++in.revision;
+  d = built(in);
+  EXPECT_EQ(d->decelerations.at(CurveKind::SBD, {10.0}, {{2001.0}}).si, 0.8);
+  EXPECT_EQ(A(2001.0), 1.4);
 }
 
 TEST(Gradient, LowestUnderTheTrain) {
@@ -484,6 +490,16 @@ TEST(ReleaseSpeed, CalculatedOnBoard) {
   ++in.revision;
   d = built(in);
   EXPECT_LT(d->release_speed.V_release.si, lowest(190, 8) - 1.0);
+  // With the speed error: the larger of f41 (2 km/h up to 30 km/h) and V_ura comes on top.
+  in.mrsp = {};
+  ASSERT_TRUE(in.mrsp.append({{-1000.0}}, {30.0}));
+  a.SvL = {{5100.0}};
+  in.national_values.Q_NVINHSMICPERM = false;
+  ++in.revision;
+  EXPECT_NEAR(built(in)->release_speed.V_release.si, lowest(90, 8) - 2 / 3.6, 1e-6);
+  a.V_ura = {1.0};
+  ++in.revision;
+  EXPECT_NEAR(built(in)->release_speed.V_release.si, lowest(90, 8) - 1.0, 1e-6);
   // No room at all: 0, which is none.
   a.SvL = {{4950.0}};
   ++in.revision;
@@ -534,6 +550,11 @@ TEST(PreIndication, SevenSecondsBefore) {
   EXPECT_NEAR(m(*d->targets[0].d_preindication_SBD), 3767.5, 1e-9);
   EXPECT_FALSE(d->targets[0].preindication_passed_at_once);
   in.authority.EOA = in.authority.SvL = {{200.0}};
+  ++in.revision;
+  EXPECT_TRUE(built(in)->targets[0].preindication_passed_at_once);
+  // By the EOA alone, with a weak service brake.
+  set_EOA(in, 4900.0, 5000.0);
+  in.train.service[0].A_brake_service.steps[0].value = {0.08};
   ++in.revision;
   EXPECT_TRUE(built(in)->targets[0].preindication_passed_at_once);
 }
@@ -808,6 +829,7 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_LT(row.W, row.SBI);
   EXPECT_LT(row.SBI, row.EBI);
   EXPECT_LT(row.EBI, row.EBD);
+  EXPECT_NEAR(row.SBD.si, std::sqrt(1.6 * (4900.0 - m(e.d_P))), 1e-9);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{5001.0}}, {}, {}).P.si, 0.0);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{-90000.0}}, {}, {}).P, d->V_relevant);
 }
@@ -817,6 +839,8 @@ TEST(Rebuild, OnlyWhenSomethingChanged) {
   set_EOA(in, 4900.0, 5000.0);
   auto d = std::make_unique<Derived>();
   EXPECT_TRUE(rebuild(*d, in));
+  EXPECT_FALSE(d->no_deceleration);
+  EXPECT_FALSE(d->truncated);
   EXPECT_FALSE(rebuild(*d, in));
   ++in.revision;
   EXPECT_TRUE(rebuild(*d, in));

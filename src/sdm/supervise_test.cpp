@@ -555,6 +555,47 @@ TEST(MRDT, StaysUntilALowerOneIsSelected) {
   EXPECT_TRUE(u.r.MRDT_changed);
 }
 
+TEST(MRDT, ALowerTargetStaysWhenAHigherOneIsSelectedLater) {
+  // Fast, both Indication limits are exceeded and the second restriction is masked by the first one;
+  // slower, only the first one's is.
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4330.0}}, {10.0}));
+  u.build();
+  u.cycle(3640, 26.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  ASSERT_EQ(u.r.V_target->si, 10.0);
+  u.cycle(3660, 20.5);
+  EXPECT_EQ(u.r.V_target->si, 10.0);
+  EXPECT_FALSE(u.r.MRDT_changed);
+  u.s = {};
+  u.cycle(3660, 20.5);
+  EXPECT_EQ(u.r.V_target->si, 20.0);  // a unit that comes along without the memory
+}
+
+TEST(MRDT, In340TheTargetWithTheLowestPermittedSpeed) {
+  Unit u(SrsVersion::v3_4_0);
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {10.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4001.0}}, {30.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4200.0}}, {20.0}));
+  u.build();
+  u.cycle(3600, 25.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.V_target->si, 10.0);
+  EXPECT_NEAR(u.r.V_P.si, u.d->view(u.d->targets[0].EBD).speed_at({{3600 + 25.0 * 7 + 25.0 * 8}}).si, 1e-9);
+}
+
+TEST(TSM, AtStandstillBeyondTheEndNothingIsCommanded) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = approaching_EOA(srs);
+    u.cycle(4895, 1.0);
+    u.cycle(4905, 0.0);
+    u.cycle(4905, 0.0);
+    EXPECT_FALSE(u.r.tco || u.r.sb || u.r.eb);
+    EXPECT_LE(u.r.status, Status::Indication);
+  }
+}
+
 TEST(MARequest, BeforeThePerturbationLocation) {
   Unit u = approaching_EOA();
   Motion m = at(0, kM);
@@ -571,6 +612,15 @@ TEST(MARequest, BeforeThePerturbationLocation) {
   Unit none;
   none.build();
   EXPECT_FALSE(none.cycle(m).MA_request);
+  // A weak service brake: the estimated front end passes the one of the EOA first.
+  Unit weak;
+  weak.in.train.service[0].A_brake_service.steps[0].value = {0.4};
+  set_EOA(weak.in, 4900.0, 5000.0);
+  weak.build();
+  m = at(weak.d->perturbation.from_SBD->from_origin.si - 311.0, kM);
+  ASSERT_LT(*weak.d->perturbation.from_SBD, *weak.d->perturbation.from_EBD);
+  m.T_MAR = Duration{10.0};
+  EXPECT_TRUE(weak.cycle(m).MA_request);
   set_EOA(u.in, -960.0, -850.0);
   u.build();
   m = at(-990, 1.0);
@@ -617,6 +667,17 @@ TEST(Memo, SixStatuses) {
   EXPECT_EQ(status(4221, kM), MemoStatus::SB);
   EXPECT_EQ(status(4311, kM), MemoStatus::EB);
   EXPECT_EQ(memo_status(u.r, {kM}, true), MemoStatus::Trip);
+  // A status that lasts counts as much as a speed above its limit.
+  Result r;
+  r.V_P = r.V_W = r.V_SBI = r.V_EBI = {20.0};
+  r.status = Status::Overspeed;
+  EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::P);
+  r.status = Status::Warning;
+  EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::W);
+  r.sb = true;
+  EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::SB);
+  r.eb = true;
+  EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::EB);
 }
 
 // ---- Service brake feedback, A.3.10 ----------------------------------------------------------------
