@@ -1,4 +1,4 @@
-# Makes a C++ source with the text of INPUT as a string.
+# Makes a C++ source with the text of INPUT as the string NAME.
 file(READ ${INPUT} text HEX)
 string(LENGTH "${text}" digits)
 set(literals "")
@@ -9,4 +9,4 @@ while(at LESS digits)
   string(APPEND literals "    \"${piece}\"\n")
   math(EXPR at "${at} + 512")
 endwhile()
-file(WRITE ${OUTPUT} "namespace evc::app {\nextern const char report_template[];\nconst char report_template[] =\n${literals}    ;\n}\n")
+file(WRITE ${OUTPUT} "namespace evc::app {\nextern const char ${NAME}[];\nconst char ${NAME}[] =\n${literals}    ;\n}\n")

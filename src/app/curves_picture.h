@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/curves_result.h"
+#include "app/svg.h"
+
+namespace evc::app {
+
+/// A curve over the places of a picture, km/h; not a number where it does not exist.
+struct PictureCurve {
+  std::string key, name;
+  Stroke stroke;
+  std::vector<double> v;
+};
+
+/// What both charts draw: every curve and limit over the line, the most restrictive of all targets.
+struct Picture {
+  double from_m = 0.0, to_m = 0.0, top_kmh = 0.0;
+  std::vector<double> x_m;
+  std::vector<PictureCurve> curves;
+  struct Step {
+    double from_m, value;
+  };
+  std::vector<Step> mrsp, gradient, under_train;  // under_train: the lowest gradient under the train
+  struct Mark {
+    double x_m;
+    std::string name;
+  };
+  std::vector<Mark> marks;
+  Value V_release_kmh, start_of_RSM_m;
+};
+Picture picture_of(const Approached& approached);
+
+}  // namespace evc::app
