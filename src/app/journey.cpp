@@ -115,14 +115,13 @@ void Journey::count(const kernel::Event& e) {
 void Journey::count_messages(const Outputs& outputs) {
   std::vector<const kernel::Event*> verdicts;
   bool authority_refused = false;
-  bool authority_accepted = false;
+  const kernel::Event* authority_by_balise = nullptr;
   for (const kernel::Event& e : outputs.events) {
     if (is(e.subject, "message") && e.id >= 0) verdicts.push_back(&e);
     if (is(e.subject, "MA") && is(e.what, "refused")) authority_refused = true;
-    if (is(e.subject, "MA") && is(e.what, "accepted")) authority_accepted = true;
+    if (is(e.subject, "packet") && e.id == 12) authority_by_balise = &e;
   }
   const auto& deliveries = world_.radio().deliveries();
-  bool authority_by_radio = false;
   for (; next_delivery_ < deliveries.size(); ++next_delivery_) {
     const sim::Delivery& d = deliveries[next_delivery_];
     const auto verdict = std::find_if(verdicts.begin(), verdicts.end(),
@@ -136,13 +135,14 @@ void Journey::count_messages(const Outputs& outputs) {
     if (is(what, "refused")) ++counts_.messages_refused;
     if (is(what, "rejected")) ++counts_.messages_rejected;
     if (d.NID_MESSAGE != 3 && d.NID_MESSAGE != 33) continue;
-    authority_by_radio = true;
     ++counts_.authorities_received;
     if (accepted && !authority_refused) ++counts_.authorities_accepted;
   }
-  if (authority_by_radio || !telegrams_in_cycle_) return;
-  if (authority_accepted || authority_refused) ++counts_.authorities_received;
-  if (authority_accepted) ++counts_.authorities_accepted;
+  // A buffered one that is released in a later cycle was counted when it came.
+  if (authority_by_balise == nullptr || !telegrams_in_cycle_) return;
+  ++counts_.authorities_received;
+  const char* what = authority_by_balise->what;
+  if ((is(what, "accepted") && !authority_refused) || is(what, "buffered")) ++counts_.authorities_accepted;
 }
 
 }  // namespace evc::app

@@ -1,14 +1,12 @@
 #include <CLI/CLI.hpp>
 
-#include "app/command_replay.h"
-#include "app/command_run.h"
-#if __has_include("app/command_curves.h")
 #include "app/command_curves.h"
-#endif
 #include "app/command_decode.h"
 #include "app/command_describe.h"
 #include "app/command_encode.h"
 #include "app/command_make_line.h"
+#include "app/command_replay.h"
+#include "app/command_run.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"openevc: an open ETCS on-board unit. It claims no safety integrity."};
@@ -17,9 +15,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   evc::app::add_run_command(app, exit_code);
   evc::app::add_replay_command(app, exit_code);
-#if __has_include("app/command_curves.h")
   evc::app::add_curves_command(app, exit_code);
-#endif
   evc::app::add_decode_command(app, exit_code);
   evc::app::add_encode_command(app, exit_code);
   evc::app::add_describe_command(app, exit_code);

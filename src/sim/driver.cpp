@@ -16,8 +16,9 @@ using modes::Mode;
 constexpr double kKmh = 3.6;
 constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
 constexpr double kBeforeLevel2 = 60.0 / kKmh;
-constexpr double kComfortable = 0.45;           // m/s2, braking ahead
-constexpr double kMargin = 3.0 / kKmh;          // below the permitted speed
+constexpr double kComfortable = 0.45;   // m/s2, braking ahead
+constexpr double kMargin = 3.0 / kKmh;  // below the permitted speed
+constexpr double kMarginLate = 0.5 / kKmh;
 constexpr double kStopShort = 12.0;             // metres before the end of authority
 constexpr std::int64_t kEntry_ms = 1000;        // from one entry to the next
 constexpr std::uint32_t kDigits = 0x4711FFFFu;  // driver identity and train running number 4711, packed
@@ -86,6 +87,8 @@ void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& in
   }
 }
 
+double Driver::margin() const { return kind_ == DriverKind::late ? kMarginLate : kMargin; }
+
 bool Driver::must_stand(const Outputs& seen) const {
   switch (seen.mode) {
     case Mode::NP:
@@ -117,7 +120,7 @@ double Driver::speed_of_line(const Motion& motion) const {
     }
   }
   if (covered_to <= motion.front()) allowed = std::min(allowed, kWithoutSpeed);
-  return std::max(0.0, allowed - std::min(kMargin, 0.1 * allowed));
+  return std::max(0.0, allowed - std::min(margin(), 0.1 * allowed));
 }
 
 /// The speed to hold so that no limit is ever exceeded.
@@ -126,10 +129,10 @@ double Driver::permitted(const Outputs& seen, const Motion& motion) const {
   double limit = seen.V_P->si;
   const bool to_stop = seen.V_target && seen.V_target->si == 0.0;
   if (to_stop && seen.V_release) limit = std::max(limit, seen.V_release->si);
-  double wanted = limit - std::min(kMargin, 0.12 * limit);
+  double wanted = limit - std::min(margin(), 0.12 * limit);
   if (seen.V_target && seen.d_target) {
     // To a stop the train aims short of the place, and creeps the last metres.
-    const double target = to_stop ? 0.0 : seen.V_target->si - std::min(kMargin, 0.12 * seen.V_target->si);
+    const double target = to_stop ? 0.0 : seen.V_target->si - std::min(margin(), 0.12 * seen.V_target->si);
     const double d = seen.d_target->si - (to_stop ? kStopShort : 0.0);
     wanted = std::min(wanted, to_stop && d <= 0.0 ? 0.0 : braking_from(target, kComfortable, d));
   }

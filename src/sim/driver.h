@@ -36,6 +36,7 @@ class Driver {
   double permitted(const kernel::Outputs& seen, const Motion& motion) const;
   double reckless_speed(const kernel::Outputs& seen, const Motion& motion);
   bool must_stand(const kernel::Outputs& seen) const;
+  double margin() const;
 
   DriverKind kind_;
   const Line& line_;

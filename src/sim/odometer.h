@@ -10,7 +10,7 @@ namespace evc::sim {
 class Odometer {
  public:
   struct Errors {
-    double declared = 0.02;   // share of the way that min and max allow for
+    double declared = 0.01;   // share of the way that min and max allow for
     double constant = 0.003;  // most the constant share can be
     double wander = 0.002;    // most the wandering share can be
   };
