@@ -6,7 +6,8 @@ it must print (standard output and error together; empty lines at the end do not
 inside a line for any text. The commands of one page share a scratch folder in which data/, docs/ and
 examples/ of the project are at hand and `evc` is in the PATH.
 
-Usage: tools/check_readme.py [--command build/dev/evc] [PAGE...]"""
+Usage: tools/check_readme.py [--command build/dev/evc] [--update] [PAGE...]
+--update writes what is printed into the pages, in those examples that show all of it (no wildcards)."""
 import argparse
 import os
 import pathlib
@@ -53,14 +54,15 @@ def matches(expected, printed):
     return re.fullmatch(pattern, printed) is not None
 
 
-def run_page(page, command):
+def run_page(page, command, update=False):
     failures, count = [], 0
+    text = page.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory(prefix="evc-readme-") as scratch:
         for name in ("data", "docs", "examples"):
             if (ROOT / name).exists():
                 os.symlink(ROOT / name, pathlib.Path(scratch) / name)
         environment = dict(os.environ, PATH=f"{command.parent}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
-        for number, line, expected in examples(page.read_text(encoding="utf-8")):
+        for number, line, expected in examples(text):
             count += 1
             done = subprocess.run(["bash", "-o", "pipefail", "-c", line], cwd=scratch, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300)
@@ -68,6 +70,11 @@ def run_page(page, command):
             if done.returncode != 0:
                 failures.append(f"{where}\n  exit {done.returncode}\n{done.stdout}")
             elif not matches(expected, done.stdout):
+                shown = "\n".join(expected).rstrip("\n")
+                if update and shown and "..." not in shown:
+                    text = text.replace(f"$ {line}\n{shown}\n", f"$ {line}\n{done.stdout.rstrip(chr(10))}\n")
+                    page.write_text(text, encoding="utf-8")
+                    continue
                 failures.append(f"{where}\n  the page shows:\n" + "\n".join(expected) + f"\n  it prints:\n{done.stdout}")
     return count, failures
 
@@ -75,6 +82,7 @@ def run_page(page, command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--command", default=ROOT / "build/dev/evc", type=pathlib.Path)
+    parser.add_argument("--update", action="store_true")
     parser.add_argument("pages", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
     command = options.command.resolve()
@@ -83,7 +91,7 @@ def main():
     pages = [p.resolve() for p in options.pages] or [ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md"))]
     total, failures = 0, []
     for page in pages:
-        count, failed = run_page(page, command)
+        count, failed = run_page(page, command, options.update)
         total += count
         failures += failed
     for failure in failures:
