@@ -9,11 +9,13 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "app/command_airgap.h"
 #include "io/file.h"
+#include "io/pcapng.h"
 #include "io/telegram_explain.h"
 #include "io/telegram_json.h"
 
@@ -26,7 +28,7 @@ enum class What : std::uint8_t { balise, airgap, radio, packet };
 
 struct Options {
   What what = What::balise;
-  std::string input, output = "-", sv = "2.1";
+  std::string input, output = "-", sv = "2.1", pcapng;
   bool explain = false, to_train = false, to_track = false, strict = false, tolerant = false, loop = false;
 };
 
@@ -42,8 +44,17 @@ class Decoder {
     spare_ = accept ? io::Spare::accept : io::Spare::refuse;
   }
 
+  /// What was taken is also to go into `file`, a capture for Wireshark.
+  void trace(io::WholeFile& file) {
+    file_ = &file;
+    std::string head;
+    pcapng_.emplace(head);
+    if (options_.what == What::radio) pcapng_->append_version(head, sv_);
+    file.write(head);
+  }
+
   /// False: refused, and the error object appended.
-  bool line(std::string& out, std::string_view hex) const {
+  bool line(std::string& out, std::string_view hex) {
     Done done;
     const auto bits = io::bits_of_hex(hex);
     if (bits)
@@ -51,6 +62,7 @@ class Decoder {
     else
       done = tl::unexpected(bits.error());
     if (!done) out += io::error_json(done.error());
+    if (done && pcapng_) frame(*bits);
     if (!done || !options_.explain) out += '\n';
     return done.has_value();
   }
@@ -96,10 +108,26 @@ class Decoder {
     return {};
   }
 
+  void frame(const io::Bits& bits) {
+    std::string block;
+    if (options_.what == What::radio) {
+      pcapng_->append(block, io::Pcapng::Port::radio, direction_, bits.bytes);
+    } else if (options_.what == What::airgap) {
+      if (const auto coded = read_airgap(bits.bytes, bits.bits))
+        pcapng_->append(block, io::Pcapng::Port::balise, Direction::to_train, coded->received.user_bytes());
+    } else {
+      pcapng_->append(block, options_.loop ? io::Pcapng::Port::loop : io::Pcapng::Port::balise, Direction::to_train,
+                      bits.bytes);
+    }
+    file_->write(block);
+  }
+
   const Options& options_;
   lang::SystemVersion sv_;
   Direction direction_;
   io::Spare spare_;
+  io::WholeFile* file_ = nullptr;
+  std::optional<io::Pcapng> pcapng_;
 };
 
 /// How far a long file is, on standard error if that is a terminal.
@@ -128,7 +156,7 @@ class Share {
 };
 
 /// Lines of a file or pipe, answered as they come.
-int decode_stream(int stream, const std::string& name, const Decoder& decoder, io::WholeFile& out) {
+int decode_stream(int stream, const std::string& name, Decoder& decoder, io::WholeFile& out) {
   struct stat info {};
   const bool is_file = ::fstat(stream, &info) == 0 && S_ISREG(info.st_mode);
   Share share(is_file ? static_cast<std::uint64_t>(info.st_size) : 0);
@@ -184,7 +212,17 @@ int decode_input(const Options& options) {
     fmt::print(stderr, "{}\n", out.error().text());
     return 2;
   }
-  const Decoder decoder(options, *sv);
+  Decoder decoder(options, *sv);
+  std::optional<io::WholeFile> trace;
+  if (!options.pcapng.empty()) {
+    auto file = io::WholeFile::create(options.pcapng);
+    if (!file) {
+      fmt::print(stderr, "{}\n", file.error().text());
+      return 2;
+    }
+    trace.emplace(std::move(*file));
+    decoder.trace(*trace);
+  }
   int code = 0;
   if (options.input == "-") {
     code = decode_stream(0, "-", decoder, *out);
@@ -202,6 +240,12 @@ int decode_input(const Options& options) {
     out->write(text);
   }
   if (code == 2) return code;
+  if (trace) {
+    if (const auto done = trace->commit(); !done) {
+      fmt::print(stderr, "{}\n", done.error().text());
+      return 2;
+    }
+  }
   if (const auto done = out->commit(); !done) {
     fmt::print(stderr, "{}\n", done.error().text());
     return 2;
@@ -233,6 +277,8 @@ void add_decode_command(CLI::App& app, int& exit_code) {
     CLI::Option* strict = sub->add_flag("--strict", o->strict, "Refuse spare codes (always done except for packets)");
     sub->add_flag("--tolerant", o->tolerant, "Take spare codes, wrong media and packets that stand twice")
         ->excludes(strict);
+    if (kind.what != What::packet)
+      sub->add_option("--pcapng", o->pcapng, "Also write what was taken as a capture for Wireshark (etcs-wireshark)");
     if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are of a Euroloop message");
     if (kind.what == What::radio || kind.what == What::packet) {
       CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");

@@ -182,7 +182,9 @@ void write_raw_packet(BitWriter& out, const Json& packet, std::uint64_t nid) {
   if (with_direction) out.write(code_of(packet.at("Q_DIR"), "Q_DIR", 2), 2);
   out.write(length, 13);
   if (!packet.at("raw").is_string()) refuse("raw", "expected hexadecimal digits");
-  const auto raw = bits_of_hex(packet.at("raw").get_ref<const std::string&>());
+  const std::string& digits = packet.at("raw").get_ref<const std::string&>();
+  // A packet may be a header only.
+  const auto raw = digits.empty() ? tl::expected<Bits, TelegramError>(Bits{}) : bits_of_hex(digits);
   if (!raw) refuse("raw", raw.error().why);
   if ((length - header + 3) / 4 != raw->bits / 4) refuse("raw", "not as many digits as L_PACKET wants");
   BitReader in(raw->bytes, length - header);

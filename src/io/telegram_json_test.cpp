@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -203,6 +204,17 @@ TEST(TelegramJson, KeepsTheFilling) {
   std::string text;
   ASSERT_TRUE(append_balise_json(text, encoded->bytes, encoded->bits));
   EXPECT_EQ(Json::parse(text), odd);
+}
+
+/// Found by the fuzzer: nothing but a header.
+TEST(TelegramJson, UnknownPacketWithoutContent) {
+  const std::array<std::uint8_t, 3> bytes{0x5B, 0x00, 0x2E};
+  std::string text;
+  ASSERT_TRUE(append_packet_json(text, bytes, 24, Direction::to_train, {2, 0}));
+  EXPECT_EQ(text, R"({"NID_PACKET":91,"Q_DIR":0,"L_PACKET":23,"raw":""})");
+  const auto encoded = encode_packet_json(Json::parse(text));
+  ASSERT_TRUE(encoded) << error_json(encoded.error());
+  EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), "5B002E");
 }
 
 TEST(TelegramJson, RefusesWrongMembers) {
