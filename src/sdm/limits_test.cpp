@@ -134,6 +134,8 @@ TEST(Limits, SpeedsAtAPlace) {
   s = speeds_of_EBD(d->view(t.EBD), {}, a, times, {}, {{4999.0}}, d->fixed);
   EXPECT_EQ(s.V_P.si, 0.0);
   EXPECT_NEAR(s.V_SBI.si * 3.6, 5.5, 1e-12);
+  EXPECT_NEAR(s.V_EBI.si * 3.6, 7.5, 1e-12);
+  EXPECT_NEAR(s.V_W.si * 3.6, 4.0, 1e-12);
   s = speeds_of_SBD(d->view(t.SBD), {}, a, times, {{4900.0}}, {{4000.0}}, d->fixed);
   EXPECT_NEAR(s.V_SBI.si, std::sqrt(1.6 * (4900 - 4090)), 1e-9);
   EXPECT_NEAR(s.V_P.si, std::sqrt(1.6 * (4900 - 4210)), 1e-9);
@@ -233,6 +235,10 @@ TEST(Curves, AnInhibitedBrakeIsMissingToTheFoot) {
   EXPECT_EQ(A(3500.0), 1.2);
   EXPECT_EQ(A(4500.0), 1.0);
   EXPECT_EQ(A(9000.0), 1.0);  // whatever the profile's end
+  // `explain` names the brakes that count where the curve has the speed.
+  EXPECT_EQ(explain(*d, in, d->targets[0], {10.0}, {}, {}).A_brake_emergency.si, 1.0);
+  EXPECT_EQ(explain(*d, in, d->targets[0], {60.0}, {}, {}).A_brake_emergency.si, 1.2);
+  EXPECT_EQ(explain(*d, in, d->targets[0], {80.0}, {}, {}).A_brake_emergency.si, 1.4);
   // A powerless section takes a regenerative brake that needs the line voltage, and no other.
   in.conditions.regenerative_off.reset();
   in.conditions.powerless = Place{{3500.0}};
@@ -279,6 +285,21 @@ TEST(Gradient, LowestUnderTheTrain) {
   EXPECT_EQ(at(1301.0), -2.0);
   EXPECT_EQ(at(2199.0), -2.0);
   EXPECT_EQ(at(2201.0), 10.0);
+}
+
+TEST(Gradient, NothingCountsBeyondTheEndOfTheProfile) {
+  GradientProfile p;
+  ASSERT_TRUE(p.permille.append({{0.0}}, 4.0));
+  ASSERT_TRUE(p.permille.append({{1500.0}}, -9.0));
+  ASSERT_TRUE(p.permille.append({{2000.0}}, 3.0));
+  p.known_from = Place{{500.0}};
+  p.known_to = Place{{1000.0}};
+  const CompensatedGradient c = compensated_gradient(p, {100.0}, false);
+  EXPECT_EQ(c.permille.at({{450.0}}), 0.0);
+  EXPECT_EQ(c.permille.at({{700.0}}), 4.0);
+  EXPECT_EQ(c.permille.at({{1050.0}}), 0.0);
+  EXPECT_EQ(c.permille.at({{1600.0}}), 0.0);
+  EXPECT_EQ(c.permille.at({{2200.0}}), 0.0);
 }
 
 TEST(Gradient, DefaultForTargetsOfATSRWhereNothingIsKnown) {

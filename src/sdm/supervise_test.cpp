@@ -468,6 +468,20 @@ TEST(Display, PermittedSpeedFollowsTheLowestTarget) {
   EXPECT_LT(u.r.V_W, u.r.V_SBI);
 }
 
+TEST(Display, TheReleaseSpeedIsAFloorForEOAAndSvLOnly) {
+  Unit u;
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {8.0};
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {3.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4100.0}}, {20.0}));
+  u.build();
+  u.cycle(3950, 7.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_LT(u.r.V_SBI.si, 8.0);
+  EXPECT_LT(u.r.V_EBI.si, 9.0);
+}
+
 TEST(Display, NothingIsNearInCSM) {
   Unit u = approaching_EOA();
   u.cycle(0, 25.0);
@@ -818,9 +832,11 @@ TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
   ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
   u.cycle(4880, 1.5);
   const Speed shown = u.r.V_P;
+  const Speed shown_SBI = u.r.V_SBI;
   // Slower: the build-up times are shorter still, and 1.0 m/s leaves more room. Shown is what was.
   u.cycle(4880, 1.0);
   EXPECT_EQ(u.r.V_P, shown);
+  EXPECT_EQ(u.r.V_SBI, shown_SBI);
   Unit other = approaching_EOA(SrsVersion::v3_6_0);
   other.cycle(4550, 15.0);
   other.cycle(4880, 1.5);

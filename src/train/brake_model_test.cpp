@@ -270,6 +270,8 @@ TEST(Gamma, TheModelOfTheBrakesInUse) {
   EXPECT_EQ(build_up_times(t, {}, s, true).T_be.si, 3.0);
   EXPECT_EQ(build_up_times(t, {}, s, true).T_bs_react.si, 1.5);
   // A brake without interface is never counted.
+  EXPECT_EQ(in_use_service(TrainData{}, {}, 0), 0);
+  EXPECT_EQ(in_use_emergency(TrainData{}, {}, 0), 0);
   t.regenerative = SpecialBrakeInterface::none;
   EXPECT_EQ(in_use_emergency(t, {}, 0), kMagneticShoe | kElectroPneumatic);
   t.regenerative = SpecialBrakeInterface::emergency_only;
