@@ -21,6 +21,8 @@ inline constexpr std::uint32_t kUnknownTime = 0xFFFF'FFFF;
 
 /// The on-board clock in 10 ms units as T_TRAIN counts (7.5.1.154); never the code for unknown.
 constexpr std::uint32_t T_TRAIN_of(Duration now) {
+  // To the nearest tick; the kernel has no libm.
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings)
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(now.si * 100.0 + 0.5) % 0xFFFF'FFFFu);
 }
 

@@ -150,7 +150,7 @@ std::optional<std::uint32_t> geographical_position(const Description& d, const H
   const double origin = static_cast<double>(*running->M_POSITION);
   const double value = running->counts_up ? origin + run : origin - run;
   if (value < 0.0 || value > 9'999'999.0) return std::nullopt;
-  return static_cast<std::uint32_t>(value + 0.5);
+  return static_cast<std::uint32_t>(value + 0.5);  // NOLINT(bugprone-incorrect-roundings): the kernel has no libm
 }
 
 void note_group(Description& d, GroupId group, Place at) {
