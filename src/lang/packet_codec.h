@@ -13,20 +13,21 @@ namespace evc::lang {
 struct PacketCodec {
   const PacketInfo* info;
   bool has_length;  ///< false: packets 0 and 255
-  /// Reads the packet and forgets it.
-  FaultAt (*check)(const PacketView& view);
+  /// Reads the packet and forgets it. False: not sound, and `at` says why.
+  bool (*check)(const PacketView& view, FaultAt& at);
 };
 /// The layout of packet `nid` in the known version `version` (one bit); null if there is none.
 const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid);
 
-/// What became of reading `view`: spare codes of a later Y are no fault, except of Q_SCALE and Q_DIR,
-/// without which nothing can be made of the packet.
+/// What is wrong after reading `view`, if anything: spare codes of a later Y are no fault, except of
+/// Q_SCALE and Q_DIR, without which nothing can be made of the packet.
 FaultAt verdict(const codec::Source& from, const PacketView& view);
 
-/// Reads the packet in exactly the layout of P.
+/// Reads the packet in exactly the layout of P. False: not sound, and `at` says why.
 template <class P>
-[[gnu::noinline]] FaultAt read_packet(const PacketView& view, P& packet) {
-  codec::Source from{BitReader(view.bytes, view.bit + view.L_PACKET, view.bit + 8)};
+[[gnu::noinline]] bool read_packet(const PacketView& view, P& packet, FaultAt& at) {
+  const std::size_t end = view.bit + view.L_PACKET;
+  codec::Source from{BitReader(view.bytes, end, view.bit + 8)};
   if constexpr (codec::has_direction<P>) {
     codec::get(from, packet.Q_DIR);
     from.in.advance(13);  // L_PACKET: the view has it, and it is at least this long
@@ -35,12 +36,15 @@ template <class P>
     if constexpr (codec::has_length<P>) from.in.advance(13);
     codec::read_structure<0>(from, codec::Scope<P, void>{packet, nullptr});
   }
-  return verdict(from, view);
+  if (!from.in.faulty() && from.in.position() == end && from.spare_variable == nullptr) [[likely]]
+    return true;
+  at = verdict(from, view);
+  return !at;
 }
 
 /// Reads the packet and forgets it; made in packet_codec_*.cpp.
 template <class P>
-FaultAt check_packet(const PacketView& view);
+bool check_packet(const PacketView& view, FaultAt& at);
 
 template <class P>
 inline constexpr PacketCodec codec_of{&P::info, codec::has_length<P>, &check_packet<P>};

@@ -16,26 +16,37 @@ FaultAt read_older([[maybe_unused]] const PacketView& view, [[maybe_unused]] std
       [&] {
         if (Older::info.NID_PACKET != nid || (Older::info.versions & version) == 0) return;
         Older older;
-        at = read_packet(view, older);
-        if (!at && !translate(older, packet)) at = {Fault::not_applicable, view.bit, nid, nullptr, 0};
+        at = {};
+        if (read_packet(view, older, at) && !translate(older, packet))
+          at = {Fault::not_applicable, view.bit, nid, nullptr, 0};
       }(),
       ...);
   return at;
 }
 
 template <class P>
+Fault decode(const PacketView& view, P& packet) {
+  const auto nid = static_cast<std::uint8_t>(BitReader(view.bytes, view.bytes.size() * 8, view.bit).read(8));
+  if (nid == P::info.NID_PACKET && view.direction == P::info.direction &&
+      (P::info.versions & known_version(view.sv)) != 0) [[likely]] {
+    FaultAt at;
+    return read_packet(view, packet, at) ? Fault::none : at.fault;
+  }
+  return decode_at(view, packet).fault;
+}
+template <class P>
 FaultAt decode_at(const PacketView& view, P& packet) {
   const auto nid = static_cast<std::uint8_t>(BitReader(view.bytes, view.bytes.size() * 8, view.bit).read(8));
   const Versions version = known_version(view.sv);
-  if (nid == P::info.NID_PACKET && view.direction == P::info.direction && (P::info.versions & version) != 0) [[likely]]
-    return read_packet(view, packet);
+  if (nid == P::info.NID_PACKET && view.direction == P::info.direction && (P::info.versions & version) != 0)
+      [[likely]] {
+    FaultAt at;
+    (void)read_packet(view, packet, at);
+    return at;
+  }
   if (view.direction != P::info.direction)
     return {Fault::not_a_packet_of_this_kind, view.bit, view.NID_PACKET, "NID_PACKET", nid};
   return read_older(view, nid, version, packet, typename OlderForms<P>::type{});
-}
-template <class P>
-Fault decode(const PacketView& view, P& packet) {
-  return decode_at(view, packet).fault;
 }
 
 template <class P>
@@ -53,16 +64,16 @@ void encode(BitWriter& out, const P& packet) {
 }
 
 template <class P>
-FaultAt check_packet(const PacketView& view) {
+bool check_packet(const PacketView& view, FaultAt& at) {
   // Reading assigns every member that it looks at, so the room need not be made zero first.
   alignas(P) std::byte room[sizeof(P)];
-  return read_packet(view, *std::launder(reinterpret_cast<P*>(room)));
+  return read_packet(view, *std::launder(reinterpret_cast<P*>(room)), at);
 }
 
 #define EVC_INSTANTIATE(P)                              \
   template FaultAt decode_at<P>(const PacketView&, P&); \
   template Fault decode<P>(const PacketView&, P&);      \
   template void encode<P>(BitWriter&, const P&);        \
-  template FaultAt check_packet<P>(const PacketView&);
+  template bool check_packet<P>(const PacketView&, FaultAt&);
 
 }  // namespace evc::lang

@@ -128,7 +128,7 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
         nid, 0, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, static_cast<std::uint32_t>(at)};
     if (const FaultAt fault = measure(frame, view, codec)) return fault;
     if (codec != nullptr && frame.check == Check::all) {
-      if (const FaultAt fault = codec->check(view)) return fault;
+      if (FaultAt fault; !codec->check(view, fault)) return fault;
       if (frame.medium != 0 && (codec->info->media & frame.medium) == 0)
         return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
       if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !packets.empty() &&
@@ -290,7 +290,9 @@ FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Dire
   const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::all};
   if (nid == 255) view.L_PACKET = 8;
   if (const FaultAt fault = nid == 255 ? FaultAt{} : measure(frame, view, codec)) return fault;
-  return codec != nullptr ? codec->check(view) : FaultAt{};
+  FaultAt at;
+  if (codec != nullptr) (void)codec->check(view, at);
+  return at;
 }
 
 }  // namespace evc::lang
