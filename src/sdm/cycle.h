@@ -1,0 +1,102 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "sdm/evaluate.h"
+#include "sdm/supervision.h"
+#include "sdm/tables.h"
+
+// What the parts of one supervision cycle share: supervise.cpp (types of monitoring, statuses, commands), near.cpp
+// (limits of the targets), display.cpp (what the driver sees). Not for other rooms.
+namespace evc::sdm {
+
+constexpr double kFar = 1e18;
+
+/// What a target looks like in this cycle. Plain numbers: nothing is cleared that is not used.
+struct Seen {
+  unsigned beyond;  // bit per Limit
+  bool beyond_I_EBD, beyond_I_SBD;
+  bool near;  // some limit of it can be exceeded; only then the speeds are valid
+  double V_P, V_P_EBD, V_P_SBD, V_W, V_SBI, V_EBI;
+};
+
+constexpr unsigned bit(Limit l) { return 1u << static_cast<unsigned>(l); }
+
+struct Cycle {
+  Supervision& s;
+  const Derived& d;
+  const Motion& m;
+  std::size_t first = 0;  // MRSP targets before it are passed
+  Speed M{};              // V_MRSP
+  Speed V_delta0{};
+  Approach a{};
+  Times cm0{}, cmt{};
+  std::optional<FeedbackTimes> feedback_cm0{}, feedback_cmt{};
+  bool reduced = false;  // some build-up time is reduced
+  bool list_updated = false;
+  bool V_MRSP_updated = false;
+  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
+  double first_indication = kFar;
+  std::size_t first_indication_target = kTargets;
+  RsmStart rsm{};
+};
+
+inline TargetId id_of(const Target& t) { return {t.kind, t.d_target, t.V_target}; }
+
+inline const ReleaseSpeed& release(const Cycle& c) { return c.d.release_speed; }
+
+/// 3.13.10.4.13: none, or not below V_MRSP: the tables are read with 0.
+inline Speed V_release_in_tables(const Cycle& c) {
+  return release(c).exists && release(c).V_release < c.M ? release(c).V_release : Speed{0.0};
+}
+
+inline bool behind_trip_location(const Cycle& c, const Target& t) {
+  // The SvL and targets between trip location and SvL (3.13.10.3.8, Table 16 [1]).
+  if (t.kind == TargetKind::EOA_SvL) return true;
+  return t.kind == TargetKind::MRSP && release(c).exists && t.d_target >= release(c).d_trip;
+}
+
+inline TimesAsked asked(const Cycle& c, const Target& t) {
+  TimesAsked q;
+  q.feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
+  if (c.d.rules.reduced_build_up) q.reduced_from = Fronts{c.m.est_front, c.m.min_safe_front};
+  return q;
+}
+
+/// Limits for another speed than V_est, with that speed's own assumptions.
+inline TargetLimits limits_at(const Cycle& c, const Target& t, Speed V) {
+  Approach a = c.a;
+  a.V = V;
+  return limits_of(c.d, t, a, asked(c, t));
+}
+
+using Bounds = std::array<Speed, static_cast<std::size_t>(Bound::count)>;
+
+inline Speed& at(Bounds& b, Bound which) { return b[static_cast<std::size_t>(which)]; }
+inline Speed at(const Bounds& b, Bound which) { return b[static_cast<std::size_t>(which)]; }
+
+inline void set_target(Bounds& b, Speed Vt, const train::FixedValues& f) {
+  at(b, Bound::Vt) = Vt;
+  at(b, Bound::Vt_w) = Vt + dV_warning(Vt, f);
+  at(b, Bound::Vt_sbi) = Vt + dV_sbi(Vt, f);
+  at(b, Bound::Vt_ebi) = Vt + dV_ebi(Vt, f);
+}
+inline Bounds ceiling_bounds(Speed M, const train::FixedValues& f) {
+  Bounds b{};
+  at(b, Bound::M) = M;
+  at(b, Bound::M_w) = M + dV_warning(M, f);
+  at(b, Bound::M_sbi) = M + dV_sbi(M, f);
+  at(b, Bound::M_ebi) = M + dV_ebi(M, f);
+  return b;
+}
+
+/// Limits of target `i` against the train's place; nothing but `near` is valid where it is far away.
+void evaluate(Cycle& c, std::size_t i, Seen& seen);
+
+/// 3.13.10.4.2, 3.13.10.4.5. True when the driver is to be informed of a change.
+bool select_MRDT(Cycle& c, const Seen* seen);
+/// Limits, target and release speed for the display, with the values that may not rise (A.3.10, A.3.13).
+void display(Cycle& c, const Seen* seen, Result& out);
+
+}  // namespace evc::sdm

@@ -1,0 +1,206 @@
+#include <algorithm>
+
+#include "sdm/cycle.h"
+
+namespace evc::sdm {
+namespace {
+
+// ---- Most relevant displayed target -----------------------------------------------------------------
+
+bool concerned(const Cycle& c, const Seen& seen, const Target& t) {
+  if (t.kind == TargetKind::EOA_SvL) return seen.beyond_I_EBD || seen.beyond_I_SBD;
+  return seen.beyond_I_EBD && t.V_target < c.M && c.a.V >= t.V_target;
+}
+/// V_P of a target among the concerned ones: for EOA/SvL only the part whose Indication is exceeded.
+double concerned_V_P(const Seen& s, const Target& t) {
+  if (t.kind != TargetKind::EOA_SvL) return s.V_P;
+  return std::min(s.beyond_I_EBD ? s.V_P_EBD : kFar, s.beyond_I_SBD ? s.V_P_SBD : kFar);
+}
+
+/// Is `t` masked by a target with speed V_t and its d_P there? Distance of its I in rear of that, else < 0.
+double masked_by(const Cycle& c, const Target& t, Speed V, Place d_P) {
+  const TargetLimits l = limits_at(c, t, V);
+  double in_rear = (d_P - l.EBD.d_I).si;
+  if (l.SBD.has_value()) in_rear = std::max(in_rear, (d_P - l.SBD->d_I).si);
+  return in_rear;
+}
+
+std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
+  std::size_t best = kTargets;
+  double lowest = kFar;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
+    if (!concerned(c, seen[i], c.d.targets[i])) continue;
+    const double V_P = concerned_V_P(seen[i], c.d.targets[i]);
+    if (best == kTargets || V_P < lowest) {
+      best = i;
+      lowest = V_P;
+    }
+  }
+  if (best == kTargets) return best;
+  for (;;) {
+    const Target& MRDT = c.d.targets[best];
+    if (MRDT.kind == TargetKind::EOA_SvL || MRDT.V_target.si <= 0.0) return best;
+    const Place d_P = limits_at(c, MRDT, MRDT.V_target).EBD.d_P;
+    std::size_t next = kTargets;
+    double furthest = 0.0;
+    // Each step goes to a lower target speed: no target comes twice.
+    for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
+      const Target& t = c.d.targets[i];
+      if (i == best || !(t.V_target < MRDT.V_target) || !concerned(c, seen[i], t)) continue;
+      const double in_rear = masked_by(c, t, MRDT.V_target, d_P);
+      if (in_rear > furthest) {
+        furthest = in_rear;
+        next = i;
+      }
+    }
+    if (next == kTargets) return best;
+    best = next;
+  }
+}
+
+std::size_t lowest_V_P(const Cycle& c, const Seen* seen) {
+  std::size_t best = kTargets;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
+    if (best == kTargets || seen[i].V_P < seen[best].V_P) best = i;
+  return best;
+}
+
+std::size_t index_of(const Cycle& c, const TargetId& id) {
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
+    if (id_of(c.d.targets[i]) == id) return i;
+  return kTargets;
+}
+
+// ---- Display ----------------------------------------------------------------------------------------
+
+Distance target_distance(const Cycle& c, const Target& t) {
+  if (t.kind == TargetKind::EOA_SvL)
+    return std::max(Distance{0.0}, std::min(t.d_EOA - c.m.est_front, t.d_target - c.m.max_safe_front));
+  Place d_P = t.d_P_target;
+  const std::optional<FeedbackTimes>& feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
+  if (feedback.has_value()) {
+    const train::BuildUpTimes& build_up = t.zero ? c.d.cm0 : c.d.cmt;
+    d_P = d_P_at_target_speed(c.d.view(t.EBD), t.V_target, t.d_target,
+                              times(c.d.time_config, build_up, feedback, c.d.rules, c.d.fixed), build_up,
+                              c.d.time_config, V_delta0_41(c.d, t.V_target), c.d.rules, c.d.fixed);
+  }
+  return std::max(Distance{0.0}, d_P - c.m.max_safe_front);
+}
+
+void show_limits(const Cycle& c, const Seen* seen, Result& out) {
+  const Bounds b = ceiling_bounds(c.M, c.d.fixed);
+  out.V_MRSP = c.M;
+  out.V_P = at(b, Bound::M);
+  out.V_W = at(b, Bound::M_w);
+  out.V_SBI = at(b, Bound::M_sbi);
+  out.V_EBI = at(b, Bound::M_ebi);
+  if (c.s.monitoring == Monitoring::CSM) return;
+  if (c.s.monitoring == Monitoring::RSM) {
+    out.V_W = out.V_SBI = out.V_EBI = release(c).V_release;
+    const std::size_t i = index_of(c, c.s.MRDT);
+    if (i != kTargets && seen[i].near) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
+    return;
+  }
+  const std::size_t MRDT = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
+    if (!seen[i].near) continue;
+    // 3.4.0 shows the MRDT's; it has the lowest one anyway.
+    if (c.d.rules.masking || i == MRDT) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
+    out.V_W = std::min(out.V_W, Speed{seen[i].V_W});
+    out.V_SBI = std::min(out.V_SBI, Speed{seen[i].V_SBI});
+    out.V_EBI = std::min(out.V_EBI, Speed{seen[i].V_EBI});
+  }
+}
+
+void show_target(const Cycle& c, std::size_t i, Result& out) {
+  const Target& t = c.d.targets[i];
+  out.V_target = t.V_target;
+  out.d_target = target_distance(c, t);
+  out.MRDT = id_of(t);
+  if (t.kind == TargetKind::EOA_SvL && release(c).exists) out.V_release = release(c).V_release;
+}
+
+/// 3.13.10.3.8-10: what ceiling speed monitoring says about the first Indication.
+void show_first_indication(const Cycle& c, Result& out) {
+  if (c.first_indication_target == kTargets) return;
+  const double distance = std::max(c.first_indication, 0.0);
+  out.first_indication = Distance{distance};
+  if (c.d.csm_display == train::MaxReducedAdhesion::Display::target_information)
+    show_target(c, c.first_indication_target, out);
+  if (c.d.csm_display == train::MaxReducedAdhesion::Display::time_to_indication && c.a.V.si > 0.0) {
+    const Duration TTI{distance / c.a.V.si};
+    if (TTI < c.d.fixed.T_dispTTI) out.TTI = TTI;
+  }
+}
+
+template <class T>
+void hold(bool& flag, bool also, std::optional<T>& shown, T& value) {
+  if ((flag || also) && shown.has_value()) {
+    if (value < *shown)
+      flag = false;  // each value is free again once it falls
+    else
+      value = *shown;
+  }
+  shown = value;
+}
+
+/// A.3.10, A.3.13: shown values do not rise because build-up times shrink.
+void hold_shown_values(Cycle& c, bool MRDT_changed, Result& out) {
+  Supervision& s = c.s;
+  const bool pawl = c.d.rules.reduced_build_up && c.reduced && !MRDT_changed;
+  if (s.monitoring == Monitoring::CSM || MRDT_changed) s.hold_P = s.hold_SBI = s.hold_target_distance = false;
+  if (s.monitoring == Monitoring::CSM) {
+    s.shown_P.reset();
+    s.shown_SBI.reset();
+    s.shown_target_distance.reset();
+    return;
+  }
+  hold(s.hold_P, pawl, s.shown_P, out.V_P);
+  if (s.monitoring == Monitoring::TSM) hold(s.hold_SBI, pawl, s.shown_SBI, out.V_SBI);
+  if (out.d_target.has_value()) {
+    Distance shown = *out.d_target;
+    hold(s.hold_target_distance, false, s.shown_target_distance, shown);
+    out.d_target = shown;
+  }
+}
+
+}  // namespace
+
+bool select_MRDT(Cycle& c, const Seen* seen) {
+  std::size_t selected = kTargets;
+  if (c.s.monitoring == Monitoring::RSM) {
+    for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
+      if (c.d.targets[i].kind == TargetKind::EOA_SvL) selected = i;
+  } else if (c.d.rules.masking) {
+    selected = select_MRDT_masking(c, seen);
+  } else {
+    selected = lowest_V_P(c, seen);
+  }
+  const std::size_t current = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
+  if (selected == kTargets) {
+    if (current == kTargets && c.s.has_MRDT) c.s.has_MRDT = false;
+    return false;
+  }
+  const TargetId id = id_of(c.d.targets[selected]);
+  if (c.s.has_MRDT && id == c.s.MRDT) return false;
+  const bool stays = c.d.rules.masking && c.s.monitoring == Monitoring::TSM && current != kTargets &&
+                     !(id.V_target <= c.s.MRDT.V_target);
+  if (stays) return false;
+  c.s.has_MRDT = true;
+  c.s.MRDT = id;
+  return true;
+}
+
+void display(Cycle& c, const Seen* seen, Result& out) {
+  show_limits(c, seen, out);
+  out.show_SBI = c.s.status >= Status::Overspeed;
+  if (c.s.monitoring == Monitoring::CSM) {
+    show_first_indication(c, out);
+  } else if (c.s.has_MRDT) {
+    if (const std::size_t i = index_of(c, c.s.MRDT); i != kTargets) show_target(c, i, out);
+  }
+  if (c.s.monitoring == Monitoring::RSM) out.V_release = release(c).V_release;
+  hold_shown_values(c, out.MRDT_changed, out);
+}
+
+}  // namespace evc::sdm
