@@ -83,14 +83,21 @@ void add_braking_curves(Picture& p, const Approached& a) {
   const auto curve = [&](const char* key, const char* name, const char* colour, auto ref_of) {
     PictureCurve c{key, name, {colour, 1.6, ""}, {}};
     bool any = false;
+    const sdm::Target* before = nullptr;
     for (const double x : p.x_m) {
       double lowest = kNaN;
+      const sdm::Target* governing = nullptr;
       for (const sdm::Target& t : d.targets) {
         const sdm::CurveView view = d.view(ref_of(t));
         if (!view.exists() || x > m(view.foot())) continue;
         const double v = view.speed_at(Place{{x}}).si * kKmh;
-        if (!(v >= lowest)) lowest = v;
+        if (v >= lowest) continue;
+        lowest = v;
+        governing = &t;
       }
+      // Where another target's curve takes over the line begins anew.
+      if (before != nullptr && governing != before) lowest = kNaN;
+      before = governing;
       any = any || !std::isnan(lowest);
       c.v.push_back(lowest > p.top_kmh * 1.2 ? kNaN : lowest);
     }
@@ -112,7 +119,8 @@ void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& 
       double lowest = kind.ceiling ? ceiling : kNaN;
       for (const LimitTable& t : tables) {
         // The SBD of an EOA ends its limits there, an EBD at its target.
-        const double end = m(t.target->kind == sdm::TargetKind::EOA_SvL ? t.target->d_EOA : t.target->d_target);
+        const bool EOA = t.target->kind == sdm::TargetKind::EOA_SvL && kind.places != &LimitTable::EBI;
+        const double end = m(EOA ? t.target->d_EOA : t.target->d_target);
         if (x > end) {
           if (t.target->kind == sdm::TargetKind::EOA_SvL) lowest = kNaN;
           continue;

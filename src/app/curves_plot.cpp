@@ -102,7 +102,9 @@ void legend(Svg& svg, const Picture& p) {
     y += gap == std::string::npos ? 28 : 42;
   };
   for (const PictureCurve& c : p.curves) entry(c.stroke, c.name);
-  if (p.V_release_kmh) entry({colour::medium_grey, 3.0, ""}, "V_release  " + label(*p.V_release_kmh) + " km/h");
+  if (p.V_release_kmh)
+    entry({colour::medium_grey, 3.0, ""},
+          "V_release  " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h");
   y = kStripTop + 18;
   svg.rect(kLegend + 12, y - 11, 28, 11, colour::grey);
   svg.text(kLegend + 48, y, "uphill", 11, colour::white);
