@@ -84,6 +84,8 @@ const position::Reference* locate(Cycle& cycle, const balise::Group& group) {
   passage.single = group.single;
   if (group.lrbg_compliant) {
     (void)position::relocate(s.position, passage);
+    // The release speed calculated on board counts with the accuracy of the LRBG (3.13.9.4.8.2).
+    if (cycle.derived.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
     cycle.report_events.new_lrbg = true;
     return position::lrbg(s.position);
   }
