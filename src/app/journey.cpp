@@ -107,7 +107,7 @@ void Journey::count(const kernel::Event& e) {
   if (is(e.what, "message inconsistent") || is(e.what, "found before its window") ||
       is(e.what, "crossed in the wrong direction"))
     ++counts_.groups_rejected;
-  if (is(e.what, "message inconsistent")) ++counts_.telegrams_rejected;
+  if (is(e.what, "telegram not decoded")) ++counts_.telegrams_rejected;
 }
 
 /// What became of the messages delivered in this cycle: each one's verdict is the first event of its

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -10,7 +11,11 @@
 #include "app/make_line.h"
 #include "app/sha256.h"
 #include "io/file.h"
+#include "io/number.h"
 #include "io/train_file.h"
+#include "lang/encode.h"
+#include "lang/messages.h"
+#include "lang/packets.h"
 
 // The program as its users see it.
 namespace evc::app {
@@ -175,6 +180,50 @@ TEST(Run, ARecklessDriverIsStoppedBeforeTheEndOfHisLastAuthority) {
     // He creeps past at or below the release speed of 15 km/h: 1 s, and the way to stand still from there.
     EXPECT_LT(s["svl_overrun_m"].get<double>(), 20.0) << choice;
   }
+}
+
+TEST(Run, ATelegramThatDoesNotDecodeIsCountedAndTheRunGoesOn) {
+  const Folder folder("undecodable");
+  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  // Group 117: the second balise is not its duplicate, its loss is an error of a linked group.
+  line["balise_groups"][16]["balises"][1]["telegram_hex"] = std::string(208, 'F');
+  ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
+  const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  EXPECT_EQ(s["telegrams"]["rejected"], 1);
+  EXPECT_EQ(s["balise_groups"]["rejected"], 1);
+  EXPECT_GE(s["interventions"]["sb"], 1);  // Q_LINKREACTION is the service brake
+  EXPECT_NE(text_of(folder / "outputs.jsonl").find("BG 117 message inconsistent [3.16.2.4.1]"), std::string::npos);
+}
+
+TEST(Run, AnAuthorityWithoutGradientAndSpeedProfileIsRefused) {
+  const Folder folder("no_profile");
+  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  json& message = line["rbc_messages"][2];
+  ASSERT_EQ(message["contains"][0], "15 Level 2/3 movement authority");
+  // The same authority, to 19 900 m from group 108 at 8 180 m, and nothing else (3.7.2.3, 4.8.3 [4]).
+  lang::Message3 header;
+  header.NID_LRBG.raw = 1000u << 14 | 108u;
+  lang::Packet15 authority;
+  authority.Q_DIR.raw = 1;
+  authority.Q_SCALE.raw = 1;
+  authority.T_EMA.raw = 1023;
+  authority.L_ENDSECTION.raw = 19900 - 8180;
+  std::array<std::uint8_t, 64> bytes{};
+  BitWriter out(bytes);
+  lang::encode_message(out, header, authority);
+  std::string digits;
+  io::append_hex(digits, out.bytes());
+  message["message_hex"] = digits;
+  message["message_bits"] = 4 * digits.size();
+  ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
+  const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  EXPECT_EQ(s["movement_authorities"]["accepted"].get<int>(), s["movement_authorities"]["received"].get<int>() - 1);
+  EXPECT_EQ(s["radio_messages"]["refused"], 1);
+  EXPECT_NE(text_of(folder / "outputs.jsonl").find("message 3 refused [4.8.3"), std::string::npos);
 }
 
 TEST(Run, WrongInputsAreToldAndLeaveNothing) {

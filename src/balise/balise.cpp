@@ -119,6 +119,7 @@ void note_undecodable(State& state, const Reading& reading, const Situation& sit
   if (situation.against_permitted_movement) return;  // 3.14.3.6
   if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
   if (!state.open) state.open = OpenGroup{};
+  tell(outcome, Happened::telegram_not_decoded, state.open->id, "3.16.1.1");
   state.open->undecoded = true;
   state.open->last = reading.counter;
   state.open->last_antenna = reading.antenna;
@@ -137,6 +138,7 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   Telegram telegram = look_into(reading.bytes, reading.bits, header);
   telegram.counter = reading.counter;
   telegram.antenna = reading.antenna;
+  if (telegram.faulty) tell(outcome, Happened::telegram_not_decoded, header.id, "3.16.1.1");
   EVC_REQUIRE(open.telegrams.push_back(telegram));  // at most one for each N_PIG
 
   const Link* next = expected(state.linking);

@@ -63,6 +63,8 @@ const char* name_of(Happened what) {
       return "version too new";
     case Happened::telegram_against_movement:
       return "read against the permitted movement";
+    case Happened::telegram_not_decoded:
+      return "telegram not decoded";
     case Happened::capacity:
       return "capacity exceeded";
   }

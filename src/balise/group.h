@@ -113,6 +113,7 @@ enum class Happened : std::uint8_t {
   telegram_version_old,       // X = 0: 3.17.3.5 a
   telegram_version_new,       // X above the highest supported: 3.17.3.5 d, e
   telegram_against_movement,  // 3.14.3.6
+  telegram_not_decoded,       // 3.16.1.1: a spare value, a broken packet, or no header
   capacity,                   // something could not be stored: see the clause
 };
 struct Event {
