@@ -24,7 +24,7 @@ class Page {
     lines.front() = fmt::format("{:<18}", symbol) + lines.front();
     for (std::size_t i = 1; i < lines.size(); ++i) lines[i] = std::string(18, ' ') + lines[i];
     std::string& last = lines.back();
-    last = fmt::format("{:<80}= {:>11.4f} {:<5} [{}]", last, value + 0.0, unit, clause);
+    last = fmt::format("{:<86}= {:>11.4f} {:<5} [{}]", last, value + 0.0, unit, clause);
     for (const std::string& text : lines) line(text);
   }
   std::string text() { return std::move(out_); }
