@@ -175,7 +175,7 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
     const ::ssize_t n = ::read(stream, chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
-      fmt::print(stderr, "{}: {}\n", name, std::strerror(errno));
+      fmt::print(stderr, "{}: found {}, expected a file that can be read\n", name, std::strerror(errno));
       return 2;
     }
     if (n == 0) break;
@@ -232,7 +232,7 @@ int decode_input(const Options& options) {
   } else {
     // Not a file: the digits themselves; a name that holds none is a file that is missing.
     if (options.input.find_first_of("./") != std::string::npos) {
-      fmt::print(stderr, "{}: {}\n", options.input, std::strerror(errno));
+      fmt::print(stderr, "{}: found {}, expected a file that can be read\n", options.input, std::strerror(errno));
       return 2;
     }
     std::string text;

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -30,7 +32,8 @@ class Lines {
  public:
   static io::Result<std::shared_ptr<Lines>> open(const std::string& file) {
     std::FILE* stream = file == "-" ? stdin : std::fopen(file.c_str(), "rb");
-    if (stream == nullptr) return tl::unexpected(io::Diagnostic{file, "", "", "a file that can be read"});
+    if (stream == nullptr)
+      return tl::unexpected(io::Diagnostic{file, "", std::strerror(errno), "a file that can be read"});
     return std::shared_ptr<Lines>(new Lines(stream));
   }
   ~Lines() {
