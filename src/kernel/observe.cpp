@@ -17,9 +17,7 @@
 namespace evc::kernel {
 namespace {
 
-using modes::Entry;
 using modes::Mode;
-using modes::Offer;
 
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
