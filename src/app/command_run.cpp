@@ -250,7 +250,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
       ->check(CLI::Range(0, 1000000));
-  command->add_option("--seed", options->seed, "seed of odometer errors and delays")->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", options->seed, "seed of odometer errors and delays")
+      ->check([](const std::string& seed) {
+        return !seed.empty() && seed.front() == '-' ? "found " + seed + ", expected a whole number from 0"
+                                                    : std::string();
+      });
   command->add_option("-o,--output", options->output, "folder for the report and the records");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
