@@ -2,6 +2,7 @@
 
 #include "driver/driver.h"
 #include "kernel/orders.h"
+#include "kernel/supervise.h"
 #include "modes/active_functions.h"
 #include "radio/compose.h"
 #include "track/services.h"
@@ -15,22 +16,19 @@ using modes::Mode;
 
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
-constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 180, 210, 225, 245, 275, 300};
-
 radio::TrainDataReport train_report(const State& s) {
   const train::TrainData& t = s.train;
   radio::TrainDataReport r;
-  r.NC_CDTRAIN = 0;
-  for (std::size_t i = 0; i < kCantDeficiency.size(); ++i)
-    if (kCantDeficiency[i] <= t.cant_deficiency_mm) r.NC_CDTRAIN = static_cast<std::uint8_t>(i);
-  r.NC_TRAIN = t.other_categories;
+  const track::TrainCategory category = category_of(t);
+  r.NC_CDTRAIN = category.NC_CDTRAIN;
+  r.NC_TRAIN = category.NC_TRAIN;
   // The RBC must not believe the train shorter or slower than it is: rounded up.
   const auto whole = static_cast<std::uint16_t>(t.L_TRAIN.si);
   r.L_TRAIN = static_cast<double>(whole) < t.L_TRAIN.si ? static_cast<std::uint16_t>(whole + 1) : whole;
   const double steps = t.V_MAXTRAIN.si * 3.6 / 5.0;
   r.V_MAXTRAIN = static_cast<std::uint8_t>(steps + 0.999999);
   r.M_LOADINGGAUGE = static_cast<std::uint8_t>(t.loading_gauge);
-  r.M_AXLELOADCAT = static_cast<std::uint8_t>(t.axle_load);
+  r.M_AXLELOADCAT = category.M_AXLELOADCAT;
   r.M_AIRTIGHT = t.airtight ? 1 : 0;
   for (const train::TractionSystem& system : t.traction_systems)
     (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
@@ -60,7 +58,9 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
 
 void compose_messages(Cycle& cycle) {
   State& s = cycle.state;
+  static_assert(decltype(Outputs::radio_out)::capacity() == radio::Outbox::kMessages);
   if (cycle.outbox.messages.empty()) return;
+  if (cycle.outbox.lost) note(cycle, Event{.subject = "message", .what = "not sent: too many in one cycle"});
   const position::Report report = position::report(s.position, {});
   const radio::PositionReport p = position_report(s, report);
   const radio::TrainDataReport t = train_report(s);
@@ -72,10 +72,7 @@ void compose_messages(Cycle& cycle) {
     OutgoingMessage message;
     for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
     if (n == 0) continue;
-    if (!cycle.out.radio_out.push_back(message)) {
-      note(cycle, Event{.subject = "message", .id = intent.NID_MESSAGE, .what = "lost: too many in one cycle"});
-      continue;
-    }
+    (void)cycle.out.radio_out.push_back(message);  // as many as the outbox holds
     position_sent = position_sent || (intent.NID_MESSAGE != 146 && intent.NID_MESSAGE < 154);
     position_sent = position_sent || intent.NID_MESSAGE == 157 || intent.NID_MESSAGE == 158;
   }
@@ -293,7 +290,7 @@ void show(Cycle& cycle) {
   out.min_safe_front = position::counter_of(s.position, cycle.here.min_safe_front);
   out.max_safe_front = position::counter_of(s.position, cycle.here.max_safe_front);
   out.v = s.position.now.V_est;
-  const track::Authority& a = cycle.derived.authority;
+  const track::Authority& a = cycle.state.basis.authority;
   if (a.EOA) out.EOA = position::counter_of(s.position, *a.EOA);
   if (a.LOA) out.EOA = position::counter_of(s.position, *a.LOA);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);

@@ -188,7 +188,7 @@ struct Outputs {
   InplaceVector<const char*, 16> driver_requests;  // acknowledgements and entries asked of the driver
   InplaceVector<ShownText, 6> texts;               // texts shown now (packets 72, 76)
   InplaceVector<const char*, 32> symbols;          // DMI symbol names (MO07, LE04, ...)
-  InplaceVector<OutgoingMessage, 8> radio_out;
+  InplaceVector<OutgoingMessage, 24> radio_out;
   std::optional<RbcAddress> radio_connect, radio_disconnect;
   InplaceVector<Event, 96> events;
 };

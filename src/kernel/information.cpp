@@ -362,8 +362,11 @@ void store_contents(Evaluation& e) {
   if (stored.trip_order) c.facts.trip_order = true;
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
     // Linking and national values of this very message were stored already; those of the old MA go (3.8.5.1.3).
-    const std::optional<Place> SvL = s.track.ma->SvL();
-    cut_other(s, SvL ? *SvL : s.track.ma->end());
+    cut_other(s, s.track.ma->far_end());
+  }
+  if (stored.lost_from) {
+    cut_other(s, *stored.lost_from < c.here.max_safe_front ? c.here.max_safe_front : *stored.lost_from);
+    note(c, Event{.subject = "track description", .what = "ended: no room for more", .clause = "3.7.2.3"});
   }
   if (stored.ma_accepted) {
     s.ma_with_trip_order = c.facts.trip_order;

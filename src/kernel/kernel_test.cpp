@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -209,30 +211,186 @@ TEST_F(Unit, refuses_an_MA_without_gradient) {
   EXPECT_FALSE(out.EOA.has_value());
 }
 
-TEST_F(Unit, derived_data_follow_from_the_state_alone) {
+/// Every output, as far as a cycle can differ in it.
+void expect_same(const Outputs& a, const Outputs& b) {
+  EXPECT_EQ(a.mode, b.mode);
+  EXPECT_EQ(a.level, b.level);
+  EXPECT_EQ(a.lrbg, b.lrbg);
+  EXPECT_EQ(a.est_front, b.est_front);
+  EXPECT_EQ(a.min_safe_front, b.min_safe_front);
+  EXPECT_EQ(a.max_safe_front, b.max_safe_front);
+  EXPECT_EQ(a.monitoring, b.monitoring);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.V_P, b.V_P);
+  EXPECT_EQ(a.V_W, b.V_W);
+  EXPECT_EQ(a.V_SBI, b.V_SBI);
+  EXPECT_EQ(a.V_EBI, b.V_EBI);
+  EXPECT_EQ(a.V_MRSP, b.V_MRSP);
+  EXPECT_EQ(a.V_target, b.V_target);
+  EXPECT_EQ(a.V_release, b.V_release);
+  EXPECT_EQ(a.d_target, b.d_target);
+  EXPECT_EQ(a.EOA, b.EOA);
+  EXPECT_EQ(a.SvL, b.SvL);
+  EXPECT_EQ(a.tco, b.tco);
+  EXPECT_EQ(a.sb, b.sb);
+  EXPECT_EQ(a.eb, b.eb);
+  EXPECT_TRUE(std::equal(a.brake_reasons.begin(), a.brake_reasons.end(), b.brake_reasons.begin(), b.brake_reasons.end(),
+                         [](const char* x, const char* y) { return std::strcmp(x, y) == 0; }));
+  EXPECT_EQ(a.radio_out.size(), b.radio_out.size());
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_STREQ(a.events[i].subject, b.events[i].subject);
+}
+
+class AnyEdition : public Unit, public ::testing::WithParamInterface<train::SrsVersion> {
+ protected:
+  AnyEdition() {
+    config.srs = GetParam();
+    power_up(*state, *derived, config);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Kernel, AnyEdition,
+                         ::testing::Values(train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0,
+                                           train::SrsVersion::v4_0_0));
+
+TEST_P(AnyEdition, derived_data_follow_from_the_state_alone) {
   start_of_mission(modes::Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);
-  const LevelOne data(2000, 20);
-  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp), telegram(100, 1, 1, true), 8.0);
-  for (int i = 0; i < 100; ++i) {
+  LevelOne data(2000, 20);
+  data.ma.Q_DANGERPOINT.raw = 1;
+  data.ma.D_DP.raw = 50;
+  data.ma.V_RELEASEDP.raw = 126;  // calculated on board
+  lang::Packet5 linking;
+  linking.Q_DIR.raw = 1;
+  linking.Q_SCALE.raw = 1;
+  linking.D_LINK.raw = 500;
+  linking.NID_BG.raw = 101;
+  linking.Q_LINKORIENTATION.raw = 1;
+  linking.Q_LINKREACTION.raw = 2;
+  linking.Q_LOCACC.raw = 5;
+  pass(telegram(100, 0, 1, true, linking, data.ma, data.gradient, data.ssp), telegram(100, 1, 1, true), 8.0);
+  const double group_101 = front - 3.0 + 500.0;
+  double v = 8.0;
+  bool second = false;
+  for (int i = 0; i < 1500 && !HasFailure(); ++i) {
     // The same cycle with everything derived thrown away gives the same outputs.
     auto other_state = std::make_unique<State>(*state);
     auto other_derived = std::make_unique<Derived>();
     auto other_out = std::make_unique<Outputs>();
-    Inputs same = in;
-    same.now = {t};
-    const double before = front;
-    cycle(8.0);
+    // Towards the target, over it until the unit brakes, slowly on: all monitorings and statuses.
+    v = out.sb || out.eb || out.tco ? (v > 3.0 ? v - 0.1 : v) : v < 24.0 ? v + 0.03 : v;
+    const Telegram first = telegram(101, 0, 1, true);
+    const Telegram last = telegram(101, 1, 1, true);
+    const std::array<BaliseTelegram, 2> read{BaliseTelegram{first.bytes, first.bits, {{front}}},
+                                             BaliseTelegram{last.bytes, last.bits, {{front + 3.0}}}};
+    Inputs same;
+    if (!second && front >= group_101) {
+      second = true;
+      in.balise_telegrams = read;
+    }
+    same = in;
+    cycle(v);
     same.odometry = in.odometry;
     same.now = in.now;
     step(*other_state, *other_derived, same, *other_out);
-    ASSERT_EQ(other_out->mode, out.mode);
-    ASSERT_EQ(other_out->V_P, out.V_P);
-    ASSERT_EQ(other_out->V_EBI, out.V_EBI);
-    ASSERT_EQ(other_out->d_target, out.d_target);
-    ASSERT_EQ(other_out->EOA, out.EOA);
-    ASSERT_LT(before, front);
+    expect_same(*other_out, out);
+    if (HasFailure()) ADD_FAILURE() << "cycle " << i << ", v " << v;
   }
+  EXPECT_TRUE(second);
+  EXPECT_TRUE(happened("linking BG", "ok"));
+}
+
+/// An on sight area of 50 m from 100 m on, then one of 500 m at a lower speed.
+TEST_F(Unit, takes_the_speed_of_an_adjoining_area_of_the_same_mode) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(5.0);
+  const LevelOne data(2000, 20);
+  lang::Packet80 profile;
+  profile.Q_DIR.raw = 1;
+  profile.Q_SCALE.raw = 1;
+  profile.D_MAMODE.raw = 100;
+  profile.M_MAMODE.raw = 0;
+  profile.V_MAMODE.raw = 5;
+  profile.L_MAMODE.raw = 150;
+  profile.L_ACKMAMODE.raw = 100;
+  lang::Packet80_modes next;
+  next.D_MAMODE.raw = 150;
+  next.M_MAMODE.raw = 0;
+  next.V_MAMODE.raw = 3;
+  next.L_MAMODE.raw = 500;
+  next.L_ACKMAMODE.raw = 50;
+  ASSERT_TRUE(profile.modes.push_back(next));
+  const double at = front;
+  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, profile), telegram(100, 1, 1, true), 5.0);
+  double slowest = 100.0;
+  double fastest_in_OS = 0.0;
+  for (int i = 0; i < 800 && front < at + 400.0; ++i) {
+    for (const char* request : out.driver_requests)
+      if (std::strcmp(request, "OS") == 0) in.driver.acknowledged = 1u << static_cast<unsigned>(Ack::OS);
+    cycle(out.mode == modes::Mode::OS && front > at + 200.0 ? 3.0 : 5.0);
+    if (out.mode != modes::Mode::OS || !out.V_P) continue;
+    fastest_in_OS = std::max(fastest_in_OS, out.V_P->si * 3.6);
+    slowest = std::min(slowest, out.V_P->si * 3.6);
+  }
+  EXPECT_NEAR(fastest_in_OS, 25.0, 1e-9);
+  EXPECT_NEAR(slowest, 15.0, 1e-9) << "the lower speed of the second area";
+}
+
+TEST_F(Unit, refuses_a_group_with_more_packets_than_it_takes) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  lang::Packet66 revocation;
+  revocation.Q_DIR.raw = 1;
+  lang::Packet135 the_one_too_many;
+  the_one_too_many.Q_DIR.raw = 1;
+  std::array<Telegram, 2> telegrams;
+  for (std::uint8_t pig = 0; pig < 2; ++pig) {
+    Telegram& full = telegrams[pig];
+    BitWriter bits(full.bytes);
+    lang::TelegramHeader h;
+    h.N_PIG.raw = pig;
+    h.N_TOTAL.raw = 1;
+    h.NID_C.raw = 1;
+    h.NID_BG.raw = 300;
+    h.Q_LINK.raw = 1;
+    lang::begin_telegram(bits, h);
+    for (int i = 0; i < 24; ++i) {
+      ++revocation.NID_TSR.raw;
+      lang::encode(bits, revocation);
+    }
+    if (pig == 1) lang::encode(bits, the_one_too_many);
+    lang::end_telegram(bits, 830);
+    ASSERT_FALSE(bits.faulty());
+    full.bits = 830;
+  }
+  pass(telegrams[0], telegrams[1], 8.0);
+  for (int i = 0; i < 3; ++i) cycle(8.0);
+  EXPECT_TRUE(happened("BG", "refused: too many packets"));
+  EXPECT_TRUE(out.sb) << "as for a message that is not consistent";
+}
+
+TEST_F(Unit, a_ninth_unprotected_crossing_ends_the_authority_in_front_of_it) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  const LevelOne data(3000, 20);
+  std::array<lang::Packet88, 9> crossings;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    lang::Packet88& p = crossings[i];
+    p.Q_DIR.raw = 1;
+    p.Q_SCALE.raw = 1;
+    p.NID_LX.raw = static_cast<std::uint8_t>(i);
+    p.D_LX.raw = static_cast<std::uint16_t>(i < 8 ? 2500 : 1500);
+    p.L_LX.raw = 10;
+    p.Q_LXSTATUS.raw = 1;
+    p.V_LX.raw = 4;
+  }
+  const double at = front;
+  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossings[0], crossings[1], crossings[2]),
+       telegram(100, 1, 1, true, crossings[3], crossings[4], crossings[5], crossings[6], crossings[7], crossings[8]),
+       8.0);
+  for (int i = 0; i < 3; ++i) cycle(8.0);
+  EXPECT_TRUE(happened("track description", "ended: no room for more"));
+  ASSERT_TRUE(out.EOA.has_value());
+  EXPECT_NEAR(out.EOA->from_origin.si, at - config.train.L_antenna_front.si + 1500.0, 1.0);
 }
 
 TEST_F(Unit, the_state_is_small_and_plain) {

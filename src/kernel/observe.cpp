@@ -109,11 +109,12 @@ void forget_authority_of_old_train(Cycle& cycle) {
   clear_buffer(s);
 }
 
-void enter_train_data(Cycle& cycle, const train::TrainData& data) {
+/// Whether the data were taken.
+bool enter_train_data(Cycle& cycle, const train::TrainData& data) {
   State& s = cycle.state;
   if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
     note(cycle, Event{.subject = "train data", .what = train::name(fault), .clause = train::clause(fault)});
-    return;
+    return false;
   }
   const bool route_matters = s.train.cant_deficiency_mm != data.cant_deficiency_mm ||
                              s.train.other_categories != data.other_categories || s.train.axle_load != data.axle_load ||
@@ -125,6 +126,7 @@ void enter_train_data(Cycle& cycle, const train::TrainData& data) {
   ++s.revision;
   radio::send_train_data(s.radio);
   note(cycle, Event{.subject = "train data", .what = "valid", .clause = "3.18.3"});
+  return true;
 }
 
 /// Entry of SR speed and distance (4.4.11.1.5): only in SR, the distance from the front end at the entry.
@@ -295,7 +297,7 @@ void run_override(Cycle& cycle) {
   in.D_NVOVTRP = s.national_values.D_NVOVTRP;
   in.est_front = cycle.here.est_front;
   in.min_safe_antenna = cycle.here.min_safe_antenna;
-  const track::Authority& a = cycle.derived.authority;
+  const track::Authority& a = cycle.state.basis.authority;
   in.eoa_or_loa = a.EOA ? a.EOA : a.LOA;
   if (s.mode == Mode::SR) in.sr_distance_end = s.staff_responsible.end;
   in.stop_if_in_SR = cycle.facts.stop_if_in_SR;
@@ -391,7 +393,7 @@ void observe_state(Cycle& cycle) {
 /// [12], [16], [69]: with the authority that is in force after everything this cycle received.
 void observe_authority(Cycle& cycle) {
   const State& s = cycle.state;
-  const track::Authority& a = cycle.derived.authority;
+  const track::Authority& a = cycle.state.basis.authority;
   cycle.facts.min_safe_antenna_beyond_eoa = protection::passes_end_level_1(a, cycle.here);
   cycle.facts.min_safe_front_beyond_eoa = protection::passes_end_level_2(a, cycle.here);
   cycle.facts.front_in_rear_of_track_description = track::before_track_description(s.track, cycle.here);
@@ -414,10 +416,8 @@ void take_driver_actions(Cycle& cycle) {
     s.data.train_running_number_status = DataStatus::valid;
   }
   if (driver.train_data != nullptr) {
-    if (may(cycle, driver::Input::train_data, "train data")) {
-      enter_train_data(cycle, *driver.train_data);
-      cycle.train_data_entered = valid(s.data.train_data_status);
-    }
+    if (may(cycle, driver::Input::train_data, "train data"))
+      cycle.train_data_entered = enter_train_data(cycle, *driver.train_data);
   } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown) {
     s.data.train_data_status = DataStatus::valid;
     radio::send_train_data(s.radio);

@@ -165,8 +165,7 @@ const char* take_shortening(Cycle& cycle, const Information& information, const 
   if (!granted) return "3.8.6.2";
   proposed.ma_is_shortening_request = true;
   (void)track::store(s.track, proposed, cycle.here);
-  const std::optional<Place> SvL = proposed.ma->SvL();
-  cut_other(s, SvL ? *SvL : proposed.ma->end());
+  cut_other(s, proposed.ma->far_end());
   return nullptr;
 }
 

@@ -85,7 +85,7 @@ const position::Reference* locate(Cycle& cycle, const balise::Group& group) {
   if (group.lrbg_compliant) {
     (void)position::relocate(s.position, passage);
     // The release speed calculated on board counts with the accuracy of the LRBG (3.13.9.4.8.2).
-    if (cycle.derived.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
+    if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
     cycle.report_events.new_lrbg = true;
     return position::lrbg(s.position);
   }
@@ -115,6 +115,15 @@ void keep(State& state, const BufferedSet& set) {
   (void)state.buffer.push_back(set);
 }
 
+/// What of a released set has to wait once more goes behind the others.
+void keep_again(State& state, const BufferedSet& set, const Waiting& waiting) {
+  if (!waiting.any()) return;
+  BufferedSet again = set;
+  again.waiting = waiting.packets;
+  again.message_waits = waiting.message;
+  keep(state, again);
+}
+
 BufferedSet set_of(const Information& information, const Waiting& waiting, const State& state) {
   BufferedSet set;
   set.medium = information.medium;
@@ -129,12 +138,22 @@ BufferedSet set_of(const Information& information, const Waiting& waiting, const
   return set;
 }
 
-/// The packets of a group's telegrams that count for the train's direction, in the order of reading. `bytes` of the
-/// telegrams must outlive them.
-void gather(Information& information, const lang::TelegramView& view) {
-  for (const lang::PacketView& p : view.packets)
-    if (track::valid_direction(p.Q_DIR, information.orientation))
-      if (!information.packets.push_back(p)) return;  // 64 packets: more than eight telegrams can hold
+/// The packets that count for the train's direction, in the order of reading; the bytes behind them must outlive them.
+/// False when there are more than there is room for.
+bool gather(Information& information, const lang::PacketViews& packets) {
+  for (const lang::PacketView& p : packets)
+    if (track::valid_direction(p.Q_DIR, information.orientation) && !information.packets.push_back(p)) return false;
+  return true;
+}
+
+/// A group whose telegrams hold more packets together than the unit takes is treated as one whose message is not
+/// consistent (3.16.2.4.4): nothing of it is used.
+void refuse_group(Cycle& cycle, GroupId id) {
+  State& s = cycle.state;
+  note(cycle, Event{.subject = "BG", .id = id.NID_BG, .what = "refused: too many packets", .clause = "3.16.2.4.4"});
+  if (!brakes_on_message_error(s.mode)) return;
+  cycle.asked.add(brakes::Cause::balise_group_consistency);
+  s.shorten_at_standstill = true;
 }
 
 void receive_group(Cycle& cycle, const balise::Group& group) {
@@ -161,7 +180,7 @@ void receive_group(Cycle& cycle, const balise::Group& group) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
     information.sv = view.sv;
-    gather(information, view);
+    if (!gather(information, view.packets)) return refuse_group(cycle, group.id);
   }
   const Waiting waiting = evaluate(cycle, information);
   if (!waiting.any()) return;
@@ -213,12 +232,6 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
 }
 
-void gather(Information& information, const lang::MessageToTrainView& view) {
-  for (const lang::PacketView& p : view.packets)
-    if (track::valid_direction(p.Q_DIR, information.orientation))
-      if (!information.packets.push_back(p)) return;
-}
-
 void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes) {
   State& s = cycle.state;
   Information information;
@@ -228,13 +241,13 @@ void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::spa
   information.min_safe_front = cycle.here.min_safe_front;
   information.time = s.now;
   // 3.8.4.2.1: timers count from the time stamp of the message.
-  if (const auto stamp = lang::seconds(view.T_TRAIN); stamp && *stamp < s.now) information.time = *stamp;
+  if (lang::seconds(view.T_TRAIN)) information.time = radio::time_of(view.T_TRAIN.raw, s.now);
   if (!refer(information, s, view)) {
     note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "refused", .clause = "3.6.2.2.2"});
     return;
   }
   shift_reference(information, view);
-  gather(information, view);
+  (void)gather(information, view.packets);  // a message has no more than there is room for
   const Waiting waiting = evaluate(cycle, information);
   if (!waiting.any()) return;
   BufferedSet set = set_of(information, waiting, s);
@@ -323,8 +336,8 @@ void release_buffer(Cycle& cycle) {
           lang::Check::structure);
       information.sv = view.sv;
       information.message = &view;
-      gather(information, view);
-      (void)evaluate(cycle, information);
+      (void)gather(information, view.packets);  // as many as when it was received
+      keep_again(s, set, evaluate(cycle, information));
       continue;
     }
     std::size_t at = 0;
@@ -333,10 +346,10 @@ void release_buffer(Cycle& cycle) {
       const lang::TelegramView view =
           lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
       information.sv = view.sv;
-      gather(information, view);
+      (void)gather(information, view.packets);
       at += length;
     }
-    (void)evaluate(cycle, information);
+    keep_again(s, set, evaluate(cycle, information));
   }
 }
 

@@ -76,6 +76,27 @@ struct StaffResponsible {
   std::optional<Speed> V;
 };
 
+/// What the curves in force were built from, beside the stored data: built anew they are the same (3.13.2, 3.13.9.4.8).
+struct SupervisionBasis {
+  /// The curves are built anew when one of these changes.
+  struct Key {
+    std::uint32_t track = 0;          ///< track::Description::revision
+    std::uint32_t revision = 0;       ///< State::revision
+    std::uint8_t brakes = 0;          ///< special brakes reported active (3.13.2.2.6), one bit each
+    std::optional<Speed> mode_limit;  ///< of the mode (3.11.7)
+    friend constexpr bool operator==(const Key&, const Key&) = default;
+  };
+  Key key;
+  std::uint32_t number = 0;  ///< grows with every change of the key; 0: never built
+  // At that moment:
+  Place min_safe_rear{};
+  Distance confidence_interval{};
+  Speed V_ura{};
+  std::optional<Place> reference;  ///< of the LRBG
+  Distance Q_LOCACC{};
+  track::Authority authority;  ///< supervised from then on
+};
+
 /// All that the unit remembers. Trivially copyable: a snapshot is a memcpy.
 struct State {
   Duration cycle{0.1};
@@ -124,6 +145,7 @@ struct State {
   InplaceVector<std::uint8_t, 6> texts_to_acknowledge;  // ids, the first is acknowledged first
 
   sdm::Supervision supervision;
+  SupervisionBasis basis;
   std::uint32_t revision = 0;  // grows when train data, national values, mode or level change what is supervised
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
@@ -132,17 +154,10 @@ struct State {
 static_assert(std::is_trivially_copyable_v<State>);
 static_assert(sizeof(State) <= 64 * 1024);
 
-/// What can be computed anew from State at any time: curves and merged profiles. Never in a snapshot.
+/// What can be computed anew from State at any time: curves and merged profiles. Never in a snapshot; with a State that
+/// is put back goes a Derived{}.
 struct Derived {
-  struct Key {
-    std::uint32_t track = 0;
-    std::uint32_t revision = 0;
-    std::uint8_t brakes = 0;  // special brakes reported active (3.13.2.2.6), one bit each
-    bool valid = false;
-    friend constexpr bool operator==(const Key&, const Key&) = default;
-  };
-  Key key;
-  track::Authority authority;
+  std::uint32_t built = 0;  ///< SupervisionBasis::number it was built from; 0: from none
   sdm::Inputs inputs;
   sdm::Derived sdm;
 };

@@ -21,12 +21,8 @@ void advance_track(Cycle& cycle) {
   const track::Elapsed elapsed = track::advance(s.track, cycle.here);
   if (elapsed.any()) {
     note(cycle, Event{.subject = "MA", .what = "timer elapsed", .clause = "3.8.4"});
-    if (s.track.ma && !s.track.ma->sections.empty()) {
-      const std::optional<Place> SvL = s.track.ma->SvL();
-      cut_other(s, SvL ? *SvL : s.track.ma->end());
-    } else {
-      cut_other(s, cycle.here.max_safe_front);
-    }
+    const bool authority = s.track.ma && !s.track.ma->sections.empty();
+    cut_other(s, authority ? s.track.ma->far_end() : cycle.here.max_safe_front);
   }
   if (elapsed.track_description_deleted) s.track_description_deleted = true;
   if (s.shorten_at_standstill && cycle.here.standstill) {
@@ -69,9 +65,7 @@ void ask_track_ahead_free(Cycle& cycle) {
 
 void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state = State{};
-  derived.key = {};
-  derived.authority = {};
-  derived.sdm.valid = false;
+  derived.built = 0;
   state.cycle = config.cycle;
   state.srs = config.srs;
   state.fitted_levels = config.levels;

@@ -12,15 +12,6 @@ using modes::Mode;
 /// NC_CDTRAIN (7.5.1.82.1): the cant deficiencies in mm by code.
 constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 180, 210, 225, 245, 275, 300};
 
-track::TrainCategory category_of(const train::TrainData& train) {
-  track::TrainCategory c;
-  for (std::size_t i = 0; i < kCantDeficiency.size(); ++i)
-    if (kCantDeficiency[i] <= train.cant_deficiency_mm) c.NC_CDTRAIN = static_cast<std::uint8_t>(i);
-  c.NC_TRAIN = train.other_categories;
-  c.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
-  return c;
-}
-
 /// The speed limit of the mode (3.11.7); absent: the mode has none.
 std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
   const train::NationalValues& nv = s.national_values;
@@ -52,7 +43,7 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
 
 bool within(const State& s, modes::Supervision kind) { return modes::properties(s.mode).supervision == kind; }
 
-sdm::Authority authority_of(const State& s, const track::Authority& a, const track::Here& here) {
+sdm::Authority authority_of(const State& s, const track::Authority& a, const SupervisionBasis& basis) {
   sdm::Authority out;
   if (a.LOA) {
     out.kind = sdm::Authority::Kind::LOA;
@@ -71,12 +62,12 @@ sdm::Authority authority_of(const State& s, const track::Authority& a, const tra
                                                          : sdm::ReleaseSpeedChoice::none;
   out.V_release = a.release.V;
   out.level_1_at_EOA = s.level.level == modes::Level::L1;
-  if (const position::Reference* lrbg = position::lrbg(s.position)) {
-    out.Q_LOCACC_reference = lrbg->Q_LOCACC;
-    out.reference = lrbg->place;
+  if (basis.reference) {
+    out.Q_LOCACC_reference = basis.Q_LOCACC;
+    out.reference = *basis.reference;
   }
-  out.confidence_interval = here.max_safe_front - here.min_safe_front;
-  out.V_ura = s.position.now.V_max - s.position.now.V_est;
+  out.confidence_interval = basis.confidence_interval;
+  out.V_ura = basis.V_ura;
   return out;
 }
 
@@ -141,10 +132,11 @@ std::uint8_t brake_bits(const TrainSignals& t) {
                                    (t.additional_brake_active ? 16 : 0));
 }
 
-void build_inputs(Cycle& cycle, const track::Authority& authority) {
+/// Curves and limits, from the stored data and `basis`.
+void build(Cycle& cycle, const SupervisionBasis& basis) {
   State& s = cycle.state;
   sdm::Inputs& in = cycle.derived.inputs;
-  ++in.revision;
+  in.revision = basis.number;
   in.srs = s.srs;
   in.train = s.train;
   in.national_values = s.national_values;
@@ -152,21 +144,41 @@ void build_inputs(Cycle& cycle, const track::Authority& authority) {
 
   compute_PBD(s, in);
   track::MrspQuery query;
-  query.from = cycle.here.min_safe_rear;
+  query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
   query.category = category_of(s.train);
   add_limit(query, s.train.V_MAXTRAIN);
-  if (const auto v = mode_speed(s, cycle.here)) add_limit(query, *v);
+  if (basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
   if (s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
   in.mrsp = track::mrsp(s.track, query);
   mark_TSR_steps(s, in);
   in.supervise_targets = !within(s, modes::Supervision::ceiling);
-  in.authority = within(s, modes::Supervision::full) ? authority_of(s, authority, cycle.here) : sdm::Authority{};
+  in.authority = within(s, modes::Supervision::full) ? authority_of(s, basis.authority, basis) : sdm::Authority{};
   in.SR_end = within(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
-  in.gradient.permille = track::gradient(s.track, cycle.here.min_safe_rear);
+  in.gradient.permille = track::gradient(s.track, basis.min_safe_rear);
   in.gradient.default_for_TSR.reset();
   if (s.track.default_gradient) in.gradient.default_for_TSR = static_cast<double>(*s.track.default_gradient);
   in.conditions = conditions_of(s);
+  cycle.derived.sdm.valid = false;
+  (void)sdm::rebuild(cycle.derived.sdm, in);
+}
+
+/// The basis of curves that are built now.
+SupervisionBasis basis_of(const Cycle& cycle, const SupervisionBasis::Key& key, const track::Authority& authority) {
+  const State& s = cycle.state;
+  SupervisionBasis basis;
+  basis.key = key;
+  basis.number = s.basis.number + 1;
+  if (basis.number == 0) basis.number = 1;
+  basis.min_safe_rear = cycle.here.min_safe_rear;
+  basis.confidence_interval = cycle.here.max_safe_front - cycle.here.min_safe_front;
+  basis.V_ura = s.position.now.V_max - s.position.now.V_est;
+  if (const position::Reference* lrbg = position::lrbg(s.position)) {
+    basis.reference = lrbg->place;
+    basis.Q_LOCACC = lrbg->Q_LOCACC;
+  }
+  basis.authority = authority;
+  return basis;
 }
 
 sdm::Motion motion_of(const Cycle& cycle) {
@@ -229,6 +241,15 @@ bool supervises_speed(Mode mode) {
   return modes::properties(mode).supervision != modes::Supervision::unsupervised && mode != Mode::SN;
 }
 
+track::TrainCategory category_of(const train::TrainData& train) {
+  track::TrainCategory c;
+  for (std::size_t i = 0; i < kCantDeficiency.size(); ++i)
+    if (kCantDeficiency[i] <= train.cant_deficiency_mm) c.NC_CDTRAIN = static_cast<std::uint8_t>(i);
+  c.NC_TRAIN = train.other_categories;
+  c.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
+  return c;
+}
+
 track::TrainInterfaces interfaces_of(const train::TrainData& train) {
   track::TrainInterfaces i;
   i.M_LOADINGGAUGE = static_cast<std::uint8_t>(train.loading_gauge);
@@ -241,14 +262,17 @@ track::TrainInterfaces interfaces_of(const train::TrainData& train) {
 void refresh(Cycle& cycle) {
   State& s = cycle.state;
   Derived& d = cycle.derived;
-  const Derived::Key key{s.track.revision, s.revision, brake_bits(cycle.in.train), true};
-  if (d.key == key) return;
-  d.key = key;
-  d.authority = within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), M_MODE(s.mode))
-                                                    : track::Authority{};
-  if (!supervises_speed(s.mode)) return;
-  build_inputs(cycle, d.authority);
-  (void)sdm::rebuild(d.sdm, d.inputs);
+  const SupervisionBasis::Key key{s.track.revision, s.revision, brake_bits(cycle.in.train), mode_speed(s, cycle.here)};
+  const bool changed = s.basis.number == 0 || s.basis.key != key;
+  if (changed)
+    s.basis =
+        basis_of(cycle, key,
+                 within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), M_MODE(s.mode))
+                                                     : track::Authority{});
+  if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
+  d.built = s.basis.number;
+  build(cycle, s.basis);
+  if (!changed) return;  // told when it was built first
   if (d.sdm.truncated) note(cycle, Event{.subject = "supervision", .what = "too many targets: kept on the safe side"});
   if (d.sdm.no_deceleration)
     note(cycle, Event{.subject = "supervision", .what = "no deceleration before a target", .clause = "3.13.6.2"});
@@ -256,7 +280,7 @@ void refresh(Cycle& cycle) {
 
 void supervise_speed(Cycle& cycle) {
   State& s = cycle.state;
-  if (!supervises_speed(s.mode) || !cycle.derived.sdm.valid) {
+  if (!supervises_speed(s.mode)) {
     s.supervision = {};
     return;
   }
@@ -304,9 +328,8 @@ bool can_stop_before(Cycle& cycle, const track::MovementAuthority& proposed) {
     a.SvL = proposed.SvL();
   }
   // The curves of the proposed authority stand in the place of those in force, which are built anew afterwards.
-  build_inputs(cycle, a);
-  (void)sdm::rebuild(cycle.derived.sdm, cycle.derived.inputs);
-  cycle.derived.key.valid = false;
+  build(cycle, basis_of(cycle, s.basis.key, a));
+  cycle.derived.built = 0;
   sdm::Supervision fresh;
   const sdm::Result r = sdm::supervise(fresh, cycle.derived.sdm, motion_of(cycle));
   return r.monitoring == sdm::Monitoring::CSM && r.status == sdm::Status::Normal;

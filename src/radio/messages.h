@@ -26,6 +26,12 @@ constexpr std::uint32_t T_TRAIN_of(Duration now) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(now.si * 100.0 + 0.5) % 0xFFFF'FFFFu);
 }
 
+/// The on-board time that a stamp of up to 248 days ago stands for; never later than now.
+constexpr Duration time_of(std::uint32_t T_TRAIN, Duration now) {
+  const auto age = static_cast<std::int32_t>(T_TRAIN_of(now) - T_TRAIN);
+  return age > 0 ? now - Duration{static_cast<double>(age) / 100.0} : now;
+}
+
 /// The header of a message to the train (8.4.4.6).
 struct Header {
   std::uint8_t NID_MESSAGE = 0;
@@ -50,12 +56,23 @@ struct Intent {
 
 /// What leaves in one cycle.
 struct Outbox {
-  InplaceVector<Intent, 16> messages;
+  static constexpr std::size_t kMessages = 24;
+  InplaceVector<Intent, kMessages> messages;
   std::optional<Rbc> connect, disconnect;
   bool inform_no_connection = false;  ///< start of mission: all tries failed (5.4.3.2 A32)
   bool inform_no_version = false;     ///< message 154 was sent (3.5.3.8)
-  bool overflow = false;              ///< more messages than room: the oldest stay, sent again by their timers
-  void send(const Intent& intent) { overflow = !messages.push_back(intent) || overflow; }
+  bool lost = false;                  ///< there were more messages than room
+  /// When there is no room an answer to an emergency stop (147) takes the place of the last message that is none.
+  void send(const Intent& intent) {
+    if (messages.push_back(intent)) return;
+    lost = true;
+    if (intent.NID_MESSAGE != 147) return;
+    for (std::size_t i = messages.size(); i-- > 0;)
+      if (messages[i].NID_MESSAGE != 147) {
+        messages[i] = intent;
+        return;
+      }
+  }
   void send(std::uint8_t NID_MESSAGE) {
     Intent intent;
     intent.NID_MESSAGE = NID_MESSAGE;

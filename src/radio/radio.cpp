@@ -3,12 +3,6 @@
 namespace evc::radio {
 namespace {
 
-/// On-board time that a stamp stands for; never later than now.
-Duration time_of(std::uint32_t T_TRAIN, Duration now) {
-  const auto age = static_cast<std::int32_t>(T_TRAIN_of(now) - T_TRAIN);
-  return age > 0 ? now - Duration{static_cast<double>(age) / 100.0} : now;
-}
-
 void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) {
   if (s.was_in_hole && !in.in_radio_hole) s.contact_reference = in.now;
   s.was_in_hole = in.in_radio_hole;

@@ -124,7 +124,19 @@ struct Contents {
   std::optional<bool> stop_if_in_sr;           ///< packet 137: true stop
   std::optional<bool> danger_for_shunting;     ///< packet 132: true stop
   std::optional<GroupId> track_ahead_free_to;  ///< packet 90: border group
-  bool overflow = false;                       ///< the message brought more than there is room for
+
+  // What there was no room for: the packets, and the nearest place from which something is missing that restricts.
+  InplaceVector<std::uint8_t, 4> lost;
+  std::optional<Place> lost_from;
+  void lose(std::uint8_t packet) {
+    for (const std::uint8_t known : lost)
+      if (known == packet) return;
+    (void)lost.push_back(packet);  // 65, 66, 88 and one of 72, 76 tell enough
+  }
+  void lose(std::uint8_t packet, Place from) {
+    lose(packet);
+    if (!lost_from || from < *lost_from) lost_from = from;
+  }
 };
 
 }  // namespace evc::track

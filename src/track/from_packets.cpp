@@ -176,10 +176,12 @@ void take(Contents& c, const lang::Packet65& p, const Reference& r) {
   tsr.Q_FRONT = p.Q_FRONT.raw == 1;
   tsr.V_TSR = p.V_TSR.raw;
   tsr.from_rbc = r.source == Source::rbc;
-  c.overflow = !c.tsr.push_back(tsr) || c.overflow;
+  if (c.tsr.push_back(tsr)) return;
+  cover(c.tsr.back(), tsr);
+  c.lose(65);
 }
 void take(Contents& c, const lang::Packet66& p, const Reference&) {
-  c.overflow = !c.revoked_tsr.push_back(p.NID_TSR.raw) || c.overflow;
+  if (!c.revoked_tsr.push_back(p.NID_TSR.raw)) c.lose(66);  // the restriction stays
 }
 void take(Contents& c, const lang::Packet64&, const Reference&) { c.inhibit_revocable_tsr = true; }
 void take(Contents& c, const lang::Packet141& p, const Reference&) {
@@ -197,7 +199,9 @@ void take(Contents& c, const lang::Packet88& p, const Reference& r) {
     lx.stop_required = p.Q_STOPLX.raw == 1;
     if (lx.stop_required) lx.L_STOPLX = metres(p.Q_SCALE, p.L_STOPLX);
   }
-  c.overflow = !c.lx.push_back(lx) || c.overflow;
+  if (c.lx.push_back(lx)) return;
+  c.lose(88);
+  if (lx.unprotected) c.lose(88, lx.from);
 }
 
 void take(Contents& c, const lang::Packet80& p, const Reference& r) {

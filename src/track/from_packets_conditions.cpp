@@ -136,12 +136,12 @@ void take(Contents& c, const lang::Packet72& p, const Reference& r) {
     t.characters[t.length] = static_cast<char>(x.X_TEXT.raw);
     ++t.length;
   }
-  c.overflow = !c.texts.push_back(t) || c.overflow;
+  if (!c.texts.push_back(t)) c.lose(72);
 }
 void take(Contents& c, const lang::Packet76& p, const Reference& r) {
   Text t = text_of(p, r);
   t.Q_TEXT = p.Q_TEXT.raw;
-  c.overflow = !c.texts.push_back(t) || c.overflow;
+  if (!c.texts.push_back(t)) c.lose(76);
 }
 
 template <class P>

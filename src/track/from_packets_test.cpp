@@ -289,9 +289,73 @@ TEST(FromPackets, MoreThanThereIsRoomForIsSaid) {
   const Written written(p);
   Contents c;
   for (std::size_t i = 0; i < c.revoked_tsr.capacity(); ++i) ASSERT_EQ(add(c, written.view, reference()), Added::added);
-  EXPECT_FALSE(c.overflow);
+  EXPECT_TRUE(c.lost.empty());
   ASSERT_EQ(add(c, written.view, reference()), Added::added);
-  EXPECT_TRUE(c.overflow);
+  ASSERT_EQ(c.lost.size(), 1u);
+  EXPECT_EQ(c.lost[0], 66);
+  EXPECT_FALSE(c.lost_from) << "the restriction stays";
+}
+
+TEST(FromPackets, TheLastRestrictionCoversThoseForWhichThereIsNoRoom) {
+  lang::Packet65 p;
+  p.Q_DIR.raw = 1;
+  p.Q_SCALE.raw = 1;
+  p.L_TSR.raw = 100;
+  p.V_TSR.raw = 16;
+  Contents c;
+  for (std::size_t i = 0; i < c.tsr.capacity(); ++i) {
+    p.NID_TSR.raw = static_cast<std::uint8_t>(i);
+    p.D_TSR.raw = static_cast<std::uint16_t>(1000 + 200 * i);
+    ASSERT_EQ(add(c, Written(p).view, reference()), Added::added);
+  }
+  const Place last_end = c.tsr.back().to;
+  p.D_TSR.raw = 300;
+  p.V_TSR.raw = 6;
+  ASSERT_EQ(add(c, Written(p).view, reference()), Added::added);
+  ASSERT_EQ(add(c, Written(p).view, reference()), Added::added);
+  EXPECT_EQ(c.tsr.back().V_TSR, 6);
+  EXPECT_EQ(c.tsr.back().from, reference().place + Distance{300.0});
+  EXPECT_EQ(c.tsr.back().to, last_end);
+  EXPECT_EQ(c.tsr.back().NID_TSR, 255);
+  ASSERT_EQ(c.lost.size(), 1u) << "one word for a packet kind";
+  EXPECT_EQ(c.lost[0], 65);
+}
+
+TEST(FromPackets, TheNearestLevelCrossingWithoutRoomIsRemembered) {
+  lang::Packet88 p;
+  p.Q_DIR.raw = 1;
+  p.Q_SCALE.raw = 1;
+  p.Q_LXSTATUS.raw = 1;
+  Contents c;
+  const auto at_metre = [&](std::uint16_t D_LX) {
+    p.D_LX.raw = D_LX;
+    ++p.NID_LX.raw;
+    ASSERT_EQ(add(c, Written(p).view, reference()), Added::added);
+  };
+  for (std::size_t i = 0; i < c.lx.capacity(); ++i) at_metre(5000);
+  p.Q_LXSTATUS.raw = 0;
+  at_metre(600);
+  EXPECT_EQ(c.lost.size(), 1u);
+  EXPECT_FALSE(c.lost_from) << "a protected one asks for nothing";
+  p.Q_LXSTATUS.raw = 1;
+  at_metre(900);
+  at_metre(700);
+  at_metre(800);
+  ASSERT_TRUE(c.lost_from);
+  EXPECT_EQ(*c.lost_from, reference().place + Distance{700.0});
+}
+
+TEST(FromPackets, AThirdTextOfOneMessageIsSaid) {
+  lang::Packet76 fixed;
+  fixed.Q_DIR.raw = 1;
+  Contents c;
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(add(c, Written(fixed).view, reference()), Added::added);
+  lang::Packet72 plain;
+  plain.Q_DIR.raw = 1;
+  ASSERT_EQ(add(c, Written(plain).view, reference()), Added::added);
+  ASSERT_EQ(c.lost.size(), 2u);
+  EXPECT_EQ(c.lost[0], 76);
+  EXPECT_EQ(c.lost[1], 72);
 }
 
 }  // namespace

@@ -10,6 +10,11 @@ std::optional<Place> MovementAuthority::SvL() const {
   return end();
 }
 
+Place MovementAuthority::far_end() const {
+  const std::optional<Place> supervised = SvL();
+  return supervised ? *supervised : end();
+}
+
 Release MovementAuthority::release() const {
   if (fixed_release) return *fixed_release;
   if (limited()) return {};

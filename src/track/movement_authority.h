@@ -67,6 +67,8 @@ struct MovementAuthority {
   Place end() const { return sections.back().end; }       ///< EOA or LOA; needs a section
   /// The supervised location (3.8.4.5); absent while an LOA is supervised.
   std::optional<Place> SvL() const;
+  /// How far SSP and gradient have to reach (3.7.2.3): the SvL, of a limited authority the LOA; needs a section.
+  Place far_end() const;
   /// The release speed that goes with the EOA (3.13.9.4.4).
   Release release() const;
   friend constexpr bool operator==(const MovementAuthority&, const MovementAuthority&) = default;

@@ -88,7 +88,7 @@ TEST(RecordedLine, EveryMovementAuthorityIsAcceptedAndCovered) {
       EXPECT_NE(added, Added::faulty) << "seq " << m["seq"] << " packet " << packet.NID_PACKET;
       EXPECT_NE(added, Added::other_direction) << "seq " << m["seq"] << " packet " << packet.NID_PACKET;
     }
-    EXPECT_FALSE(c.overflow);
+    EXPECT_TRUE(c.lost.empty());
     const Here here = front_at(front, 10.0);
     EXPECT_FALSE(advance(d, here).any());
     const Stored stored = store(d, c, here);

@@ -25,4 +25,12 @@ SpeedCode AxleLoadRestriction::speed_for(const TrainCategory& train) const {
   return lowest;
 }
 
+void cover(TemporarySpeedRestriction& kept, const TemporarySpeedRestriction& more) {
+  kept.NID_TSR = 255;
+  kept.Q_FRONT = kept.Q_FRONT && more.Q_FRONT;
+  if (more.V_TSR < kept.V_TSR) kept.V_TSR = more.V_TSR;
+  if (more.from < kept.from) kept.from = more.from;
+  if (more.to > kept.to) kept.to = more.to;
+}
+
 }  // namespace evc::track

@@ -75,6 +75,10 @@ struct TemporarySpeedRestriction {
   friend constexpr bool operator==(const TemporarySpeedRestriction&, const TemporarySpeedRestriction&) = default;
 };
 
+/// Where there is no room for one more: `kept` grows to cover both at the lower speed, never less than asked; it can no
+/// longer be revoked.
+void cover(TemporarySpeedRestriction& kept, const TemporarySpeedRestriction& more);
+
 /// One element of the permitted braking distance profile (packet 52); its speed is computed in sdm.
 struct PermittedBrakingDistance {
   Place from{}, to{};

@@ -1,20 +1,39 @@
 #include "track/store.h"
 
 #include "track/store_parts.h"
+#include "track/withdraw.h"
 
 namespace evc::track {
 namespace {
 
 /// New data of a non-continuous profile: what starts at or beyond the new start goes, what spans it is cut there
-/// (3.7.3.1 c, d, f, g; 3.7.3.2), then the new elements follow. False when not all find room.
+/// (3.7.3.1 c, d, f, g; 3.7.3.2), then the new elements follow. Gives where the first one lies for which there is no
+/// room.
 template <class T, std::size_t N, std::size_t M>
-bool replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
+std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
   stored.erase_if([&](const T& old) { return old.from >= fresh.from; });
   for (T& old : stored)
     if (old.to > fresh.from) old.to = fresh.from;
-  bool room = true;
-  for (const T& element : fresh.elements) room = stored.push_back(element) && room;
-  return room;
+  std::optional<Place> lost;
+  for (const T& element : fresh.elements)
+    if (!stored.push_back(element) && (!lost || element.from < *lost)) lost = element.from;
+  return lost;
+}
+template <class T, std::size_t N, std::size_t M>
+void replace(const Filing& f, std::uint8_t packet, InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
+  if (const std::optional<Place> from = replace(stored, fresh))
+    f.lost(packet, *from, "3.7.3.1");
+  else
+    f.note(packet, Note::What::stored, nullptr);
+}
+
+/// A continuous profile: without room for all of it, it ends at its last step.
+template <class Value, std::size_t N, std::size_t M>
+void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, const Profile<Value, M>& fresh) {
+  if (stored.replace_from(fresh))
+    f.note(packet, Note::What::stored, nullptr);
+  else
+    f.lost(packet, stored.steps.back().from, "3.7.3.1");
 }
 
 // --- speed restrictions
@@ -37,16 +56,8 @@ void store_tsr(const Filing& f) {
     }
     if (tsr.NID_TSR != 255)
       d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == tsr.NID_TSR; });
-    bool room = d.tsr.push_back(tsr);
-    if (!room) {
-      // No room: the last one grows to cover both at the lower speed, never less than asked.
-      TemporarySpeedRestriction& last = d.tsr.back();
-      last.NID_TSR = 255;
-      last.Q_FRONT = last.Q_FRONT && tsr.Q_FRONT;
-      if (tsr.V_TSR < last.V_TSR) last.V_TSR = tsr.V_TSR;
-      if (tsr.from < last.from) last.from = tsr.from;
-      if (tsr.to > last.to) last.to = tsr.to;
-    }
+    const bool room = d.tsr.push_back(tsr);
+    if (!room) cover(d.tsr.back(), tsr);
     f.stored(65, room, "3.11.5");
   }
   if (f.c.default_gradient) {
@@ -65,23 +76,21 @@ void store_level_crossings(const Filing& f) {
         lx.V_LX_from = old.V_LX_from;
       }
     d.lx.erase_if([&](const LevelCrossing& old) { return old.NID_LX == lx.NID_LX; });
-    bool room = d.lx.push_back(lx);
-    if (!room && lx.unprotected) {
-      // No room: a stop at the nearer of the two, which only an own message can lift.
-      LevelCrossing& last = d.lx.back();
-      if (lx.from < last.from || !last.unprotected) last = lx;
-    }
-    f.stored(88, room, "3.12.5");
+    const bool room = d.lx.push_back(lx);
+    if (!room && lx.unprotected)
+      f.lost(88, lx.from, "3.12.5");
+    else
+      f.stored(88, room, "3.12.5");
   }
 }
 
 void store_profiles(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
-  if (c.ssp) f.stored(27, d.ssp.replace_from(*c.ssp), "3.7.3.1");
-  if (c.gradient) f.stored(21, d.gradient.replace_from(*c.gradient), "3.7.3.1");
-  if (c.asp) f.stored(51, replace(d.asp, *c.asp), "3.7.3.1");
-  if (c.pbd) f.stored(52, replace(d.pbd, *c.pbd), "3.7.3.1");
+  if (c.ssp) replace(f, 27, d.ssp, *c.ssp);
+  if (c.gradient) replace(f, 21, d.gradient, *c.gradient);
+  if (c.asp) replace(f, 51, d.asp, *c.asp);
+  if (c.pbd) replace(f, 52, d.pbd, *c.pbd);
   store_tsr(f);
   store_level_crossings(f);
 }
@@ -102,9 +111,11 @@ void store_suitability(const Filing& f) {
       if (item.kind == old.kind) return true;
     return false;
   });
-  bool room = true;
-  for (const RouteSuitability& item : fresh.elements) room = d.suitability.push_back(item) && room;
-  f.stored(70, room, "3.12.2");
+  std::optional<Place> lost;
+  for (const RouteSuitability& item : fresh.elements)
+    if (!d.suitability.push_back(item) && (!lost || item.at < *lost)) lost = item.at;
+  if (lost) return f.lost(70, *lost, "3.12.2");
+  f.note(70, Note::What::stored, nullptr);
 }
 
 void store_adhesion(const Filing& f) {
@@ -113,15 +124,15 @@ void store_adhesion(const Filing& f) {
   fresh.from = f.c.adhesion->from;
   // An area that is not slippery only clears (3.7.3.1 l).
   if (f.c.adhesion->slippery) (void)fresh.elements.push_back(*f.c.adhesion);
-  f.stored(71, replace(f.d.adhesion, fresh), "3.7.3.1");
+  replace(f, 71, f.d.adhesion, fresh);
 }
 
 void store_conditions(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
-  if (c.conditions) f.stored(68, replace(d.conditions, *c.conditions), "3.7.3.1");
-  if (c.big_metal) f.stored(67, replace(d.big_metal, *c.big_metal), "3.7.3.1");
-  if (c.platforms) f.stored(69, replace(d.platforms, *c.platforms), "3.7.3.1");
+  if (c.conditions) replace(f, 68, d.conditions, *c.conditions);
+  if (c.big_metal) f.stored(67, !replace(d.big_metal, *c.big_metal), "3.7.3.1");
+  if (c.platforms) f.stored(69, !replace(d.platforms, *c.platforms), "3.7.3.1");
   if (c.traction) {
     d.traction = c.traction;
     f.note(39, Note::What::stored, nullptr);
@@ -202,6 +213,8 @@ bool matters_to_monitoring(const Contents& c) {
 Stored store(Description& d, const Contents& c, const Here& here, const char* refuse_ma) {
   Stored report;
   const Filing f{d, c, here, report};
+  for (const std::uint8_t packet : c.lost) f.note(packet, Note::What::full, "3.7.3.1");
+  report.lost_from = c.lost_from;
   store_authority(f, refuse_ma);
   store_signalling_speed(f);
   reposition(f);
@@ -209,6 +222,7 @@ Stored store(Description& d, const Contents& c, const Here& here, const char* re
   store_conditions(f);
   store_texts(f);
   store_orders(f);
+  if (report.lost_from) end_before(d, *report.lost_from, here);
   if (matters_to_monitoring(c)) ++d.revision;
   return report;
 }

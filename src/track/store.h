@@ -15,6 +15,8 @@ struct Stored {
   bool ma_accepted = false, ma_refused = false;
   bool shortened = false;   ///< the new MA was a shortening: data beyond the new SvL were deleted (3.8.5.1.3)
   bool trip_order = false;  ///< V_MAIN = 0, not infill (3.11.6.2)
+  /// From here on something that restricts is missing for want of room: the authority was ended there.
+  std::optional<Place> lost_from;
   InplaceVector<Note, 40> notes;
 };
 
@@ -26,7 +28,8 @@ bool complete(const Description& d, const Here& here);
 
 /// Stores what a message brings: shortening first, then the MA if it is complete, then each packet by its rule of
 /// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be taken now (3.10.2.4 pending emergency stop,
-/// 4.8.3 [3] train data not acknowledged), or null. What a full store cannot take is noted, and the data end there.
+/// 4.8.3 [3] train data not acknowledged), or null. What a full store cannot take is noted; where
+/// it restricts the train, authority and track description end there (Stored::lost_from).
 Stored store(Description& d, const Contents& c, const Here& here, const char* refuse_ma = nullptr);
 
 }  // namespace evc::track

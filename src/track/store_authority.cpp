@@ -6,12 +6,6 @@ namespace {
 
 constexpr const char* kIncomplete = "3.7.2.3";
 
-/// Where SSP and gradient have to reach: to the SvL, for an LOA to the LOA.
-Place far_end(const MovementAuthority& ma) {
-  const std::optional<Place> SvL = ma.SvL();
-  return SvL ? *SvL : ma.end();
-}
-
 /// Whether the end-section or overlap timer of the new MA takes over the running one: it does where the new start is
 /// already behind the max safe front end; a timer that does not run counts as expired then (3.8.4.1.3-4, 3.8.4.4.4-5).
 void carry_timer(Timer& fresh, const Timer* old, Place start, const Here& here, bool& expired) {
@@ -93,14 +87,17 @@ void store_mode_profile(const Filing& f) {
   else
     d.mode_profile.clear();
   if (!c.mode_profile) return;
-  bool room = true;
   bool shunting = false;
+  std::optional<Place> lost;
   for (ModeArea area : *c.mode_profile) {
     area.accepted = accepted_before(old, area, f.here);
-    room = d.mode_profile.push_back(area) && room;
+    if (!d.mode_profile.push_back(area) && !lost) lost = area.from;
     shunting = shunting || area.mode == AreaMode::SH;
   }
-  f.stored(80, room, "3.12.4");
+  if (lost)
+    f.lost(80, *lost, "3.12.4");
+  else
+    f.note(80, Note::What::stored, nullptr);
   // The list of a stored SH area goes with it and comes with the new one (3.12.4.4).
   if (shunting) d.sh_list = c.sh_list;
 }
@@ -117,7 +114,7 @@ void refuse_authority(const Filing& f, const char* clause) {
 bool complete(const Description& d, const Contents& c, const Here& here) {
   if (!c.ma || c.ma->sections.empty()) return true;
   const Place from = c.infill ? *c.infill : here.est_front;
-  const Place to = far_end(*c.ma);
+  const Place to = c.ma->far_end();
   const NewStaticSpeedProfile ssp = c.ssp ? *c.ssp : NewStaticSpeedProfile{};
   const NewGradientProfile gradient = c.gradient ? *c.gradient : NewGradientProfile{};
   // What there is no room for would be a hole as well.
@@ -127,7 +124,7 @@ bool complete(const Description& d, const Contents& c, const Here& here) {
 
 bool complete(const Description& d, const Here& here) {
   if (!d.ma) return true;
-  const Place to = far_end(*d.ma);
+  const Place to = d.ma->far_end();
   return d.ssp.covers(here.est_front, to) && d.gradient.covers(here.est_front, to);
 }
 
@@ -147,7 +144,7 @@ void store_authority(const Filing& f, const char* refuse_ma) {
     f.report.shortened = true;
     f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6" : "3.8.5.1.3");
     (void)shorten(d, c.ma_is_shortening_request ? Situation::f_shortening_granted : Situation::b_shortened_ma,
-                  far_end(ma), f.here);
+                  ma.far_end(), f.here);
   }
   d.ma = ma;
   f.report.ma_accepted = true;

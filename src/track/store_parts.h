@@ -21,6 +21,11 @@ struct Filing {
     else
       note(packet, Note::What::full, clause);
   }
+  /// Something of `packet` that restricts from `from` on found no room.
+  void lost(std::uint8_t packet, Place from, const char* clause) const {
+    note(packet, Note::What::full, clause);
+    if (!report.lost_from || from < *report.lost_from) report.lost_from = from;
+  }
 };
 
 /// The MA with its mode profile and list for SH: shortening, completeness, timers (3.8).

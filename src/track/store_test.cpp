@@ -62,6 +62,170 @@ TEST(Store, AFullTsrStoreGrowsItsLastOneToCoverBoth) {
   EXPECT_EQ(d.tsr.back().V_TSR, 4);
 }
 
+/// An authority of 5 km with its description; the train's front end is at 0.
+Description on_the_way() {
+  Description d;
+  EXPECT_TRUE(store(d, whole(5000), front_at(0)).ma_accepted);
+  return d;
+}
+/// What restricts from 3000 m on was not kept: authority and description end there, all before it stays.
+void expect_ended(const Description& d, const Stored& stored, double at_metre = 3000.0) {
+  ASSERT_TRUE(stored.lost_from);
+  EXPECT_EQ(*stored.lost_from, at(at_metre));
+  ASSERT_TRUE(d.ma);
+  EXPECT_EQ(d.ma->end(), at(at_metre));
+  EXPECT_EQ(d.ma->SvL(), at(at_metre));
+  EXPECT_TRUE(complete(d, front_at(0)));
+  EXPECT_FALSE(d.ssp.at(at(at_metre)));
+  EXPECT_FALSE(d.gradient.at(at(at_metre)));
+  EXPECT_TRUE(d.ssp.at(at(at_metre - 1.0)));
+}
+/// `n` elements that begin one behind the other from 100 m on, then one at 3000 and one at 3500 m.
+template <class T>
+Fresh<T> one_behind_the_other(std::size_t n) {
+  Fresh<T> fresh;
+  fresh.from = at(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    T element;
+    element.from = at(i + 2 < n ? 100.0 + static_cast<double>(i) : i + 2 == n ? 3000.0 : 3500.0);
+    element.to = element.from + Distance{1.0};
+    EXPECT_TRUE(fresh.elements.push_back(element));
+  }
+  return fresh;
+}
+/// Fills a store behind the train so that all but two of 30 new elements find room.
+template <class T, std::size_t N>
+void fill(InplaceVector<T, N>& stored, std::size_t fresh) {
+  while (stored.size() + fresh - 2 < N) {
+    T element;
+    element.from = at(-100);
+    element.to = at(-90);
+    ASSERT_TRUE(stored.push_back(element));
+  }
+}
+
+TEST(Store, WhatHasNoRoomAndRestrictsEndsTheAuthorityInFrontOfIt) {
+  const Here here = front_at(0);
+  {
+    Description d = on_the_way();
+    fill(d.asp, 30);
+    Contents c;
+    c.asp = one_behind_the_other<AxleLoadRestriction>(30);
+    expect_ended(d, store(d, c, here));
+  }
+  {
+    Description d = on_the_way();
+    fill(d.pbd, 30);
+    Contents c;
+    c.pbd = one_behind_the_other<PermittedBrakingDistance>(30);
+    expect_ended(d, store(d, c, here));
+  }
+  {
+    Description d = on_the_way();
+    fill(d.conditions, 30);
+    Contents c;
+    c.conditions = one_behind_the_other<TrackCondition>(30);
+    expect_ended(d, store(d, c, here));
+  }
+  {
+    Description d = on_the_way();
+    while (d.lx.size() < d.lx.capacity())
+      ASSERT_TRUE(d.lx.push_back({.from = at(100), .to = at(110), .NID_LX = static_cast<std::uint8_t>(d.lx.size())}));
+    Contents c;
+    ASSERT_TRUE(c.lx.push_back({.from = at(3000), .to = at(3010), .NID_LX = 100, .unprotected = true}));
+    const Stored stored = store(d, c, here);
+    EXPECT_EQ(clause_of(stored, 88), "3.12.5");
+    expect_ended(d, stored);
+    Description other = on_the_way();
+    other.lx = d.lx;
+    c.lx[0].unprotected = false;
+    const Stored of_protected = store(other, c, here);
+    EXPECT_EQ(clause_of(of_protected, 88), "3.12.5");
+    EXPECT_FALSE(of_protected.lost_from) << "a protected one asks for nothing";
+  }
+  {
+    Description d = on_the_way();
+    while (!d.suitability.full()) ASSERT_TRUE(d.suitability.push_back({.at = at(100), .kind = Suitability::gauge}));
+    Contents c;
+    c.suitability.emplace();
+    ASSERT_TRUE(c.suitability->elements.push_back({.at = at(3500), .kind = Suitability::traction}));
+    ASSERT_TRUE(c.suitability->elements.push_back({.at = at(3000), .kind = Suitability::traction}));
+    expect_ended(d, store(d, c, here));
+  }
+  {
+    Description d = on_the_way();
+    while (!d.adhesion.full()) ASSERT_TRUE(d.adhesion.push_back({at(-100), at(-90), true}));
+    Contents c;
+    c.adhesion = AdhesionArea{at(3000), at(3100), true};
+    expect_ended(d, store(d, c, here));
+  }
+  {
+    Description d = on_the_way();
+    Contents c;
+    c.lose(88, at(3000));  // the message itself brought more than there is room for
+    const Stored stored = store(d, c, here);
+    EXPECT_EQ(clause_of(stored, 88), "3.7.3.1");
+    expect_ended(d, stored);
+  }
+}
+
+TEST(Store, WithoutRoomAtTheTrainTheAuthorityEndsAtTheTrain) {
+  Description d = on_the_way();
+  const Here here = front_at(2000);
+  Contents c;
+  c.lose(88, at(1990));
+  store(d, c, here);
+  EXPECT_EQ(d.ma->end(), here.est_front);
+  EXPECT_EQ(d.ma->SvL(), here.max_safe_front);
+  EXPECT_FALSE(d.ssp.at(here.max_safe_front));
+}
+
+TEST(Store, WithoutRoomInTheOverlapTheSvLMoves) {
+  Description d;
+  Contents c = whole(5000);
+  c.ma->overlap = Overlap{};
+  c.ma->overlap->start = at(4000);
+  c.ma->overlap->end = at(5000);
+  c.ma->sections.back().end = at(4500);
+  c.lose(88, at(4800));
+  store(d, c, front_at(0));
+  EXPECT_EQ(d.ma->end(), at(4500));
+  EXPECT_EQ(d.ma->SvL(), at(4800));
+  Contents further;
+  further.lose(88, at(6000));
+  store(d, further, front_at(0));
+  EXPECT_EQ(d.ma->SvL(), at(4800)) << "beyond the authority nothing is lost";
+}
+
+TEST(Store, AProfileWithoutRoomEndsTheAuthority) {
+  Description d = on_the_way();
+  Contents c;
+  c.ssp.emplace();
+  for (std::size_t i = 0; i < c.ssp->steps.capacity(); ++i)
+    c.ssp->append(at(100.0 + 10.0 * static_cast<double>(i)),
+                  StaticSpeed{.V_STATIC = static_cast<SpeedCode>(10 + i % 2)});
+  for (double from = -3000.0; d.ssp.steps.size() + 22 < d.ssp.steps.capacity(); from += 10.0)
+    ASSERT_TRUE(d.ssp.steps.insert(0, {at(-3000.0), StaticSpeed{.V_STATIC = 20}}));
+  const Stored stored = store(d, c, front_at(0));
+  ASSERT_TRUE(stored.lost_from);
+  EXPECT_EQ(d.ma->end(), *stored.lost_from);
+  EXPECT_TRUE(complete(d, front_at(0)));
+}
+
+TEST(Store, WhatDoesNotRestrictIsOnlyTold) {
+  Description d = on_the_way();
+  fill(d.big_metal, 30);
+  fill(d.platforms, 30);
+  Contents c;
+  c.big_metal = one_behind_the_other<BigMetalMass>(30);
+  c.platforms = one_behind_the_other<Platform>(30);
+  const Stored stored = store(d, c, front_at(0));
+  EXPECT_EQ(clause_of(stored, 67), "3.7.3.1");
+  EXPECT_EQ(clause_of(stored, 69), "3.7.3.1");
+  EXPECT_FALSE(stored.lost_from);
+  EXPECT_EQ(d.ma->end(), at(5000));
+}
+
 TEST(Store, AnyTrackConditionReplacesTheWholeFamilyFromItsStart) {  // 3.7.3.1 g
   Description d;
   Contents c;
@@ -183,16 +347,6 @@ TEST(Store, LevelCrossings) {
   c.lx[0].unprotected = false;
   store(d, c, front_at(0));
   EXPECT_FALSE(d.lx[0].unprotected);
-  for (std::uint8_t i = 20; d.lx.size() < d.lx.capacity(); ++i) {
-    lx.NID_LX = i;
-    ASSERT_TRUE(d.lx.push_back(lx));
-  }
-  Contents near;
-  lx.NID_LX = 99;
-  lx.from = at(100);
-  ASSERT_TRUE(near.lx.push_back(lx));
-  EXPECT_EQ(clause_of(store(d, near, front_at(0)), 88), "3.12.5");
-  EXPECT_EQ(d.lx.back().from, at(100)) << "no room: the nearer stop holds";
 }
 
 TEST(Store, TheSameTextIdentityIsRefusedWhileUnacknowledged) {  // 3.12.3.5.3

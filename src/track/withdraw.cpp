@@ -113,11 +113,6 @@ void end_at_train(Description& d, const Here& here) {
   d.ma->fixed_SvL = here.max_safe_front;
 }
 
-Place SvL_or_end(const MovementAuthority& ma) {
-  const std::optional<Place> SvL = ma.SvL();
-  return SvL ? *SvL : ma.end();
-}
-
 // --- timers of the MA
 
 void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
@@ -147,7 +142,7 @@ void run_loa_timer(Description& d, const Here& here, Elapsed& elapsed) {
   ma.loa_timer.running = false;
   elapsed.loa_timeout = true;
   elapsed.track_description_deleted =
-      shorten(d, Situation::n_loa_became_eoa, SvL_or_end(ma), here) || elapsed.track_description_deleted;
+      shorten(d, Situation::n_loa_became_eoa, ma.far_end(), here) || elapsed.track_description_deleted;
 }
 
 void run_overlap_timer(Description& d, const Here& here, Elapsed& elapsed) {
@@ -164,7 +159,7 @@ void run_overlap_timer(Description& d, const Here& here, Elapsed& elapsed) {
   ma.V_LOA = {};
   elapsed.overlap_timeout = true;
   elapsed.track_description_deleted =
-      shorten(d, Situation::d_overlap_timeout, SvL_or_end(ma), here) || elapsed.track_description_deleted;
+      shorten(d, Situation::d_overlap_timeout, ma.far_end(), here) || elapsed.track_description_deleted;
 }
 
 void run_end_section_timer(Description& d, const Here& here, Elapsed& elapsed) {
@@ -255,6 +250,22 @@ std::uint8_t stop_at(Description& d, Place stop, const Here& here) {
   }
   (void)shorten(d, Situation::a_conditional_emergency_stop, stop, here);
   return answer;
+}
+
+void end_before(Description& d, Place place, const Here& here) {
+  if (place <= here.max_safe_front) {
+    (void)shorten(d, Situation::l_rams_supervision, place, here);
+    return;
+  }
+  if (d.ma && place < d.ma->far_end()) {
+    if (place <= d.ma->end()) {
+      end_at(*d.ma, place);
+    } else {
+      d.ma->fixed_SvL = place;
+      d.ma->fixed_release = Release{};
+    }
+  }
+  (void)shorten(d, Situation::b_shortened_ma, place, here);
 }
 
 Elapsed advance(Description& d, const Here& here) {

@@ -33,6 +33,10 @@ bool shorten(Description& d, Situation situation, Place cut, const Here& here, b
 /// or LOA changed, 1: not changed. The caller has checked that the stop is not passed. Deletes per A.3.4 a.
 std::uint8_t stop_at(Description& d, Place stop, const Here& here);
 
+/// Authority and track description end at `place`, or at the train where that is nearer: from there on something is not
+/// known (3.7.2.3).
+void end_before(Description& d, Place place, const Here& here);
+
 /// Events of the running supervision of stored data.
 struct Elapsed {
   bool section_timeout = false, overlap_timeout = false, end_section_timeout = false, loa_timeout = false;
