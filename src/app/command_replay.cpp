@@ -37,22 +37,28 @@ class Lines {
     return std::shared_ptr<Lines>(new Lines(stream));
   }
   ~Lines() {
-    if (stream_ != stdin) std::fclose(stream_);
+    if (stream_ != stdin) (void)std::fclose(stream_);
     std::free(buffer_);
   }
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
   bool next(std::string& line) {
     const auto length = ::getline(&buffer_, &capacity_, stream_);
-    if (length < 0) return false;
+    if (length < 0) {
+      if (std::ferror(stream_) != 0) error_ = errno;
+      return false;
+    }
     line.assign(buffer_, static_cast<std::size_t>(length));
     if (!line.empty() && line.back() == '\n') line.pop_back();
     return true;
   }
+  /// What ended the reading before the end of the file; 0: nothing did.
+  int error() const { return error_; }
 
  private:
   explicit Lines(std::FILE* stream) : stream_(stream) {}
   std::FILE* stream_;
+  int error_ = 0;
   char* buffer_ = nullptr;
   std::size_t capacity_ = 0;
 };
@@ -95,12 +101,16 @@ int replay(const Options& options) {
   if (!lines) return complain(lines.error());
   auto stream = io::InputStream::open(
       options.input, [source = *lines](std::string& line) { return source->next(line); }, std::move(given));
-  if (!stream) return complain(stream.error());
+  const auto cut_off = [&] {
+    return io::Diagnostic{options.input, "", std::strerror((*lines)->error()), "a file that can be read"};
+  };
+  if (!stream) return complain((*lines)->error() != 0 ? cut_off() : stream.error());
   auto out = io::WholeFile::create(options.output);
   if (!out) return complain(out.error());
   const auto replayed = replay_stream(*stream, *out, options);
   const auto written = out->commit();
   if (!replayed) return complain(replayed.error());
+  if ((*lines)->error() != 0) return complain(cut_off());
   if (!written) return complain(written.error());
   return 0;
 }

@@ -190,17 +190,25 @@ Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::
 
 io::Result<bool> write_records(const std::string& folder, const Records& records, const ordered_json& summary,
                                const std::string& page) {
+  const std::string totals = summary.dump(2) + "\n";
+  // The summary last: a folder that has one has everything.
+  const std::pair<const char*, const std::string*> files[] = {{"inputs.jsonl", &records.inputs},
+                                                              {"outputs.jsonl", &records.outputs},
+                                                              {"trace.csv", &records.trace},
+                                                              {"report.html", &page},
+                                                              {"summary.json", &totals}};
+  for (const auto& [name, text] : files)
+    if (const auto written = io::write_whole(folder + "/" + name, *text); !written) return written;
+  return true;
+}
+
+/// Before the drive: hours of simulation are not lost to a folder that cannot be written.
+io::Result<bool> prepare_folder(const std::string& folder) {
+  if (folder.empty()) return true;
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return tl::unexpected(io::Diagnostic{folder, "", error.message(), "a folder that can be written"});
-  const std::pair<const char*, std::string> texts[] = {{"summary.json", summary.dump(2) + "\n"}, {"report.html", page}};
-  for (const auto& [name, text] : texts)
-    if (const auto written = io::write_whole(folder + "/" + name, text); !written) return written;
-  const std::pair<const char*, const std::string*> streams[] = {
-      {"inputs.jsonl", &records.inputs}, {"outputs.jsonl", &records.outputs}, {"trace.csv", &records.trace}};
-  for (const auto& [name, text] : streams)
-    if (const auto written = io::write_whole(folder + "/" + name, *text); !written) return written;
-  return true;
+  return io::can_be_written_in(folder);
 }
 
 int complain(const io::Diagnostic& diagnostic) {
@@ -213,6 +221,7 @@ int run(const Options& options) {
   if (!line) return complain(line.error());
   const auto train = load_train(options);
   if (!train) return complain(train.error());
+  if (const auto folder = prepare_folder(options.output); !folder) return complain(folder.error());
   const auto driver = static_cast<sim::DriverKind>(
       std::find(std::begin(kDriverNames), std::end(kDriverNames), options.driver) - std::begin(kDriverNames));
   sim::World::Settings settings;

@@ -139,7 +139,8 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   telegram.counter = reading.counter;
   telegram.antenna = reading.antenna;
   if (telegram.faulty) tell(outcome, Happened::telegram_not_decoded, header.id, "3.16.1.1");
-  EVC_REQUIRE(open.telegrams.push_back(telegram));  // at most one for each N_PIG
+  const bool room = open.telegrams.push_back(telegram);
+  EVC_REQUIRE(room);  // at most one for each N_PIG
 
   const Link* next = expected(state.linking);
   if (next != nullptr && next->id == header.id) state.linking.detected = true;

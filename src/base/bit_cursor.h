@@ -1,10 +1,14 @@
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 
 namespace evc {
+
+// window() turns eight bytes round in one step.
+static_assert(std::endian::native == std::endian::little);
 
 /// Reads unsigned numbers of 1 to 64 bits from a bit string, most significant bit first and without
 /// alignment (SUBSET-026-8 8.4.1). A read beyond the end gives 0 and makes the reader faulty; so does

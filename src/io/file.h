@@ -30,8 +30,11 @@ class WholeFile {
   std::string file_;
   std::string temporary_;
   std::FILE* stream_ = nullptr;
-  bool failed_ = false;
+  int error_ = 0;  // errno of the first write that failed
 };
+
+/// Whether files can be made in a folder, tried with one that does not stay.
+Result<bool> can_be_written_in(const std::string& folder);
 
 /// Writes a whole file at once.
 Result<bool> write_whole(const std::string& file, std::string_view text);

@@ -259,7 +259,8 @@ void run_radio(Cycle& cycle) {
 void command_brakes(Cycle& cycle) {
   State& s = cycle.state;
   cycle.asked.add(brakes::Cause::trip, s.mode == Mode::TR);
-  cycle.asked.add(brakes::Cause::no_power_or_failure, s.mode == Mode::NP || s.mode == Mode::SF);
+  cycle.asked.add(brakes::Cause::no_power_or_failure,
+                  s.mode == Mode::NP || s.mode == Mode::SF || cycle.facts.safety_fault);
   brakes::Context context;
   context.standstill = cycle.here.standstill;
   context.driver_acknowledges = cycle.facts.acknowledged.has(modes::Ack::brake);

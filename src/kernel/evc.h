@@ -196,10 +196,12 @@ struct Outputs {
 struct State;
 struct Derived;
 
-/// Puts the unit into its state after power-up: mode SB is entered from NP in the first cycle (4.6.3 [4]).
+/// Puts the unit into its state after power-up: mode SB is entered from NP in the first cycle (4.6.3 [4]). With train
+/// data or national values that `train::check` refuses it goes to SF then ([13]).
 void power_up(State& state, Derived& derived, const Config& config) noexcept;
 
-/// One cycle. Total, deterministic, allocation-free; equal (state, inputs) give equal results.
+/// One cycle. Odometry that is not finite or not between its bounds, or a time before the last one's, leads to SF
+/// (4.4.5). Total, deterministic, allocation-free; equal (state, inputs) give equal results.
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept;
 
 }  // namespace evc::kernel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -113,6 +114,48 @@ class Unit : public ::testing::Test {
 TEST_F(Unit, powers_up_into_stand_by) {
   EXPECT_EQ(cycle().mode, modes::Mode::SB);
   EXPECT_TRUE(happened("mode", nullptr));
+}
+
+TEST_F(Unit, fails_safe_on_odometry_that_is_not_sound) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  const std::array<void (*)(Inputs&, double), 5> spoilers{
+      [](Inputs& i, double v) { i.odometry.nominal.from_origin.si = v; },
+      [](Inputs& i, double v) { i.odometry.V_est.si = v; }, [](Inputs& i, double v) { i.odometry.A_est.si = v; },
+      [](Inputs& i, double v) { i.odometry.min.from_origin.si = v; }, [](Inputs& i, double v) { i.now.si = v; }};
+  for (const auto spoil : spoilers)
+    for (const double v : {nan, infinite, -infinite}) {
+      power_up(*state, *derived, config);
+      t = 0.0;
+      cycle();
+      cycle();
+      ASSERT_EQ(out.mode, modes::Mode::SB);
+      spoil(in, v);
+      step(*state, *derived, in, out);
+      EXPECT_EQ(out.mode, modes::Mode::SF);
+      EXPECT_TRUE(out.eb);
+      cycle();
+      EXPECT_EQ(out.mode, modes::Mode::SF) << "until the power is switched off";
+      EXPECT_TRUE(out.eb);
+    }
+  power_up(*state, *derived, config);
+  t = 10.0;
+  cycle();
+  t = 9.0;
+  EXPECT_EQ(cycle().mode, modes::Mode::SF) << "time goes back";
+  in.odometry.min = {{front + 1.0}};
+  power_up(*state, *derived, config);
+  in.now = {100.0};
+  step(*state, *derived, in, out);
+  EXPECT_TRUE(out.eb) << "the nominal counter below its lower bound";
+}
+
+TEST_F(Unit, fails_safe_on_a_configuration_out_of_range) {
+  config.train.L_TRAIN = {-1.0};
+  power_up(*state, *derived, config);
+  cycle();
+  EXPECT_EQ(cycle().mode, modes::Mode::SF);
+  EXPECT_TRUE(out.eb);
 }
 
 TEST_F(Unit, without_power_is_NP_with_the_emergency_brake) {

@@ -371,7 +371,7 @@ void observe_state(Cycle& cycle) {
   f.sleeping = train.sleeping;
   f.non_leading = train.non_leading;
   f.passive_shunting = train.passive_shunting;
-  f.safety_fault = cycle.in.safety_fault;
+  f.safety_fault = f.safety_fault || cycle.in.safety_fault;
   f.level = s.level.level;
   f.requested = s.requested;
   f.selects_exit_SH = cycle.driver.has(Select::exit_shunting);

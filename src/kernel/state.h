@@ -150,6 +150,7 @@ struct State {
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
   bool powered = false;
+  bool configuration_refused = false;  // train data or national values out of their range at power-up
 };
 static_assert(std::is_trivially_copyable_v<State>);
 static_assert(sizeof(State) <= 64 * 1024);

@@ -6,12 +6,24 @@
 #include "kernel/supervise.h"
 #include "track/services.h"
 #include "track/withdraw.h"
+#include "train/brake_model.h"
 
 namespace evc::kernel {
 namespace {
 
 position::Odometry odometry_of(const Odometry& in) {
   return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
+}
+
+/// Not a number and the infinities give none.
+bool finite(double v) { return v - v == 0.0; }
+/// Whether the cycle's time and odometry can be worked with: finite, the bounds around the nominal value, no way back
+/// in time.
+bool sound(const State& s, const Inputs& in) {
+  const Odometry& o = in.odometry;
+  const double sum = in.now.si + o.nominal.from_origin.si + o.min.from_origin.si + o.max.from_origin.si + o.V_est.si +
+                     o.V_min.si + o.V_max.si + o.A_est.si;
+  return finite(sum) && o.min <= o.nominal && o.nominal <= o.max && in.now >= s.now;
 }
 
 /// Timers of the authority, data whose function is over, and what a reaction shortens once the train stands
@@ -71,15 +83,22 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.fitted_levels = config.levels;
   state.train = config.train;
   state.national_values = config.national_values;
+  state.configuration_refused =
+      train::check(config.train) != train::Fault::none || train::check(config.national_values) != train::Fault::none;
 }
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
   begin(outputs);
   Cycle cycle(state, derived, inputs, outputs);
-  state.now = inputs.now;
-
-  position::update(state.position, odometry_of(inputs.odometry), inputs.now);
+  // 4.4.5: without a sound odometer or configuration nothing can be supervised. The last place stays.
+  const bool can_go_on = sound(state, inputs);
+  if (!can_go_on) note(cycle, Event{.subject = "odometry", .what = "not sound", .clause = "4.4.5"});
+  cycle.facts.safety_fault = !can_go_on || state.configuration_refused;
+  if (can_go_on) {
+    state.now = inputs.now;
+    position::update(state.position, odometry_of(inputs.odometry), inputs.now);
+  }
   cycle.here = here(state);
   take_driver_actions(cycle);
 

@@ -1,5 +1,6 @@
 #include "radio/radio.h"
 
+#include <algorithm>
 #include <array>
 
 #include "radio/testing.h"
@@ -75,9 +76,31 @@ TEST(Messages, EveryOneHasItsOwnStamp) {  // 3.16.3.3.2
 TEST(Messages, AFullOutboxSaysSo) {
   Outbox out;
   for (std::size_t i = 0; i < out.messages.capacity(); ++i) out.send(136);
-  EXPECT_FALSE(out.overflow);
+  EXPECT_FALSE(out.lost);
   out.send(136);
-  EXPECT_TRUE(out.overflow);
+  EXPECT_TRUE(out.lost);
+}
+
+TEST(Messages, AnAnswerToAnEmergencyStopFindsRoom) {
+  Outbox out;
+  out.send(147);
+  for (std::size_t i = 1; i < out.messages.capacity(); ++i) out.send(146);
+  const auto answers = [&] {
+    return std::count_if(out.messages.begin(), out.messages.end(),
+                         [](const Intent& i) { return i.NID_MESSAGE == 147; });
+  };
+  out.send(147);
+  out.send(147);
+  EXPECT_EQ(answers(), 3);
+  for (std::size_t i = 0; i < out.messages.capacity(); ++i) out.send(147);
+  EXPECT_EQ(static_cast<std::size_t>(answers()), out.messages.capacity());
+}
+
+TEST(Messages, AStampBecomesATime) {
+  EXPECT_EQ(time_of(1000, Duration{20.0}), Duration{10.0});
+  EXPECT_EQ(time_of(2001, Duration{20.0}), Duration{20.0}) << "never later than now";
+  const Duration late{42949672.95 + 5.0};  // the counter has begun anew
+  EXPECT_NEAR(time_of(0xFFFF'FFF0u, late).si, late.si - 5.15, 0.011);
 }
 
 TEST(Messages, ErrorsAreReportedOneByOne) {  // 3.16.4
