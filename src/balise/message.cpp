@@ -1,5 +1,7 @@
 #include "balise/message.h"
 
+#include "lang/instances.h"
+
 namespace evc::balise {
 namespace {
 
@@ -58,6 +60,19 @@ bool counters_fit(const OpenGroup& open) {
   return true;
 }
 
+/// 8.4.1.4 for the whole message: the telegrams that it is composed of (8.4.1.6), each of which is right by itself.
+bool packets_fit(const OpenGroup& open) {
+  lang::Instances message;
+  for (const Telegram& telegram : open.telegrams) {
+    if (!telegram.used) continue;
+    message.begin_telegram();
+    const lang::TelegramView view = lang::scan_telegram(telegram.span(), telegram.bits, lang::Check::structure);
+    for (const lang::PacketView& packet : view.packets)
+      if (message.add(packet)) return false;
+  }
+  return true;
+}
+
 Direction order_of_reading(const OpenGroup& open) {
   if (open.telegrams.size() < 2) return Direction::unknown;
   return open.telegrams.back().N_PIG > open.telegrams.front().N_PIG ? Direction::nominal : Direction::reverse;
@@ -95,7 +110,7 @@ Examined examine(OpenGroup& open) {
   choose_duplicates(open);
   bool faulty = open.header_mismatch;
   for (const Telegram& telegram : open.telegrams) faulty = faulty || (telegram.used && telegram.faulty);
-  if (faulty)
+  if (faulty || (open.telegrams.size() > 1 && !packets_fit(open)))
     found.content = Finding::invalid_value;
   else if (!counters_fit(open))
     found.content = Finding::counters_differ;

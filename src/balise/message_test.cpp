@@ -45,7 +45,8 @@ One holding(Bits packet, unsigned M_DUP = 0) { return {Is::read, M_DUP, 255, {st
 One counted(unsigned M_MCOUNT, unsigned M_DUP = 0) { return {Is::read, M_DUP, M_MCOUNT, {}}; }
 
 std::vector<Case> cases() {
-  using test::default_information, test::directional, test::inhibition, test::outside_etcs, test::spare;
+  using test::default_information, test::directional, test::inhibition, test::outside_etcs, test::restriction,
+      test::spare;
   const auto F = [](Finding f) { return f; };
   const Finding a = F(Finding::balise_missed), b = F(Finding::balise_not_decoded), c = F(Finding::invalid_value),
                 d = F(Finding::counters_differ);
@@ -64,6 +65,36 @@ std::vector<Case> cases() {
       // 3
       {"spare value", {ok, holding(spare())}, false, false, true, c},
       {"spare duplicate flag", {ok, {Is::read, 3}}, false, false, true, c},
+      // 8.4.1.4: instances of a packet in the telegrams that make up the message
+      {"a packet in two telegrams", {holding(directional(1)), holding(directional(2))}, false, false, true, c},
+      {"a packet in two telegrams, each for one direction",
+       {holding(directional(0)), holding(directional(1))},
+       true,
+       true,
+       false},
+      {"a packet in both telegrams of a pair",
+       {holding(directional(1), 1), holding(directional(1), 2), ok},
+       true,
+       true,
+       false},
+      {"data for others in two telegrams", {holding(outside_etcs(1)), holding(outside_etcs(1))}, true, true, false},
+      {"default information in two telegrams",
+       {holding(default_information()), holding(default_information())},
+       true,
+       true,
+       false},
+      {"two restrictions", {holding(restriction(1)), ok, holding(restriction(2))}, true, true, false},
+      {"two restrictions of one identity",
+       {holding(restriction(2)), ok, holding(restriction(2))},
+       false,
+       false,
+       true,
+       c},
+      {"two restrictions that cannot be revoked",
+       {holding(restriction(255)), holding(restriction(255))},
+       true,
+       true,
+       false},
       // 4, 59
       {"counters equal", {counted(7), counted(7)}, true, true, false},
       {"counters differ", {counted(7), counted(8)}, false, false, true, d},

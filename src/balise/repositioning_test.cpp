@@ -16,7 +16,7 @@ constexpr std::uint16_t kUnknownId = kIdentityUnknown;
 void pass_with(Train& t, double x, std::uint16_t NID_BG, const test::Bits& packet, bool nominal = true) {
   for (unsigned i = 0; i < 2; ++i) {
     test::Balise b{NID_BG, nominal ? i : 1 - i, 1};
-    b.packets = {packet};
+    if (b.N_PIG == 0) b.packets = {packet};
     t.read_at(x + 3 * i, b);
   }
 }

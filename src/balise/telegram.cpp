@@ -25,16 +25,8 @@ std::optional<std::uint8_t> cover_marker(std::span<const std::uint8_t> bytes, st
   return static_cast<std::uint8_t>(bits_at(bytes, at, kMarker));
 }
 
-/// A packet number without a meaning is skipped in a later version Y only (3.17.3.11); in one that is known
-/// it is a spare value (3.16.1.1.1).
-bool is_spare(const lang::PacketView& packet) {
-  constexpr std::uint8_t kLatestY = 1;  // of 1.1 and of 2.1
-  return !packet.known && packet.sv.y <= kLatestY;
-}
-
 void look_at(const lang::PacketView& packet, Telegram& telegram) {
   constexpr std::uint16_t kRepositioning = 16, kOutsideEtcs = 44, kInhibition = 145, kDefault = 254;
-  if (is_spare(packet)) telegram.faulty = true;
   if (packet.NID_PACKET == kDefault) telegram.default_information = true;
   if (packet.NID_PACKET == kInhibition) telegram.inhibits_reaction = true;  // whatever its direction
   if (packet.NID_PACKET == kRepositioning)

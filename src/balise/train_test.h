@@ -41,6 +41,10 @@ inline Bits repositioning(unsigned Q_DIR) { return packet(16, Q_DIR, Bits{}.put(
 /// "Stop if in staff responsible": a packet for one direction or for both.
 inline Bits directional(unsigned Q_DIR) { return packet(137, Q_DIR, Bits{}.put(0, 1)); }
 inline Bits outside_etcs(unsigned Q_DIR) { return packet(44, Q_DIR, Bits{}.put(300, 9)); }
+/// A temporary speed restriction for both directions.
+inline Bits restriction(unsigned NID_TSR) {
+  return packet(65, 2, Bits{}.put(1, 2).put(NID_TSR, 8).put(100, 15).put(100, 15).put(0, 1).put(10, 7));
+}
 inline Bits spare() { return packet(137, 3, Bits{}.put(0, 1)); }
 inline Bits marker(unsigned NID_VBCMK) { return Bits{}.put(0, 8).put(NID_VBCMK, 6); }
 inline Bits old_marker(unsigned NID_VBCMK) { return packet(200, 2, Bits{}.put(NID_VBCMK, 6)); }

@@ -240,7 +240,7 @@ tl::expected<void, TelegramError> append_balise_json(std::string& out, std::span
   if (bits > 830 && bits <= 832) bits = 830;
   if (bits > 830) return tl::unexpected(TelegramError{830, -1, "", {}, "more than the 830 user bits of a telegram"});
   const lang::TelegramView view =
-      lang::scan_telegram(bytes, bits, spare == Spare::refuse ? lang::Check::all : lang::Check::structure);
+      lang::scan_telegram(bytes, bits, spare == Spare::refuse ? lang::Check::reading : lang::Check::structure);
   if (view.fault != Fault::none) return tl::unexpected(error_of(view.at));
   return guarded(out, [&] { return put_telegram(out, bytes, bits, balise_header, view.sv); });
 }
@@ -248,14 +248,14 @@ tl::expected<void, TelegramError> append_balise_json(std::string& out, std::span
 tl::expected<void, TelegramError> append_loop_json(std::string& out, std::span<const std::uint8_t> bytes,
                                                    std::size_t bits, Spare spare) {
   const lang::LoopMessageView view =
-      lang::scan_loop_message(bytes, bits, spare == Spare::refuse ? lang::Check::all : lang::Check::structure);
+      lang::scan_loop_message(bytes, bits, spare == Spare::refuse ? lang::Check::reading : lang::Check::structure);
   if (view.fault != Fault::none) return tl::unexpected(error_of(view.at));
   return guarded(out, [&] { return put_telegram(out, bytes, bits, loop_header, view.sv); });
 }
 
 tl::expected<void, TelegramError> append_radio_json(std::string& out, std::span<const std::uint8_t> bytes,
                                                     Direction direction, SystemVersion sv, Spare spare) {
-  const lang::Check check = spare == Spare::refuse ? lang::Check::all : lang::Check::structure;
+  const lang::Check check = spare == Spare::refuse ? lang::Check::reading : lang::Check::structure;
   std::size_t used = 0;
   FaultAt fault;
   if (direction == Direction::to_train) {

@@ -3,6 +3,7 @@
 #include "kernel/information.h"
 #include "kernel/orders.h"
 #include "lang/decode.h"
+#include "lang/instances.h"
 #include "lang/messages.h"
 #include "lang/si.h"
 #include "modes/active_functions.h"
@@ -146,6 +147,12 @@ bool gather(Information& information, const lang::PacketViews& packets) {
   return true;
 }
 
+/// Packets of version 1.0 that others of the same message stand in for are ignored (6.6.3.2.3 [9], [11], [13]).
+void drop_superseded(Information& information) {
+  const lang::Superseding newer = lang::superseding_in({information.packets.begin(), information.packets.size()});
+  information.packets.erase_if([&](const lang::PacketView& p) { return newer.drops(p); });
+}
+
 /// A group whose telegrams hold more packets together than the unit takes is treated as one whose message is not
 /// consistent (3.16.2.4.4): nothing of it is used.
 void refuse_group(Cycle& cycle, GroupId id) {
@@ -182,6 +189,7 @@ void receive_group(Cycle& cycle, const balise::Group& group) {
     information.sv = view.sv;
     if (!gather(information, view.packets)) return refuse_group(cycle, group.id);
   }
+  drop_superseded(information);
   const Waiting waiting = evaluate(cycle, information);
   if (!waiting.any()) return;
   BufferedSet set = set_of(information, waiting, s);
@@ -248,6 +256,7 @@ void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::spa
   }
   shift_reference(information, view);
   (void)gather(information, view.packets);  // a message has no more than there is room for
+  drop_superseded(information);
   const Waiting waiting = evaluate(cycle, information);
   if (!waiting.any()) return;
   BufferedSet set = set_of(information, waiting, s);
@@ -259,6 +268,10 @@ void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::spa
 void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
   State& s = cycle.state;
   const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s));
+  if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
+    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "unknown", .clause = "3.17.3.11"});
+    return;
+  }
   if (view.fault != lang::Fault::none || bytes.size() > 1024) {
     radio::receive_inconsistent(s.radio);
     note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "rejected", .clause = "3.16.3.1.1"});
@@ -337,6 +350,7 @@ void release_buffer(Cycle& cycle) {
       information.sv = view.sv;
       information.message = &view;
       (void)gather(information, view.packets);  // as many as when it was received
+      drop_superseded(information);
       keep_again(s, set, evaluate(cycle, information));
       continue;
     }
@@ -349,6 +363,7 @@ void release_buffer(Cycle& cycle) {
       (void)gather(information, view.packets);
       at += length;
     }
+    drop_superseded(information);
     keep_again(s, set, evaluate(cycle, information));
   }
 }

@@ -23,7 +23,7 @@ enum class Fault : std::uint8_t {
   unknown_message,           ///< no such message in this version (8.5)
   message_length_mismatch,   ///< L_MESSAGE is not the number of bytes received (8.4.4.4)
   unknown_version,           ///< X of the system version is not known here (3.17.3.5)
-  not_applicable,            ///< information of X = 1 that a unit of X = 2 ignores (6.6.3.2.3, exceptions 11 to 13)
+  not_applicable,            ///< information of X = 1 that a unit of X = 2 ignores (6.6.3.2.3, exceptions 10 to 13)
   not_a_packet_of_this_kind  ///< decode() was asked for another packet than the view is of: a caller's mistake
 };
 

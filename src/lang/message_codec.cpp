@@ -4,6 +4,7 @@
 #include "lang/encode.h"
 #include "lang/message_codec.h"
 #include "lang/messages.h"
+#include "lang/packet_codec.h"
 #include "lang/translate.h"
 
 namespace evc::lang {
@@ -17,9 +18,7 @@ FaultAt read_message(const View& view, M& message, std::size_t* end) {
   codec::read_structure<0>(from, codec::Scope<M, void>{message, nullptr});
   if (end != nullptr) *end = from.in.position();
   if (from.in.faulty()) return {Fault::truncated, from.in.position(), -1, from.in.failed_on(), 0};
-  const bool later = view.sv.x == 2 && view.sv.y > 1;
-  const bool needed = from.spare_variable == var::Q_SCALE::name || from.spare_variable == var::Q_DIR::name;
-  if (from.spare_variable != nullptr && (!later || needed))
+  if (from.spare_variable != nullptr)
     return {Fault::spare_value, from.spare_bit, -1, from.spare_variable, from.spare_value};
   return {};
 }
@@ -31,6 +30,13 @@ constexpr bool is_of(std::uint8_t nid, SystemVersion sv) {
   return nid == M::info.NID_MESSAGE && (version == 0 || (M::info.versions & version) != 0);
 }
 
+/// The same for decode().
+template <class M, class View>
+Fault read_message(const View& view, M& message) {
+  const FaultAt at = read_message(view, message, nullptr);
+  return is_let_through(at, view.sv) ? Fault::none : at.fault;
+}
+
 Fault not_this() { return Fault::not_a_packet_of_this_kind; }
 
 }  // namespace
@@ -39,7 +45,7 @@ Fault not_this() { return Fault::not_a_packet_of_this_kind; }
 template <class M>
 Fault decode(const MessageToTrainView& view, M& message) {
   if (is_of<M>(view.NID_MESSAGE, view.sv)) {
-    const Fault fault = read_message(view, message, nullptr).fault;
+    const Fault fault = read_message(view, message);
     if constexpr (M::info.NID_MESSAGE == 40 || M::info.NID_MESSAGE == 41)
       if (view.sv.x == 1) message.NID_LRBG.raw = 16777215u;
     return fault;
@@ -60,7 +66,7 @@ Fault decode(const MessageToTrainView& view, M& message) {
 }
 template <class M>
 Fault decode(const MessageToTrackView& view, M& message) {
-  return is_of<M>(view.NID_MESSAGE, view.sv) ? read_message(view, message, nullptr).fault : not_this();
+  return is_of<M>(view.NID_MESSAGE, view.sv) ? read_message(view, message) : not_this();
 }
 
 template <class M>

@@ -19,9 +19,10 @@ struct PacketCodec {
 /// The layout of packet `nid` in the known version `version` (one bit); null if there is none.
 const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid);
 
-/// What is wrong after reading `view`, if anything: spare codes of a later Y are no fault, except of
-/// Q_SCALE and Q_DIR, without which nothing can be made of the packet.
+/// What is wrong after reading `view`, if anything.
 FaultAt verdict(const codec::Source& from, const PacketView& view);
+/// Check::reading: a spare code of a later Y, except of Q_SCALE and Q_DIR.
+bool is_let_through(const FaultAt& fault, SystemVersion sv);
 
 /// Reads the packet in exactly the layout of P. False: not sound, and `at` says why.
 template <class P>

@@ -30,7 +30,7 @@ Fault decode(const PacketView& view, P& packet) {
   if (nid == P::info.NID_PACKET && view.direction == P::info.direction &&
       (P::info.versions & known_version(view.sv)) != 0) [[likely]] {
     FaultAt at;
-    return read_packet(view, packet, at) ? Fault::none : at.fault;
+    return read_packet(view, packet, at) || is_let_through(at, view.sv) ? Fault::none : at.fault;
   }
   return decode_at(view, packet).fault;
 }
@@ -41,8 +41,7 @@ FaultAt decode_at(const PacketView& view, P& packet) {
   if (nid == P::info.NID_PACKET && view.direction == P::info.direction && (P::info.versions & version) != 0)
       [[likely]] {
     FaultAt at;
-    (void)read_packet(view, packet, at);
-    return at;
+    return read_packet(view, packet, at) || is_let_through(at, view.sv) ? FaultAt{} : at;
   }
   if (view.direction != P::info.direction)
     return {Fault::not_a_packet_of_this_kind, view.bit, view.NID_PACKET, "NID_PACKET", nid};

@@ -34,6 +34,9 @@ constexpr Versions known_version(SystemVersion sv) {
   return 0;
 }
 
+/// A version Y that came after the ones known here, of a known X (3.17.3.11).
+constexpr bool is_later(SystemVersion sv) { return (sv.x == 1 || sv.x == 2) && sv.y > 1; }
+
 /// A set of the ways information travels.
 using Media = std::uint8_t;
 namespace media {

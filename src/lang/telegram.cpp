@@ -1,26 +1,13 @@
 #include "lang/telegram.h"
 
 #include "lang/codec.h"
+#include "lang/instances.h"
 #include "lang/message_codec.h"
 #include "lang/message_table.h"
 #include "lang/packet_codec.h"
 
 namespace evc::lang {
 namespace {
-
-/// Numbers of 0 to 255.
-struct NumberSet {
-  std::uint64_t words[4]{};
-  constexpr bool has(std::uint8_t n) const { return ((words[n / 64] >> (n % 64)) & 1u) != 0; }
-  constexpr void add(std::uint8_t n) { words[n / 64] |= std::uint64_t{1} << (n % 64); }
-};
-constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
-  NumberSet s;
-  for (const std::uint8_t n : numbers) s.add(n);
-  return s;
-}
-/// 8.4.1.4: may stand several times; the last four are told apart by their content or their group.
-constexpr NumberSet repeatable = set_of({44, 65, 66, 88, 0, 6, 145, 254, 200, 136});
 
 enum class Ending : std::uint8_t { packet_255, padding };
 
@@ -78,39 +65,28 @@ constexpr Field<S, V> field(V S::*member) {
   return {};
 }
 
-/// 8.4.1.4: one instance of a packet per direction; what follows packet 136 refers to another group.
-struct Seen {
-  NumberSet numbers[2]{};
-  [[gnu::always_inline]] bool second(const PacketView& view, std::uint8_t nid) {
-    if (nid == 136) *this = {};
-    if (repeatable.has(nid)) return false;
-    bool twice = false;
-    for (unsigned direction = 0; direction < 2; ++direction)
-      if (view.Q_DIR == 2 || view.Q_DIR == direction) {
-        twice = twice || numbers[direction].has(nid);
-        numbers[direction].add(nid);
-      }
-    return twice;
-  }
-};
+bool is_let_through(const FaultAt& fault, const Frame& frame) {
+  return frame.check == Check::reading && is_let_through(fault, frame.sv);
+}
 
-/// Packets 39, 68 and 70 of X = 1 that stand beside 239, 206, 207 for units of version 1.0 only (6.6.3.2.3
-/// exceptions 9, 11, 13) are not for us.
-void drop_superseded(PacketViews& packets) {
-  NumberSet wire;
-  for (const PacketView& p : packets)
-    wire.add(static_cast<std::uint8_t>(BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8)));
-  if (!wire.has(206) && !wire.has(207) && !wire.has(239)) return;
-  packets.erase_if([&](const PacketView& p) {
-    const std::uint64_t nid = BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8);
-    return (nid == 68 && wire.has(206)) || (nid == 70 && wire.has(207)) || (nid == 39 && wire.has(239));
-  });
+/// What is to be said of a packet besides where it ends.
+FaultAt check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
+                    Instances& instances) {
+  const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
+  const auto fault = [&](Fault f) { return fault_in(f, view.bit, nid, "NID_PACKET", nid); };
+  if (codec == nullptr) return frame.check == Check::all && !is_later(frame.sv) ? fault(Fault::spare_value) : FaultAt{};
+  if (FaultAt at; !codec->check(view, at) && !is_let_through(at, frame)) return at;
+  if (frame.medium != 0 && (codec->info->media & frame.medium) == 0) return fault(Fault::wrong_medium);
+  if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !before.empty() &&
+      before.back().NID_PACKET != 0)
+    return fault(Fault::wrong_place);
+  return instances.add(view) ? fault(Fault::duplicate_packet) : FaultAt{};
 }
 
 /// The packets from bit `at` on; `used` is the bit after the last one (after packet 255).
 FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, std::size_t& used) {
   const Versions version = known_version(frame.sv);
-  Seen seen;
+  Instances instances;
   for (;;) {
     used = at;
     if (frame.end - at < 8) {
@@ -127,20 +103,12 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
     PacketView view{
         nid, 0, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, static_cast<std::uint32_t>(at)};
     if (const FaultAt fault = measure(frame, view, codec)) return fault;
-    if (codec != nullptr && frame.check == Check::all) {
-      if (FaultAt fault; !codec->check(view, fault)) return fault;
-      if (frame.medium != 0 && (codec->info->media & frame.medium) == 0)
-        return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
-      if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !packets.empty() &&
-          packets.back().NID_PACKET != 0)
-        return fault_in(Fault::wrong_place, at, nid, "NID_PACKET", nid);
-      if (seen.second(view, nid)) return fault_in(Fault::duplicate_packet, at, nid, "NID_PACKET", nid);
-    }
+    if (frame.check != Check::structure)
+      if (const FaultAt fault = check_found(frame, view, codec, packets, instances)) return fault;
     view.NID_PACKET = newest_number(nid, version);
     if (!packets.push_back(view)) return fault_in(Fault::too_many_packets, at, nid, "NID_PACKET", nid);
     at += view.L_PACKET;
   }
-  if (version == v1_1) drop_superseded(packets);
   return {};
 }
 
@@ -161,13 +129,12 @@ void set_fault(View& view, const FaultAt& at) {
 /// The header is whole and for this receiver.
 FaultAt check_header(const codec::Source& from, var::Q_UPDOWN Q_UPDOWN, var::M_VERSION M_VERSION, Check check) {
   if (from.in.faulty()) return {Fault::truncated, from.in.position(), -1, from.in.failed_on(), 0};
-  if (Q_UPDOWN.raw != 1 && check == Check::all) return {Fault::wrong_direction, 0, -1, "Q_UPDOWN", Q_UPDOWN.raw};
+  if (Q_UPDOWN.raw != 1 && check != Check::structure) return {Fault::wrong_direction, 0, -1, "Q_UPDOWN", Q_UPDOWN.raw};
   if (const FaultAt at = check_version(M_VERSION)) return at;
   const SystemVersion sv = system_version(M_VERSION.raw);
-  const bool later = sv.x == 2 && sv.y > 1;
-  if (from.spare_variable != nullptr && !later && check == Check::all)
-    return {Fault::spare_value, from.spare_bit, -1, from.spare_variable, from.spare_value};
-  return {};
+  const FaultAt spare{Fault::spare_value, from.spare_bit, -1, from.spare_variable, from.spare_value};
+  if (from.spare_variable == nullptr || check == Check::structure) return {};
+  return check == Check::reading && is_let_through(spare, sv) ? FaultAt{} : spare;
 }
 
 bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
@@ -175,13 +142,11 @@ bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
     if (i == n) return true;
   return false;
 }
-std::uint8_t wire_number(const PacketView& p) {
-  return static_cast<std::uint8_t>(BitReader(p.bytes, p.bytes.size() * 8, p.bit).read(8));
-}
 
 /// 8.4.4: the mandatory packets come first, in their order; the others are on the message's list.
-/// Unknown packets are passed over.
-FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end) {
+/// Unknown packets are passed over, for a train where the message may have others than the mandatory ones (3.17.3.11
+/// c).
+FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check) {
   std::size_t next = 0;
   for (const auto& one_of : rules.required) {
     if (one_of.empty()) continue;
@@ -192,7 +157,8 @@ FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::s
   }
   for (; next < packets.size(); ++next) {
     const std::uint8_t nid = wire_number(packets[next]);
-    if (packets[next].known && !contains(rules.optional, nid))
+    const bool passed_over = !packets[next].known && (check != Check::all || !rules.optional.empty());
+    if (!passed_over && !contains(rules.optional, nid))
       return fault_in(Fault::unexpected_packet, packets[next].bit, nid, "NID_PACKET", nid);
   }
   return {};
@@ -214,10 +180,11 @@ FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersio
   if (view.L_MESSAGE != view.bytes.size()) return {Fault::message_length_mismatch, 8, -1, "L_MESSAGE", view.L_MESSAGE};
   std::size_t at = 0;
   const FaultAt fixed = codec->check(view, at);
-  if (fixed && (check == Check::all || fixed.fault == Fault::truncated)) return fixed;
   const Frame frame{view.bytes, view.bytes.size() * 8, direction, view.sv, 0, Ending::padding, check};
+  const bool readable = check == Check::structure ? fixed.fault != Fault::truncated : is_let_through(fixed, frame);
+  if (fixed && !readable) return fixed;
   if (const FaultAt fault = find_packets(frame, at, view.packets, view.bits_used)) return fault;
-  return check == Check::all ? check_list(*rules, view.packets, view.bits_used) : FaultAt{};
+  return check != Check::structure ? check_list(*rules, view.packets, view.bits_used, check) : FaultAt{};
 }
 
 }  // namespace
@@ -231,7 +198,7 @@ TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits
                  field(&TelegramView::NID_BG), field(&TelegramView::Q_LINK));
   view.sv = system_version(view.M_VERSION.raw);
   FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
-  if (!at && check == Check::all && view.Q_MEDIA.raw != 0) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 1};
+  if (!at && check != Check::structure && view.Q_MEDIA.raw != 0) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 1};
   if (!at) {
     const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::balise, Ending::packet_255, check};
     at = find_packets(frame, from.in.position(), view.packets, view.bits_used);
@@ -247,7 +214,7 @@ LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size
                  field(&LoopMessageView::Q_MEDIA), field(&LoopMessageView::NID_C), field(&LoopMessageView::NID_LOOP));
   view.sv = system_version(view.M_VERSION.raw);
   FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
-  if (!at && check == Check::all && view.Q_MEDIA.raw != 1) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 0};
+  if (!at && check != Check::structure && view.Q_MEDIA.raw != 1) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 0};
   if (!at) {
     const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::loop, Ending::packet_255, check};
     at = find_packets(frame, from.in.position(), view.packets, view.bits_used);
@@ -287,12 +254,12 @@ FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Dire
   if (in.faulty()) return {Fault::truncated, 0, -1, "NID_PACKET", 0};
   const PacketCodec* codec = find_packet_codec(direction, known_version(sv), nid);
   PacketView view{nid, 0, 0, sv, direction, codec != nullptr, bytes, 0};
-  const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::all};
+  const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::reading};
   if (nid == 255) view.L_PACKET = 8;
   if (const FaultAt fault = nid == 255 ? FaultAt{} : measure(frame, view, codec)) return fault;
   FaultAt at;
   if (codec != nullptr) (void)codec->check(view, at);
-  return at;
+  return is_let_through(at, frame) ? FaultAt{} : at;
 }
 
 }  // namespace evc::lang

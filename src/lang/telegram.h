@@ -21,7 +21,7 @@ struct PacketView {
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
   SystemVersion sv{0, 0};      ///< to be set in views made by hand
   Direction direction = Direction::to_train;
-  bool known = false;                   ///< false: skipped by its length, of a later version Y (3.17.3.11)
+  bool known = false;                   ///< false: a number without a meaning here, skipped by its length
   std::span<const std::uint8_t> bytes;  ///< of the whole telegram or message
   std::uint32_t bit = 0;                ///< of NID_PACKET in `bytes`
 };
@@ -93,8 +93,17 @@ struct MessageToTrackView {
 };
 
 /// What is checked beyond what is needed to find the packets.
+///
+/// Of a version Y that is later than the ones known (M_VERSION 2.2 and above) a train skips packets whose number it
+/// does not know (3.17.3.11). Codes that it does not know in packets that it knows are another matter: the clause
+/// speaks of NID_PACKET and NID_MESSAGE only, and a speed or a distance without a meaning cannot be used, so the
+/// message is inconsistent (3.16.1.1.1).
 enum class Check : std::uint8_t {
-  all,        ///< everything 3.16.2, 7.3 and 8.4 say: also the inside of every packet, its media, duplicates
+  /// For a train: everything 3.16.1, 3.16.2, 7.3 and 8.4 say, also the inside of every packet, its media, 8.4.1.4.
+  all,
+  /// For whoever only reads: as `all`, but unknown packets are skipped in every version, and of a later Y spare codes
+  /// are let through, except Q_SCALE and Q_DIR, without which nothing can be made of a packet.
+  reading,
   structure,  ///< only that the packets can be found
 };
 

@@ -117,11 +117,17 @@ TEST(Telegram, UnknownPacketIsSkipped) {
     out.write(0x55, 7);
     encode(out, Packet45{{1}, {7}});
   });
-  const TelegramView t = made.scan();
+  const TelegramView t = made.scan(Check::reading);
   ASSERT_EQ(t.fault, Fault::none);
   ASSERT_EQ(t.packets.size(), 2u);
   EXPECT_FALSE(t.packets[0].known);
   EXPECT_TRUE(t.packets[1].known);
+  // A train knows every number of 2.1 (3.16.1.1.1), but not those of 2.2 (3.17.3.11).
+  EXPECT_EQ(made.scan().fault, Fault::spare_value);
+  EXPECT_EQ(made.scan().at.packet, 99);
+  EXPECT_STREQ(made.scan().at.variable, "NID_PACKET");
+  const Made later([](BitWriter& out) { raw_packet(out, 99, 1, 23); }, 34);
+  EXPECT_EQ(later.scan().fault, Fault::none);
 }
 
 TEST(Telegram, SpareCode) {
@@ -138,16 +144,63 @@ TEST(Telegram, SpareCode) {
   EXPECT_EQ(t.at.value, 121u);
   EXPECT_EQ(t.at.bit, 50u + 23 + 2 + 8 + 15 + 15 + 1);
   EXPECT_EQ(Made(fill).scan(Check::structure).fault, Fault::none);
-  // A later version of the same X: let through (3.17.3.11).
-  EXPECT_EQ(Made(fill, 34).scan().fault, Fault::none);
-  // But not a scale that nothing is known of.
+  // Of a later Y a train still cannot use it; who only reads goes on and finds the code.
+  EXPECT_EQ(Made(fill, 34).scan().fault, Fault::spare_value);
+  EXPECT_EQ(Made(fill).scan(Check::reading).fault, Fault::spare_value);
+  const Made later(fill, 34);
+  const TelegramView reading = later.scan(Check::reading);
+  ASSERT_EQ(reading.fault, Fault::none);
+  Packet65 read;
+  EXPECT_EQ(decode(reading.packets[0], read), Fault::none);
+  EXPECT_EQ(read.V_TSR.raw, 121);
+  // But not a scale or a direction that nothing is known of.
   const auto scale = [](BitWriter& out) {
     Packet65 tsr;
     tsr.Q_DIR.raw = 1;
     tsr.Q_SCALE.raw = 3;
     encode(out, tsr);
   };
-  EXPECT_EQ(Made(scale, 34).scan().fault, Fault::spare_value);
+  for (const Check check : {Check::all, Check::reading})
+    EXPECT_STREQ(Made(scale, 34).scan(check).at.variable, "Q_SCALE");
+  const auto direction = [](BitWriter& out) { encode(out, Packet65{{3}, {1}, {1}, {}, {}, {}, {}}); };
+  for (const Check check : {Check::all, Check::reading})
+    EXPECT_STREQ(Made(direction, 34).scan(check).at.variable, "Q_DIR");
+}
+
+// The same for variables of other kinds: enumerations, conditions, speeds.
+TEST(Telegram, SpareCodesOfALaterVersionByVariable) {
+  struct Case {
+    const char* variable;
+    void (*fill)(BitWriter&);
+  };
+  const Case cases[]{
+      {"V_TSR",
+       [](BitWriter& out) {
+         encode(out, Packet65{{1}, {1}, {1}, {}, {}, {}, {125}});
+       }},
+      {"M_TRACKCOND",
+       [](BitWriter& out) {
+         Packet68 p;
+         p.M_TRACKCOND.raw = 12;
+         encode(out, p);
+       }},
+      {"Q_DIFF",
+       [](BitWriter& out) {
+         Packet27 p;
+         (void)p.diffs.push_back({{3}, {}, {}, {}});
+         encode(out, p);
+       }},
+      {"M_LEVELTR",
+       [](BitWriter& out) {
+         encode(out, Packet41{{1}, {1}, {0}, {7}, {}, {}, {}});
+       }},
+  };
+  for (const Case& c : cases) {
+    const Made now(c.fill), later(c.fill, 35);
+    for (const Check check : {Check::all, Check::reading}) EXPECT_STREQ(now.scan(check).at.variable, c.variable);
+    EXPECT_STREQ(later.scan().at.variable, c.variable);
+    EXPECT_EQ(later.scan(Check::reading).fault, Fault::none) << c.variable;
+  }
 }
 
 TEST(Telegram, Versions) {
@@ -172,6 +225,10 @@ TEST(Telegram, Header) {
   made.room[1] = 1;  // M_DUP 3
   made.room[2] = 0x80;
   EXPECT_EQ(made.scan().fault, Fault::spare_value);
+  EXPECT_EQ(made.scan(Check::structure).fault, Fault::none);
+  made.room[0] = 0x80 | 34;  // 2.2
+  EXPECT_EQ(made.scan().fault, Fault::spare_value);
+  EXPECT_EQ(made.scan(Check::reading).fault, Fault::none);
   EXPECT_EQ(scan_telegram(made.room, 49).fault, Fault::truncated);
   EXPECT_EQ(scan_telegram({}, 0).fault, Fault::truncated);
   EXPECT_STREQ(scan_telegram({}, 0).at.variable, "Q_UPDOWN");
@@ -231,31 +288,6 @@ TEST(Telegram, MediumAndPlace) {
                 .scan()
                 .fault,
             Fault::wrong_place);
-}
-
-// 6.6.3.2.3 exceptions 9, 11, 13: beside 206, 207, 239 the old packets are for other units.
-TEST(Telegram, SupersededPackets) {
-  const Made made(
-      [](BitWriter& out) {
-        Packet68_v1_0 old;
-        old.Q_TRACKINIT.raw = 1;
-        encode(out, old);
-        Packet206 own;
-        own.Q_TRACKINIT.raw = 1;
-        own.D_TRACKINIT.raw = 9;
-        encode(out, own);
-        encode(out, Packet39_v1_0{});
-        encode(out, Packet239{});
-      },
-      17);
-  const TelegramView t = made.scan();
-  ASSERT_EQ(t.fault, Fault::none);
-  ASSERT_EQ(t.packets.size(), 2u);
-  EXPECT_EQ(t.packets[0].NID_PACKET, 68);
-  EXPECT_EQ(t.packets[1].NID_PACKET, 39);
-  Packet68 p;
-  ASSERT_EQ(decode(t.packets[0], p), Fault::none);
-  EXPECT_EQ(p.D_TRACKINIT.raw, 9);
 }
 
 TEST(Telegram, MorePacketsThanCanBeHeld) {
@@ -335,7 +367,7 @@ TEST(Message, Lists) {
                             encode(out, Packet15{});
                             raw_packet(out, 99, 1, 23);
                           })),
-            Fault::none);
+            Fault::spare_value);
   EXPECT_EQ(fault(message(Message3{},
                           [](BitWriter& out) {
                             encode(out, Packet15{});
@@ -343,6 +375,22 @@ TEST(Message, Lists) {
                           })),
             Fault::wrong_medium);
   EXPECT_EQ(fault(message(Message24{}, no_packets)), Fault::none);
+}
+
+// 3.17.3.11 c: where optional packets can be added.
+TEST(Message, UnknownPacketsOfALaterVersion) {
+  const auto unknown = [](BitWriter& out) { raw_packet(out, 99, 1, 23); };
+  const auto general = message(Message24{}, unknown), stop = message(Message16{}, unknown);
+  EXPECT_EQ(scan_message_to_train(general, {2, 2}).fault, Fault::none);
+  EXPECT_EQ(scan_message_to_train(general, {2, 1}).fault, Fault::spare_value);
+  EXPECT_EQ(scan_message_to_train(general, {2, 1}, Check::reading).fault, Fault::none);
+  EXPECT_EQ(scan_message_to_train(stop, {2, 2}).fault, Fault::unexpected_packet);
+  EXPECT_EQ(scan_message_to_train(stop, {2, 2}, Check::reading).fault, Fault::none);
+  // A code without a meaning among the message's own variables.
+  Message2 m;
+  m.Q_SCALE.raw = 3;
+  for (const Check check : {Check::all, Check::reading})
+    EXPECT_STREQ(scan_message_to_train(message(m, no_packets), {2, 2}, check).at.variable, "Q_SCALE");
 }
 
 TEST(Message, LengthAndVersion) {
@@ -394,8 +442,9 @@ TEST(Message, ToTheTrack) {
   // A position report is mandatory.
   const auto bare = message(TrainMessage136{}, no_packets);
   EXPECT_EQ(scan_message_to_track(bare, {2, 1}).fault, Fault::missing_packet);
-  // In version 1.0 packet 5 does not exist: unknown, passed over.
-  EXPECT_EQ(scan_message_to_track(out.bytes(), {1, 0}).fault, Fault::none);
+  // In version 1.0 packet 5 does not exist.
+  EXPECT_EQ(scan_message_to_track(out.bytes(), {1, 0}).fault, Fault::spare_value);
+  EXPECT_EQ(scan_message_to_track(out.bytes(), {1, 0}, Check::reading).fault, Fault::none);
 }
 
 TEST(CheckPacket, Alone) {

@@ -369,14 +369,15 @@ bool translate(const Packet140_v1_0& from, Packet140& to) {
   to.Q_DIR = from.Q_DIR;
   // [10]: digits F move to the right.
   std::uint32_t number = 0xFFFFFFFFu;
-  for (unsigned i = 0, places = 0; i < 8; ++i) {
+  unsigned places = 0;
+  for (unsigned i = 0; i < 8; ++i) {
     const std::uint32_t digit = (from.NID_OPERATIONAL.raw >> (28 - 4 * i)) & 15u;
     if (digit == 15u) continue;
     const unsigned shift = 28 - 4 * places++;
     number = (number & ~(15u << shift)) | (digit << shift);
   }
   to.NID_OPERATIONAL.raw = number;
-  return true;
+  return places > 0;  // "unknown" has no code in X = 2
 }
 
 namespace {

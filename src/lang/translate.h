@@ -33,7 +33,7 @@ EVC_OLDER_FORMS(Packet80, Packet80_v1_0)
 EVC_OLDER_FORMS(Packet140, Packet140_v1_0)
 #undef EVC_OLDER_FORMS
 
-/// 6.6.3.2.3. False: a unit of X = 2 ignores the packet (exceptions 11 to 13).
+/// 6.6.3.2.3. False: a unit of X = 2 ignores the packet (exceptions 10 to 13).
 bool translate(const Packet200& from, Packet0& to);
 /// Q_NVSRBKTRG stands in the place of Q_NVSBTSMPERM. V_NVLIMSUPERV and Q_NVLOCACC get their defaults
 /// (A.3.2; exception 1a), as do the values of packet 203, which append() sets. Whether values stored

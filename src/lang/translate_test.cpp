@@ -255,6 +255,9 @@ TEST(Translate, SmallOnes) {
   Packet140 p140;
   ASSERT_EQ(through(number, p140), Fault::none);
   EXPECT_EQ(p140.NID_OPERATIONAL.raw, 0x12345FFFu);
+  // "Unknown" has no code in X = 2.
+  number.NID_OPERATIONAL.raw = 0xFFFFFFFF;
+  EXPECT_EQ(through(number, p140), Fault::not_applicable);
 }
 
 // 6.6.3.4.5

@@ -1,0 +1,111 @@
+#include "lang/instances.h"
+
+#include "base/bit_cursor.h"
+
+namespace evc::lang {
+namespace {
+
+constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
+  NumberSet s;
+  for (const std::uint8_t n : numbers) s.add(n);
+  return s;
+}
+// 8.4.1.4.1, .6 to .8 (200 is packet 0 of version 1.1)
+constexpr NumberSet may_repeat = set_of({44, 254, 145, 0, 200});
+
+/// `bits` bits of a packet, from the `from`-th one of it.
+std::uint64_t bits_of(const PacketView& packet, unsigned from, unsigned bits) {
+  const std::size_t end = packet.bit + packet.L_PACKET;
+  return BitReader(packet.bytes, end, packet.bit + from).read(bits);
+}
+constexpr unsigned header = 8 + 2 + 13;  // NID_PACKET, Q_DIR, L_PACKET
+
+/// Identities of packets 65 and 88 (behind Q_SCALE) and 66.
+std::uint8_t identity(const PacketView& packet, unsigned from) {
+  return static_cast<std::uint8_t>(bits_of(packet, from, 8));
+}
+constexpr std::uint8_t not_revocable = 255;  // NID_TSR
+
+}  // namespace
+
+std::uint8_t wire_number(const PacketView& packet) {
+  return static_cast<std::uint8_t>(BitReader(packet.bytes, packet.bytes.size() * 8, packet.bit).read(8));
+}
+
+bool Instances::ByDirection::add(std::uint8_t Q_DIR, std::uint8_t number) {
+  bool again = false;
+  for (unsigned direction = 0; direction < 2; ++direction) {
+    if (Q_DIR != 2 && Q_DIR != direction) continue;
+    again = again || numbers[direction].has(number);
+    numbers[direction].add(number);
+  }
+  return again;
+}
+
+/// 8.4.1.4.4.
+bool Instances::add_location(const PacketView& packet) {
+  bool wrong = false;
+  const unsigned length = packet.L_PACKET - header;  // 15 or 25 bits: Q_NEWCOUNTRY, NID_C if it is 1, NID_BG
+  const std::uint64_t content = bits_of(packet, header, length) | std::uint64_t{1} << length;
+  for (unsigned direction = 0; direction < 2; ++direction) {
+    if (packet.Q_DIR != 2 && packet.Q_DIR != direction) continue;
+    wrong = wrong || ((infill_for_ >> direction) & 1u) != 0;
+    wrong = wrong || (location_[direction] != 0 && location_[direction] != content);
+    location_[direction] = content;
+    infill_for_ = static_cast<std::uint8_t>(infill_for_ | 1u << direction);
+  }
+  infill_ = true;
+  return wrong;
+}
+
+/// 8.4.1.4.9. More covers than there is room for are taken for one too many.
+bool Instances::add_cover(const PacketView& packet) {
+  const auto identity = static_cast<std::uint32_t>(bits_of(packet, header + 1, 6 + 10));
+  for (const std::uint32_t other : covers_) {
+    const std::uint32_t Q_DIR = other >> 16;
+    if ((other & 0xFFFFu) == identity && (Q_DIR == packet.Q_DIR || Q_DIR == 2 || packet.Q_DIR == 2)) return true;
+  }
+  return !covers_.push_back(std::uint32_t{packet.Q_DIR} << 16 | identity);
+}
+
+bool Instances::add(const PacketView& packet) {
+  if (!packet.known) return false;
+  const std::uint8_t nid = wire_number(packet);
+  if (packet.direction == Direction::to_track) return nid != 44 && packets_[0].add(2, nid);  // 8.4.1.5
+  switch (nid) {
+    case 65: {
+      const std::uint8_t NID_TSR = identity(packet, header + 2);
+      return NID_TSR != not_revocable && restrictions_.add(packet.Q_DIR, NID_TSR);
+    }
+    case 66:
+      return revocations_.add(packet.Q_DIR, identity(packet, header));
+    case 88:
+      return crossings_.add(packet.Q_DIR, identity(packet, header + 2));
+    case 6:
+      return add_cover(packet);
+    case 136:
+      return add_location(packet);
+    default:
+      return !may_repeat.has(nid) && packets_[infill_ ? 1 : 0].add(packet.Q_DIR, nid);
+  }
+}
+
+bool Superseding::drops(const PacketView& packet) const {
+  if (packet.sv.x != 1) return false;
+  const std::uint8_t nid = wire_number(packet);
+  return (nid == 68 && p206) || (nid == 70 && p207) || (nid == 39 && p239);
+}
+
+Superseding superseding_in(std::span<const PacketView> message) {
+  Superseding found;
+  for (const PacketView& packet : message) {
+    if (known_version(packet.sv) != v1_1) continue;
+    const std::uint8_t nid = wire_number(packet);
+    found.p206 = found.p206 || nid == 206;
+    found.p207 = found.p207 || nid == 207;
+    found.p239 = found.p239 || nid == 239;
+  }
+  return found;
+}
+
+}  // namespace evc::lang
