@@ -12,12 +12,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(found.fault == lang::Fault::none && found.packets.size() == all.packets.size());
     for (const lang::PacketView& view : all.packets) fuzz::check_view(view, true);
   }
-  for (const lang::PacketView& view : found.packets) fuzz::check_view(view, false);
+  if (all.fault != lang::Fault::none)
+    for (const lang::PacketView& view : found.packets) fuzz::check_view(view, false);
+  const lang::LoopMessageView loop = lang::scan_loop_message(bytes, bits);
+  if (loop.fault == lang::Fault::none)
+    for (const lang::PacketView& view : loop.packets) fuzz::check_view(view, true);
+  if (!fuzz::is_told(bytes)) return 0;
+  const bool readable = lang::scan_telegram(bytes, bits, lang::Check::reading).fault == lang::Fault::none;
+  fuzz::require(readable || all.fault != lang::Fault::none);
   io::explain_balise(bytes, bits);
   for (const io::Spare spare : {io::Spare::refuse, io::Spare::accept}) {
     std::string json;
     if (io::append_balise_json(json, bytes, bits, spare)) {
-      fuzz::require(spare == io::Spare::accept || all.fault == lang::Fault::none);
+      fuzz::require(spare == io::Spare::accept || readable);
       const auto encoded = io::encode_balise_json(nlohmann::json::parse(json));
       fuzz::require(encoded.has_value());
       std::string again;
@@ -28,8 +35,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (io::append_loop_json(json, bytes, bits, spare))
       fuzz::require(io::encode_loop_json(nlohmann::json::parse(json)).has_value());
   }
-  const lang::LoopMessageView loop = lang::scan_loop_message(bytes, bits);
-  if (loop.fault == lang::Fault::none)
-    for (const lang::PacketView& view : loop.packets) fuzz::check_view(view, true);
   return 0;
 }
