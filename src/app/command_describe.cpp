@@ -18,7 +18,7 @@ struct Options {
 
 int print(const std::string& text, const std::string& what, const std::string& id) {
   if (text.empty()) {
-    fmt::print(stderr, "describe {}: {}: not found\n", what, id);
+    fmt::print(stderr, "describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
     return 2;
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
