@@ -254,6 +254,13 @@ void build_segments(Segments& out, const CompensatedGradient& gradient, const Tr
   }
 }
 
+Acceleration highest(const std::array<Bands, Decelerations::kStages>& stages, std::size_t count) {
+  Acceleration A{};
+  for (std::size_t i = 0; i < count; ++i)
+    for (const Band& b : stages[i]) A = std::max(A, b.A[0]);
+  return A;
+}
+
 }  // namespace
 
 void determine(Decelerations& out, const train::TrainData& t, const train::NationalValues& values,
@@ -291,6 +298,8 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
     out.normal_service[i].clear();
     if (values.Q_NVGUIPERM) out.normal_service[i] = guidance_bands(t, A.steps.front().value);
   }
+  out.highest_safe = highest(out.safe, emergency.size());
+  out.highest_expected = highest(out.expected, service.size());
   build_segments(out.segments, compensated_gradient(gradient, t.L_TRAIN, false), c, t, fixed, emergency, service);
   out.segments_for_TSR.clear();
   if (gradient.default_for_TSR.has_value())

@@ -85,6 +85,7 @@ struct Decelerations {
   std::array<Bands, kStages> safe, expected, normal_service;  // empty normal_service: no GUI
   Segments segments;                                          // never empty; the first one also holds before its start
   Segments segments_for_TSR;                                  // with the default gradient; empty: the same
+  Acceleration highest_safe{}, highest_expected{};            // of all bands, without gradient
   bool truncated = false;
 
   const Bands& bands(CurveKind kind, const Segment& s) const;

@@ -19,6 +19,7 @@ Duration reduced_T_bs(const Derived& d, const Target& target, const train::Build
   const Speed Vt = stop ? Speed{0.0} : target.V_target;
   if (stop ? a.V.si <= 0.0 : a.V <= Vt) return std::min(b.T_bs, b.T_bs_react);
   Ramp r{.T = b.T_bs, .T_react = b.T_bs_react, .v0 = a.V, .V_target = Vt, .stop = stop};
+  if (const auto T = build_up_time_settled(r, d.decelerations.highest_expected)) return *T;
   r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
                            std::min(fronts.est, end), std::min(Vt, a.V), std::max(Vt, a.V));
   return reduced_build_up_time(r);
@@ -41,6 +42,7 @@ Duration reduced_T_be(const Derived& d, const Target& target, const train::Build
          .A_est2 = a.A_est2};
   r.T_traction_max = T_traction_with(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed);
   r.T_traction_min = T_traction_with(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed);
+  if (const auto T = build_up_time_settled(r, d.decelerations.highest_safe)) return *T;
   const Place end = target.d_target;
   r.A = deceleration_range(d.decelerations, CurveKind::EBD, target.due_to_TSR, std::min(fronts.est, end), end,
                            std::min(fronts.min_safe, end), Vt, std::max(Vt, V_bec));
@@ -54,9 +56,10 @@ Speed V_delta0_41(const Derived& d, Speed V) { return d.Q_NVINHSMICPERM ? Speed{
 TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked) {
   const train::BuildUpTimes& full = target.zero ? d.cm0 : d.cmt;
   TargetTimes t;
-  t.EBD = times(d.time_config, full, asked.feedback, d.rules, d.fixed);
-  t.SBD = t.EBD;
-  if (!d.rules.reduced_build_up || !asked.reduced_from.has_value()) return t;
+  if (!d.rules.reduced_build_up || !asked.reduced_from.has_value()) {
+    t.EBD = t.SBD = times(d.time_config, full, asked.feedback, d.rules, d.fixed);
+    return t;
+  }
   train::BuildUpTimes reduced = full;
   train::BuildUpTimes reduced_SBD = full;
   // 3.13.6.3.2.5: only without feedback. The service brake first: T_traction needs its time.
@@ -65,10 +68,12 @@ TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, 
     if (target.kind == TargetKind::EOA_SvL)
       reduced_SBD.T_bs = reduced_T_bs(d, target, full, a, target.d_EOA, *asked.reduced_from);
   }
-  const Times unreduced_be = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
-  reduced.T_be = reduced_T_be(d, target, full, a, unreduced_be, *asked.reduced_from);
-  t.EBD = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
-  t.SBD = times(d.time_config, reduced_SBD, asked.feedback, d.rules, d.fixed);
+  t.EBD = t.SBD = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
+  reduced.T_be = reduced_T_be(d, target, full, a, t.EBD, *asked.reduced_from);
+  // T_be is in T_berem and in nothing else.
+  t.EBD.T_be = reduced.T_be;
+  t.EBD.T_berem = std::max(t.EBD.T_be - t.EBD.T_traction, Duration{0.0});
+  if (target.kind == TargetKind::EOA_SvL) t.SBD = times(d.time_config, reduced_SBD, asked.feedback, d.rules, d.fixed);
   t.reduced_be = reduced.T_be < full.T_be;
   t.reduced_bs = reduced.T_bs < full.T_bs || reduced_SBD.T_bs < full.T_bs;
   return t;

@@ -779,6 +779,85 @@ TEST(ReducedBuildUp, AgreesWithTheRampAndStepModelsInSmallSteps) {
   EXPECT_GT(reduced, 20);
 }
 
+/// What is said before the track was looked at is what the track says, for every brake that is not stronger.
+TEST(ReducedBuildUp, WhatIsSettledEarlyIsWhatTheTrackSays) {
+  int settled = 0;
+  int open = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Dice dice(static_cast<std::uint64_t>(i));
+    Ramp r{.T = {dice.real(0.5, 8.0)}, .T_react = {dice.real(0.1, 2.0)}, .v0 = {dice.real(0.0, 40.0)}};
+    r.stop = dice.chance(0.3);
+    r.V_target = {dice.real(0.0, 40.0)};
+    r.A_est1 = {dice.real(0.0, 0.9)};
+    r.A_est2 = {std::min(r.A_est1.si, 0.4)};
+    r.T_traction_min = {dice.real(0.0, 3.0)};
+    r.T_traction_max = {r.T_traction_min.si + dice.real(0.0, 1.0)};
+    const double highest = dice.real(0.2, 1.3);
+    const std::optional<Duration> early = build_up_time_settled(r, {highest});
+    (early.has_value() ? settled : open) += 1;
+    if (!early.has_value()) continue;
+    for (const double weaker : {1.0, 0.7, 0.1, 0.0}) {
+      r.A = {{highest * weaker}, {highest}};
+      ASSERT_EQ(reduced_build_up_time(r), *early) << i;
+    }
+  }
+  EXPECT_GT(settled, 1000);
+  EXPECT_GT(open, 10);
+}
+
+/// Every segment and every band looked at by itself.
+DecelerationRange range_by_cells(const Decelerations& d, CurveKind kind, Place from, Place to, Place reduced_from,
+                                 Speed low, Speed high) {
+  DecelerationRange range{{1e9}, {-1e9}};
+  const Segments& s = d.segments;
+  const auto meets = [&](std::size_t i, Place a, Place b) {
+    return (i + 1 == s.size() || s[i + 1].from > a) && (i == 0 || s[i].from <= b);
+  };
+  bool reduced = false;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    reduced = reduced || (s[i].reduced_adhesion && meets(i, std::min(from, reduced_from), to));
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (!meets(i, from, to)) continue;
+    double w_from = -1.0;
+    for (const Band& b : d.bands(kind, s[i])) {
+      if (b.w_upto.si >= low.si * low.si && w_from < high.si * high.si) {
+        range.A_brake_min = std::min(range.A_brake_min, b.A[reduced ? 1 : 0]);
+        range.A_max = std::max(range.A_max, deceleration(b, s[i]));
+      }
+      w_from = b.w_upto.si;
+    }
+  }
+  return range;
+}
+TEST(ReducedBuildUp, RangeOfDecelerationsOverPlacesAndSpeeds) {
+  for (int i = 0; i < 1000; ++i) {
+    RandomCase c = random_case(static_cast<std::uint64_t>(i), SrsVersion::v4_0_0);
+    Dice dice(static_cast<std::uint64_t>(i) + 900);
+    c.in.conditions.regenerative_off = Place{{dice.real(0.0, 3000.0)}};
+    const auto d = built(c.in);
+    for (int n = 0; n < 10; ++n) {
+      const Place from{{dice.real(-3000.0, 6000.0)}};
+      const Place to = from + Distance{dice.real(0.0, 4000.0)};
+      const Place reduced_from = from - Distance{dice.real(-100.0, 300.0)};
+      const Speed low{dice.real(0.0, 40.0)};
+      const Speed high = low + Speed{dice.real(0.0, 30.0)};
+      for (const CurveKind kind : {CurveKind::EBD, CurveKind::SBD}) {
+        const DecelerationRange r =
+            deceleration_range(d->decelerations, kind, false, from, to, reduced_from, low, high);
+        const DecelerationRange expected = range_by_cells(d->decelerations, kind, from, to, reduced_from, low, high);
+        ASSERT_EQ(r.A_brake_min, expected.A_brake_min) << i;
+        ASSERT_EQ(r.A_max, expected.A_max) << i;
+      }
+    }
+  }
+}
+
+TEST(Decelerations, TheHighestOfAllBands) {
+  const auto d = built(simple_inputs());
+  EXPECT_EQ(d->decelerations.highest_safe.si, 1.0);
+  EXPECT_EQ(d->decelerations.highest_expected.si, 0.8);
+}
+
 TEST(ReducedBuildUp, LimitsOf400) {
   Inputs in = simple_inputs(SrsVersion::v4_0_0);
   set_EOA(in, 4900.0, 5000.0);

@@ -5,7 +5,18 @@
 namespace evc::sdm {
 namespace {
 
-Acceleration lowest(Acceleration a, Acceleration b) { return std::min(a, b); }
+/// V_t1 of A.3.12.3: when the brake begins to act.
+double speed_before_ramp(const Ramp& r) {
+  const double t_max = r.T_traction_max.si;
+  const double react = r.T_react.si;
+  return r.v0.si + r.A_est1.si * std::min(t_max, react) + r.A_est2.si * std::max(react - t_max, 0.0);
+}
+/// V_t2 of A.3.12.4: when the brake has its full effort `A`.
+double speed_after_ramp(const Ramp& r, double A) {
+  const double t2 = 2.0 * r.T.si - r.T_react.si;
+  const double t_max = r.T_traction_max.si;
+  return std::max(0.0, r.v0.si + r.A_est1.si * t_max + r.A_est2.si * (t2 - t_max) - A * (t2 - r.T_react.si) / 2.0);
+}
 
 }  // namespace
 
@@ -15,20 +26,27 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
   const SpeedSquared w_low = V_low * V_low;
   const SpeedSquared w_high = V_high * V_high;
   DecelerationRange range{{1e9}, {-1e9}};
+  const std::size_t n = segments.size();
+  const auto contains = [&](std::size_t i, Place x) { return i + 1 == n || segments[i + 1].from > x; };
   bool reduced = false;
-  const auto begins = [&](std::size_t i) { return i == 0 ? Place{{-1e18}} : segments[i].from; };
-  const auto ends = [&](std::size_t i) { return i + 1 < segments.size() ? segments[i + 1].from : Place{{1e18}}; };
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    if (segments[i].reduced_adhesion && ends(i) > std::min(from, reduced_from) && begins(i) <= to) reduced = true;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (ends(i) <= from && i + 1 < segments.size()) continue;
-    if (begins(i) > to && i > 0) break;
-    const Bands& bands = d.bands(kind, segments[i]);
+  for (std::size_t i = 0; i < n && (i == 0 || segments[i].from <= to); ++i)
+    reduced = reduced || (segments[i].reduced_adhesion && contains(i, std::min(from, reduced_from)));
+  std::size_t i = 0;
+  while (!contains(i, from)) ++i;
+  while (i < n && (i == 0 || segments[i].from <= to)) {
+    // Segments in a row with the same bands: of them the steepest rise counts. EBD and SBD have no Kn.
+    const Segment& first = segments[i];
+    const Bands& bands = d.bands(kind, first);
+    Segment steepest = first;
+    for (++i; i < n && segments[i].from <= to && &d.bands(kind, segments[i]) == &bands &&
+              segments[i].reduced_adhesion == first.reduced_adhesion;
+         ++i)
+      steepest.A_gradient = std::max(steepest.A_gradient, segments[i].A_gradient);
     SpeedSquared w_from{-1.0};
     for (const Band& b : bands) {
       if (b.w_upto >= w_low && w_from < w_high) {
-        range.A_brake_min = lowest(range.A_brake_min, b.A[reduced ? 1 : 0]);
-        range.A_max = std::max(range.A_max, deceleration(b, segments[i]));
+        range.A_brake_min = std::min(range.A_brake_min, b.A[reduced ? 1 : 0]);
+        range.A_max = std::max(range.A_max, deceleration(b, steepest));
       }
       w_from = b.w_upto;
     }
@@ -36,7 +54,24 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
   return range;
 }
 
+std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest) {
+  const double Vt = r.stop ? 0.0 : r.V_target.si;
+  const double t2 = 2.0 * r.T.si - r.T_react.si;  // A.3.12.2.1
+  const double incr = t2 - r.T_react.si;
+  if (incr <= 0.0) return r.T;
+  if (speed_before_ramp(r) <= Vt) return std::min(r.T, r.T_react);  // A.3.12.3
+  // A.3.12.4. Rounding is monotonous: a weaker brake never ends the ramp at a lower speed.
+  const double V_t2 = speed_after_ramp(r, A_highest.si);
+  if (r.stop ? V_t2 > 0.0 : V_t2 >= Vt) return r.T;
+  return std::nullopt;
+}
+
 Duration reduced_build_up_time(const Ramp& r) {
+  const double A_B = r.A.A_brake_min.si;
+  const double A_max = r.A.A_max.si;
+  const std::optional<Duration> settled = build_up_time_settled(r, r.A.A_brake_min);
+  if (settled.has_value()) return *settled;
+  if (A_B <= 0.0 || A_max <= 0.0) return r.T;
   const double T = r.T.si;
   const double react = r.T_react.si;
   const double v0 = r.v0.si;
@@ -44,18 +79,8 @@ Duration reduced_build_up_time(const Ramp& r) {
   const double a1 = r.A_est1.si;
   const double a2 = r.A_est2.si;
   const double t_max = r.T_traction_max.si;
-  const double A_B = r.A.A_brake_min.si;
-  const double A_max = r.A.A_max.si;
-  const double t2 = 2.0 * T - react;  // A.3.12.2.1
+  const double t2 = 2.0 * T - react;
   const double incr = t2 - react;
-  if (incr <= 0.0) return r.T;
-  // A.3.12.3: speed when the ramp begins.
-  const double V_t1 = v0 + a1 * std::min(t_max, react) + a2 * std::max(react - t_max, 0.0);
-  if (r.stop ? V_t1 <= 0.0 : V_t1 <= Vt) return std::min(r.T, r.T_react);
-  if (A_B <= 0.0 || A_max <= 0.0) return r.T;
-  // A.3.12.4: speed when it ends.
-  const double V_t2 = std::max(0.0, v0 + a1 * t_max + a2 * (t2 - t_max) - A_B * incr / 2.0);
-  if (r.stop ? V_t2 > 0.0 : V_t2 >= Vt) return r.T;
   // A.3.12.5: when the target speed is reached on the ramp; react + x.
   const double B = std::max(0.0, v0 - Vt) + a1 * t_max + a2 * (react - t_max);
   const double root = a2 * a2 + 2.0 * A_B * B / incr;

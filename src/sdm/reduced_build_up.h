@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "base/units.h"
 #include "sdm/deceleration.h"
 #include "sdm/limits.h"
@@ -28,6 +30,10 @@ struct Ramp {
   Duration T_traction_max{}, T_traction_min{};
   DecelerationRange A{};
 };
+/// The same where A.3.12.3 and .4 decide it already for the strongest deceleration of the brake anywhere: the track
+/// between train and target need not be looked at then.
+std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest);
+
 /// T_be_reduced or T_bs_reduced; never more than T.
 Duration reduced_build_up_time(const Ramp& r);
 
