@@ -30,6 +30,17 @@ TEST(BitCursor, FastReaderEqualsTheBitByBitOne) {
   }
 }
 
+TEST(BitCursor, TheBitByBitReaderEndsWhereTheFastOneDoes) {
+  const std::array<std::uint8_t, 2> bytes{0xFF, 0xFF};
+  BitReader fast(bytes, 12), slow(bytes, 12);
+  EXPECT_EQ(fast.read(9), slow.read_bit_by_bit(9));
+  EXPECT_EQ(fast.read(4, "x"), 0u);
+  EXPECT_EQ(slow.read_bit_by_bit(4, "x"), 0u);
+  EXPECT_TRUE(fast.faulty() && slow.faulty());
+  EXPECT_STREQ(fast.failed_on(), slow.failed_on());
+  EXPECT_EQ(fast.position(), slow.position());
+}
+
 TEST(BitCursor, WriterAndReaderAgree) {
   std::mt19937_64 random(2);
   for (int n = 0; n < 5000; ++n) {

@@ -14,9 +14,7 @@ FaultAt verdict(const codec::Source& from, const PacketView& view) {
             from.in.failed_on(), view.L_PACKET};
   if (from.in.position() != end) [[unlikely]]
     return {Fault::length_mismatch, from.in.position(), packet, "L_PACKET", view.L_PACKET};
-  if (from.spare_variable != nullptr) [[unlikely]]
-    return {Fault::spare_value, from.spare_bit, packet, from.spare_variable, from.spare_value};
-  return {};
+  return {Fault::spare_value, from.spare_bit, packet, from.spare_variable, from.spare_value};
 }
 bool is_let_through(const FaultAt& fault, SystemVersion sv) {
   return fault.fault == Fault::spare_value && is_later(sv) && fault.variable != var::Q_SCALE::name &&

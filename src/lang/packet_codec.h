@@ -19,7 +19,7 @@ struct PacketCodec {
 /// The layout of packet `nid` in the known version `version` (one bit); null if there is none.
 const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid);
 
-/// What is wrong after reading `view`, if anything.
+/// What is wrong after reading `view`, where something is.
 FaultAt verdict(const codec::Source& from, const PacketView& view);
 /// Check::reading: a spare code of a later Y, except of Q_SCALE and Q_DIR.
 bool is_let_through(const FaultAt& fault, SystemVersion sv);
@@ -40,7 +40,7 @@ template <class P>
   if (!from.in.faulty() && from.in.position() == end && from.spare_variable == nullptr) [[likely]]
     return true;
   at = verdict(from, view);
-  return !at;
+  return false;
 }
 
 /// Reads the packet and forgets it; made in packet_codec_*.cpp.

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/layouts.h"
 #include "lang/variable_table.h"
+#include "lang/walk.h"
 
 namespace evc::lang {
 namespace {
@@ -57,6 +59,14 @@ TEST(Tables, UnknownNames) {
   EXPECT_EQ(find_variable("V_NOTHING"), nullptr);
   ASSERT_NE(find_variable("NC_DIFF"), nullptr);
   EXPECT_STREQ(find_variable("NC_DIFF_V1")->name, "NC_DIFF");
+}
+
+TEST(Tables, WhatIsNotThere) {
+  EXPECT_EQ(find_message_layout(Direction::to_train, {2, 1}, 200), nullptr);
+  EXPECT_EQ(find_message_layout(Direction::to_train, {2, 1}, 38), nullptr);  // in 2.0 only
+  EXPECT_NE(find_message_layout(Direction::to_train, {2, 0}, 38), nullptr);
+  // A condition on a variable that no structure around has.
+  EXPECT_EQ((WalkScope{{}, nullptr, nullptr}.around("Q_DIFF")), 0u);
 }
 
 }  // namespace

@@ -107,8 +107,23 @@ TEST(Telegram, PacketThatEndsBeyondTheTelegram) {
   std::array<std::uint8_t, 8> bytes{};
   std::copy_n(cut.room.begin(), 8, bytes.begin());
   bytes[6] = static_cast<std::uint8_t>(bytes[6] & 0xC0);
-  bytes[7] = 0x15;
+  bytes[7] = 0x15;  // packet 0 without its marker
+  EXPECT_STREQ(scan_telegram(bytes, 60).at.variable, "NID_VBCMK");
+  bytes[7] = 0x95;  // packet 2 without its length
+  EXPECT_STREQ(scan_telegram(bytes, 60).at.variable, "Q_DIR");
   EXPECT_EQ(scan_telegram(bytes, 60).fault, Fault::truncated);
+}
+
+TEST(Telegram, PacketThatIsLongerThanItsContent) {
+  const Made made([](BitWriter& out) {
+    raw_packet(out, 45, 1, 23 + 24 + 8);
+    out.write(7, 24);
+    out.write(0, 8);
+  });
+  const TelegramView t = made.scan();
+  EXPECT_EQ(t.fault, Fault::length_mismatch);
+  EXPECT_EQ(t.at.bit, 50u + 23 + 24);
+  EXPECT_EQ(t.at.value, 23u + 24 + 8);
 }
 
 TEST(Telegram, UnknownPacketIsSkipped) {
@@ -461,6 +476,7 @@ TEST(CheckPacket, Alone) {
 TEST(Fault, EveryOneHasAText) {
   for (int f = 0; f <= static_cast<int>(Fault::not_a_packet_of_this_kind); ++f)
     EXPECT_STRNE(text_of(static_cast<Fault>(f)), "");
+  EXPECT_STREQ(text_of(static_cast<Fault>(255)), "");
 }
 
 TEST(Encode, NoRoom) {
