@@ -38,51 +38,6 @@ class Referred {
   JsonPlace place_;
 };
 
-/// Where a fault of the train or of the national values stands, and what would be right.
-struct FaultPlace {
-  train::Fault fault;
-  const char* key;
-  const char* expected;
-};
-constexpr FaultPlace kFaultPlaces[] = {
-    {train::Fault::brake_percentage, "brake_percentage", "30 to 250 %"},
-    {train::Fault::train_length_lambda, "length_m", "at most 900 m (PassengerP) or 1500 m (freight) with a percentage"},
-    {train::Fault::maximum_speed_lambda, "max_speed_kmh", "at most 200 km/h with a brake percentage"},
-    {train::Fault::train_length, "length_m", "more than 0 and at most 4095 m"},
-    {train::Fault::maximum_speed, "max_speed_kmh", "more than 0 and at most 600 km/h"},
-    {train::Fault::traction_cut_off_time, "T_traction_cut_off_s", "0 s or more"},
-    {train::Fault::antenna, "L_antenna_front_m", "0 m to the train length"},
-    {train::Fault::rotating_mass, "M_rotating_nom_pct", "0 to 100 %"},
-    {train::Fault::no_emergency_model, "A_brake_emergency", "a model without special brakes"},
-    {train::Fault::no_service_model, "A_brake_service", "a model without special brakes"},
-    {train::Fault::no_emergency_time, "T_brake_emergency_s", "a time without special brakes"},
-    {train::Fault::no_service_time, "T_brake_service_s", "a time without special brakes"},
-    {train::Fault::deceleration, "A_brake_emergency", "steps from 0 km/h with 0 to 10 m/s2"},
-    {train::Fault::correction_factor, "Kdry_rst", "Kdry_rst and Kwet_rst from 0 to 1"},
-    {train::Fault::build_up_time, "T_brake_emergency_s", "build-up times not shorter than the reaction times"},
-    {train::Fault::Kn, "Kn_plus", "0 to 10 m/s2"},
-    {train::Fault::guidance_without_model, "A_brake_normal_service", "three models or none"},
-    {train::Fault::special_brake_interface, "special_brakes", "an interface that exists for this brake"},
-    {train::Fault::Kv_int, "Kv_int_passenger", "Kv_int from 0 to 2.54"},
-    {train::Fault::Kr_int, "Kr_int", "0 to 1.55"},
-    {train::Fault::Kt_int, "Kt_int", "0 to 1.55"},
-    {train::Fault::A_NVP, "A_NVP12", "A_NVP12 not above A_NVP23"},
-    {train::Fault::M_NVAVADH, "M_NVAVADH", "0 to 1"},
-    {train::Fault::M_NVEBCL, "M_NVEBCL", "0 to 9"},
-    {train::Fault::A_NVMAXREDADH, "A_NVMAXREDADH1", "A_NVMAXREDADH from 0 to 3.15 m/s2"},
-};
-
-void refuse(const JsonPlace& place, train::Fault fault) {
-  if (fault == train::Fault::none) return;
-  const std::string clause = std::string(" (SUBSET-026 ") + train::clause(fault) + ")";
-  for (const FaultPlace& f : kFaultPlaces) {
-    if (f.fault != fault) continue;
-    if (const auto key = place.find(f.key)) key->fail(f.expected + clause);
-    place.fail(std::string("no usable ") + f.key, f.expected + clause);
-  }
-  place.fail(train::name(fault), "a value in range" + clause);
-}
-
 void read_fixed_values(train::FixedValues& f, const JsonPlace& place) {
   place.know_only({"dV_ebi_min", "dV_ebi_max", "V_ebi_min",       "V_ebi_max",      "dV_sbi_min",     "dV_sbi_max",
                    "V_sbi_min",  "V_sbi_max",  "dV_warning_min",  "dV_warning_max", "V_warning_min",  "V_warning_max",
@@ -359,11 +314,9 @@ CurvesInput read(const JsonPlace& root) {
   const Train read = read_train(train.place());
   in.train = read.data;
   out.train_name = read.name;
-  refuse(train.place(), train::check(in.train));
   if (const auto p = root.find("national_values")) {
     const Referred values(*p, "national values, or the name of a file with them");
     in.national_values = read_national_values(values.place());
-    refuse(values.place(), train::check(in.national_values));
   }
   if (const auto p = root.find("fixed_values")) read_fixed_values(in.fixed, *p);
   if (const auto p = root.find("track")) read_track(in, *p);

@@ -124,7 +124,7 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
   if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
   if (const auto p = place.find("train_data")) {
-    entered = read_train(*p);
+    entered = read_entered_train(*p);
     cycle.train_data = entered->data;
   }
 }

@@ -1,3 +1,4 @@
+#include "io/refuse.h"
 #include "io/steps.h"
 #include "io/train_file.h"
 
@@ -40,7 +41,7 @@ void read_reduced_adhesion(train::MaxReducedAdhesion& a, const JsonPlace& place,
         p->one_of({"no maximum", "no maximum, target information", "no maximum, time to indication"});
     a = MaxReducedAdhesion::without_maximum(static_cast<MaxReducedAdhesion::Display>(shown));
   } else {
-    a = MaxReducedAdhesion::at_most({p->number(0.0, 10.0)});
+    a = MaxReducedAdhesion::at_most({number_or(*p, 0.0, 3.15, train::Fault::A_NVMAXREDADH)});
   }
 }
 
@@ -52,11 +53,11 @@ void read_brake_values(NationalValues& nv, const JsonPlace& place) {
   read_reduced_adhesion(nv.A_NVMAXREDADH3, place, "A_NVMAXREDADH3");
   read_acceleration(nv.A_NVP12, place, "A_NVP12");
   read_acceleration(nv.A_NVP23, place, "A_NVP23");
-  if (const auto p = place.find("Kt_int")) nv.Kt_int = p->number(0.0, 10.0);
+  if (const auto p = place.find("Kt_int")) nv.Kt_int = number_or(*p, 0.0, 1.55, train::Fault::Kt_int);
   if (const auto p = place.find("Kr_int"))
     nv.Kr_int = read_steps<NationalValues::Kr>(*p, 1.0, [](const JsonPlace& row) {
       require_row(row, 2);
-      return row[1].number(0.0, 2.0);
+      return number_or(row[1], 0.0, 1.55, train::Fault::Kr_int);
     });
   if (const auto p = place.find("Kv_int_freight"))
     nv.Kv_int_freight = read_steps<NationalValues::KvFreight>(*p, kKmh, [](const JsonPlace& row) {
@@ -99,6 +100,7 @@ NationalValues read_national_values(const JsonPlace& place) {
   read_flag(nv.Q_NVSBFBPERM, place, "Q_NVSBFBPERM");
   read_flag(nv.Q_NVINHSMICPERM, place, "Q_NVINHSMICPERM");
   read_brake_values(nv, place);
+  refuse(place, train::check(nv));
   return nv;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/refuse.h"
 #include "io/steps.h"
 
 namespace evc::io {
@@ -51,14 +52,17 @@ using ConfidenceFactors = std::array<train::Factor, train::kConfidenceLevels>;
 using DryFactors = StepFunction<Speed, ConfidenceFactors, train::kSpeedSteps>;
 using WetFactors = StepFunction<Speed, train::Factor, train::kSpeedSteps>;
 
+train::Factor read_factor(const JsonPlace& place) {
+  return train::Factor::of(number_or(place, 0.0, 1.0, train::Fault::correction_factor));
+}
+
 /// One factor for every confidence level, or one for each of M_NVEBCL 0..9.
 DryFactors read_dry_factors(const JsonPlace& table) {
   return read_steps<DryFactors>(table, kKmh, [](const JsonPlace& row) {
     ConfidenceFactors factors{};
     const bool per_level = row.size() == 1 + train::kConfidenceLevels;
     if (!per_level) require_row(row, 2);
-    for (std::size_t n = 0; n < train::kConfidenceLevels; ++n)
-      factors[n] = train::Factor::of(row[per_level ? n + 1 : 1].number(0.0, 2.0));
+    for (std::size_t n = 0; n < train::kConfidenceLevels; ++n) factors[n] = read_factor(row[per_level ? n + 1 : 1]);
     return factors;
   });
 }
@@ -66,7 +70,7 @@ DryFactors read_dry_factors(const JsonPlace& table) {
 WetFactors read_wet_factors(const JsonPlace& table) {
   return read_steps<WetFactors>(table, kKmh, [](const JsonPlace& row) {
     require_row(row, 2);
-    return train::Factor::of(row[1].number(0.0, 2.0));
+    return read_factor(row[1]);
   });
 }
 
@@ -115,7 +119,7 @@ void add(InplaceVector<train::BuildUpTime, N>& times, const JsonPlace& model, co
   if (!place && !reaction) return;
   train::BuildUpTime time;
   time.T_brake = {model[key].number(0.0, 120.0)};
-  if (reaction) time.T_brake_react = {reaction->number(0.0, 120.0)};
+  if (reaction) time.T_brake_react = {number_or(*reaction, 0.0, time.T_brake.si, train::Fault::build_up_time)};
   time.with = with;
   if (!times.push_back(time)) place->fail("at most " + std::to_string(N) + " build-up times");
 }
@@ -271,7 +275,7 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
 
 }  // namespace
 
-Train read_train(const JsonPlace& place) {
+Train read_entered_train(const JsonPlace& place) {
   place.know_only(kTrainKeys);
   if (place.find("schema")) place.require_schema("etcs-train/1");
   Train train;
@@ -289,6 +293,12 @@ Train read_train(const JsonPlace& place) {
   if (const auto p = place.find("category")) read_category(data, *p);
   if (const auto p = place.find("dynamics")) train.dynamics = read_dynamics(*p);
   train.document = place.value().dump();
+  return train;
+}
+
+Train read_train(const JsonPlace& place) {
+  Train train = read_entered_train(place);
+  refuse(place, train::check(train.data));
   return train;
 }
 

@@ -20,12 +20,16 @@ struct Train {
 /// Reads `etcs-train/1`; absent keys take the values of the standard train, unknown keys are errors.
 Result<Train> read_train(std::string_view text, const std::string& file);
 
-/// The same from a place in a larger document (`train` of a curves input, `config`, `enter`); throws
-/// ReadError. The key `schema` may be absent there.
+/// The same from a place in a larger document (`train` of a curves input, `config`); throws ReadError. The key
+/// `schema` may be absent there. What `train::check` refuses is an error that names the key and the clause.
 Train read_train(const JsonPlace& place);
+/// What the driver enters: the same, but data that cannot be supervised are for the on-board to refuse
+/// (`train::check`).
+Train read_entered_train(const JsonPlace& place);
 
 /// National values by their SRS names, speeds in km/h, distances in m; those left out keep the
-/// defaults of A.3.2. "infinity" where the standard has it. Throws ReadError.
+/// defaults of A.3.2. "infinity" where the standard has it. What `train::check` refuses is an error that names the key
+/// and the clause. Throws ReadError.
 train::NationalValues read_national_values(const JsonPlace& place);
 
 /// "3.4.0", "3.6.0" or "4.0.0"; throws ReadError.

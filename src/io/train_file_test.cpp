@@ -98,6 +98,59 @@ TEST(TrainFile, ErrorsNameThePlace) {
   EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_percentage":1e999})"), "");
 }
 
+/// What the kernel would refuse is refused where it is read.
+TEST(TrainFile, WhatTheConversionModelDoesNotCover) {
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","brake_percentage":20})"),
+            "t.json: /brake_percentage: found 20, expected 30 to 250 % (SUBSET-026 3.13.3.2.1 b)");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","max_speed_kmh":250})"),
+            "t.json: /max_speed_kmh: found 250, expected at most 200 km/h with a brake percentage (SUBSET-026 "
+            "3.13.3.2.1 a)");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":901})").substr(0, 29), "t.json: /length_m: found 901,");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":901,"brake_position":"FreightP"})"), "");
+  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":2000,"brake_position":"FreightP"})").substr(0, 30),
+            "t.json: /length_m: found 2000,");
+  // The default antenna does not fit a train of 3 m.
+  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","length_m":3})").find("L_antenna_front_m"), std::string::npos);
+}
+
+TEST(TrainFile, FactorsAndTimesThatCannotBe) {
+  const auto gamma = [](const std::string& more) {
+    return error_of((R"({"schema":"etcs-train/1","brake_model":"gamma","A_brake_emergency":[[0,1.2]],
+      "A_brake_service":[[0,0.9]],"T_brake_emergency_s":2.5,"T_brake_service_s":3.5,)" +
+                     more + "}")
+                        .c_str());
+  };
+  EXPECT_EQ(gamma(R"("max_speed_kmh":250,"length_m":2000)"), "");
+  EXPECT_EQ(gamma(R"("Kdry_rst":[[0,0.9],[100,1.1]])").substr(0, 35), "t.json: /Kdry_rst/1/1: found 1.1, e");
+  EXPECT_NE(gamma(R"("Kwet_rst":[[0,1.01]])").find("3.13.2.2.9.1"), std::string::npos);
+  EXPECT_EQ(gamma(R"("T_brake_service_react_s":3.6)").substr(0, 47), "t.json: /T_brake_service_react_s: found 3.6, ex");
+}
+
+TEST(TrainFile, WhatTheDriverEntersIsForTheOnBoardToRefuse) {
+  const Json json = Json::parse(R"({"brake_percentage":20})");
+  EXPECT_EQ(read_entered_train(JsonPlace(json, "t.json")).data.brake_percentage, 20.0);
+  EXPECT_THROW(read_train(JsonPlace(json, "t.json")), ReadError);
+}
+
+TEST(NationalValues, WhatTheKernelWouldRefuse) {
+  const auto error_in = [](const char* text) -> std::string {
+    const Json json = Json::parse(text);
+    try {
+      (void)read_national_values(JsonPlace(json, "n.json"));
+    } catch (const ReadError& error) {
+      return error.diagnostic.text();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_in(R"({"Kt_int":1.7})"), "n.json: /Kt_int: found 1.7, expected 0 to 1.55 (SUBSET-026 3.13.2.3.7.14)");
+  EXPECT_EQ(error_in(R"({"Kr_int":[[0,0.9],[300,1.6]]})"),
+            "n.json: /Kr_int/1/1: found 1.6, expected 0 to 1.55 (SUBSET-026 3.13.2.3.7.12)");
+  EXPECT_EQ(error_in(R"({"A_NVP12":0.9})"),
+            "n.json: /A_NVP12: found 0.9, expected A_NVP12 not above A_NVP23 (SUBSET-026 3.13.2.3.7.11.5)");
+  EXPECT_NE(error_in(R"({"A_NVMAXREDADH2":4})").find("n.json: /A_NVMAXREDADH2: found 4, expected"), std::string::npos);
+  EXPECT_EQ(error_in(R"({"A_NVP12":0.9,"A_NVP23":1.1,"A_NVMAXREDADH2":3.15,"Kt_int":1.55})"), "");
+}
+
 TEST(NationalValues, NamesUnitsAndInfinity) {
   const Json json = Json::parse(R"({"V_NVREL":15,"D_NVSTFF":null,"T_NVCONTACT":35,"M_NVCONTACT":0,
     "Kv_int_passenger":[[0,0.7,0.6],[150,0.65,0.5]],"Kr_int":[[0,0.95],[400,0.9]],"A_NVMAXREDADH2":"no maximum"})");

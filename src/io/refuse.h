@@ -1,0 +1,14 @@
+#pragma once
+#include "io/json.h"
+#include "train/brake_model.h"
+
+namespace evc::io {
+
+/// Refuses a train or national values at `place` for a fault of `train::check`: names the key that is at fault, what
+/// would be right and the clause. Nothing for `Fault::none`. Throws ReadError.
+void refuse(const JsonPlace& place, train::Fault fault);
+
+/// The number at `place` from `least` to `most`; outside it is this fault. Throws ReadError.
+double number_or(const JsonPlace& place, double least, double most, train::Fault fault);
+
+}  // namespace evc::io
