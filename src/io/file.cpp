@@ -17,6 +17,22 @@ Diagnostic system_error_at(const std::string& file, const char* expected) {
   return {file, "", std::strerror(errno), expected};
 }
 
+/// Makes a new file beside `file`, under a name of its own: nothing that is there, a link included, is written
+/// through. Below 0: errno tells why not.
+int open_beside(const std::string& file, std::string& name) {
+  int descriptor = -1;
+  for (int attempt = 0; descriptor < 0 && attempt < 100; ++attempt) {
+    name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part";
+    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST) break;
+  }
+  return descriptor;
+}
+
+bool status_of(const std::string& file, struct stat& status) {
+  return (file == "-" ? ::fstat(1, &status) : ::stat(file.c_str(), &status)) == 0;
+}
+
 }  // namespace
 
 Result<std::string> read_text(const std::string& file) {
@@ -40,7 +56,7 @@ WholeFile::WholeFile(std::string file, std::string temporary, std::FILE* stream)
 
 WholeFile::WholeFile(WholeFile&& other) noexcept
     : file_(std::move(other.file_)),
-      temporary_(std::move(other.temporary_)),
+      temporary_(std::exchange(other.temporary_, {})),
       stream_(std::exchange(other.stream_, nullptr)),
       error_(other.error_) {}
 
@@ -57,14 +73,8 @@ Result<WholeFile> WholeFile::create(const std::string& file) {
     if (device == nullptr) return tl::unexpected(system_error_at(file, "a file that can be written"));
     return WholeFile(file, "", device);
   }
-  // A name of its own: nothing that is there, a link included, is written through.
   std::string temporary;
-  int descriptor = -1;
-  for (int attempt = 0; descriptor < 0 && attempt < 100; ++attempt) {
-    temporary = file + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part";
-    descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno != EEXIST) break;
-  }
+  const int descriptor = open_beside(file, temporary);
   if (descriptor < 0) return tl::unexpected(system_error_at(file, "a file that can be written"));
   std::FILE* stream = ::fdopen(descriptor, "wb");
   if (stream == nullptr) {
@@ -77,12 +87,10 @@ Result<WholeFile> WholeFile::create(const std::string& file) {
 }
 
 WholeFile::~WholeFile() {
-  if (stream_ == nullptr) return;
-  if (stream_ == stdout) {
+  if (stream_ == stdout)
     std::fflush(stdout);
-    return;
-  }
-  std::fclose(stream_);
+  else if (stream_ != nullptr)
+    std::fclose(stream_);
   if (!temporary_.empty()) std::remove(temporary_.c_str());
 }
 
@@ -90,21 +98,61 @@ void WholeFile::write(std::string_view text) {
   if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) error_ = errno;
 }
 
-Result<bool> WholeFile::commit() {
-  std::FILE* stream = std::exchange(stream_, nullptr);
-  const bool closed = stream == stdout ? std::fflush(stream) == 0 : std::fclose(stream) == 0;
-  if (error_ == 0 && !closed) error_ = errno;
-  if (error_ == 0 && !temporary_.empty() && std::rename(temporary_.c_str(), file_.c_str()) != 0) error_ = errno;
+void WholeFile::flush() {
+  if (std::fflush(stream_) != 0 && error_ == 0) error_ = errno;
+}
+
+Result<bool> WholeFile::finish() {
+  if (std::FILE* stream = std::exchange(stream_, nullptr); stream != nullptr) {
+    const bool closed = stream == stdout ? std::fflush(stream) == 0 : std::fclose(stream) == 0;
+    if (error_ == 0 && !closed) error_ = errno;
+  }
   if (error_ == 0) return true;
   errno = error_;  // of the first thing that failed
-  const Diagnostic diagnostic = system_error_at(file_, "room to write the whole file");
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
-  return tl::unexpected(diagnostic);
+  return tl::unexpected(system_error_at(file_, "room to write the whole file"));
+}
+
+Result<bool> WholeFile::commit() {
+  if (const auto whole = finish(); !whole) return whole;
+  if (temporary_.empty()) return true;
+  if (std::rename(temporary_.c_str(), file_.c_str()) != 0)
+    return tl::unexpected(system_error_at(file_, "a file that can be written"));
+  temporary_.clear();
+  return true;
+}
+
+Result<bool> commit_together(std::initializer_list<WholeFile*> files) {
+  for (WholeFile* file : files)
+    if (const auto whole = file->finish(); !whole) return whole;
+  for (WholeFile* file : files)
+    if (const auto named = file->commit(); !named) return named;
+  return true;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat one {};
+  struct stat two {};
+  struct stat null {};
+  const bool both = status_of(a, one);
+  if (both != status_of(b, two)) return false;
+  if (both) {
+    const bool nobodys = ::stat("/dev/null", &null) == 0 && one.st_dev == null.st_dev && one.st_ino == null.st_ino;
+    return !nobodys && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
+  }
+  // Neither is there yet: the same name, whichever way it is written.
+  std::error_code error;
+  const auto whole = [&](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+  };
+  return whole(a) == whole(b);
 }
 
 Result<bool> can_be_written_in(const std::string& folder) {
-  const auto file = WholeFile::create(folder + "/probe");
-  if (!file) return tl::unexpected(Diagnostic{folder, "", file.error().found, "a folder that can be written"});
+  std::string name;
+  const int descriptor = open_beside(folder + "/.openevc", name);
+  if (descriptor < 0) return tl::unexpected(system_error_at(folder, "a folder that can be written"));
+  ::close(descriptor);
+  std::remove(name.c_str());
   return true;
 }
 

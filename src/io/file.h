@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -22,7 +23,11 @@ class WholeFile {
   ~WholeFile();
 
   void write(std::string_view text);
-  /// Gives the file its name; the error of any write until now is told here.
+  /// Passes on what was written until now, to somebody who reads it as it comes.
+  void flush();
+  /// Everything is written, the file has not its name yet; the error of any write until now is told here.
+  Result<bool> finish();
+  /// Finishes the file and gives it its name.
   Result<bool> commit();
 
  private:
@@ -32,6 +37,12 @@ class WholeFile {
   std::FILE* stream_ = nullptr;
   int error_ = 0;  // errno of the first write that failed
 };
+
+/// Files that belong together: none takes its name before all are finished. The names are given in this order.
+Result<bool> commit_together(std::initializer_list<WholeFile*> files);
+
+/// Whether two names, each a file or "-" for standard output, lead to one file. The null device is nobody's.
+bool same_file(const std::string& a, const std::string& b);
 
 /// Whether files can be made in a folder, tried with one that does not stay.
 Result<bool> can_be_written_in(const std::string& folder);
