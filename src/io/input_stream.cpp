@@ -80,11 +80,23 @@ void read_loop(CycleInputs& cycle, const JsonPlace& place) {
   cycle.loops.push_back(read_message(place["message"]));
 }
 
-void read_radio(CycleInputs& cycle, const JsonPlace& place) {
+void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
   place.know_only({"message", "session"});
-  if (const auto p = place.find("message")) cycle.radio.push_back(read_message(*p));
+  if (const auto p = place.find("message")) radio.emplace_back(read_message(*p));
   if (const auto p = place.find("session"))
-    cycle.levels.radio_link = static_cast<kernel::RadioLink>(1 + p->one_of(kSessionNames));
+    radio.emplace_back(static_cast<kernel::RadioLink>(1 + p->one_of(kSessionNames)));
+}
+
+/// A cycle has room for one report of the bearer: a second one, and what comes by radio after it, is for the next.
+void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
+  for (; !radio.empty(); radio.pop_front()) {
+    if (auto* message = std::get_if<sim::Bits>(&radio.front())) {
+      cycle.radio.push_back(std::move(*message));
+      continue;
+    }
+    if (cycle.levels.radio_link != kernel::RadioLink::unchanged) return;
+    cycle.levels.radio_link = std::get<kernel::RadioLink>(radio.front());
+  }
 }
 
 /// Decimal digits as BCD, left aligned, padded with F (7.5.1.92 NID_OPERATIONAL).
@@ -189,14 +201,14 @@ void read_fault(CycleInputs& cycle, const JsonPlace& place) {
   if (const auto p = place.find("safety")) cycle.levels.safety_fault = p->boolean();
 }
 
-void read_object(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
+void read_object(CycleInputs& cycle, InputStream::Radio& radio, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only(
       {"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "national_system", "fault"});
   if (const auto p = place.find("config")) p->fail("it on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);
-  if (const auto p = place.find("radio")) read_radio(cycle, *p);
+  if (const auto p = place.find("radio")) read_radio(radio, *p);
   if (const auto p = place.find("driver")) read_driver(cycle, entered, *p);
   if (const auto p = place.find("train")) read_signals(cycle, *p);
   if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
@@ -262,13 +274,14 @@ void InputStream::read_ahead() {
 
 Result<bool> InputStream::next(sim::CycleInputs& cycle) {
   return guarded([&] {
-    if (!pending_) return false;
+    if (!pending_ && radio_.empty()) return false;
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
     while (pending_ && pending_->t_ms <= cycle.t_ms) {
-      read_object(cycle, entered_, JsonPlace(pending_->object, file_, place_of_line()));
+      read_object(cycle, radio_, entered_, JsonPlace(pending_->object, file_, place_of_line()));
       read_ahead();
     }
+    deliver_radio(cycle, radio_);
     next_cycle_ms_ += configuration_.cycle_ms;
     return true;
   });

@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "io/json.h"
 #include "io/train_file.h"
@@ -28,11 +30,14 @@ struct Configuration {
 Result<Configuration> read_configuration(std::string_view text, const std::string& file);
 
 /// Reads a stream of inputs cycle by cycle. A cycle consumes every input with `t_ms` up to its own
-/// time; cycles follow each other every `cycle_ms` from 0 until the last input is consumed.
+/// time; cycles follow each other every `cycle_ms` from 0 until the last input is consumed. Of two radio sessions
+/// reported in one cycle the second waits for the next, with what comes by radio after it: none is lost.
 class InputStream {
  public:
   /// Puts the next line, without its end, into the argument; false at the end.
   using NextLine = std::function<bool(std::string&)>;
+  /// What came by radio, in order: messages, and what the bearer reports.
+  using Radio = std::deque<std::variant<sim::Bits, kernel::RadioLink>>;
 
   /// `given` takes the place of a `config` in the stream.
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});
@@ -55,6 +60,7 @@ class InputStream {
   NextLine next_line_;
   Configuration configuration_;
   std::optional<Pending> pending_;
+  Radio radio_;  // not delivered yet
   std::optional<Train> entered_;
   std::size_t line_ = 0;
   std::int64_t last_ms_ = 0;

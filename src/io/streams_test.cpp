@@ -94,6 +94,41 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_FALSE(*stream.next(cycle));
 }
 
+/// `lost` and `connected` again in one cycle: both are told, in order, and what comes after them stays after them.
+TEST(InputStream, TwoReportsOfTheBearerInOneCycle) {
+  auto stream = open(R"({"t_ms":110,"radio":{"message":"180014"}}
+{"t_ms":120,"radio":{"session":"lost"}}
+{"t_ms":130,"radio":{"message":"190014"}}
+{"t_ms":180,"radio":{"session":"connected"}}
+{"t_ms":190,"radio":{"message":"200014"}}
+{"t_ms":195,"radio":{"session":"lost"}}
+{"t_ms":200,"train":{"desk_open":true}}
+)");
+  const auto first_bytes = [](const sim::CycleInputs& cycle) {
+    std::vector<int> bytes;
+    for (const auto& message : cycle.radio) bytes.push_back(message.bytes[0]);
+    return bytes;
+  };
+  using kernel::RadioLink;
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 100);
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::unchanged);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 200);
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::lost);
+  EXPECT_EQ(first_bytes(cycle), (std::vector<int>{0x18, 0x19}));
+  EXPECT_TRUE(cycle.levels.train.desk_open) << "only the radio waits";
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::connected);
+  EXPECT_EQ(first_bytes(cycle), (std::vector<int>{0x20}));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.t_ms, 400);
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::lost);
+  EXPECT_FALSE(*stream.next(cycle));
+}
+
 TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_EQ(error_in("{\"t_ms\":0}\n{\"t_ms\":0,\"radoi\":{}}\n").substr(0, 44),
             "in.jsonl: line 2 /radoi: found an unknown ke");
@@ -261,6 +296,83 @@ TEST(WholeFile, AppearsOnlyWhenWhole) {
   EXPECT_FALSE(write_whole("/nonexistent/folder/file", "x"));
   EXPECT_FALSE(read_text("/nonexistent/file"));
   EXPECT_FALSE(read_text("/"));
+}
+
+/// A folder of its own with nothing in it.
+class Folder {
+ public:
+  explicit Folder(const char* name) : path_(::testing::TempDir() + "/openevc_" + name) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string operator/(const char* name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+  std::size_t entries() const {
+    const std::filesystem::directory_iterator all(path_);
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+  }
+
+ private:
+  std::string path_;
+};
+
+TEST(WholeFile, BothOrNeither) {
+  const Folder folder("together");
+  ASSERT_TRUE(write_whole(folder / "a", "old"));
+  {
+    auto a = WholeFile::create(folder / "a");
+    auto full = WholeFile::create("/dev/full");
+    ASSERT_TRUE(a && full);
+    a->write("new");
+    full->write("no room");
+    const auto done = commit_together({&*a, &*full});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().text(), "/dev/full: found No space left on device, expected room to write the whole file");
+  }
+  EXPECT_EQ(*read_text(folder / "a"), "old");
+  EXPECT_EQ(folder.entries(), 1u);
+  auto a = WholeFile::create(folder / "a");
+  auto b = WholeFile::create(folder / "b");
+  ASSERT_TRUE(a && b);
+  a->write("new");
+  ASSERT_TRUE(commit_together({&*a, &*b}));
+  EXPECT_EQ(*read_text(folder / "a"), "new");
+  EXPECT_EQ(*read_text(folder / "b"), "");
+}
+
+TEST(WholeFile, FinishedButNotCommittedIsGone) {
+  const Folder folder("finished");
+  {
+    auto out = WholeFile::create(folder / "x");
+    ASSERT_TRUE(out);
+    out->write("whole");
+    ASSERT_TRUE(out->finish());
+    EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+  }
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(File, TheSameFileHoweverItIsNamed) {
+  const Folder folder("same");
+  EXPECT_TRUE(same_file(folder / "new", folder / "../openevc_same/new"));
+  EXPECT_FALSE(same_file(folder / "new", folder / "other"));
+  ASSERT_TRUE(write_whole(folder / "new", "x"));
+  std::filesystem::create_symlink(folder / "new", folder / "link");
+  EXPECT_TRUE(same_file(folder / "new", folder / "link"));
+  EXPECT_FALSE(same_file(folder / "new", folder / "other"));
+  EXPECT_FALSE(same_file("/dev/null", "/dev/null"));
+}
+
+TEST(File, AFolderIsTriedUnderANameOfItsOwn) {
+  const Folder folder("probe");
+  std::filesystem::create_directory(folder / "probe");
+  EXPECT_TRUE(can_be_written_in(folder.path()));
+  EXPECT_EQ(folder.entries(), 1u);
+  const auto missing = can_be_written_in("/nonexistent");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().text(),
+            "/nonexistent: found No such file or directory, expected a folder that can be written");
 }
 
 }  // namespace
