@@ -91,10 +91,12 @@ int compare(const CompareOptions& o) {
   if (!a) return complain(a.error());
   const auto b = load(o.b);
   if (!b) return complain(b.error());
-  if (!o.plot.empty() && !ends_with(o.plot, ".svg")) return wrong_plot(o.plot, ".svg");
+  const bool svg = ends_with(o.plot, ".svg");
+  if (!o.plot.empty() && !svg && !ends_with(o.plot, ".html")) return wrong_plot(o.plot, ".svg or .html");
   const Comparison comparison = compare_curves(*a, *b);
-  return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot,
-                 o.plot.empty() ? "" : comparison_svg(comparison));
+  std::string plot;
+  if (!o.plot.empty()) plot = svg ? comparison_svg(comparison) : comparison_html(*a, *b);
+  return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot, plot);
 }
 
 }  // namespace
@@ -125,7 +127,7 @@ void add_curves_command(CLI::App& app, int& exit_code) {
   comparison->add_option("--format", two->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();
-  comparison->add_option("--plot", two->plot, "a chart: FILE.svg");
+  comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html to work with");
   comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
   comparison->callback([two, &exit_code] { exit_code = compare(*two); });
 }

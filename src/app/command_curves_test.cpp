@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/curves_compare.h"
@@ -246,6 +247,60 @@ TEST(CommandCurves, ExplainsWhatItComputed) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected;
   for (const Value& v : {row.EBD, row.EBI, row.FLOI, row.W, row.P, row.I})
     EXPECT_NE(text.find(fixed(v, 3) + " m before"), std::string::npos) << *v;
+}
+
+/// The clause that stands at the end of the first step of a symbol.
+std::string clause_of(const std::string& text, const std::string& symbol) {
+  const std::size_t line = text.find("\n   " + symbol + " ");
+  if (line == std::string::npos) return "no " + symbol;
+  const std::size_t from = text.find('[', line);
+  return text.substr(from + 1, text.find(']', from) - from - 1);
+}
+TEST(CommandCurves, ExplainsByTheClauseOfEveryStep) {
+  const std::string text = explain_text(approached(kSource + "/data/curves/passenger_eoa.json"), 140);
+  for (const auto& [symbol, clause] : std::map<std::string, std::string>{
+           {"A_brake_emergency", "A.3.7"}, {"A_brake_safe", "3.13.6.2.1.4"}, {"A_gradient", "3.13.4.3.2"},
+           {"A_safe", "3.13.6.2.1.3"},     {"A_brake_service", "A.3.7"},     {"A_expected", "3.13.6.3.1.3"},
+           {"T_be", "3.13.6.2.2.3"},       {"T_bs", "3.13.6.3.2.4"},         {"T_bs1", "3.13.9.3.3.3"},
+           {"T_traction", "3.13.9.3.2.3"}, {"T_berem", "3.13.9.3.2.6"},      {"T_indication", "3.13.9.3.6.2"},
+           {"V_delta0", "3.13.9.3.2.1"},   {"A_est1", "3.13.9.3.2.8"},       {"A_est2", "3.13.9.3.2.9"},
+           {"V_bec", "3.13.9.3.2.10"},     {"D_bec", "3.13.9.3.2.10"},       {"d_EBD(V_bec)", "3.13.8.3.2"},
+           {"d_EBI", "3.13.9.3.2.12"},     {"d_SBI2", "3.13.9.3.3.2"},       {"d_W", "3.13.9.3.4.1"},
+           {"d_P", "3.13.9.3.5.1"},        {"d_I", "3.13.9.3.6.1"},          {"d_SBD(V)", "3.13.8.4.1"},
+           {"d_SBI1", "3.13.9.3.3.1"}})
+    EXPECT_EQ(clause_of(text, symbol), clause) << symbol;
+  // Without the service brake command, on slippery rail, towards a restriction.
+  json document = passenger();
+  document["national_values"]["Q_NVSBTSMPERM"] = false;
+  document["state"]["slippery_rail"] = true;
+  document["target"] = {{"type", "MRSP"}, {"location_m", 5000}, {"speed_kmh", 80}};
+  const std::string other = explain_text(Approached(*io::read_curves(document.dump(), "a")), 20);
+  EXPECT_EQ(clause_of(other, "T_bs1"), "3.13.9.3.3.5");
+  EXPECT_EQ(clause_of(other, "d_EBD(V_bec)"), "3.13.8.3.1");
+  EXPECT_NE(other.find("min(A_brake_safe, A_MAXREDADH) + A_gradient"), std::string::npos);
+}
+
+TEST(CommandCurves, ThePageOfAComparisonHoldsBothSides) {
+  const Approached p = approached(kSource + "/data/curves/freight_P.json");
+  const Approached g = approached(kSource + "/data/curves/freight_G.json");
+  const std::string page = comparison_html(p, g);
+  const std::size_t from = page.find("const D = ") + 10;
+  const json data = json::parse(page.substr(from, page.find(";\n", from) - from));
+  EXPECT_EQ(data["name_a"], p.input().name);
+  EXPECT_EQ(data["name_b"], g.input().name);
+  ASSERT_EQ(data["v"][50], 50);
+  std::set<std::string> keys;
+  for (const json& curve : data["curves"]) {
+    keys.insert(curve["key"]);
+    ASSERT_EQ(curve["a"].size(), data["v"].size());
+    ASSERT_EQ(curve["b"].size(), data["v"].size());
+    if (curve["key"] == "EBI") {
+      EXPECT_NEAR(curve["a"][50].get<double>(), *speed_row(p, 50).EBI, 0.005);
+      EXPECT_NEAR(curve["b"][50].get<double>(), *speed_row(g, 50).EBI, 0.005);
+    }
+  }
+  EXPECT_EQ(keys, (std::set<std::string>{"EBD", "SBD", "EBI", "SBI", "W", "P", "I"}));
+  EXPECT_EQ(page.find("http"), std::string::npos);  // nothing is loaded from elsewhere
 }
 
 TEST(CommandCurves, ComparesTwoInputs) {

@@ -75,16 +75,20 @@ std::string as_table(const Comparison& c) {
 }  // namespace
 
 Comparison compare_curves(const Approached& a, const Approached& b) {
+  std::vector<double> speeds = a.input().speeds_kmh;
+  speeds.insert(speeds.end(), b.input().speeds_kmh.begin(), b.input().speeds_kmh.end());
+  std::sort(speeds.begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+  return compare_curves(a, b, speeds);
+}
+
+Comparison compare_curves(const Approached& a, const Approached& b, const std::vector<double>& speeds_kmh) {
   Comparison c;
   c.name_a = a.input().name;
   c.name_b = b.input().name;
   c.a = curves_result(a).scalars;
   c.b = curves_result(b).scalars;
-  std::vector<double> speeds = a.input().speeds_kmh;
-  speeds.insert(speeds.end(), b.input().speeds_kmh.begin(), b.input().speeds_kmh.end());
-  std::sort(speeds.begin(), speeds.end());
-  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-  for (const double v : speeds) {
+  for (const double v : speeds_kmh) {
     c.rows_a.push_back(speed_row(a, v));
     c.rows_b.push_back(speed_row(b, v));
     SpeedRow difference;

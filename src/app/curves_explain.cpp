@@ -45,6 +45,12 @@ class Page {
 
 std::string n(double v) { return fmt::format("{:.4f}", v + 0.0); }
 
+/// Which clause asks for the EBD of a target.
+const char* EBD_clause(const sdm::Target& t) {
+  if (t.kind == sdm::TargetKind::EOA_SvL) return "3.13.8.3.2";
+  return t.kind == sdm::TargetKind::SR_end ? "3.13.8.3.3" : "3.13.8.3.1";
+}
+
 const char* target_name(const sdm::Target& t) {
   switch (t.kind) {
     case sdm::TargetKind::MRSP:
@@ -62,7 +68,7 @@ const char* target_name(const sdm::Target& t) {
 /// The arcs that the location comes from, from the foot upstream.
 void arcs(Page& page, const char* name, sdm::CurveView curve, Speed V) {
   const std::size_t last = curve.knot_at(V);
-  page.line(fmt::format("{} from its foot, arcs of constant deceleration (3.13.8.3):", name));
+  page.line(fmt::format("{} from its foot, arcs of constant deceleration (3.13.8.1.3):", name));
   for (std::size_t k = 0; k <= last; ++k) {
     const sdm::Knot& knot = curve.knots[k];
     page.line(fmt::format("  from {:>12.3f} m at {:>8.3f} km/h upstream with {:>8.5f} m/s2", knot.x.from_origin.si,
@@ -70,14 +76,15 @@ void arcs(Page& page, const char* name, sdm::CurveView curve, Speed V) {
   }
 }
 
-void location_on(Page& page, const std::string& symbol, sdm::CurveView curve, Speed V, Place result) {
+void location_on(Page& page, const std::string& symbol, sdm::CurveView curve, Speed V, Place result,
+                 const char* clause) {
   const sdm::Knot& k = curve.knots[curve.knot_at(V)];
   const bool on_arc = k.A.si > 0.0 && V * V >= k.w;
   page.step(symbol, on_arc ? "x_k - (V^2 - v_k^2) / (2 A_k)" : "foot of the curve",
             on_arc ? fmt::format("{} - ({}^2 - {}^2) / (2 * {})", n(k.x.from_origin.si), n(V.si), n(std::sqrt(k.w.si)),
                                  fmt::format("{:.5f}", k.A.si))
                    : "",
-            result.from_origin.si, "m", "3.13.8.3");
+            result.from_origin.si, "m", clause);
 }
 
 void decelerations(Page& page, const Approached& a, const sdm::Explanation& e) {
@@ -92,13 +99,20 @@ void decelerations(Page& page, const Approached& a, const sdm::Explanation& e) {
             "", e.A_brake_safe.si, "m/s2", "3.13.6.2.1.4");
   page.step("A_gradient", "g * grad / (1000 + 10 * M_rotating), lowest under the train", "", e.A_gradient_EBD.si,
             "m/s2", "3.13.4.3.2");
-  page.step("A_safe", "A_brake_safe + A_gradient", n(e.A_brake_safe.si) + " + " + n(e.A_gradient_EBD.si), e.A_safe.si,
-            "m/s2", "3.13.6.2.1");
+  // Reduced adhesion: what counts of the brakes is not more than A_MAXREDADH.
+  if (e.A_safe < e.A_brake_safe + e.A_gradient_EBD)
+    page.step("A_safe", "min(A_brake_safe, A_MAXREDADH) + A_gradient",
+              fmt::format("min({}, {}) + {}", n(e.A_brake_safe.si), n((e.A_safe - e.A_gradient_EBD).si),
+                          n(e.A_gradient_EBD.si)),
+              e.A_safe.si, "m/s2", "3.13.6.2.1.3");
+  else
+    page.step("A_safe", "A_brake_safe + A_gradient", n(e.A_brake_safe.si) + " + " + n(e.A_gradient_EBD.si), e.A_safe.si,
+              "m/s2", "3.13.6.2.1.3");
   if (!e.d_SBD) return;
   page.step("A_brake_service", lambda ? "of the brake percentage, at most 135 %" : "of the train's step table", "",
             e.A_brake_service.si, "m/s2", lambda ? "A.3.7" : "3.13.2.2.3.1");
   page.step("A_expected", "A_brake_service + A_gradient", n(e.A_brake_service.si) + " + " + n(e.A_gradient_SBD.si),
-            e.A_expected.si, "m/s2", "3.13.6.3.1");
+            e.A_expected.si, "m/s2", "3.13.6.3.1.3");
 }
 
 void times(Page& page, const Approached& a, const sdm::Explanation& e) {
@@ -112,14 +126,17 @@ void times(Page& page, const Approached& a, const sdm::Explanation& e) {
                 ? fmt::format("{} * {}", n(a.input().inputs.national_values.Kt_int),
                               n(e.build_up.T_be.si / a.input().inputs.national_values.Kt_int))
                 : "",
-            e.build_up.T_be.si, "s", "3.13.6.2.2");
-  page.step("T_bs", "T_brake_service", "", e.build_up.T_bs.si, "s", "3.13.6.3.2");
+            e.build_up.T_be.si, "s", "3.13.6.2.2.3");
+  page.step("T_bs", "T_brake_service", "", e.build_up.T_bs.si, "s", "3.13.6.3.2.4");
   if (t.T_be != e.build_up.T_be) page.step("T_be_reduced", "in place of T_be", "", t.T_be.si, "s", "A.3.12");
   if (t.T_bs != e.build_up.T_bs) page.step("T_bs_reduced", "in place of T_bs", "", t.T_bs.si, "s", "A.3.12");
   const char* service = config.service_brake_available ? "T_bs: the service brake command is available"
                                                        : "0: the service brake command is not available";
-  page.step("T_bs1", service, "", t.T_bs1.si, "s", "3.13.9.3.3.3");
-  page.step("T_bs2", service, "", t.T_bs2.si, "s", "3.13.9.3.3.4");
+  const char* clause = !config.service_brake_available ? "3.13.9.3.3.5"
+                       : config.feedback_available     ? "3.13.9.3.3.4"
+                                                       : "3.13.9.3.3.3";
+  page.step("T_bs1", service, "", t.T_bs1.si, "s", clause);
+  page.step("T_bs2", service, "", t.T_bs2.si, "s", clause);
   if (config.traction_cut_off_interface)
     page.step("T_traction", "max(T_traction_cut_off - (T_warning + T_bs2), 0)",
               fmt::format("max({} - ({} + {}), 0)", n(config.T_traction_cut_off.si), n(f.T_warning.si), n(t.T_bs2.si)),
@@ -134,7 +151,7 @@ void times(Page& page, const Approached& a, const sdm::Explanation& e) {
       fmt::format("max({} * {}, {})", n(f.T_indication_factor), n(t.T_bs.si), n(f.T_indication_min.si));
   if (config.feedback_available)
     page.step("T_indication", later ? "5 s + T_driver: service brake feedback" : "5 s: service brake feedback", "",
-              t.T_indication.si, "s", "3.13.9.3.6.2");
+              t.T_indication.si, "s", "3.13.9.3.6.4");
   else
     page.step("T_indication", formula, later ? with + " + " + n(f.T_driver.si) : with, t.T_indication.si, "s",
               "3.13.9.3.6.2");
@@ -184,7 +201,7 @@ void chain(Page& page, const Approached& a, const sdm::Explanation& e, const sdm
     formula = "min(" + formula + ", d_target)";
     with = fmt::format("min({}, {})", with, n(a.target().d_target.from_origin.si));
   }
-  page.step("d_P", formula, with, l.d_P.from_origin.si, "m", "3.13.9.3.5.1");
+  page.step("d_P", formula, with, l.d_P.from_origin.si, "m", l.d_GUI ? "3.13.9.3.5.4" : "3.13.9.3.5.1");
   page.step("d_I", "d_P - V * T_indication", minus(l.d_P, e.times.T_indication), l.d_I.from_origin.si, "m",
             "3.13.9.3.6.1");
 }
@@ -209,9 +226,9 @@ std::string explain_text(const Approached& a, double v_kmh) {
   page.heading("Limits from the emergency brake deceleration curve (EBD)");
   const sdm::CurveView EBD = a.derived().view(target.EBD);
   arcs(page, "EBD", EBD, e.EBD.loss.V_bec);
-  location_on(page, "d_EBD(V_bec)", EBD, e.EBD.loss.V_bec, e.EBD.d_curve);
+  location_on(page, "d_EBD(V_bec)", EBD, e.EBD.loss.V_bec, e.EBD.d_curve, EBD_clause(target));
   page.step("d_EBI", "d_EBD(V_bec) - D_bec", n(e.EBD.d_curve.from_origin.si) + " - " + n(e.EBD.loss.D_bec.si),
-            e.EBD.d_EBI->from_origin.si, "m", "3.13.9.3.2.10");
+            e.EBD.d_EBI->from_origin.si, "m", "3.13.9.3.2.12");
   page.step("d_SBI2", "d_EBI - V * T_bs2",
             fmt::format("{} - {} * {}", n(e.EBD.d_EBI->from_origin.si), n(e.approach.V.si), n(e.times.T_bs2.si)),
             e.EBD.d_SBI.from_origin.si, "m", "3.13.9.3.3.2");
@@ -221,7 +238,7 @@ std::string explain_text(const Approached& a, double v_kmh) {
     page.heading("Limits from the service brake deceleration curve (SBD)");
     const sdm::CurveView SBD = a.derived().view(target.SBD);
     arcs(page, "SBD", SBD, e.approach.V);
-    location_on(page, "d_SBD(V)", SBD, e.approach.V, e.SBD->d_curve);
+    location_on(page, "d_SBD(V)", SBD, e.approach.V, e.SBD->d_curve, "3.13.8.4.1");
     page.step("d_SBI1", "d_SBD(V) - V * T_bs1",
               fmt::format("{} - {} * {}", n(e.SBD->d_curve.from_origin.si), n(e.approach.V.si), n(e.times.T_bs1.si)),
               e.SBD->d_SBI.from_origin.si, "m", "3.13.9.3.3.1");
