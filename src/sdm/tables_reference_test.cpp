@@ -1,5 +1,5 @@
 // Reads the reference facts for tables_test.cpp. Apart from it, so that a changed table needs no parser anew.
-#include "sdm/tables_reference.h"
+#include "sdm/test_tables.h"
 
 #include <algorithm>
 #include <fstream>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sdm/tables_reference.h"
+#include "sdm/test_tables.h"
 
 namespace {
 
