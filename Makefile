@@ -4,7 +4,7 @@
 #   make bench    benchmarks and instruction counts
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
-# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines
+# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-properties, make campaign-mutants
 # LINE=file.json RUN_ARGS="--driver reckless" go to `evc run`.
 
 SHELL := /bin/bash
@@ -13,7 +13,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines
+.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines campaign-properties campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -49,6 +49,17 @@ campaign-fuzz:
 # Reckless drivers on a line with the last authority at every place in turn, and many seeds.
 campaign-lines: evc
 	@tools/campaign_lines $(LINE) --runs $(or $(RUNS),1000)
+
+# Properties of braking curves and limits over CASES random trains, tracks and targets.
+campaign-properties:
+	@tools/setup build test
+	@tools/build release sdm_test
+	EVC_CASES=$(or $(CASES),100000) build/release/src/sdm/sdm_test --gtest_filter='Properties.*'
+
+# Are the tests of a ROOM able to fail? MUTANTS="--rows" or "--sample 500" instead of all.
+campaign-mutants:
+	@tools/setup build test
+	@tools/mutate.py $(or $(ROOM),sdm) $(MUTANTS)
 
 clean:
 	rm -rf build out
