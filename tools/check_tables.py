@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The generated pages are what the program's own tables print, and the comparisons of those tables with the
-reference data were really made in the last test run (build/ci/cases, where it is there).
+"""The generated pages are what the program's own tables print, and where the recorded line is at hand no test was
+skipped in the last test run (build/ci/cases, where it is there).
 Usage: tools/check_tables.py [--write]   --write brings the pages up to date."""
 import argparse
 import os
@@ -11,8 +11,9 @@ import tempfile
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Tests that lay a table beside the reference data: these may not be skipped where that material is at hand.
-COMPARISONS = ("modes_test", "lang_test")
+# Tests that lay a table beside the reference data, or drive the recorded line.
+COMPARISONS = ("modes_test", "lang_test", "io_test", "airgap_test", "sdm_test", "track_test", "app_test",
+               "balise_line_test")
 
 
 def mode_page():
@@ -28,7 +29,7 @@ def pages():
 
 
 def skipped_comparisons():
-    """Names of comparisons that were skipped although the reference material is at hand."""
+    """Names of comparisons that did not run although what they need is at hand."""
     shared = pathlib.Path(os.environ.get("OPENEVC_SHARED", ROOT / "../shared"))
     cases = ROOT / "build/ci/cases"
     if not shared.exists() or not cases.exists():

@@ -150,11 +150,6 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   if (complete(open)) close(state, situation, outcome);
 }
 
-void read_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
-  begin(outcome);
-  note_undecodable(state, reading, situation, outcome);
-}
-
 void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome) {
   begin(outcome);
   if (state.open && too_far(*state.open, counter)) close(state, situation, outcome);

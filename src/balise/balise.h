@@ -71,8 +71,6 @@ struct State {
 
 /// A telegram was read. May finish the open group, and this one.
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
-/// A balise was detected whose telegram could not be decoded (3.16.2.4.1 b).
-void read_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
 /// Each cycle: finishes the open group once no further balise of it can come (3.16.2.1.3).
 void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome);
 /// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)?

@@ -115,7 +115,7 @@ struct Train {
   void undecodable_at(double x) {
     at = x;
     Outcome outcome;
-    read_undecodable(state, {{}, 0, counter(), antenna()}, situation, outcome);
+    read(state, {{}, 0, counter(), antenna()}, situation, outcome);
     take(outcome);
   }
   /// A cycle without a balise.

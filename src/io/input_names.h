@@ -8,10 +8,8 @@ inline constexpr std::initializer_list<const char*> kLevelNames = {"0", "NTC", "
 inline constexpr std::initializer_list<const char*> kSessionNames = {"connected", "lost", "refused"};
 inline constexpr std::initializer_list<const char*> kDirectionNames = {"neutral", "forward", "backward"};
 inline constexpr std::initializer_list<const char*> kSelectNames = {
-    "start",         "override",         "shunting",          "exit_shunting",
-    "non_leading",   "exit_non_leading", "maintain_shunting", "train_data",
-    "level",         "slippery_rail",    "adhesion_normal",   "sr_speed_distance",
-    "brake_release", "isolate",          "track_ahead_free"};
+    "start",      "override",      "shunting",        "exit_shunting", "non_leading",     "maintain_shunting",
+    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free"};
 inline constexpr std::initializer_list<const char*> kAckNames = {"OS", "LS",   "SH",    "SR",   "UN",    "SN",
                                                                  "RV", "trip", "level", "text", "brake", "train_data"};
 

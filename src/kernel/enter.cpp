@@ -195,6 +195,8 @@ void enter_mode(Cycle& cycle, Mode to, int number) {
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, area_mode(to), cycle.here);
   apply_all(s, [&](Stored stored) { return modes::on_entry(to, from, stored, edition(s.srs)); });
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
+  // A group that is only partly read is not continued after the power was off.
+  if (to == Mode::NP) balise::abandon(s.balise);
   s.mode = to;
   ++s.revision;
   procedures::level_transition::on_mode_change(s.level_transition, from, to);

@@ -55,14 +55,10 @@ enum class Select : std::uint8_t {
   shunting,
   exit_shunting,
   non_leading,
-  exit_non_leading,
   maintain_shunting,
   train_data,
-  level,
   slippery_rail,
   adhesion_normal,
-  sr_speed_distance,
-  brake_release,
   isolate,
   track_ahead_free,
   count
@@ -200,8 +196,9 @@ struct Derived;
 /// data or national values that `train::check` refuses it goes to SF then ([13]).
 void power_up(State& state, Derived& derived, const Config& config) noexcept;
 
-/// One cycle. Odometry that is not finite or not between its bounds, or a time before the last one's, leads to SF
-/// (4.4.5). Total, deterministic, allocation-free; equal (state, inputs) give equal results.
+/// One cycle. Total, deterministic, allocation-free; equal (state, inputs) give equal results. Times, places and speeds
+/// that are not numbers, out of all range (10^9 s or m, 1000 m/s), not between their bounds or before the last cycle's
+/// lead to SF (4.4.5).
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept;
 
 }  // namespace evc::kernel

@@ -5,6 +5,7 @@
 #include "lang/decode.h"
 #include "lang/packets.h"
 #include "lang/si.h"
+#include "radio/from_packets.h"
 #include "track/store.h"
 
 namespace evc::kernel {
@@ -187,10 +188,7 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, bool store_
   State& s = e.cycle.state;
   lang::Packet42 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
-  radio::SessionOrder order;
-  order.establish = p.Q_RBC.raw == 1;
-  order.rbc = {p.NID_C.raw, p.NID_RBC.raw, p.NID_RADIO.raw};
-  order.sleeping_too = p.Q_SLEEPSESSION.raw == 1;
+  const radio::SessionOrder order = radio::session_order_of(p);
   if (radio::order(s.radio, order, s.mode == modes::Mode::SL, store_only, s.now, e.cycle.outbox))
     note(e.cycle,
          Event{.subject = "session", .what = order.establish ? "ordered" : "termination ordered", .clause = "3.5.3.5"});
@@ -200,8 +198,7 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, bool store_
 void take_ma_request_parameters(Evaluation& e, const lang::PacketView& view) {
   lang::Packet57 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
-  e.cycle.state.radio.ma_request =
-      radio::MaRequestParameters{lang::seconds(p.T_MAR), lang::seconds(p.T_TIMEOUTRQST), lang::seconds(p.T_CYCRQST)};
+  e.cycle.state.radio.ma_request = radio::ma_request_of(p);
 }
 
 void take_report_parameters(Evaluation& e, const lang::PacketView& view) {
@@ -324,14 +321,16 @@ void evaluate_authority(Evaluation& e) {
     }
     if (!accept_packet(e, i)) {
       for (std::size_t k = 0; k < e.information.packets.size(); ++k)
-        if (belongs_to_authority(e.information.packets[k].NID_PACKET) && (e.waiting.packets >> i & 1u) != 0)
+        if (belongs_to_authority(e.information.packets[k].NID_PACKET) && judged(e, k) &&
+            (e.waiting.packets >> i & 1u) != 0)
           e.waiting.packets |= std::uint64_t{1} << k;
       continue;
     }
     e.contents = whole;
     for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
+      // Those of the same part: what stands behind packet 136 belongs to the infill authority.
       const lang::PacketView& other = e.information.packets[k];
-      if (other.NID_PACKET == 80 || (other.NID_PACKET == 49 && judged(e, k)))
+      if ((other.NID_PACKET == 80 || other.NID_PACKET == 49) && judged(e, k))
         (void)track::add(e.contents, other, e.reference);
     }
   }
@@ -416,9 +415,8 @@ namespace {
 struct Infill {
   std::size_t at = 0;  // index of packet 136
   GroupId group;
-  std::optional<Place> place;
 };
-std::optional<Infill> find_infill(const Information& information, const State& s) {
+std::optional<Infill> find_infill(const Information& information) {
   for (std::size_t i = 0; i < information.packets.size(); ++i) {
     if (information.packets[i].NID_PACKET != 136) continue;
     Infill infill;
@@ -426,8 +424,6 @@ std::optional<Infill> find_infill(const Information& information, const State& s
     lang::Packet136 p;
     if (lang::decode(information.packets[i], p) != lang::Fault::none) return infill;
     infill.group = {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
-    for (const balise::Link& link : s.balise.linking.links)
-      if (link.id == infill.group) infill.place = link.place;
     return infill;
   }
   return std::nullopt;
@@ -442,19 +438,23 @@ void evaluate_part(Evaluation& e) {
 
 /// The infill part, after the rest of the message (4.8.1.5).
 void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
-  if (!infill.place) {
+  // Also linking of this very message tells where the group lies.
+  std::optional<Place> place;
+  for (const balise::Link& link : e.cycle.state.balise.linking.links)
+    if (link.id == infill.group) place = link.place;
+  if (!place) {
     note(e.cycle, Event{.subject = "infill", .id = infill.group.NID_BG, .what = "refused", .clause = "3.6.2.3.1"});
     return;
   }
   e.judge = judge;
   e.context.infill = true;
-  e.reference.place = *infill.place;
+  e.reference.place = *place;
   e.reference.group = infill.group;
   e.contents = track::Contents{};
   e.contents.source = e.reference.source;
   e.contents.time = e.information.time;
-  e.contents.reference = *infill.place;
-  e.contents.infill = *infill.place;
+  e.contents.reference = *place;
+  e.contents.infill = *place;
   evaluate_part(e);
   store_contents(e);
 }
@@ -469,7 +469,7 @@ Waiting evaluate(Cycle& cycle, const Information& information) {
   e.contents.source = e.reference.source;
   e.contents.time = information.time;
   e.contents.reference = information.reference;
-  const std::optional<Infill> infill = find_infill(information, cycle.state);
+  const std::optional<Infill> infill = find_infill(information);
   // Packets before packet 136; bit n stands for the n-th packet.
   const std::uint64_t before = infill ? (std::uint64_t{1} << infill->at) - 1u : ~std::uint64_t{0};
   e.judge = information.judge_packets & before;

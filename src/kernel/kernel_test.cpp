@@ -119,10 +119,18 @@ TEST_F(Unit, powers_up_into_stand_by) {
 TEST_F(Unit, fails_safe_on_odometry_that_is_not_sound) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
-  const std::array<void (*)(Inputs&, double), 5> spoilers{
+  const std::array<void (*)(Inputs&, double), 6> spoilers{
+      [](Inputs& i, double v) {
+        static BaliseTelegram telegram;
+        telegram.at.from_origin.si = v;
+        i.balise_telegrams = {&telegram, 1};
+      },
+
       [](Inputs& i, double v) { i.odometry.nominal.from_origin.si = v; },
-      [](Inputs& i, double v) { i.odometry.V_est.si = v; }, [](Inputs& i, double v) { i.odometry.A_est.si = v; },
-      [](Inputs& i, double v) { i.odometry.min.from_origin.si = v; }, [](Inputs& i, double v) { i.now.si = v; }};
+      [](Inputs& i, double v) { i.odometry.V_est.si = v; },
+      [](Inputs& i, double v) { i.odometry.A_est.si = v; },
+      [](Inputs& i, double v) { i.odometry.min.from_origin.si = v; },
+      [](Inputs& i, double v) { i.now.si = v; }};
   for (const auto spoil : spoilers)
     for (const double v : {nan, infinite, -infinite}) {
       power_up(*state, *derived, config);
@@ -434,6 +442,62 @@ TEST_F(Unit, a_ninth_unprotected_crossing_ends_the_authority_in_front_of_it) {
   EXPECT_TRUE(happened("track description", "ended: no room for more"));
   ASSERT_TRUE(out.EOA.has_value());
   EXPECT_NEAR(out.EOA->from_origin.si, at - config.train.L_antenna_front.si + 1500.0, 1.0);
+}
+
+TEST_F(Unit, takes_no_SR_speed_that_is_none) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (const double v : {-1.0, std::numeric_limits<double>::quiet_NaN(), 500.0}) {
+    in.driver.V_sr = Speed{v};
+    cycle();
+    EXPECT_TRUE(happened("SR speed and distance", "refused: out of range"));
+    EXPECT_NEAR(out.V_P->si * 3.6, 40.0, 1e-9);
+    events.clear();
+  }
+  in.driver.V_sr = Speed{5.0};
+  cycle();
+  EXPECT_NEAR(out.V_P->si, 5.0, 1e-9);
+}
+
+/// Group 102 gives the train an on sight area 300 m on in its own authority, and behind packet 136 one 800 m beyond
+/// group 103 in that of the infill: each belongs to its own.
+TEST_F(Unit, keeps_the_mode_profiles_before_and_behind_packet_136_apart) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  lang::Packet5 linking;
+  linking.Q_DIR.raw = 1;
+  linking.Q_SCALE.raw = 1;
+  linking.D_LINK.raw = 1000;
+  linking.NID_BG.raw = 103;
+  linking.Q_LINKORIENTATION.raw = 1;
+  linking.Q_LINKREACTION.raw = 2;
+  linking.Q_LOCACC.raw = 5;
+  const LevelOne data(1500, 20);
+  lang::Packet80 main;
+  main.Q_DIR.raw = 1;
+  main.Q_SCALE.raw = 1;
+  main.D_MAMODE.raw = 300;
+  main.M_MAMODE.raw = 0;
+  main.V_MAMODE.raw = 6;
+  main.L_MAMODE.raw = 100;
+  pass(telegram(101, 0, 1, true, data.ma, data.gradient, data.ssp), telegram(101, 1, 1, true), 8.0);
+  for (int i = 0; i < 10; ++i) cycle(8.0);
+  ASSERT_EQ(out.mode, modes::Mode::FS) << "infill is taken with an authority only";
+  lang::Packet136 infill;
+  infill.Q_DIR.raw = 1;
+  infill.NID_BG.raw = 103;
+  LevelOne beyond(1500, 20);
+  lang::Packet80 later = main;
+  later.D_MAMODE.raw = 800;
+  const double at = front - config.train.L_antenna_front.si;
+  pass(telegram(102, 0, 1, true, linking, data.ma, data.gradient, data.ssp, main),
+       telegram(102, 1, 1, true, infill, beyond.ma, beyond.gradient, beyond.ssp, later), 8.0);
+  for (int i = 0; i < 3; ++i) cycle(8.0);
+  std::vector<double> areas;
+  for (const track::ModeArea& a : state->track.mode_profile)
+    areas.push_back(position::counter_of(state->position, a.from).from_origin.si - at);
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas[0], 300.0, 1.0);
+  EXPECT_NEAR(areas[1], 1800.0, 1.0);
 }
 
 TEST_F(Unit, the_state_is_small_and_plain) {

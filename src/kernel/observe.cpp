@@ -135,6 +135,11 @@ void enter_SR_data(Cycle& cycle) {
   if (!cycle.in.driver.V_sr && !cycle.in.driver.D_sr) return;
   if (s.mode == Mode::SR && !cycle.here.standstill) cycle.asked.add(brakes::Cause::movement_while_entering_SR_data);
   if (!may(cycle, driver::Input::sr_speed_distance, "SR speed and distance")) return;
+  // A speed up to 600 km/h, a distance up to the greatest that packets give.
+  const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
+  if ((cycle.in.driver.V_sr && !in_range(cycle.in.driver.V_sr->si, 600.0 / 3.6)) ||
+      (cycle.in.driver.D_sr && !in_range(cycle.in.driver.D_sr->si, 327670.0)))
+    return note(cycle, Event{.subject = "SR speed and distance", .what = "refused: out of range", .clause = "4.4.11"});
   if (cycle.in.driver.V_sr) s.staff_responsible.V = cycle.in.driver.V_sr;
   if (cycle.in.driver.D_sr) s.staff_responsible.end = cycle.here.est_front + *cycle.in.driver.D_sr;
   ++s.revision;
@@ -418,7 +423,8 @@ void take_driver_actions(Cycle& cycle) {
   if (driver.train_data != nullptr) {
     if (may(cycle, driver::Input::train_data, "train data"))
       cycle.train_data_entered = enter_train_data(cycle, *driver.train_data);
-  } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown) {
+  } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown &&
+             may(cycle, driver::Input::train_data, "train data")) {
     s.data.train_data_status = DataStatus::valid;
     radio::send_train_data(s.radio);
     cycle.train_data_entered = true;

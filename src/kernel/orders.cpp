@@ -78,31 +78,25 @@ void cut_other(State& state, Place beyond) {
 
 namespace {
 
-/// Along the running direction: +1 where Q_DIR points with it or means both directions, -1 against it.
-double sense(std::uint8_t Q_DIR, Direction orientation) {
-  if (Q_DIR == 2) return 1.0;
-  return (Q_DIR == 1) == (orientation == Direction::nominal) ? 1.0 : -1.0;
-}
-
-const char* take_conditional_stop(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
+const char* take_conditional_stop(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view,
+                                  const track::Reference& reference) {
   State& s = cycle.state;
   lang::Message15 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
   if (information.orientation == Direction::unknown) return "3.6.3.1.4";
-  // 3.10.2.2: the place counts from the LRBG, D_REF included, in the direction of Q_DIR.
-  const Distance d = lang::metres(m.Q_SCALE, m.D_EMERGENCYSTOP);
-  const Distance d_ref = lang::metres(m.Q_SCALE, m.D_REF);
-  const double along = information.orientation == Direction::reverse ? -1.0 : 1.0;
-  const Place stop = information.reference + along * d_ref + sense(m.Q_DIR.raw, information.orientation) * d;
-  const protection::Answer answer = protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw, stop,
-                                                                   information.min_safe_front, cycle.here);
+  const std::optional<Place> stop = track::stop_location(m, reference);
+  const protection::Answer answer = stop ? protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw,
+                                                                          *stop, information.min_safe_front, cycle.here)
+                                         : protection::Answer{.clause = "3.6.3.1.3"};
   std::uint8_t Q = answer.Q_EMERGENCYSTOP;
-  if (answer.accepted) cut_other(s, stop);
+  if (answer.accepted) cut_other(s, *stop);
   if (information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
   radio::answer_emergency_stop(m.NID_EM.raw, Q, cycle.outbox);
   note(cycle, Event{.subject = "emergency stop",
                     .id = m.NID_EM.raw,
-                    .what = answer.accepted ? "accepted" : "refused: place passed",
+                    .what = answer.accepted ? "accepted"
+                            : stop          ? "refused: place passed"
+                                            : "refused: other direction",
                     .clause = answer.accepted ? "3.10.2.2" : answer.clause});
   return answer.accepted ? nullptr : answer.clause;
 }
@@ -157,10 +151,7 @@ const char* take_shortening(Cycle& cycle, const Information& information, const 
   track::Contents proposed = proposal(information, reference);
   const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
                        track::complete(s.track, proposed, cycle.here) && can_stop_before(cycle, *proposed.ma);
-  radio::Intent answer;
-  answer.NID_MESSAGE = granted ? 137 : 138;
-  answer.T_TRAIN_REF = view.T_TRAIN.raw;
-  cycle.outbox.send(answer);
+  radio::answer_shortening(granted, view.T_TRAIN.raw, cycle.outbox);
   note(cycle, Event{.subject = "MA shortening", .what = granted ? "granted" : "rejected", .clause = "3.8.6"});
   if (!granted) return "3.8.6.2";
   proposed.ma_is_shortening_request = true;
@@ -169,15 +160,15 @@ const char* take_shortening(Cycle& cycle, const Information& information, const 
   return nullptr;
 }
 
-const char* take_track_ahead_free(Cycle& cycle, const Information& information, const lang::MessageToTrainView& view) {
+const char* take_track_ahead_free(Cycle& cycle, const lang::MessageToTrainView& view,
+                                  const track::Reference& reference) {
   lang::Message34 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1";
-  if (information.orientation == Direction::unknown) return "3.6.3.1.4";
-  const double along = information.orientation == Direction::reverse ? -1.0 : 1.0;
-  const Place reference = information.reference + along * lang::metres(m.Q_SCALE, m.D_REF);
-  const double s = sense(m.Q_DIR.raw, information.orientation);
-  const Place from = reference + s * lang::metres(m.Q_SCALE, m.D_TAFDISPLAY);
-  const Place to = from + s * lang::metres(m.Q_SCALE, m.L_TAFDISPLAY);
+  if (reference.orientation == Direction::unknown) return "3.6.3.1.4";
+  if (!track::valid_direction(m.Q_DIR.raw, reference.orientation)) return "3.6.3.1.3";
+  const Place from =
+      track::shifted(reference, lang::metres(m.Q_SCALE, m.D_REF)).place + lang::metres(m.Q_SCALE, m.D_TAFDISPLAY);
+  const Place to = from + lang::metres(m.Q_SCALE, m.L_TAFDISPLAY);
   protection::request(cycle.state.track_ahead_free, from, to);
   return nullptr;
 }
@@ -204,7 +195,7 @@ const char* take_message(Cycle& cycle, const Information& information, const lan
     case 9:
       return take_shortening(cycle, information, message, reference);
     case 15:
-      return take_conditional_stop(cycle, information, message);
+      return take_conditional_stop(cycle, information, message, reference);
     case 16:
       return take_unconditional_stop(cycle, message, information);
     case 18:
@@ -216,7 +207,7 @@ const char* take_message(Cycle& cycle, const Information& information, const lan
       cycle.SH_authorised = true;
       return nullptr;
     case 34:
-      return take_track_ahead_free(cycle, information, message);
+      return take_track_ahead_free(cycle, message, reference);
     case 40:
       cycle.train_rejected = true;
       return nullptr;

@@ -54,9 +54,8 @@ void react(Cycle& cycle, const balise::Outcome& outcome) {
                       .id = e.id.NID_BG,
                       .what = e.what == balise::Happened::linking_ok ? "ok" : balise::name_of(e.what),
                       .clause = e.clause != nullptr && e.clause[0] != '\0' ? e.clause : nullptr});
-    if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level) &&
-        !s.radio.errors.push_back(static_cast<std::uint8_t>(e.report)))
-      note(cycle, Event{.subject = "error report", .what = "lost", .clause = "3.16.4"});
+    if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
+      radio::report_error(s.radio, static_cast<std::uint8_t>(e.report));
     linking = linking || e.what == balise::Happened::linking_error_early ||
               e.what == balise::Happened::linking_error_missed || e.what == balise::Happened::linking_error_later;
     two_missed = two_missed || e.what == balise::Happened::double_linking_error;

@@ -15,15 +15,20 @@ position::Odometry odometry_of(const Odometry& in) {
   return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
 }
 
-/// Not a number and the infinities give none.
-bool finite(double v) { return v - v == 0.0; }
-/// Whether the cycle's time and odometry can be worked with: finite, the bounds around the nominal value, no way back
-/// in time.
+/// Beyond these no train is: 30 years, a million kilometres, 1000 m/s. Not a number is never within.
+constexpr double kLongest = 1e9;
+constexpr double kFastest = 1e3;
+bool within(double v, double limit) { return v >= -limit && v <= limit; }
+
+/// Whether the cycle's time and places can be worked with: within bounds, in order, no way back in time.
 bool sound(const State& s, const Inputs& in) {
   const Odometry& o = in.odometry;
-  const double sum = in.now.si + o.nominal.from_origin.si + o.min.from_origin.si + o.max.from_origin.si + o.V_est.si +
-                     o.V_min.si + o.V_max.si + o.A_est.si;
-  return finite(sum) && o.min <= o.nominal && o.nominal <= o.max && in.now >= s.now;
+  for (const BaliseTelegram& t : in.balise_telegrams)
+    if (!within(t.at.from_origin.si, kLongest)) return false;
+  return in.now >= s.now && within(in.now.si, kLongest) && within(o.min.from_origin.si, kLongest) &&
+         within(o.max.from_origin.si, kLongest) && o.min <= o.nominal && o.nominal <= o.max &&
+         within(o.V_min.si, kFastest) && within(o.V_max.si, kFastest) && o.V_min <= o.V_est && o.V_est <= o.V_max &&
+         within(o.A_est.si, kFastest);
 }
 
 /// Timers of the authority, data whose function is over, and what a reaction shortens once the train stands
@@ -59,12 +64,7 @@ void run_texts(Cycle& cycle) {
   cycle.effects.requests.add(modes::Ack::text, !cycle.texts.to_acknowledge.empty());
   cycle.asked.add(brakes::Cause::text_service, cycle.texts.service_brake);
   cycle.asked.add(brakes::Cause::text_emergency, cycle.texts.emergency_brake);
-  for (const std::uint8_t id : reports) {
-    radio::Intent intent;
-    intent.NID_MESSAGE = 158;
-    intent.NID_TEXTMESSAGE = id;
-    cycle.outbox.send(intent);
-  }
+  for (const std::uint8_t id : reports) radio::report_text_acknowledged(id, cycle.outbox);
 }
 
 void ask_track_ahead_free(Cycle& cycle) {

@@ -219,27 +219,12 @@ const Reference* find(const State& state, GroupId id) {
   return i ? &state.references[*i] : nullptr;
 }
 
-void correct_place(State& state, GroupId id, Place place) {
-  const std::optional<std::size_t> i = index_of(state, id);
-  // The LRBG is what ties the frames: it moves with them, in relocate() only.
-  if (i && *i + 1 < state.references.size()) state.references[*i].place = place;
-}
-
 Motion motion(const State& state) { return at_standstill(state) ? Motion::standstill : state.last_motion; }
 Motion last_motion(const State& state) { return state.last_motion; }
 
 bool at_standstill(const State& state) { return state.started && state.time - state.rest_since >= kStandstillTime; }
 
 bool counter_rises(const State& state) { return (state.last_motion == Motion::forward) == (state.sense > 0); }
-
-bool odometer_impaired(const State& state) {
-  Reference from = lrbg(state) ? *lrbg(state) : since_power_up(state);
-  from.Q_LOCACC = Distance{0};
-  const PlaceInterval at = front(state, from);
-  const Distance run = magnitude(state.now.counter.nominal - from.counter.nominal);
-  const Distance allowed = kOdometerBase + kOdometerError * run;
-  return at.est - at.min > allowed || at.max - at.est > allowed;
-}
 
 Direction orientation(const State& state) {
   const Reference* reference = lrbg(state);

@@ -27,9 +27,7 @@ inline constexpr Duration kStandstillTime{0.5};
 inline constexpr Distance kStandstillDistance{0.05};
 /// The counter has to come back this far before the train counts as having turned.
 inline constexpr Distance kTurnDistance{0.1};
-/// What an odometer may err over a distance (SUBSET-041 5.3.1.1); the part of the distance is also taken
-/// where no reading bounds it.
-inline constexpr Distance kOdometerBase{5.0};
+/// What an odometer may err over a distance (SUBSET-041 5.3.1.1), taken where no reading bounds it.
 inline constexpr double kOdometerError = 0.05;
 
 /// One reading of the odometer.
@@ -140,9 +138,6 @@ OdometerPlace counter_of(const State& state, Place place);
 std::optional<Place> place_of(const State& state, GroupId id);
 /// The remembered LRBG itself; null when it is not remembered.
 const Reference* find(const State& state, GroupId id);
-/// A linking chain received later gives a better place of a remembered reference (3.6.4.3).
-void correct_place(State& state, GroupId id, Place place);
-
 // --- Motion, orientation
 
 Motion motion(const State& state);
@@ -151,8 +146,6 @@ Motion last_motion(const State& state);
 bool at_standstill(const State& state);
 /// The counter grew with the last movement.
 bool counter_rises(const State& state);
-/// The over- or under-reading since the LRBG is more than the 5 m + 5 % that an odometer may err (SUBSET-041 5.3.1.1).
-bool odometer_impaired(const State& state);
 /// Train orientation against the LRBG (Q_DIRLRBG).
 Direction orientation(const State& state);
 /// Running direction against the LRBG (Q_DIRTRAIN): at standstill that of the last movement.

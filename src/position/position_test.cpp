@@ -157,19 +157,6 @@ TEST(Position, CreepingWithoutSpeedIsNoStandstill) {
   EXPECT_FALSE(at_standstill(s));
 }
 
-TEST(Position, AnOdometerWorseThanAllowedIsImpaired) {
-  State s;
-  update(s, moving(exact(0)), 0_s);
-  update(s, moving(spread(100, 10, 10)), 1_s);
-  EXPECT_FALSE(odometer_impaired(s));
-  update(s, moving(spread(100, 10.1, 10)), 2_s);
-  EXPECT_TRUE(odometer_impaired(s));
-  relocate(s, passage(1, spread(100, 10.1, 10)));
-  EXPECT_FALSE(odometer_impaired(s));
-  update(s, moving(spread(0, 10.1, 20.1)), 3_s);  // 100 m back
-  EXPECT_TRUE(odometer_impaired(s));
-}
-
 TEST(Position, OrientationSideAndRunningDirection) {
   State s;
   update(s, moving(exact(0)), 0_s);
@@ -273,18 +260,6 @@ TEST(Position, AGroupReadAgainMovesToTheEndAndKeepsWhatIsKnownOfIt) {
   EXPECT_TRUE(lrbg(s)->reported);
   EXPECT_EQ(orientation(s), Direction::nominal);
   EXPECT_EQ(find(s, GroupId{426, 2})->place.from_origin.si, 98);
-}
-
-TEST(Position, PlacesOfOlderReferencesCanBeCorrectedTheLrbgNot) {
-  State s;
-  update(s, moving(exact(0)), 0_s);
-  relocate(s, passage(1, exact(0)));
-  relocate(s, passage(2, exact(100)));
-  correct_place(s, GroupId{426, 1}, Place{-7_m});
-  correct_place(s, GroupId{426, 2}, Place{-7_m});
-  correct_place(s, GroupId{426, 3}, Place{-7_m});
-  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -7);
-  EXPECT_EQ(place_of(s, GroupId{426, 2})->from_origin.si, 98);
 }
 
 TEST(Position, Status) {

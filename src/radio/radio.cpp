@@ -64,18 +64,6 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
-void run_exchange(State& s, Duration now, Outbox& out) {
-  Exchange& e = s.exchange;
-  if (e.NID_MESSAGE == 0 || now - e.since < kRepeatAfter) return;
-  if (e.repetitions >= kRepetitions) {
-    e = {};
-    return terminate(s.session, now, out);
-  }
-  ++e.repetitions;
-  e.since = now;
-  out.send(e.NID_MESSAGE);
-}
-
 /// Every message has its own stamp, also two of one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
   // While there is no connection, messages that are due count as sent (3.5.4.5).
@@ -168,7 +156,6 @@ bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Dura
   }
   if (!o.establish) {
     if (s.session.phase == Phase::idle || !s.session.rbc.same_id(rbc)) return false;
-    s.exchange = {};
     terminate(s.session, now, out);
     return true;
   }
@@ -185,7 +172,6 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   const Rbc former = s.session.rbc;
   if (maintain(s.session, in.link, in.in_radio_hole, in.now, out)) {
     result.session_lost = true;
-    s.exchange = {};
     if (!in.in_radio_hole) establish(s.session, former, Cause::after_loss, in.now, out);
   }
   // In a kept session train data that were not acknowledged are sent again (3.18.3.4.2).
@@ -201,20 +187,11 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
     }
   }
   send_ma_request(s, in, out);
-  if (up) run_exchange(s, in.now, out);
   stamp(s, in.now, out);
   if (up) s.established_now = false;
   return result;
 }
 
 void send_train_data(State& s) { s.train_data_pending = true; }
-
-void begin_exchange(State& s, std::uint8_t NID_MESSAGE, Duration now, Outbox& out) {
-  if (!s.session.established()) return;  // no session is opened for it (5.5.4.1.2)
-  s.exchange = {NID_MESSAGE, 0, now};
-  out.send(NID_MESSAGE);
-}
-
-void end_exchange(State& s) { s.exchange = {}; }
 
 }  // namespace evc::radio

@@ -36,15 +36,6 @@ struct ContactRule {
   Reaction M_NVCONTACT = Reaction::none;
 };
 
-/// An exchange that is repeated every kRepeatAfter until its answer comes: 130 until 27 or 28, 150 and the 136 after
-/// leaving the area until the order to terminate, the 136 of post trip until 6. After the last wait the
-/// session is terminated (5.5.4, 5.6.4, 5.11.4, 3.5.5.1 e).
-struct Exchange {
-  std::uint8_t NID_MESSAGE = 0;  ///< 0: none runs
-  std::uint8_t repetitions = 0;
-  Duration since{};
-};
-
 struct State {
   Session session;
   std::optional<Rbc> contact;              ///< stored RBC contact
@@ -64,8 +55,7 @@ struct State {
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and are still true
   std::optional<Duration> requested_at;
-  InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report (3.16.4)
-  Exchange exchange;
+  InplaceVector<std::uint8_t, 4> errors;        ///< M_ERROR to report (3.16.4)
   std::optional<std::uint32_t> exit_from_trip;  ///< T_TRAIN of message 6 (4.8.4 [1])
 };
 
@@ -132,10 +122,6 @@ Result supervise(State& state, const Inputs& inputs, Outbox& out);
 
 /// Train data were validated or changed: 129 is due (3.18.3.4).
 void send_train_data(State& state);
-/// Sends and repeats a message until `end_exchange`: 130, 136, 150.
-void begin_exchange(State& state, std::uint8_t NID_MESSAGE, Duration now, Outbox& out);
-/// Its answer came.
-void end_exchange(State& state);
 
 /// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (protection/ tells those of X = 1).
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {

@@ -290,24 +290,6 @@ TEST(MaRequest, WaitsForTheSessionAndTrackAheadFreeGoesOnce) {
   EXPECT_TRUE(u.run(130).empty());
 }
 
-TEST(Exchange, RepeatedThenTheSessionEnds) {  // 5.5.4
-  Unit u;
-  begin_exchange(u.s, 150, Duration{0}, u.out);
-  EXPECT_TRUE(u.out.messages.empty()) << "no session is opened for it";
-  u.up();
-  begin_exchange(u.s, 150, Duration{u.now}, u.out);
-  EXPECT_EQ(u.messages(), Ids{150});
-  u.fresh();
-  EXPECT_EQ(u.run(59.5), (Ids{150, 150, 150}));
-  EXPECT_EQ(u.run(1), Ids{156});
-  Unit v;
-  v.up();
-  begin_exchange(v.s, 130, Duration{v.now}, v.out);
-  v.run(16);
-  end_exchange(v.s);
-  EXPECT_TRUE(v.run(60).empty());
-}
-
 TEST(Reports, WhenDue) {
   Unit u;
   u.up();

@@ -188,9 +188,9 @@ void store_orders(const Filing& f) {
   if (c.geo) {
     // What applies already goes on until another becomes applicable (3.6.6.3).
     d.geo.erase_if([&](const GeoReference& old) { return !old.applies_from || *old.applies_from > f.here.est_front; });
-    for (const GeoReference& reference : *c.geo)
-      if (!d.geo.push_back(reference)) break;
-    f.note(79, Note::What::stored, nullptr);
+    bool room = true;
+    for (const GeoReference& reference : *c.geo) room = d.geo.push_back(reference) && room;
+    f.stored(79, room, "3.6.6");
   }
   d.stop_shunting_on_desk_opening = d.stop_shunting_on_desk_opening || c.stop_shunting_on_desk_opening;
   bool limited_supervision = false;

@@ -141,7 +141,7 @@ void play(Unit& unit, Script script) {
         break;
       }
       case 3:
-        balise::read_undecodable(unit.balise, reading(unit, {}, 0), unit.situation, outcome);
+        balise::read(unit.balise, reading(unit, {}, 0), unit.situation, outcome);
         break;
       case 4:
         announce(unit, script);
