@@ -269,8 +269,9 @@ CurvesResult curves_result(const Approached& a) {
   if (input.target != sdm::TargetKind::MRSP && !d.rules.pre_indication)
     r.scalars.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);
   for (const double v : input.speeds_kmh) r.by_speed.push_back(speed_row(a, v));
+  const Distance under_reading = input.motion ? input.motion->est_front - input.motion->min_safe_front : Distance{0.0};
   for (const double x : input.positions_m) {
-    const sdm::PositionRow p = sdm::speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est);
+    const sdm::PositionRow p = sdm::speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est, under_reading);
     PositionRow row;
     row.position_m = x;
     row.EBD = p.EBD.si * kKmh;

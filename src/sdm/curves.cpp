@@ -97,13 +97,17 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
   return e;
 }
 
-PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura, Acceleration A_est) {
+PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura, Acceleration A_est,
+                      Distance under_reading) {
   PositionRow row{};
+  Motion here;
+  here.est_front = here.max_safe_front = x;
+  here.min_safe_front = x - under_reading;
   const Speed top = in.V_top.value_or(d.V_relevant);
   row.EBD = d.view(t.EBD).speed_at(x);
   if (t.kind == TargetKind::EOA_SvL) row.SBD = d.view(t.SBD).speed_at(x);
   const auto speed = [&](auto pick) {
-    return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est)); }, x, top);
+    return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est, &here)); }, x, top);
   };
   row.EBI = speed([](const Explanation& e) { return *e.EBD.d_EBI; });
   row.SBI = speed([](const Explanation& e) { return e.d_FLOI; });

@@ -44,12 +44,13 @@ Explanation explain(const Derived& derived, const Inputs& in, const Target& targ
                     Acceleration A_est, const Motion* motion = nullptr);
 
 /// Speeds of one target's curves and limits at a place (3.13.9.3.3.7 ff., not iterated: the supervision
-/// limits invert to these only when V_est equals them). `iterated`: the speed V whose limit location is
-/// `x`, found by bisection to 1e-9 m/s.
+/// limits invert to these only when V_est equals them): the speed V whose limit location is `x`, found by
+/// bisection to 1e-9 m/s. The train's estimated front is at `x`, its min safe front `under_reading` in rear of it:
+/// 4.0.0's build-up times are reduced from there (A.3.12).
 struct PositionRow {
   Speed EBD, SBD, EBI, SBI, W, P, I;
 };
 PositionRow speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
-                      Acceleration A_est);
+                      Acceleration A_est, Distance under_reading = {});
 
 }  // namespace evc::sdm

@@ -934,6 +934,23 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{-90000.0}}, {}, {}).P, d->V_relevant);
 }
 
+TEST(Explain, SpeedsAtAPlaceAreThoseOfATrainThere) {
+  // 4.0.0 reduces build-up times from the train's front end: a train at the place of a limit has that limit.
+  for (int i = 0; i < 300; ++i) {
+    const RandomCase c = random_case(static_cast<std::uint64_t>(i), SrsVersion::v4_0_0);
+    const auto d = built(c.in);
+    const Target& t = d->targets.back();
+    const Motion& m = c.motion;
+    const Distance under_reading = m.est_front - m.min_safe_front;
+    const PositionRow row = speeds_at(*d, c.in, t, m.est_front, m.V_ura, m.A_est, under_reading);
+    const auto place = [&](Speed V) { return explain(*d, c.in, t, V, m.V_ura, m.A_est, &m).d_P; };
+    if (row.P.si <= t.V_target.si + 1.0 || row.P >= kmh(499.0)) continue;
+    // Just below the speed the train is in rear of P for it, just above it is not.
+    EXPECT_GE(place(row.P - Speed{1e-6}), m.est_front) << i;
+    EXPECT_LE(place(row.P + Speed{1e-6}), m.est_front) << i;
+  }
+}
+
 TEST(Rebuild, OnlyWhenSomethingChanged) {
   Inputs in = simple_inputs();
   set_EOA(in, 4900.0, 5000.0);
