@@ -280,6 +280,33 @@ TEST(CommandCurves, ExplainsByTheClauseOfEveryStep) {
   EXPECT_NE(other.find("min(A_brake_safe, A_MAXREDADH) + A_gradient"), std::string::npos);
 }
 
+TEST(CommandCurves, PermittedBrakingDistancesAndLevelCrossings) {
+  json document = passenger();
+  document["query"] = {{"speeds_kmh", {100}},
+                       {"PBD", {{{"D_PBD", 800}, {"G_PBDSR", 0}}, {{"D_PBD", 800}, {"G_PBDSR", -20}, {"Q_PBDSR", 1}}}},
+                       {"LX", {{{"D_LX", 5000}, {"V_LX", 40}}}}};
+  const Approached a{*io::read_curves(document.dump(), "a")};
+  const CurvesResult r = curves_result(a);
+  const json result = json::parse(curves_text(r, Format::json));
+  ASSERT_EQ(result["PBD"].size(), 2u);
+  const double EB = result["PBD"][0]["V_PBD_kmh"];
+  const double SB = result["PBD"][1]["V_PBD_kmh"];
+  EXPECT_EQ(EB, sdm::permitted_braking_distance_speed(a.input().inputs, {800.0}, 0.0, true).si * 3.6);
+  EXPECT_EQ(std::fmod(EB, 5.0), 0.0);
+  EXPECT_GT(EB, SB);
+  EXPECT_GT(SB, 0.0);
+  const json& lx = result["LX"][0];
+  EXPECT_EQ(lx["D_LX"], 5000.0);
+  EXPECT_EQ(lx["V_LX_kmh"], 40.0);
+  EXPECT_EQ(lx["P"], std::max(lx["P_EOA"].get<double>(), lx["P_SvL"].get<double>()));
+  EXPECT_EQ(lx["from_EOA"], lx["P_EOA"] >= lx["P_SvL"] ? 1.0 : 0.0);
+  EXPECT_NE(curves_text(r, Format::csv).find("\nD_PBD,G_PBDSR,Q_PBDSR,V_PBD_kmh\n800,0,0,"), std::string::npos);
+  EXPECT_NE(curves_text(r, Format::table).find("permitted braking distances\nD_PBD"), std::string::npos);
+  document["query"]["PBD"][0]["Q_PBDSR"] = 0.5;
+  EXPECT_EQ(refusal(document),
+            "case.json: /query/PBD/0/Q_PBDSR: found 0.5, expected 0 (emergency brake) or 1 (service brake)");
+}
+
 TEST(CommandCurves, ThePageOfAComparisonHoldsBothSides) {
   const Approached p = approached(kSource + "/data/curves/freight_P.json");
   const Approached g = approached(kSource + "/data/curves/freight_G.json");

@@ -72,6 +72,8 @@ std::string as_json(const CurvesResult& r) {
   append_rows(out, "by_speed", "v_kmh", &SpeedRow::v_kmh, r.by_speed, speed_columns(r.separate_EOA));
   out += ",\n";
   append_rows(out, "by_position", "position_m", &PositionRow::position_m, r.by_position, position_columns());
+  append_queries_json(out, "PBD", r.PBD);
+  append_queries_json(out, "LX", r.LX);
   if (!r.notes.empty()) {
     out += ",\n  \"notes\": [";
     for (std::size_t i = 0; i < r.notes.size(); ++i) {
@@ -104,6 +106,8 @@ std::string as_csv(const CurvesResult& r) {
     if (!out.empty()) out += '\n';
     append_csv(out, "position_m", &PositionRow::position_m, r.by_position, position_columns());
   }
+  append_queries_csv(out, r.PBD);
+  append_queries_csv(out, r.LX);
   return out;
 }
 
@@ -137,6 +141,8 @@ std::string as_table(const CurvesResult& r) {
     out += "\nspeeds in km/h, by place\n";
     out += table_of("m", &PositionRow::position_m, r.by_position, position_columns());
   }
+  append_queries_table(out, "permitted braking distances", r.PBD);
+  append_queries_table(out, "level crossings: metres before them where their speed takes the place of the stop", r.LX);
   for (const std::string& note : r.notes) out += "note: " + note + "\n";
   return out;
 }
@@ -283,6 +289,8 @@ CurvesResult curves_result(const Approached& a) {
     row.I = p.I.si * kKmh;
     r.by_position.push_back(row);
   }
+  r.PBD = PBD_rows(a);
+  r.LX = LX_rows(a);
   r.separate_EOA = t.kind == sdm::TargetKind::EOA_SvL && t.d_EOA != t.d_target;
   r.notes = a.notes();
   return r;

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/curves_file.h"
@@ -46,6 +47,8 @@ struct PositionRow {
   double position_m = 0.0;
   Value EBD, SBD, EBI, SBI, W, P, I;
 };
+/// What was asked beside speeds and places: names and values of one answer.
+using QueryRow = std::vector<std::pair<const char*, Value>>;
 struct Scalars {
   Value T_be_s, T_bs_s, V_release_kmh, d_start_RSM_m, d_preindication_m, d_perturbation_m;
 };
@@ -53,6 +56,7 @@ struct CurvesResult {
   Scalars scalars;
   std::vector<SpeedRow> by_speed;
   std::vector<PositionRow> by_position;
+  std::vector<QueryRow> PBD, LX;
   std::vector<std::string> notes;
   bool separate_EOA = false;  // EOA and SvL differ: the rows have the limits of both
 };
@@ -71,6 +75,15 @@ const std::vector<Column<SpeedRow>>& curve_columns();
 
 SpeedRow speed_row(const Approached& approached, double v_kmh);
 CurvesResult curves_result(const Approached& approached);
+
+/// Speed restrictions of the permitted braking distances (3.11.11), km/h.
+std::vector<QueryRow> PBD_rows(const Approached& approached);
+/// Metres before each level crossing where its speed takes the place of the stop (3.13.9.3.5.11-12); `from_EOA`: 1
+/// where the SBD decides (against the estimated front end), 0 where the EBD does.
+std::vector<QueryRow> LX_rows(const Approached& approached);
+void append_queries_json(std::string& out, const char* key, const std::vector<QueryRow>& rows);
+void append_queries_csv(std::string& out, const std::vector<QueryRow>& rows);
+void append_queries_table(std::string& out, const char* title, const std::vector<QueryRow>& rows);
 
 enum class Format { json, csv, table };
 /// `evc-curves-result/1` and its two readable forms.

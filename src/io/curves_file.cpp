@@ -276,8 +276,33 @@ std::vector<double> read_list(const JsonPlace& place, double least, double most)
   return list;
 }
 
+PbdQuery read_PBD(const JsonPlace& place) {
+  place.know_only({"D_PBD", "G_PBDSR", "Q_PBDSR"});
+  PbdQuery q;
+  q.D_PBD = {place["D_PBD"].number(0.0, kFar_m)};
+  if (const auto p = place.find("G_PBDSR")) q.G_PBDSR = p->number(-254.0, 254.0);
+  if (const auto p = place.find("Q_PBDSR")) {
+    const double brake = p->number(0.0, 1.0);
+    if (brake != 0.0 && brake != 1.0) p->fail("0 (emergency brake) or 1 (service brake)");
+    q.service_brake = brake == 1.0;
+  }
+  return q;
+}
+LxQuery read_LX(const JsonPlace& place) {
+  place.know_only({"D_LX", "V_LX"});
+  return {Place{{location(place["D_LX"])}}, Speed{place["V_LX"].number(0.0, 600.0) / kKmh}};
+}
+template <class Query>
+void read_all(std::vector<Query>& out, const JsonPlace& list, Query (*read)(const JsonPlace&)) {
+  if (!list.is_array()) list.fail("a list");
+  if (list.size() > kMostQueries) list.fail("at most " + std::to_string(kMostQueries) + " values");
+  for (std::size_t i = 0; i < list.size(); ++i) out.push_back(read(list[i]));
+}
+
 void read_query(CurvesInput& out, const JsonPlace& query) {
-  query.know_only({"speeds_kmh", "positions_m"});
+  query.know_only({"speeds_kmh", "positions_m", "PBD", "LX"});
+  if (const auto p = query.find("PBD")) read_all(out.PBD, *p, read_PBD);
+  if (const auto p = query.find("LX")) read_all(out.LX, *p, read_LX);
   if (const auto p = query.find("speeds_kmh")) out.speeds_kmh = read_list(*p, 0.0, 600.0);
   if (const auto p = query.find("positions_m")) out.positions_m = read_list(*p, -kFar_m, kFar_m);
 }

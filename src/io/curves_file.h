@@ -9,6 +9,18 @@
 
 namespace evc::io {
 
+/// A permitted braking distance as packet 52 gives it (3.11.11).
+struct PbdQuery {
+  Distance D_PBD{};
+  double G_PBDSR = 0.0;  // per mille, downhill negative
+  bool service_brake = false;
+};
+/// A level crossing that is not protected, without a stop in rear of it (3.13.9.3.5.11, 5.16.3).
+struct LxQuery {
+  Place D_LX{};
+  Speed V_LX{};
+};
+
 /// What is asked about one target: an `evc-curves/1` document.
 struct CurvesInput {
   std::string name;        // of the case: the key `name`, else the file's name
@@ -22,6 +34,8 @@ struct CurvesInput {
   std::optional<sdm::Motion> motion;
   std::vector<double> speeds_kmh;
   std::vector<double> positions_m;
+  std::vector<PbdQuery> PBD;
+  std::vector<LxQuery> LX;
   /// Constants of the design memo's spreadsheet, where the document gives them (`--model workbook`).
   std::optional<sdm::WorkbookInputs> workbook;
 };
