@@ -805,6 +805,20 @@ TEST(ReducedBuildUp, WhatIsSettledEarlyIsWhatTheTrackSays) {
   EXPECT_GT(open, 10);
 }
 
+TEST(ReducedBuildUp, TheServiceBrakeTowardsTheEOAKnowsNothingOfTheWayToTheSvL) {
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
+  ASSERT_TRUE(in.gradient.permille.append({{4900.0}}, 30.0));  // under the whole train from 5000 on
+  set_EOA(in, 4900.0, 5200.0);
+  const auto apart = built(in);
+  set_EOA(in, 4900.0, 4900.0);
+  const auto together = built(in);
+  const Approach a = approach({1.0}, {}, {}, apart->fixed);
+  const TimesAsked asked{std::nullopt, Fronts{{{4880.0}}, {{4880.0}}}};
+  const TargetTimes t = times_of(*apart, apart->targets[0], a, asked);
+  EXPECT_EQ(t.SBD.T_bs1, times_of(*together, together->targets[0], a, asked).SBD.T_bs1);
+  EXPECT_LT(t.SBD.T_bs1, t.EBD.T_bs1);
+}
+
 /// Every segment and every band looked at by itself.
 DecelerationRange range_by_cells(const Decelerations& d, CurveKind kind, Place from, Place to, Place reduced_from,
                                  Speed low, Speed high) {
@@ -932,6 +946,18 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_NEAR(row.SBD.si, std::sqrt(1.6 * (4900.0 - m(e.d_P))), 1e-9);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{5001.0}}, {}, {}).P.si, 0.0);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{-90000.0}}, {}, {}).P, d->V_relevant);
+}
+
+TEST(Explain, GradientsOfBothCurves) {
+  Inputs in = simple_inputs();
+  in.gradient.permille.steps[0].value = -10.0;
+  set_EOA(in, 4900.0, 5000.0);
+  const auto d = built(in);
+  const Explanation e = explain(*d, in, d->targets[0], {30.0}, {}, {});
+  const double A = -9.81 * 10.0 / (1000.0 + 10.0 * 2.0);
+  EXPECT_NEAR(e.A_gradient_EBD.si, A, 1e-12);
+  EXPECT_NEAR(e.A_gradient_SBD.si, A, 1e-12);
+  EXPECT_NEAR(e.A_expected.si, 0.8 + A, 1e-12);
 }
 
 TEST(Explain, SpeedsAtAPlaceAreThoseOfATrainThere) {

@@ -106,8 +106,7 @@ struct Triggered {
 
 /// What may be taken back: all that every target agrees to.
 struct Revoked {
-  bool all = true;  // a condition is met for every target
-  bool tco = true, sb = true;
+  bool all = true;        // a condition is met for every target
   bool eb = true;         // also by Q_NVEMRRLS or a target speed of 0
   bool to_normal = true;  // every target's condition leads to Normal status
   bool only_r2 = false;   // for some target only r2 (d <= d_I) holds
@@ -180,10 +179,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     const unsigned beyond = seen[i].beyond;
     if (beyond == 0 && at_or_below_M && c.a.V > Vt) {
       // In rear of all limits: no row of the tables but Normal status (t2); r3 holds, in 3.4.0 r2.
-      if (rules.pre_indication)
-        r.only_r2 = true;
-      else
-        r.to_normal = false;
+      r.only_r2 = true;
       r.eb = r.eb && c.d.Q_NVEMRRLS;
       continue;
     }

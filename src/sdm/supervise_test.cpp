@@ -414,6 +414,36 @@ TEST(TSM340, IndicationEndsAtTheTargetSpeed) {
   EXPECT_EQ(u.cycle(3600, 20.0).status, Status::Normal);  // r1
 }
 
+TEST(TSM340, IndicationStatusEndsByR1WhateverIsDisplayed) {
+  Unit u(SrsVersion::v3_4_0);
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+  u.build();
+  const Explanation e = explain(*u.d, u.in, u.d->targets[0], {25.0}, {}, {});
+  const double x = 0.5 * (e.EBD.d_I.from_origin.si + e.EBD.d_P.from_origin.si);
+  u.cycle(x, 25.0);
+  ASSERT_EQ(u.cycle(x + 1.0, 25.0).status, Status::Indication);
+  EXPECT_EQ(u.cycle(x + 2.0, 20.0).status, Status::Normal);
+  EXPECT_FALSE(u.r.MRDT_changed);
+}
+
+TEST(TSM, TheSameTargetIsNewAgainAfterCeilingSpeedMonitoring) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = approaching_EOA(srs);
+    u.cycle(4000, kM);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    set_EOA(u.in, 9000.0, 9000.0);
+    u.build();
+    u.cycle(4001, kM);
+    ASSERT_EQ(u.r.monitoring, Monitoring::CSM);
+    EXPECT_FALSE(u.s.has_MRDT);
+    set_EOA(u.in, 4900.0, 5000.0);
+    u.build();
+    u.cycle(4002, kM);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    EXPECT_TRUE(u.r.MRDT_changed);
+  }
+}
+
 TEST(TSM340, ReleaseSpeedMonitoringAtItsStart) {
   Unit u(SrsVersion::v3_4_0);
   set_EOA(u.in, 4900.0, 5000.0);
@@ -436,6 +466,8 @@ TEST(LOA, ASpeedNotAStop) {
   EXPECT_EQ(u.r.MRDT->kind, TargetKind::LOA);
   EXPECT_EQ(*u.r.V_target, Speed{20.0});
   // Beyond it its speed is a ceiling.
+  EXPECT_EQ(u.cycle(3999.9, 19.0).V_MRSP.si, 30.0);
+  EXPECT_EQ(u.cycle(4000, 19.0).V_MRSP.si, 20.0);
   EXPECT_EQ(u.cycle(4001, 19.0).V_MRSP.si, 20.0);
   EXPECT_EQ(u.cycle(4001, 20.0 + 7.6 / 3.6).eb, true);
 }
@@ -786,6 +818,57 @@ TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
     EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
     EXPECT_FALSE(u.s.feedback.locked);
   }
+}
+
+TEST(Feedback, HeldValuesAreFreeAgainOnceTheyFall) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = with_feedback(srs);
+    u.s.feedback.p0_known = true;
+    u.s.feedback.p0 = 500.0;
+    const auto cycle = [&](double x, double p) {
+      Motion m = at(x, 25.0);
+      m.brake_pressure_kpa = p;
+      u.cycle(m);
+    };
+    cycle(4350, 500.0);
+    cycle(4350, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    const Speed P = u.r.V_P;
+    const Speed SBI = u.r.V_SBI;
+    cycle(4350, 430.0);  // T_bs1 = 0: both would rise
+    ASSERT_TRUE(u.s.feedback.locked);
+    EXPECT_EQ(u.r.V_P, P);
+    if (srs == SrsVersion::v4_0_0) {
+      EXPECT_EQ(u.r.V_SBI, SBI);
+    } else {
+      EXPECT_GT(u.r.V_SBI, SBI);
+    }
+    cycle(4400, 430.0);
+    EXPECT_LT(u.r.V_P, P);
+    cycle(4350, 430.0);  // relocated; nothing shrinks now
+    EXPECT_GT(u.r.V_P, P);
+    EXPECT_GT(u.r.V_SBI, SBI);
+  }
+}
+
+TEST(Feedback, MovesTheStartOfReleaseSpeedMonitoring) {
+  // SBI1 at the release speed of 5 m/s: 4869.375 with T_bs1 = 3 s, 4884.375 with 0 s.
+  Unit u = with_feedback(SrsVersion::v3_6_0);
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.s.feedback.p0_known = true;
+  u.s.feedback.p0 = 500.0;
+  const auto cycle = [&](double x, double p) {
+    Motion m = at(x, 8.0);
+    m.brake_pressure_kpa = p;
+    return u.cycle(m).monitoring;
+  };
+  cycle(4860, 500.0);
+  ASSERT_EQ(cycle(4861, 430.0), Monitoring::TSM);
+  EXPECT_EQ(cycle(4884, 430.0), Monitoring::TSM);
+  EXPECT_EQ(cycle(4884.5, 430.0), Monitoring::RSM);
 }
 
 TEST(Feedback, TheIndicationLimitOf400IgnoresIt) {
