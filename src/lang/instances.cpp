@@ -5,14 +5,6 @@
 namespace evc::lang {
 namespace {
 
-constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
-  NumberSet s;
-  for (const std::uint8_t n : numbers) s.add(n);
-  return s;
-}
-// 8.4.1.4.1, .6 to .8 (200 is packet 0 of version 1.1)
-constexpr NumberSet may_repeat = set_of({44, 254, 145, 0, 200});
-
 /// `bits` bits of a packet, from the `from`-th one of it.
 std::uint64_t bits_of(const PacketView& packet, unsigned from, unsigned bits) {
   const std::size_t end = packet.bit + packet.L_PACKET;
@@ -20,26 +12,15 @@ std::uint64_t bits_of(const PacketView& packet, unsigned from, unsigned bits) {
 }
 constexpr unsigned header = 8 + 2 + 13;  // NID_PACKET, Q_DIR, L_PACKET
 
-/// Identities of packets 65 and 88 (behind Q_SCALE) and 66.
-std::uint8_t identity(const PacketView& packet, unsigned from) {
-  return static_cast<std::uint8_t>(bits_of(packet, from, 8));
+std::uint32_t identity(const PacketView& packet, unsigned from, unsigned bits) {
+  return static_cast<std::uint32_t>(bits_of(packet, from, bits));
 }
-constexpr std::uint8_t not_revocable = 255;  // NID_TSR
+constexpr std::uint32_t not_revocable = 255;  // NID_TSR
 
 }  // namespace
 
 std::uint8_t wire_number(const PacketView& packet) {
   return static_cast<std::uint8_t>(BitReader(packet.bytes, packet.bytes.size() * 8, packet.bit).read(8));
-}
-
-bool Instances::ByDirection::add(std::uint8_t Q_DIR, std::uint8_t number) {
-  bool again = false;
-  for (unsigned direction = 0; direction < 2; ++direction) {
-    if (Q_DIR != 2 && Q_DIR != direction) continue;
-    again = again || numbers[direction].has(number);
-    numbers[direction].add(number);
-  }
-  return again;
 }
 
 /// 8.4.1.4.4.
@@ -58,35 +39,36 @@ bool Instances::add_location(const PacketView& packet) {
   return wrong;
 }
 
-/// 8.4.1.4.9. More covers than there is room for are taken for one too many.
-bool Instances::add_cover(const PacketView& packet) {
-  const auto identity = static_cast<std::uint32_t>(bits_of(packet, header + 1, 6 + 10));
-  for (const std::uint32_t other : covers_) {
-    const std::uint32_t Q_DIR = other >> 16;
-    if ((other & 0xFFFFu) == identity && (Q_DIR == packet.Q_DIR || Q_DIR == 2 || packet.Q_DIR == 2)) return true;
+/// 8.4.1.4.2, .3, .5 and .9. More than there is room for are taken for one too many.
+bool Instances::add_identity(const PacketView& packet, std::uint32_t nid, std::uint32_t identity) {
+  const std::uint32_t which = nid << 16 | identity;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::uint32_t Q_DIR = identities_[i] >> 24;
+    if ((identities_[i] & 0xFFFFFFu) == which && (Q_DIR == packet.Q_DIR || Q_DIR == 2 || packet.Q_DIR == 2))
+      return true;
   }
-  return !covers_.push_back(std::uint32_t{packet.Q_DIR} << 16 | identity);
+  if (count_ == identities_.size()) return true;
+  identities_[count_++] = std::uint32_t{packet.Q_DIR} << 24 | which;
+  return false;
 }
 
-bool Instances::add(const PacketView& packet) {
-  if (!packet.known) return false;
-  const std::uint8_t nid = wire_number(packet);
+bool Instances::add_special(const PacketView& packet, std::uint8_t nid) {
   if (packet.direction == Direction::to_track) return nid != 44 && packets_[0].add(2, nid);  // 8.4.1.5
   switch (nid) {
     case 65: {
-      const std::uint8_t NID_TSR = identity(packet, header + 2);
-      return NID_TSR != not_revocable && restrictions_.add(packet.Q_DIR, NID_TSR);
+      const std::uint32_t NID_TSR = identity(packet, header + 2, 8);  // behind Q_SCALE
+      return NID_TSR != not_revocable && add_identity(packet, 65, NID_TSR);
     }
     case 66:
-      return revocations_.add(packet.Q_DIR, identity(packet, header));
+      return add_identity(packet, 66, identity(packet, header, 8));
     case 88:
-      return crossings_.add(packet.Q_DIR, identity(packet, header + 2));
+      return add_identity(packet, 88, identity(packet, header + 2, 8));
     case 6:
-      return add_cover(packet);
+      return add_identity(packet, 6, identity(packet, header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
     case 136:
       return add_location(packet);
     default:
-      return !may_repeat.has(nid) && packets_[infill_ ? 1 : 0].add(packet.Q_DIR, nid);
+      return false;  // 8.4.1.4.1, .6 to .8; 200 is packet 0 of version 1.1
   }
 }
 

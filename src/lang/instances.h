@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -17,6 +19,12 @@ struct NumberSet {
   constexpr void add(std::uint8_t n) { words[n / 64] |= std::uint64_t{1} << (n % 64); }
 };
 
+constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
+  NumberSet s;
+  for (const std::uint8_t n : numbers) s.add(n);
+  return s;
+}
+
 /// NID_PACKET as it stands in the bits; PacketView::NID_PACKET is that of version 2.1.
 std::uint8_t wire_number(const PacketView& packet);
 
@@ -34,21 +42,40 @@ class Instances {
   /// restrictions that cannot be revoked apart; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in a telegram, and in
   /// every telegram with the same content. Identities are held against each other for one direction, as the rule that
   /// they are the exception of is. What follows packet 136 is about another group and counts by itself.
-  bool add(const PacketView& packet);
+  bool add(const PacketView& packet) { return packet.known && add(packet, wire_number(packet)); }
+  /// The same for a packet that is known, with its wire_number() at hand.
+  bool add(const PacketView& packet, std::uint8_t nid) {
+    if (special.has(nid) || packet.direction == Direction::to_track) [[unlikely]]
+      return add_special(packet, nid);
+    return packets_[infill_ ? 1 : 0].add(packet.Q_DIR, nid);
+  }
 
  private:
   struct ByDirection {
-    NumberSet numbers[2];
-    bool add(std::uint8_t Q_DIR, std::uint8_t number);
+    NumberSet nominal, reverse;
+    bool add(std::uint8_t Q_DIR, std::uint8_t number) {
+      const std::uint64_t one = std::uint64_t{1} << (number % 64);
+      const std::uint64_t for_nominal = Q_DIR != 0 ? one : 0, for_reverse = Q_DIR != 1 ? one : 0;
+      std::uint64_t &n = nominal.words[number / 64], &r = reverse.words[number / 64];
+      const bool again = ((n & for_nominal) | (r & for_reverse)) != 0;
+      n |= for_nominal;
+      r |= for_reverse;
+      return again;
+    }
   };
+  /// Those of 8.4.1.4.1 to .9: several may stand in a message.
+  static constexpr NumberSet special = set_of({44, 65, 66, 136, 88, 254, 145, 0, 200, 6});
+  bool add_special(const PacketView& packet, std::uint8_t nid);
   bool add_location(const PacketView& packet);
-  bool add_cover(const PacketView& packet);
+  bool add_identity(const PacketView& packet, std::uint32_t nid, std::uint32_t identity);
 
   ByDirection packets_[2];  // before and after packet 136
-  ByDirection restrictions_, revocations_, crossings_;
-  InplaceVector<std::uint32_t, 64> covers_;  // Q_DIR, NID_VBCMK, NID_C
-  std::uint64_t location_[2]{};              // what packet 136 says for each direction, 0: none
-  std::uint8_t infill_for_ = 0;              // directions of the packets 136 of this telegram, a bit each
+  // NID_PACKET, Q_DIR and identity of packets 65, 66, 88 and 6. The shortest of them has 31 bits: a telegram has not
+  // more than 26 (8.4.2.1), a message of eight telegrams not more than 208.
+  std::array<std::uint32_t, 208> identities_;  // NOLINT(cppcoreguidelines-pro-type-member-init): up to count_
+  std::size_t count_ = 0;
+  std::uint64_t location_[2]{};  // what packet 136 says for each direction, 0: none
+  std::uint8_t infill_for_ = 0;  // directions of the packets 136 of this telegram, a bit each
   bool infill_ = false;
 };
 

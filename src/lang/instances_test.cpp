@@ -143,16 +143,15 @@ TEST(Instances, InfillAcrossTelegrams) {
   EXPECT_FALSE(together({&b, &b}));
 }
 
-TEST(Instances, MoreCoversThanAreKeptAreOneTooMany) {
-  std::array<std::uint8_t, 1024> room{};
+TEST(Instances, MoreThanAMessageCanHaveAreOneTooMany) {
+  std::array<std::uint8_t, 2048> room{};
   BitWriter out(room);
-  for (std::uint8_t i = 0; i < 64; ++i) encode(out, cover(2, 0, i, 426));
-  encode(out, cover(2, 0, 1, 427));
-  const auto length = static_cast<std::uint16_t>(out.position() / 65);
+  for (std::uint16_t i = 0; i < 209; ++i) encode(out, cover(2, 0, 5, i));
+  const auto length = static_cast<std::uint16_t>(out.position() / 209);
   Instances instances;
-  for (unsigned i = 0; i < 65; ++i) {
-    const PacketView view{6, 2, length, {2, 1}, Direction::to_train, true, out.bytes(), length * i};
-    EXPECT_EQ(instances.add(view), i == 64);
+  for (unsigned i = 0; i < 209; ++i) {
+    const PacketView view{6, length, length * i, 2, {2, 1}, Direction::to_train, true, out.bytes()};
+    EXPECT_EQ(instances.add(view), i == 208);
   }
 }
 

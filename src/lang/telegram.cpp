@@ -69,24 +69,34 @@ bool is_let_through(const FaultAt& fault, const Frame& frame) {
   return frame.check == Check::reading && is_let_through(fault, frame.sv);
 }
 
-/// What is to be said of a packet besides where it ends.
-FaultAt check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
-                    Instances& instances) {
+/// What is to be said of a packet besides where it ends. False: not sound, and `at` says why.
+bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
+                 Instances& instances, FaultAt& at) {
   const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
-  const auto fault = [&](Fault f) { return fault_in(f, view.bit, nid, "NID_PACKET", nid); };
-  if (codec == nullptr) return frame.check == Check::all && !is_later(frame.sv) ? fault(Fault::spare_value) : FaultAt{};
-  if (FaultAt at; !codec->check(view, at) && !is_let_through(at, frame)) return at;
-  if (frame.medium != 0 && (codec->info->media & frame.medium) == 0) return fault(Fault::wrong_medium);
-  if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !before.empty() &&
-      before.back().NID_PACKET != 0)
-    return fault(Fault::wrong_place);
-  return instances.add(view) ? fault(Fault::duplicate_packet) : FaultAt{};
+  Fault fault = Fault::none;
+  if (codec == nullptr) [[unlikely]] {
+    if (frame.check == Check::all && !is_later(frame.sv)) fault = Fault::spare_value;
+  } else if (!codec->check(view, at) && !is_let_through(at, frame)) [[unlikely]] {
+    return false;
+  } else if (frame.medium != 0 && (codec->info->media & frame.medium) == 0) {
+    fault = Fault::wrong_medium;
+  } else if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !before.empty() &&
+             before.back().NID_PACKET != 0) {
+    fault = Fault::wrong_place;
+  } else if (instances.add(view, nid)) {
+    fault = Fault::duplicate_packet;
+  }
+  if (fault == Fault::none) [[likely]]
+    return true;
+  at = fault_in(fault, view.bit, nid, "NID_PACKET", nid);
+  return false;
 }
 
 /// The packets from bit `at` on; `used` is the bit after the last one (after packet 255).
 FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, std::size_t& used) {
   const Versions version = known_version(frame.sv);
   Instances instances;
+  FaultAt fault;
   for (;;) {
     used = at;
     if (frame.end - at < 8) {
@@ -100,11 +110,11 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
       return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
     }
     const PacketCodec* codec = find_packet_codec(frame.direction, version, nid);
-    PacketView view{
-        nid, 0, 0, frame.sv, frame.direction, codec != nullptr, frame.bytes, static_cast<std::uint32_t>(at)};
-    if (const FaultAt fault = measure(frame, view, codec)) return fault;
+    PacketView view{nid,        0, static_cast<std::uint32_t>(at), 0, frame.sv, frame.direction, codec != nullptr,
+                    frame.bytes};
+    if (const FaultAt unmeasured = measure(frame, view, codec)) return unmeasured;
     if (frame.check != Check::structure)
-      if (const FaultAt fault = check_found(frame, view, codec, packets, instances)) return fault;
+      if (!check_found(frame, view, codec, packets, instances, fault)) return fault;
     view.NID_PACKET = newest_number(nid, version);
     if (!packets.push_back(view)) return fault_in(Fault::too_many_packets, at, nid, "NID_PACKET", nid);
     at += view.L_PACKET;
@@ -253,7 +263,7 @@ FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Dire
   const auto nid = static_cast<std::uint8_t>(in.read(8, "NID_PACKET"));
   if (in.faulty()) return {Fault::truncated, 0, -1, "NID_PACKET", 0};
   const PacketCodec* codec = find_packet_codec(direction, known_version(sv), nid);
-  PacketView view{nid, 0, 0, sv, direction, codec != nullptr, bytes, 0};
+  PacketView view{nid, 0, 0, 0, sv, direction, codec != nullptr, bytes};
   const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::reading};
   if (nid == 255) view.L_PACKET = 8;
   if (const FaultAt fault = nid == 255 ? FaultAt{} : measure(frame, view, codec)) return fault;

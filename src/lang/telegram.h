@@ -17,13 +17,13 @@ struct PacketView {
   /// The packet number of version 2.1: 200, 206, 207 and 239 of version 1.1 are 0, 68, 70 and 39 here
   /// (6.6.3.2.3, translations 15, 17, 18, 19).
   std::uint16_t NID_PACKET = 0;
-  std::uint8_t Q_DIR = 0;      ///< raw; 2 (both) for packets without Q_DIR and from the train
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
+  std::uint32_t bit = 0;       ///< of NID_PACKET in `bytes`
+  std::uint8_t Q_DIR = 0;      ///< raw; 2 (both) for packets without Q_DIR and from the train
   SystemVersion sv{0, 0};      ///< to be set in views made by hand
   Direction direction = Direction::to_train;
   bool known = false;                   ///< false: a number without a meaning here, skipped by its length
   std::span<const std::uint8_t> bytes;  ///< of the whole telegram or message
-  std::uint32_t bit = 0;                ///< of NID_PACKET in `bytes`
 };
 
 inline constexpr std::size_t kPacketsMax = 48;

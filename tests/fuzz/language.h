@@ -64,14 +64,14 @@ template <class P>
   lang::encode(out, packet);
   if (!own) {  // translated from an older layout: the same comes back in the newest one
     if (out.faulty()) return require(nid_of(view) == 44);  // the longest packet 44 has no form in X = 2
-    lang::PacketView newest{P::info.NID_PACKET,
-                            packet_direction(packet),
-                            static_cast<std::uint16_t>(out.position()),
-                            {2, 1},
-                            view.direction,
-                            true,
-                            room,
-                            0};
+    const lang::PacketView newest{P::info.NID_PACKET,
+                                  static_cast<std::uint16_t>(out.position()),
+                                  0,
+                                  packet_direction(packet),
+                                  {2, 1},
+                                  view.direction,
+                                  true,
+                                  room};
     P again;
     return require(lang::decode(newest, again) == lang::Fault::none && again == packet);
   }
@@ -141,7 +141,7 @@ inline void check_alone(std::span<const std::uint8_t> bytes, lang::Direction dir
       const bool right_length = !inside.faulty() && inside.position() == end;
       require((fast.fault == lang::Fault::none) == (right_length && !finder.spare));
       require((fast.fault == lang::Fault::length_mismatch) == !right_length);
-      lang::PacketView view{nid, 2, static_cast<std::uint16_t>(end), sv, direction, true, bytes, 0};
+      lang::PacketView view{nid, static_cast<std::uint16_t>(end), 0, 2, sv, direction, true, bytes};
       if (layout->has_direction) view.Q_DIR = static_cast<std::uint8_t>(BitReader(bytes, bits, 8).read(2));
       check_view(view, fast.fault == lang::Fault::none);
     } else {
