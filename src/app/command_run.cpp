@@ -4,13 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/data_files.h"
 #include "app/journey.h"
@@ -33,9 +37,8 @@ constexpr const char* kShippedLine = "lines/brunnental.json";
 constexpr const char* kDriverNames[] = {"perfect", "late", "reckless"};
 
 struct Options {
-  std::string line, train, driver = "perfect", output;
+  std::string line, train, driver = "perfect", output, seed = "1";
   int last_ma = -1;
-  std::uint64_t seed = 1;
 };
 
 /// The files of a run as they are made, whole.
@@ -191,15 +194,35 @@ Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::
 io::Result<bool> write_records(const std::string& folder, const Records& records, const ordered_json& summary,
                                const std::string& page) {
   const std::string totals = summary.dump(2) + "\n";
-  // The summary last: a folder that has one has everything.
-  const std::pair<const char*, const std::string*> files[] = {{"inputs.jsonl", &records.inputs},
+  // The summary last: a folder that has one has everything, and of one run.
+  const std::pair<const char*, const std::string*> texts[] = {{"inputs.jsonl", &records.inputs},
                                                               {"outputs.jsonl", &records.outputs},
                                                               {"trace.csv", &records.trace},
                                                               {"report.html", &page},
                                                               {"summary.json", &totals}};
-  for (const auto& [name, text] : files)
-    if (const auto written = io::write_whole(folder + "/" + name, *text); !written) return written;
+  std::vector<io::WholeFile> files;
+  files.reserve(std::size(texts));
+  for (const auto& [name, text] : texts) {
+    auto file = io::WholeFile::create(folder + "/" + name);
+    if (!file) return tl::unexpected(file.error());
+    file->write(*text);
+    if (const auto whole = file->finish(); !whole) return whole;
+    files.push_back(std::move(*file));
+  }
+  const std::string old = folder + "/summary.json";
+  std::error_code error;
+  std::filesystem::remove(old, error);
+  if (error) return tl::unexpected(io::Diagnostic{old, "", error.message(), "a file that can be written"});
+  for (io::WholeFile& file : files)
+    if (const auto named = file.commit(); !named) return named;
   return true;
+}
+
+std::optional<std::uint64_t> seed_of(const std::string& digits) {
+  std::uint64_t seed = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, seed);
+  return error == std::errc{} && stop == end ? std::optional(seed) : std::nullopt;
 }
 
 /// Before the drive: hours of simulation are not lost to a folder that cannot be written.
@@ -226,13 +249,13 @@ int run(const Options& options) {
       std::find(std::begin(kDriverNames), std::end(kDriverNames), options.driver) - std::begin(kDriverNames));
   sim::World::Settings settings;
   settings.driver = driver;
-  settings.seed = options.seed;
+  settings.seed = *seed_of(options.seed);
   if (options.last_ma >= 0) settings.last_ma = options.last_ma;
   io::Configuration configuration;
   configuration.train = *train;
   configuration.document = io::configuration_document(configuration);
   const auto world = std::make_unique<sim::World>(*line, train->data, train->dynamics, settings);
-  OnBoard on_board(configuration.for_kernel());
+  OnBoard on_board(configuration.for_kernel(), OnBoard::Costs::kept);
   Journey journey(*world);
   const Records records = drive(*world, on_board, journey, configuration);
   const ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
@@ -261,8 +284,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0, 1000000));
   command->add_option("--seed", options->seed, "seed of odometer errors and delays")
       ->check([](const std::string& seed) {
-        return !seed.empty() && seed.front() == '-' ? "found " + seed + ", expected a whole number from 0"
-                                                    : std::string();
+        return seed_of(seed) ? std::string()
+                             : "found " + seed + ", expected a whole number from 0 to 18446744073709551615";
       });
   command->add_option("-o,--output", options->output, "folder for the report and the records");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -12,9 +12,9 @@ struct OnBoard::Memory {
   kernel::Outputs outputs;
 };
 
-OnBoard::OnBoard(const kernel::Config& config) : memory_(std::make_unique<Memory>()) {
+OnBoard::OnBoard(const kernel::Config& config, Costs costs) : memory_(std::make_unique<Memory>()), keep_(costs) {
   kernel::power_up(memory_->state, memory_->derived, config);
-  costs_.reserve(1 << 16);
+  if (keep_ == Costs::kept) costs_.reserve(1 << 16);
 }
 
 OnBoard::~OnBoard() = default;
@@ -25,7 +25,7 @@ const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
   kernel::step(memory_->state, memory_->derived, inputs, memory_->outputs);
   const auto after = std::chrono::steady_clock::now();
   allocations_ += allocations() - allocations_before;
-  costs_.push_back(std::chrono::duration<float>(after - before).count());
+  if (keep_ == Costs::kept) costs_.push_back(std::chrono::duration<float>(after - before).count());
   return memory_->outputs;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,9 @@ std::size_t allocations();
 /// The kernel with its state, and what its steps cost.
 class OnBoard {
  public:
-  explicit OnBoard(const kernel::Config& config);
+  /// A live stream never ends: what each of its steps cost is not kept.
+  enum class Costs : std::uint8_t { dropped, kept };
+  explicit OnBoard(const kernel::Config& config, Costs costs = Costs::dropped);
   ~OnBoard();
   OnBoard(const OnBoard&) = delete;
   OnBoard& operator=(const OnBoard&) = delete;
@@ -23,12 +26,13 @@ class OnBoard {
 
   static std::size_t state_bytes();
   std::size_t allocations_in_step() const { return allocations_; }
-  /// Seconds of every step so far.
+  /// Seconds of every step so far; empty when they are dropped.
   const std::vector<float>& costs() const { return costs_; }
 
  private:
   struct Memory;
   std::unique_ptr<Memory> memory_;
+  Costs keep_;
   std::size_t allocations_ = 0;
   std::vector<float> costs_;
 };

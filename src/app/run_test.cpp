@@ -242,6 +242,41 @@ TEST(Run, WrongInputsAreToldAndLeaveNothing) {
   EXPECT_EQ(evc("--help").exit_code, 0);
 }
 
+/// An old summary never stands beside the files of another run.
+TEST(Run, AFolderHoldsOneRunOrTheOther) {
+  const Folder folder("one_run");
+  const std::string old = "of the run before";
+  for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
+    ASSERT_TRUE(io::write_whole(folder / name, old));
+  // The third file cannot be written; told after the drive, as a full disk is.
+  std::filesystem::create_directory(folder / "trace.csv");
+  const Finished failed = evc("run -o '" + folder.path() + "'");
+  EXPECT_EQ(failed.exit_code, 2);
+  EXPECT_NE(failed.output.find("/trace.csv: found a directory, expected a file that can be written"),
+            std::string::npos);
+  for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
+    EXPECT_EQ(text_of(folder / name), old) << name;
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++entries;
+  EXPECT_EQ(entries, 5u) << "no temporary file stays";
+  // A folder of the name that a probe could have is no obstacle.
+  std::filesystem::remove(folder / "trace.csv");
+  std::filesystem::create_directory(folder / "probe");
+  const Finished run = evc("run -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
+}
+
+TEST(Run, ATrainThatCannotBeSupervisedIsToldBeforeTheDrive) {
+  const Folder folder("train");
+  ASSERT_TRUE(io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","max_speed_kmh":250})"));
+  const Finished run = evc("run --train '" + (folder / "t.json") + "'");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.output, (folder / "t.json") +
+                            ": /max_speed_kmh: found 250, expected at most 200 km/h with a brake percentage "
+                            "(SUBSET-026 3.13.3.2.1 a)\n");
+}
+
 TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
   const Folder folder("replay");
   ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));
