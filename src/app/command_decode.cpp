@@ -194,6 +194,7 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
     pending.append(rest);
     out.write(answers);
     answers.clear();
+    if (!is_file) out.flush();
     share.reach(done, lines);
   }
   answer(pending);
@@ -201,56 +202,52 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
   return all_taken ? 0 : 1;
 }
 
+int complain(const io::Diagnostic& diagnostic) {
+  fmt::print(stderr, "{}\n", diagnostic.text());
+  return 2;
+}
+
+int decode_to(const Options& options, Decoder& decoder, io::WholeFile& out) {
+  if (options.input == "-") return decode_stream(0, "-", decoder, out);
+  const int stream = ::open(options.input.c_str(), O_RDONLY | O_CLOEXEC);
+  if (stream >= 0) {
+    const int code = decode_stream(stream, options.input, decoder, out);
+    ::close(stream);
+    return code;
+  }
+  // Not a file: the digits themselves; a name that holds none is a file that is missing.
+  if (options.input.find_first_of("./") != std::string::npos)
+    return complain({options.input, "", std::strerror(errno), "a file that can be read"});
+  std::string text;
+  const int code = decoder.line(text, options.input) ? 0 : 1;
+  out.write(text);
+  return code;
+}
+
 int decode_input(const Options& options) {
   const auto sv = io::parse_version(options.sv);
-  if (!sv || lang::known_version(*sv) == 0) {
-    fmt::print(stderr, "--sv: found {}, expected a system version 1.Y or 2.Y\n", options.sv);
-    return 2;
-  }
-  auto out = io::WholeFile::create(options.output);
-  if (!out) {
-    fmt::print(stderr, "{}\n", out.error().text());
-    return 2;
-  }
+  if (!sv || lang::known_version(*sv) == 0) return complain({"--sv", "", options.sv, "a system version 1.Y or 2.Y"});
   Decoder decoder(options, *sv);
-  std::optional<io::WholeFile> trace;
-  if (!options.pcapng.empty()) {
-    auto file = io::WholeFile::create(options.pcapng);
-    if (!file) {
-      fmt::print(stderr, "{}\n", file.error().text());
-      return 2;
-    }
-    trace.emplace(std::move(*file));
-    decoder.trace(*trace);
+  if (options.pcapng.empty()) {
+    auto out = io::WholeFile::create(options.output);
+    if (!out) return complain(out.error());
+    const int code = decode_to(options, decoder, *out);
+    if (code == 2) return code;
+    const auto done = out->commit();
+    return done ? code : complain(done.error());
   }
-  int code = 0;
-  if (options.input == "-") {
-    code = decode_stream(0, "-", decoder, *out);
-  } else if (const int stream = ::open(options.input.c_str(), O_RDONLY | O_CLOEXEC); stream >= 0) {
-    code = decode_stream(stream, options.input, decoder, *out);
-    ::close(stream);
-  } else {
-    // Not a file: the digits themselves; a name that holds none is a file that is missing.
-    if (options.input.find_first_of("./") != std::string::npos) {
-      fmt::print(stderr, "{}: found {}, expected a file that can be read\n", options.input, std::strerror(errno));
-      return 2;
-    }
-    std::string text;
-    code = decoder.line(text, options.input) ? 0 : 1;
-    out->write(text);
-  }
+  if (io::same_file(options.output, options.pcapng))
+    return complain({"--pcapng", "", options.pcapng == "-" ? "standard output" : options.pcapng,
+                     "another file than the one for JSON or tables (-o)"});
+  auto out = io::WholeFile::create(options.output);
+  if (!out) return complain(out.error());
+  auto trace = io::WholeFile::create(options.pcapng);
+  if (!trace) return complain(trace.error());
+  decoder.trace(*trace);
+  const int code = decode_to(options, decoder, *out);
   if (code == 2) return code;
-  if (trace) {
-    if (const auto done = trace->commit(); !done) {
-      fmt::print(stderr, "{}\n", done.error().text());
-      return 2;
-    }
-  }
-  if (const auto done = out->commit(); !done) {
-    fmt::print(stderr, "{}\n", done.error().text());
-    return 2;
-  }
-  return code;
+  const auto done = io::commit_together({&*trace, &*out});
+  return done ? code : complain(done.error());
 }
 
 }  // namespace
@@ -288,7 +285,8 @@ void add_decode_command(CLI::App& app, int& exit_code) {
     }
     const bool needs_direction = kind.what == What::radio || kind.what == What::packet;
     sub->callback([o, needs_direction, &exit_code] {
-      if (needs_direction && !o->to_train && !o->to_track) throw CLI::RequiredError("--to-train or --to-track");
+      if (needs_direction && !o->to_train && !o->to_track)
+        throw CLI::ValidationError("found no direction, expected --to-train or --to-track");
       exit_code = decode_input(*o);
     });
   }

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/program_test.h"
+
+namespace evc::app {
+namespace {
+
+const std::string kPacket = "41408E838352032020";  // a temporary speed restriction
+
+/// A pipe that stays open is answered line by line.
+TEST(CommandDecode, AnswersALiveStreamAsItComes) {
+  const Folder folder("live");
+  const std::string out = folder / "out";
+  std::FILE* pipe = ::popen((program() + "decode packet - --to-train >'" + out + "'").c_str(), "w");
+  ASSERT_NE(pipe, nullptr);
+  for (int n = 1; n <= 2; ++n) {
+    std::fputs((kPacket + "\n").c_str(), pipe);
+    std::fflush(pipe);
+    const auto lines = [&] {
+      const std::string text = text_of(out);
+      return std::count(text.begin(), text.end(), '\n');
+    };
+    for (int wait = 0; wait < 1000 && lines() < n; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(lines(), n);
+  }
+  EXPECT_EQ(::pclose(pipe), 0);
+}
+
+TEST(CommandDecode, TwoOutputsNeedTwoFiles) {
+  const Folder folder("two");
+  ASSERT_TRUE(io::write_whole(folder / "f", "kept"));
+  const auto refused = [&](const std::string& arguments) {
+    const Ended run = ended("decode radio " + kPacket + " --to-train " + arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(run.output, "") << arguments;
+    return run.errors;
+  };
+  const std::string f = folder / "f";
+  EXPECT_EQ(refused("-o '" + f + "' --pcapng '" + f + "'"),
+            "--pcapng: found " + f + ", expected another file than the one for JSON or tables (-o)\n");
+  EXPECT_NE(refused("-o '" + f + "' --pcapng '" + (folder / "./f") + "'"), "");
+  EXPECT_EQ(refused("--pcapng -"),
+            "--pcapng: found standard output, expected another file than the one for JSON or tables (-o)\n");
+  EXPECT_EQ(text_of(f), "kept");
+}
+
+TEST(CommandDecode, BothOutputsOrNeither) {
+  const Folder folder("both");
+  ASSERT_TRUE(io::write_whole(folder / "old", "old"));
+  const std::string message = "decode radio 180014 --to-train --tolerant";
+  // The capture has no room.
+  const Ended full = ended(message + " -o '" + (folder / "old") + "' --pcapng /dev/full");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(text_of(folder / "old"), "old");
+  // The answers have none.
+  const Ended other = ended(message + " -o /dev/full --pcapng '" + (folder / "old") + "'");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(text_of(folder / "old"), "old");
+  // And with room for both both are there; a capture may be standard output when the answers go elsewhere.
+  const Ended done = ended(message + " -o '" + (folder / "new") + "' --pcapng -");
+  EXPECT_LT(done.exit_code, 2);
+  EXPECT_EQ(done.output.substr(0, 4), "\x0A\x0D\x0D\x0A");
+  EXPECT_NE(text_of(folder / "new"), "");
+}
+
+}  // namespace
+}  // namespace evc::app
