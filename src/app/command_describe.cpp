@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "io/file.h"
 #include "io/telegram_explain.h"
 
 namespace evc::app {
@@ -21,8 +22,9 @@ int print(const std::string& text, const std::string& what, const std::string& i
     fmt::print(stderr, "describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
     return 2;
   }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return 0;
+  const auto written = io::write_whole("-", text);
+  if (!written) fmt::print(stderr, "{}\n", written.error().text());
+  return written ? 0 : 2;
 }
 
 int number_of(const std::string& id) {

@@ -1,33 +1,34 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "app/command_curves.h"
 #include "app/command_decode.h"
 #include "app/command_describe.h"
 #include "app/command_encode.h"
+#include "app/command_line.h"
 #include "app/command_make_line.h"
 #include "app/command_replay.h"
 #include "app/command_run.h"
+#include "app/standard_streams.h"
+#include "io/file.h"
 
 namespace {
 
-/// What is wrong with the command line, in one line; a command that does not exist is named.
-std::string wrong_command_line(CLI::App& app, const CLI::ParseError& error, const std::string& first) {
-  std::string commands;
-  bool known = first.empty() || first.front() == '-';
-  for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    known = known || command->get_name() == first;
-    commands += (commands.empty() ? "" : ", ") + command->get_name();
-  }
-  if (!known) return "evc: found \"" + first + "\", expected one of " + commands + "\n";
-  return "evc" + (first.empty() || first.front() == '-' ? std::string() : " " + first) + ": " + error.what() + "\n";
+/// Help or version.
+int answer(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  app.exit(asked, text, text);
+  const auto written = evc::io::write_whole("-", text.str());
+  if (!written) std::fputs((written.error().text() + "\n").c_str(), stderr);
+  return written ? 0 : 2;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int command(int argc, char** argv) {
   CLI::App app{"openevc: an open ETCS on-board unit. It claims no safety integrity."};
   app.set_version_flag("--version", EVC_VERSION);
   app.require_subcommand(1);
@@ -43,9 +44,30 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are answers; anything else is a wrong command line: one line and exit status 2.
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::fputs(wrong_command_line(app, error, argc > 1 ? argv[1] : "").c_str(), stderr);
+    if (error.get_exit_code() == 0) return answer(app, error);
+    std::fputs(evc::app::wrong_command_line(app, error, {argv + (argc > 0 ? 1 : 0), argv + argc}).c_str(), stderr);
     return 2;
   }
   return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  evc::app::take_closed_streams();
+  int exit_code = 2;
+  int write_error = 0;
+  try {
+    exit_code = command(argc, argv);
+  } catch (const std::exception& error) {
+    // What fmt throws when standard output takes no more; anything else is a failure of its own.
+    const auto* failed = dynamic_cast<const std::system_error*>(&error);
+    if (failed != nullptr && std::ferror(stdout) != 0) {
+      exit_code = 0;
+      write_error = failed->code().value();
+    } else {
+      std::fprintf(stderr, "evc: found %s, expected to come to an end\n", error.what());
+    }
+  }
+  return evc::app::with_all_written(exit_code, write_error);
 }

@@ -1,0 +1,148 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "io/diagnostic.h"
+
+namespace evc::app {
+namespace {
+
+using io::Diagnostic;
+
+/// What stands before and behind `middle`.
+struct Parts {
+  std::string before, behind;
+};
+std::optional<Parts> split(const std::string& text, std::string_view middle) {
+  const std::size_t at = text.find(middle);
+  if (at == std::string::npos) return std::nullopt;
+  return Parts{text.substr(0, at), text.substr(at + middle.size())};
+}
+
+bool take_end(std::string& text, std::string_view end) {
+  if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0) return false;
+  text.resize(text.size() - end.size());
+  return true;
+}
+
+/// "600.000000": the zeros are of no interest.
+std::string plain(std::string number) {
+  if (number.find('.') == std::string::npos) return number;
+  while (number.back() == '0') number.pop_back();
+  if (number.back() == '.') number.pop_back();
+  return number;
+}
+
+std::string listed(std::string names) {
+  for (std::size_t at = 0; (at = names.find(',', at)) != std::string::npos; at += 2) names.replace(at, 1, ", ");
+  return names;
+}
+
+std::string names_of_commands(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
+}
+
+/// Of one option: what CLI11 says behind its name.
+void explain_option(Diagnostic& d, std::string what) {
+  if (const auto ours = split(what, ", expected "); ours && what.rfind("found ", 0) == 0) {
+    d.found = ours->before.substr(6);
+    d.expected = ours->behind;
+  } else if (auto set = split(what, " not in {"); set && take_end(set->behind, "}")) {
+    d.found = set->before;
+    d.expected = "one of " + listed(set->behind);
+  } else if (const auto range = split(what, " not in range "); range && what.rfind("Value ", 0) == 0) {
+    const auto ends = split(range->behind, " to ");
+    d.found = range->before.substr(6);
+    d.expected = "a number from " + (ends ? plain(ends->before) + " to " + plain(ends->behind) : range->behind);
+  } else if (what.find(" required ") != std::string::npos && take_end(what, " missing")) {
+    d.found = "nothing behind it";
+    d.expected = "a value";
+  } else if (const auto often = split(what, "At Most 1 required but received "); often && often->before.empty()) {
+    d.found = "it " + often->behind + " times";
+    d.expected = "it once";
+  } else {
+    d.where += (d.where.empty() ? "" : ": ") + what;
+  }
+}
+
+void explain_missing(Diagnostic& d, const CLI::App& command, const std::string& name) {
+  const CLI::Option* option = command.get_option_no_throw(name);
+  d.found = "no " + name;
+  d.expected = option != nullptr && !option->get_description().empty() ? option->get_description() : "one";
+}
+
+void explain_extra(Diagnostic& d, const std::string& words) {
+  // CLI11 gives them from the last to the first.
+  std::istringstream in(words);
+  std::vector<std::string> extras;
+  for (std::string word; in >> word;) extras.insert(extras.begin(), word);
+  const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& e) { return e.front() == '-'; });
+  if (option != extras.end()) {
+    d.found = *option;
+    d.expected = "an option that `" + d.file + " --help` lists";
+  } else {
+    d.found = extras.empty() ? "one more argument" : "\"" + extras.front() + "\"";
+    d.expected = "no further argument";
+  }
+}
+
+Diagnostic explain(const CLI::App& command, const std::string& name, const std::string& what) {
+  Diagnostic d{name, "", "", ""};
+  std::string rest = what;
+  if (const auto extra = split(what, "not expected: ")) {
+    explain_extra(d, extra->behind);
+  } else if (const auto conversion = split(what, "Could not convert: ")) {
+    const auto value = split(conversion->behind, " = ");
+    d.where = value ? value->before : conversion->behind;
+    d.found = value ? value->behind : "";
+    d.expected = "a number";
+  } else if (what.rfind("found ", 0) == 0) {
+    explain_option(d, what);
+  } else if (const auto option = split(what, ": ")) {
+    d.where = option->before;
+    explain_option(d, option->behind);
+  } else if (const auto two = split(what, " excludes ")) {
+    d.found = two->before + " and " + two->behind;
+    d.expected = "one of them";
+  } else if (take_end(rest, " is required")) {
+    explain_missing(d, command, rest);
+  } else {
+    d.where = what;
+  }
+  return d;
+}
+
+}  // namespace
+
+std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error,
+                               const std::vector<std::string>& arguments) {
+  const CLI::App* command = &app;
+  std::string name = "evc";
+  std::size_t used = 0;
+  // Commands stand first: `evc decode radio ...`.
+  for (; used < arguments.size(); ++used) {
+    const auto commands = command->get_subcommands([](const CLI::App*) { return true; });
+    const auto next = std::find_if(commands.begin(), commands.end(),
+                                   [&](const CLI::App* c) { return c->get_name() == arguments[used]; });
+    if (next == commands.end()) break;
+    command = *next;
+    name += " " + arguments[used];
+  }
+  // A command is missing, or one is named that does not exist.
+  if (std::string(error.what()) == "A subcommand is required") {
+    const bool named = used < arguments.size();
+    return Diagnostic{name, "", named ? "\"" + arguments[used] + "\"" : "no command",
+                      "one of " + names_of_commands(*command)}
+               .text() +
+           "\n";
+  }
+  return explain(*command, name, error.what()).text() + "\n";
+}
+
+}  // namespace evc::app

@@ -1,0 +1,14 @@
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace evc::app {
+
+/// What is wrong with the command line, in one line: `evc COMMAND: WHERE: found X, expected Y`. `arguments` are those
+/// of the program, without its name.
+std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error,
+                               const std::vector<std::string>& arguments);
+
+}  // namespace evc::app
