@@ -259,14 +259,17 @@ int run(const Options& options) {
   Journey journey(*world);
   const Records records = drive(*world, on_board, journey, configuration);
   const ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
+  io::Result<bool> written = true;
+  // The files first: what standard output takes or not is of no matter to them.
+  if (!options.output.empty())
+    written = write_records(options.output, records, summary,
+                            report_page(journey, *world, *line, train->name, options.driver, summary.dump()));
   print_summary(summary, train->name, options.driver);
+  if (!written) return complain(written.error());
   if (options.output.empty()) {
     fmt::print("(-o DIR writes report.html, trace.csv, inputs.jsonl, outputs.jsonl and summary.json)\n");
     return 0;
   }
-  const std::string page = report_page(journey, *world, *line, train->name, options.driver, summary.dump());
-  const auto written = write_records(options.output, records, summary, page);
-  if (!written) return complain(written.error());
   fmt::print("report              {}/report.html\n", options.output);
   return 0;
 }

@@ -267,6 +267,18 @@ TEST(Run, AFolderHoldsOneRunOrTheOther) {
   EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
 }
 
+TEST(Run, TheFilesAreThereWhateverBecomesOfTheSummary) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const Folder folder("lost");
+  // More than standard output keeps back: it fails in the middle.
+  ASSERT_TRUE(
+      io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","name":")" + std::string(20000, 'x') + "\"}"));
+  const Finished run =
+      evc("run --train '" + (folder / "t.json") + "' -o '" + folder.path() + "' 2>&1 >/dev/full | cat");
+  EXPECT_EQ(run.output, "standard output: found No space left on device, expected room to write all of it\n");
+  EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
+}
+
 TEST(Run, ATrainThatCannotBeSupervisedIsToldBeforeTheDrive) {
   const Folder folder("train");
   ASSERT_TRUE(io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","max_speed_kmh":250})"));
