@@ -59,6 +59,18 @@ constexpr std::uint8_t M_LEVEL(modes::Level level) { return static_cast<std::uin
 /// The train in the track frame now.
 track::Here here(const State& state);
 
+/// How fast the train runs, whichever way. `V_ura`: by how much it may be faster (3.13.9.3.2.1). `A` grows the speed.
+struct Run {
+  Speed V{}, V_ura{};
+  Acceleration A{};
+};
+constexpr Run run_of(const position::Odometry& now) {
+  const bool backward = now.V_est < Speed{};
+  const Speed V = backward ? -now.V_est : now.V_est;
+  const Speed most = -now.V_min > now.V_max ? -now.V_min : now.V_max;
+  return {V, most - V, backward ? -now.A_est : now.A_est};
+}
+
 /// Whether the level is 2 or 3: the RBC gives the authority.
 constexpr bool level_2_or_3(modes::Level level) { return level == modes::Level::L2 || level == modes::Level::L3; }
 constexpr bool level_1_2_3(modes::Level level) { return level == modes::Level::L1 || level_2_or_3(level); }

@@ -177,7 +177,7 @@ void take_national_values(Evaluation& e, const lang::PacketView& view) {
   if (!received.D_VALIDNV) {
     use_national_values(s, received.values, received.areas);
     s.pending_national_values.reset();
-    note(e.cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.4"});
+    note(e.cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.3"});
     return;
   }
   s.pending_national_values =

@@ -50,13 +50,13 @@ class Unit : public ::testing::Test {
     in.odometry.A_est = {(v - speed) / 0.1};
     speed = v;
     front += dx;
-    doubt += dx * 0.01;
+    doubt += (dx < 0.0 ? -dx : dx) * 0.01;
     in.odometry.nominal = {{front}};
     in.odometry.min = {{front - doubt}};
     in.odometry.max = {{front + doubt}};
     in.odometry.V_est = {v};
-    in.odometry.V_min = {v > 0.2 ? v - 0.2 : 0.0};
-    in.odometry.V_max = {v > 0.0 ? v + 0.2 : 0.0};
+    in.odometry.V_min = {v > 0.2 || v < 0.0 ? v - 0.2 : 0.0};
+    in.odometry.V_max = {v > 0.0 || v < -0.2 ? v + 0.2 : 0.0};
     in.now = {t};
     t += 0.1;
     step(*state, *derived, in, out);
@@ -498,6 +498,121 @@ TEST_F(Unit, keeps_the_mode_profiles_before_and_behind_packet_136_apart) {
   ASSERT_EQ(areas.size(), 2u);
   EXPECT_NEAR(areas[0], 300.0, 1.0);
   EXPECT_NEAR(areas[1], 1800.0, 1.0);
+}
+
+TEST_F(Unit, supervises_the_ceiling_also_backwards) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  in.driver.selected = 1u << static_cast<unsigned>(Select::shunting);
+  for (int i = 0; i < 5; ++i) cycle();
+  ASSERT_EQ(out.mode, modes::Mode::SH);
+  in.train.direction_controller = DirectionController::backward;
+  double v = 0.0;
+  for (int i = 0; i < 400 && !out.eb && v > -20.0; ++i) {
+    v -= 0.1;
+    cycle(v);
+  }
+  EXPECT_TRUE(out.eb) << "propelled at " << v * 3.6 << " km/h";
+  EXPECT_LT(v, -30.0 / 3.6);
+  EXPECT_GT(v, -45.0 / 3.6);
+}
+
+/// An LOA at 2000 m and an unprotected crossing at 1500 m: the crossing is the end, until it is reported protected.
+TEST_F(Unit, an_unprotected_crossing_is_supervised_in_rear_of_an_LOA) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  LevelOne data(2000, 20);
+  data.ma.V_EMA.raw = 8;
+  lang::Packet88 crossing;
+  crossing.Q_DIR.raw = 1;
+  crossing.Q_SCALE.raw = 1;
+  crossing.NID_LX.raw = 1;
+  crossing.D_LX.raw = 1500;
+  crossing.L_LX.raw = 10;
+  crossing.Q_LXSTATUS.raw = 1;
+  crossing.V_LX.raw = 4;
+  crossing.Q_STOPLX.raw = 1;
+  crossing.L_STOPLX.raw = 50;
+  const double at = front - config.train.L_antenna_front.si;
+  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossing), telegram(100, 1, 1, true), 8.0);
+  double v = 8.0;
+  bool braked = false;
+  for (int i = 0; i < 4000 && !(braked && v <= 0.0); ++i) {
+    braked = braked || out.eb || out.sb;
+    v = braked ? (v > 0.08 ? v - 0.08 : 0.0) : v < 25.0 ? v + 0.05 : v;
+    cycle(v);
+  }
+  EXPECT_TRUE(braked);
+  EXPECT_LT(front, at + 1500.0) << "stopped in rear of the crossing";
+  EXPECT_EQ(out.mode, modes::Mode::FS);
+}
+
+/// The driver stops in the stopping area: the crossing may be passed at its speed then (5.16.2).
+TEST_F(Unit, a_stop_in_the_stopping_area_lifts_the_stop_at_a_crossing) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  const LevelOne data(2000, 20);
+  lang::Packet88 crossing;
+  crossing.Q_DIR.raw = 1;
+  crossing.Q_SCALE.raw = 1;
+  crossing.NID_LX.raw = 1;
+  crossing.D_LX.raw = 400;
+  crossing.L_LX.raw = 10;
+  crossing.Q_LXSTATUS.raw = 1;
+  crossing.V_LX.raw = 4;
+  crossing.Q_STOPLX.raw = 1;
+  crossing.L_STOPLX.raw = 60;
+  const double at = front - config.train.L_antenna_front.si;
+  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossing), telegram(100, 1, 1, true), 8.0);
+  cycle(8.0);
+  ASSERT_TRUE(out.EOA.has_value());
+  EXPECT_NEAR(out.EOA->from_origin.si, at + 400.0, 1.0);
+  while (front < at + 250.0) cycle(6.0);
+  for (int i = 0; i < 20; ++i) cycle(0.0);
+  EXPECT_NEAR(out.EOA->from_origin.si, at + 400.0, 1.0) << "too early to count";
+  while (front < at + 360.0) cycle(2.0);
+  for (int i = 0; i < 20; ++i) cycle(0.0);
+  EXPECT_TRUE(happened("level crossing", "speed instead of stop"));
+  EXPECT_NEAR(out.EOA->from_origin.si, at + 2000.0, 1.0);
+  EXPECT_NEAR(out.V_P->si * 3.6, 20.0, 1e-9);
+}
+
+/// A restriction ahead in SR where no gradient is known: the default gradient of packet 141 brakes it earlier
+/// (3.13.4.1.3).
+TEST_F(Unit, the_default_gradient_counts_for_a_restriction_on_unknown_track) {
+  const auto speed_at_which_it_brakes = [this](bool with_default) {
+    power_up(*state, *derived, config);
+    front = doubt = speed = t = 0.0;
+    events.clear();
+    start_of_mission(modes::Level::L1, 0, Ack::SR);
+    in.driver.V_sr = Speed{30.0};
+    for (int i = 0; i < 50; ++i) cycle(0.0);
+    for (int i = 0; i < 50; ++i) cycle(8.0);
+    lang::Packet65 tsr;
+    tsr.Q_DIR.raw = 1;
+    tsr.Q_SCALE.raw = 1;
+    tsr.NID_TSR.raw = 1;
+    tsr.D_TSR.raw = 1500;
+    tsr.L_TSR.raw = 500;
+    tsr.V_TSR.raw = 4;
+    lang::Packet141 fall;
+    fall.Q_DIR.raw = 1;
+    fall.Q_GDIR.raw = 0;
+    fall.G_TSR.raw = 20;
+    if (with_default)
+      pass(telegram(100, 0, 1, true, tsr, fall), telegram(100, 1, 1, true), 8.0);
+    else
+      pass(telegram(100, 0, 1, true, tsr), telegram(100, 1, 1, true), 8.0);
+    const double at = front;
+    double v = 8.0;
+    while (!out.sb && !out.eb && front < at + 1500.0) {
+      v = v < 25.0 ? v + 0.05 : v;
+      cycle(v);
+    }
+    return front - at;
+  };
+  const double level = speed_at_which_it_brakes(false);
+  const double falling = speed_at_which_it_brakes(true);
+  EXPECT_LT(falling, level - 50.0);
 }
 
 TEST_F(Unit, the_state_is_small_and_plain) {

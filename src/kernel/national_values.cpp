@@ -31,10 +31,17 @@ void read_Kv(const lang::Packet3_kv_sets& set, train::NationalValues& nv) {
   if (set.Q_NVKVINTSET.raw == 0) {
     nv.Kv_int_freight = {};
     bool room = nv.Kv_int_freight.append(step_speed(first.V_NVKVINT), lang::factor(first.M_NVKVINT_A));
-    for (const auto& step : set.kv_steps)
-      room = room && nv.Kv_int_freight.append(step_speed(step.V_NVKVINT), lang::factor(step.M_NVKVINT_A));
-    // More steps than 3.18.2.5 allows: the default is not weaker evidence than a cut table.
-    if (!room) nv.Kv_int_freight = train::NationalValues{}.Kv_int_freight;
+    double lowest = lang::factor(first.M_NVKVINT_A);
+    for (const auto& step : set.kv_steps) {
+      const double Kv = lang::factor(step.M_NVKVINT_A);
+      room = room && nv.Kv_int_freight.append(step_speed(step.V_NVKVINT), Kv);
+      if (Kv < lowest) lowest = Kv;
+    }
+    // More steps than there is room for (3.13.2.3.7.11): the lowest of them everywhere.
+    if (!room) {
+      nv.Kv_int_freight = {};
+      (void)nv.Kv_int_freight.append(Speed{}, lowest);
+    }
     return;
   }
   nv.A_NVP12 = lang::acceleration(set.A_NVP12);
@@ -44,9 +51,17 @@ void read_Kv(const lang::Packet3_kv_sets& set, train::NationalValues& nv) {
     return train::KvPair{lang::factor(s.M_NVKVINT_A), lang::factor(s.M_NVKVINT_B)};
   };
   bool room = nv.Kv_int_passenger.append(step_speed(first.V_NVKVINT), pair(first));
-  for (const auto& step : set.kv_steps)
-    room = room && nv.Kv_int_passenger.append(step_speed(step.V_NVKVINT), pair(step));
-  if (!room) nv.Kv_int_passenger = train::NationalValues{}.Kv_int_passenger;
+  train::KvPair lowest = pair(first);
+  for (const auto& step : set.kv_steps) {
+    const train::KvPair Kv = pair(step);
+    room = room && nv.Kv_int_passenger.append(step_speed(step.V_NVKVINT), Kv);
+    if (Kv.a < lowest.a) lowest.a = Kv.a;
+    if (Kv.b < lowest.b) lowest.b = Kv.b;
+  }
+  if (!room) {
+    nv.Kv_int_passenger = {};
+    (void)nv.Kv_int_passenger.append(Speed{}, lowest);
+  }
 }
 
 void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) {
@@ -56,9 +71,16 @@ void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) 
   const auto first = p.first_kr_steps();
   nv.Kr_int = {};
   bool room = nv.Kr_int.append(lang::metres(first.L_NVKRINT), lang::factor(first.M_NVKRINT));
-  for (const auto& step : p.kr_steps)
-    room = room && nv.Kr_int.append(lang::metres(step.L_NVKRINT), lang::factor(step.M_NVKRINT));
-  if (!room) nv.Kr_int = train::NationalValues{}.Kr_int;
+  double lowest = lang::factor(first.M_NVKRINT);
+  for (const auto& step : p.kr_steps) {
+    const double Kr = lang::factor(step.M_NVKRINT);
+    room = room && nv.Kr_int.append(lang::metres(step.L_NVKRINT), Kr);
+    if (Kr < lowest) lowest = Kr;
+  }
+  if (!room) {
+    nv.Kr_int = {};
+    (void)nv.Kr_int.append(Distance{}, lowest);
+  }
   nv.Kt_int = lang::factor(p.M_NVKTINT);
 }
 

@@ -54,7 +54,7 @@ driver::ActionContext action_context(const Cycle& cycle) {
   c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
   c.non_leading_signal = cycle.in.train.non_leading;
   c.passive_shunting_signal = cycle.in.train.passive_shunting;
-  c.slow_enough_for_override = s.position.now.V_est <= s.national_values.V_NVALLOWOVTRP;
+  c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
   c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
   c.driver_id_while_running = s.national_values.M_NVDERUN;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
@@ -215,7 +215,7 @@ void run_mode_profile(Cycle& cycle) {
   in.min_safe_front = cycle.here.min_safe_front;
   in.est_front = cycle.here.est_front;
   in.max_safe_front = cycle.here.max_safe_front;
-  in.V_est = s.position.now.V_est;
+  in.V_est = run_of(s.position.now).V;
   in.acknowledged = cycle.facts.acknowledged;
   in.edition = edition(s.srs);
   const auto r = procedures::mode_profile::step(s.mode_profile, in);
@@ -292,7 +292,7 @@ void run_override(Cycle& cycle) {
   procedures::override_::Inputs in;
   in.now = s.now;
   in.odometer = s.position.now.counter.nominal;
-  in.V_est = s.position.now.V_est;
+  in.V_est = run_of(s.position.now).V;
   in.mode = s.mode;
   in.level = s.level.level;
   in.selected = cycle.driver.has(Select::override_);

@@ -43,7 +43,7 @@ void advance_national_values(Cycle& cycle) {
   if (!s.pending_national_values || cycle.here.est_front < s.pending_national_values->from) return;
   use_national_values(s, s.pending_national_values->values, s.pending_national_values->areas);
   s.pending_national_values.reset();
-  note(cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.9"});
+  note(cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.3"});
 }
 
 void leave_area(Cycle& cycle, std::uint16_t NID_C) {
@@ -52,7 +52,7 @@ void leave_area(Cycle& cycle, std::uint16_t NID_C) {
   for (const std::uint16_t area : s.national_areas)
     if (area == NID_C) return;
   use_national_values(s, train::NationalValues{}, {});
-  note(cycle, Event{.subject = "national values", .what = "defaults", .clause = "3.18.2.9"});
+  note(cycle, Event{.subject = "national values", .what = "defaults", .clause = "3.18.2.5"});
 }
 
 track::Contents proposal(const Information& information, const track::Reference& reference) {
@@ -150,7 +150,7 @@ const char* take_shortening(Cycle& cycle, const Information& information, const 
   State& s = cycle.state;
   track::Contents proposed = proposal(information, reference);
   const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
-                       track::complete(s.track, proposed, cycle.here) && can_stop_before(cycle, *proposed.ma);
+                       track::complete(s.track, proposed, cycle.here) && can_stop_before(cycle, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, cycle.outbox);
   note(cycle, Event{.subject = "MA shortening", .what = granted ? "granted" : "rejected", .clause = "3.8.6"});
   if (!granted) return "3.8.6.2";

@@ -80,9 +80,12 @@ struct StaffResponsible {
 struct SupervisionBasis {
   /// The curves are built anew when one of these changes.
   struct Key {
-    std::uint32_t track = 0;          ///< track::Description::revision
-    std::uint32_t revision = 0;       ///< State::revision
-    std::uint8_t brakes = 0;          ///< special brakes reported active (3.13.2.2.6), one bit each
+    std::uint32_t track = 0;      ///< track::Description::revision
+    std::uint32_t revision = 0;   ///< State::revision
+    std::uint8_t brakes = 0;      ///< special brakes reported active (3.13.2.2.6), one bit each
+    bool level_1_at_EOA = false;  ///< alpha of 3.13.9.4.8.2: also by a level order in rear of the EOA
+    std::uint32_t inaccuracy =
+        0;  ///< with a release speed calculated on board: confidence interval and V_ura, in steps
     std::optional<Speed> mode_limit;  ///< of the mode (3.11.7)
     friend constexpr bool operator==(const Key&, const Key&) = default;
   };

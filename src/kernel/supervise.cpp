@@ -43,9 +43,11 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
 
 bool within(const State& s, modes::Supervision kind) { return modes::properties(s.mode).supervision == kind; }
 
-sdm::Authority authority_of(const State& s, const track::Authority& a, const SupervisionBasis& basis) {
+sdm::Authority authority_of(const track::Authority& a, const SupervisionBasis& basis) {
   sdm::Authority out;
-  if (a.LOA) {
+  // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA takes its place
+  // (3.13.1.5).
+  if (a.LOA && (!a.EOA || *a.EOA > *a.LOA)) {
     out.kind = sdm::Authority::Kind::LOA;
     out.EOA = *a.LOA;
     out.V_LOA = a.V_LOA;
@@ -61,7 +63,7 @@ sdm::Authority authority_of(const State& s, const track::Authority& a, const Sup
                       : a.release.kind == Kind::on_board ? sdm::ReleaseSpeedChoice::on_board
                                                          : sdm::ReleaseSpeedChoice::none;
   out.V_release = a.release.V;
-  out.level_1_at_EOA = s.level.level == modes::Level::L1;
+  out.level_1_at_EOA = basis.key.level_1_at_EOA;
   if (basis.reference) {
     out.Q_LOCACC_reference = basis.Q_LOCACC;
     out.reference = *basis.reference;
@@ -75,12 +77,13 @@ void earliest(std::optional<Place>& at, Place from) {
   if (!at || from < *at) at = from;
 }
 
-sdm::TrackConditions conditions_of(const State& s) {
+sdm::TrackConditions conditions_of(const State& s, Place min_safe_rear) {
   sdm::TrackConditions c;
   for (const track::AdhesionArea& area : s.track.adhesion)
     if (area.slippery && !c.reduced_adhesion.push_back({area.from, area.to})) c.slippery_rail = true;
   c.slippery_rail = c.slippery_rail || s.slippery_rail;
   for (const track::TrackCondition& t : s.track.conditions) {
+    if (t.to < min_safe_rear) continue;  // passed by the whole train
     using enum track::Condition;
     if (t.kind == switch_off_regenerative_brake) earliest(c.regenerative_off, t.from);
     if (t.kind == switch_off_eddy_current_emergency_brake) earliest(c.eddy_current_emergency_off, t.from);
@@ -95,9 +98,29 @@ sdm::TrackConditions conditions_of(const State& s) {
 void mark_TSR_steps(const State& s, sdm::Inputs& in) {
   in.mrsp_due_to_TSR = {};
   for (std::size_t i = 0; i < in.mrsp.steps.size(); ++i)
-    for (const track::TemporarySpeedRestriction& t : s.track.tsr)
-      if (t.from == in.mrsp.steps[i].from && track::speed_of(t.V_TSR) == in.mrsp.steps[i].value)
-        in.mrsp_due_to_TSR[i] = true;
+    for (const track::TemporarySpeedRestriction& t : s.track.tsr) {
+      const Place end = t.Q_FRONT ? t.to : t.to + s.train.L_TRAIN;
+      const Place at = in.mrsp.steps[i].from;
+      if (t.from <= at && at < end && track::speed_of(t.V_TSR) == in.mrsp.steps[i].value) in.mrsp_due_to_TSR[i] = true;
+    }
+}
+
+/// The gradient from the train's rear on, and where it is known (3.13.4.1.2). A hole between known parts counts as
+/// level.
+sdm::GradientProfile gradient_of(const track::Description& d, Place from) {
+  sdm::GradientProfile g;
+  const auto& steps = d.gradient.steps;
+  std::size_t first = 0;
+  while (first < steps.size() && !steps[first].value.known()) ++first;
+  std::size_t end = steps.size();
+  while (end > first && !steps[end - 1].value.known()) --end;
+  if (first < end) {
+    g.permille = track::gradient(d, from);
+    if (steps[first].from > from) g.known_from = steps[first].from;
+    if (end < steps.size()) g.known_to = steps[end].from;
+  }
+  if (d.default_gradient) g.default_for_TSR = static_cast<double>(*d.default_gradient);
+  return g;
 }
 
 void add_limit(track::MrspQuery& query, Speed v) {
@@ -142,7 +165,8 @@ void build(Cycle& cycle, const SupervisionBasis& basis) {
   in.national_values = s.national_values;
   in.brakes = brake_status(cycle.in.train);
 
-  compute_PBD(s, in);
+  in.conditions = conditions_of(s, basis.min_safe_rear);
+  compute_PBD(s, in);  // with the rail as it is now (3.11.11.4)
   track::MrspQuery query;
   query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
@@ -153,12 +177,9 @@ void build(Cycle& cycle, const SupervisionBasis& basis) {
   in.mrsp = track::mrsp(s.track, query);
   mark_TSR_steps(s, in);
   in.supervise_targets = !within(s, modes::Supervision::ceiling);
-  in.authority = within(s, modes::Supervision::full) ? authority_of(s, basis.authority, basis) : sdm::Authority{};
+  in.authority = within(s, modes::Supervision::full) ? authority_of(basis.authority, basis) : sdm::Authority{};
   in.SR_end = within(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
-  in.gradient.permille = track::gradient(s.track, basis.min_safe_rear);
-  in.gradient.default_for_TSR.reset();
-  if (s.track.default_gradient) in.gradient.default_for_TSR = static_cast<double>(*s.track.default_gradient);
-  in.conditions = conditions_of(s);
+  in.gradient = gradient_of(s.track, basis.min_safe_rear);
   cycle.derived.sdm.valid = false;
   (void)sdm::rebuild(cycle.derived.sdm, in);
 }
@@ -172,7 +193,7 @@ SupervisionBasis basis_of(const Cycle& cycle, const SupervisionBasis::Key& key, 
   if (basis.number == 0) basis.number = 1;
   basis.min_safe_rear = cycle.here.min_safe_rear;
   basis.confidence_interval = cycle.here.max_safe_front - cycle.here.min_safe_front;
-  basis.V_ura = s.position.now.V_max - s.position.now.V_est;
+  basis.V_ura = run_of(s.position.now).V_ura;
   if (const position::Reference* lrbg = position::lrbg(s.position)) {
     basis.reference = lrbg->place;
     basis.Q_LOCACC = lrbg->Q_LOCACC;
@@ -187,9 +208,10 @@ sdm::Motion motion_of(const Cycle& cycle) {
   m.est_front = cycle.here.est_front;
   m.min_safe_front = cycle.here.min_safe_front;
   m.max_safe_front = cycle.here.max_safe_front;
-  m.V_est = now.V_est;
-  m.V_ura = now.V_max - now.V_est;
-  m.A_est = now.A_est;
+  const Run run = run_of(now);
+  m.V_est = run.V;
+  m.V_ura = run.V_ura;
+  m.A_est = run.A;
   m.standstill = cycle.here.standstill;
   m.now = cycle.state.now;
   m.brake_pressure_kpa = cycle.in.train.brake_pressure_kpa;
@@ -219,15 +241,17 @@ protection::Way way_of(DirectionController controller) {
                                                        : protection::Way::none;
 }
 
-/// 5.16.2: in rear of an unprotected level crossing without an order to stop, the stop gives way to the LX speed once
-/// the train has passed the place that 3.13.9.3.5.11 defines.
+/// 5.16.2: the stop in rear of an unprotected level crossing gives way to the LX speed: with an order to stop once the
+/// train stands in its stopping area, else once it has passed the place that 3.13.9.3.5.11 defines.
 void pass_level_crossings(Cycle& cycle, const sdm::Motion& motion) {
   State& s = cycle.state;
   for (const track::LevelCrossing& lx : s.track.lx) {
-    if (!lx.unprotected || lx.stop_required || lx.substituted || cycle.here.est_front > lx.from) continue;
-    const sdm::LxSubstitution place =
-        sdm::lx_substitution(cycle.derived.inputs, cycle.derived.sdm, lx.from, track::speed_of(lx.V_LX), motion);
-    if (!place.passed) continue;
+    if (!lx.unprotected || lx.substituted || cycle.here.est_front > lx.from) continue;
+    const bool over = lx.stop_required ? cycle.here.standstill && cycle.here.est_front >= lx.from - lx.L_STOPLX
+                                       : sdm::lx_substitution(cycle.derived.inputs, cycle.derived.sdm, lx.from,
+                                                              track::speed_of(lx.V_LX), motion)
+                                             .passed;
+    if (!over) continue;
     track::substitute_level_crossing(s.track, lx.NID_LX, cycle.here.est_front);
     note(cycle,
          Event{.subject = "level crossing", .id = lx.NID_LX, .what = "speed instead of stop", .clause = "5.16.2"});
@@ -259,10 +283,37 @@ track::TrainInterfaces interfaces_of(const train::TrainData& train) {
   return i;
 }
 
+namespace {
+
+/// Level 1 at the end of the authority: now, or by an order that is executed in rear of it (3.13.9.4.8.2).
+bool level_1_at(const State& s, const std::optional<Place>& EOA) {
+  const auto& pending = s.level_transition.pending;
+  if (pending && EOA && pending->border <= *EOA) return pending->to.level == modes::Level::L1;
+  return s.level.level == modes::Level::L1;
+}
+
+/// What the release speed calculated on board depends on beside the data, in steps of 5 m and 0.5 m/s: curves are not
+/// built anew for every millimetre (3.13.9.4.8.2).
+std::uint32_t inaccuracy(const Cycle& cycle) {
+  const State& s = cycle.state;
+  if (s.basis.authority.release.kind != track::Release::Kind::on_board) return 0;
+  const double interval = (cycle.here.max_safe_front - cycle.here.min_safe_front).si / 5.0;
+  const double speed = run_of(s.position.now).V_ura.si / 0.5;
+  const auto steps = [](double v) { return v < 30000.0 ? static_cast<std::uint32_t>(v) : 30000u; };
+  return steps(interval) << 16 | steps(speed);
+}
+
+}  // namespace
+
 void refresh(Cycle& cycle) {
   State& s = cycle.state;
   Derived& d = cycle.derived;
-  const SupervisionBasis::Key key{s.track.revision, s.revision, brake_bits(cycle.in.train), mode_speed(s, cycle.here)};
+  const SupervisionBasis::Key key{.track = s.track.revision,
+                                  .revision = s.revision,
+                                  .brakes = brake_bits(cycle.in.train),
+                                  .level_1_at_EOA = level_1_at(s, s.basis.authority.EOA),
+                                  .inaccuracy = inaccuracy(cycle),
+                                  .mode_limit = mode_speed(s, cycle.here)};
   const bool changed = s.basis.number == 0 || s.basis.key != key;
   if (changed)
     s.basis =
@@ -316,9 +367,10 @@ void guard_movement(Cycle& cycle) {
   cycle.asked.add(brakes::Cause::reversing_distance, c.reversing);
 }
 
-bool can_stop_before(Cycle& cycle, const track::MovementAuthority& proposed) {
+bool can_stop_before(Cycle& cycle, const track::Contents& proposal) {
   State& s = cycle.state;
-  if (!within(s, modes::Supervision::full)) return false;
+  if (!within(s, modes::Supervision::full) || !proposal.ma) return false;
+  const track::MovementAuthority& proposed = *proposal.ma;
   track::Authority a;
   if (proposed.limited()) {
     a.LOA = proposed.end();
@@ -327,6 +379,13 @@ bool can_stop_before(Cycle& cycle, const track::MovementAuthority& proposed) {
     a.EOA = proposed.end();
     a.SvL = proposed.SvL();
   }
+  // The start of an area of its mode profile would be an end as well (3.12.4), on the safe side with the SvL there.
+  if (proposal.mode_profile)
+    for (const track::ModeArea& area : *proposal.mode_profile) {
+      if (a.EOA && area.from >= *a.EOA) continue;
+      a.EOA = area.from;
+      a.SvL = area.from;
+    }
   // The curves of the proposed authority stand in the place of those in force, which are built anew afterwards.
   build(cycle, basis_of(cycle, s.basis.key, a));
   cycle.derived.built = 0;

@@ -19,7 +19,7 @@ void supervise_speed(Cycle& cycle);
 void guard_movement(Cycle& cycle);
 
 /// 3.8.6.2: the train is in rear of the Indication limits of the proposed authority.
-bool can_stop_before(Cycle& cycle, const track::MovementAuthority& proposed);
+bool can_stop_before(Cycle& cycle, const track::Contents& proposal);
 
 /// The train as the choice of speeds needs it (3.18.3.2).
 track::TrainCategory category_of(const train::TrainData& train);
