@@ -1,5 +1,5 @@
-// What callgrind counts (tools/count_instructions.py): one scenario, collecting inside the cycles that matter only.
-// Prints how many cycles those were. Usage: instructions busy|change|journey [INPUT.jsonl]
+// What callgrind counts (tools/count_instructions.py): one scenario, collecting inside what matters only. Prints how
+// often that was. Usage: instructions busy|change|telegram|gamma|journey [INPUT.jsonl]
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -7,8 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "curves_work.h"
 #include "io/input_stream.h"
 #include "ride.h"
+#include "telegram_work.h"
 
 namespace {
 
@@ -50,6 +52,24 @@ int change() {
   return cycles;
 }
 
+int telegram() {
+  const evc::bench::BusyTelegram t;
+  evc::bench::Decoded decoded;
+  bool sound = true;
+  constexpr int times = 100;
+  for (int i = 0; i < times; ++i) counted([&] { sound = evc::bench::read(t, decoded) && sound; });
+  return sound && decoded.p5.links.size() == 3 ? times : -1;
+}
+
+int gamma() {
+  auto in = evc::bench::gamma_target();
+  auto d = std::make_unique<evc::sdm::Derived>();
+  constexpr int times = 100;
+  double sum = 0.0;
+  for (int i = 0; i < times; ++i) counted([&] { sum += evc::bench::gamma_from_raw(*d, in).EBD.d_EBI->from_origin.si; });
+  return sum != 0.0 ? times : -1;
+}
+
 int journey(const char* file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
@@ -75,6 +95,8 @@ int main(int argc, char** argv) {
   int cycles = -1;
   if (argc == 2 && std::strcmp(argv[1], "busy") == 0) cycles = busy();
   if (argc == 2 && std::strcmp(argv[1], "change") == 0) cycles = change();
+  if (argc == 2 && std::strcmp(argv[1], "telegram") == 0) cycles = telegram();
+  if (argc == 2 && std::strcmp(argv[1], "gamma") == 0) cycles = gamma();
   if (argc == 3 && std::strcmp(argv[1], "journey") == 0) cycles = journey(argv[2]);
   std::printf("%d\n", cycles);
   return cycles > 0 ? 0 : 1;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Instructions of a cycle, counted by callgrind: a busy FS cycle, the cycle in which a balise group replaces all
-track data, and the mean over recorded journeys. Usage: tools/count_instructions.py [INPUT.jsonl...]"""
+"""Instructions, counted by callgrind: a busy FS cycle, the cycle in which a balise group replaces all track data, a
+balise telegram of 764 bits from bits to structs, all curves and limits of a gamma target from raw data, and the mean of
+the cycles of recorded journeys. Usage: tools/count_instructions.py [INPUT.jsonl...]"""
 import pathlib
 import re
 import subprocess
@@ -23,11 +24,12 @@ def per_cycle(*scenario):
 
 
 def main():
-    scenarios = [("busy FS cycle", ("busy",)), ("all track data replaced", ("change",))]
+    scenarios = [("busy FS cycle", ("busy",)), ("all track data replaced", ("change",)),
+                 ("telegram of 764 bits", ("telegram",)), ("gamma target from raw data", ("gamma",))]
     scenarios += [(f"journey {pathlib.Path(f).name}", ("journey", f)) for f in sys.argv[1:]]
     for name, scenario in scenarios:
         cycles, total = per_cycle(*scenario)
-        print(f"instructions: {name:28} {total / cycles:10.0f} a cycle, mean of {cycles}")
+        print(f"instructions: {name:28} {total / cycles:10.0f} each, mean of {cycles}")
 
 
 if __name__ == "__main__":
