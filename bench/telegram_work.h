@@ -78,11 +78,25 @@ struct Decoded {
 inline bool read(const BusyTelegram& t, Decoded& out) {
   const TelegramView view = scan_telegram(t.bytes, 830);
   for (const PacketView& p : view.packets) {
-    if (p.NID_PACKET == 5) decode(p, out.p5);
-    if (p.NID_PACKET == 12) decode(p, out.p12);
-    if (p.NID_PACKET == 21) decode(p, out.p21);
-    if (p.NID_PACKET == 27) decode(p, out.p27);
-    if (p.NID_PACKET == 41) decode(p, out.p41);
+    switch (p.NID_PACKET) {
+      case 5:
+        decode(p, out.p5);
+        break;
+      case 12:
+        decode(p, out.p12);
+        break;
+      case 21:
+        decode(p, out.p21);
+        break;
+      case 27:
+        decode(p, out.p27);
+        break;
+      case 41:
+        decode(p, out.p41);
+        break;
+      default:
+        break;
+    }
   }
   return view.fault == Fault::none;
 }
