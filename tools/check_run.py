@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""`make run` on the shipped line and `evc run` on the recorded one (where OPENEVC_SHARED, default ../shared, has
-it), judged by summary.json: everything read, nothing refused, no intervention, no allocation in a step, the
-train always inside the confidence interval, and the replay of inputs.jsonl equal to outputs.jsonl.
-Usage: tools/check_run.py"""
+"""`make run` on the shipped line, the same with every shipped train, and `evc run` on the recorded line (where
+OPENEVC_SHARED, default ../shared, has it), judged by summary.json: everything read, nothing refused, no intervention,
+no allocation in a step, the train always inside the confidence interval, and the replay of inputs.jsonl equal to
+outputs.jsonl. Usage: tools/check_run.py"""
 import hashlib
 import json
 import os
@@ -80,7 +80,7 @@ def judge(name, folder, expected):
         if not (folder / page).stat().st_size:
             faults.append(f"{page} is empty")
     cost = summary["cycle_us"]
-    print(f"run: {name:14} {summary['distance_m'] / 1000:5.1f} km {summary['duration_s']:6.0f} s, modes "
+    print(f"run: {name:24} {summary['distance_m'] / 1000:5.1f} km {summary['duration_s']:6.0f} s, modes "
           f"{' '.join(summary['modes'])}, levels {' '.join(summary['levels'])}, cycle us median {cost['median']:.1f} "
           f"99.9 % {cost['p99_9']:.1f} max {cost['max']:.1f}, state {summary['state_bytes']} bytes, "
           f"{summary['real_time_factor']:.0f} times real time")
@@ -92,6 +92,10 @@ def judge(name, folder, expected):
 def main():
     subprocess.run(["make", "--no-print-directory", "run"], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
     faults = judge("shipped line", ROOT / "out/run", ALWAYS)
+    for train in sorted((ROOT / "data/trains").glob("*.json")):
+        folder = ROOT / "out" / f"train-{train.stem}"
+        subprocess.run([EVC, "run", "--train", train, "-o", folder], check=True, stdout=subprocess.DEVNULL)
+        faults += judge(train.stem, folder, ALWAYS)
     line = pathlib.Path(os.environ.get("OPENEVC_SHARED", ROOT / "../shared")) / "lines/amsterdam_utrecht.json"
     if line.exists():
         folder = ROOT / "out/recorded"

@@ -55,6 +55,16 @@ io::Result<Approached> load(const std::string& file) {
   return Approached(std::move(*input));
 }
 
+/// Whether outputs would take the place of an input or of each other; 0 when not.
+int check_outputs(std::initializer_list<std::string> inputs, const std::string& output, const std::string& plot) {
+  for (const std::string& input : inputs)
+    for (const std::string& file : {output, plot})
+      if (const auto apart = io::not_the_input(input, file); !apart) return complain(apart.error());
+  if (!plot.empty() && output != "-" && io::same_file(output, plot))
+    return complain({"--plot", "", plot, "another file than that of -o"});
+  return 0;
+}
+
 /// Writes what was asked for; a plot alone leaves standard output empty.
 int deliver(const std::string& output, const std::string& text, const std::string& plot_file, const std::string& plot) {
   if (!plot_file.empty())
@@ -70,6 +80,8 @@ int wrong_plot(const std::string& file, const char* expected) {
 
 int run(const Options& o) {
   const bool workbook = o.model == "workbook";
+  if (workbook && o.explain_kmh >= 0.0) return complain({"--explain", "", "--model workbook", "--model srs"});
+  if (const int wrong = check_outputs({o.input}, o.output, o.plot); wrong != 0) return wrong;
   const auto approached = load(!o.input.empty() ? o.input : data_file(workbook ? kShippedWorkbook : kShippedInput));
   if (!approached) return complain(approached.error());
   const bool svg = ends_with(o.plot, ".svg");
@@ -80,13 +92,19 @@ int run(const Options& o) {
     return deliver(o.output, workbook_text(sheet, format_of(o.format)), o.plot,
                    o.plot.empty() ? "" : workbook_svg(sheet, *approached));
   }
-  if (o.explain_kmh >= 0.0) return deliver(o.output, explain_text(*approached, o.explain_kmh), "", "");
   std::string plot;
   if (!o.plot.empty()) plot = svg ? curves_svg(*approached) : curves_html(*approached);
+  if (o.explain_kmh >= 0.0) {
+    // The page of --explain is asked for by itself: a plot beside it does not take its place.
+    if (!plot.empty())
+      if (const auto written = io::write_whole(o.plot, plot); !written) return complain(written.error());
+    return deliver(o.output, explain_text(*approached, o.explain_kmh), "", "");
+  }
   return deliver(o.output, curves_text(curves_result(*approached), format_of(o.format)), o.plot, plot);
 }
 
 int compare(const CompareOptions& o) {
+  if (const int wrong = check_outputs({o.a, o.b}, o.output, o.plot); wrong != 0) return wrong;
   const auto a = load(o.a);
   if (!a) return complain(a.error());
   const auto b = load(o.b);
@@ -108,7 +126,7 @@ void add_curves_command(CLI::App& app, int& exit_code) {
   command->add_option("--format", options->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();
-  command->add_option("--model", options->model, "srs, or workbook: the design memo's spreadsheet")
+  command->add_option("--model", options->model, "srs, or workbook: an early spreadsheet model of the curves")
       ->check(CLI::IsMember({"srs", "workbook"}))
       ->capture_default_str();
   command->add_option("--explain", options->explain_kmh, "the computation for this speed in km/h, step by step")

@@ -142,6 +142,29 @@ TEST(CommandCurves, AgreesWithTheOfficialToolThroughTheCommand) {
   }
 }
 
+TEST(CommandCurves, OutputsKeepApartFromInputsAndFromEachOther) {
+  const Scratch own("own.json");
+  const std::string shipped = kSource + "/data/curves/passenger_eoa.json";
+  fs::copy_file(shipped, own.path(), fs::copy_options::overwrite_existing);
+  EXPECT_EQ(run(own.path() + " -o " + own.path()).status, 2);
+  EXPECT_EQ(run("compare " + shipped + " " + own.path() + " -o " + own.path()).status, 2);
+  EXPECT_EQ(text_of(own.path()), text_of(shipped)) << "the input is as it was";
+  const Scratch both("both.svg");
+  const Ran ran = run(own.path() + " --plot " + both.path() + " -o " + both.path());
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("expected another file than that of -o"), std::string::npos) << ran.err;
+  EXPECT_FALSE(fs::exists(both.path()));
+}
+
+TEST(CommandCurves, APlotBesideAnExplanation) {
+  const Scratch plot("explained.svg");
+  const Ran ran = run(kSource + "/data/curves/passenger_eoa.json --explain 140 --plot " + plot.path());
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("3.13"), std::string::npos);
+  EXPECT_NE(text_of(plot.path()).find("<svg"), std::string::npos);
+  EXPECT_EQ(run("--model workbook --explain 100").status, 2);
+}
+
 TEST(CommandCurves, EveryWorkbookColumnThroughTheCommand) {
   const json sheet = load_json(kSource + "/tests/reference/workbook_example.json")["case"];
   const Ran ran = run("--model workbook");

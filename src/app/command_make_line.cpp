@@ -17,6 +17,7 @@ int make(const std::string& input, const std::string& output) {
     fmt::print(stderr, "{}\n", diagnostic.text());
     return 2;
   };
+  if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
   const auto text = io::read_text(input);
   if (!text) return complain(text.error());
   const auto line = make_line(*text, input);

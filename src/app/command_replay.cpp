@@ -89,6 +89,8 @@ io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, cons
 }
 
 int replay(const Options& options) {
+  for (const std::string& input : {options.input, options.config})
+    if (const auto apart = io::not_the_input(input, options.output); !apart) return complain(apart.error());
   std::optional<io::Configuration> given;
   if (!options.config.empty()) {
     const auto text = io::read_text(options.config);

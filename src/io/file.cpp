@@ -147,6 +147,12 @@ bool same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
+Result<bool> not_the_input(const std::string& input, const std::string& output) {
+  const auto no_name = [](const std::string& name) { return name.empty() || name == "-"; };
+  if (no_name(input) || no_name(output) || !same_file(input, output)) return true;
+  return tl::unexpected(Diagnostic{output, "", "the input", "another file for the output"});
+}
+
 Result<bool> can_be_written_in(const std::string& folder) {
   std::string name;
   const int descriptor = open_beside(folder + "/.openevc", name);

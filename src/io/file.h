@@ -44,6 +44,9 @@ Result<bool> commit_together(std::initializer_list<WholeFile*> files);
 /// Whether two names, each a file or "-" for standard output, lead to one file. The null device is nobody's.
 bool same_file(const std::string& a, const std::string& b);
 
+/// An error when the output would take the place of what is read.
+Result<bool> not_the_input(const std::string& input, const std::string& output);
+
 /// Whether files can be made in a folder, tried with one that does not stay.
 Result<bool> can_be_written_in(const std::string& folder);
 

@@ -34,6 +34,14 @@ bool asks(const Outputs& seen, const char* name) {
 
 constexpr std::uint32_t bit(Select s) { return 1u << static_cast<unsigned>(s); }
 
+/// What the driver brakes with ahead of a place: comfortable, and well within what the train's brakes do.
+double comfortable(const Motion& motion) { return std::min(kComfortable, 0.6 * motion.full_service_brake()); }
+/// How much earlier he begins because the brakes of a long train build up slowly: seconds and metres.
+double slowness_s(const Motion& motion) {
+  return std::max(0.0, motion.brake_build_up_s() - Dynamics{}.build_up_s) / 2.0;
+}
+double anticipation(const Motion& motion) { return motion.speed() * slowness_s(motion); }
+
 /// The speed from which `a` reaches `v` within `d` metres.
 double braking_from(double v, double a, double d) { return std::sqrt(v * v + 2.0 * a * std::max(0.0, d)); }
 
@@ -116,7 +124,8 @@ double Driver::speed_of_line(const Motion& motion) const {
       allowed = std::min(allowed, v);
       if (s.end_m > motion.front()) covered_to = s.end_m;
     } else {
-      allowed = std::min(allowed, braking_from(v, kComfortable, s.start_m - motion.front()));
+      allowed =
+          std::min(allowed, braking_from(v, comfortable(motion), s.start_m - motion.front() - anticipation(motion)));
     }
   }
   if (covered_to <= motion.front()) allowed = std::min(allowed, kWithoutSpeed);
@@ -130,11 +139,14 @@ double Driver::permitted(const Outputs& seen, const Motion& motion) const {
   const bool to_stop = seen.V_target && seen.V_target->si == 0.0;
   if (to_stop && seen.V_release) limit = std::max(limit, seen.V_release->si);
   double wanted = limit - std::min(margin(), 0.12 * limit);
+  // From the indication on the permitted speed is going to fall.
+  if (seen.monitoring == kernel::Monitoring::TSM && seen.V_target && motion.speed() > seen.V_target->si)
+    wanted -= comfortable(motion) * slowness_s(motion);
   if (seen.V_target && seen.d_target) {
     // To a stop the train aims short of the place, and creeps the last metres.
     const double target = to_stop ? 0.0 : seen.V_target->si - std::min(margin(), 0.12 * seen.V_target->si);
-    const double d = seen.d_target->si - (to_stop ? kStopShort : 0.0);
-    wanted = std::min(wanted, to_stop && d <= 0.0 ? 0.0 : braking_from(target, kComfortable, d));
+    const double d = seen.d_target->si - (to_stop ? kStopShort : 0.0) - anticipation(motion);
+    wanted = std::min(wanted, to_stop && d <= 0.0 ? 0.0 : braking_from(target, comfortable(motion), d));
   }
   return std::max(0.0, wanted);
 }

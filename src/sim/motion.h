@@ -45,6 +45,8 @@ class Motion {
   /// The acceleration that full traction adds, and the deceleration of the full service brake.
   double full_traction() const;
   double full_service_brake() const;
+  /// How long the brakes take from nothing to full.
+  double brake_build_up_s() const { return dynamics_.build_up_s; }
 
  private:
   Dynamics dynamics_;
