@@ -53,15 +53,15 @@ class Decoder {
     file.write(head);
   }
 
-  /// False: refused, and the error object appended.
-  bool line(std::string& out, std::string_view hex) {
+  /// False: refused, and the error object appended. `number` is that of a line of a file or pipe, from 1.
+  bool line(std::string& out, std::string_view hex, std::uint64_t number = 0) {
     Done done;
     const auto bits = io::bits_of_hex(hex);
     if (bits)
       done = options_.explain ? explain(out, *bits) : json(out, *bits);
     else
       done = tl::unexpected(bits.error());
-    if (!done) out += io::error_json(done.error());
+    if (!done) out += io::error_json(done.error(), number);
     if (done && pcapng_) frame(*bits);
     if (!done || !options_.explain) out += '\n';
     return done.has_value();
@@ -164,12 +164,13 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
   std::string chunk(1 << 20, '\0');
   bool all_taken = true;
   std::uint64_t done = 0;
-  std::uint64_t lines = 0;
+  std::uint64_t lines = 0, telegrams = 0;
   const auto answer = [&](std::string_view line) {
+    ++lines;
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') return;
-    ++lines;
-    all_taken = decoder.line(answers, line) && all_taken;
+    ++telegrams;
+    all_taken = decoder.line(answers, line, lines) && all_taken;
   };
   for (;;) {
     const ::ssize_t n = ::read(stream, chunk.data(), chunk.size());
@@ -198,6 +199,10 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
     share.reach(done, lines);
   }
   answer(pending);
+  if (telegrams == 0) {
+    fmt::print(stderr, "{}: found nothing, expected a line of hexadecimal digits\n", name);
+    return 2;
+  }
   out.write(answers);
   return all_taken ? 0 : 1;
 }

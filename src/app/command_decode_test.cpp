@@ -29,6 +29,38 @@ TEST(CommandDecode, AnswersALiveStreamAsItComes) {
   EXPECT_EQ(::pclose(pipe), 0);
 }
 
+/// The line as an editor counts it: comments and empty lines as well.
+TEST(CommandDecode, NamesTheLineThatIsBad) {
+  const Folder folder("line");
+  ASSERT_TRUE(io::write_whole(folder / "f", "# two\n\n" + kPacket + "\nXY\n" + kPacket + "\r\nZ"));
+  const Ended run = ended("decode packet '" + (folder / "f") + "' --to-train");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("\n{\"error\":{\"line\":4,\"bit\":0,\"why\":\"not a hexadecimal digit: X\"}}\n"),
+            std::string::npos)
+      << run.output;
+  EXPECT_NE(run.output.find("{\"error\":{\"line\":6,"), std::string::npos) << run.output;
+  // Digits on the command line are no line of anything.
+  EXPECT_EQ(ended("decode packet XY --to-train").output,
+            "{\"error\":{\"bit\":0,\"why\":\"not a hexadecimal digit: X\"}}\n");
+}
+
+TEST(CommandDecode, NothingIsNoTelegram) {
+  const Folder folder("nothing");
+  for (const char* text : {"", "\n\n", "# no telegram\n"}) {
+    ASSERT_TRUE(io::write_whole(folder / "f", text));
+    const Ended run = ended("decode balise - <'" + (folder / "f") + "'");
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.errors, "-: found nothing, expected a line of hexadecimal digits\n");
+    EXPECT_EQ(run.output, "");
+  }
+}
+
+TEST(CommandEncode, NothingIsNoTelegram) {
+  const Ended run = ended("encode balise - </dev/null");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.errors, "-: found nothing, expected a JSON object\n");
+}
+
 TEST(CommandDecode, TwoOutputsNeedTwoFiles) {
   const Folder folder("two");
   ASSERT_TRUE(io::write_whole(folder / "f", "kept"));

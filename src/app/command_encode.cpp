@@ -76,6 +76,10 @@ int encode_text(const Options& o, const std::string& name, std::string_view text
       return 2;
     }
   }
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    fmt::print(stderr, "{}: found nothing, expected a JSON object\n", name);
+    return 2;
+  }
   bool all_taken = true;
   std::string answers;
   const auto answer = [&](const Json& json) {

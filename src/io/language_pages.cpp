@@ -413,7 +413,7 @@ std::string telegram_schema() {
       "\"required\": [\"header\"], \"additionalProperties\": false},\n";
   out +=
       "\"refusal\": {\"type\": \"object\", \"properties\": {\"error\": {\"type\": \"object\", \"properties\": "
-      "{\"bit\": "
+      "{\"line\": {\"type\": \"integer\", \"minimum\": 1}, \"bit\": "
       "{\"type\": \"integer\", \"minimum\": 0}, \"packet\": " +
       Schema::number(8) +
       ", \"variable\": {\"type\": \"string\"}, \"value\": {\"type\": \"integer\"}, \"why\": {\"type\": \"string\"}}, "

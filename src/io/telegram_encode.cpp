@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
@@ -26,8 +27,13 @@ TelegramError complaint(std::string variable, std::string why, int packet = -1) 
 struct Refused {
   TelegramError error;
 };
-[[noreturn]] void refuse(std::string variable, std::string why) {
-  throw Refused{complaint(std::move(variable), std::move(why))};
+[[noreturn]] void refuse(std::string variable, std::string why, std::optional<std::uint64_t> value = {}) {
+  Refused refused{complaint(std::move(variable), std::move(why))};
+  refused.error.value = value;
+  throw refused;
+}
+std::string found_not(std::uint64_t found, std::uint64_t expected) {
+  return "found " + std::to_string(found) + ", expected " + std::to_string(expected);
 }
 
 std::optional<std::uint64_t> hex_number(const std::string& text) {
@@ -39,7 +45,8 @@ std::optional<std::uint64_t> hex_number(const std::string& text) {
   return n;
 }
 
-/// The raw code of a member: a number, a negative one for D_REF, or a string of hexadecimal digits.
+/// The raw code of a member: a number, a negative one for D_REF, or, where a number of JSON may not be exact, a string
+/// of hexadecimal digits.
 std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
   std::uint64_t code = 0;
   if (value.is_number_unsigned()) {
@@ -48,15 +55,40 @@ std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
     const auto n = value.get<std::int64_t>();
     if (n < 0 && (std::strcmp(name, "D_REF") != 0 || n < -32768)) refuse(name, "less than 0");
     code = n < 0 ? static_cast<std::uint64_t>(n) & 0xFFFFu : static_cast<std::uint64_t>(n);
-  } else if (value.is_string()) {
+  } else if (value.is_string() && bits > 53) {
     const auto n = hex_number(value.get_ref<const std::string&>());
     if (!n) refuse(name, "not a number in hexadecimal digits");
     code = *n;
   } else {
     refuse(name, "expected a number");
   }
-  if (code > lang::all_ones(bits)) refuse(name, "needs more than its " + std::to_string(bits) + " bits");
+  if (code > lang::all_ones(bits)) refuse(name, "needs more than its " + std::to_string(bits) + " bits", code);
   return code;
+}
+
+/// Thrown when the members fit but a length does not: says more than what another version would lack.
+struct WrongLength : Refused {};
+
+/// L_PACKET and L_MESSAGE may be left out, not be wrong.
+void check_length(const Json& object, const char* name, unsigned bits, std::uint64_t computed) {
+  const auto given = object.find(name);
+  if (given == object.end()) return;
+  const std::uint64_t found = code_of(*given, name, bits);
+  if (found == computed) return;
+  WrongLength wrong;
+  wrong.error = complaint(name, found_not(found, computed));
+  wrong.error.value = found;
+  throw wrong;
+}
+
+/// The names of members beside those of a layout.
+using Names = std::initializer_list<const char*>;
+bool holds(Names names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(), [&name](const char* n) { return name == n; });
+}
+std::size_t count_present(const Json& object, Names names) {
+  return static_cast<std::size_t>(
+      std::count_if(names.begin(), names.end(), [&object](const char* n) { return object.contains(n); }));
 }
 
 /// Writes the members of one object along a layout. Every member must be used.
@@ -64,18 +96,26 @@ class ObjectWriter {
  public:
   explicit ObjectWriter(BitWriter& out) : out_(out) {}
 
+  /// The steps before `first` and the members `beside` are written by others.
   void write(const Json& object, std::span<const Step> steps, const lang::WalkScope* up, std::size_t first,
-             std::size_t known_members) {
+             Names beside) {
     std::array<std::uint64_t, lang::kStepsMax> codes{};
     const lang::WalkScope scope{steps, codes.data(), up};
     std::array<bool, lang::kStepsMax> present{};
-    std::size_t used = known_members;
+    std::size_t used = first + count_present(object, beside);
+    const auto member = [&](const char* name) -> const Json& {
+      const auto it = object.find(name);
+      if (it != object.end()) return *it;
+      // A misspelt name is the reason why the right one is missing.
+      refuse_unknown(object, steps, beside);
+      refuse(name, "missing");
+    };
     for (std::size_t i = first; i < steps.size(); ++i) {
       const Step& step = steps[i];
       present[i] = true;
       switch (step.kind) {
         case Step::Kind::field:
-          codes[i] = code_of(member(object, step.name), step.name, step.bits);
+          codes[i] = code_of(member(step.name), step.name, step.bits);
           ++used;
           out_.write(codes[i], step.bits);
           break;
@@ -86,20 +126,25 @@ class ObjectWriter {
           if (!step.test(scope.around(step.variable))) i += step.count;
           break;
         case Step::Kind::repeat: {
-          const Json& group = member(object, step.name);
+          const Json& group = member(step.name);
           ++used;
-          if (object.contains(step.counter)) ++used;
+          std::optional<std::uint64_t> given;
+          if (const auto counter = object.find(step.counter); counter != object.end()) {
+            ++used;
+            given = code_of(*counter, step.counter, step.bits);
+          }
           if (!group.is_array()) refuse(step.name, "expected an array");
           if (group.size() > step.capacity) refuse(step.name, "more than " + std::to_string(step.capacity));
+          if (given && *given != group.size()) refuse(step.counter, found_not(*given, group.size()), *given);
           out_.write(group.size(), step.bits);
           for (const Json& element : group) {
             if (!element.is_object()) refuse(step.name, "expected objects");
-            write(element, step.element(), &scope, 0, 0);
+            write(element, step.element(), &scope, 0, {});
           }
           break;
         }
         case Step::Kind::rest: {
-          const Json& value = member(object, step.name);
+          const Json& value = member(step.name);
           ++used;
           if (!value.is_string()) refuse(step.name, "expected a string of 0 and 1");
           for (const char c : value.get_ref<const std::string&>()) {
@@ -110,44 +155,31 @@ class ObjectWriter {
         }
       }
     }
-    if (used != object.size()) refuse_unknown(object, steps, first, present);
+    if (used != object.size()) refuse_spare(object, steps, first, present, beside);
   }
 
  private:
-  static const Json& member(const Json& object, const char* name) {
-    const auto it = object.find(name);
-    if (it == object.end()) refuse(name, "missing");
-    return *it;
+  /// Names a member that the layout does not have.
+  static void refuse_unknown(const Json& object, std::span<const Step> steps, Names beside) {
+    for (const auto& [key, value] : object.items()) {
+      bool in_layout = holds(beside, key);
+      for (const Step& step : steps) in_layout = in_layout || key == step.name || key == step.counter;
+      if (!in_layout) refuse(key, "unknown member");
+    }
   }
   /// Names one member that is of no use: misspelt, or its condition does not hold.
-  [[noreturn]] static void refuse_unknown(const Json& object, std::span<const Step> steps, std::size_t first,
-                                          const std::array<bool, lang::kStepsMax>& present) {
-    static constexpr std::array<const char*, 9> frame{"NID_PACKET", "L_PACKET",  "NID_MESSAGE",
-                                                      "L_MESSAGE",  "packets",   "padding",
-                                                      "schema",     "direction", "system_version"};
-    for (const auto& [key, value] : object.items()) {
-      bool in_layout = false;
-      for (std::size_t i = 0; i < steps.size(); ++i)
-        if (key == steps[i].name || key == steps[i].counter) in_layout = true;
-      bool in_frame = first > 0 && key == "Q_DIR";
-      for (const char* name : frame) in_frame = in_frame || key == name;
-      if (!in_layout && !in_frame) refuse(key, "unknown member");
-    }
+  [[noreturn]] static void refuse_spare(const Json& object, std::span<const Step> steps, std::size_t first,
+                                        const std::array<bool, lang::kStepsMax>& present, Names beside) {
+    refuse_unknown(object, steps, beside);
     for (const auto& [key, value] : object.items())
       for (std::size_t i = first; i < steps.size(); ++i)
-        if (key == steps[i].name && !present[i]) refuse(key, "a member whose condition does not hold");
+        if ((key == steps[i].name || key == steps[i].counter) && !present[i])
+          refuse(key, "a member whose condition does not hold");
     refuse("", "members that do not belong together");
   }
 
   BitWriter& out_;
 };
-
-std::size_t count_present(const Json& object, std::initializer_list<const char*> names) {
-  std::size_t n = 0;
-  for (const char* name : names)
-    if (object.contains(name)) ++n;
-  return n;
-}
 
 void write_packet_as(BitWriter& out, const Json& packet, const PacketLayout& layout) {
   const std::size_t start = out.position();
@@ -163,8 +195,8 @@ void write_packet_as(BitWriter& out, const Json& packet, const PacketLayout& lay
     out.write(0, 13);
   }
   const std::size_t first = layout.has_direction ? 1 : 0;
-  ObjectWriter(out).write(packet, layout.steps, nullptr, first,
-                          first + count_present(packet, {"NID_PACKET", "L_PACKET"}));
+  ObjectWriter(out).write(packet, layout.steps, nullptr, first, {"NID_PACKET", "L_PACKET"});
+  check_length(packet, "L_PACKET", 13, out.position() - start);
   if (layout.has_length) {
     if (out.position() - start > 8191) refuse("L_PACKET", "packet longer than 8191 bits");
     out.patch(length, out.position() - start, 13);
@@ -233,21 +265,19 @@ void write_packet(BitWriter& out, const Json& packet, const Wish& wish) {
     const std::vector<const PacketLayout*> layouts = candidates(packet, nid, wish);
     if (layouts.empty()) refuse("NID_PACKET", "no such packet in this version and direction");
     std::array<std::uint8_t, 1100> room{};
-    std::optional<Refused> first;
-    for (const bool exact : {true, false}) {
-      for (const PacketLayout* layout : layouts) {
-        BitWriter trial(room);
-        try {
-          write_packet_as(trial, packet, *layout);
-        } catch (const Refused& refused) {
-          if (!first) first = refused;
-          continue;
-        }
-        const auto length = packet.find("L_PACKET");
-        if (exact && length != packet.end() && *length != trial.position()) continue;
+    std::optional<Refused> first, wrong_length;
+    for (const PacketLayout* layout : layouts) {
+      BitWriter trial(room);
+      try {
+        write_packet_as(trial, packet, *layout);
         return append(out, trial.bytes(), trial.position());
+      } catch (const WrongLength& refused) {
+        if (!wrong_length) wrong_length = refused;
+      } catch (const Refused& refused) {
+        if (!first) first = refused;
       }
     }
+    if (wrong_length) throw *wrong_length;
     throw *first;
   } catch (Refused& refused) {
     if (refused.error.packet < 0) refused.error.packet = nid;
@@ -272,12 +302,9 @@ constexpr std::array<HeaderField, 10> balise_header{{{"Q_UPDOWN", 1},
 constexpr std::array<HeaderField, 5> loop_header{
     {{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"NID_C", 10}, {"NID_LOOP", 14}}};
 
-void know_only(const Json& object, std::initializer_list<const char*> names) {
-  for (const auto& [key, value] : object.items()) {
-    bool known = false;
-    for (const char* name : names) known = known || key == name;
-    if (!known) refuse(key, "unknown member");
-  }
+void know_only(const Json& object, Names names) {
+  for (const auto& [key, value] : object.items())
+    if (!holds(names, key)) refuse(key, "unknown member");
 }
 
 const Json& packets_of(const Json& object) {
@@ -309,6 +336,9 @@ Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, s
     refuse("schema", "expected evc-telegram/1");
   const auto it = telegram.find("header");
   if (it == telegram.end() || !it->is_object()) refuse("header", "missing");
+  for (const auto& [key, value] : it->items())
+    if (std::none_of(header.begin(), header.end(), [&key = key](const HeaderField& f) { return key == f.name; }))
+      refuse(key, "unknown member");
   std::vector<std::uint8_t> room((most_bits + 7) / 8 + 8);
   BitWriter out(room);
   std::uint64_t M_VERSION = 0;
@@ -318,13 +348,6 @@ Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, s
     const std::uint64_t code = code_of(*value, f.name, f.bits);
     if (std::strcmp(f.name, "M_VERSION") == 0) M_VERSION = code;
     out.write(code, f.bits);
-  }
-  if (it->size() != header.size()) {
-    for (const auto& [key, value] : it->items()) {
-      bool known = false;
-      for (const HeaderField& f : header) known = known || key == f.name;
-      if (!known) refuse(key, "unknown member");
-    }
   }
   const SystemVersion sv = lang::system_version(M_VERSION);
   if (lang::known_version(sv) == 0) refuse("M_VERSION", "unknown system version");
@@ -373,7 +396,7 @@ tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const E
       if (sv->is_string()) wish.sv = parse_version(sv->get_ref<const std::string&>());
       if (!wish.sv) refuse("system_version", "expected X.Y");
     }
-    std::optional<Refused> first;
+    std::optional<Refused> first, wrong_length;
     for (const lang::MessageLayout& layout : lang::message_layouts()) {
       if (layout.info->NID_MESSAGE != nid || layout.info->direction != *wish.direction) continue;
       if (wish.sv && (layout.info->versions & lang::known_version(*wish.sv)) == 0) continue;
@@ -382,9 +405,8 @@ tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const E
       try {
         out.write(nid, 8);
         out.write(0, 10);
-        ObjectWriter(out).write(
-            message, layout.steps, nullptr, 0,
-            count_present(message, {"NID_MESSAGE", "L_MESSAGE", "packets", "padding", "schema", "system_version"}));
+        ObjectWriter(out).write(message, layout.steps, nullptr, 0,
+                                {"NID_MESSAGE", "L_MESSAGE", "packets", "padding", "schema", "system_version"});
         for (const Json& packet : packets_of(message)) write_packet(out, packet, wish);
         const std::size_t filling = (8 - out.position() % 8) % 8;
         if (const auto padding = message.find("padding"); padding != message.end())
@@ -392,12 +414,16 @@ tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const E
         else if (filling > 0)
           out.write(0, static_cast<unsigned>(filling));
         if (out.position() / 8 > 1023) refuse("L_MESSAGE", "longer than 1023 bytes");
+        check_length(message, "L_MESSAGE", 10, out.position() / 8);
         out.patch(8, out.position() / 8, 10);
         return finish(room, out);
+      } catch (const WrongLength& refused) {
+        if (!wrong_length) wrong_length = refused;
       } catch (const Refused& refused) {
         if (!first) first = refused;
       }
     }
+    if (wrong_length) throw *wrong_length;
     if (first) throw *first;
     refuse("NID_MESSAGE", "no such message in this version and direction");
   });

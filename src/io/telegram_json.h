@@ -25,7 +25,8 @@ struct TelegramError {
   std::string why;
 };
 /// `{"error":{"bit":218,"packet":27,"variable":"V_STATIC","value":121,"why":"spare value"}}`
-std::string error_json(const TelegramError& error);
+/// Before the bit stands the line of the input, counted from 1, if there is one.
+std::string error_json(const TelegramError& error, std::uint64_t line = 0);
 
 struct Bits {
   std::vector<std::uint8_t> bytes;  ///< left aligned, zero filled

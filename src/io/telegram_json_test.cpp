@@ -228,7 +228,7 @@ TEST(TelegramJson, RefusesWrongMembers) {
   EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1})"),
             R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"missing"}})");
   EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":256})"),
-            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"needs more than its 8 bits"}})");
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","value":256,"why":"needs more than its 8 bits"}})");
   EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":-1})"),
             R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"less than 0"}})");
   EXPECT_EQ(why(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":1,"D_TSR":2})"),
@@ -237,6 +237,70 @@ TEST(TelegramJson, RefusesWrongMembers) {
             R"({"error":{"bit":0,"packet":180,"variable":"T_LSSMA","why":"a member whose condition does not hold"}})");
   EXPECT_EQ(why(R"({"NID_PACKET":66.5})"), R"({"error":{"bit":0,"variable":"NID_PACKET","why":"expected a number"}})");
   EXPECT_EQ(why(R"([])"), R"({"error":{"bit":0,"variable":"packets","why":"expected objects"}})");
+}
+
+std::string packet_answer(const char* text, const EncodeOptions& options = {}) {
+  const auto encoded = encode_packet_json(Json::parse(text), options);
+  return encoded ? hex_of_bits(encoded->bytes, encoded->bits) : error_json(encoded.error());
+}
+
+/// "16" is sixteen to most readers and 22 in hexadecimal: only what a number of JSON cannot hold is a string.
+TEST(TelegramJson, HexadecimalOnlyWhereNumbersEnd) {
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":"16"})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"expected a number"}})");
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":"42","Q_DIR":1,"NID_TSR":9})"),
+            R"({"error":{"bit":0,"variable":"NID_PACKET","why":"expected a number"}})");
+  const char* const session = R"({"NID_PACKET":42,"Q_DIR":1,"Q_RBC":1,"NID_C":1,"NID_RBC":2,
+    "NID_RADIO":"0123456789ABCDEF","Q_SLEEPSESSION":0})";
+  const std::string hex = packet_answer(session, {Direction::to_train, {}});
+  const auto bits = bits_of_hex(hex);
+  ASSERT_TRUE(bits) << hex;
+  std::string text;
+  ASSERT_TRUE(append_packet_json(text, bits->bytes, bits->bits, Direction::to_train, {2, 1}));
+  EXPECT_EQ(Json::parse(text).at("NID_RADIO"), "0123456789ABCDEF");
+  EXPECT_EQ(packet_answer(text.c_str()), hex);
+}
+
+TEST(TelegramJson, GivenLengthsAndCountersAreChecked) {
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"L_PACKET":31,"NID_TSR":9})"), "42403E12");
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"L_PACKET":32,"NID_TSR":9})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"L_PACKET","value":32,"why":"found 32, expected 31"}})");
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"L_PACKET":"1F","NID_TSR":9})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"L_PACKET","why":"expected a number"}})");
+  Json linking = Json::parse(R"({"NID_PACKET":5,"Q_DIR":1,"Q_SCALE":1,"D_LINK":1162,"Q_NEWCOUNTRY":0,"NID_BG":353,
+    "Q_LINKORIENTATION":1,"Q_LINKREACTION":2,"Q_LOCACC":5,"N_ITER":0,"links":[]})");
+  EXPECT_TRUE(encode_packet_json(linking));
+  linking["N_ITER"] = 1;
+  EXPECT_EQ(packet_answer(linking.dump().c_str()),
+            R"({"error":{"bit":0,"packet":5,"variable":"N_ITER","value":1,"why":"found 1, expected 0"}})");
+  Json telegram = Json::parse(R"({"header":{"Q_UPDOWN":1,"M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":0,"M_DUP":0,
+    "M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},"packets":[{"NID_PACKET":254,"Q_DIR":1,"L_PACKET":23}]})");
+  EXPECT_TRUE(encode_balise_json(telegram));
+  telegram["packets"][0]["L_PACKET"] = 24;
+  const auto in_telegram = encode_balise_json(telegram);
+  ASSERT_FALSE(in_telegram);
+  EXPECT_EQ(error_json(in_telegram.error()),
+            R"({"error":{"bit":0,"packet":254,"variable":"L_PACKET","value":24,"why":"found 24, expected 23"}})");
+  Json message = Json::parse(R"({"NID_MESSAGE":24,"L_MESSAGE":10,"T_TRAIN":1,"M_ACK":0,"NID_LRBG":16777215,
+    "packets":[]})");
+  EXPECT_TRUE(encode_radio_json(message));
+  message["L_MESSAGE"] = 11;
+  const auto in_message = encode_radio_json(message);
+  ASSERT_FALSE(in_message);
+  EXPECT_EQ(error_json(in_message.error()),
+            R"({"error":{"bit":0,"variable":"L_MESSAGE","value":11,"why":"found 11, expected 10"}})");
+}
+
+TEST(TelegramJson, NamesTheMisspeltMember) {
+  EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSRX":9})"),
+            R"({"error":{"bit":0,"packet":66,"variable":"NID_TSRX","why":"unknown member"}})");
+  const auto header = encode_balise_json(Json::parse(R"({"header":{"Q_UPDOWNX":1}})"));
+  ASSERT_FALSE(header);
+  EXPECT_EQ(header.error().variable, "Q_UPDOWNX");
+  const auto message = encode_radio_json(Json::parse(R"({"NID_MESSAGE":24,"T_TRAINX":1})"));
+  ASSERT_FALSE(message);
+  EXPECT_EQ(message.error().variable, "T_TRAINX");
+  EXPECT_EQ(message.error().why, "unknown member");
 }
 
 TEST(TelegramJson, SignedReference) {

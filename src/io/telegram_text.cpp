@@ -45,8 +45,10 @@ std::string hex_of_bits(std::span<const std::uint8_t> bytes, std::size_t bits) {
   return hex;
 }
 
-std::string error_json(const TelegramError& error) {
-  std::string out = "{\"error\":{\"bit\":" + std::to_string(error.bit);
+std::string error_json(const TelegramError& error, std::uint64_t line) {
+  std::string out = "{\"error\":{";
+  if (line > 0) out += "\"line\":" + std::to_string(line) + ",";
+  out += "\"bit\":" + std::to_string(error.bit);
   if (error.packet >= 0) out += ",\"packet\":" + std::to_string(error.packet);
   if (!error.variable.empty())
     out +=
