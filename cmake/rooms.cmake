@@ -34,7 +34,9 @@ function(evc_room name)
     set(scope PUBLIC)
     if(ROOM_KERNEL)
       target_compile_options(${library} PRIVATE -fno-exceptions -fno-rtti -fno-asynchronous-unwind-tables
-                                                -fno-threadsafe-statics -fno-math-errno)
+                                                -fno-threadsafe-statics -fno-math-errno
+                                                # clang would ask for bcmp where memcmp is written
+                                                $<$<CXX_COMPILER_ID:Clang>:-fno-builtin-bcmp>)
       set_property(GLOBAL APPEND PROPERTY EVC_KERNEL_ROOMS ${library})
     endif()
   else()
