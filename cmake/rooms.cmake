@@ -16,10 +16,6 @@ if(EVC_COVERAGE)
   target_link_options(evc_flags INTERFACE --coverage)
 endif()
 
-# Kernel rooms need neither exceptions nor run-time types.
-add_library(evc_kernel_flags INTERFACE)
-target_link_libraries(evc_kernel_flags INTERFACE evc_flags)
-
 set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
 
 function(evc_room name)
@@ -33,6 +29,7 @@ function(evc_room name)
     add_library(${library} STATIC ${sources})
     set(scope PUBLIC)
     if(ROOM_KERNEL)
+      # Kernel rooms need neither exceptions nor run-time types.
       target_compile_options(${library} PRIVATE -fno-exceptions -fno-rtti -fno-asynchronous-unwind-tables
                                                 -fno-threadsafe-statics -fno-math-errno
                                                 # clang would ask for bcmp where memcmp is written

@@ -223,6 +223,26 @@ struct LevelOne {
   }
 };
 
+/// An unprotected level crossing `D_LX` m on, with its speed of 20 km/h.
+lang::Packet88 unprotected_crossing(std::uint16_t D_LX, std::uint8_t NID_LX = 1) {
+  lang::Packet88 p;
+  p.Q_DIR.raw = 1;
+  p.Q_SCALE.raw = 1;
+  p.NID_LX.raw = NID_LX;
+  p.D_LX.raw = D_LX;
+  p.L_LX.raw = 10;
+  p.Q_LXSTATUS.raw = 1;
+  p.V_LX.raw = 4;
+  return p;
+}
+/// The same with an order to stop in rear of it.
+lang::Packet88 crossing_with_stop(std::uint16_t D_LX, std::uint16_t L_STOPLX) {
+  lang::Packet88 p = unprotected_crossing(D_LX);
+  p.Q_STOPLX.raw = 1;
+  p.L_STOPLX.raw = L_STOPLX;
+  return p;
+}
+
 TEST_F(Unit, enters_FS_on_an_MA_of_level_1_and_stops_the_train_before_its_end) {
   start_of_mission(modes::Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);
@@ -424,16 +444,8 @@ TEST_F(Unit, a_ninth_unprotected_crossing_ends_the_authority_in_front_of_it) {
   for (int i = 0; i < 50; ++i) cycle(8.0);
   const LevelOne data(3000, 20);
   std::array<lang::Packet88, 9> crossings;
-  for (std::size_t i = 0; i < crossings.size(); ++i) {
-    lang::Packet88& p = crossings[i];
-    p.Q_DIR.raw = 1;
-    p.Q_SCALE.raw = 1;
-    p.NID_LX.raw = static_cast<std::uint8_t>(i);
-    p.D_LX.raw = static_cast<std::uint16_t>(i < 8 ? 2500 : 1500);
-    p.L_LX.raw = 10;
-    p.Q_LXSTATUS.raw = 1;
-    p.V_LX.raw = 4;
-  }
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    crossings[i] = unprotected_crossing(i < 8 ? 2500 : 1500, static_cast<std::uint8_t>(i));
   const double at = front;
   pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossings[0], crossings[1], crossings[2]),
        telegram(100, 1, 1, true, crossings[3], crossings[4], crossings[5], crossings[6], crossings[7], crossings[8]),
@@ -522,16 +534,7 @@ TEST_F(Unit, an_unprotected_crossing_is_supervised_in_rear_of_an_LOA) {
   for (int i = 0; i < 50; ++i) cycle(8.0);
   LevelOne data(2000, 20);
   data.ma.V_EMA.raw = 8;
-  lang::Packet88 crossing;
-  crossing.Q_DIR.raw = 1;
-  crossing.Q_SCALE.raw = 1;
-  crossing.NID_LX.raw = 1;
-  crossing.D_LX.raw = 1500;
-  crossing.L_LX.raw = 10;
-  crossing.Q_LXSTATUS.raw = 1;
-  crossing.V_LX.raw = 4;
-  crossing.Q_STOPLX.raw = 1;
-  crossing.L_STOPLX.raw = 50;
+  const lang::Packet88 crossing = crossing_with_stop(1500, 50);
   const double at = front - config.train.L_antenna_front.si;
   pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossing), telegram(100, 1, 1, true), 8.0);
   double v = 8.0;
@@ -551,16 +554,7 @@ TEST_F(Unit, a_stop_in_the_stopping_area_lifts_the_stop_at_a_crossing) {
   start_of_mission(modes::Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);
   const LevelOne data(2000, 20);
-  lang::Packet88 crossing;
-  crossing.Q_DIR.raw = 1;
-  crossing.Q_SCALE.raw = 1;
-  crossing.NID_LX.raw = 1;
-  crossing.D_LX.raw = 400;
-  crossing.L_LX.raw = 10;
-  crossing.Q_LXSTATUS.raw = 1;
-  crossing.V_LX.raw = 4;
-  crossing.Q_STOPLX.raw = 1;
-  crossing.L_STOPLX.raw = 60;
+  const lang::Packet88 crossing = crossing_with_stop(400, 60);
   const double at = front - config.train.L_antenna_front.si;
   pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp, crossing), telegram(100, 1, 1, true), 8.0);
   cycle(8.0);

@@ -25,62 +25,50 @@ train::MaxReducedAdhesion max_reduced(std::uint8_t raw) {
 
 Speed step_speed(lang::var::V_NVKVINT v) { return Speed{static_cast<double>(v.raw * 5u) / 3.6}; }
 
+double lower(double a, double b) { return b < a ? b : a; }
+train::KvPair lower(const train::KvPair& a, const train::KvPair& b) { return {lower(a.a, b.a), lower(a.b, b.b)}; }
+
+/// The steps of a packet as a table. Where there are more than there is room for (3.13.2.3.7.11): the lowest of them
+/// everywhere.
+template <class Table, class Step, class Steps, class At, class Value>
+Table table_of(const Step& first, const Steps& further, At at, Value value) {
+  Table table;
+  auto lowest = value(first);
+  bool room = table.append(at(first), lowest);
+  for (const auto& step : further) {
+    const auto of_step = value(step);
+    room = room && table.append(at(step), of_step);
+    lowest = lower(lowest, of_step);
+  }
+  if (room) return table;
+  table = {};
+  (void)table.append({}, lowest);
+  return table;
+}
+
 /// Correction factors Kv_int: sets for freight and conventional passenger trains (A.3.7).
 void read_Kv(const lang::Packet3_kv_sets& set, train::NationalValues& nv) {
   const auto first = set.first_kv_steps();
+  const auto at = [](const auto& s) { return step_speed(s.V_NVKVINT); };
   if (set.Q_NVKVINTSET.raw == 0) {
-    nv.Kv_int_freight = {};
-    bool room = nv.Kv_int_freight.append(step_speed(first.V_NVKVINT), lang::factor(first.M_NVKVINT_A));
-    double lowest = lang::factor(first.M_NVKVINT_A);
-    for (const auto& step : set.kv_steps) {
-      const double Kv = lang::factor(step.M_NVKVINT_A);
-      room = room && nv.Kv_int_freight.append(step_speed(step.V_NVKVINT), Kv);
-      if (Kv < lowest) lowest = Kv;
-    }
-    // More steps than there is room for (3.13.2.3.7.11): the lowest of them everywhere.
-    if (!room) {
-      nv.Kv_int_freight = {};
-      (void)nv.Kv_int_freight.append(Speed{}, lowest);
-    }
+    nv.Kv_int_freight = table_of<train::NationalValues::KvFreight>(
+        first, set.kv_steps, at, [](const auto& s) { return lang::factor(s.M_NVKVINT_A); });
     return;
   }
   nv.A_NVP12 = lang::acceleration(set.A_NVP12);
   nv.A_NVP23 = lang::acceleration(set.A_NVP23);
-  nv.Kv_int_passenger = {};
-  const auto pair = [](const lang::Packet3_kv_steps& s) {
+  nv.Kv_int_passenger = table_of<train::NationalValues::KvPassenger>(first, set.kv_steps, at, [](const auto& s) {
     return train::KvPair{lang::factor(s.M_NVKVINT_A), lang::factor(s.M_NVKVINT_B)};
-  };
-  bool room = nv.Kv_int_passenger.append(step_speed(first.V_NVKVINT), pair(first));
-  train::KvPair lowest = pair(first);
-  for (const auto& step : set.kv_steps) {
-    const train::KvPair Kv = pair(step);
-    room = room && nv.Kv_int_passenger.append(step_speed(step.V_NVKVINT), Kv);
-    if (Kv.a < lowest.a) lowest.a = Kv.a;
-    if (Kv.b < lowest.b) lowest.b = Kv.b;
-  }
-  if (!room) {
-    nv.Kv_int_passenger = {};
-    (void)nv.Kv_int_passenger.append(Speed{}, lowest);
-  }
+  });
 }
 
 void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) {
   if (p.Q_NVKINT.raw == 0) return;
   read_Kv(p.first_kv_sets(), nv);
   for (const auto& set : p.kv_sets) read_Kv(set, nv);
-  const auto first = p.first_kr_steps();
-  nv.Kr_int = {};
-  bool room = nv.Kr_int.append(lang::metres(first.L_NVKRINT), lang::factor(first.M_NVKRINT));
-  double lowest = lang::factor(first.M_NVKRINT);
-  for (const auto& step : p.kr_steps) {
-    const double Kr = lang::factor(step.M_NVKRINT);
-    room = room && nv.Kr_int.append(lang::metres(step.L_NVKRINT), Kr);
-    if (Kr < lowest) lowest = Kr;
-  }
-  if (!room) {
-    nv.Kr_int = {};
-    (void)nv.Kr_int.append(Distance{}, lowest);
-  }
+  nv.Kr_int = table_of<train::NationalValues::Kr>(
+      p.first_kr_steps(), p.kr_steps, [](const auto& s) { return lang::metres(s.L_NVKRINT); },
+      [](const auto& s) { return lang::factor(s.M_NVKRINT); });
   nv.Kt_int = lang::factor(p.M_NVKTINT);
 }
 

@@ -43,7 +43,8 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
 
 bool within(const State& s, modes::Supervision kind) { return modes::properties(s.mode).supervision == kind; }
 
-sdm::Authority authority_of(const track::Authority& a, const SupervisionBasis& basis) {
+sdm::Authority authority_of(const SupervisionBasis& basis) {
+  const track::Authority& a = basis.authority;
   sdm::Authority out;
   // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA takes its place
   // (3.13.1.5).
@@ -177,7 +178,7 @@ void build(Cycle& cycle, const SupervisionBasis& basis) {
   in.mrsp = track::mrsp(s.track, query);
   mark_TSR_steps(s, in);
   in.supervise_targets = !within(s, modes::Supervision::ceiling);
-  in.authority = within(s, modes::Supervision::full) ? authority_of(basis.authority, basis) : sdm::Authority{};
+  in.authority = within(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
   in.SR_end = within(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
   in.gradient = gradient_of(s.track, basis.min_safe_rear);
   cycle.derived.sdm.valid = false;
