@@ -19,7 +19,7 @@ struct Options {
 
 int print(const std::string& text, const std::string& what, const std::string& id) {
   if (text.empty()) {
-    fmt::print(stderr, "describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
+    fmt::print(stderr, "evc describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
     return 2;
   }
   const auto written = io::write_whole("-", text);

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
@@ -9,8 +8,8 @@
 #include <string>
 
 #include "app/make_line.h"
+#include "app/program_test.h"
 #include "app/sha256.h"
-#include "io/file.h"
 #include "io/number.h"
 #include "io/train_file.h"
 #include "lang/encode.h"
@@ -29,7 +28,7 @@ struct Finished {
 };
 
 Finished evc(const std::string& arguments) {
-  const std::string command = "OPENEVC_DATA='" EVC_SOURCE_DIR "/data' '" EVC_PROGRAM "' " + arguments + " 2>&1";
+  const std::string command = program() + arguments + " 2>&1";
   Finished finished;
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) return finished;
@@ -39,25 +38,6 @@ Finished evc(const std::string& arguments) {
   finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return finished;
 }
-
-std::string text_of(const std::string& file) {
-  const auto text = io::read_text(file);
-  return text ? *text : std::string();
-}
-
-class Folder {
- public:
-  explicit Folder(const char* name) : path_(::testing::TempDir() + "/openevc_" + name) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string operator/(const char* name) const { return path_ + "/" + name; }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 std::string shared_line() {
   const char* given = std::getenv("OPENEVC_SHARED");
