@@ -48,28 +48,7 @@ const typename Models::value_type* choose(const Models& models, BrakeSet in_use)
   return best;
 }
 
-/// T = a + b (l/100) + c (l/100)^2 of A.3.8.2 and A.3.9.2.
-struct BasicTime {
-  double a, b, c;
-  bool at_least_400_m;
-};
-constexpr double kShort = 900.0;
-
-constexpr BasicTime emergency_time(BrakePosition position, double L) {
-  if (position == BrakePosition::FreightG)
-    return L <= kShort ? BasicTime{12.00, 0.0, 0.05, false} : BasicTime{-0.40, 1.60, 0.03, false};
-  if (position == BrakePosition::FreightP && L > kShort) return {-0.40, 1.60, 0.03, true};
-  return {2.30, 0.0, 0.17, true};
-}
-constexpr BasicTime service_time(BrakePosition position, double L) {
-  if (position == BrakePosition::PassengerP) return {3.00, 1.50, 0.10, false};
-  const bool at_least_400_m = position == BrakePosition::FreightG;
-  return L <= kShort ? BasicTime{3.00, 2.77, 0.0, at_least_400_m} : BasicTime{10.50, 0.32, 0.18, at_least_400_m};
-}
-double basic(const BasicTime& t, double L) {
-  const double l = (t.at_least_400_m ? std::max(400.0, L) : L) / 100.0;
-  return t.a + t.b * l + t.c * (l * l);
-}
+constexpr Distance kShort{900.0};
 
 /// Reaction times of 4.0.0, A.3.8.6 and A.3.9.8: {emergency, service}.
 struct Reaction {
@@ -103,25 +82,29 @@ bool conversion_model_applies(const TrainData& train) {
          train.L_TRAIN.si <= longest;
 }
 
+BasicBuildUpTime basic_emergency_time(BrakePosition position, Distance L) {
+  if (position == BrakePosition::FreightG)
+    return L <= kShort ? BasicBuildUpTime{12.00, 0.0, 0.05, false} : BasicBuildUpTime{-0.40, 1.60, 0.03, false};
+  if (position == BrakePosition::FreightP && L > kShort) return {-0.40, 1.60, 0.03, true};
+  return {2.30, 0.0, 0.17, true};
+}
+BasicBuildUpTime basic_service_time(BrakePosition position, Distance L) {
+  if (position == BrakePosition::PassengerP) return {3.00, 1.50, 0.10, false};
+  const bool at_least_400_m = position == BrakePosition::FreightG;
+  return L <= kShort ? BasicBuildUpTime{3.00, 2.77, 0.0, at_least_400_m}
+                     : BasicBuildUpTime{10.50, 0.32, 0.18, at_least_400_m};
+}
+
 Speed V_lim(double lambda0) { return {16.85 * to_the_0_428(lambda0) / 3.6}; }
 
 DecelerationSteps A_basic(double lambda0) {
-  struct Polynomial {
-    double a3, a2, a1, a0, upper_limit_kmh;
-  };
-  static constexpr Polynomial kAD[] = {
-      {-6.30e-7, 6.10e-5, 4.72e-3, 0.0663, 100.0}, {2.73e-7, -4.54e-6, 5.14e-3, 0.1300, 120.0},
-      {5.58e-8, -6.76e-6, 5.81e-3, 0.0479, 150.0}, {3.00e-8, -3.85e-6, 5.52e-3, 0.0480, 180.0},
-      {3.23e-9, 1.66e-6, 5.06e-3, 0.0559, 1e9},
-  };
   DecelerationSteps steps;
-  append(steps, Speed{0.0}, Acceleration{0.0075 * lambda0 + 0.076});
+  append(steps, Speed{0.0}, Acceleration{AD_0(lambda0)});
   Speed from = V_lim(lambda0);
-  for (const Polynomial& p : kAD) {
-    const Speed limit{p.upper_limit_kmh / 3.6};
+  for (const BasicDecelerationStep& p : kAD) {
+    const Speed limit{p.upto_kmh / 3.6};
     if (from >= limit) continue;
-    const double A = ((p.a3 * lambda0 + p.a2) * lambda0 + p.a1) * lambda0 + p.a0;
-    append(steps, from, Acceleration{A});
+    append(steps, from, Acceleration{p.at(lambda0)});
     from = limit;
   }
   return steps;
@@ -141,10 +124,14 @@ BrakeSet in_use_service(const TrainData& t, const BrakeStatus& s, BrakeSet inhib
   return static_cast<BrakeSet>(set & ~static_cast<unsigned>(inhibited));
 }
 
+const EmergencyModel* emergency_model(const TrainData& train, BrakeSet in_use) {
+  return choose(train.emergency, in_use);
+}
+
 DecelerationSteps A_brake_emergency(const TrainData& train, BrakeSet in_use) {
   if (train.brake_model == BrakeModel::lambda) return A_basic(train.brake_percentage);
   DecelerationSteps steps;
-  const EmergencyModel* model = choose(train.emergency, in_use);
+  const EmergencyModel* model = emergency_model(train, in_use);
   if (model == nullptr) {
     append(steps, Speed{0.0}, Acceleration{0.0});
     return steps;
@@ -186,7 +173,7 @@ NationalValues::KvFreight Kv_int(const TrainData& train, const NationalValues& v
 MergedSteps A_brake_safe(const TrainData& train, const NationalValues& values, BrakeSet in_use) {
   MergedSteps safe;
   if (train.brake_model == BrakeModel::gamma) {
-    const EmergencyModel* model = choose(train.emergency, in_use);
+    const EmergencyModel* model = emergency_model(train, in_use);
     if (model == nullptr) {
       append(safe, Speed{0.0}, Acceleration{0.0});
       return safe;
@@ -246,12 +233,14 @@ BuildUpTimes build_up_times(const TrainData& train, const NationalValues& values
     }
     return t;
   }
-  const double L = train.L_TRAIN.si;
-  const double kto = target_is_zero ? 1.0 : (train.brake_position == BrakePosition::FreightG ? 1.16 : 1.20);
-  const double T_brake_service_cm = kto * basic(service_time(train.brake_position, L), L);
+  const double factor = target_is_zero ? 1.0 : kto(train.brake_position);
+  const double T_brake_emergency_cm =
+      factor * basic_emergency_time(train.brake_position, train.L_TRAIN).at(train.L_TRAIN).si;
+  const double T_brake_service_cm =
+      factor * basic_service_time(train.brake_position, train.L_TRAIN).at(train.L_TRAIN).si;
   const Reaction react = reaction(train.brake_position);
   BuildUpTimes t{};
-  t.T_be = {values.Kt_int * (kto * basic(emergency_time(train.brake_position, L), L))};
+  t.T_be = {values.Kt_int * T_brake_emergency_cm};
   t.T_be_react = {values.Kt_int * react.emergency};
   t.T_bs = {T_brake_service_cm};
   t.T_bs_react = {react.service};

@@ -67,6 +67,33 @@ bool conversion_model_applies(const TrainData& train);
 DecelerationSteps A_basic(double lambda0);
 /// V_lim of A.3.7, m/s.
 Speed V_lim(double lambda0);
+/// AD_n of A.3.7.5-6, n = 1..5: a3 lambda0^3 + a2 lambda0^2 + a1 lambda0 + a0, up to a speed (the last one to any).
+struct BasicDecelerationStep {
+  double a3, a2, a1, a0, upto_kmh;
+  constexpr double at(double lambda0) const { return ((a3 * lambda0 + a2) * lambda0 + a1) * lambda0 + a0; }
+};
+inline constexpr BasicDecelerationStep kAD[] = {
+    {-6.30e-7, 6.10e-5, 4.72e-3, 0.0663, 100.0}, {2.73e-7, -4.54e-6, 5.14e-3, 0.1300, 120.0},
+    {5.58e-8, -6.76e-6, 5.81e-3, 0.0479, 150.0}, {3.00e-8, -3.85e-6, 5.52e-3, 0.0480, 180.0},
+    {3.23e-9, 1.66e-6, 5.06e-3, 0.0559, 1e9},
+};
+/// AD_0 of A.3.7.4, from standstill to V_lim.
+constexpr double AD_0(double lambda0) { return 0.0075 * lambda0 + 0.076; }
+
+/// T_brake_basic = a + b (L/100) + c (L/100)^2 of A.3.8.1-3 and A.3.9.1-3.
+struct BasicBuildUpTime {
+  double a, b, c;
+  bool at_least_400_m;  // L = max(400 m, L_TRAIN)
+  constexpr double length(Distance L_TRAIN) const { return at_least_400_m && L_TRAIN.si < 400.0 ? 400.0 : L_TRAIN.si; }
+  constexpr Duration at(Distance L_TRAIN) const {
+    const double l = length(L_TRAIN) / 100.0;
+    return {a + b * l + c * (l * l)};
+  }
+};
+BasicBuildUpTime basic_emergency_time(BrakePosition position, Distance L_TRAIN);
+BasicBuildUpTime basic_service_time(BrakePosition position, Distance L_TRAIN);
+/// kto of A.3.8.5, for targets with V_target > 0.
+constexpr double kto(BrakePosition position) { return position == BrakePosition::FreightG ? 1.16 : 1.20; }
 
 /// Special brakes that count for the emergency brake, service brake: fitted with an interface that
 /// affects it, active, and not in `inhibited`.
@@ -76,6 +103,9 @@ BrakeSet in_use_service(const TrainData& train, const BrakeStatus& status, Brake
 inline constexpr std::size_t kMergedSteps = 16;
 using MergedSteps = StepFunction<Speed, Acceleration, kMergedSteps>;
 
+/// The emergency brake model for the special brakes `in_use` (gamma): that of exactly them, else the one with the
+/// most of them; null when there is none.
+const EmergencyModel* emergency_model(const TrainData& train, BrakeSet in_use);
 /// A_brake_emergency(V) with the special brakes `in_use` (gamma), or of the conversion model.
 DecelerationSteps A_brake_emergency(const TrainData& train, BrakeSet in_use);
 /// A_brake_service(V), the same.
