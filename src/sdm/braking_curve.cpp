@@ -31,10 +31,18 @@ std::size_t CurveView::knot_at(Speed V) const {
   return low;
 }
 
-SpeedSquared CurveView::speed_squared_at(Place x) const {
-  const Knot& k = knots[knot_at(x)];
+SpeedSquared CurveView::speed_squared_on(std::size_t knot, Place x) const {
+  const Knot& k = knots[knot];
   if (x >= k.x) return k.w;
   return k.w + 2.0 * (k.A * (k.x - x));
+}
+
+SpeedSquared CurveView::speed_squared_at(Place x) const { return speed_squared_on(knot_at(x), x); }
+
+Speed CurveView::next_speed_at(Place x, std::size_t& knot) const {
+  if (knot == 0 || x >= knots[knot].x) knot = knot_at(x);
+  while (knot + 1 < knots.size() && x < knots[knot + 1].x) ++knot;
+  return {__builtin_sqrt(speed_squared_on(knot, x).si)};
 }
 
 Speed CurveView::speed_at(Place x) const { return {__builtin_sqrt(speed_squared_at(x).si)}; }

@@ -28,11 +28,16 @@ struct CurveView {
   /// V_X(d): the curve's speed at a place; at and beyond the foot the foot's speed.
   Speed speed_at(Place x) const;
   SpeedSquared speed_squared_at(Place x) const;
+  /// The same, quick for one place after the other, each further upstream: `knot` is 0 at first.
+  Speed next_speed_at(Place x, std::size_t& knot) const;
   /// d_X(V): the most upstream place where the curve has speed `V`; below the foot's speed the foot.
   Place place_at(Speed V) const;
   /// The knot from which the arc at `x`, at speed `V` leads upstream.
   std::size_t knot_at(Place x) const;
   std::size_t knot_at(Speed V) const;
+
+ private:
+  SpeedSquared speed_squared_on(std::size_t knot, Place x) const;
 };
 
 inline constexpr std::size_t kMaxKnots = 176;

@@ -12,16 +12,25 @@
 namespace evc::sdm {
 
 constexpr double kFar = 1e18;
+/// Above all rounding, below what matters.
+constexpr Speed kSpare{0.1};
 
 /// What a target looks like in this cycle. Plain numbers: nothing is cleared that is not used.
 struct Seen {
   unsigned beyond;  // bit per Limit
   bool beyond_I_EBD, beyond_I_SBD;
-  bool near;  // some limit of it can be exceeded; only then the speeds are valid
+  bool near;    // some limit of it can be exceeded; only then the speeds are valid
+  double to_I;  // distance to its Indication limit; where it is not near a lower bound of it
   double V_P, V_P_EBD, V_P_SBD, V_W, V_SBI, V_EBI;
 };
 
 constexpr unsigned bit(Limit l) { return 1u << static_cast<unsigned>(l); }
+
+/// What the bounds of `earliest_indication` share for all targets.
+struct Ahead {
+  Approach a{};
+  BuildUpLoss loss_cm0{}, loss_cmt{};  // with the longest times, towards a target speed below the train's
+};
 
 struct Cycle {
   Supervision& s;
@@ -31,14 +40,15 @@ struct Cycle {
   Speed M{};              // V_MRSP
   Speed V_delta0{};
   Approach a{};
+  Ahead ahead{};
   Times cm0{}, cmt{};
+  Times longest_cm0{}, longest_cmt{};        // no time of any target is longer, reduced (4.0.0) or not
+  Speed full_below_cm0{}, full_below_cmt{};  // 4.0.0: towards lower target speeds no build-up time is reduced
   std::optional<FeedbackTimes> feedback_cm0{}, feedback_cmt{};
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;
   Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
-  double first_indication = kFar;
-  std::size_t first_indication_target = kTargets;
   RsmStart rsm{};
 };
 
@@ -70,6 +80,16 @@ inline TargetLimits limits_at(const Cycle& c, const Target& t, Speed V) {
   a.V = V;
   return limits_of(c.d, t, a, asked(c, t));
 }
+
+/// For another speed than V_est.
+Ahead ahead_of(const Cycle& c, Speed V);
+
+/// Places that no Indication limit of the target lies in rear of: for one speed, and for every speed up to `V_least`
+/// of the curves. Quick; nothing is known with service brake feedback or guidance.
+struct Earliest {
+  Place EBD{}, SBD{};
+};
+Earliest earliest_indication(const Cycle& c, const Target& t, const Ahead& ahead, Speed V_least);
 
 using Bounds = std::array<Speed, static_cast<std::size_t>(Bound::count)>;
 

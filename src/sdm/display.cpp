@@ -17,12 +17,57 @@ double concerned_V_P(const Seen& s, const Target& t) {
   return std::min(s.beyond_I_EBD ? s.V_P_EBD : kFar, s.beyond_I_SBD ? s.V_P_SBD : kFar);
 }
 
-/// Is `t` masked by a target with speed V_t and its d_P there? Distance of its I in rear of that, else < 0.
-double masked_by(const Cycle& c, const Target& t, Speed V, Place d_P) {
+/// 3.13.9.3.5.9: where the Permitted speed has come down to the target speed; for the target distance and for masking.
+Place d_P_at_target_speed(const Cycle& c, const Target& t) {
+  const std::optional<FeedbackTimes>& feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
+  if (!feedback.has_value()) return t.d_P_target;
+  const train::BuildUpTimes& build_up = t.zero ? c.d.cm0 : c.d.cmt;
+  return d_P_at_target_speed(c.d.view(t.EBD), t.V_target, t.d_target,
+                             times(c.d.time_config, build_up, feedback, c.d.rules, c.d.fixed), build_up,
+                             c.d.time_config, V_delta0_41(c.d, t.V_target), c.d.rules, c.d.fixed);
+}
+
+/// Distance of the Indication limit of `t` for speed V in rear of d_P; where it is negative nothing is masked.
+double in_rear(const Cycle& c, const Target& t, Speed V, Place d_P) {
   const TargetLimits l = limits_at(c, t, V);
-  double in_rear = (d_P - l.EBD.d_I).si;
-  if (l.SBD.has_value()) in_rear = std::max(in_rear, (d_P - l.SBD->d_I).si);
-  return in_rear;
+  const double EBD = (d_P - l.EBD.d_I).si;
+  return l.SBD.has_value() ? std::max(EBD, (d_P - l.SBD->d_I).si) : EBD;
+}
+
+/// 3.13.10.4.4.1: of the targets that the MRDT masks the one whose Indication limit is furthest in rear, the first of
+/// equals; kTargets if it masks none.
+std::size_t furthest_masked(const Cycle& c, const Seen* seen, std::size_t masking) {
+  const Target& MRDT = c.d.targets[masking];
+  const Ahead ahead = ahead_of(c, MRDT.V_target);
+  const Place d_P = d_P_at_target_speed(c, MRDT);
+  // Bounds first: only the few that may be the furthest are looked at closely, the most promising one first.
+  struct Candidate {
+    std::size_t i;
+    double at_most;
+  };
+  InplaceVector<Candidate, kTargets> candidates;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
+    const Target& t = c.d.targets[i];
+    if (i == masking || !(t.V_target < MRDT.V_target) || !concerned(c, seen[i], t)) continue;
+    const Earliest I = earliest_indication(c, t, ahead, Speed{0.0});
+    double at_most = (d_P - I.EBD).si;
+    if (t.kind == TargetKind::EOA_SvL) at_most = std::max(at_most, (d_P - I.SBD).si);
+    if (at_most > 0.0) (void)candidates.push_back({i, at_most});
+  }
+  std::size_t furthest = kTargets;
+  double distance = 0.0;
+  for (;;) {
+    Candidate* next = nullptr;
+    for (Candidate& k : candidates)
+      if (k.at_most >= distance && k.at_most > 0.0 && (next == nullptr || k.at_most > next->at_most)) next = &k;
+    if (next == nullptr) return furthest;
+    next->at_most = 0.0;
+    const double d = in_rear(c, c.d.targets[next->i], MRDT.V_target, d_P);
+    if (d > distance || (d == distance && next->i < furthest && furthest != kTargets)) {
+      distance = d;
+      furthest = next->i;
+    }
+  }
 }
 
 std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
@@ -36,26 +81,13 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
       lowest = V_P;
     }
   }
-  if (best == kTargets) return best;
-  for (;;) {
-    const Target& MRDT = c.d.targets[best];
-    if (MRDT.kind == TargetKind::EOA_SvL || MRDT.V_target.si <= 0.0) return best;
-    const Place d_P = limits_at(c, MRDT, MRDT.V_target).EBD.d_P;
-    std::size_t next = kTargets;
-    double furthest = 0.0;
-    // Each step goes to a lower target speed: no target comes twice.
-    for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
-      const Target& t = c.d.targets[i];
-      if (i == best || !(t.V_target < MRDT.V_target) || !concerned(c, seen[i], t)) continue;
-      const double in_rear = masked_by(c, t, MRDT.V_target, d_P);
-      if (in_rear > furthest) {
-        furthest = in_rear;
-        next = i;
-      }
-    }
-    if (next == kTargets) return best;
+  // Each step goes to a lower target speed: no target comes twice.
+  while (best != kTargets && c.d.targets[best].kind != TargetKind::EOA_SvL && c.d.targets[best].V_target.si > 0.0) {
+    const std::size_t next = furthest_masked(c, seen, best);
+    if (next == kTargets) break;
     best = next;
   }
+  return best;
 }
 
 std::size_t lowest_V_P(const Cycle& c, const Seen* seen) {
@@ -76,15 +108,7 @@ std::size_t index_of(const Cycle& c, const TargetId& id) {
 Distance target_distance(const Cycle& c, const Target& t) {
   if (t.kind == TargetKind::EOA_SvL)
     return std::max(Distance{0.0}, std::min(t.d_EOA - c.m.est_front, t.d_target - c.m.max_safe_front));
-  Place d_P = t.d_P_target;
-  const std::optional<FeedbackTimes>& feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
-  if (feedback.has_value()) {
-    const train::BuildUpTimes& build_up = t.zero ? c.d.cm0 : c.d.cmt;
-    d_P = d_P_at_target_speed(c.d.view(t.EBD), t.V_target, t.d_target,
-                              times(c.d.time_config, build_up, feedback, c.d.rules, c.d.fixed), build_up,
-                              c.d.time_config, V_delta0_41(c.d, t.V_target), c.d.rules, c.d.fixed);
-  }
-  return std::max(Distance{0.0}, d_P - c.m.max_safe_front);
+  return std::max(Distance{0.0}, d_P_at_target_speed(c, t) - c.m.max_safe_front);
 }
 
 void show_limits(const Cycle& c, const Seen* seen, Result& out) {
@@ -120,13 +144,42 @@ void show_target(const Cycle& c, std::size_t i, Result& out) {
   if (t.kind == TargetKind::EOA_SvL && release(c).exists) out.V_release = release(c).V_release;
 }
 
+/// 3.13.10.3.8: does the target count for the first Indication location?
+bool leads_to_indication(const Cycle& c, const Target& t, bool above_release) {
+  if (t.kind == TargetKind::EOA_SvL) return true;
+  return t.V_target < c.M && t.V_target < c.a.V && (above_release || !behind_trip_location(c, t));
+}
+
+/// Distance to the Indication limit of a target, to the start of release speed monitoring below the release speed.
+double to_indication(const Cycle& c, const Target& t, const Seen& seen, bool above_release) {
+  if (t.kind == TargetKind::EOA_SvL && !above_release)
+    return std::min((c.rsm.d_SBI1 - c.m.est_front).si, (c.rsm.d_SBI2 - c.m.max_safe_front).si);
+  if (seen.near) return seen.to_I;
+  const TargetLimits l = limits_at(c, t, c.a.V);
+  const double EBD = (l.EBD.d_I - c.m.max_safe_front).si;
+  return l.SBD.has_value() ? std::min(EBD, (l.SBD->d_I - c.m.est_front).si) : EBD;
+}
+
 /// 3.13.10.3.8-10: what ceiling speed monitoring says about the first Indication.
-void show_first_indication(const Cycle& c, Result& out) {
-  if (c.first_indication_target == kTargets) return;
-  const double distance = std::max(c.first_indication, 0.0);
+void show_first_indication(const Cycle& c, const Seen* seen, Result& out) {
+  if (!c.d.rules.first_indication) return;
+  const bool above_release = !release(c).exists || c.a.V >= release(c).V_release;
+  std::size_t first = kTargets;
+  double distance = kFar;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
+    const Target& t = c.d.targets[i];
+    const bool may_be_nearer = seen[i].to_I < distance || (t.kind == TargetKind::EOA_SvL && !above_release);
+    if (!may_be_nearer || !leads_to_indication(c, t, above_release)) continue;
+    const double d = to_indication(c, t, seen[i], above_release);
+    if (d < distance) {
+      distance = d;
+      first = i;
+    }
+  }
+  if (first == kTargets) return;
+  distance = std::max(distance, 0.0);
   out.first_indication = Distance{distance};
-  if (c.d.csm_display == train::MaxReducedAdhesion::Display::target_information)
-    show_target(c, c.first_indication_target, out);
+  if (c.d.csm_display == train::MaxReducedAdhesion::Display::target_information) show_target(c, first, out);
   if (c.d.csm_display == train::MaxReducedAdhesion::Display::time_to_indication && c.a.V.si > 0.0) {
     const Duration TTI{distance / c.a.V.si};
     if (TTI < c.d.fixed.T_dispTTI) out.TTI = TTI;
@@ -195,7 +248,7 @@ void display(Cycle& c, const Seen* seen, Result& out) {
   show_limits(c, seen, out);
   out.show_SBI = c.s.status >= Status::Overspeed;
   if (c.s.monitoring == Monitoring::CSM) {
-    show_first_indication(c, out);
+    show_first_indication(c, seen, out);
   } else if (c.s.has_MRDT) {
     if (const std::size_t i = index_of(c, c.s.MRDT); i != kTargets) show_target(c, i, out);
   }

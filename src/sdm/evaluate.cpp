@@ -12,40 +12,51 @@ Duration T_traction_with(const TimeConfig& c, Duration T_bs2, const train::Fixed
   return std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
 }
 
+Ramp service_ramp(const train::BuildUpTimes& b, const Approach& a) {
+  return {.T = b.T_bs, .T_react = b.T_bs_react, .v0 = a.V};
+}
+Ramp emergency_ramp(const Derived& d, const train::BuildUpTimes& b, const Approach& a) {
+  const TimeConfig& c = d.time_config;
+  return {.T = b.T_be,
+          .T_react = b.T_be_react,
+          .v0 = a.V + a.V_delta0,
+          .A_est1 = a.A_est1,
+          .A_est2 = a.A_est2,
+          .T_traction_max = T_traction_with(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed),
+          .T_traction_min = T_traction_with(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed)};
+}
+/// A.3.12.1.5 and Kt_int = 0.
+bool never_reduced(const train::BuildUpTimes& b, const Times& unreduced) {
+  return b.T_be.si <= 0.0 || b.T_be_react.si <= 0.0 || unreduced.T_traction >= b.T_be;
+}
+
+void set_target(Ramp& r, const Target& target) {
+  r.stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
+  r.V_target = r.stop ? Speed{0.0} : target.V_target;
+}
+
 /// T_bs_reduced for the curve that ends at `end` (A.3.12, service brake).
 Duration reduced_T_bs(const Derived& d, const Target& target, const train::BuildUpTimes& b, const Approach& a,
                       Place end, const Fronts& fronts) {
-  const bool stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
-  const Speed Vt = stop ? Speed{0.0} : target.V_target;
-  if (stop ? a.V.si <= 0.0 : a.V <= Vt) return std::min(b.T_bs, b.T_bs_react);
-  Ramp r{.T = b.T_bs, .T_react = b.T_bs_react, .v0 = a.V, .V_target = Vt, .stop = stop};
+  Ramp r = service_ramp(b, a);
+  set_target(r, target);
+  if (r.stop ? a.V.si <= 0.0 : a.V <= r.V_target) return std::min(b.T_bs, b.T_bs_react);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_expected)) return *T;
   r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.est, end), std::min(Vt, a.V), std::max(Vt, a.V));
+                           std::min(fronts.est, end), std::min(r.V_target, a.V), std::max(r.V_target, a.V));
   return reduced_build_up_time(r);
 }
 
 Duration reduced_T_be(const Derived& d, const Target& target, const train::BuildUpTimes& b, const Approach& a,
                       const Times& unreduced, const Fronts& fronts) {
-  if (b.T_be.si <= 0.0 || b.T_be_react.si <= 0.0) return b.T_be;  // Kt_int = 0 among them
-  if (unreduced.T_traction >= b.T_be) return b.T_be;              // A.3.12.1.5
-  const TimeConfig& c = d.time_config;
-  const bool stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
-  const Speed Vt = stop ? Speed{0.0} : target.V_target;
-  const Speed V_bec = before_emergency_effort(a, unreduced, Vt).V_bec;
-  Ramp r{.T = b.T_be,
-         .T_react = b.T_be_react,
-         .v0 = a.V + a.V_delta0,
-         .V_target = Vt,
-         .stop = stop,
-         .A_est1 = a.A_est1,
-         .A_est2 = a.A_est2};
-  r.T_traction_max = T_traction_with(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed);
-  r.T_traction_min = T_traction_with(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed);
+  if (never_reduced(b, unreduced)) return b.T_be;
+  Ramp r = emergency_ramp(d, b, a);
+  set_target(r, target);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_safe)) return *T;
   const Place end = target.d_target;
+  const Speed V_bec = before_emergency_effort(a, unreduced, r.V_target).V_bec;
   r.A = deceleration_range(d.decelerations, CurveKind::EBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.min_safe, end), Vt, std::max(Vt, V_bec));
+                           std::min(fronts.min_safe, end), r.V_target, std::max(r.V_target, V_bec));
   return reduced_build_up_time(r);
 }
 
@@ -76,6 +87,25 @@ TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, 
   if (target.kind == TargetKind::EOA_SvL) t.SBD = times(d.time_config, reduced_SBD, asked.feedback, d.rules, d.fixed);
   t.reduced_be = reduced.T_be < full.T_be;
   t.reduced_bs = reduced.T_bs < full.T_bs || reduced_SBD.T_bs < full.T_bs;
+  return t;
+}
+
+Speed full_build_up_below(const Derived& d, const train::BuildUpTimes& build_up, const Approach& a,
+                          const Times& unreduced) {
+  Speed V = never_reduced(build_up, unreduced)
+                ? Speed{1e9}
+                : full_build_up_below(emergency_ramp(d, build_up, a), d.decelerations.highest_safe);
+  if (!d.time_config.feedback_available)
+    V = std::min({V, a.V, full_build_up_below(service_ramp(build_up, a), d.decelerations.highest_expected)});
+  return V;
+}
+
+Times longest_times(const Times& unreduced, const Derived& d, const train::BuildUpTimes& build_up) {
+  Times t = unreduced;
+  if (!d.rules.reduced_build_up || d.time_config.feedback_available) return t;
+  const Duration T_bs2 =
+      d.time_config.service_brake_available ? std::min(build_up.T_bs, build_up.T_bs_react) : Duration{0.0};
+  t.T_traction = std::max(t.T_traction, T_traction_with(d.time_config, T_bs2, d.fixed));
   return t;
 }
 

@@ -25,6 +25,14 @@ struct TargetTimes {
 };
 TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, const TimesAsked& asked);
 
+/// Bounds of the reduced times of all targets (4.0.0), from the unreduced ones: nothing of `times_of` is longer. A
+/// shorter T_bs2 makes T_traction longer where a traction cut-off interface is fitted (3.13.9.3.2.3).
+Times longest_times(const Times& unreduced, const Derived& d, const train::BuildUpTimes& build_up);
+
+/// 4.0.0: towards target speeds below this one no build-up time is reduced, whatever lies between (A.3.12.4).
+Speed full_build_up_below(const Derived& d, const train::BuildUpTimes& build_up, const Approach& a,
+                          const Times& unreduced);
+
 /// Limits of a target: EBD always, SBD for EOA_SvL.
 struct TargetLimits {
   TargetTimes times;

@@ -124,16 +124,17 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
   const Distance D_be = D_be_display(a, t);
   const Speed V_delta = a.V_delta0 + a.A_est1 * t.T_traction + a.A_est2 * t.T_berem;
   const Place foot = EBD.foot();
+  std::size_t knot = 0;
   const auto speed = [&](Duration before, Speed floor) {
     const Place x = front + a.V * before + D_be;
-    return x >= foot ? floor : std::max(EBD.speed_at(x) - V_delta, floor);
+    return x >= foot ? floor : std::max(EBD.next_speed_at(x, knot) - V_delta, floor);
   };
-  LimitSpeeds s{
-      .V_EBI = speed({0.0}, V_target + dV_ebi(V_target, f)),
-      .V_SBI = speed(t.T_bs2, V_target + dV_sbi(V_target, f)),
-      .V_W = speed(t.T_bs2 + f.T_warning, V_target + dV_warning(V_target, f)),
-      .V_P = speed(t.T_bs2 + f.T_driver, V_target),
-  };
+  // From the most downstream place to the most upstream one.
+  LimitSpeeds s{};
+  s.V_P = speed(t.T_bs2 + f.T_driver, V_target);
+  s.V_W = speed(t.T_bs2 + f.T_warning, V_target + dV_warning(V_target, f));
+  s.V_SBI = speed(t.T_bs2, V_target + dV_sbi(V_target, f));
+  s.V_EBI = speed({0.0}, V_target + dV_ebi(V_target, f));
   if (GUI.exists()) {
     // 3.13.9.3.5.8: beyond the foot of the guidance curve the target speed is permitted.
     const Speed V_GUI = front >= GUI.foot() ? V_target : GUI.speed_at(front);
@@ -144,16 +145,16 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
 
 LimitSpeeds speeds_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const Times& t, Place d_EOA, Place front,
                           const train::FixedValues& f) {
+  std::size_t knot = 0;
   const auto speed = [&](Duration before) {
     const Place x = front + a.V * before;
-    return x >= d_EOA ? Speed{0.0} : SBD.speed_at(x);
+    return x >= d_EOA ? Speed{0.0} : SBD.next_speed_at(x, knot);
   };
-  LimitSpeeds s{
-      .V_EBI = speed({0.0}),
-      .V_SBI = speed(t.T_bs1),
-      .V_W = speed(t.T_bs1 + f.T_warning),
-      .V_P = speed(t.T_bs1 + f.T_driver),
-  };
+  LimitSpeeds s{};
+  s.V_P = speed(t.T_bs1 + f.T_driver);
+  s.V_W = speed(t.T_bs1 + f.T_warning);
+  s.V_SBI = speed(t.T_bs1);
+  s.V_EBI = speed({0.0});
   if (GUI.exists()) s.V_P = std::min(s.V_P, GUI.speed_at(front));
   return s;
 }

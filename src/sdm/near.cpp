@@ -5,27 +5,15 @@
 namespace evc::sdm {
 namespace {
 
-/// No limit of the target can be exceeded and none of its speeds can be the lowest: both curves lie
-/// above V_relevant at every place that matters. `d_I_at_least` gets a lower bound of the distance to
-/// the Indication limit.
-bool far_away(const Cycle& c, const Target& t, double& d_I_at_least) {
-  d_I_at_least = -kFar;
-  if (c.d.guidance || c.d.time_config.feedback_available || c.d.rules.pre_indication || t.warnings.truncated)
-    return false;
-  const Times& times = t.zero ? c.cm0 : c.cmt;
-  const BuildUpLoss loss = before_emergency_effort(c.a, times, t.V_target);
-  if (loss.V_bec >= c.d.V_relevant) return false;
-  if (c.d.V_relevant - (c.V_delta0 + loss.V_delta1 + loss.V_delta2) <= c.M_ebi) return false;
-  const Distance before = c.a.V * (times.T_bs2 + c.d.fixed.T_driver + times.T_indication) + loss.D_bec;
-  // A curve that falls upstream is lower than V_relevant only in front of x_relevant.
-  double room = (t.x_relevant - before - c.m.max_safe_front).si;
-  if (t.kind == TargetKind::EOA_SvL) {
-    const Distance before_EOA = c.a.V * (times.T_bs1 + c.d.fixed.T_driver + times.T_indication);
-    room = std::min(room, (t.x_relevant_EOA - before_EOA - c.m.est_front).si);
-  }
-  if (room <= 0.0) return false;
-  d_I_at_least = room;
-  return true;
+/// No limit of the target can be exceeded and none of its speeds can be the lowest: both curves lie above every
+/// speed that counts at every place that matters. `room` gets a lower bound of the distance to the Indication limit.
+bool far_away(const Cycle& c, const Target& t, double& room) {
+  if (c.d.rules.pre_indication) return false;
+  const BuildUpLoss& loss = t.zero ? c.ahead.loss_cm0 : c.ahead.loss_cmt;
+  const Earliest I = earliest_indication(c, t, c.ahead, c.M_ebi + c.V_delta0 + loss.V_delta1 + loss.V_delta2);
+  room = (I.EBD - c.m.max_safe_front).si;
+  if (t.kind == TargetKind::EOA_SvL) room = std::min(room, (I.SBD - c.m.est_front).si);
+  return room > 0.0;
 }
 
 void set_beyond(Seen& seen, const Limits& l, Place front, bool EBD) {
@@ -36,22 +24,9 @@ void set_beyond(Seen& seen, const Limits& l, Place front, bool EBD) {
   if (EBD && front > *l.d_EBI) seen.beyond |= bit(Limit::EBI);
 }
 
-void first_indication(Cycle& c, std::size_t i, const Target& t, const TargetLimits& l) {
-  if (!c.d.rules.first_indication) return;
-  const bool above_release = !release(c).exists || c.a.V >= release(c).V_release;
-  double distance = kFar;
-  if (t.kind == TargetKind::EOA_SvL) {
-    if (above_release)
-      distance = std::min((l.SBD->d_I - c.m.est_front).si, (l.EBD.d_I - c.m.max_safe_front).si);
-    else
-      distance = std::min((c.rsm.d_SBI1 - c.m.est_front).si, (c.rsm.d_SBI2 - c.m.max_safe_front).si);
-  } else if (t.V_target < c.M && t.V_target < c.a.V && (above_release || !behind_trip_location(c, t))) {
-    distance = (l.EBD.d_I - c.m.max_safe_front).si;
-  }
-  if (distance < c.first_indication) {
-    c.first_indication = distance;
-    c.first_indication_target = i;
-  }
+/// Is it clear without a look at the track that no build-up time is reduced?
+bool full_build_up(const Cycle& c, const Target& t) {
+  return !c.d.rules.reduced_build_up || t.V_target < (t.zero ? c.full_below_cm0 : c.full_below_cmt);
 }
 
 void note_reduced(Cycle& c, const TargetTimes& t) {
@@ -60,18 +35,40 @@ void note_reduced(Cycle& c, const TargetTimes& t) {
 
 }  // namespace
 
+Ahead ahead_of(const Cycle& c, Speed V) {
+  Ahead ahead{.a = c.a};
+  ahead.a.V = V;
+  ahead.loss_cm0 = before_emergency_effort(ahead.a, c.longest_cm0, Speed{0.0});
+  ahead.loss_cmt = before_emergency_effort(ahead.a, c.longest_cmt, Speed{0.0});
+  return ahead;
+}
+
+Earliest earliest_indication(const Cycle& c, const Target& t, const Ahead& ahead, Speed V_least) {
+  if (c.d.guidance || c.d.time_config.feedback_available || t.warnings.truncated) return {{{-kFar}}, {{-kFar}}};
+  const Times& longest = t.zero ? c.longest_cm0 : c.longest_cmt;
+  BuildUpLoss loss = t.zero ? ahead.loss_cm0 : ahead.loss_cmt;
+  if (t.V_target > ahead.a.V) loss = before_emergency_effort(ahead.a, longest, t.V_target);
+  const Speed V = std::max(loss.V_bec, V_least) + kSpare;
+  const Duration to_I = c.d.fixed.T_driver + longest.T_indication;
+  // With 4.0.0 P lies at the target at the latest.
+  Earliest I;
+  I.EBD = std::min(c.d.view(t.EBD).place_at(V), t.d_target) - (ahead.a.V * (longest.T_bs2 + to_I) + loss.D_bec);
+  if (t.kind == TargetKind::EOA_SvL) I.SBD = c.d.view(t.SBD).place_at(V) - ahead.a.V * (longest.T_bs1 + to_I);
+  return I;
+}
+
 void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   const Target& t = c.d.targets[i];
-  seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar};
-  double room = 0.0;
-  if (far_away(c, t, room) && (!c.d.rules.first_indication || room >= c.first_indication)) {
+  seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar, kFar};
+  if (far_away(c, t, seen.to_I)) {
     // A.3.13 asks whether any target's build-up time is reduced, the far ones' too.
-    if (c.d.rules.reduced_build_up && !c.reduced) note_reduced(c, times_of(c.d, t, c.a, asked(c, t)));
+    if (c.d.rules.reduced_build_up && !c.reduced && !full_build_up(c, t))
+      note_reduced(c, times_of(c.d, t, c.a, asked(c, t)));
     return;
   }
   seen.near = true;
   TargetLimits l;
-  if (c.d.rules.reduced_build_up || c.d.time_config.feedback_available) {
+  if (!full_build_up(c, t) || c.d.time_config.feedback_available) {
     l = limits_of(c.d, t, c.a, asked(c, t));
     note_reduced(c, l.times);
   } else {
@@ -101,11 +98,14 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
     seen.V_SBI = std::min(seen.V_SBI, std::max(s.V_SBI.si, floor));
   }
   if (c.d.rules.pre_indication && c.a.V > c.M) {
-    const TargetLimits at_M = limits_at(c, t, c.M);
-    if (c.m.max_safe_front > at_M.EBD.d_I || (at_M.SBD.has_value() && c.m.est_front > at_M.SBD->d_I))
+    Approach at_M = c.a;
+    at_M.V = c.M;
+    if (c.m.max_safe_front > EBD_limits_of(c.d, t, at_M, l.times.EBD).d_I ||
+        (l.SBD.has_value() && c.m.est_front > SBD_limits_of(c.d, t, at_M, l.times.SBD).d_I))
       seen.beyond |= bit(Limit::I_M);
   }
-  first_indication(c, i, t, l);
+  seen.to_I = (l.EBD.d_I - c.m.max_safe_front).si;
+  if (l.SBD.has_value()) seen.to_I = std::min(seen.to_I, (l.SBD->d_I - c.m.est_front).si);
 }
 
 }  // namespace evc::sdm

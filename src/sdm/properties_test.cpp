@@ -317,7 +317,7 @@ TEST(Properties, LeavingOutFarTargetsChangesNothing) {
                                                               : train::MaxReducedAdhesion::Display::time_to_indication);
     const auto quick = built(c.in);
     auto slow = std::make_unique<Derived>(*quick);
-    for (Target& t : slow->targets) t.x_relevant = t.x_relevant_EOA = Place{{-1e12}};
+    for (Target& t : slow->targets) t.warnings.truncated = true;
     Supervision a;
     Supervision b;
     Motion m = c.motion;

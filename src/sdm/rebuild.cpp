@@ -132,8 +132,6 @@ class Builder {
       t.SBD = curve(CurveKind::SBD, false, t.d_EOA, Speed{0.0}, Speed{0.0}, t.warnings);
     const CurveView EBD = d_.view(t.EBD);
     t.foot = EBD.place_at(t.V_target);
-    t.x_relevant = EBD.place_at(d_.V_relevant);
-    if (t.kind == TargetKind::EOA_SvL) t.x_relevant_EOA = d_.view(t.SBD).place_at(d_.V_relevant);
     const train::BuildUpTimes& build_up = t.zero ? d_.cm0 : d_.cmt;
     t.d_P_target = d_P_at_target_speed(EBD, t.V_target, t.d_target,
                                        times(d_.time_config, build_up, std::nullopt, d_.rules, d_.fixed), build_up,

@@ -66,6 +66,11 @@ std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_high
   return std::nullopt;
 }
 
+Speed full_build_up_below(const Ramp& r, Acceleration A_highest) {
+  if (r.T <= r.T_react) return Speed{1e9};
+  return {std::min(speed_before_ramp(r), speed_after_ramp(r, A_highest.si))};
+}
+
 Duration reduced_build_up_time(const Ramp& r) {
   const double A_B = r.A.A_brake_min.si;
   const double A_max = r.A.A_max.si;

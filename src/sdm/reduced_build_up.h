@@ -34,6 +34,9 @@ struct Ramp {
 /// between train and target need not be looked at then.
 std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest);
 
+/// Towards target speeds below this one the same is T, for a stop too.
+Speed full_build_up_below(const Ramp& r, Acceleration A_highest);
+
 /// T_be_reduced or T_bs_reduced; never more than T.
 Duration reduced_build_up_time(const Ramp& r);
 

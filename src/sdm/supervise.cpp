@@ -300,6 +300,13 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
   use_feedback(c);
   c.cm0 = times(d.time_config, d.cm0, c.feedback_cm0, d.rules, d.fixed);
   c.cmt = times(d.time_config, d.cmt, c.feedback_cmt, d.rules, d.fixed);
+  c.longest_cm0 = longest_times(c.cm0, d, d.cm0);
+  c.longest_cmt = longest_times(c.cmt, d, d.cmt);
+  c.ahead = ahead_of(c, m.V_est);
+  if (d.rules.reduced_build_up) {
+    c.full_below_cm0 = full_build_up_below(d, d.cm0, c.a, c.cm0);
+    c.full_below_cmt = full_build_up_below(d, d.cmt, c.a, c.cmt);
+  }
   c.rsm = {release(c).d_SBI1, release(c).d_SBI2};
   if (release(c).exists && c.feedback_cm0.has_value())
     for (const Target& t : d.targets)

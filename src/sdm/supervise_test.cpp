@@ -582,6 +582,26 @@ TEST(MRDT, AMaskedTargetIsShown) {
   EXPECT_EQ(v.r.V_target->si, 20.0);
 }
 
+TEST(MRDT, MaskingCountsFromTheFixedPermittedSpeedLocation) {
+  // 3.13.9.3.5.9: d_P(V_target) has no acceleration and fully reduced build-up times, d_I has the train's acceleration.
+  // 72 km/h at 4000 m: d_EBD(20) = 4000 + (22.0833^2 - 20^2) / 2 = 4043.837; T_traction_max = 10 - (2 + 1) = 7 s,
+  // T_berem_min = 0: d_P(20) = 4043.837 - 20 * 7 - 20 * (4 + 1) = 3803.837.
+  // 36 km/h at x, A_est 0.4, V 20: nothing is reduced, T_traction 5, T_berem 3, V_bec 23.2, D_bec = 21 * 5 + 22.6 * 3,
+  // d_I = x - (23.2^2 - 12.0833^2) / 2 - 172.8 - 20 * (3 + 4 + 9) = x - 688.916: masked up to x = 4492.75.
+  for (const double x : {4450.0, 4492.7, 4492.8}) {
+    Unit u(SrsVersion::v4_0_0);
+    ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+    ASSERT_TRUE(u.in.mrsp.append({{x}}, {10.0}));
+    u.build();
+    EXPECT_NEAR(u.d->targets[0].d_P_target.from_origin.si, 3803.837, 1e-3);
+    Motion m = at(3420, 28.0);
+    m.A_est = {0.4};
+    u.cycle(m);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    EXPECT_EQ(u.r.V_target->si, x < 4492.75 ? 10.0 : 20.0) << x;
+  }
+}
+
 TEST(MRDT, StaysUntilALowerOneIsSelected) {
   Unit u;
   ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));

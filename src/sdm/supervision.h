@@ -39,11 +39,8 @@ struct Target {
   Place d_EOA{};     // EOA_SvL only
   CurveRef EBD, SBD, GUI, GUI_EOA;
   CurveWarnings warnings;
-  Place foot{};        // d_EBD(V_target)
-  Place d_P_target{};  // d_P(V_target) without service brake feedback
-  /// Where the EBD (SBD) reaches `V_relevant` of Derived: in rear of it no limit of any speed below
-  /// can be exceeded.
-  Place x_relevant{}, x_relevant_EOA{};
+  Place foot{};                                                   // d_EBD(V_target)
+  Place d_P_target{};                                             // d_P(V_target) without service brake feedback
   std::optional<Place> d_preindication_EBD, d_preindication_SBD;  // 3.4.0
   bool preindication_passed_at_once = false;                      // 3.4.0: curve below the MRSP at its start
 };
