@@ -194,6 +194,38 @@ TEST_F(Unit, starts_a_mission_in_level_1_in_SR) {
   EXPECT_NEAR(out.V_P->si * 3.6, 40.0, 1e-9);
 }
 
+/// A restriction of every kind in force at the train, each of its own speed.
+void restrict_by_everything(State& s) {
+  track::Description& d = s.track;
+  const Place from{{-1000.0}};
+  const Place to{{5000.0}};
+  track::StaticSpeed ssp;
+  ssp.V_STATIC = 2;
+  ASSERT_TRUE(d.ssp.append(from, ssp));
+  track::TemporarySpeedRestriction tsr;
+  tsr.from = from;
+  tsr.to = to;
+  tsr.V_TSR = 5;
+  ASSERT_TRUE(d.tsr.push_back(tsr));
+  d.signalling = track::SignallingSpeed{from, 1, to};
+  ++d.revision;
+}
+
+TEST_F(Unit, the_MRSP_is_made_of_what_counts_in_the_mode) {
+  // 4.5.2: UN and SR know temporary restrictions, the train's speed and the mode's, SH its own speed only.
+  start_of_mission(modes::Level::L0, 0, Ack::UN);
+  restrict_by_everything(*state);
+  EXPECT_NEAR(cycle().V_MRSP->si * 3.6, 25.0, 1e-9);
+  state->track.tsr.clear();
+  ++state->track.revision;
+  EXPECT_NEAR(cycle().V_MRSP->si * 3.6, 100.0, 1e-9);
+  in.driver.selected = 1u << static_cast<unsigned>(Select::shunting);
+  for (int i = 0; i < 5; ++i) cycle();
+  ASSERT_EQ(out.mode, modes::Mode::SH);
+  restrict_by_everything(*state);
+  EXPECT_NEAR(cycle().V_MRSP->si * 3.6, 30.0, 1e-9);
+}
+
 TEST_F(Unit, supervises_standstill_in_stand_by) {
   in.train.desk_open = true;
   for (int i = 0; i < 10; ++i) cycle();

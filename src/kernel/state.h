@@ -80,6 +80,7 @@ struct StaffResponsible {
 struct SupervisionBasis {
   /// The curves are built anew when one of these changes.
   struct Key {
+    modes::Mode mode{};           ///< what counts for the MRSP and what is supervised depends on it (4.5.2)
     std::uint32_t track = 0;      ///< track::Description::revision
     std::uint32_t revision = 0;   ///< State::revision
     std::uint8_t brakes = 0;      ///< special brakes reported active (3.13.2.2.6), one bit each

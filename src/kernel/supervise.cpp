@@ -1,5 +1,6 @@
 #include "kernel/supervise.h"
 
+#include "modes/active_functions.h"
 #include "modes/mode_properties.h"
 #include "sdm/locations.h"
 #include "track/services.h"
@@ -124,6 +125,17 @@ sdm::GradientProfile gradient_of(const track::Description& d, Place from) {
   return g;
 }
 
+/// What the MRSP is made of in the mode in force (4.5.2).
+track::MrspElements elements_in(Mode mode) {
+  using modes::Function;
+  return {.ssp = modes::active(Function::mrsp_ssp, mode),
+          .asp = modes::active(Function::mrsp_asp, mode),
+          .tsr = modes::active(Function::mrsp_tsr, mode),
+          .pbd = modes::active(Function::mrsp_pbd, mode),
+          .lx = modes::active(Function::mrsp_lx, mode),
+          .signalling = modes::active(Function::mrsp_signalling, mode)};
+}
+
 void add_limit(track::MrspQuery& query, Speed v) {
   // Three limits at the most: there is room for eight.
   (void)query.limits.push_back({std::nullopt, std::nullopt, v});
@@ -172,9 +184,11 @@ void build(Cycle& cycle, const SupervisionBasis& basis) {
   query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
   query.category = category_of(s.train);
-  add_limit(query, s.train.V_MAXTRAIN);
-  if (basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
-  if (s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
+  query.elements = elements_in(s.mode);
+  const auto counts = [&](modes::Function f) { return modes::active(f, s.mode); };
+  if (counts(modes::Function::mrsp_train)) add_limit(query, s.train.V_MAXTRAIN);
+  if (counts(modes::Function::mrsp_mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
+  if (counts(modes::Function::mrsp_override) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
   in.mrsp = track::mrsp(s.track, query);
   mark_TSR_steps(s, in);
   in.supervise_targets = !within(s, modes::Supervision::ceiling);
@@ -309,7 +323,8 @@ std::uint32_t inaccuracy(const Cycle& cycle) {
 void refresh(Cycle& cycle) {
   State& s = cycle.state;
   Derived& d = cycle.derived;
-  const SupervisionBasis::Key key{.track = s.track.revision,
+  const SupervisionBasis::Key key{.mode = s.mode,
+                                  .track = s.track.revision,
                                   .revision = s.revision,
                                   .brakes = brake_bits(cycle.in.train),
                                   .level_1_at_EOA = level_1_at(s, s.basis.authority.EOA),

@@ -76,15 +76,20 @@ Mrsp mrsp(const Description& d, const MrspQuery& query) {
   (void)f.append(query.from, kNoLimit);
   for (const Limit& limit : query.limits)
     lower(f, limit.from ? *limit.from : query.from, limit.to ? *limit.to : kFar, limit.V);
-  lower_by_ssp(f, d, query);
-  lower_by_areas(f, d.asp, query.train_length,
-                 [&](const AxleLoadRestriction& a) { return a.speed_for(query.category); });
-  lower_by_areas(f, d.tsr, query.train_length, [](const TemporarySpeedRestriction& t) { return t.V_TSR; });
-  for (const PermittedBrakingDistance& pbd : d.pbd)
-    if (pbd.speed != kNoSpeed) lower(f, pbd.from, pbd.to, speed_of(pbd.speed));
-  for (const LevelCrossing& lx : d.lx)
-    if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));
-  if (d.signalling)
+  const MrspElements& counts = query.elements;
+  if (counts.ssp) lower_by_ssp(f, d, query);
+  if (counts.asp)
+    lower_by_areas(f, d.asp, query.train_length,
+                   [&](const AxleLoadRestriction& a) { return a.speed_for(query.category); });
+  if (counts.tsr)
+    lower_by_areas(f, d.tsr, query.train_length, [](const TemporarySpeedRestriction& t) { return t.V_TSR; });
+  if (counts.pbd)
+    for (const PermittedBrakingDistance& pbd : d.pbd)
+      if (pbd.speed != kNoSpeed) lower(f, pbd.from, pbd.to, speed_of(pbd.speed));
+  if (counts.lx)
+    for (const LevelCrossing& lx : d.lx)
+      if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));
+  if (counts.signalling && d.signalling)
     lower(f, d.signalling->from, d.signalling->to ? *d.signalling->to : kFar, speed_of(d.signalling->V_MAIN));
   join_equal(f);
   return f;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -113,6 +114,49 @@ TEST(Mrsp, LowestOfAllKinds) {
   EXPECT_EQ(f.at(at(6500)), kmh(140));
   EXPECT_EQ(f.at(at(7000)), kmh(30));
   EXPECT_EQ(f.at(at(9500)), kmh(160)) << "beyond the profile nothing but the train limits";
+}
+
+TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
+  // 4.5.2: each element by itself, and all but one.
+  Description d;
+  StaticSpeed e;
+  e.V_STATIC = 12;
+  ASSERT_TRUE(d.ssp.append(at(0), e));
+  AxleLoadRestriction asp;
+  asp.from = at(0);
+  asp.to = at(900);
+  asp.V_AXLELOAD[0] = 10;
+  ASSERT_TRUE(d.asp.push_back(asp));
+  TemporarySpeedRestriction t;
+  t.from = at(0);
+  t.to = at(900);
+  t.V_TSR = 8;
+  ASSERT_TRUE(d.tsr.push_back(t));
+  PermittedBrakingDistance pbd;
+  pbd.from = at(0);
+  pbd.to = at(900);
+  pbd.speed = 6;
+  ASSERT_TRUE(d.pbd.push_back(pbd));
+  LevelCrossing lx;
+  lx.to = at(900);
+  lx.unprotected = lx.substituted = true;
+  lx.V_LX = 4;
+  lx.V_LX_from = at(0);
+  ASSERT_TRUE(d.lx.push_back(lx));
+  d.signalling = SignallingSpeed{at(0), 2, at(900)};
+  const std::array<bool MrspElements::*, 6> elements{&MrspElements::ssp, &MrspElements::asp, &MrspElements::tsr,
+                                                     &MrspElements::pbd, &MrspElements::lx,  &MrspElements::signalling};
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    MrspQuery q = query();
+    q.category.M_AXLELOADCAT = 5;
+    q.elements = {false, false, false, false, false, false};
+    EXPECT_EQ(mrsp(d, q).at(at(100)), kmh(160));
+    q.elements.*elements[i] = true;
+    EXPECT_EQ(mrsp(d, q).at(at(100)), kmh(60.0 - 10.0 * static_cast<double>(i)));
+    q.elements = {};
+    q.elements.*elements[i] = false;
+    EXPECT_EQ(mrsp(d, q).at(at(100)), i == 5 ? kmh(20) : kmh(10));
+  }
 }
 
 /// Each restriction by itself, the lowest at every place: what the merged function has to equal.

@@ -17,11 +17,16 @@ struct Limit {
   std::optional<Place> from, to;
   Speed V{};
 };
+/// Which stored restrictions count (4.5.2 says it for each mode).
+struct MrspElements {
+  bool ssp = true, asp = true, tsr = true, pbd = true, lx = true, signalling = true;
+};
 struct MrspQuery {
   Place from{};  ///< where the function starts; something behind the train's rear end
   Distance train_length{};
   TrainCategory category{};
-  InplaceVector<Limit, 8> limits;  ///< at least the train's maximum speed
+  InplaceVector<Limit, 8> limits;  ///< of mode, train, override
+  MrspElements elements{};
 };
 /// The highest speed of the language (7.5.1.173): the value where nothing limits.
 inline constexpr Speed kNoLimit = speed_of(120);
