@@ -114,6 +114,9 @@ int compare(const CompareOptions& o) {
   const Comparison comparison = compare_curves(*a, *b);
   std::string plot;
   if (!o.plot.empty()) plot = svg ? comparison_svg(comparison) : comparison_html(*a, *b);
+  // CSV has no place for warnings, and a plot alone prints nothing.
+  if (o.format == "csv" || (!o.plot.empty() && o.output == "-"))
+    for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);
   return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot, plot);
 }
 

@@ -400,6 +400,65 @@ TEST(CommandCurves, ComparesTwoInputs) {
     for (const auto& curve : curve_columns()) EXPECT_EQ((row.*curve.value).value_or(0.0), 0.0);
 }
 
+TEST(CommandCurves, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
+  const auto compared = [](const json& a, const json& b) {
+    return compare_curves(Approached(*io::read_curves(a.dump(), "a")), Approached(*io::read_curves(b.dump(), "b")));
+  };
+  using Strings = std::vector<std::string>;
+  const json a = passenger();
+  EXPECT_EQ(compared(a, a).differ, Strings{});
+  EXPECT_EQ(differ_text(compared(a, a)), "they do not differ");
+  json b = a;
+  b["srs"] = "4.0.0";
+  b["train"]["length_m"] = 300;
+  b["national_values"]["Kt_int"] = 1.0;
+  b["fixed_values"]["T_driver"] = 3;
+  b["state"]["V_ura_kmh"] = 2;
+  b["target"]["release_speed_kmh"] = nullptr;
+  EXPECT_EQ(compared(a, b).differ,
+            (Strings{"SRS version", "train", "national values", "fixed values", "state", "release speed"}));
+  EXPECT_EQ(compared(a, b).warnings, Strings{});
+  // The same question elsewhere on the line.
+  b = a;
+  b["target"]["location_m"] = b["target"]["svl_location_m"] = 8000;
+  b["track"]["gradient"] = {{0, 0}, {5000, -5}};
+  EXPECT_EQ(compared(a, b).differ, Strings{});
+  EXPECT_EQ(compared(a, b).warnings, (Strings{"the targets lie at different places: A 7000 m, B 8000 m; each one's "
+                                              "distances count from its own target"}));
+  b["track"]["gradient"] = {{0, 0}, {4000, -5}};
+  EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
+  EXPECT_EQ(compared(a, b).warnings.back(),
+            "the gradients on the way to the target differ: the difference is also that of the tracks");
+  // A gradient that no curve reaches is no difference; one that ends is.
+  b = a;
+  b["track"]["gradient"] = {{0, 3}, {100, 0}, {4000, -5}};
+  EXPECT_EQ(compared(a, b).differ, Strings{});
+  b["track"]["gradient"] = {{0, 0}, {4000, -5, 6500}};
+  EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
+  b = a;
+  b["track"]["adhesion"] = {{5000, 6000}};
+  b["track"]["mrsp"] = {{0, 160}, {6000, 100}};
+  EXPECT_EQ(compared(a, b).differ, (Strings{"track conditions", "MRSP"}));
+  b = a;
+  b["target"] = {{"type", "LOA"}, {"location_m", 7000}, {"speed_kmh", 40}};
+  b["target"]["release_speed_kmh"] = 30;
+  const Comparison other = compared(a, b);
+  EXPECT_EQ(other.warnings,
+            (Strings{"the targets differ: A an end of authority with the SvL at its place, B a limit of "
+                     "authority at 40 km/h; each one's distances count from its own target"}));
+  // In every form of the output.
+  const json shown = json::parse(comparison_text(other, Format::json));
+  EXPECT_EQ(shown["warnings"][0], other.warnings[0]);
+  EXPECT_EQ(shown["differ"], json(other.differ));
+  EXPECT_NE(comparison_text(other, Format::table).find("warning: the targets differ"), std::string::npos);
+  EXPECT_NE(comparison_svg(other).find("Warning: the targets differ"), std::string::npos);
+  const Scratch file_a("a.json", a.dump()), file_b("b.json", b.dump());
+  const Ran csv = run("compare " + file_a.path() + " " + file_b.path() + " --format csv");
+  EXPECT_EQ(csv.status, 0);
+  EXPECT_EQ(csv.err, "warning: " + other.warnings[0] + "\n");
+  EXPECT_EQ(run("compare " + file_a.path() + " " + file_b.path()).err, "");
+}
+
 TEST(CommandCurves, ChartsAreWholeAndSelfContained) {
   for (const std::string& file : shipped()) {
     SCOPED_TRACE(file);

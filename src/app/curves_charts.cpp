@@ -48,7 +48,7 @@ void legend(Svg& svg, double left, double right, double top,
   for (const auto& [name, stroke] : entries) {
     svg.line(x, top + 15, x + 26, top + 15, stroke);
     svg.text(x + 33, top + 19, name, 12, colour::white);
-    x += 33 + 8.2 * static_cast<double>(name.size()) + 18;
+    x += 33 + 7.3 * static_cast<double>(name.size()) + 18;
   }
 }
 
@@ -56,11 +56,13 @@ struct Drawn {
   const char* name;
   Value SpeedRow::*value;
   Stroke stroke;
+  double width_of_difference;  // SBI, W and P often differ by the same: one is seen below the other
 };
 const Drawn kDrawn[] = {
-    {"EBD", &SpeedRow::EBD, {colour::EBD, 1.7, ""}}, {"SBD", &SpeedRow::SBD, {colour::SBD, 1.7, ""}},
-    {"EBI", &SpeedRow::EBI, {colour::red, 2.4, ""}}, {"SBI", &SpeedRow::FLOI, {colour::orange, 2.2, ""}},
-    {"P", &SpeedRow::P, {colour::yellow, 2.2, ""}},  {"I", &SpeedRow::I, {colour::white, 1.5, ""}},
+    {"EBD", &SpeedRow::EBD, {colour::EBD, 1.7, ""}, 1.7},     {"SBD", &SpeedRow::SBD, {colour::SBD, 1.7, ""}, 1.7},
+    {"GUI", &SpeedRow::GUI, {colour::GUI, 1.7, ""}, 1.7},     {"EBI", &SpeedRow::EBI, {colour::red, 2.4, ""}, 2.4},
+    {"SBI", &SpeedRow::FLOI, {colour::orange, 2.2, ""}, 6.5}, {"W", &SpeedRow::W, {colour::orange, 1.2, ""}, 4.0},
+    {"P", &SpeedRow::P, {colour::yellow, 2.2, ""}, 2.0},      {"I", &SpeedRow::I, {colour::white, 1.5, ""}, 1.5},
 };
 
 std::vector<std::pair<double, double>> of(const std::vector<SpeedRow>& rows, const Drawn& d, bool speed_first) {
@@ -95,30 +97,37 @@ std::string comparison_svg(const Comparison& c) {
     }
   const auto [d_low, d_high] = widened(low, high);
   const auto [x_low, x_high] = widened(nearest, farthest);
-  const Panel left{78, 152, 640, 640, {x_high, x_low, 78, 640}, {0.0, std::max(top * 1.04, 1.0), 640, 152}};
-  const Panel right{742, 152, 1264, 640, {0.0, std::max(top * 1.04, 1.0), 742, 1264}, {d_low, d_high, 640, 152}};
-  Svg svg(1280, 730, c.name_a + " / " + c.name_b);
+  const double down = 18.0 * static_cast<double>(c.warnings.size());  // room for the warnings
+  const double top_px = 174 + down, bottom_px = 662 + down;
+  const Panel left{
+      78, top_px, 640, bottom_px, {x_high, x_low, 78, 640}, {0.0, std::max(top * 1.04, 1.0), bottom_px, top_px}};
+  const Panel right{
+      742, top_px, 1264, bottom_px, {0.0, std::max(top * 1.04, 1.0), 742, 1264}, {d_low, d_high, bottom_px, top_px}};
+  Svg svg(1280, 752 + down, c.name_a + " / " + c.name_b);
   svg.text(78, 34, "A  " + c.name_a, 17, colour::ink, "start", true);
   svg.text(78, 58, "B  " + c.name_b, 17, colour::ink, "start", true);
+  svg.text(78, 80, differ_text(c), 13, colour::soft);
+  for (std::size_t i = 0; i < c.warnings.size(); ++i)
+    svg.text(78, 98 + 18.0 * static_cast<double>(i), "Warning: " + c.warnings[i], 13, colour::red);
   std::vector<std::pair<std::string, Stroke>> entries;
   for (const Drawn& d : kDrawn) {
-    const bool exists =
-        std::any_of(c.rows_a.begin(), c.rows_a.end(), [&](const SpeedRow& row) { return (row.*d.value).has_value(); });
-    if (exists) entries.emplace_back(d.name, d.stroke);
+    const auto has = [&](const SpeedRow& row) { return (row.*d.value).has_value(); };
+    if (std::any_of(c.rows_a.begin(), c.rows_a.end(), has) || std::any_of(c.rows_b.begin(), c.rows_b.end(), has))
+      entries.emplace_back(d.name, d.stroke);
   }
   entries.emplace_back("A (left)", Stroke{colour::grey, 2.0, ""});
   entries.emplace_back("B (left)", Stroke{colour::grey, 2.0, "6 4"});
-  legend(svg, 78, 1264, 78, entries);
-  svg.text(78, 138, "Curves and limits", 13.5, colour::ink, "start", true);
-  svg.text(742, 138, "B \u2212 A: positive where B has to brake earlier", 13.5, colour::ink, "start", true);
+  legend(svg, 78, 1264, 100 + down, entries);
+  svg.text(78, 160 + down, "Curves and limits", 13.5, colour::ink, "start", true);
+  svg.text(742, 160 + down, "B \u2212 A: positive where B has to brake earlier", 13.5, colour::ink, "start", true);
   left.draw(svg, "distance before the target [m]", "speed [km/h]");
   right.draw(svg, "speed [km/h]", "difference [m]");
   for (const Drawn& d : kDrawn) {
     left.curve(svg, of(c.rows_a, d, false), d.stroke);
     left.curve(svg, of(c.rows_b, d, false), {d.stroke.colour, d.stroke.width, "6 4"});
-    right.curve(svg, of(c.difference, d, true), d.stroke);
+    right.curve(svg, of(c.difference, d, true), {d.stroke.colour, d.width_of_difference, ""});
   }
-  svg.text(78, 716, "openevc: no safety integrity is claimed", 10.5, colour::soft);
+  svg.text(78, 738 + down, "openevc: no safety integrity is claimed", 10.5, colour::soft);
   return svg.finish();
 }
 
@@ -153,7 +162,7 @@ std::string workbook_svg(const Workbook& w, const Approached& a) {
                        w.inputs.A_safe.si, w.inputs.DT.si, w.inputs.DX.si, w.inputs.DV.si,
                        io::name(a.input().inputs.srs), a.input().train_name),
            13, colour::soft);
-  const Stroke sheet_EBD{colour::EBD, 1.8, "6 4"}, sheet_EBI{colour::red, 2.4, "6 4"};
+  const Stroke sheet_EBD{colour::white, 1.4, "6 4"}, sheet_EBI{colour::red, 2.4, "6 4"};
   const Stroke srs_EBD{colour::EBD, 1.8, ""}, srs_EBI{colour::red, 2.4, ""}, ceiling{colour::grey, 1.6, ""};
   legend(svg, 78, 1264, 78,
          {{"MRSP", ceiling},

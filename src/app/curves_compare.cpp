@@ -11,11 +11,22 @@ namespace {
 
 Value minus(const Value& b, const Value& a) { return a && b ? Value(*b - *a) : std::nullopt; }
 
+void append_strings(std::string& out, const char* key, const std::vector<std::string>& list) {
+  out += fmt::format(",\n  \"{}\": [", key);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) out += ", ";
+    io::append_string(out, list[i]);
+  }
+  out += ']';
+}
+
 std::string as_json(const Comparison& c) {
   std::string out = "{\n  \"schema\": \"evc-curves-comparison/1\",\n  \"a\": ";
   io::append_string(out, c.name_a);
   out += ",\n  \"b\": ";
   io::append_string(out, c.name_b);
+  append_strings(out, "differ", c.differ);
+  append_strings(out, "warnings", c.warnings);
   out += ",\n  \"scalars\": {";
   for (const auto& s : scalar_columns()) {
     if (out.back() != '{') out += ",";
@@ -48,7 +59,9 @@ std::string as_csv(const Comparison& c) {
 }
 
 std::string as_table(const Comparison& c) {
-  std::string out = fmt::format("A  {}\nB  {}\n\n", c.name_a, c.name_b);
+  std::string out = fmt::format("A  {}\nB  {}\n{}\n", c.name_a, c.name_b, differ_text(c));
+  for (const std::string& warning : c.warnings) out += "warning: " + warning + "\n";
+  out += '\n';
   TextTable scalars({"", "A", "B", "B - A"});
   for (const auto& s : scalar_columns())
     if (c.a.*s.value || c.b.*s.value)
@@ -74,12 +87,21 @@ std::string as_table(const Comparison& c) {
 
 }  // namespace
 
+std::string differ_text(const Comparison& c) {
+  if (c.differ.empty()) return "they do not differ";
+  std::string out = "they differ in: ";
+  for (std::size_t i = 0; i < c.differ.size(); ++i) out += (i == 0 ? "" : ", ") + c.differ[i];
+  return out;
+}
+
 Comparison compare_curves(const Approached& a, const Approached& b) {
   std::vector<double> speeds = a.input().speeds_kmh;
   speeds.insert(speeds.end(), b.input().speeds_kmh.begin(), b.input().speeds_kmh.end());
   std::sort(speeds.begin(), speeds.end());
   speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-  return compare_curves(a, b, speeds);
+  Comparison c = compare_curves(a, b, speeds);
+  compare_inputs(c, a, b);
+  return c;
 }
 
 Comparison compare_curves(const Approached& a, const Approached& b, const std::vector<double>& speeds_kmh) {

@@ -66,7 +66,13 @@ std::string data_of(const Approached& a, const Approached& b) {
   out += ",\"name_b\":";
   io::append_string(out, c.name_b);
   out += ",\"subtitle\":";
-  io::append_string(out, "A: " + side(a) + "; B: " + side(b));
+  io::append_string(out, "A: " + side(a) + "; B: " + side(b) + "; " + differ_text(asked));
+  out += ",\"warnings\":[";
+  for (const std::string& warning : asked.warnings) {
+    if (out.back() != '[') out += ',';
+    io::append_string(out, warning);
+  }
+  out += ']';
   out += fmt::format(",\"step\":{:g},\"v\":[", kStep_kmh);
   for (std::size_t i = 0; i < speeds.size(); ++i) out += fmt::format("{}{:g}", i == 0 ? "" : ",", speeds[i]);
   out += "],\"scalars\":[";
