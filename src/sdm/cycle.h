@@ -44,7 +44,7 @@ struct Cycle {
   Times cm0{}, cmt{};
   Times longest_cm0{}, longest_cmt{};        // no time of any target is longer, reduced (4.0.0) or not
   Speed full_below_cm0{}, full_below_cmt{};  // 4.0.0: towards lower target speeds no build-up time is reduced
-  std::optional<FeedbackTimes> feedback_cm0{}, feedback_cmt{};
+  Feedback feedback{};
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;
@@ -69,7 +69,7 @@ inline bool behind_trip_location(const Cycle& c, const Target& t) {
 
 inline TimesAsked asked(const Cycle& c, const Target& t) {
   TimesAsked q;
-  q.feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
+  q.feedback = c.feedback.towards(t);
   if (c.d.rules.reduced_build_up) q.reduced_from = Fronts{c.m.est_front, c.m.min_safe_front};
   return q;
 }

@@ -19,7 +19,7 @@ double concerned_V_P(const Seen& s, const Target& t) {
 
 /// 3.13.9.3.5.9: where the Permitted speed has come down to the target speed; for the target distance and for masking.
 Place d_P_at_target_speed(const Cycle& c, const Target& t) {
-  const std::optional<FeedbackTimes>& feedback = t.zero ? c.feedback_cm0 : c.feedback_cmt;
+  const std::optional<FeedbackTimes>& feedback = c.feedback.towards(t);
   if (!feedback.has_value()) return t.d_P_target;
   const train::BuildUpTimes& build_up = t.zero ? c.d.cm0 : c.d.cmt;
   return d_P_at_target_speed(c.d.view(t.EBD), t.V_target, t.d_target,

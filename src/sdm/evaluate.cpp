@@ -135,14 +135,18 @@ TargetLimits limits_of(const Derived& d, const Target& target, const Approach& a
 }
 
 RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Place d_trip, bool on_board,
-                   const std::optional<FeedbackTimes>& feedback) {
+                   const Feedback& feedback) {
   const Approach a{.V = V_release, .V_delta0 = V_delta0_41(d, V_release), .A_est1 = {}, .A_est2 = {}};
   const auto asked = [&](const Target& t) {
-    TimesAsked times{feedback, {}};
-    // Reduced times from the place where the curve has the speed: the location shall not depend on the
-    // train's.
-    const Place here = d.view(t.EBD).place_at(V_release);
-    if (d.rules.reduced_build_up) times.reduced_from = Fronts{here, here};
+    TimesAsked times{feedback.towards(t), {}};
+    if (d.rules.reduced_build_up) {
+      // The location shall not depend on the train's: a train that is about to reach it. The place with unreduced times
+      // is the earliest it can be, and the longest stretch in front of it the safe side (A.3.12.2.2-5).
+      const TargetLimits earliest = limits_of(d, t, a, times);
+      Place here = earliest.EBD.d_SBI;
+      if (earliest.SBD.has_value()) here = std::min(here, earliest.SBD->d_SBI);
+      times.reduced_from = Fronts{here, here};
+    }
     return times;
   };
   const TargetLimits l = limits_of(d, EOA_SvL, a, asked(EOA_SvL));

@@ -47,11 +47,17 @@ Limits SBD_limits_of(const Derived& d, const Target& target, const Approach& a, 
 /// V_delta0 that a clause takes from SUBSET-041 instead of V_ura: f41(V), 0 where inhibited.
 Speed V_delta0_41(const Derived& d, Speed V);
 
+/// Service brake feedback in action: the times towards a target speed of 0, and towards others.
+struct Feedback {
+  std::optional<FeedbackTimes> cm0{}, cmt{};
+  const std::optional<FeedbackTimes>& towards(const Target& t) const { return t.zero ? cm0 : cmt; }
+};
+
 /// Start of release speed monitoring for a release speed (3.13.9.4.6-7).
 struct RsmStart {
   Place d_SBI1{}, d_SBI2{};
 };
 RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Place d_trip, bool on_board,
-                   const std::optional<FeedbackTimes>& feedback);
+                   const Feedback& feedback);
 
 }  // namespace evc::sdm

@@ -50,10 +50,10 @@ void reset_feedback(FeedbackState& s, Duration T_bs) {
 }
 
 FeedbackTimes feedback_times(FeedbackState& s, std::optional<double> p_kpa, Duration T_bs,
-                             const train::FixedValues& fixed) {
+                             const train::FixedValues& fixed, bool may_begin) {
   const FeedbackTimes full{T_bs, std::max(T_bs, fixed.T_bs2_min)};
   if (s.locked) return {Duration{0.0}, fixed.T_bs2_min};
-  if (!s.p0_known || !p_kpa.has_value()) return full;
+  if (!s.p0_known || !p_kpa.has_value() || !(s.started || may_begin)) return full;
   const double p = std::min(*p_kpa, kHighest);
   if (p <= s.p0 - kP2) {
     s.locked = true;

@@ -18,6 +18,7 @@ struct FeedbackState {
   Duration last{};
   bool has_last = false;
   Duration T_bs1_previous{};
+  bool approaching = false;  // 3.4.0: faster than a target whose Indication limit is exceeded, in the last cycle
 };
 
 /// Follows p0 (A.3.10.2) in every cycle, whatever is monitored.
@@ -27,9 +28,10 @@ void follow_pressure(FeedbackState& s, std::optional<double> p_kpa, Duration now
 /// TSM or RSM from CSM (4.0.0).
 void reset_feedback(FeedbackState& s, Duration T_bs);
 
-/// T_bs1 and T_bs2 now (A.3.10.3); without a known pressure T_bs. T_bs2 is at least T_bs2_min.
+/// T_bs1 and T_bs2 now (A.3.10.3); without a known pressure T_bs. T_bs2 is at least T_bs2_min. `may_begin`: a pressure
+/// that falls begins to count now; what has begun goes on in any case.
 FeedbackTimes feedback_times(FeedbackState& s, std::optional<double> p_kpa, Duration T_bs,
-                             const train::FixedValues& fixed);
+                             const train::FixedValues& fixed, bool may_begin = true);
 
 /// Main pipe pressure from the brake cylinder's (A.3.10.1), kPa.
 constexpr double p_from_cylinder(double p_cylinder, double k1) { return 500.0 - p_cylinder / k1; }

@@ -170,8 +170,7 @@ Place d_P_at_target_speed(CurveView EBD, Speed V_target, Place d_target, const T
     T_be = build_up.T_be_react;
     if (c.service_brake_available && !c.feedback_available) T_bs_foot = build_up.T_bs_react;
     if (c.traction_cut_off_interface) {
-      const Duration T_bs2 =
-          c.service_brake_available ? (c.feedback_available ? t.T_bs2 : build_up.T_bs_react) : Duration{0.0};
+      const Duration T_bs2 = c.service_brake_available ? build_up.T_bs_react : Duration{0.0};
       T_traction = std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
     }
   }

@@ -422,6 +422,26 @@ TEST(Guidance, NormalServiceDecelerationAndPermittedSpeed) {
   EXPECT_NEAR(d->decelerations.at(CurveKind::GUI, {10.0}, {{0.0}}).si, 0.4 - 9.81 * 10 / 1020 + 3.0 * 0.01, 1e-12);
 }
 
+TEST(Guidance, DistancesWithKnByHand) {
+  // Downhill 10 per mille to 4600, level beyond; the train of 100 m has the fall under it to 4700. A_gradient = -98.1 /
+  // 1020 without a known rotating mass, Kn- = 3.0: A = A_brake_normal_service - 98.1 / 1020 + 0.03 on the slope.
+  Inputs in = with_guidance();
+  in.gradient.permille = {};
+  ASSERT_TRUE(in.gradient.permille.append({{-10000.0}}, -10.0));
+  ASSERT_TRUE(in.gradient.permille.append({{4600.0}}, 0.0));
+  set_EOA(in, 4900.0, 4900.0);
+  const auto d = built(in);
+  const CurveView GUI = d->view(d->targets[0].GUI_EOA);
+  // 0.4 m/s2 up to 15 m/s, 0.3 above. The level 200 m: v^2 = 0.8 * 200 = 160; then to 225 on the slope, then to 400.
+  const double slope = -98.1 / 1020 + 0.03;
+  EXPECT_NEAR(GUI.speed_at({{4700.0}}).si, std::sqrt(160.0), 1e-9);
+  const double d_15 = 4700 - (225 - 160) / (2 * (0.4 + slope));
+  EXPECT_NEAR(m(GUI.place_at({15.0})), d_15, 1e-9);
+  const double d_20 = d_15 - (400 - 225) / (2 * (0.3 + slope));
+  EXPECT_NEAR(m(GUI.place_at({20.0})), d_20, 1e-9);
+  EXPECT_NEAR(d_20, 4228.429, 1e-3);
+}
+
 TEST(Guidance, FootOfAnMRSPTargetIsItsPermittedSpeedLocation) {
   Inputs in = with_guidance();
   ASSERT_TRUE(in.mrsp.append({{4000.0}}, {20.0}));
@@ -525,6 +545,28 @@ TEST(ReleaseSpeed, CalculatedOnBoard) {
   a.SvL = {{4950.0}};
   ++in.revision;
   EXPECT_FALSE(built(in)->release_speed.exists);
+}
+
+TEST(ReleaseSpeed, EveryTargetHasItsOwnTimesWithFeedback) {
+  // The service brake acts towards the restriction (cmt) as its own time says, not as towards the SvL (cm0).
+  Inputs in = simple_inputs();
+  ASSERT_TRUE(in.mrsp.append({{5010.0}}, {2.0}));
+  set_EOA(in, 5000.0, 5400.0);
+  const auto d = built(in);
+  ASSERT_EQ(d->targets[0].kind, TargetKind::MRSP);
+  const Target& end = d->targets[1];
+  const Feedback same{FeedbackTimes{{1.0}, {2.0}}, FeedbackTimes{{1.0}, {2.0}}};
+  const Feedback longer{FeedbackTimes{{1.0}, {2.0}}, FeedbackTimes{{1.0}, {2.5}}};
+  TimeConfig config = d->time_config;
+  config.feedback_available = true;
+  auto with = built(in);
+  with->time_config = config;
+  // 5 m/s: T_traction = 10 - (2 + T_bs2), T_traction + T_berem = 8 s in both: 0.5 s more of T_bs2 are 2.5 m.
+  const Place a = rsm_start(*with, end, {5.0}, {{5000.0}}, true, same).d_SBI2;
+  const Place b = rsm_start(*with, end, {5.0}, {{5000.0}}, true, longer).d_SBI2;
+  EXPECT_NEAR((a - b).si, 2.5, 1e-9);
+  EXPECT_EQ(rsm_start(*with, end, {5.0}, {{5000.0}}, false, same).d_SBI2,
+            rsm_start(*with, end, {5.0}, {{5000.0}}, false, longer).d_SBI2);
 }
 
 TEST(Perturbation, WhereTheIndicationLimitCutsTheMRSP) {
@@ -662,7 +704,23 @@ TEST(LevelCrossing, WhereItsSpeedTakesOver) {
   const double V_bec = 10 + 0.3 * 5 + 0.3 * 3;
   const double D_bec = (10 + 0.75) * 5 + (11.5 + 0.45) * 3;
   EXPECT_NEAR(m(lx.EBD.d_SBI), 3000 - V_bec * V_bec / 2 - D_bec - 30, 1e-9);
+  // Both build-up times reduced (A.3.12) for V_LX = 1 m/s: T_bs 3 s, 1 s of it reaction, so incr = 4 s; A_SB = 0.8:
+  // x = sqrt(2 * 4 * 1 / 0.8) = sqrt(10); T_bs_reduced = (1 + 1 + x) / 2, more than the distance asks for:
+  // (1 + x) - 0.8 x^3 / 24 - 1 / 1.6 = 2.483. T_be 8 s, 2 s of it reaction, incr = 12 s, A_EB = 1: x = sqrt(24),
+  // D = 2 + x - x^3 / 72 = 2 + 2 x / 3, T_be_reduced = D - 1 / 2, more than (2 + 2 + x) / 2 = 4.449.
+  in.train.T_traction_cut_off = {0.0};
+  ++in.revision;
+  d = built(in);
+  motion = at(2700.0, 20.0);
+  lx = lx_substitution(in, *d, {{3000.0}}, {1.0}, motion);
+  const double T_bs_reduced = 1 + std::sqrt(10.0) / 2;
+  const double T_be_reduced = 1.5 + 2 * std::sqrt(24.0) / 3;
+  EXPECT_NEAR(m(lx.SBD.d_SBI), 3000 - 1 / 1.6 - T_bs_reduced, 1e-9);
+  EXPECT_NEAR(m(lx.EBD.d_SBI), 3000 - 0.5 - T_be_reduced - T_bs_reduced, 1e-9);
+  EXPECT_NEAR(m(lx.d_P), 3000 - 0.5 - T_be_reduced - T_bs_reduced - 4, 1e-9);
   // A weak service brake decides by the SBD.
+  in.train.T_traction_cut_off = {10.0};
+  motion.A_est = {0.3};
   in.train.service[0].A_brake_service.steps[0].value = {0.1};
   ++in.revision;
   d = built(in);
@@ -750,6 +808,32 @@ TEST(ReducedBuildUp, ByHand) {
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
   r.T_react = {4.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
+}
+
+TEST(ReducedBuildUp, OfTheServiceBrakeByHand) {
+  // T_bs 6 s, 2 s of it reaction: t2 = 10 s, incr = 8 s. From 6 to 5 m/s with A_SB = 0.5: V_t2 = 6 - 0.5 * 8 / 2 = 4.
+  // x = sqrt(2 * 8 * 1 / 0.5) = sqrt(32), t_e = 2 + x; D = 6 t_e - 0.5 x^3 / 48 = 12 + 6 x - x / 3.
+  Ramp r{.T = {6.0}, .T_react = {2.0}, .v0 = {6.0}, .V_target = {5.0}, .A = {{0.5}, {0.6}}};
+  const double D = 12 + 17 * std::sqrt(32.0) / 3;
+  // A_expected_max = 0.6: t_d = (D + 25 / 1.2) / 6 - 6 / 1.2 = 5.815 s, above (2 + t_e) / 2 = 4.828 s.
+  EXPECT_NEAR(reduced_build_up_time(r).si, (D + 25 / 1.2) / 6 - 5, 1e-12);
+  EXPECT_NEAR(reduced_build_up_time(r).si, 5.8148, 1e-4);
+  r.A.A_max = {0.8};  // t_d = 6.197 s: not more than T_bs
+  EXPECT_EQ(reduced_build_up_time(r).si, 6.0);
+}
+
+TEST(ReducedBuildUp, OfTheEmergencyBrakeWithTractionByHand) {
+  // T_be 4 s, 1 s of it reaction: t2 = 7 s, incr = 6 s. A_est 0.5, from T_traction on 0.4; A_EB = 2, A_safe_max = 1.6.
+  Ramp r{.T = {4.0}, .T_react = {1.0}, .v0 = {10.0}, .V_target = {9.34}, .A_est1 = {0.5}, .A_est2 = {0.4}};
+  r.T_traction_max = {2.0};
+  r.T_traction_min = {1.0};
+  r.A = {{2.0}, {1.6}};
+  // B = 0.66 + 0.5 * 2 + 0.4 * (1 - 2) = 1.26; x = 3 (0.4 + sqrt(0.16 + 4 * 1.26 / 6)) = 4.2, t_e = 5.2;
+  // D = 52 + 1 + 1 * 3.2 + 0.2 * 3.2^2 - 2 * 4.2^3 / 36 = 54.132.
+  // Step model: V1 = 10.5, D0 = 10.25; q = 26.25^2 - (10.5^2 - 9.34^2 + 3.2 (10.25 - 54.132)) / (0.4 * 2) = 835.8225;
+  // t_d = -(10 + 0.1) / 0.4 + sqrt(q), above (1 + t_e) / 2 = 3.1.
+  EXPECT_NEAR(reduced_build_up_time(r).si, -25.25 + std::sqrt(835.8225), 1e-9);
+  EXPECT_NEAR(reduced_build_up_time(r).si, 3.6606, 1e-4);
 }
 
 TEST(ReducedBuildUp, AgreesWithTheRampAndStepModelsInSmallSteps) {
@@ -894,6 +978,43 @@ TEST(ReducedBuildUp, LimitsOf400) {
   EXPECT_EQ(standing.EBD.T_be.si, 2.0);
 }
 
+TEST(ReducedBuildUp, PermittedLocationAtTheTargetSpeedIsFullyReduced) {
+  // 3.13.9.3.5.10 for 20 m/s: d_EBD = 4000 + (dV_ebi: (20 + 7.5 / 3.6)^2 - 20^2) / 2; T_be_react 2 s.
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
+  ASSERT_TRUE(in.mrsp.append({{4000.0}}, {20.0}));
+  const double foot = 4000 + (std::pow(20 + 7.5 / 3.6, 2) - 400) / 2;
+  // T_traction_max = 10 - (2 + T_bs_react 1) = 7; T_bs_foot = 1.
+  EXPECT_NEAR(m(built(in)->targets[0].d_P_target), foot - 20 * 7 - 20 * (4 + 1), 1e-9);
+  // With feedback the same T_traction_max (A.3.12.2.7), and T_bs_foot = T_bs2 = 3.
+  in.national_values.Q_NVSBFBPERM = true;
+  in.train.service_brake_feedback = true;
+  ++in.revision;
+  EXPECT_NEAR(m(built(in)->targets[0].d_P_target), foot - 20 * 7 - 20 * (4 + 3), 1e-9);
+  // Without a service brake command T_bs2 = 0 everywhere.
+  in.train.service_brake_interface = false;
+  ++in.revision;
+  EXPECT_NEAR(m(built(in)->targets[0].d_P_target), foot - 20 * 8 - 20 * 4, 1e-9);
+}
+
+TEST(ReducedBuildUp, TheStartOfReleaseSpeedMonitoringSeesTheTrackInFrontOfIt) {
+  // Without service brake; T_be 14 s, 2 s of it reaction: V_t2 = 10 - A_EB * 24 / 2 at 10 m/s.
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
+  in.train.service_brake_interface = false;
+  in.train.T_traction_cut_off = {0.0};
+  in.train.T_emergency[0].T_brake = {14.0};
+  set_EOA(in, 5000.0, 5000.0);
+  in.authority.release_speed = ReleaseSpeedChoice::value;
+  in.authority.V_release = {10.0};
+  // A_EB = 1: x = sqrt(2 * 24 * 10); (2 + 2 + x) / 2 = 12.95 s, more than the distance asks for (11.61 s).
+  const double T_be_reduced = 2 + std::sqrt(480.0) / 2;
+  EXPECT_NEAR(m(built(in)->release_speed.d_SBI2), 5000 - 50 - 10 * T_be_reduced, 1e-9);
+  // Reduced adhesion (0.7) from 4600 to 4740 and the train's 100 m, in rear of the last 50 m of the EBD, but in front
+  // of a train that starts to brake 190 m before the end: V_t2 = 1.6 m/s, nothing is reduced.
+  ASSERT_TRUE(in.conditions.reduced_adhesion.push_back({{{4600.0}}, {{4740.0}}}));
+  ++in.revision;
+  EXPECT_NEAR(m(built(in)->release_speed.d_SBI2), 5000 - 50 - 10 * 14, 1e-9);
+}
+
 TEST(ReducedBuildUp, RangesOfDeceleration) {
   Inputs in = simple_inputs(SrsVersion::v4_0_0);
   in.gradient.permille = {};
@@ -946,6 +1067,14 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_NEAR(row.SBD.si, std::sqrt(1.6 * (4900.0 - m(e.d_P))), 1e-9);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{5001.0}}, {}, {}).P.si, 0.0);
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{-90000.0}}, {}, {}).P, d->V_relevant);
+}
+
+TEST(Explain, TheGuidanceCurveOfTheEOAAndOfTheSvL) {
+  Inputs in = with_guidance();
+  set_EOA(in, 4900.0, 5000.0);
+  const auto d = built(in);
+  // d_GUI(10) = 4900 - 100 / 0.8 towards the EOA, 100 m further towards the SvL.
+  EXPECT_NEAR(m(*explain(*d, in, d->targets[0], {10.0}, {}, {}).d_GUI), 4775.0, 1e-9);
 }
 
 TEST(Explain, GradientsOfBothCurves) {

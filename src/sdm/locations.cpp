@@ -19,13 +19,19 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
   const BrakingCurve SBD = trace(A, CurveKind::SBD, false, LX_start, {}, {}, top);
   BrakingCurve GUI;
   if (d.guidance) GUI = trace(A, CurveKind::GUI, false, LX_start, {}, {}, top);
-  const Times t = times(d.time_config, d.cm0, std::nullopt, d.rules, d.fixed);
   // 3.4.0: no acceleration and f41(V_LX); 4.0.0: those of the moment.
   Approach a{.V = V_LX, .V_delta0 = V_delta0_41(d, V_LX), .A_est1 = {}, .A_est2 = {}};
   if (d.rules.LX_with_current_motion) a = approach(V_LX, d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura, m.A_est, d.fixed);
-  // The EOA's GUI and the SvL's are the same curve here.
-  lx.EBD = limits_of_EBD(EBD.view(), GUI.view(), a, t, Speed{0.0}, std::nullopt, d.fixed);
-  lx.SBD = limits_of_SBD(SBD.view(), GUI.view(), a, t, d.fixed);
+  // The stop is EOA and SvL in one; 4.0.0 reduces the build-up times for V_LX (A.3.12).
+  Target stop;
+  stop.kind = TargetKind::EOA_SvL;
+  stop.zero = true;
+  stop.d_target = stop.d_EOA = LX_start;
+  TimesAsked asked;
+  if (d.rules.reduced_build_up) asked.reduced_from = Fronts{m.est_front, m.min_safe_front};
+  const TargetTimes t = times_of(d, stop, a, asked);
+  lx.EBD = limits_of_EBD(EBD.view(), GUI.view(), a, t.EBD, Speed{0.0}, std::nullopt, d.fixed);
+  lx.SBD = limits_of_SBD(SBD.view(), GUI.view(), a, t.SBD, d.fixed);
   lx.from_SBD = lx.EBD.d_SBI - lx.SBD.d_SBI >= m.max_safe_front - m.est_front;
   lx.d_P = lx.from_SBD ? lx.SBD.d_P : lx.EBD.d_P;
   lx.passed = (lx.from_SBD ? m.est_front : m.max_safe_front) > lx.d_P;
@@ -74,8 +80,8 @@ Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, dou
   Speed high = top;
   if (excess(low) > tolerance) return Speed{0.0};
   if (excess(low) < -tolerance) {
-    if (excess(high) < -tolerance) return top;
-    for (int i = 0; i < 60; ++i) {
+    const bool faster = excess(high) < -tolerance;  // than any train: the highest speed of the curves
+    for (int i = 0; i < 60 && !faster; ++i) {
       const Speed middle = low + (high - low) / 2.0;
       (excess(middle) >= -tolerance ? high : low) = middle;
     }

@@ -309,7 +309,7 @@ void Builder::release_speed() {
   else
     r.V_release = a.release_speed == ReleaseSpeedChoice::national ? in_.national_values.V_NVREL : a.V_release;
   // 3.13.9.4.9: not above the MRSP between the presumed start and the trip location.
-  RsmStart start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, std::nullopt);
+  RsmStart start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, {});
   Place from = std::min(start.d_SBI1, start.d_SBI2);
   if (d_.rules.release_speed_with_D41) from = from - a.confidence_interval;
   Speed lowest = r.V_release;
@@ -320,7 +320,7 @@ void Builder::release_speed() {
   }
   if (lowest < r.V_release) {
     r.V_release = lowest;
-    start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, std::nullopt);
+    start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, {});
   }
   r.d_SBI1 = start.d_SBI1;
   r.d_SBI2 = start.d_SBI2;

@@ -227,25 +227,47 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
 
 // ---- Service brake feedback -------------------------------------------------------------------------
 
+/// 3.4.0: a target that the driver may have braked for lies behind the train since this cycle.
+bool target_passed(const Cycle& c) {
+  if (c.s.list_revision == c.d.revision) return c.first > c.s.list_passed;
+  return c.s.has_MRDT && c.s.MRDT.kind == TargetKind::MRSP && c.m.max_safe_front > c.s.MRDT.d_target;
+}
+
 void use_feedback(Cycle& c) {
   if (!c.d.time_config.feedback_available || !c.d.time_config.service_brake_available) return;
   Supervision& s = c.s;
   follow_pressure(s.feedback, c.m.brake_pressure_kpa, c.m.now);
-  const bool approaching = s.active && (s.monitoring == Monitoring::TSM ||
-                                        (c.d.rules.feedback_until_CSM && s.monitoring == Monitoring::RSM));
-  if (!approaching) {
+  const bool until_CSM = c.d.rules.feedback_until_CSM;
+  const bool supervised =
+      s.active && (s.monitoring == Monitoring::TSM || (until_CSM && s.monitoring == Monitoring::RSM));
+  if (!supervised || (!until_CSM && target_passed(c))) {
     reset_feedback(s.feedback, c.d.cm0.T_bs);
-    c.feedback_cm0 = FeedbackTimes{c.d.cm0.T_bs, c.d.cm0.T_bs};
-    c.feedback_cmt = FeedbackTimes{c.d.cmt.T_bs, c.d.cmt.T_bs};
+    c.feedback.cm0 = FeedbackTimes{c.d.cm0.T_bs, c.d.cm0.T_bs};
+    c.feedback.cmt = FeedbackTimes{c.d.cmt.T_bs, c.d.cmt.T_bs};
     return;
   }
-  c.feedback_cm0 = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cm0.T_bs, c.d.fixed);
-  c.feedback_cmt = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cmt.T_bs, c.d.fixed);
-  if (c.feedback_cm0->T_bs1 < s.feedback.T_bs1_previous) {
+  const bool may_begin = until_CSM || s.feedback.approaching;
+  c.feedback.cm0 = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cm0.T_bs, c.d.fixed, may_begin);
+  c.feedback.cmt = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cmt.T_bs, c.d.fixed, may_begin);
+  if (c.feedback.cm0->T_bs1 < s.feedback.T_bs1_previous) {
     s.hold_P = s.hold_target_distance = true;
-    s.hold_SBI = c.d.rules.feedback_until_CSM;
+    s.hold_SBI = until_CSM;
   }
-  s.feedback.T_bs1_previous = c.feedback_cm0->T_bs1;
+  s.feedback.T_bs1_previous = c.feedback.cm0->T_bs1;
+}
+
+/// What the next cycle's feedback depends on.
+void follow_feedback(Cycle& c, const Seen* seen, Monitoring before) {
+  Supervision& s = c.s;
+  s.feedback.approaching = false;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
+    if ((seen[i].beyond_I_EBD || seen[i].beyond_I_SBD) && c.a.V > c.d.targets[i].V_target)
+      s.feedback.approaching = true;
+  // A.3.10.4 (4.0.0): initial values when target speed monitoring is entered, also from release speed monitoring.
+  if (before == Monitoring::RSM && s.monitoring == Monitoring::TSM) {
+    reset_feedback(s.feedback, c.d.cm0.T_bs);
+    s.hold_P = s.hold_SBI = s.hold_target_distance = false;
+  }
 }
 
 bool MA_request(const Cycle& c) {
@@ -298,8 +320,8 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
       s.active && (s.list_revision != d.revision || s.list_passed != c.first || s.list_size != d.targets.size());
   c.V_MRSP_updated = s.active && !(s.V_MRSP == c.M);
   use_feedback(c);
-  c.cm0 = times(d.time_config, d.cm0, c.feedback_cm0, d.rules, d.fixed);
-  c.cmt = times(d.time_config, d.cmt, c.feedback_cmt, d.rules, d.fixed);
+  c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
+  c.cmt = times(d.time_config, d.cmt, c.feedback.cmt, d.rules, d.fixed);
   c.longest_cm0 = longest_times(c.cm0, d, d.cm0);
   c.longest_cmt = longest_times(c.cmt, d, d.cmt);
   c.ahead = ahead_of(c, m.V_est);
@@ -308,10 +330,10 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
     c.full_below_cmt = full_build_up_below(d, d.cmt, c.a, c.cmt);
   }
   c.rsm = {release(c).d_SBI1, release(c).d_SBI2};
-  if (release(c).exists && c.feedback_cm0.has_value())
+  if (release(c).exists && c.feedback.cm0.has_value())
     for (const Target& t : d.targets)
       if (t.kind == TargetKind::EOA_SvL)
-        c.rsm = rsm_start(d, t, release(c).V_release, release(c).d_trip, release(c).on_board, c.feedback_cm0);
+        c.rsm = rsm_start(d, t, release(c).V_release, release(c).d_trip, release(c).on_board, c.feedback);
 
   std::array<Seen, kTargets> seen;
   for (std::size_t i = c.first; i < d.targets.size(); ++i) evaluate(c, i, seen[i]);
@@ -323,6 +345,7 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
     enter(s, next);
   else
     s = {.active = true, .monitoring = next, .status = Status::Normal, .feedback = s.feedback};
+  if (d.time_config.feedback_available) follow_feedback(c, seen.data(), before);
   if (s.monitoring != Monitoring::CSM) out.MRDT_changed = select_MRDT(c, seen.data());
   Triggered t;
   switch (s.monitoring) {

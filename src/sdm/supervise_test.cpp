@@ -818,23 +818,23 @@ TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
     cycle(0, 25.0, 500.0, 0.0);
     cycle(100, 25.0, 500.0, 4.0);
     ASSERT_TRUE(u.s.feedback.p0_known);
-    cycle(4150, 25.0, 500.0, 5.0);
+    cycle(4190, 25.0, 500.0, 5.0);
     ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
     const Speed before = u.r.V_P;
     EXPECT_FALSE(u.s.feedback.started);
     // The driver brakes: T_bs1 and T_bs2 shrink to 0 and 2 s; the permitted speed shown does not rise.
-    cycle(4152, 24.9, 460.0, 5.1);
-    cycle(4154, 24.8, 430.0, 5.2);
+    cycle(4192, 24.9, 460.0, 5.1);
+    cycle(4194, 24.8, 430.0, 5.2);
     EXPECT_TRUE(u.s.feedback.locked);
     EXPECT_LE(u.r.V_P, before);
     const Speed held = u.r.V_P;
-    cycle(4156, 24.7, 430.0, 5.3);
+    cycle(4196, 24.7, 430.0, 5.3);
     EXPECT_LE(u.r.V_P, held);
     // Out of target speed monitoring everything is forgotten.
     set_EOA(u.in, 9900.0, 9900.0);
     u.build();
-    cycle(4160, 20.0, 430.0, 5.4);
-    cycle(4162, 20.0, 430.0, 5.5);
+    cycle(4200, 20.0, 430.0, 5.4);
+    cycle(4202, 20.0, 430.0, 5.5);
     EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
     EXPECT_FALSE(u.s.feedback.locked);
   }
@@ -889,6 +889,89 @@ TEST(Feedback, MovesTheStartOfReleaseSpeedMonitoring) {
   ASSERT_EQ(cycle(4861, 430.0), Monitoring::TSM);
   EXPECT_EQ(cycle(4884, 430.0), Monitoring::TSM);
   EXPECT_EQ(cycle(4884.5, 430.0), Monitoring::RSM);
+}
+
+TEST(Feedback, BeginsWith340BeyondTheIndicationLimitOnly) {
+  // I at 25 m/s lies at 4187.5 (SvL), pre-indication at 3740.
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v4_0_0}) {
+    Unit u = with_feedback(srs);
+    u.s.feedback.p0_known = true;
+    u.s.feedback.p0 = 500.0;
+    const auto cycle = [&](double x, double V, double p) {
+      Motion m = at(x, V);
+      m.brake_pressure_kpa = p;
+      u.cycle(m);
+    };
+    if (srs == SrsVersion::v3_4_0) {
+      cycle(3800, 25.0, 500.0);
+      cycle(3801, 25.0, 430.0);
+      cycle(3802, 25.0, 430.0);
+      ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+      EXPECT_FALSE(u.s.feedback.locked);
+    }
+    cycle(4190, 25.0, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    cycle(4191, 25.0, 430.0);
+    EXPECT_TRUE(u.s.feedback.locked);
+    cycle(4192, 10.0, 500.0);  // slower, no limit exceeded any more: what has begun goes on
+    cycle(4193, 10.0, 500.0);
+    EXPECT_TRUE(u.s.feedback.locked);
+  }
+}
+
+TEST(Feedback, In340IsForgottenWhenTheTargetIsPassed) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v4_0_0}) {
+    Unit u(srs);
+    u.in.national_values.Q_NVSBFBPERM = true;
+    u.in.train.service_brake_feedback = true;
+    u.in.authority = {};
+    ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
+    ASSERT_TRUE(u.in.mrsp.append({{4300.0}}, {10.0}));
+    u.build();
+    u.s.feedback.p0_known = true;
+    u.s.feedback.p0 = 500.0;
+    const auto cycle = [&](double x, double V, double p) {
+      Motion m = at(x, V);
+      m.brake_pressure_kpa = p;
+      u.cycle(m);
+    };
+    cycle(3650, 25.0, 500.0);
+    cycle(3651, 25.0, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    cycle(3652, 25.0, 430.0);
+    ASSERT_TRUE(u.s.feedback.locked);
+    cycle(3999, 19.0, 500.0);
+    ASSERT_TRUE(u.s.feedback.locked);
+    cycle(4001, 19.0, 500.0);
+    cycle(4002, 19.0, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    EXPECT_EQ(u.s.feedback.locked, srs == SrsVersion::v4_0_0);
+  }
+}
+
+TEST(Feedback, In400BeginsAnewWhenTargetSpeedMonitoringFollowsReleaseSpeedMonitoring) {
+  Unit u = with_feedback(SrsVersion::v4_0_0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {5.0};
+  u.build();
+  u.s.feedback.p0_known = true;
+  u.s.feedback.p0 = 500.0;
+  const auto cycle = [&](double x, double V, double p) {
+    Motion m = at(x, V);
+    m.brake_pressure_kpa = p;
+    return u.cycle(m).monitoring;
+  };
+  cycle(4840, 6.0, 500.0);
+  ASSERT_EQ(cycle(4841, 6.0, 430.0), Monitoring::TSM);
+  ASSERT_EQ(cycle(4890, 4.0, 500.0), Monitoring::RSM);
+  ASSERT_TRUE(u.s.feedback.locked);
+  // A longer authority without a release speed.
+  set_EOA(u.in, 4930.0, 4930.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::none;
+  u.build();
+  ASSERT_EQ(cycle(4891, 4.0, 500.0), Monitoring::TSM);
+  EXPECT_FALSE(u.s.feedback.locked);
+  EXPECT_FALSE(u.s.hold_P);
 }
 
 TEST(Feedback, TheIndicationLimitOf400IgnoresIt) {
