@@ -119,6 +119,7 @@ void add(InplaceVector<train::BuildUpTime, N>& times, const JsonPlace& model, co
   if (!place && !reaction) return;
   train::BuildUpTime time;
   time.T_brake = {model[key].number(0.0, 120.0)};
+  time.T_brake_react = time.T_brake;  // not known: nothing of the time can be saved (A.3.12)
   if (reaction) time.T_brake_react = {number_or(*reaction, 0.0, time.T_brake.si, train::Fault::build_up_time)};
   time.with = with;
   if (!times.push_back(time)) place->fail("at most " + std::to_string(N) + " build-up times");

@@ -18,6 +18,15 @@ TEST(TrainFile, AnEmptyOneIsTheStandardTrain) {
   EXPECT_EQ(train->dynamics.mass_t, 200.0);
 }
 
+TEST(TrainFile, AReactionTimeThatIsNotGivenIsTheWholeBuildUpTime) {
+  const auto train = read_train(R"({"schema":"etcs-train/1","brake_model":"gamma","A_brake_emergency":[[0,1]],
+    "A_brake_service":[[0,0.8]],"T_brake_emergency_s":4,"T_brake_service_s":6,"T_brake_service_react_s":2})",
+                                "t.json");
+  ASSERT_TRUE(train) << train.error().text();
+  EXPECT_EQ(train->data.T_emergency[0].T_brake_react, 4_s);
+  EXPECT_EQ(train->data.T_service[0].T_brake_react, 2_s);
+}
+
 TEST(TrainFile, EveryPlainKeyArrives) {
   const auto train = read_train(R"({"schema":"etcs-train/1","name":"x","brake_model":"lambda",
     "brake_position":"FreightG","brake_percentage":65,"length_m":600,"max_speed_kmh":100,"L_antenna_front_m":3,
