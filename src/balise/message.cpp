@@ -165,6 +165,8 @@ void judge_by_itself(Group& group, const OpenGroup& open, const Examined& found,
 /// The announced group, its reference balise in its window (or missed): 3.16.2.3.2, 3.16.2.4.1.
 void judge_announced(Group& group, const Link& link, const Examined& found, Outcome& outcome) {
   group.accepted = true;
+  group.link_place = link.place;
+  group.Q_LOCACC = link.Q_LOCACC;
   if (found.crossing != Direction::unknown && found.crossing != link.crossing)
     refuse(group, Finding::wrong_direction, Happened::wrong_direction, Reaction::trip, ErrorReport::linking,
            "3.16.2.3.2", outcome);
@@ -172,8 +174,6 @@ void judge_announced(Group& group, const Link& link, const Examined& found, Outc
   if (error != Finding::none)
     refuse(group, error, Happened::message_error, link.reaction, ErrorReport::linked_message, "3.16.2.4.1", outcome);
   if (!group.accepted) return;
-  group.link_place = link.place;
-  group.Q_LOCACC = link.Q_LOCACC;
   note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.3"});
 }
 

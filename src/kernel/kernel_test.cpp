@@ -355,6 +355,40 @@ INSTANTIATE_TEST_SUITE_P(Kernel, AnyEdition,
                          ::testing::Values(train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0,
                                            train::SrsVersion::v4_0_0));
 
+TEST_P(AnyEdition, a_group_at_the_EOA_trips_in_release_speed_monitoring_of_4_0_0) {
+  start_of_mission(modes::Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  LevelOne data(2000, 20);
+  data.ma.Q_DANGERPOINT.raw = 1;
+  data.ma.D_DP.raw = 100;
+  data.ma.V_RELEASEDP.raw = 6;
+  lang::Packet5 linking;
+  linking.Q_DIR.raw = 1;
+  linking.Q_SCALE.raw = 1;
+  linking.D_LINK.raw = 2006;
+  linking.NID_BG.raw = 101;
+  linking.Q_LINKORIENTATION.raw = 1;
+  linking.Q_LINKREACTION.raw = 2;
+  linking.Q_LOCACC.raw = 5;
+  pass(telegram(100, 0, 1, true, linking, data.ma, data.gradient, data.ssp), telegram(100, 1, 1, true), 8.0);
+  const double group_101 = front - 3.0 + 2006.0;
+  for (int i = 0; i < 10; ++i) cycle(8.0);
+  ASSERT_EQ(out.mode, modes::Mode::FS);
+  state->level.level = modes::Level::L2;  // as after a transition that keeps the authority
+  while (front < group_101 - 1.0) cycle(8.0);
+  ASSERT_EQ(out.monitoring, Monitoring::RSM);
+  ASSERT_EQ(out.mode, modes::Mode::FS) << "the min safe front end is in rear of the EOA";
+  const std::optional<OdometerPlace> EOA = out.EOA;
+  // Of the two balises one is read: no message, no new position. The group's place alone says where the train is.
+  front = group_101;
+  const Telegram first = telegram(101, 0, 1, true);
+  const std::array<BaliseTelegram, 1> read{BaliseTelegram{first.bytes, first.bits, {{front}}}};
+  in.balise_telegrams = read;
+  for (int i = 0; i < 30; ++i) cycle(5.0);
+  ASSERT_LT(out.min_safe_front, EOA);
+  EXPECT_EQ(out.mode, GetParam() == train::SrsVersion::v4_0_0 ? modes::Mode::TR : modes::Mode::FS);
+}
+
 TEST_P(AnyEdition, derived_data_follow_from_the_state_alone) {
   start_of_mission(modes::Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);

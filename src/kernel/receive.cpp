@@ -7,6 +7,7 @@
 #include "lang/messages.h"
 #include "lang/si.h"
 #include "modes/active_functions.h"
+#include "protection/authority.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -162,8 +163,19 @@ void refuse_group(Cycle& cycle, GroupId id) {
   s.shorten_at_standstill = true;
 }
 
+/// The trip by a balise group in release speed monitoring (3.13.10.2.6 b of 4.0.0).
+void check_group_at_EOA(Cycle& cycle, const balise::Group& group) {
+  const State& s = cycle.state;
+  const bool in_RSM = s.supervision.active && s.supervision.monitoring == sdm::Monitoring::RSM;
+  if (s.srs != train::SrsVersion::v4_0_0 || !in_RSM || !level_2_or_3(s.level.level)) return;
+  if (!group.announced || !group.link_place || !group.Q_LOCACC) return;
+  if (protection::group_trips(s.basis.authority, *group.link_place - *group.Q_LOCACC, s.train.L_antenna_front))
+    cycle.facts.group_at_eoa_in_RSM = true;
+}
+
 void receive_group(Cycle& cycle, const balise::Group& group) {
   State& s = cycle.state;
+  check_group_at_EOA(cycle, group);
   if (!group.accepted) return;
   // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
   leave_area(cycle, group.id.NID_C);

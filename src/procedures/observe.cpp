@@ -46,7 +46,7 @@ modes::Conditions observe(const Facts& f) {
   c.set(13, f.safety_fault);
   c.set(14, f.sleeping && f.standstill && desks_closed);
   c.set(15, acknowledges(Ack::OS));
-  c.set(16, in_2_3 && f.min_safe_front_beyond_eoa);
+  c.set(16, in_2_3 && (f.min_safe_front_beyond_eoa || f.group_at_eoa_in_RSM));
   c.set(17, f.linking_reaction_trip);
   c.set(18, f.trip_order && !f.override_active);
   c.set(19, f.standstill && f.selects_exit_SH);

@@ -50,6 +50,7 @@ struct Facts {
   // authority
   bool min_safe_antenna_beyond_eoa = false;         // [12]
   bool min_safe_front_beyond_eoa = false;           // [16]
+  bool group_at_eoa_in_RSM = false;                 // [11] of 4.0.0, into TR from where [16] leads there
   bool front_in_rear_of_track_description = false;  // [69]: est front in rear of a stored SSP or gradient
   // balise
   bool linking_reaction_trip = false;         // [17]

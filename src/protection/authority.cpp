@@ -13,6 +13,10 @@ bool passes_end_level_1(const track::Authority& authority, const track::Here& he
 bool passes_end_level_2(const track::Authority& authority, const track::Here& here) {
   return beyond_end(authority, here.min_safe_front);
 }
+bool group_trips(const track::Authority& authority, Place first_possible, Distance L_antenna_front) {
+  if (!authority.EOA) return false;
+  return first_possible >= *authority.EOA || first_possible > *authority.EOA - L_antenna_front;
+}
 void request(TrackAheadFree& state, Place from, Place to) { state = TrackAheadFree{from, to, false}; }
 
 TafResult ask(TrackAheadFree& state, Place est_front, bool acknowledged) {

@@ -11,6 +11,9 @@ namespace evc::protection {
 bool passes_end_level_1(const track::Authority& authority, const track::Here& here);
 /// Condition [16]: the min safe front end beyond EOA or LOA, level 2 and 3.
 bool passes_end_level_2(const track::Authority& authority, const track::Here& here);
+/// 4.0.0, level 2, read in release speed monitoring (3.13.10.2.6 b): a group that by linking lies, at its first
+/// possible location, at or beyond the EOA, or in rear of it by less than the antenna is behind the front end.
+bool group_trips(const track::Authority& authority, Place first_possible, Distance L_antenna_front);
 /// Track ahead free request (message 34; 3.15.5).
 struct TrackAheadFree {
   std::optional<Place> from, to;

@@ -241,6 +241,17 @@ TEST(EndOfAuthority, Conditions12And16) {
   EXPECT_TRUE(passes_end_level_1(a, here) && passes_end_level_2(a, here));
 }
 
+TEST(Authority, AGroupAtTheEndTripsFromTheAntennaOn) {
+  track::Authority a;
+  EXPECT_FALSE(group_trips(a, {{2000.0}}, {4.0}));
+  a.EOA = Place{{1000.0}};
+  EXPECT_FALSE(group_trips(a, {{996.0}}, {4.0})) << "the front end stands at the EOA when the antenna is there";
+  EXPECT_TRUE(group_trips(a, {{996.1}}, {4.0}));
+  EXPECT_TRUE(group_trips(a, {{1000.0}}, {4.0}));
+  EXPECT_TRUE(group_trips(a, {{1000.0}}, {0.0})) << "at the EOA, with the antenna at the front end";
+  EXPECT_FALSE(group_trips(a, {{999.9}}, {0.0}));
+}
+
 TEST(TrackAheadFree, AskedOnceGrantedOnce) {  // 3.15.5
   TrackAheadFree taf;
   EXPECT_FALSE(ask(taf, at(0), true).granted);
