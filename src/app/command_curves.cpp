@@ -113,7 +113,8 @@ int compare(const CompareOptions& o) {
   if (!o.plot.empty() && !svg && !ends_with(o.plot, ".html")) return wrong_plot(o.plot, ".svg or .html");
   const Comparison comparison = compare_curves(*a, *b);
   std::string plot;
-  if (!o.plot.empty()) plot = svg ? comparison_svg(comparison) : comparison_html(*a, *b);
+  if (!o.plot.empty())
+    plot = svg ? comparison_svg(compare_curves(*a, *b, drawn_speeds(comparison))) : comparison_html(*a, *b);
   // CSV has no place for warnings, and a plot alone prints nothing.
   if (o.format == "csv" || (!o.plot.empty() && o.output == "-"))
     for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);

@@ -17,6 +17,7 @@
 #include "app/curves_plot.h"
 #include "app/curves_result.h"
 #include "app/curves_workbook.h"
+#include "app/svg.h"
 #include "io/file.h"
 
 namespace evc::app {
@@ -487,6 +488,71 @@ TEST(CommandCurves, ChartsAreWholeAndSelfContained) {
   }
   const Approached sheet = approached(kSource + "/data/curves/workbook.json");
   EXPECT_NE(workbook_svg(workbook_of(sheet), sheet).find("V0 = EBI, sheet"), std::string::npos);
+}
+
+/// Values of a curve of the interactive page at a place, km/h; NaN where there is none.
+double drawn(const json& data, const std::string& key, double x) {
+  for (const json& curve : data["curves"]) {
+    if (curve["key"] != key) continue;
+    for (std::size_t i = 0; i < data["x"].size(); ++i)
+      if (data["x"][i].get<double>() >= x) return curve["v"][i].is_null() ? std::nan("") : curve["v"][i].get<double>();
+  }
+  return std::nan("");
+}
+json page_data(const Approached& a) {
+  const std::string page = curves_html(a);
+  const std::size_t from = page.find("const D = ") + 10;
+  return json::parse(page.substr(from, page.find(";\n", from) - from));
+}
+
+TEST(CommandCurves, BeyondALimitOfAuthorityItsSpeedIsTheCeiling) {
+  const json data = page_data(approached(kSource + "/data/curves/push_pull_loa.json"));
+  EXPECT_EQ(drawn(data, "P", 5010), 40.0);
+  EXPECT_EQ(drawn(data, "W", 5010), 44.0);
+  EXPECT_EQ(drawn(data, "SBI", 5010), 45.5);
+  EXPECT_EQ(drawn(data, "EBI", 5010), 47.5);
+  EXPECT_GT(drawn(data, "EBI", 3000), 160.0);
+}
+
+TEST(CommandCurves, ChartsShowWhereAdhesionIsReducedAndBrakesDoNotCount) {
+  json document = json::parse(text_of(kSource + "/data/curves/regional_restriction.json"));
+  document["track"]["brake_inhibition"] = {{3500, 3600, "magnetic shoe"}};
+  document["track"]["powerless"] = {{9000, 9100}};  // beyond the chart
+  const std::string at = kSource + "/data/curves/a.json";
+  const Approached gamma{*io::read_curves(document.dump(), at)};
+  const json zones = page_data(gamma)["zones"];
+  ASSERT_EQ(zones.size(), 2u);
+  EXPECT_EQ(zones[0][0], 3000.0);
+  EXPECT_EQ(zones[0][3], "reduced adhesion");
+  EXPECT_EQ(zones[1][0], 3500.0);
+  EXPECT_EQ(zones[1][2], 1);
+  EXPECT_EQ(zones[1][3], "no magnetic shoe brake");
+  EXPECT_NE(curves_svg(gamma).find(">no magnetic shoe brake<"), std::string::npos);
+  // The adhesion zone counts until the rear end has left it; the conversion model knows no special brakes.
+  document["track"]["adhesion"] = {{2500, 3000}};
+  document["train"] = {{"length_m", 75}};
+  document["state"]["slippery_rail"] = true;
+  const json others = page_data(Approached{*io::read_curves(document.dump(), at)})["zones"];
+  ASSERT_EQ(others.size(), 2u);
+  EXPECT_EQ(others[0][1], 3075.0);
+  EXPECT_EQ(others[1][3], "slippery rail");
+}
+
+TEST(CommandCurves, LongNamesAreShortenedInCharts) {
+  EXPECT_EQ(shortened("abcd", 4), "abcd");
+  EXPECT_EQ(shortened("abcde", 4), "abc\u2026");
+  EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df", 4), "\u00e4\u00f6\u00fc\u00df");
+  EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df!", 4), "\u00e4\u00f6\u00fc\u2026");
+}
+
+TEST(CommandCurves, PagesHaveTheSharedStyleAndScript) {
+  const Approached p = approached(kSource + "/data/curves/freight_P.json");
+  for (const std::string& page : {curves_html(p), comparison_html(p, p)}) {
+    EXPECT_EQ(page.find("/* include"), std::string::npos);
+    EXPECT_NE(page.find("--pasp-light:#294A6B"), std::string::npos);
+    EXPECT_NE(page.find("function ticks("), std::string::npos);
+    EXPECT_EQ(page.find("function ticks("), page.rfind("function ticks("));
+  }
 }
 
 TEST(CommandCurves, BadInputNamesThePlaceAndTheClause) {

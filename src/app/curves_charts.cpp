@@ -104,8 +104,8 @@ std::string comparison_svg(const Comparison& c) {
   const Panel right{
       742, top_px, 1264, bottom_px, {0.0, std::max(top * 1.04, 1.0), 742, 1264}, {d_low, d_high, bottom_px, top_px}};
   Svg svg(1280, 752 + down, c.name_a + " / " + c.name_b);
-  svg.text(78, 34, "A  " + c.name_a, 17, colour::ink, "start", true);
-  svg.text(78, 58, "B  " + c.name_b, 17, colour::ink, "start", true);
+  svg.text(78, 34, "A  " + shortened(c.name_a, 100), 17, colour::ink, "start", true);
+  svg.text(78, 58, "B  " + shortened(c.name_b, 100), 17, colour::ink, "start", true);
   svg.text(78, 80, differ_text(c), 13, colour::soft);
   for (std::size_t i = 0; i < c.warnings.size(); ++i)
     svg.text(78, 98 + 18.0 * static_cast<double>(i), "Warning: " + c.warnings[i], 13, colour::red);
@@ -156,7 +156,7 @@ std::string workbook_svg(const Workbook& w, const Approached& a) {
   const Panel above{78, 152, 1264, 520, {0.0, length, 78, 1264}, {0.0, top * 1.06, 520, 152}};
   const Panel below{78, 606, 1264, 790, {0.0, length, 78, 1264}, {d_low, d_high, 790, 606}};
   Svg svg(1280, 880, w.name);
-  svg.text(78, 34, w.name, 18, colour::ink, "start", true);
+  svg.text(78, 34, shortened(w.name, 95), 18, colour::ink, "start", true);
   svg.text(78, 58,
            fmt::format("sheet: A_safe {:g} m/s\u00B2, DT {:g} s, DX {:g} m, DV {:g} m/s   |   SRS {}: {}",
                        w.inputs.A_safe.si, w.inputs.DT.si, w.inputs.DX.si, w.inputs.DV.si,

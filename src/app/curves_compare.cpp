@@ -99,9 +99,15 @@ Comparison compare_curves(const Approached& a, const Approached& b) {
   speeds.insert(speeds.end(), b.input().speeds_kmh.begin(), b.input().speeds_kmh.end());
   std::sort(speeds.begin(), speeds.end());
   speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-  Comparison c = compare_curves(a, b, speeds);
-  compare_inputs(c, a, b);
-  return c;
+  return compare_curves(a, b, speeds);
+}
+
+std::vector<double> drawn_speeds(const Comparison& c) {
+  double top = 1.0;
+  for (const SpeedRow& row : c.difference) top = std::max(top, row.v_kmh);
+  std::vector<double> speeds;
+  for (double v = 0.0; v < top + 1.0; v += 1.0) speeds.push_back(v);
+  return speeds;
 }
 
 Comparison compare_curves(const Approached& a, const Approached& b, const std::vector<double>& speeds_kmh) {
@@ -119,6 +125,7 @@ Comparison compare_curves(const Approached& a, const Approached& b, const std::v
       difference.*curve.value = minus(c.rows_b.back().*curve.value, c.rows_a.back().*curve.value);
     c.difference.push_back(difference);
   }
+  compare_inputs(c, a, b);
   return c;
 }
 

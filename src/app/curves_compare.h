@@ -21,8 +21,11 @@ Comparison compare_curves(const Approached& a, const Approached& b, const std::v
 void compare_inputs(Comparison& comparison, const Approached& a, const Approached& b);
 /// "they differ in: train, SRS version".
 std::string differ_text(const Comparison& comparison);
+/// Every km/h from 0 to the highest speed compared, for charts.
+std::vector<double> drawn_speeds(const Comparison& comparison);
 /// `evc-curves-comparison/1` and its two readable forms.
 std::string comparison_text(const Comparison& comparison, Format format);
+/// Of a comparison at speeds close enough to draw lines between them.
 std::string comparison_svg(const Comparison& comparison);
 /// A self-contained page: both charts with zoom, curves on and off, the values at a chosen speed.
 std::string comparison_html(const Approached& a, const Approached& b);

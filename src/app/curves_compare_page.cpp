@@ -14,7 +14,7 @@ extern const char curves_compare_page_template[];
 
 namespace {
 
-constexpr double kStep_kmh = 1.0;
+constexpr double kStep_kmh = 1.0;  // of drawn_speeds
 
 struct Shown {
   const char* key;
@@ -50,16 +50,13 @@ bool exists(const std::vector<SpeedRow>& rows, Value SpeedRow::*value) {
 
 std::string side(const Approached& a) {
   const io::CurvesInput& c = a.input();
-  return fmt::format("{}, {:g} m, SUBSET-026 {}", c.train_name, c.inputs.train.L_TRAIN.si, io::name(c.inputs.srs));
+  return fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}", c.train_name, c.inputs.train.L_TRAIN.si,
+                     io::name(c.inputs.srs));
 }
 
 std::string data_of(const Approached& a, const Approached& b) {
   const Comparison asked = compare_curves(a, b);
-  double top = 0.0;
-  for (const SpeedRow& row : asked.difference) top = std::max(top, row.v_kmh);
-  std::vector<double> speeds;
-  for (double v = 0.0; v < top + kStep_kmh; v += kStep_kmh) speeds.push_back(v);
-  if (speeds.size() < 2) speeds = {0.0, kStep_kmh};
+  const std::vector<double> speeds = drawn_speeds(asked);
   const Comparison c = compare_curves(a, b, speeds);
   std::string out = "{\"name_a\":";
   io::append_string(out, c.name_a);

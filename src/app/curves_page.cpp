@@ -62,6 +62,13 @@ void append_curves(std::string& out, const Picture& p) {
   };
   append_array(out, "gradient", p.gradient, append_step);
   append_array(out, "under", p.under_train, append_step);
+  append_array(out, "zones", p.zones, [&](const Picture::Zone& z) {
+    out += '[';
+    append_rounded(out, z.from_m);
+    out += ',';
+    append_rounded(out, z.to_m);
+    out += fmt::format(",{},\"{}\"]", z.row, z.name);
+  });
   append_array(out, "marks", p.marks, [&](const Picture::Mark& mark) {
     out += '[';
     append_rounded(out, mark.x_m);
@@ -148,9 +155,9 @@ std::string data_of(const Approached& a) {
   append_key(out, "name");
   io::append_string(out, c.name);
   append_key(out, "subtitle");
-  io::append_string(
-      out, fmt::format("{}, {:g} m, SUBSET-026 {}, T_be {} s, T_bs {} s", c.train_name, c.inputs.train.L_TRAIN.si,
-                       io::name(c.inputs.srs), fixed(scalars.T_be_s, 2), fixed(scalars.T_bs_s, 2)));
+  io::append_string(out, fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}, T_be {} s, T_bs {} s", c.train_name,
+                                     c.inputs.train.L_TRAIN.si, io::name(c.inputs.srs), fixed(scalars.T_be_s, 2),
+                                     fixed(scalars.T_bs_s, 2)));
   append_key(out, "top");
   append_rounded(out, p.top_kmh);
   append_key(out, "target");

@@ -57,8 +57,8 @@ struct LimitKind {
 };
 
 const LimitKind kLimits[] = {
-    {"EBI", "EBI  emergency brake", &LimitTable::EBI, sdm::dV_ebi, {colour::red, 2.6, ""}, true},
-    {"SBI", "SBI  service brake", &LimitTable::SBI, sdm::dV_sbi, {colour::orange, 2.2, ""}, true},
+    {"EBI", "EBI  emergency brake", &LimitTable::EBI, sdm::dV_ebi, {colour::red, 3.4, ""}, true},
+    {"SBI", "SBI  service brake", &LimitTable::SBI, sdm::dV_sbi, {colour::orange, 2.0, ""}, true},
     {"W", "W  warning", &LimitTable::W, sdm::dV_warning, {colour::orange, 1.5, "3 3"}, true},
     {"P", "P  permitted speed", &LimitTable::P, nullptr, {colour::yellow, 2.2, ""}, true},
     {"I", "I  indication", &LimitTable::I, nullptr, {colour::white, 1.4, "7 4"}, false},
@@ -108,13 +108,21 @@ void add_braking_curves(Picture& p, const Approached& a) {
   curve("GUI", "GUI  guidance", colour::GUI, [](const sdm::Target& t) { return t.GUI; });
 }
 
+/// The MRSP, beyond a limit of authority not above its speed (3.13.9.2.7).
+Speed ceiling_speed(const sdm::Derived& d, double x) {
+  Speed V = d.mrsp.at(Place{{x}});
+  for (const sdm::Target& t : d.targets)
+    if (t.kind == sdm::TargetKind::LOA && x >= m(t.d_target)) V = std::min(V, t.V_target);
+  return V;
+}
+
 void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& tables) {
   const sdm::Derived& d = a.derived();
   for (const LimitKind& kind : kLimits) {
     PictureCurve c{kind.key, kind.name, kind.stroke, {}};
     const auto margin = [&](Speed V) { return kind.margin != nullptr ? kind.margin(V, d.fixed).si * kKmh : 0.0; };
     for (const double x : p.x_m) {
-      const Speed V_MRSP = d.mrsp.at(Place{{x}});
+      const Speed V_MRSP = ceiling_speed(d, x);
       const double ceiling = V_MRSP.si * kKmh + margin(V_MRSP);
       double lowest = kind.ceiling ? ceiling : kNaN;
       for (const LimitTable& t : tables) {
@@ -147,6 +155,37 @@ void add_marks(Picture& p, const Approached& a) {
   if (s.d_preindication_m) p.marks.push_back({location - *s.d_preindication_m, "pre-indication"});
   p.V_release_kmh = s.V_release_kmh;
   if (s.d_start_RSM_m) p.start_of_RSM_m = location - *s.d_start_RSM_m;
+}
+
+void add_zones(Picture& p, const sdm::Inputs& in) {
+  const sdm::TrackConditions& c = in.conditions;
+  const auto row = [&p](const char* name, auto add) {
+    const std::size_t before = p.zones.size();
+    add([&p, name](double from, double to) {
+      if (to > p.from_m && from < p.to_m)
+        p.zones.push_back({std::max(from, p.from_m), std::min(to, p.to_m), p.zone_rows, name});
+    });
+    if (p.zones.size() > before) ++p.zone_rows;
+  };
+  row("reduced adhesion", [&](auto put) {
+    // It counts until the rear end has left it (3.13.5.3).
+    for (const sdm::Zone& z : c.reduced_adhesion) put(m(z.from), m(z.to + in.train.L_TRAIN));
+  });
+  row("slippery rail", [&](auto put) {
+    if (c.slippery_rail) put(p.from_m, p.to_m);
+  });
+  // The conversion model knows no special brakes (3.13.2.2.6.3); an inhibition counts to the foot (3.13.5.1).
+  if (in.train.brake_model == train::BrakeModel::lambda) return;
+  const auto from_on = [&](const char* name, const std::optional<Place>& from) {
+    row(name, [&](auto put) {
+      if (from) put(m(*from), p.to_m);
+    });
+  };
+  from_on("no regenerative brake", c.regenerative_off);
+  from_on("no eddy current brake (EB)", c.eddy_current_emergency_off);
+  from_on("no eddy current brake (SB)", c.eddy_current_service_off);
+  from_on("no magnetic shoe brake", c.magnetic_shoe_off);
+  from_on("powerless", c.powerless);
 }
 
 template <class Function>
@@ -185,6 +224,7 @@ Picture picture_of(const Approached& a) {
   add_braking_curves(p, a);
   add_limits(p, a, tables);
   add_marks(p, a);
+  add_zones(p, c.inputs);
   p.gradient = steps_of(c.inputs.gradient.permille);
   if (c.inputs.gradient.known_to) p.gradient.push_back({m(*c.inputs.gradient.known_to), 0.0});
   p.under_train =

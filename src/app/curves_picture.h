@@ -28,6 +28,14 @@ struct Picture {
     std::string name;
   };
   std::vector<Mark> marks;
+  /// Where adhesion is reduced or a special brake does not count, by kind; a kind per row.
+  struct Zone {
+    double from_m, to_m;
+    std::size_t row;
+    std::string name;
+  };
+  std::vector<Zone> zones;
+  std::size_t zone_rows = 0;
   Value V_release_kmh, start_of_RSM_m;
 };
 Picture picture_of(const Approached& approached);

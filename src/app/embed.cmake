@@ -1,5 +1,12 @@
-# Makes a C++ source with the text of INPUT as the string NAME.
+# Makes a C++ source with the text of INPUT as the string NAME. A comment that asks to include one of INCLUDES (files
+# beside INPUT) stands for that file.
 file(READ ${INPUT} text HEX)
+get_filename_component(folder ${INPUT} DIRECTORY)
+foreach(part IN LISTS INCLUDES)
+  string(HEX "/* include ${part} */" slot)
+  file(READ ${folder}/${part} content HEX)
+  string(REPLACE "${slot}" "${content}" text "${text}")
+endforeach()
 string(LENGTH "${text}" digits)
 set(literals "")
 set(at 0)

@@ -99,6 +99,17 @@ std::vector<double> Axis::ticks(int count) const {
   return out;
 }
 
+std::string shortened(const std::string& text, std::size_t most) {
+  std::size_t characters = 0;
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue;  // inside a character
+    if (++characters == most) cut = i;
+    if (characters > most) return text.substr(0, cut) + "\u2026";
+  }
+  return text;
+}
+
 std::string label(double value) { return fmt::format("{:.10g}", std::nearbyint(value * 1e6) / 1e6 + 0.0); }
 
 }  // namespace evc::app

@@ -62,6 +62,8 @@ struct Axis {
   /// Round values, about `count` of them.
   std::vector<double> ticks(int count) const;
 };
+/// At most `most` characters, with an ellipsis at the end of a longer text (UTF-8).
+std::string shortened(const std::string& text, std::size_t most);
 /// Without decimals that say nothing.
 std::string label(double value);
 
