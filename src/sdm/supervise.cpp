@@ -202,8 +202,9 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     r.to_normal = r.to_normal && normal;
     r.only_r2 = r.only_r2 || (normal && !by_r1);
   }
-  if (!t.any && c.a.V > c.M) {
-    // No row speaks (3.6.0, no Indication limit exceeded): the ceiling is supervised all the same.
+  if (t.status < Status::Overspeed && c.a.V > c.M) {
+    // No row speaks of it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
+    // ceiling is supervised all the same.
     t = ceiling_triggers(c, b);
     r.all = false;
   }

@@ -1059,6 +1059,25 @@ TEST(Safety, TSM360SupervisesTheCeilingInRearOfAllIndicationLimits) {
   EXPECT_TRUE(u.r.eb);
 }
 
+TEST(Safety, TSM340SupervisesTheCeilingBeyondTheLimitsOfAFasterTarget) {
+  // An LOA at 25 m/s in 3000, 20 m/s from 2000 on: V = 22 m/s is not above the target speed, and beyond SBI2.
+  Unit u(SrsVersion::v3_4_0);
+  ASSERT_TRUE(u.in.mrsp.append({{2000.0}}, {20.0}));
+  u.in.authority.kind = Authority::Kind::LOA;
+  u.in.authority.EOA = {{3000.0}};
+  u.in.authority.V_LOA = {25.0};
+  u.build();
+  u.cycle(2960, 21.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_EQ(u.r.status, Status::Overspeed);
+  u.cycle(2961, 21.3);  // dV_warning 4 km/h = 1.11 m/s
+  EXPECT_EQ(u.r.status, Status::Warning);
+  u.cycle(2962, 21.6);  // dV_sbi 5.5 km/h = 1.53 m/s
+  EXPECT_TRUE(u.r.sb);
+  u.cycle(2963, 22.1);  // dV_ebi 7.5 km/h = 2.08 m/s
+  EXPECT_TRUE(u.r.eb);
+}
+
 TEST(Safety, ReportsWhatTheCurvesMet) {
   Unit u;
   u.in.gradient.permille.steps[0].value = -200.0;
