@@ -9,7 +9,7 @@
 namespace evc::app {
 namespace {
 
-/// The constants of the memo from the train: the highest speed on the way is taken.
+/// The constants of the workbook from the train: the highest speed on the way is taken.
 sdm::WorkbookInputs inputs_from(const Approached& a) {
   const io::CurvesInput& c = a.input();
   sdm::WorkbookInputs w;

@@ -7,7 +7,7 @@
 
 namespace evc::app {
 
-/// The design memo's spreadsheet, row by row, and beside it what the standard gives at the same places.
+/// The workbook model, row by row, and beside it what the standard gives at the same places.
 struct Workbook {
   std::string name;
   sdm::WorkbookInputs inputs;

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
-// Brake command handling, SUBSET-026-3 3.14.1 (box A5.4 of the memo): every cause that may ask for a brake, what it
+// Brake command handling, SUBSET-026-3 3.14.1: every cause that may ask for a brake, what it
 // asks for, and what releases it.
 namespace evc::brakes {
 

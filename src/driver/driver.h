@@ -8,7 +8,7 @@
 #include "modes/mode.h"
 #include "modes/requests.h"
 
-// Box A6 of the memo: what the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
+// What the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
 // ERA_ERTMS_015560). The symbols are named as there (MO07, LE04, ST01, ...).
 namespace evc::driver {
 

@@ -36,7 +36,7 @@ struct CurvesInput {
   std::vector<double> positions_m;
   std::vector<PbdQuery> PBD;
   std::vector<LxQuery> LX;
-  /// Constants of the design memo's spreadsheet, where the document gives them (`--model workbook`).
+  /// Constants of the workbook model, where the document gives them (`--model workbook`).
   std::optional<sdm::WorkbookInputs> workbook;
 };
 

@@ -6,7 +6,7 @@
 #include "base/step_function.h"
 #include "base/units.h"
 
-// The design memo's own model of the emergency brake intervention, "V0 = f(X0)": from the train's place
+// The workbook model of the emergency brake intervention, "V0 = f(X0)": from the train's place
 // X0 to the speed V0 at which braking must be commanded so that the train reaches the target {X1, V1}.
 // It is what 3.13.9.3.2 solves as a curve; here a second-degree equation with one A_safe on the way.
 namespace evc::sdm {
@@ -19,7 +19,7 @@ struct MemoLoss {
 };
 /// Two times with constant accelerations: T1 (traction still on) with A_est1, T2 (brake builds up) with
 /// A_est2. DT = T1 + T2, DV = A_est1 T1 + A_est2 T2, DX = (A_est1 T1^2 + A_est2 T2^2) / 2 + A_est1 T1 T2.
-/// The cross term is in it (the memo's spreadsheets leave it out, on the unsafe side).
+/// The cross term is in it (the workbook leaves it out, on the unsafe side).
 MemoLoss memo_loss(Duration T1, Duration T2, Acceleration A_est1, Acceleration A_est2);
 
 struct MemoTarget {
@@ -42,7 +42,7 @@ Place memo_X0(Speed V0, const MemoTarget& target, Acceleration A_safe, const Mem
 /// DT = 0 (and so DX = 0, DV = 0) V0 = Vc.
 Speed memo_Vc(Place X0, const MemoTarget& target, Acceleration A_safe);
 
-/// The memo's spreadsheet: a grid of `quantum` from the farthest point (position 0, the target's side)
+/// The workbook's sheet: a grid of `quantum` from the farthest point (position 0, the target's side)
 /// against the running direction to the train.
 struct WorkbookInputs {
   Distance quantum{10.0};

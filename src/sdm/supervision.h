@@ -171,7 +171,7 @@ Result supervise(Supervision& state, const Derived& derived, const Motion& motio
 /// V_MRSP: the lowest speed between min and max safe front end (3.13.7.2).
 Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front);
 
-/// The design memo's six statuses, first match wins.
+/// The six statuses, first match wins.
 enum class MemoStatus : std::uint8_t { Null, P, W, SB, EB, Trip };
 /// `trip`: a train trip is due (EOA passed, timer elapsed). An estimated speed above the EBI in force
 /// is EB, as the standard has it.
