@@ -1,0 +1,126 @@
+"""tools/mutation: a mutant that is chosen at run time does what the same mutant does that is built alone."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+from mutation import schema, sources  # noqa: E402
+from mutation.room import CXX, HERE  # noqa: E402
+
+SOURCE = """\
+#include <algorithm>
+#include <cstdio>
+#include <span>
+enum class Kind { a, b, c };
+struct Row {
+  int id;
+  Kind kind;
+};
+inline constexpr Row kRows[] = {
+    {1, Kind::a},  // a comment { with a bracket
+    {2, Kind::b},
+};
+std::span<const Row> rows() { return kRows; }
+constexpr double kFactor = 2.5;
+constexpr double scaled(double x) { return kFactor * x - 1.0; }
+int at(int a, int b, int c) {
+  int n = std::min(a, b);
+  if (a < b && b < c || a == c)  // mixed on purpose
+    n += c - a;
+  else
+    n -= 7;
+  const bool last = a > 1 ||
+                    b >= 2;
+  if (last) n = n / 2;
+  for (const Row& r : rows())
+    if (r.kind != Kind::c) n += r.id * 10;
+  return n;
+}
+int main() {
+  static int room[3];
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) std::printf("%d ", at(a, b, 2));
+  std::printf("%g %d %s\\n", scaled(3.0), static_cast<int>(sizeof room), true ? "yes && no" : "no");
+}
+"""
+
+
+class Mutation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.tree = pathlib.Path(cls.folder.name)
+        cls.path = cls.tree / "source.cpp"
+        cls.path.write_text(SOURCE, encoding="utf-8")
+        cls.mutants = sources.mutants_of(cls.path, {"Kind": ["a", "b", "c"]})
+        for number, mutant in enumerate(cls.mutants, 1):
+            mutant.id = number
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def build(self, text, flags=()):
+        source = self.tree / "built.cpp"
+        source.write_text(text, encoding="utf-8")
+        binary = self.tree / "built"
+        done = subprocess.run([*CXX, "-std=c++20", "-w", *flags, "-fmax-errors=0", str(source), "-o", str(binary)],
+                              capture_output=True, text=True)
+        return binary if done.returncode == 0 else None, done.stderr
+
+    @staticmethod
+    def says(binary, number=0):
+        return subprocess.run([str(binary)], env={**os.environ, "EVC_MUTANT": str(number)}, capture_output=True,
+                              text=True).stdout
+
+    def instrumented(self):
+        dropped = set()
+        while True:
+            text, written = schema.instrumented(SOURCE, self.mutants, dropped, "source.cpp")
+            binary, messages = self.build(text, ["-include", str(HERE / "schema.h")])
+            if binary:
+                return binary, written
+            found = schema.blamed(messages, self.tree) - dropped
+            self.assertTrue(found, messages)
+            dropped |= found
+
+    def test_places(self):
+        found = {}
+        for m in self.mutants:
+            found[m.operator] = found.get(m.operator, 0) + 1
+        self.assertEqual(found["row"], 2)
+        self.assertEqual(found["cell"], 3)
+        self.assertEqual(found["logic"], 3)
+        self.assertEqual(found["negate"], 3)
+        self.assertEqual(found["delete"], 5)
+        self.assertEqual(set(found), {"row", "cell", "number", "compare", "logic", "sign", "factor", "minmax", "negate",
+                                      "delete", "truth"})
+
+    def test_together_as_alone(self):
+        binary, written = self.instrumented()
+        # An array's size has to be a constant; everything else can be chosen.
+        self.assertLessEqual({m.what for m in self.mutants if m.id not in written},
+                             {"`3` -> `4` in `static int room[3];`"})
+        together = {m.id: self.says(binary, m.id) for m in self.mutants if m.id in written}
+        unchanged = self.says(binary)
+        self.assertEqual(unchanged, self.says(self.build(SOURCE)[0]))
+        for m in self.mutants[::6]:
+            if m.id in written:
+                alone, _ = self.build(SOURCE[:m.start] + m.new + SOURCE[m.end:])
+                self.assertEqual(together[m.id], self.says(alone), str(m))
+        # A dead instrument would show here: most mutants of this program change what it says.
+        self.assertGreater(sum(said != unchanged for said in together.values()), len(together) * 3 // 4)
+
+    def test_comments_and_literals_are_left_alone(self):
+        text = 'f("a && b");  // x && y\n'
+        self.assertEqual(list(sources.places(text, {}))[1:], [])
+        self.assertEqual(re.sub(r"\s", "", schema.instrumented(text, [], set())[0]), 'f("a&&b");')
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,278 @@
+"""A room and its tests: built, run with a mutant, judged. Nothing is written outside build/mutants/ROOM."""
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+
+from mutation import schema
+from mutation.sources import ROOT, SRC, mutants_of_room
+
+HERE = pathlib.Path(__file__).resolve().parent
+CXX = shlex.split(os.environ.get("CXX", "g++"))
+FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOURCE_DIR="{ROOT}"']
+ROOM_FLAGS = ["-O1", "-fno-exceptions", "-fno-rtti"]
+SLOW_TEST = 0.05  # seconds
+TIME_FACTOR, TIME_MORE = 10, 2  # a mutant has this many times the time of the unchanged room, and seconds more
+
+
+def is_test(source):
+    return source.name.endswith("_test.cpp")
+
+
+def write(path, text):
+    """Only where it changes: what is made of it stays as new as it is."""
+    if not (path.exists() and path.read_text() == text):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def includes(out):
+    """What an object was made of; None where it has to be made (again)."""
+    depends = pathlib.Path(str(out) + ".d")
+    if not out.exists() or not depends.exists():
+        return None
+    words = {pathlib.Path(w) for w in depends.read_text().replace("\\\n", " ").split()[1:]}
+    newer = any(not w.exists() or w.stat().st_mtime > out.stat().st_mtime for w in words)
+    return None if newer else words
+
+
+class Build:
+    """One way to compile everything: folders that are searched first, flags, and a folder for what is made."""
+    def __init__(self, out, trees, test_flags, include):
+        self.out, self.trees, self.test_flags = out, trees, test_flags
+        self.common = out / "common.h"  # what every test includes, compiled once
+        self.include = include
+        out.mkdir(parents=True, exist_ok=True)
+
+    def command(self, source, trees=()):
+        flags = CXX + FLAGS + (self.test_flags if is_test(source) else ROOM_FLAGS)
+        first = [self.common] if is_test(source) else self.include
+        flags += [word for header in first for word in ("-include", str(header))]
+        return flags + [f"-I{tree}" for tree in (*trees, *self.trees)]
+
+    def compile(self, source, out, trees=()):
+        command = self.command(source, trees) + ["-MMD", "-MF", f"{out}.d", "-c", str(source), "-o", str(out)]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    def errors(self, source):
+        command = self.command(source) + ["-fsyntax-only", "-fmax-errors=0", "-Werror=vla", str(source)]
+        done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
+        return done.stderr if done.returncode else ""
+
+    def prepare_common(self):
+        lines = "".join(f'#include "{header}"\n' for header in self.include) + "#include <gtest/gtest.h>\n"
+        write(self.common, lines)
+        compiled = pathlib.Path(f"{self.common}.gch")
+        if includes(compiled) is None:
+            command = CXX + FLAGS + self.test_flags + ["-MMD", "-MF", f"{compiled}.d"]
+            subprocess.run(command + ["-x", "c++-header", str(self.common), "-o", str(compiled)], check=True)
+
+
+class Room:
+    def __init__(self, name, jobs=1):
+        self.name, self.jobs = name, jobs
+        self.rooms = []
+        self._depend(name)
+        self.out = ROOT / "build" / "mutants" / name
+        self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
+        self.copy()
+        self.mutants = mutants_of_room(self.src, name, self.rooms)
+        self.tree = self.out / "instrumented"
+        self.all = Build(self.out / "all", [self.tree, self.src], ["-O1"], [HERE / "schema.h"])
+        self.plain = Build(self.out / "plain", [self.src], ["-O0"], [])
+        self.others = self.out / "others.a"
+        self.in_schema = set()  # numbers of the mutants that the one build holds
+        self.objects = None  # of the plain build: source -> (object, what it was made of)
+        self.steps = []  # (gtest filter, seconds), quick ones first
+        self.tests_of = {}  # test source -> names
+        self.lock = threading.Lock()
+
+    def _depend(self, name):
+        if name in self.rooms:
+            return
+        self.rooms.append(name)
+        words = re.search(r"evc_room\((.*?)\)", (SRC / name / "CMakeLists.txt").read_text(), re.S).group(1).split()
+        if "DEPENDS" in words:
+            for word in words[words.index("DEPENDS") + 1:]:
+                if word == "LIBRARIES":
+                    break
+                self._depend(word)
+
+    def each(self, work, items):
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            return list(pool.map(work, items))
+
+    # ---- Once ----------------------------------------------------------------------------------
+
+    def prepare(self):
+        """The build with all mutants, and what the unchanged room needs of time."""
+        self.all.prepare_common()
+        others = self.each(lambda s: self.made(self.all, s, f"{s.parent.name}_{s.stem}.o"),
+                           [s for room in self.rooms[1:] for s in sorted((self.src / room).glob("*.cpp")) if not is_test(s)])
+        # The linker takes of other rooms what it needs.
+        self.others.unlink(missing_ok=True)
+        subprocess.run(["ar", "rcs", str(self.others)] + [str(o) for o in others], check=True)
+        self.instrument()
+        sources = [self.instrumented(s) for s in self.sources()]
+        objects = self.each(lambda s: self.made(self.all, s, s.stem + ".o"), sources)
+        self.binary = self.out / "all_test"
+        if not self.link(self.binary, objects):
+            sys.exit(f"mutate: the test of {self.name} cannot be linked")
+        self.time_tests()
+
+    def copy(self):
+        for room in self.rooms:
+            for old in (self.src / room).rglob("*.*"):
+                if not (SRC / old.relative_to(self.src)).exists():
+                    old.unlink()
+            for file in (SRC / room).rglob("*.*"):
+                if file.suffix in (".cpp", ".h"):
+                    write(self.src / file.relative_to(SRC), file.read_text())
+
+    def sources(self):
+        return sorted((self.src / self.name).glob("*.cpp"), key=lambda s: (not is_test(s), s.name))
+
+    def instrumented(self, source):
+        changed = self.tree / self.name / source.name
+        return changed if changed.exists() else source
+
+    def made(self, build, source, name):
+        out = build.out / name
+        if includes(out) is None:
+            done = build.compile(source, out)
+            if done.returncode:
+                sys.exit(f"{source}: does not compile\n{done.stderr}")
+        return out
+
+    def instrument(self):
+        """The instrumented tree, without the changes that do not compile. These are remembered."""
+        files = {}
+        for m in self.mutants:
+            files.setdefault(m.path, []).append(m)
+        text = "".join(p.read_text() for p in [*sorted(HERE.glob("*.*")), *files])
+        digest = hashlib.sha256((text + "".join(m.key() for m in self.mutants)).encode()).hexdigest()
+        memory = self.out / "dropped.json"
+        known = json.loads(memory.read_text()) if memory.exists() else {}
+        settled = known.get("digest") == digest
+        dropped = set(known["marks"]) if settled else set()
+        if not settled:
+            shutil.rmtree(self.tree, ignore_errors=True)
+        sources = [self.src / self.name / s.name for s in self.sources()]
+        failing = [s for s in sources if not is_test(s)]  # they tell most, and sooner than tests
+        while True:
+            self.in_schema = set()
+            for path, mutants in files.items():
+                changed, written = schema.instrumented(path.read_text(), mutants, dropped, path.name)
+                write(self.tree / self.name / path.name, changed)
+                self.in_schema |= written
+            if settled:
+                break
+            messages = self.each(lambda s: self.all.errors(self.instrumented(s)), failing)
+            if not any(messages):
+                if failing == sources:
+                    break
+                failing = sources
+                continue
+            failing = [s for s, message in zip(failing, messages) if message]
+            found = set().union(*(schema.blamed(message, self.tree) for message in messages)) - dropped
+            if not found:
+                sys.exit("mutate: the instrumented copy does not compile\n" + "".join(messages))
+            print(f"mutate: {len(found)} changes taken back that do not compile, for {len(failing)} sources: "
+                  + " ".join(sorted(found)), file=sys.stderr, flush=True)
+            dropped |= found
+        memory.write_text(json.dumps({"digest": digest, "marks": sorted(dropped)}))
+
+    def time_tests(self):
+        report = self.out / "unchanged.json"
+        done = self.run(self.binary, 0, None, 600, [f"--gtest_output=json:{report}"])
+        if done != 0:
+            sys.exit(f"mutate: the unchanged test of {self.name} fails ({done}); nothing to learn from mutants")
+        seconds = {}
+        self.tests_of = {}
+        for suite in json.loads(report.read_text())["testsuites"]:
+            for test in suite["testsuite"]:
+                name = suite["name"] + "." + test["name"]
+                seconds[name] = float(test["time"].rstrip("s"))
+                self.tests_of.setdefault(pathlib.Path(test["file"]).name, set()).add(name)
+        quick = [name for name in seconds if seconds[name] < SLOW_TEST]
+        slow = sorted((seconds[name], name) for name in seconds if seconds[name] >= SLOW_TEST)
+        self.steps = [(quick, sum(seconds[name] for name in quick))] + [([name], time) for time, name in slow]
+
+    def link(self, binary, objects):
+        command = CXX + ["-fuse-ld=lld" if shutil.which("ld.lld") else "-O1", "-o", str(binary)]
+        done = subprocess.run(command + [str(o) for o in objects] + [str(self.others), "-lgtest", "-lgtest_main", "-lpthread"],
+                              capture_output=True, text=True)
+        return done.returncode == 0
+
+    # ---- For every mutant ----------------------------------------------------------------------
+
+    def run(self, binary, number, names, seconds, arguments=()):
+        """The exit status of the tests with a mutant; "time" where they do not end."""
+        environment = {**os.environ, "EVC_MUTANT": str(number)}
+        chosen = ["--gtest_filter=" + ":".join(names)] if names else []
+        try:
+            return subprocess.run([str(binary), "--gtest_fail_fast", *chosen, *arguments], env=environment, cwd=self.out,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds).returncode
+        except subprocess.TimeoutExpired:
+            return "time"
+
+    def tests(self, binary, number, without=frozenset()):
+        """The verdict of the tests, the quick ones first."""
+        for names, seconds in self.steps:
+            names = [name for name in names if name not in without]
+            if not names:
+                continue
+            result = self.run(binary, number, names, seconds * TIME_FACTOR + TIME_MORE)
+            if result != 0:
+                return "killed: " + ("time" if result == "time" else "crash" if result < 0 else "test")
+        return "survived"
+
+    def judge(self, mutant, behaviour_only=False):
+        """`behaviour_only`: without the tests that include the changed header themselves."""
+        without = set()
+        if behaviour_only and mutant.path.suffix == ".h":
+            for source in (self.src / self.name).glob("*_test.cpp"):
+                if f'#include "{self.name}/{mutant.path.name}"' in source.read_text():
+                    without |= self.tests_of.get(source.name, set())
+        if mutant.id in self.in_schema:
+            return self.tests(self.binary, mutant.id, without)
+        return self.judge_alone(mutant, without)
+
+    def plain_objects(self):
+        """Of the unchanged room; made when the first mutant has to be built alone."""
+        with self.lock:
+            if self.objects is None:
+                self.plain.prepare_common()
+                sources = self.sources()
+                made = self.each(lambda s: self.made(self.plain, s, s.stem + ".o"), sources)
+                self.objects = {s: (o, includes(o)) for s, o in zip(sources, made)}
+        return self.objects
+
+    def judge_alone(self, mutant, without=frozenset()):
+        """The mutated file lies in a folder of its own that is searched first; what includes it is compiled again."""
+        objects = self.plain_objects()
+        original = self.src / self.name / mutant.path.name
+        text = original.read_text()
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            tree = pathlib.Path(folder)
+            changed = tree / self.name / mutant.path.name
+            write(changed, text[:mutant.start] + mutant.new + text[mutant.end:])
+            made = []
+            for source, (out, of) in objects.items():
+                if source == original or original in of:
+                    out = tree / out.name
+                    if self.plain.compile(changed if source == original else source, out, [tree]).returncode:
+                        return "does not compile"
+                made.append(out)
+            binary = tree / "mutant_test"
+            if not self.link(binary, made):
+                return "does not compile"
+            return self.tests(binary, 0, without)

@@ -1,0 +1,194 @@
+"""What a mutant can change: the places are found in the text, line by line, as the house style writes it."""
+import dataclasses
+import fnmatch
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SRC = ROOT / "src"
+
+SWAPS = {
+    "compare": {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="},
+    "logic": {"&&": "||", "||": "&&"},
+    "sign": {"+": "-", "-": "+", "+=": "-=", "-=": "+="},
+    "factor": {"*": "/", "/": "*"},
+}
+OPERATOR = {old: (name, new) for name, swaps in SWAPS.items() for old, new in swaps.items()}
+TABLE = re.compile(r"constexpr (\w+) (k\w+)\[\] = \{(?= *$)", re.M)
+LITERALS = r'"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''
+COMMENTS = r"//[^\n]*|/\*.*?\*/"
+
+
+def without_comments(text):
+    """The text with comments of the same length made blank."""
+    blank = lambda m: m.group() if m.group()[0] in "\"'" else re.sub(r"[^\n]", " ", m.group())
+    return re.sub(COMMENTS + "|" + LITERALS, blank, text, flags=re.S)
+
+
+def masked(text):
+    """The text with comments and literals of the same length made blank."""
+    return re.sub(COMMENTS + "|" + LITERALS, lambda m: re.sub(r"[^\n]", " ", m.group()), text, flags=re.S)
+
+
+def closing(text, at):
+    """Where the bracket that opens at `at` is closed; -1: nowhere."""
+    pairs = {"(": ")", "[": "]", "{": "}"}
+    open_, close = text[at], pairs[text[at]]
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] == open_) - (text[i] == close)
+        if depth == 0:
+            return i
+    return -1
+
+
+@dataclasses.dataclass
+class Mutant:
+    path: pathlib.Path
+    line: int
+    start: int
+    end: int
+    new: str
+    operator: str
+    row: bool  # in a row of a table
+    what: str
+    id: int = 0
+
+    @property
+    def name(self):
+        return f"src/{self.path.parent.name}/{self.path.name}"
+
+    def key(self):
+        return self.name + " " + self.operator + " " + self.what
+
+    def __str__(self):
+        return f"{self.name}:{self.line}: {self.operator}: {self.what}"
+
+
+def described(text, start, end, new, operator):
+    """What is changed, in words that stay when lines are added above."""
+    old = text[start:end]
+    if operator in ("row", "delete"):
+        return re.sub(r"\s+", " ", f"`{old.strip()}` gone")
+    first = text.rfind("\n", 0, start) + 1
+    last = text.find("\n", end)
+    line = text[first:last if last > 0 else len(text)].strip()
+    same = text[first:start].count(old)
+    return re.sub(r"\s+", " ", f"`{old}` -> `{new}` in `{line}`" + (f" ({same + 1})" if same else ""))
+
+
+def enumerators(src, rooms):
+    """Enum name -> its values, of all headers of these rooms."""
+    found = {}
+    for room in rooms:
+        for header in (src / room).glob("*.h"):
+            for name, body in re.findall(r"enum class (\w+)[^{;]*\{([^}]*)\}", masked(header.read_text())):
+                values = [v.split("=")[0].strip() for v in body.split(",")]
+                found[name] = [v for v in values if v and v != "count"]
+    return found
+
+
+def changed_number(literal):
+    if re.fullmatch(r"\d+[uU]?", literal):
+        return re.sub(r"\d+", lambda m: str(int(m.group()) + 1), literal)
+    value = float(literal)
+    return "1.0" if value == 0.0 else repr(value * 1.1)
+
+
+def inside_line(line, enums):
+    """(start, end, replacement, operator) of what one line of code holds."""
+    for m in re.finditer(r"\b(\w+)::(\w+)\b", line):
+        values = enums.get(m.group(1), [])
+        if m.group(2) in values and len(values) > 1:
+            yield m.start(2), m.end(2), values[(values.index(m.group(2)) + 1) % len(values)], "cell"
+    for m in re.finditer(r"(?<= )(<=|>=|==|!=|<|>|&&|\|\||\+=|-=|[-+*/])(?= |$)", line):
+        name, new = OPERATOR[m.group()]
+        yield m.start(), m.end(), new, name
+    for m in re.finditer(r"\bstd::(min|max)\(", line):
+        yield m.start(1), m.end(1), {"min": "max", "max": "min"}[m.group(1)], "minmax"
+    for m in re.finditer(r"\b(true|false)\b", line):
+        yield m.start(), m.end(), {"true": "false", "false": "true"}[m.group()], "truth"
+    for m in re.finditer(r"(?<![\w.])(\d+\.\d*(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+|\d+[uU]?)(?![\w.])", line):
+        yield m.start(), m.end(), changed_number(m.group()), "number"
+
+
+def deleted_statement(line, previous):
+    """Where in the line a statement stands whose loss leaves something that compiles: an assignment, a call, a
+    jump; or one of them after `if (a)` or `else`. `previous`: how the code in front ends."""
+    stripped = line.strip()
+    if previous not in ";{}:)e" or not stripped.endswith(";") or stripped.count(";") != 1:
+        return None
+    if stripped.startswith("return") or line.count("(") != line.count(")"):
+        return None
+    begin = len(line) - len(line.lstrip())
+    head = re.match(r"(?:else )?(?:if|for|while) \(", stripped)
+    if head:
+        end = closing(line, begin + head.end() - 1)
+        return end + 2 if end > 0 and line[end + 1:].strip() not in ("", ";") else None
+    if stripped.startswith("else "):
+        return begin + 5
+    acts = re.match(r"(?:\+\+|--)?[\w.:>\[\]-]+(?:\(| [-+*/|&]?= |;|\+\+|--)", stripped)
+    return begin if acts else None
+
+
+def places(text, enums):
+    """(start, end, replacement, operator, in a table row) of every mutant of a file."""
+    code = masked(text)
+    in_table = False
+    previous = ";"
+    start = 0
+    for line in code.split("\n"):
+        stripped = line.strip()
+        if TABLE.search(stripped):
+            in_table, previous = True, "{"
+        elif in_table and stripped == "};":
+            in_table, previous = False, ";"
+        elif stripped.startswith(("#", "EVC_REQUIRE", "static_assert", "template", "using", "namespace", "enum ")):
+            previous = stripped[-1]
+        elif stripped:
+            row = in_table and stripped.startswith("{")
+            if row:
+                yield start, start + len(line), "", "row", True
+            for first, last, new, operator in inside_line(line, enums):
+                yield start + first, start + last, new, operator, row
+            for m in re.finditer(r"\b(?:if|while) \(", line):
+                begin = start + m.end() - 1
+                end = closing(code, begin)
+                if end > 0 and ";" not in code[begin:end] and "const " not in code[begin:end]:
+                    yield begin, end + 1, "(!" + text[begin:end + 1] + ")", "negate", False
+            statement = deleted_statement(line, previous)
+            if statement is not None:
+                yield start + statement, start + len(line), ";", "delete", False
+            previous = "e" if stripped.endswith("else") else stripped[-1]
+        start += len(line) + 1
+
+
+def mutants_of(path, enums):
+    text = path.read_text()
+    return [Mutant(path, text.count("\n", 0, start) + 1, start, end, new, operator, row,
+                   described(text, start, end, new, operator))
+            for start, end, new, operator, row in places(text, enums)]
+
+
+def mutants_of_room(src, name, rooms):
+    """All mutants of a room in the folder `src`, numbered from 1. Headers that only tests include are tests."""
+    included = set()
+    for source in SRC.glob("*/*"):
+        if source.suffix in (".cpp", ".h") and not source.name.endswith("_test.cpp"):
+            included.update(re.findall(rf'^#include "{name}/(\w+\.h)"', source.read_text(), re.M))
+    tests_only = {h.name for h in (src / name).glob("*.h")} - included
+    enums = enumerators(src, rooms)
+    found = []
+    for path in sorted((src / name).iterdir()):
+        if path.suffix in (".cpp", ".h") and not path.name.endswith("_test.cpp") and path.name not in tests_only:
+            found += mutants_of(path, enums)
+    for number, mutant in enumerate(found, 1):
+        mutant.id = number
+    return found
+
+
+def in_order(mutants, patterns):
+    """Those whose file name matches one of the patterns, those of the first pattern first."""
+    def rank(m):
+        return next((i for i, p in enumerate(patterns) if fnmatch.fnmatch(m.path.name, p)), None)
+    return sorted((m for m in mutants if rank(m) is not None), key=rank)
