@@ -183,6 +183,36 @@ TEST(CommandCurves, EveryWorkbookColumnThroughTheCommand) {
   }
 }
 
+TEST(CommandCurves, TheWorkbookModelStopsAtAnEndOfAuthority) {
+  const Approached a = approached(kSource + "/data/curves/passenger_eoa.json");
+  const Workbook w = workbook_of(a);
+  EXPECT_EQ(w.rows.front().distance, 7000.0);
+  EXPECT_EQ(w.rows.front().MRSP, 0.0);
+  EXPECT_EQ(w.SRS_EBD.front(), 0.0);
+  EXPECT_NEAR(w.rows[1].MRSP * 3.6, 160.0, 1e-9);
+  // Its EBD is that of its one A_safe; it intervenes before the standard does.
+  const std::size_t far = 100;  // 1000 m in rear of the stop
+  EXPECT_NEAR(w.rows[far].Vc_EBD, std::sqrt(2.0 * w.inputs.A_safe.si * 1000.0), 1e-9);
+  EXPECT_LE(w.rows[far].V0_EBI, w.SRS_EBI[far]);
+  EXPECT_GT(w.rows[far].V0_EBI, 20.0);
+  const Workbook LOA = workbook_of(approached(kSource + "/data/curves/push_pull_loa.json"));
+  EXPECT_NEAR(LOA.rows.front().MRSP * 3.6, 40.0, 1e-9);
+}
+
+TEST(CommandCurves, ANoteSaysThatNoReleaseSpeedCanBeCalculated) {
+  json document = passenger();
+  document["target"]["release_speed_kmh"] = "on_board";
+  const CurvesResult none = curves_result(Approached(*io::read_curves(document.dump(), "a")));
+  EXPECT_FALSE(none.scalars.V_release_kmh);
+  ASSERT_EQ(none.notes.size(), 1u);
+  EXPECT_EQ(none.notes[0].rfind("no release speed can be calculated on board", 0), 0u);
+  document["target"]["svl_location_m"] = 7400;
+  document["target"]["reference_m"] = 6800;  // the trip location lies 10 m and 10 % of the way from it beyond the EOA
+  const CurvesResult some = curves_result(Approached(*io::read_curves(document.dump(), "a")));
+  EXPECT_TRUE(some.scalars.V_release_kmh);
+  EXPECT_EQ(some.notes.size(), 0u);
+}
+
 TEST(CommandCurves, EveryShippedInputInEveryFormat) {
   ASSERT_GE(shipped().size(), 6u);
   for (const std::string& file : shipped()) {

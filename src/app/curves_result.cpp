@@ -168,6 +168,10 @@ std::optional<Place> Approached::start_of_RSM() const {
 
 std::vector<std::string> Approached::notes() const {
   std::vector<std::string> notes;
+  if (input_.target == sdm::TargetKind::EOA_SvL && derived_->release_speed.on_board && !derived_->release_speed.exists)
+    notes.emplace_back(
+        "no release speed can be calculated on board: from the trip location the train would not stop "
+        "in rear of the SvL (3.13.9.4.8)");
   if (target_->warnings.no_deceleration)
     notes.emplace_back("the train does not decelerate everywhere (A <= 0): the curve is level there, on the safe side");
   if (derived_->truncated) notes.emplace_back("more elements than there is room for: answered on the safe side");

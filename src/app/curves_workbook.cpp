@@ -14,10 +14,15 @@ sdm::WorkbookInputs inputs_from(const Approached& a) {
   const io::CurvesInput& c = a.input();
   sdm::WorkbookInputs w;
   Speed V{0.0};
+  // The sheet knows targets as steps of its MRSP only: a stop or a limit of authority ends it.
+  const sdm::Target& t = a.target();
+  const bool authority = t.kind != sdm::TargetKind::MRSP;
   for (const auto& step : c.inputs.mrsp.steps) {
-    if (!w.mrsp.append(step.from.from_origin, step.value)) __builtin_trap();
+    if (authority && step.from >= t.d_target) break;
+    if (!w.mrsp.append(step.from.from_origin, step.value)) break;
     V = std::max(V, step.value);
   }
+  if (authority) (void)w.mrsp.append(t.d_target.from_origin, t.V_target);  // the input leaves room for one step
   const sdm::Explanation e = a.explain(V);
   const sdm::BuildUpLoss& l = e.EBD.loss;
   w.DT = e.times.T_traction + e.times.T_berem;
@@ -25,7 +30,7 @@ sdm::WorkbookInputs inputs_from(const Approached& a) {
   w.DX = l.D_bec - V * w.DT;
   w.dV = sdm::dV_ebi(V, a.derived().fixed);
   w.A_safe = std::max(e.A_safe, Acceleration{0.01});
-  w.length = std::max(c.target_location.from_origin, w.quantum);
+  w.length = std::max(t.d_target.from_origin, w.quantum);
   return w;
 }
 
@@ -42,7 +47,7 @@ void beside(Workbook& w, const Approached& a) {
     Speed EBD = top;
     Speed EBI = top;
     for (const sdm::Target& t : d.targets) {
-      if (t.d_target <= x) continue;
+      if (t.d_target < x) continue;
       const sdm::PositionRow p = sdm::speeds_at(d, c.inputs, t, x, c.V_ura, c.A_est);
       const Speed margin = t.zero ? Speed{0.0} : sdm::dV_ebi(t.V_target, d.fixed);
       EBD = std::min(EBD, allowed(p.EBD, t.V_target, margin));
