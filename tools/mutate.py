@@ -8,14 +8,15 @@ Operators: row (drops a row of a table), cell (another enumerator), compare (< <
 All mutants are in one build, an instrumented copy of the room that an environment variable tells which one is on
 (tools/mutation/schema.py); the few that cannot be there are built alone. Quick tests come first, the first one that
 fails is enough, and a mutant that takes ten times the time is killed by that. Lines that trap the impossible
-(EVC_REQUIRE) are left alone. Nothing is written outside build/mutants/ROOM.
+(EVC_REQUIRE) are left alone. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]
-                            [--jobs N] [--check] [--list]
+                            [--jobs N] [--build NAME] [--check] [--list]
   --rows       all rows of the constexpr tables and nothing else (operators row, cell, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
   --sample N   N mutants by lot;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --survivors  those of the last run again
+  --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
   --check      builds each mutant alone as well and tells where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
 import argparse
@@ -117,10 +118,11 @@ def main():
     parser.add_argument("--behaviour", action="store_true")
     parser.add_argument("--survivors", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--build")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
-    room = Room(options.room, options.jobs)
+    room = Room(options.room, options.jobs, options.build)
     mutants = choose(room, options)
     if options.list:
         for m in mutants:

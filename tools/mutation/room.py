@@ -77,11 +77,11 @@ class Build:
 
 
 class Room:
-    def __init__(self, name, jobs=1):
+    def __init__(self, name, jobs=1, build=None):
         self.name, self.jobs = name, jobs
         self.rooms = []
         self._depend(name)
-        self.out = ROOT / "build" / "mutants" / name
+        self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
         self.mutants = mutants_of_room(self.src, name, self.rooms)
