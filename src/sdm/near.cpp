@@ -29,7 +29,11 @@ bool full_build_up(const Cycle& c, const Target& t) {
   return !c.d.rules.reduced_build_up || t.V_target < (t.zero ? c.full_below_cm0 : c.full_below_cmt);
 }
 
-void note_reduced(Cycle& c, const TargetTimes& t) {
+/// 3.13.8.2.1 a (4.0.0): an element of the MRSP that is not lower than V_MRSP is no target now.
+bool in_list(const Cycle& c, const Target& t) { return t.kind != TargetKind::MRSP || t.V_target < c.M; }
+
+void note_reduced(Cycle& c, const Target& target, const TargetTimes& t) {
+  if (!in_list(c, target)) return;
   c.reduced = c.reduced || t.reduced_be || (t.reduced_bs && c.d.time_config.service_brake_available);
 }
 
@@ -62,15 +66,15 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar, kFar};
   if (far_away(c, t, seen.to_I)) {
     // A.3.13 asks whether any target's build-up time is reduced, the far ones' too.
-    if (c.d.rules.reduced_build_up && !c.reduced && !full_build_up(c, t))
-      note_reduced(c, times_of(c.d, t, c.a, asked(c, t)));
+    if (c.d.rules.reduced_build_up && !c.reduced && in_list(c, t) && !full_build_up(c, t))
+      note_reduced(c, t, times_of(c.d, t, c.a, asked(c, t)));
     return;
   }
   seen.near = true;
   TargetLimits l;
   if (!full_build_up(c, t) || c.d.time_config.feedback_available) {
     l = limits_of(c.d, t, c.a, asked(c, t));
-    note_reduced(c, l.times);
+    note_reduced(c, t, l.times);
   } else {
     l.times.EBD = l.times.SBD = t.zero ? c.cm0 : c.cmt;
     l.EBD = EBD_limits_of(c.d, t, c.a, l.times.EBD);

@@ -1030,6 +1030,24 @@ TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
   EXPECT_GT(other.cycle(4880, 1.0).V_P, before);
 }
 
+TEST(ReducedBuildUp, AnElementNotBelowVMRSPHoldsNothingIn400) {
+  // 10 m/s from 1000, 20 m/s from 1500, 3 m/s from 1600: at 10 m/s only the build-up towards 20 m/s would be reduced,
+  // and that is no target (3.13.8.2.1 a): the permitted speed may rise when the train stops accelerating.
+  Unit u(SrsVersion::v4_0_0);
+  ASSERT_TRUE(u.in.mrsp.append({{1000.0}}, {10.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{1500.0}}, {20.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{1600.0}}, {3.0}));
+  u.build();
+  Motion m = at(1440, 10.0);
+  u.cycle(m);
+  m.A_est = {0.3};
+  const Speed accelerating = u.cycle(m).V_P;
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  ASSERT_LT(accelerating.si, 10.0);
+  m.A_est = {0.0};
+  EXPECT_GT(u.cycle(m).V_P, accelerating);
+}
+
 TEST(Display, TargetsBehindTheTripLocationDoNotIndicateBelowTheReleaseSpeed) {
   Unit u;
   set_EOA(u.in, 4900.0, 5300.0);
