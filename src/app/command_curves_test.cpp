@@ -1,24 +1,10 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
-#include "app/curves_compare.h"
-#include "app/curves_explain.h"
-#include "app/curves_plot.h"
-#include "app/curves_result.h"
-#include "app/curves_workbook.h"
-#include "app/svg.h"
-#include "io/file.h"
+#include "app/curves_test.h"
 
 namespace evc::app {
 namespace {
@@ -26,54 +12,6 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const std::string kSource = EVC_SOURCE_DIR;
-
-json load_json(const std::string& path) {
-  std::ifstream in(path);
-  return json::parse(in);
-}
-std::string text_of(const std::string& path) {
-  std::ifstream in(path);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Ran {
-  int status;
-  std::string out, err;
-};
-/// Runs the program itself.
-Ran run(const std::string& arguments) {
-  const fs::path folder = fs::temp_directory_path() / ("evc_curves_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  const std::string out = (folder / "out").string();
-  const std::string err = (folder / "err").string();
-  const int status =
-      std::system((std::string(EVC_PROGRAM) + " curves " + arguments + " >" + out + " 2>" + err).c_str());
-  Ran ran{WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
-  fs::remove_all(folder);
-  return ran;
-}
-class Scratch {
- public:
-  explicit Scratch(const std::string& name)
-      : path_((fs::temp_directory_path() / (std::to_string(::getpid()) + "_" + name)).string()) {}
-  Scratch(const std::string& name, const std::string& text) : Scratch(name) { std::ofstream(path_) << text; }
-  ~Scratch() { fs::remove(path_); }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-json passenger() { return load_json(kSource + "/data/curves/passenger_eoa.json"); }
-std::vector<std::string> shipped() {
-  std::vector<std::string> files;
-  for (const auto& file : fs::directory_iterator(kSource + "/data/curves")) files.push_back(file.path().string());
-  return files;
-}
-Approached approached(const std::string& file) { return Approached(*io::read_curves(text_of(file), file)); }
 std::string refusal(const json& document) {
   const auto read = io::read_curves(document.dump(), "case.json");
   return read ? "accepted" : read.error().text();
@@ -109,9 +47,9 @@ TEST(CommandCurves, AgreesWithTheOfficialToolThroughTheCommand) {
   for (const json& c : reference["cases"]) {
     SCOPED_TRACE(c["id"].get<std::string>());
     const Scratch input("era.json", as_input(c).dump());
-    const Ran ran = run(input.path());
-    ASSERT_EQ(ran.status, 0) << ran.err;
-    const json result = json::parse(ran.out);
+    const Ended ran = run(input.path());
+    ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+    const json result = json::parse(ran.output);
     EXPECT_EQ(result["schema"], "evc-curves-result/1");
     std::map<double, json> rows;
     for (const json& row : result["by_speed"]) rows[row["v_kmh"]] = row;
@@ -147,56 +85,14 @@ TEST(CommandCurves, OutputsKeepApartFromInputsAndFromEachOther) {
   const Scratch own("own.json");
   const std::string shipped = kSource + "/data/curves/passenger_eoa.json";
   fs::copy_file(shipped, own.path(), fs::copy_options::overwrite_existing);
-  EXPECT_EQ(run(own.path() + " -o " + own.path()).status, 2);
-  EXPECT_EQ(run("compare " + shipped + " " + own.path() + " -o " + own.path()).status, 2);
+  EXPECT_EQ(run(own.path() + " -o " + own.path()).exit_code, 2);
+  EXPECT_EQ(run("compare " + shipped + " " + own.path() + " -o " + own.path()).exit_code, 2);
   EXPECT_EQ(text_of(own.path()), text_of(shipped)) << "the input is as it was";
   const Scratch both("both.svg");
-  const Ran ran = run(own.path() + " --plot " + both.path() + " -o " + both.path());
-  EXPECT_EQ(ran.status, 2);
-  EXPECT_NE(ran.err.find("expected another file than that of -o"), std::string::npos) << ran.err;
+  const Ended ran = run(own.path() + " --plot " + both.path() + " -o " + both.path());
+  EXPECT_EQ(ran.exit_code, 2);
+  EXPECT_NE(ran.errors.find("expected another file than that of -o"), std::string::npos) << ran.errors;
   EXPECT_FALSE(fs::exists(both.path()));
-}
-
-TEST(CommandCurves, APlotBesideAnExplanation) {
-  const Scratch plot("explained.svg");
-  const Ran ran = run(kSource + "/data/curves/passenger_eoa.json --explain 140 --plot " + plot.path());
-  EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_NE(ran.out.find("3.13"), std::string::npos);
-  EXPECT_NE(text_of(plot.path()).find("<svg"), std::string::npos);
-  EXPECT_EQ(run("--model workbook --explain 100").status, 2);
-}
-
-TEST(CommandCurves, EveryWorkbookColumnThroughTheCommand) {
-  const json sheet = load_json(kSource + "/tests/reference/workbook_example.json")["case"];
-  const Ran ran = run("--model workbook");
-  ASSERT_EQ(ran.status, 0) << ran.err;
-  const json result = json::parse(ran.out);
-  EXPECT_EQ(result["columns"], sheet["columns"]);
-  ASSERT_EQ(result["rows"].size(), sheet["rows"].size());
-  for (std::size_t i = 0; i < sheet["rows"].size(); ++i)
-    for (std::size_t k = 0; k < sheet["columns"].size(); ++k)
-      EXPECT_NEAR(result["rows"][i][k].get<double>(), sheet["rows"][i][k].get<double>(), 1e-9);
-  // The sheet's EBD is the standard's; its EBI is never above it (seed_excel_model: anchor and hold).
-  for (std::size_t i = 1; i < sheet["rows"].size(); ++i) {
-    EXPECT_NEAR(result["srs_rows"][i][1].get<double>(), sheet["rows"][i][2].get<double>(), 1e-6);
-    EXPECT_LE(sheet["rows"][i][18].get<double>(), result["srs_rows"][i][2].get<double>() + 1e-6);
-  }
-}
-
-TEST(CommandCurves, TheWorkbookModelStopsAtAnEndOfAuthority) {
-  const Approached a = approached(kSource + "/data/curves/passenger_eoa.json");
-  const Workbook w = workbook_of(a);
-  EXPECT_EQ(w.rows.front().distance, 7000.0);
-  EXPECT_EQ(w.rows.front().MRSP, 0.0);
-  EXPECT_EQ(w.SRS_EBD.front(), 0.0);
-  EXPECT_NEAR(w.rows[1].MRSP * 3.6, 160.0, 1e-9);
-  // Its EBD is that of its one A_safe; it intervenes before the standard does.
-  const std::size_t far = 100;  // 1000 m in rear of the stop
-  EXPECT_NEAR(w.rows[far].Vc_EBD, std::sqrt(2.0 * w.inputs.A_safe.si * 1000.0), 1e-9);
-  EXPECT_LE(w.rows[far].V0_EBI, w.SRS_EBI[far]);
-  EXPECT_GT(w.rows[far].V0_EBI, 20.0);
-  const Workbook LOA = workbook_of(approached(kSource + "/data/curves/push_pull_loa.json"));
-  EXPECT_NEAR(LOA.rows.front().MRSP * 3.6, 40.0, 1e-9);
 }
 
 TEST(CommandCurves, ANoteSaysThatNoReleaseSpeedCanBeCalculated) {
@@ -292,77 +188,6 @@ TEST(CommandCurves, ARestrictionIsTheSameFromTheProfileOrFromTheTarget) {
             "case.json: /target/speed_kmh: found 170, expected a speed below the MRSP before the target");
 }
 
-TEST(CommandCurves, ExplainsWhatItComputed) {
-  const Approached a = approached(kSource + "/data/curves/passenger_eoa.json");
-  const std::string text = explain_text(a, 140);
-  const SpeedRow row = speed_row(a, 140);
-  for (const char* expected : {"V_bec", "D_bec", "T_traction", "T_indication", "d_EBI", "d_SBI1", "d_SBI2", "d_W",
-                               "d_P", "d_I", "3.13.9.3.2.10", "3.13.9.3.6.1", "A_safe", "A_expected"})
-    EXPECT_NE(text.find(expected), std::string::npos) << expected;
-  for (const Value& v : {row.EBD, row.EBI, row.FLOI, row.W, row.P, row.I})
-    EXPECT_NE(text.find(fixed(v, 3) + " m before"), std::string::npos) << *v;
-}
-
-/// The clause that stands at the end of the first step of a symbol.
-std::string clause_of(const std::string& text, const std::string& symbol) {
-  const std::size_t line = text.find("\n   " + symbol + " ");
-  if (line == std::string::npos) return "no " + symbol;
-  const std::size_t from = text.find('[', line);
-  return text.substr(from + 1, text.find(']', from) - from - 1);
-}
-TEST(CommandCurves, ExplainsByTheClauseOfEveryStep) {
-  const std::string text = explain_text(approached(kSource + "/data/curves/passenger_eoa.json"), 140);
-  for (const auto& [symbol, clause] : std::map<std::string, std::string>{{"A_brake_emergency", "A.3.7.2"},
-                                                                         {"A_brake_safe", "3.13.6.2.1.4"},
-                                                                         {"A_gradient", "3.13.4.3.2"},
-                                                                         {"A_safe", "3.13.6.2.1.3"},
-                                                                         {"A_brake_service", "A.3.7.2"},
-                                                                         {"A_expected", "3.13.6.3.1.3"},
-                                                                         {"T_be", "3.13.6.2.2.3"},
-                                                                         {"T_bs", "3.13.6.3.2.4"},
-                                                                         {"T_bs1", "3.13.9.3.3.3"},
-                                                                         {"T_traction", "3.13.9.3.2.3"},
-                                                                         {"T_berem", "3.13.9.3.2.6"},
-                                                                         {"T_indication", "3.13.9.3.6.2"},
-                                                                         {"V_delta0", "3.13.9.3.2.1"},
-                                                                         {"A_est1", "3.13.9.3.2.8"},
-                                                                         {"A_est2", "3.13.9.3.2.9"},
-                                                                         {"V_bec", "3.13.9.3.2.10"},
-                                                                         {"D_bec", "3.13.9.3.2.10"},
-                                                                         {"d_EBD(V_bec)", "3.13.8.3.2"},
-                                                                         {"d_EBI", "3.13.9.3.2.12"},
-                                                                         {"d_SBI2", "3.13.9.3.3.2"},
-                                                                         {"d_W", "3.13.9.3.4.1"},
-                                                                         {"d_P", "3.13.9.3.5.1"},
-                                                                         {"d_I", "3.13.9.3.6.1"},
-                                                                         {"d_SBD(V)", "3.13.8.4.1"},
-                                                                         {"d_SBI1", "3.13.9.3.3.1"},
-                                                                         {"lambda_0", "A.3.7.1"},
-                                                                         {"V_lim", "A.3.7.3"},
-                                                                         {"AD_0", "A.3.7.4"},
-                                                                         {"AD_3", "A.3.7.5"},
-                                                                         {"A_ebmax", "3.13.6.2.1.8.2"},
-                                                                         {"Kv_int(V)", "3.13.6.2.1.8.1"},
-                                                                         {"Kr_int(L_TRAIN)", "3.13.2.3.7.12"},
-                                                                         {"grad", "3.13.4.2.1"},
-                                                                         {"M_rotating", "A.3.1"},
-                                                                         {"L", "A.3.8.1"},
-                                                                         {"T_brake_basic_eb", "A.3.8.1"},
-                                                                         {"T_brake_emergency", "A.3.8.4"},
-                                                                         {"T_brake_basic_sb", "A.3.9.1"},
-                                                                         {"T_brake_service", "A.3.9.4"}})
-    EXPECT_EQ(clause_of(text, symbol), clause) << symbol;
-  // Without the service brake command, on slippery rail, towards a restriction.
-  json document = passenger();
-  document["national_values"]["Q_NVSBTSMPERM"] = false;
-  document["state"]["slippery_rail"] = true;
-  document["target"] = {{"type", "MRSP"}, {"location_m", 5000}, {"speed_kmh", 80}};
-  const std::string other = explain_text(Approached(*io::read_curves(document.dump(), "a")), 20);
-  EXPECT_EQ(clause_of(other, "T_bs1"), "3.13.9.3.3.5");
-  EXPECT_EQ(clause_of(other, "d_EBD(V_bec)"), "3.13.8.3.1");
-  EXPECT_NE(other.find("min(A_brake_safe, A_MAXREDADH) + A_gradient"), std::string::npos);
-}
-
 TEST(CommandCurves, PermittedBrakingDistancesAndLevelCrossings) {
   json document = passenger();
   document["query"] = {{"speeds_kmh", {100}},
@@ -388,201 +213,6 @@ TEST(CommandCurves, PermittedBrakingDistancesAndLevelCrossings) {
   document["query"]["PBD"][0]["Q_PBDSR"] = 0.5;
   EXPECT_EQ(refusal(document),
             "case.json: /query/PBD/0/Q_PBDSR: found 0.5, expected 0 (emergency brake) or 1 (service brake)");
-}
-
-TEST(CommandCurves, ThePageOfAComparisonHoldsBothSides) {
-  const Approached p = approached(kSource + "/data/curves/freight_P.json");
-  const Approached g = approached(kSource + "/data/curves/freight_G.json");
-  const std::string page = comparison_html(p, g);
-  const std::size_t from = page.find("const D = ") + 10;
-  const json data = json::parse(page.substr(from, page.find(";\n", from) - from));
-  EXPECT_EQ(data["name_a"], p.input().name);
-  EXPECT_EQ(data["name_b"], g.input().name);
-  ASSERT_EQ(data["v"][50], 50);
-  std::set<std::string> keys;
-  for (const json& curve : data["curves"]) {
-    keys.insert(curve["key"]);
-    ASSERT_EQ(curve["a"].size(), data["v"].size());
-    ASSERT_EQ(curve["b"].size(), data["v"].size());
-    if (curve["key"] == "EBI") {
-      EXPECT_NEAR(curve["a"][50].get<double>(), *speed_row(p, 50).EBI, 0.005);
-      EXPECT_NEAR(curve["b"][50].get<double>(), *speed_row(g, 50).EBI, 0.005);
-    }
-  }
-  EXPECT_EQ(keys, (std::set<std::string>{"EBD", "SBD", "EBI", "SBI", "W", "P", "I"}));
-  EXPECT_EQ(page.find("http"), std::string::npos);  // nothing is loaded from elsewhere
-}
-
-TEST(CommandCurves, ComparesTwoInputs) {
-  const Approached p = approached(kSource + "/data/curves/freight_P.json");
-  const Approached g = approached(kSource + "/data/curves/freight_G.json");
-  const Comparison c = compare_curves(p, g);
-  const json result = json::parse(comparison_text(c, Format::json));
-  EXPECT_EQ(result["schema"], "evc-curves-comparison/1");
-  for (std::size_t i = 0; i < c.difference.size(); ++i) {
-    EXPECT_EQ(*c.difference[i].EBI, *c.rows_b[i].EBI - *c.rows_a[i].EBI);
-    if (c.difference[i].v_kmh > 0.0) {
-      EXPECT_GT(*c.difference[i].EBI, 0.0);  // position G brakes later
-    }
-  }
-  EXPECT_NE(comparison_text(c, Format::csv).find("EBI_a,EBI_b,EBI_difference"), std::string::npos);
-  EXPECT_NE(comparison_text(c, Format::table).find("B - A"), std::string::npos);
-  for (const SpeedRow& row : compare_curves(p, p).difference)
-    for (const auto& curve : curve_columns()) EXPECT_EQ((row.*curve.value).value_or(0.0), 0.0);
-}
-
-TEST(CommandCurves, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
-  const auto compared = [](const json& a, const json& b) {
-    return compare_curves(Approached(*io::read_curves(a.dump(), "a")), Approached(*io::read_curves(b.dump(), "b")));
-  };
-  using Strings = std::vector<std::string>;
-  const json a = passenger();
-  EXPECT_EQ(compared(a, a).differ, Strings{});
-  EXPECT_EQ(differ_text(compared(a, a)), "they do not differ");
-  json b = a;
-  b["srs"] = "4.0.0";
-  b["train"]["length_m"] = 300;
-  b["national_values"]["Kt_int"] = 1.0;
-  b["fixed_values"]["T_driver"] = 3;
-  b["state"]["V_ura_kmh"] = 2;
-  b["target"]["release_speed_kmh"] = nullptr;
-  EXPECT_EQ(compared(a, b).differ,
-            (Strings{"SRS version", "train", "national values", "fixed values", "state", "release speed"}));
-  EXPECT_EQ(compared(a, b).warnings, Strings{});
-  // The same question elsewhere on the line.
-  b = a;
-  b["target"]["location_m"] = b["target"]["svl_location_m"] = 8000;
-  b["track"]["gradient"] = {{0, 0}, {5000, -5}};
-  EXPECT_EQ(compared(a, b).differ, Strings{});
-  EXPECT_EQ(compared(a, b).warnings, (Strings{"the targets lie at different places: A 7000 m, B 8000 m; each one's "
-                                              "distances count from its own target"}));
-  b["track"]["gradient"] = {{0, 0}, {4000, -5}};
-  EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
-  EXPECT_EQ(compared(a, b).warnings.back(),
-            "the gradients on the way to the target differ: the difference is also that of the tracks");
-  // A gradient that no curve reaches is no difference; one that ends is.
-  b = a;
-  b["track"]["gradient"] = {{0, 3}, {100, 0}, {4000, -5}};
-  EXPECT_EQ(compared(a, b).differ, Strings{});
-  b["track"]["gradient"] = {{0, 0}, {4000, -5, 6500}};
-  EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
-  b = a;
-  b["track"]["adhesion"] = {{5000, 6000}};
-  b["track"]["mrsp"] = {{0, 160}, {6000, 100}};
-  EXPECT_EQ(compared(a, b).differ, (Strings{"track conditions", "MRSP"}));
-  b = a;
-  b["target"] = {{"type", "LOA"}, {"location_m", 7000}, {"speed_kmh", 40}};
-  b["target"]["release_speed_kmh"] = 30;
-  const Comparison other = compared(a, b);
-  EXPECT_EQ(other.warnings,
-            (Strings{"the targets differ: A an end of authority with the SvL at its place, B a limit of "
-                     "authority at 40 km/h; each one's distances count from its own target"}));
-  // In every form of the output.
-  const json shown = json::parse(comparison_text(other, Format::json));
-  EXPECT_EQ(shown["warnings"][0], other.warnings[0]);
-  EXPECT_EQ(shown["differ"], json(other.differ));
-  EXPECT_NE(comparison_text(other, Format::table).find("warning: the targets differ"), std::string::npos);
-  EXPECT_NE(comparison_svg(other).find("Warning: the targets differ"), std::string::npos);
-  const Scratch file_a("a.json", a.dump()), file_b("b.json", b.dump());
-  const Ran csv = run("compare " + file_a.path() + " " + file_b.path() + " --format csv");
-  EXPECT_EQ(csv.status, 0);
-  EXPECT_EQ(csv.err, "warning: " + other.warnings[0] + "\n");
-  EXPECT_EQ(run("compare " + file_a.path() + " " + file_b.path()).err, "");
-}
-
-TEST(CommandCurves, ChartsAreWholeAndSelfContained) {
-  for (const std::string& file : shipped()) {
-    SCOPED_TRACE(file);
-    const Approached a = approached(file);
-    const std::string svg = curves_svg(a);
-    EXPECT_EQ(svg.rfind("<svg", 0), 0u);
-    EXPECT_NE(svg.find("</svg>"), std::string::npos);
-    for (const char* drawn :
-         {">EBD<", ">EBI<", ">SBI<", ">W<", ">P<", ">I<", ">MRSP<", "[km/h]", "[m]", "#BF0002", "#EA9100", "#DFDF00"})
-      EXPECT_NE(svg.find(drawn), std::string::npos) << drawn;
-    EXPECT_EQ(svg.find("nan"), std::string::npos);
-    const std::string page = curves_html(a);
-    EXPECT_EQ(page.find("/*DATA*/null"), std::string::npos);
-    EXPECT_EQ(page.find("src="), std::string::npos);
-    const std::size_t from = page.find("const D = ") + 10;
-    const json data = json::parse(page.substr(from, page.find(";\n", from) - from));
-    EXPECT_EQ(data["curves"][0]["v"].size(), data["x"].size());
-    // The status of a standing train in rear of everything, and of one far too fast at the target.
-    const auto state = [&](std::size_t column, bool top) {
-      const json& runs = data["map"]["columns"][column];
-      return data["map"]["states"][runs[top ? runs.size() - 2 : 0].get<std::size_t>()];
-    };
-    EXPECT_EQ(state(0, false)["status"], 0);
-    EXPECT_EQ(state(300, true)["status"], 4);
-    EXPECT_EQ(state(300, true)["eb"], true);
-  }
-  const Approached sheet = approached(kSource + "/data/curves/workbook.json");
-  EXPECT_NE(workbook_svg(workbook_of(sheet), sheet).find("V0 = EBI, sheet"), std::string::npos);
-}
-
-/// Values of a curve of the interactive page at a place, km/h; NaN where there is none.
-double drawn(const json& data, const std::string& key, double x) {
-  for (const json& curve : data["curves"]) {
-    if (curve["key"] != key) continue;
-    for (std::size_t i = 0; i < data["x"].size(); ++i)
-      if (data["x"][i].get<double>() >= x) return curve["v"][i].is_null() ? std::nan("") : curve["v"][i].get<double>();
-  }
-  return std::nan("");
-}
-json page_data(const Approached& a) {
-  const std::string page = curves_html(a);
-  const std::size_t from = page.find("const D = ") + 10;
-  return json::parse(page.substr(from, page.find(";\n", from) - from));
-}
-
-TEST(CommandCurves, BeyondALimitOfAuthorityItsSpeedIsTheCeiling) {
-  const json data = page_data(approached(kSource + "/data/curves/push_pull_loa.json"));
-  EXPECT_EQ(drawn(data, "P", 5010), 40.0);
-  EXPECT_EQ(drawn(data, "W", 5010), 44.0);
-  EXPECT_EQ(drawn(data, "SBI", 5010), 45.5);
-  EXPECT_EQ(drawn(data, "EBI", 5010), 47.5);
-  EXPECT_GT(drawn(data, "EBI", 3000), 160.0);
-}
-
-TEST(CommandCurves, ChartsShowWhereAdhesionIsReducedAndBrakesDoNotCount) {
-  json document = json::parse(text_of(kSource + "/data/curves/regional_restriction.json"));
-  document["track"]["brake_inhibition"] = {{3500, 3600, "magnetic shoe"}};
-  document["track"]["powerless"] = {{9000, 9100}};  // beyond the chart
-  const std::string at = kSource + "/data/curves/a.json";
-  const Approached gamma{*io::read_curves(document.dump(), at)};
-  const json zones = page_data(gamma)["zones"];
-  ASSERT_EQ(zones.size(), 2u);
-  EXPECT_EQ(zones[0][0], 3000.0);
-  EXPECT_EQ(zones[0][3], "reduced adhesion");
-  EXPECT_EQ(zones[1][0], 3500.0);
-  EXPECT_EQ(zones[1][2], 1);
-  EXPECT_EQ(zones[1][3], "no magnetic shoe brake");
-  EXPECT_NE(curves_svg(gamma).find(">no magnetic shoe brake<"), std::string::npos);
-  // The adhesion zone counts until the rear end has left it; the conversion model knows no special brakes.
-  document["track"]["adhesion"] = {{2500, 3000}};
-  document["train"] = {{"length_m", 75}};
-  document["state"]["slippery_rail"] = true;
-  const json others = page_data(Approached{*io::read_curves(document.dump(), at)})["zones"];
-  ASSERT_EQ(others.size(), 2u);
-  EXPECT_EQ(others[0][1], 3075.0);
-  EXPECT_EQ(others[1][3], "slippery rail");
-}
-
-TEST(CommandCurves, LongNamesAreShortenedInCharts) {
-  EXPECT_EQ(shortened("abcd", 4), "abcd");
-  EXPECT_EQ(shortened("abcde", 4), "abc\u2026");
-  EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df", 4), "\u00e4\u00f6\u00fc\u00df");
-  EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df!", 4), "\u00e4\u00f6\u00fc\u2026");
-}
-
-TEST(CommandCurves, PagesHaveTheSharedStyleAndScript) {
-  const Approached p = approached(kSource + "/data/curves/freight_P.json");
-  for (const std::string& page : {curves_html(p), comparison_html(p, p)}) {
-    EXPECT_EQ(page.find("/* include"), std::string::npos);
-    EXPECT_NE(page.find("--pasp-light:#294A6B"), std::string::npos);
-    EXPECT_NE(page.find("function ticks("), std::string::npos);
-    EXPECT_EQ(page.find("function ticks("), page.rfind("function ticks("));
-  }
 }
 
 TEST(CommandCurves, BadInputNamesThePlaceAndTheClause) {
@@ -618,12 +248,12 @@ TEST(CommandCurves, OneLineAndExitStatusTwo) {
   for (const std::string& arguments :
        {input.path(), std::string("/nowhere.json"), std::string("--plot picture.png"),
         "compare " + input.path() + " " + input.path(), std::string("--model workbook --plot a.html")}) {
-    const Ran ran = run(arguments);
-    EXPECT_EQ(ran.status, 2) << arguments;
-    EXPECT_EQ(ran.out, "");
-    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    const Ended ran = run(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << arguments;
+    EXPECT_EQ(ran.output, "");
+    EXPECT_EQ(std::count(ran.errors.begin(), ran.errors.end(), '\n'), 1) << ran.errors;
   }
-  EXPECT_NE(run(input.path()).err.find("/train/length_m: found \"long\", expected a number"), std::string::npos);
+  EXPECT_NE(run(input.path()).errors.find("/train/length_m: found \"long\", expected a number"), std::string::npos);
 }
 
 TEST(CommandCurves, TrainsAndNationalValuesThatShip) {
@@ -641,6 +271,5 @@ TEST(CommandCurves, TrainsAndNationalValuesThatShip) {
     EXPECT_EQ(refusal(document), "accepted");
   }
 }
-
 }  // namespace
 }  // namespace evc::app

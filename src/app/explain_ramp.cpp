@@ -19,21 +19,22 @@ struct Ramp {
   double A_brake, A_max;
   double reduced;
 
+  bool emergency() const { return be == "be"; }
+  const char* A_name() const { return emergency() ? "A_EB" : "A_SB"; }
   double t2() const { return 2.0 * T - react; }
   double increase() const { return t2() - react; }
-  std::string paragraph(int n, int emergency, int service) const {
-    return fmt::format("A.3.12.{}.{}", n, be == "be" ? emergency : service);
+  std::string paragraph(int n, int n_emergency, int n_service) const {
+    return fmt::format("A.3.12.{}.{}", n, emergency() ? n_emergency : n_service);
   }
 };
 
 bool stops(const sdm::Target& t) { return t.kind == sdm::TargetKind::EOA_SvL || t.kind == sdm::TargetKind::SR_end; }
 
-/// A.3.12.5 to A.3.12.8, where the target speed is reached on the ramp.
-void on_the_ramp(ExplainPage& page, const Ramp& r) {
+/// When the target speed is reached on the ramp (A.3.12.5).
+double time_enough(ExplainPage& page, const Ramp& r) {
   const std::string T_react = "T_" + r.be + "_react", react = n4(r.react);
-  const bool emergency = r.be == "be";
   const double B = std::max(0.0, r.v0 - r.V_target) + r.A_est1 * r.t_max + r.A_est2 * (r.react - r.t_max);
-  if (emergency)
+  if (r.emergency())
     page.step("B", "max(0, v0 - V_target) + A_est1 * T_traction_max + A_est2 * (T_be_react - T_traction_max)",
               fmt::format("max(0, {} - {}) + {} * {} + {} * ({} - {})", n4(r.v0), n4(r.V_target), n5(r.A_est1),
                           n4(r.t_max), n5(r.A_est2), react, n4(r.t_max)),
@@ -44,61 +45,81 @@ void on_the_ramp(ExplainPage& page, const Ramp& r) {
   const double increase = r.increase();
   const double x = increase / r.A_brake * (r.A_est2 + std::sqrt(r.A_est2 * r.A_est2 + 2.0 * r.A_brake * B / increase));
   const double enough = std::min(std::max(r.react + x, r.react), r.t2());
-  const std::string A = emergency ? "A_EB" : "A_SB";
   page.step("t_enough",
             fmt::format("min({0} + incr / {1} * (A_est2 + (A_est2^2 + 2 * {1} * B / incr)^0.5), t2)   incr = t2 - {0}",
-                        T_react, A),
+                        T_react, r.A_name()),
             fmt::format("min({0} + {1} / {2} * ({3} + ({3}^2 + 2 * {2} * {4} / {1})^0.5), {5})", react, n4(increase),
                         n5(r.A_brake), n5(r.A_est2), n4(B), n4(r.t2())),
             enough, "s", r.paragraph(5, 1, 2));
+  return enough;
+}
+
+/// The way until then (A.3.12.6).
+double distance_enough(ExplainPage& page, const Ramp& r, double enough) {
   const double ramp = enough - r.react;
   const double free = enough - r.t_max;
   const double D = r.v0 * enough + r.A_est1 * r.t_max * r.t_max / 2.0 + r.A_est1 * r.t_max * free +
-                   r.A_est2 * free * free / 2.0 - r.A_brake * ramp * ramp * ramp / (6.0 * increase);
-  const std::string t = n4(enough), t_max = n4(r.t_max), A1 = n5(r.A_est1), A2 = n5(r.A_est2);
+                   r.A_est2 * free * free / 2.0 - r.A_brake * ramp * ramp * ramp / (6.0 * r.increase());
+  const std::string t = n4(enough);
   page.step("D_enough",
             fmt::format("v0 * t + A_est1 * (T_max^2 / 2 + T_max * (t - T_max)) + A_est2 * (t - T_max)^2 / 2\n"
-                        "- {} * (t - {})^3 / (6 * incr)   t = t_enough, T_max = T_traction_max",
-                        A, T_react),
+                        "- {} * (t - T_{}_react)^3 / (6 * incr)   t = t_enough, T_max = T_traction_max",
+                        r.A_name(), r.be),
             fmt::format("{0} * {1} + {2} * ({3}^2 / 2 + {3} * ({1} - {3})) + {4} * ({1} - {3})^2 / 2\n", n4(r.v0), t,
-                        A1, t_max, A2) +
-                fmt::format("- {} * ({} - {})^3 / (6 * {})", n5(r.A_brake), t, react, n4(increase)),
+                        n5(r.A_est1), n4(r.t_max), n5(r.A_est2)) +
+                fmt::format("- {} * ({} - {})^3 / (6 * {})", n5(r.A_brake), t, n4(r.react), n4(r.increase())),
             D, "m", r.paragraph(6, 1, 2));
-  double t_d = 0.0;
-  const std::string Vt = n4(r.V_target), v0 = n4(r.v0), D_text = n4(D), A_max = n5(r.A_max);
-  if (r.A_est2 > 0.0) {
-    const double V1 = r.v0 + r.A_est1 * r.t_min;
-    const double D0 = r.v0 * r.t_min + r.A_est1 * r.t_min * r.t_min / 2.0;
-    page.step("V1", "v0 + A_est1 * T_traction_min", fmt::format("{} + {} * {}", v0, A1, n4(r.t_min)), V1, "m/s",
-              "A.3.12.7.1");
-    page.step("D0", "v0 * T_traction_min + A_est1 * T_traction_min^2 / 2",
-              fmt::format("{0} * {1} + {2} * {1}^2 / 2", v0, n4(r.t_min), A1), D0, "m", "A.3.12.7.1");
-    const double q = (V1 / r.A_est2) * (V1 / r.A_est2) -
-                     (V1 * V1 - r.V_target * r.V_target + 2.0 * r.A_max * (D0 - D)) / (r.A_est2 * (r.A_max + r.A_est2));
-    t_d = -(r.v0 + (r.A_est1 - r.A_est2) * r.t_min) / r.A_est2 + std::sqrt(std::max(0.0, q));
-    page.step("t_step_dist",
-              "-(v0 + (A_est1 - A_est2) * T_traction_min) / A_est2\n"
-              "+ ((V1 / A_est2)^2 - (V1^2 - V_target^2 + 2 * A_safe_max * (D0 - D_enough))\n"
-              "/ (A_est2 * (A_safe_max + A_est2)))^0.5",
-              fmt::format("-({} + ({} - {}) * {}) / {}\n", v0, A1, A2, n4(r.t_min), A2) +
-                  fmt::format("+ (({0} / {1})^2 - ({0}^2 - {2}^2 + 2 * {3} * ({4} - {5}))\n", n4(V1), A2, Vt, A_max,
-                              n4(D0), D_text) +
-                  fmt::format("/ ({0} * ({1} + {0})))^0.5", A2, A_max),
-              t_d, "s", "A.3.12.7.1");
-  } else {
-    t_d = (D + r.V_target * r.V_target / (2.0 * r.A_max)) / r.v0 - r.v0 / (2.0 * r.A_max);
-    const char* highest = emergency ? "A_safe_max" : "A_expected_max";
-    page.step("t_step_dist", fmt::format("(D_enough + V_target^2 / (2 * {0})) / v0 - v0 / (2 * {0})", highest),
-              fmt::format("({0} + {1}^2 / (2 * {2})) / {3} - {3} / (2 * {2})", D_text, Vt, A_max, v0), t_d, "s",
-              r.paragraph(7, 1, 2));
-  }
+  return D;
+}
+
+/// After which time the step model has run the same way, with traction until T_traction_min (A.3.12.7.1).
+double step_with_acceleration(ExplainPage& page, const Ramp& r, double D) {
+  const std::string A1 = n5(r.A_est1), A2 = n5(r.A_est2), t_min = n4(r.t_min), A_max = n5(r.A_max);
+  const double V1 = r.v0 + r.A_est1 * r.t_min;
+  const double D0 = r.v0 * r.t_min + r.A_est1 * r.t_min * r.t_min / 2.0;
+  page.step("V1", "v0 + A_est1 * T_traction_min", fmt::format("{} + {} * {}", n4(r.v0), A1, t_min), V1, "m/s",
+            "A.3.12.7.1");
+  page.step("D0", "v0 * T_traction_min + A_est1 * T_traction_min^2 / 2",
+            fmt::format("{0} * {1} + {2} * {1}^2 / 2", n4(r.v0), t_min, A1), D0, "m", "A.3.12.7.1");
+  const double q = (V1 / r.A_est2) * (V1 / r.A_est2) -
+                   (V1 * V1 - r.V_target * r.V_target + 2.0 * r.A_max * (D0 - D)) / (r.A_est2 * (r.A_max + r.A_est2));
+  const double t_d = -(r.v0 + (r.A_est1 - r.A_est2) * r.t_min) / r.A_est2 + std::sqrt(std::max(0.0, q));
+  page.step("t_step_dist",
+            "-(v0 + (A_est1 - A_est2) * T_traction_min) / A_est2\n"
+            "+ ((V1 / A_est2)^2 - (V1^2 - V_target^2 + 2 * A_safe_max * (D0 - D_enough))\n"
+            "/ (A_est2 * (A_safe_max + A_est2)))^0.5",
+            fmt::format("-({} + ({} - {}) * {}) / {}\n", n4(r.v0), A1, A2, t_min, A2) +
+                fmt::format("+ (({0} / {1})^2 - ({0}^2 - {2}^2 + 2 * {3} * ({4} - {5}))\n", n4(V1), A2, n4(r.V_target),
+                            A_max, n4(D0), n4(D)) +
+                fmt::format("/ ({0} * ({1} + {0})))^0.5", A2, A_max),
+            t_d, "s", "A.3.12.7.1");
+  return t_d;
+}
+/// The same without acceleration.
+double step_at_constant_speed(ExplainPage& page, const Ramp& r, double D) {
+  const double t_d = (D + r.V_target * r.V_target / (2.0 * r.A_max)) / r.v0 - r.v0 / (2.0 * r.A_max);
+  page.step(
+      "t_step_dist",
+      fmt::format("(D_enough + V_target^2 / (2 * {0})) / v0 - v0 / (2 * {0})",
+                  r.emergency() ? "A_safe_max" : "A_expected_max"),
+      fmt::format("({0} + {1}^2 / (2 * {2})) / {3} - {3} / (2 * {2})", n4(D), n4(r.V_target), n5(r.A_max), n4(r.v0)),
+      t_d, "s", r.paragraph(7, 1, 2));
+  return t_d;
+}
+
+/// A.3.12.5 to A.3.12.8, where the target speed is reached on the ramp.
+void on_the_ramp(ExplainPage& page, const Ramp& r) {
+  const double enough = time_enough(page, r);
+  const double D = distance_enough(page, r, enough);
+  const double t_d = r.A_est2 > 0.0 ? step_with_acceleration(page, r, D) : step_at_constant_speed(page, r, D);
   page.step("T_" + r.be + "_reduced", fmt::format("min(T_{0}, max((T_{0}_react + t_enough) / 2, t_step_dist))", r.be),
-            fmt::format("min({}, max(({} + {}) / 2, {}))", n4(r.T), react, t, n4(t_d)), r.reduced, "s", "A.3.12.8.1");
+            fmt::format("min({}, max(({} + {}) / 2, {}))", n4(r.T), n4(r.react), n4(enough), n4(t_d)), r.reduced, "s",
+            "A.3.12.8.1");
 }
 
 /// Of both brakes: the speeds before and after the ramp, what they decide, and the rest where they do not.
 void reduction(ExplainPage& page, const Ramp& r) {
-  const bool emergency = r.be == "be";
+  const bool emergency = r.emergency();
   const std::string T = "T_" + r.be, T_react = T + "_react";
   const double V_t1 = r.v0 + r.A_est1 * std::min(r.t_max, r.react) + r.A_est2 * std::max(r.react - r.t_max, 0.0);
   if (emergency)
