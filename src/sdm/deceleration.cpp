@@ -10,13 +10,15 @@ constexpr double kNowhere = 1e9;
 struct Covered {
   Place from{}, to{};
 };
+/// Where the gradient is known; both nowhere when it is known at no place at all.
 Covered covered(const GradientProfile& p) {
-  Covered c{{{kNowhere}}, {{kNowhere}}};
-  if (p.permille.empty()) return c;
+  const Covered none{{{kNowhere}}, {{kNowhere}}};
+  if (p.permille.empty()) return none;
+  Covered c = none;
   c.from = p.permille.steps.front().from;
   if (p.known_from.has_value()) c.from = std::max(c.from, *p.known_from);
   if (p.known_to.has_value()) c.to = *p.known_to;
-  return c;
+  return c.from < c.to ? c : none;
 }
 
 /// The profile with `unknown` where nothing is known: it starts far behind and never ends.
@@ -32,7 +34,7 @@ Extended extended(const GradientProfile& p, double unknown) {
     const Place to = i + 1 < p.permille.size() ? std::min(p.permille.steps[i + 1].from, c.to) : c.to;
     if (from < to) room = e.f.append(from, p.permille.steps[i].value) && room;
   }
-  if (c.from < c.to && c.to.from_origin.si < kNowhere) room = e.f.append(c.to, unknown) && room;
+  if (c.to.from_origin.si < kNowhere) room = e.f.append(c.to, unknown) && room;
   EVC_REQUIRE(room);  // two more than the profile can have
   return e;
 }
@@ -163,7 +165,7 @@ CompensatedGradient compensated_gradient(const GradientProfile& profile, Distanc
     const bool inside = from >= cover.from && from < cover.to;
     put(from, inside ? value : outside(from, value));
     if (from < cover.from && cover.from < end) put(cover.from, value);
-    if (from < cover.to && cover.to < end && cover.from < cover.to) put(cover.to, outside(cover.to, value));
+    if (from < cover.to && cover.to < end) put(cover.to, outside(cover.to, value));
     const Place left = cover.to + L_TRAIN;
     if (cover.to.from_origin.si < kNowhere && from < left && left < end) put(left, unknown);
   }
