@@ -26,8 +26,9 @@ std::string target_text(const Approached& a) {
       return fmt::format("an end of authority with the SvL {:.6g} m beyond it", (t.d_target - t.d_EOA).si);
     case sdm::TargetKind::LOA:
       return "a limit of authority at " + kmh(t.V_target);
-    case sdm::TargetKind::MRSP:
     case sdm::TargetKind::SR_end:
+      return "the end of the SR distance";
+    case sdm::TargetKind::MRSP:
       break;
   }
   return std::string("a restriction") + (c.target == sdm::TargetKind::MRSP && t.due_to_TSR ? " due to a TSR" : "") +

@@ -188,7 +188,7 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
                     "Q_LOCACC_m", "due_to_TSR"});
   sdm::Inputs& in = out.inputs;
   sdm::Authority& a = in.authority;
-  const std::size_t type = target["type"].one_of({"EOA_SvL", "LOA", "MRSP"});
+  const std::size_t type = target["type"].one_of({"EOA_SvL", "LOA", "MRSP", "SR"});
   out.target_location = {{location(target["location_m"])}};
   const auto speed = target.find("speed_kmh");
   const Speed V_target{speed && !speed->is_null() ? speed->number(0.0, 600.0) / kKmh : 0.0};
@@ -197,6 +197,12 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
     out.target = sdm::TargetKind::MRSP;
     (void)target["speed_kmh"];
     set_restriction(in, out.target_location, V_target, TSR && TSR->boolean(), target);
+    return;
+  }
+  if (type == 3) {
+    out.target = sdm::TargetKind::SR_end;
+    in.SR_end = out.target_location;
+    if (V_target.si > 0.0) speed->fail("0: the distance to run in SR ends with a stop (3.13.8.2.1 d)");
     return;
   }
   a.EOA = a.SvL = out.target_location;

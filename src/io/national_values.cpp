@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/refuse.h"
 #include "io/steps.h"
 #include "io/train_file.h"
@@ -62,13 +64,17 @@ void read_brake_values(NationalValues& nv, const JsonPlace& place) {
   if (const auto p = place.find("Kv_int_freight"))
     nv.Kv_int_freight = read_steps<NationalValues::KvFreight>(*p, kKmh, [](const JsonPlace& row) {
       require_row(row, 2);
-      return row[1].number(0.0, 2.0);
+      return number_or(row[1], 0.0, 2.54, train::Fault::Kv_int);
     });
   if (const auto p = place.find("Kv_int_passenger"))
     nv.Kv_int_passenger = read_steps<NationalValues::KvPassenger>(*p, kKmh, [](const JsonPlace& row) {
       require_row(row, 3);
-      return train::KvPair{row[1].number(0.0, 2.0), row[2].number(0.0, 2.0)};
+      return train::KvPair{number_or(row[1], 0.0, 2.54, train::Fault::Kv_int),
+                           number_or(row[2], 0.0, 2.54, train::Fault::Kv_int)};
     });
+  // Which subset holds is decided by two decelerations (3.13.6.2.1.8.1) without a default: the weaker one without them.
+  if (!place.find("A_NVP12") || !place.find("A_NVP23"))
+    for (auto& step : nv.Kv_int_passenger.steps) step.value.a = step.value.b = std::min(step.value.a, step.value.b);
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST(NationalValues, WhatTheKernelWouldRefuse) {
 
 TEST(NationalValues, NamesUnitsAndInfinity) {
   const Json json = Json::parse(R"({"V_NVREL":15,"D_NVSTFF":null,"T_NVCONTACT":35,"M_NVCONTACT":0,
-    "Kv_int_passenger":[[0,0.7,0.6],[150,0.65,0.5]],"Kr_int":[[0,0.95],[400,0.9]],"A_NVMAXREDADH2":"no maximum"})");
+    "Kv_int_passenger":[[0,0.7,0.6],[150,0.65,0.5]],"A_NVP12":0.9,"A_NVP23":1.2,"Kr_int":[[0,0.95],[400,0.9]],"A_NVMAXREDADH2":"no maximum"})");
   const auto nv = read_national_values(JsonPlace(json, "n.json"));
   EXPECT_EQ(nv.V_NVREL, 15_km_h);
   EXPECT_FALSE(nv.D_NVSTFF);
