@@ -130,7 +130,7 @@ void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& 
         const bool EOA = t.target->kind == sdm::TargetKind::EOA_SvL && kind.places != &LimitTable::EBI;
         const double end = m(EOA ? t.target->d_EOA : t.target->d_target);
         if (x > end) {
-          if (t.target->kind == sdm::TargetKind::EOA_SvL) lowest = kNaN;
+          if (t.target->kind == sdm::TargetKind::EOA_SvL || t.target->kind == sdm::TargetKind::SR_end) lowest = kNaN;
           continue;
         }
         const double floor = t.target->zero ? 0.0 : t.target->V_target.si * kKmh + margin(t.target->V_target);
@@ -146,7 +146,10 @@ void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& 
 void add_marks(Picture& p, const Approached& a) {
   const sdm::Target& t = a.target();
   const double location = m(a.input().target_location);
-  const char* name = t.kind == sdm::TargetKind::EOA_SvL ? "EOA" : t.kind == sdm::TargetKind::LOA ? "LOA" : "target";
+  const char* name = t.kind == sdm::TargetKind::EOA_SvL  ? "EOA"
+                     : t.kind == sdm::TargetKind::LOA    ? "LOA"
+                     : t.kind == sdm::TargetKind::SR_end ? "end of the SR distance"
+                                                         : "target";
   const bool separate = t.kind == sdm::TargetKind::EOA_SvL && t.d_EOA != t.d_target;
   p.marks.push_back({location, t.kind == sdm::TargetKind::EOA_SvL && !separate ? "EOA = SvL" : name});
   if (separate) p.marks.push_back({m(t.d_target), "SvL"});
