@@ -6,8 +6,9 @@ missing, or the mutant means the same (then it is listed, with the reason, in do
 Operators: row (drops a row of a table), cell (another enumerator), compare (< <= and so on), logic (&& ||), negate
 (a condition), sign (+ -), factor (* /), minmax, number (a constant), truth (true false), delete (a statement).
 All mutants are in one build, an instrumented copy of the room that an environment variable tells which one is on
-(tools/mutation/schema.py); the few that cannot be there are built alone. Quick tests come first, the first one that
-fails is enough, and a mutant that takes ten times the time is killed by that. Lines that trap the impossible
+(tools/mutation/schema.py); the few that cannot be there are built alone. Only tests in which the mutant makes a
+difference run (a comparison that never meets its boundary makes none), quick ones first; the first one that fails is
+enough, and a mutant that takes ten times the time is killed by that. Lines that trap the impossible
 (EVC_REQUIRE) are left alone. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]

@@ -42,10 +42,12 @@ int at(int a, int b, int c) {
   return n;
 }
 int main() {
+  double half = 0.1;
+  for (int i = 0; i < 4 && half < 2.25; ++i) half += 0.5;
   static int room[3];
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) std::printf("%d ", at(a, b, 2));
-  std::printf("%g %d %s\\n", scaled(3.0), static_cast<int>(sizeof room), true ? "yes && no" : "no");
+  std::printf("%g %g %d %s\\n", half, scaled(3.0), static_cast<int>(sizeof room), true ? "yes && no" : "no");
 }
 """
 
@@ -69,20 +71,20 @@ class Mutation(unittest.TestCase):
         source = self.tree / "built.cpp"
         source.write_text(text, encoding="utf-8")
         binary = self.tree / "built"
-        done = subprocess.run([*CXX, "-std=c++20", "-w", *flags, "-fmax-errors=0", str(source), "-o", str(binary)],
+        done = subprocess.run([*CXX, "-std=c++20", "-w", "-fmax-errors=0", *flags, str(source), "-o", str(binary)],
                               capture_output=True, text=True)
         return binary if done.returncode == 0 else None, done.stderr
 
     @staticmethod
-    def says(binary, number=0):
-        return subprocess.run([str(binary)], env={**os.environ, "EVC_MUTANT": str(number)}, capture_output=True,
-                              text=True).stdout
+    def says(binary, number=0, notes=""):
+        environment = {**os.environ, "EVC_MUTANT": str(number), "EVC_MUTANT_SEEN": notes}
+        return subprocess.run([str(binary)], env=environment, capture_output=True, text=True).stdout
 
     def instrumented(self):
         dropped = set()
         while True:
             text, written = schema.instrumented(SOURCE, self.mutants, dropped, "source.cpp")
-            binary, messages = self.build(text, ["-include", str(HERE / "schema.h")])
+            binary, messages = self.build(text, ["-include", str(HERE / "schema.h"), str(HERE / "schema.cpp")])
             if binary:
                 return binary, written
             found = schema.blamed(messages, self.tree) - dropped
@@ -95,7 +97,7 @@ class Mutation(unittest.TestCase):
             found[m.operator] = found.get(m.operator, 0) + 1
         self.assertEqual(found["row"], 2)
         self.assertEqual(found["cell"], 3)
-        self.assertEqual(found["logic"], 3)
+        self.assertEqual(found["logic"], 4)
         self.assertEqual(found["negate"], 3)
         self.assertEqual(found["delete"], 5)
         self.assertEqual(set(found), {"row", "cell", "number", "compare", "logic", "sign", "factor", "minmax", "negate",
@@ -115,6 +117,20 @@ class Mutation(unittest.TestCase):
                 self.assertEqual(together[m.id], self.says(alone), str(m))
         # A dead instrument would show here: most mutants of this program change what it says.
         self.assertGreater(sum(said != unchanged for said in together.values()), len(together) * 3 // 4)
+
+    def test_what_makes_no_difference_need_not_run(self):
+        binary, written = self.instrumented()
+        unchanged = self.says(binary)
+        with tempfile.NamedTemporaryFile() as notes:
+            notes.truncate(len(self.mutants) + 1)
+            self.assertEqual(self.says(binary, -1, notes.name), unchanged)
+            seen = {number for number, seen in enumerate(notes.read()) if seen}
+        self.assertLessEqual(seen, written)
+        for m in self.mutants:
+            if m.id in written and m.id not in seen:
+                self.assertEqual(self.says(binary, m.id), unchanged, str(m))
+        missed = {m.what for m in self.mutants if m.id in written - seen}
+        self.assertIn("`<` -> `<=` in `for (int i = 0; i < 4 && half < 2.25; ++i) half += 0.5;` (2)", missed)
 
     def test_comments_and_literals_are_left_alone(self):
         text = 'f("a && b");  // x && y\n'

@@ -2,11 +2,14 @@
 import concurrent.futures
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
+import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -21,6 +24,7 @@ FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOUR
 ROOM_FLAGS = ["-O1", "-fno-exceptions", "-fno-rtti"]
 SLOW_TEST = 0.05  # seconds
 TIME_FACTOR, TIME_MORE = 10, 2  # a mutant has this many times the time of the unchanged room, and seconds more
+WAITED = 20  # times that: a mutant that sleeps
 
 
 def is_test(source):
@@ -93,6 +97,7 @@ class Room:
         self.objects = None  # of the plain build: source -> (object, what it was made of)
         self.steps = []  # (gtest filter, seconds), quick ones first
         self.tests_of = {}  # test source -> names
+        self.reached = {}  # test -> numbers of the mutants that make a difference in it
         self.lock = threading.Lock()
 
     def _depend(self, name):
@@ -124,9 +129,12 @@ class Room:
         sources = [self.instrumented(s) for s in self.sources()]
         objects = self.each(lambda s: self.made(self.all, s, s.stem + ".o"), sources)
         self.binary = self.out / "all_test"
+        objects.append(self.made(self.all, HERE / "schema.cpp", "schema.o"))
         if not self.link(self.binary, objects):
             sys.exit(f"mutate: the test of {self.name} cannot be linked")
         self.time_tests()
+        names = [name for names, _ in self.steps for name in names]
+        self.reached = dict(zip(names, self.each(self.reached_by, names)))
 
     def copy(self):
         for room in self.rooms:
@@ -206,6 +214,15 @@ class Room:
         slow = sorted((seconds[name], name) for name in seconds if seconds[name] >= SLOW_TEST)
         self.steps = [(quick, sum(seconds[name] for name in quick))] + [([name], time) for time, name in slow]
 
+    def reached_by(self, name):
+        """What a test that runs by itself notes."""
+        with tempfile.NamedTemporaryFile(dir=self.out) as notes:
+            notes.truncate(len(self.mutants) + 1)
+            done = self.run(self.binary, -1, [name], 600, more={"EVC_MUTANT_SEEN": notes.name})
+            if done != 0:
+                sys.exit(f"mutate: the unchanged test {name} fails by itself ({done})")
+            return {number for number, seen in enumerate(notes.read()) if seen}
+
     def link(self, binary, objects):
         command = CXX + ["-fuse-ld=lld" if shutil.which("ld.lld") else "-O1", "-o", str(binary)]
         done = subprocess.run(command + [str(o) for o in objects] + [str(self.others), "-lgtest", "-lgtest_main", "-lpthread"],
@@ -214,20 +231,25 @@ class Room:
 
     # ---- For every mutant ----------------------------------------------------------------------
 
-    def run(self, binary, number, names, seconds, arguments=()):
+    def run(self, binary, number, names, seconds, arguments=(), more=None):
         """The exit status of the tests with a mutant; "time" where they do not end."""
-        environment = {**os.environ, "EVC_MUTANT": str(number)}
+        environment = {**os.environ, "EVC_MUTANT": str(number), **(more or {})}
         chosen = ["--gtest_filter=" + ":".join(names)] if names else []
-        try:
-            return subprocess.run([str(binary), "--gtest_fail_fast", *chosen, *arguments], env=environment, cwd=self.out,
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds).returncode
-        except subprocess.TimeoutExpired:
-            return "time"
+        with subprocess.Popen([str(binary), "--gtest_fail_fast", *chosen, *arguments], env=environment, cwd=self.out,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as tests:
+            # Time of the processor: what else the machine does is no fault of the mutant.
+            resource.prlimit(tests.pid, resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
+            try:
+                status = tests.wait(WAITED * math.ceil(seconds))
+            except subprocess.TimeoutExpired:
+                tests.kill()
+                return "time"
+            return "time" if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
     def tests(self, binary, number, without=frozenset()):
-        """The verdict of the tests, the quick ones first."""
+        """The verdict of the tests, the quick ones first; without those in which the mutant makes no difference."""
         for names, seconds in self.steps:
-            names = [name for name in names if name not in without]
+            names = [name for name in names if name not in without and (number == 0 or number in self.reached[name])]
             if not names:
                 continue
             result = self.run(binary, number, names, seconds * TIME_FACTOR + TIME_MORE)

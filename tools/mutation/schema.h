@@ -1,8 +1,12 @@
 #pragma once
-// What an instrumented source is built with (tools/mutation/schema.py): every place that a mutant changes asks here
-// whether that mutant is the chosen one. The environment variable EVC_MUTANT gives its number; 0 or none: no mutant.
+// What an instrumented source is built with (tools/mutation/schema.py): every
+// place that a mutant changes asks here whether that mutant is the chosen one.
+// The environment variable EVC_MUTANT gives its number; 0 or none: no mutant;
+// -1: none, but it is noted where a mutant would have made a difference.
 #include <cstdlib>
+#include <cstring>
 #include <initializer_list>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,32 +14,57 @@ namespace evc_mutant {
 
 inline const int chosen = std::getenv("EVC_MUTANT") != nullptr ? std::atoi(std::getenv("EVC_MUTANT")) : 0;
 
-[[gnu::always_inline]] inline bool on(int id) { return __builtin_expect(chosen == id, 0); }
+unsigned char* notes();
+inline unsigned char* const seen = chosen < 0 ? notes() : nullptr;
+[[gnu::cold, gnu::noinline]] inline void note(int id) { seen[id] = 1; }
 
-/// Not constexpr on purpose: what the compiler computes itself would never meet the mutant.
+/// Where it cannot be said what else the mutant would change: being asked is
+/// the difference.
+[[gnu::always_inline]] inline bool on(int id) {
+  if (__builtin_expect(chosen < 0, 0)) note(id);
+  return __builtin_expect(chosen == id, 0);
+}
+
+/// With and without the mutant; noted where their bits differ.
+template <class T>
+[[gnu::cold, gnu::noinline]] void note_difference(int id, const T& unchanged, const T& changed) {
+  if constexpr (std::is_trivially_copyable_v<T>)
+    if (std::memcmp(&unchanged, &changed, sizeof(T)) == 0) return;
+  note(id);
+}
+
+/// Not constexpr on purpose: what the compiler computes itself would never meet
+/// the mutant.
 template <class T>
 [[gnu::always_inline]] inline T pick(int id, T unchanged, T changed) {
   return on(id) ? changed : unchanged;
 }
 
-// `a + b` is written `a + Plus<7>{} + b`: both signs bind like the one they replace, and types stay what they are.
-// Where the changed operator does not exist, or gives another type, the compiler says so.
-#define EVC_MUTANT_BINARY(Name, op, changed)                                       \
-  template <int kId>                                                               \
-  struct Name {};                                                                  \
-  template <int kId, class A>                                                      \
-  struct Name##Left {                                                              \
-    A&& a;                                                                         \
-  };                                                                               \
-  template <int kId, class A>                                                      \
-  [[gnu::always_inline]] inline Name##Left<kId, A> operator op(A&& a, Name<kId>) { \
-    return {std::forward<A>(a)};                                                   \
-  }                                                                                \
-  template <int kId, class A, class B>                                             \
-  [[gnu::always_inline]] inline auto operator op(Name##Left<kId, A> left, B&& b)   \
-      ->decltype(std::forward<A>(left.a) op std::forward<B>(b)) {                  \
-    if (on(kId)) return std::forward<A>(left.a) changed std::forward<B>(b);        \
-    return std::forward<A>(left.a) op std::forward<B>(b);                          \
+// `a + b` is written `a + Plus<7>{} + b`: both signs bind like the one they
+// replace, and types stay what they are. Where the changed operator does not
+// exist, or gives another type, the compiler says so.
+#define EVC_MUTANT_BINARY(Name, op, changed)                                                             \
+  template <int kId>                                                                                     \
+  struct Name {};                                                                                        \
+  template <int kId, class A>                                                                            \
+  struct Name##Left {                                                                                    \
+    A&& a;                                                                                               \
+  };                                                                                                     \
+  template <int kId, class A>                                                                            \
+  [[gnu::always_inline]] inline Name##Left<kId, A> operator op(A&& a, Name<kId>) {                       \
+    return {std::forward<A>(a)};                                                                         \
+  }                                                                                                      \
+  template <int kId, class A, class B>                                                                   \
+  [[gnu::always_inline]] inline auto operator op(Name##Left<kId, A> left, B&& b)                         \
+      ->decltype(std::forward<A>(left.a) op std::forward<B>(b)) {                                        \
+    if constexpr (std::is_integral_v<std::remove_cvref_t<B>>) {                                          \
+      if (on(kId)) return std::forward<A>(left.a) changed std::forward<B>(b);                            \
+    } else {                                                                                             \
+      using Value = std::remove_cvref_t<decltype(std::forward<A>(left.a) op std::forward<B>(b))>;        \
+      if (__builtin_expect(chosen < 0, 0)) note_difference<Value>(kId, left.a op b, left.a changed b);   \
+      if (__builtin_expect(chosen == kId, 0)) return std::forward<A>(left.a) changed std::forward<B>(b); \
+    }                                                                                                    \
+    return std::forward<A>(left.a) op std::forward<B>(b);                                                \
   }
 
 EVC_MUTANT_BINARY(Plus, +, -)
@@ -79,7 +108,8 @@ struct Extreme {
   int id;
   template <class T>
   const T& operator()(const T& a, const T& b) const {
-    const bool min = kMin != on(id);
+    if (__builtin_expect(chosen < 0, 0) && (a < b || b < a)) note(id);
+    const bool min = kMin != (chosen == id);
     return min ? (b < a ? b : a) : (a < b ? b : a);
   }
   template <class T>

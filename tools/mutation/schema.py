@@ -184,9 +184,9 @@ def blamed(messages, tree):
     """Marks of the changes that the compiler complains about. Constants first: what they break breaks more."""
     files = {}
 
-    def marks(name, number, around=0):
+    def marks(name, number, before, after):
         lines = files.setdefault(name, (tree / name).read_text().split("\n"))
-        near = lines[max(0, number - 1 - around):number + around]
+        near = lines[max(0, number - 1 - before):number + after]
         return {mark for line in near for mark in MARK.findall(line)}
 
     named = re.compile(re.escape(str(tree)) + r"/([\w./]+):(\d+):(?:\d+:)? *(.*)")
@@ -210,11 +210,11 @@ def blamed(messages, tree):
         elif "required from" in m.group(3) or "in " in m.group(3):
             places.append(place)
     for errors in (constant, other):
-        for around in (0, 2):
+        for around in ((0, 0), (0, 1), (2, 2)):
             found = set()
             for at, notes in errors:
-                here = {mark for p in at for mark in marks(*p, around)}
-                found |= here or {mark for p in notes for mark in marks(*p, around)}
+                here = {mark for p in at for mark in marks(*p, *around)}
+                found |= here or {mark for p in notes for mark in marks(*p, *around)}
             if found:
                 return found
     return set()
