@@ -49,7 +49,9 @@ struct Cycle {
   bool list_updated = false;
   bool V_MRSP_updated = false;
   Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
+  // Where a release speed exists:
   RsmStart rsm{};
+  Place d_SvL{};
 };
 
 inline TargetId id_of(const Target& t) { return {t.kind, t.d_target, t.V_target}; }
@@ -61,10 +63,10 @@ inline Speed V_release_in_tables(const Cycle& c) {
   return release(c).exists && release(c).V_release < c.M ? release(c).V_release : Speed{0.0};
 }
 
+/// The SvL and the targets between trip location and SvL (3.13.10.3.8, Table 16 [1]).
 inline bool behind_trip_location(const Cycle& c, const Target& t) {
-  // The SvL and targets between trip location and SvL (3.13.10.3.8, Table 16 [1]).
   if (t.kind == TargetKind::EOA_SvL) return true;
-  return t.kind == TargetKind::MRSP && release(c).exists && t.d_target >= release(c).d_trip;
+  return t.kind == TargetKind::MRSP && release(c).exists && t.d_target >= release(c).d_trip && t.d_target <= c.d_SvL;
 }
 
 inline TimesAsked asked(const Cycle& c, const Target& t) {

@@ -177,9 +177,8 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     Speed Vt = target.V_target;
     if (target.kind == TargetKind::EOA_SvL) Vt = V_release_in_tables(c);
     const unsigned beyond = seen[i].beyond;
-    if (beyond == 0 && at_or_below_M && c.a.V > Vt) {
-      // In rear of all limits: no row of the tables but Normal status (t2); r3 holds, in 3.4.0 r2.
-      r.only_r2 = true;
+    if (!rules.pre_indication && beyond == 0 && at_or_below_M && c.a.V > Vt) {
+      // In rear of all limits: no row of the tables; r3 holds.
       r.eb = r.eb && c.d.Q_NVEMRRLS;
       continue;
     }
@@ -250,7 +249,7 @@ void use_feedback(Cycle& c) {
   const bool may_begin = until_CSM || s.feedback.approaching;
   c.feedback.cm0 = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cm0.T_bs, c.d.fixed, may_begin);
   c.feedback.cmt = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cmt.T_bs, c.d.fixed, may_begin);
-  if (c.feedback.cm0->T_bs1 < s.feedback.T_bs1_previous) {
+  if (s.feedback.started && c.feedback.cm0->T_bs1 < s.feedback.T_bs1_previous) {
     s.hold_P = s.hold_target_distance = true;
     s.hold_SBI = until_CSM;
   }
@@ -330,11 +329,13 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
     c.full_below_cm0 = full_build_up_below(d, d.cm0, c.a, c.cm0);
     c.full_below_cmt = full_build_up_below(d, d.cmt, c.a, c.cmt);
   }
-  c.rsm = {release(c).d_SBI1, release(c).d_SBI2};
-  if (release(c).exists && c.feedback.cm0.has_value())
-    for (const Target& t : d.targets)
-      if (t.kind == TargetKind::EOA_SvL)
-        c.rsm = rsm_start(d, t, release(c).V_release, release(c).d_trip, release(c).on_board, c.feedback);
+  for (const Target& t : d.targets) {
+    if (t.kind != TargetKind::EOA_SvL || !release(c).exists) continue;
+    c.d_SvL = t.d_target;
+    c.rsm = {release(c).d_SBI1, release(c).d_SBI2};
+    if (c.feedback.cm0.has_value())
+      c.rsm = rsm_start(d, t, release(c).V_release, release(c).d_trip, release(c).on_board, c.feedback);
+  }
 
   std::array<Seen, kTargets> seen;
   for (std::size_t i = c.first; i < d.targets.size(); ++i) evaluate(c, i, seen[i]);

@@ -1,0 +1,724 @@
+#pragma once
+// For tests: one cycle of 3.13.10 once more, plain and slow, from the text and tables of the standard. Every target is
+// looked at with all of its limits; nothing is left out, bounded or kept for later. Limits and curves are the tested
+// ones (limits_of, speeds_of_EBD, speeds_of_SBD).
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "sdm/evaluate.h"
+#include "sdm/supervision.h"
+
+namespace evc::sdm::test {
+
+/// A supervised target as the train sees it. S: max safe front end and limits of the EBD; E: estimated front end and
+/// limits of the SBD (EOA only).
+struct Sight {
+  Target t;
+  TargetLimits l;
+  bool S_I = false, S_P = false, S_W = false, S_SBI = false, S_EBI = false, S_I_M = false;
+  bool E_I = false, E_P = false, E_W = false, E_SBI = false, E_I_M = false;
+  LimitSpeeds V_S{}, V_E{};
+
+  bool is_EOA() const { return t.kind == TargetKind::EOA_SvL; }
+  bool I() const { return S_I || E_I; }
+  bool P() const { return S_P || E_P; }
+  bool W() const { return S_W || E_W; }
+  bool SBI() const { return S_SBI || E_SBI; }
+  bool I_M() const { return S_I_M || E_I_M; }
+  Speed V_P() const { return is_EOA() ? std::min(V_S.V_P, V_E.V_P) : V_S.V_P; }
+  TargetId id() const { return {t.kind, t.d_target, t.V_target}; }
+};
+
+/// Triggering conditions that are met. The condition of the highest status is told, of an emergency brake if there is.
+struct Met {
+  int condition = 0;
+  bool any = false, TCO = false, SB = false, EB = false;
+  Status status = Status::Normal;
+
+  enum What { nothing, tco, sb, eb };
+  void when(bool holds, int t, What what, Status to) {
+    if (!holds) return;
+    if (!any || to > status || (to == status && what == eb)) condition = t;
+    any = true;
+    status = std::max(status, to);
+    TCO = TCO || what == tco;
+    SB = SB || what == sb;
+    EB = EB || what == eb;
+  }
+};
+
+class ReferenceSupervision {
+ public:
+  Supervision s;  // what is remembered
+  Feedback feedback;
+  std::vector<Sight> list;  // the supervised targets of the last cycle
+
+  Result cycle(const Derived& derived, const Motion& motion);
+
+ private:
+  const Derived* d_ = nullptr;
+  Motion m_;
+  Speed V_, M_, M_w_, M_sbi_, M_ebi_;
+  Approach a_;
+  RsmStart rsm_;
+  bool list_updated_ = false, V_MRSP_updated_ = false, reduced_ = false;
+
+  bool v340() const { return d_->rules.pre_indication; }
+  bool v400() const { return d_->rules.reduced_build_up; }
+  bool v360() const { return !v340() && !v400(); }
+  const ReleaseSpeed& release() const { return d_->release_speed; }
+  bool braking() const { return s.sb || s.eb || s.eb_for_sb; }
+
+  void ceiling();
+  void see_targets();
+  TimesAsked asked(const Target& t) const;
+  TargetLimits limits_for(const Target& t, Speed V) const;
+  void follow_feedback();
+  void follow_p();
+  FeedbackTimes times_by_pressure(Duration T_bs, bool may_begin);
+  bool target_passed() const;
+  const Sight* find(const TargetId& id) const;
+  bool up_to_SvL_from_trip(const Target& t) const;
+
+  bool condition_1() const;
+  bool condition_2() const;
+  Monitoring next_monitoring() const;
+  bool select_MRDT();
+  const Sight* most_relevant() const;
+  bool concerned(const Sight& x) const;
+  Place d_P_at_target(const Target& t) const;
+
+  Met triggers_CSM() const;
+  void triggers(Met& met, const Sight& x, Speed Vt) const;
+  Met monitor_CSM();
+  Met monitor_TSM(bool MRDT_changed);
+  Met monitor_RSM();
+
+  void show(Result& out);
+  void show_target(const Sight& x, Result& out) const;
+  void show_first_indication(Result& out) const;
+  void hold_values(Result& out);
+  bool MA_request() const;
+};
+
+// ---- Where the train is -----------------------------------------------------------------------------
+
+inline void ReferenceSupervision::ceiling() {
+  // 3.13.7.2: the lowest element between min and max safe front end.
+  const auto& steps = d_->mrsp.steps;
+  M_ = steps.empty() ? Speed{0.0} : Speed{1e9};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool begins = i == 0 || steps[i].from <= m_.max_safe_front;
+    const bool ends = i + 1 < steps.size() && steps[i + 1].from <= m_.min_safe_front;
+    if (begins && !ends) M_ = std::min(M_, steps[i].value);
+  }
+  for (const Target& t : d_->targets)
+    if (t.kind == TargetKind::LOA && m_.max_safe_front >= t.d_target) M_ = std::min(M_, t.V_target);
+  M_w_ = M_ + dV_warning(M_, d_->fixed);
+  M_sbi_ = M_ + dV_sbi(M_, d_->fixed);
+  M_ebi_ = M_ + dV_ebi(M_, d_->fixed);
+}
+
+inline TimesAsked ReferenceSupervision::asked(const Target& t) const {
+  TimesAsked q;
+  q.feedback = t.zero ? feedback.cm0 : feedback.cmt;
+  if (v400()) q.reduced_from = Fronts{m_.est_front, m_.min_safe_front};
+  return q;
+}
+
+/// V_est replaced by another speed, all else as it is.
+inline TargetLimits ReferenceSupervision::limits_for(const Target& t, Speed V) const {
+  Approach a = a_;
+  a.V = V;
+  return limits_of(*d_, t, a, asked(t));
+}
+
+inline void ReferenceSupervision::see_targets() {
+  list.clear();
+  reduced_ = false;
+  for (const Target& t : d_->targets) {
+    if (t.kind == TargetKind::MRSP && m_.max_safe_front > t.d_target) continue;  // passed
+    Sight x;
+    x.t = t;
+    x.l = limits_for(t, V_);
+    const Place S = m_.max_safe_front;
+    const Place E = m_.est_front;
+    x.S_I = S > x.l.EBD.d_I;
+    x.S_P = S > x.l.EBD.d_P;
+    x.S_W = S > x.l.EBD.d_W;
+    x.S_SBI = S > x.l.EBD.d_SBI;
+    x.S_EBI = S > *x.l.EBD.d_EBI;
+    x.V_S = speeds_of_EBD(d_->view(t.EBD), d_->view(t.GUI), a_, x.l.times.EBD, t.V_target, S, d_->fixed);
+    if (x.l.SBD.has_value()) {
+      x.E_I = E > x.l.SBD->d_I;
+      x.E_P = E > x.l.SBD->d_P;
+      x.E_W = E > x.l.SBD->d_W;
+      x.E_SBI = E > x.l.SBD->d_SBI;
+      x.V_E = speeds_of_SBD(d_->view(t.SBD), d_->view(t.GUI_EOA), a_, x.l.times.SBD, t.d_EOA, E, d_->fixed);
+    }
+    if (v340()) {
+      const TargetLimits at_M = limits_for(t, M_);
+      x.S_I_M = S > at_M.EBD.d_I;
+      x.E_I_M = at_M.SBD.has_value() && E > at_M.SBD->d_I;
+    }
+    // A.3.13.2; 3.13.8.2.1 a: what is not lower than V_MRSP is no target.
+    if (t.kind != TargetKind::MRSP || t.V_target < M_)
+      reduced_ = reduced_ || x.l.times.reduced_be || (d_->time_config.service_brake_available && x.l.times.reduced_bs);
+    list.push_back(x);
+  }
+}
+
+inline const Sight* ReferenceSupervision::find(const TargetId& id) const {
+  for (const Sight& x : list)
+    if (x.id() == id) return &x;
+  return nullptr;
+}
+
+// ---- Service brake feedback, A.3.10 -----------------------------------------------------------------
+
+inline void ReferenceSupervision::follow_p() {
+  FeedbackState& f = s.feedback;
+  if (!m_.brake_pressure_kpa.has_value()) {
+    f.searching = false;
+    return;
+  }
+  const double p = std::min(*m_.brake_pressure_kpa, 550.0);
+  if (f.p0_known) {
+    for (; (m_.now - f.last).si >= 1.0; f.last.si += 1.0) {
+      if (p > f.p0) {
+        f.p0 = std::min(f.p0 + 1.5, 550.0);
+      } else if (p < f.p0 && p > f.p0 - 30.0) {
+        f.p0 -= 0.5;
+      }
+    }
+    return;
+  }
+  if (p < 400.0) {
+    f.searching = false;
+  } else if (!f.searching || p > f.p_search + 20.0 || p < f.p_search - 20.0) {
+    f.searching = true;
+    f.p_search = p;
+    f.since = m_.now;
+  } else if ((m_.now - f.since).si >= 3.0) {
+    f.p0_known = true;
+    f.p0 = p;
+    f.last = m_.now;
+  }
+}
+
+inline FeedbackTimes ReferenceSupervision::times_by_pressure(Duration T_bs, bool may_begin) {
+  FeedbackState& f = s.feedback;
+  const Duration two{2.0};
+  if (f.locked) return {{0.0}, two};
+  if (!f.p0_known || !m_.brake_pressure_kpa.has_value()) return {T_bs, std::max(T_bs, two)};
+  if (!f.started && !may_begin) return {T_bs, std::max(T_bs, two)};
+  const double p = std::min(*m_.brake_pressure_kpa, 550.0);
+  const double p1 = f.p0 - 30.0;
+  const double p2 = f.p0 - 60.0;
+  const double p3 = f.p0 - 150.0;
+  if (p > p2) {
+    if (f.started || p <= p1) {
+      f.started = true;
+      const Duration T = ((p - p3) / (f.p0 - p3)) * T_bs;
+      if (T > T_bs) return {T_bs, std::max(T_bs, two)};
+      return {T, std::max(T, two)};
+    }
+    return {T_bs, std::max(T_bs, two)};
+  }
+  f.started = true;
+  f.locked = true;
+  return {{0.0}, two};
+}
+
+/// 3.4.0, 3.6.0: what was reached belongs to a target.
+inline bool ReferenceSupervision::target_passed() const {
+  std::size_t passed = 0;
+  for (const Target& t : d_->targets) passed += t.kind == TargetKind::MRSP && m_.max_safe_front > t.d_target;
+  if (s.list_revision == d_->revision) return passed > s.list_passed;
+  return s.has_MRDT && s.MRDT.kind == TargetKind::MRSP && m_.max_safe_front > s.MRDT.d_target;
+}
+
+inline void ReferenceSupervision::follow_feedback() {
+  feedback = {};
+  if (!d_->time_config.feedback_available || !d_->time_config.service_brake_available) return;
+  follow_p();
+  const Duration T_bs = d_->cm0.T_bs;
+  bool in_action = s.active && s.monitoring == Monitoring::TSM;
+  if (v400()) in_action = s.active && s.monitoring != Monitoring::CSM;
+  if (!v400() && target_passed()) in_action = false;
+  if (!in_action) {
+    s.feedback.started = s.feedback.locked = false;
+    s.feedback.T_bs1_previous = T_bs;
+    feedback.cm0 = FeedbackTimes{T_bs, T_bs};
+    feedback.cmt = FeedbackTimes{d_->cmt.T_bs, d_->cmt.T_bs};
+    return;
+  }
+  const bool may_begin = v400() || s.feedback.approaching;
+  feedback.cm0 = times_by_pressure(T_bs, may_begin);
+  feedback.cmt = times_by_pressure(d_->cmt.T_bs, may_begin);
+  if (s.feedback.started && feedback.cm0->T_bs1 < s.feedback.T_bs1_previous) {
+    s.hold_P = s.hold_target_distance = true;
+    if (v400()) s.hold_SBI = true;
+  }
+  s.feedback.T_bs1_previous = feedback.cm0->T_bs1;
+}
+
+// ---- Table 16 ---------------------------------------------------------------------------------------
+
+/// The SvL and the targets between trip location and SvL.
+inline bool ReferenceSupervision::up_to_SvL_from_trip(const Target& t) const {
+  if (t.kind == TargetKind::EOA_SvL) return true;
+  if (t.kind != TargetKind::MRSP || !release().exists) return false;
+  for (const Target& end : d_->targets)
+    if (end.kind == TargetKind::EOA_SvL && t.d_target >= release().d_trip && t.d_target <= end.d_target) return true;
+  return false;
+}
+
+inline bool ReferenceSupervision::condition_1() const {
+  for (const Sight& x : list) {
+    if (v340()) {
+      if (x.t.preindication_passed_at_once) return true;
+      if (x.t.d_preindication_EBD.has_value() && m_.max_safe_front > *x.t.d_preindication_EBD) return true;
+      if (x.t.d_preindication_SBD.has_value() && m_.est_front > *x.t.d_preindication_SBD) return true;
+    } else if (release().exists && V_ < release().V_release) {
+      if (x.S_I && x.t.V_target < V_ && !up_to_SvL_from_trip(x.t)) return true;
+    } else if (!m_.standstill) {
+      if (x.S_I && x.t.V_target < M_ && x.t.V_target < V_) return true;
+      if (x.E_I) return true;
+    }
+  }
+  return false;
+}
+
+inline bool ReferenceSupervision::condition_2() const {
+  if (!release().exists) return false;
+  if (rsm_.d_SBI2 - rsm_.d_SBI1 >= m_.max_safe_front - m_.est_front) return m_.est_front > rsm_.d_SBI1;
+  return m_.max_safe_front > rsm_.d_SBI2;
+}
+
+inline Monitoring ReferenceSupervision::next_monitoring() const {
+  const bool one = condition_1();
+  const bool two = condition_2();
+  if (!s.active) return two ? Monitoring::RSM : one ? Monitoring::TSM : Monitoring::CSM;
+  const Sight* MRDT = s.has_MRDT ? find(s.MRDT) : nullptr;
+  const bool three = v340() ? list_updated_ && !one : MRDT == nullptr && !one && !two;
+  const bool four = list_updated_ && one && !two;
+  const bool five = list_updated_ && two;
+  const bool six = !v340() && V_MRSP_updated_ && MRDT != nullptr && MRDT->t.V_target >= M_ && !one && !two;
+  switch (s.monitoring) {
+    case Monitoring::CSM:
+      if (five || (two && !v340())) return Monitoring::RSM;
+      return one || four ? Monitoring::TSM : Monitoring::CSM;
+    case Monitoring::TSM:
+      if (two || five) return Monitoring::RSM;
+      return three || six ? Monitoring::CSM : Monitoring::TSM;
+    case Monitoring::RSM:
+      if (three) return Monitoring::CSM;
+      // A release speed that is gone cannot be monitored.
+      return four || !release().exists ? Monitoring::TSM : Monitoring::RSM;
+  }
+  return s.monitoring;
+}
+
+// ---- Most relevant displayed target -----------------------------------------------------------------
+
+inline bool ReferenceSupervision::concerned(const Sight& x) const {
+  if (x.is_EOA()) return x.I();
+  return x.S_I && M_ > x.t.V_target && V_ >= x.t.V_target;
+}
+
+/// 3.13.9.3.5.9.
+inline Place ReferenceSupervision::d_P_at_target(const Target& t) const {
+  const train::BuildUpTimes& b = t.zero ? d_->cm0 : d_->cmt;
+  return d_P_at_target_speed(d_->view(t.EBD), t.V_target, t.d_target,
+                             times(d_->time_config, b, t.zero ? feedback.cm0 : feedback.cmt, d_->rules, d_->fixed), b,
+                             d_->time_config, V_delta0_41(*d_, t.V_target), d_->rules, d_->fixed);
+}
+
+/// 3.13.10.4.2; 3.4.0: the lowest Permitted speed of all.
+inline const Sight* ReferenceSupervision::most_relevant() const {
+  const Sight* best = nullptr;
+  Speed lowest{};
+  for (const Sight& x : list) {
+    Speed V_P = x.V_P();
+    if (!v340()) {
+      if (!concerned(x)) continue;
+      if (x.is_EOA() && !x.S_I) V_P = x.V_E.V_P;
+      if (x.is_EOA() && !x.E_I) V_P = x.V_S.V_P;
+    }
+    if (best == nullptr || V_P < lowest) {
+      best = &x;
+      lowest = V_P;
+    }
+  }
+  if (v340()) return best;
+  while (best != nullptr) {
+    const Sight* masked = nullptr;
+    Distance furthest{0.0};
+    const Place d_P = d_P_at_target(best->t);
+    for (const Sight& x : list) {
+      if (!concerned(x) || !(x.t.V_target < best->t.V_target)) continue;
+      const TargetLimits l = limits_for(x.t, best->t.V_target);
+      Distance in_rear = d_P - l.EBD.d_I;
+      if (l.SBD.has_value()) in_rear = std::max(in_rear, d_P - l.SBD->d_I);
+      if (in_rear > furthest) {
+        furthest = in_rear;
+        masked = &x;
+      }
+    }
+    if (masked == nullptr) break;
+    best = masked;
+  }
+  return best;
+}
+
+inline bool ReferenceSupervision::select_MRDT() {
+  const Sight* selected = nullptr;
+  if (s.monitoring == Monitoring::RSM) {
+    for (const Sight& x : list)
+      if (x.is_EOA()) selected = &x;
+  } else {
+    selected = most_relevant();
+  }
+  const Sight* current = s.has_MRDT ? find(s.MRDT) : nullptr;
+  if (selected == nullptr) {
+    if (current == nullptr) s.has_MRDT = false;
+    return false;
+  }
+  if (selected == current) return false;
+  // 3.13.10.4.5
+  if (!v340() && s.monitoring == Monitoring::TSM && current != nullptr && selected->t.V_target > current->t.V_target)
+    return false;
+  s.has_MRDT = true;
+  s.MRDT = selected->id();
+  return true;
+}
+
+// ---- Tables 5 to 15 ---------------------------------------------------------------------------------
+
+inline Met ReferenceSupervision::triggers_CSM() const {
+  Met met;
+  met.when(V_ <= M_, 1, Met::nothing, Status::Normal);
+  met.when(V_ > M_, 2, Met::nothing, Status::Overspeed);
+  met.when(V_ > M_w_, 3, Met::nothing, Status::Warning);
+  met.when(V_ > M_sbi_, 4, Met::sb, Status::Intervention);
+  met.when(V_ > M_ebi_, 5, Met::eb, Status::Intervention);
+  return met;
+}
+
+/// Tables 8 and 9. `Vt`: target or release speed.
+inline void ReferenceSupervision::triggers(Met& met, const Sight& x, Speed Vt) const {
+  using enum Status;
+  const bool EOA = x.is_EOA() || x.t.kind == TargetKind::SR_end;
+  const Speed V = V_;
+  const Speed Vt_w = EOA ? Vt : Vt + dV_warning(Vt, d_->fixed);
+  const Speed Vt_sbi = EOA ? Vt : Vt + dV_sbi(Vt, d_->fixed);
+  const Speed Vt_ebi = EOA ? Vt : Vt + dV_ebi(Vt, d_->fixed);
+  const bool upto_M = Vt < V && V <= M_;
+  const bool over_M = M_ < V && V <= M_w_;
+  const bool over_W = M_w_ < V && V <= M_sbi_;
+  const bool over_SBI = M_sbi_ < V && V <= M_ebi_;
+  const bool over_EBI = M_ebi_ < V;
+  if (v340()) {
+    met.when(V <= Vt, 1, Met::nothing, Normal);
+    met.when(upto_M && !x.I(), 2, Met::nothing, Normal);
+    met.when(upto_M && x.I(), 3, Met::nothing, Indication);
+    met.when(upto_M && x.P(), 4, Met::nothing, Overspeed);
+    met.when(over_M && !x.I_M(), 5, Met::nothing, Overspeed);
+    met.when(over_M && x.I_M() && !x.W(), 6, Met::nothing, Overspeed);
+    met.when(Vt_w < V && V <= M_w_ && x.W(), 7, Met::tco, Warning);
+    met.when(over_W && !x.I_M(), 8, Met::tco, Warning);
+    met.when(over_W && x.I_M() && !x.SBI(), 9, Met::tco, Warning);
+    met.when(Vt_sbi < V && V <= M_sbi_ && x.SBI(), 10, Met::sb, Intervention);
+    met.when(over_SBI && !x.I_M(), 11, Met::sb, Intervention);
+    met.when(over_SBI && x.I_M() && !x.S_EBI, 12, Met::sb, Intervention);
+    met.when(Vt_ebi < V && V <= M_ebi_ && x.S_EBI, 13, Met::eb, Intervention);
+    met.when(over_EBI && !x.I_M(), 14, Met::eb, Intervention);
+    met.when(over_EBI && x.I_M(), 15, Met::eb, Intervention);
+    return;
+  }
+  // 3.6.0 has no t0-t2 and asks for the Indication limit in the rows of the ceiling.
+  const bool ceiling = v400() || x.I();
+  const bool at_release = v400() && EOA && V == Vt && Vt.si > 0.0;
+  met.when(at_release && x.I(), 0, Met::nothing, Indication);
+  met.when(at_release && x.P(), 1, Met::nothing, Overspeed);
+  met.when(at_release && x.W(), 2, Met::tco, Warning);
+  met.when(upto_M && x.I() && !x.P(), 3, Met::nothing, Indication);
+  met.when(upto_M && x.P(), 4, Met::nothing, Overspeed);
+  met.when(over_M && ceiling && !x.W(), 6, Met::nothing, Overspeed);
+  met.when(Vt_w < V && V <= M_w_ && x.W(), 7, Met::tco, Warning);
+  met.when(over_W && ceiling && !x.SBI(), 9, Met::tco, Warning);
+  met.when(Vt_sbi < V && V <= M_sbi_ && x.SBI(), 10, Met::sb, Intervention);
+  met.when(over_SBI && ceiling && !x.S_EBI, 12, Met::sb, Intervention);
+  met.when(Vt_ebi < V && V <= M_ebi_ && x.S_EBI, 13, Met::eb, Intervention);
+  met.when(over_EBI && ceiling, 15, Met::eb, Intervention);
+}
+
+inline Met ReferenceSupervision::monitor_CSM() {
+  const Met met = triggers_CSM();
+  if (met.SB && d_->service_brake_interface) s.sb = true;
+  if (met.SB && !d_->service_brake_interface) s.eb_for_sb = true;
+  if (met.EB) s.eb = true;
+  if (m_.standstill) s.eb = false;  // r0
+  if (V_ <= M_) {                   // r1
+    s.sb = s.eb_for_sb = false;
+    if (d_->Q_NVEMRRLS) s.eb = false;
+  }
+  if (met.status > s.status) {
+    s.status = met.status;
+  } else if (V_ <= M_ && !(s.status == Status::Intervention && braking())) {
+    s.status = Status::Normal;
+  }
+  return met;
+}
+
+inline Met ReferenceSupervision::monitor_RSM() {
+  Met met;
+  met.when(V_ <= release().V_release, 1, Met::nothing, Status::Indication);
+  met.when(V_ > release().V_release, 2, Met::eb, Status::Intervention);
+  if (met.EB) s.eb = true;
+  if (m_.standstill) s.eb = false;  // r0
+  if (met.EB) {
+    s.status = Status::Intervention;
+  } else if (s.status != Status::Intervention || m_.standstill) {
+    s.status = Status::Indication;
+  }
+  return met;
+}
+
+inline Met ReferenceSupervision::monitor_TSM(bool MRDT_changed) {
+  Met met;
+  bool r_any = true;  // r1, r2 or r3 for every target
+  bool r_EB = true;   // and the emergency brake too
+  bool r_12 = true;   // r1 or r2 for every target
+  bool r_1 = true;    // r1 for every target
+  for (const Sight& x : list) {
+    const bool EOA = x.is_EOA() || x.t.kind == TargetKind::SR_end;
+    if (!v340() && !EOA && x.t.V_target >= M_) continue;  // 3.13.10.4.10.1
+    Speed Vt = x.t.V_target;
+    if (x.is_EOA()) Vt = release().exists && release().V_release < M_ ? release().V_release : Speed{0.0};
+    triggers(met, x, Vt);
+    const bool r1 = V_ <= Vt;
+    const bool r2 = v340() && V_ > Vt && V_ <= M_ && !x.I();
+    const bool r3 = V_ > Vt && V_ <= M_ && !x.P();
+    r_any = r_any && (r1 || r2 || r3);
+    r_EB = r_EB && (d_->Q_NVEMRRLS || (r1 && Vt.si == 0.0));
+    r_12 = r_12 && (r1 || r2);
+    r_1 = r_1 && r1;
+  }
+  if (V_ > M_ && met.status < Status::Overspeed) {
+    // No row speaks: the ceiling is supervised all the same (safe side).
+    met = triggers_CSM();
+    r_any = false;
+  }
+  if (met.TCO) s.tco = true;
+  if (met.SB && d_->time_config.service_brake_available) s.sb = true;
+  if (met.SB && !d_->time_config.service_brake_available) s.eb_for_sb = true;
+  if (met.EB) s.eb = true;
+  const bool revoked = r_any && V_ <= M_ && !met.TCO && !met.SB && !met.EB;
+  if (revoked) s.tco = s.sb = s.eb_for_sb = false;
+  if (m_.standstill || (revoked && r_EB)) s.eb = false;
+  if (met.status > s.status) {
+    s.status = met.status;
+  } else if (s.status == Status::Intervention && braking()) {
+    // 3.13.10.2.5
+  } else if (s.status >= Status::Overspeed) {
+    if (revoked) s.status = v340() && r_12 ? Status::Normal : Status::Indication;
+  } else if (v340() && s.status == Status::Indication) {
+    if (revoked && (r_1 || (r_12 && MRDT_changed))) s.status = Status::Normal;
+  }
+  if (!v340() && s.status == Status::Normal) s.status = Status::Indication;  // 3.13.10.4.17
+  return met;
+}
+
+// ---- Display ----------------------------------------------------------------------------------------
+
+inline void ReferenceSupervision::show_target(const Sight& x, Result& out) const {
+  Distance distance = d_P_at_target(x.t) - m_.max_safe_front;
+  if (x.is_EOA()) {
+    distance = std::min(x.t.d_EOA - m_.est_front, x.t.d_target - m_.max_safe_front);
+    if (release().exists) out.V_release = release().V_release;
+  }
+  out.V_target = x.t.V_target;
+  out.d_target = std::max(distance, Distance{0.0});
+  out.MRDT = x.id();
+}
+
+/// 3.13.10.3.8-10.
+inline void ReferenceSupervision::show_first_indication(Result& out) const {
+  if (v340()) return;
+  const bool below_release = release().exists && V_ < release().V_release;
+  const Sight* first = nullptr;
+  Distance distance{};
+  for (const Sight& x : list) {
+    Distance to = x.l.EBD.d_I - m_.max_safe_front;
+    if (x.is_EOA() && below_release) {
+      to = std::min(rsm_.d_SBI1 - m_.est_front, rsm_.d_SBI2 - m_.max_safe_front);
+    } else if (x.is_EOA()) {
+      to = std::min(to, x.l.SBD->d_I - m_.est_front);
+    } else {
+      if (x.t.V_target >= M_ || x.t.V_target >= V_) continue;
+      if (below_release && up_to_SvL_from_trip(x.t)) continue;
+    }
+    if (first == nullptr || to < distance) {
+      first = &x;
+      distance = to;
+    }
+  }
+  if (first == nullptr) return;
+  distance = std::max(distance, Distance{0.0});
+  out.first_indication = distance;
+  using Display = train::MaxReducedAdhesion::Display;
+  if (d_->csm_display == Display::target_information) show_target(*first, out);
+  if (d_->csm_display == Display::time_to_indication && V_.si > 0.0 && (distance / V_).si < 14.0)
+    out.TTI = Duration{distance.si / V_.si};
+}
+
+inline void ReferenceSupervision::hold_values(Result& out) {
+  const bool CSM = s.monitoring == Monitoring::CSM;
+  if (CSM || out.MRDT_changed) s.hold_P = s.hold_SBI = s.hold_target_distance = false;
+  if (CSM) {
+    s.shown_P.reset();
+    s.shown_SBI.reset();
+    s.shown_target_distance.reset();
+    return;
+  }
+  const bool pawl = v400() && reduced_ && !out.MRDT_changed;
+  if (s.shown_P.has_value()) {
+    if (out.V_P < *s.shown_P) s.hold_P = false;
+    if (s.hold_P || pawl) out.V_P = std::min(out.V_P, *s.shown_P);
+  }
+  s.shown_P = out.V_P;
+  if (s.monitoring == Monitoring::TSM) {
+    if (s.shown_SBI.has_value()) {
+      if (out.V_SBI < *s.shown_SBI) s.hold_SBI = false;
+      if (s.hold_SBI || pawl) out.V_SBI = std::min(out.V_SBI, *s.shown_SBI);
+    }
+    s.shown_SBI = out.V_SBI;
+  }
+  if (out.d_target.has_value()) {
+    if (s.shown_target_distance.has_value()) {
+      if (*out.d_target < *s.shown_target_distance) s.hold_target_distance = false;
+      if (s.hold_target_distance) out.d_target = std::min(*out.d_target, *s.shown_target_distance);
+    }
+    s.shown_target_distance = out.d_target;
+  }
+}
+
+inline void ReferenceSupervision::show(Result& out) {
+  out.V_MRSP = out.V_P = M_;
+  out.V_W = M_w_;
+  out.V_SBI = M_sbi_;
+  out.V_EBI = M_ebi_;
+  out.show_SBI = s.status >= Status::Overspeed;
+  const Sight* MRDT = s.has_MRDT ? find(s.MRDT) : nullptr;
+  if (s.monitoring == Monitoring::CSM) {
+    show_first_indication(out);
+  } else if (MRDT != nullptr) {
+    show_target(*MRDT, out);
+  }
+  if (s.monitoring == Monitoring::TSM) {
+    for (const Sight& x : list) {
+      // 3.13.10.4.4: EOA and SvL not below the release speed.
+      const Speed least = x.is_EOA() && release().exists ? release().V_release : Speed{0.0};
+      if (!v340() || &x == MRDT) out.V_P = std::min(out.V_P, x.V_P());
+      out.V_W = std::min(out.V_W, std::max(x.V_S.V_W, least));
+      out.V_SBI = std::min(out.V_SBI, std::max(x.V_S.V_SBI, least));
+      out.V_EBI = std::min(out.V_EBI, std::max(x.V_S.V_EBI, least));
+      if (!x.is_EOA()) continue;
+      out.V_W = std::min(out.V_W, std::max(x.V_E.V_W, least));
+      out.V_SBI = std::min(out.V_SBI, std::max(x.V_E.V_SBI, least));
+    }
+  }
+  if (s.monitoring == Monitoring::RSM) {
+    out.V_release = out.V_W = out.V_SBI = out.V_EBI = release().V_release;
+    if (MRDT != nullptr) out.V_P = std::min(out.V_P, MRDT->V_P());
+  }
+  hold_values(out);
+}
+
+/// 3.13.11.8-9.
+inline bool ReferenceSupervision::MA_request() const {
+  if (!m_.T_MAR.has_value()) return false;
+  const Perturbation& p = d_->perturbation;
+  const Distance ahead = M_w_ * *m_.T_MAR;
+  for (const Target& t : d_->targets) {
+    if (t.kind != TargetKind::EOA_SvL && t.kind != TargetKind::LOA) continue;
+    if (p.passed_at_once || !p.from_EBD.has_value() || m_.max_safe_front > *p.from_EBD - ahead) return true;
+    if (t.kind == TargetKind::LOA) continue;
+    if (!p.from_SBD.has_value() || m_.est_front > *p.from_SBD - ahead) return true;
+  }
+  return false;
+}
+
+// ---- The cycle --------------------------------------------------------------------------------------
+
+inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& motion) {
+  d_ = &derived;
+  m_ = motion;
+  V_ = m_.V_est;
+  ceiling();
+  const Speed V_delta0 = d_->Q_NVINHSMICPERM ? Speed{0.0} : m_.V_ura;
+  a_ = approach(V_, V_delta0, m_.A_est, d_->fixed);
+  follow_feedback();
+  see_targets();
+  rsm_ = {};
+  for (const Target& t : d_->targets)
+    if (t.kind == TargetKind::EOA_SvL && release().exists)
+      rsm_ = rsm_start(*d_, t, release().V_release, release().d_trip, release().on_board, feedback);
+  const std::size_t passed = d_->targets.size() - list.size();
+  list_updated_ = s.active && (s.list_revision != d_->revision || s.list_passed != passed);
+  V_MRSP_updated_ = s.active && s.V_MRSP != M_;
+
+  Result out;
+  const Monitoring before = s.monitoring;
+  const Status status_before = s.status;
+  const Monitoring next = next_monitoring();
+  if (!s.active) {
+    const FeedbackState kept = s.feedback;
+    s = {};
+    s.feedback = kept;
+    s.active = true;
+    s.monitoring = next;
+  }
+  if (next != s.monitoring) {
+    if (s.monitoring == Monitoring::TSM) s.tco = false;       // 3.13.10.6.3
+    if (next == Monitoring::RSM) s.sb = s.eb_for_sb = false;  // 3.13.10.6.4
+    if (next == Monitoring::CSM) s.has_MRDT = false;
+    s.monitoring = next;
+  }
+  if (d_->time_config.feedback_available) {
+    s.feedback.approaching = false;
+    for (const Sight& x : list)
+      if (x.I() && V_ > x.t.V_target) s.feedback.approaching = true;
+    if (before == Monitoring::RSM && next == Monitoring::TSM) {  // A.3.10.4: initial values
+      s.feedback.started = s.feedback.locked = false;
+      s.feedback.T_bs1_previous = d_->cm0.T_bs;
+      s.hold_P = s.hold_SBI = s.hold_target_distance = false;
+    }
+  }
+  if (next != Monitoring::CSM) out.MRDT_changed = select_MRDT();
+  const Met met = next == Monitoring::CSM   ? monitor_CSM()
+                  : next == Monitoring::TSM ? monitor_TSM(out.MRDT_changed)
+                                            : monitor_RSM();
+  s.list_revision = d_->revision;
+  s.list_passed = static_cast<std::uint16_t>(passed);
+  s.list_size = static_cast<std::uint16_t>(d_->targets.size());
+  s.V_MRSP = M_;
+  out.monitoring = s.monitoring;
+  out.status = s.status;
+  out.tco = s.tco && d_->traction_cut_off_interface;
+  out.sb = s.sb;
+  out.eb = s.eb || s.eb_for_sb;
+  out.highest = {s.monitoring, static_cast<std::uint8_t>(met.condition)};
+  out.monitoring_changed = s.monitoring != before;
+  out.status_changed = s.status != status_before;
+  show(out);
+  out.MA_request = MA_request();
+  out.truncated = d_->truncated;
+  out.no_deceleration = d_->no_deceleration;
+  return out;
+}
+
+}  // namespace evc::sdm::test
