@@ -1,10 +1,10 @@
 #include "sdm/braking_curve.h"
 
+#include <algorithm>
+
 namespace evc::sdm {
 
-std::size_t CurveView::knot_at(Place x) const {
-  // The last knot that is not upstream of x; knots run from the foot upstream.
-  std::size_t low = 0;
+std::size_t CurveView::knot_at(Place x, std::size_t low) const {
   std::size_t high = knots.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
@@ -33,15 +33,13 @@ std::size_t CurveView::knot_at(Speed V) const {
 
 SpeedSquared CurveView::speed_squared_on(std::size_t knot, Place x) const {
   const Knot& k = knots[knot];
-  if (x >= k.x) return k.w;
-  return k.w + 2.0 * (k.A * (k.x - x));
+  return k.w + 2.0 * (k.A * std::max(k.x - x, Distance{}));
 }
 
 SpeedSquared CurveView::speed_squared_at(Place x) const { return speed_squared_on(knot_at(x), x); }
 
 Speed CurveView::next_speed_at(Place x, std::size_t& knot) const {
-  if (knot == 0 || x >= knots[knot].x) knot = knot_at(x);
-  while (knot + 1 < knots.size() && x < knots[knot + 1].x) ++knot;
+  knot = knot_at(x, x < knots[knot].x ? knot : 0);
   return {__builtin_sqrt(speed_squared_on(knot, x).si)};
 }
 

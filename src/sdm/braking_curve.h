@@ -28,12 +28,15 @@ struct CurveView {
   /// V_X(d): the curve's speed at a place; at and beyond the foot the foot's speed.
   Speed speed_at(Place x) const;
   SpeedSquared speed_squared_at(Place x) const;
-  /// The same, quick for one place after the other, each further upstream: `knot` is 0 at first.
+  /// The same, quick for one place after the other, each further upstream: `knot` is 0 at first, the one found then.
   Speed next_speed_at(Place x, std::size_t& knot) const;
-  /// d_X(V): the most upstream place where the curve has speed `V`; below the foot's speed the foot.
+  /// d_X(V): how far a train may run at `V`, the end of a level stretch that has it; below the foot's speed the foot;
+  /// -1e9 for a speed that is nowhere allowed.
   Place place_at(Speed V) const;
-  /// The knot from which the arc at `x`, at speed `V` leads upstream.
-  std::size_t knot_at(Place x) const;
+  /// The knot from which the arc at `x` leads upstream: the last one downstream of `x`, at and beyond the foot the
+  /// foot. Looked for from `low` on, which is one downstream of `x` or the foot.
+  std::size_t knot_at(Place x, std::size_t low = 0) const;
+  /// The knot from which the arc leads upstream to the speed `V`: the last one with a lower speed.
   std::size_t knot_at(Speed V) const;
 
  private:

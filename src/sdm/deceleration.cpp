@@ -380,14 +380,15 @@ Downstream to_foot(const Decelerations& d, CurveKind kind, const Segments& segme
     if (A.si <= 0.0) return down;
     if (!down.knots.push_back({x, w, A})) return down;
     const SpeedSquared lower = b > 0 ? std::max(w_foot, bands[b - 1].w_upto) : w_foot;
-    const Distance to_band{(w - lower).si / (2.0 * A.si)};
-    const bool last = s + 1 == segments.size();
-    if (last || x + to_band <= segments[s + 1].from) {
-      x = x + to_band;
+    const Place to_band = x + Distance{(w - lower).si / (2.0 * A.si)};
+    const Place border = s + 1 < segments.size() ? segments[s + 1].from : Place{{kNowhere}};
+    if (to_band < border) {
+      x = to_band;
       w = lower;
     } else {
-      w = w - 2.0 * (A * (segments[s + 1].from - x));
-      x = segments[s + 1].from;
+      // Where both lie at the same place the next segment and the lower band begin together.
+      w = std::max(lower, w - 2.0 * (A * (border - x)));
+      x = border;
       ++s;
     }
   }
