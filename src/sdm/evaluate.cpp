@@ -7,11 +7,6 @@
 namespace evc::sdm {
 namespace {
 
-Duration T_traction_with(const TimeConfig& c, Duration T_bs2, const train::FixedValues& f) {
-  if (!c.traction_cut_off_interface) return c.T_traction_cut_off;
-  return std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
-}
-
 Ramp service_ramp(const train::BuildUpTimes& b, const Approach& a) {
   return {.T = b.T_bs, .T_react = b.T_bs_react, .v0 = a.V};
 }
@@ -22,17 +17,17 @@ Ramp emergency_ramp(const Derived& d, const train::BuildUpTimes& b, const Approa
           .v0 = a.V + a.V_delta0,
           .A_est1 = a.A_est1,
           .A_est2 = a.A_est2,
-          .T_traction_max = T_traction_with(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed),
-          .T_traction_min = T_traction_with(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed)};
+          .T_traction_max = T_traction(c, c.service_brake_available ? b.T_bs_react : Duration{0.0}, d.fixed),
+          .T_traction_min = T_traction(c, c.service_brake_available ? b.T_bs : Duration{0.0}, d.fixed)};
 }
-/// A.3.12.1.5 and Kt_int = 0.
+/// A.3.12.1.5, and no reaction time (Kt_int = 0, or not given).
 bool never_reduced(const train::BuildUpTimes& b, const Times& unreduced) {
-  return b.T_be.si <= 0.0 || b.T_be_react.si <= 0.0 || unreduced.T_traction >= b.T_be;
+  return b.T_be_react.si <= 0.0 || unreduced.T_traction >= b.T_be;
 }
 
 void set_target(Ramp& r, const Target& target) {
   r.stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
-  r.V_target = r.stop ? Speed{0.0} : target.V_target;
+  r.V_target = target.V_target;
 }
 
 /// T_bs_reduced for the curve that ends at `end` (A.3.12, service brake).
@@ -40,10 +35,9 @@ Duration reduced_T_bs(const Derived& d, const Target& target, const train::Build
                       Place end, const Fronts& fronts) {
   Ramp r = service_ramp(b, a);
   set_target(r, target);
-  if (r.stop ? a.V.si <= 0.0 : a.V <= r.V_target) return std::min(b.T_bs, b.T_bs_react);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_expected)) return *T;
   r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.est, end), std::min(r.V_target, a.V), std::max(r.V_target, a.V));
+                           std::min(fronts.est, end), r.V_target, a.V);
   return reduced_build_up_time(r);
 }
 
@@ -56,7 +50,7 @@ Duration reduced_T_be(const Derived& d, const Target& target, const train::Build
   const Place end = target.d_target;
   const Speed V_bec = before_emergency_effort(a, unreduced, r.V_target).V_bec;
   r.A = deceleration_range(d.decelerations, CurveKind::EBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.min_safe, end), r.V_target, std::max(r.V_target, V_bec));
+                           std::min(fronts.min_safe, end), r.V_target, V_bec);
   return reduced_build_up_time(r);
 }
 
@@ -96,7 +90,7 @@ Speed full_build_up_below(const Derived& d, const train::BuildUpTimes& build_up,
                 ? Speed{1e9}
                 : full_build_up_below(emergency_ramp(d, build_up, a), d.decelerations.highest_safe);
   if (!d.time_config.feedback_available)
-    V = std::min({V, a.V, full_build_up_below(service_ramp(build_up, a), d.decelerations.highest_expected)});
+    V = std::min(V, full_build_up_below(service_ramp(build_up, a), d.decelerations.highest_expected));
   return V;
 }
 
@@ -105,7 +99,7 @@ Times longest_times(const Times& unreduced, const Derived& d, const train::Build
   if (!d.rules.reduced_build_up || d.time_config.feedback_available) return t;
   const Duration T_bs2 =
       d.time_config.service_brake_available ? std::min(build_up.T_bs, build_up.T_bs_react) : Duration{0.0};
-  t.T_traction = std::max(t.T_traction, T_traction_with(d.time_config, T_bs2, d.fixed));
+  t.T_traction = T_traction(d.time_config, T_bs2, d.fixed);
   return t;
 }
 
@@ -125,11 +119,10 @@ TargetLimits limits_of(const Derived& d, const Target& target, const Approach& a
   l.EBD = EBD_limits_of(d, target, a, l.times.EBD);
   if (target.kind == TargetKind::EOA_SvL) l.SBD = SBD_limits_of(d, target, a, l.times.SBD);
   if (d.rules.indication_ignores_feedback && asked.feedback.has_value()) {
-    // 3.13.9.3.6.5: T_bs1 = T_bs2 = T_bs in everything that leads to d_I.
-    const train::BuildUpTimes& full = target.zero ? d.cm0 : d.cmt;
-    const Times without = times(d.time_config, full, FeedbackTimes{full.T_bs, full.T_bs}, d.rules, d.fixed);
-    l.EBD.d_I = EBD_limits_of(d, target, a, without).d_I;
-    if (l.SBD.has_value()) l.SBD->d_I = SBD_limits_of(d, target, a, without).d_I;
+    // 3.13.9.3.6.5: T_bs1 = T_bs2 = T_bs in everything that leads to d_I; T_be is the reduced one there too.
+    const TargetTimes without = times_of(d, target, a, {std::nullopt, asked.reduced_from});
+    l.EBD.d_I = EBD_limits_of(d, target, a, without.EBD).d_I;
+    if (l.SBD.has_value()) l.SBD->d_I = SBD_limits_of(d, target, a, without.SBD).d_I;
   }
   return l;
 }

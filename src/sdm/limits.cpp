@@ -33,6 +33,11 @@ TimeConfig time_config(const train::TrainData& t, const train::NationalValues& v
   };
 }
 
+Duration T_traction(const TimeConfig& c, Duration T_bs2, const train::FixedValues& f) {
+  if (!c.traction_cut_off_interface) return c.T_traction_cut_off;
+  return std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
+}
+
 Times times(const TimeConfig& c, const train::BuildUpTimes& build_up, const std::optional<FeedbackTimes>& feedback,
             const Rules& rules, const train::FixedValues& f) {
   Times t{};
@@ -50,10 +55,7 @@ Times times(const TimeConfig& c, const train::BuildUpTimes& build_up, const std:
       t.T_bs2 = std::max(t.T_bs2, f.T_bs2_min);
     }
   }
-  // 3.13.9.3.2.3: where it is fitted the traction is cut off at the Warning limit already.
-  t.T_traction = c.T_traction_cut_off;
-  if (c.traction_cut_off_interface)
-    t.T_traction = std::max(c.T_traction_cut_off - (f.T_warning + t.T_bs2), Duration{0.0});
+  t.T_traction = T_traction(c, t.T_bs2, f);
   t.T_berem = std::max(t.T_be - t.T_traction, Duration{0.0});
   t.T_indication =
       c.feedback_available ? f.T_indication_min : std::max(f.T_indication_factor * t.T_bs, f.T_indication_min);
@@ -123,11 +125,10 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
                           const train::FixedValues& f) {
   const Distance D_be = D_be_display(a, t);
   const Speed V_delta = a.V_delta0 + a.A_est1 * t.T_traction + a.A_est2 * t.T_berem;
-  const Place foot = EBD.foot();
   std::size_t knot = 0;
+  // From its foot on the curve has V_target, which no floor is below.
   const auto speed = [&](Duration before, Speed floor) {
-    const Place x = front + a.V * before + D_be;
-    return x >= foot ? floor : std::max(EBD.next_speed_at(x, knot) - V_delta, floor);
+    return std::max(EBD.next_speed_at(front + a.V * before + D_be, knot) - V_delta, floor);
   };
   // From the most downstream place to the most upstream one.
   LimitSpeeds s{};
@@ -135,11 +136,8 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
   s.V_W = speed(t.T_bs2 + f.T_warning, V_target + dV_warning(V_target, f));
   s.V_SBI = speed(t.T_bs2, V_target + dV_sbi(V_target, f));
   s.V_EBI = speed({0.0}, V_target + dV_ebi(V_target, f));
-  if (GUI.exists()) {
-    // 3.13.9.3.5.8: beyond the foot of the guidance curve the target speed is permitted.
-    const Speed V_GUI = front >= GUI.foot() ? V_target : GUI.speed_at(front);
-    s.V_P = std::max(std::min(s.V_P, V_GUI), V_target);
-  }
+  // 3.13.9.3.5.8: beyond the foot of the guidance curve the target speed is permitted.
+  if (GUI.exists()) s.V_P = std::max(std::min(s.V_P, GUI.speed_at(front)), V_target);
   return s;
 }
 
@@ -154,7 +152,6 @@ LimitSpeeds speeds_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const
   s.V_P = speed(t.T_bs1 + f.T_driver);
   s.V_W = speed(t.T_bs1 + f.T_warning);
   s.V_SBI = speed(t.T_bs1);
-  s.V_EBI = speed({0.0});
   if (GUI.exists()) s.V_P = std::min(s.V_P, GUI.speed_at(front));
   return s;
 }
@@ -164,18 +161,15 @@ Place d_P_at_target_speed(CurveView EBD, Speed V_target, Place d_target, const T
                           const train::FixedValues& f) {
   Duration T_be = t.T_be;
   Duration T_bs_foot = t.T_bs2;
-  Duration T_traction = t.T_traction;
+  Duration T_traction_max = t.T_traction;
   if (rules.reduced_build_up) {
     // 3.13.9.3.5.9 c, d: fully reduced, with T_traction_max of A.3.12.2.7.
     T_be = build_up.T_be_react;
     if (c.service_brake_available && !c.feedback_available) T_bs_foot = build_up.T_bs_react;
-    if (c.traction_cut_off_interface) {
-      const Duration T_bs2 = c.service_brake_available ? build_up.T_bs_react : Duration{0.0};
-      T_traction = std::max(c.T_traction_cut_off - (f.T_warning + T_bs2), Duration{0.0});
-    }
+    T_traction_max = T_traction(c, c.service_brake_available ? build_up.T_bs_react : Duration{0.0}, f);
   }
-  const Duration T_berem = std::max(T_be - T_traction, Duration{0.0});
-  const Place d_EBI = EBD.place_at(V_target + V_delta0t) - (V_target + V_delta0t) * (T_berem + T_traction);
+  const Duration T_berem = std::max(T_be - T_traction_max, Duration{0.0});
+  const Place d_EBI = EBD.place_at(V_target + V_delta0t) - (V_target + V_delta0t) * (T_berem + T_traction_max);
   const Place d_P = d_EBI - V_target * (f.T_driver + T_bs_foot);
   return rules.P_not_beyond_target ? std::min(d_P, d_target) : d_P;
 }

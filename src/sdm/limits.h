@@ -40,6 +40,8 @@ TimeConfig time_config(const train::TrainData& train, const train::NationalValue
 struct FeedbackTimes {
   Duration T_bs1, T_bs2;
 };
+/// T_traction of 3.13.9.3.2.3: where it is fitted the traction is cut off at the Warning limit already.
+Duration T_traction(const TimeConfig& config, Duration T_bs2, const train::FixedValues& fixed);
 Times times(const TimeConfig& config, const train::BuildUpTimes& build_up, const std::optional<FeedbackTimes>& feedback,
             const Rules& rules, const train::FixedValues& fixed);
 
@@ -84,7 +86,7 @@ struct LimitSpeeds {
 };
 LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const Times& t, Speed V_target,
                           Place d_maxsafefront, const train::FixedValues& fixed);
-/// V_EBI is the speed of the SBD (there is no EBI for an EOA).
+/// V_EBI is 0: there is no EBI for an EOA.
 LimitSpeeds speeds_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const Times& t, Place d_EOA,
                           Place d_estfront, const train::FixedValues& fixed);
 

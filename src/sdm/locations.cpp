@@ -58,36 +58,29 @@ Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, dou
   const Times t = times(config, build_up, std::nullopt, rules_of(in.srs), in.fixed);
   const Duration T_be = t.T_traction + t.T_berem;
   const auto V_delta0 = [&](Speed V) { return in.national_values.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V); };
-  // Excess of the speed over what the EBD allows where the full effort begins (V_ = V + dV).
+  // Excess of the speed over what the EBD allows where the full effort begins (V_ = V + dV); beyond the curve that is
+  // 0.
   const auto EBD_excess = [&](Speed V_, Duration T_bs2) {
     const Speed v = V_ + V_delta0(V_);
     const Place x = Place{in.train.L_antenna_front} + v * in.fixed.T41_balise + v * T_be + V_ * T_bs2;
-    return x > d_PBD ? Speed{1e9} : V_ - (EBD.speed_at(x) - V_delta0(V_));
+    return V_ - (EBD.speed_at(x) - V_delta0(V_));
   };
   const auto SBD_excess = [&](Speed V_) {
     const Place x = Place{in.train.L_antenna_front} + V_ * in.fixed.T41_balise + V_ * t.T_bs1;
-    return x > d_PBD ? Speed{1e9} : V_ - SBD.speed_at(x);
+    return V_ - SBD.speed_at(x);
   };
   const auto excess = [&](Speed V) {
     if (emergency_brake) return EBD_excess(V + dV_ebi(V, in.fixed), Duration{0.0});
     const Speed V_ = V + dV_sbi(V, in.fixed);
     return std::max(EBD_excess(V_, t.T_bs2), SBD_excess(V_));
   };
-  // The excess grows with V; the lowest speed within the tolerance is taken (deterministic, safe side),
-  // and none within it gives 0.
-  const Speed tolerance = in.fixed.search_tolerance;
+  // The excess grows with V, without a step; the lowest speed within the tolerance is taken (deterministic, safe side).
+  // 0 where that of 0 is higher already; the highest speed of the curves where no train is fast enough.
   Speed low{0.0};
   Speed high = top;
-  if (excess(low) > tolerance) return Speed{0.0};
-  if (excess(low) < -tolerance) {
-    const bool faster = excess(high) < -tolerance;  // than any train: the highest speed of the curves
-    for (int i = 0; i < 60 && !faster; ++i) {
-      const Speed middle = low + (high - low) / 2.0;
-      (excess(middle) >= -tolerance ? high : low) = middle;
-    }
-    if (excess(high) > tolerance) return Speed{0.0};
-  } else {
-    high = low;
+  for (int i = 0; i < 60; ++i) {
+    const Speed middle = low + (high - low) / 2.0;
+    (excess(middle) >= -in.fixed.search_tolerance ? high : low) = middle;
   }
   // Round down to 5 km/h, without a floor function: count the steps.
   Speed V{0.0};

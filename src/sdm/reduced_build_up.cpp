@@ -13,9 +13,23 @@ double speed_before_ramp(const Ramp& r) {
 }
 /// V_t2 of A.3.12.4: when the brake has its full effort `A`.
 double speed_after_ramp(const Ramp& r, double A) {
-  const double t2 = 2.0 * r.T.si - r.T_react.si;
+  const double t2 = 2.0 * r.T.si - r.T_react.si;  // A.3.12.2.1
   const double t_max = r.T_traction_max.si;
   return std::max(0.0, r.v0.si + r.A_est1.si * t_max + r.A_est2.si * (t2 - t_max) - A * (t2 - r.T_react.si) / 2.0);
+}
+
+/// A.3.12.7: the time after which the step model has run the distance `D`, the way down to V_target included. The
+/// root of a2 k t^2 / 2 + u k t + c = 0, in the form that holds for the smallest A_est2 and for 0.
+double time_of_step_model(const Ramp& r, double D) {
+  const double A_max = r.A.A_max.si;
+  const double a1 = r.A_est1.si;
+  const double a2 = r.A_est2.si;
+  const double t_min = r.T_traction_min.si;
+  const double k = 1.0 + a2 / A_max;
+  const double u = r.v0.si + (a1 - a2) * t_min;
+  const double c = (u * u - r.V_target.si * r.V_target.si) / (2.0 * A_max) - (a1 - a2) * t_min * t_min / 2.0 - D;
+  // Without acceleration u = v0 is above the target speed here (A.3.12.3), so above 0.
+  return -2.0 * c / (u * k + __builtin_sqrt(std::max(0.0, u * k * (u * k) - 2.0 * a2 * k * c)));
 }
 
 }  // namespace
@@ -55,11 +69,9 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
 }
 
 std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest) {
-  const double Vt = r.stop ? 0.0 : r.V_target.si;
-  const double t2 = 2.0 * r.T.si - r.T_react.si;  // A.3.12.2.1
-  const double incr = t2 - r.T_react.si;
-  if (incr <= 0.0) return r.T;
-  if (speed_before_ramp(r) <= Vt) return std::min(r.T, r.T_react);  // A.3.12.3
+  const double Vt = r.V_target.si;
+  if (r.T <= r.T_react) return r.T;
+  if (speed_before_ramp(r) <= Vt) return r.T_react;  // A.3.12.3
   // A.3.12.4. Rounding is monotonous: a weaker brake never ends the ramp at a lower speed.
   const double V_t2 = speed_after_ramp(r, A_highest.si);
   if (r.stop ? V_t2 > 0.0 : V_t2 >= Vt) return r.T;
@@ -76,39 +88,22 @@ Duration reduced_build_up_time(const Ramp& r) {
   const double A_max = r.A.A_max.si;
   const std::optional<Duration> settled = build_up_time_settled(r, r.A.A_brake_min);
   if (settled.has_value()) return *settled;
-  if (A_B <= 0.0 || A_max <= 0.0) return r.T;
-  const double T = r.T.si;
+  if (A_max <= 0.0) return r.T;
   const double react = r.T_react.si;
-  const double v0 = r.v0.si;
-  const double Vt = r.stop ? 0.0 : r.V_target.si;
   const double a1 = r.A_est1.si;
   const double a2 = r.A_est2.si;
   const double t_max = r.T_traction_max.si;
-  const double t2 = 2.0 * T - react;
-  const double incr = t2 - react;
-  // A.3.12.5: when the target speed is reached on the ramp; react + x.
-  const double B = std::max(0.0, v0 - Vt) + a1 * t_max + a2 * (react - t_max);
-  const double root = a2 * a2 + 2.0 * A_B * B / incr;
-  const double x = incr / A_B * (a2 + __builtin_sqrt(std::max(0.0, root)));
-  const double t_e = std::min(std::max(react + x, react), t2);
+  const double incr = 2.0 * (r.T.si - react);
+  // A.3.12.5: when the target speed is reached on the ramp. A_B and the root are positive: without a brake the train
+  // would not be slower at the end of the ramp (A.3.12.4), and A_est2 <= A_est1.
+  const double B = std::max(0.0, r.v0.si - r.V_target.si) + a1 * t_max + a2 * (react - t_max);
+  const double x = incr / A_B * (a2 + __builtin_sqrt(a2 * a2 + 2.0 * A_B * B / incr));
+  const double t_e = react + x;
   // A.3.12.6: the distance until then.
-  const double ramp = t_e - react;
-  const double D = v0 * t_e + a1 * t_max * t_max / 2.0 + a1 * t_max * (t_e - t_max) +
-                   a2 * (t_e - t_max) * (t_e - t_max) / 2.0 - A_B * ramp * ramp * ramp / (6.0 * incr);
-  // A.3.12.7: the time after which the step model has run the same distance.
-  const double t_min = r.T_traction_min.si;
-  double t_d = 0.0;
-  if (a2 > 0.0) {
-    const double V1 = v0 + a1 * t_min;
-    const double D0 = v0 * t_min + a1 * t_min * t_min / 2.0;
-    const double q = (V1 / a2) * (V1 / a2) - (V1 * V1 - Vt * Vt + 2.0 * A_max * (D0 - D)) / (a2 * (A_max + a2));
-    t_d = -(v0 + (a1 - a2) * t_min) / a2 + __builtin_sqrt(std::max(0.0, q));
-  } else {
-    // Without acceleration v0 is above the target speed here (A.3.12.3), so above 0.
-    t_d = (D + Vt * Vt / (2.0 * A_max)) / v0 - v0 / (2.0 * A_max);
-  }
-  // A.3.12.8.
-  return {std::min(T, std::max((react + t_e) / 2.0, t_d))};
+  const double D = r.v0.si * t_e + a1 * t_max * t_max / 2.0 + a1 * t_max * (t_e - t_max) +
+                   a2 * (t_e - t_max) * (t_e - t_max) / 2.0 - A_B * x * x * x / (6.0 * incr);
+  // A.3.12.8. A target speed that is not reached on the ramp gives more than T.
+  return {std::min(r.T.si, std::max((react + t_e) / 2.0, time_of_step_model(r, D)))};
 }
 
 }  // namespace evc::sdm

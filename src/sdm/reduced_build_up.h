@@ -24,8 +24,8 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
 struct Ramp {
   Duration T{}, T_react{};  // T_be, T_be_react or T_bs, T_bs_react
   Speed v0{};               // V_est + V_delta0, V_est for the service brake
-  Speed V_target{};
-  bool stop = false;  // EOA, SvL, SR end
+  Speed V_target{};         // 0 with `stop`
+  bool stop = false;        // EOA, SvL, SR end
   Acceleration A_est1{}, A_est2{};
   Duration T_traction_max{}, T_traction_min{};
   DecelerationRange A{};
