@@ -73,11 +73,8 @@ void service_brake_times(ExplainPage& page, const sdm::Derived& d, const sdm::Ti
               t.T_indication.si, "s", "3.13.9.3.6.2");
 }
 
-/// Where the train is for the reduced times: at its place, else where the EBD has the speed.
-sdm::Fronts fronts_of(const Approached& a, const sdm::Explanation& e) {
-  const auto& motion = a.input().motion;
-  return motion ? sdm::Fronts{motion->est_front, motion->min_safe_front} : sdm::Fronts{e.d_EBD, e.d_EBD};
-}
+/// Where the train is for the reduced times: at its place, else about to reach its first limit.
+sdm::Fronts fronts_of(const sdm::Explanation& e) { return {e.est_front, e.min_safe_front}; }
 
 void times(ExplainPage& page, const Approached& a, const sdm::Explanation& e, const sdm::TargetTimes& both) {
   const sdm::Derived& d = a.derived();
@@ -86,7 +83,7 @@ void times(ExplainPage& page, const Approached& a, const sdm::Explanation& e, co
   const sdm::Times& t = both.EBD;
   page.heading("Times");
   explain_build_up_times(page, a, e);
-  if (d.rules.reduced_build_up) explain_T_bs_reduced(page, a, e, a.target().d_target, fronts_of(a, e).est, t.T_bs);
+  if (d.rules.reduced_build_up) explain_T_bs_reduced(page, a, e, a.target().d_target, fronts_of(e).est, t.T_bs);
   service_brake_times(page, d, t);
   if (config.traction_cut_off_interface)
     page.step("T_traction", "max(T_traction_cut_off - (T_warning + T_bs2), 0)",
@@ -95,7 +92,7 @@ void times(ExplainPage& page, const Approached& a, const sdm::Explanation& e, co
               t.T_traction.si, "s", "3.13.9.3.2.3");
   else
     page.step("T_traction", "T_traction_cut_off: no cut-off by the on-board", "", t.T_traction.si, "s", "3.13.9.3.2.3");
-  if (d.rules.reduced_build_up) explain_T_be_reduced(page, a, e, fronts_of(a, e).est, fronts_of(a, e).min_safe, t);
+  if (d.rules.reduced_build_up) explain_T_be_reduced(page, a, e, fronts_of(e).est, fronts_of(e).min_safe, t);
   page.step("T_berem", "max(T_be - T_traction, 0)", fmt::format("max({} - {}, 0)", n4(t.T_be.si), n4(t.T_traction.si)),
             t.T_berem.si, "s", "3.13.9.3.2.6");
 }
@@ -194,7 +191,7 @@ void SBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& 
   page.heading("Limits from the service brake deceleration curve (SBD)");
   // With another end than the EBD's the time is another one (A.3.12.2.4-5).
   if (a.derived().rules.reduced_build_up && a.target().d_EOA != a.target().d_target) {
-    explain_T_bs_reduced(page, a, e, a.target().d_EOA, fronts_of(a, e).est, t.T_bs);
+    explain_T_bs_reduced(page, a, e, a.target().d_EOA, fronts_of(e).est, t.T_bs);
     service_brake_times(page, a.derived(), t);
   }
   explain_arcs(page, a, sdm::CurveKind::SBD, SBD, e.approach.V);
@@ -227,7 +224,7 @@ void results(ExplainPage& page, const Approached& a, double v_kmh) {
 sdm::TargetTimes times_of(const Approached& a, const sdm::Explanation& e) {
   const sdm::Derived& d = a.derived();
   sdm::TimesAsked asked;
-  if (d.rules.reduced_build_up) asked.reduced_from = fronts_of(a, e);
+  if (d.rules.reduced_build_up) asked.reduced_from = fronts_of(e);
   return sdm::times_of(d, a.target(), e.approach, asked);
 }
 

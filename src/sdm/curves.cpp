@@ -71,8 +71,17 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
   e.build_up = t.zero ? d.cm0 : d.cmt;
   TimesAsked asked;
   if (d.rules.reduced_build_up) {
-    const Place here = d.view(t.EBD).place_at(V);
-    asked.reduced_from = motion != nullptr ? Fronts{motion->est_front, motion->min_safe_front} : Fronts{here, here};
+    if (motion != nullptr) {
+      e.est_front = motion->est_front;
+      e.min_safe_front = motion->min_safe_front;
+    } else {
+      // By unreduced times: the longest stretch of track ahead is the safe side (A.3.12.2.2-5).
+      const TargetLimits earliest = limits_of(d, t, e.approach, asked);
+      e.est_front = earliest.EBD.d_I;
+      if (earliest.SBD.has_value()) e.est_front = std::min(e.est_front, earliest.SBD->d_I);
+      e.min_safe_front = e.est_front;
+    }
+    asked.reduced_from = Fronts{e.est_front, e.min_safe_front};
   }
   const TargetLimits l = limits_of(d, t, e.approach, asked);
   e.times = l.times.EBD;

@@ -26,6 +26,8 @@ struct Explanation {
   Approach approach{};
   train::BuildUpTimes build_up{};  // before reduction
   Times times{};
+  /// 4.0.0: where the train is whose build-up times are reduced (A.3.12).
+  Place est_front{}, min_safe_front{};
   Limits EBD{};
   std::optional<Limits> SBD;
   // The curves at the speed itself.
@@ -39,7 +41,7 @@ struct Explanation {
   Place d_FLOI{}, d_W{}, d_P{}, d_I{};
 };
 /// Limits at speed `V`. With 4.0.0's reduced build-up times the train's front matters: `motion` gives
-/// it; without, the times are those of a train at the limits' own places (not reduced).
+/// it; without, the times are those of a train that is about to reach its first limit.
 Explanation explain(const Derived& derived, const Inputs& in, const Target& target, Speed V, Speed V_ura,
                     Acceleration A_est, const Motion* motion = nullptr);
 

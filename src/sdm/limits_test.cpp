@@ -1069,6 +1069,27 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_EQ(speeds_at(*d, in, d->targets[0], {{-90000.0}}, {}, {}).P, d->V_relevant);
 }
 
+TEST(Explain, WithoutAPlaceTheTrainIsAboutToReachItsFirstLimit) {
+  // T_be 14 s, 2 s of it reaction, no service brake: at 10 m/s (2 + 2 + sqrt(480)) / 2, see release speed monitoring.
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
+  in.train.service_brake_interface = false;
+  in.train.T_traction_cut_off = {0.0};
+  in.train.T_emergency[0].T_brake = {14.0};
+  set_EOA(in, 5000.0, 5000.0);
+  auto d = built(in);
+  Explanation e = explain(*d, in, d->targets[0], {10.0}, {}, {});
+  EXPECT_NEAR(e.times.T_be.si, 2 + std::sqrt(480.0) / 2, 1e-9);
+  // d_I with 14 s: 5000 - 50 - 140 - 40 - 9 * 10. Reduced adhesion begins beyond it.
+  EXPECT_NEAR(m(e.est_front), 4680.0, 1e-9);
+  ASSERT_TRUE(in.conditions.reduced_adhesion.push_back({{{4690.0}}, {{4740.0}}}));
+  ++in.revision;
+  d = built(in);
+  EXPECT_EQ(explain(*d, in, d->targets[0], {10.0}, {}, {}).times.T_be.si, 14.0);
+  // A train that is further on has it behind itself.
+  Motion beyond = at(4900.0, 10.0);
+  EXPECT_NEAR(explain(*d, in, d->targets[0], {10.0}, {}, {}, &beyond).times.T_be.si, 2 + std::sqrt(480.0) / 2, 1e-9);
+}
+
 TEST(Explain, TheGuidanceCurveOfTheEOAAndOfTheSvL) {
   Inputs in = with_guidance();
   set_EOA(in, 4900.0, 5000.0);
