@@ -95,6 +95,25 @@ TEST(CommandCurves, OutputsKeepApartFromInputsAndFromEachOther) {
   EXPECT_FALSE(fs::exists(both.path()));
 }
 
+TEST(CommandCurves, ASpeedThatIsNowhereAllowedHasNoPlace) {
+  json document = passenger();
+  document["national_values"]["Kv_int_passenger"] = {{0, 0, 0}};  // no safe deceleration at all
+  document["track"]["gradient"] = {{0, 0}};
+  for (const char* srs : {"3.4.0", "3.6.0", "4.0.0"}) {
+    document["srs"] = srs;
+    const Approached a{*io::read_curves(document.dump(), "a")};
+    const CurvesResult r = curves_result(a);
+    const SpeedRow& row = r.by_speed[10];
+    EXPECT_EQ(row.A_safe, Value(0.0));
+    for (const Value& v : {row.EBD, row.EBI, row.SBI2, row.FLOI, row.W, row.P, row.I}) EXPECT_FALSE(v) << *v;
+    EXPECT_TRUE(row.SBD && row.SBI1);
+    for (const Value& v : {r.scalars.d_start_RSM_m, r.scalars.d_preindication_m, r.scalars.d_perturbation_m})
+      EXPECT_LT(std::abs(v.value_or(0.0)), 1e5);
+    EXPECT_EQ(r.by_speed[0].EBD, Value(0.0));
+    EXPECT_EQ(r.notes.size(), 1u);
+  }
+}
+
 TEST(CommandCurves, ANoteSaysThatNoReleaseSpeedCanBeCalculated) {
   json document = passenger();
   document["target"]["release_speed_kmh"] = "on_board";

@@ -214,7 +214,8 @@ Picture picture_of(const Approached& a) {
   std::vector<LimitTable> tables;
   for (const sdm::Target& t : d.targets) tables.push_back(table_of(a, t, p.top_kmh + 10.0));
   const double end = m(std::max(a.target().d_target, c.target_location));
-  const double start = std::min(m(a.explain({V_max}).d_I), m(c.target_location) - 100.0);
+  const Place d_I = a.explain({V_max}).d_I;
+  const double start = is_somewhere(d_I) ? std::min(m(d_I), m(c.target_location) - 100.0) : end - 5000.0;
   p.from_m = start - 0.10 * (end - start);
   p.to_m = end + 0.05 * (end - start);
   // A profile that begins at 0 is not drawn far in rear of it.

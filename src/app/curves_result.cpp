@@ -23,7 +23,8 @@ const sdm::Target* find_target(const sdm::Derived& derived, const io::CurvesInpu
 /// The lower of two values, where they exist.
 Value least(const std::optional<Place>& a, const std::optional<Place>& b, const Approached& approached) {
   if (!a && !b) return std::nullopt;
-  return approached.before_target(!a ? *b : !b ? *a : std::min(*a, *b));
+  const Place least = !a ? *b : !b ? *a : std::min(*a, *b);
+  return is_somewhere(least) ? Value(approached.before_target(least)) : std::nullopt;
 }
 
 /// The official tool of 3.4.0 takes P and I above the MRSP from the MRSP and ends the EBI where release
@@ -41,7 +42,8 @@ void draw_as_the_tool(SpeedRow& row, const Approached& a) {
     row.P_SvL = at_ceiling.P_SvL;
     row.I_SvL = at_ceiling.I_SvL;
   }
-  if (const auto start = a.start_of_RSM(); start && row.EBI) row.EBI = std::max(*row.EBI, a.before_target(*start));
+  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start) && row.EBI)
+    row.EBI = std::max(*row.EBI, a.before_target(*start));
 }
 
 template <class Row>
@@ -234,7 +236,7 @@ const std::vector<Column<Scalars>>& scalar_columns() {
 
 SpeedRow speed_row(const Approached& a, double v_kmh) {
   const sdm::Explanation e = a.explain(Speed{v_kmh / kKmh});
-  const auto distance = [&](Place place) { return Value(a.before_target(place)); };
+  const auto distance = [&](Place place) { return is_somewhere(place) ? Value(a.before_target(place)) : std::nullopt; };
   SpeedRow row;
   row.v_kmh = v_kmh;
   row.A_safe = e.A_safe.si;
@@ -244,7 +246,7 @@ SpeedRow speed_row(const Approached& a, double v_kmh) {
   row.EBD = distance(e.d_EBD);
   if (e.d_SBD) row.SBD = distance(*e.d_SBD);
   if (e.d_GUI) row.GUI = distance(*e.d_GUI);
-  row.EBI = distance(*e.EBD.d_EBI);
+  row.EBI = distance(*e.EBD.d_EBI);  // null, as all that follows from it, for a speed that is nowhere allowed
   row.SBI2 = distance(e.EBD.d_SBI);
   row.FLOI = distance(e.d_FLOI);
   row.W = distance(e.d_W);
@@ -274,7 +276,8 @@ CurvesResult curves_result(const Approached& a) {
   if (t.kind == sdm::TargetKind::EOA_SvL && d.release_speed.exists)
     // Without the noise of the way from km/h to m/s and back.
     r.scalars.V_release_kmh = std::nearbyint(d.release_speed.V_release.si * kKmh * 1e9) / 1e9;
-  if (const auto start = a.start_of_RSM()) r.scalars.d_start_RSM_m = a.before_target(*start);
+  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start))
+    r.scalars.d_start_RSM_m = a.before_target(*start);
   r.scalars.d_preindication_m = least(t.d_preindication_EBD, t.d_preindication_SBD, a);
   if (input.target != sdm::TargetKind::MRSP && !d.rules.pre_indication)
     r.scalars.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);

@@ -35,6 +35,9 @@ class Approached {
 
 using Value = std::optional<double>;
 
+/// Curves give a place a thousand thousand kilometres away for a speed that is nowhere allowed (A <= 0).
+constexpr bool is_somewhere(Place place) { return place.from_origin.si > -1e8; }
+
 /// Curves and limits at one speed: metres before the target location, decelerations in m/s2.
 struct SpeedRow {
   double v_kmh = 0.0;
