@@ -19,7 +19,7 @@ constexpr Speed kSpare{0.1};
 struct Seen {
   unsigned beyond;  // bit per Limit
   bool beyond_I_EBD, beyond_I_SBD;
-  bool near;    // some limit of it can be exceeded; only then the speeds are valid
+  bool near;    // some limit of it can be exceeded; if not, its speeds are kFar
   double to_I;  // distance to its Indication limit; where it is not near a lower bound of it
   double V_P, V_P_EBD, V_P_SBD, V_W, V_SBI, V_EBI;
 };

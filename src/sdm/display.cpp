@@ -82,11 +82,7 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
     }
   }
   // Each step goes to a lower target speed: no target comes twice.
-  while (best != kTargets && c.d.targets[best].kind != TargetKind::EOA_SvL && c.d.targets[best].V_target.si > 0.0) {
-    const std::size_t next = furthest_masked(c, seen, best);
-    if (next == kTargets) break;
-    best = next;
-  }
+  for (std::size_t next = best; next != kTargets; next = furthest_masked(c, seen, next)) best = next;
   return best;
 }
 
@@ -122,13 +118,13 @@ void show_limits(const Cycle& c, const Seen* seen, Result& out) {
   if (c.s.monitoring == Monitoring::RSM) {
     out.V_W = out.V_SBI = out.V_EBI = release(c).V_release;
     const std::size_t i = index_of(c, c.s.MRDT);
-    if (i != kTargets && seen[i].near) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
+    if (i != kTargets) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
     return;
   }
   const std::size_t MRDT = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
-    if (!seen[i].near) continue;
-    // 3.4.0 shows the MRDT's; it has the lowest one anyway.
+    // The speeds of a target that is far away are far above all others. 3.4.0 shows the MRDT's; it has the lowest one
+    // anyway.
     if (c.d.rules.masking || i == MRDT) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
     out.V_W = std::min(out.V_W, Speed{seen[i].V_W});
     out.V_SBI = std::min(out.V_SBI, Speed{seen[i].V_SBI});

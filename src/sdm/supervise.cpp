@@ -137,12 +137,11 @@ Triggered monitor_CSM(Cycle& c) {
     if (row.EB == EbRelease::always || (row.EB == EbRelease::if_permitted && c.d.Q_NVEMRRLS)) c.s.eb = false;
   }
   const bool below = c.a.V <= c.M;  // r1, or r0 of a brake that was not needed any more
+  // 3.13.10.3.6: Indication does not exist here; one of these ends it.
   if (t.status > c.s.status)
     c.s.status = t.status;
   else if (below && (c.s.status != Status::Intervention || !braking(c.s)))
     c.s.status = Status::Normal;
-  // 3.13.10.3.6: Indication does not exist here.
-  if (c.s.status == Status::Indication) c.s.status = t.status;
   return t;
 }
 
@@ -152,12 +151,13 @@ Triggered monitor_RSM(Cycle& c) {
   Triggered t;
   for (const TriggerRow& row : kRSM)
     if (holds(row, b, c.a.V, 0)) t.take(row);
-  apply_triggers(c, t, true);
+  c.s.eb = c.s.eb || t.eb;
   const bool r0 = c.m.standstill;
   if (r0) c.s.eb = false;
+  // No other brake is commanded here (`enter`).
   if (t.status == Status::Intervention)
     c.s.status = Status::Intervention;
-  else if (c.s.status != Status::Intervention || (r0 && !braking(c.s)))
+  else if (c.s.status != Status::Intervention || r0)
     c.s.status = Status::Indication;
   return t;
 }
