@@ -48,6 +48,14 @@ void location_on(ExplainPage& page, const std::string& symbol, sdm::CurveView cu
               result.from_origin.si, "m", clause);
 }
 
+/// Says so where a curve does not have a speed at any place: the train does not decelerate.
+bool nowhere(ExplainPage& page, const char* speed, Place place) {
+  if (is_somewhere(place)) return false;
+  page.line(std::string(speed) +
+            " is nowhere allowed (A <= 0): the curve does not reach it, there are no limits for it");
+  return true;
+}
+
 /// T_bs1, T_bs2 and T_indication of one curve: with 4.0.0 those of EBD and SBD may differ.
 void service_brake_times(ExplainPage& page, const sdm::Derived& d, const sdm::Times& t) {
   const sdm::TimeConfig& config = d.time_config;
@@ -176,7 +184,9 @@ void EBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& 
   page.heading("Limits from the emergency brake deceleration curve (EBD)");
   anchor(page, target, a.derived().fixed);
   explain_arcs(page, a, sdm::CurveKind::EBD, EBD, e.EBD.loss.V_bec);
-  if (e.EBD.loss.V_bec != e.approach.V) location_on(page, "d_EBD(V)", EBD, e.approach.V, e.d_EBD, EBD_clause(target));
+  if (e.EBD.loss.V_bec != e.approach.V && is_somewhere(e.d_EBD))
+    location_on(page, "d_EBD(V)", EBD, e.approach.V, e.d_EBD, EBD_clause(target));
+  if (nowhere(page, "V_bec", e.EBD.d_curve)) return;
   location_on(page, "d_EBD(V_bec)", EBD, e.EBD.loss.V_bec, e.EBD.d_curve, EBD_clause(target));
   page.step("d_EBI", "d_EBD(V_bec) - D_bec", n4(e.EBD.d_curve.from_origin.si) + " - " + n4(e.EBD.loss.D_bec.si),
             e.EBD.d_EBI->from_origin.si, "m", "3.13.9.3.2.12");
@@ -195,6 +205,7 @@ void SBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& 
     service_brake_times(page, a.derived(), t);
   }
   explain_arcs(page, a, sdm::CurveKind::SBD, SBD, e.approach.V);
+  if (nowhere(page, "V", e.SBD->d_curve)) return;
   location_on(page, "d_SBD(V)", SBD, e.approach.V, e.SBD->d_curve, "3.13.8.4.1");
   page.step("d_SBI1", "d_SBD(V) - V * T_bs1",
             fmt::format("{} - {} * {}", n4(e.SBD->d_curve.from_origin.si), n4(e.approach.V.si), n4(t.T_bs1.si)),

@@ -325,6 +325,16 @@ TEST(CurvesExplain, ReducedBuildUpTimes) {
   check_by_calculator(both);
 }
 
+TEST(CurvesExplain, ASpeedThatIsNowhereAllowed) {
+  json document = load_json(kCurves + "passenger_eoa.json");
+  document["national_values"]["Kv_int_passenger"] = {{0, 0, 0}};
+  document["track"]["gradient"] = {{0, 0}};
+  const std::string page = explain_text(approached(document), 100);
+  EXPECT_NE(page.find("V_bec is nowhere allowed (A <= 0)"), std::string::npos) << page;
+  EXPECT_EQ(page.find("1000000"), std::string::npos) << page;
+  EXPECT_NE(page.find("d_SBI1"), std::string::npos);
+}
+
 TEST(CurvesExplain, ATrackThatIsTooSteep) {
   json document = load_json(kCurves + "passenger_eoa.json");
   document["track"]["gradient"] = {{0, 0}, {5000, -90}, {6000, 0}};

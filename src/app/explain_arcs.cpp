@@ -124,7 +124,11 @@ void explain_decelerations(ExplainPage& page, const Approached& a, const sdm::Ex
   const sdm::Decelerations& d = a.derived().decelerations;
   page.heading("Gradient and resulting deceleration, at the place where the curve has this speed");
   const sdm::Segment& s = segment_upstream(d.segments_of(a.target().due_to_TSR), e.d_EBD);
-  gradient_at(page, a, s, e.d_EBD, "d_EBD(V)");
+  if (is_somewhere(e.d_EBD))
+    gradient_at(page, a, s, e.d_EBD, "d_EBD(V)");
+  else
+    page.step("A_gradient", "where the line begins: the EBD has this speed nowhere", "", s.A_gradient.si, "m/s2",
+              "3.13.4.3.2");
   safe(page, a, e, s);
   if (!e.d_SBD) return;
   gradient_at(page, a, segment_upstream(d.segments, *e.d_SBD), *e.d_SBD, "d_SBD(V)");
@@ -143,6 +147,7 @@ void explain_arcs(ExplainPage& page, const Approached& a, sdm::CurveKind kind, s
   bool capped = false;
   for (std::size_t k = 0; k <= curve.knot_at(V); ++k) {
     const sdm::Knot& knot = curve.knots[k];
+    if (!is_somewhere(knot.x)) break;  // level from the last one on
     const std::string start = fmt::format("  {:>12.3f} {:>9.3f}", m(knot.x), std::sqrt(knot.w.si) * kKmh);
     if (!(knot.A.si > 0.0)) {
       page.line(start + "   level: no deceleration here (A <= 0), or the curve falls upstream of here");
