@@ -13,7 +13,7 @@ constexpr Speed kMargin{100.0 / 3.6};
 constexpr std::size_t kReserved = 6 * kMaxKnots;
 
 Speed highest(const Mrsp& mrsp) {
-  Speed V{0.0};
+  Speed V{};
   for (const auto& step : mrsp.steps) V = std::max(V, step.value);
   return V;
 }
@@ -50,20 +50,19 @@ class Builder {
 
   void MRSP_targets() {
     if (!in_.supervise_targets) return;
-    Speed before{0.0};
+    Speed before{};
     for (std::size_t i = 0; i < in_.mrsp.size(); ++i) {
       const auto& step = in_.mrsp.steps[i];
-      const bool lower = i > 0 && step.value < before;
-      if (lower) {
-        Target t;
-        t.kind = TargetKind::MRSP;
-        t.V_target = step.value;
-        t.d_target = step.from;
-        t.due_to_TSR = in_.mrsp_due_to_TSR[i];
-        if (!add(t)) {
+      if (step.value < before) {
+        if (!room_for_MRSP_target()) {
           squeeze(i);
           return;
         }
+        Target t;
+        t.V_target = step.value;
+        t.d_target = step.from;
+        t.due_to_TSR = in_.mrsp_due_to_TSR[i];
+        add(t);
       }
       // 4.0.0: whatever is lower than an element before it; else decreases only.
       before = d_.rules.all_lower_elements_are_targets ? std::max(before, step.value) : step.value;
@@ -77,20 +76,20 @@ class Builder {
       t.kind = TargetKind::LOA;
       t.V_target = a.V_LOA;
       t.d_target = a.EOA;
-      (void)add(t, true);
+      add(t);
     }
     if (a.kind == Authority::Kind::EOA_SvL) {
       Target t;
       t.kind = TargetKind::EOA_SvL;
       t.d_target = a.SvL;
       t.d_EOA = a.EOA;
-      (void)add(t, true);
+      add(t);
     }
     if (in_.SR_end.has_value()) {
       Target t;
       t.kind = TargetKind::SR_end;
       t.d_target = *in_.SR_end;
-      (void)add(t, true);
+      add(t);
     }
   }
 
@@ -102,29 +101,30 @@ class Builder {
   CurveRef curve(CurveKind kind, bool due_to_TSR, Place anchor, Speed V_anchor, Speed V_foot, CurveWarnings& w) {
     std::size_t used = d_.knots_used;
     const std::size_t first = used;
-    const std::size_t room = std::min(first + kMaxKnots, kKnotPool);
-    const CurveWarnings met =
-        trace({d_.knots.data(), room}, used, d_.decelerations, kind, due_to_TSR, anchor, V_anchor, V_foot, V_top_);
+    EVC_REQUIRE(first + kMaxKnots <= kKnotPool);
+    // There is room for every curve: kReserved, and what room_for_MRSP_target asks for.
+    const CurveWarnings met = trace({d_.knots.data(), first + kMaxKnots}, used, d_.decelerations, kind, due_to_TSR,
+                                    anchor, V_anchor, V_foot, V_top_);
     d_.knots_used = static_cast<std::uint16_t>(used);
     w.no_deceleration = w.no_deceleration || met.no_deceleration;
     w.truncated = w.truncated || met.truncated;
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(used - first)};
   }
 
-  /// Traces the target's curves. False when there is no room (an MRSP target only).
-  bool add(Target& t, bool always = false) {
-    const std::size_t spare = always ? 0 : 2;
-    if (d_.targets.size() + spare >= kTargets) return false;
-    if (!always && kKnotPool - d_.knots_used < kReserved + 2 * kMaxKnots) return false;
+  /// For two curves, with what the ends of authority and of the SR distance need: two targets and their curves.
+  bool room_for_MRSP_target() const {
+    return d_.targets.size() + 2 < kTargets && kKnotPool - d_.knots_used >= kReserved + 2 * kMaxKnots;
+  }
+
+  /// Traces the target's curves.
+  void add(Target& t) {
     trace_curves(t);
     const bool room = d_.targets.push_back(t);
     EVC_REQUIRE(room);
-    return true;
   }
 
   void trace_curves(Target& t) {
     t.zero = t.V_target.si <= 0.0;
-    t.warnings = {};
     const bool at_speed = t.kind == TargetKind::MRSP || t.kind == TargetKind::LOA;
     const Speed V_anchor = at_speed ? t.V_target + dV_ebi(t.V_target, in_.fixed) : Speed{0.0};
     t.EBD = curve(CurveKind::EBD, t.due_to_TSR, t.d_target, V_anchor, t.V_target, t.warnings);
