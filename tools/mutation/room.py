@@ -1,6 +1,5 @@
 """A room and its tests: built, run with a mutant, judged. Nothing is written outside build/mutants/ROOM."""
 import concurrent.futures
-import hashlib
 import json
 import math
 import os
@@ -19,6 +18,7 @@ from mutation import schema
 from mutation.sources import ROOT, SRC, mutants_of_room
 
 HERE = pathlib.Path(__file__).resolve().parent
+SHARED = ROOT / "build" / "mutants" / "shared"  # what no mutant changes: other rooms, the test library
 CXX = shlex.split(os.environ.get("CXX", "g++"))
 FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOURCE_DIR="{ROOT}"']
 ROOM_FLAGS = ["-O1", "-fno-exceptions", "-fno-rtti"]
@@ -48,11 +48,17 @@ def includes(out):
     return None if newer else words
 
 
+def finish(part, out):
+    """What was compiled gets its name when it is complete: another run may want it too."""
+    os.replace(f"{part}.d", f"{out}.d")
+    os.replace(part, out)
+
+
 class Build:
     """One way to compile everything: folders that are searched first, flags, and a folder for what is made."""
     def __init__(self, out, trees, test_flags, include):
         self.out, self.trees, self.test_flags = out, trees, test_flags
-        self.common = out / "common.h"  # what every test includes, compiled once
+        self.common = SHARED / out.name / "common.h"  # what every test includes, compiled once
         self.include = include
         out.mkdir(parents=True, exist_ok=True)
 
@@ -66,6 +72,17 @@ class Build:
         command = self.command(source, trees) + ["-MMD", "-MF", f"{out}.d", "-c", str(source), "-o", str(out)]
         return subprocess.run(command, capture_output=True, text=True)
 
+    def made(self, source, name):
+        """The object, compiled where something is newer."""
+        out = self.out / name
+        if includes(out) is None:
+            part = self.out / f"{os.getpid()}_{name}"
+            done = self.compile(source, part)
+            if done.returncode:
+                sys.exit(f"{source}: does not compile\n{done.stderr}")
+            finish(part, out)
+        return out
+
     def errors(self, source):
         command = self.command(source) + ["-fsyntax-only", "-fmax-errors=0", "-Werror=vla", str(source)]
         done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
@@ -76,8 +93,10 @@ class Build:
         write(self.common, lines)
         compiled = pathlib.Path(f"{self.common}.gch")
         if includes(compiled) is None:
-            command = CXX + FLAGS + self.test_flags + ["-MMD", "-MF", f"{compiled}.d"]
-            subprocess.run(command + ["-x", "c++-header", str(self.common), "-o", str(compiled)], check=True)
+            part = self.common.parent / str(os.getpid())
+            command = CXX + FLAGS + self.test_flags + ["-MMD", "-MF", f"{part}.d"]
+            subprocess.run(command + ["-x", "c++-header", str(self.common), "-o", str(part)], check=True)
+            finish(part, compiled)
 
 
 class Room:
@@ -88,10 +107,11 @@ class Room:
         self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
-        self.mutants = mutants_of_room(self.src, name, self.rooms)
+        self.mutants = mutants_of_room(self.src / name, [SHARED / "src" / room for room in self.rooms[1:]])
         self.tree = self.out / "instrumented"
-        self.all = Build(self.out / "all", [self.tree, self.src], ["-O1"], [HERE / "schema.h"])
-        self.plain = Build(self.out / "plain", [self.src], ["-O0"], [])
+        self.all = Build(self.out / "all", [self.tree, self.src, SHARED / "src"], ["-O1"], [HERE / "schema.h"])
+        self.plain = Build(self.out / "plain", [self.src, SHARED / "src"], ["-O0"], [])
+        self.other = Build(SHARED / "objects", [SHARED / "src"], [], [])
         self.others = self.out / "others.a"
         self.in_schema = set()  # numbers of the mutants that the one build holds
         self.objects = None  # of the plain build: source -> (object, what it was made of)
@@ -120,16 +140,17 @@ class Room:
     def prepare(self):
         """The build with all mutants, and what the unchanged room needs of time."""
         self.all.prepare_common()
-        others = self.each(lambda s: self.made(self.all, s, f"{s.parent.name}_{s.stem}.o"),
-                           [s for room in self.rooms[1:] for s in sorted((self.src / room).glob("*.cpp")) if not is_test(s)])
+        others = self.each(lambda s: self.other.made(s, f"{s.parent.name}_{s.stem}.o"),
+                           [s for room in self.rooms[1:] for s in sorted((SHARED / "src" / room).glob("*.cpp"))
+                            if not is_test(s)])
         # The linker takes of other rooms what it needs.
         self.others.unlink(missing_ok=True)
         subprocess.run(["ar", "rcs", str(self.others)] + [str(o) for o in others], check=True)
         self.instrument()
         sources = [self.instrumented(s) for s in self.sources()]
-        objects = self.each(lambda s: self.made(self.all, s, s.stem + ".o"), sources)
+        objects = self.each(lambda s: self.all.made(s, s.stem + ".o"), sources)
         self.binary = self.out / "all_test"
-        objects.append(self.made(self.all, HERE / "schema.cpp", "schema.o"))
+        objects.append(self.all.made(HERE / "schema.cpp", "schema.o"))
         if not self.link(self.binary, objects):
             sys.exit(f"mutate: the test of {self.name} cannot be linked")
         self.time_tests()
@@ -138,12 +159,13 @@ class Room:
 
     def copy(self):
         for room in self.rooms:
-            for old in (self.src / room).rglob("*.*"):
-                if not (SRC / old.relative_to(self.src)).exists():
+            copy = self.src if room == self.name else SHARED / "src"
+            for old in (copy / room).rglob("*.*"):
+                if not (SRC / old.relative_to(copy)).exists():
                     old.unlink()
             for file in (SRC / room).rglob("*.*"):
                 if file.suffix in (".cpp", ".h"):
-                    write(self.src / file.relative_to(SRC), file.read_text())
+                    write(copy / file.relative_to(SRC), file.read_text())
 
     def sources(self):
         return sorted((self.src / self.name).glob("*.cpp"), key=lambda s: (not is_test(s), s.name))
@@ -152,51 +174,43 @@ class Room:
         changed = self.tree / self.name / source.name
         return changed if changed.exists() else source
 
-    def made(self, build, source, name):
-        out = build.out / name
-        if includes(out) is None:
-            done = build.compile(source, out)
-            if done.returncode:
-                sys.exit(f"{source}: does not compile\n{done.stderr}")
-        return out
-
-    def instrument(self):
-        """The instrumented tree, without the changes that do not compile. These are remembered."""
+    def write_tree(self, dropped):
         files = {}
         for m in self.mutants:
             files.setdefault(m.path, []).append(m)
-        text = "".join(p.read_text() for p in [*sorted(HERE.glob("*.*")), *files])
-        digest = hashlib.sha256((text + "".join(m.key() for m in self.mutants)).encode()).hexdigest()
-        memory = self.out / "dropped.json"
-        known = json.loads(memory.read_text()) if memory.exists() else {}
-        settled = known.get("digest") == digest
-        dropped = set(known["marks"]) if settled else set()
-        if not settled:
-            shutil.rmtree(self.tree, ignore_errors=True)
-        sources = [self.src / self.name / s.name for s in self.sources()]
-        failing = [s for s in sources if not is_test(s)]  # they tell most, and sooner than tests
-        while True:
-            self.in_schema = set()
-            for path, mutants in files.items():
-                changed, written = schema.instrumented(path.read_text(), mutants, dropped, path.name)
-                write(self.tree / self.name / path.name, changed)
-                self.in_schema |= written
-            if settled:
-                break
+        for old in self.tree.glob("*/*.*"):
+            if self.src / self.name / old.name not in files:
+                old.unlink()
+        self.in_schema = set()
+        for path, mutants in files.items():
+            text, written = schema.instrumented(path.read_text(), mutants, dropped, path.name)
+            write(self.tree / self.name / path.name, text)
+            self.in_schema |= written
+
+    def instrument(self):
+        """The instrumented tree, without the changes that do not compile. These are remembered by what they are, so
+        that a run after a change of the sources begins where the last one ended."""
+        keys = {str(m.id): m.key() for m in self.mutants}
+        memory = SHARED / f"{self.name}.json"
+        known = set(json.loads(memory.read_text())) if memory.exists() else set()
+        dropped = {mark for mark in keys if keys[mark] in known} | known
+        self.write_tree(dropped)
+        stale = [s for s in self.sources() if includes(self.all.out / (s.stem + ".o")) is None]
+        failing = [s for s in stale if not is_test(s)] or stale  # the room tells most, and sooner than its tests
+        while failing:
             messages = self.each(lambda s: self.all.errors(self.instrumented(s)), failing)
             if not any(messages):
-                if failing == sources:
-                    break
-                failing = sources
+                failing = stale if failing != stale else []
                 continue
             failing = [s for s, message in zip(failing, messages) if message]
             found = set().union(*(schema.blamed(message, self.tree) for message in messages)) - dropped
             if not found:
                 sys.exit("mutate: the instrumented copy does not compile\n" + "".join(messages))
-            print(f"mutate: {len(found)} changes taken back that do not compile, for {len(failing)} sources: "
-                  + " ".join(sorted(found)), file=sys.stderr, flush=True)
+            print(f"mutate: {len(found)} changes taken back that do not compile, {len(failing)} sources", file=sys.stderr,
+                  flush=True)
             dropped |= found
-        memory.write_text(json.dumps({"digest": digest, "marks": sorted(dropped)}))
+            self.write_tree(dropped)
+        memory.write_text(json.dumps(sorted(known | {keys.get(mark, mark) for mark in dropped})))
 
     def time_tests(self):
         report = self.out / "unchanged.json"
@@ -274,7 +288,7 @@ class Room:
             if self.objects is None:
                 self.plain.prepare_common()
                 sources = self.sources()
-                made = self.each(lambda s: self.made(self.plain, s, s.stem + ".o"), sources)
+                made = self.each(lambda s: self.plain.made(s, s.stem + ".o"), sources)
                 self.objects = {s: (o, includes(o)) for s, o in zip(sources, made)}
         return self.objects
 

@@ -132,8 +132,8 @@ def runtime_edits(code, name, dropped):
     for m in re.finditer(r"\b(static |inline |friend )?constexpr (?!\()", code):
         if re.search(r"\bif $", code[:m.start()]):
             continue
-        mark = f"{name}:constexpr {m.start()}"
         declared = code[m.end():m.end() + re.search(r"[;{]|$", code[m.end():]).start() + 1]
+        mark = f"{name}:constexpr " + re.sub(r"\W+", " ", declared).strip()
         before = m.group(1) or ""
         function = "operator" in declared or re.match(r"[^={;\[]*\(", declared)
         size = re.match(r"(std::size_t|int|unsigned|std::u?int\d+_t) \w+ =", declared)  # may be that of an array

@@ -77,11 +77,11 @@ def described(text, start, end, new, operator):
     return re.sub(r"\s+", " ", f"`{old}` -> `{new}` in `{line}`" + (f" ({same + 1})" if same else ""))
 
 
-def enumerators(src, rooms):
-    """Enum name -> its values, of all headers of these rooms."""
+def enumerators(folders):
+    """Enum name -> its values, of all headers in these folders."""
     found = {}
-    for room in rooms:
-        for header in (src / room).glob("*.h"):
+    for folder in folders:
+        for header in folder.glob("*.h"):
             for name, body in re.findall(r"enum class (\w+)[^{;]*\{([^}]*)\}", masked(header.read_text())):
                 values = [v.split("=")[0].strip() for v in body.split(",")]
                 found[name] = [v for v in values if v and v != "count"]
@@ -170,16 +170,18 @@ def mutants_of(path, enums):
             for start, end, new, operator, row in places(text, enums)]
 
 
-def mutants_of_room(src, name, rooms):
-    """All mutants of a room in the folder `src`, numbered from 1. Headers that only tests include are tests."""
+def mutants_of_room(folder, others):
+    """All mutants of the room in `folder`, numbered from 1. Headers that only tests include are tests. `others`:
+    the folders of the rooms that it uses."""
+    name = folder.name
     included = set()
     for source in SRC.glob("*/*"):
         if source.suffix in (".cpp", ".h") and not source.name.endswith("_test.cpp"):
             included.update(re.findall(rf'^#include "{name}/(\w+\.h)"', source.read_text(), re.M))
-    tests_only = {h.name for h in (src / name).glob("*.h")} - included
-    enums = enumerators(src, rooms)
+    tests_only = {h.name for h in folder.glob("*.h")} - included
+    enums = enumerators([folder, *others])
     found = []
-    for path in sorted((src / name).iterdir()):
+    for path in sorted(folder.iterdir()):
         if path.suffix in (".cpp", ".h") and not path.name.endswith("_test.cpp") and path.name not in tests_only:
             found += mutants_of(path, enums)
     for number, mutant in enumerate(found, 1):
