@@ -11,9 +11,8 @@ bool concerned(const Cycle& c, const Seen& seen, const Target& t) {
   if (t.kind == TargetKind::EOA_SvL) return seen.beyond_I_EBD || seen.beyond_I_SBD;
   return seen.beyond_I_EBD && t.V_target < c.M && c.a.V >= t.V_target;
 }
-/// V_P of a target among the concerned ones: for EOA/SvL only the part whose Indication is exceeded.
-double concerned_V_P(const Seen& s, const Target& t) {
-  if (t.kind != TargetKind::EOA_SvL) return s.V_P;
+/// V_P of a concerned target: of EOA and SvL only the part whose Indication limit is exceeded.
+double concerned_V_P(const Seen& s) {
   return std::min(s.beyond_I_EBD ? s.V_P_EBD : kFar, s.beyond_I_SBD ? s.V_P_SBD : kFar);
 }
 
@@ -75,7 +74,7 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
   double lowest = kFar;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
     if (!concerned(c, seen[i], c.d.targets[i])) continue;
-    const double V_P = concerned_V_P(seen[i], c.d.targets[i]);
+    const double V_P = concerned_V_P(seen[i]);
     if (best == kTargets || V_P < lowest) {
       best = i;
       lowest = V_P;
@@ -176,10 +175,9 @@ void show_first_indication(const Cycle& c, const Seen* seen, Result& out) {
   distance = std::max(distance, 0.0);
   out.first_indication = Distance{distance};
   if (c.d.csm_display == train::MaxReducedAdhesion::Display::target_information) show_target(c, first, out);
-  if (c.d.csm_display == train::MaxReducedAdhesion::Display::time_to_indication && c.a.V.si > 0.0) {
-    const Duration TTI{distance / c.a.V.si};
-    if (TTI < c.d.fixed.T_dispTTI) out.TTI = TTI;
-  }
+  if (c.d.csm_display == train::MaxReducedAdhesion::Display::time_to_indication &&
+      Distance{distance} < c.a.V * c.d.fixed.T_dispTTI)
+    out.TTI = Duration{distance / c.a.V.si};
 }
 
 template <class T>
@@ -227,7 +225,7 @@ bool select_MRDT(Cycle& c, const Seen* seen) {
   }
   const std::size_t current = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
   if (selected == kTargets) {
-    if (current == kTargets && c.s.has_MRDT) c.s.has_MRDT = false;
+    if (current == kTargets) c.s.has_MRDT = false;
     return false;
   }
   const TargetId id = id_of(c.d.targets[selected]);
@@ -248,7 +246,6 @@ void display(Cycle& c, const Seen* seen, Result& out) {
   } else if (c.s.has_MRDT) {
     if (const std::size_t i = index_of(c, c.s.MRDT); i != kTargets) show_target(c, i, out);
   }
-  if (c.s.monitoring == Monitoring::RSM) out.V_release = release(c).V_release;
   hold_shown_values(c, out.MRDT_changed, out);
 }
 

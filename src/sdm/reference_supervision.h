@@ -571,7 +571,7 @@ inline void ReferenceSupervision::show_first_indication(Result& out) const {
   out.first_indication = distance;
   using Display = train::MaxReducedAdhesion::Display;
   if (d_->csm_display == Display::target_information) show_target(*first, out);
-  if (d_->csm_display == Display::time_to_indication && V_.si > 0.0 && (distance / V_).si < 14.0)
+  if (d_->csm_display == Display::time_to_indication && distance < V_ * Duration{14.0})
     out.TTI = Duration{distance.si / V_.si};
 }
 

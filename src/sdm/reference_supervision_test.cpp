@@ -126,7 +126,7 @@ Inputs random_inputs(std::uint64_t seed, SrsVersion srs, Dice& dice) {
 class Journey {
  public:
   Journey(std::uint64_t seed, SrsVersion srs) : dice_(seed * 3 + 7), in_(random_inputs(seed, srs, dice_)) {
-    rebuild(*derived, in_);
+    build();
     m_.now = {100.0};
     m_.est_front = m_.max_safe_front = m_.min_safe_front = {{dice_.real(-300.0, 3000.0)}};
     has_pressure_ = in_.train.service_brake_feedback && dice_.chance(0.9);
@@ -151,8 +151,23 @@ class Journey {
   }
 
  private:
-  void change_inputs() {
+  /// Where there is a release speed, sometimes with targets exactly at trip location and SvL.
+  void build() {
     ++in_.revision;
+    rebuild(*derived, in_);
+    if (!derived->release_speed.exists || !dice_.chance(0.2)) return;
+    const Place trip = derived->release_speed.d_trip;
+    Mrsp shorter;
+    for (const auto& step : in_.mrsp.steps)
+      if (step.from < trip) (void)shorter.append(step.from, step.value);
+    in_.mrsp = shorter;
+    (void)in_.mrsp.append(trip, kmh(5.0 * dice_.integer(2, 6)));
+    if (dice_.chance(0.5)) (void)in_.mrsp.append(in_.authority.SvL, kmh(5.0));
+    ++in_.revision;
+    rebuild(*derived, in_);
+  }
+
+  void change_inputs() {
     const int what = dice_.integer(0, 5);
     if (what == 0) new_mrsp(in_, dice_);
     if (what == 1) new_authority(in_, dice_);
@@ -163,7 +178,7 @@ class Journey {
       in_.authority.EOA = in_.authority.EOA + Distance{dice_.integer(-5, 10) * 50.0};
       in_.authority.SvL = in_.authority.EOA + Distance{50.0};
     }
-    rebuild(*derived, in_);
+    build();
   }
 
   std::optional<double> pressure() {
