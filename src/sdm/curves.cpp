@@ -15,7 +15,7 @@ const Segment& segment_before(const Segments& s, Place x) {
 }
 const Band& band_at(const Bands& bands, Speed V) {
   std::size_t i = 0;
-  while (i + 1 < bands.size() && bands[i].w_upto < V * V) ++i;
+  while (bands[i].w_upto < V * V) ++i;  // the last one has no end
   return bands[i];
 }
 
@@ -91,7 +91,7 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
   if (t.kind == TargetKind::EOA_SvL) e.d_SBD = d.view(t.SBD).place_at(V);
   if (d.view(t.GUI).exists()) e.d_GUI = d.view(t.GUI).place_at(V);
   // EOA and SvL have a guidance curve each (3.13.8.5.2 a); the more restrictive one is the driver's.
-  if (e.d_GUI.has_value() && d.view(t.GUI_EOA).exists()) e.d_GUI = std::min(*e.d_GUI, d.view(t.GUI_EOA).place_at(V));
+  if (d.view(t.GUI_EOA).exists()) e.d_GUI = std::min(*e.d_GUI, d.view(t.GUI_EOA).place_at(V));
   decelerations(e, d, in, t, V);
   e.d_FLOI = e.EBD.d_SBI;
   e.d_W = e.EBD.d_W;

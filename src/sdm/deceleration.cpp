@@ -1,11 +1,13 @@
 #include "sdm/deceleration.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace evc::sdm {
 namespace {
 
 constexpr double kNowhere = 1e9;
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();  // of the highest speed band
 
 struct Covered {
   Place from{}, to{};
@@ -28,14 +30,14 @@ struct Extended {
 Extended extended(const GradientProfile& p, double unknown) {
   Extended e;
   const Covered c = covered(p);
-  bool room = e.f.append({{-kNowhere}}, unknown);
-  for (std::size_t i = 0; i < p.permille.size(); ++i) {
-    const Place from = std::max(p.permille.steps[i].from, c.from);
-    const Place to = i + 1 < p.permille.size() ? std::min(p.permille.steps[i + 1].from, c.to) : c.to;
-    if (from < to) room = e.f.append(from, p.permille.steps[i].value) && room;
+  // Two more steps than the profile can have are room enough.
+  EVC_REQUIRE(e.f.append({{-kNowhere}}, unknown));
+  for (const auto& step : p.permille.steps) {
+    // What begins before the known part takes the place of the one before it.
+    const Place from = std::max(step.from, c.from);
+    if (from < c.to) EVC_REQUIRE(e.f.append(from, step.value));
   }
-  if (c.to.from_origin.si < kNowhere) room = e.f.append(c.to, unknown) && room;
-  EVC_REQUIRE(room);  // two more than the profile can have
+  if (c.to.from_origin.si < kNowhere) EVC_REQUIRE(e.f.append(c.to, unknown));
   return e;
 }
 
@@ -100,7 +102,7 @@ Bands bands_of(const Steps& steps, const train::MaxReducedAdhesion& cap) {
     Band b;
     const Acceleration A = steps.steps[i].value;
     b.A = {A, cap.no_maximum ? A : std::min(A, cap.A)};
-    b.w_upto = {i + 1 < steps.size() ? steps.steps[i + 1].from.si * steps.steps[i + 1].from.si : 1e18};
+    b.w_upto = {i + 1 < steps.size() ? steps.steps[i + 1].from.si * steps.steps[i + 1].from.si : kNoEnd};
     const bool room = bands.push_back(b);
     EVC_REQUIRE(room);
   }
@@ -114,7 +116,7 @@ Bands guidance_bands(const train::TrainData& t, Acceleration a0) {
   if (A.empty()) return bands;
   double from = 0.0;
   for (;;) {
-    double upto = 1e9;
+    double upto = kNoEnd;
     const auto next_step = [&upto, from](const auto& f) {
       for (const auto& s : f.steps)
         if (s.from.si > from) upto = std::min(upto, s.from.si);
@@ -132,55 +134,38 @@ Bands guidance_bands(const train::TrainData& t, Acceleration a0) {
     b.w_upto = {upto * upto};
     const bool room = bands.push_back(b);
     EVC_REQUIRE(room);
-    if (upto >= 1e9) return bands;
+    if (upto == kNoEnd) return bands;
     from = upto;
   }
 }
 
-constexpr train::MaxReducedAdhesion kNoCap{{}, true, train::MaxReducedAdhesion::Display::none};
+constexpr train::MaxReducedAdhesion kNoCap{{}, true, {}};
 
 }  // namespace
 
 CompensatedGradient compensated_gradient(const GradientProfile& profile, Distance L_TRAIN, bool target_due_to_TSR) {
   CompensatedGradient c = lowest_under_train(extended(profile, 0.0).f, L_TRAIN);
   if (!target_due_to_TSR || !profile.default_for_TSR.has_value()) return c;
-  // 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length
-  // compensation; a steeper fall under the rest of the train is kept (safe side).
-  const Covered cover = covered(profile);
-  CompensatedGradient tsr;
+  // 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length compensation; a known fall
+  // under the rest of the train is kept (safe side): only that is below 0 where the front is not covered.
   const double unknown = *profile.default_for_TSR;
-  const auto put = [&tsr](Place from, double value) {
-    const bool room = tsr.permille.append(from, value);
-    EVC_REQUIRE(room);
-  };
-  const auto outside = [&](Place x, double compensated) {
-    // The zero that stands for "not known" does not count here, only a known fall under the train.
-    const bool known_below = x >= cover.to && x - L_TRAIN < cover.to && compensated < 0.0;
-    return known_below ? std::min(compensated, unknown) : unknown;
-  };
-  for (std::size_t i = 0; i < c.permille.size(); ++i) {
-    const Place from = c.permille.steps[i].from;
-    const double value = c.permille.steps[i].value;
-    const Place end = i + 1 < c.permille.size() ? c.permille.steps[i + 1].from : Place{{kNowhere}};
+  const Covered cover = covered(profile);
+  Borders borders;
+  for (const auto& step : c.permille.steps) borders.add(step.from);
+  borders.add(cover.from);
+  borders.add(cover.to);
+  CompensatedGradient tsr;
+  for (const Place from : borders.at) {
+    const double value = c.permille.at(from);
     const bool inside = from >= cover.from && from < cover.to;
-    put(from, inside ? value : outside(from, value));
-    if (from < cover.from && cover.from < end) put(cover.from, value);
-    if (from < cover.to && cover.to < end) put(cover.to, outside(cover.to, value));
-    const Place left = cover.to + L_TRAIN;
-    if (cover.to.from_origin.si < kNowhere && from < left && left < end) put(left, unknown);
+    EVC_REQUIRE(tsr.permille.append(from, inside ? value : value < 0.0 ? std::min(value, unknown) : unknown));
   }
   return tsr;
 }
 
 const Bands& Decelerations::bands(CurveKind kind, const Segment& s) const {
-  switch (kind) {
-    case CurveKind::SBD:
-      return expected[s.service];
-    case CurveKind::GUI:
-      return normal_service[s.service];
-    case CurveKind::EBD:
-      break;
-  }
+  if (kind == CurveKind::SBD) return expected[s.service];
+  if (kind == CurveKind::GUI) return normal_service[s.service];
   return safe[s.emergency];
 }
 
@@ -198,6 +183,12 @@ std::size_t segment_index(const Segments& segments, Place x) {
   }
   return low;
 }
+/// The band that includes the speed, as its upper limit at the most.
+std::size_t band_below(const Bands& bands, SpeedSquared w) {
+  std::size_t i = 0;
+  while (bands[i].w_upto < w) ++i;
+  return i;
+}
 /// The segment that lies downstream-open before x: the one whose end x is.
 std::size_t segment_upstream_of(const Segments& segments, Place x) {
   std::size_t i = segment_index(segments, x);
@@ -211,10 +202,7 @@ Acceleration Decelerations::at(CurveKind kind, Speed V, Place x, bool due_to_TSR
   const Segments& s = segments_of(due_to_TSR);
   const Segment& here = s[segment_index(s, x)];
   const Bands& b = bands(kind, here);
-  std::size_t i = 0;
-  const SpeedSquared w = V * V;
-  while (i + 1 < b.size() && b[i].w_upto < w) ++i;
-  return deceleration(b[i], here);
+  return deceleration(b[band_below(b, V * V)], here);
 }
 
 namespace {
@@ -236,7 +224,7 @@ void build_segments(Segments& out, const CompensatedGradient& gradient, const Tr
   out.clear();
   const auto index_of = [](const auto& stages, train::BrakeSet off) {
     std::uint8_t i = 0;
-    while (i + 1u < stages.size() && stages[i] != off) ++i;
+    while (stages[i] != off) ++i;
     return i;
   };
   std::size_t g = 0;
@@ -273,11 +261,9 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
   InplaceVector<train::BrakeSet, Decelerations::kStages> emergency, service;
   TrackConditions c = conditions;
   if (t.brake_model == train::BrakeModel::lambda) {
-    c.regenerative_off.reset();
-    c.eddy_current_emergency_off.reset();
-    c.eddy_current_service_off.reset();
-    c.magnetic_shoe_off.reset();
-    c.powerless.reset();
+    c = {};
+    c.reduced_adhesion = conditions.reduced_adhesion;
+    c.slippery_rail = conditions.slippery_rail;
   }
   Borders starts;
   starts.add({{-kNowhere}});
@@ -297,8 +283,7 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
   for (std::size_t i = 0; i < service.size(); ++i) {
     const auto A = train::A_brake_service(t, train::in_use_service(t, status, service[i]));
     out.expected[i] = bands_of(A, kNoCap);
-    out.normal_service[i].clear();
-    if (values.Q_NVGUIPERM) out.normal_service[i] = guidance_bands(t, A.steps.front().value);
+    out.normal_service[i] = values.Q_NVGUIPERM ? guidance_bands(t, A.steps.front().value) : Bands{};
   }
   out.highest_safe = highest(out.safe, emergency.size());
   out.highest_expected = highest(out.expected, service.size());
@@ -357,12 +342,6 @@ class Pen {
   bool truncated_ = false;
 };
 
-std::size_t band_below(const Bands& bands, SpeedSquared w) {
-  std::size_t i = 0;
-  while (i + 1 < bands.size() && bands[i].w_upto < w) ++i;
-  return i;
-}
-
 struct Downstream {
   InplaceVector<Knot, 32> knots;  // from the anchor to the foot; A of the arc that leads to the next
   bool reached = false;
@@ -407,7 +386,7 @@ void upstream(Pen& pen, CurveWarnings& warnings, const Decelerations& d, CurveKi
     const Bands& bands = d.bands(kind, segments[s]);
     if (&bands != last || (b > 0 && bands[b - 1].w_upto > w)) b = 0;
     last = &bands;
-    while (b + 1 < bands.size() && bands[b].w_upto <= w) ++b;
+    while (bands[b].w_upto <= w) ++b;
     const Acceleration A = deceleration(bands[b], segments[s]);
     if (A.si > 0.0) {
       pen.arc(A);

@@ -67,7 +67,7 @@ struct Segment {
 };
 using Segments = InplaceVector<Segment, kSegments>;
 
-/// Speed band: decelerations of the brakes for v^2 <= `w_upto` and above the band before.
+/// Speed band: decelerations of the brakes for v^2 <= `w_upto` and above the band before; infinite for the last one.
 struct Band {
   SpeedSquared w_upto{};
   std::array<Acceleration, 2> A{};  // normal adhesion, reduced adhesion

@@ -37,6 +37,53 @@ TEST(ReferenceModel, CompensatedGradientAtEveryBorder) {
   }
 }
 
+/// The strongest of the brakes that count anywhere, without gradient and cap.
+double highest(const Reference& r, bool emergency, const std::vector<double>& places) {
+  double A = 0.0;
+  for (const double x : places) {
+    const train::TrainData& t = r.in.train;
+    if (emergency)
+      for (const auto& s : r.safe[train::in_use_emergency(t, r.in.brakes, r.inhibited(x, false))].steps)
+        A = std::max(A, s.value.si);
+    else
+      for (const auto& s : r.full_service[train::in_use_service(t, r.in.brakes, r.inhibited(x, true))].steps)
+        A = std::max(A, s.value.si);
+  }
+  return A;
+}
+
+TEST(ReferenceModel, WhatIsDeterminedAnewKeepsNothing) {
+  auto d = std::make_unique<Decelerations>();
+  for (int i = 0; i < cases(300); ++i) {
+    SCOPED_TRACE(i);
+    Dice dice(static_cast<std::uint64_t>(i) + 3000);
+    Inputs in = rich_inputs(dice);
+    in.national_values.Q_NVGUIPERM = dice.chance(0.5);
+    determine(*d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
+    const Decelerations fresh = determined(in);
+    EXPECT_EQ(d->segments, fresh.segments);
+    EXPECT_EQ(d->segments_for_TSR, fresh.segments_for_TSR);
+    EXPECT_EQ(d->segments_for_TSR.empty(), !in.gradient.default_for_TSR.has_value());
+    EXPECT_EQ(d->normal_service[0].empty(), !in.national_values.Q_NVGUIPERM);
+    EXPECT_EQ(d->highest_safe, fresh.highest_safe);
+    EXPECT_EQ(d->highest_expected, fresh.highest_expected);
+    const Reference r(in);
+    std::vector<double> places = r.borders();
+    places.push_back(-1e8);
+    EXPECT_EQ(d->highest_safe.si, highest(r, true, places));
+    EXPECT_EQ(d->highest_expected.si, highest(r, false, places));
+    for (const Segments* s : {&d->segments, &d->segments_for_TSR})
+      for (std::size_t n = 1; n < s->size(); ++n) EXPECT_LT((*s)[n - 1].from, (*s)[n].from);
+    // The conversion model knows no special brakes (3.13.2.2.6.3).
+    if (in.train.brake_model != train::BrakeModel::lambda) continue;
+    Inputs plain = in;
+    plain.conditions = {};
+    plain.conditions.reduced_adhesion = in.conditions.reduced_adhesion;
+    plain.conditions.slippery_rail = in.conditions.slippery_rail;
+    EXPECT_EQ(d->segments, determined(plain).segments);
+  }
+}
+
 TEST(ReferenceModel, DecelerationsAtEveryBorderAndStepOfSpeed) {
   for (int i = 0; i < cases(500); ++i) {
     Dice dice(static_cast<std::uint64_t>(i));

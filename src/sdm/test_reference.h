@@ -198,6 +198,11 @@ inline train::TrainData rich_train(Dice& dice) {
     if (dice.chance(0.5)) (void)t.Kn_plus.append({t.Kn_plus.empty() ? 0.0 : i * 10.0}, {dice.real(0.0, 9.0)});
     if (dice.chance(0.5)) (void)t.Kn_minus.append({t.Kn_minus.empty() ? 0.0 : i * 12.5}, {dice.real(0.0, 9.0)});
   }
+  if (dice.chance(0.1)) {
+    t.Kn_plus = {};
+    (void)t.Kn_plus.append({0.0}, {8.0});
+    (void)t.Kn_plus.append({0.5}, {1.0});
+  }
   (void)t.T_emergency.push_back({{4.0}, {2.0}, 0});
   (void)t.T_service.push_back({{5.0}, {2.0}, 0});
   return t;
