@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "sdm/test_cases.h"
 
@@ -69,6 +71,95 @@ TEST(MemoModel, HandComputedLoss) {
   EXPECT_DOUBLE_EQ(loss.DX.si, 0.35 + 0.4);  // the cross term is 0.4 m
 }
 
+/// The sheet as it stands, by its letters: a cell from the row above it.
+struct SheetRow {
+  double A, B, C, D, E, F, G, H, I, J, K, L, M, N, O, P, Q, R, S, T;
+};
+std::vector<SheetRow> sheet_of(const sdm::WorkbookInputs& in) {
+  std::vector<SheetRow> rows;
+  for (double position = 0.0; position <= in.length.si; position += in.quantum.si) {
+    const SheetRow* up = rows.empty() ? nullptr : &rows.back();
+    const bool first_two = rows.size() < 2;
+    SheetRow r{};
+    r.B = position;
+    r.A = in.length.si - r.B;
+    for (const auto& step : in.mrsp.steps)
+      if (&step == in.mrsp.steps.begin() || step.from.si <= r.A) r.F = step.value.si;
+    r.E = in.A_safe.si;
+    r.G = up == nullptr && in.danger_point_in_first_row ? 1.0 : 0.0;
+    r.H = in.dV.si;
+    r.I = r.F + r.H;
+    r.C = r.D = r.J = r.F;
+    if (up != nullptr) {
+      r.C = std::min(std::sqrt(up->C * up->C + 2 * in.quantum.si * up->E), r.I);
+      r.D = up->S < up->I ? std::sqrt(up->D * up->D + 2 * in.quantum.si * up->E) : up->I;
+      r.J = r.F > up->F ? up->F : up->J;
+      if (!first_two) r.K = r.F > up->F ? r.B : up->K;
+    }
+    r.L = r.C < r.I ? 1.0 : 0.0;
+    r.M = in.DT.si;
+    r.N = in.DX.si;
+    r.O = in.DV.si;
+    r.P = 2 * (r.O + r.E * r.M);
+    r.Q = r.O * r.O + 2 * r.E * (first_two ? r.N + r.B - r.K : r.N - r.B + r.K) - r.J * r.J;
+    r.R = std::max(r.P * r.P - 4 * r.Q, 0.0);
+    double body = std::sqrt(r.R) / 2 - r.O - r.E * r.M;
+    if (up != nullptr) body = std::max(body, up->S);
+    // (G = 1) ^ (F <> 0), with 0 ^ 0 as 1.
+    r.S = first_two && std::pow(r.G == 1.0, r.F != 0.0) == 1.0 ? r.I : std::min(body, r.I);
+    r.T = r.S + r.O;
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+TEST(MemoModel, AnySheetCellByCell) {
+  Dice dice(3);
+  for (int i = 0; i < 400; ++i) {
+    sdm::WorkbookInputs in;
+    in.quantum = {2.5 * dice.integer(1, 4)};
+    in.length = {in.quantum.si * dice.integer(1, 60)};
+    in.DT = {0.5 * dice.integer(0, 12)};
+    in.DX = {dice.chance(0.2) ? 200.0 : 0.5 * dice.integer(0, 20)};
+    in.DV = {0.25 * dice.integer(0, 8)};
+    in.dV = {0.5 * dice.integer(0, 6)};
+    in.A_safe = {0.125 * dice.integer(1, 12)};
+    in.danger_point_in_first_row = dice.chance(0.5);
+    double from = 0.0;
+    for (int n = dice.integer(1, 6); n > 0; --n) {
+      ASSERT_TRUE(in.mrsp.append({from}, {1.0 * dice.integer(0, dice.chance(0.3) ? 2 : 40)}));
+      from += in.quantum.si * dice.integer(1, 20);
+    }
+    const std::vector<SheetRow> rows = sheet_of(in);
+    ASSERT_EQ(sdm::workbook_rows(in), rows.size());
+    sdm::WorkbookRow row{};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const sdm::WorkbookRow before = row;
+      row = sdm::workbook_row(in, k, k == 0 ? nullptr : &before);
+      const SheetRow& r = rows[k];
+      const double cells[] = {r.A, r.B, r.C, r.D, r.E, r.F, r.G, r.H, r.I, r.J,
+                              r.K, r.L, r.M, r.N, r.O, r.P, r.Q, r.R, r.S, r.T};
+      static_assert(std::size(cells) == sdm::kWorkbookColumns);
+      for (std::size_t c = 0; c < sdm::kWorkbookColumns; ++c)
+        ASSERT_NEAR(sdm::column(row, c), cells[c], 1e-9)
+            << "sheet " << i << " row " << k << " " << sdm::kWorkbookColumnNames[c];
+    }
+  }
+  // Rows that the quantum divides in decimals only.
+  sdm::WorkbookInputs in;
+  in.quantum = {0.1};
+  in.length = {0.3};
+  EXPECT_EQ(sdm::workbook_rows(in), 4u);
+}
+
+TEST(MemoModel, LossOfTwoDifferentTimes) {
+  // 0.5 m/s2 over 2 s, then 0.25 m/s2 over 3 s: 1 + 1.75 m/s; 1 m, then 1 m/s * 3 s + 1.125 m.
+  const auto loss = sdm::memo_loss({2.0}, {3.0}, {0.5}, {0.25});
+  EXPECT_EQ(loss.DT.si, 5.0);
+  EXPECT_EQ(loss.DV.si, 1.75);
+  EXPECT_EQ(loss.DX.si, 5.125);
+}
+
 TEST(MemoModel, HandComputedEquation) {
   // A_safe 1, DT 2, DX 1, DV 1; target at 100 m with 0; train at 40 m: V0^2 + 6 V0 - 117 = 0.
   const auto s = sdm::memo_V0({{40.0}}, {{{100.0}}, {0.0}}, {1.0}, {{2.0}, {1.0}, {1.0}});
@@ -81,6 +172,7 @@ TEST(MemoModel, HandComputedEquation) {
 TEST(MemoModel, BeyondTheTargetNothingIsAllowed) {
   const auto s = sdm::memo_V0({{200.0}}, {{{100.0}}, {0.0}}, {1.0}, {{2.0}, {1.0}, {1.0}});
   EXPECT_EQ(s.V0.si, 0.0);
+  EXPECT_EQ(s.D.si, 0.0);
   EXPECT_EQ(sdm::memo_Vc({{200.0}}, {{{100.0}}, {0.0}}, {1.0}).si, 0.0);
 }
 
