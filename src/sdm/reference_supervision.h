@@ -516,7 +516,8 @@ inline Met ReferenceSupervision::monitor_TSM(bool MRDT_changed) {
   if (met.SB && d_->time_config.service_brake_available) s.sb = true;
   if (met.SB && !d_->time_config.service_brake_available) s.eb_for_sb = true;
   if (met.EB) s.eb = true;
-  const bool revoked = r_any && V_ <= M_ && !met.TCO && !met.SB && !met.EB;
+  // What triggers in this cycle is not revoked (t1, t2 and r1 at the release speed).
+  const bool revoked = r_any && V_ <= M_ && met.status < Status::Overspeed;
   if (revoked) s.tco = s.sb = s.eb_for_sb = false;
   if (m_.standstill || (revoked && r_EB)) s.eb = false;
   if (met.status > s.status) {

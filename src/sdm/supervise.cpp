@@ -197,7 +197,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
       by_r1 = by_r1 || row.id == 1;
     }
     r.all = r.all && any;
-    r.eb = r.eb && any && eb;
+    r.eb = r.eb && eb;
     r.to_normal = r.to_normal && normal;
     r.only_r2 = r.only_r2 || (normal && !by_r1);
   }
@@ -205,17 +205,18 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     // No row speaks of it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
     // ceiling is supervised all the same.
     t = ceiling_triggers(c, b);
-    r.all = false;
   }
   apply_triggers(c, t, c.d.time_config.service_brake_available);
-  const bool revoked = r.all && !t.tco && !t.sb && !t.eb && at_or_below_M;
+  // What triggers in this cycle is not revoked: with 4.0.0 t1 and t2 hold at the release speed, and r1 too. Above
+  // V_MRSP something always triggers.
+  const bool revoked = r.all && t.status < Status::Overspeed;
   if (revoked) c.s.tco = c.s.sb = c.s.eb_for_sb = false;
   if (c.m.standstill || (revoked && r.eb)) c.s.eb = false;
-  if (t.any && t.status > c.s.status) {
+  if (t.status > c.s.status) {
     c.s.status = t.status;
-  } else if (c.s.status > Status::Indication ? revoked && !(c.s.status == Status::Intervention && braking(c.s))
-                                             : false) {
-    c.s.status = r.to_normal && rules.pre_indication ? Status::Normal : Status::Indication;
+  } else if (c.s.status > Status::Indication) {
+    if (revoked && !(c.s.status == Status::Intervention && braking(c.s)))
+      c.s.status = r.to_normal && rules.pre_indication ? Status::Normal : Status::Indication;
   } else if (c.s.status == Status::Indication && rules.pre_indication && revoked && r.to_normal &&
              (!r.only_r2 || MRDT_changed)) {
     c.s.status = Status::Normal;

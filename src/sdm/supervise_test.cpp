@@ -375,6 +375,47 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   EXPECT_EQ(v.r.monitoring, Monitoring::TSM);
   EXPECT_EQ(v.r.status, Status::Warning);
   EXPECT_EQ(v.r.highest.condition, 2);
+  // r1 holds there too, and does not take back what goes on: neither the Warning nor, in rear of W, the Overspeed.
+  for (int n = 0; n < 2; ++n) {
+    v.cycle(4865, 5.0);
+    EXPECT_EQ(v.r.status, Status::Warning);
+    EXPECT_TRUE(v.r.tco);
+  }
+  Unit w(SrsVersion::v4_0_0);
+  w.in.authority = u.in.authority;
+  w.build();
+  w.cycle(4500, 20.0);
+  double x = 4500.0;
+  while (x < 4870.0 && w.cycle(x, 5.0).highest.condition != 1) x += 1.0;
+  ASSERT_EQ(w.r.highest.condition, 1);
+  EXPECT_EQ(w.r.status, Status::Overspeed);
+  for (int n = 0; n < 2; ++n) EXPECT_EQ(w.cycle(x, 5.0).status, Status::Overspeed);
+}
+
+/// 3.13.10.3.8, Table 16 [1]: only targets between trip location and SvL are left out below the release speed.
+TEST(ReleaseSpeedInTSM, ATargetBeyondTheSvLCountsBelowIt) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    for (const double place : {4920.0, 4925.0}) {
+      Unit u(srs);
+      set_EOA(u.in, 4900.0, 4920.0);
+      u.in.authority.release_speed = ReleaseSpeedChoice::value;
+      u.in.authority.V_release = {5.0};
+      u.in.authority.reference = u.in.authority.EOA;
+      ASSERT_TRUE(u.in.mrsp.append({{place}}, {1.0}));
+      u.build();
+      const ReleaseSpeed& r = u.d->release_speed;
+      ASSERT_EQ(r.V_release, Speed{5.0});
+      const Motion m = at(4500, 4.9);
+      u.cycle(m);
+      ASSERT_EQ(u.r.monitoring, Monitoring::CSM);
+      TimesAsked q;
+      if (srs == SrsVersion::v4_0_0) q.reduced_from = Fronts{m.est_front, m.min_safe_front};
+      const Limits l = limits_of(*u.d, u.d->targets[0], approach({4.9}, {}, {}, u.d->fixed), q).EBD;
+      const Distance to_start = std::min(r.d_SBI1 - m.est_front, r.d_SBI2 - m.max_safe_front);
+      ASSERT_LT(l.d_I - m.max_safe_front, to_start);
+      EXPECT_EQ(*u.r.first_indication, place > 4920.0 ? l.d_I - m.max_safe_front : to_start);
+    }
+  }
 }
 
 TEST(TSM340, NormalStatusBetweenPreIndicationAndIndication) {
