@@ -33,6 +33,7 @@ struct Panel {
   }
   void curve(Svg& svg, const std::vector<std::pair<double, double>>& values, const Stroke& stroke) const {
     std::vector<std::pair<double, double>> points;
+    points.reserve(values.size());
     for (const auto& [a, b] : values) points.emplace_back(x.at(a), y.at(b));
     svg.clip(left, top, right - left, bottom - top);
     svg.polyline(points, stroke);
