@@ -38,16 +38,19 @@ class Referred {
   JsonPlace place_;
 };
 
+/// Fixed values.
+constexpr const char* kFixed = "A.3.1";
+
 void read_fixed_values(train::FixedValues& f, const JsonPlace& place) {
   place.know_only({"dV_ebi_min", "dV_ebi_max", "V_ebi_min",       "V_ebi_max",      "dV_sbi_min",     "dV_sbi_max",
                    "V_sbi_min",  "V_sbi_max",  "dV_warning_min",  "dV_warning_max", "V_warning_min",  "V_warning_max",
                    "T_warning",  "T_driver",   "T_preindication", "T_dispTTI",      "M_rotating_max", "M_rotating_min",
                    "g",          "T41_balise", "T41_eoa"});
   const auto speed = [&](Speed& v, const char* key) {
-    if (const auto p = place.find(key)) v = {p->number(0.0, 600.0) / kKmh};
+    if (const auto p = place.find(key)) v = {p->number(0.0, 600.0, kFixed) / kKmh};
   };
   const auto time = [&](Duration& t, const char* key) {
-    if (const auto p = place.find(key)) t = {p->number(0.0, 600.0)};
+    if (const auto p = place.find(key)) t = {p->number(0.0, 600.0, kFixed)};
   };
   const auto ceiling = [&](Speed& dV_min, Speed& dV_max, Speed& V_min, Speed& V_max, const std::string& limit) {
     const std::string keys[] = {"dV_" + limit + "_min", "dV_" + limit + "_max", "V_" + limit + "_min",
@@ -68,8 +71,8 @@ void read_fixed_values(train::FixedValues& f, const JsonPlace& place) {
   time(f.T_dispTTI, "T_dispTTI");
   time(f.T41_balise, "T41_balise");
   time(f.T41_eoa, "T41_eoa");
-  if (const auto p = place.find("M_rotating_max")) f.M_rotating_max = p->number(0.0, 100.0);
-  if (const auto p = place.find("M_rotating_min")) f.M_rotating_min = p->number(0.0, 100.0);
+  if (const auto p = place.find("M_rotating_max")) f.M_rotating_max = p->number(0.0, 100.0, kFixed);
+  if (const auto p = place.find("M_rotating_min")) f.M_rotating_min = p->number(0.0, 100.0, kFixed);
   if (const auto p = place.find("g")) f.g = {p->number(9.0, 10.0)};
 }
 
@@ -80,7 +83,7 @@ void read_gradient(sdm::GradientProfile& gradient, const JsonPlace& table) {
     require_between(row, 2, last ? 3 : 2);
     const double from = location(row[0]);
     if (i > 0 && !(from > table[i - 1][0].number())) row[0].fail("a location beyond the one before");
-    if (!gradient.permille.append({{from}}, row[1].number(-254.0, 254.0)))
+    if (!gradient.permille.append({{from}}, row[1].number(-254.0, 254.0, "7.5.1.37")))
       table.fail("at most " + std::to_string(sdm::kGradientSteps) + " changes of gradient");
     if (row.size() == 3) {
       const double to = location(row[2]);
@@ -97,7 +100,7 @@ void read_mrsp(sdm::Mrsp& mrsp, const JsonPlace& table) {
     require_between(row, 2, 2);
     const double from = location(row[0]);
     if (i > 0 && !(from > table[i - 1][0].number())) row[0].fail("a location beyond the one before");
-    if (!mrsp.append({{from}}, {row[1].number(0.0, 600.0) / kKmh}))
+    if (!mrsp.append({{from}}, {row[1].number(0.0, 600.0, "7.5.1.171") / kKmh}))
       table.fail("at most " + std::to_string(sdm::kMrspSteps - 1) + " changes of speed");
   }
 }
@@ -127,7 +130,7 @@ void read_track(sdm::Inputs& in, const JsonPlace& track) {
   track.know_only({"gradient", "default_gradient", "mrsp", "adhesion", "brake_inhibition", "powerless"});
   if (const auto p = track.find("gradient")) read_gradient(in.gradient, *p);
   if (const auto p = track.find("default_gradient"); p && !p->is_null())
-    in.gradient.default_for_TSR = p->number(-254.0, 254.0);
+    in.gradient.default_for_TSR = p->number(-254.0, 254.0, "7.5.1.38");
   if (const auto p = track.find("mrsp")) read_mrsp(in.mrsp, *p);
   if (const auto p = track.find("adhesion"))
     for (std::size_t i = 0; i < p->size(); ++i) {
@@ -154,7 +157,7 @@ void read_release_speed(sdm::Authority& a, const JsonPlace& place) {
     return;
   }
   a.release_speed = sdm::ReleaseSpeedChoice::value;
-  a.V_release = {place.number(0.0, 600.0) / kKmh};
+  a.V_release = {place.number(0.0, 600.0, "7.5.1.168") / kKmh};
 }
 
 /// The restriction that is the target becomes a step of the MRSP, if it is not one already.
@@ -191,7 +194,7 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
   const std::size_t type = target["type"].one_of({"EOA_SvL", "LOA", "MRSP", "SR"});
   out.target_location = {{location(target["location_m"])}};
   const auto speed = target.find("speed_kmh");
-  const Speed V_target{speed && !speed->is_null() ? speed->number(0.0, 600.0) / kKmh : 0.0};
+  const Speed V_target{speed && !speed->is_null() ? speed->number(0.0, 600.0, "7.5.1.171") / kKmh : 0.0};
   const auto TSR = target.find("due_to_TSR");
   if (type == 2) {
     out.target = sdm::TargetKind::MRSP;
@@ -222,7 +225,7 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
   if (const auto p = target.find("level")) a.level_1_at_EOA = p->integer(1, 3) == 1;
   if (const auto p = target.find("reference_m")) a.reference = {{location(*p)}};
   a.Q_LOCACC_reference = in.national_values.Q_NVLOCACC;
-  if (const auto p = target.find("Q_LOCACC_m")) a.Q_LOCACC_reference = {p->number(0.0, 63.0)};
+  if (const auto p = target.find("Q_LOCACC_m")) a.Q_LOCACC_reference = {p->number(0.0, 63.0, "7.5.1.115")};
 }
 
 void read_state(CurvesInput& out, const JsonPlace& state) {
@@ -286,7 +289,7 @@ PbdQuery read_PBD(const JsonPlace& place) {
   place.know_only({"D_PBD", "G_PBDSR", "Q_PBDSR"});
   PbdQuery q;
   q.D_PBD = {place["D_PBD"].number(0.0, kFar_m)};
-  if (const auto p = place.find("G_PBDSR")) q.G_PBDSR = p->number(-254.0, 254.0);
+  if (const auto p = place.find("G_PBDSR")) q.G_PBDSR = p->number(-254.0, 254.0, "7.5.1.37.1");
   if (const auto p = place.find("Q_PBDSR")) {
     const double brake = p->number(0.0, 1.0);
     if (brake != 0.0 && brake != 1.0) p->fail("0 (emergency brake) or 1 (service brake)");
@@ -296,7 +299,7 @@ PbdQuery read_PBD(const JsonPlace& place) {
 }
 LxQuery read_LX(const JsonPlace& place) {
   place.know_only({"D_LX", "V_LX"});
-  return {Place{{location(place["D_LX"])}}, Speed{place["V_LX"].number(0.0, 600.0) / kKmh}};
+  return {Place{{location(place["D_LX"])}}, Speed{place["V_LX"].number(0.0, 600.0, "7.5.1.157.1") / kKmh}};
 }
 template <class Query>
 void read_all(std::vector<Query>& out, const JsonPlace& list, Query (*read)(const JsonPlace&)) {

@@ -106,6 +106,10 @@ void JsonPlace::know_only(std::initializer_list<const char*> known) const {
   }
 }
 
+std::string of_clause(const char* clause) {
+  return clause == nullptr ? std::string() : std::string(" (SUBSET-026 ") + clause + ")";
+}
+
 double JsonPlace::number() const {
   if (!value_->is_number()) fail("a number");
   const auto v = value_->get<double>();
@@ -113,14 +117,16 @@ double JsonPlace::number() const {
   return v;
 }
 
-double JsonPlace::number(double least, double most) const {
+double JsonPlace::number(double least, double most, const char* clause) const {
   const double v = number();
-  if (!(v >= least && v <= most)) fail("a number from " + Json(least).dump() + " to " + Json(most).dump());
+  if (!(v >= least && v <= most))
+    fail("a number from " + Json(least).dump() + " to " + Json(most).dump() + of_clause(clause));
   return v;
 }
 
-std::int64_t JsonPlace::integer(std::int64_t least, std::int64_t most) const {
-  const std::string wanted = "an integer from " + std::to_string(least) + " to " + std::to_string(most);
+std::int64_t JsonPlace::integer(std::int64_t least, std::int64_t most, const char* clause) const {
+  const std::string wanted =
+      "an integer from " + std::to_string(least) + " to " + std::to_string(most) + of_clause(clause);
   if (!value_->is_number_integer()) fail(wanted);
   if (value_->is_number_unsigned() && value_->get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX))
     fail(wanted);

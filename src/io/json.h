@@ -59,8 +59,9 @@ class JsonPlace {
   void know_only(std::initializer_list<const char*> known) const;
 
   double number() const;
-  double number(double least, double most) const;
-  std::int64_t integer(std::int64_t least, std::int64_t most) const;
+  /// Outside the range an error, with the clause of SUBSET-026 that gives it.
+  double number(double least, double most, const char* clause = nullptr) const;
+  std::int64_t integer(std::int64_t least, std::int64_t most, const char* clause = nullptr) const;
   bool boolean() const;
   const std::string& string() const;
   /// The index of this string in `names`; an error listing them otherwise.
@@ -82,5 +83,8 @@ class JsonPlace {
   std::string prefix_;  // "line 7", or empty
   std::string pointer_;
 };
+
+/// " (SUBSET-026 3.13.2)", or nothing without a clause.
+std::string of_clause(const char* clause);
 
 }  // namespace evc::io

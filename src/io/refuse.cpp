@@ -15,9 +15,9 @@ constexpr FaultPlace kFaultPlaces[] = {
     {train::Fault::brake_percentage, "brake_percentage", "30 to 250 %"},
     {train::Fault::train_length_lambda, "length_m", "at most 900 m (PassengerP) or 1500 m (freight) with a percentage"},
     {train::Fault::maximum_speed_lambda, "max_speed_kmh", "at most 200 km/h with a brake percentage"},
-    {train::Fault::train_length, "length_m", "more than 0 and at most 4095 m"},
-    {train::Fault::maximum_speed, "max_speed_kmh", "more than 0 and at most 600 km/h"},
-    {train::Fault::traction_cut_off_time, "T_traction_cut_off_s", "0 s or more"},
+    {train::Fault::train_length, "length_m", "1 to 4095 m"},
+    {train::Fault::maximum_speed, "max_speed_kmh", "5 to 600 km/h"},
+    {train::Fault::traction_cut_off_time, "T_traction_cut_off_s", "0 to 60 s"},
     {train::Fault::antenna, "L_antenna_front_m", "0 m to the train length"},
     {train::Fault::rotating_mass, "M_rotating_nom_pct", "0 to 100 %"},
     {train::Fault::no_emergency_model, "A_brake_emergency", "a model without special brakes"},
@@ -44,7 +44,7 @@ std::string expected_for(train::Fault fault) {
   std::string expected = "a value in range";
   for (const FaultPlace& f : kFaultPlaces)
     if (f.fault == fault) expected = f.expected;
-  return expected + " (SUBSET-026 " + train::clause(fault) + ")";
+  return expected + of_clause(train::clause(fault));
 }
 
 }  // namespace

@@ -5,19 +5,20 @@
 namespace evc::io {
 
 /// Reads `[[from, value], ...]` into a step function: the first step begins at 0, steps increase, and
-/// there are at most as many as the standard allows. `read_value(row)` reads what follows `from`.
+/// there are at most as many as the standard allows in `clause`. `read_value(row)` reads what follows `from`.
 template <class Function, class ReadValue>
-Function read_steps(const JsonPlace& table, double unit, ReadValue read_value) {
+Function read_steps(const JsonPlace& table, double unit, const char* clause, ReadValue read_value) {
   Function f;
-  if (table.size() == 0) table.fail("at least one [from, value]");
+  if (table.size() == 0) table.fail("at least one [from, value]" + of_clause(clause));
   for (std::size_t i = 0; i < table.size(); ++i) {
     const JsonPlace row = table[i];
-    const double from = row[0].number(0.0, 1e6);
-    if (i == 0 && from != 0.0) row[0].fail("0: the first step begins at 0");
-    if (i > 0 && !(from > table[i - 1][0].number())) row[0].fail("a step further than the one before");
+    const double from = row[0].number(0.0, 1e6, clause);
+    if (i == 0 && from != 0.0) row[0].fail("0: the first step begins at 0" + of_clause(clause));
+    if (i > 0 && !(from > table[i - 1][0].number()))
+      row[0].fail("a step further than the one before" + of_clause(clause));
     // Not `append`: it merges equal neighbours, and the table is kept as it stands.
     if (!f.steps.push_back({{from / unit}, read_value(row)}))
-      table.fail("at most " + std::to_string(Function{}.steps.capacity()) + " steps");
+      table.fail("at most " + std::to_string(Function{}.steps.capacity()) + " steps" + of_clause(clause));
   }
   return f;
 }

@@ -41,10 +41,17 @@ constexpr std::initializer_list<const char*> kTrainKeys = {
     "dynamics",
 };
 
-train::DecelerationSteps read_decelerations(const JsonPlace& table) {
-  return read_steps<train::DecelerationSteps>(table, kKmh, [](const JsonPlace& row) {
+/// The clauses of the ranges (SUBSET-026).
+constexpr const char* kModels = "3.13.2.2.3.1";
+constexpr const char* kTimes = "3.13.2.2.3.2";
+constexpr const char* kNormalService = "3.13.2.2.3.1.9";
+constexpr const char* kCorrection = "3.13.2.2.9.1";
+constexpr const char* kOnGradients = "3.13.2.2.9.2.1";
+
+train::DecelerationSteps read_decelerations(const JsonPlace& table, const char* clause = kModels) {
+  return read_steps<train::DecelerationSteps>(table, kKmh, clause, [clause](const JsonPlace& row) {
     require_row(row, 2);
-    return Acceleration{row[1].number(0.0, 10.0)};
+    return Acceleration{row[1].number(0.0, 10.0, clause)};
   });
 }
 
@@ -58,7 +65,7 @@ train::Factor read_factor(const JsonPlace& place) {
 
 /// One factor for every confidence level, or one for each of M_NVEBCL 0..9.
 DryFactors read_dry_factors(const JsonPlace& table) {
-  return read_steps<DryFactors>(table, kKmh, [](const JsonPlace& row) {
+  return read_steps<DryFactors>(table, kKmh, kCorrection, [](const JsonPlace& row) {
     ConfidenceFactors factors{};
     const bool per_level = row.size() == 1 + train::kConfidenceLevels;
     if (!per_level) require_row(row, 2);
@@ -68,7 +75,7 @@ DryFactors read_dry_factors(const JsonPlace& table) {
 }
 
 WetFactors read_wet_factors(const JsonPlace& table) {
-  return read_steps<WetFactors>(table, kKmh, [](const JsonPlace& row) {
+  return read_steps<WetFactors>(table, kKmh, kCorrection, [](const JsonPlace& row) {
     require_row(row, 2);
     return read_factor(row[1]);
   });
@@ -97,7 +104,8 @@ train::EmergencySteps read_emergency_steps(const JsonPlace& model) {
     step.Kwet_rst = kwet.empty() ? train::Factor::of(1.0) : kwet.at(v);
     step.Kdry_rst.fill(train::Factor::of(1.0));
     if (!kdry.empty()) step.Kdry_rst = kdry.at(v);
-    if (!steps.steps.push_back({v, step})) table.fail("at most 7 common steps of deceleration and factors");
+    if (!steps.steps.push_back({v, step}))
+      table.fail("at most 7 common steps of deceleration and factors" + of_clause("3.13.2.2.9.2"));
   }
   return steps;
 }
@@ -118,7 +126,7 @@ void add(InplaceVector<train::BuildUpTime, N>& times, const JsonPlace& model, co
   const auto reaction = model.find(react);
   if (!place && !reaction) return;
   train::BuildUpTime time;
-  time.T_brake = {model[key].number(0.0, 120.0)};
+  time.T_brake = {model[key].number(0.0, 120.0, kTimes)};
   time.T_brake_react = time.T_brake;  // not known: nothing of the time can be saved (A.3.12)
   if (reaction) time.T_brake_react = {number_or(*reaction, 0.0, time.T_brake.si, train::Fault::build_up_time)};
   time.with = with;
@@ -179,21 +187,21 @@ void read_special_brakes(TrainData& data, const JsonPlace& brakes) {
 void read_normal_service(TrainData& data, const JsonPlace& place) {
   auto& normal = data.normal_service;
   if (place.is_array()) {
-    normal.A_brake_normal_service.fill(read_decelerations(place));
+    normal.A_brake_normal_service.fill(read_decelerations(place, kNormalService));
     return;
   }
   place.know_only({"A_SB01", "A_SB12", "models"});
-  normal.A_SB01 = {place["A_SB01"].number(0.0, 10.0)};
-  normal.A_SB12 = {place["A_SB12"].number(normal.A_SB01.si, 10.0)};
+  normal.A_SB01 = {place["A_SB01"].number(0.0, 10.0, kNormalService)};
+  normal.A_SB12 = {place["A_SB12"].number(normal.A_SB01.si, 10.0, kNormalService)};
   require_row(place["models"], normal.A_brake_normal_service.size());
   for (std::size_t i = 0; i < normal.A_brake_normal_service.size(); ++i)
-    normal.A_brake_normal_service[i] = read_decelerations(place["models"][i]);
+    normal.A_brake_normal_service[i] = read_decelerations(place["models"][i], kNormalService);
 }
 
 train::KnSteps read_kn(const JsonPlace& table) {
-  return read_steps<train::KnSteps>(table, kKmh, [](const JsonPlace& row) {
+  return read_steps<train::KnSteps>(table, kKmh, kOnGradients, [](const JsonPlace& row) {
     require_row(row, 2);
-    return Acceleration{row[1].number(0.0, 10.0)};
+    return Acceleration{row[1].number(0.0, 10.0, kOnGradients)};
   });
 }
 
@@ -262,8 +270,9 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
     data.brake_model = static_cast<train::BrakeModel>(p->one_of({"lambda", "gamma"}));
   if (const auto p = place.find("brake_position"))
     data.brake_position = static_cast<train::BrakePosition>(p->one_of({"PassengerP", "FreightP", "FreightG"}));
-  // 3.18.3.2, L_TRAIN and brake percentage: the ranges that can be entered and sent.
-  if (const auto p = place.find("brake_percentage")) data.brake_percentage = p->number(10.0, 250.0);
+  // What can be entered and sent; below 30 % the conversion model does not apply.
+  if (const auto p = place.find("brake_percentage"))
+    data.brake_percentage = number_or(*p, 10.0, 250.0, train::Fault::brake_percentage);
   read_models(data, place, 0);
   if (const auto p = place.find("special_brakes"); p && !p->is_null()) read_special_brakes(data, *p);
   if (const auto p = place.find("A_brake_normal_service")) read_normal_service(data, *p);
@@ -283,11 +292,15 @@ Train read_entered_train(const JsonPlace& place) {
   TrainData& data = train.data;
   if (const auto p = place.find("name")) train.name = p->string();
   read_brakes(data, place);
-  if (const auto p = place.find("length_m")) data.L_TRAIN = {p->number(1.0, 4095.0)};
-  if (const auto p = place.find("max_speed_kmh")) data.V_MAXTRAIN = {p->number(5.0, 600.0) / kKmh};
-  if (const auto p = place.find("L_antenna_front_m")) data.L_antenna_front = {p->number(0.0, data.L_TRAIN.si)};
-  if (const auto p = place.find("M_rotating_nom_pct"); p && !p->is_null()) data.M_rotating_nom = p->number(0.0, 100.0);
-  if (const auto p = place.find("T_traction_cut_off_s")) data.T_traction_cut_off = {p->number(0.0, 60.0)};
+  if (const auto p = place.find("length_m")) data.L_TRAIN = {number_or(*p, 1.0, 4095.0, train::Fault::train_length)};
+  if (const auto p = place.find("max_speed_kmh"))
+    data.V_MAXTRAIN = {number_or(*p, 5.0, 600.0, train::Fault::maximum_speed) / kKmh};
+  if (const auto p = place.find("L_antenna_front_m"))
+    data.L_antenna_front = {number_or(*p, 0.0, data.L_TRAIN.si, train::Fault::antenna)};
+  if (const auto p = place.find("M_rotating_nom_pct"); p && !p->is_null())
+    data.M_rotating_nom = number_or(*p, 0.0, 100.0, train::Fault::rotating_mass);
+  if (const auto p = place.find("T_traction_cut_off_s"))
+    data.T_traction_cut_off = {number_or(*p, 0.0, 60.0, train::Fault::traction_cut_off_time)};
   if (const auto p = place.find("traction_cut_off_interface")) data.traction_cut_off_interface = p->boolean();
   if (const auto p = place.find("service_brake_interface")) data.service_brake_interface = p->boolean();
   if (const auto p = place.find("service_brake_feedback")) data.service_brake_feedback = p->boolean();

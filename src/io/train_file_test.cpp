@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
 namespace evc::io {
 namespace {
 
@@ -174,6 +178,66 @@ TEST(NationalValues, NamesUnitsAndInfinity) {
   EXPECT_EQ(nv.V_NVSTFF, train::NationalValues{}.V_NVSTFF);
   const Json wrong = Json::parse(R"({"V_NVRELL":15})");
   EXPECT_THROW(read_national_values(JsonPlace(wrong, "n.json")), ReadError);
+}
+
+// ---- Ranges -----------------------------------------------------------------------------------------
+
+/// Every number in a document.
+void numbers_in(Json& value, std::vector<Json*>& found) {
+  if (value.is_number()) found.push_back(&value);
+  if (value.is_structured())
+    for (Json& member : value) numbers_in(member, found);
+}
+
+/// Each number of the document far outside its range, one at a time: `error_of(document)` has to name the clause.
+template <class ErrorOf>
+int refused_with_clause(Json document, ErrorOf error_of) {
+  std::vector<Json*> numbers;
+  numbers_in(document, numbers);
+  for (Json* number : numbers)
+    for (const double outside : {-1e7, 1e7}) {
+      const Json good = *number;
+      *number = outside;
+      const std::string error = error_of(document);
+      EXPECT_NE(error.find("(SUBSET-026 "), std::string::npos) << error << "\n" << document.dump();
+      *number = good;
+    }
+  return static_cast<int>(numbers.size());
+}
+
+std::vector<Json> shipped(const char* folder) {
+  std::vector<Json> documents;
+  for (const auto& file : std::filesystem::directory_iterator(std::string(EVC_SOURCE_DIR "/data/") + folder))
+    if (file.path().extension() == ".json") documents.push_back(Json::parse(std::ifstream(file.path())));
+  return documents;
+}
+
+TEST(Ranges, WhatATrainCannotBeIsRefusedWithTheClause) {
+  int numbers = 0;
+  for (Json train : shipped("trains")) {
+    // Simulation and the categories of speed restrictions are no business of the braking curves.
+    train.erase("dynamics");
+    train.erase("category");
+    numbers += refused_with_clause(train, [](const Json& d) { return read_train(d.dump(), "t.json").error().text(); });
+  }
+  EXPECT_GT(numbers, 100);
+}
+
+TEST(Ranges, WhatNationalValuesCannotBeIsRefusedWithTheClause) {
+  int numbers = 0;
+  for (Json values : shipped("national_values")) {
+    values.erase("schema");
+    values.erase("name");
+    numbers += refused_with_clause(values, [](const Json& d) -> std::string {
+      try {
+        (void)read_national_values(JsonPlace(d, "n.json"));
+      } catch (const ReadError& e) {
+        return e.diagnostic.text();
+      }
+      return "accepted";
+    });
+  }
+  EXPECT_GT(numbers, 30);
 }
 
 }  // namespace
