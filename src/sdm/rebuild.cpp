@@ -165,7 +165,6 @@ class Builder {
   Reference reference(const Target& t, bool SBD, Speed skip_below) const;
 
   bool below_MRSP_at_start(const Target& t, bool SBD) const {
-    if (in_.mrsp.empty()) return false;
     const Place start = in_.mrsp.steps.front().from;
     const Speed V = in_.mrsp.steps.front().value;
     const CurveView c = d_.view(SBD ? t.SBD : t.EBD);
@@ -267,18 +266,16 @@ Speed Builder::on_board_release_speed(const Target& t, Place d_trip) const {
     return x;
   };
   const auto excess = [&](Speed V) { return V - (EBD.speed_at(place(V)) - V_delta0(V)); };
-  const auto fits = [&](Speed V) {
-    return excess(V) <= d_.fixed.search_tolerance && excess(V) >= -d_.fixed.search_tolerance && place(V) <= t.foot;
-  };
   Speed low = t.V_target;
   if (excess(low) >= -d_.fixed.search_tolerance) return t.V_target;
   Speed high = V_top_;
   if (excess(high) < -d_.fixed.search_tolerance) return t.V_target;
-  for (int i = 0; i < 60 && (high - low).si > 1e-12; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Speed middle = low + (high - low) / 2.0;
     (excess(middle) >= -d_.fixed.search_tolerance ? high : low) = middle;
   }
-  return fits(high) ? high : t.V_target;
+  // The excess grows without a jump, so it is not above the tolerance either.
+  return place(high) <= t.foot ? high : t.V_target;
 }
 
 void Builder::search_release_speed(const Target& EOA_SvL) {
@@ -302,7 +299,6 @@ void Builder::release_speed() {
       2.0 * a.Q_LOCACC_reference + d_.fixed.d_trip_constant + d_.fixed.d_trip_relative * (a.EOA - a.reference);
   if (d_.rules.release_speed_with_D41) predicted += a.L_train_doubt;
   r.d_trip = a.EOA + alpha + std::max(predicted, a.confidence_interval);
-  r.exists = true;
   r.on_board = a.release_speed == ReleaseSpeedChoice::on_board;
   if (r.on_board)
     search_release_speed(EOA_SvL);
@@ -318,10 +314,8 @@ void Builder::release_speed() {
     if (ends_before || in_.mrsp.steps[i].from > r.d_trip) continue;
     lowest = std::min(lowest, in_.mrsp.steps[i].value);
   }
-  if (lowest < r.V_release) {
-    r.V_release = lowest;
-    start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, {});
-  }
+  r.V_release = lowest;
+  start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, {});
   r.d_SBI1 = start.d_SBI1;
   r.d_SBI2 = start.d_SBI2;
   // A release speed of 0 would brake every movement before the EOA: it is none, and the curves are

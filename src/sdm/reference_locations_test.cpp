@@ -156,6 +156,19 @@ TEST(ReferenceLocations, TargetsAndTheirCurves) {
   }
 }
 
+TEST(ReferenceLocations, NothingIsSupervisedWithoutAnMRSP) {
+  for (const train::SrsVersion srs : kVersions) {
+    Inputs in = simple_inputs(srs);
+    in.mrsp = {};
+    set_EOA(in, 5000.0, 5000.0);
+    auto d = place_of_work();
+    rebuild(*d, in);
+    EXPECT_EQ(d->targets.size(), 1u);
+    EXPECT_FALSE(d->targets[0].d_preindication_EBD.has_value());
+    EXPECT_FALSE(d->perturbation.from_EBD.has_value() || d->perturbation.passed_at_once);
+  }
+}
+
 TEST(ReferenceLocations, SixtyTwoRestrictionsAndBothEndsFit) {
   Inputs in = simple_inputs();
   set_EOA(in, 20000.0, 20000.0);
@@ -423,7 +436,7 @@ TEST(ReferenceLocations, ReleaseSpeed) {
     limited += lowest < V;
     if (!close) {
       ASSERT_NEAR(r.V_release.si, std::min(V, lowest), on_board && lowest > V - 2e-4 ? 2e-4 : 1e-12);
-      ASSERT_EQ(r.exists, r.V_release.si > 0.0);
+      ASSERT_EQ(r.exists, std::min(V, lowest) > 0.0);
       const RsmStart start = rsm_start(*d, *end, r.V_release, r.d_trip, on_board, {});
       ASSERT_EQ(r.d_SBI1, start.d_SBI1);
       ASSERT_EQ(r.d_SBI2, start.d_SBI2);
