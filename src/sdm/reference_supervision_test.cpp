@@ -43,7 +43,9 @@ void dense_mrsp(Inputs& in, Dice& dice) {
   in.mrsp = {};
   double x = -500.0;
   int speed = 60;
-  for (int n = dice.integer(20, 40); n > 0; --n) {
+  // Sometimes more of them than there is room for.
+  for (int n = dice.chance(0.1) ? 120 : dice.integer(20, 40); n > 0; --n) {
+    if (n > 40) speed = dice.integer(10, 60);
     (void)in.mrsp.append({{x}}, kmh(5.0 * speed));
     x += dice.integer(1, 30) * 10.0;
     speed = std::max(1, speed - dice.integer(-1, 4));
@@ -81,7 +83,7 @@ void new_authority(Inputs& in, Dice& dice) {
   a.kind = Authority::Kind::EOA_SvL;
   a.SvL = a.EOA + Distance{dice.chance(0.3) ? 0.0 : dice.integer(1, 400) * 1.0};
   a.release_speed = static_cast<ReleaseSpeedChoice>(dice.integer(0, 3));
-  a.V_release = kmh(5.0 * dice.integer(1, 12));
+  a.V_release = dice.chance(0.1) ? Speed{0.7} : kmh(5.0 * dice.integer(1, 12));
   a.temporary = dice.chance(0.05);
   a.level_1_at_EOA = dice.chance(0.5);
   a.Q_LOCACC_reference = {5.0};
@@ -125,7 +127,9 @@ Inputs random_inputs(std::uint64_t seed, SrsVersion srs, Dice& dice) {
 
 class Journey {
  public:
-  Journey(std::uint64_t seed, SrsVersion srs) : dice_(seed * 3 + 7), in_(random_inputs(seed, srs, dice_)) {
+  Journey(std::uint64_t seed, SrsVersion srs, bool dense = false)
+      : dice_(seed * 3 + 7), in_(random_inputs(seed, srs, dice_)) {
+    if (dense) dense_mrsp(in_, dice_);
     build();
     m_.now = {100.0};
     m_.est_front = m_.max_safe_front = m_.min_safe_front = {{dice_.real(-300.0, 3000.0)}};
@@ -450,9 +454,9 @@ std::string state(const Journey& j, const Motion& m, const Result& wanted) {
   return text.str();
 }
 
-void journeys(SrsVersion srs, std::uint64_t from, int number, Seen& seen) {
+void journeys(SrsVersion srs, std::uint64_t from, int number, Seen& seen, bool dense = false) {
   for (int i = 0; i < number; ++i) {
-    Journey j(from + static_cast<std::uint64_t>(i), srs);
+    Journey j(from + static_cast<std::uint64_t>(i), srs, dense);
     for (int cycle = 0; cycle < 20; ++cycle) {
       const Motion& m = j.next();
       const Result wanted = j.reference.cycle(*j.derived, m);
@@ -491,6 +495,13 @@ TEST(ReferenceSupervision, Version340) {
   Seen seen;
   journeys(SrsVersion::v3_4_0, 1000000, number, seen);
   expect_all_seen(seen, number, false);
+}
+TEST(ReferenceSupervision, DenseTargets) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Seen seen;
+    journeys(srs, 4000000, cases(800) / 16, seen, true);
+    EXPECT_GT(seen.TSM, 100);
+  }
 }
 TEST(ReferenceSupervision, Version360) {
   const int number = cases(800);

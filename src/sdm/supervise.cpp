@@ -78,13 +78,13 @@ bool holds(const TriggerRow& row, const Bounds& b, Speed V, unsigned beyond) {
     if (row.upto != Bound::none && !(V <= at(b, row.upto))) return false;
   }
   if (row.beyond != Limit::none && (beyond & bit(row.beyond)) == 0) return false;
-  return row.not_beyond == Limit::none || (beyond & bit(row.not_beyond)) == 0;
+  return (beyond & bit(row.not_beyond)) == 0;  // nothing is beyond Limit::none
 }
 bool holds(const RevocationRow& row, const Bounds& b, Speed V, unsigned beyond, bool standstill) {
   if (row.standstill) return standstill;
   if (row.above != Bound::none && !(V > at(b, row.above))) return false;
   if (row.upto != Bound::none && !(V <= at(b, row.upto))) return false;
-  return row.not_beyond == Limit::none || (beyond & bit(row.not_beyond)) == 0;
+  return (beyond & bit(row.not_beyond)) == 0;  // nothing is beyond Limit::none
 }
 
 /// All triggering conditions that are met, of all targets.
@@ -190,7 +190,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     bool normal = false;
     bool by_r1 = false;
     for (const RevocationRow& row : revocation_table(rules)) {
-      if (row.standstill || !holds(row, b, c.a.V, beyond, false)) continue;
+      if (!holds(row, b, c.a.V, beyond, false)) continue;  // r0: below
       any = true;
       eb = eb || (row.EB == EbRelease::or_zero && Vt.si <= 0.0) || c.d.Q_NVEMRRLS;
       normal = normal || row.to == Status::Normal;
@@ -317,9 +317,9 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
   while (c.first < d.targets.size() && d.targets[c.first].kind == TargetKind::MRSP &&
          m.max_safe_front > d.targets[c.first].d_target)
     ++c.first;
-  c.list_updated =
-      s.active && (s.list_revision != d.revision || s.list_passed != c.first || s.list_size != d.targets.size());
-  c.V_MRSP_updated = s.active && !(s.V_MRSP == c.M);
+  // Read when active only.
+  c.list_updated = s.list_revision != d.revision || s.list_passed != c.first || s.list_size != d.targets.size();
+  c.V_MRSP_updated = !(s.V_MRSP == c.M);
   use_feedback(c);
   c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
   c.cmt = times(d.time_config, d.cmt, c.feedback.cmt, d.rules, d.fixed);
@@ -350,18 +350,9 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
     s = {.active = true, .monitoring = next, .status = Status::Normal, .feedback = s.feedback};
   if (d.time_config.feedback_available) follow_feedback(c, seen.data(), before);
   if (s.monitoring != Monitoring::CSM) out.MRDT_changed = select_MRDT(c, seen.data());
-  Triggered t;
-  switch (s.monitoring) {
-    case Monitoring::CSM:
-      t = monitor_CSM(c);
-      break;
-    case Monitoring::TSM:
-      t = monitor_TSM(c, seen.data(), out.MRDT_changed);
-      break;
-    case Monitoring::RSM:
-      t = monitor_RSM(c);
-      break;
-  }
+  const Triggered t = s.monitoring == Monitoring::CSM   ? monitor_CSM(c)
+                      : s.monitoring == Monitoring::TSM ? monitor_TSM(c, seen.data(), out.MRDT_changed)
+                                                        : monitor_RSM(c);
   s.list_revision = d.revision;
   s.list_passed = static_cast<std::uint16_t>(c.first);
   s.list_size = static_cast<std::uint16_t>(d.targets.size());

@@ -643,6 +643,60 @@ TEST(MRDT, MaskingCountsFromTheFixedPermittedSpeedLocation) {
   }
 }
 
+/// 3.13.10.4.2: masked where d_I < d_P, not where they are the same to the last bit.
+TEST(MRDT, ATargetWhoseIndicationLimitLiesOnThePermittedOneIsNotMasked) {
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {4.0}));
+  set_EOA(u.in, 4200.0, 4300.0);
+  u.build();
+  const auto gap = [&] {
+    const TargetLimits l = limits_of(*u.d, u.d->targets[1], approach({4.0}, {}, {}, u.d->fixed), {});
+    return u.d->targets[0].d_P_target - std::min(l.EBD.d_I, l.SBD->d_I);
+  };
+  for (const double masked_by : {0.0, 0.25}) {
+    for (int n = 0; n < 4; ++n) {
+      u.in.authority.EOA = u.in.authority.EOA + (gap() - Distance{masked_by});
+      u.in.authority.SvL = u.in.authority.EOA + Distance{100.0};
+      u.build();
+    }
+    ASSERT_EQ(gap().si, masked_by);
+    // At 5 m/s just beyond both Indication limits; of the restriction the Permitted speed is the lower one.
+    const TargetLimits l = limits_of(*u.d, u.d->targets[1], approach({5.0}, {}, {}, u.d->fixed), {});
+    u.s = {};
+    u.cycle((std::min(l.EBD.d_I, l.SBD->d_I) + Distance{0.5}).from_origin.si, 5.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    EXPECT_EQ(*u.r.V_target, Speed{masked_by > 0.0 ? 0.0 : 4.0});
+  }
+}
+
+TEST(MRDT, NoneWhereTheOldOneIsPassedAndNoOtherOneIsConcerned) {
+  // Passed is the restriction to 2 m/s; below the release speed of 10 m/s the one to 4 m/s keeps target speed
+  // monitoring, but it is not below V_MRSP.
+  Unit u;
+  ASSERT_TRUE(u.in.mrsp.append({{4500.0}}, {2.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4510.0}}, {30.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4560.0}}, {4.0}));
+  ASSERT_TRUE(u.in.mrsp.append({{4570.0}}, {30.0}));
+  set_EOA(u.in, 9000.0, 9000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {10.0};
+  u.in.authority.reference = u.in.authority.EOA;
+  u.build();
+  u.cycle(4499, 5.0);
+  ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+  ASSERT_TRUE(u.s.has_MRDT);
+  const TargetId first = u.s.MRDT;
+  EXPECT_EQ(first.V_target, Speed{2.0});
+  u.cycle(4501, 5.0);
+  EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
+  EXPECT_FALSE(u.s.has_MRDT);
+  EXPECT_FALSE(u.r.MRDT.has_value());
+  // Relocated in rear of it: the driver is told of it again.
+  u.cycle(4499, 5.0);
+  EXPECT_EQ(u.r.MRDT, first);
+  EXPECT_TRUE(u.r.MRDT_changed);
+}
+
 TEST(MRDT, StaysUntilALowerOneIsSelected) {
   Unit u;
   ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
@@ -774,9 +828,18 @@ TEST(Memo, SixStatuses) {
   EXPECT_EQ(status(4221, kM), MemoStatus::SB);
   EXPECT_EQ(status(4311, kM), MemoStatus::EB);
   EXPECT_EQ(memo_status(u.r, {kM}, true), MemoStatus::Trip);
-  // A status that lasts counts as much as a speed above its limit.
+  // Each limit belongs to the status below it.
   Result r;
-  r.V_P = r.V_W = r.V_SBI = r.V_EBI = {20.0};
+  r.V_P = {20.0};
+  r.V_W = {21.0};
+  r.V_SBI = {22.0};
+  r.V_EBI = {23.0};
+  EXPECT_EQ(memo_status(r, {20.0}, false), MemoStatus::Null);
+  EXPECT_EQ(memo_status(r, {21.0}, false), MemoStatus::P);
+  EXPECT_EQ(memo_status(r, {22.0}, false), MemoStatus::W);
+  EXPECT_EQ(memo_status(r, {23.0}, false), MemoStatus::SB);
+  EXPECT_EQ(memo_status(r, {23.1}, false), MemoStatus::EB);
+  // A status that lasts counts as much as a speed above its limit.
   r.status = Status::Overspeed;
   EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::P);
   r.status = Status::Warning;
@@ -983,8 +1046,25 @@ TEST(Feedback, In340IsForgottenWhenTheTargetIsPassed) {
     ASSERT_TRUE(u.s.feedback.locked);
     cycle(3999, 19.0, 500.0);
     ASSERT_TRUE(u.s.feedback.locked);
+    // At the target it is not passed, with a new list of targets neither.
+    cycle(4000, 19.0, 500.0);
+    ASSERT_TRUE(u.s.feedback.locked);
+    u.build();
+    cycle(4000, 19.0, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    ASSERT_TRUE(u.s.feedback.locked);
     cycle(4001, 19.0, 500.0);
     cycle(4002, 19.0, 500.0);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
+    EXPECT_EQ(u.s.feedback.locked, srs == SrsVersion::v4_0_0);
+    // Passed in the cycle of a new list: forgotten too.
+    cycle(4002, 19.0, 430.0);
+    ASSERT_TRUE(u.s.feedback.locked);
+    ASSERT_EQ(u.s.MRDT.d_target, Place{{4300.0}});
+    ASSERT_TRUE(u.in.mrsp.append({{4310.0}}, {5.0}));
+    u.build();
+    cycle(4301, 19.0, 500.0);
+    cycle(4302, 19.0, 500.0);
     ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
     EXPECT_EQ(u.s.feedback.locked, srs == SrsVersion::v4_0_0);
   }
@@ -1145,6 +1225,13 @@ TEST(Safety, ReportsWhatTheCurvesMet) {
   u.cycle(0, 1.0);
   EXPECT_TRUE(u.r.no_deceleration);
   EXPECT_TRUE(u.r.eb);
+  EXPECT_FALSE(u.r.truncated);
+  // More targets than there is room for: what does not fit is told.
+  Unit v;
+  for (int n = 0; n < 120; ++n) ASSERT_TRUE(v.in.mrsp.append({{10.0 * n}}, {n % 2 == 0 ? 20.0 : 10.0}));
+  v.build();
+  EXPECT_TRUE(v.cycle(0, 1.0).truncated);
+  EXPECT_FALSE(v.r.no_deceleration);
 }
 
 }  // namespace
