@@ -203,7 +203,10 @@ void hold_shown_values(Cycle& c, bool MRDT_changed, Result& out) {
     return;
   }
   hold(s.hold_P, pawl, s.shown_P, out.V_P);
-  if (s.monitoring == Monitoring::TSM) hold(s.hold_SBI, pawl, s.shown_SBI, out.V_SBI);
+  if (s.monitoring == Monitoring::TSM)
+    hold(s.hold_SBI, pawl, s.shown_SBI, out.V_SBI);
+  else
+    s.shown_SBI.reset();  // 3.13.10.5: release speed monitoring shows no SBI that might have to stay
   if (out.d_target.has_value()) {
     Distance shown = *out.d_target;
     hold(s.hold_target_distance, false, s.shown_target_distance, shown);

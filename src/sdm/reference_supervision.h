@@ -597,6 +597,8 @@ inline void ReferenceSupervision::hold_values(Result& out) {
       if (s.hold_SBI || pawl) out.V_SBI = std::min(out.V_SBI, *s.shown_SBI);
     }
     s.shown_SBI = out.V_SBI;
+  } else {
+    s.shown_SBI.reset();  // 3.13.10.5: release speed monitoring shows none
   }
   if (out.d_target.has_value()) {
     if (s.shown_target_distance.has_value()) {

@@ -44,7 +44,7 @@ void dense_mrsp(Inputs& in, Dice& dice) {
   double x = -500.0;
   int speed = 60;
   // Sometimes more of them than there is room for.
-  for (int n = dice.chance(0.1) ? 120 : dice.integer(20, 40); n > 0; --n) {
+  for (int n = dice.chance(0.1) ? 128 : dice.integer(20, 40); n > 0; --n) {
     if (n > 40) speed = dice.integer(10, 60);
     (void)in.mrsp.append({{x}}, kmh(5.0 * speed));
     x += dice.integer(1, 30) * 10.0;
