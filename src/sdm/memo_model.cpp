@@ -66,7 +66,6 @@ WorkbookRow workbook_row(const WorkbookInputs& in, std::size_t i, const Workbook
   const double I = r.MRSP_plus_dV;
   if (before == nullptr) {
     r.Vc_EBD = r.Vc_prime = r.VT = r.MRSP;
-    r.XT = 0.0;
   } else {
     const WorkbookRow& u = *before;
     r.Vc_EBD = std::min(std::sqrt(u.Vc_EBD * u.Vc_EBD + 2.0 * quantum * u.Asafe), I);

@@ -130,6 +130,13 @@ TEST(MemoModel, AnySheetCellByCell) {
       ASSERT_TRUE(in.mrsp.append({from}, {1.0 * dice.integer(0, dice.chance(0.3) ? 2 : 40)}));
       from += in.quantum.si * dice.integer(1, 20);
     }
+    if (i % 4 == 0) {
+      // From standstill in the third row on to a little speed in the first two: the rule of these two ends with them.
+      in.mrsp = {};
+      ASSERT_TRUE(in.mrsp.append({0.0}, {0.0}));
+      ASSERT_TRUE(in.mrsp.append(in.length - in.quantum, {1.0 * dice.integer(1, 3)}));
+      in.DX = {100.0 * dice.integer(0, 2)};
+    }
     const std::vector<SheetRow> rows = sheet_of(in);
     ASSERT_EQ(sdm::workbook_rows(in), rows.size());
     sdm::WorkbookRow row{};
