@@ -1228,7 +1228,7 @@ TEST(Safety, ReportsWhatTheCurvesMet) {
   EXPECT_FALSE(u.r.truncated);
   // More targets than there is room for: what does not fit is told.
   Unit v;
-  for (int n = 0; n < 128; ++n) ASSERT_TRUE(v.in.mrsp.append({{10.0 * n}}, {n % 2 == 0 ? 20.0 : 10.0}));
+  for (int n = 0; n < 127; ++n) ASSERT_TRUE(v.in.mrsp.append({{10.0 * n}}, {n % 2 == 0 ? 20.0 : 10.0}));
   v.build();
   EXPECT_TRUE(v.cycle(0, 1.0).truncated);
   EXPECT_FALSE(v.r.no_deceleration);
