@@ -572,6 +572,51 @@ TEST(ReferenceLimits, OfEveryTarget) {
   EXPECT_GT(feedback, cases() / 10);
 }
 
+TEST(ReferenceLimits, StrongTractionWithoutServiceBrake) {
+  // What is left of the traction after the Warning limit (A.3.12.2.8) decides where the distance does.
+  int reduced = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Dice dice(static_cast<std::uint64_t>(i));
+    Inputs in = simple_inputs(SrsVersion::v4_0_0);
+    in.train.service_brake_interface = dice.chance(0.3);
+    in.train.T_traction_cut_off = {dice.real(2.0, 6.0)};
+    in.train.T_emergency[0].T_brake = {dice.real(4.0, 12.0)};
+    in.train.T_emergency[0].T_brake_react = {dice.real(0.5, 3.0)};
+    in.train.emergency[0].steps.steps[0].value.A_brake_emergency = {dice.real(0.8, 2.0)};
+    (void)in.gradient.permille.append({{3900.0}}, static_cast<double>(dice.integer(0, 30)));
+    (void)in.mrsp.append({{4500.0}}, {dice.real(3.0, 25.0)});
+    const auto d = built(in);
+    const Target& t = d->targets[0];
+    Model model{in, *d, t, t.V_target.si + dice.real(-1.0, 4.0), dice.real(0.0, 1.0), dice.real(0.2, 1.0), {}, {}};
+    model.fronts = Fronts{{{4100.0}}, {{4100.0}}};
+    const TargetTimes times =
+        times_of(*d, t, approach({model.V}, {model.V0}, {model.A_est}, d->fixed), {{}, model.fronts});
+    ASSERT_NEAR(times.EBD.T_be.si, model.times_EBD().be, 1e-9) << i;
+    ASSERT_NEAR(times.EBD.T_traction.si, model.times_EBD().traction, 1e-12) << i;
+    if (times.reduced_be && times.EBD.T_be > d->cmt.T_be_react) ++reduced;
+  }
+  EXPECT_GT(reduced, 200);
+}
+
+TEST(ReferenceLimits, TractionThatLastsAsLongAsTheBuildUp) {
+  // A.3.12.1.5: T_traction = T_be = 8 s: not reduced, just below it is.
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
+  in.train.traction_cut_off_interface = false;
+  in.train.T_traction_cut_off = {8.0};
+  set_EOA(in, 5000.0, 5000.0);
+  auto d = built(in);
+  const TimesAsked asked{{}, Fronts{{{4900.0}}, {{4900.0}}}};
+  TargetTimes t = times_of(*d, d->targets[0], approach({1.0}, {}, {}, d->fixed), asked);
+  EXPECT_EQ(t.EBD.T_be.si, 8.0);
+  EXPECT_FALSE(t.reduced_be);
+  in.train.T_traction_cut_off = {7.999};
+  ++in.revision;
+  d = built(in);
+  t = times_of(*d, d->targets[0], approach({1.0}, {}, {}, d->fixed), asked);
+  EXPECT_LT(t.EBD.T_be.si, 8.0);
+  EXPECT_TRUE(t.reduced_be);
+}
+
 TEST(ReferenceLimits, SpeedsAtThePlaceOfTheTrain) {
   for (int i = 0; i < cases() / 2; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
@@ -728,6 +773,13 @@ TEST(ReferenceLocations, StartOfReleaseSpeedMonitoring) {
     (void)c.in.mrsp.append({{EOA + 20.0}}, kmh(30.0));
     (void)c.in.mrsp.append({{EOA + 60.0}}, kmh(10.0));
     c.in.authority.SvL = c.in.authority.EOA + Distance{dice.chance(0.3) ? 60.0 : dice.real(0.0, 200.0)};
+    if (dice.chance(0.6)) {
+      // A short train on a track that changes every few metres: it matters from where on it counts.
+      c.in.train.L_TRAIN = {10.0};
+      c.in.gradient = {};
+      for (int k = 0; k < 40; ++k)
+        (void)c.in.gradient.permille.append({{EOA - 500.0 + 20.0 * k}}, static_cast<double>(dice.integer(-18, 18)));
+    }
     const auto d = built(c.in);
     const Target& EOA_SvL = *std::find_if(d->targets.begin(), d->targets.end(),
                                           [](const Target& t) { return t.kind == TargetKind::EOA_SvL; });
@@ -888,6 +940,16 @@ TEST(ReferenceLocations, FrontExactlyWhereTheLevelCrossingGivesWay) {
   const LxSubstitution s = lx_substitution(weak, *w, {{3000.0}}, {10.0}, apart);
   apart.max_safe_front = apart.est_front + (s.EBD.d_SBI - s.SBD.d_SBI);
   EXPECT_TRUE(lx_substitution(weak, *w, {{3000.0}}, {10.0}, apart).from_SBD);
+}
+
+TEST(ReferenceLocations, APermittedBrakingDistanceKnowsNothingOfFeedback) {
+  // With feedback T_bs2 would be 2 s at least.
+  Inputs in = simple_inputs();
+  in.fixed.PBD_rounding = kmh(0.01);
+  in.train.T_service[0].T_brake = {0.5};
+  const Speed without = permitted_braking_distance_speed(in, {1000.0}, 0.0, false);
+  in.train.service_brake_feedback = in.national_values.Q_NVSBFBPERM = true;
+  EXPECT_EQ(permitted_braking_distance_speed(in, {1000.0}, 0.0, false), without);
 }
 
 TEST(ReferenceLocations, APermittedBrakingDistanceFasterThanAnyTrain) {
