@@ -8,6 +8,7 @@ namespace {
 constexpr double kStable = 20.0;  // kPa, A.3.10.2 a
 constexpr Duration kStableFor{3.0};
 constexpr double kLowest = 400.0, kHighest = 550.0;
+constexpr Duration kLongest{200.0};
 constexpr double kP1 = 30.0, kP2 = 60.0, kP3 = 150.0;  // below p0
 
 }  // namespace
@@ -33,7 +34,8 @@ void follow_pressure(FeedbackState& s, std::optional<double> p_kpa, Duration now
     }
     return;
   }
-  // A.3.10.2 b: once per second.
+  // A.3.10.2 b: once per second. After a gap no more of them than p0 needs to come from any value to any other.
+  s.last = std::max(s.last, now - kLongest);
   while (now - s.last >= Duration{1.0}) {
     s.last += Duration{1.0};
     if (p > s.p0)

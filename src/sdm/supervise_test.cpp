@@ -876,6 +876,18 @@ TEST(Feedback, FirstStablePressureAndItsDrift) {
   EXPECT_EQ(p_from_cylinder(200.0, 2.5), 420.0);
 }
 
+TEST(Feedback, AGapOfAnyLengthIsOneCycle) {
+  FeedbackState s;
+  s.p0_known = true;
+  s.p0 = 400.0;
+  s.last = {5.0};
+  follow_pressure(s, 549.0, {1e12});
+  EXPECT_EQ(s.p0, 549.0) << "100 steps of 1.5 kPa up, 2 of 0.5 kPa down";
+  EXPECT_NEAR(s.last.si, 1e12, 1.0);
+  follow_pressure(s, 520.0, {1e12 + 250.0});
+  EXPECT_EQ(s.p0, 520.0) << "58 steps down";
+}
+
 TEST(Feedback, TimesShrinkWithThePressureAndLock) {
   const train::FixedValues f;
   FeedbackState s;
