@@ -328,7 +328,7 @@ class Pen {
  private:
   void push(const Knot& k) {
     if (used_ > first_ && room_[used_ - 1].x == k.x && room_[used_ - 1].w == k.w) return;
-    if (used_ == room_.size()) {
+    if (used_ >= room_.size()) {
       truncated_ = true;
       if (used_ > first_) room_[used_ - 1].A = {0.0};
       return;

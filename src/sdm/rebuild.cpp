@@ -128,8 +128,7 @@ class Builder {
     const bool at_speed = t.kind == TargetKind::MRSP || t.kind == TargetKind::LOA;
     const Speed V_anchor = at_speed ? t.V_target + dV_ebi(t.V_target, in_.fixed) : Speed{0.0};
     t.EBD = curve(CurveKind::EBD, t.due_to_TSR, t.d_target, V_anchor, t.V_target, t.warnings);
-    if (t.kind == TargetKind::EOA_SvL)
-      t.SBD = curve(CurveKind::SBD, false, t.d_EOA, Speed{0.0}, Speed{0.0}, t.warnings);
+    if (t.kind == TargetKind::EOA_SvL) t.SBD = curve(CurveKind::SBD, false, t.d_EOA, {}, {}, t.warnings);
     const CurveView EBD = d_.view(t.EBD);
     t.foot = EBD.place_at(t.V_target);
     const train::BuildUpTimes& build_up = t.zero ? d_.cm0 : d_.cmt;
@@ -140,8 +139,7 @@ class Builder {
       // 3.13.8.5.2: foot at EOA and SvL, else where P has the target speed.
       const Place foot = t.kind == TargetKind::EOA_SvL ? t.d_target : t.d_P_target;
       t.GUI = curve(CurveKind::GUI, t.due_to_TSR, foot, t.V_target, t.V_target, t.warnings);
-      if (t.kind == TargetKind::EOA_SvL)
-        t.GUI_EOA = curve(CurveKind::GUI, false, t.d_EOA, Speed{0.0}, Speed{0.0}, t.warnings);
+      if (t.kind == TargetKind::EOA_SvL) t.GUI_EOA = curve(CurveKind::GUI, false, t.d_EOA, {}, {}, t.warnings);
     }
     d_.no_deceleration = d_.no_deceleration || t.warnings.no_deceleration;
     d_.truncated = d_.truncated || t.warnings.truncated;

@@ -106,6 +106,14 @@ TEST(ReferenceExplain, EveryValueIsTheOneOfItsTarget) {
         EXPECT_EQ(*e.d_GUI, stop ? std::min(GUI, d->view(t.GUI_EOA).place_at(V)) : GUI);
       }
       expect_decelerations(e, in, t, V);
+      // Without a place: a train about to reach its first limit by unreduced times.
+      if (!d->rules.reduced_build_up) continue;
+      const TargetLimits earliest = limits_of(*d, t, a, {});
+      const Place here = stop ? std::min(earliest.EBD.d_I, earliest.SBD->d_I) : earliest.EBD.d_I;
+      const Explanation nowhere = explain(*d, in, t, V, V_ura, A_est);
+      EXPECT_EQ(nowhere.est_front, here);
+      EXPECT_EQ(nowhere.min_safe_front, here);
+      EXPECT_EQ(nowhere.times, limits_of(*d, t, a, {{}, Fronts{here, here}}).times.EBD);
     }
     if (HasFailure()) return;
   }
@@ -157,21 +165,55 @@ TEST(ReferenceExplain, TheSpeedsAtAPlaceAreTheLastOnesWithTheirLimitBeyondIt) {
 
 TEST(ReferenceExplain, EndsOfTheSearchForASpeed) {
   Inputs in = simple_inputs(train::SrsVersion::v3_4_0);
-  in.V_top = Speed{60.0};
+  in.V_top = Speed{59.9};
   ASSERT_TRUE(in.mrsp.append({{4000.0}}, {10.0}));
   const auto d = built(in);
   const Target& t = d->targets[0];
-  // Where the limit of the highest speed is, that speed is found to the last bit; also further upstream.
-  const Explanation top = explain(*d, in, t, {60.0}, {}, {});
-  EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI, {}, {}).EBI.si, 60.0);
-  EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI - Distance{1.0}, {}, {}).EBI.si, 60.0);
-  EXPECT_LT(speeds_at(*d, in, t, *top.EBD.d_EBI + Distance{1.0}, {}, {}).EBI.si, 60.0);
+  // Where the limit of the highest speed is, that speed is found to the last bit (halving comes close only); also
+  // further upstream.
+  const Explanation top = explain(*d, in, t, {59.9}, {}, {});
+  EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI, {}, {}).EBI.si, 59.9);
+  EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI - Distance{1.0}, {}, {}).EBI.si, 59.9);
+  EXPECT_LT(speeds_at(*d, in, t, *top.EBD.d_EBI + Distance{1.0}, {}, {}).EBI.si, 59.9);
   // All speeds up to the target's have their limit at one place; at it and beyond none is left, the safe side.
   const Place last = *explain(*d, in, t, {0.0}, {}, {}).EBD.d_EBI;
   ASSERT_EQ(*explain(*d, in, t, {10.0}, {}, {}).EBD.d_EBI, last);
   EXPECT_EQ(speeds_at(*d, in, t, last, {}, {}).EBI.si, 0.0);
   EXPECT_GE(speeds_at(*d, in, t, last - Distance{kTiny}, {}, {}).EBI.si, 10.0);
   EXPECT_EQ(speeds_at(*d, in, t, last + Distance{1.0}, {}, {}).EBI.si, 0.0);
+}
+
+TEST(ReferenceExplain, PIsDrawnToTheTargetAtMostIn340Only) {
+  for (const auto srs : {train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0}) {
+    Inputs in = simple_inputs(srs);
+    in.train.T_traction_cut_off = {0.0};
+    in.train.T_emergency[0].T_brake = {0.1};
+    ASSERT_TRUE(in.mrsp.append({{4000.0}}, {10.0}));
+    const auto d = built(in);
+    const Explanation e = explain(*d, in, d->targets[0], {1.0}, {}, {});
+    EXPECT_GT(e.EBD.d_P.from_origin.si, 4000.0);
+    EXPECT_EQ(e.d_P, srs == train::SrsVersion::v3_4_0 ? Place{{4000.0}} : e.EBD.d_P);
+  }
+}
+
+TEST(ReferenceExplain, ReducedAdhesionUnderTheMinSafeFrontEndCounts) {
+  // Reduced adhesion up to 4840 m, for the train's length; the train is at 4900 m or not quite.
+  Inputs in = simple_inputs(train::SrsVersion::v4_0_0);
+  in.train.service_brake_interface = false;
+  in.train.T_traction_cut_off = {0.0};
+  in.train.T_emergency[0].T_brake = {14.0};
+  set_EOA(in, 5000.0, 5000.0);
+  ASSERT_TRUE(in.conditions.reduced_adhesion.push_back({{{4690.0}}, {{4740.0}}}));
+  const auto d = built(in);
+  Motion m = at(4900.0, 10.0);
+  EXPECT_LT(explain(*d, in, d->targets[0], {10.0}, {}, {}, &m).times.T_be.si, 13.9);
+  m.min_safe_front = {{4800.0}};
+  EXPECT_EQ(explain(*d, in, d->targets[0], {10.0}, {}, {}, &m).times.T_be.si, 14.0);
+  const auto EBI = [&](double under_reading) {
+    return speeds_at(*d, in, d->targets[0], {{4900.0}}, {}, {}, {under_reading}).EBI;
+  };
+  EXPECT_EQ(EBI(50.0), EBI(0.0));
+  EXPECT_LT(EBI(100.0), EBI(0.0));
 }
 
 TEST(ReferenceExplain, InFrontOfTheProfileAndWhereNoSpeedIsAllowed) {

@@ -330,16 +330,21 @@ TEST(ReferenceLocations, PerturbationAndPreIndication) {
 }
 
 TEST(ReferenceLocations, ACurveThatHasTheSpeedOfTheMRSPAtItsStartIsNotBelowIt) {
-  Inputs in = simple_inputs();
-  set_EOA(in, 5000.0, 5000.0);
-  in.train.service[0].A_brake_service.steps[0].value = {2.0};
-  for (const double start : {4550.0, 4551.0}) {
-    in.mrsp = {};
-    ASSERT_TRUE(in.mrsp.append({{start}}, {30.0}));
-    auto d = place_of_work();
-    rebuild(*d, in);
-    EXPECT_EQ(d->perturbation.passed_at_once, start > 4550.0);
-  }
+  // 1 m/s2 to 5000 m is 30 m/s at 4550 m: the curve of the emergency brake, then that of guidance.
+  for (const bool guidance : {false, true})
+    for (const double start : {4550.0, 4551.0}) {
+      Inputs in = simple_inputs();
+      set_EOA(in, 5000.0, 5000.0);
+      in.train.service[0].A_brake_service.steps[0].value = {2.0};
+      if (guidance) in.train.emergency[0].steps.steps[0].value.A_brake_emergency = {2.0};
+      in.national_values.Q_NVGUIPERM = guidance;
+      for (auto& model : in.train.normal_service.A_brake_normal_service) ASSERT_TRUE(model.append({0.0}, {1.0}));
+      in.mrsp = {};
+      ASSERT_TRUE(in.mrsp.append({{start}}, {30.0}));
+      auto d = place_of_work();
+      rebuild(*d, in);
+      EXPECT_EQ(d->perturbation.passed_at_once, start > 4550.0);
+    }
 }
 
 // ---- Release speed (3.13.9.4) --------------------------------------------------------------------------------------
