@@ -37,7 +37,7 @@ Duration reduced_T_bs(const Derived& d, const Target& target, const train::Build
   set_target(r, target);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_expected)) return *T;
   r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.est, end), r.V_target, a.V);
+                           fronts.est, r.V_target, a.V);
   return reduced_build_up_time(r);
 }
 
@@ -50,7 +50,7 @@ Duration reduced_T_be(const Derived& d, const Target& target, const train::Build
   const Place end = target.d_target;
   const Speed V_bec = before_emergency_effort(a, unreduced, r.V_target).V_bec;
   r.A = deceleration_range(d.decelerations, CurveKind::EBD, target.due_to_TSR, std::min(fronts.est, end), end,
-                           std::min(fronts.min_safe, end), r.V_target, V_bec);
+                           fronts.min_safe, r.V_target, V_bec);
   return reduced_build_up_time(r);
 }
 

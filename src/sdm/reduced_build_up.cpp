@@ -43,11 +43,11 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
   const std::size_t n = segments.size();
   const auto contains = [&](std::size_t i, Place x) { return i + 1 == n || segments[i + 1].from > x; };
   bool reduced = false;
-  for (std::size_t i = 0; i < n && (i == 0 || segments[i].from <= to); ++i)
+  for (std::size_t i = 0; i < n && segments[i].from <= to; ++i)
     reduced = reduced || (segments[i].reduced_adhesion && contains(i, std::min(from, reduced_from)));
   std::size_t i = 0;
   while (!contains(i, from)) ++i;
-  while (i < n && (i == 0 || segments[i].from <= to)) {
+  while (i < n && segments[i].from <= to) {
     // Segments in a row with the same bands: of them the steepest rise counts. EBD and SBD have no Kn.
     const Segment& first = segments[i];
     const Bands& bands = d.bands(kind, first);

@@ -455,6 +455,9 @@ TEST(ReferenceTimes, BordersOfTheReduction) {
   // To a stop exactly at the end of the ramp.
   r = {.T = {4.0}, .T_react = {1.0}, .v0 = {3.0}, .stop = true, .A = {{1.0}, {1.0}}};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
+  // Still walking at the end of the ramp: that settles it, whatever the track.
+  r.v0 = {3.5};
+  EXPECT_EQ(build_up_time_settled(r, {1.0}), r.T);
   r.v0 = {0.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 1.0);
   // Slow, but not standing: not the reaction time.
