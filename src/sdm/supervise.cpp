@@ -243,9 +243,7 @@ void use_feedback(Cycle& c) {
       s.active && (s.monitoring == Monitoring::TSM || (until_CSM && s.monitoring == Monitoring::RSM));
   if (!supervised || (!until_CSM && target_passed(c))) {
     reset_feedback(s.feedback, c.d.cm0.T_bs);
-    c.feedback.cm0 = FeedbackTimes{c.d.cm0.T_bs, c.d.cm0.T_bs};
-    c.feedback.cmt = FeedbackTimes{c.d.cmt.T_bs, c.d.cmt.T_bs};
-    return;
+    return;  // T_bs counts
   }
   const bool may_begin = until_CSM || s.feedback.approaching;
   c.feedback.cm0 = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cm0.T_bs, c.d.fixed, may_begin);
