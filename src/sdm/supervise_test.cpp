@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "sdm/evaluate.h"
 #include "sdm/test_cases.h"
@@ -390,6 +391,24 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   ASSERT_EQ(w.r.highest.condition, 1);
   EXPECT_EQ(w.r.status, Status::Overspeed);
   for (int n = 0; n < 2; ++n) EXPECT_EQ(w.cycle(x, 5.0).status, Status::Overspeed);
+}
+
+/// t0, t1 and t2 of 4.0.0, one after the other, at a release speed that is hardly one.
+TEST(ReleaseSpeedInTSM, At400EveryReleaseSpeedCounts) {
+  Unit u(SrsVersion::v4_0_0);
+  set_EOA(u.in, 4900.0, 5000.0);
+  u.in.authority.release_speed = ReleaseSpeedChoice::value;
+  u.in.authority.V_release = {0.5};
+  u.build();
+  u.cycle(4500, 20.0);
+  std::string conditions;
+  for (double x = 4880.0; u.cycle(x, 0.5).monitoring == Monitoring::TSM; x += 0.125) {
+    const char condition = static_cast<char>('0' + u.r.highest.condition);
+    if (u.r.status >= Status::Indication && (conditions.empty() || conditions.back() != condition))
+      conditions += condition;
+  }
+  EXPECT_EQ(u.r.monitoring, Monitoring::RSM);
+  EXPECT_EQ(conditions, "012");
 }
 
 /// 3.13.10.3.8, Table 16 [1]: only targets between trip location and SvL are left out below the release speed.
