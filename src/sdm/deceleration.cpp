@@ -311,14 +311,14 @@ class Pen {
     if (fell && used_ > first_) {
       // The arc that was cut crosses w inside: the level stretch begins there.
       Knot& below = room_[used_ - 1];
-      if (below.w < w && below.A.si > 0.0) {
+      if (below.w < w) {  // then its arc rises
         const Place crossing = below.x - Distance{(w - below.w).si / (2.0 * below.A.si)};
         push({crossing, w, {0.0}});
       } else {
         below.A = {0.0};
       }
     }
-    push({x, w, {0.0}});
+    push({x, w, {}});
   }
   void arc(Acceleration A) {
     if (used_ > first_) room_[used_ - 1].A = A;
@@ -327,7 +327,6 @@ class Pen {
 
  private:
   void push(const Knot& k) {
-    if (used_ > first_ && room_[used_ - 1].x == k.x && room_[used_ - 1].w == k.w) return;
     if (used_ >= room_.size()) {
       truncated_ = true;
       if (used_ > first_) room_[used_ - 1].A = {0.0};
@@ -371,7 +370,7 @@ Downstream to_foot(const Decelerations& d, CurveKind kind, const Segments& segme
       ++s;
     }
   }
-  down.reached = down.knots.push_back({x, w, {0.0}});
+  down.reached = down.knots.push_back({x, w, {}});
   return down;
 }
 

@@ -286,6 +286,45 @@ TEST(ExactCurves, FallsAreCutToTheLowestSpeedUpstream) {
   EXPECT_GT(meets_a_knot, 100);
 }
 
+TEST(ExactCurves, WhatBeginsAtTheAnchorDoesNotCountUpstream) {
+  Inputs in = simple_inputs();
+  in.gradient.permille = {};
+  ASSERT_TRUE(in.gradient.permille.append({{0.0}}, -200.0));  // from the second segment on nothing brakes
+  const BrakingCurve curve = trace(determined(in), CurveKind::EBD, false, {{0.0}}, {}, {}, {30.0});
+  EXPECT_FALSE(curve.warnings.no_deceleration);
+  EXPECT_EQ(curve.knots[0], (Knot{{{0.0}}, {0.0}, {1.0}}));
+}
+
+TEST(ExactCurves, AFootBehindTooManyArcsOrALevelStretchIsNotReached) {
+  // 20 m/s with 1 m/s2, a border each 2 m: 30 of them are 31 arcs and 32 knots.
+  for (const int borders : {30, 31}) {
+    Inputs in = simple_inputs();
+    in.train.L_TRAIN = {1.0};
+    in.gradient.permille = {};
+    for (int i = 0; i < borders; ++i)
+      ASSERT_TRUE(in.gradient.permille.append({{2.0 * (i + 1)}}, i % 2 == 0 ? 1.0 : 2.0));
+    const BrakingCurve curve = trace(determined(in), CurveKind::EBD, false, {{0.0}}, {20.0}, {}, {30.0});
+    EXPECT_EQ(curve.warnings.no_deceleration, borders > 30);
+    EXPECT_EQ(curve.view().foot() > (Place{{100.0}}), borders == 30);
+  }
+  // Exactly no deceleration 16 m behind the anchor, then 1 m/s2 again.
+  Inputs in = simple_inputs();
+  in.train.L_TRAIN = {kL};
+  in.train.M_rotating_nom = 0.0;
+  in.fixed.g = {15.625};
+  in.gradient.permille = {};
+  ASSERT_TRUE(in.gradient.permille.append({{16.0}}, -64.0));
+  ASSERT_TRUE(in.gradient.permille.append({{48.0}}, 0.0));
+  const BrakingCurve curve = trace(determined(in), CurveKind::EBD, false, {{0.0}}, {20.0}, {}, {30.0});
+  EXPECT_TRUE(curve.warnings.no_deceleration);
+  EXPECT_EQ(curve.knots[0], (Knot{{{0.0}}, {0.0}, {1.0}}));
+  // The same stretch in rear of the anchor, to 64 m for the train's length: level.
+  const BrakingCurve level = trace(determined(in), CurveKind::EBD, false, {{96.0}}, {}, {}, {30.0});
+  EXPECT_TRUE(level.warnings.no_deceleration);
+  EXPECT_EQ(level.knots[1], (Knot{{{64.0}}, {64.0}, {0.0}}));
+  EXPECT_EQ(level.knots[2], (Knot{{{16.0}}, {64.0}, {1.0}}));
+}
+
 // ---- What `explain` says at a border -------------------------------------------------------------------------------
 
 TEST(ExactCurves, DecelerationsOfAnExplanationAtEveryKnot) {

@@ -453,7 +453,8 @@ TEST(ReferenceLocations, ReleaseSpeed) {
     again.mrsp = {};
     const bool at_start = dice.chance(0.5);
     (void)again.mrsp.append(in.mrsp.steps[0].from, {at_start ? 1.0 : 50.0});
-    if (at_start) (void)again.mrsp.append(from, {50.0});
+    // At it, or within the confidence interval behind it.
+    if (at_start) (void)again.mrsp.append(dice.chance(0.5) ? from : from + a.confidence_interval / 2.0, {50.0});
     (void)again.mrsp.append(r.d_trip, {dice.chance(0.5) ? 2.0 : 60.0});
   }
   EXPECT_GT(calculated, 100);
