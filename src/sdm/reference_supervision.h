@@ -351,6 +351,9 @@ inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& 
     s.feedback = kept;
     s.active = true;
     s.monitoring = next;
+    s.status = Status::Normal;
+    s.tco = s.sb = s.eb = s.eb_for_sb = s.has_MRDT = false;
+    s.hold_P = s.hold_SBI = s.hold_target_distance = false;
   }
   if (next != s.monitoring) {
     if (s.monitoring == Monitoring::TSM) s.tco = false;       // 3.13.10.6.3
@@ -368,7 +371,7 @@ inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& 
       s.hold_P = s.hold_SBI = s.hold_target_distance = false;
     }
   }
-  if (next != Monitoring::CSM) out.MRDT_changed = select_MRDT();
+  out.MRDT_changed = next != Monitoring::CSM && select_MRDT();
   const Met met = next == Monitoring::CSM   ? monitor_CSM()
                   : next == Monitoring::TSM ? monitor_TSM(out.MRDT_changed)
                                             : monitor_RSM();
