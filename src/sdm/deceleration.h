@@ -86,7 +86,6 @@ struct Decelerations {
   Segments segments;                                          // never empty; the first one also holds before its start
   Segments segments_for_TSR;                                  // with the default gradient; empty: the same
   Acceleration highest_safe{}, highest_expected{};            // of all bands, without gradient
-  bool truncated = false;
 
   const Bands& bands(CurveKind kind, const Segment& s) const;
   const Segments& segments_of(bool due_to_TSR) const {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "sdm/test_reference.h"
+#include "sdm/test_reference_curves.h"
 
 namespace {
 

@@ -16,7 +16,6 @@ struct FeedbackState {
   double p_search = 0.0;
   Duration since{};
   Duration last{};
-  bool has_last = false;
   Duration T_bs1_previous{};
   bool approaching = false;  // 3.4.0: faster than a target whose Indication limit is exceeded, in the last cycle
 };

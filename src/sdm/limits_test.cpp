@@ -638,6 +638,23 @@ TEST(PreIndication, OfALimitOfAuthority) {
   EXPECT_FALSE(d->targets[0].preindication_passed_at_once);
 }
 
+TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
+  // More decreases than there is room for; one of those that become one target is a TSR's.
+  Inputs in = simple_inputs();
+  for (int i = 0; i < 90; ++i) ASSERT_TRUE(in.mrsp.append({{1000.0 + 20.0 * i}}, {29.0 - 0.3 * i}));
+  in.mrsp_due_to_TSR[85] = true;
+  in.gradient.default_for_TSR = -20.0;
+  auto d = built(in);
+  ASSERT_TRUE(d->truncated);
+  EXPECT_NEAR(d->targets.back().V_target.si, 29.0 - 0.3 * 89, 1e-9);
+  EXPECT_TRUE(d->targets.back().due_to_TSR);
+  in.gradient.default_for_TSR = 20.0;
+  EXPECT_FALSE(built(in)->targets.back().due_to_TSR);
+  // All of them are.
+  in.mrsp_due_to_TSR.fill(true);
+  EXPECT_TRUE(built(in)->targets.back().due_to_TSR);
+}
+
 TEST(Curves, WithoutRoomTheRestIsLevel) {
   Inputs in = simple_inputs();
   in.gradient.permille = {};

@@ -149,7 +149,12 @@ class Builder {
   void squeeze(std::size_t i) {
     d_.truncated = true;
     Target& last = d_.targets.back();
-    for (; i < in_.mrsp.size(); ++i) last.V_target = std::min(last.V_target, in_.mrsp.steps[i].value);
+    // The default gradient of a TSR counts for all of them where it falls, for none where it does not.
+    const bool falling = in_.gradient.default_for_TSR.value_or(0.0) < 0.0;
+    for (; i < in_.mrsp.size(); ++i) {
+      last.V_target = std::min(last.V_target, in_.mrsp.steps[i].value);
+      last.due_to_TSR = falling ? last.due_to_TSR || in_.mrsp_due_to_TSR[i] : last.due_to_TSR && in_.mrsp_due_to_TSR[i];
+    }
     d_.knots_used = last.EBD.first;
     trace_curves(last);
   }

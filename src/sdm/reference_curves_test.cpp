@@ -1,10 +1,10 @@
-// Decelerations and braking curves against the independent model of test_reference.h, with a good part of the
+// Decelerations and braking curves against the independent model of test_reference_curves.h, with a good part of the
 // questions exactly at borders of segments, steps of speed and knots.
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "sdm/test_reference.h"
+#include "sdm/test_reference_curves.h"
 
 namespace {
 

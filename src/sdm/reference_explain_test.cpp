@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "sdm/evaluate.h"
-#include "sdm/test_reference.h"
+#include "sdm/test_reference_curves.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "sdm/evaluate.h"
 #include "sdm/locations.h"
-#include "sdm/test_reference.h"
+#include "sdm/test_reference_curves.h"
 
 namespace {
 

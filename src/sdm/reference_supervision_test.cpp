@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string>
 
-#include "sdm/journeys.h"
-#include "sdm/reference_display.h"
-#include "sdm/reference_supervision.h"
-#include "sdm/reference_tables.h"
+#include "sdm/test_journeys.h"
+#include "sdm/test_reference_display.h"
+#include "sdm/test_reference_supervision.h"
+#include "sdm/test_reference_tables.h"
 
 namespace {
 

@@ -316,7 +316,7 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
          m.max_safe_front > d.targets[c.first].d_target)
     ++c.first;
   // Read when active only.
-  c.list_updated = s.list_revision != d.revision || s.list_passed != c.first || s.list_size != d.targets.size();
+  c.list_updated = s.list_revision != d.revision || s.list_passed != c.first;
   c.V_MRSP_updated = !(s.V_MRSP == c.M);
   use_feedback(c);
   c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
@@ -353,7 +353,6 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
                                                         : monitor_RSM(c);
   s.list_revision = d.revision;
   s.list_passed = static_cast<std::uint16_t>(c.first);
-  s.list_size = static_cast<std::uint16_t>(d.targets.size());
   s.V_MRSP = c.M;
 
   out.monitoring = s.monitoring;

@@ -126,7 +126,6 @@ struct Supervision {
   bool tco = false, sb = false, eb = false, eb_for_sb = false;
   std::uint64_t list_revision = 0;  // the target list of the last cycle
   std::uint16_t list_passed = 0;
-  std::uint16_t list_size = 0;
   bool has_MRDT = false;
   TargetId MRDT{};
   Speed V_MRSP{};

@@ -1,8 +1,8 @@
 #pragma once
 // For tests: one cycle of 3.13.10 once more, plain and slow, from the text and tables of the standard. Every target is
 // looked at with all of its limits; nothing is left out, bounded or kept for later. Limits and curves are the tested
-// ones (limits_of, speeds_of_EBD, speeds_of_SBD). Tables 5 to 15 are in reference_tables.h, what the driver sees in
-// reference_display.h.
+// ones (limits_of, speeds_of_EBD, speeds_of_SBD). Tables 5 to 15 are in test_reference_tables.h, what the driver
+// sees in test_reference_display.h.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -377,7 +377,6 @@ inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& 
                                             : monitor_RSM();
   s.list_revision = d_->revision;
   s.list_passed = static_cast<std::uint16_t>(passed);
-  s.list_size = static_cast<std::uint16_t>(d_->targets.size());
   s.V_MRSP = M_;
   out.monitoring = s.monitoring;
   out.status = s.status;

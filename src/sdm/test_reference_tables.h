@@ -1,6 +1,6 @@
 #pragma once
 // For tests: Tables 5 to 15 of 3.13.10 as plain conditions, for the reference supervision.
-#include "sdm/reference_supervision.h"
+#include "sdm/test_reference_supervision.h"
 
 namespace evc::sdm::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 // For tests: the most relevant displayed target and what else the driver sees, for the reference supervision.
-#include "sdm/reference_supervision.h"
+#include "sdm/test_reference_supervision.h"
 
 namespace evc::sdm::test {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "sdm/reference_supervision.h"
 #include "sdm/test_cases.h"
+#include "sdm/test_reference_supervision.h"
 
 namespace evc::sdm::test {
 
