@@ -5,7 +5,16 @@
 namespace evc::sdm {
 
 std::size_t CurveView::knot_at(Place x, std::size_t low) const {
+  // In steps that double, then by halves: what is asked for is mostly near.
+  std::size_t step = 1;
   std::size_t high = knots.size();
+  while (low + step < high) {
+    if (x < knots[low + step].x)
+      low += step;
+    else
+      high = low + step;
+    step *= 2;
+  }
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     if (x < knots[middle].x)
@@ -31,16 +40,18 @@ std::size_t CurveView::knot_at(Speed V) const {
   return low;
 }
 
-SpeedSquared CurveView::speed_squared_on(std::size_t knot, Place x) const {
-  const Knot& k = knots[knot];
-  return k.w + 2.0 * (k.A * std::max(k.x - x, Distance{}));
-}
+namespace {
 
-SpeedSquared CurveView::speed_squared_at(Place x) const { return speed_squared_on(knot_at(x), x); }
+/// On the arc that leads upstream from `k`; downstream of it the knot's.
+inline SpeedSquared on_arc(const Knot& k, Place x) { return k.w + 2.0 * (k.A * std::max(k.x - x, Distance{})); }
+
+}  // namespace
+
+SpeedSquared CurveView::speed_squared_at(Place x) const { return on_arc(knots[knot_at(x)], x); }
 
 Speed CurveView::next_speed_at(Place x, std::size_t& knot) const {
   knot = knot_at(x, x < knots[knot].x ? knot : 0);
-  return {__builtin_sqrt(speed_squared_on(knot, x).si)};
+  return {__builtin_sqrt(on_arc(knots[knot], x).si)};
 }
 
 Speed CurveView::speed_at(Place x) const { return {__builtin_sqrt(speed_squared_at(x).si)}; }

@@ -38,9 +38,6 @@ struct CurveView {
   std::size_t knot_at(Place x, std::size_t low = 0) const;
   /// The knot from which the arc leads upstream to the speed `V`: the last one with a lower speed.
   std::size_t knot_at(Speed V) const;
-
- private:
-  SpeedSquared speed_squared_on(std::size_t knot, Place x) const;
 };
 
 inline constexpr std::size_t kMaxKnots = 176;
