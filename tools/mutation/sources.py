@@ -170,19 +170,24 @@ def mutants_of(path, enums):
             for start, end, new, operator, row in places(text, enums)]
 
 
+def is_test(path):
+    """Tests and the headers that are named as theirs."""
+    return path.stem.endswith("_test") or path.stem.startswith("test_")
+
+
 def mutants_of_room(folder, others):
     """All mutants of the room in `folder`, numbered from 1. Headers that only tests include are tests. `others`:
     the folders of the rooms that it uses."""
     name = folder.name
     included = set()
     for source in SRC.glob("*/*"):
-        if source.suffix in (".cpp", ".h") and not source.name.endswith("_test.cpp"):
+        if source.suffix in (".cpp", ".h") and not is_test(source):
             included.update(re.findall(rf'^#include "{name}/(\w+\.h)"', source.read_text(), re.M))
     tests_only = {h.name for h in folder.glob("*.h")} - included
     enums = enumerators([folder, *others])
     found = []
     for path in sorted(folder.iterdir()):
-        if path.suffix in (".cpp", ".h") and not path.name.endswith("_test.cpp") and path.name not in tests_only:
+        if path.suffix in (".cpp", ".h") and not is_test(path) and path.name not in tests_only:
             found += mutants_of(path, enums)
     for number, mutant in enumerate(found, 1):
         mutant.id = number
