@@ -648,7 +648,7 @@ TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
   ASSERT_TRUE(d->truncated);
   EXPECT_NEAR(d->targets.back().V_target.si, 29.0 - 0.3 * 89, 1e-9);
   EXPECT_TRUE(d->targets.back().due_to_TSR);
-  in.gradient.default_for_TSR = 20.0;
+  in.gradient.default_for_TSR = 0.5;
   EXPECT_FALSE(built(in)->targets.back().due_to_TSR);
   // All of them are.
   in.mrsp_due_to_TSR.fill(true);
