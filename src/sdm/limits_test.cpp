@@ -655,6 +655,21 @@ TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
   EXPECT_TRUE(built(in)->targets.back().due_to_TSR);
 }
 
+TEST(Curves, WhatIsNotSaid) {
+  // Defaults that callers rely on.
+  EXPECT_EQ(Authority{}.release_speed, ReleaseSpeedChoice::none);
+  Inputs in = simple_inputs();
+  in.revision = 0;
+  Derived d;
+  EXPECT_TRUE(rebuild(d, in)) << "nothing was built yet, whatever the number of the inputs";
+  EXPECT_FALSE(d.release_speed.on_board);
+  in.gradient.default_for_TSR = -20.0;
+  in.gradient.known_to = Place{{500.0}};
+  const auto b = built(in);
+  EXPECT_EQ(b->decelerations.at(CurveKind::EBD, {10.0}, {{2000.0}}).si, 1.0) << "no TSR's";
+  EXPECT_LT(b->decelerations.at(CurveKind::EBD, {10.0}, {{2000.0}}, true).si, 1.0);
+}
+
 TEST(Curves, WithoutRoomTheRestIsLevel) {
   Inputs in = simple_inputs();
   in.gradient.permille = {};

@@ -211,4 +211,16 @@ TEST(MemoModel, ResidualAndRoundTrip) {
   }
 }
 
+TEST(MemoModel, ASheetThatSaysNothingIsTheWorkbooks) {
+  const sdm::WorkbookInputs w;
+  EXPECT_EQ(w.quantum, 10_m);
+  EXPECT_EQ(w.length, 700_m);
+  EXPECT_EQ(w.DT, 5_s);
+  EXPECT_EQ(w.DX, 5_m);
+  EXPECT_EQ(w.DV.si, 1.0);
+  EXPECT_EQ(w.dV.si, 1.0);
+  EXPECT_EQ(w.A_safe.si, 1.2);
+  EXPECT_TRUE(w.danger_point_in_first_row);
+}
+
 }  // namespace
