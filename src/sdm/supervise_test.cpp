@@ -871,6 +871,19 @@ TEST(Memo, SixStatuses) {
 
 // ---- Service brake feedback, A.3.10 ----------------------------------------------------------------
 
+TEST(Supervision, BeginsWithNothing) {
+  const Supervision s;
+  EXPECT_FALSE(s.active);
+  EXPECT_EQ(s.monitoring, Monitoring::CSM);
+  EXPECT_EQ(s.status, Status::Normal);
+  EXPECT_FALSE(s.tco || s.sb || s.eb || s.eb_for_sb);
+  EXPECT_EQ(s.list_revision, 0u);
+  EXPECT_EQ(s.list_passed, 0u);
+  EXPECT_FALSE(s.has_MRDT);
+  EXPECT_FALSE(s.hold_P || s.hold_SBI || s.hold_target_distance);
+  EXPECT_FALSE(s.feedback.p0_known || s.feedback.started || s.feedback.locked || s.feedback.approaching);
+}
+
 TEST(Feedback, FirstStablePressureAndItsDrift) {
   FeedbackState s;
   follow_pressure(s, 300.0, {0.0});  // too low to begin with
