@@ -655,6 +655,21 @@ TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
   EXPECT_TRUE(built(in)->targets.back().due_to_TSR);
 }
 
+TEST(PermittedBrakingDistance, KnowsNoServiceBrakeFeedback) {
+  // 3.11.11: as if it were not implemented, also where T_bs is shorter than the 2 s that feedback asks for.
+  Inputs in = simple_inputs();
+  in.train.T_service = {};
+  ASSERT_TRUE(in.train.T_service.push_back({{1.0}, {0.5}, 0}));
+  in.national_values.Q_NVSBTSMPERM = true;
+  Inputs with = in;
+  with.train.service_brake_feedback = true;
+  with.national_values.Q_NVSBFBPERM = true;
+  for (double D = 50.0; D < 1000.0; D += 5.0)
+    ASSERT_EQ(permitted_braking_distance_speed(with, {D}, 0.0, false),
+              permitted_braking_distance_speed(in, {D}, 0.0, false))
+        << D;
+}
+
 TEST(Curves, WhatIsNotSaid) {
   // Defaults that callers rely on.
   EXPECT_EQ(Authority{}.release_speed, ReleaseSpeedChoice::none);
