@@ -53,8 +53,8 @@ campaign-lines: evc
 # Properties of braking curves and limits over CASES random trains, tracks and targets.
 campaign-properties:
 	@tools/setup build test
-	@tools/build release sdm_test
-	EVC_CASES=$(or $(CASES),100000) build/release/src/sdm/sdm_test --gtest_filter='Properties.*'
+	@tools/build dev sdm_test
+	EVC_CASES=$(or $(CASES),100000) build/dev/src/sdm/sdm_test --gtest_filter='Properties.*'
 
 # Are the tests of a ROOM able to fail? MUTANTS="--rows" or "--sample 500" instead of all.
 campaign-mutants:
