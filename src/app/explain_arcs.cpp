@@ -13,34 +13,9 @@ constexpr double kKmh = 3.6;
 
 double m(Place x) { return x.from_origin.si; }
 
-/// The segment that gives a curve its deceleration just upstream of `x`.
-const sdm::Segment& segment_upstream(const sdm::Segments& segments, Place x) {
-  std::size_t i = segments.size() - 1;
-  while (i > 0 && !(segments[i].from < x)) --i;
-  return segments[i];
-}
-const sdm::Band& band_at(const sdm::Bands& bands, SpeedSquared w) {
-  std::size_t i = 0;
-  while (i + 1 < bands.size() && bands[i].w_upto < w) ++i;
-  return bands[i];
-}
-
-/// Where the gradient profile says something.
-struct Known {
-  Place from{}, to{};
-};
-Known known(const sdm::GradientProfile& p) {
-  Known k{{{1e9}}, {{1e9}}};
-  if (p.permille.empty()) return k;
-  k.from = p.permille.steps.front().from;
-  if (p.known_from) k.from = std::max(k.from, *p.known_from);
-  if (p.known_to) k.to = *p.known_to;
-  return k;
-}
-
 /// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 stands for track that is not known.
 std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place front) {
-  const Known k = known(p);
+  const sdm::KnownPart k = sdm::known_part(p);
   std::string all;
   const auto add = [&](double permille) { all += (all.empty() ? "" : ", ") + short_number(permille); };
   if (rear < k.from) add(0.0);
@@ -57,7 +32,7 @@ void gradient_at(ExplainPage& page, const Approached& a, const sdm::Segment& s, 
   const sdm::Inputs& in = a.input().inputs;
   const train::FixedValues& f = a.derived().fixed;
   const sdm::GradientProfile& p = in.gradient;
-  const Known k = known(p);
+  const sdm::KnownPart k = sdm::known_part(p);
   const bool covered = x > k.from && x <= k.to;
   if (a.target().due_to_TSR && p.default_for_TSR && !covered) {
     page.step("grad",
@@ -123,7 +98,8 @@ const char* title_of(sdm::CurveKind kind) {
 void explain_decelerations(ExplainPage& page, const Approached& a, const sdm::Explanation& e) {
   const sdm::Decelerations& d = a.derived().decelerations;
   page.heading("Gradient and resulting deceleration, at the place where the curve has this speed");
-  const sdm::Segment& s = segment_upstream(d.segments_of(a.target().due_to_TSR), e.d_EBD);
+  const sdm::Segments& segments = d.segments_of(a.target().due_to_TSR);
+  const sdm::Segment& s = segments[sdm::segment_upstream_of(segments, e.d_EBD)];
   if (is_somewhere(e.d_EBD))
     gradient_at(page, a, s, e.d_EBD, "d_EBD(V)");
   else
@@ -131,7 +107,7 @@ void explain_decelerations(ExplainPage& page, const Approached& a, const sdm::Ex
               "3.13.4.3.2");
   safe(page, a, e, s);
   if (!e.d_SBD) return;
-  gradient_at(page, a, segment_upstream(d.segments, *e.d_SBD), *e.d_SBD, "d_SBD(V)");
+  gradient_at(page, a, d.segments[sdm::segment_upstream_of(d.segments, *e.d_SBD)], *e.d_SBD, "d_SBD(V)");
   page.step("A_expected", "A_brake_service + A_gradient", n5(e.A_brake_service.si) + plus_n5(e.A_gradient_SBD.si),
             e.A_expected.si, "m/s2", "3.13.6.3.1.3");
 }
@@ -156,8 +132,9 @@ void explain_arcs(ExplainPage& page, const Approached& a, sdm::CurveKind kind, s
     // A place and a speed inside the arc; the last arc goes on.
     const bool last = k + 1 == curve.knots.size();
     const double half = last ? 1e-3 : (knot.x - curve.knots[k + 1].x).si / 2.0;
-    const sdm::Segment& s = segment_upstream(segments, knot.x - Distance{half});
-    const sdm::Band& b = band_at(d.bands(kind, s), knot.w + 2.0 * (knot.A * Distance{half}));
+    const sdm::Segment& s = segments[sdm::segment_upstream_of(segments, knot.x - Distance{half})];
+    const sdm::Bands& bands = d.bands(kind, s);
+    const sdm::Band& b = bands[sdm::band_below(bands, knot.w + 2.0 * (knot.A * Distance{half}))];
     const bool at_maximum = s.reduced_adhesion && b.A[1] < b.A[0];
     capped = capped || at_maximum;
     const double Kn = (s.grad > 0.0 ? b.Kn_plus.si : b.Kn_minus.si) * s.grad / 1000.0;

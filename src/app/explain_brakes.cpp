@@ -29,18 +29,6 @@ std::string range_at(const Steps& f, Speed V) {
   return range_of_step("V", h.from, h.upto);
 }
 
-/// Special brakes that a track condition takes away just upstream of `x` (3.13.5.1); gamma trains only.
-train::BrakeSet inhibited(const sdm::Inputs& in, Place x, bool service) {
-  const sdm::TrackConditions& c = in.conditions;
-  const auto gone = [x](const std::optional<Place>& from) { return from.has_value() && *from < x; };
-  unsigned set = 0;
-  if (gone(c.regenerative_off)) set |= train::kRegenerative;
-  if (in.train.regenerative_needs_line_voltage && gone(c.powerless)) set |= train::kRegenerative;
-  if (gone(service ? c.eddy_current_service_off : c.eddy_current_emergency_off)) set |= train::kEddyCurrent;
-  if (gone(c.magnetic_shoe_off)) set |= train::kMagneticShoe;
-  return static_cast<train::BrakeSet>(set);
-}
-
 std::string names_of(train::BrakeSet set) {
   std::string names;
   const auto add = [&](train::BrakeSet brake, const char* name) {
@@ -135,7 +123,7 @@ void gamma_emergency(ExplainPage& page, const io::CurvesInput& c, const sdm::Exp
   const train::TrainData& t = c.inputs.train;
   const train::NationalValues& v = c.inputs.national_values;
   const Speed V = e.approach.V;
-  const train::BrakeSet in_use = train::in_use_emergency(t, c.inputs.brakes, inhibited(c.inputs, e.d_EBD, false));
+  const train::BrakeSet in_use = e.in_use_emergency;
   const train::EmergencyModel* model = train::emergency_model(t, in_use);
   if (model == nullptr) return;  // such a train is refused
   page.line("special brakes that count for the emergency brake: " + names_of(in_use) +
@@ -168,8 +156,7 @@ void service(ExplainPage& page, const io::CurvesInput& c, const sdm::Explanation
     basic_deceleration(page, lambda0, V, "A_brake_service", e.A_brake_service.si);
     return;
   }
-  const train::BrakeSet in_use =
-      train::in_use_service(t, c.inputs.brakes, inhibited(c.inputs, e.d_SBD.value_or(e.d_EBD), true));
+  const train::BrakeSet in_use = e.in_use_service;
   page.line("special brakes that count for the service brake: " + names_of(in_use) + " (3.13.2.2.6)");
   page.step("A_brake_service", "step of the train's model, " + range_at(train::A_brake_service(t, in_use), V), "",
             e.A_brake_service.si, "m/s2", "3.13.2.2.3.1");

@@ -7,45 +7,27 @@
 namespace evc::sdm {
 namespace {
 
-/// The segment whose arc gives the curve its speed just upstream of x.
-const Segment& segment_before(const Segments& s, Place x) {
-  std::size_t i = s.size() - 1;
-  while (i > 0 && !(s[i].from < x)) --i;
-  return s[i];
-}
-const Band& band_at(const Bands& bands, Speed V) {
-  std::size_t i = 0;
-  while (bands[i].w_upto < V * V) ++i;  // the last one has no end
-  return bands[i];
-}
-
-train::BrakeSet off(const Inputs& in, Place x, bool service) {
-  const TrackConditions& c = in.conditions;
-  const auto gone = [x](const std::optional<Place>& from) { return from.has_value() && *from < x; };
-  unsigned set = 0;
-  if (gone(c.regenerative_off)) set |= train::kRegenerative;
-  if (in.train.regenerative_needs_line_voltage && gone(c.powerless)) set |= train::kRegenerative;
-  if (gone(service ? c.eddy_current_service_off : c.eddy_current_emergency_off)) set |= train::kEddyCurrent;
-  if (gone(c.magnetic_shoe_off)) set |= train::kMagneticShoe;
-  return static_cast<train::BrakeSet>(set);
-}
-
 void decelerations(Explanation& e, const Derived& d, const Inputs& in, const Target& t, Speed V) {
   const Decelerations& A = d.decelerations;
-  const Segment& s = segment_before(A.segments_of(t.due_to_TSR), e.d_EBD);
-  const Band& b = band_at(A.bands(CurveKind::EBD, s), V);
+  const Segments& track = A.segments_of(t.due_to_TSR);
+  const Segment& s = track[segment_upstream_of(track, e.d_EBD)];
+  const Bands& safe = A.bands(CurveKind::EBD, s);
+  const Band& b = safe[band_below(safe, V * V)];
   e.A_gradient_EBD = s.A_gradient;
   e.A_safe = deceleration(b, s);
   e.A_brake_safe = b.A[0];
-  e.A_brake_emergency = train::value_below(
-      train::A_brake_emergency(in.train, train::in_use_emergency(in.train, in.brakes, off(in, e.d_EBD, false))), V);
+  const train::BrakeSet off = brakes_off(in.conditions, in.train, s.from, false);
+  e.in_use_emergency = train::in_use_emergency(in.train, in.brakes, off);
+  e.A_brake_emergency = train::value_below(train::A_brake_emergency(in.train, e.in_use_emergency), V);
   // The expected deceleration where the SBD has the speed; without an SBD where the EBD has it.
   const Place where = e.d_SBD.value_or(e.d_EBD);
-  const Segment& z = segment_before(A.segments, where);
-  const Band& service = band_at(A.bands(CurveKind::SBD, z), V);
+  const Segment& z = A.segments[segment_upstream_of(A.segments, where)];
+  const Bands& expected = A.bands(CurveKind::SBD, z);
+  const Band& service = expected[band_below(expected, V * V)];
   e.A_gradient_SBD = z.A_gradient;
   e.A_expected = deceleration(service, z);
   e.A_brake_service = service.A[0];
+  e.in_use_service = train::in_use_service(in.train, in.brakes, brakes_off(in.conditions, in.train, z.from, true));
 }
 
 /// The speed whose location `place(V)` is `x`: places fall with the speed.

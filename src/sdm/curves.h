@@ -37,6 +37,8 @@ struct Explanation {
   Acceleration A_safe{}, A_brake_safe{}, A_brake_emergency{};
   Acceleration A_expected{}, A_brake_service{};
   Acceleration A_gradient_EBD{}, A_gradient_SBD{};
+  /// Special brakes that count there (3.13.2.2.6, 3.13.5.1).
+  train::BrakeSet in_use_emergency{}, in_use_service{};
   /// The most restrictive of both curves: the nearer one (3.3.0's FLOI and the limits drawn).
   Place d_FLOI{}, d_W{}, d_P{}, d_I{};
 };

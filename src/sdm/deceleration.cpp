@@ -9,19 +9,29 @@ namespace {
 constexpr double kNowhere = 1e9;
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();  // of the highest speed band
 
-struct Covered {
-  Place from{}, to{};
-};
-/// Where the gradient is known; both nowhere when it is known at no place at all.
-Covered covered(const GradientProfile& p) {
-  const Covered none{{{kNowhere}}, {{kNowhere}}};
+}  // namespace
+
+KnownPart known_part(const GradientProfile& p) {
+  const KnownPart none{{{kNowhere}}, {{kNowhere}}};
   if (p.permille.empty()) return none;
-  Covered c = none;
+  KnownPart c = none;
   c.from = p.permille.steps.front().from;
   if (p.known_from.has_value()) c.from = std::max(c.from, *p.known_from);
   if (p.known_to.has_value()) c.to = *p.known_to;
   return c.from < c.to ? c : none;
 }
+
+train::BrakeSet brakes_off(const TrackConditions& c, const train::TrainData& t, Place x, bool service) {
+  const auto gone = [x](const std::optional<Place>& from) { return from.has_value() && *from <= x; };
+  unsigned set = 0;
+  if (gone(c.regenerative_off)) set |= train::kRegenerative;
+  if (t.regenerative_needs_line_voltage && gone(c.powerless)) set |= train::kRegenerative;
+  if (gone(service ? c.eddy_current_service_off : c.eddy_current_emergency_off)) set |= train::kEddyCurrent;
+  if (gone(c.magnetic_shoe_off)) set |= train::kMagneticShoe;
+  return static_cast<train::BrakeSet>(set);
+}
+
+namespace {
 
 /// The profile with `unknown` where nothing is known: it starts far behind and never ends.
 struct Extended {
@@ -29,7 +39,7 @@ struct Extended {
 };
 Extended extended(const GradientProfile& p, double unknown) {
   Extended e;
-  const Covered c = covered(p);
+  const KnownPart c = known_part(p);
   // Two more steps than the profile can have are room enough.
   EVC_REQUIRE(e.f.append({{-kNowhere}}, unknown));
   for (const auto& step : p.permille.steps) {
@@ -83,17 +93,6 @@ struct Borders {
     EVC_REQUIRE(room);
   }
 };
-
-/// Starts of zones without a special brake: which brakes are gone at a place.
-train::BrakeSet off_at(Place x, const TrackConditions& c, const train::TrainData& t, bool service) {
-  const auto gone = [x](const std::optional<Place>& from) { return from.has_value() && *from <= x; };
-  unsigned set = 0;
-  if (gone(c.regenerative_off)) set |= train::kRegenerative;
-  if (t.regenerative_needs_line_voltage && gone(c.powerless)) set |= train::kRegenerative;
-  if (gone(service ? c.eddy_current_service_off : c.eddy_current_emergency_off)) set |= train::kEddyCurrent;
-  if (gone(c.magnetic_shoe_off)) set |= train::kMagneticShoe;
-  return static_cast<train::BrakeSet>(set);
-}
 
 template <class Steps>
 Bands bands_of(const Steps& steps, const train::MaxReducedAdhesion& cap) {
@@ -149,7 +148,7 @@ CompensatedGradient compensated_gradient(const GradientProfile& profile, Distanc
   // 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length compensation; a known fall
   // under the rest of the train is kept (safe side): only that is below 0 where the front is not covered.
   const double unknown = *profile.default_for_TSR;
-  const Covered cover = covered(profile);
+  const KnownPart cover = known_part(profile);
   Borders borders;
   for (const auto& step : c.permille.steps) borders.add(step.from);
   borders.add(cover.from);
@@ -183,20 +182,19 @@ std::size_t segment_index(const Segments& segments, Place x) {
   }
   return low;
 }
-/// The band that includes the speed, as its upper limit at the most.
+}  // namespace
+
 std::size_t band_below(const Bands& bands, SpeedSquared w) {
   std::size_t i = 0;
-  while (bands[i].w_upto < w) ++i;
+  while (bands[i].w_upto < w) ++i;  // the last one has no end
   return i;
 }
-/// The segment that lies downstream-open before x: the one whose end x is.
+
 std::size_t segment_upstream_of(const Segments& segments, Place x) {
   std::size_t i = segment_index(segments, x);
   if (i > 0 && segments[i].from == x) --i;
   return i;
 }
-
-}  // namespace
 
 Acceleration Decelerations::at(CurveKind kind, Speed V, Place x, bool due_to_TSR) const {
   const Segments& s = segments_of(due_to_TSR);
@@ -234,8 +232,8 @@ void build_segments(Segments& out, const CompensatedGradient& gradient, const Tr
     s.from = from;
     s.grad = gradient.permille.steps[g].value;
     s.A_gradient = train::A_gradient(s.grad, t, fixed);
-    s.emergency = index_of(emergency, off_at(from, c, t, false));
-    s.service = index_of(service, off_at(from, c, t, true));
+    s.emergency = index_of(emergency, brakes_off(c, t, from, false));
+    s.service = index_of(service, brakes_off(c, t, from, true));
     s.reduced_adhesion = c.slippery_rail;
     for (const Zone& z : c.reduced_adhesion)
       if (z.from <= from && from < z.to + t.L_TRAIN) s.reduced_adhesion = true;
@@ -271,8 +269,8 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
        {c.regenerative_off, c.eddy_current_emergency_off, c.eddy_current_service_off, c.magnetic_shoe_off, c.powerless})
     if (from.has_value()) starts.add(*from);
   for (const Place from : starts.at) {
-    const train::BrakeSet e = off_at(from, c, t, false);
-    const train::BrakeSet s = off_at(from, c, t, true);
+    const train::BrakeSet e = brakes_off(c, t, from, false);
+    const train::BrakeSet s = brakes_off(c, t, from, true);
     // Regenerative, eddy current, magnetic shoe: at most four different sets on the way from none to all.
     if (emergency.empty() || emergency.back() != e) EVC_REQUIRE(emergency.push_back(e));
     if (service.empty() || service.back() != s) EVC_REQUIRE(service.push_back(s));

@@ -31,6 +31,11 @@ struct GradientProfile {
   std::optional<Place> known_from, known_to;
   std::optional<double> default_for_TSR;
 };
+/// Where the gradient is known, up to (not including) `to`; both 1e9 m when it is known at no place at all.
+struct KnownPart {
+  Place from{}, to{};
+};
+KnownPart known_part(const GradientProfile& profile);
 
 struct Zone {
   Place from{}, to{};
@@ -46,6 +51,9 @@ struct TrackConditions {
   std::optional<Place> regenerative_off, eddy_current_emergency_off, eddy_current_service_off, magnetic_shoe_off,
       powerless;
 };
+
+/// Special brakes of a gamma train that do not count from `x` on (3.13.5.1), for the emergency or the service brake.
+train::BrakeSet brakes_off(const TrackConditions& conditions, const train::TrainData& train, Place x, bool service);
 
 /// Lowest gradient under a train whose front is at x, as a step function of x (3.13.4.2). Where part of
 /// the train stands on track without a known gradient, 0 counts for that part (safe side). Each step of
@@ -66,6 +74,8 @@ struct Segment {
   friend constexpr bool operator==(const Segment&, const Segment&) = default;
 };
 using Segments = InplaceVector<Segment, kSegments>;
+/// The segment that gives a curve its deceleration just upstream of `x`: `x` lies in it or is its end.
+std::size_t segment_upstream_of(const Segments& segments, Place x);
 
 /// Speed band: decelerations of the brakes for v^2 <= `w_upto` and above the band before; infinite for the last one.
 struct Band {
@@ -75,6 +85,8 @@ struct Band {
   friend constexpr bool operator==(const Band&, const Band&) = default;
 };
 using Bands = InplaceVector<Band, train::kMergedSteps>;
+/// The band that includes the speed, as its upper limit at the most.
+std::size_t band_below(const Bands& bands, SpeedSquared w);
 
 enum class CurveKind : std::uint8_t { EBD, SBD, GUI };
 
