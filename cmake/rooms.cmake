@@ -18,6 +18,18 @@ endif()
 
 set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
 
+# evc_tell_paths(files...): the paths that tests need, for those that ask for them by name or by a header that does, so
+# that a compiler cache serves the others in every clone.
+function(evc_tell_paths)
+  foreach(file IN LISTS ARGN)
+    file(STRINGS ${file} uses REGEX "EVC_SOURCE_DIR|EVC_PROGRAM|(curves|program|bit_by_bit)_test\\.h" LIMIT_COUNT 1)
+    if(uses)
+      set_property(SOURCE ${file} APPEND PROPERTY COMPILE_DEFINITIONS EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                                  EVC_PROGRAM="$<$<TARGET_EXISTS:evc>:$<TARGET_FILE:evc>>")
+    endif()
+  endforeach()
+endfunction()
+
 function(evc_room name)
   cmake_parse_arguments(ROOM "KERNEL" "" "DEPENDS;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -50,7 +62,7 @@ function(evc_room name)
   if(tests AND EVC_TESTS)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
-    target_compile_definitions(${name}_test PRIVATE EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    evc_tell_paths(${tests})
     add_test(NAME ${name} COMMAND ${name}_test)
   endif()
 endfunction()
