@@ -9,7 +9,10 @@
 #include "kernel/evc.h"
 #include "kernel/state.h"
 #include "lang/encode.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_65.h"
 
 namespace evc::bench {
 

@@ -3,7 +3,11 @@
 
 #include "lang/decode.h"
 #include "lang/encode.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_5.h"
 #include "lang/telegram.h"
 
 // What the benchmarks of the language work on.

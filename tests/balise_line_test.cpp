@@ -13,6 +13,7 @@
 #include "balise/balise.h"
 #include "lang/decode.h"
 #include "lang/encode.h"
+#include "lang/packets/packet_5.h"
 #include "lang/si.h"
 #include "lang/telegram.h"
 #include "position/position.h"

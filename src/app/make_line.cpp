@@ -11,7 +11,20 @@
 #include "io/train_file.h"
 #include "lang/encode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_15.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_3.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_5.h"
+#include "lang/packets/packet_57.h"
+#include "lang/packets/packet_58.h"
+#include "lang/packets/packet_65.h"
+#include "lang/packets/packet_66.h"
+#include "lang/packets/packet_72.h"
+#include "lang/packets/packet_80.h"
 
 namespace evc::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "io/train_file.h"
 #include "lang/encode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_15.h"
 
 // The program as its users see it.
 namespace evc::app {

@@ -11,7 +11,17 @@
 #include "kernel/evc.h"
 #include "kernel/state.h"
 #include "lang/encode.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_135.h"
+#include "lang/packets/packet_136.h"
+#include "lang/packets/packet_141.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_5.h"
+#include "lang/packets/packet_65.h"
+#include "lang/packets/packet_66.h"
+#include "lang/packets/packet_80.h"
+#include "lang/packets/packet_88.h"
 
 namespace evc::kernel {
 namespace {

@@ -1,5 +1,6 @@
 #include "kernel/national_values.h"
 
+#include "lang/packets/packet_3.h"
 #include "lang/si.h"
 
 namespace evc::kernel {

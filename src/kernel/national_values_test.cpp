@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/packets.h"
+#include "lang/packets/packet_3.h"
 
 namespace evc::kernel {
 namespace {

@@ -9,7 +9,9 @@
 #include "kernel/evc.h"
 #include "kernel/state.h"
 #include "lang/encode.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_239.h"
+#include "lang/packets/packet_254.h"
+#include "lang/packets/packet_39.h"
 
 // What a message of an older version, and of one to come, is to the unit (6.6.3.2.3, 3.17.3.11).
 namespace evc::kernel {

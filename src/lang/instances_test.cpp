@@ -8,7 +8,23 @@
 
 #include "lang/decode.h"
 #include "lang/encode.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_0.h"
+#include "lang/packets/packet_136.h"
+#include "lang/packets/packet_145.h"
+#include "lang/packets/packet_206.h"
+#include "lang/packets/packet_207.h"
+#include "lang/packets/packet_239.h"
+#include "lang/packets/packet_254.h"
+#include "lang/packets/packet_39.h"
+#include "lang/packets/packet_44.h"
+#include "lang/packets/packet_45.h"
+#include "lang/packets/packet_5.h"
+#include "lang/packets/packet_6.h"
+#include "lang/packets/packet_65.h"
+#include "lang/packets/packet_66.h"
+#include "lang/packets/packet_68.h"
+#include "lang/packets/packet_70.h"
+#include "lang/packets/packet_88.h"
 
 // 8.4.1.4, 8.4.1.5 and the exceptions of 6.6.3.2.3 that look at the whole message.
 namespace evc::lang {

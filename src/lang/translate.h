@@ -1,6 +1,27 @@
 #pragma once
 #include "lang/messages.h"
-#include "lang/packets.h"
+#include "lang/packets/packet_0.h"
+#include "lang/packets/packet_140.h"
+#include "lang/packets/packet_200.h"
+#include "lang/packets/packet_203.h"
+#include "lang/packets/packet_206.h"
+#include "lang/packets/packet_207.h"
+#include "lang/packets/packet_239.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_3.h"
+#include "lang/packets/packet_39.h"
+#include "lang/packets/packet_44.h"
+#include "lang/packets/packet_51.h"
+#include "lang/packets/packet_68.h"
+#include "lang/packets/packet_70.h"
+#include "lang/packets/packet_72.h"
+#include "lang/packets/packet_76.h"
+#include "lang/packets/packet_79.h"
+#include "lang/packets/packet_80.h"
+#include "lang/packets/train_packet_0.h"
+#include "lang/packets/train_packet_1.h"
+#include "lang/packets/train_packet_11.h"
+#include "lang/packets/train_packet_4.h"
 
 // Information of system version X = 1 in the form of X = 2, and the other way round for what is sent
 // to an RBC of X = 1 (SUBSET-026-6 6.6.3). decode() and encode() with a version call these.

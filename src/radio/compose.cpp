@@ -4,7 +4,14 @@
 
 #include "lang/encode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
+#include "lang/packets/train_packet_0.h"
+#include "lang/packets/train_packet_1.h"
+#include "lang/packets/train_packet_11.h"
+#include "lang/packets/train_packet_2.h"
+#include "lang/packets/train_packet_3.h"
+#include "lang/packets/train_packet_4.h"
+#include "lang/packets/train_packet_5.h"
+#include "lang/packets/train_packet_9.h"
 
 namespace evc::radio {
 namespace {

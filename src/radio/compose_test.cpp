@@ -6,7 +6,14 @@
 
 #include "lang/decode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
+#include "lang/packets/train_packet_0.h"
+#include "lang/packets/train_packet_1.h"
+#include "lang/packets/train_packet_11.h"
+#include "lang/packets/train_packet_2.h"
+#include "lang/packets/train_packet_3.h"
+#include "lang/packets/train_packet_4.h"
+#include "lang/packets/train_packet_5.h"
+#include "lang/packets/train_packet_9.h"
 #include "lang/telegram.h"
 
 namespace evc::radio {

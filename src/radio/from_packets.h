@@ -1,5 +1,7 @@
 #pragma once
-#include "lang/packets.h"
+#include "lang/packets/packet_131.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_57.h"
 #include "lang/si.h"
 #include "radio/radio.h"
 

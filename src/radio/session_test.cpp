@@ -1,5 +1,8 @@
 #include "radio/session.h"
 
+#include "lang/packets/packet_131.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_57.h"
 #include "radio/from_packets.h"
 #include "radio/testing.h"
 

@@ -5,7 +5,6 @@
 
 #include "lang/encode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
 
 namespace evc::sim {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "lang/encode.h"
-#include "lang/packets.h"
 #include "track/from_packets.h"
 #include "track/testing.h"
 

@@ -7,7 +7,6 @@
 
 #include "lang/decode.h"
 #include "lang/messages.h"
-#include "lang/packets.h"
 #include "lang/si.h"
 #include "track/from_packets.h"
 #include "track/testing.h"
