@@ -2,7 +2,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -39,25 +38,25 @@ constexpr std::nullptr_t find_in(const I&) {
   return nullptr;
 }
 template <class V, class... I>
-constexpr auto find_in(const std::tuple<I...>& items);
+constexpr auto find_in(const Items<I...>& items);
 template <class V, class S, class W, class... I>
 constexpr auto find_in(const When<S, W, I...>& w) {
   return find_in<V>(w.items);
 }
 template <class V, std::size_t K, class... I>
-constexpr auto find_from(const std::tuple<I...>& items) {
+constexpr auto find_from(const Items<I...>& items) {
   if constexpr (K == sizeof...(I)) {
     return nullptr;
   } else {
-    constexpr bool here = !std::is_same_v<decltype(find_in<V>(std::get<K>(items))), std::nullptr_t>;
+    constexpr bool here = !std::is_same_v<decltype(find_in<V>(at<K>(items))), std::nullptr_t>;
     if constexpr (here)
-      return find_in<V>(std::get<K>(items));
+      return find_in<V>(at<K>(items));
     else
       return find_from<V, K + 1>(items);
   }
 }
 template <class V, class... I>
-constexpr auto find_in(const std::tuple<I...>& items) {
+constexpr auto find_in(const Items<I...>& items) {
   return find_from<V, 0>(items);
 }
 
@@ -75,12 +74,6 @@ constexpr std::uint64_t around(const Scope<T, Up>& scope) {
   }
 }
 
-template <std::size_t From = 0, class... I, class F>
-[[gnu::always_inline]] constexpr void each(const std::tuple<I...>& items, F f) {
-  [&]<std::size_t... K>(std::index_sequence<K...>) { (f(std::get<From + K>(items)), ...); }
-  (std::make_index_sequence<sizeof...(I) - From>{});
-}
-
 /// Width of an item if it is a plain field, else 0.
 template <class I>
 inline constexpr unsigned field_bits = 0;
@@ -88,7 +81,7 @@ template <class S, class V>
 inline constexpr unsigned field_bits<Field<S, V>> = V::bits;
 /// Where the run of plain fields that starts at item `from` ends: all that fit into one window of the reader.
 template <class... I>
-consteval std::size_t end_of_run(std::size_t from, const std::tuple<I...>*) {
+consteval std::size_t end_of_run(std::size_t from, const Items<I...>*) {
   constexpr std::array<unsigned, sizeof...(I) + 1> widths{field_bits<I>..., 0};
   std::size_t end = from;
   unsigned total = 0;
@@ -160,10 +153,9 @@ void read_structure(Source& from, Scope<T, Up> scope);
 
 /// Items [From, end): fields in runs, the others by themselves.
 template <std::size_t From = 0, class S, class Up, class... I>
-[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const std::tuple<I...>& items);
+[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const Items<I...>& items);
 template <class S, class Up, class... I>
-[[gnu::always_inline]] inline void read_if(bool present, Source& from, Scope<S, Up>& scope,
-                                           const std::tuple<I...>& items) {
+[[gnu::always_inline]] inline void read_if(bool present, Source& from, Scope<S, Up>& scope, const Items<I...>& items) {
   if (present)
     read_items(from, scope, items);
   else
@@ -204,17 +196,17 @@ template <class S, class Up, class V>
   get(from, scope.self.*f.member);
 }
 template <std::size_t From, class S, class Up, class... I>
-[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const std::tuple<I...>& items) {
+[[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const Items<I...>& items) {
   if constexpr (From < sizeof...(I)) {
-    constexpr std::size_t end = end_of_run(From, static_cast<const std::tuple<I...>*>(nullptr));
+    constexpr std::size_t end = end_of_run(From, static_cast<const Items<I...>*>(nullptr));
     if constexpr (end > From + 1) {
       [&]<std::size_t... K>(std::index_sequence<K...>) __attribute__((always_inline)) {
-        get_run(from, scope.self, std::get<From + K>(items)...);
+        get_run(from, scope.self, at<From + K>(items)...);
       }
       (std::make_index_sequence<end - From>{});
       read_items<end>(from, scope, items);
     } else {
-      read(from, scope, std::get<From>(items));
+      read(from, scope, at<From>(items));
       read_items<From + 1>(from, scope, items);
     }
   }

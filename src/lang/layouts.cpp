@@ -1,7 +1,6 @@
 #include "lang/layouts.h"
 
 #include <array>
-#include <tuple>
 
 #include "lang/messages.h"
 #include "lang/packets.h"
@@ -21,7 +20,7 @@ inline constexpr std::size_t steps_in<When<S, V, I...>> = 1 + (steps_in<I> + ...
 template <class V, class... I>
 inline constexpr std::size_t steps_in<WhenAround<V, I...>> = 1 + (steps_in<I> + ... + 0);
 template <class... I>
-inline constexpr std::size_t steps_in<std::tuple<I...>> = (steps_in<I> + ... + 0);
+inline constexpr std::size_t steps_in<Items<I...>> = (steps_in<I> + ... + 0);
 
 /// Looks for the step that reads `member`; `at` counts the steps passed.
 template <class S, class W, class M>
@@ -35,20 +34,15 @@ constexpr void seek(const I&, M, std::size_t& at, std::size_t&) {
   ++at;
 }
 template <class... I, class M>
-constexpr void seek(const std::tuple<I...>& items, M member, std::size_t& at, std::size_t& found) {
-  std::apply(
-      [&](const auto&... i) {
-        const auto one = [&](const auto& item) {
-          if constexpr (requires { item.items; }) {
-            ++at;
-            seek(item.items, member, at, found);
-          } else {
-            seek(item, member, at, found);
-          }
-        };
-        (one(i), ...);
-      },
-      items);
+constexpr void seek(const Items<I...>& items, M member, std::size_t& at, std::size_t& found) {
+  each(items, [&](const auto& item) {
+    if constexpr (requires { item.items; }) {
+      ++at;
+      seek(item.items, member, at, found);
+    } else {
+      seek(item, member, at, found);
+    }
+  });
 }
 
 template <class S, std::size_t N>
@@ -73,7 +67,7 @@ struct Writer {
     s.kind = Step::Kind::when;
     s.variable = V::name;
     s.condition = static_cast<std::uint8_t>(found);
-    s.count = static_cast<std::uint8_t>(steps_in<std::tuple<I...>>);
+    s.count = static_cast<std::uint8_t>(steps_in<Items<I...>>);
     s.test = w.test;
     add_all(w.items);
   }
@@ -82,7 +76,7 @@ struct Writer {
     Step& s = steps[n++];
     s.kind = Step::Kind::when_around;
     s.variable = V::name;
-    s.count = static_cast<std::uint8_t>(steps_in<std::tuple<I...>>);
+    s.count = static_cast<std::uint8_t>(steps_in<Items<I...>>);
     s.test = w.test;
     add_all(w.items);
   }
@@ -104,8 +98,8 @@ struct Writer {
     s.name = r.name;
   }
   template <class... I>
-  constexpr void add_all(const std::tuple<I...>& items) {
-    std::apply([&](const auto&... i) { (add(i), ...); }, items);
+  constexpr void add_all(const Items<I...>& items) {
+    each(items, [&](const auto& i) { add(i); });
   }
 };
 

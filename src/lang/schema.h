@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "base/inplace_vector.h"
 
@@ -138,23 +138,47 @@ constexpr Test is(std::uint16_t a) { return {false, 1, {a, 0}}; }
 constexpr Test is(std::uint16_t a, std::uint16_t b) { return {false, 2, {a, b}}; }
 constexpr Test is_not(std::uint16_t a) { return {true, 1, {a, 0}}; }
 
+/// Items of a layout in their order: a std::tuple that the compiler reads fast. Each file that includes a packet
+/// builds its layout, and the recursion and the constructors of std::tuple are most of that time.
+template <std::size_t K, class I>
+struct ItemAt {
+  I item;
+};
+template <class Indices, class... I>
+struct ItemsAt;
+template <std::size_t... K, class... I>
+struct ItemsAt<std::index_sequence<K...>, I...> : ItemAt<K, I>... {};
+template <class... I>
+struct Items : ItemsAt<std::index_sequence_for<I...>, I...> {};
+/// Item `K` of them.
+template <std::size_t K, class I>
+[[gnu::always_inline]] constexpr const I& at(const ItemAt<K, I>& items) {
+  return items.item;
+}
+/// Calls `f` with each of them in turn, from item `From` on.
+template <std::size_t From = 0, class... I, class F>
+[[gnu::always_inline]] constexpr void each(const Items<I...>& items, F f) {
+  [&]<std::size_t... K>(std::index_sequence<K...>) { (f(at<From + K>(items)), ...); }
+  (std::make_index_sequence<sizeof...(I) - From>{});
+}
+
 template <class S, class V>
 struct Field {
   const char* name;
   V S::*member;
 };
 /// Items that are there only if `test` holds for `condition`.
-template <class S, class V, class... Items>
+template <class S, class V, class... I>
 struct When {
   V S::*condition;
   Test test;
-  std::tuple<Items...> items;
+  Items<I...> items;
 };
 /// The same for a condition on the nearest variable V of the structures around this one.
-template <class V, class... Items>
+template <class V, class... I>
 struct WhenAround {
   Test test;
-  std::tuple<Items...> items;
+  Items<I...> items;
 };
 /// A counter (N_ITER, L_TEXT), not stored because it is the number of elements, and the elements.
 template <class S, class Count, class E, std::size_t N>
@@ -185,13 +209,17 @@ template <class S, class V>
 constexpr Field<S, V> named(const char* name, V S::*member) {
   return {name, member};
 }
+template <class... I>
+constexpr auto layout(I... items) {
+  return Items<decltype(item(items))...>{{{item(items)}...}};
+}
 template <class S, class V, class... I>
 constexpr auto when(V S::*condition, Test test, I... items) {
-  return When<S, V, decltype(item(items))...>{condition, test, {item(items)...}};
+  return When<S, V, decltype(item(items))...>{condition, test, layout(items...)};
 }
 template <class V, class... I>
 constexpr auto when_around(Test test, I... items) {
-  return WhenAround<V, decltype(item(items))...>{test, {item(items)...}};
+  return WhenAround<V, decltype(item(items))...>{test, layout(items...)};
 }
 template <class Count, class S, class E, std::size_t N>
 constexpr Repeat<S, Count, E, N> repeat(const char* name, InplaceVector<E, N> S::*elements) {
@@ -204,10 +232,6 @@ constexpr Repeat<S, Count, E, N> repeat(const char* count_name, const char* name
 template <class S>
 constexpr RestOfPacket<S> rest_of_packet(const char* name, Opaque S::*member) {
   return {name, member};
-}
-template <class... I>
-constexpr auto layout(I... items) {
-  return std::tuple<decltype(item(items))...>{item(items)...};
 }
 
 }  // namespace evc::lang
