@@ -8,10 +8,13 @@
 
 #include "io/json.h"
 #include "io/number.h"
+#include "io/telegram_json.h"
 #include "io/train_file.h"
 #include "lang/encode.h"
+#include "lang/layouts.h"
 #include "lang/messages.h"
 #include "lang/packets/packet_12.h"
+#include "lang/packets/packet_136.h"
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
@@ -36,6 +39,7 @@ constexpr double kBaliseSpacing = 3.0;  // metres, N_PIG 0 to N_PIG 1
 constexpr std::size_t kLinks = 14;      // groups announced ahead at most
 constexpr double kBeyond = 100.0;       // profiles reach so far beyond the danger point
 constexpr std::uint8_t kLocationAccuracy = 5;
+constexpr lang::SystemVersion kVersion{2, 1};
 
 struct Group {
   std::uint16_t NID_BG = 0;
@@ -56,6 +60,15 @@ P nominal() {
 
 std::uint8_t codes_of_5_kmh(double kmh) { return static_cast<std::uint8_t>(std::lround(kmh / 5.0)); }
 std::uint16_t whole(double v) { return static_cast<std::uint16_t>(std::lround(v)); }
+
+/// Number and name of a packet that the JSON encoder has accepted.
+std::string title(const JsonPlace& packet) {
+  const std::int64_t NID_PACKET = packet["NID_PACKET"].integer(0, 255);
+  for (const lang::PacketLayout& layout : lang::packet_layouts())
+    if (layout.info->NID_PACKET == NID_PACKET && layout.info->direction == lang::Direction::to_train)
+      return std::to_string(NID_PACKET) + " " + layout.info->name;
+  return std::to_string(NID_PACKET);
+}
 
 /// Counts metres between places one after another, without adding up roundings.
 class Increments {
@@ -94,9 +107,22 @@ class Encoder {
     if (const auto p = is("text")) return text(out, *p);
     if (const auto p = is("ma_requests")) return ma_requests(out, *p);
     if (const auto p = is("position_reports")) return position_reports(out, *p);
+    if (const auto p = is("packet")) return packet(out, *p);
     order.fail("an order that is not known",
                "authority, national_values, session, level_transition, temporary_speed_restriction, "
-               "revoke_temporary_speed_restriction, mode_profile, text, ma_requests or position_reports");
+               "revoke_temporary_speed_restriction, mode_profile, text, ma_requests, position_reports, packet or, in a "
+               "group, infill");
+  }
+  /// Packet 136: the orders behind it in this telegram count from the group of the main signal.
+  const Group& infill(BitWriter& out, const JsonPlace& NID_BG, const Group& here, ordered_json& contains) {
+    contains_ = &contains;
+    const Group& main = group(NID_BG);
+    if (main.position_m <= here.position_m) NID_BG.fail("a group ahead");
+    lang::Packet136 packet;
+    packet.Q_DIR.raw = 1;
+    packet.NID_BG.raw = main.NID_BG;
+    add(out, packet);
+    return main;
   }
   const Group& group(const JsonPlace& NID_BG) const {
     const auto wanted = NID_BG.integer(0, 16382);
@@ -359,6 +385,18 @@ class Encoder {
     add(out, packet);
   }
 
+  /// Any packet, in the JSON of `evc encode packet`: for what has no order of its own.
+  void packet(BitWriter& out, const JsonPlace& p) {
+    const auto bits = io::encode_packet_json(p.value(), {lang::Direction::to_train, kVersion});
+    if (!bits) p.fail(io::error_json(bits.error()), "a packet to the train of system version 2.1");
+    BitReader in(bits->bytes, bits->bits);
+    while (in.left() > 0) {
+      const auto width = static_cast<unsigned>(std::min<std::size_t>(in.left(), 32));
+      out.write(in.read(width), width);
+    }
+    contains_->push_back(title(p));
+  }
+
   JsonPlace root_;
   std::vector<Group> groups_;
   std::vector<Step> gradient_, ssp_;
@@ -372,31 +410,62 @@ std::string hex(std::span<const std::uint8_t> bytes) {
   return digits;
 }
 
-/// The telegram of balise `N_PIG` with the orders from `next` on that fit; the others are left for the
-/// next balise of the group.
-ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, const std::optional<JsonPlace>& orders,
-                      std::size_t& next) {
-  constexpr std::size_t room = 830 - 8;  // packet 255 follows
+/// The orders of a group, put one after another into the telegrams of its balises.
+class Orders {
+ public:
+  Orders(Encoder& encoder, const Group& group, std::optional<JsonPlace> orders)
+      : encoder_(encoder), group_(group), orders_(std::move(orders)) {}
+
+  /// Writes the orders that still fit; the others are left for the next balise of the group.
+  void put(BitWriter& out, ordered_json& contains) {
+    constexpr std::size_t room = 830 - 8;  // packet 255 follows
+    // What is infill stays infill in the next telegram.
+    if (infill_ && left()) (void)encoder_.infill(out, *infill_, group_, contains);
+    for (; left(); ++next_) {
+      const BitWriter before = out;
+      const ordered_json contained = contains;
+      const std::optional<JsonPlace> infill = infill_;
+      put((*orders_)[next_], out, contains);
+      if (!out.faulty() && out.position() <= room) continue;
+      out = before;
+      contains = contained;
+      infill_ = infill;
+      break;
+    }
+  }
+  bool left() const { return orders_ && next_ < orders_->size(); }
+  /// The first order that is not written.
+  JsonPlace first_left() const { return (*orders_)[next_]; }
+
+ private:
+  void put(const JsonPlace& order, BitWriter& out, ordered_json& contains) {
+    if (const auto main = order.find("infill")) {
+      (void)encoder_.infill(out, *main, group_, contains);
+      infill_ = main;
+    } else {
+      encoder_.encode(out, order, infill_ ? encoder_.group(*infill_) : group_, false, contains);
+    }
+  }
+
+  Encoder& encoder_;
+  Group group_;
+  std::optional<JsonPlace> orders_, infill_;
+  std::size_t next_ = 0;
+};
+
+ordered_json telegram(const Encoder& encoder, const Group& group, unsigned N_PIG, unsigned last, Orders& orders) {
   std::array<std::uint8_t, 104> bytes{};
   BitWriter out(bytes);
   lang::TelegramHeader header;
   header.N_PIG.raw = static_cast<std::uint8_t>(N_PIG);
-  header.N_TOTAL.raw = 1;
+  header.N_TOTAL.raw = static_cast<std::uint8_t>(last);
   header.M_MCOUNT.raw = 1;
   header.NID_C.raw = encoder.NID_C();
   header.NID_BG.raw = group.NID_BG;
   header.Q_LINK.raw = 1;
   lang::begin_telegram(out, header);
   ordered_json contains = ordered_json::array();
-  for (; orders && next < orders->size(); ++next) {
-    const BitWriter before = out;
-    const ordered_json contained = contains;
-    encoder.encode(out, (*orders)[next], group, false, contains);
-    if (!out.faulty() && out.position() <= room) continue;
-    out = before;
-    contains = contained;
-    break;
-  }
+  orders.put(out, contains);
   lang::end_telegram(out, 830);
   return {{"position_m", group.position_m + kBaliseSpacing * N_PIG},
           {"contains", contains},
@@ -404,26 +473,56 @@ ordered_json telegram(Encoder& encoder, const Group& group, unsigned N_PIG, cons
           {"telegram_hex", hex(bytes)}};
 }
 
-ordered_json balises(Encoder& encoder, const Group& group, const std::optional<JsonPlace>& orders) {
-  std::size_t next = 0;
-  ordered_json both = ordered_json::array();
-  for (const unsigned N_PIG : {0u, 1u}) both.push_back(telegram(encoder, group, N_PIG, orders, next));
-  if (orders && next < orders->size()) (*orders)[next].fail("more than two telegrams of 830 bits", "fewer orders");
-  return both;
+ordered_json balises(Encoder& encoder, const Group& group, const JsonPlace& place) {
+  const auto count = place.find("balises");
+  const auto total = static_cast<unsigned>(count ? count->integer(1, 8, "3.4.1.1") : 2);
+  Orders orders(encoder, group, place.find("orders"));
+  ordered_json all = ordered_json::array();
+  for (unsigned N_PIG = 0; N_PIG < total; ++N_PIG) all.push_back(telegram(encoder, group, N_PIG, total - 1, orders));
+  if (orders.left())
+    orders.first_left().fail("more than " + std::to_string(total) + " telegrams of 830 bits",
+                             "fewer orders, or more balises");
+  return all;
 }
 
-ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
-  place.know_only({"at_m", "delay_s", "lrbg", "orders", "note"});
-  const Group& reference = encoder.group(place["lrbg"]);
-  const double at = place["at_m"].number(reference.position_m, 1e6);
-  const JsonPlace orders = place["orders"];
+/// A radio message as it stands in the line file.
+struct EncodedMessage {
+  unsigned NID_MESSAGE = 0;
+  ordered_json contains = ordered_json::array();
+  std::vector<std::uint8_t> bytes;
+};
+
+std::uint32_t NID_LRBG_of(const Encoder& encoder, const Group& reference) {
+  return std::uint32_t{encoder.NID_C()} << 14 | reference.NID_BG;
+}
+
+/// Any message, in the JSON of `evc encode radio`: for what the orders cannot say. What every message has may be
+/// absent: NID_LRBG is the reference group's, T_TRAIN is written when it is sent.
+EncodedMessage whole_message(const Encoder& encoder, const JsonPlace& place, const Group& reference) {
+  io::Json message = place.value();
+  if (!message.is_object()) place.fail("an object");
+  message.emplace("T_TRAIN", 0);
+  message.emplace("M_ACK", 0);
+  message.emplace("NID_LRBG", NID_LRBG_of(encoder, reference));
+  const auto bits = io::encode_radio_json(message, {lang::Direction::to_train, kVersion});
+  if (!bits) place.fail(io::error_json(bits.error()), "a message to the train of system version 2.1");
+  EncodedMessage encoded;
+  encoded.NID_MESSAGE = static_cast<unsigned>(place["NID_MESSAGE"].integer(0, 255));
+  encoded.bytes = bits->bytes;
+  if (const auto packets = place.find("packets"))
+    for (std::size_t i = 0; i < packets->size(); ++i) encoded.contains.push_back(title((*packets)[i]));
+  return encoded;
+}
+
+/// Message 3 where there is an authority, else message 24, with the packets of the orders.
+EncodedMessage message_of_orders(Encoder& encoder, const JsonPlace& orders, const Group& reference) {
+  EncodedMessage encoded;
   bool authority = false;
   for (std::size_t i = 0; i < orders.size(); ++i) authority = authority || orders[i].find("authority").has_value();
   std::array<std::uint8_t, 512> bytes{};
   BitWriter out(bytes);
-  const std::uint32_t NID_LRBG = std::uint32_t{encoder.NID_C()} << 14 | reference.NID_BG;
   const auto begin = [&](auto message) {
-    message.NID_LRBG.raw = NID_LRBG;
+    message.NID_LRBG.raw = NID_LRBG_of(encoder, reference);
     message.M_ACK.raw = authority ? 1 : 0;
     lang::begin_message(out, message);
   };
@@ -431,21 +530,34 @@ ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
     begin(lang::Message3{});
   else
     begin(lang::Message24{});
-  ordered_json contains = ordered_json::array();
   // The mandatory packet of message 3 comes first (8.7.2).
   for (const bool first : {true, false})
     for (std::size_t i = 0; i < orders.size(); ++i)
-      if (orders[i].find("authority").has_value() == first) encoder.encode(out, orders[i], reference, true, contains);
+      if (orders[i].find("authority").has_value() == first)
+        encoder.encode(out, orders[i], reference, true, encoded.contains);
   lang::end_message(out);
   if (out.faulty()) orders.fail("more than 512 bytes", "orders that fit in one message");
+  encoded.NID_MESSAGE = authority ? 3 : 24;
+  encoded.bytes.assign(out.bytes().begin(), out.bytes().end());
+  return encoded;
+}
+
+ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
+  place.know_only({"at_m", "delay_s", "lrbg", "orders", "message", "note"});
+  const Group& reference = encoder.group(place["lrbg"]);
+  const double at = place["at_m"].number(reference.position_m, 1e6);
+  const auto message = place.find("message");
+  if (message && place.find("orders")) place.fail("orders and a message", "one of them");
+  const EncodedMessage encoded =
+      message ? whole_message(encoder, *message, reference) : message_of_orders(encoder, place["orders"], reference);
   ordered_json trigger = {{"position_m", at}};
   if (const auto delay = place.find("delay_s")) trigger["delay_s"] = delay->number(0.0, 3600.0);
   return {{"seq", seq},
           {"trigger", trigger},
-          {"nid_message", authority ? 3 : 24},
-          {"contains", contains},
-          {"message_bits", 8 * out.bytes().size()},
-          {"message_hex", hex(out.bytes())}};
+          {"nid_message", encoded.NID_MESSAGE},
+          {"contains", encoded.contains},
+          {"message_bits", 8 * encoded.bytes.size()},
+          {"message_hex", hex(encoded.bytes)}};
 }
 
 std::vector<Step> read_profile(const JsonPlace& list, double least, double most) {
@@ -475,7 +587,7 @@ ordered_json line_of(const JsonPlace& root) {
   const JsonPlace list = root["groups"];
   std::vector<Group> groups;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    list[i].know_only({"NID_BG", "at_m", "orders", "note"});
+    list[i].know_only({"NID_BG", "at_m", "balises", "orders", "note"});
     const double at = list[i]["at_m"].number(-1e5, 1e6);
     if (!groups.empty() && at <= groups.back().position_m) list[i]["at_m"].fail("a place beyond the group before");
     groups.push_back({static_cast<std::uint16_t>(list[i]["NID_BG"].integer(0, 16382)), at});
@@ -489,12 +601,11 @@ ordered_json line_of(const JsonPlace& root) {
   line["start"] = ordered_json::parse(root["start"].value().dump());
   line["balise_groups"] = ordered_json::array();
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto orders = list[i].find("orders");
     line["balise_groups"].push_back({{"seq", i},
                                      {"nid_c", encoder.NID_C()},
                                      {"nid_bg", groups[i].NID_BG},
                                      {"position_m", groups[i].position_m},
-                                     {"balises", balises(encoder, groups[i], orders)}});
+                                     {"balises", balises(encoder, groups[i], list[i])}});
   }
   line["rbc_messages"] = ordered_json::array();
   const JsonPlace radio = root["radio"];

@@ -11,6 +11,7 @@
 #include "app/program_test.h"
 #include "app/sha256.h"
 #include "io/number.h"
+#include "io/telegram_json.h"
 #include "io/train_file.h"
 #include "lang/encode.h"
 #include "lang/messages.h"
@@ -83,6 +84,73 @@ TEST(MakeLine, ErrorsNameThePlace) {
     "radio":[]})")
                 .find("a profile with a hole from 0 m to 190 m"),
             std::string::npos);
+}
+
+/// A line of two groups in level 1 with the given orders of the first group and radio messages.
+json line_with(const std::string& first_group, const std::string& radio) {
+  const auto made = make_line(
+      R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"start":{},"gradient":[[0,3000,0]],
+      "ssp":[[0,3000,80]],"groups":[{"NID_BG":7,"at_m":100,)" +
+          first_group + R"(},{"NID_BG":8,"at_m":600}],"radio":[)" + radio + "]}",
+      "d.json");
+  return made ? json::parse(*made) : json(made.error().text());
+}
+
+/// The packets of a balise of the first group.
+json packets_in(const json& line, std::size_t balise) {
+  const auto bits = io::bits_of_hex(line["balise_groups"][0]["balises"][balise]["telegram_hex"].get<std::string>());
+  std::string text;
+  EXPECT_TRUE(bits && io::append_balise_json(text, bits->bytes, bits->bits));
+  return json::parse(text)["packets"];
+}
+
+TEST(MakeLine, AnyPacketAndAnyMessage) {
+  const std::string packet = R"({"NID_PACKET":45,"Q_DIR":1,"NID_MN":4711})";
+  const json line = line_with(R"("orders":[{"packet":)" + packet + "}]",
+                              R"({"at_m":300,"lrbg":7,"message":{"NID_MESSAGE":16,"NID_EM":3}})");
+  ASSERT_TRUE(line.is_object()) << line;
+  EXPECT_EQ(packets_in(line, 0)[0]["NID_MN"], 4711);
+  EXPECT_EQ(line["balise_groups"][0]["balises"][0]["contains"][0], "45 Radio network registration");
+  const json& message = line["rbc_messages"][0];
+  EXPECT_EQ(message["nid_message"], 16);
+  // NID_MESSAGE 16, L_MESSAGE 10 bytes, T_TRAIN 0, M_ACK 0, NID_LRBG 1 and 7, NID_EM 3 (8.7.6): 79 bits and one of
+  // padding.
+  EXPECT_EQ(message["message_hex"], "100280000000000800E6");
+}
+
+TEST(MakeLine, InfillCountsFromTheMainSignalInEveryTelegram) {
+  const json line = line_with(R"("orders":[{"infill":8},{"authority":{"to_m":1500}},{"text":{"text":")" +
+                                  std::string(80, 'x') + R"(","for_s":9}}])",
+                              "");
+  ASSERT_TRUE(line.is_object()) << line;
+  const json first = packets_in(line, 0), second = packets_in(line, 1);
+  EXPECT_EQ(first[0]["NID_PACKET"], 136);
+  EXPECT_EQ(first[0]["NID_BG"], 8);
+  EXPECT_EQ(first[1]["NID_PACKET"], 12);
+  EXPECT_EQ(first[1]["L_ENDSECTION"], 900);
+  EXPECT_EQ(second[0]["NID_PACKET"], 136);
+  EXPECT_EQ(second[1]["NID_PACKET"], 72);
+}
+
+TEST(MakeLine, NumberOfBalises) {
+  const json line = line_with(R"("balises":1,"orders":[])", "");
+  ASSERT_TRUE(line.is_object()) << line;
+  EXPECT_EQ(line["balise_groups"][0]["balises"].size(), 1u);
+  EXPECT_EQ(line["balise_groups"][1]["balises"].size(), 2u);
+  const std::string refused = line_with(R"("balises":9)", "");
+  EXPECT_NE(refused.find("/groups/0/balises"), std::string::npos) << refused;
+}
+
+TEST(MakeLine, WrongPacketsAndMessagesNameThePlace) {
+  const std::string packet = line_with(R"("orders":[{"packet":{"NID_PACKET":45,"Q_DIR":1}}])", "");
+  EXPECT_NE(packet.find("/groups/0/orders/0/packet: found"), std::string::npos) << packet;
+  EXPECT_NE(packet.find("NID_MN"), std::string::npos) << packet;
+  const std::string message = line_with(R"("orders":[])", R"({"at_m":300,"lrbg":7,"message":{"NID_MESSAGE":16}})");
+  EXPECT_NE(message.find("/radio/0/message: found"), std::string::npos) << message;
+  EXPECT_NE(message.find("NID_EM"), std::string::npos) << message;
+  const std::string both =
+      line_with(R"("orders":[])", R"({"at_m":300,"lrbg":7,"orders":[],"message":{"NID_MESSAGE":6}})");
+  EXPECT_NE(both.find("/radio/0: found orders and a message"), std::string::npos) << both;
 }
 
 TEST(Sha256, OfTheStandard) {
@@ -228,7 +296,7 @@ TEST(Run, AFolderHoldsOneRunOrTheOther) {
   const std::string old = "of the run before";
   for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
     ASSERT_TRUE(io::write_whole(folder / name, old));
-  // The third file cannot be written; told after the drive, as a full disk is.
+  // The third file cannot be written; reported after the drive, as a full disk is.
   std::filesystem::create_directory(folder / "trace.csv");
   const Finished failed = evc("run -o '" + folder.path() + "'");
   EXPECT_EQ(failed.exit_code, 2);
