@@ -18,7 +18,7 @@ struct AirgapTelegram {
   airgap::Received received;
   /// More bits than one period were given, and the receiver of SUBSET-036 looked for the telegram among them.
   bool stream = false;
-  /// The test of 4.3.2.5 that the telegram fails though every receiver takes it: its encoder was wrong.
+  /// The test of SUBSET-036 4.3.2.5 that the telegram fails though every receiver takes it: its encoder was wrong.
   airgap::Fault fails = airgap::Fault::none;
 };
 /// Reads `bits` coded bits, left aligned. 1023 or 341 bits, filled up to whole hexadecimal digits or bytes or not, are
