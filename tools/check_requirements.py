@@ -123,11 +123,14 @@ class Tree:
                          self.sources[file], re.M) is not None
 
     def find(self, name, room, file):
-        """Where a name went: the room's own files first, the same file name first, a definition before a use."""
+        """Where a name went, the likeliest first: where it is defined, in its room, in a file of that name. A use in
+        another room is no place for it."""
+        scope = name.split(".")[0]
         found = [f for f in self.sources if self.names_in(f, name)]
-        rank = lambda f: (not self.defines(f, name), f.split("/")[0] != room,
-                          f.rsplit("/", 1)[-1] != file, not f.endswith(".cpp"), f)
-        return sorted(found, key=rank)
+        defined = {f for f in found if self.defines(f, scope if scope != name else name)}
+        found = [f for f in found if f in defined or f.split("/")[0] == room]
+        return sorted(found, key=lambda f: (f not in defined, f.split("/")[0] != room,
+                                            f.rsplit("/", 1)[-1] != file, not f.endswith(".cpp"), f))
 
 
 def split_places(where):
