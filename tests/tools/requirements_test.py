@@ -129,6 +129,24 @@ class Requirements(unittest.TestCase):
         self.assertIn("requirements/without_row.txt: 1, but only 0 on-board clauses are without a row: --write",
                       self.faults())
 
+    def test_a_section_that_is_missing_covers_what_is_below_it(self):
+        self.write("requirements/chapter_9.csv", "clause,on-board\n3.4.1.1,x\n3.9.9.1,x\n3.9.9.2,x\n")
+        self.assertEqual(len(check.without_row(self.root, self.register(""))), 2)
+        self.assertEqual(check.without_row(self.root, self.register("3.9.9,All,missing,inspection,-,-,not implemented\n")), [])
+        self.assertEqual(len(check.without_row(self.root, self.register("3.9.9 a,All,missing,inspection,-,-,x\n"))), 2)
+        self.assertEqual(len(check.without_row(self.root, self.register("3.9.9,All,part,inspection,-,-,x\n"))), 2)
+
+    def register(self, more):
+        self.write("requirements/clauses.csv", HEAD + GOOD + more)
+        return check.Register(check.read(self.root, "requirements/clauses.csv"))
+
+    def test_a_clause_is_done_only_with_all_of_its_rows(self):
+        rows = "3.9.9 a,A,{},inspection,-,-,x\n3.9.9 b,B,{},inspection,-,-,x\n"
+        for first, second, status in (("done", "done", "done"), ("done", "missing", "part"), ("done", "wrong", "wrong"),
+                                      ("done", "not applicable", "done"), ("missing", "missing", "missing")):
+            self.assertEqual(self.register(rows.format(first, second)).status("3.9.9"), status)
+        self.assertIsNone(self.register("").status("3.9.9"))
+
     def test_generated_files_that_are_old(self):
         self.write("src/terms/clauses.inc", '"3.4",\n')
         self.write("docs/requirements/clauses_3_4.md", "# 3.4\n")
