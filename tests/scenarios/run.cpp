@@ -1,0 +1,581 @@
+#include "run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <memory>
+
+#include "io/input_stream.h"
+#include "io/output_lines.h"
+#include "io/telegram_json.h"
+#include "kernel/evc.h"
+#include "kernel/state.h"
+#include "sim/cycle_inputs.h"
+
+namespace evc::scenario {
+namespace {
+
+/// No scenario runs longer: 30 minutes of the unit's time.
+constexpr std::int64_t kLongestMs = 30 * 60 * 1000;
+
+struct Failure {
+  const Statement* at;
+  std::string expected, found;
+  bool of_the_unit = true;  ///< false: the scenario itself cannot go on
+};
+
+struct Cycle {
+  std::int64_t t_ms = 0;
+  double front = 0.0;
+  std::string line;
+  Json output;
+};
+
+/// `*` stands for any characters.
+bool matches(std::string_view pattern, std::string_view text) {
+  std::size_t p = 0, t = 0, star = std::string_view::npos, back = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      back = t;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++back;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+/// The named members are as named.
+bool holds(const Json& wanted, const Json& found) {
+  if (!found.is_object()) return false;
+  for (const auto& [key, value] : wanted.items()) {
+    const auto it = found.find(key);
+    if (it == found.end() || *it != value) return false;
+  }
+  return true;
+}
+
+/// What the unit sent, as JSON of `evc decode radio`; a text that says why when it cannot be read.
+Json decoded(const std::string& hex) {
+  const auto bits = io::bits_of_hex(hex);
+  if (!bits) return "no hexadecimal digits";
+  std::string why;
+  for (const lang::SystemVersion sv : {lang::SystemVersion{2, 1}, {2, 0}, {1, 1}, {1, 0}}) {
+    std::string text;
+    const auto read = io::append_radio_json(text, bits->bytes, lang::Direction::to_track, sv);
+    if (read) return Json::parse(text, nullptr, false);
+    if (why.empty()) why = read.error().why + " " + read.error().variable;
+  }
+  return why;
+}
+
+bool is_sent(const WantedMessage& wanted, const Json& message) {
+  if (!message.is_object() || message.value("NID_MESSAGE", 0) != wanted.NID_MESSAGE) return false;
+  if (!holds(wanted.members, message)) return false;
+  const Json packets = message.value("packets", Json::array());
+  return std::all_of(wanted.packets.begin(), wanted.packets.end(), [&](const Json& packet) {
+    return std::any_of(packets.begin(), packets.end(), [&](const Json& p) { return holds(packet, p); });
+  });
+}
+
+class Run {
+ public:
+  explicit Run(const Scenario& scenario) : scenario_(scenario) {}
+
+  std::string whole() {
+    try {
+      for (const Statement& s : scenario_.statements) step(s);
+    } catch (const Failure& f) {
+      const bool expected = !scenario_.open.empty() && f.of_the_unit && !f.at->in_block &&
+                            f.at->kind == Statement::Kind::then;
+      return expected ? "" : report(f);
+    }
+    if (scenario_.open.empty()) return "";
+    return scenario_.at.text() + ": scenario " + scenario_.name + "\n  is open (" + scenario_.open +
+           ") and holds now: move it to the others and delete its line `open`\n";
+  }
+  const std::string& inputs() const { return inputs_; }
+
+ private:
+  void step(const Statement& s) {
+    now_ = &s;
+    if (s.kind == Statement::Kind::then) {
+      expect(s);
+      after_then_ = true;
+      return;
+    }
+    if (s.kind == Statement::Kind::when && (after_then_ || !when_before_)) window_ = cycles_.size();
+    when_before_ = s.kind == Statement::Kind::when;
+    after_then_ = false;
+    act(s.action);
+  }
+
+  // --- given and when ---------------------------------------------------------------------------------------------
+
+  void act(const Action& a) {
+    using What = Action::What;
+    switch (a.what) {
+      case What::configure:
+        if (stream_) fail("config and train before anything else", "cycles have run", false);
+        for (const auto& [key, value] : a.json.items()) {
+          if (config_.contains(key) && config_[key].is_object() && value.is_object())
+            config_[key].update(value);
+          else
+            config_[key] = value;
+        }
+        break;
+      case What::message:
+        give_message(a);
+        cycle();
+        break;
+      case What::loop:
+        give_bits("loop", io::encode_loop_json(a.json));
+        cycle();
+        break;
+      case What::pass:
+        pass(a);
+        break;
+      case What::lay:
+        lay(a);
+        break;
+      case What::drive:
+        drive(a);
+        break;
+      case What::stop:
+        while (v_ != 0.0) move(0.0, a.a_mps2);
+        cycle();
+        break;
+      case What::wait:
+        if (a.until)
+          until(a);
+        else
+          run_for(a.for_s.value_or(0.0), v_, 1.0);
+        break;
+      case What::input:
+        queue(a.json);
+        cycle();
+        break;
+      case What::odometer:
+        error_ = a.error > 0.0 ? a.error : error_;
+        offset_ += (reads_ - a.reads) * front_;  // the counter goes on from where it is
+        reads_ = a.reads;
+        break;
+    }
+  }
+
+  void start() {
+    if (stream_) return;
+    waiting_.push_back(Json{{"config", config_}}.dump());
+    inputs_ += waiting_.back() + "\n";
+    auto opened = io::InputStream::open(scenario_.at.file, [this](std::string& line) { return next_line(line); });
+    if (!opened) fail("inputs that can be read", opened.error().text(), false);
+    stream_ = std::make_unique<io::InputStream>(std::move(*opened));
+    const io::Configuration& c = stream_->configuration();
+    cycle_ms_ = c.cycle_ms;
+    antenna_m_ = c.train.data.L_antenna_front.si;
+    kernel::power_up(unit_->state, unit_->derived, c.for_kernel());
+  }
+
+  /// The stream reads one line ahead: behind the lines of a cycle stands an empty one of the next.
+  bool next_line(std::string& line) {
+    if (waiting_.empty()) {
+      line = Json{{"t_ms", placeholder_ms_}}.dump();
+      return true;
+    }
+    line = std::move(waiting_.front());
+    waiting_.pop_front();
+    return true;
+  }
+
+  std::int64_t next_ms() const { return static_cast<std::int64_t>(cycles_.size()) * cycle_ms_; }
+
+  void queue(Json object) {
+    start();
+    object["t_ms"] = next_ms();
+    queued_.push_back(object.dump());
+  }
+
+  template <class Bits>
+  void give_bits(const char* key, const Bits& bits) {
+    if (!bits) fail("bits", bits.error().variable + " " + bits.error().why, false);
+    queue(Json{{key, {{"message", io::hex_of_bits(bits->bytes, bits->bits)}}}});
+  }
+
+  void give_message(const Action& a) {
+    start();
+    Json message = a.json;
+    if (a.T_TRAIN) message["T_TRAIN"] = next_ms() / 10;
+    if (a.NID_LRBG) message["NID_LRBG"] = last_lrbg();
+    if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers);
+    give_bits("radio", io::encode_radio_json(message, {lang::Direction::to_train, {}}));
+  }
+  std::int64_t last_lrbg() const {
+    if (cycles_.empty() || !cycles_.back().output["lrbg"].is_object()) return 0xFFFFFF;
+    const Json& lrbg = cycles_.back().output["lrbg"];
+    return lrbg["NID_C"].get<std::int64_t>() << 14 | lrbg["NID_BG"].get<std::int64_t>();
+  }
+
+  std::int64_t last_T_TRAIN(int NID_MESSAGE) const {
+    for (auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
+      for (const Json& hex : c->output["radio_out"]) {
+        const Json message = decoded(text_of(hex));
+        if (message.is_object() && message.value("NID_MESSAGE", 0) == NID_MESSAGE) return message.value("T_TRAIN", 0);
+      }
+    fail("message " + std::to_string(NID_MESSAGE) + " sent before", "none was sent", false);
+  }
+  /// Since the second edition of the outputs a message to another RBC is an object.
+  static std::string text_of(const Json& sent) {
+    return sent.is_object() ? sent.value("message", "") : sent.get<std::string>();
+  }
+
+  void lay(const Action& a) {
+    start();
+    const double way = v_ < 0.0 ? -1.0 : 1.0;
+    const std::size_t n = a.balises.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      // Along the way the train goes: the one with the greatest N_PIG first where the group lies reversed.
+      const std::size_t k = a.reversed ? n - 1 - i : i;
+      const double at = front_ + way * (a.ahead_m + 3.0 * static_cast<double>(i));
+      if (i == 0) groups_[a.NID_BG] = counter(at);
+      if (a.balises[k].missing) continue;
+      const auto bits = io::encode_balise_json(a.balises[k].telegram);
+      if (!bits) fail("a telegram", bits.error().why, false);
+      balises_.push_back({at, io::hex_of_bits(bits->bytes, bits->bits), bits->bits});
+    }
+  }
+  void pass(const Action& a) {
+    if (v_ == 0.0) fail("a train that moves", "it stands: no group is passed", false);
+    lay(a);
+    const double length = a.ahead_m + 3.0 * static_cast<double>(a.balises.size() - 1);
+    const double end = front_ + (v_ < 0.0 ? -length : length);
+    while (v_ > 0.0 ? front_ < end : front_ > end) move(v_, 1.0);
+    move(v_, 1.0);
+  }
+
+  void drive(const Action& a) {
+    start();
+    const double v = a.v_mps.value_or(v_);
+    if (a.for_m) {
+      const double from = front_;
+      while (std::abs(front_ - from) < *a.for_m) {
+        if (v_ == 0.0 && v == 0.0) fail("a train that moves", "it stands", false);
+        move(v, a.a_mps2);
+      }
+    } else if (a.for_s) {
+      run_for(*a.for_s, v, a.a_mps2);
+    } else if (a.until) {
+      until(a);
+    } else {
+      do move(v, a.a_mps2);
+      while (v_ != v);
+    }
+  }
+  void run_for(double seconds, double v, double a) {
+    start();
+    const auto end = next_ms() + static_cast<std::int64_t>(std::llround(seconds * 1000.0));
+    while (next_ms() < end) move(v, a);
+  }
+  void until(const Action& a) {
+    start();
+    const auto end = next_ms() + static_cast<std::int64_t>(std::llround(a.within_s * 1000.0));
+    const std::size_t from = cycles_.size();
+    const double v = a.v_mps.value_or(v_);
+    std::string found;
+    do {
+      move(v, a.a_mps2);
+      found = difference(*a.until, from);
+    } while (!found.empty() && next_ms() < end);
+    if (!found.empty()) fail("", "not so within " + std::to_string(a.within_s) + " s: " + found);
+  }
+
+  // --- one cycle --------------------------------------------------------------------------------------------------
+
+  double counter(double place) const { return reads_ * place + offset_; }
+
+  void move(double v, double a) {
+    start();
+    const double most = a * static_cast<double>(cycle_ms_) / 1000.0;
+    target_v_ = std::clamp(v, v_ - most, v_ + most);
+    cycle();
+  }
+
+  void cycle() {
+    start();
+    if (next_ms() > kLongestMs) fail("an end within 30 min", "none", false);
+    const double dt = static_cast<double>(cycle_ms_) / 1000.0;
+    const double v = std::isnan(target_v_) ? v_ : target_v_;
+    target_v_ = std::nan("");
+    const double from = front_;
+    const double a = (v - v_) / dt;
+    if (!cycles_.empty()) front_ += (v + v_) / 2.0 * dt;
+    v_ = v;
+    doubt_ += std::abs(front_ - from) * error_;
+    const double nominal = counter(front_);
+    const Json odometer{{"nominal_m", nominal},
+                        {"min_m", nominal - doubt_},
+                        {"max_m", nominal + doubt_},
+                        {"speed_mps", v_ * reads_},
+                        {"accel_mps2", a * reads_}};
+    give(Json{{"t_ms", next_ms()}, {"odometer", odometer}}.dump());
+    give_balises(from);
+    for (std::string& line : queued_) give(std::move(line));
+    queued_.clear();
+    placeholder_ms_ = next_ms() + cycle_ms_;
+    const auto more = stream_->next(inputs_of_cycle_);
+    if (!more) fail("inputs that can be read", more.error().text(), false);
+    kernel::step(unit_->state, unit_->derived, inputs_of_cycle_.view(), unit_->outputs);
+    Cycle c;
+    c.t_ms = inputs_of_cycle_.t_ms;
+    c.front = front_;
+    io::append_output(c.line, c.t_ms, unit_->outputs);
+    c.output = Json::parse(c.line);
+    cycles_.push_back(std::move(c));
+  }
+  void give(std::string line) {
+    inputs_ += line + "\n";
+    waiting_.push_back(std::move(line));
+  }
+  void give_balises(double from) {
+    const bool forwards = front_ >= from;
+    std::vector<TrackBalise> read;
+    for (auto it = balises_.begin(); it != balises_.end();) {
+      const bool passed = forwards ? it->at > from && it->at <= front_ : it->at < from && it->at >= front_;
+      if (passed) read.push_back(*it);
+      it = passed ? balises_.erase(it) : it + 1;
+    }
+    std::sort(read.begin(), read.end(), [&](const TrackBalise& x, const TrackBalise& y) {
+      return forwards ? x.at < y.at : x.at > y.at;
+    });
+    for (const TrackBalise& b : read)
+      give(Json{{"t_ms", next_ms()}, {"balise", {{"telegram", b.hex}, {"bits", b.bits}, {"at_m", counter(b.at)}}}}
+               .dump());
+  }
+
+  // --- then -------------------------------------------------------------------------------------------------------
+
+  void expect(const Statement& s) {
+    if (cycles_.empty()) cycle();
+    std::string found = difference(s.condition, window_);
+    if (s.within_s) {
+      const auto end = next_ms() + static_cast<std::int64_t>(std::llround(*s.within_s * 1000.0));
+      while (!found.empty() && next_ms() < end) {
+        cycle();
+        found = difference(s.condition, window_);
+      }
+      if (!found.empty()) found += ", and not within " + std::to_string(*s.within_s) + " s";
+    }
+    if (s.for_s) {
+      const auto end = next_ms() + static_cast<std::int64_t>(std::llround(*s.for_s * 1000.0));
+      while (found.empty() && next_ms() < end) {
+        cycle();
+        found = difference(s.condition, window_);
+      }
+    }
+    if (!found.empty()) fail("", found);
+  }
+
+  /// What speaks against a condition in the last cycle; of events and messages since `from`.
+  std::string difference(const Condition& c, std::size_t from) const {
+    using What = Condition::What;
+    switch (c.what) {
+      case What::event:
+        return momentary(c, from, "events", [&](const Json& e) { return matches(c.pattern, e.get<std::string>()); });
+      case What::message:
+        return sent(c, from);
+      case What::call:
+        return called(c, from, "radio_connect");
+      case What::hang_up:
+        return called(c, from, "radio_disconnect");
+      case What::brakes:
+        return braked(c);
+      case What::output:
+        return compared(c);
+    }
+    return "";
+  }
+
+  template <class Is>
+  std::string momentary(const Condition& c, std::size_t from, const char* key, Is is) const {
+    std::string seen;
+    for (std::size_t i = from; i < cycles_.size(); ++i)
+      for (const Json& e : cycles_[i].output[key]) {
+        if (is(e)) return c.negated ? "\"" + e.get<std::string>() + "\" at " + time(i) : "";
+        seen += "\n      " + time(i) + "  " + e.get<std::string>();
+      }
+    if (c.negated) return "";
+    return seen.empty() ? "no event" : "only" + seen;
+  }
+
+  std::string sent(const Condition& c, std::size_t from) const {
+    std::string seen;
+    for (std::size_t i = from; i < cycles_.size(); ++i)
+      for (const Json& hex : cycles_[i].output["radio_out"]) {
+        const Json message = decoded(text_of(hex));
+        if (is_sent(c.message, message)) return c.negated ? "sent at " + time(i) + ": " + message.dump() : "";
+        seen += "\n      " + time(i) + "  " + message.dump();
+      }
+    if (c.negated) return "";
+    return seen.empty() ? "nothing sent" : "only" + seen;
+  }
+
+  std::string called(const Condition& c, std::size_t from, const char* key) const {
+    std::string seen;
+    for (std::size_t i = from; i < cycles_.size(); ++i) {
+      const Json& address = cycles_[i].output[key];
+      if (!address.is_object()) continue;
+      if (c.negated) return address.dump() + " at " + time(i);
+      if (holds(c.address, address)) return "";
+      seen += " " + address.dump() + " at " + time(i);
+    }
+    return c.negated ? "" : seen.empty() ? "none" : "only" + seen;
+  }
+
+  std::string braked(const Condition& c) const {
+    const Json& o = cycles_.back().output;
+    const bool tco = o["tco"], sb = o["sb"], eb = o["eb"];
+    const std::string found = std::string(eb ? "emergency brake" : sb ? "service brake" : tco ? "traction cut-off" : "none") +
+                              " " + o["brake_reasons"].dump();
+    const bool any = c.tco || c.sb || c.eb;
+    if (!any) return tco || sb || eb ? found : "";
+    if (c.eb ? !eb : c.sb ? !sb || eb : !tco || sb || eb) return found;
+    for (const std::string& reason : c.reasons)
+      if (std::find(o["brake_reasons"].begin(), o["brake_reasons"].end(), reason) == o["brake_reasons"].end())
+        return found;
+    return "";
+  }
+
+  const Json* value_of(const std::string& key) const {
+    const Json* at = &cycles_.back().output;
+    for (std::size_t from = 0;;) {
+      const std::size_t dot = key.find('.', from);
+      const auto it = at->is_object() ? at->find(key.substr(from, dot - from)) : at->end();
+      if (!at->is_object() || it == at->end()) return nullptr;
+      at = &*it;
+      if (dot == std::string::npos) return at;
+      from = dot + 1;
+    }
+  }
+
+  /// An element that is the text, or an object one of whose members is.
+  static bool contains(const Json& list, const Json& wanted) {
+    for (const Json& item : list) {
+      if (item == wanted) return true;
+      if (!item.is_object()) continue;
+      for (const auto& [key, value] : item.items())
+        if (value == wanted) return true;
+    }
+    return false;
+  }
+
+  std::string compared(const Condition& c) const {
+    const Wanted& w = c.wanted;
+    const Json* found = value_of(c.key);
+    if (found == nullptr) return "no output " + c.key;
+    const std::string says = c.key + " " + found->dump();
+    using How = Wanted::How;
+    if (w.how == How::absent) return found->is_null() ? "" : says;
+    if (found->is_array()) {
+      if (w.how == How::has) return contains(*found, w.value) ? "" : says;
+      if (w.how == How::lacks) return contains(*found, w.value) ? says : "";
+      return *found == w.value ? "" : says;
+    }
+    if (w.how == How::lacks) return *found == w.value ? says : "";
+    if (!w.value.is_number()) return *found == w.value ? "" : says;
+    if (!found->is_number()) return says;
+    double base = 0.0;
+    if (w.from_group) {
+      const auto group = groups_.find(*w.from_group);
+      if (group == groups_.end()) return "no group " + std::to_string(*w.from_group) + " was passed";
+      base = group->second - antenna_m_;
+    } else if (w.from_front) {
+      base = cycles_.back().output["est_front_m"].get<double>();
+    }
+    const double x = found->get<double>() - base;
+    const double y = w.value.get<double>();
+    const std::string says_from =
+        w.from_group || w.from_front ? says + " (" + std::to_string(x) + " m from there)" : says;
+    switch (w.how) {
+      case How::above:
+        return x > y ? "" : says_from;
+      case How::below:
+        return x < y ? "" : says_from;
+      case How::between:
+        return x >= y && x <= w.upper ? "" : says_from;
+      default:
+        return std::abs(x - y) <= w.tolerance ? "" : says_from;
+    }
+  }
+
+  // --- what went wrong --------------------------------------------------------------------------------------------
+
+  std::string time(std::size_t i) const { return std::to_string(cycles_[i].t_ms) + " ms"; }
+
+  [[noreturn]] void fail(std::string expected, std::string found, bool of_the_unit = true) const {
+    throw Failure{now_, std::move(expected), std::move(found), of_the_unit};
+  }
+
+  std::string report(const Failure& f) const {
+    std::string text = f.at->at.text() + ": scenario " + scenario_.name + "\n";
+    text += (f.expected.empty() ? "  expected: " : "  step:     ") + f.at->text + "\n";
+    if (!f.expected.empty()) text += "  expected: " + f.expected + "\n";
+    text += "  found:    " + f.found + "\n";
+    if (cycles_.empty()) return text;
+    text += "  events since the last when:\n";
+    for (std::size_t i = std::min(window_, cycles_.size()); i < cycles_.size(); ++i)
+      for (const Json& e : cycles_[i].output["events"]) text += "    " + time(i) + "  " + e.get<std::string>() + "\n";
+    text += "  last outputs:\n";
+    for (std::size_t i = cycles_.size() > 3 ? cycles_.size() - 3 : 0; i < cycles_.size(); ++i)
+      text += "    " + cycles_[i].line;
+    return text;
+  }
+
+  struct TrackBalise {
+    double at;
+    std::string hex;
+    std::size_t bits;
+  };
+  struct Unit {
+    kernel::State state;
+    kernel::Derived derived;
+    kernel::Outputs outputs;
+  };
+
+  const Scenario& scenario_;
+  const Statement* now_ = nullptr;
+  Json config_ = Json::object();
+  std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();
+  std::unique_ptr<io::InputStream> stream_;
+  sim::CycleInputs inputs_of_cycle_;
+  std::deque<std::string> waiting_;
+  std::vector<std::string> queued_;
+  std::string inputs_;
+  std::int64_t cycle_ms_ = 100, placeholder_ms_ = 0;
+  std::vector<Cycle> cycles_;
+  std::size_t window_ = 0;
+  bool after_then_ = false, when_before_ = false;
+  double antenna_m_ = 0.0;
+  double front_ = 0.0, v_ = 0.0, doubt_ = 0.0, target_v_ = std::nan("");
+  double error_ = 0.0, reads_ = 1.0, offset_ = 0.0;
+  std::vector<TrackBalise> balises_;
+  std::map<std::int64_t, double> groups_;
+};
+
+}  // namespace
+
+std::string run(const Scenario& scenario) { return Run(scenario).whole(); }
+
+std::string inputs_of(const Scenario& scenario) {
+  Run run(scenario);
+  (void)run.whole();
+  return run.inputs();
+}
+
+}  // namespace evc::scenario

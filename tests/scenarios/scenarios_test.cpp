@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+#include "brakes/brakes.h"
+#include "coverage.h"
+#include "run.h"
+
+// Every scenario of tests/scenarios/*.scenario and tests/scenarios/open/*.scenario is a test case of its own:
+// `scenarios_test --gtest_filter='Scenario/radio.*'`. `scenarios_test --inputs FILE.NAME` prints the inputs of one as
+// `evc replay` reads them.
+namespace evc::scenario {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The list of missing.txt can only become shorter.
+constexpr std::size_t kMissingAtMost = 114;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".scenario") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string case_name(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return out;
+}
+
+class OneScenario : public ::testing::Test {
+ public:
+  explicit OneScenario(Scenario scenario) : scenario_(std::move(scenario)) {}
+  void TestBody() override {
+    const std::string failure = run(scenario_);
+    if (!failure.empty()) ADD_FAILURE() << failure;
+  }
+
+ private:
+  Scenario scenario_;
+};
+
+class Unreadable : public ::testing::Test {
+ public:
+  explicit Unreadable(std::string why) : why_(std::move(why)) {}
+  void TestBody() override { ADD_FAILURE() << why_; }
+
+ private:
+  std::string why_;
+};
+
+struct Collection {
+  std::vector<std::pair<std::string, Scenario>> scenarios;  // file's stem, scenario
+  std::vector<std::pair<std::string, std::string>> errors;
+};
+
+Collection collect() {
+  const fs::path root = fs::path(EVC_SOURCE_DIR) / "tests/scenarios";
+  Collection all;
+  const auto take = [&](const fs::path& path, const std::vector<Block>& library, bool open) -> std::vector<Block> {
+    const std::string name = fs::relative(path, fs::path(EVC_SOURCE_DIR)).string();
+    auto file = read(text_of(path), name, library);
+    if (!file) {
+      all.errors.emplace_back(path.stem().string(), file.error().text());
+      return {};
+    }
+    for (Scenario& s : file->scenarios) {
+      if (open == s.open.empty())
+        all.errors.emplace_back(path.stem().string(), s.at.text() + ": scenario " + s.name +
+                                                          (open ? ": in open/, without a line `open \"finding\"`"
+                                                                : ": open, and not in open/"));
+      all.scenarios.emplace_back((open ? "open_" : "") + path.stem().string(), std::move(s));
+    }
+    return std::move(file->blocks);
+  };
+  const std::vector<Block> library = take(root / "library.scenario", {}, false);
+  for (const fs::path& path : files_in(root))
+    if (path.stem() != "library") (void)take(path, library, false);
+  for (const fs::path& path : files_in(root / "open")) (void)take(path, library, true);
+  return all;
+}
+
+Coverage coverage_of(const Collection& all) {
+  Coverage coverage;
+  for (const auto& [file, scenario] : all.scenarios)
+    for (const Cover& c : scenario.covers)
+      coverage[c.kind + " " + c.name].push_back({file, scenario.name, !scenario.open.empty()});
+  return coverage;
+}
+
+const Collection& collection() {
+  static const Collection all = collect();
+  return all;
+}
+
+TEST(ScenarioCoverage, everything_required_is_shown_or_known_to_be_missing) {
+  const Coverage coverage = coverage_of(collection());
+  const auto absent = missing();
+  std::set<std::string> known;
+  for (const Required& r : required()) {
+    const std::string key = r.kind + " " + r.name;
+    known.insert(key);
+    EXPECT_TRUE(coverage.contains(key) || absent.contains(key)) << key << " (" << r.about << ") is in no scenario";
+    EXPECT_FALSE(coverage.contains(key) && absent.contains(key)) << key << " is shown now: delete it from missing.txt";
+  }
+  for (const auto& [key, shown] : coverage)
+    EXPECT_TRUE(known.contains(key)) << shown.front().file << ": " << shown.front().name << " covers " << key
+                                     << ", which nobody requires";
+  for (const auto& [key, why] : absent) {
+    EXPECT_TRUE(known.contains(key)) << "missing.txt: " << key;
+    EXPECT_FALSE(why.empty()) << "missing.txt: " << key << " without a reason";
+  }
+}
+
+TEST(ScenarioCoverage, nothing_joins_what_is_missing) { EXPECT_LE(missing().size(), kMissingAtMost); }
+
+TEST(ScenarioCoverage, every_brake_cause_is_required) {
+  std::size_t n = 0;
+  for (const Required& r : required()) n += r.kind == "brake" ? 1u : 0u;
+  EXPECT_EQ(n, brakes::kCauses);
+}
+
+TEST(ScenarioCoverage, the_page_is_up_to_date) {
+  EXPECT_EQ(text_of(fs::path(EVC_SOURCE_DIR) / "docs/scenario-coverage.md"), coverage_page(coverage_of(collection())))
+      << "scenarios_test --coverage > docs/scenario-coverage.md";
+}
+
+}  // namespace
+}  // namespace evc::scenario
+
+int main(int argc, char** argv) {
+  using namespace evc::scenario;
+  const Collection& all = collection();
+  if (argc == 2 && std::string_view(argv[1]) == "--coverage") {
+    std::cout << coverage_page(coverage_of(all));
+    return 0;
+  }
+  if (argc == 3 && std::string_view(argv[1]) == "--inputs") {
+    for (const auto& [file, scenario] : all.scenarios)
+      if (file + "." + case_name(scenario.name) == argv[2]) {
+        std::cout << inputs_of(scenario);
+        return 0;
+      }
+    std::cerr << "no scenario " << argv[2] << "\n";
+    return 2;
+  }
+  ::testing::InitGoogleTest(&argc, argv);
+  for (const auto& [file, scenario] : all.scenarios)
+    ::testing::RegisterTest(("Scenario/" + file).c_str(), case_name(scenario.name).c_str(), nullptr, nullptr,
+                            scenario.at.file.c_str(), scenario.at.line,
+                            [scenario = scenario]() -> ::testing::Test* { return new OneScenario(scenario); });
+  for (std::size_t i = 0; i < all.errors.size(); ++i)
+    ::testing::RegisterTest("ScenarioFiles", (all.errors[i].first + "_" + std::to_string(i)).c_str(), nullptr, nullptr,
+                            __FILE__, __LINE__,
+                            [why = all.errors[i].second]() -> ::testing::Test* { return new Unreadable(why); });
+  return RUN_ALL_TESTS();
+}

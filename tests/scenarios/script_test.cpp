@@ -1,0 +1,121 @@
+#include "script.h"
+
+#include <gtest/gtest.h>
+
+#include "run.h"
+
+// The reader refuses what is misspelt and says where; the runner says what did not hold, and where.
+namespace evc::scenario {
+namespace {
+
+std::string error_of(std::string_view text) {
+  const auto file = read(text, "x.scenario");
+  return file ? "" : file.error().text();
+}
+
+std::string failure_of(std::string_view text) {
+  const auto file = read(text, "x.scenario");
+  if (!file) return file.error().text();
+  return run(file->scenarios.at(0));
+}
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+struct Wrong {
+  const char* text;
+  const char* error;
+};
+
+TEST(Script, refuses_what_is_misspelt_and_says_where) {
+  constexpr Wrong cases[] = {
+      {"scenario a\n  when desk opend\n", "x.scenario: line 2: found \"opend\", expected one of closed, opened"},
+      {"scenario a\n  if desk opened\n", "line 2: found \"if\", expected given, when, then or and"},
+      {"scenario a\n  when desk opened\n", "line 1: found a scenario that expects nothing"},
+      {"scenario a\n  then mode FX [4.6.3]\n", "line 2: found \"FX\", expected one of NP, SB"},
+      {"scenario a\n  then mood FS [4.6.3]\n", "line 2: found \"mood\", expected event, brakes"},
+      {"scenario a\n  then mode FS\n", "expected the clause in brackets"},
+      {"scenario a\n  then mode FS [later]\n", "found \"later\", expected a clause"},
+      {"scenario a\n  when message 15 { D_EMERGENCYSTP 3 }\n",
+       "line 2: found \"D_EMERGENCYSTP\", expected a variable of message 15"},
+      {"scenario a\n  when message 3\n    packet 15 { L_ENDSECTION 100 km/h }\n",
+       "line 3: found 100 km/h, expected a value of L_ENDSECTION in m"},
+      {"scenario a\n  when message 3\n    packet 15 { T_SECTIONTIMER 3 }\n",
+       "line 3: found \"T_SECTIONTIMER\", expected it only where its condition in packet 15 holds"},
+      {"scenario a\n  when message 3\n    packet 27 { V_STATIC 101 km/h }\n",
+       "line 3: found 101 km/h, expected a value that V_STATIC can carry"},
+      {"scenario a\n  when message 99\n", "line 2: found message 99, expected a message to the train"},
+      {"scenario a\n  when passes group 20000\n", "line 2: found \"20000\", expected NID_BG"},
+      {"scenario a\n  when message 3\n    packet 15 {\n", "line 3: found the end of the file, expected the bracket"},
+      {"scenario a\n  when driver enters { driver_id 1 driver_id 2 }\n", "\"driver_id\" again"},
+      {"scenario a\n  covers messages 3\n", "found \"messages\", expected one of message, procedure, stored, brake"},
+      {"scenario a\n  then sends message 3 [8.7.2]\n", "expected the number of a message to the trackside"},
+      {"scenario a\n  then event mode [4.6.3]\n", "expected \"the event as it is printed\""},
+      {"scenario a\n  when waits 5\n", "expected a unit, as in \"10 s\""},
+      {"block b\n  given desk opened\nblock b\n  given desk closed\n", "line 3: found block b again"},
+      {"block b with v = 1 km/h\n  given drives at $w\n", "line 2: found $w, expected a parameter of the block"},
+      {"block b with v = 1 km/h\n  given drives at $v\nscenario a\n  given b with w = 3 km/h\n",
+       "line 4: found \"w\", expected a parameter of b"},
+      {"scenario a\n  then mode SB [4.6.3]\nscenario a\n", "line 3: found scenario a again"},
+      {"something\n", "line 1: found \"something\", expected scenario or block"},
+      {"scenario a\n  when input { t \"unclosed }\n", "line 2: found the end of the line, expected \" that closes"},
+  };
+  for (const Wrong& c : cases) EXPECT_TRUE(contains(error_of(c.text), c.error)) << c.text << error_of(c.text);
+}
+
+TEST(Script, the_same_packet_is_written_with_codes_or_units) {
+  const auto message = [](const char* text) {
+    const auto file = read(std::string("scenario a\n  when ") + text + "\n  then mode SB [4.6.3]\n", "x.scenario");
+    return file ? file->scenarios.at(0).statements.at(0).action.json : Json(file.error().text());
+  };
+  EXPECT_EQ(message("message 3 packet 15 { L_ENDSECTION 2500 m, T_EMA 30 s } packet 27 { V_STATIC 100 km/h }"),
+            message("message 3 packet 15 { L_ENDSECTION 2500 T_EMA 30 } packet 27 { V_STATIC 20 }"));
+  EXPECT_EQ(message("message 3 packet 15 { Q_SCALE 2 L_ENDSECTION 2500 m }"),
+            message("message 3 packet 15 { Q_SCALE 2 L_ENDSECTION 250 }"));
+  EXPECT_EQ(message("message 2 { D_SR unknown }")["D_SR"], 32767);
+}
+
+TEST(Runner, goes_through_with_what_holds) {
+  EXPECT_EQ(failure_of("scenario a\n  when desk opened\n  then mode SB [4.6.3(4)]\n  and brakes none [4.4.7.1]\n"), "");
+}
+
+TEST(Runner, says_what_did_not_hold_and_where) {
+  const std::string text = failure_of("scenario a\n  when desk opened\n  then mode FS [4.6.3(31)]\n");
+  EXPECT_TRUE(contains(text, "x.scenario:3: scenario a\n  expected: then mode FS [4.6.3(31)]\n")) << text;
+  EXPECT_TRUE(contains(text, "found:    mode \"SB\"")) << text;
+  EXPECT_TRUE(contains(text, "mode NP->SB [4]")) << text;
+  EXPECT_TRUE(contains(text, "\"t_ms\":0")) << "the last outputs: " << text;
+}
+
+TEST(Runner, every_kind_of_expectation_can_fail) {
+  for (const char* wrong :
+       {"event \"mode SB->FS*\"", "no event \"mode NP->SB*\"", "sends message 155", "calls { NID_RBC 1 }",
+        "hangs_up", "brakes emergency", "brakes service because trip", "symbol MO11", "no symbol MO13", "request SR",
+        "text \"x\"", "cause trip", "V_P is 100 km/h", "V_P above 3", "est_front_m is 5 m", "est_front_m above 1 m",
+        "est_front_m below -1 m", "est_front_m between 1 m and 2 m", "EOA_m is 100 m from group 7", "mode not SB",
+        "level 2", "lrbg.NID_BG is 3", "monitoring is CSM", "driver.symbols lacks MO13", "v_kmh is null",
+        "within 0.3 s mode FS", "for 0.3 s mode not SB"}) {
+    const std::string text = failure_of(std::string("scenario a\n  when desk opened\n  then ") + wrong + " [4.6.3]\n");
+    EXPECT_TRUE(contains(text, "x.scenario:3")) << wrong << "\n" << text;
+  }
+}
+
+TEST(Runner, a_step_that_cannot_be_done_is_an_error) {
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when passes group 3\n  then mode SB [4.6.3]\n"), "it stands"));
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when desk opened\n  and config { srs 3.4.0 }\n  then mode SB [4.6.3]\n"),
+                       "cycles have run"));
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when message 8\n  then mode SB [4.6.3]\n"), "none was sent"));
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when driver selects strat\n  then mode SB [4.6.3]\n"), "strat"));
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when waits until mode FS within 1 s\n  then mode SB [4.6.3]\n"),
+                       "not so within"));
+}
+
+TEST(Runner, what_is_open_has_to_fail_at_its_own_expectation) {
+  const std::string begin = "block b\n  given desk opened\n  then mode FS [4.6.3]\nscenario a\n  open \"A1\"\n";
+  EXPECT_EQ(failure_of(begin + "  when desk opened\n  then mode FS [4.6.3]\n"), "");
+  EXPECT_TRUE(contains(failure_of(begin + "  when desk opened\n  then mode SB [4.6.3]\n"), "holds now"));
+  EXPECT_TRUE(contains(failure_of(begin + "  given b\n  then mode FS [4.6.3]\n"), "x.scenario:3"));
+  EXPECT_TRUE(contains(failure_of(begin + "  when passes group 1\n  then mode FS [4.6.3]\n"), "it stands"));
+}
+
+}  // namespace
+}  // namespace evc::scenario
