@@ -53,17 +53,19 @@ std::map<std::string, std::string> missing() {
 std::string coverage_page(const Coverage& coverage) {
   std::string page =
       "# What the scenarios show\n"
-      "Made from the `covers` lines of [the scenarios](scenarios.md) by `scenarios_test --coverage`; a test fails when this\n"
+      "Made from the `covers` lines of [the scenarios](scenarios.md) by `scenarios_test --coverage`; a test fails when "
+      "this\n"
       "page is not up to date. *open*: the scenario is expected to fail until a finding is mended.\n";
   const auto absent = missing();
   std::string kind;
   for (const Required& r : required()) {
     if (r.kind != kind) {
       kind = r.kind;
-      page += "\n## " + std::string(kind == "message"     ? "Messages to the train"
-                                    : kind == "stored"    ? "Stored information (4.10)"
-                                    : kind == "procedure" ? "Procedures"
-                                                          : "Brake causes") +
+      page += "\n## " +
+              std::string(kind == "message"     ? "Messages to the train"
+                          : kind == "stored"    ? "Stored information (4.10)"
+                          : kind == "procedure" ? "Procedures"
+                                                : "Brake causes") +
               "\n| " + kind + " | clause | scenarios |\n|---|---|---|\n";
     }
     page += "| " + r.name + " | " + r.about + " | ";

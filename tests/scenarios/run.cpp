@@ -94,8 +94,8 @@ class Run {
     try {
       for (const Statement& s : scenario_.statements) step(s);
     } catch (const Failure& f) {
-      const bool expected = !scenario_.open.empty() && f.of_the_unit && !f.at->in_block &&
-                            f.at->kind == Statement::Kind::then;
+      const bool expected =
+          !scenario_.open.empty() && f.of_the_unit && !f.at->in_block && f.at->kind == Statement::Kind::then;
       return expected ? "" : report(f);
     }
     if (scenario_.open.empty()) return "";
@@ -160,7 +160,7 @@ class Run {
           run_for(a.for_s.value_or(0.0), v_, 1.0);
         break;
       case What::input:
-        queue(a.json);
+        give_input(a.json);
         cycle();
         break;
       case What::odometer:
@@ -201,6 +201,14 @@ class Run {
     start();
     object["t_ms"] = next_ms();
     queued_.push_back(object.dump());
+  }
+
+  /// The driver who enters `train_data {}` enters the train of the configuration.
+  void give_input(Json input) {
+    const Json::json_pointer entered("/driver/enter/train_data");
+    if (input.contains(entered) && input[entered].empty() && config_.contains("train"))
+      input[entered] = config_["train"];
+    queue(std::move(input));
   }
 
   template <class Bits>
@@ -351,9 +359,8 @@ class Run {
       if (passed) read.push_back(*it);
       it = passed ? balises_.erase(it) : it + 1;
     }
-    std::sort(read.begin(), read.end(), [&](const TrackBalise& x, const TrackBalise& y) {
-      return forwards ? x.at < y.at : x.at > y.at;
-    });
+    std::sort(read.begin(), read.end(),
+              [&](const TrackBalise& x, const TrackBalise& y) { return forwards ? x.at < y.at : x.at > y.at; });
     for (const TrackBalise& b : read)
       give(Json{{"t_ms", next_ms()}, {"balise", {{"telegram", b.hex}, {"bits", b.bits}, {"at_m", counter(b.at)}}}}
                .dump());
@@ -441,7 +448,10 @@ class Run {
   std::string braked(const Condition& c) const {
     const Json& o = cycles_.back().output;
     const bool tco = o["tco"], sb = o["sb"], eb = o["eb"];
-    const std::string found = std::string(eb ? "emergency brake" : sb ? "service brake" : tco ? "traction cut-off" : "none") +
+    const std::string found = std::string(eb    ? "emergency brake"
+                                          : sb  ? "service brake"
+                                          : tco ? "traction cut-off"
+                                                : "none") +
                               " " + o["brake_reasons"].dump();
     const bool any = c.tco || c.sb || c.eb;
     if (!any) return tco || sb || eb ? found : "";

@@ -155,7 +155,8 @@ class Reader {
 
   static std::string name_of(const Line& line, std::size_t from, std::size_t to) {
     std::string name;
-    for (std::size_t i = from; i < to; ++i) name += (name.empty() ? "" : " ") + line[i].text;
+    for (std::size_t i = from; i < to; ++i)
+      name += (name.empty() || line[i].kind == Token::Kind::mark ? "" : " ") + line[i].text;
     return name;
   }
 
@@ -203,7 +204,8 @@ class Reader {
     Block block;
     block.at = {file_, head[0].line, ""};
     block.name = name_of(head, 1, end);
-    if (block.name.empty()) throw ReadError{head[0].line, "block without a name", "block NAME [with NAME = VALUE, ...]"};
+    if (block.name.empty())
+      throw ReadError{head[0].line, "block without a name", "block NAME [with NAME = VALUE, ...]"};
     if (find_block(block.name) != nullptr)
       throw ReadError{head[0].line, "block " + block.name + " again", "each name once"};
     if (end < head.size()) block.parameters = parameters(head, end + 1);
@@ -494,7 +496,7 @@ class Reader {
     const Value members = words.peek() == "{" ? words.object() : Value{};
     const auto named = [&](const char* name) {
       return std::any_of(members.members.begin(), members.members.end(),
-                         [&](const auto& m) { return m.first == name; });
+                         [&](const Value& m) { return m.name == name; });
     };
     a.json = message_json(nid, &members, line, X, Y);
     a.T_TRAIN = a.json.contains("T_TRAIN") && !named("T_TRAIN");
@@ -528,11 +530,12 @@ class Reader {
   /// The header of a telegram or loop message with what a scenario does not say.
   static Json telegram(const Value& members, bool loop) {
     Json header = loop ? Json{{"Q_UPDOWN", 1}, {"M_VERSION", 33}, {"Q_MEDIA", 1}, {"NID_C", 1}, {"NID_LOOP", 0}}
-                       : Json{{"Q_UPDOWN", 1}, {"M_VERSION", 33}, {"Q_MEDIA", 0}, {"N_PIG", 0}, {"N_TOTAL", 1},
+                       : Json{{"Q_UPDOWN", 1}, {"M_VERSION", 33}, {"Q_MEDIA", 0}, {"N_PIG", 0},  {"N_TOTAL", 1},
                               {"M_DUP", 0},    {"M_MCOUNT", 255}, {"NID_C", 1},   {"NID_BG", 0}, {"Q_LINK", 1}};
-    for (const auto& [key, value] : members.members) {
-      if (!header.contains(key)) throw ReadError{value.line, "\"" + key + "\"", "a variable of the header"};
-      header[key] = plain_json(value);
+    for (const Value& value : members.members) {
+      if (!header.contains(value.name))
+        throw ReadError{value.line, "\"" + value.name + "\"", "a variable of the header"};
+      header[value.name] = plain_json(value);
     }
     return Json{{"header", header}};
   }
@@ -579,7 +582,7 @@ class Reader {
       if (words.peek() == "{") {
         const Value own = words.object();
         const Json header = telegram(own, false);
-        for (const auto& [key, value] : own.members) a.balises[of].telegram["header"][key] = header["header"][key];
+        for (const Value& v : own.members) a.balises[of].telegram["header"][v.name] = header["header"][v.name];
       }
     }
     for (Balise& b : a.balises) {
@@ -705,16 +708,15 @@ class Reader {
     const int line = words.place();
     c.key = words.word("what is expected");
     if (!is_one(kOutputs, c.key))
-      throw ReadError{line, "\"" + c.key + "\"",
-                      "event, brakes, symbol, request, text, cause, sends, calls, hangs_up, no, or an output: " +
-                          all(kOutputs)};
+      throw ReadError{
+          line, "\"" + c.key + "\"",
+          "event, brakes, symbol, request, text, cause, sends, calls, hangs_up, no, or an output: " + all(kOutputs)};
     if (c.key == "mode" || c.key == "level") {
       const bool is_not = words.take("not");
       if (is_not) c.wanted.how = Wanted::How::lacks;
       const std::string word = words.word(c.key.c_str());
       const bool known = c.key == "mode" ? is_one(kModes, word) : is_one(kLevels, word);
-      if (!known)
-        throw ReadError{line, "\"" + word + "\"", "one of " + (c.key == "mode" ? all(kModes) : all(kLevels))};
+      if (!known) throw ReadError{line, "\"" + word + "\"", "one of " + (c.key == "mode" ? all(kModes) : all(kLevels))};
       c.wanted.value = word;
       return c;
     }

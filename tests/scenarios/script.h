@@ -62,22 +62,22 @@ struct Balise {
 struct Action {
   enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer };
   What what = What::wait;
-  Json json;                     ///< configure, input: members; message, loop: as `evc encode` takes it
-  bool T_TRAIN = false;          ///< message: T_TRAIN is the time when it is given
-  bool NID_LRBG = false;         ///< message: NID_LRBG is the one that the unit told last
-  int answers = 0;               ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
-  std::int64_t NID_BG = 0;       ///< pass, lay
-  std::vector<Balise> balises;   ///< pass, lay: in the order of N_PIG
-  bool reversed = false;         ///< pass, lay: the balise with the greatest N_PIG comes first
-  double ahead_m = 1.0;          ///< pass, lay
-  std::optional<double> v_mps;   ///< drive
-  double a_mps2 = 1.0;           ///< drive, stop
-  std::optional<double> for_s;   ///< drive, wait
-  std::optional<double> for_m;   ///< drive
+  Json json;                    ///< configure, input: members; message, loop: as `evc encode` takes it
+  bool T_TRAIN = false;         ///< message: T_TRAIN is the time when it is given
+  bool NID_LRBG = false;        ///< message: NID_LRBG is the one that the unit told last
+  int answers = 0;              ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
+  std::int64_t NID_BG = 0;      ///< pass, lay
+  std::vector<Balise> balises;  ///< pass, lay: in the order of N_PIG
+  bool reversed = false;        ///< pass, lay: the balise with the greatest N_PIG comes first
+  double ahead_m = 1.0;         ///< pass, lay
+  std::optional<double> v_mps;  ///< drive
+  double a_mps2 = 1.0;          ///< drive, stop
+  std::optional<double> for_s;  ///< drive, wait
+  std::optional<double> for_m;  ///< drive
   std::optional<Condition> until;
-  double within_s = 60.0;        ///< with `until`
-  double error = 0.0;            ///< odometer: half the interval a metre
-  double reads = 1.0;            ///< odometer: metres counted a metre
+  double within_s = 60.0;  ///< with `until`
+  double error = 0.0;      ///< odometer: half the interval a metre
+  double reads = 1.0;      ///< odometer: metres counted a metre
 };
 
 struct Statement {
@@ -131,8 +131,8 @@ struct File {
   std::vector<Scenario> scenarios;
 };
 
-/// Reads a file. Everything in it is checked: words, names of variables, packets, outputs. `library` holds the blocks of
-/// files read before.
+/// Reads a file. Everything in it is checked: words, names of variables, packets, outputs. `library` holds the blocks
+/// of files read before.
 io::Result<File> read(std::string_view text, const std::string& file, const std::vector<Block>& library = {});
 
 }  // namespace evc::scenario

@@ -87,13 +87,33 @@ TEST(Runner, says_what_did_not_hold_and_where) {
 }
 
 TEST(Runner, every_kind_of_expectation_can_fail) {
-  for (const char* wrong :
-       {"event \"mode SB->FS*\"", "no event \"mode NP->SB*\"", "sends message 155", "calls { NID_RBC 1 }",
-        "hangs_up", "brakes emergency", "brakes service because trip", "symbol MO11", "no symbol MO13", "request SR",
-        "text \"x\"", "cause trip", "V_P is 100 km/h", "V_P above 3", "est_front_m is 5 m", "est_front_m above 1 m",
-        "est_front_m below -1 m", "est_front_m between 1 m and 2 m", "EOA_m is 100 m from group 7", "mode not SB",
-        "level 2", "lrbg.NID_BG is 3", "monitoring is CSM", "driver.symbols lacks MO13", "v_kmh is null",
-        "within 0.3 s mode FS", "for 0.3 s mode not SB"}) {
+  for (const char* wrong : {"event \"mode SB->FS*\"",
+                            "no event \"mode NP->SB*\"",
+                            "sends message 155",
+                            "calls { NID_RBC 1 }",
+                            "hangs_up",
+                            "brakes emergency",
+                            "brakes service because trip",
+                            "symbol MO11",
+                            "no symbol MO13",
+                            "request SR",
+                            "text \"x\"",
+                            "cause trip",
+                            "V_P is 100 km/h",
+                            "V_P above 3",
+                            "est_front_m is 5 m",
+                            "est_front_m above 1 m",
+                            "est_front_m below -1 m",
+                            "est_front_m between 1 m and 2 m",
+                            "EOA_m is 100 m from group 7",
+                            "mode not SB",
+                            "level 2",
+                            "lrbg.NID_BG is 3",
+                            "monitoring is CSM",
+                            "driver.symbols lacks MO13",
+                            "v_kmh is null",
+                            "within 0.3 s mode FS",
+                            "for 0.3 s mode not SB"}) {
     const std::string text = failure_of(std::string("scenario a\n  when desk opened\n  then ") + wrong + " [4.6.3]\n");
     EXPECT_TRUE(contains(text, "x.scenario:3")) << wrong << "\n" << text;
   }
@@ -101,8 +121,9 @@ TEST(Runner, every_kind_of_expectation_can_fail) {
 
 TEST(Runner, a_step_that_cannot_be_done_is_an_error) {
   EXPECT_TRUE(contains(failure_of("scenario a\n  when passes group 3\n  then mode SB [4.6.3]\n"), "it stands"));
-  EXPECT_TRUE(contains(failure_of("scenario a\n  when desk opened\n  and config { srs 3.4.0 }\n  then mode SB [4.6.3]\n"),
-                       "cycles have run"));
+  EXPECT_TRUE(
+      contains(failure_of("scenario a\n  when desk opened\n  and config { srs 3.4.0 }\n  then mode SB [4.6.3]\n"),
+               "cycles have run"));
   EXPECT_TRUE(contains(failure_of("scenario a\n  when message 8\n  then mode SB [4.6.3]\n"), "none was sent"));
   EXPECT_TRUE(contains(failure_of("scenario a\n  when driver selects strat\n  then mode SB [4.6.3]\n"), "strat"));
   EXPECT_TRUE(contains(failure_of("scenario a\n  when waits until mode FS within 1 s\n  then mode SB [4.6.3]\n"),

@@ -76,7 +76,7 @@ Json code_of(const Value& v, const std::string& name, const lang::VariableInfo* 
     } else if (info->resolution > 0.0) {
       const std::string unit = info->unit;
       char wanted = 0;
-      
+
       const double factor = unit_factor(unit, wanted);
       if (wanted != kind) throw ReadError{v.line, v.text + " " + v.unit, "a value of " + name + " in " + unit};
       code = si / factor / info->resolution;
@@ -95,8 +95,8 @@ Json code_of(const Value& v, const std::string& name, const lang::VariableInfo* 
 
 const Value* member(const Value* object, std::string_view name) {
   if (object == nullptr) return nullptr;
-  for (const auto& [key, value] : object->members)
-    if (key == name) return &value;
+  for (const Value& value : object->members)
+    if (value.name == name) return &value;
   return nullptr;
 }
 
@@ -175,7 +175,8 @@ void fill(Json& out, std::span<const lang::Step> steps, const Value* given, std:
     }
   }
   if (given == nullptr) return;
-  for (const auto& [key, value] : given->members) {
+  for (const Value& value : given->members) {
+    const std::string& key = value.name;
     std::string known;
     bool found = false, stands = false;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -374,9 +375,10 @@ Value Words::object() {
     if (take(",")) continue;
     const int line = place();
     const std::string name = word("a name or }");
-    for (const auto& [key, other] : v.members)
-      if (key == name) throw ReadError{line, "\"" + name + "\" again", "each name once"};
-    v.members.emplace_back(name, value());
+    for (const Value& other : v.members)
+      if (other.name == name) throw ReadError{line, "\"" + name + "\" again", "each name once"};
+    v.members.push_back(value());
+    v.members.back().name = name;
   }
   return v;
 }
@@ -395,7 +397,7 @@ Json plain_json(const Value& v) {
       return v.text;
     case Value::Kind::object: {
       Json object = Json::object();
-      for (const auto& [key, value] : v.members) object[key] = plain_json(value);
+      for (const Value& value : v.members) object[value.name] = plain_json(value);
       return object;
     }
     case Value::Kind::list: {
@@ -436,13 +438,35 @@ Json message_json(std::uint8_t NID_MESSAGE, const Value* members, int line, int 
   return message;
 }
 
+namespace {
+/// The variable behind a member of what the on-board sends; null when nothing it sends has one of this name.
+const lang::VariableInfo* find_sent(std::span<const lang::Step> steps, std::string_view name) {
+  for (const lang::Step& step : steps) {
+    if (step.kind == lang::Step::Kind::field && name == step.name) return lang::find_variable(step.variable);
+    if (step.kind != lang::Step::Kind::repeat) continue;
+    if (const lang::VariableInfo* found = find_sent(step.element(), name)) return found;
+  }
+  return nullptr;
+}
+const lang::VariableInfo* find_sent(std::string_view name) {
+  for (const lang::PacketLayout& layout : lang::packet_layouts())
+    if (layout.info->direction == lang::Direction::to_track)
+      if (const lang::VariableInfo* found = find_sent(layout.steps, name)) return found;
+  for (const lang::MessageLayout& layout : lang::message_layouts())
+    if (layout.info->direction == lang::Direction::to_track)
+      if (const lang::VariableInfo* found = find_sent(layout.steps, name)) return found;
+  return nullptr;
+}
+}  // namespace
+
 Json sent_members(const Value& members) {
   Json out = Json::object();
   std::uint64_t Q_SCALE = 1;
   if (const Value* scale = member(&members, "Q_SCALE")) Q_SCALE = static_cast<std::uint64_t>(scale->number);
-  for (const auto& [key, value] : members.members) {
-    const lang::VariableInfo* info = lang::find_variable(key.c_str());
-    if (info == nullptr) throw ReadError{value.line, "\"" + key + "\"", "a variable of the ETCS language"};
+  for (const Value& value : members.members) {
+    const std::string& key = value.name;
+    const lang::VariableInfo* info = find_sent(key);
+    if (info == nullptr) throw ReadError{value.line, "\"" + key + "\"", "a variable that the on-board sends"};
     out[key] = code_of(value, key, info, Q_SCALE);
   }
   return out;

@@ -21,7 +21,8 @@ struct Value {
   double number = 0.0;
   std::string text;  ///< the word or text; of a number, as written
   std::string unit;
-  std::vector<std::pair<std::string, Value>> members;
+  std::string name;  ///< of a member of an object
+  std::vector<Value> members;
   std::vector<Value> items;
 };
 
