@@ -27,9 +27,15 @@ struct Failure {
 
 struct Cycle {
   std::int64_t t_ms = 0;
-  double front = 0.0;
   std::string line;
-  Json output;
+  /// The line, read when somebody asks for it: most cycles of a drive are not looked at.
+  const Json& output() const {
+    if (read_.is_null()) read_ = Json::parse(line);
+    return read_;
+  }
+
+ private:
+  mutable Json read_;
 };
 
 /// `*` stands for any characters.
@@ -226,14 +232,14 @@ class Run {
     give_bits("radio", io::encode_radio_json(message, {lang::Direction::to_train, {}}));
   }
   std::int64_t last_lrbg() const {
-    if (cycles_.empty() || !cycles_.back().output["lrbg"].is_object()) return 0xFFFFFF;
-    const Json& lrbg = cycles_.back().output["lrbg"];
+    if (cycles_.empty() || !cycles_.back().output()["lrbg"].is_object()) return 0xFFFFFF;
+    const Json& lrbg = cycles_.back().output()["lrbg"];
     return lrbg["NID_C"].get<std::int64_t>() << 14 | lrbg["NID_BG"].get<std::int64_t>();
   }
 
   std::int64_t last_T_TRAIN(int NID_MESSAGE) const {
     for (auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
-      for (const Json& hex : c->output["radio_out"]) {
+      for (const Json& hex : c->output()["radio_out"]) {
         const Json message = decoded(text_of(hex));
         if (message.is_object() && message.value("NID_MESSAGE", 0) == NID_MESSAGE) return message.value("T_TRAIN", 0);
       }
@@ -342,9 +348,7 @@ class Run {
     kernel::step(unit_->state, unit_->derived, inputs_of_cycle_.view(), unit_->outputs);
     Cycle c;
     c.t_ms = inputs_of_cycle_.t_ms;
-    c.front = front_;
     io::append_output(c.line, c.t_ms, unit_->outputs);
-    c.output = Json::parse(c.line);
     cycles_.push_back(std::move(c));
   }
   void give(std::string line) {
@@ -413,7 +417,7 @@ class Run {
   std::string momentary(const Condition& c, std::size_t from, const char* key, Is is) const {
     std::string seen;
     for (std::size_t i = from; i < cycles_.size(); ++i)
-      for (const Json& e : cycles_[i].output[key]) {
+      for (const Json& e : cycles_[i].output()[key]) {
         if (is(e)) return c.negated ? "\"" + e.get<std::string>() + "\" at " + time(i) : "";
         seen += "\n      " + time(i) + "  " + e.get<std::string>();
       }
@@ -424,7 +428,7 @@ class Run {
   std::string sent(const Condition& c, std::size_t from) const {
     std::string seen;
     for (std::size_t i = from; i < cycles_.size(); ++i)
-      for (const Json& hex : cycles_[i].output["radio_out"]) {
+      for (const Json& hex : cycles_[i].output()["radio_out"]) {
         const Json message = decoded(text_of(hex));
         if (is_sent(c.message, message)) return c.negated ? "sent at " + time(i) + ": " + message.dump() : "";
         seen += "\n      " + time(i) + "  " + message.dump();
@@ -436,7 +440,7 @@ class Run {
   std::string called(const Condition& c, std::size_t from, const char* key) const {
     std::string seen;
     for (std::size_t i = from; i < cycles_.size(); ++i) {
-      const Json& address = cycles_[i].output[key];
+      const Json& address = cycles_[i].output()[key];
       if (!address.is_object()) continue;
       if (c.negated) return address.dump() + " at " + time(i);
       if (holds(c.address, address)) return "";
@@ -446,7 +450,7 @@ class Run {
   }
 
   std::string braked(const Condition& c) const {
-    const Json& o = cycles_.back().output;
+    const Json& o = cycles_.back().output();
     const bool tco = o["tco"], sb = o["sb"], eb = o["eb"];
     const std::string found = std::string(eb    ? "emergency brake"
                                           : sb  ? "service brake"
@@ -463,7 +467,7 @@ class Run {
   }
 
   const Json* value_of(const std::string& key) const {
-    const Json* at = &cycles_.back().output;
+    const Json* at = &cycles_.back().output();
     for (std::size_t from = 0;;) {
       const std::size_t dot = key.find('.', from);
       const auto it = at->is_object() ? at->find(key.substr(from, dot - from)) : at->end();
@@ -506,7 +510,7 @@ class Run {
       if (group == groups_.end()) return "no group " + std::to_string(*w.from_group) + " was passed";
       base = group->second - antenna_m_;
     } else if (w.from_front) {
-      base = cycles_.back().output["est_front_m"].get<double>();
+      base = cycles_.back().output()["est_front_m"].get<double>();
     }
     const double x = found->get<double>() - base;
     const double y = w.value.get<double>();
@@ -540,7 +544,7 @@ class Run {
     if (cycles_.empty()) return text;
     text += "  events since the last when:\n";
     for (std::size_t i = std::min(window_, cycles_.size()); i < cycles_.size(); ++i)
-      for (const Json& e : cycles_[i].output["events"]) text += "    " + time(i) + "  " + e.get<std::string>() + "\n";
+      for (const Json& e : cycles_[i].output()["events"]) text += "    " + time(i) + "  " + e.get<std::string>() + "\n";
     text += "  last outputs:\n";
     for (std::size_t i = cycles_.size() > 3 ? cycles_.size() - 3 : 0; i < cycles_.size(); ++i)
       text += "    " + cycles_[i].line;
