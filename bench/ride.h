@@ -98,7 +98,7 @@ inline lang::Packet65 restriction(std::uint8_t NID_TSR, unsigned D_TSR, unsigned
   return p;
 }
 
-/// The telegrams of a group that says everything anew.
+/// The telegrams of a group that sends everything again.
 using Group = std::array<Telegram, 3>;
 inline Group group(std::uint16_t NID_BG) {
   return {telegram(NID_BG, 0, 2, authority(), restriction(1, 4300, 90), restriction(2, 6000, 70)),

@@ -6,7 +6,7 @@ target_include_directories(evc_flags INTERFACE ${CMAKE_SOURCE_DIR}/src)
 # The same bits from every compiler and level: no contraction, no fast-math (docs/architecture.md). Warnings are errors.
 target_compile_options(evc_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Werror)
-# Under -fsanitize (the Debug build) g++ 12 tells sign conversions of promoted unsigned shifts that are none.
+# Under -fsanitize (the Debug build) g++ 12 has false positives: sign conversions of promoted unsigned shifts.
 target_compile_options(evc_flags INTERFACE $<$<CONFIG:Debug>:-Wno-sign-conversion>)
 # g++ 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651), at -O2 and above.
 target_compile_options(evc_flags INTERFACE

@@ -73,7 +73,7 @@ struct Unit {
   int accepted = 0, rejected = 0, linked_ok = 0, reactions = 0, refused_linking = 0, lrbg_changes = 0;
   double largest_shift = 0;
   balise::Reaction worst = balise::Reaction::none;
-  std::string told;
+  std::string log;
 
   explicit Unit(double odometer_error) : error(odometer_error) {}
 
@@ -90,7 +90,7 @@ struct Unit {
     for (const balise::Event& e : outcome.events) {
       linked_ok += e.what == balise::Happened::linking_ok ? 1 : 0;
       if (e.what == balise::Happened::linking_ok || e.what == balise::Happened::group_accepted) continue;
-      told += std::string(balise::name_of(e.what)) + " " + std::to_string(e.id.NID_BG) + "; ";
+      log += std::string(balise::name_of(e.what)) + " " + std::to_string(e.id.NID_BG) + "; ";
     }
     worst = std::max(worst, outcome.reaction);
     reactions += outcome.reaction != balise::Reaction::none ? 1 : 0;
@@ -137,7 +137,7 @@ struct Unit {
                         {reference->id, reference->place, reference->id.NID_C, true, false},
                         position::antenna(position, kAntenna), balise::CurrentLrbg{current->id, current->place});
       EXPECT_TRUE(stored.complete);
-      situation.linking_checked = true;  // with the first authority the train goes into full supervision
+      situation.linking_checked = true;  // with the first authority the train enters full supervision
     }
   }
 };
@@ -177,7 +177,7 @@ struct RecordedLine : testing::Test {
     drive(unit, happenings, [](double) {});
     return unit;
   }
-  /// The announced groups to which no linking packet refers: without one of those the rest of the line goes on.
+  /// The announced groups to which no linking packet refers: without one of those the rest of the line is unaffected.
   std::vector<int> announced() const {
     std::vector<int> out;
     for (const json& group : line["balise_groups"]) {
@@ -216,7 +216,7 @@ TEST_F(RecordedLine, AllGroupsAreAcceptedAndAllAnnouncedOnesFound) {
     EXPECT_EQ(unit.refused_linking, 0);
     EXPECT_EQ(unit.lrbg_changes, 101);  // all but the two marked unlinked
     EXPECT_EQ(unit.linked_ok, 99);      // all but 352, 353, 354 before the first linking and the unlinked 979
-    EXPECT_EQ(unit.told, "");
+    EXPECT_EQ(unit.log, "");
     // What the odometer erred between two groups, the farthest of them 874 m apart.
     EXPECT_LE(unit.largest_shift, 874 * (error < 0 ? -error : error) + 1e-6);
   }
@@ -232,9 +232,9 @@ TEST_F(RecordedLine, ASilentGroupTripsAndTheRestIsFound) {
     const Unit unit = driven(left);
     // Groups close behind one another: the next one may be read while the window of the silent one is open.
     const std::string id = std::to_string(silent);
-    EXPECT_TRUE(unit.told == "not found in its window " + id + "; " ||
-                unit.told == "a later group found in its window " + id + "; ")
-        << unit.told;
+    EXPECT_TRUE(unit.log == "not found in its window " + id + "; " ||
+                unit.log == "a later group found in its window " + id + "; ")
+        << unit.log;
     EXPECT_EQ(unit.worst, balise::Reaction::trip);  // what this line's linking asks for
     EXPECT_EQ(unit.accepted, 102);
     EXPECT_EQ(unit.rejected, 0);
@@ -248,7 +248,7 @@ TEST_F(RecordedLine, OneSilentBaliseIsMadeGoodByItsDuplicate) {
       std::vector<Happening> left = all;
       std::erase_if(left, [=](const Happening& h) { return h.NID_BG == group && h.N_PIG == silent; });
       const Unit unit = driven(left);
-      EXPECT_EQ(unit.told, "");
+      EXPECT_EQ(unit.log, "");
       EXPECT_EQ(unit.linked_ok, 99);
       EXPECT_EQ(unit.accepted, 103);
     }
@@ -267,8 +267,7 @@ TEST_F(RecordedLine, AGroupCrossedInTheOtherDirectionTrips) {
     }
     const Unit unit = driven(swapped);
     EXPECT_EQ(unit.worst, balise::Reaction::trip);
-    EXPECT_NE(unit.told.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos)
-        << unit.told;
+    EXPECT_NE(unit.log.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos) << unit.log;
     EXPECT_EQ(unit.rejected, 1);
     EXPECT_EQ(unit.accepted, 102);
   }
@@ -361,7 +360,7 @@ TEST(AnyLine, WithinItsBoundsNothingReacts) {
                                 position::antenna(unit.position, kAntenna), balise::CurrentLrbg{lrbg.id, lrbg.place})
                       .complete);
     }
-    EXPECT_EQ(unit.told, "");
+    EXPECT_EQ(unit.log, "");
     EXPECT_EQ(unit.accepted, 60);
     EXPECT_EQ(unit.linked_ok, 59);
   }

@@ -113,7 +113,7 @@ TEST_F(Journey, NeedsNoDerivedFromTheCycleBefore) {
   }
 }
 
-// A snapshot is a memcpy: a unit that wakes up with the bytes of another goes on as the other does.
+// A snapshot is a memcpy: a unit restored from the bytes of another behaves as the other does.
 TEST_F(Journey, GoesOnFromASnapshot) {
   auto stream = evc::io::InputStream::open("inputs.jsonl", evc::io::lines_of(inputs()));
   ASSERT_TRUE(stream);
@@ -154,7 +154,7 @@ std::string damaged(const std::string& inputs, unsigned seed, unsigned every) {
   return out;
 }
 
-// Nonsense from the track never stops the unit: every cycle is answered, and what was not understood is told.
+// Nonsense from the track never stops the unit: every cycle is answered, and what was not understood is logged.
 TEST_F(Journey, AnswersEveryCycleWhateverTheTrackSends) {
   const auto cycles = std::count(outputs().begin(), outputs().end(), '\n');
   std::size_t different = 0;
@@ -190,7 +190,7 @@ TEST_F(Journey, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_FALSE(read(other / "inputs.jsonl") == inputs());
 }
 
-// The stream of ports.md: what goes back in time or does not parse ends the replay with exit 2 and the line.
+// The stream of docs/replay.md: what steps back in time or does not parse ends the replay with exit 2 and the line.
 TEST_F(Journey, ReplayEndsAtABrokenLine) {
   std::istringstream in(inputs());
   std::string line, head;
@@ -200,9 +200,9 @@ TEST_F(Journey, ReplayEndsAtABrokenLine) {
     const auto file = folder() / "broken.jsonl", out = folder() / "broken.out", errors = folder() / "broken.err";
     std::ofstream(file, std::ios::binary) << head << broken;
     EXPECT_EQ(command("replay " + file.string() + " -o " + out.string() + " 2>" + errors.string()), 2) << broken;
-    const std::string told = read(errors);
-    EXPECT_NE(told.find("501"), std::string::npos) << told;
-    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+    const std::string printed = read(errors);
+    EXPECT_NE(printed.find("501"), std::string::npos) << printed;
+    EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 1) << printed;
     const std::string whole = read(out);
     EXPECT_FALSE(whole.empty());
     EXPECT_EQ(outputs().compare(0, whole.size(), whole), 0) << "outputs up to the broken line are those of the journey";

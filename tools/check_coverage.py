@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Line coverage of the kernel rooms by all tests (gcov), as the run of tools/check_sanitizers left it in build/asan;
-without one that is made first. Prints a table per room; the lines that no test reaches go to
+without one that is made first. Prints a table per room; the lines that no test reaches are in
 build/asan/uncovered.txt. Usage: tools/check_coverage.py [--floor PERCENT]"""
 import argparse
 import json

@@ -111,7 +111,7 @@ int main() {
   std::printf(
       "\nTwo cells of equal priority never share a condition, which the compiler checks. Should both hold in one "
       "cycle,\n"
-      "the cell of a level transition goes first, then that of an event, then the page's order.\n\n"
+      "the cell of a level transition comes first, then that of an event, then the page's order.\n\n"
       "## The table of 4.0.0\n"
       "As data, beside the other: the unit runs the 3.x table. %zu cells.\n\n",
       v400::srs_4_6_2.size());

@@ -5,7 +5,7 @@ missing, or the mutant means the same (then it is listed, with the reason, in do
 
 Operators: row (drops a row of a table), cell (another enumerator), compare (< <= and so on), logic (&& ||), negate
 (a condition), sign (+ -), factor (* /), minmax, number (a constant), truth (true false), delete (a statement).
-All mutants are in one build, an instrumented copy of the room that an environment variable tells which one is on
+All mutants are in one build, an instrumented copy of the room in which an environment variable selects the one that is on
 (tools/mutation/schema.py); the few that cannot be there are built alone. Only tests in which the mutant makes a
 difference run (a comparison that never meets its boundary makes none), quick ones first; the first one that fails is
 enough, and a mutant that takes ten times the time is killed by that. Lines that trap the impossible
@@ -15,10 +15,10 @@ Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files P
                             [--jobs N] [--build NAME] [--check] [--list]
   --rows       all rows of the constexpr tables and nothing else (operators row, cell, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
-  --sample N   N mutants by lot;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
+  --sample N   N random mutants;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --survivors  those of the last run again
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
-  --check      builds each mutant alone as well and tells where the verdicts differ
+  --check      builds each mutant alone as well and prints where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
 import argparse
 import concurrent.futures

@@ -23,7 +23,7 @@ std::size_t evc::app::allocations() { return count; }
 
 void* operator new(std::size_t size) { return allocate_or_throw(size); }
 void* operator new[](std::size_t size) { return allocate_or_throw(size); }
-// std::stable_sort's buffer comes from here and goes back through the plain delete.
+// std::stable_sort's buffer comes from here and is freed by the plain delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }

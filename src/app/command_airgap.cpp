@@ -143,7 +143,7 @@ tl::expected<void, io::TelegramError> append_airgap_json(std::string& out, std::
   const std::size_t before = out.size();
   if (const auto done = io::append_balise_json(out, user, count, spare); !done) return tl::unexpected(done.error());
   std::string json = airgap_json(*telegram);
-  // Less than a byte of zeros behind packet 255 is not told by the JSON of the user bits.
+  // Less than a byte of zeros behind packet 255 is not in the JSON of the user bits.
   if (out.find("\"bits\":", before) == std::string::npos && !airgap::bit(user, count - 1)) {
     json.pop_back();
     json += ",\"fill\":0}";

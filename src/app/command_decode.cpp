@@ -44,7 +44,7 @@ class Decoder {
     spare_ = accept ? io::Spare::accept : io::Spare::refuse;
   }
 
-  /// What was taken is also to go into `file`, a capture for Wireshark.
+  /// What was accepted is also written to `file`, a capture for Wireshark.
   void trace(io::WholeFile& file) {
     file_ = &file;
     std::string head;

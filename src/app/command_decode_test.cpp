@@ -91,7 +91,7 @@ TEST(CommandDecode, BothOutputsOrNeither) {
   const Ended other = ended(message + " -o /dev/full --pcapng '" + (folder / "old") + "'");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(text_of(folder / "old"), "old");
-  // And with room for both both are there; a capture may be standard output when the answers go elsewhere.
+  // With room for both, both are written; the capture may be standard output when the answers are not.
   const Ended done = ended(message + " -o '" + (folder / "new") + "' --pcapng -");
   EXPECT_LT(done.exit_code, 2);
   EXPECT_EQ(done.output.substr(0, 4), "\x0A\x0D\x0D\x0A");

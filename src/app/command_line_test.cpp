@@ -42,7 +42,7 @@ TEST(CommandLine, ASeedIsAWholeNumberThatFits) {
   const std::string expected = ", expected a whole number from 0 to 18446744073709551615\n";
   for (const char* seed : {"18446744073709551616", "99999999999999999999999", "abc", "-1", "1.5", "0x10", "7s"})
     EXPECT_EQ(refused(std::string("run --seed ") + seed), std::string("evc run: --seed: found ") + seed + expected);
-  // Taken, and the next thing is told.
+  // Accepted; the next error is reported.
   for (const char* seed : {"0", "18446744073709551615"})
     EXPECT_EQ(refused(std::string("run /nonexistent.json --seed ") + seed),
               "/nonexistent.json: found No such file or directory, expected a file that can be read\n");

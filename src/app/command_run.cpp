@@ -148,7 +148,7 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
   const auto& i = s["interventions"];
   fmt::print("interventions       {} traction cut-off, {} service brake, {} emergency brake, {} trip\n",
              number(i["tco"]), number(i["sb"]), number(i["eb"]), number(i["trip"]));
-  fmt::print("margin to the EBI   {} km/h at the least\n", number(s["min_margin_to_EBI_kmh"]));
+  fmt::print("margin to the EBI   {} km/h minimum\n", number(s["min_margin_to_EBI_kmh"]));
   fmt::print("position error      {} m at the most, {} cycles outside the confidence interval\n",
              number(s["max_position_error_m"]), number(s["confidence_interval_violations"]));
   if (!s["svl_overrun_m"].is_null()) fmt::print("SvL overrun         {} m\n", number(s["svl_overrun_m"]));
@@ -172,7 +172,7 @@ io::Result<io::Train> load_train(const Options& options) {
   return io::read_train(*text, options.train);
 }
 
-/// Drives to the end. The configuration is what the on-board is told, and what `inputs.jsonl` begins with.
+/// Drives to the end. `inputs.jsonl` begins with the configuration that the on-board gets.
 Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::Configuration& configuration) {
   Records records;
   io::InputWriter writer(configuration);
@@ -260,7 +260,7 @@ int run(const Options& options) {
   const Records records = drive(*world, on_board, journey, configuration);
   const ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
   io::Result<bool> written = true;
-  // The files first: what standard output takes or not is of no matter to them.
+  // The files first: they do not depend on what standard output accepts.
   if (!options.output.empty())
     written = write_records(options.output, records, summary,
                             report_page(journey, *world, *line, train->name, options.driver, summary.dump()));

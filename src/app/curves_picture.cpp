@@ -95,7 +95,7 @@ void add_braking_curves(Picture& p, const Approached& a) {
         lowest = v;
         governing = &t;
       }
-      // Where another target's curve takes over the line begins anew.
+      // Where another target's curve takes over, a new line begins.
       if (before != nullptr && governing != before) lowest = kNaN;
       before = governing;
       any = any || !std::isnan(lowest);

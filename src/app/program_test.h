@@ -17,7 +17,7 @@ inline std::string text_of(const std::string& file) {
   return text ? *text : std::string();
 }
 
-/// A folder of its own, empty at first and gone at the end.
+/// A folder of its own, empty at first and deleted at the end.
 class Folder {
  public:
   explicit Folder(const char* name)

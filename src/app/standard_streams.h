@@ -6,8 +6,9 @@ namespace evc::app {
 /// from it and writing to it fail.
 void take_closed_streams();
 
-/// The exit status when the command ended with `exit_code`: 2 when not everything reached standard output, told in one
-/// line unless the command has told an error already. `error`: errno of a write that failed before, 0 for none.
+/// The exit status when the command ended with `exit_code`: 2 when not everything reached standard output, reported
+/// in one line unless the command has reported an error already. `error`: errno of a write that failed before, 0 for
+/// none.
 int with_all_written(int exit_code, int error);
 
 }  // namespace evc::app

@@ -18,7 +18,7 @@ inline constexpr Distance kSameBalise{1.3};
 /// Virtual balise covers kept (3.15.9).
 inline constexpr std::size_t kCovers = 16;
 
-/// How the unit stands when the telegram is read: what of level and mode these rules need.
+/// How the unit stands when the telegram is read: what these rules need to know of level and mode.
 struct Situation {
   Duration now{};                        // since power-up
   bool linking_checked = false;          // the mode supervises linking: FS, LS, OS (4.5.2)
@@ -67,7 +67,7 @@ struct State {
   InplaceVector<Cover, kCovers> covers;
 };
 
-// Each call begins with an empty `outcome`: what stood in it before is gone.
+// Each call begins with an empty `outcome`: what stood in it before is deleted.
 
 /// A telegram was read. May finish the open group, and this one.
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);

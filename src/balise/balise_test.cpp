@@ -137,7 +137,7 @@ TEST(Balise, OrientationAgainstTheCounter) {
   t.pass(10, 5);
   EXPECT_EQ(t.last().crossing, Direction::nominal);
   EXPECT_EQ(t.last().counter_against_group, Direction::reverse);
-  // Two telegrams with one and the same counter: the movement tells.
+  // Two telegrams with the same counter: the movement decides.
   t.read_at(50, Balise{6, 0, 1});
   t.read_at(50, Balise{6, 1, 1});
   EXPECT_EQ(t.last().counter_against_group, Direction::reverse);

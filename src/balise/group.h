@@ -73,12 +73,12 @@ struct Group {
   /// Gives no orientation of its own: one balise, or one of a pair of duplicates (3.4.2.3, 3.4.2.4).
   bool single = false;
   bool repositioning = false;        // taken for the entry with unknown identity
-  bool default_information = false;  // packet 254 in use: the driver is told (3.16.2.4.9)
+  bool default_information = false;  // packet 254 in use: shown to the driver (3.16.2.4.9)
   std::uint8_t X = 0;                // highest system version number X among its telegrams
   Finding finding = Finding::none;
   /// In which direction it was crossed, in the order of reading; of a single group the one announced.
   Direction crossing = Direction::unknown;
-  /// nominal: N_PIG rises as the odometer counter grows. Unknown when the group cannot tell.
+  /// nominal: N_PIG rises as the odometer counter grows. Unknown when the group does not show it.
   Direction counter_against_group = Direction::unknown;
   /// Where the reference balise (N_PIG 0, or its duplicate when only that one was read) is.
   OdometerReading counter;

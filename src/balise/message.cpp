@@ -148,7 +148,7 @@ void refuse(Group& group, Finding finding, Happened what, Reaction reaction, Err
   note(outcome, {what, group.id, finding, reaction, report, clause});
 }
 
-/// Linking is not what the group is held against: 3.16.2.4.4, 3.16.2.5.1.
+/// The group is not checked against linking: 3.16.2.4.4, 3.16.2.5.1.
 void judge_by_itself(Group& group, const OpenGroup& open, const Examined& found, const Situation& situation,
                      Outcome& outcome) {
   const Finding error = error_of(found, false);
@@ -197,7 +197,7 @@ void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& o
   note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"});
 }
 
-/// Where linking is not supervised a stored entry still tells place, accuracy and orientation.
+/// Where linking is not supervised a stored entry still gives place, accuracy and orientation.
 void use_stored_link(Group& group, const std::optional<Link>& link) {
   if (!link || !group.accepted) return;
   group.link_place = link->place;

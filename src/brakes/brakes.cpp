@@ -115,7 +115,8 @@ Command command(State& state, CauseSet asked, const Context& c) {
     out.acknowledgement_wanted = out.acknowledgement_wanted || (wants_acknowledgement(r.release) && c.standstill);
   }
   state.asked_before = asked;
-  // 3.14.1.2: the emergency brake when the service brake does not come, or is not there; it goes with its causes.
+  // 3.14.1.2: the emergency brake when the service brake does not come, or is not fitted; it is released with its
+  // causes.
   if (out.sb && (c.service_brake_failed || !c.service_brake_fitted)) out.eb = true;
   if (!c.service_brake_fitted) out.sb = false;
   return out;

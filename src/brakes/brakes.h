@@ -77,7 +77,7 @@ struct CauseRow {
   Kind kind;
   Release release;
   bool again_on_movement;  // after the release any further movement while the cause is still there brakes again
-  const char* reason;      // what is told in outputs and events
+  const char* reason;      // as shown in outputs and events
   const char* clause;
 };
 
@@ -143,7 +143,7 @@ struct Command {
 };
 
 /// One cycle: what is asked for now gives commands, and commands whose release rule is fulfilled end. Service and
-/// emergency brake are joined over the causes each by itself.
+/// emergency brake are joined over the causes separately.
 Command command(State& state, CauseSet asked, const Context& context);
 
 /// The columns of 4.6.2, NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV, by their place (the number of the mode).

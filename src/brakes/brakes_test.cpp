@@ -104,7 +104,7 @@ TEST(Brakes, Two_causes_of_one_brake_release_it_only_together) {
   EXPECT_TRUE(command(state, {Cause::trip}, acknowledging()).eb);
   EXPECT_FALSE(command(state, {}, standing()).eb);
   command(state, {Cause::roll_away, Cause::overspeed_emergency}, moving());
-  EXPECT_TRUE(command(state, {}, standing()).eb);  // the overspeed is gone, the roll away waits for the driver
+  EXPECT_TRUE(command(state, {}, standing()).eb);  // the overspeed has ended, the roll away waits for the driver
 }
 
 TEST(Brakes, The_emergency_brake_takes_the_place_of_a_service_brake_that_fails_or_is_not_there) {

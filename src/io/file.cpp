@@ -18,7 +18,7 @@ Diagnostic system_error_at(const std::string& file, const char* expected) {
 }
 
 /// Makes a new file beside `file`, under a name of its own: nothing that is there, a link included, is written
-/// through. Below 0: errno tells why not.
+/// through. Below 0: the reason is in errno.
 int open_beside(const std::string& file, std::string& name) {
   int descriptor = -1;
   for (int attempt = 0; descriptor < 0 && attempt < 100; ++attempt) {

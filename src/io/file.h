@@ -25,7 +25,7 @@ class WholeFile {
   void write(std::string_view text);
   /// Passes on what was written until now, to somebody who reads it as it comes.
   void flush();
-  /// Everything is written, the file has not its name yet; the error of any write until now is told here.
+  /// Writes all that is buffered; the file has its temporary name still. Returns the error of any write so far.
   Result<bool> finish();
   /// Finishes the file and gives it its name.
   Result<bool> commit();

@@ -169,7 +169,7 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
     append_hex(out, t.bits.bytes);
     out += "\",\"at_m\":";
     append_number(out, t.at.from_origin.si);
-    // 830 and 210 bits are told by the number of digits (the reader's user_bits).
+    // 830 and 210 bits follow from the number of digits (the reader's user_bits).
     if (t.bits.size != 830 && t.bits.size != 210) {
       out += ",\"bits\":";
       append_number(out, static_cast<std::int64_t>(t.bits.size));

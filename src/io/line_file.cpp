@@ -89,7 +89,7 @@ void read_start(sim::Line& line, const JsonPlace& root, const std::optional<Json
   const auto start = root.find("start");
   if (start)
     if (const auto front = start->find("front_m")) line.start_front_m = front->number(-kFar, kFar);
-  // A transition before the start tells the level that holds there.
+  // A transition before the start gives the level that holds there.
   const auto transitions = track ? track->find("level_transitions") : std::nullopt;
   for (std::size_t i = 0; transitions && i < transitions->size(); ++i) {
     const JsonPlace transition = (*transitions)[i];

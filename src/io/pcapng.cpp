@@ -12,7 +12,7 @@ namespace {
 void put(std::string& out, std::uint64_t value, unsigned bytes) {
   for (unsigned i = 0; i < bytes; ++i) out += static_cast<char>((value >> (8 * i)) & 0xFF);
 }
-/// Big endian: what goes over a network.
+/// Big endian: as on a network.
 void put_network(std::string& out, std::uint64_t value, unsigned bytes) {
   for (unsigned i = bytes; i > 0; --i) out += static_cast<char>((value >> (8 * (i - 1))) & 0xFF);
 }

@@ -21,8 +21,8 @@ class Pcapng {
   /// Appends one frame; bits beyond the last byte's end are zeros.
   void append(std::string& out, Port port, lang::Direction direction, std::span<const std::uint8_t> bytes,
               std::string_view comment = "");
-  /// Radio messages carry no version: message 32 tells the dissector that of those that follow. It is no
-  /// part of what was decoded, and says so in its comment.
+  /// Radio messages carry no version: a message 32 gives the dissector the version of those that follow. It is no
+  /// part of what was decoded, which its comment states.
   void append_version(std::string& out, lang::SystemVersion sv);
 
  private:

@@ -69,7 +69,7 @@ TEST(Pcapng, VersionComesFirst) {
   EXPECT_EQ(view.NID_MESSAGE, 32);
   EXPECT_NE(out.find("made: the system version"), std::string::npos);
   trace.append(out, Pcapng::Port::radio, lang::Direction::to_track, message);
-  // The second frame goes the other way, a millisecond later.
+  // The second frame is sent the other way, a millisecond later.
   const std::size_t second = 48 + little(out, 48 + 4);
   EXPECT_EQ(little(out, second + 16), 1000u);
   EXPECT_EQ(network(out, second + 28 + 12, 4), 0x0A1A0002u);

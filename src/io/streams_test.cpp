@@ -94,7 +94,7 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_FALSE(*stream.next(cycle));
 }
 
-/// `lost` and `connected` again in one cycle: both are told, in order, and what comes after them stays after them.
+/// `lost` and `connected` again in one cycle: both are given, in order, and what comes after them stays after them.
 TEST(InputStream, TwoReportsOfTheBearerInOneCycle) {
   auto stream = open(R"({"t_ms":110,"radio":{"message":"180014"}}
 {"t_ms":120,"radio":{"session":"lost"}}

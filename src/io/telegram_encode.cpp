@@ -167,7 +167,7 @@ class ObjectWriter {
       if (!in_layout) refuse(key, "unknown member");
     }
   }
-  /// Names one member that is of no use: misspelt, or its condition does not hold.
+  /// Names one member that is not used: misspelt, or its condition does not hold.
   [[noreturn]] static void refuse_spare(const Json& object, std::span<const Step> steps, std::size_t first,
                                         const std::array<bool, lang::kStepsMax>& present, Names beside) {
     refuse_unknown(object, steps, beside);

@@ -39,7 +39,7 @@ std::string hex_of_bits(std::span<const std::uint8_t> bytes, std::size_t bits);
 
 enum class Spare : std::uint8_t {
   refuse,  ///< everything that 3.16.2, 7.3 and 8.4 want is checked
-  accept,  ///< only what is needed to read the bits; spare codes are handed on
+  accept,  ///< only what is needed to read the bits; spare codes are returned
 };
 
 /// Appends the JSON object of a balise telegram. `bits` are the user bits: 830, 210 (two zeros may fill
@@ -58,7 +58,7 @@ tl::expected<void, TelegramError> append_packet_json(std::string& out, std::span
                                                      std::size_t bits, lang::Direction direction,
                                                      lang::SystemVersion sv, Spare spare = Spare::accept);
 
-/// What a JSON text does not say. Absent: found out from its members (Q_DIR and the message number tell
+/// What a JSON text does not say. Absent: found out from its members (Q_DIR and the message number give
 /// the direction; the newest layout that has exactly these members and this L_PACKET is taken).
 struct EncodeOptions {
   std::optional<lang::Direction> direction;

@@ -9,7 +9,7 @@
 
 namespace evc::io {
 
-/// A train as a file describes it: what the on-board is told and what only the world knows.
+/// A train as a file describes it: what the on-board knows and what only the world knows.
 struct Train {
   std::string name = "passenger, 135 %";
   train::TrainData data;

@@ -12,7 +12,7 @@ namespace evc::lang {
 /// later version Y are let through (3.17.3.11).
 template <class P>
 Fault decode(const PacketView& view, P& packet);
-/// The same, telling where the fault is.
+/// The same, with the place of the fault.
 template <class P>
 FaultAt decode_at(const PacketView& view, P& packet);
 

@@ -4,7 +4,7 @@
 #include "lang/variables.h"
 
 // Writing of packets, telegrams and messages. L_PACKET, L_MESSAGE and the counters are computed. The
-// writer becomes faulty when the space is too small or a value too wide; then what it holds is no use.
+// writer becomes faulty when the space is too small or a value too wide; then its content is not valid.
 namespace evc::lang {
 
 /// Appends a packet in the layout of its struct (`Packet27` the newest, `Packet27_v1_0` the older one).

@@ -40,8 +40,8 @@ class Instances {
   ///
   /// Packets 44, 254, 145, 0 and 200 may come again; 65, 66, 88 and 6 with another identity (NID_TSR, the one of
   /// restrictions that cannot be revoked apart; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in a telegram, and in
-  /// every telegram with the same content. Identities are held against each other for one direction, as the rule that
-  /// they are the exception of is. What follows packet 136 is about another group and counts by itself.
+  /// every telegram with the same content. Identities are compared within one direction, as is the rule to which
+  /// they are the exception. What follows packet 136 is about another group and counts separately.
   bool add(const PacketView& packet) { return packet.known && add(packet, wire_number(packet)); }
   /// The same for a packet that is known, with its wire_number() at hand.
   bool add(const PacketView& packet, std::uint8_t nid) {
@@ -85,7 +85,7 @@ struct Superseding {
   bool p206 = false, p207 = false, p239 = false;
   bool drops(const PacketView& packet) const;
 };
-/// What of the packets of one message stands in for others. Called with the packets that are valid for the train's
+/// The packets of one message that stand in for others. Called with the packets that are valid for the train's
 /// direction: one for the other direction takes nothing away here, which keeps the more.
 Superseding superseding_in(std::span<const PacketView> message);
 

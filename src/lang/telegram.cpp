@@ -154,7 +154,7 @@ bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
 }
 
 /// 8.4.4: the mandatory packets come first, in their order; the others are on the message's list.
-/// Unknown packets are passed over, for a train where the message may have others than the mandatory ones (3.17.3.11
+/// Unknown packets are ignored, for a train where the message may have others than the mandatory ones (3.17.3.11
 /// c).
 FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check) {
   std::size_t next = 0;

@@ -174,7 +174,7 @@ TEST(Telegram, SpareCode) {
   EXPECT_EQ(t.at.value, 121u);
   EXPECT_EQ(t.at.bit, 50u + 23 + 2 + 8 + 15 + 15 + 1);
   EXPECT_EQ(Made(fill).scan(Check::structure).fault, Fault::none);
-  // Of a later Y a train still cannot use it; who only reads goes on and finds the code.
+  // A train cannot use it with a later Y either; a mere reader continues and finds the code.
   EXPECT_EQ(Made(fill, 34).scan().fault, Fault::spare_value);
   EXPECT_EQ(Made(fill).scan(Check::reading).fault, Fault::spare_value);
   const Made later(fill, 34);

@@ -26,7 +26,7 @@ struct WalkScope {
 
 inline constexpr std::size_t kStepsMax = 96;
 
-/// Reads what `steps` say and tells `visitor`:
+/// Reads along `steps` and calls `visitor`:
 ///   field(step, code, bit), begin_group(step, count, bit of the counter), begin_element(index),
 ///   end_element(), end_group(), rest(step, bit, bits).
 /// `Read` is how a code is read: fast or bit by bit. Ends early when the reader becomes faulty.

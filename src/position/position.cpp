@@ -38,7 +38,7 @@ PlaceInterval interval(const State& state, const Reference& reference, const Odo
   return {est - over, est, est + under};
 }
 
-/// Room for one more reference: the oldest one that was not reported goes first, for the RBC does not
+/// Room for one more reference: the oldest one that was not reported is deleted first, because the RBC does not
 /// know it; the last one, the LRBG, stays.
 void make_room(State& state) {
   auto& references = state.references;

@@ -97,7 +97,7 @@ void update(State& state, const Odometry& odometry, Duration now);
 OdometerReading reading_at(const State& state, OdometerPlace at);
 
 /// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the frames are tied
-/// anew. Returns how far the estimated front end moved in the track frame (0 without linking).
+/// again. Returns how far the estimated front end moved in the track frame (0 without linking).
 Distance relocate(State& state, const Passage& passage);
 /// An unlinked group was accepted: data that refer to it get an interval of their own (3.6.4.7).
 /// Returns its place in the track frame.

@@ -45,11 +45,11 @@ void put_place(Report& out, const State& state, const Reference& reference) {
   if (at.max - at.est > longest) longest = at.max - at.est;
   out.Q_SCALE = finest_scale(longest);
   const double steps = in_steps(away, out.Q_SCALE);
-  if (steps > kLargest) return;  // farther than can be told: D_LRBG and the doubts stay unknown
+  if (steps > kLargest) return;  // farther than can be reported: D_LRBG and the doubts stay unknown
   const auto nearest = static_cast<std::uint16_t>(steps + 0.5);
   out.D_LRBG = nearest;
-  const Distance told = from_steps(nearest, out.Q_SCALE);
-  const Place est = reference.place + (ahead.si < 0 ? -told : told);
+  const Distance reported = from_steps(nearest, out.Q_SCALE);
+  const Place est = reference.place + (ahead.si < 0 ? -reported : reported);
   out.L_DOUBTOVER = length_code(in_steps(est - at.min, out.Q_SCALE));
   out.L_DOUBTUNDER = length_code(in_steps(at.max - est, out.Q_SCALE));
 }

@@ -72,7 +72,7 @@ TEST(Report, BehindTheGroupAndBackward) {
   EXPECT_EQ(r.Q_DIRTRAIN, 0);
 }
 
-// The interval told holds the interval supervised, in every scale.
+// The reported interval contains the supervised one, in every scale.
 TEST(Report, RoundingIsToTheSafeSide) {
   std::mt19937 random(7);
   for (int i = 0; i < 5000; ++i) {
@@ -188,7 +188,7 @@ TEST(Report, AssignmentOfACoordinateSystem) {
   EXPECT_EQ(report(reversed, {}).Q_DIRTRAIN, 0);
 }
 
-// The train has turned back meanwhile, or the other cab leads: what was reported still tells.
+// The train has turned back meanwhile, or the other cab leads: what was reported still counts.
 TEST(Report, AssignmentCountsFromThePairThatWasReported) {
   State s = single_after(7, false);
   note_reported(s, report(s, {}));

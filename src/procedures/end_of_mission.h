@@ -8,7 +8,7 @@
 namespace evc::procedures::end_of_mission {
 
 struct State {
-  bool mission = false;            // a mission goes on (5.4.7: entered FS, LS, SR, OS, NL, UN or SN)
+  bool mission = false;            // a mission is in progress (5.4.7: entered FS, LS, SR, OS, NL, UN or SN)
   bool waits_for_order = false;    // for the RBC's order to terminate the session
   bool reports_mode_only = false;  // what is repeated meanwhile: 136 instead of 150
   Repetition repetition;
@@ -27,7 +27,7 @@ struct Inputs {
 /// the session when the RBC orders it or at the end of the last wait.
 Effects step(State& state, const Inputs& inputs);
 
-/// 5.5.2: whether the transition ends a mission that goes on.
+/// 5.5.2: whether the transition ends a mission in progress.
 bool ends_mission(modes::Mode from, modes::Mode to, bool mission);
 
 }  // namespace evc::procedures::end_of_mission

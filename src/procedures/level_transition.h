@@ -52,7 +52,7 @@ struct Result {
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
 
-/// To be told of every mode transition, with what 4.10 says of the level order: deletes it, or lets an order that was
+/// To be called at every mode transition, with what 4.10 says of the level order: deletes it, or lets an order that was
 /// kept in SH or PS be judged in the next cycle.
 void on_mode_change(State& state, modes::Mode from, modes::Mode to);
 

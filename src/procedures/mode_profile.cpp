@@ -47,7 +47,7 @@ const Area* next_area(const Inputs& in) {
 }
 
 /// 5.7.3, 5.9.3, 5.19.3: the request ahead of the area. Once shown it stays, also when the window is left again; it
-/// goes when the area does.
+/// is deleted with the area.
 void ask_ahead(State& state, const Inputs& in) {
   const Area* area = next_area(in);
   if (area == nullptr || (state.shown && state.asked != area->mode)) state.shown = false;

@@ -51,7 +51,7 @@ struct Result {
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
 
-/// To be told of every mode transition with the condition that made it: OS, LS or SH entered by its area ([34], [40],
+/// To be called at every mode transition with the condition that made it: OS, LS or SH entered by its area ([34], [40],
 /// [73]; [71], [72], [74]; [51], [61]) has to be acknowledged within T_ACK; every other transition ends the matter.
 void on_mode_change(State& state, modes::Mode to, int condition, Duration now);
 

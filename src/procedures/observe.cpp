@@ -28,7 +28,7 @@ modes::Conditions observe(const Facts& f) {
   const bool full = f.ma_ssp_gradient_stored && !f.profile_in_force;
 
   // An MA whose SSP or gradient does not begin at the train gives no mode of [25], [34], [61] or [71]: taken as none,
-  // for UN and SN must not go on in a level that they do not belong to.
+  // for UN and SN must not continue in a level that they do not belong to.
   const bool usable_ma = f.ma_accepted && f.ma_ssp_gradient_stored;
 
   modes::Conditions c;

@@ -45,7 +45,7 @@ struct Inputs {
 
 struct Result {
   bool selected = false;           // Facts::selects_override: [37]
-  bool started = false;            // (re)started in this cycle: SR speed and distance go back to the national values
+  bool started = false;            // (re)started in this cycle: SR speed and distance return to the national values
   bool active = false;             // Facts::override_active: before the end conditions of this cycle
   bool former_eoa_passed = false;  // Facts::former_eoa_passed: becomes true in this cycle
   const char* ended_by = nullptr;  // "5.8.4.1 a" ..., when it ends in this cycle
@@ -57,7 +57,7 @@ bool selectable(const Inputs& inputs);
 /// One cycle, before the mode transition. The override distance is run on the nominal odometer.
 Result step(State& state, const Inputs& inputs);
 
-/// To be told of every mode transition: 5.8.4.1 i (TR, LS, OS, SH end it), and SR left deletes the former EOA.
+/// To be called at every mode transition: 5.8.4.1 i (TR, LS, OS, SH end it), and SR left deletes the former EOA.
 void on_mode_change(State& state, modes::Mode from, modes::Mode to);
 
 }  // namespace evc::procedures::override_

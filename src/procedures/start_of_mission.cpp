@@ -229,7 +229,7 @@ Effects step(State& state, const Inputs& in) {
     state = State{};
     return out;
   }
-  // Decisions take no time: go on until a step waits. Every step is passed at most once in a cycle.
+  // Decisions take no time: continue until a step waits. Every step is passed at most once in a cycle.
   Inputs now = in;
   for (int k = 0; k < 16; ++k) {
     const Step before = state.step;

@@ -11,7 +11,7 @@ namespace evc::protection {
 enum class Way : std::int8_t { backward = -1, none = 0, forward = 1 };
 
 /// One protection by distance: a forbidden movement beyond its limit commands the brake until standstill and the
-/// driver's acknowledgement; afterwards it starts anew from there.
+/// driver's acknowledgement; afterwards it starts again from there.
 struct DistanceGuard {
   std::optional<OdometerPlace> reference;
   bool braking = false;
@@ -56,7 +56,7 @@ struct Commands {
   bool any() const { return roll_away || reverse_movement || standstill || post_trip || reversing; }
 };
 Commands guard(MovementGuards& guards, const GuardSelection& selection, const Movement& movement);
-/// A mode was entered: supervision that the mode does not have ends, roll away goes on (4.12).
+/// A mode was entered: supervision that the mode does not have ends, roll away protection continues (4.12).
 void enter_mode(MovementGuards& guards, const GuardSelection& selection, OdometerPlace nominal);
 
 }  // namespace evc::protection

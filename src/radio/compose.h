@@ -6,7 +6,7 @@
 #include "base/inplace_vector.h"
 #include "radio/messages.h"
 
-// Messages to the RBC as bits (8.6), in the version that the RBC told in its message 32 (6.6.3.4).
+// Messages to the RBC as bits (8.6), in the version that the RBC gave in its message 32 (6.6.3.4).
 namespace evc::radio {
 
 /// The codes of packet 0, of packet 1 when NID_PRVLRBG is present (7.4.3.1-2).

@@ -104,7 +104,7 @@ struct Inputs {
   bool train_data_valid = false;  ///< valid, and the engine leads: not in SL, NL
   ContactRule contact{};
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
-  bool start_of_mission = false;  ///< reports go as 157 with Q_STATUS (5.4)
+  bool start_of_mission = false;  ///< reports are sent as 157 with Q_STATUS (5.4)
   std::uint8_t Q_STATUS = 1;
   std::uint8_t reasons = 0;                ///< reasons of the MA request that are true now
   std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the border's group
@@ -123,7 +123,7 @@ Result supervise(State& state, const Inputs& inputs, Outbox& out);
 /// Train data were validated or changed: 129 is due (3.18.3.4).
 void send_train_data(State& state);
 
-/// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (protection/ tells those of X = 1).
+/// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (for X = 1 from protection/).
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = 147;

@@ -158,7 +158,7 @@ bool maintain(Session& s, Link link, bool in_radio_hole, Duration now, Outbox& o
       connect_to(s, s.rbc, s.cause, now, out);
       break;
     case Phase::connecting:
-      // An attempt that the bearer did not answer yet goes on; after a radio hole a new one starts (3.5.4.4).
+      // An attempt that the bearer has not answered yet continues; after a radio hole a new one starts (3.5.4.4).
       if (!s.request_connection && !in_radio_hole) request(s, now, out);
       break;
     case Phase::lost:

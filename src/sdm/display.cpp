@@ -80,7 +80,7 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
       lowest = V_P;
     }
   }
-  // Each step goes to a lower target speed: no target comes twice.
+  // Each step leads to a lower target speed: no target comes twice.
   for (std::size_t next = best; next != kTargets; next = furthest_masked(c, seen, next)) best = next;
   return best;
 }

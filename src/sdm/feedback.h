@@ -4,7 +4,7 @@
 #include "base/units.h"
 #include "sdm/limits.h"
 
-// Service brake feedback, A.3.10: the pressure tells that the driver brakes, the build-up times shrink.
+// Service brake feedback, A.3.10: the pressure shows that the driver brakes, the build-up times shrink.
 namespace evc::sdm {
 
 struct FeedbackState {
@@ -28,7 +28,7 @@ void follow_pressure(FeedbackState& s, std::optional<double> p_kpa, Duration now
 void reset_feedback(FeedbackState& s, Duration T_bs);
 
 /// T_bs1 and T_bs2 now (A.3.10.3); without a known pressure T_bs. T_bs2 is at least T_bs2_min. `may_begin`: a pressure
-/// that falls begins to count now; what has begun goes on in any case.
+/// that falls begins to count now; a count that has begun continues in any case.
 FeedbackTimes feedback_times(FeedbackState& s, std::optional<double> p_kpa, Duration T_bs,
                              const train::FixedValues& fixed, bool may_begin = true);
 

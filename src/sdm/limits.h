@@ -26,7 +26,7 @@ struct Times {
   friend constexpr bool operator==(const Times&, const Times&) = default;
 };
 
-/// What of train data and national values the times depend on.
+/// The train data and national values on which the times depend.
 struct TimeConfig {
   Duration T_traction_cut_off{};
   bool traction_cut_off_interface = false;

@@ -541,7 +541,7 @@ TEST(ReleaseSpeed, CalculatedOnBoard) {
   a.V_ura = {1.0};
   ++in.revision;
   EXPECT_NEAR(built(in)->release_speed.V_release.si, lowest(90, 8) - 1.0, 1e-6);
-  // No room at all: 0, which is none.
+  // No room at all: 0, no release speed.
   a.SvL = {{4950.0}};
   ++in.revision;
   EXPECT_FALSE(built(in)->release_speed.exists);

@@ -35,7 +35,7 @@ Inputs random_track(Dice& dice, int i) {
   return in;
 }
 
-/// The brake at the place where the curve has the speed; nothing where that is too close to a border to tell.
+/// The brake at the place where the curve has the speed; nothing where that is too close to a border to decide.
 void expect_decelerations(const Explanation& e, const Inputs& in, const Target& t, Speed V) {
   const Reference r(in, t.due_to_TSR);
   const Reference plain(in);

@@ -187,7 +187,7 @@ TEST(ReferenceLocations, SixtyTwoRestrictionsAndBothEndsFit) {
   rebuild(*d, in);
   EXPECT_EQ(d->targets.size(), 64u);
   EXPECT_TRUE(d->truncated);
-  // The last one has the lowest speed of those that do not fit; its curves are traced anew.
+  // The last one has the lowest speed of those that do not fit; its curves are traced again.
   EXPECT_EQ(d->targets[61].V_target.si, 10.0);
   EXPECT_EQ(d->targets[61].d_target.from_origin.si, 6200.0);
   expect_equal(d->view(d->targets[61].EBD),

@@ -76,7 +76,7 @@ void expect_equal(const Supervision& a, const Supervision& b) {
   ASSERT_EQ(a.feedback.approaching, b.feedback.approaching);
 }
 
-/// What the journeys of a version meet: the more of it the better they tell.
+/// What the journeys of a version meet: the more, the stronger the comparison.
 struct Seen {
   int CSM = 0, TSM = 0, RSM = 0, indication = 0, warning = 0, intervention = 0, held = 0, locked = 0, TTI = 0;
 };

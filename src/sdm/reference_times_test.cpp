@@ -27,7 +27,7 @@ double m(Place p) { return p.from_origin.si; }
 
 // ---- The model ---------------------------------------------------------------------------------------
 
-/// What of train, national values and version the times follow from.
+/// The train data, national values and version from which the times follow.
 struct Setting {
   double T_cut_off;
   bool cut_off_at_warning, SB, feedback;

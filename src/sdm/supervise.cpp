@@ -49,7 +49,7 @@ Monitoring next_monitoring(const Cycle& c, unsigned met) {
     if ((met & condition(2)) != 0) return Monitoring::RSM;
     return (met & condition(1)) != 0 ? Monitoring::TSM : Monitoring::CSM;
   }
-  // A release speed that is gone cannot be monitored: its target is, until it goes too.
+  // A release speed that no longer exists cannot be monitored; its target is, as long as that exists.
   if (c.s.monitoring == Monitoring::RSM && !release(c).exists && (met & condition(3)) == 0) return Monitoring::TSM;
   for (const TransitionRow& row : transition_table(c.d.rules))
     if (row.from == c.s.monitoring && (met & row.conditions) != 0) return row.to;

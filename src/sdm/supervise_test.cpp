@@ -376,7 +376,7 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   EXPECT_EQ(v.r.monitoring, Monitoring::TSM);
   EXPECT_EQ(v.r.status, Status::Warning);
   EXPECT_EQ(v.r.highest.condition, 2);
-  // r1 holds there too, and does not take back what goes on: neither the Warning nor, in rear of W, the Overspeed.
+  // r1 holds there too, and does not end what has begun: neither the Warning nor, in rear of W, the Overspeed.
   for (int n = 0; n < 2; ++n) {
     v.cycle(4865, 5.0);
     EXPECT_EQ(v.r.status, Status::Warning);
@@ -710,7 +710,7 @@ TEST(MRDT, NoneWhereTheOldOneIsPassedAndNoOtherOneIsConcerned) {
   EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
   EXPECT_FALSE(u.s.has_MRDT);
   EXPECT_FALSE(u.r.MRDT.has_value());
-  // Relocated in rear of it: the driver is told of it again.
+  // Relocated in rear of it: it is shown to the driver again.
   u.cycle(4499, 5.0);
   EXPECT_EQ(u.r.MRDT, first);
   EXPECT_TRUE(u.r.MRDT_changed);
@@ -1270,7 +1270,7 @@ TEST(Safety, ReportsWhatTheCurvesMet) {
   EXPECT_TRUE(u.r.no_deceleration);
   EXPECT_TRUE(u.r.eb);
   EXPECT_FALSE(u.r.truncated);
-  // More targets than there is room for: what does not fit is told.
+  // More targets than there is room for: what does not fit is reported.
   Unit v;
   for (int n = 0; n < 127; ++n) ASSERT_TRUE(v.in.mrsp.append({{10.0 * n}}, {n % 2 == 0 ? 20.0 : 10.0}));
   v.build();

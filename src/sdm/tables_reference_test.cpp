@@ -1,4 +1,5 @@
-// Reads the reference facts for tables_test.cpp. Apart from it, so that a changed table needs no parser anew.
+// Reads the reference facts for tables_test.cpp. Apart from it, so that a changed table does not compile the parser
+// again.
 #include "sdm/test_tables.h"
 
 #include <algorithm>

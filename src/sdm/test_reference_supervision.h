@@ -31,7 +31,8 @@ struct Sight {
   TargetId id() const { return {t.kind, t.d_target, t.V_target}; }
 };
 
-/// Triggering conditions that are met. The condition of the highest status is told, of an emergency brake if there is.
+/// Triggering conditions that are met. The condition of the highest status is reported, that of an emergency brake if
+/// there is one.
 struct Met {
   int condition = 0;
   bool any = false, TCO = false, SB = false, EB = false;
@@ -316,7 +317,7 @@ inline Monitoring ReferenceSupervision::next_monitoring() const {
       return three || six ? Monitoring::CSM : Monitoring::TSM;
     case Monitoring::RSM:
       if (three) return Monitoring::CSM;
-      // A release speed that is gone cannot be monitored.
+      // A release speed that does not exist any more cannot be monitored.
       return four || !release().exists ? Monitoring::TSM : Monitoring::RSM;
   }
   return s.monitoring;

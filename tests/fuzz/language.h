@@ -23,8 +23,8 @@ inline void require(bool holds) {
 }
 
 /// Reading is looked at for every input. The JSON form and the page of --explain take fifty times as long: one input in
-/// 16, told by a hash of its bytes so that the same input is always looked at in the same way.
-inline bool is_told(std::span<const std::uint8_t> bytes) {
+/// 16, selected by a hash of its bytes so that the same input is always checked in the same way.
+inline bool is_selected(std::span<const std::uint8_t> bytes) {
   std::uint32_t hash = 2166136261;
   for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 16777619;
   return hash >> 28 == 0;
@@ -119,10 +119,11 @@ inline void check_view(const lang::PacketView& view, bool sound) {
 inline void check_alone(std::span<const std::uint8_t> bytes, lang::Direction direction, lang::SystemVersion sv) {
   const std::size_t bits = bytes.size() * 8;
   const lang::FaultAt fast = lang::check_packet(bytes, bits, direction, sv);
-  const bool told = is_told(bytes);
+  const bool selected = is_selected(bytes);
   std::string json;
-  const bool taken = told && io::append_packet_json(json, bytes, bits, direction, sv, io::Spare::accept).has_value();
-  if (told) io::explain_packet(bytes, bits, direction, sv);
+  const bool taken =
+      selected && io::append_packet_json(json, bytes, bits, direction, sv, io::Spare::accept).has_value();
+  if (selected) io::explain_packet(bytes, bits, direction, sv);
   BitReader in(bytes, bits);
   const auto nid = static_cast<std::uint8_t>(in.read_bit_by_bit(8));
   const lang::PacketLayout* layout = lang::find_packet_layout(direction, lang::known_version(sv), nid);

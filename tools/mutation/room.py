@@ -196,7 +196,7 @@ class Room:
         dropped = {mark for mark in keys if keys[mark] in known} | known
         self.write_tree(dropped)
         stale = [s for s in self.sources() if includes(self.all.out / (s.stem + ".o")) is None]
-        failing = [s for s in stale if not is_test(s)] or stale  # the room tells most, and sooner than its tests
+        failing = [s for s in stale if not is_test(s)] or stale  # the room shows most, and sooner than its tests
         while failing:
             messages = self.each(lambda s: self.all.errors(self.instrumented(s)), failing)
             if not any(messages):

@@ -5,9 +5,9 @@
     a && b || c   ->  (on(7) ? bool(a || b || c) : on(8) ? bool(a && b && c) : bool(a && b || c))
     std::min(a)   ->  Min{7}(a)                      constexpr Row k[] = {{..}}  ->  const Table<Row> k = {{7, {..}}}
 
-constexpr goes, so that nothing is computed before the mutant is known. Where a constant has to be one (array sizes,
+constexpr is removed, so that nothing is computed before the mutant is known. Where a constant has to be one (array sizes,
 case labels), or where the changed operator does not exist, the copy does not compile; every change stands in a line of
-its own with its mark, so that the compiler's message tells which. It is taken back and its mutants are built alone."""
+its own with its mark, so that the compiler's message shows which. It is taken back and its mutants are built alone."""
 import re
 
 from mutation.sources import TABLE, closing, masked, without_comments
