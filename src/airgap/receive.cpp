@@ -129,7 +129,7 @@ Outcome<Received> receive(std::span<const std::uint8_t> stream, std::size_t coun
   if (stream.size() * 8 < count) return {Fault::size, {}};
   const Outcome<Received> as_short = search<ShortCode>(stream, from, count);
   const bool short_ended = as_short || as_short.fault == Fault::unknown_format;
-  // In time the two receivers run side by side: the one that is first to end has it.
+  // In time the two receivers run side by side: the one that ends first decides.
   const Outcome<Received> as_long = search<LongCode>(stream, from, short_ended ? as_short.value.end : count);
   if (as_long || as_long.fault == Fault::unknown_format) return as_long;
   return short_ended || further(as_short.fault, as_long.fault) ? as_short : as_long;

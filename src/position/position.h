@@ -77,7 +77,7 @@ struct State {
   bool started = false;    // an odometer reading was taken
 };
 
-/// A group that was read and accepted, and what the trackside says of its place.
+/// A group that was read and accepted, with its place as given by trackside.
 struct Passage {
   GroupId id;
   OdometerReading counter;                               // when the antenna was over the reference balise

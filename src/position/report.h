@@ -57,8 +57,8 @@ struct ReportParameters {
   InplaceVector<At, 32> at;
 };
 
-/// What happened in the cycle, beyond what the position itself shows (3.6.5.1.4). The caller leaves a
-/// bit away where the mode does not report it (4.5.2).
+/// What happened in the cycle, beyond what the position itself shows (3.6.5.1.4). The caller does not set a
+/// bit where the mode does not report it (4.5.2).
 struct ReportEvents {
   bool mode_change = false;          // b
   bool integrity_confirmed = false;  // c

@@ -5,7 +5,7 @@
 namespace evc::sdm {
 
 std::size_t CurveView::knot_at(Place x, std::size_t low) const {
-  // In steps that double, then by halves: what is asked for is mostly near.
+  // In steps that double, then by bisection: the result is mostly near.
   std::size_t step = 1;
   std::size_t high = knots.size();
   while (low + step < high) {

@@ -31,7 +31,7 @@ struct Ramp {
   DecelerationRange A{};
 };
 /// The same where A.3.12.3 and .4 decide it already for the strongest deceleration of the brake anywhere: the track
-/// between train and target need not be looked at then.
+/// between train and target need not be evaluated then.
 std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest);
 
 /// Towards target speeds below this one the same is T, for a stop too.

@@ -104,7 +104,7 @@ struct Triggered {
   }
 };
 
-/// What may be taken back: all that every target agrees to.
+/// What may be revoked: that for which every target meets a revocation condition.
 struct Revoked {
   bool all = true;        // a condition is met for every target
   bool eb = true;         // also by Q_NVEMRRLS or a target speed of 0
@@ -202,7 +202,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
     r.only_r2 = r.only_r2 || (normal && !by_r1);
   }
   if (t.status < Status::Overspeed && c.a.V > c.M) {
-    // No row speaks of it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
+    // No row covers it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
     // ceiling is supervised all the same.
     t = ceiling_triggers(c, b);
   }

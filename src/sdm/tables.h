@@ -138,7 +138,7 @@ inline constexpr TriggerRow kTSM_EOA_SvL_3_6_0[] = {
 };
 
 /// Tables 6, 10, 11, 14: r<id> holds at `above` < V_est <= `upto`, not beyond a limit (r0: at standstill),
-/// and what it takes back. EB: `never`, `always`, `if_permitted` by Q_NVEMRRLS, `or_zero`: also where Vt = 0.
+/// and what it revokes. EB: `never`, `always`, `if_permitted` by Q_NVEMRRLS, `or_zero`: also where Vt = 0.
 enum class EbRelease : std::uint8_t { never, always, if_permitted, or_zero };
 struct RevocationRow {
   std::uint8_t id;
