@@ -237,7 +237,7 @@ def disturbed(inputs, dice):
             elif kind == 7:
                 driver.setdefault("enter", {}).update({"level": dice.one_of(("0", "1", "2"))})
             elif kind == 8:
-                driver["ack"] = dice.some_of(("OS", "LS", "SH", "SR", "UN", "SN", "RV", "trip", "level", "text", "brake", "train_data"), 0.7)
+                driver["ack"] = dice.some_of(ACKS, 0.7)
             elif kind == 9:
                 driver.setdefault("enter", {}).update({"V_sr_kmh": 30, "D_sr_m": dice.tens(100, 900)})
             elif kind == 10 and dice.chance(0.3):
@@ -247,12 +247,93 @@ def disturbed(inputs, dice):
             if not driver:
                 del line["driver"]
         out.append(text if line is None else json.dumps(line, separators=(",", ":")))
+    odometer = next(json.loads(text)["odometer"] for text in reversed(out) if '"odometer"' in text)
+    return "\n".join(out + played_on(json.loads(out[-1])["t_ms"], odometer, dice)) + "\n"
+
+
+ACKS = ("OS", "LS", "SH", "SR", "UN", "SN", "RV", "trip", "level", "text", "brake", "train_data")
+
+
+def played_on(t, odometer, dice):
+    """Lines after the journey: desks, missions, shunting, sleeping, reversing, short movements; a fault at the end."""
+    lines = []
+
+    def line(after_ms, **what):
+        nonlocal t
+        t += after_ms
+        lines.append(json.dumps({"t_ms": t, **what}, separators=(",", ":")))
+
+    def move(metres, speed):
+        for _ in range(5):
+            for counter in ("nominal_m", "min_m", "max_m"):
+                odometer[counter] = round(odometer[counter] + metres / 5, 3)
+            line(1000, odometer={**odometer, "speed_mps": speed, "speed_min_mps": speed, "speed_max_mps": speed, "accel_mps2": 0})
+        line(500, odometer={**odometer, "speed_mps": 0, "speed_min_mps": 0, "speed_max_mps": 0, "accel_mps2": 0})
+        line(1500, driver={"ack": list(ACKS)})
+
+    def mission(level):
+        line(300, train={"desk_open": True, "direction_controller": "forward"})
+        line(300, driver={"enter": {"driver_id": 4711}})
+        line(300, driver={"enter": {"level": level}})
+        line(300, driver={"select": "train_data"})
+        line(300, driver={"enter": {"train_data": {"schema": "etcs-train/1"}}})
+        line(300, driver={"enter": {"train_running_number": 4711}})
+        line(300, driver={"select": "start"})
+        line(300, driver={"ack": list(ACKS)})
+
+    def shunt():
+        line(300, driver={"select": "shunting"})
+        line(300, driver={"ack": ["SH"]})
+        move(8, 2)
+        if dice.chance(0.5):
+            line(300, train={"passive_shunting": True}, driver={"select": "maintain_shunting"})
+            line(300, train={"desk_open": False})
+            move(6, 2)
+            line(300, train={"desk_open": True})
+        line(300, train={"passive_shunting": False}, driver={"select": "exit_shunting"})
+
+    def lead_no_longer():
+        line(300, train={"non_leading": True})
+        line(300, driver={"select": "non_leading"})
+        move(10, 2)
+        line(300, train={"non_leading": False})
+
+    def sleep():
+        line(300, train={"desk_open": False, "sleeping": True})
+        move(10, 2)
+        line(300, train={"sleeping": False})
+
+    def reverse():
+        line(300, driver={"ack": ["RV"]}, train={"direction_controller": "backward"})
+        move(-10, 2)
+        line(300, driver={"ack": ["brake", "trip"]}, train={"direction_controller": "forward"})
+
+    def overridden():
+        line(300, driver={"select": "override"})
+        line(300, driver={"ack": list(ACKS)})
+        move(12, 2)
+
+    line(1000, odometer={**odometer, "speed_mps": 0, "speed_min_mps": 0, "speed_max_mps": 0, "accel_mps2": 0})
+    line(1000, driver={"ack": list(ACKS)})
+    for _ in range(dice.whole(4, 9)):
+        scene = dice.whole(0, 7)
+        if scene < 2:
+            mission(dice.one_of(("0", "1", "1", "2")))
+        else:
+            (shunt, lead_no_longer, sleep, reverse, overridden, lambda: move(-3, 1))[scene - 2]()
+        if dice.chance(0.3):
+            line(300, train={"desk_open": False})
+            line(300, train={"desk_open": True})
     end = dice.whole(0, 3)
-    t = json.loads(out[-1])["t_ms"]
-    if end < 2:  # the end of the journey: a fault, or the driver isolates
-        out.append(json.dumps({"t_ms": t + 100, **({"fault": {"safety": True}} if end == 0 else {"train": {"isolated": True}})}))
-        out.append(json.dumps({"t_ms": t + 3000, "train": {"desk_open": True}}))
-    return "\n".join(out) + "\n"
+    if end == 0:
+        line(1000, fault={"safety": True})
+    elif end == 1:
+        line(1000, train={"isolated": True})
+    elif end == 2:
+        line(1000, train={"powered": False})
+        line(1000, train={"powered": True})
+    line(3000, train={"desk_open": True})
+    return lines
 
 
 # One seed.
