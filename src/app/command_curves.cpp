@@ -126,7 +126,7 @@ int compare(const CompareOptions& o) {
 void add_curves_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
-  command->add_option("input", options->input, "what is asked (evc-curves/1); a shipped example when not given");
+  command->add_option("input", options->input, "the question (evc-curves/1); a shipped example when not given");
   command->add_option("--format", options->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();

@@ -156,7 +156,7 @@ void add_encode_command(CLI::App& app, int& exit_code) {
     CLI::App* sub = encode->add_subcommand(kind.name, kind.help);
     const auto o = std::make_shared<Options>();
     o->what = kind.what;
-    sub->add_option("INPUT", o->input, "A JSON object, a file of such, or - for standard input")->required();
+    sub->add_option("INPUT", o->input, "A JSON object, a file of them, or - for standard input")->required();
     sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
     if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "A Euroloop message");
     if (kind.what == What::radio || kind.what == What::packet) {

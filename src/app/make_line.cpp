@@ -108,7 +108,7 @@ class Encoder {
     if (const auto p = is("ma_requests")) return ma_requests(out, *p);
     if (const auto p = is("position_reports")) return position_reports(out, *p);
     if (const auto p = is("packet")) return packet(out, *p);
-    order.fail("an order that is not known",
+    order.fail("an unknown order",
                "authority, national_values, session, level_transition, temporary_speed_restriction, "
                "revoke_temporary_speed_restriction, mode_profile, text, ma_requests, position_reports, packet or, in a "
                "group, infill");
