@@ -254,45 +254,7 @@ class Encoder {
   }
 
   void national_values(BitWriter& out, const JsonPlace& p) {
-    const train::NationalValues nv = io::read_national_values(p);
-    auto packet = nominal<lang::Packet3>();
-    packet.D_VALIDNV.raw = 32767;  // now
-    packet.NID_C.raw = NID_C_;
-    const auto speed = [](Speed v) { return codes_of_5_kmh(v.si * 3.6); };
-    packet.V_NVSHUNT.raw = speed(nv.V_NVSHUNT);
-    packet.V_NVSTFF.raw = speed(nv.V_NVSTFF);
-    packet.V_NVONSIGHT.raw = speed(nv.V_NVONSIGHT);
-    packet.V_NVLIMSUPERV.raw = speed(nv.V_NVLIMSUPERV);
-    packet.V_NVUNFIT.raw = speed(nv.V_NVUNFIT);
-    packet.V_NVREL.raw = speed(nv.V_NVREL);
-    packet.D_NVROLL.raw = whole(nv.D_NVROLL.si);
-    packet.Q_NVSBTSMPERM.raw = nv.Q_NVSBTSMPERM ? 1 : 0;
-    packet.Q_NVEMRRLS.raw = nv.Q_NVEMRRLS ? 1 : 0;
-    packet.Q_NVGUIPERM.raw = nv.Q_NVGUIPERM ? 1 : 0;
-    packet.Q_NVSBFBPERM.raw = nv.Q_NVSBFBPERM ? 1 : 0;
-    packet.Q_NVINHSMICPERM.raw = nv.Q_NVINHSMICPERM ? 1 : 0;
-    packet.V_NVALLOWOVTRP.raw = speed(nv.V_NVALLOWOVTRP);
-    packet.V_NVSUPOVTRP.raw = speed(nv.V_NVSUPOVTRP);
-    packet.D_NVOVTRP.raw = whole(nv.D_NVOVTRP.si);
-    packet.T_NVOVTRP.raw = static_cast<std::uint8_t>(std::lround(nv.T_NVOVTRP.si));
-    packet.D_NVPOTRP.raw = whole(nv.D_NVPOTRP.si);
-    packet.M_NVCONTACT.raw = static_cast<std::uint8_t>(nv.M_NVCONTACT);
-    packet.T_NVCONTACT.raw =
-        nv.T_NVCONTACT ? static_cast<std::uint8_t>(std::lround(nv.T_NVCONTACT->si)) : std::uint8_t{255};
-    packet.M_NVDERUN.raw = nv.M_NVDERUN ? 1 : 0;
-    packet.D_NVSTFF.raw = nv.D_NVSTFF ? whole(nv.D_NVSTFF->si) : std::uint16_t{32767};
-    packet.Q_NVDRIVER_ADHES.raw = nv.Q_NVDRIVER_ADHES ? 1 : 0;
-    // 0.05 m/s2 (7.5.1.1).
-    const auto adhesion = [](const train::MaxReducedAdhesion& a) {
-      return a.no_maximum ? std::uint8_t{63} : static_cast<std::uint8_t>(std::lround(a.A.si / 0.05));
-    };
-    packet.A_NVMAXREDADH1.raw = adhesion(nv.A_NVMAXREDADH1);
-    packet.A_NVMAXREDADH2.raw = adhesion(nv.A_NVMAXREDADH2);
-    packet.A_NVMAXREDADH3.raw = adhesion(nv.A_NVMAXREDADH3);
-    packet.Q_NVLOCACC.raw = static_cast<std::uint8_t>(std::lround(nv.Q_NVLOCACC.si));
-    packet.M_NVAVADH.raw = static_cast<std::uint8_t>(std::lround(nv.M_NVAVADH / 0.05));
-    packet.M_NVEBCL.raw = nv.M_NVEBCL;
-    add(out, packet);
+    add(out, io::packet_3(io::read_national_values(p), NID_C_));
   }
 
   void session(BitWriter& out, const JsonPlace& p) {

@@ -132,6 +132,21 @@ TEST(MakeLine, InfillCountsFromTheMainSignalInEveryTelegram) {
   EXPECT_EQ(second[1]["NID_PACKET"], 72);
 }
 
+TEST(MakeLine, NationalValuesWithoutAMaximum) {
+  const json line = line_with(
+      R"("orders":[{"national_values":{"A_NVMAXREDADH1":"no maximum","A_NVMAXREDADH2":"no maximum, time to indication",
+      "A_NVMAXREDADH3":0.7,"V_NVREL":25}}])",
+      "");
+  ASSERT_TRUE(line.is_object()) << line;
+  const json packet = packets_in(line, 0)[0];
+  EXPECT_EQ(packet["NID_PACKET"], 3);
+  EXPECT_EQ(packet["NID_C"], 1);
+  EXPECT_EQ(packet["V_NVREL"], 5);
+  EXPECT_EQ(packet["A_NVMAXREDADH1"], 63);
+  EXPECT_EQ(packet["A_NVMAXREDADH2"], 62);
+  EXPECT_EQ(packet["A_NVMAXREDADH3"], 14);
+}
+
 TEST(MakeLine, NumberOfBalises) {
   const json line = line_with(R"("balises":1,"orders":[])", "");
   ASSERT_TRUE(line.is_object()) << line;

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include "io/refuse.h"
 #include "io/steps.h"
 #include "io/train_file.h"
+#include "lang/packets/packet_3.h"
 
 namespace evc::io {
 namespace {
@@ -82,6 +84,13 @@ void read_brake_values(NationalValues& nv, const JsonPlace& place) {
     for (auto& step : nv.Kv_int_passenger.steps) step.value.a = step.value.b = std::min(step.value.a, step.value.b);
 }
 
+/// A_NVMAXREDADH in steps of 0.05 m/s2; 61 to 63 set no maximum (7.5.1.2).
+std::uint8_t code(const train::MaxReducedAdhesion& a) {
+  using Display = train::MaxReducedAdhesion::Display;
+  if (!a.no_maximum) return static_cast<std::uint8_t>(std::lround(a.A.si / 0.05));
+  return a.display == Display::target_information ? 61 : a.display == Display::time_to_indication ? 62 : 63;
+}
+
 }  // namespace
 
 NationalValues read_national_values(const JsonPlace& place) {
@@ -116,6 +125,46 @@ NationalValues read_national_values(const JsonPlace& place) {
   read_brake_values(nv, place);
   refuse(place, train::check(nv));
   return nv;
+}
+
+lang::Packet3 packet_3(const NationalValues& nv, std::uint16_t NID_C) {
+  lang::Packet3 packet;
+  packet.Q_DIR.raw = 1;
+  packet.Q_SCALE.raw = 1;
+  packet.D_VALIDNV.raw = 32767;  // now
+  packet.NID_C.raw = NID_C;
+  const auto speed = [](Speed v) { return static_cast<std::uint8_t>(std::lround(v.si * kKmh / 5.0)); };
+  const auto whole = [](double v) { return static_cast<std::uint16_t>(std::lround(v)); };
+  packet.V_NVSHUNT.raw = speed(nv.V_NVSHUNT);
+  packet.V_NVSTFF.raw = speed(nv.V_NVSTFF);
+  packet.V_NVONSIGHT.raw = speed(nv.V_NVONSIGHT);
+  packet.V_NVLIMSUPERV.raw = speed(nv.V_NVLIMSUPERV);
+  packet.V_NVUNFIT.raw = speed(nv.V_NVUNFIT);
+  packet.V_NVREL.raw = speed(nv.V_NVREL);
+  packet.D_NVROLL.raw = whole(nv.D_NVROLL.si);
+  packet.Q_NVSBTSMPERM.raw = nv.Q_NVSBTSMPERM ? 1 : 0;
+  packet.Q_NVEMRRLS.raw = nv.Q_NVEMRRLS ? 1 : 0;
+  packet.Q_NVGUIPERM.raw = nv.Q_NVGUIPERM ? 1 : 0;
+  packet.Q_NVSBFBPERM.raw = nv.Q_NVSBFBPERM ? 1 : 0;
+  packet.Q_NVINHSMICPERM.raw = nv.Q_NVINHSMICPERM ? 1 : 0;
+  packet.V_NVALLOWOVTRP.raw = speed(nv.V_NVALLOWOVTRP);
+  packet.V_NVSUPOVTRP.raw = speed(nv.V_NVSUPOVTRP);
+  packet.D_NVOVTRP.raw = whole(nv.D_NVOVTRP.si);
+  packet.T_NVOVTRP.raw = static_cast<std::uint8_t>(std::lround(nv.T_NVOVTRP.si));
+  packet.D_NVPOTRP.raw = whole(nv.D_NVPOTRP.si);
+  packet.M_NVCONTACT.raw = static_cast<std::uint8_t>(nv.M_NVCONTACT);
+  packet.T_NVCONTACT.raw =
+      nv.T_NVCONTACT ? static_cast<std::uint8_t>(std::lround(nv.T_NVCONTACT->si)) : std::uint8_t{255};
+  packet.M_NVDERUN.raw = nv.M_NVDERUN ? 1 : 0;
+  packet.D_NVSTFF.raw = nv.D_NVSTFF ? whole(nv.D_NVSTFF->si) : std::uint16_t{32767};
+  packet.Q_NVDRIVER_ADHES.raw = nv.Q_NVDRIVER_ADHES ? 1 : 0;
+  packet.A_NVMAXREDADH1.raw = code(nv.A_NVMAXREDADH1);
+  packet.A_NVMAXREDADH2.raw = code(nv.A_NVMAXREDADH2);
+  packet.A_NVMAXREDADH3.raw = code(nv.A_NVMAXREDADH3);
+  packet.Q_NVLOCACC.raw = static_cast<std::uint8_t>(std::lround(nv.Q_NVLOCACC.si));
+  packet.M_NVAVADH.raw = static_cast<std::uint8_t>(std::lround(nv.M_NVAVADH / 0.05));
+  packet.M_NVEBCL.raw = nv.M_NVEBCL;
+  return packet;
 }
 
 train::SrsVersion read_srs_version(const JsonPlace& place) {

@@ -7,6 +7,10 @@
 #include "train/srs_version.h"
 #include "train/train_data.h"
 
+namespace evc::lang {
+struct Packet3;
+}
+
 namespace evc::io {
 
 /// A train as a file describes it: what the on-board knows and what only the world knows.
@@ -31,6 +35,9 @@ Train read_entered_train(const JsonPlace& place);
 /// defaults of A.3.2. "infinity" where the standard has it. What `train::check` refuses is an error that names the key
 /// and the clause. Throws ReadError.
 train::NationalValues read_national_values(const JsonPlace& place);
+/// The values as packet 3, in force at once and valid in the area of one NID_C; without the correction factors Kv_int,
+/// Kr_int, Kt_int. Rounded to the steps of the variables.
+lang::Packet3 packet_3(const train::NationalValues& values, std::uint16_t NID_C);
 
 /// "3.4.0", "3.6.0" or "4.0.0"; throws ReadError.
 train::SrsVersion read_srs_version(const JsonPlace& place);
