@@ -26,7 +26,7 @@ void counted(F&& step) {
 int busy() {
   Ride ride;
   ride.into_full_supervision(35.0);
-  if (ride.outputs().mode != evc::modes::Mode::FS) return -1;
+  if (ride.outputs().mode != evc::Mode::FS) return -1;
   constexpr int cycles = 600;
   for (int i = 0; i < cycles; ++i) {
     ride.prepare(35.0);
@@ -47,7 +47,7 @@ int change() {
     ride.prepare(35.0);
     counted([&] { ride.step(); });
     ride.finish();
-    if (ride.outputs().mode != evc::modes::Mode::FS) return -1;
+    if (ride.outputs().mode != evc::Mode::FS) return -1;
   }
   return cycles;
 }

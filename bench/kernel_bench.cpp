@@ -69,7 +69,7 @@ void busy_fs_cycle(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     Ride ride;
     ride.into_full_supervision(35.0);
-    if (ride.outputs().mode != evc::modes::Mode::FS) return state.SkipWithError("the ride is not in FS");
+    if (ride.outputs().mode != evc::Mode::FS) return state.SkipWithError("the ride is not in FS");
     for (int i = 0; i < 600; ++i) {
       ride.prepare(35.0);
       costs.measure([&] { ride.step(); });
@@ -91,7 +91,7 @@ void group_with_all_track_data(benchmark::State& state) {
       ride.prepare(35.0);
       costs.measure([&] { ride.step(); });
       ride.finish();
-      if (ride.outputs().mode != evc::modes::Mode::FS) return state.SkipWithError("the ride left FS");
+      if (ride.outputs().mode != evc::Mode::FS) return state.SkipWithError("the ride left FS");
     }
   }
   costs.report(state);

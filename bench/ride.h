@@ -151,7 +151,7 @@ class Ride {
     for (int i = 0; i < 10; ++i) cycle();
     inputs_.driver.driver_id = 0x1234FFFF;
     cycle();
-    inputs_.driver.level = modes::Level::L1;
+    inputs_.driver.level = Level::L1;
     cycle();
     inputs_.driver.train_data = &config_.train;
     cycle();

@@ -75,7 +75,7 @@ BENCHMARK(rebuild_and_supervise)->Arg(8)->Arg(48);
 
 void supervise_cached(benchmark::State& state) {
   Inputs in = busy(static_cast<int>(state.range(0)));
-  in.srs = static_cast<train::SrsVersion>(state.range(1));
+  in.srs = static_cast<SrsVersion>(state.range(1));
   auto d = std::make_unique<Derived>();
   rebuild(*d, in);
   Supervision s;

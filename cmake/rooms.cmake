@@ -71,7 +71,7 @@ endfunction()
 # look at the whole.
 function(evc_link_rooms target)
   foreach(room IN ITEMS sim io kernel driver procedures protection sdm radio track balise brakes modes position
-                        train airgap lang base)
+                        train airgap lang terms base)
     if(TARGET evc_${room})
       target_link_libraries(${target} PRIVATE evc_${room})
     endif()

@@ -12,7 +12,7 @@ namespace train = evc::train;
 int main() {
   sdm::Inputs in;
   in.revision = 1;  // changes whenever anything else in it changes
-  in.srs = train::SrsVersion::v3_6_0;
+  in.srs = SrsVersion::v3_6_0;
   in.train.brake_percentage = 150.0;  // the rest is the standard train: lambda, position P
   in.train.L_TRAIN = 400_m;
   in.train.V_MAXTRAIN = 200_km_h;

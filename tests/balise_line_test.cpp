@@ -72,7 +72,7 @@ struct Unit {
   double error;             // of the odometer's nominal counter
   int accepted = 0, rejected = 0, linked_ok = 0, reactions = 0, refused_linking = 0, lrbg_changes = 0;
   double largest_shift = 0;
-  balise::Reaction worst = balise::Reaction::none;
+  Reaction worst = Reaction::none;
   std::string log;
 
   explicit Unit(double odometer_error) : error(odometer_error) {}
@@ -93,7 +93,7 @@ struct Unit {
       log += std::string(balise::name_of(e.what)) + " " + std::to_string(e.id.NID_BG) + "; ";
     }
     worst = std::max(worst, outcome.reaction);
-    reactions += outcome.reaction != balise::Reaction::none ? 1 : 0;
+    reactions += outcome.reaction != Reaction::none ? 1 : 0;
     for (const balise::Group& group : outcome.groups) {
       (group.accepted ? accepted : rejected)++;
       if (!group.lrbg_compliant) continue;
@@ -235,7 +235,7 @@ TEST_F(RecordedLine, ASilentGroupTripsAndTheRestIsFound) {
     EXPECT_TRUE(unit.log == "not found in its window " + id + "; " ||
                 unit.log == "a later group found in its window " + id + "; ")
         << unit.log;
-    EXPECT_EQ(unit.worst, balise::Reaction::trip);  // what this line's linking asks for
+    EXPECT_EQ(unit.worst, Reaction::trip);  // what this line's linking asks for
     EXPECT_EQ(unit.accepted, 102);
     EXPECT_EQ(unit.rejected, 0);
   }
@@ -266,8 +266,9 @@ TEST_F(RecordedLine, AGroupCrossedInTheOtherDirectionTrips) {
       first = &h;
     }
     const Unit unit = driven(swapped);
-    EXPECT_EQ(unit.worst, balise::Reaction::trip);
-    EXPECT_NE(unit.log.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos) << unit.log;
+    EXPECT_EQ(unit.worst, Reaction::trip);
+    EXPECT_NE(unit.log.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos)
+        << unit.log;
     EXPECT_EQ(unit.rejected, 1);
     EXPECT_EQ(unit.accepted, 102);
   }
@@ -350,7 +351,7 @@ TEST(AnyLine, WithinItsBoundsNothingReacts) {
       balise::LinkingList list;
       for (std::size_t k = from + 1; k < plan.size() && !list.entries.full() && (k < i + 3 || random() % 8 != 0); ++k) {
         ASSERT_TRUE(list.entries.push_back({Distance{plan[k].place - plan[k - 1].place}, std::nullopt,
-                                            static_cast<std::uint16_t>(k + 1), plan[k].nominal, balise::Reaction::trip,
+                                            static_cast<std::uint16_t>(k + 1), plan[k].nominal, Reaction::trip,
                                             Distance{plan[k].accuracy}}));
         linked_to = plan[k].place;
       }

@@ -5,18 +5,20 @@ import pathlib
 import re
 import sys
 
-KERNEL_ROOMS = ("base lang airgap train position modes brakes balise track radio sdm protection procedures driver "
+KERNEL_ROOMS = ("base terms lang airgap train position modes brakes balise track radio sdm protection procedures driver "
                 "kernel").split()
 BELOW_KERNEL = set(KERNEL_ROOMS) - {"kernel"}
 
 MAY_INCLUDE = {
     "base": set(),
-    **{room: {"base"} for room in ("lang", "airgap", "train", "position", "modes", "brakes")},
-    **{room: {"base", "lang"} for room in ("balise", "track", "radio")},
-    "sdm": {"base", "train", "track", "position"},
-    "protection": {"base", "lang", "track", "position"},
-    "procedures": {"base", "modes"},
-    "driver": {"base", "modes"},
+    # The vocabulary: every room above may include it.
+    "terms": {"base"},
+    **{room: {"base", "terms"} for room in ("lang", "airgap", "train", "position", "modes", "brakes")},
+    **{room: {"base", "terms", "lang"} for room in ("balise", "track", "radio")},
+    "sdm": {"base", "terms", "train", "track", "position"},
+    "protection": {"base", "terms", "lang", "track", "position"},
+    "procedures": {"base", "terms", "modes"},
+    "driver": {"base", "terms", "modes"},
     "kernel": BELOW_KERNEL,
     "sim": BELOW_KERNEL | {"kernel"},
     # The kernel's outside is made of the rooms below it, so who speaks with the kernel sees them too.

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "modes/conditions.h"
-#include "modes/mode.h"
 #include "modes/srs_4_6_2.h"
 #include "modes/srs_4_6_2_v400.h"
+#include "terms/mode.h"
 
 namespace {
 

@@ -160,8 +160,8 @@ std::string workbook_svg(const Workbook& w, const Approached& a) {
   svg.text(78, 34, shortened(w.name, 95), 18, colour::ink, "start", true);
   svg.text(78, 58,
            fmt::format("sheet: A_safe {:g} m/s\u00B2, DT {:g} s, DX {:g} m, DV {:g} m/s   |   SRS {}: {}",
-                       w.inputs.A_safe.si, w.inputs.DT.si, w.inputs.DX.si, w.inputs.DV.si,
-                       io::name(a.input().inputs.srs), a.input().train_name),
+                       w.inputs.A_safe.si, w.inputs.DT.si, w.inputs.DX.si, w.inputs.DV.si, name(a.input().inputs.srs),
+                       a.input().train_name),
            13, colour::soft);
   const Stroke sheet_EBD{colour::white, 1.4, "6 4"}, sheet_EBI{colour::red, 2.4, "6 4"};
   const Stroke srs_EBD{colour::EBD, 1.8, ""}, srs_EBI{colour::red, 2.4, ""}, ceiling{colour::grey, 1.6, ""};

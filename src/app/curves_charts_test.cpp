@@ -170,8 +170,8 @@ TEST(CurvesCharts, ChartsAreWholeAndSelfContained) {
       const json& runs = data["map"]["columns"][column];
       return data["map"]["states"][runs[top ? runs.size() - 2 : 0].get<std::size_t>()];
     };
-    EXPECT_EQ(state(0, false)["status"], 0);
-    EXPECT_EQ(state(300, true)["status"], 4);
+    EXPECT_EQ(state(0, false)["status"], 1);
+    EXPECT_EQ(state(300, true)["status"], 5);
     EXPECT_EQ(state(300, true)["eb"], true);
   }
   const Approached sheet = approached(kSource + "/data/curves/workbook.json");

@@ -50,8 +50,7 @@ bool exists(const std::vector<SpeedRow>& rows, Value SpeedRow::*value) {
 
 std::string side(const Approached& a) {
   const io::CurvesInput& c = a.input();
-  return fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}", c.train_name, c.inputs.train.L_TRAIN.si,
-                     io::name(c.inputs.srs));
+  return fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}", c.train_name, c.inputs.train.L_TRAIN.si, name(c.inputs.srs));
 }
 
 std::string data_of(const Approached& a, const Approached& b) {

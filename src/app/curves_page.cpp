@@ -156,7 +156,7 @@ std::string data_of(const Approached& a) {
   io::append_string(out, c.name);
   append_key(out, "subtitle");
   io::append_string(out, fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}, T_be {} s, T_bs {} s", c.train_name,
-                                     c.inputs.train.L_TRAIN.si, io::name(c.inputs.srs), fixed(scalars.T_be_s, 2),
+                                     c.inputs.train.L_TRAIN.si, name(c.inputs.srs), fixed(scalars.T_be_s, 2),
                                      fixed(scalars.T_bs_s, 2)));
   append_key(out, "top");
   append_rounded(out, p.top_kmh);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "io/output_lines.h"
+#include "terms/message_numbers.h"
 
 namespace evc::app {
 namespace {
@@ -61,12 +62,12 @@ void Journey::note_changes(const Outputs& o) {
   eb_ = o.eb;
   // Before start of mission the level is the one of the last mission: the first entered is the first that counts.
   if (mode_ != o.mode) {
-    if (o.mode == modes::Mode::TR) ++interventions_.trip;
-    if (o.mode != modes::Mode::NP) modes_.emplace_back(modes::name(o.mode));
+    if (o.mode == Mode::TR) ++interventions_.trip;
+    if (o.mode != Mode::NP) modes_.emplace_back(name(o.mode));
     mode_ = o.mode;
   }
-  if (level_ != o.level && o.mode != modes::Mode::NP && o.mode != modes::Mode::SB) {
-    levels_.emplace_back(modes::name(o.level));
+  if (level_ != o.level && o.mode != Mode::NP && o.mode != Mode::SB) {
+    levels_.emplace_back(name(o.level));
     level_ = o.level;
   }
 }
@@ -82,7 +83,7 @@ void Journey::note_position(const Outputs& o) {
   max_position_error_ = std::max(max_position_error_, std::abs(on_line(o.est_front) - front));
   // A millimetre for the rounding of the counters.
   if (on_line(o.min_safe_front) > front + 1e-3 || on_line(o.max_safe_front) < front - 1e-3) ++violations_;
-  const bool tripped = o.mode == modes::Mode::TR || o.mode == modes::Mode::PT;
+  const bool tripped = o.mode == Mode::TR || o.mode == Mode::PT;
   if (o.SvL)
     svl_m_ = on_line(*o.SvL);
   else if (!tripped)
@@ -134,7 +135,7 @@ void Journey::count_messages(const Outputs& outputs) {
     if (accepted) ++counts_.messages_accepted;
     if (is(what, "refused")) ++counts_.messages_refused;
     if (is(what, "rejected")) ++counts_.messages_rejected;
-    if (d.NID_MESSAGE != 3 && d.NID_MESSAGE != 33) continue;
+    if (d.NID_MESSAGE != message::movement_authority && d.NID_MESSAGE != message::movement_authority_shifted) continue;
     ++counts_.authorities_received;
     if (accepted && !authority_refused) ++counts_.authorities_accepted;
   }

@@ -71,8 +71,8 @@ class Journey {
   Interventions interventions_;
   Counts counts_;
   bool tco_ = false, sb_ = false, eb_ = false;
-  std::optional<modes::Mode> mode_;
-  std::optional<modes::Level> level_;
+  std::optional<Mode> mode_;
+  std::optional<Level> level_;
   std::optional<double> min_margin_, svl_overrun_;
   std::optional<double> svl_m_;  // true place of the supervised location that holds
   double max_position_error_ = 0.0;

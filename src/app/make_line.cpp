@@ -28,6 +28,7 @@
 #include "lang/packets/packet_66.h"
 #include "lang/packets/packet_72.h"
 #include "lang/packets/packet_80.h"
+#include "terms/level.h"
 
 namespace evc::app {
 namespace {
@@ -274,7 +275,7 @@ class Encoder {
     p.know_only({"at_m", "level", "nid_ntc", "acknowledge_m"});
     auto packet = nominal<lang::Packet41>();
     packet.D_LEVELTR.raw = whole(p["at_m"].number(reference.position_m, 1e6) - reference.position_m);
-    packet.M_LEVELTR.raw = static_cast<std::uint8_t>(p["level"].one_of({"0", "NTC", "1", "2", "3"}));
+    packet.M_LEVELTR.raw = M_LEVEL(p["level"].term<kLevelRows>());
     if (const auto nid = p.find("nid_ntc")) packet.NID_NTC.raw = static_cast<std::uint8_t>(nid->integer(0, 255));
     packet.L_ACKLEVELTR.raw = whole(p["acknowledge_m"].number(0.0, 5000.0));
     add(out, packet);

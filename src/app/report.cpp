@@ -159,8 +159,8 @@ std::string safe_in_script(std::string text) {
 std::string data_of(const Journey& journey, const sim::World& world, const sim::Line& line,
                     const std::string& train_name, const std::string& driver_name, const std::string& summary) {
   std::string out = "{";
-  append_names<modes::Mode>(out, "modes", modes::kModes);
-  append_names<modes::Level>(out, "levels", modes::kLevels);
+  append_names<Mode>(out, "modes", kModes);
+  append_names<Level>(out, "levels", kLevels);
   out += ",\"line\":";
   io::append_string(out, line.name);
   out += ",\"train\":";

@@ -3,7 +3,7 @@
 namespace evc::balise {
 
 void note(Outcome& outcome, const Event& event) {
-  if (event.reaction > outcome.reaction) outcome.reaction = event.reaction;
+  if (stronger(event.reaction, outcome.reaction)) outcome.reaction = event.reaction;
   if (event.reaction == Reaction::service_brake) outcome.shorten_at_standstill = true;
   if (event.what == Happened::wrong_direction) outcome.wrong_direction = true;
   if (!outcome.events.push_back(event)) outcome.events.back().what = Happened::capacity;

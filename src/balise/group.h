@@ -7,12 +7,12 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "terms/reaction.h"
 
 // What comes out of this room: checked, oriented balise groups (SUBSET-026-3 3.4, 3.16.2).
 namespace evc::balise {
 
 /// Q_LINKREACTION and the reactions of 3.16.2. The larger one is the more severe.
-enum class Reaction : std::uint8_t { none, service_brake, trip };
 
 /// M_ERROR of packet 4, for the report to the RBC (3.16.4).
 enum class ErrorReport : std::uint8_t {

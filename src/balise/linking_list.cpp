@@ -4,18 +4,13 @@
 namespace evc::balise {
 namespace {
 
-/// Q_LINKREACTION (7.5.1.117): 0 trip, 1 service brake, 2 none. A spare code would be the severe one.
-constexpr Reaction reaction_of(lang::var::Q_LINKREACTION q) {
-  return q.raw == 2 ? Reaction::none : q.raw == 1 ? Reaction::service_brake : Reaction::trip;
-}
-
 LinkingList::Entry entry_of(lang::var::Q_SCALE Q_SCALE, const lang::Packet5_links& link) {
   LinkingList::Entry entry;
   entry.D_LINK = lang::metres(Q_SCALE, link.D_LINK);
   if (link.Q_NEWCOUNTRY.raw == 1) entry.NID_C = link.NID_C.raw;
   entry.NID_BG = link.NID_BG.raw;
   entry.nominal = link.Q_LINKORIENTATION.raw == 1;
-  entry.reaction = reaction_of(link.Q_LINKREACTION);
+  entry.reaction = reaction_of(link.Q_LINKREACTION.raw).value_or(Reaction::trip);  // a spare code: the severe one
   entry.Q_LOCACC = lang::metres(link.Q_LOCACC);
   return entry;
 }

@@ -18,12 +18,12 @@ static_assert(
 /// A mark of 4.12: R revoked, M maintained, P maintained unless the train comes from PT.
 struct EntryRow {
   Cause cause;
-  std::array<char, kModeColumns> marks{};
+  std::array<char, kModes> marks{};
   constexpr EntryRow(Cause c, std::string_view row) : cause(c) {
     std::size_t n = 0;
     for (const char mark : row)
       if (mark != ' ') marks[n++] = mark;
-    if (n != kModeColumns) __builtin_trap();  // not constexpr: the row does not compile
+    if (n != kModes) __builtin_trap();  // not constexpr: the row does not compile
   }
 };
 
@@ -45,7 +45,7 @@ constexpr auto kOnEntry = std::to_array<EntryRow>({
 });
 // clang-format on
 
-constexpr std::size_t kPT = 12;
+constexpr char mark_of(const EntryRow& row, Mode to) { return row.marks[terms::index(to)]; }
 
 bool wants_acknowledgement(Release rule) {
   return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
@@ -122,13 +122,13 @@ Command command(State& state, CauseSet asked, const Context& c) {
   return out;
 }
 
-bool revoked_on_mode_entry(Cause cause, std::size_t to, std::size_t from) {
+bool revoked_on_mode_entry(Cause cause, Mode to, Mode from) {
   for (const EntryRow& r : kOnEntry)
-    if (r.cause == cause) return r.marks[to] == 'R' || (r.marks[to] == 'P' && from == kPT);
+    if (r.cause == cause) return mark_of(r, to) == 'R' || (mark_of(r, to) == 'P' && from == Mode::PT);
   return false;
 }
 
-void on_mode_entry(State& state, std::size_t to, std::size_t from) {
+void on_mode_entry(State& state, Mode to, Mode from) {
   for (const CauseRow& r : srs_3_14_1)
     if (revoked_on_mode_entry(r.cause, to, from)) state.active.remove(r.cause);
 }

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "terms/mode.h"
+
 // Brake command handling, SUBSET-026-3 3.14.1: every cause that may ask for a brake, what it
 // asks for, and what releases it.
 namespace evc::brakes {
@@ -146,14 +148,11 @@ struct Command {
 /// emergency brake are joined over the causes separately.
 Command command(State& state, CauseSet asked, const Context& context);
 
-/// The columns of 4.6.2, NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV, by their place (the number of the mode).
-inline constexpr std::size_t kModeColumns = 17;
-
 /// 4.12 of 4.0.0, used for 3.x too, which is silent: a mode entry revokes commands. Those that last as long as they are
 /// asked for are not touched here: the rooms that ask for them stop asking.
-void on_mode_entry(State& state, std::size_t to, std::size_t from);
+void on_mode_entry(State& state, Mode to, Mode from);
 
 /// Whether the entry of mode `to` from mode `from` revokes the command of a cause.
-bool revoked_on_mode_entry(Cause cause, std::size_t to, std::size_t from);
+bool revoked_on_mode_entry(Cause cause, Mode to, Mode from);
 
 }  // namespace evc::brakes

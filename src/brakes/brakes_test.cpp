@@ -7,7 +7,7 @@
 namespace evc::brakes {
 namespace {
 
-constexpr std::size_t NP = 0, SB = 1, FS = 4, SR = 6, TR = 11, PT = 12;
+using enum Mode;
 
 Context moving() { return {}; }
 Context standing() {

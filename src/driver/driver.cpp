@@ -11,23 +11,21 @@ void put(InplaceVector<const char*, Capacity>& list, const char* text) {
   if (text != nullptr) static_cast<void>(list.push_back(text));
 }
 
-bool is_2_3(std::optional<Level> level) { return level == Level::L2 || level == Level::L3; }
-
 /// What Start needs beside the mode (window Main): SB with all data, PT after its procedure, SR with an RBC.
 bool start_possible(const ActionContext& c) {
   switch (c.mode) {
     case Mode::SB:
       return c.standstill && c.driver_id_valid && c.train_data_valid && c.train_running_number_valid &&
-             (!is_2_3(c.level) || !c.session_open || c.train_data_acknowledged) && c.offers.has(Offer::start);
+             (!level_2_or_3(c.level) || !c.session_open || c.train_data_acknowledged) && c.offers.has(Offer::start);
     case Mode::PT:
       return c.standstill && c.offers.has(Offer::start);
     default:
-      return is_2_3(c.level) && c.session_open;
+      return level_2_or_3(c.level) && c.session_open;
   }
 }
 
 bool shunting_possible(const ActionContext& c) {
-  if (!c.standstill || (is_2_3(c.level) && !c.session_open)) return false;
+  if (!c.standstill || (level_2_or_3(c.level) && !c.session_open)) return false;
   if (c.mode == Mode::PT) return c.offers.has(Offer::shunting);
   return c.driver_id_valid && (c.mode != Mode::SB || c.offers.has(Offer::shunting));
 }
@@ -39,7 +37,7 @@ bool override_possible(const ActionContext& c) {
       return true;
     case Mode::SB:
       return c.offers.has(Offer::override_) && c.driver_id_valid && c.train_data_valid &&
-             c.train_running_number_valid && is_2_3(c.level);
+             c.train_running_number_valid && level_2_or_3(c.level);
     case Mode::PT:
       return c.train_data_valid && c.train_running_number_valid;
     default:

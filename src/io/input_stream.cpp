@@ -83,8 +83,7 @@ void read_loop(CycleInputs& cycle, const JsonPlace& place) {
 void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
   place.know_only({"message", "session"});
   if (const auto p = place.find("message")) radio.emplace_back(read_message(*p));
-  if (const auto p = place.find("session"))
-    radio.emplace_back(static_cast<kernel::RadioLink>(1 + p->one_of(kSessionNames)));
+  if (const auto p = place.find("session")) radio.emplace_back(static_cast<RadioLink>(1 + p->one_of(kSessionNames)));
 }
 
 /// A cycle has room for one report of the bearer: a second one, and what comes by radio after it, is for the next.
@@ -94,8 +93,8 @@ void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
       cycle.radio.push_back(std::move(*message));
       continue;
     }
-    if (cycle.levels.radio_link != kernel::RadioLink::unchanged) return;
-    cycle.levels.radio_link = std::get<kernel::RadioLink>(radio.front());
+    if (cycle.levels.radio_link != RadioLink::unchanged) return;
+    cycle.levels.radio_link = std::get<RadioLink>(radio.front());
   }
 }
 

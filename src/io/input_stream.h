@@ -17,7 +17,7 @@ namespace evc::io {
 /// The `config` of a stream of inputs.
 struct Configuration {
   std::int64_t cycle_ms = 100;
-  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
   Train train;
   train::NationalValues national_values;
   std::array<bool, modes::kLevels> levels{true, true, true, true, true};
@@ -37,7 +37,7 @@ class InputStream {
   /// Puts the next line, without its end, into the argument; false at the end.
   using NextLine = std::function<bool(std::string&)>;
   /// What came by radio, in order: messages, and what the bearer reports.
-  using Radio = std::deque<std::variant<sim::Bits, kernel::RadioLink>>;
+  using Radio = std::deque<std::variant<sim::Bits, RadioLink>>;
 
   /// `given` takes the place of a `config` in the stream.
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});

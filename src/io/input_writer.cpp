@@ -177,7 +177,7 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
     out += "}}\n";
   }
   for (const auto& loop : cycle.loops) append_message(out, cycle.t_ms, "loop", loop);
-  if (cycle.levels.radio_link != kernel::RadioLink::unchanged)
+  if (cycle.levels.radio_link != RadioLink::unchanged)
     out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
            name_of(kSessionNames, static_cast<std::size_t>(cycle.levels.radio_link) - 1) + "\"}}\n";
   for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message);

@@ -146,6 +146,10 @@ const std::string& JsonPlace::string() const {
 }
 
 std::size_t JsonPlace::one_of(std::initializer_list<const char*> names) const {
+  return one_of(std::span<const char* const>(names.begin(), names.size()));
+}
+
+std::size_t JsonPlace::one_of(std::span<const char* const> names) const {
   std::string list;
   for (const char* n : names) list += (list.empty() ? "" : ", ") + std::string(n);
   if (!value_->is_string()) fail("one of " + list);

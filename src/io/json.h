@@ -3,12 +3,14 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "io/diagnostic.h"
+#include "terms/row.h"
 
 namespace evc::io {
 
@@ -66,6 +68,12 @@ class JsonPlace {
   const std::string& string() const;
   /// The index of this string in `names`; an error listing them otherwise.
   std::size_t one_of(std::initializer_list<const char*> names) const;
+  std::size_t one_of(std::span<const char* const> names) const;
+  /// The term of a table of src/terms whose name stands here.
+  template <const auto& kRows>
+  auto term() const {
+    return kRows[one_of(std::span<const char* const>(terms::kNames<kRows>))].value;
+  }
   /// The bytes of this string of hexadecimal digits.
   std::vector<std::uint8_t> hex() const;
   /// Requires `"schema": name` in this object.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/json.h"
+#include "terms/level.h"
 
 namespace evc::io {
 namespace {
@@ -82,9 +83,6 @@ std::vector<Segment> read_segments(const JsonPlace& track, const char* key, cons
   return segments;
 }
 
-/// M_LEVELTR (7.5.1.77): 0, NTC, 1, 2, 3.
-modes::Level level_of(std::int64_t M_LEVELTR) { return static_cast<modes::Level>(M_LEVELTR); }
-
 void read_start(sim::Line& line, const JsonPlace& root, const std::optional<JsonPlace>& track) {
   const auto start = root.find("start");
   if (start)
@@ -95,11 +93,10 @@ void read_start(sim::Line& line, const JsonPlace& root, const std::optional<Json
     const JsonPlace transition = (*transitions)[i];
     if (transition["position_m"].number(-kFar, kFar) > line.start_front_m) continue;
     const JsonPlace levels = transition["levels"];
-    if (levels.size() > 0) line.start_level = level_of(levels[0].integer(0, 4));
+    if (levels.size() > 0) line.start_level = level_of(static_cast<std::uint64_t>(levels[0].integer(0, 4))).value();
   }
   if (!start) return;
-  if (const auto level = start->find("level"))
-    line.start_level = static_cast<modes::Level>(level->one_of({"0", "NTC", "1", "2", "3"}));
+  if (const auto level = start->find("level")) line.start_level = level->term<kLevelRows>();
   if (const auto mode = start->find("mode"); mode && mode->string() != "SB")
     mode->fail("\"SB\": the on-board is powered up at the start");
   if (const auto nid = start->find("nid_ntc")) line.start_nid_ntc = static_cast<std::uint8_t>(nid->integer(0, 255));

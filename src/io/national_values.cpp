@@ -5,6 +5,7 @@
 #include "io/steps.h"
 #include "io/train_file.h"
 #include "lang/packets/packet_3.h"
+#include "terms/srs_version.h"
 
 namespace evc::io {
 namespace {
@@ -114,7 +115,7 @@ NationalValues read_national_values(const JsonPlace& place) {
     nv.T_NVCONTACT = Duration{p->number(0.0, 254.0, kRanges)};
   if (const auto p = place.find("T_NVOVTRP")) nv.T_NVOVTRP = {p->number(0.0, 255.0, kRanges)};
   if (const auto p = place.find("M_NVCONTACT"))
-    nv.M_NVCONTACT = static_cast<train::ContactReaction>(p->integer(0, 2, kRanges));
+    nv.M_NVCONTACT = reaction_of(static_cast<std::uint64_t>(p->integer(0, 2, kRanges))).value();
   read_flag(nv.M_NVDERUN, place, "M_NVDERUN");
   read_flag(nv.Q_NVDRIVER_ADHES, place, "Q_NVDRIVER_ADHES");
   read_flag(nv.Q_NVSBTSMPERM, place, "Q_NVSBTSMPERM");
@@ -167,13 +168,6 @@ lang::Packet3 packet_3(const NationalValues& nv, std::uint16_t NID_C) {
   return packet;
 }
 
-train::SrsVersion read_srs_version(const JsonPlace& place) {
-  return static_cast<train::SrsVersion>(place.one_of({"3.4.0", "3.6.0", "4.0.0"}));
-}
-
-const char* name(train::SrsVersion version) {
-  constexpr const char* names[] = {"3.4.0", "3.6.0", "4.0.0"};
-  return names[static_cast<std::size_t>(version)];
-}
+SrsVersion read_srs_version(const JsonPlace& place) { return place.term<kSrsVersionRows>(); }
 
 }  // namespace evc::io

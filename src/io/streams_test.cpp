@@ -66,7 +66,7 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
 {"t_ms":700,"driver":{"ack":["OS","level"],"select":"override","enter":{"driver_id":"12","level":"2"}}}
 )");
   EXPECT_EQ(stream.configuration().cycle_ms, 200);
-  EXPECT_EQ(stream.configuration().srs, train::SrsVersion::v4_0_0);
+  EXPECT_EQ(stream.configuration().srs, SrsVersion::v4_0_0);
   EXPECT_EQ(stream.configuration().levels, (std::array<bool, 5>{false, true, false, true, false}));
   sim::CycleInputs cycle;
   ASSERT_TRUE(*stream.next(cycle));
@@ -81,11 +81,11 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_EQ(inputs.balise_telegrams[0].bits, 16u);
   EXPECT_EQ(inputs.radio_messages[0].bytes[0], 0x18);
   ASSERT_TRUE(*stream.next(cycle));
-  EXPECT_EQ(cycle.levels.radio_link, kernel::RadioLink::lost);
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::lost);
   EXPECT_TRUE(cycle.view().balise_telegrams.empty());
   ASSERT_TRUE(*stream.next(cycle));
   EXPECT_EQ(cycle.t_ms, 600);
-  EXPECT_EQ(cycle.levels.radio_link, kernel::RadioLink::unchanged);
+  EXPECT_EQ(cycle.levels.radio_link, RadioLink::unchanged);
   ASSERT_TRUE(*stream.next(cycle));
   EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::OS));
   EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::level));
@@ -109,7 +109,6 @@ TEST(InputStream, TwoReportsOfTheBearerInOneCycle) {
     for (const auto& message : cycle.radio) bytes.push_back(message.bytes[0]);
     return bytes;
   };
-  using kernel::RadioLink;
   sim::CycleInputs cycle;
   ASSERT_TRUE(*stream.next(cycle));
   ASSERT_TRUE(*stream.next(cycle));
@@ -155,12 +154,12 @@ TEST(InputWriter, RoundTrip) {
   first.levels.train.direction_controller = kernel::DirectionController::backward;
   first.levels.train.brake_pressure_kpa = 480.5;
   first.levels.national_system.available = 2;
-  first.levels.radio_link = kernel::RadioLink::connected;
+  first.levels.radio_link = RadioLink::connected;
   auto& d = first.levels.driver;
   d.selected = 5;
   d.acknowledged = 0x801;
   d.driver_id = 0x4711FFFF;
-  d.level = modes::Level::NTC;
+  d.level = Level::NTC;
   d.nid_ntc = 1;
   d.train_running_number = 0x12345678;
   d.rbc_contact = {426, 7, 0x0031840880150FFFu};
@@ -193,7 +192,7 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(rd.rbc_contact->NID_RADIO, d.rbc_contact->NID_RADIO);
   EXPECT_EQ(rd.D_sr, d.D_sr);
   EXPECT_EQ(read.train_data->L_TRAIN, 123_m);
-  EXPECT_EQ(read.levels.radio_link, kernel::RadioLink::connected);
+  EXPECT_EQ(read.levels.radio_link, RadioLink::connected);
   EXPECT_EQ(read.levels.train.brake_pressure_kpa, 480.5);
   EXPECT_EQ(read.levels.train.direction_controller, kernel::DirectionController::backward);
   EXPECT_EQ(read.levels.national_system.available, 2u);
@@ -213,13 +212,13 @@ TEST(InputWriter, RoundTrip) {
 
 kernel::Outputs some_outputs() {
   kernel::Outputs o;
-  o.mode = modes::Mode::FS;
-  o.level = modes::Level::L2;
+  o.mode = Mode::FS;
+  o.level = Level::L2;
   o.lrbg = kernel::NidLrbg{426, 352};
   o.est_front = {{1200.5}};
   o.v = 139.7_km_h;
-  o.monitoring = kernel::Monitoring::TSM;
-  o.status = kernel::Status::Indication;
+  o.monitoring = Monitoring::TSM;
+  o.status = Status::Indication;
   o.V_P = 140_km_h;
   o.V_target = 0_km_h;
   o.d_target = 812.4_m;

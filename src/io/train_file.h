@@ -3,8 +3,8 @@
 
 #include "io/json.h"
 #include "sim/dynamics.h"
+#include "terms/srs_version.h"
 #include "train/national_values.h"
-#include "train/srs_version.h"
 #include "train/train_data.h"
 
 namespace evc::lang {
@@ -40,7 +40,6 @@ train::NationalValues read_national_values(const JsonPlace& place);
 lang::Packet3 packet_3(const train::NationalValues& values, std::uint16_t NID_C);
 
 /// "3.4.0", "3.6.0" or "4.0.0"; throws ReadError.
-train::SrsVersion read_srs_version(const JsonPlace& place);
-const char* name(train::SrsVersion version);
+SrsVersion read_srs_version(const JsonPlace& place);
 
 }  // namespace evc::io

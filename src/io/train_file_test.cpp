@@ -171,7 +171,7 @@ TEST(NationalValues, NamesUnitsAndInfinity) {
   EXPECT_EQ(nv.V_NVREL, 15_km_h);
   EXPECT_FALSE(nv.D_NVSTFF);
   EXPECT_EQ(nv.T_NVCONTACT, 35_s);
-  EXPECT_EQ(nv.M_NVCONTACT, train::ContactReaction::train_trip);
+  EXPECT_EQ(nv.M_NVCONTACT, Reaction::trip);
   EXPECT_EQ(nv.Kv_int_passenger.steps[1].value, (train::KvPair{0.65, 0.5}));
   EXPECT_EQ(nv.Kr_int.at(400_m), 0.9);
   EXPECT_TRUE(nv.A_NVMAXREDADH2.no_maximum);

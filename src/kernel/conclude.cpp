@@ -73,15 +73,14 @@ void compose_messages(Cycle& cycle) {
     for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
     if (n == 0) continue;
     (void)cycle.out.radio_out.push_back(message);  // as many as the outbox holds
-    position_sent = position_sent || (intent.NID_MESSAGE != 146 && intent.NID_MESSAGE < 154);
-    position_sent = position_sent || intent.NID_MESSAGE == 157 || intent.NID_MESSAGE == 158;
+    position_sent = position_sent || radio::reports_position(intent.NID_MESSAGE);
   }
   if (position_sent) position::note_reported(s.position, report);
 }
 
 bool in_radio_hole(const Cycle& cycle) {
   for (const track::TrackCondition& t : cycle.state.track.conditions)
-    if (t.kind == track::Condition::radio_hole && cycle.here.max_safe_front >= t.from && cycle.here.est_front <= t.to)
+    if (t.kind == TrackConditionKind::radio_hole && cycle.here.max_safe_front >= t.from && cycle.here.est_front <= t.to)
       return true;
   return false;
 }
@@ -100,9 +99,9 @@ void send_wishes(Cycle& cycle) {
   }
   if (wishes.has(Send::terminate_session)) radio::terminate(s.radio.session, s.now, cycle.outbox);
   if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
-  if (wishes.has(Send::shunting_request)) cycle.outbox.send(130);
-  if (wishes.has(Send::end_of_mission)) cycle.outbox.send(150);
-  if (cycle.taf_granted) cycle.outbox.send(149);
+  if (wishes.has(Send::shunting_request)) cycle.outbox.send(message::request_for_shunting);
+  if (wishes.has(Send::end_of_mission)) cycle.outbox.send(message::end_of_mission);
+  if (cycle.taf_granted) cycle.outbox.send(message::track_ahead_free_granted);
 }
 
 position::ReportEvents filtered_events(const Cycle& cycle) {
@@ -170,7 +169,7 @@ driver::ShowContext show_context(const Cycle& cycle) {
   c.reversing_possible = cycle.reversing_possible;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   for (const track::TrackCondition& t : s.track.conditions)
-    if (t.kind == track::Condition::tunnel_stopping_area && cycle.here.est_front >= t.from &&
+    if (t.kind == TrackConditionKind::tunnel_stopping_area && cycle.here.est_front >= t.from &&
         cycle.here.est_front <= t.to)
       c.tunnel_stopping_area = true;
   for (const track::LevelCrossing& lx : s.track.lx)
@@ -225,19 +224,19 @@ void run_radio(Cycle& cycle) {
   send_wishes(cycle);
   radio::Inputs in;
   in.now = s.now;
-  in.link = static_cast<radio::Link>(cycle.in.radio_link);
+  in.link = cycle.in.radio_link;
   in.in_radio_hole = in_radio_hole(cycle);
   in.level_2_or_3 = level_2_or_3(s.level.level);
   in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
   in.standstill = cycle.here.standstill;
   in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
   in.contact.T_NVCONTACT = s.national_values.T_NVCONTACT;
-  in.contact.M_NVCONTACT = static_cast<radio::Reaction>(s.national_values.M_NVCONTACT);
+  in.contact.M_NVCONTACT = s.national_values.M_NVCONTACT;
   const std::uint16_t due = position::due(s.reports, s.position, filtered_events(cycle), s.train.L_TRAIN);
   leave_rbc(cycle, (due & static_cast<std::uint16_t>(position::Due::border)) != 0);
   in.report_due = due != 0 || cycle.effects.send.has(procedures::Send::position_report);
   in.start_of_mission = cycle.effects.send.has(procedures::Send::start_of_mission_report);
-  in.Q_STATUS = static_cast<std::uint8_t>(s.position.status);
+  in.Q_STATUS = Q_STATUS(s.position.status);
   in.reasons = request_reasons(cycle);
   in.NID_LTRBG = cycle.NID_LTRBG;
   const radio::Result r = radio::supervise(s.radio, in, cycle.outbox);

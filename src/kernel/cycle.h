@@ -52,10 +52,6 @@ struct Cycle {
 /// Adds an event; when there is no room the last one says so.
 void note(Cycle& cycle, const Event& event);
 
-/// The codes of chapter 7.
-std::uint8_t M_MODE(modes::Mode mode);  // 7.5.1.76
-constexpr std::uint8_t M_LEVEL(modes::Level level) { return static_cast<std::uint8_t>(level); }
-
 /// The train in the track frame now.
 track::Here here(const State& state);
 
@@ -70,11 +66,5 @@ constexpr Run run_of(const position::Odometry& now) {
   const Speed most = -now.V_min > now.V_max ? -now.V_min : now.V_max;
   return {V, most - V, backward ? -now.A_est : now.A_est};
 }
-
-/// Whether the level is 2 or 3: the RBC gives the authority.
-constexpr bool level_2_or_3(modes::Level level) { return level == modes::Level::L2 || level == modes::Level::L3; }
-constexpr bool level_1_2_3(modes::Level level) { return level == modes::Level::L1 || level_2_or_3(level); }
-
-modes::Edition edition(train::SrsVersion srs);
 
 }  // namespace evc::kernel

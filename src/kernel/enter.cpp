@@ -12,67 +12,6 @@ using modes::Stored;
 
 constexpr bool clears(Fate fate) { return fate == Fate::deleted || fate == Fate::reset; }
 
-std::optional<track::Item> track_item(Stored stored) {
-  using enum Stored;
-  using track::Item;
-  switch (stored) {
-    case movement_authority:
-      return Item::movement_authority;
-    case gradient:
-      return Item::gradient;
-    case ssp:
-      return Item::ssp;
-    case asp:
-      return Item::asp;
-    case tsr:
-      return Item::tsr;
-    case inhibit_revocable_tsr:
-      return Item::inhibit_revocable_tsr;
-    case default_gradient_tsr:
-      return Item::default_gradient_tsr;
-    case signalling_speed:
-      return Item::signalling_speed;
-    case route_suitability:
-      return Item::route_suitability;
-    case adhesion_trackside:
-      return Item::adhesion_trackside;
-    case plain_text:
-      return Item::plain_text;
-    case fixed_text:
-      return Item::fixed_text;
-    case geo_position:
-      return Item::geo_position;
-    case mode_profile:
-      return Item::mode_profile;
-    case rbc_transition_order:
-      return Item::rbc_transition_order;
-    case radio_infill_area:
-      return Item::radio_infill_area;
-    case track_conditions_general:
-      return Item::track_conditions_general;
-    case track_conditions_horn_stopping:
-      return Item::track_conditions_horn_stopping;
-    case track_condition_bmm:
-      return Item::track_condition_bmm;
-    case reversing_area:
-      return Item::reversing_area;
-    case reversing_supervision:
-      return Item::reversing_supervision;
-    case permitted_braking_distance:
-      return Item::permitted_braking_distance;
-    case level_crossing:
-      return Item::level_crossing;
-    case stop_sh_on_desk_opening:
-      return Item::stop_sh_on_desk_opening;
-    case sh_bg_list:
-      return Item::sh_bg_list;
-    case generic_ls_marker:
-      return Item::generic_ls_marker;
-    default:
-      return std::nullopt;
-  }
-}
-
 void remove_stops(State& s, bool conditional) {
   s.emergency_stops.pending.erase_if(
       [conditional](const protection::EmergencyStop& e) { return e.conditional == conditional; });
@@ -96,7 +35,6 @@ void clear_other(State& s, Stored stored) {
       return;
     case sr_bg_list_speed_distance:
       s.staff_responsible = {};
-      track::forget(s.track, track::Item::sr_bg_list);
       return;
     case adhesion_driver:
       s.slippery_rail = false;
@@ -169,7 +107,7 @@ void revalidate(State& s, Stored stored) {
 void apply(State& s, Stored stored, Fate fate) {
   if (fate == Fate::to_be_revalidated) return revalidate(s, stored);
   if (!clears(fate)) return;
-  if (const auto item = track_item(stored)) return track::forget(s.track, *item);
+  (void)track::forget(s.track, stored);
   clear_other(s, stored);
 }
 
@@ -181,10 +119,6 @@ void apply_all(State& s, FateOf fate_of) {
   }
 }
 
-track::AreaMode area_mode(Mode mode) {
-  return mode == Mode::OS ? track::AreaMode::OS : mode == Mode::LS ? track::AreaMode::LS : track::AreaMode::SH;
-}
-
 }  // namespace
 
 void enter_mode(Cycle& cycle, Mode to, int number) {
@@ -192,8 +126,8 @@ void enter_mode(Cycle& cycle, Mode to, int number) {
   const Mode from = s.mode;
   note(cycle, Event{.subject = "mode", .from = modes::name(from), .to = modes::name(to), .number = number});
   // The area that was entered is no end of authority any more; before 4.10 deletes the profile (SH).
-  if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, area_mode(to), cycle.here);
-  apply_all(s, [&](Stored stored) { return modes::on_entry(to, from, stored, edition(s.srs)); });
+  if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, cycle.here);
+  apply_all(s, [&](Stored stored) { return modes::on_entry(to, from, stored, s.srs); });
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
   // A group that is only partly read is not continued after the power was off.
   if (to == Mode::NP) balise::abandon(s.balise);
@@ -204,8 +138,8 @@ void enter_mode(Cycle& cycle, Mode to, int number) {
   procedures::override_::on_mode_change(s.override_, from, to);
   if (!s.level_transition.pending) s.buffer.clear();
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
-  brakes::on_mode_entry(s.brakes, static_cast<std::size_t>(to), static_cast<std::size_t>(from));
-  protection::enter_mode(s.guards, protection::guards_of(M_MODE(to)), s.position.now.counter.nominal);
+  brakes::on_mode_entry(s.brakes, to, from);
+  protection::enter_mode(s.guards, protection::guards_of(to), s.position.now.counter.nominal);
   if (to == Mode::SR) {
     // 4.4.11.1.3.1: the national distance from the estimated front end, unless the RBC gave one with its authorisation.
     if (!s.staff_responsible.by_rbc && s.national_values.D_NVSTFF)

@@ -6,11 +6,11 @@
 
 #include "base/inplace_vector.h"
 #include "base/units.h"
-#include "modes/level.h"
 #include "modes/mode.h"
-#include "modes/requests.h"
+#include "terms/monitoring.h"
+#include "terms/radio_link.h"
+#include "terms/srs_version.h"
 #include "train/national_values.h"
-#include "train/srs_version.h"
 #include "train/train_data.h"
 
 // The whole outside of the kernel. Nothing else goes in or out: no clock, no file, no thread, no
@@ -20,7 +20,7 @@ namespace evc::kernel {
 /// What the unit is told once, at power-up.
 struct Config {
   Duration cycle{0.1};
-  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
   train::TrainData train;
   train::NationalValues national_values;                                  // valid until packet 3 brings others (3.18.2)
   std::array<bool, modes::kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
@@ -45,9 +45,6 @@ struct LoopMessage {
 struct RadioMessage {
   std::span<const std::uint8_t> bytes;
 };
-/// What the radio bearer reports of the session to the RBC that was called last.
-enum class RadioLink : std::uint8_t { unchanged, connected, lost, refused };
-
 /// Selections of the driver in this cycle, one bit each (4.7.2, "driver requests").
 enum class Select : std::uint8_t {
   start,
@@ -136,9 +133,6 @@ struct Event {
   const char* clause = nullptr;
   int number = -1;
 };
-
-enum class Monitoring : std::uint8_t { none, CSM, TSM, RSM };
-enum class Status : std::uint8_t { none, Normal, Indication, Overspeed, Warning, Intervention };
 
 struct NidLrbg {
   std::uint16_t NID_C = 0;

@@ -15,6 +15,7 @@
 #include "lang/packets/packet_68.h"
 #include "lang/si.h"
 #include "radio/from_packets.h"
+#include "terms/packet_numbers.h"
 #include "track/store.h"
 
 namespace evc::kernel {
@@ -54,7 +55,7 @@ AcceptanceContext context_of(const Cycle& cycle, const Information& information)
   c.desk_open = cycle.in.train.desk_open;
   c.train_data_valid = s.data.train_data_status == DataStatus::valid;
   c.override_active = s.override_.active;
-  c.edition = edition(s.srs);
+  c.srs = s.srs;
   return c;
 }
 
@@ -78,7 +79,7 @@ bool accept_packet(Evaluation& e, std::size_t i, int detail = 0) {
   const lang::PacketView& view = e.information.packets[i];
   const modes::Informations rows = modes::information_of_packet(view.NID_PACKET, detail);
   Acceptance worst{Verdict::accepted, ""};
-  for (const modes::Information row : rows) {
+  for (const evc::Information row : rows) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }
@@ -100,7 +101,7 @@ modes::LevelTable table_of(const P& p) {
   modes::LevelTable table;
   const auto entry = [&p](const auto& e) {
     modes::OrderedLevel level;
-    level.level = static_cast<modes::Level>(e.M_LEVELTR.raw);
+    level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was refused before
     level.nid_ntc = level.level == modes::Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
     level.L_ack = L_ack(p, e);
     return level;
@@ -112,7 +113,7 @@ modes::LevelTable table_of(const P& p) {
 
 std::optional<procedures::level_transition::Order> order_of(const Evaluation& e, const lang::PacketView& view) {
   procedures::level_transition::Order order;
-  if (view.NID_PACKET == 46) {
+  if (view.NID_PACKET == packet::conditional_level_transition_order) {
     lang::Packet46 p;
     if (lang::decode(view, p) != lang::Fault::none) return {};
     order.kind = modes::OrderKind::conditional;
@@ -131,11 +132,14 @@ std::optional<procedures::level_transition::Order> order_of(const Evaluation& e,
 void evaluate_level_orders(Evaluation& e) {
   bool along = false;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i)
-    along = along || e.information.packets[i].NID_PACKET == 41;
+    along = along || e.information.packets[i].NID_PACKET == packet::level_transition_order;
   e.context.level_order_along_or_announced = along || e.cycle.state.level_transition.pending.has_value();
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
-    if ((view.NID_PACKET != 41 && view.NID_PACKET != 46) || !judged(e, i)) continue;
+    if ((view.NID_PACKET != packet::level_transition_order &&
+         view.NID_PACKET != packet::conditional_level_transition_order) ||
+        !judged(e, i))
+      continue;
     const auto order = order_of(e, view);
     if (!order) continue;
     e.context.order = order->kind;
@@ -156,7 +160,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
   State& s = e.cycle.state;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
-    if (view.NID_PACKET != 5 || !judged(e, i)) continue;
+    if (view.NID_PACKET != packet::linking || !judged(e, i)) continue;
     lang::Packet5 p;
     if (!accept_packet(e, i) || lang::decode(view, p) != lang::Fault::none) continue;
     balise::LinkingReference reference;
@@ -243,47 +247,47 @@ void take_cover(Evaluation& e, const lang::PacketView& view) {
 bool take_here(Evaluation& e, std::size_t i) {
   const lang::PacketView& view = e.information.packets[i];
   switch (view.NID_PACKET) {
-    case 3:
+    case packet::national_values:
       if (accept_packet(e, i)) take_national_values(e, view);
       return true;
-    case 6:
+    case packet::virtual_balise_cover_order:
       if (accept_packet(e, i)) take_cover(e, view);
       return true;
-    case 42: {
+    case packet::session_management: {
       lang::Packet42 p;
       if (lang::decode(view, p) == lang::Fault::none) e.context.orders_establishment = p.Q_RBC.raw == 1;
-      const auto rows = modes::information_of_packet(42);
+      const auto rows = modes::information_of_packet(packet::session_management);
       const Acceptance a = modes::accept(rows[0], e.context);
-      tell(e, "packet", 42, a);
+      tell(e, "packet", packet::session_management, a);
       if (a.verdict == Verdict::accepted || a.verdict == Verdict::only_contact_stored)
         take_session_order(e, view, a.verdict == Verdict::only_contact_stored);
       return true;
     }
-    case 57:
+    case packet::ma_request_parameters:
       if (accept_packet(e, i)) take_ma_request_parameters(e, view);
       return true;
-    case 58:
+    case packet::position_report_parameters:
       if (accept_packet(e, i)) take_report_parameters(e, view);
       return true;
-    case 2:
-    case 44:
-    case 45:
-    case 133:
-    case 134:
-    case 140:
-    case 143:
-    case 180:
-    case 254:
+    case packet::system_version_order:
+    case packet::external_application_data:
+    case packet::radio_network_registration:
+    case packet::radio_infill_area:
+    case packet::eolm:
+    case packet::train_running_number_from_rbc:
+    case packet::session_management_riu:
+    case packet::lssma_display:
+    case packet::default_information:
       // The filters judge them; this unit has no use for what they say (CAVEATS).
       (void)accept_packet(e, i);
       return true;
-    case 0:
-    case 145:
-    case 255:
-    case 136:
-    case 5:
-    case 41:
-    case 46:
+    case packet::virtual_balise_cover_marker:
+    case packet::inhibition_of_consistency_reaction:
+    case packet::end_of_information:
+    case packet::infill_location_reference:
+    case packet::linking:
+    case packet::level_transition_order:
+    case packet::conditional_level_transition_order:
       return true;  // evaluated elsewhere
     default:
       return false;
@@ -291,14 +295,19 @@ bool take_here(Evaluation& e, std::size_t i) {
 }
 
 int detail_of(const lang::PacketView& view) {
-  if (view.NID_PACKET != 68) return 0;
+  if (view.NID_PACKET != packet::track_condition) return 0;
   lang::Packet68 p;
   if (lang::decode(view, p) != lang::Fault::none || p.Q_TRACKINIT.raw == 1) return 0;
   return p.M_TRACKCOND.raw;
 }
 
-constexpr bool belongs_to_authority(int NID_PACKET) { return NID_PACKET == 80 || NID_PACKET == 49 || NID_PACKET == 63; }
-constexpr bool is_authority(int NID_PACKET) { return NID_PACKET == 12 || NID_PACKET == 15; }
+constexpr bool belongs_to_authority(int NID_PACKET) {
+  return NID_PACKET == packet::mode_profile || NID_PACKET == packet::balise_groups_for_sh_area ||
+         NID_PACKET == packet::balise_groups_in_sr_authority;
+}
+constexpr bool is_authority(int NID_PACKET) {
+  return NID_PACKET == packet::level_1_movement_authority || NID_PACKET == packet::level_2_3_movement_authority;
+}
 
 void evaluate_track_packets(Evaluation& e) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
@@ -312,16 +321,17 @@ void evaluate_track_packets(Evaluation& e) {
 /// The movement authority is judged last: whether SSP and gradient cover it shows only now (4.8.3 [4]).
 void evaluate_authority(Evaluation& e) {
   // The authority of a request to shorten is a proposal: take_message decides (3.8.6).
-  if (e.information.message != nullptr && e.information.message->NID_MESSAGE == 9) return;
+  if (e.information.message != nullptr && e.information.message->NID_MESSAGE == message::request_to_shorten_ma) return;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (!is_authority(view.NID_PACKET) || !judged(e, i)) continue;
     track::Contents whole = e.contents;
     if (track::add(whole, view, e.reference) != track::Added::added) continue;
     e.context.described_over_whole_ma = track::complete(e.cycle.state.track, whole, e.cycle.here);
-    if (view.NID_PACKET == 12 && whole.V_MAIN && *whole.V_MAIN == 0 && !e.contents.infill) {
+    if (view.NID_PACKET == packet::level_1_movement_authority && whole.V_MAIN && *whole.V_MAIN == 0 &&
+        !e.contents.infill) {
       // The signalling related speed restriction "0" is a row of its own: a trip order (3.11.6.2).
-      const Acceptance trip = modes::accept(modes::Information::signalling_speed, e.context);
+      const Acceptance trip = modes::accept(evc::Information::signalling_speed, e.context);
       if (trip.verdict == Verdict::accepted) {
         e.contents.V_MAIN = whole.V_MAIN;
         e.cycle.facts.trip_order = true;
@@ -339,7 +349,8 @@ void evaluate_authority(Evaluation& e) {
     for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
       // Those of the same part: what stands behind packet 136 belongs to the infill authority.
       const lang::PacketView& other = e.information.packets[k];
-      if ((other.NID_PACKET == 80 || other.NID_PACKET == 49) && judged(e, k))
+      if ((other.NID_PACKET == packet::mode_profile || other.NID_PACKET == packet::balise_groups_for_sh_area) &&
+          judged(e, k))
         (void)track::add(e.contents, other, e.reference);
     }
   }
@@ -398,10 +409,12 @@ void store_contents(Evaluation& e) {
 /// The information of the radio message itself, beside its packets.
 void evaluate_message(Evaluation& e) {
   const lang::MessageToTrainView& message = *e.information.message;
-  if (!e.information.judge_message || message.NID_MESSAGE == 3 || message.NID_MESSAGE == 33) return;
-  if (message.NID_MESSAGE == 9)
+  if (!e.information.judge_message || message.NID_MESSAGE == message::movement_authority ||
+      message.NID_MESSAGE == message::movement_authority_shifted)
+    return;
+  if (message.NID_MESSAGE == message::request_to_shorten_ma)
     e.context.described_over_whole_ma = proposal_is_described(e.cycle, e.information, e.reference);
-  for (const modes::Information row : modes::information_of_message(message.NID_MESSAGE)) {
+  for (const evc::Information row : modes::information_of_message(message.NID_MESSAGE)) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict == Verdict::buffered) e.waiting.message = true;
     if (a.verdict == Verdict::rejected) {
@@ -427,7 +440,7 @@ struct Infill {
 };
 std::optional<Infill> find_infill(const Information& information) {
   for (std::size_t i = 0; i < information.packets.size(); ++i) {
-    if (information.packets[i].NID_PACKET != 136) continue;
+    if (information.packets[i].NID_PACKET != packet::infill_location_reference) continue;
     Infill infill;
     infill.at = i;
     lang::Packet136 p;
@@ -460,7 +473,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
   e.reference.place = *place;
   e.reference.group = infill.group;
   e.contents = track::Contents{};
-  e.contents.source = e.reference.source;
+  e.contents.medium = e.reference.medium;
   e.contents.time = e.information.time;
   e.contents.reference = *place;
   e.contents.infill = *place;
@@ -472,10 +485,9 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
 
 Waiting evaluate(Cycle& cycle, const Information& information) {
   Evaluation e{cycle, information, context_of(cycle, information), {}, {}, 0, 0, {}, nullptr};
-  e.reference = {information.reference, information.orientation, information.group,
-                 information.medium == modes::Medium::rbc ? track::Source::rbc : track::Source::balise,
+  e.reference = {information.reference, information.orientation, information.group, information.medium,
                  cycle.state.now};
-  e.contents.source = e.reference.source;
+  e.contents.medium = e.reference.medium;
   e.contents.time = information.time;
   e.contents.reference = information.reference;
   const std::optional<Infill> infill = find_infill(information);

@@ -354,7 +354,7 @@ void expect_same(const Outputs& a, const Outputs& b) {
   for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_STREQ(a.events[i].subject, b.events[i].subject);
 }
 
-class AnyEdition : public Unit, public ::testing::WithParamInterface<train::SrsVersion> {
+class AnyEdition : public Unit, public ::testing::WithParamInterface<SrsVersion> {
  protected:
   AnyEdition() {
     config.srs = GetParam();
@@ -362,8 +362,7 @@ class AnyEdition : public Unit, public ::testing::WithParamInterface<train::SrsV
   }
 };
 INSTANTIATE_TEST_SUITE_P(Kernel, AnyEdition,
-                         ::testing::Values(train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0,
-                                           train::SrsVersion::v4_0_0));
+                         ::testing::Values(SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0));
 
 TEST_P(AnyEdition, a_group_at_the_EOA_trips_in_release_speed_monitoring_of_4_0_0) {
   start_of_mission(modes::Level::L1, 0, Ack::SR);
@@ -396,7 +395,7 @@ TEST_P(AnyEdition, a_group_at_the_EOA_trips_in_release_speed_monitoring_of_4_0_0
   in.balise_telegrams = read;
   for (int i = 0; i < 30; ++i) cycle(5.0);
   ASSERT_LT(out.min_safe_front, EOA);
-  EXPECT_EQ(out.mode, GetParam() == train::SrsVersion::v4_0_0 ? modes::Mode::TR : modes::Mode::FS);
+  EXPECT_EQ(out.mode, GetParam() == SrsVersion::v4_0_0 ? modes::Mode::TR : modes::Mode::FS);
 }
 
 TEST_P(AnyEdition, derived_data_follow_from_the_state_alone) {

@@ -95,7 +95,7 @@ ReceivedNationalValues read(const lang::Packet3& p) {
   nv.T_NVOVTRP = lang::seconds(p.T_NVOVTRP);
   nv.T_NVCONTACT = lang::seconds(p.T_NVCONTACT);
   nv.Q_NVLOCACC = lang::metres(p.Q_NVLOCACC);
-  nv.M_NVCONTACT = static_cast<train::ContactReaction>(p.M_NVCONTACT.raw);
+  nv.M_NVCONTACT = reaction_of(p.M_NVCONTACT.raw).value_or(Reaction::trip);
   nv.M_NVDERUN = p.M_NVDERUN.raw != 0;
   nv.Q_NVDRIVER_ADHES = p.Q_NVDRIVER_ADHES.raw != 0;
   nv.Q_NVSBTSMPERM = p.Q_NVSBTSMPERM.raw != 0;

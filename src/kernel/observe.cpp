@@ -30,9 +30,9 @@ procedures::start_of_mission::Session session_of(const State& s) {
 }
 
 DataStatus position_status(const State& s) {
-  return s.position.status == position::Status::valid     ? DataStatus::valid
-         : s.position.status == position::Status::invalid ? DataStatus::invalid
-                                                          : DataStatus::unknown;
+  return s.position.status == DataStatus::valid     ? DataStatus::valid
+         : s.position.status == DataStatus::invalid ? DataStatus::invalid
+                                                    : DataStatus::unknown;
 }
 
 modes::Set<Ack> acknowledged(const DriverActions& driver) { return modes::Set<Ack>::of_bits(driver.acknowledged); }
@@ -149,9 +149,9 @@ std::span<const procedures::mode_profile::Area> areas_of(const State& s,
                                                          InplaceVector<procedures::mode_profile::Area, 32>& areas) {
   for (const track::ModeArea& a : s.track.mode_profile) {
     procedures::mode_profile::Area area;
-    area.mode = a.mode == track::AreaMode::OS ? Mode::OS : a.mode == track::AreaMode::LS ? Mode::LS : Mode::SH;
+    area.mode = a.mode;
     area.start = a.from;
-    if (a.mode != track::AreaMode::SH) area.end = a.to;
+    if (a.mode != Mode::SH) area.end = a.to;
     const Speed national = area.mode == Mode::OS   ? s.national_values.V_NVONSIGHT
                            : area.mode == Mode::LS ? s.national_values.V_NVLIMSUPERV
                                                    : s.national_values.V_NVSHUNT;
@@ -185,7 +185,7 @@ void run_level_transition(Cycle& cycle) {
   in.driver_level = driver_level(cycle);
   in.available = available_levels(cycle);
   in.acknowledged = cycle.facts.acknowledged.has(Ack::level);
-  in.edition = edition(s.srs);
+  in.srs = s.srs;
   if (in.driver_level) s.data.level_status = DataStatus::valid;
   const auto result = procedures::level_transition::step(s.level_transition, in);
   cycle.effects |= result.effects;
@@ -217,7 +217,7 @@ void run_mode_profile(Cycle& cycle) {
   in.max_safe_front = cycle.here.max_safe_front;
   in.V_est = run_of(s.position.now).V;
   in.acknowledged = cycle.facts.acknowledged;
-  in.edition = edition(s.srs);
+  in.srs = s.srs;
   const auto r = procedures::mode_profile::step(s.mode_profile, in);
   cycle.effects |= r.effects;
   cycle.facts.profile_demands_OS = r.demands_OS;

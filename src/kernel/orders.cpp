@@ -5,6 +5,7 @@
 #include "lang/messages.h"
 #include "lang/si.h"
 #include "sdm/supervision.h"
+#include "terms/packet_numbers.h"
 #include "track/services.h"
 #include "track/store.h"
 
@@ -57,11 +58,13 @@ void leave_area(Cycle& cycle, std::uint16_t NID_C) {
 
 track::Contents proposal(const Information& information, const track::Reference& reference) {
   track::Contents proposed;
-  proposed.source = reference.source;
+  proposed.medium = reference.medium;
   proposed.time = information.time;
   proposed.reference = information.reference;
   for (const lang::PacketView& p : information.packets)
-    if (p.NID_PACKET == 15 || p.NID_PACKET == 80 || p.NID_PACKET == 49) (void)track::add(proposed, p, reference);
+    if (p.NID_PACKET == packet::level_2_3_movement_authority || p.NID_PACKET == packet::mode_profile ||
+        p.NID_PACKET == packet::balise_groups_for_sh_area)
+      (void)track::add(proposed, p, reference);
   return proposed;
 }
 
@@ -137,7 +140,7 @@ const char* take_SR_authorisation(Cycle& cycle, const Information& information, 
   if (D_SR) s.staff_responsible.end = cycle.here.est_front + *D_SR;
   s.track.sr_list.reset();
   for (const lang::PacketView& p : information.packets) {
-    if (p.NID_PACKET != 63) continue;
+    if (p.NID_PACKET != packet::balise_groups_in_sr_authority) continue;
     track::Contents list;
     if (track::add(list, p, reference) == track::Added::added) s.track.sr_list = list.sr_list;
   }
@@ -179,45 +182,45 @@ const char* take_message(Cycle& cycle, const Information& information, const lan
                          const track::Reference& reference) {
   State& s = cycle.state;
   switch (message.NID_MESSAGE) {
-    case 2:
+    case message::sr_authorisation:
       return take_SR_authorisation(cycle, information, message, reference);
-    case 6:
+    case message::exit_from_trip_recognised:
       cycle.exit_from_trip = true;
       s.radio.exit_from_trip = message.T_TRAIN.raw;
       return nullptr;
-    case 8: {
+    case message::train_data_acknowledged: {
       lang::Message8 m;
       if (lang::decode(message, m) != lang::Fault::none) return "3.16.3.1.1";
       radio::receive_train_data_ack(s.radio, m.T_TRAIN_REF.raw);
       cycle.train_data_acknowledged = true;
       return nullptr;
     }
-    case 9:
+    case message::request_to_shorten_ma:
       return take_shortening(cycle, information, message, reference);
-    case 15:
+    case message::conditional_emergency_stop:
       return take_conditional_stop(cycle, information, message, reference);
-    case 16:
+    case message::unconditional_emergency_stop:
       return take_unconditional_stop(cycle, message, information);
-    case 18:
+    case message::emergency_stop_revoked:
       return take_revocation(cycle, message);
-    case 27:
+    case message::sh_refused:
       cycle.SH_refused = true;
       return nullptr;
-    case 28:
+    case message::sh_authorised:
       cycle.SH_authorised = true;
       return nullptr;
-    case 34:
+    case message::track_ahead_free_request:
       return take_track_ahead_free(cycle, message, reference);
-    case 40:
+    case message::train_rejected:
       cycle.train_rejected = true;
       return nullptr;
-    case 41:
+    case message::train_accepted:
       cycle.train_accepted = true;
       return nullptr;
-    case 43:
+    case message::som_position_confirmed:
       cycle.position_confirmed = true;
       return nullptr;
-    case 45: {
+    case message::coordinate_system_assigned: {
       lang::Message45 m;
       if (lang::decode(message, m) != lang::Fault::none) return "3.16.3.1.1";
       const Direction nominal = m.Q_ORIENTATION.raw == 1 ? Direction::nominal : Direction::reverse;

@@ -61,8 +61,8 @@ void react(Cycle& cycle, const balise::Outcome& outcome) {
               e.what == balise::Happened::linking_error_missed || e.what == balise::Happened::linking_error_later;
     two_missed = two_missed || e.what == balise::Happened::double_linking_error;
   }
-  if (outcome.reaction == balise::Reaction::trip) cycle.facts.linking_reaction_trip = true;
-  if (outcome.reaction == balise::Reaction::service_brake) {
+  if (outcome.reaction == Reaction::trip) cycle.facts.linking_reaction_trip = true;
+  if (outcome.reaction == Reaction::service_brake) {
     cycle.asked.add(two_missed ? brakes::Cause::two_groups_missed
                     : linking  ? brakes::Cause::linking
                                : brakes::Cause::balise_group_consistency);
@@ -166,8 +166,8 @@ void refuse_group(Cycle& cycle, GroupId id) {
 /// The trip by a balise group in release speed monitoring (3.13.10.2.6 b of 4.0.0).
 void check_group_at_EOA(Cycle& cycle, const balise::Group& group) {
   const State& s = cycle.state;
-  const bool in_RSM = s.supervision.active && s.supervision.monitoring == sdm::Monitoring::RSM;
-  if (s.srs != train::SrsVersion::v4_0_0 || !in_RSM || !level_2_or_3(s.level.level)) return;
+  const bool in_RSM = s.supervision.active && s.supervision.monitoring == Monitoring::RSM;
+  if (s.srs != SrsVersion::v4_0_0 || !in_RSM || !level_2_or_3(s.level.level)) return;
   if (!group.announced || !group.link_place || !group.Q_LOCACC) return;
   if (protection::group_trips(s.basis.authority, *group.link_place - *group.Q_LOCACC, s.train.L_antenna_front))
     cycle.facts.group_at_eoa_in_RSM = true;
@@ -243,7 +243,7 @@ bool refer(Information& information, const State& state, const lang::MessageToTr
 
 /// Message 33 counts from a point D_REF away from the LRBG (3.6.3.2.5).
 void shift_reference(Information& information, const lang::MessageToTrainView& view) {
-  if (view.NID_MESSAGE != 33) return;
+  if (view.NID_MESSAGE != message::movement_authority_shifted) return;
   lang::Message33 m;
   if (lang::decode(view, m) != lang::Fault::none) return;
   const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
@@ -290,7 +290,8 @@ void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
   }
   radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
   // 40 and 41 of an old RBC may carry any LRBG (6.6.3.3.2).
-  if (view.sv.x == 1 && (view.NID_MESSAGE == 40 || view.NID_MESSAGE == 41)) header.NID_LRBG = radio::kUnknownLrbg;
+  if (view.sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
+    header.NID_LRBG = radio::kUnknownLrbg;
   const radio::Rejected rejected = radio::receive(s.radio, header, s.now, cycle.outbox);
   if (rejected != radio::Rejected::no) {
     note(cycle,
@@ -298,7 +299,7 @@ void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
     return;
   }
   cycle.new_radio_message = true;
-  if (view.NID_MESSAGE == 32) {
+  if (view.NID_MESSAGE == message::trackside_system_version) {
     lang::Message32 m;
     if (lang::decode(view, m) == lang::Fault::none)
       radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, cycle.outbox);

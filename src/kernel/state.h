@@ -32,8 +32,6 @@
 // What the unit remembers (State) and what follows from it (Derived).
 namespace evc::kernel {
 
-using procedures::start_of_mission::DataStatus;
-
 /// National values that wait for their place (3.18.2.9).
 struct PendingNationalValues {
   Place from{};
@@ -105,7 +103,7 @@ struct SupervisionBasis {
 struct State {
   Duration cycle{0.1};
   Duration now{};
-  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
   std::array<bool, modes::kLevels> fitted_levels{true, true, true, true, true};
   modes::Mode mode = modes::Mode::NP;
   modes::Mode previous_mode = modes::Mode::NP;

@@ -58,8 +58,7 @@ void run_texts(Cycle& cycle) {
   if (cycle.facts.acknowledged.has(modes::Ack::text) && !s.texts_to_acknowledge.empty())
     acknowledged = s.texts_to_acknowledge[0];
   InplaceVector<std::uint8_t, 6> reports;
-  cycle.texts = track::show_texts(s.track, cycle.here, M_MODE(s.mode), M_LEVEL(s.level.level), s.level.nid_ntc,
-                                  acknowledged, reports);
+  cycle.texts = track::show_texts(s.track, cycle.here, s.mode, s.level.level, s.level.nid_ntc, acknowledged, reports);
   s.texts_to_acknowledge = cycle.texts.to_acknowledge;
   cycle.effects.requests.add(modes::Ack::text, !cycle.texts.to_acknowledge.empty());
   cycle.asked.add(brakes::Cause::text_service, cycle.texts.service_brake);

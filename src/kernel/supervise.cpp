@@ -16,19 +16,19 @@ constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 
 /// The speed limit of the mode (3.11.7); absent: the mode has none.
 std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
   const train::NationalValues& nv = s.national_values;
-  const auto of_area = [&](track::AreaMode mode, Speed national) {
+  const auto of_area = [&](Mode mode, Speed national) {
     const auto area = track::area_due(s.track, here);
     return area && area->mode == mode && area->V_MAMODE != track::kNoSpeed ? track::speed_of(area->V_MAMODE) : national;
   };
   switch (modes::properties(s.mode).speed_limit) {
     case modes::SpeedLimit::V_NVSHUNT:
-      return of_area(track::AreaMode::SH, nv.V_NVSHUNT);
+      return of_area(Mode::SH, nv.V_NVSHUNT);
     case modes::SpeedLimit::V_NVSTFF:
       return s.staff_responsible.V ? *s.staff_responsible.V : nv.V_NVSTFF;
     case modes::SpeedLimit::V_NVONSIGHT:
-      return of_area(track::AreaMode::OS, nv.V_NVONSIGHT);
+      return of_area(Mode::OS, nv.V_NVONSIGHT);
     case modes::SpeedLimit::V_NVLIMSUPERV:
-      return of_area(track::AreaMode::LS, nv.V_NVLIMSUPERV);
+      return of_area(Mode::LS, nv.V_NVLIMSUPERV);
     case modes::SpeedLimit::V_NVUNFIT:
       return nv.V_NVUNFIT;
     case modes::SpeedLimit::V_REVERSE:
@@ -86,7 +86,7 @@ sdm::TrackConditions conditions_of(const State& s, Place min_safe_rear) {
   c.slippery_rail = c.slippery_rail || s.slippery_rail;
   for (const track::TrackCondition& t : s.track.conditions) {
     if (t.to < min_safe_rear) continue;  // passed by the whole train
-    using enum track::Condition;
+    using enum TrackConditionKind;
     if (t.kind == switch_off_regenerative_brake) earliest(c.regenerative_off, t.from);
     if (t.kind == switch_off_eddy_current_emergency_brake) earliest(c.eddy_current_emergency_off, t.from);
     if (t.kind == switch_off_eddy_current_service_brake) earliest(c.eddy_current_service_off, t.from);
@@ -236,10 +236,8 @@ sdm::Motion motion_of(const Cycle& cycle) {
 
 void show_limits(Cycle& cycle, const sdm::Result& r) {
   Outputs& out = cycle.out;
-  out.monitoring = r.monitoring == sdm::Monitoring::CSM   ? Monitoring::CSM
-                   : r.monitoring == sdm::Monitoring::TSM ? Monitoring::TSM
-                                                          : Monitoring::RSM;
-  out.status = static_cast<Status>(static_cast<int>(r.status) + 1);
+  out.monitoring = r.monitoring;
+  out.status = r.status;
   out.V_P = r.V_P;
   out.V_W = r.V_W;
   out.V_SBI = r.V_SBI;
@@ -332,10 +330,9 @@ void refresh(Cycle& cycle) {
                                   .mode_limit = mode_speed(s, cycle.here)};
   const bool changed = s.basis.number == 0 || s.basis.key != key;
   if (changed)
-    s.basis =
-        basis_of(cycle, key,
-                 within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), M_MODE(s.mode))
-                                                     : track::Authority{});
+    s.basis = basis_of(cycle, key,
+                       within(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), s.mode)
+                                                           : track::Authority{});
   if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
   d.built = s.basis.number;
   build(cycle, s.basis);
@@ -375,7 +372,7 @@ void guard_movement(Cycle& cycle) {
     m.reversing_left =
         cycle.here.est_front - (*s.track.reversing_reference - *s.track.reversing_supervision->D_REVERSE);
   m.acknowledged = cycle.facts.acknowledged.has(modes::Ack::brake);
-  const protection::Commands c = protection::guard(s.guards, protection::guards_of(M_MODE(s.mode)), m);
+  const protection::Commands c = protection::guard(s.guards, protection::guards_of(s.mode), m);
   cycle.asked.add(brakes::Cause::roll_away, c.roll_away);
   cycle.asked.add(brakes::Cause::reverse_movement, c.reverse_movement);
   cycle.asked.add(brakes::Cause::standstill, c.standstill);
@@ -407,7 +404,7 @@ bool can_stop_before(Cycle& cycle, const track::Contents& proposal) {
   cycle.derived.built = 0;
   sdm::Supervision fresh;
   const sdm::Result r = sdm::supervise(fresh, cycle.derived.sdm, motion_of(cycle));
-  return r.monitoring == sdm::Monitoring::CSM && r.status == sdm::Status::Normal;
+  return r.monitoring == Monitoring::CSM && r.status == Status::Normal;
 }
 
 }  // namespace evc::kernel

@@ -1,6 +1,7 @@
 #include "lang/instances.h"
 
 #include "base/bit_cursor.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::lang {
 namespace {
@@ -53,19 +54,21 @@ bool Instances::add_identity(const PacketView& packet, std::uint32_t nid, std::u
 }
 
 bool Instances::add_special(const PacketView& packet, std::uint8_t nid) {
-  if (packet.direction == Direction::to_track) return nid != 44 && packets_[0].add(2, nid);  // 8.4.1.5
+  if (packet.direction == Direction::to_track)
+    return nid != packet::external_application_data && packets_[0].add(2, nid);  // 8.4.1.5
   switch (nid) {
-    case 65: {
+    case packet::temporary_speed_restriction: {
       const std::uint32_t NID_TSR = identity(packet, header + 2, 8);  // behind Q_SCALE
-      return NID_TSR != not_revocable && add_identity(packet, 65, NID_TSR);
+      return NID_TSR != not_revocable && add_identity(packet, packet::temporary_speed_restriction, NID_TSR);
     }
-    case 66:
-      return add_identity(packet, 66, identity(packet, header, 8));
-    case 88:
-      return add_identity(packet, 88, identity(packet, header + 2, 8));
-    case 6:
-      return add_identity(packet, 6, identity(packet, header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
-    case 136:
+    case packet::tsr_revocation:
+      return add_identity(packet, packet::tsr_revocation, identity(packet, header, 8));
+    case packet::level_crossing:
+      return add_identity(packet, packet::level_crossing, identity(packet, header + 2, 8));
+    case packet::virtual_balise_cover_order:
+      return add_identity(packet, packet::virtual_balise_cover_order,
+                          identity(packet, header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
+    case packet::infill_location_reference:
       return add_location(packet);
     default:
       return false;  // 8.4.1.4.1, .6 to .8; 200 is packet 0 of version 1.1
@@ -75,7 +78,8 @@ bool Instances::add_special(const PacketView& packet, std::uint8_t nid) {
 bool Superseding::drops(const PacketView& packet) const {
   if (packet.sv.x != 1) return false;
   const std::uint8_t nid = wire_number(packet);
-  return (nid == 68 && p206) || (nid == 70 && p207) || (nid == 39 && p239);
+  return (nid == packet::track_condition && p206) || (nid == packet::route_suitability && p207) ||
+         (nid == packet::traction_system_change && p239);
 }
 
 Superseding superseding_in(std::span<const PacketView> message) {
@@ -83,9 +87,9 @@ Superseding superseding_in(std::span<const PacketView> message) {
   for (const PacketView& packet : message) {
     if (known_version(packet.sv) != v1_1) continue;
     const std::uint8_t nid = wire_number(packet);
-    found.p206 = found.p206 || nid == 206;
-    found.p207 = found.p207 || nid == 207;
-    found.p239 = found.p239 || nid == 239;
+    found.p206 = found.p206 || nid == packet::track_condition_v1;
+    found.p207 = found.p207 || nid == packet::route_suitability_v1;
+    found.p239 = found.p239 || nid == packet::traction_system_change_v1;
   }
   return found;
 }

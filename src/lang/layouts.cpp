@@ -4,6 +4,7 @@
 
 #include "lang/messages.h"
 #include "lang/packets.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::lang {
 namespace {
@@ -113,7 +114,8 @@ constexpr auto steps_of_structure() {
 template <class P>
 constexpr PacketLayout packet_layout(const char* type) {
   const bool to_track = P::info.direction == Direction::to_track;
-  const bool has_length = to_track || (P::info.NID_PACKET != 0 && P::info.NID_PACKET != 255);
+  const bool has_length = to_track || (P::info.NID_PACKET != packet::virtual_balise_cover_marker &&
+                                       P::info.NID_PACKET != packet::end_of_information);
   return {&P::info, type, has_length, has_length && !to_track, steps_of<P>};
 }
 

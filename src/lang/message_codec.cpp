@@ -6,6 +6,7 @@
 #include "lang/messages.h"
 #include "lang/packet_codec.h"
 #include "lang/translate.h"
+#include "terms/message_numbers.h"
 
 namespace evc::lang {
 namespace {
@@ -46,7 +47,7 @@ template <class M>
 Fault decode(const MessageToTrainView& view, M& message) {
   if (is_of<M>(view.NID_MESSAGE, view.sv)) {
     const Fault fault = read_message(view, message);
-    if constexpr (M::info.NID_MESSAGE == 40 || M::info.NID_MESSAGE == 41)
+    if constexpr (M::info.NID_MESSAGE == message::train_rejected || M::info.NID_MESSAGE == message::train_accepted)
       if (view.sv.x == 1) message.NID_LRBG.raw = 16777215u;
     return fault;
   }

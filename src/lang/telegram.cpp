@@ -5,6 +5,8 @@
 #include "lang/message_codec.h"
 #include "lang/message_table.h"
 #include "lang/packet_codec.h"
+#include "terms/message_numbers.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::lang {
 namespace {
@@ -25,11 +27,11 @@ struct Frame {
 /// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19).
 std::uint8_t newest_number(std::uint8_t nid, Versions version) {
   if (version != v1_1) return nid;
-  return nid == 200   ? std::uint8_t{0}
-         : nid == 206 ? std::uint8_t{68}
-         : nid == 207 ? std::uint8_t{70}
-         : nid == 239 ? std::uint8_t{39}
-                      : nid;
+  return nid == packet::virtual_balise_cover_marker_v1 ? std::uint8_t{packet::virtual_balise_cover_marker}
+         : nid == packet::track_condition_v1           ? std::uint8_t{packet::track_condition}
+         : nid == packet::route_suitability_v1         ? std::uint8_t{packet::route_suitability}
+         : nid == packet::traction_system_change_v1    ? std::uint8_t{packet::traction_system_change}
+                                                       : nid;
 }
 
 FaultAt fault_in(Fault fault, std::size_t bit, std::uint8_t nid, const char* variable, std::uint64_t value) {
@@ -80,8 +82,9 @@ bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* 
     return false;
   } else if (frame.medium != 0 && (codec->info->media & frame.medium) == 0) {
     fault = Fault::wrong_medium;
-  } else if ((nid == 0 || nid == 200) && frame.direction == Direction::to_train && !before.empty() &&
-             before.back().NID_PACKET != 0) {
+  } else if ((nid == packet::virtual_balise_cover_marker || nid == packet::virtual_balise_cover_marker_v1) &&
+             frame.direction == Direction::to_train && !before.empty() &&
+             before.back().NID_PACKET != packet::virtual_balise_cover_marker) {
     fault = Fault::wrong_place;
   } else if (instances.add(view, nid)) {
     fault = Fault::duplicate_packet;
@@ -104,7 +107,7 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
       return {Fault::no_end_packet, frame.end, -1, "NID_PACKET", 0};
     }
     const auto nid = static_cast<std::uint8_t>(BitReader(frame.bytes, frame.end, at).read(8));
-    if (nid == 255) {
+    if (nid == packet::end_of_information) {
       used = at + 8;
       if (frame.ending == Ending::packet_255) break;
       return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
@@ -243,7 +246,8 @@ MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, Sy
   view.NID_LRBG.raw = static_cast<std::uint32_t>(in.read(24));
   set_fault(view, scan_message(view, &find_message_to_train, Direction::to_train, check));
   // 6.6.3.3 [2]: an RBC of X = 1 may give a group here, which has no meaning.
-  if (sv.x == 1 && (view.NID_MESSAGE == 40 || view.NID_MESSAGE == 41)) view.NID_LRBG.raw = 16777215u;
+  if (sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
+    view.NID_LRBG.raw = 16777215u;
   return view;
 }
 
@@ -265,8 +269,8 @@ FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Dire
   const PacketCodec* codec = find_packet_codec(direction, known_version(sv), nid);
   PacketView view{nid, 0, 0, 0, sv, direction, codec != nullptr, bytes};
   const Frame frame{bytes, in.end(), direction, sv, 0, Ending::padding, Check::reading};
-  if (nid == 255) view.L_PACKET = 8;
-  if (const FaultAt fault = nid == 255 ? FaultAt{} : measure(frame, view, codec)) return fault;
+  if (nid == packet::end_of_information) view.L_PACKET = 8;
+  if (const FaultAt fault = nid == packet::end_of_information ? FaultAt{} : measure(frame, view, codec)) return fault;
   FaultAt at;
   if (codec != nullptr) (void)codec->check(view, at);
   return is_let_through(at, frame) ? FaultAt{} : at;

@@ -27,8 +27,6 @@ constexpr std::array<const char*, 10> k484{"4.8.4",     "4.8.4 [1]", "4.8.4 [2]"
 
 constexpr Acceptance kAccepted{Verdict::accepted, ""};
 
-bool announced_2_3(const AcceptanceContext& c) { return c.announced == Level::L2 || c.announced == Level::L3; }
-
 /// The exceptions of 4.8.3 that reject what the cell accepts.
 bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
   switch (n) {
@@ -43,7 +41,7 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
     case 8:
       return c.revocable_and_inhibited;
     case 9:
-      return !announced_2_3(c);
+      return !level_2_or_3(c.announced);
     case 10:
       return c.other_previous_lrbg;
     case 11:
@@ -53,7 +51,7 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
     case 13:
       return !c.immediate_order_to_1_2_3;
     default:  // 14
-      return c.edition != Edition::v3_4_0 && c.names_rbc_of_transition;
+      return c.srs != SrsVersion::v3_4_0 && c.names_rbc_of_transition;
   }
 }
 
@@ -63,7 +61,7 @@ bool level_exception_buffers(std::size_t n, const AcceptanceContext& c) {
     case 1:
       return c.announced == Level::L1;
     case 2:
-      return announced_2_3(c);
+      return level_2_or_3(c.announced);
     default:  // 6
       return c.announced == Level::NTC;
   }
@@ -82,7 +80,7 @@ Acceptance judge_level_cell(const AcceptanceCell& cell, const AcceptanceContext&
 bool mode_exception_rejects(std::size_t n, const AcceptanceContext& c) {
   switch (n) {
     case 1:  // level 1: always; levels 2 and 3: until the exit from trip is recognised, and older information
-      return (c.level != Level::L2 && c.level != Level::L3) || !c.exit_from_trip_recognised;
+      return !level_2_or_3(c.level) || !c.exit_from_trip_recognised;
     case 2:
       return !c.desk_open;
     case 4:
@@ -110,7 +108,7 @@ Verdict mode_exception_verdict(std::size_t n, const AcceptanceContext& c) {
   return Verdict::accepted;
 }
 
-bool speaks_for_both_rbcs(Information information, Edition edition) {
+bool speaks_for_both_rbcs(Information information, SrsVersion srs) {
   switch (information) {
     case Information::train_data_ack:
     case Information::trackside_system_version:
@@ -118,20 +116,20 @@ bool speaks_for_both_rbcs(Information information, Edition edition) {
     case Information::session_termination_ack:
       return true;
     case Information::session_initiation:
-      return edition == Edition::v3_4_0;
+      return srs == SrsVersion::v3_4_0;
     default:
       return false;
   }
 }
 
-bool only_of_supervising_rbc(Information information, Edition edition) {
+bool only_of_supervising_rbc(Information information, SrsVersion srs) {
   switch (information) {
     case Information::ma_shortening_request:
     case Information::emergency_stop_revocation:
       return true;
     case Information::lssma_toggle_on:
     case Information::lssma_toggle_off:
-      return edition != Edition::v3_4_0;
+      return srs != SrsVersion::v3_4_0;
     default:
       return false;
   }
@@ -143,7 +141,7 @@ Acceptance accept_by_level(Information information, const AcceptanceContext& c) 
   const std::size_t i = static_cast<std::size_t>(information);
   if (i >= srs_4_8_3.size()) return {Verdict::rejected, k483[0]};
   // 3.6.0 has no initiation of a session by the RBC.
-  if (information == Information::session_initiation && c.edition != Edition::v3_4_0)
+  if (information == Information::session_initiation && c.srs != SrsVersion::v3_4_0)
     return {Verdict::rejected, k483[0]};
   const AcceptanceByLevel& row = srs_4_8_3[i];
   return judge_level_cell((c.medium == Medium::rbc ? row.rbc : row.not_rbc)[static_cast<std::size_t>(c.level)], c);
@@ -156,8 +154,8 @@ Acceptance accept_by_rbc(Information information, const AcceptanceContext& c) {
         information == Information::session_management || information == Information::session_termination_ack;
     return session ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"};
   }
-  if (speaks_for_both_rbcs(information, c.edition)) return kAccepted;
-  if (only_of_supervising_rbc(information, c.edition)) return {Verdict::rejected, "4.8.2.1"};
+  if (speaks_for_both_rbcs(information, c.srs)) return kAccepted;
+  if (only_of_supervising_rbc(information, c.srs)) return {Verdict::rejected, "4.8.2.1"};
   return {Verdict::buffered, "4.8.2.1"};
 }
 
@@ -165,7 +163,7 @@ Acceptance accept_by_mode(Information information, const AcceptanceContext& c) {
   if (c.infill && c.mode != Mode::FS && c.mode != Mode::LS) return {Verdict::rejected, "4.8.4 infill"};
   const AcceptanceCell& cell = srs_4_8_4[static_cast<std::size_t>(information)].modes[static_cast<std::size_t>(c.mode)];
   const bool text = information == Information::plain_text || information == Information::fixed_text;
-  if (text && c.mode == Mode::NL && c.edition == Edition::v3_4_0) return kAccepted;
+  if (text && c.mode == Mode::NL && c.srs == SrsVersion::v3_4_0) return kAccepted;
   if (cell.mark != Mark::accepted) return {Verdict::rejected, k484[0]};
   Acceptance out = kAccepted;
   for (std::size_t n = 1; n < k484.size(); ++n) {

@@ -2,14 +2,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "modes/edition.h"
 #include "modes/information.h"
-#include "modes/level.h"
-#include "modes/mode.h"
+#include "terms/level.h"
+#include "terms/medium.h"
+#include "terms/mode.h"
+#include "terms/srs_version.h"
 
 namespace evc::modes {
-
-enum class Medium : std::uint8_t { balise, loop, riu, rbc };
 
 /// Which of the two RBCs of a handover speaks (4.8.2, 3.15.1); without a handover it is the supervising one.
 enum class RbcRole : std::uint8_t { supervising, accepting, former };
@@ -47,7 +46,7 @@ struct AcceptanceContext {
   bool override_active = false;              // [6]
   bool null_distance = false;                // [8]: RBC transition order to be executed at once
   bool front_in_ls_area_of_message = false;  // [9]: max safe front in the LS area of a profile in this message
-  Edition edition = Edition::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
 };
 
 enum class Verdict : std::uint8_t {

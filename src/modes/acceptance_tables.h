@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "modes/information.h"
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "modes/page.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 namespace evc::modes {
 

@@ -85,8 +85,8 @@ constexpr std::array<const char*, kFunctions> kNames{"link_consistency",
 
 const char* name(Function function) { return kNames[static_cast<std::size_t>(function)]; }
 
-Activity activity(Function function, Mode mode, Edition edition) {
-  if (edition == Edition::v3_4_0) {
+Activity activity(Function function, Mode mode, SrsVersion srs) {
+  if (srs == SrsVersion::v3_4_0) {
     if (function == Function::text_messages && mode == Mode::NL) return Activity::active;
     if (function == Function::advance_route_display) return mode == Mode::FS ? Activity::optional : Activity::inactive;
     if (function == Function::report_data_consistency_error) return Activity::inactive;

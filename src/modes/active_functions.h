@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "modes/edition.h"
-#include "modes/mode.h"
 #include "modes/page.h"
+#include "terms/mode.h"
+#include "terms/srs_version.h"
 
 namespace evc::modes {
 
@@ -236,6 +236,6 @@ constexpr bool active(Function function, Mode mode) {
   return srs_4_5_2[static_cast<std::size_t>(function)].modes[static_cast<std::size_t>(mode)] == Activity::active;
 }
 /// The mark itself, in the issue asked for.
-Activity activity(Function function, Mode mode, Edition edition = Edition::v3_6_0);
+Activity activity(Function function, Mode mode, SrsVersion srs = SrsVersion::v3_6_0);
 
 }  // namespace evc::modes

@@ -5,75 +5,6 @@
 namespace evc::modes {
 namespace {
 
-constexpr std::array<const char*, kInformation> kNames{"national_values",
-                                                       "linking",
-                                                       "signalling_speed",
-                                                       "movement_authority",
-                                                       "repositioning",
-                                                       "gradient",
-                                                       "ssp",
-                                                       "asp",
-                                                       "level_transition_order",
-                                                       "conditional_level_transition_order",
-                                                       "session_management",
-                                                       "radio_network_registration",
-                                                       "ma_request_params",
-                                                       "position_report_params",
-                                                       "sr_authorisation",
-                                                       "stop_if_in_sr",
-                                                       "sr_distance_loop",
-                                                       "tsr",
-                                                       "tsr_revocation",
-                                                       "inhibit_revocable_tsr",
-                                                       "default_gradient_tsr",
-                                                       "route_suitability",
-                                                       "adhesion",
-                                                       "plain_text",
-                                                       "fixed_text",
-                                                       "geo_position",
-                                                       "rbc_transition_order",
-                                                       "danger_for_sh",
-                                                       "stop_sh_on_desk_opening",
-                                                       "radio_infill_area",
-                                                       "session_management_riu",
-                                                       "eolm",
-                                                       "coordinate_system_assignment",
-                                                       "infill_location_reference",
-                                                       "track_conditions_general",
-                                                       "track_conditions_horn_stopping",
-                                                       "track_condition_bmm",
-                                                       "location_identity",
-                                                       "exit_trip_recognition",
-                                                       "train_data_ack",
-                                                       "ma_shortening_request",
-                                                       "unconditional_emergency_stop",
-                                                       "conditional_emergency_stop",
-                                                       "emergency_stop_revocation",
-                                                       "sh_refused",
-                                                       "sh_authorised",
-                                                       "trackside_system_version",
-                                                       "system_version_order",
-                                                       "track_ahead_free_request",
-                                                       "train_running_number",
-                                                       "session_initiation",
-                                                       "session_termination_ack",
-                                                       "train_rejected",
-                                                       "train_accepted",
-                                                       "som_position_confirmed",
-                                                       "reversing_area",
-                                                       "reversing_supervision",
-                                                       "default_balise_info",
-                                                       "taf_up_to_l23",
-                                                       "permitted_braking_distance",
-                                                       "level_crossing",
-                                                       "vbc_order",
-                                                       "generic_ls_marker",
-                                                       "lssma_toggle_on",
-                                                       "lssma_toggle_off",
-                                                       "external_application_data",
-                                                       "stm_max_speed",
-                                                       "stm_system_speed_distance"};
-
 // clang-format off
 struct Row { int number; Information what; };
 
@@ -133,8 +64,6 @@ Informations find(const std::array<Row, N>& rows, int number) {
 }
 
 }  // namespace
-
-const char* name(Information information) { return kNames[static_cast<std::size_t>(information)]; }
 
 Informations information_of_packet(int NID_PACKET, int detail) {
   if (NID_PACKET == 12) {  // the authority of level 1 brings the signalling related speed restriction V_MAIN

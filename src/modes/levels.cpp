@@ -8,9 +8,9 @@ OrderedLevel select_level(const LevelTable& table, const AvailableLevels& availa
   return table.back();
 }
 
-bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mode mode, Edition edition) {
+bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mode mode, SrsVersion srs) {
   if (mode == Mode::NL || from.same_level(to)) return false;
-  if (edition == Edition::v4_0_0 && from.level == Level::NTC && (to.level == Level::L1 || to.level == Level::L2))
+  if (srs == SrsVersion::v4_0_0 && from.level == Level::NTC && (to.level == Level::L1 || to.level == Level::L2))
     return false;
   return srs_5_10_4[static_cast<std::size_t>(from.level)][static_cast<std::size_t>(to.level)];
 }

@@ -7,8 +7,8 @@
 #include "base/inplace_vector.h"
 #include "base/units.h"
 #include "modes/acceptance.h"
-#include "modes/level.h"
-#include "modes/mode.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 namespace evc::modes {
 
@@ -69,7 +69,7 @@ inline constexpr std::array<std::array<bool, kLevels>, kLevels> srs_5_10_4{{
 
 /// 5.10.4; none in NL (4.4.15), and none where the level stays what it is. 4.0.0 asks none from NTC to 1 or 2.
 bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mode mode,
-                            Edition edition = Edition::v3_6_0);
+                            SrsVersion srs = SrsVersion::v3_6_0);
 
 /// A level transition that waits for its place.
 struct PendingTransition {

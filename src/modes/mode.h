@@ -1,18 +1,28 @@
 #pragma once
-#include <cstddef>
-#include <cstdint>
+#include "base/set.h"
+#include "terms/level.h"
+#include "terms/medium.h"
+#include "terms/mode.h"
+#include "terms/requests.h"
+#include "terms/srs_version.h"
+#include "terms/stored.h"
 
+// The terms under the name of this room.
 namespace evc::modes {
 
-/// The modes of SUBSET-026-4 4.4, in the column order of 4.6.2.
-enum class Mode : std::uint8_t { NP, SB, PS, SH, FS, LS, SR, OS, SL, NL, UN, TR, PT, SF, IS, SN, RV };
-inline constexpr std::size_t kModes = 17;
-
-/// The mode's abbreviation of 4.6.1 ("NP", "SB", ...).
-constexpr const char* name(Mode mode) {
-  constexpr const char* names[kModes] = {"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
-                                         "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV"};
-  return names[static_cast<std::size_t>(mode)];
-}
+using evc::Ack;
+using evc::Entry;
+using evc::Inform;
+using evc::kLevels;
+using evc::kModes;
+using evc::kStored;
+using evc::Level;
+using evc::Medium;
+using evc::Mode;
+using evc::name;
+using evc::Offer;
+using evc::Set;
+using evc::Stored;
+using Edition = evc::SrsVersion;
 
 }  // namespace evc::modes

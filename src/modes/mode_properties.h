@@ -2,8 +2,8 @@
 #include <array>
 #include <cstdint>
 
-#include "modes/level.h"
-#include "modes/mode.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 namespace evc::modes {
 

@@ -144,7 +144,7 @@ TEST(Accept, Every_exception_of_4_8_3_decides) {
   c = in(Mode::FS, Level::L2, Medium::balise);
   c.names_rbc_of_transition = true;
   rejects(Information::session_management, c, "4.8.3 [14]");
-  c.edition = Edition::v3_4_0;
+  c.srs = SrsVersion::v3_4_0;
   expect(accept(Information::session_management, c), Verdict::accepted, "");
 }
 
@@ -209,7 +209,7 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   expect(accept(Information::ma_shortening_request, c), Verdict::rejected, "4.8.2.1");
   c.mode = Mode::LS;
   expect(accept(Information::lssma_toggle_off, c), Verdict::rejected, "4.8.2.1");
-  c.edition = Edition::v3_4_0;
+  c.srs = SrsVersion::v3_4_0;
   expect(accept(Information::lssma_toggle_off, c), Verdict::buffered, "4.8.2.1");
   expect(accept(Information::session_initiation, c), Verdict::accepted, "");
   c = in(Mode::FS, Level::L2, Medium::rbc);
@@ -224,7 +224,7 @@ TEST(Accept, Editions) {
   AcceptanceContext c = in(Mode::NL, Level::L2, Medium::rbc);
   expect(accept(Information::plain_text, c), Verdict::rejected, "4.8.4");
   expect(accept(Information::session_initiation, c), Verdict::rejected, "4.8.3");
-  c.edition = Edition::v3_4_0;
+  c.srs = SrsVersion::v3_4_0;
   expect(accept(Information::plain_text, c), Verdict::accepted, "");
   expect(accept(Information::session_initiation, c), Verdict::accepted, "");
 }
@@ -267,8 +267,8 @@ TEST(Levels, Acknowledgement) {
   EXPECT_FALSE(acknowledgement_needed(at(Level::NTC, 1), at(Level::NTC, 1), Mode::SN));
   EXPECT_TRUE(acknowledgement_needed(at(Level::NTC, 1), at(Level::NTC, 2), Mode::SN));
   EXPECT_TRUE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L2), Mode::SN));
-  EXPECT_FALSE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L2), Mode::SN, Edition::v4_0_0));
-  EXPECT_TRUE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L0), Mode::SN, Edition::v4_0_0));
+  EXPECT_FALSE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L2), Mode::SN, SrsVersion::v4_0_0));
+  EXPECT_TRUE(acknowledgement_needed(at(Level::NTC, 1), at(Level::L0), Mode::SN, SrsVersion::v4_0_0));
   EXPECT_FALSE(acknowledgement_needed(at(Level::L2), at(Level::L0), Mode::NL));
   EXPECT_TRUE(acknowledgement_needed(at(Level::L2), at(Level::L0), Mode::FS));
 }

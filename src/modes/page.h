@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "modes/mode.h"
+#include "terms/mode.h"
 
 // Tables of the standard are written as rows of text that look like the page and are read at
 // compile time: a slip in a row does not compile, and no text is left in the program.

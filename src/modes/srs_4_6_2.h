@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "modes/mode.h"
 #include "modes/mode_table.h"
+#include "terms/mode.h"
 
 namespace evc::modes {
 

@@ -3,60 +3,6 @@
 namespace evc::modes {
 namespace {
 
-constexpr std::array<const char*, kStored> kNames{"national_values",
-                                                  "pending_national_values",
-                                                  "linking",
-                                                  "movement_authority",
-                                                  "gradient",
-                                                  "ssp",
-                                                  "asp",
-                                                  "stm_max_speed",
-                                                  "stm_system_speed_distance",
-                                                  "level_transition_order",
-                                                  "stop_sh_on_desk_opening",
-                                                  "sh_bg_list",
-                                                  "ma_request_params",
-                                                  "position_report_params",
-                                                  "sr_bg_list_speed_distance",
-                                                  "tsr",
-                                                  "inhibit_revocable_tsr",
-                                                  "default_gradient_tsr",
-                                                  "signalling_speed",
-                                                  "route_suitability",
-                                                  "adhesion_trackside",
-                                                  "adhesion_driver",
-                                                  "plain_text",
-                                                  "fixed_text",
-                                                  "geo_position",
-                                                  "mode_profile",
-                                                  "rbc_transition_order",
-                                                  "radio_infill_area",
-                                                  "eolm",
-                                                  "track_conditions_general",
-                                                  "track_conditions_horn_stopping",
-                                                  "track_condition_bmm",
-                                                  "unconditional_stops",
-                                                  "conditional_stops",
-                                                  "train_position",
-                                                  "train_data",
-                                                  "level",
-                                                  "trackside_level_table",
-                                                  "driver_id",
-                                                  "radio_network_id",
-                                                  "rbc_id_phone",
-                                                  "train_running_number",
-                                                  "reversing_area",
-                                                  "reversing_supervision",
-                                                  "track_ahead_free_request",
-                                                  "permitted_braking_distance",
-                                                  "level_crossing",
-                                                  "rbc_riu_version",
-                                                  "operated_version",
-                                                  "vbc",
-                                                  "dmi_language",
-                                                  "generic_ls_marker",
-                                                  "lssma_toggle_on_order"};
-
 constexpr std::size_t index(Mode mode) { return static_cast<std::size_t>(mode); }
 
 /// Where 3.4.0 differs from the table.
@@ -68,13 +14,11 @@ Fate of_3_4_0(Mode to, Stored stored, Fate fate) {
 
 }  // namespace
 
-const char* name(Stored stored) { return kNames[static_cast<std::size_t>(stored)]; }
-
-Fate on_entry(Mode to, Mode from, Stored stored, Edition edition) {
+Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs) {
   const StoredRow::Cell& cell = srs_4_10[static_cast<std::size_t>(stored)].on_entry[index(to)];
   if ((cell.notes & 2u) != 0 && from == Mode::SH) return Fate::unchanged;
   if ((cell.notes & 4u) != 0 && from == Mode::PS) return Fate::unchanged;
-  return edition == Edition::v3_4_0 ? of_3_4_0(to, stored, cell.fate) : cell.fate;
+  return srs == SrsVersion::v3_4_0 ? of_3_4_0(to, stored, cell.fate) : cell.fate;
 }
 
 Fate on_level_entry(Level to, Stored stored) {
@@ -119,18 +63,18 @@ Fate on_desk_closed_in_start_of_mission(Stored stored) {
   }
 }
 
-Validity on_exit_np(ColdMovement movement, Stored stored) {
+DataStatus on_exit_np(ColdMovement movement, Stored stored) {
   switch (stored) {
     using enum Stored;
     case eolm:
     case trackside_level_table:
-      return movement == ColdMovement::none ? Validity::valid : Validity::unknown;
+      return movement == ColdMovement::none ? DataStatus::valid : DataStatus::unknown;
     case train_position:
     case level:
     case rbc_id_phone:
-      return movement == ColdMovement::none ? Validity::valid : Validity::invalid;
+      return movement == ColdMovement::none ? DataStatus::valid : DataStatus::invalid;
     default:
-      return Validity::valid;
+      return DataStatus::valid;
   }
 }
 

@@ -4,76 +4,14 @@
 #include <cstdint>
 #include <string_view>
 
-#include "modes/edition.h"
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "modes/page.h"
+#include "terms/data_status.h"
+#include "terms/level.h"
+#include "terms/mode.h"
+#include "terms/srs_version.h"
+#include "terms/stored.h"
 
 namespace evc::modes {
-
-// clang-format off
-/// The rows of 4.10.1.3: what the unit remembers.
-enum class Stored : std::uint8_t {
-  national_values,                // national values
-  pending_national_values,        // national values that do not apply yet
-  linking,                        // linking
-  movement_authority,             // movement authority
-  gradient,                       // gradient profile
-  ssp,                            // static speed profile
-  asp,                            // axle load speed profile
-  stm_max_speed,                  // maximum speed of a national system
-  stm_system_speed_distance,      // system speed and distance of a national system
-  level_transition_order,         // level transition order, conditional order
-  stop_sh_on_desk_opening,        // stop shunting on desk opening
-  sh_bg_list,                     // balise groups allowed in SH
-  ma_request_params,              // MA request parameters
-  position_report_params,         // position report parameters
-  sr_bg_list_speed_distance,      // balise groups allowed in SR; SR speed and distance from driver or trackside
-  tsr,                            // temporary speed restrictions
-  inhibit_revocable_tsr,          // inhibition of revocable TSRs
-  default_gradient_tsr,           // default gradient for TSR
-  signalling_speed,               // signalling related speed restriction
-  route_suitability,              // route suitability data
-  adhesion_trackside,             // adhesion factor from trackside
-  adhesion_driver,                // adhesion factor from the driver
-  plain_text,                     // plain texts
-  fixed_text,                     // fixed texts
-  geo_position,                   // geographical position
-  mode_profile,                   // mode profile
-  rbc_transition_order,           // RBC transition order
-  radio_infill_area,              // radio infill area
-  eolm,                           // end of loop marker
-  track_conditions_general,       // track conditions but the next two rows
-  track_conditions_horn_stopping, // sound horn, non stopping area, tunnel stopping area
-  track_condition_bmm,            // big metal masses
-  unconditional_stops,            // unconditional emergency stops
-  conditional_stops,              // conditional emergency stops
-  train_position,                 // train position
-  train_data,                     // train data
-  level,                          // ERTMS/ETCS level
-  trackside_level_table,          // table of priority of levels from trackside
-  driver_id,                      // driver identity
-  radio_network_id,               // radio network identity
-  rbc_id_phone,                   // RBC identity and phone number
-  train_running_number,           // train running number
-  reversing_area,                 // reversing area
-  reversing_supervision,          // reversing supervision
-  track_ahead_free_request,       // track ahead free request
-  permitted_braking_distance,     // permitted braking distance
-  level_crossing,                 // level crossings
-  rbc_riu_version,                // system version of RBC and RIU
-  operated_version,               // operated system version
-  vbc,                            // virtual balise covers
-  dmi_language,                   // language of the DMI
-  generic_ls_marker,              // generic LS function marker
-  lssma_toggle_on_order,          // LSSMA display on
-  count
-};
-// clang-format on
-inline constexpr std::size_t kStored = static_cast<std::size_t>(Stored::count);
-
-/// The name used in events ("movement_authority").
-const char* name(Stored stored);
 
 /// What happens to a piece of stored information: `U`, `D`, `TBR` (kept, but invalid until it is revalidated), `R`
 /// (back to its initial value), `NR` (the mode cannot be left but by power off; taken as unchanged).
@@ -180,7 +118,7 @@ static_assert(
     "one row for each, in order");
 
 /// 4.10: what to do with `stored` when mode `to` is entered from mode `from`.
-Fate on_entry(Mode to, Mode from, Stored stored, Edition edition = Edition::v3_6_0);
+Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs = SrsVersion::v3_6_0);
 
 /// 4.9.1: what to do with `stored` when level `to` is entered; every other level change touches nothing.
 Fate on_level_entry(Level to, Stored stored);
@@ -189,12 +127,11 @@ Fate on_level_entry(Level to, Stored stored);
 /// SB, so that on_entry does not apply).
 Fate on_desk_closed_in_start_of_mission(Stored stored);
 
-/// Validity of the five items that NP makes invalid, after power-up (4.11).
+/// Status of the five items that NP makes invalid, after power-up (4.11).
 enum class ColdMovement : std::uint8_t { none, moved_or_unknown };
-enum class Validity : std::uint8_t { valid, invalid, unknown };
 
 /// 4.11.1: the validity after power-up of an item that entering NP made invalid: eolm, train_position, level,
 /// trackside_level_table, rbc_id_phone. Items that NP left valid are not touched (answer: valid).
-Validity on_exit_np(ColdMovement movement, Stored stored);
+DataStatus on_exit_np(ColdMovement movement, Stored stored);
 
 }  // namespace evc::modes

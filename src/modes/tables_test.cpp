@@ -248,7 +248,7 @@ TEST(Stored, Is_4_10_in_3_4_0_and_3_6_0) {
         const Fate old = kept ? Fate::unchanged : fates.at(cell["a"]);
         Fate now = old;
         if (r.contains("v360") && r["v360"].contains(name(to))) now = fates.at(r["v360"][name(to)].get<std::string>());
-        EXPECT_EQ(on_entry(to, from, stored, Edition::v3_4_0), old) << r["id"] << name(to);
+        EXPECT_EQ(on_entry(to, from, stored, SrsVersion::v3_4_0), old) << r["id"] << name(to);
         EXPECT_EQ(on_entry(to, from, stored), now) << r["id"] << name(to);
       }
     }
@@ -276,12 +276,12 @@ TEST(Stored, On_level_entry_on_power_up_and_on_a_closed_desk) {
     for (const ColdMovement movement : {ColdMovement::none, ColdMovement::moved_or_unknown}) {
       const json& items =
           file["on_exit_NP"][movement == ColdMovement::none ? "no_cold_movement" : "cold_movement_or_unknown"];
-      Validity expected = Validity::valid;
+      DataStatus expected = DataStatus::valid;
       if (items.contains(name(stored))) {
         const std::string says = items[name(stored)];
-        expected = says == "invalid->valid"     ? Validity::valid
-                   : says == "invalid->unknown" ? Validity::unknown
-                                                : Validity::invalid;
+        expected = says == "invalid->valid"     ? DataStatus::valid
+                   : says == "invalid->unknown" ? DataStatus::unknown
+                                                : DataStatus::invalid;
       }
       EXPECT_EQ(on_exit_np(movement, stored), expected) << name(stored);
     }
@@ -308,7 +308,7 @@ TEST(Functions, Are_4_5_2) {
       if (f.contains("v360") && f["v360"].contains(name(in))) now = marks.at(f["v360"][name(in)].get<std::string>());
       if (f.value("since", "").rfind("3.6.0", 0) == 0) old = Activity::inactive;
       EXPECT_EQ(activity(function, in), now) << f["id"] << name(in);
-      EXPECT_EQ(activity(function, in, Edition::v3_4_0), old) << f["id"] << name(in);
+      EXPECT_EQ(activity(function, in, SrsVersion::v3_4_0), old) << f["id"] << name(in);
       EXPECT_EQ(active(function, in), now == Activity::active) << f["id"] << name(in);
     }
   }

@@ -160,7 +160,7 @@ Distance relocate(State& state, const Passage& passage) {
   make_room(state);
   EVC_REQUIRE(state.references.push_back(reference));
   state.unlinked.reset();
-  state.status = Status::valid;
+  state.status = DataStatus::valid;
   return shift;
 }
 
@@ -262,17 +262,17 @@ void change_cab(State& state, Distance L_engine) {
 }
 
 void invalidate(State& state) {
-  if (state.status == Status::valid) state.status = Status::invalid;
+  if (state.status == DataStatus::valid) state.status = DataStatus::invalid;
 }
 
 void validate(State& state) {
-  if (!state.references.empty()) state.status = Status::valid;
+  if (!state.references.empty()) state.status = DataStatus::valid;
 }
 
 void forget(State& state) {
   state.references.clear();
   state.unlinked.reset();
-  state.status = Status::unknown;
+  state.status = DataStatus::unknown;
 }
 
 }  // namespace evc::position

@@ -6,6 +6,7 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "terms/data_status.h"
 
 // Where the train is (SUBSET-026-3 3.4.2.3, 3.6.1, 3.6.2, 3.6.4).
 //
@@ -37,8 +38,7 @@ struct Odometry {
   Acceleration A_est;
 };
 
-enum class Status : std::uint8_t { invalid = 0, valid = 1, unknown = 2 };  // codes of Q_STATUS
-enum class Motion : std::uint8_t { standstill, forward, backward };        // as seen from the active cab
+enum class Motion : std::uint8_t { standstill, forward, backward };  // as seen from the active cab
 
 /// A balise group the position can be referred to.
 struct Reference {
@@ -66,7 +66,7 @@ struct State {
   Duration time{};
   double sense = 1.0;  // +1: the counter grows when the active cab leads; -1 after a change of cab
   Distance offset{};   // Place of the front end = sense * counter + offset
-  Status status = Status::unknown;
+  DataStatus status = DataStatus::unknown;
   InplaceVector<Reference, kReferences> references;  // oldest first; the last one is the LRBG
   std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
   OdometerPlace extreme;                             // farthest counter in the present direction

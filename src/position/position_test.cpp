@@ -34,7 +34,7 @@ Passage passage(std::uint16_t NID_BG, const OdometerReading& counter, double L_a
 TEST(Position, StartsUnknownAndCountsFromPowerUp) {
   State s;
   update(s, moving(spread(100, 3, 2)), 0_s);
-  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(s.status, DataStatus::unknown);
   EXPECT_EQ(lrbg(s), nullptr);
   update(s, moving(spread(150, 4, 5)), 1_s);
   const PlaceInterval f = front(s);
@@ -266,17 +266,17 @@ TEST(Position, Status) {
   State s;
   update(s, moving(exact(0)), 0_s);
   validate(s);
-  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(s.status, DataStatus::unknown);
   invalidate(s);
-  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(s.status, DataStatus::unknown);
   relocate(s, passage(1, exact(0)));
-  EXPECT_EQ(s.status, Status::valid);
+  EXPECT_EQ(s.status, DataStatus::valid);
   invalidate(s);
-  EXPECT_EQ(s.status, Status::invalid);
+  EXPECT_EQ(s.status, DataStatus::invalid);
   validate(s);
-  EXPECT_EQ(s.status, Status::valid);
+  EXPECT_EQ(s.status, DataStatus::valid);
   forget(s);
-  EXPECT_EQ(s.status, Status::unknown);
+  EXPECT_EQ(s.status, DataStatus::unknown);
   EXPECT_EQ(lrbg(s), nullptr);
 }
 

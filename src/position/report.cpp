@@ -79,7 +79,7 @@ Report report(const State& state, const IntegrityStatus& integrity) {
     out.L_TRAININT = length_code((front(state).est - integrity.min_safe_rear).si);
   const Reference* reference = lrbg(state);
   // 3.6.2.2.2.1; an invalid position is reported with its values during start of mission.
-  if (reference == nullptr || state.status == Status::unknown) return out;
+  if (reference == nullptr || state.status == DataStatus::unknown) return out;
   out.NID_LRBG = wire(reference->id);
   put_directions(out, state, *reference);
   put_place(out, state, *reference);

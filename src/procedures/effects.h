@@ -2,16 +2,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/set.h"
 #include "base/units.h"
-#include "modes/requests.h"
+#include "terms/requests.h"
 
 namespace evc::procedures {
-
-using modes::Ack;
-using modes::Entry;
-using modes::Inform;
-using modes::Offer;
-using modes::Set;
 
 /// Messages and session orders; each is sent once in a cycle in which it stands in the effects. A position report for a
 /// new mode or level is one with those that the radio's own rules ask for in the same cycle (3.6.5.1.4 b, g).

@@ -3,8 +3,6 @@
 namespace evc::procedures::end_of_mission {
 namespace {
 
-using modes::Mode;
-
 /// 5.4.7: modes in which a mission is in progress.
 bool is_mission(Mode mode) {
   switch (mode) {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/mode.h"
 
 // End of mission, SUBSET-026-5 5.5, and the end of the session after entry to SH without a mission (5.6, A095 to A115).
 namespace evc::procedures::end_of_mission {
@@ -16,10 +16,10 @@ struct State {
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::NP;           // now
-  modes::Mode previous_mode = modes::Mode::NP;  // in the cycle before
-  bool session_open = false;                    // with an RBC; a session with an infill unit ends at once (kernel)
-  bool termination_ordered = false;             // packet 42, in this cycle
+  Mode mode = Mode::NP;              // now
+  Mode previous_mode = Mode::NP;     // in the cycle before
+  bool session_open = false;         // with an RBC; a session with an infill unit ends at once (kernel)
+  bool termination_ordered = false;  // packet 42, in this cycle
   bool level_2_or_3 = false;
 };
 
@@ -28,6 +28,6 @@ struct Inputs {
 Effects step(State& state, const Inputs& inputs);
 
 /// 5.5.2: whether the transition ends a mission in progress.
-bool ends_mission(modes::Mode from, modes::Mode to, bool mission);
+bool ends_mission(Mode from, Mode to, bool mission);
 
 }  // namespace evc::procedures::end_of_mission

@@ -5,8 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Mode;
-
 struct Mission {
   end_of_mission::State state;
   end_of_mission::Inputs in;
@@ -25,13 +23,13 @@ struct Mission {
 };
 
 TEST(EndOfMission, Transitions_of_5_5_2) {
-  for (std::size_t m = 0; m < modes::kModes; ++m) {
+  for (std::size_t m = 0; m < kModes; ++m) {
     const Mode from = static_cast<Mode>(m);
     const bool to_sb = from == Mode::FS || from == Mode::LS || from == Mode::OS || from == Mode::UN ||
                        from == Mode::NL || from == Mode::SR || from == Mode::RV || from == Mode::SN || from == Mode::PT;
-    EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SB, true), to_sb) << modes::name(from);
+    EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SB, true), to_sb) << name(from);
     const bool to_sh = to_sb && from != Mode::NL && from != Mode::RV;
-    EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SH, true), to_sh) << modes::name(from);
+    EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SH, true), to_sh) << name(from);
     EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SL, true), from == Mode::SB || from == Mode::PS);
     EXPECT_FALSE(end_of_mission::ends_mission(from, Mode::SB, false));
     EXPECT_FALSE(end_of_mission::ends_mission(from, Mode::FS, true));

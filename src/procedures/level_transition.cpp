@@ -5,7 +5,6 @@
 namespace evc::procedures::level_transition {
 namespace {
 
-using modes::Mode;
 using modes::OrderedLevel;
 using modes::OrderEffect;
 
@@ -14,7 +13,7 @@ bool waits_for_other_mode(Mode mode) { return mode == Mode::SH || mode == Mode::
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
-  const bool needed = modes::acknowledgement_needed(in.current, to, in.mode, in.edition);
+  const bool needed = modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
   // 5.10.4.3: within T_ACK after the transition, unless it was given ahead.
   state.unacknowledged = needed && !state.acknowledged;
   state.unacknowledged_level = to.level;
@@ -46,9 +45,9 @@ void take(State& state, const Inputs& in, const Order& order, Result& out) {
 /// 5.10.4: ask for the acknowledgement, ahead of the transition or after it.
 void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& out) {
   // 5.10.4.1.2 of 4.0.0: in SB only at the change; 3.x does not say.
-  const bool only_at_change = in.edition == modes::Edition::v4_0_0 && in.mode == Mode::SB;
+  const bool only_at_change = in.srs == SrsVersion::v4_0_0 && in.mode == Mode::SB;
   const bool ahead = state.pending.has_value() && !state.acknowledged && !only_at_change &&
-                     modes::acknowledgement_needed(current, state.pending->to, in.mode, in.edition) &&
+                     modes::acknowledgement_needed(current, state.pending->to, in.mode, in.srs) &&
                      modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
   if (in.acknowledged && state.shown) {  // one that was not asked for is none
     if (state.unacknowledged)
@@ -85,7 +84,7 @@ Result step(State& state, const Inputs& in) {
     out.switch_to = in.driver_level;
     out.by_driver = true;
     state.unacknowledged = false;  // the level in question is left
-    if (in.edition == modes::Edition::v4_0_0) {
+    if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();
       state.pending.reset();
     }
@@ -97,7 +96,7 @@ Result step(State& state, const Inputs& in) {
 }
 
 void on_mode_change(State& state, Mode from, Mode to) {
-  if (modes::on_entry(to, from, modes::Stored::level_transition_order) == modes::Fate::deleted) {
+  if (modes::on_entry(to, from, Stored::level_transition_order) == modes::Fate::deleted) {
     state.pending.reset();
     state.acknowledged = false;
     state.kept = false;

@@ -4,8 +4,8 @@
 
 #include "base/units.h"
 #include "modes/levels.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/mode.h"
 
 // Level transitions in time and place, SUBSET-026-5 5.10, on the tables of modes/levels.h.
 namespace evc::procedures::level_transition {
@@ -22,7 +22,7 @@ struct State {
   bool shown = false;           // the acknowledgement is asked for
   bool acknowledged = false;    // the pending transition is acknowledged already
   bool unacknowledged = false;  // a transition was executed and its acknowledgement is missing
-  modes::Level unacknowledged_level = modes::Level::L0;
+  Level unacknowledged_level = Level::L0;
   Duration deadline{};  // T_ACK after the transition
   bool kept = false;    // an order waits until SH or PS is left (4.4.8.1.5)
   Order kept_order;
@@ -30,22 +30,22 @@ struct State {
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::SB;
+  Mode mode = Mode::SB;
   modes::OrderedLevel current;
   Place est_front{}, max_safe_front{};
   const Order* order = nullptr;                     // accepted in this cycle
   std::optional<modes::OrderedLevel> driver_level;  // chosen by the driver in this cycle, driver_may_select() holds
   modes::AvailableLevels available;
   bool acknowledged = false;  // Ack::level in this cycle
-  modes::Edition edition = modes::Edition::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
 };
 
 struct Result {
   Effects effects;                               // request Ack::level, service brake
   std::optional<modes::OrderedLevel> switch_to;  // execute a transition in this cycle
   bool by_driver = false;
-  std::optional<modes::Level> overdue;  // transition to it not acknowledged for T_ACK: the cause of the service brake
-  bool announced = false;               // a transition that will change the level waits: buffer per 4.8.3 [1], [2], [6]
+  std::optional<Level> overdue;  // transition to it not acknowledged for T_ACK: the cause of the service brake
+  bool announced = false;        // a transition that will change the level waits: buffer per 4.8.3 [1], [2], [6]
   bool cancelled = false;  // a pending transition was dropped or replaced: the transition buffer is deleted (4.8.5)
 };
 
@@ -54,6 +54,6 @@ Result step(State& state, const Inputs& inputs);
 
 /// To be called at every mode transition, with what 4.10 says of the level order: deletes it, or lets an order that was
 /// kept in SH or PS be judged in the next cycle.
-void on_mode_change(State& state, modes::Mode from, modes::Mode to);
+void on_mode_change(State& state, Mode from, Mode to);
 
 }  // namespace evc::procedures::level_transition

@@ -5,9 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 constexpr Place at(double metres) { return Place{Distance{metres}}; }
 
 modes::OrderedLevel level(Level l, std::uint8_t ntc = 0) { return {l, ntc, Distance{300.0}}; }
@@ -98,11 +95,11 @@ TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
 }
 
 TEST(LevelTransition, In_SB_4_0_0_asks_only_at_the_change) {
-  for (const modes::Edition edition : {modes::Edition::v3_6_0, modes::Edition::v4_0_0}) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
     Border b(level(Level::L2), Mode::SB);
-    b.in.edition = edition;
+    b.in.srs = srs;
     b.give(OrderKind::announcement, level(Level::L0), 1000.0);
-    EXPECT_EQ(b.cycle(900.0).effects.requests.empty(), edition == modes::Edition::v4_0_0);
+    EXPECT_EQ(b.cycle(900.0).effects.requests.empty(), srs == SrsVersion::v4_0_0);
     EXPECT_EQ(b.cycle(1000.0).effects.requests, Set<Ack>{Ack::level});
   }
 }
@@ -140,7 +137,7 @@ TEST(LevelTransition, A_pending_level_that_the_driver_chose_meanwhile_is_no_tran
   EXPECT_FALSE(b.cycle(1000.0).switch_to.has_value());
   // 4.0.0 drops the order.
   Border n(level(Level::L1), Mode::FS);
-  n.in.edition = modes::Edition::v4_0_0;
+  n.in.srs = SrsVersion::v4_0_0;
   n.give(OrderKind::announcement, level(Level::L2), 1000.0);
   n.cycle(500.0);
   n.in.driver_level = level(Level::L0);

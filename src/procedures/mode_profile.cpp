@@ -3,8 +3,6 @@
 namespace evc::procedures::mode_profile {
 namespace {
 
-using modes::Mode;
-
 Ack acknowledgement(Mode mode) { return mode == Mode::OS ? Ack::OS : mode == Mode::LS ? Ack::LS : Ack::SH; }
 
 /// A shunting area has an entry and no end (3.12.4.2).
@@ -27,7 +25,7 @@ bool in_ack_length(const Area& area, Place est_front) {
 /// train whose rear end of the interval is still in the area with neither this mode nor FS, so that 4.0.0 is followed
 /// there.
 bool overlap_demands(const Inputs& in) {
-  return in.edition == modes::Edition::v4_0_0 || (in.mode != Mode::FS && in.mode != Mode::LS && in.mode != Mode::OS);
+  return in.srs == SrsVersion::v4_0_0 || (in.mode != Mode::FS && in.mode != Mode::LS && in.mode != Mode::OS);
 }
 
 /// From these modes the driver may acknowledge ahead of the area (4.6.2: [15], [50], [70]); from SR, UN, SN the train
@@ -52,7 +50,7 @@ void ask_ahead(State& state, const Inputs& in) {
   const Area* area = next_area(in);
   if (area == nullptr || (state.shown && state.asked != area->mode)) state.shown = false;
   if (area == nullptr || state.shown || !in_ack_length(*area, in.est_front)) return;
-  const bool slow = in.edition == modes::Edition::v4_0_0 ? in.V_est <= area->V : in.V_est < area->V;
+  const bool slow = in.srs == SrsVersion::v4_0_0 ? in.V_est <= area->V : in.V_est < area->V;
   if (!slow) return;
   state.shown = true;
   state.asked = area->mode;

@@ -4,17 +4,17 @@
 #include <span>
 
 #include "base/units.h"
-#include "modes/edition.h"
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/level.h"
+#include "terms/mode.h"
+#include "terms/srs_version.h"
 
 // On sight, limited supervision and shunting ordered by trackside: SUBSET-026-5 5.7, 5.9, 5.19 and 3.12.4.
 namespace evc::procedures::mode_profile {
 
 /// One area of the mode profile (packet 80).
 struct Area {
-  modes::Mode mode = modes::Mode::OS;  // OS, LS or SH
+  Mode mode = Mode::OS;  // OS, LS or SH
   Place start{};
   std::optional<Place> end;  // none: to the end of the MA, and always for SH (3.12.4.2)
   Speed V{};                 // the limit in the area
@@ -24,19 +24,19 @@ struct Area {
 struct State {
   bool shown = false;           // an acknowledgement is asked for in advance of the area
   bool unacknowledged = false;  // the mode was entered without it
-  modes::Mode asked = modes::Mode::OS;
+  Mode asked = Mode::OS;
   Duration deadline{};  // T_ACK after the entry
 };
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::SB;
-  modes::Level level = modes::Level::L0;
+  Mode mode = Mode::SB;
+  Level level = Level::L0;
   std::span<const Area> areas;  // in use; in levels 0 and NTC kept for the level transition
   Place min_safe_front{}, est_front{}, max_safe_front{};
   Speed V_est{};
   Set<Ack> acknowledged;  // in this cycle
-  modes::Edition edition = modes::Edition::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
 };
 
 struct Result {
@@ -44,8 +44,8 @@ struct Result {
   bool demands_OS = false, demands_LS = false, demands_SH = false;  // by the area in which the train is
   bool in_force = false;                                            // Facts::profile_in_force
   bool front_in_OS_ack_area = false, front_in_LS_ack_area = false;  // by the estimated front end
-  std::optional<modes::Mode> overdue;   // entered and not acknowledged for T_ACK: the cause of Effects::service_brake
-  std::optional<modes::Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
+  std::optional<Mode> overdue;   // entered and not acknowledged for T_ACK: the cause of Effects::service_brake
+  std::optional<Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
 };
 
 /// One cycle, before the mode transition.
@@ -53,6 +53,6 @@ Result step(State& state, const Inputs& inputs);
 
 /// To be called at every mode transition with the condition that made it: OS, LS or SH entered by its area ([34], [40],
 /// [73]; [71], [72], [74]; [51], [61]) has to be acknowledged within T_ACK; every other transition ends the matter.
-void on_mode_change(State& state, modes::Mode to, int condition, Duration now);
+void on_mode_change(State& state, Mode to, int condition, Duration now);
 
 }  // namespace evc::procedures::mode_profile

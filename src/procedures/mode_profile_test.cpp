@@ -9,9 +9,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 constexpr Place at(double metres) { return Place{Distance{metres}}; }
 
 struct Profile {
@@ -62,11 +59,11 @@ TEST(ModeProfile, A_train_that_comes_from_another_mode_is_in_the_area_until_all_
   for (const Mode from : {Mode::SR, Mode::UN, Mode::SN, Mode::SB, Mode::PT}) {
     Profile p(Mode::OS);
     p.in.mode = from;
-    EXPECT_TRUE(p.cycle(1995.0).demands_OS) << modes::name(from);
-    EXPECT_FALSE(p.cycle(2010.0).demands_OS) << modes::name(from);
+    EXPECT_TRUE(p.cycle(1995.0).demands_OS) << name(from);
+    EXPECT_FALSE(p.cycle(2010.0).demands_OS) << name(from);
   }
   Profile newer(Mode::OS);
-  newer.in.edition = modes::Edition::v4_0_0;
+  newer.in.srs = SrsVersion::v4_0_0;
   EXPECT_TRUE(newer.cycle(1995.0).demands_OS);
 }
 
@@ -85,10 +82,10 @@ TEST(ModeProfile, The_window_ahead_of_the_area) {
     EXPECT_TRUE(p.cycle(799.0).effects.requests.empty());
     p.in.V_est = Speed{10.0};
     EXPECT_TRUE(p.cycle(800.0).effects.requests.empty());  // not slower than the limit
-    p.in.edition = modes::Edition::v4_0_0;
+    p.in.srs = SrsVersion::v4_0_0;
     Profile newer = p;
     EXPECT_FALSE(newer.cycle(800.0).effects.requests.empty());
-    p.in.edition = modes::Edition::v3_6_0;
+    p.in.srs = SrsVersion::v3_6_0;
     p.in.V_est = Speed{9.9};
     auto r = p.cycle(810.0);
     EXPECT_EQ(r.effects.requests, Set<Ack>{ack});
@@ -102,11 +99,11 @@ TEST(ModeProfile, The_window_ahead_of_the_area) {
 }
 
 TEST(ModeProfile, Only_from_FS_LS_and_OS_is_asked_ahead) {
-  for (std::size_t m = 0; m < modes::kModes; ++m) {
+  for (std::size_t m = 0; m < kModes; ++m) {
     Profile p(Mode::OS);
     p.in.mode = static_cast<Mode>(m);
     EXPECT_EQ(!p.cycle(850.0).effects.requests.empty(), p.in.mode == Mode::FS || p.in.mode == Mode::LS)
-        << modes::name(p.in.mode);
+        << name(p.in.mode);
   }
 }
 

@@ -1,23 +1,16 @@
 #include "procedures/observe.h"
 
 namespace evc::procedures {
-namespace {
-
-using modes::Level;
-
-bool is_1_2_3(Level level) { return level == Level::L1 || level == Level::L2 || level == Level::L3; }
-bool is_2_3(Level level) { return level == Level::L2 || level == Level::L3; }
-
-}  // namespace
+namespace {}  // namespace
 
 modes::Conditions observe(const Facts& f) {
   const bool in_1 = f.level == Level::L1;
-  const bool in_2_3 = is_2_3(f.level);
-  const bool in_0_ntc = !is_1_2_3(f.level);
+  const bool in_2_3 = level_2_or_3(f.level);
+  const bool in_0_ntc = !level_1_2_3(f.level);
   const bool to_0 = f.level_switched_to == Level::L0;
   const bool to_ntc = f.level_switched_to == Level::NTC;
   const bool to_1 = f.level_switched_to == Level::L1;
-  const bool to_2_3 = f.level_switched_to.has_value() && is_2_3(*f.level_switched_to);
+  const bool to_2_3 = f.level_switched_to.has_value() && level_2_or_3(*f.level_switched_to);
   const bool to_1_2_3 = to_1 || to_2_3;
   // An acknowledgement without its request is none (4.6.3: "is requested and").
   const auto acknowledges = [&](Ack ack) { return f.requested.has(ack) && f.acknowledged.has(ack); };

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "modes/conditions.h"
-#include "modes/level.h"
 #include "procedures/effects.h"
+#include "terms/level.h"
 
 namespace evc::procedures {
 
@@ -26,8 +26,8 @@ struct Facts {
   bool passive_shunting = false;
   bool safety_fault = false;  // [13]
   // level
-  modes::Level level = modes::Level::L0;          // after the switch of this cycle, if any
-  std::optional<modes::Level> level_switched_to;  // a transition is executed in this cycle (also NTC X to NTC Y)
+  Level level = Level::L0;                 // after the switch of this cycle, if any
+  std::optional<Level> level_switched_to;  // a transition is executed in this cycle (also NTC X to NTC Y)
   bool level_order_changed_national_system_only = false;  // NTC X to NTC Y: no [56] from SN, the mode stays
   // driver, this cycle
   Set<Ack> acknowledged;          // acknowledgements given

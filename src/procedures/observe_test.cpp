@@ -13,8 +13,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-
 struct Term {
   const char* what;
   std::function<void(Facts&)> make_true;
@@ -195,7 +193,7 @@ TEST(Observe, From_one_national_system_to_another_SN_stays) {
   f.level_switched_to = Level::NTC;
   f.level_order_changed_national_system_only = true;
   f.desk_open = true;
-  EXPECT_FALSE(modes::next_mode(modes::Mode::SN, observe(f)).has_value());
+  EXPECT_FALSE(modes::next_mode(Mode::SN, observe(f)).has_value());
 }
 
 TEST(StaffResponsible, Distance_and_lists) {

@@ -3,9 +3,6 @@
 namespace evc::procedures::override_ {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 /// Starts or restarts the supervision of override (5.8.3.1).
 void start(State& state, const Inputs& in) {
   state.active = true;

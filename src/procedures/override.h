@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "base/units.h"
-#include "modes/level.h"
-#include "modes/mode.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 // Override, SUBSET-026-5 5.8.
 namespace evc::procedures::override_ {
@@ -22,8 +22,8 @@ struct Inputs {
   Duration now{};
   OdometerPlace odometer{};  // nominal
   Speed V_est{};
-  modes::Mode mode = modes::Mode::SB;
-  modes::Level level = modes::Level::L0;
+  Mode mode = Mode::SB;
+  Level level = Level::L0;
   bool selected = false;  // the driver, in this cycle
   bool train_data_valid = false;
   // National values; an infinite distance is no value, a T_NVOVTRP is never infinite.
@@ -58,6 +58,6 @@ bool selectable(const Inputs& inputs);
 Result step(State& state, const Inputs& inputs);
 
 /// To be called at every mode transition: 5.8.4.1 i (TR, LS, OS, SH end it), and SR left deletes the former EOA.
-void on_mode_change(State& state, modes::Mode from, modes::Mode to);
+void on_mode_change(State& state, Mode from, Mode to);
 
 }  // namespace evc::procedures::override_

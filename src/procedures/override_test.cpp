@@ -5,9 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 constexpr Place at(double metres) { return Place{Distance{metres}}; }
 
 struct Driver {
@@ -40,15 +37,15 @@ struct Driver {
 };
 
 TEST(Override, Where_it_may_be_selected) {
-  for (std::size_t m = 0; m < modes::kModes; ++m) {
+  for (std::size_t m = 0; m < kModes; ++m) {
     Driver d;
     d.in.mode = static_cast<Mode>(m);
     const bool with_data = d.in.mode == Mode::FS || d.in.mode == Mode::LS || d.in.mode == Mode::OS ||
                            d.in.mode == Mode::SR || d.in.mode == Mode::UN || d.in.mode == Mode::PT ||
                            d.in.mode == Mode::SN || d.in.mode == Mode::SB;
-    EXPECT_EQ(override_::selectable(d.in), with_data || d.in.mode == Mode::SH) << modes::name(d.in.mode);
+    EXPECT_EQ(override_::selectable(d.in), with_data || d.in.mode == Mode::SH) << name(d.in.mode);
     d.in.train_data_valid = false;
-    EXPECT_EQ(override_::selectable(d.in), d.in.mode == Mode::SH) << modes::name(d.in.mode);
+    EXPECT_EQ(override_::selectable(d.in), d.in.mode == Mode::SH) << name(d.in.mode);
     d.in.train_data_valid = true;
     d.in.V_est = Speed{5.1};
     EXPECT_FALSE(override_::selectable(d.in));
@@ -181,7 +178,7 @@ TEST(Override, Mode_changes_end_it) {
     Driver d;
     d.select();
     override_::on_mode_change(d.state, Mode::SR, to);
-    EXPECT_FALSE(d.state.active) << modes::name(to);
+    EXPECT_FALSE(d.state.active) << name(to);
   }
   Driver d;
   d.in.mode = Mode::SN;

@@ -2,8 +2,6 @@
 
 namespace evc::procedures::reversing {
 
-using modes::Mode;
-
 Result step(const Inputs& in) {
   Result out;
   if (!in.stored.has_value()) return out;

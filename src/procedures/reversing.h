@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "base/units.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/mode.h"
 
 // Reversing, SUBSET-026-5 5.13 and SUBSET-026-3 3.15.4.
 namespace evc::procedures::reversing {
@@ -17,7 +17,7 @@ struct Reversing {
 };
 
 struct Inputs {
-  modes::Mode mode = modes::Mode::FS;
+  Mode mode = Mode::FS;
   bool standstill = false;
   bool controller_backward = false;  // the driver's intention
   Place est_front{};

@@ -5,8 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Mode;
-
 constexpr Place at(double metres) { return Place{Distance{metres}}; }
 
 TEST(Reversing, Possible_at_standstill_in_the_area) {

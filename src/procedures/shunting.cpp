@@ -1,12 +1,7 @@
 #include "procedures/shunting.h"
 
 namespace evc::procedures::shunting {
-namespace {
-
-using modes::Level;
-using modes::Mode;
-
-}  // namespace
+namespace {}  // namespace
 
 Result step(State& state, const Inputs& in) {
   Result out;

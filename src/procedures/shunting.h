@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 // Shunting that the driver asks for, SUBSET-026-5 5.6, and going on with it when the desk is closed (5.12.4).
 namespace evc::procedures::shunting {
@@ -16,8 +16,8 @@ struct State {
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::SB;
-  modes::Level level = modes::Level::L0;
+  Mode mode = Mode::SB;
+  Level level = Level::L0;
   bool standstill = false;
   bool session_open = false;
   bool selects_SH = false;        // the driver, while the choice is enabled

@@ -5,9 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 struct Shunter {
   shunting::State state;
   shunting::Inputs in;

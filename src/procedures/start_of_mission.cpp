@@ -3,13 +3,9 @@
 namespace evc::procedures::start_of_mission {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
-bool is_2_3(Level level) { return level == Level::L2 || level == Level::L3; }
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
-bool session_lost(const Inputs& in) { return is_2_3(in.level) && in.session != Session::open; }
+bool session_lost(const Inputs& in) { return level_2_or_3(in.level) && in.session != Session::open; }
 
 /// S10, S20: Start leads to the acknowledgement of the level's mode, or to the RBC. In level 2/3 without a session the
 /// mission starts in SR (5.4.5.3 h).
@@ -35,7 +31,7 @@ Step after_driver_id(const Inputs& in, Effects& out) {
     out.status.add(Status::rbc_contact_invalid);
     return Step::S2;
   }
-  if (!is_2_3(in.level)) return Step::S10;
+  if (!level_2_or_3(in.level)) return Step::S10;
   if (in.mobile_terminal_registered) {
     out.send.add(Send::open_session);  // A31
     return Step::D31;
@@ -88,7 +84,7 @@ Step after_validation(const Inputs& in, Effects& out) {
 
 /// D10, D11: train data and running number are there.
 Step after_running_number(const Inputs& in, Effects& out) {
-  if (!is_2_3(in.level)) return Step::S20;
+  if (!level_2_or_3(in.level)) return Step::S20;
   if (in.session != Session::open) return Step::S10;
   out.send.add(Send::train_data);
   return Step::S11;
@@ -109,7 +105,7 @@ Step after_ma_request(State& state, const Inputs& in) {
 Step choose(State& state, const Inputs& in, Effects& out) {
   if (in.enters_level) {  // re-entry: level and RBC data are asked for again
     out.status |= {Status::rbc_contact_invalid, Status::level_valid};
-    return is_2_3(in.level) ? Step::S3 : Step::S10;
+    return level_2_or_3(in.level) ? Step::S3 : Step::S10;
   }
   if (in.enters_train_data) return Step::S12;
   if (state.step == Step::S20 && session_lost(in)) return Step::S10;
@@ -126,7 +122,7 @@ Step while_acknowledging(const State& state, const Inputs& in) {
     case Step::S23:
       return in.level == Level::L0 ? Step::S23 : Step::S20;
     default:
-      if (!is_2_3(in.level)) return in.level == Level::L1 ? Step::S24 : Step::S20;
+      if (!level_2_or_3(in.level)) return in.level == Level::L1 ? Step::S24 : Step::S20;
       return session_lost(in) && !state.without_session ? Step::S10 : Step::S24;
   }
 }
@@ -140,7 +136,7 @@ Step next(State& state, const Inputs& in, Effects& out) {
     case Step::S2:
       if (!in.enters_level) return Step::S2;
       out.status.add(Status::level_valid);
-      return is_2_3(in.level) ? Step::S3 : Step::S10;
+      return level_2_or_3(in.level) ? Step::S3 : Step::S10;
     case Step::S3:
       return after_level(in, out);
     case Step::D31:
@@ -161,7 +157,7 @@ Step next(State& state, const Inputs& in, Effects& out) {
     case Step::S21:
       return after_ma_request(state, in);
     case Step::S25:  // the mode profile is the RBC's
-      if (!is_2_3(in.level)) return Step::S20;
+      if (!level_2_or_3(in.level)) return Step::S20;
       return session_lost(in) ? Step::S10 : Step::S25;
     default:
       return while_acknowledging(state, in);

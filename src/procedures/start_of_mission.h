@@ -2,14 +2,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/data_status.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 // Start of mission, SUBSET-026-5 5.4. The steps bear the standard's names.
 namespace evc::procedures::start_of_mission {
 
-enum class DataStatus : std::uint8_t { unknown, invalid, valid };
 enum class Session : std::uint8_t { none, establishing, open };
 
 /// The steps in which something is waited for; decisions and actions between them take no time.
@@ -35,15 +35,15 @@ const char* name(Step step);
 
 struct State {
   Step step = Step::S0;
-  modes::Mode profile = modes::Mode::OS;  // S25: the mode to acknowledge
-  bool without_session = false;           // S24: Start was chosen in level 2/3 without a session
-  Duration next_request{};                // S21: when the MA request is repeated
+  Mode profile = Mode::OS;       // S25: the mode to acknowledge
+  bool without_session = false;  // S24: Start was chosen in level 2/3 without a session
+  Duration next_request{};       // S21: when the MA request is repeated
 };
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::SB;
-  modes::Level level = modes::Level::L0;
+  Mode mode = Mode::SB;
+  Level level = Level::L0;
   bool desk_open = false;
   Session session = Session::none;
   bool mobile_terminal_registered = false;
@@ -66,7 +66,7 @@ struct Inputs {
   bool train_rejected = false;           // 40
   bool SR_authorised = false;            // 2
   // MA, SSP and gradient are stored and the profile asks for this mode where the train stands (OS, LS or SH).
-  std::optional<modes::Mode> profile_at_front;
+  std::optional<Mode> profile_at_front;
 };
 
 /// One cycle. Outside SB, or with the desk closed, the procedure is over (step S0). The acknowledgements asked for in

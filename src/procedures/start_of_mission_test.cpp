@@ -5,9 +5,6 @@
 namespace evc::procedures::start_of_mission {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 /// A driver at a desk; every call is one cycle of 0.1 s.
 struct Cab {
   State state;

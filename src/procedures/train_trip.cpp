@@ -3,14 +3,9 @@
 namespace evc::procedures::train_trip {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
-bool is_2_3(Level level) { return level == Level::L2 || level == Level::L3; }
-
 /// S120: the report of PT is repeated until the RBC recognises it, as long as there is a session.
 Step wait_for_recognition(State& state, const Inputs& in, Effects& out) {
-  if (!is_2_3(in.level)) return in.level == Level::L1 ? Step::S140 : Step::S120;
+  if (!level_2_or_3(in.level)) return in.level == Level::L1 ? Step::S140 : Step::S120;
   if (in.exit_recognised && in.session_open) {
     state.repetition.stop();
     return Step::S130;
@@ -52,24 +47,24 @@ Step next(State& state, const Inputs& in, Effects& out) {
     case Step::S120:
       return wait_for_recognition(state, in, out);
     case Step::S121:
-      return in.session_open && is_2_3(in.level) ? Step::S121 : Step::S120;
+      return in.session_open && level_2_or_3(in.level) ? Step::S121 : Step::S120;
     case Step::S130:
       return in.emergency_stop_pending ? Step::S130 : Step::S140;
     case Step::S140:
       if (!in.selects_start || !in.train_data_valid) return Step::S140;
       if (in.level == Level::L1) return Step::S160;
-      return is_2_3(in.level) && in.session_open ? Step::S150 : Step::S140;
+      return level_2_or_3(in.level) && in.session_open ? Step::S150 : Step::S140;
     case Step::S150:
       return after_ma_request(state, in);
     default:  // S160, S170: an answer of the RBC holds as long as its session
-      return is_2_3(in.level) && !in.session_open ? Step::S140 : state.step;
+      return level_2_or_3(in.level) && !in.session_open ? Step::S140 : state.step;
   }
 }
 
 Effects in_trip(State& state, const Inputs& in) {
   Effects out;
   if (state.step != Step::S050 && state.step != Step::S060) {
-    out.send.add(Send::position_report, is_2_3(in.level));  // A030
+    out.send.add(Send::position_report, level_2_or_3(in.level));  // A030
   }
   state.step = in.standstill ? Step::S060 : Step::S050;
   out.requests.add(Ack::trip, state.step == Step::S060 && in.desk_open);
@@ -80,7 +75,7 @@ void ask(const State& state, const Inputs& in, Effects& out) {
   switch (state.step) {
     case Step::S140:
       out.offers.add(Offer::shunting);
-      out.offers.add(Offer::start, in.train_data_valid && (!is_2_3(in.level) || in.session_open));
+      out.offers.add(Offer::start, in.train_data_valid && (!level_2_or_3(in.level) || in.session_open));
       out.offers.add(Offer::override_);
       break;
     case Step::S120:

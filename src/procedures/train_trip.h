@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "modes/level.h"
-#include "modes/mode.h"
 #include "procedures/effects.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 // Train trip, SUBSET-026-5 5.11, from the entry to TR until PT is left.
 namespace evc::procedures::train_trip {
@@ -25,15 +25,15 @@ const char* name(Step step);
 
 struct State {
   Step step = Step::S010;
-  modes::Mode profile = modes::Mode::OS;  // S170: the mode to acknowledge
+  Mode profile = Mode::OS;  // S170: the mode to acknowledge
   Repetition repetition;
   Duration next_request{};
 };
 
 struct Inputs {
   Duration now{};
-  modes::Mode mode = modes::Mode::SB;
-  modes::Level level = modes::Level::L0;
+  Mode mode = Mode::SB;
+  Level level = Level::L0;
   bool desk_open = false;
   bool standstill = false;
   bool session_open = false;
@@ -43,7 +43,7 @@ struct Inputs {
   bool selects_start = false;
   bool SR_authorised = false;  // 2, in this cycle
   Duration T_CYCRQST{60.0};
-  std::optional<modes::Mode> profile_at_front;  // as in start_of_mission
+  std::optional<Mode> profile_at_front;  // as in start_of_mission
 };
 
 /// One cycle, after the mode transition. The acknowledgement asked for in S060 becomes [7], [62], [63] or [68] in

@@ -7,9 +7,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 struct Tripped {
   train_trip::State state;
   train_trip::Inputs in;

@@ -12,9 +12,6 @@
 namespace evc::procedures {
 namespace {
 
-using modes::Level;
-using modes::Mode;
-
 struct Dice {
   std::uint64_t state;
   std::uint64_t roll(std::uint64_t sides) {
@@ -88,13 +85,13 @@ bool level_may_change(Mode mode) {
 
 TEST(Walk, The_mode_is_always_one_of_the_level) {
   Dice dice{20240517};
-  std::array<std::uint64_t, modes::kModes> visits{};
+  std::array<std::uint64_t, kModes> visits{};
   for (int journey = 0; journey < 2000; ++journey) {
     Mode mode = Mode::NP;
-    Level level = static_cast<Level>(dice.roll(modes::kLevels));
+    Level level = static_cast<Level>(dice.roll(kLevels));
     for (int cycle = 0; cycle < 200; ++cycle) {
       const Level before = level;
-      if (dice.one_in(8) && level_may_change(mode)) level = static_cast<Level>(dice.roll(modes::kLevels));
+      if (dice.one_in(8) && level_may_change(mode)) level = static_cast<Level>(dice.roll(kLevels));
       Facts f = anything(dice, mode, level);
       f.level = level;
       if (level != before) f.level_switched_to = level;
@@ -102,10 +99,10 @@ TEST(Walk, The_mode_is_always_one_of_the_level) {
       if (went.has_value()) mode = went->to;
       ++visits[static_cast<std::size_t>(mode)];
       ASSERT_TRUE(modes::possible_in(mode, level))
-          << modes::name(mode) << " in level " << modes::name(level) << " by [" << (went ? went->number : 0) << "]";
+          << name(mode) << " in level " << name(level) << " by [" << (went ? went->number : 0) << "]";
     }
   }
-  for (std::size_t m = 0; m < modes::kModes; ++m) EXPECT_GT(visits[m], 0u) << modes::name(static_cast<Mode>(m));
+  for (std::size_t m = 0; m < kModes; ++m) EXPECT_GT(visits[m], 0u) << name(static_cast<Mode>(m));
 }
 
 }  // namespace

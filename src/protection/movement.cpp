@@ -3,9 +3,6 @@
 namespace evc::protection {
 namespace {
 
-// Codes of M_MODE (7.5.1.72).
-enum : std::uint8_t { kFS, kOS, kSR, kSH, kUN, kSL, kSB, kTR, kPT, kSF, kIS, kNL, kLS, kSN, kRV, kPS };
-
 Distance moved(const Movement& m, OdometerPlace from, Way way) {
   return way == Way::backward ? from - m.nominal : m.nominal - from;
 }
@@ -56,14 +53,13 @@ void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& rel
 
 }  // namespace
 
-GuardSelection guards_of(std::uint8_t M_MODE) {
+GuardSelection guards_of(Mode mode) {
   GuardSelection s;
-  s.standstill = M_MODE == kSB;
-  s.post_trip = M_MODE == kPT;
-  s.reversing = M_MODE == kRV;
-  s.reverse_movement =
-      M_MODE == kFS || M_MODE == kLS || M_MODE == kSR || M_MODE == kOS || M_MODE == kPT || M_MODE == kRV;
-  s.roll_away = s.reverse_movement || M_MODE == kSH || M_MODE == kUN;
+  s.standstill = mode == Mode::SB;
+  s.post_trip = mode == Mode::PT;
+  s.reversing = mode == Mode::RV;
+  s.reverse_movement = supervises_authority(mode) || mode == Mode::SR || mode == Mode::PT || mode == Mode::RV;
+  s.roll_away = s.reverse_movement || mode == Mode::SH || mode == Mode::UN;
   return s;
 }
 

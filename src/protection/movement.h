@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/units.h"
+#include "terms/mode.h"
 
 // Roll away, reverse movement, standstill supervision (3.14.2-4) and post trip distance (4.4.14).
 namespace evc::protection {
@@ -33,8 +34,7 @@ struct GuardSelection {
   bool post_trip = false;         ///< PT
   bool reversing = false;         ///< RV
 };
-/// By M_MODE.
-GuardSelection guards_of(std::uint8_t M_MODE);
+GuardSelection guards_of(Mode mode);
 
 struct Movement {
   OdometerPlace nominal{};  ///< increases in running direction of the active cab

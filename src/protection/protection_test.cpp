@@ -13,8 +13,7 @@ using namespace track::testing;
 using track::Description;
 
 // Codes of M_MODE.
-constexpr std::uint8_t FS = 0, OS = 1, SR = 2, SH = 3, UN = 4, SL = 5, SB = 6, TR = 7, PT = 8, NL = 11, LS = 12,
-                       SN = 13, RV = 14;
+using enum Mode;
 
 Description with_ma() {
   Description d;
@@ -77,7 +76,7 @@ TEST(EmergencyStops, ValuesForVersion1) {  // 6.6.3.4.5 [5]
 
 TEST(Guards, ByMode) {  // 4.5.2
   struct Row {
-    std::uint8_t mode;
+    Mode mode;
     bool roll_away, reverse, standstill, post_trip, reversing;
   };
   const Row rows[] = {{SB, false, false, true, false, false},  {SH, true, false, false, false, false},
@@ -89,11 +88,11 @@ TEST(Guards, ByMode) {  // 4.5.2
                       {RV, true, true, false, false, true}};
   for (const Row& r : rows) {
     const GuardSelection s = guards_of(r.mode);
-    EXPECT_EQ(s.roll_away, r.roll_away) << int{r.mode};
-    EXPECT_EQ(s.reverse_movement, r.reverse) << int{r.mode};
-    EXPECT_EQ(s.standstill, r.standstill) << int{r.mode};
-    EXPECT_EQ(s.post_trip, r.post_trip) << int{r.mode};
-    EXPECT_EQ(s.reversing, r.reversing) << int{r.mode};
+    EXPECT_EQ(s.roll_away, r.roll_away) << name(r.mode);
+    EXPECT_EQ(s.reverse_movement, r.reverse) << name(r.mode);
+    EXPECT_EQ(s.standstill, r.standstill) << name(r.mode);
+    EXPECT_EQ(s.post_trip, r.post_trip) << name(r.mode);
+    EXPECT_EQ(s.reversing, r.reversing) << name(r.mode);
   }
 }
 
@@ -101,7 +100,7 @@ struct Train {
   MovementGuards guards;
   GuardSelection selection;
   Movement m;
-  explicit Train(std::uint8_t mode) : selection(guards_of(mode)) {
+  explicit Train(Mode mode) : selection(guards_of(mode)) {
     m.D_NVROLL = Distance{2};
     m.permitted = mode == PT || mode == RV ? Way::backward : Way::forward;
     enter_mode(guards, selection, m.nominal);

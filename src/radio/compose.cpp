@@ -12,6 +12,7 @@
 #include "lang/packets/train_packet_4.h"
 #include "lang/packets/train_packet_5.h"
 #include "lang/packets/train_packet_9.h"
+#include "terms/mode.h"
 
 namespace evc::radio {
 namespace {
@@ -28,7 +29,7 @@ struct Composer {
 
 /// X = 1 knows no passive shunting (6.6.3.4.5 [1]).
 std::uint8_t M_MODE_for(std::uint8_t M_MODE, bool version_1) {
-  return version_1 && M_MODE == 15 ? std::uint8_t{3} : M_MODE;
+  return version_1 && M_MODE == evc::M_MODE(Mode::PS) ? evc::M_MODE(Mode::SH) : M_MODE;
 }
 
 template <class P>
@@ -219,51 +220,51 @@ void put_answer(const Composer& c) {
 /// Everything but the length and the padding. False: this message is not sent to this version.
 bool put(const Composer& c) {
   switch (c.intent.NID_MESSAGE) {
-    case 129:
+    case message::validated_train_data:
       put_plain<lang::TrainMessage129>(c);
       c.version_1 ? put_train_data_version_1(c) : put_train_data(c);
       return true;
-    case 130:
+    case message::request_for_shunting:
       put_plain<lang::TrainMessage130>(c);
       return true;
-    case 132:
+    case message::ma_request:
       put_ma_request(c);
       return true;
-    case 136:
+    case message::position_report:
       put_plain<lang::TrainMessage136>(c);
       put_error_and_number(c);
       return true;
-    case 137:
+    case message::shortening_granted:
       put_answer<lang::TrainMessage137>(c);
       return true;
-    case 138:
+    case message::shortening_rejected:
       put_answer<lang::TrainMessage138>(c);
       return true;
-    case 146: {
+    case message::acknowledgement: {
       auto m = message_of<lang::TrainMessage146>(c);
       m.T_TRAIN_REF.raw = c.intent.T_TRAIN_REF;
       lang::begin_message(c.out, m);
       return true;
     }
-    case 147:
+    case message::emergency_stop_acknowledged:
       put_emergency_answer(c);
       return true;
-    case 149:
+    case message::track_ahead_free_granted:
       put_plain<lang::TrainMessage149>(c);
       return true;
-    case 150:
+    case message::end_of_mission:
       put_plain<lang::TrainMessage150>(c);
       return true;
-    case 154:
+    case message::no_compatible_version:
       put_without_position<lang::TrainMessage154>(c);
       return true;
-    case 155:
+    case message::session_initiated:
       put_without_position<lang::TrainMessage155>(c);
       return true;
-    case 156:
+    case message::session_terminated:
       put_without_position<lang::TrainMessage156>(c);
       return true;
-    case 157: {
+    case message::som_position_report: {
       auto m = message_of<lang::TrainMessage157>(c);
       m.Q_STATUS.raw = c.intent.Q_STATUS;
       lang::begin_message(c.out, m);
@@ -271,7 +272,7 @@ bool put(const Composer& c) {
       put_error_and_number(c);
       return true;
     }
-    case 158: {
+    case message::text_acknowledged: {
       if (c.version_1) return false;
       auto m = message_of<lang::TrainMessage158>(c);
       m.NID_TEXTMESSAGE.raw = c.intent.NID_TEXTMESSAGE;
@@ -279,7 +280,7 @@ bool put(const Composer& c) {
       put_position(c);
       return true;
     }
-    case 159:
+    case message::session_established:
       put_established(c);
       return true;
     default:

@@ -5,6 +5,8 @@
 
 #include "base/inplace_vector.h"
 #include "radio/messages.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 // Messages to the RBC as bits (8.6), in the version that the RBC gave in its message 32 (6.6.3.4).
 namespace evc::radio {
@@ -20,7 +22,7 @@ struct PositionReport {
   std::uint8_t Q_LENGTH = 0;
   std::uint16_t L_TRAININT = 0;
   std::uint8_t V_TRAIN = 0, Q_DIRTRAIN = 2;
-  std::uint8_t M_MODE = 6, M_LEVEL = 0, NID_NTC = 0;
+  std::uint8_t M_MODE = evc::M_MODE(Mode::SB), M_LEVEL = evc::M_LEVEL(Level::L0), NID_NTC = 0;
 };
 
 /// Packet 11 (7.4.3.5).

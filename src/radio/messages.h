@@ -4,6 +4,7 @@
 
 #include "base/inplace_vector.h"
 #include "base/units.h"
+#include "terms/message_numbers.h"
 
 namespace evc::radio {
 
@@ -54,6 +55,20 @@ struct Intent {
   bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
 };
 
+/// Whether the message holds packet 0 or 1, the position report (8.6).
+constexpr bool reports_position(std::uint8_t NID_MESSAGE) {
+  switch (NID_MESSAGE) {
+    case message::acknowledgement:
+    case message::no_compatible_version:
+    case message::session_initiated:
+    case message::session_terminated:
+    case message::session_established:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// What leaves in one cycle.
 struct Outbox {
   static constexpr std::size_t kMessages = 24;
@@ -66,9 +81,9 @@ struct Outbox {
   void send(const Intent& intent) {
     if (messages.push_back(intent)) return;
     lost = true;
-    if (intent.NID_MESSAGE != 147) return;
+    if (intent.NID_MESSAGE != message::emergency_stop_acknowledged) return;
     for (std::size_t i = messages.size(); i-- > 0;)
-      if (messages[i].NID_MESSAGE != 147) {
+      if (messages[i].NID_MESSAGE != message::emergency_stop_acknowledged) {
         messages[i] = intent;
         return;
       }

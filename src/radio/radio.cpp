@@ -56,7 +56,7 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   const bool again = repeatable && cycle && s.requested_at && in.now - *s.requested_at >= *cycle;
   if (!fresh && !again) return;
   Intent intent;
-  intent.NID_MESSAGE = 132;
+  intent.NID_MESSAGE = message::ma_request;
   intent.Q_MARQSTREASON = reasons;
   if ((reasons & kTrackAheadFree) != 0 && (s.reasons & kTrackAheadFree) == 0) intent.NID_LTRBG = in.NID_LTRBG;
   out.send(intent);
@@ -75,7 +75,7 @@ void stamp(State& s, Duration now, Outbox& out) {
     if (T_TRAIN == kUnknownTime) T_TRAIN = 0;
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
-    if (intent.NID_MESSAGE == 129) s.train_data_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::validated_train_data) s.train_data_stamp = T_TRAIN;
   }
 }
 
@@ -97,14 +97,16 @@ const char* clause(Rejected rejected) {
 
 Rejected receive(State& s, const Header& header, Duration now, Outbox& out) {
   if (s.session.phase == Phase::idle || s.session.phase == Phase::connecting) return Rejected::no_session;
-  if (s.session.phase == Phase::terminating && header.NID_MESSAGE != 39) return Rejected::terminating;
-  if (s.session.phase == Phase::waiting_version && header.NID_MESSAGE != 32) return Rejected::no_session;
+  if (s.session.phase == Phase::terminating && header.NID_MESSAGE != message::session_termination_acknowledged)
+    return Rejected::terminating;
+  if (s.session.phase == Phase::waiting_version && header.NID_MESSAGE != message::trackside_system_version)
+    return Rejected::no_session;
   if (header.T_TRAIN == kUnknownTime || (s.session.last_T_TRAIN && !later(header.T_TRAIN, *s.session.last_T_TRAIN))) {
     report_error(s, 4);
     return Rejected::time_stamp;
   }
   s.session.last_T_TRAIN = header.T_TRAIN;
-  if (header.NID_MESSAGE == 39) {
+  if (header.NID_MESSAGE == message::session_termination_acknowledged) {
     end(s.session, now, out);
     return Rejected::no;
   }
@@ -114,7 +116,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out) {
   s.reconnected = false;
   if (header.M_ACK) {
     Intent intent;
-    intent.NID_MESSAGE = 146;
+    intent.NID_MESSAGE = message::acknowledgement;
     intent.T_TRAIN_REF = header.T_TRAIN;
     out.send(intent);
   }
@@ -183,7 +185,7 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
     if (s.established_now || in.report_due || !s.errors.empty()) send_report(s, in, out);
     if (s.train_data_pending && in.train_data_valid) {
       s.train_data_pending = false;
-      out.send(129);
+      out.send(message::validated_train_data);
     }
   }
   send_ma_request(s, in, out);

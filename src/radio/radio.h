@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "radio/messages.h"
 #include "radio/session.h"
+#include "terms/reaction.h"
 
 // Radio (A3): everything between the bearer and the contents of messages. When a position report is due by
 // its parameters is said in position/; here it gets its session.
@@ -29,8 +30,7 @@ enum Reason : std::uint8_t {
   kTrackAheadFree = 16,
 };
 
-/// Reaction at the end of T_NVCONTACT (M_NVCONTACT).
-enum class Reaction : std::uint8_t { trip = 0, service_brake = 1, none = 2 };
+/// What happens at the end of T_NVCONTACT.
 struct ContactRule {
   std::optional<Duration> T_NVCONTACT;  ///< absent: infinite
   Reaction M_NVCONTACT = Reaction::none;
@@ -96,7 +96,7 @@ bool train_data_acknowledgement_pending(const State& state);
 
 struct Inputs {
   Duration now{};
-  Link link = Link::unchanged;
+  RadioLink link = RadioLink::unchanged;
   bool in_radio_hole = false;
   bool level_2_or_3 = false;
   bool contact_supervised = false;  ///< level 2/3 and FS, LS or OS (4.5.2)
@@ -126,7 +126,7 @@ void send_train_data(State& state);
 /// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (for X = 1 from protection/).
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {
   Intent intent;
-  intent.NID_MESSAGE = 147;
+  intent.NID_MESSAGE = message::emergency_stop_acknowledged;
   intent.NID_EM = NID_EM;
   intent.Q_EMERGENCYSTOP = Q_EMERGENCYSTOP;
   out.send(intent);
@@ -134,14 +134,14 @@ inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYS
 /// Messages 137 (granted) and 138 (rejected): the answer to message 9 with that stamp (3.8.6).
 inline void answer_shortening(bool granted, std::uint32_t T_TRAIN_REF, Outbox& out) {
   Intent intent;
-  intent.NID_MESSAGE = granted ? 137 : 138;
+  intent.NID_MESSAGE = granted ? message::shortening_granted : message::shortening_rejected;
   intent.T_TRAIN_REF = T_TRAIN_REF;
   out.send(intent);
 }
 /// Message 158.
 inline void report_text_acknowledged(std::uint8_t NID_TEXTMESSAGE, Outbox& out) {
   Intent intent;
-  intent.NID_MESSAGE = 158;
+  intent.NID_MESSAGE = message::text_acknowledged;
   intent.NID_TEXTMESSAGE = NID_TEXTMESSAGE;
   out.send(intent);
 }

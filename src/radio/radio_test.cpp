@@ -187,7 +187,7 @@ TEST(Contact, SixtySecondsLaterTheConnectionIsSetUpAgain) {  // 3.16.3.4.3
   EXPECT_EQ(u.s.session.phase, Phase::up);
   u.run(2);
   EXPECT_EQ(u.s.session.phase, Phase::lost);
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   EXPECT_EQ(u.s.session.phase, Phase::up);
   u.run(70);
   EXPECT_EQ(u.s.session.phase, Phase::up) << "once";
@@ -225,9 +225,9 @@ TEST(TrainData, SentAcknowledgedAndSentAgain) {  // 3.18.3.4
   receive_train_data_ack(u.s, u.out.messages[0].T_TRAIN + 1);
   EXPECT_TRUE(train_data_acknowledgement_pending(u.s)) << "of another sending";
   u.fresh();
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   u.fresh();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   EXPECT_EQ(u.messages(), Ids{129}) << "in the kept session";
   receive_train_data_ack(u.s, *u.s.train_data_stamp);
   EXPECT_FALSE(train_data_acknowledgement_pending(u.s));
@@ -275,7 +275,7 @@ TEST(MaRequest, WaitsForTheSessionAndTrackAheadFreeGoesOnce) {
   u.cycle();
   EXPECT_TRUE(u.out.messages.empty());
   u.order_session();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   u.fresh();
   u.version();
   u.cycle();

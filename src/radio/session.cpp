@@ -56,7 +56,7 @@ void connected(Session& s, Duration now, Outbox& out) {
   s.indication = Indication::up;
   if (s.phase == Phase::lost) return enter(s, Phase::up, now);  // the session was kept: no new 155 (3.5.4.2)
   enter(s, Phase::waiting_version, now);
-  out.send(155);
+  out.send(message::session_initiated);
 }
 
 void attempt_failed(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
@@ -97,7 +97,7 @@ void repeat_termination(Session& s, Duration now, Outbox& out) {
   if (s.repetitions >= kRepetitions) return release(s, now, out);
   ++s.repetitions;
   s.since = now;
-  out.send(156);
+  out.send(message::session_terminated);
 }
 
 }  // namespace
@@ -138,14 +138,14 @@ void terminate(Session& s, Duration now, Outbox& out) {
       s.repetitions = 0;
       s.request_connection = false;
       s.status_timer.reset();
-      out.send(156);
+      out.send(message::session_terminated);
       return;
   }
 }
 
-bool maintain(Session& s, Link link, bool in_radio_hole, Duration now, Outbox& out) {
-  if (link == Link::connected && (s.phase == Phase::connecting || s.phase == Phase::lost)) connected(s, now, out);
-  if (link == Link::lost || link == Link::refused) link_lost(s, in_radio_hole, now, out);
+bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outbox& out) {
+  if (link == RadioLink::connected && (s.phase == Phase::connecting || s.phase == Phase::lost)) connected(s, now, out);
+  if (link == RadioLink::lost || link == RadioLink::refused) link_lost(s, in_radio_hole, now, out);
 
   if (s.status_timer && now - *s.status_timer > kConnectionStatus) {
     s.indication = Indication::failed;
@@ -182,7 +182,7 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   if (s.phase != Phase::waiting_version && s.phase != Phase::up) return false;
   s.M_VERSION = M_VERSION;
   if (!supported(M_VERSION)) {
-    out.send(154);
+    out.send(message::no_compatible_version);
     out.inform_no_version = true;
     s.phase = Phase::up;  // so that it is left with message 156
     terminate(s, now, out);
@@ -190,7 +190,7 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   }
   const bool fresh = s.phase == Phase::waiting_version;
   if (fresh) enter(s, Phase::up, now);
-  out.send(159);
+  out.send(message::session_established);
   return fresh;
 }
 

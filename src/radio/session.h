@@ -5,6 +5,7 @@
 #include "base/inplace_vector.h"
 #include "base/units.h"
 #include "radio/messages.h"
+#include "terms/radio_link.h"
 
 // Communication session with an RBC (3.5): set-up, version check, maintenance, termination.
 namespace evc::radio {
@@ -21,8 +22,6 @@ inline constexpr Duration kConnectionStatus{45.0};
 enum class Phase : std::uint8_t { idle, connecting, waiting_version, up, lost, terminating };
 /// Safe radio connection indication (3.5.7).
 enum class Indication : std::uint8_t { none, failed, up };
-/// What the bearer reports.
-enum class Link : std::uint8_t { unchanged, connected, lost, refused };
 /// Why a session is to be established (3.5.3.4).
 enum class Cause : std::uint8_t {
   start_of_mission,
@@ -62,7 +61,7 @@ void establish(Session& session, const Rbc& rbc, Cause cause, Duration now, Outb
 void terminate(Session& session, Duration now, Outbox& out);
 /// What the bearer reports, and the timers. `in_radio_hole`: no attempts to connect (3.5.4.4). True in the cycle in
 /// which the session came to be lost for good after kSessionKept: cause `after_loss` is due (3.5.3.4 f).
-bool maintain(Session& session, Link link, bool in_radio_hole, Duration now, Outbox& out);
+bool maintain(Session& session, RadioLink link, bool in_radio_hole, Duration now, Outbox& out);
 /// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
 bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);
 /// Message 39 was received.

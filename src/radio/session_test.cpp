@@ -18,7 +18,7 @@ TEST(Session, SetUp) {  // 3.5.3.7
   EXPECT_EQ(u.s.session.phase, Phase::connecting);
   u.cycle();
   u.fresh();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   EXPECT_EQ(u.messages(), Ids{155});
   EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
   EXPECT_EQ(u.message(3), Rejected::no_session) << "only the version is taken now";
@@ -38,7 +38,7 @@ TEST(Session, StartOfMissionReports157) {
   u.in.Q_STATUS = 2;
   u.in.train_data_valid = false;
   u.order_session();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   u.fresh();
   u.version();
   u.cycle();
@@ -52,12 +52,12 @@ TEST(Session, ThreeTriesInStartOfMission) {  // N_CONN_TRIES
   ASSERT_TRUE(order(u.s, {true, kRbc, false, Cause::start_of_mission}, false, false, Duration{0}, u.out));
   for (int i = 0; i < 2; ++i) {
     u.fresh();
-    u.cycle(Link::refused);
+    u.cycle(RadioLink::refused);
     EXPECT_EQ(u.out.connect, kRbc);
     EXPECT_FALSE(u.out.inform_no_connection);
   }
   u.fresh();
-  u.cycle(Link::refused);
+  u.cycle(RadioLink::refused);
   EXPECT_TRUE(u.out.inform_no_connection);
   EXPECT_EQ(u.s.session.phase, Phase::idle);
   EXPECT_EQ(u.s.session.indication, Indication::failed);
@@ -68,7 +68,7 @@ TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
   u.order_session();
   for (int i = 0; i < 400; ++i) {
     u.fresh();
-    u.cycle(Link::refused);
+    u.cycle(RadioLink::refused);
     ASSERT_EQ(u.out.connect, kRbc);
   }
   EXPECT_EQ(u.s.session.phase, Phase::connecting);
@@ -79,7 +79,7 @@ TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
 TEST(Session, NoVersionIn15Seconds) {
   Unit u;
   u.order_session();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   u.run(14.8);
   EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
   u.run(0.4);
@@ -89,9 +89,9 @@ TEST(Session, NoVersionIn15Seconds) {
 TEST(Session, LinkLostBeforeTheVersionIsATry) {
   Unit u;
   u.order_session();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   u.fresh();
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   EXPECT_EQ(u.s.session.phase, Phase::connecting);
   EXPECT_EQ(u.out.connect, kRbc);
 }
@@ -99,7 +99,7 @@ TEST(Session, LinkLostBeforeTheVersionIsATry) {
 TEST(Session, UnknownVersion) {  // 3.5.3.8
   Unit u;
   u.order_session();
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   u.fresh();
   u.version(0x30);
   EXPECT_EQ(u.messages(), (Ids{154, 156}));
@@ -172,21 +172,21 @@ TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
   Unit u;
   u.up();
   u.fresh();
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   EXPECT_EQ(u.s.session.phase, Phase::lost);
   EXPECT_EQ(u.out.connect, kRbc);
   u.in.report_due = true;
   EXPECT_TRUE(u.run(20).empty()) << "what is due meanwhile counts as sent";
   u.in.report_due = false;
   u.fresh();
-  u.cycle(Link::refused);
+  u.cycle(RadioLink::refused);
   EXPECT_EQ(u.out.connect, kRbc);
   u.run(40);
   EXPECT_EQ(u.s.session.indication, Indication::failed);
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::connected);
   EXPECT_EQ(u.s.session.phase, Phase::up);
   EXPECT_EQ(u.s.session.indication, Indication::up);
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   u.run(299);
   EXPECT_EQ(u.s.session.phase, Phase::lost);
   bool lost = false;
@@ -206,7 +206,7 @@ TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
   u.up();
   u.in.in_radio_hole = true;
   u.fresh();
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   EXPECT_FALSE(u.out.connect);
   EXPECT_EQ(u.s.session.indication, Indication::none);
   u.run(10);
@@ -216,7 +216,7 @@ TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
   u.cycle();
   EXPECT_EQ(u.out.connect, kRbc);
   u.in.in_radio_hole = true;
-  u.cycle(Link::refused);
+  u.cycle(RadioLink::refused);
   u.run(301);
   EXPECT_EQ(u.s.session.phase, Phase::idle) << "died inside the hole: no new one there";
 }
@@ -226,7 +226,7 @@ TEST(Session, ConnectingStopsInAHoleAndGoesOnAfterIt) {
   u.order_session();
   u.in.in_radio_hole = true;
   u.fresh();
-  u.cycle(Link::refused);
+  u.cycle(RadioLink::refused);
   EXPECT_FALSE(u.out.connect);
   u.in.in_radio_hole = false;
   u.cycle();
@@ -270,8 +270,8 @@ TEST(Order, KnowsTheLastRbcAndSleeping) {
 
 TEST(Session, WhatTheBearerSaysWithoutASessionIsNothing) {
   Unit u;
-  u.cycle(Link::lost);
-  u.cycle(Link::connected);
+  u.cycle(RadioLink::lost);
+  u.cycle(RadioLink::connected);
   EXPECT_EQ(u.s.session.phase, Phase::idle);
   terminate(u.s.session, Duration{0}, u.out);
   end(u.s.session, Duration{0}, u.out);
@@ -280,7 +280,7 @@ TEST(Session, WhatTheBearerSaysWithoutASessionIsNothing) {
   EXPECT_FALSE(u.out.connect || u.out.disconnect);
   u.up();
   u.order_session(kRbc, false);
-  u.cycle(Link::lost);
+  u.cycle(RadioLink::lost);
   EXPECT_EQ(u.s.session.phase, Phase::terminating) << "its repetitions run out by themselves";
 }
 

@@ -22,7 +22,7 @@ struct Unit {
     in.level_2_or_3 = true;
     in.train_data_valid = true;
   }
-  Result cycle(Link link = Link::unchanged) {
+  Result cycle(RadioLink link = RadioLink::unchanged) {
     in.now = Duration{now};
     in.link = link;
     const Result r = supervise(s, in, out);
@@ -60,7 +60,7 @@ struct Unit {
   void up(std::uint8_t M_VERSION = 0x10) {
     order_session();
     cycle();
-    cycle(Link::connected);
+    cycle(RadioLink::connected);
     fresh();
     version(M_VERSION);
     cycle();

@@ -90,7 +90,7 @@ train::NationalValues national(const json& n) {
 sdm::Inputs inputs_of(const json& c) {
   sdm::Inputs in;
   in.revision = 1;
-  in.srs = train::SrsVersion::v3_4_0;
+  in.srs = evc::SrsVersion::v3_4_0;
   in.train = train_of(c["train"]);
   in.national_values = national(c["national_values"]);
   for (const auto& g : c["track"]["gradient"]) EXPECT_TRUE(in.gradient.permille.append(Place{{g[0]}}, double{g[1]}));

@@ -8,8 +8,8 @@
 #include "base/step_function.h"
 #include "base/units.h"
 #include "sdm/deceleration.h"
+#include "terms/srs_version.h"
 #include "train/brake_model.h"
-#include "train/srs_version.h"
 #include "train/train_data.h"
 
 namespace evc::sdm {
@@ -45,7 +45,7 @@ struct Authority {
 /// in it changes.
 struct Inputs {
   std::uint64_t revision = 0;
-  train::SrsVersion srs = train::SrsVersion::v3_6_0;
+  SrsVersion srs = SrsVersion::v3_6_0;
   train::TrainData train;
   train::NationalValues national_values;
   train::FixedValues fixed;

@@ -17,7 +17,6 @@ namespace {
 using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
-using train::SrsVersion;
 
 std::unique_ptr<Derived> built(const Inputs& in) {
   auto d = std::make_unique<Derived>();

@@ -50,7 +50,7 @@ void expect_not_nearer(const std::vector<double>& base, const std::vector<double
 TEST(Properties, LimitsAreInOrder) {
   for (int i = 0; i < cases(); ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
-    const RandomCase c = random_case(seed, static_cast<train::SrsVersion>(i % 3));
+    const RandomCase c = random_case(seed, static_cast<SrsVersion>(i % 3));
     const auto d = built(c.in);
     for (const Target& t : d->targets)
       for (double v = 0.0; v <= 220.0; v += 20.0) {
@@ -311,7 +311,7 @@ void expect_equal(const Result& a, const Result& b, int seed) {
 TEST(Properties, LeavingOutFarTargetsChangesNothing) {
   int not_CSM = 0;
   for (int i = 0; i < cases(); ++i) {
-    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<train::SrsVersion>(i % 3));
+    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<SrsVersion>(i % 3));
     c.in.national_values.A_NVMAXREDADH2 =
         train::MaxReducedAdhesion::without_maximum(i % 2 == 0 ? train::MaxReducedAdhesion::Display::target_information
                                                               : train::MaxReducedAdhesion::Display::time_to_indication);
@@ -349,7 +349,7 @@ bool permitted(const Derived& d, const Inputs& in, const Motion& m, Speed V) {
 
 TEST(Properties, ADriverWhoStaysBelowThePermittedSpeedIsNeverBraked) {
   for (int i = 0; i < std::max(45, cases() / 50); ++i) {
-    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<train::SrsVersion>(i % 3));
+    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<SrsVersion>(i % 3));
     const auto d = built(c.in);
     Supervision s;
     Motion m = c.motion;
@@ -379,7 +379,7 @@ TEST(Properties, AnUnbrakedTrainIsStoppedBeforeTheSupervisedLocation) {
   // Above the permitted speed the commands come early enough: from the emergency command the train of
   // its own model stops at the SvL at the latest.
   for (int i = 0; i < cases(400); ++i) {
-    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<train::SrsVersion>(i % 3));
+    RandomCase c = random_case(static_cast<std::uint64_t>(i), static_cast<SrsVersion>(i % 3));
     if (c.in.authority.kind != Authority::Kind::EOA_SvL) continue;
     c.in.authority.release_speed = ReleaseSpeedChoice::none;
     c.in.national_values.Q_NVINHSMICPERM = true;
@@ -407,7 +407,7 @@ TEST(Properties, AnUnbrakedTrainIsStoppedBeforeTheSupervisedLocation) {
     const Distance lost = m.V_est * (d->cm0.T_be > c.in.train.T_traction_cut_off ? d->cm0.T_be : Duration{0.0});
     const Place full = m.est_front + lost;
     const double one_cycle = m.V_est.si * kCycle * 2.0;
-    if (c.in.srs == train::SrsVersion::v4_0_0 || c.in.train.T_traction_cut_off >= d->cm0.T_be) continue;
+    if (c.in.srs == SrsVersion::v4_0_0 || c.in.train.T_traction_cut_off >= d->cm0.T_be) continue;
     EXPECT_LE(full.from_origin.si, d->view(d->targets[0].EBD).place_at(m.V_est).from_origin.si + one_cycle) << i;
   }
 }

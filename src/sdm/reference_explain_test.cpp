@@ -21,7 +21,7 @@ std::unique_ptr<Derived> built(const Inputs& in) {
 Inputs random_track(Dice& dice, int i) {
   Inputs in = rich_inputs(dice);
   in.revision = 1;
-  in.srs = static_cast<train::SrsVersion>(i % 3);
+  in.srs = static_cast<SrsVersion>(i % 3);
   in.national_values.Q_NVGUIPERM = dice.chance(0.4);
   in.national_values.Q_NVINHSMICPERM = dice.chance(0.4);
   for (auto& s : in.gradient.permille.steps) s.value = std::max(s.value, -15.0);  // trains that brake everywhere
@@ -88,7 +88,7 @@ TEST(ReferenceExplain, EveryValueIsTheOneOfItsTarget) {
       ASSERT_EQ(e.d_GUI.has_value(), d->guidance);
       Place d_FLOI = l.EBD.d_SBI;
       Place d_W = l.EBD.d_W;
-      Place d_P = in.srs == train::SrsVersion::v3_4_0 ? std::min(l.EBD.d_P, t.d_target) : l.EBD.d_P;
+      Place d_P = in.srs == SrsVersion::v3_4_0 ? std::min(l.EBD.d_P, t.d_target) : l.EBD.d_P;
       Place d_I = l.EBD.d_I;
       if (stop) {
         EXPECT_EQ(*e.d_SBD, d->view(t.SBD).place_at(V));
@@ -164,7 +164,7 @@ TEST(ReferenceExplain, TheSpeedsAtAPlaceAreTheLastOnesWithTheirLimitBeyondIt) {
 }
 
 TEST(ReferenceExplain, EndsOfTheSearchForASpeed) {
-  Inputs in = simple_inputs(train::SrsVersion::v3_4_0);
+  Inputs in = simple_inputs(SrsVersion::v3_4_0);
   in.V_top = Speed{59.9};
   ASSERT_TRUE(in.mrsp.append({{4000.0}}, {10.0}));
   const auto d = built(in);
@@ -184,7 +184,7 @@ TEST(ReferenceExplain, EndsOfTheSearchForASpeed) {
 }
 
 TEST(ReferenceExplain, PIsDrawnToTheTargetAtMostIn340Only) {
-  for (const auto srs : {train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0}) {
+  for (const auto srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0}) {
     Inputs in = simple_inputs(srs);
     in.train.T_traction_cut_off = {0.0};
     in.train.T_emergency[0].T_brake = {0.1};
@@ -192,13 +192,13 @@ TEST(ReferenceExplain, PIsDrawnToTheTargetAtMostIn340Only) {
     const auto d = built(in);
     const Explanation e = explain(*d, in, d->targets[0], {1.0}, {}, {});
     EXPECT_GT(e.EBD.d_P.from_origin.si, 4000.0);
-    EXPECT_EQ(e.d_P, srs == train::SrsVersion::v3_4_0 ? Place{{4000.0}} : e.EBD.d_P);
+    EXPECT_EQ(e.d_P, srs == SrsVersion::v3_4_0 ? Place{{4000.0}} : e.EBD.d_P);
   }
 }
 
 TEST(ReferenceExplain, ReducedAdhesionUnderTheMinSafeFrontEndCounts) {
   // Reduced adhesion up to 4840 m, for the train's length; the train is at 4900 m or not quite.
-  Inputs in = simple_inputs(train::SrsVersion::v4_0_0);
+  Inputs in = simple_inputs(SrsVersion::v4_0_0);
   in.train.service_brake_interface = false;
   in.train.T_traction_cut_off = {0.0};
   in.train.T_emergency[0].T_brake = {14.0};

@@ -14,8 +14,7 @@ using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
-constexpr train::SrsVersion kVersions[] = {train::SrsVersion::v3_4_0, train::SrsVersion::v3_6_0,
-                                           train::SrsVersion::v4_0_0};
+constexpr SrsVersion kVersions[] = {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0};
 
 /// One target list after the other is built into the same place: nothing of the one before may stay.
 std::unique_ptr<Derived> place_of_work() {
@@ -75,7 +74,7 @@ std::vector<Expected> expected_targets(const Inputs& in) {
   const auto& steps = in.mrsp.steps;
   for (std::size_t i = 1; i < steps.size() && in.supervise_targets; ++i) {
     bool lower = steps[i].value < steps[i - 1].value;
-    if (in.srs == train::SrsVersion::v4_0_0)
+    if (in.srs == SrsVersion::v4_0_0)
       for (std::size_t k = 0; k < i; ++k) lower = lower || steps[i].value < steps[k].value;
     if (lower) all.push_back({TargetKind::MRSP, steps[i].from, steps[i].value, in.mrsp_due_to_TSR[i]});
   }
@@ -104,7 +103,7 @@ TEST(ReferenceLocations, TargetsAndTheirCurves) {
     for (const auto& step : in.mrsp.steps) fastest = std::max(fastest, step.value);
     const Speed V_top = in.V_top.value_or(fastest + Speed{100.0 / 3.6});
     ASSERT_NEAR(d->V_relevant.si, std::min(fastest + dV_ebi(fastest, in.fixed) + Speed{50.0 / 3.6}, V_top).si, 1e-12);
-    ASSERT_EQ(d->csm_display, in.srs == train::SrsVersion::v3_4_0
+    ASSERT_EQ(d->csm_display, in.srs == SrsVersion::v3_4_0
                                   ? train::MaxReducedAdhesion::Display::none
                                   : train::A_MAXREDADH(in.train, in.national_values, in.brakes).display);
     const bool guidance = in.national_values.Q_NVGUIPERM && !in.train.normal_service.A_brake_normal_service[0].empty();
@@ -157,7 +156,7 @@ TEST(ReferenceLocations, TargetsAndTheirCurves) {
 }
 
 TEST(ReferenceLocations, NothingIsSupervisedWithoutAnMRSP) {
-  for (const train::SrsVersion srs : kVersions) {
+  for (const SrsVersion srs : kVersions) {
     Inputs in = simple_inputs(srs);
     in.mrsp = {};
     set_EOA(in, 5000.0, 5000.0);
@@ -278,7 +277,7 @@ void expect_locations(const Derived& d, const Inputs& in) {
       p.from_SBD = SBD.d;
     }
     if (LOA || stop) p.passed_at_once = slow;
-    if (in.srs != train::SrsVersion::v3_4_0) {
+    if (in.srs != SrsVersion::v3_4_0) {
       ASSERT_FALSE(t.d_preindication_EBD.has_value() || t.d_preindication_SBD.has_value());
       ASSERT_FALSE(t.preindication_passed_at_once);
       continue;
@@ -351,7 +350,7 @@ TEST(ReferenceLocations, ACurveThatHasTheSpeedOfTheMRSPAtItsStartIsNotBelowIt) {
 
 /// The lowest speed above V_target that satisfies both inequalities, by trying one after the other.
 double lowest_release_speed(const Derived& d, const Inputs& in, const Target& t, double d_trip, double V_top) {
-  const bool v4 = in.srs == train::SrsVersion::v4_0_0;
+  const bool v4 = in.srs == SrsVersion::v4_0_0;
   const auto b = train::build_up_times(in.train, in.national_values, in.brakes, t.V_target.si == 0.0);
   const TimeConfig config = time_config(in.train, in.national_values);
   double T_traction = config.T_traction_cut_off.si;
@@ -401,7 +400,7 @@ TEST(ReferenceLocations, ReleaseSpeed) {
     rebuild(*d, in);
     const ReleaseSpeed& r = d->release_speed;
     const Authority& a = in.authority;
-    const bool v4 = in.srs == train::SrsVersion::v4_0_0;
+    const bool v4 = in.srs == SrsVersion::v4_0_0;
     if (a.kind != Authority::Kind::EOA_SvL || a.temporary || a.release_speed == ReleaseSpeedChoice::none) {
       ASSERT_FALSE(r.exists);
       repeat = false;

@@ -14,7 +14,6 @@ namespace {
 using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
-using train::SrsVersion;
 
 // ---- Comparison -------------------------------------------------------------------------------------
 

@@ -20,7 +20,6 @@ namespace {
 using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
-using train::SrsVersion;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 double m(Place p) { return p.from_origin.si; }

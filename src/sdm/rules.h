@@ -1,5 +1,5 @@
 #pragma once
-#include "train/srs_version.h"
+#include "terms/srs_version.h"
 
 namespace evc::sdm {
 
@@ -22,9 +22,9 @@ struct Rules {
   bool LX_with_current_motion;          // 3.13.9.3.5.12 with A_est and V_ura, else f41(V_LX) and 0
 };
 
-constexpr Rules rules_of(train::SrsVersion version) {
-  const bool v360 = version != train::SrsVersion::v3_4_0;
-  const bool v400 = version == train::SrsVersion::v4_0_0;
+constexpr Rules rules_of(SrsVersion version) {
+  const bool v360 = version != SrsVersion::v3_4_0;
+  const bool v400 = version == SrsVersion::v4_0_0;
   return {
       .indication_includes_T_driver = v360,
       .pre_indication = !v360,

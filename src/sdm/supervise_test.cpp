@@ -13,7 +13,6 @@ namespace {
 using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
-using train::SrsVersion;
 
 /// Inputs, curves and memory of one unit.
 struct Unit {

@@ -12,6 +12,7 @@
 #include "sdm/inputs.h"
 #include "sdm/limits.h"
 #include "sdm/rules.h"
+#include "terms/monitoring.h"
 
 // Speed and distance monitoring, 3.13: `rebuild` when track, train or national values change,
 // `supervise` in every cycle.
@@ -105,9 +106,6 @@ struct Motion {
   std::optional<double> brake_pressure_kpa;  // main pipe (or from the cylinder), for the feedback
   std::optional<Duration> T_MAR;             // of the RBC's MA request parameters (packet 57)
 };
-
-enum class Monitoring : std::uint8_t { CSM, TSM, RSM };
-enum class Status : std::uint8_t { Normal, Indication, Overspeed, Warning, Intervention };
 
 /// Which target a displayed value is about: kind, place and speed identify it across rebuilds.
 struct TargetId {

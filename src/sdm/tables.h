@@ -4,7 +4,7 @@
 
 #include "sdm/rules.h"
 #include "sdm/supervision.h"
-#include "train/srs_version.h"
+#include "terms/srs_version.h"
 
 // The tables of 3.13.10 as they stand on the page: triggering conditions with their speed and location,
 // the command and the status they trigger. A location "beyond X" means the max safe front end for limits

@@ -9,6 +9,8 @@
 
 namespace {
 
+using evc::Monitoring;
+using evc::Status;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
@@ -23,9 +25,9 @@ std::string text(Bound b) {
 }
 std::string text(Limit l) { return name(l, {"-", "dI(V)", "dP(V)", "dW(V)", "dSBI(V)", "dEBI(V)", "dI(M)"}); }
 std::string text(Command c) { return name(c, {"-", "TCO", "SB", "EB"}); }
-std::string text(Status s) { return name(s, {"NoS", "IndS", "OvS", "WaS", "IntS"}); }
+std::string text(Status s) { return name(s, {"-", "NoS", "IndS", "OvS", "WaS", "IntS"}); }
 std::string text(EbRelease e) { return name(e, {"never", "always", "if_permitted", "or_zero"}); }
-std::string text(Monitoring m) { return name(m, {"CSM", "TSM", "RSM"}); }
+std::string text(Monitoring m) { return name(m, {"-", "CSM", "TSM", "RSM"}); }
 
 std::string between(Bound above, Bound upto) {
   if (above == Bound::none) return "V<=" + text(upto);
@@ -100,7 +102,7 @@ TEST(Tables, TransitionsBetweenTypesOfMonitoring) {
 }
 /// Every issue of the standard is served by its own tables.
 TEST(Tables, ByVersion) {
-  using evc::train::SrsVersion;
+  using evc::SrsVersion;
   const auto same = [](auto a, auto b) { return a.data() == b.data() && a.size() == b.size(); };
   const Rules v340 = rules_of(SrsVersion::v3_4_0);
   const Rules v360 = rules_of(SrsVersion::v3_6_0);

@@ -70,7 +70,7 @@ struct RandomCase {
   Motion motion;
 };
 
-inline RandomCase random_case(std::uint64_t seed, train::SrsVersion srs = train::SrsVersion::v3_6_0) {
+inline RandomCase random_case(std::uint64_t seed, SrsVersion srs = SrsVersion::v3_6_0) {
   Dice dice(seed);
   RandomCase c;
   Inputs& in = c.in;
@@ -147,7 +147,7 @@ inline train::TrainData simple_train() {
   return t;
 }
 
-inline Inputs simple_inputs(train::SrsVersion srs = train::SrsVersion::v3_6_0) {
+inline Inputs simple_inputs(SrsVersion srs = SrsVersion::v3_6_0) {
   Inputs in;
   in.revision = 1;
   in.srs = srs;

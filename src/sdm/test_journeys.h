@@ -10,8 +10,6 @@
 
 namespace evc::sdm::test {
 
-using train::SrsVersion;
-
 // ---- Trains, tracks and authorities that reach every feature -----------------------------------------
 
 inline void vary_brakes(train::TrainData& t, Dice& dice) {

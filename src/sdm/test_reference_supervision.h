@@ -319,6 +319,8 @@ inline Monitoring ReferenceSupervision::next_monitoring() const {
       if (three) return Monitoring::CSM;
       // A release speed that does not exist any more cannot be monitored.
       return four || !release().exists ? Monitoring::TSM : Monitoring::RSM;
+    case Monitoring::none:  // active supervision is of one of the three types
+      break;
   }
   return s.monitoring;
 }

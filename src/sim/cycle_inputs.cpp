@@ -7,7 +7,7 @@ void CycleInputs::clear() {
   loops.clear();
   radio.clear();
   train_data.reset();
-  levels.radio_link = kernel::RadioLink::unchanged;
+  levels.radio_link = RadioLink::unchanged;
   levels.driver = {};
 }
 

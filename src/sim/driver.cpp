@@ -10,8 +10,6 @@ namespace {
 using kernel::Ack;
 using kernel::Outputs;
 using kernel::Select;
-using modes::Level;
-using modes::Mode;
 
 constexpr double kKmh = 3.6;
 constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
@@ -140,7 +138,7 @@ double Driver::permitted(const Outputs& seen, const Motion& motion) const {
   if (to_stop && seen.V_release) limit = std::max(limit, seen.V_release->si);
   double wanted = limit - std::min(margin(), 0.12 * limit);
   // From the indication on the permitted speed is going to fall.
-  if (seen.monitoring == kernel::Monitoring::TSM && seen.V_target && motion.speed() > seen.V_target->si)
+  if (seen.monitoring == Monitoring::TSM && seen.V_target && motion.speed() > seen.V_target->si)
     wanted -= comfortable(motion) * slowness_s(motion);
   if (seen.V_target && seen.d_target) {
     // To a stop the train aims short of the place, and creeps the last metres.
@@ -185,7 +183,7 @@ Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) 
   if (reckless && !creeping_ && gap > 10.0) a = 10.0;
   if (wanted == 0.0 && motion.speed() < 1.0) a = std::min(a, -0.4);
   // Nobody pulls towards a target that asks for less.
-  const bool approaching = seen.monitoring == kernel::Monitoring::TSM && seen.V_target;
+  const bool approaching = seen.monitoring == Monitoring::TSM && seen.V_target;
   if (!reckless && approaching && motion.speed() > seen.V_target->si && motion.speed() > std::max(8.0, 0.8 * wanted))
     a = std::min(a, 0.0);
   if (kind_ == DriverKind::late) {

@@ -45,7 +45,7 @@ struct Line {
   double length_m = 0.0;
   double start_front_m = -50.0;
   std::optional<double> end_m;
-  modes::Level start_level = modes::Level::NTC;
+  Level start_level = Level::NTC;
   std::uint8_t start_nid_ntc = 1;
   std::size_t groups = 0;
   std::vector<Balise> balises;            // in order of position

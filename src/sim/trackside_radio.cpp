@@ -5,6 +5,7 @@
 
 #include "lang/encode.h"
 #include "lang/messages.h"
+#include "terms/message_numbers.h"
 
 namespace evc::sim {
 namespace {
@@ -36,7 +37,7 @@ void stamp(Bits& message, std::uint32_t T_TRAIN) {
 /// Movement authority, and movement authority with shifted location reference (8.7.2, 8.7.13).
 bool has_movement_authority(const Bits& message) {
   const auto NID_MESSAGE = message.number(0, 8);
-  return NID_MESSAGE == 3 || NID_MESSAGE == 33;
+  return NID_MESSAGE == message::movement_authority || NID_MESSAGE == message::movement_authority_shifted;
 }
 
 }  // namespace
@@ -63,42 +64,43 @@ void TracksideRadio::answer(const kernel::OutgoingMessage& message, std::int64_t
   const std::uint32_t NID_MESSAGE = bits.number(0, 8);
   const std::uint32_t T_TRAIN = bits.number(kStampAt, 32);
   // Position packets 0 and 1 begin with NID_PACKET, L_PACKET, Q_SCALE, NID_LRBG.
-  if (NID_MESSAGE == 129 || NID_MESSAGE == 136) NID_LRBG_ = bits.number(kAfterTrainHeader + 23, 24);
-  if (NID_MESSAGE == 157) NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
+  if (NID_MESSAGE == message::validated_train_data || NID_MESSAGE == message::position_report)
+    NID_LRBG_ = bits.number(kAfterTrainHeader + 23, 24);
+  if (NID_MESSAGE == message::som_position_report) NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
   switch (NID_MESSAGE) {
-    case 155: {
+    case message::session_initiated: {
       lang::Message32 version;
       version.M_VERSION.raw = M_VERSION_;
       version.NID_LRBG.raw = 0xFFFFFF;
       reply(t_ms, message_of(version));
       break;
     }
-    case 156: {
+    case message::session_terminated: {
       lang::Message39 end;
       end.NID_LRBG.raw = 0xFFFFFF;
       session_ = false;
       reply(t_ms, message_of(end));
       break;
     }
-    case 159:
+    case message::session_established:
       session_ = true;
       last_sent_ms_ = t_ms;
       break;
-    case 129: {
+    case message::validated_train_data: {
       lang::Message8 acknowledgement;
       acknowledgement.NID_LRBG.raw = NID_LRBG_;
       acknowledgement.T_TRAIN_REF.raw = T_TRAIN;
       reply(t_ms, message_of(acknowledgement));
       break;
     }
-    case 130: {
+    case message::request_for_shunting: {
       lang::Message27 refused;
       refused.NID_LRBG.raw = NID_LRBG_;
       refused.T_TRAIN_REF.raw = T_TRAIN;
       reply(t_ms, message_of(refused));
       break;
     }
-    case 157: {
+    case message::som_position_report: {
       // Q_STATUS 1: the position is valid (7.5.1.143).
       const bool valid = bits.number(kAfterTrainHeader, 2) == 1;
       lang::Message41 accepted;
@@ -142,7 +144,7 @@ void TracksideRadio::deliver(std::int64_t t_ms, double front_m, CycleInputs& inp
   if (connected_at_ms_ && *connected_at_ms_ <= t_ms) {
     connected_at_ms_.reset();
     bearer_ = true;
-    inputs.levels.radio_link = kernel::RadioLink::connected;
+    inputs.levels.radio_link = RadioLink::connected;
   }
   if (!bearer_) return;
   while (!replies_.empty() && replies_.front().due_ms <= t_ms) {

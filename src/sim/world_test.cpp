@@ -33,8 +33,8 @@ Line plain_line() {
 /// An on-board that lets the train run, without any supervision.
 kernel::Outputs in_SN(const kernel::Inputs& inputs) {
   kernel::Outputs o;
-  o.mode = modes::Mode::SN;
-  o.level = modes::Level::NTC;
+  o.mode = Mode::SN;
+  o.level = Level::NTC;
   o.v = inputs.odometry.V_est;
   o.est_front = inputs.odometry.nominal;
   return o;
@@ -105,7 +105,7 @@ TEST(World, AStandingTrainEndsTheRun) {
   while (!world.finished() && ++cycles < 5000) {
     world.advance();
     kernel::Outputs o;
-    o.mode = modes::Mode::SB;
+    o.mode = Mode::SB;
     o.eb = true;
     world.observe(o);
   }
@@ -215,7 +215,7 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   call.radio_connect = kernel::RbcAddress{1, 2, 3};
   cycle(100, call);
   std::int64_t t = 200;
-  while (inputs.levels.radio_link != kernel::RadioLink::connected && t < 10000) cycle(t += 100, {});
+  while (inputs.levels.radio_link != RadioLink::connected && t < 10000) cycle(t += 100, {});
   EXPECT_LT(t, 6000);
   cycle(t += 100, saying({155}));
   std::vector<std::uint8_t> heard;

@@ -4,27 +4,14 @@
 
 #include "base/inplace_vector.h"
 #include "base/units.h"
+#include "terms/track_condition.h"
 
 // Track conditions (3.12.1), route suitability (3.12.2), adhesion (3.18.4.6).
 namespace evc::track {
 
-/// M_TRACKCOND.
-enum class Condition : std::uint8_t {
-  non_stopping_area,
-  tunnel_stopping_area,
-  sound_horn,
-  powerless_lower_pantograph,
-  radio_hole,
-  air_tightness,
-  switch_off_regenerative_brake,
-  switch_off_eddy_current_service_brake,
-  switch_off_magnetic_shoe_brake,
-  powerless_main_switch_off,
-  switch_off_eddy_current_emergency_brake,
-};
 struct TrackCondition {
   Place from{}, to{};
-  Condition kind = Condition::non_stopping_area;
+  TrackConditionKind kind = TrackConditionKind::non_stopping_area;
   friend constexpr bool operator==(const TrackCondition&, const TrackCondition&) = default;
 };
 struct BigMetalMass {
@@ -48,7 +35,6 @@ struct CurrentChange {
   friend constexpr bool operator==(const CurrentChange&, const CurrentChange&) = default;
 };
 
-enum class Suitability : std::uint8_t { gauge = 0, axle_load = 1, traction = 2 };  ///< Q_SUITABILITY
 struct RouteSuitability {
   Place at{};
   Suitability kind = Suitability::gauge;

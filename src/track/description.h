@@ -5,6 +5,7 @@
 #include "base/inplace_vector.h"
 #include "base/step_function.h"
 #include "base/units.h"
+#include "terms/medium.h"
 #include "track/conditions.h"
 #include "track/mode_profile.h"
 #include "track/movement_authority.h"
@@ -65,8 +66,6 @@ struct Description {
 };
 static_assert(sizeof(Description) < 30 * 1024);
 
-enum class Source : std::uint8_t { balise, loop, radio_infill_unit, rbc };
-
 /// New data of a non-continuous profile: a list from a place on, or the return to the initial state there
 /// (Q_TRACKINIT; 3.7.3.2).
 template <class T, std::size_t N = 32>
@@ -79,7 +78,7 @@ struct Fresh {
 /// What one message brings, already filtered (4.8) and in the track frame. All of it is evaluated together,
 /// whatever the order of its packets (8.4.1.3).
 struct Contents {
-  Source source = Source::balise;
+  Medium medium = Medium::balise;
   Duration time{};              ///< of the section timers: time stamp, or passage of the group's first balise
   std::optional<Place> infill;  ///< infill location reference of packet 136; everything here is infill then
 

@@ -15,6 +15,7 @@
 #include "lang/packets/packet_80.h"
 #include "lang/packets/packet_88.h"
 #include "lang/si.h"
+#include "terms/packet_numbers.h"
 #include "track/from_packets_parts.h"
 
 namespace evc::track {
@@ -187,13 +188,13 @@ void take(Contents& c, const lang::Packet65& p, const Reference& r) {
   tsr.NID_TSR = p.NID_TSR.raw;
   tsr.Q_FRONT = p.Q_FRONT.raw == 1;
   tsr.V_TSR = p.V_TSR.raw;
-  tsr.from_rbc = r.source == Source::rbc;
+  tsr.from_rbc = r.medium == Medium::rbc;
   if (c.tsr.push_back(tsr)) return;
   cover(c.tsr.back(), tsr);
-  c.lose(65);
+  c.lose(packet::temporary_speed_restriction);
 }
 void take(Contents& c, const lang::Packet66& p, const Reference&) {
-  if (!c.revoked_tsr.push_back(p.NID_TSR.raw)) c.lose(66);  // the restriction stays
+  if (!c.revoked_tsr.push_back(p.NID_TSR.raw)) c.lose(packet::tsr_revocation);  // the restriction stays
 }
 void take(Contents& c, const lang::Packet64&, const Reference&) { c.inhibit_revocable_tsr = true; }
 void take(Contents& c, const lang::Packet141& p, const Reference&) {
@@ -212,8 +213,8 @@ void take(Contents& c, const lang::Packet88& p, const Reference& r) {
     if (lx.stop_required) lx.L_STOPLX = metres(p.Q_SCALE, p.L_STOPLX);
   }
   if (c.lx.push_back(lx)) return;
-  c.lose(88);
-  if (lx.unprotected) c.lose(88, lx.from);
+  c.lose(packet::level_crossing);
+  if (lx.unprotected) c.lose(packet::level_crossing, lx.from);
 }
 
 void take(Contents& c, const lang::Packet80& p, const Reference& r) {
@@ -223,10 +224,10 @@ void take(Contents& c, const lang::Packet80& p, const Reference& r) {
     at = at + metres(p.Q_SCALE, m.D_MAMODE);
     ModeArea area;
     area.from = at;
-    area.mode = static_cast<AreaMode>(m.M_MAMODE.raw);
+    area.mode = mode_of_area(m.M_MAMODE.raw);
     const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
     // The length of a shunting area is not used: it is left by its own rules (3.12.4.2).
-    if (length && area.mode != AreaMode::SH) area.to = at + *length;
+    if (length && area.mode != Mode::SH) area.to = at + *length;
     if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
     area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);
     area.also_SvL = m.Q_MAMODE.raw == 1;
@@ -267,33 +268,33 @@ std::optional<Place> stop_location(const lang::Message15& message, const Referen
 
 Added add(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   if (!valid_direction(view.Q_DIR, reference.orientation)) return Added::other_direction;
-  contents.source = reference.source;
+  contents.medium = reference.medium;
   switch (view.NID_PACKET) {
-    case 12:
+    case packet::level_1_movement_authority:
       return decode_and_take<lang::Packet12>(contents, view, reference);
-    case 15:
+    case packet::level_2_3_movement_authority:
       return decode_and_take<lang::Packet15>(contents, view, reference);
-    case 16:
+    case packet::repositioning_information:
       return decode_and_take<lang::Packet16>(contents, view, reference);
-    case 21:
+    case packet::gradient_profile:
       return decode_and_take<lang::Packet21>(contents, view, reference);
-    case 27:
+    case packet::static_speed_profile:
       return decode_and_take<lang::Packet27>(contents, view, reference);
-    case 51:
+    case packet::axle_load_speed_profile:
       return decode_and_take<lang::Packet51>(contents, view, reference);
-    case 52:
+    case packet::permitted_braking_distance:
       return decode_and_take<lang::Packet52>(contents, view, reference);
-    case 64:
+    case packet::inhibition_of_revocable_tsr:
       return decode_and_take<lang::Packet64>(contents, view, reference);
-    case 65:
+    case packet::temporary_speed_restriction:
       return decode_and_take<lang::Packet65>(contents, view, reference);
-    case 66:
+    case packet::tsr_revocation:
       return decode_and_take<lang::Packet66>(contents, view, reference);
-    case 80:
+    case packet::mode_profile:
       return decode_and_take<lang::Packet80>(contents, view, reference);
-    case 88:
+    case packet::level_crossing:
       return decode_and_take<lang::Packet88>(contents, view, reference);
-    case 141:
+    case packet::default_gradient_for_tsr:
       return decode_and_take<lang::Packet141>(contents, view, reference);
     default:
       break;

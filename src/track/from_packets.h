@@ -17,7 +17,7 @@ struct Reference {
   /// Of the train against the group (in SL, PS, SH: the direction in which the group was crossed, 3.6.3.1.3).
   Direction orientation = Direction::unknown;
   GroupId group{};  ///< its NID_C stands where a packet says "same country"
-  Source source = Source::balise;
+  Medium medium = Medium::balise;
   Duration now{};
 };
 

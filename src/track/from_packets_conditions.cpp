@@ -9,6 +9,7 @@
 #include "lang/packets/packet_72.h"
 #include "lang/packets/packet_76.h"
 #include "lang/si.h"
+#include "terms/packet_numbers.h"
 #include "track/from_packets_parts.h"
 
 namespace evc::track {
@@ -49,7 +50,8 @@ void take(Contents& c, const lang::Packet68& p, const Reference& r) {
   }
   c.conditions = areas_of<TrackCondition>(p, p.first_conditions(), p.conditions, r.place, [](const auto& e) {
     TrackCondition condition;
-    condition.kind = static_cast<Condition>(e.M_TRACKCOND.raw);
+    // A spare code does not get here: the message was refused (chapter 7). Nor does one of Q_SUITABILITY.
+    condition.kind = track_condition_of(e.M_TRACKCOND.raw).value_or(TrackConditionKind::non_stopping_area);
     return condition;
   });
 }
@@ -90,7 +92,7 @@ void take(Contents& c, const lang::Packet70& p, const Reference& r) {
     at = at + metres(p.Q_SCALE, e.D_SUITABILITY);
     RouteSuitability item;
     item.at = at;
-    item.kind = static_cast<Suitability>(e.Q_SUITABILITY.raw);
+    item.kind = suitability_of(e.Q_SUITABILITY.raw).value_or(Suitability::gauge);
     item.M_LINEGAUGE = e.M_LINEGAUGE.raw;
     item.M_AXLELOADCAT = e.M_AXLELOADCAT.raw;
     item.M_VOLTAGE = e.M_VOLTAGE.raw;
@@ -111,6 +113,13 @@ void take(Contents& c, const lang::Packet71& p, const Reference& r) {
   c.adhesion = area;
 }
 
+/// The mode that limits the display of a text; absent: the display is not limited by the mode (7.5.1.73).
+std::optional<Mode> mode_limit(std::uint8_t M_MODETEXTDISPLAY) {
+  constexpr std::uint8_t kNotLimited = 15;
+  if (M_MODETEXTDISPLAY == kNotLimited) return std::nullopt;
+  return mode_of(M_MODETEXTDISPLAY);
+}
+
 /// What packets 72 and 76 share (3.12.3.2-4).
 template <class P>
 Text text_of(const P& p, const Reference& r) {
@@ -118,15 +127,15 @@ Text text_of(const P& p, const Reference& r) {
   t.Q_TEXTCLASS = p.Q_TEXTCLASS.raw;
   t.all_parts = p.Q_TEXTDISPLAY.raw == 1;
   if (const std::optional<Distance> d = metres(p.Q_SCALE, p.D_TEXTDISPLAY)) t.start_at = r.place + *d;
-  if (p.M_MODETEXTDISPLAY_START.raw != 15) t.start_mode = p.M_MODETEXTDISPLAY_START.raw;
-  if (p.M_LEVELTEXTDISPLAY_START.raw != 5) t.start_level = p.M_LEVELTEXTDISPLAY_START.raw;
+  t.start_mode = mode_limit(p.M_MODETEXTDISPLAY_START.raw);
+  t.start_level = level_of(p.M_LEVELTEXTDISPLAY_START.raw);
   t.start_NTC = p.NID_NTC_START.raw;
   // The length counts from the start place, without one from the reference.
   if (const std::optional<Distance> l = metres(p.Q_SCALE, p.L_TEXTDISPLAY))
     t.end_at = (t.start_at ? *t.start_at : r.place) + *l;
   t.T_TEXTDISPLAY = lang::seconds(p.T_TEXTDISPLAY);
-  if (p.M_MODETEXTDISPLAY_END.raw != 15) t.end_mode = p.M_MODETEXTDISPLAY_END.raw;
-  if (p.M_LEVELTEXTDISPLAY_END.raw != 5) t.end_level = p.M_LEVELTEXTDISPLAY_END.raw;
+  t.end_mode = mode_limit(p.M_MODETEXTDISPLAY_END.raw);
+  t.end_level = level_of(p.M_LEVELTEXTDISPLAY_END.raw);
   t.end_NTC = p.NID_NTC_END.raw;
   t.Q_TEXTCONFIRM = p.Q_TEXTCONFIRM.raw;
   if (t.Q_TEXTCONFIRM != 0) {
@@ -144,12 +153,12 @@ void take(Contents& c, const lang::Packet72& p, const Reference& r) {
     t.characters[t.length] = static_cast<char>(x.X_TEXT.raw);
     ++t.length;
   }
-  if (!c.texts.push_back(t)) c.lose(72);
+  if (!c.texts.push_back(t)) c.lose(packet::plain_text);
 }
 void take(Contents& c, const lang::Packet76& p, const Reference& r) {
   Text t = text_of(p, r);
   t.Q_TEXT = p.Q_TEXT.raw;
-  if (!c.texts.push_back(t)) c.lose(76);
+  if (!c.texts.push_back(t)) c.lose(packet::fixed_text);
 }
 
 template <class P>
@@ -165,23 +174,23 @@ Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference
 
 Added add_condition(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
-    case 39:
+    case packet::traction_system_change:
       return decode_and_take<lang::Packet39>(contents, view, reference);
-    case 40:
+    case packet::permitted_current_change:
       return decode_and_take<lang::Packet40>(contents, view, reference);
-    case 67:
+    case packet::big_metal_masses:
       return decode_and_take<lang::Packet67>(contents, view, reference);
-    case 68:
+    case packet::track_condition:
       return decode_and_take<lang::Packet68>(contents, view, reference);
-    case 69:
+    case packet::station_platforms:
       return decode_and_take<lang::Packet69>(contents, view, reference);
-    case 70:
+    case packet::route_suitability:
       return decode_and_take<lang::Packet70>(contents, view, reference);
-    case 71:
+    case packet::adhesion_factor:
       return decode_and_take<lang::Packet71>(contents, view, reference);
-    case 72:
+    case packet::plain_text:
       return decode_and_take<lang::Packet72>(contents, view, reference);
-    case 76:
+    case packet::fixed_text:
       return decode_and_take<lang::Packet76>(contents, view, reference);
     default:
       return Added::not_stored_here;

@@ -12,6 +12,7 @@
 #include "lang/packets/packet_79.h"
 #include "lang/packets/packet_90.h"
 #include "lang/si.h"
+#include "terms/packet_numbers.h"
 #include "track/from_packets_parts.h"
 
 namespace evc::track {
@@ -93,29 +94,29 @@ Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference
 
 Added add_order(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
-    case 49:
+    case packet::balise_groups_for_sh_area:
       return decode_and_take<lang::Packet49>(contents, view, reference);
-    case 63:
+    case packet::balise_groups_in_sr_authority:
       return decode_and_take<lang::Packet63>(contents, view, reference);
-    case 79:
+    case packet::geographical_position:
       return decode_and_take<lang::Packet79>(contents, view, reference);
-    case 90:
+    case packet::track_ahead_free_to_level_2_3:
       return decode_and_take<lang::Packet90>(contents, view, reference);
-    case 131:
+    case packet::rbc_transition_order:
       return decode_and_take<lang::Packet131>(contents, view, reference);
-    case 132:
+    case packet::danger_for_shunting:
       return decode_and_take<lang::Packet132>(contents, view, reference);
-    case 133:
+    case packet::radio_infill_area:
       return decode_and_take<lang::Packet133>(contents, view, reference);
-    case 135:
+    case packet::stop_shunting_on_desk_opening:
       return decode_and_take<lang::Packet135>(contents, view, reference);
-    case 137:
+    case packet::stop_if_in_sr:
       return decode_and_take<lang::Packet137>(contents, view, reference);
-    case 138:
+    case packet::reversing_area:
       return decode_and_take<lang::Packet138>(contents, view, reference);
-    case 139:
+    case packet::reversing_supervision:
       return decode_and_take<lang::Packet139>(contents, view, reference);
-    case 181:
+    case packet::generic_ls_marker:
       return decode_and_take<lang::Packet181>(contents, view, reference);
     default:
       return Added::not_stored_here;

@@ -38,7 +38,7 @@ TEST(FromPackets, Conditions) {
   ASSERT_TRUE(p.conditions.push_back(more));
   const auto conditions = *contents_of(p).conditions;
   EXPECT_EQ(conditions.from, at(1100));
-  EXPECT_EQ(conditions.elements[0].kind, Condition::radio_hole);
+  EXPECT_EQ(conditions.elements[0].kind, TrackConditionKind::radio_hole);
   EXPECT_EQ(conditions.elements[0].to, at(1150));
   EXPECT_EQ(conditions.elements[1].from, at(1110));
   auto init = packet_in_metres<lang::Packet68>();
@@ -118,9 +118,9 @@ TEST(FromPackets, Texts) {
   EXPECT_EQ(t.start_at, at(1100));
   EXPECT_EQ(t.end_at, at(1150));
   EXPECT_FALSE(t.start_mode || t.end_level || t.T_TEXTDISPLAY);
-  EXPECT_EQ(t.start_level, 1);
+  EXPECT_EQ(t.start_level, Level::NTC);
   EXPECT_EQ(t.start_NTC, 6);
-  EXPECT_EQ(t.end_mode, 0);
+  EXPECT_EQ(t.end_mode, Mode::FS);
   EXPECT_TRUE(t.ack_and_end && t.report);
   EXPECT_EQ(t.NID_TEXTMESSAGE, 77);
   EXPECT_EQ(std::string_view(t.characters.data(), t.length), "Hi");

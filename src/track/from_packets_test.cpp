@@ -286,7 +286,7 @@ TEST(FromPackets, LevelCrossingAndModeProfile) {
   ASSERT_TRUE(m.modes.push_back(sh));
   const ModeProfile profile = *contents_of(m).mode_profile;
   ASSERT_EQ(profile.size(), 3u);
-  EXPECT_EQ(profile[0].mode, AreaMode::OS);
+  EXPECT_EQ(profile[0].mode, Mode::OS);
   EXPECT_EQ(profile[0].ack_from, at(1300));
   EXPECT_EQ(profile[0].V_MAMODE, kNoSpeed);
   EXPECT_FALSE(profile[0].to);
@@ -294,7 +294,7 @@ TEST(FromPackets, LevelCrossingAndModeProfile) {
   EXPECT_EQ(profile[1].from, at(1800));
   EXPECT_FALSE(profile[1].to) << "the length of a shunting area is ignored";
   EXPECT_FALSE(profile[1].also_SvL);
-  EXPECT_EQ(profile[2].mode, AreaMode::LS);
+  EXPECT_EQ(profile[2].mode, Mode::LS);
   EXPECT_EQ(profile[2].to, at(2200));
   EXPECT_EQ(profile[2].V_MAMODE, 5);
 }

@@ -31,7 +31,7 @@ inline Reference reference(double place = 1000.0) {
   r.place = at(place);
   r.orientation = Direction::nominal;
   r.group = {426, 7};
-  r.source = Source::rbc;
+  r.medium = Medium::rbc;
   r.now = Duration{100};
   return r;
 }

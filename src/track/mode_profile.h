@@ -4,17 +4,16 @@
 
 #include "base/inplace_vector.h"
 #include "base/units.h"
+#include "terms/mode.h"
 #include "track/speed_restrictions.h"
 
 namespace evc::track {
 
-enum class AreaMode : std::uint8_t { OS = 0, SH = 1, LS = 2 };  ///< M_MAMODE
-
 /// One area of the mode profile (packet 80; 3.12.4).
 struct ModeArea {
   Place from{};
-  std::optional<Place> to;  ///< absent: endless. The length of a shunting area is ignored
-  AreaMode mode = AreaMode::OS;
+  std::optional<Place> to;        ///< absent: endless. The length of a shunting area is ignored
+  Mode mode = Mode::OS;           ///< OS, LS or SH
   SpeedCode V_MAMODE = kNoSpeed;  ///< kNoSpeed: the national value
   Place ack_from{};               ///< start of the acknowledgement window
   bool also_SvL = true;           ///< Q_MAMODE: the start is the supervised location too

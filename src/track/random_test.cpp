@@ -80,7 +80,7 @@ Contents random_contents(Dice& dice, double front) {
     area.from = at(front + dice.metres(-100, 2000));
     area.ack_from = area.from - Distance{200};
     if (!dice.one_in(3)) area.to = area.from + Distance{dice.metres(0, 600)};
-    area.mode = static_cast<AreaMode>(dice.number(0, 2));
+    area.mode = mode_of_area(static_cast<std::uint64_t>(dice.number(0, 2)));
     area.also_SvL = dice.one_in(2);
     if (!c.mode_profile->push_back(area)) __builtin_trap();
   }
@@ -109,7 +109,7 @@ void expect_sound(const Description& d, const Here& here, Dice& dice) {
     for (const Section& s : d.ma->sections) ASSERT_LE(s.begin, s.end);
     for (std::size_t i = 1; i < d.ma->sections.size(); ++i)
       ASSERT_EQ(d.ma->sections[i - 1].end, d.ma->sections[i].begin);
-    const Authority a = authority(d, {}, static_cast<std::uint8_t>(dice.one_in(2) ? 0 : 1));
+    const Authority a = authority(d, {}, dice.one_in(2) ? Mode::FS : Mode::OS);
     ASSERT_TRUE(a.EOA || a.LOA);
     if (a.EOA) {
       ASSERT_LE(*a.EOA, d.ma->end() > *a.EOA ? d.ma->end() : *a.EOA);
@@ -154,9 +154,9 @@ TEST(Random, WhatOthersRelyOnHolds) {
       switch (dice.number(0, 9)) {
         case 0: {
           const Place stop = at(front + dice.metres(0, 3000));
-          const Authority before = authority(d, {}, 1);
+          const Authority before = authority(d, {}, Mode::OS);
           stop_at(d, stop, here);
-          const Authority after = authority(d, {}, 1);
+          const Authority after = authority(d, {}, Mode::OS);
           ASSERT_GT(d.revision, revision);
           if (before.EOA && after.EOA) {
             ASSERT_LE(*after.EOA, *before.EOA);
@@ -169,10 +169,10 @@ TEST(Random, WhatOthersRelyOnHolds) {
           ASSERT_GT(d.revision, revision);
           break;
         case 2:
-          forget(d, static_cast<Item>(dice.number(0, static_cast<int>(Item::count) - 1)));
+          forget(d, static_cast<evc::Stored>(dice.number(0, static_cast<int>(kStored) - 1)));
           break;
         case 3:
-          accept_area(d, static_cast<AreaMode>(dice.number(0, 2)), here);
+          accept_area(d, mode_of_area(static_cast<std::uint64_t>(dice.number(0, 2))), here);
           break;
         default: {
           Contents c = random_contents(dice, front);

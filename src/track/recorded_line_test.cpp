@@ -74,10 +74,10 @@ TEST(RecordedLine, EveryMovementAuthorityIsAcceptedAndCovered) {
     ++messages;
     const double front = m["trigger"]["position_m"];
     Contents c;
-    c.source = Source::rbc;
+    c.medium = Medium::rbc;
     c.time = Duration{static_cast<double>(view.T_TRAIN.raw) / 100.0};
     Reference r;
-    r.source = Source::rbc;
+    r.medium = Medium::rbc;
     r.place = at(groups.place.at(view.NID_LRBG.raw));
     if (groups.orientation.count(view.NID_LRBG.raw)) r.orientation = groups.orientation.at(view.NID_LRBG.raw);
     r.group = {static_cast<std::uint16_t>(view.NID_LRBG.raw >> 14),
@@ -136,7 +136,7 @@ TEST(RecordedLine, GradientAndSpeedAreThoseOfTheTrack) {
     const auto view = lang::scan_message_to_train(bytes, {1, 0});
     Contents c;
     Reference r;
-    r.source = Source::rbc;
+    r.medium = Medium::rbc;
     r.place = at(groups.place.at(view.NID_LRBG.raw));
     r.orientation =
         groups.orientation.count(view.NID_LRBG.raw) ? groups.orientation.at(view.NID_LRBG.raw) : Direction::unknown;

@@ -5,15 +5,8 @@
 namespace evc::track {
 namespace {
 
-// Codes of M_MODE (7.5.1.65) in which an MA is supervised or an area's mode is in force.
-constexpr std::uint8_t kFS = 0, kOS = 1, kLS = 12;
-
 void nearest(std::optional<Place>& best, Place at) {
   if (!best || at < *best) best = at;
-}
-
-bool mode_is(AreaMode area, std::uint8_t M_MODE) {
-  return (area == AreaMode::OS && M_MODE == kOS) || (area == AreaMode::LS && M_MODE == kLS);
 }
 
 }  // namespace
@@ -41,13 +34,13 @@ std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces
   return first;
 }
 
-Authority authority(const Description& d, const TrainInterfaces& train, std::uint8_t M_MODE) {
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode) {
   Authority a;
-  if (!d.ma || (M_MODE != kFS && M_MODE != kOS && M_MODE != kLS)) return a;
+  if (!d.ma || !supervises_authority(mode)) return a;
   const MovementAuthority& ma = *d.ma;
   std::optional<Place> EOA, SvL;  // temporary ones
   for (const ModeArea& area : d.mode_profile) {
-    if (area.accepted || mode_is(area.mode, M_MODE)) continue;
+    if (area.accepted || area.mode == mode) continue;
     nearest(EOA, area.from);
     if (area.also_SvL) {
       nearest(SvL, area.from);
@@ -92,13 +85,13 @@ std::optional<ModeArea> area_due(const Description& d, const Here& here) {
   std::optional<ModeArea> due;
   for (const ModeArea& area : d.mode_profile) {
     const bool begun = area.accepted || here.max_safe_front >= area.from;
-    const bool left = area.mode != AreaMode::SH && area.to && here.min_safe_front > *area.to;
+    const bool left = area.mode != Mode::SH && area.to && here.min_safe_front > *area.to;
     if (begun && !left && (!due || area.from >= due->from)) due = area;
   }
   return due;
 }
 
-void accept_area(Description& d, AreaMode mode, const Here& here) {
+void accept_area(Description& d, Mode mode, const Here& here) {
   for (ModeArea& area : d.mode_profile)
     if (area.mode == mode && (here.est_front >= area.ack_from || here.max_safe_front >= area.from) && !area.accepted) {
       area.accepted = true;

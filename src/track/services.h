@@ -40,15 +40,15 @@ Mrsp mrsp(const Description& d, const MrspQuery& query);
 /// targets of a TSR the default gradient; 3.13.4.1.2-3). Never empty: it starts at or before `from`.
 GradientFunction gradient(const Description& d, Place from, double unknown = 0.0);
 
-/// EOA, SvL, LOA and release speed to supervise now. `M_MODE` is the mode in force: the start of an area of that
+/// EOA, SvL, LOA and release speed to supervise now. `mode` is the one in force: the start of an area of that
 /// mode is no stop any more; in SH, SR and others nothing is asked.
-Authority authority(const Description& d, const TrainInterfaces& train, std::uint8_t M_MODE);
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode);
 
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
 /// end; the farthest such area. Absent: none (3.12.4.5-6).
 std::optional<ModeArea> area_due(const Description& d, const Here& here);
 /// The driver acknowledged, or the area was entered: it is no temporary EOA any more.
-void accept_area(Description& d, AreaMode mode, const Here& here);
+void accept_area(Description& d, Mode mode, const Here& here);
 
 /// Adhesion that counts for a place: reduced between an area's start and its end plus the train length (3.13.5.3).
 bool slippery(const Description& d, Place at, Distance train_length);
@@ -77,9 +77,9 @@ struct TextDisplay {
   InplaceVector<std::uint8_t, 6> to_acknowledge;
   bool service_brake = false, emergency_brake = false;
 };
-/// Runs the texts one cycle. M_MODE, M_LEVEL, NID_NTC as in chapter 7. `acknowledged`: id of the text that the
+/// Runs the texts one cycle. `NID_NTC` counts in level NTC. `acknowledged`: id of the text that the
 /// driver acknowledged now, 0 none. `reports`: NID_TEXTMESSAGE of messages 158 that are due.
-TextDisplay show_texts(Description& d, const Here& here, std::uint8_t M_MODE, std::uint8_t M_LEVEL,
-                       std::uint8_t NID_NTC, std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports);
+TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
+                       std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports);
 
 }  // namespace evc::track

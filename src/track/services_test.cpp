@@ -15,7 +15,7 @@ Description with_ma(double end) {
   d.ma = authority_to(end);
   return d;
 }
-void put_area(Description& d, double from, double to, AreaMode mode, bool also_SvL = true) {
+void put_area(Description& d, double from, double to, Mode mode, bool also_SvL = true) {
   ModeArea area;
   area.from = at(from);
   area.to = at(to);
@@ -24,7 +24,7 @@ void put_area(Description& d, double from, double to, AreaMode mode, bool also_S
   area.also_SvL = also_SvL;
   if (!d.mode_profile.push_back(area)) __builtin_trap();
 }
-constexpr std::uint8_t FS = 0, OS = 1, SR = 2, LS = 12;
+constexpr Mode FS = Mode::FS, OS = Mode::OS, SR = Mode::SR, LS = Mode::LS;
 
 TEST(Authority, OnlyWhereAnMaIsSupervised) {
   const Description d = with_ma(1000);
@@ -38,7 +38,7 @@ TEST(Authority, OnlyWhereAnMaIsSupervised) {
 TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
   Description d = with_ma(1000);
   d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{4}}};
-  put_area(d, 600, 800, AreaMode::OS);
+  put_area(d, 600, 800, Mode::OS);
   Authority a = authority(d, {}, FS);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(600));
@@ -49,9 +49,9 @@ TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1050));
   EXPECT_EQ(a.release.kind, Release::Kind::none);
-  accept_area(d, AreaMode::OS, front_at(550));
+  accept_area(d, Mode::OS, front_at(550));
   EXPECT_EQ(authority(d, {}, FS).EOA, at(1000));
-  put_area(d, 700, 900, AreaMode::LS);
+  put_area(d, 700, 900, Mode::LS);
   EXPECT_EQ(authority(d, {}, OS).EOA, at(700));
   EXPECT_EQ(authority(d, {}, LS).EOA, at(1000));
 }
@@ -63,7 +63,7 @@ TEST(Authority, WithAnLoa) {
   EXPECT_EQ(a.LOA, at(1000));
   EXPECT_EQ(a.V_LOA, Speed{15});
   EXPECT_FALSE(a.EOA || a.SvL);
-  put_area(d, 600, 800, AreaMode::OS, false);
+  put_area(d, 600, 800, Mode::OS, false);
   a = authority(d, {}, FS);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1000)) << "as if there were no LOA";
@@ -124,15 +124,15 @@ TEST(Suitability, ByKind) {
 
 TEST(Areas, DueWithTheMaxSafeFrontEnd) {  // 3.12.4.5-6
   Description d;
-  put_area(d, 600, 800, AreaMode::OS);
-  put_area(d, 700, 900, AreaMode::LS);
+  put_area(d, 600, 800, Mode::OS);
+  put_area(d, 700, 900, Mode::LS);
   EXPECT_FALSE(area_due(d, front_at(594)));
-  EXPECT_EQ(area_due(d, front_at(595))->mode, AreaMode::OS);
-  EXPECT_EQ(area_due(d, front_at(695))->mode, AreaMode::LS) << "the farthest one";
-  EXPECT_EQ(area_due(d, front_at(905))->mode, AreaMode::LS);
+  EXPECT_EQ(area_due(d, front_at(595))->mode, Mode::OS);
+  EXPECT_EQ(area_due(d, front_at(695))->mode, Mode::LS) << "the farthest one";
+  EXPECT_EQ(area_due(d, front_at(905))->mode, Mode::LS);
   EXPECT_FALSE(area_due(d, front_at(906)));
   d.mode_profile.clear();
-  put_area(d, 600, 700, AreaMode::SH);
+  put_area(d, 600, 700, Mode::SH);
   EXPECT_TRUE(area_due(d, front_at(5000))) << "a shunting area has no end";
   d.mode_profile[0].accepted = true;
   EXPECT_TRUE(area_due(d, front_at(0)));
@@ -140,12 +140,12 @@ TEST(Areas, DueWithTheMaxSafeFrontEnd) {  // 3.12.4.5-6
 
 TEST(Areas, AcceptedFromTheAcknowledgementWindowOn) {
   Description d;
-  put_area(d, 600, 800, AreaMode::OS);
+  put_area(d, 600, 800, Mode::OS);
   const std::uint32_t revision = d.revision;
-  accept_area(d, AreaMode::LS, front_at(500));
-  accept_area(d, AreaMode::OS, front_at(499));
+  accept_area(d, Mode::LS, front_at(500));
+  accept_area(d, Mode::OS, front_at(499));
   EXPECT_EQ(d.revision, revision);
-  accept_area(d, AreaMode::OS, front_at(500));
+  accept_area(d, Mode::OS, front_at(500));
   EXPECT_GT(d.revision, revision);
   EXPECT_TRUE(d.mode_profile[0].accepted);
 }

@@ -195,7 +195,7 @@ void store_orders(const Filing& f) {
   d.stop_shunting_on_desk_opening = d.stop_shunting_on_desk_opening || c.stop_shunting_on_desk_opening;
   bool limited_supervision = false;
   if (c.mode_profile)
-    for (const ModeArea& area : *c.mode_profile) limited_supervision = limited_supervision || area.mode == AreaMode::LS;
+    for (const ModeArea& area : *c.mode_profile) limited_supervision = limited_supervision || area.mode == Mode::LS;
   if (c.generic_ls_marker)
     d.generic_ls_marker = true;
   else if (limited_supervision)

@@ -92,7 +92,7 @@ void store_mode_profile(const Filing& f) {
   for (ModeArea area : *c.mode_profile) {
     area.accepted = accepted_before(old, area, f.here);
     if (!d.mode_profile.push_back(area) && !lost) lost = area.from;
-    shunting = shunting || area.mode == AreaMode::SH;
+    shunting = shunting || area.mode == Mode::SH;
   }
   if (lost)
     f.lost(80, *lost, "3.12.4");

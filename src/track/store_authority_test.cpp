@@ -127,7 +127,7 @@ TEST(Store, AnSvLWhereAnLoaWasIsAShorteningWhereverItLies) {  // 3.8.5.1.4
   c.ma->V_LOA = Speed{20};
   store(d, c, front_at(100));
   EXPECT_FALSE(d.ma->SvL());
-  EXPECT_EQ(authority(d, {}, 0).LOA, at(2000));
+  EXPECT_EQ(authority(d, {}, Mode::FS).LOA, at(2000));
   EXPECT_TRUE(store(d, whole(2500), front_at(100)).shortened);
   EXPECT_TRUE(d.ssp.covers(at(0), at(2500))) << "the new packets follow the deletion";
   c.ma->sections[0].end = at(500);
@@ -267,7 +267,7 @@ TEST(Store, AnAcceptedAreaStaysAcceptedInTheNextMa) {  // 5.9.2.7
   c.mode_profile = ModeProfile{};
   ASSERT_TRUE(c.mode_profile->push_back(os));
   store(d, c, front_at(100));
-  accept_area(d, AreaMode::OS, front_at(200));
+  accept_area(d, Mode::OS, front_at(200));
   store(d, c, front_at(210));
   EXPECT_TRUE(d.mode_profile[0].accepted);
   ASSERT_TRUE(area_due(d, front_at(210)));
@@ -279,7 +279,7 @@ TEST(Store, ShuntingAreaBringsItsList) {
   Contents c = whole(2000);
   ModeArea sh;
   sh.from = at(300);
-  sh.mode = AreaMode::SH;
+  sh.mode = Mode::SH;
   c.mode_profile = ModeProfile{};
   ASSERT_TRUE(c.mode_profile->push_back(sh));
   c.sh_list = GroupList{};

@@ -58,7 +58,7 @@ inline MovementAuthority authority_to(double end, double begin = 0.0) {
 /// An MA with SSP and gradient that cover it.
 inline Contents whole(double end, double kmh = 100.0) {
   Contents c;
-  c.source = Source::rbc;
+  c.medium = Medium::rbc;
   c.ma = authority_to(end);
   c.ssp = ssp({{0.0, kmh}, {end, kEnd}});
   c.gradient = slopes({{0.0, 0}, {end, Gradient::kUnknown}});

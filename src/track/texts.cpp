@@ -6,11 +6,13 @@ namespace {
 struct Situation {
   Place est_front{};
   Duration now{};
-  std::uint8_t M_MODE = 0, M_LEVEL = 0, NID_NTC = 0;
+  Mode mode = Mode::NP;
+  Level level = Level::L0;
+  std::uint8_t NID_NTC = 0;
 };
 
-bool level_is(std::uint8_t M_LEVEL, std::uint8_t NID_NTC, const Situation& s) {
-  return M_LEVEL == s.M_LEVEL && (M_LEVEL != 1 || NID_NTC == s.NID_NTC);
+bool level_is(Level level, std::uint8_t NID_NTC, const Situation& s) {
+  return level == s.level && (level != Level::NTC || NID_NTC == s.NID_NTC);
 }
 
 /// "All" parts in use, or one of them; no part in use: fulfilled at once for the start, never for the end.
@@ -28,7 +30,7 @@ struct Parts {
 bool starts(const Text& t, const Situation& s) {
   Parts parts{t.all_parts};
   parts.part(t.start_at.has_value(), t.start_at && s.est_front >= *t.start_at);
-  parts.part(t.start_mode.has_value(), t.start_mode && *t.start_mode == s.M_MODE);
+  parts.part(t.start_mode.has_value(), t.start_mode && *t.start_mode == s.mode);
   parts.part(t.start_level.has_value(), t.start_level && level_is(*t.start_level, t.start_NTC, s));
   return parts.used == 0 || parts.fulfilled();
 }
@@ -37,7 +39,7 @@ bool starts(const Text& t, const Situation& s) {
 bool ends(Text& t, const Situation& s) {
   t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
   t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
-  t.end_mode_left = t.end_mode_left || (t.end_mode && *t.end_mode != s.M_MODE);
+  t.end_mode_left = t.end_mode_left || (t.end_mode && *t.end_mode != s.mode);
   t.end_level_left = t.end_level_left || (t.end_level && !level_is(*t.end_level, t.end_NTC, s));
   Parts parts{t.all_parts};
   parts.part(t.end_at.has_value(), t.end_place_passed);
@@ -49,9 +51,9 @@ bool ends(Text& t, const Situation& s) {
 
 }  // namespace
 
-TextDisplay show_texts(Description& d, const Here& here, std::uint8_t M_MODE, std::uint8_t M_LEVEL,
-                       std::uint8_t NID_NTC, std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports) {
-  const Situation s{here.est_front, here.now, M_MODE, M_LEVEL, NID_NTC};
+TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
+                       std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports) {
+  const Situation s{here.est_front, here.now, mode, level, NID_NTC};
   TextDisplay display;
   for (Text& t : d.texts) {
     if (t.state == Text::State::waiting && starts(t, s)) {

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "base/units.h"
+#include "terms/level.h"
+#include "terms/mode.h"
 
 namespace evc::track {
 
@@ -12,11 +14,12 @@ struct Text {
   std::uint8_t Q_TEXTCLASS = 0;  ///< 0 auxiliary, 1 important
   bool all_parts = false;        ///< Q_TEXTDISPLAY: all start (end) parts have to hold together
   std::optional<Place> start_at;
-  std::optional<std::uint8_t> start_mode;   ///< M_MODE
-  std::optional<std::uint8_t> start_level;  ///< M_LEVEL
+  std::optional<Mode> start_mode;    ///< absent: not limited by the mode
+  std::optional<Level> start_level;  ///< absent: not limited by the level
   std::optional<Place> end_at;
   std::optional<Duration> T_TEXTDISPLAY;
-  std::optional<std::uint8_t> end_mode, end_level;
+  std::optional<Mode> end_mode;
+  std::optional<Level> end_level;
   std::uint8_t start_NTC = 0, end_NTC = 0;
   std::uint8_t Q_TEXTCONFIRM = 0;  ///< 0 none, 1 acknowledge, 2 and service brake, 3 and emergency brake
   bool ack_and_end = false;        ///< Q_CONFTEXTDISPLAY: the acknowledgement alone does not end it

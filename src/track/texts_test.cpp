@@ -14,14 +14,14 @@ struct Display {
     t.id = 7;
     if (!d.texts.push_back(t)) __builtin_trap();
   }
-  TextDisplay run(double front, double now, std::uint8_t mode = 0, std::uint8_t level = 3, std::uint8_t ntc = 0,
+  TextDisplay run(double front, double now, Mode mode = Mode::FS, Level level = Level::L2, std::uint8_t ntc = 0,
                   std::uint8_t acknowledged = 0) {
     Here here = front_at(front);
     here.now = Duration{now};
     reports.clear();
     return show_texts(d, here, mode, level, ntc, acknowledged, reports);
   }
-  bool shown(double front, double now, std::uint8_t mode = 0, std::uint8_t level = 3, std::uint8_t ntc = 0) {
+  bool shown(double front, double now, Mode mode = Mode::FS, Level level = Level::L2, std::uint8_t ntc = 0) {
     return !run(front, now, mode, level, ntc).shown.empty();
   }
 };
@@ -35,25 +35,25 @@ TEST(Texts, WithoutPartsAtOnceAndForEver) {
 TEST(Texts, OnePartIsEnough) {
   Text t;
   t.start_at = at(100);
-  t.start_mode = 1;
-  t.start_level = 1;
+  t.start_mode = Mode::OS;
+  t.start_level = Level::NTC;
   t.start_NTC = 5;
   EXPECT_FALSE(Display{t}.shown(99, 0));
   EXPECT_TRUE(Display{t}.shown(100, 0));
-  EXPECT_TRUE(Display{t}.shown(0, 0, 1));
-  EXPECT_TRUE(Display{t}.shown(0, 0, 0, 1, 5));
-  EXPECT_FALSE(Display{t}.shown(0, 0, 0, 1, 6)) << "another national system";
+  EXPECT_TRUE(Display{t}.shown(0, 0, Mode::OS));
+  EXPECT_TRUE(Display{t}.shown(0, 0, Mode::FS, Level::NTC, 5));
+  EXPECT_FALSE(Display{t}.shown(0, 0, Mode::FS, Level::NTC, 6)) << "another national system";
   t.all_parts = true;
-  EXPECT_FALSE(Display{t}.shown(100, 0, 1));
-  EXPECT_TRUE(Display{t}.shown(100, 0, 1, 1, 5));
+  EXPECT_FALSE(Display{t}.shown(100, 0, Mode::OS));
+  EXPECT_TRUE(Display{t}.shown(100, 0, Mode::OS, Level::NTC, 5));
 }
 
 TEST(Texts, EndsByPlaceTimeModeOrLevel) {
   Text t;
   t.end_at = at(200);
   t.T_TEXTDISPLAY = Duration{30};
-  t.end_mode = 0;
-  t.end_level = 3;
+  t.end_mode = Mode::FS;
+  t.end_level = Level::L2;
   {
     Display x{t};
     EXPECT_TRUE(x.shown(199, 0));
@@ -69,20 +69,20 @@ TEST(Texts, EndsByPlaceTimeModeOrLevel) {
   {
     Display x{t};
     EXPECT_TRUE(x.shown(0, 0));
-    EXPECT_FALSE(x.shown(0, 1, 1));
+    EXPECT_FALSE(x.shown(0, 1, Mode::OS));
   }
   {
     Display x{t};
     EXPECT_TRUE(x.shown(0, 0));
-    EXPECT_FALSE(x.shown(0, 1, 0, 2));
+    EXPECT_FALSE(x.shown(0, 1, Mode::FS, Level::L1));
   }
   {
     t.all_parts = true;
     Display x{t};
     EXPECT_TRUE(x.shown(0, 0));
     EXPECT_TRUE(x.shown(200, 1)) << "each part is latched";
-    EXPECT_TRUE(x.shown(0, 2, 1));
-    EXPECT_TRUE(x.shown(0, 3, 0, 2));
+    EXPECT_TRUE(x.shown(0, 2, Mode::OS));
+    EXPECT_TRUE(x.shown(0, 3, Mode::FS, Level::L1));
     EXPECT_FALSE(x.shown(0, 31));
   }
 }
@@ -109,9 +109,9 @@ TEST(Texts, Acknowledgement) {  // 3.12.3.4.7
     EXPECT_EQ(shown.shown.size(), 1u) << "stays beyond its end";
     EXPECT_EQ(shown.service_brake, confirm == 2);
     EXPECT_EQ(shown.emergency_brake, confirm == 3);
-    shown = x.run(101, 2, 0, 3, 0, 9);
+    shown = x.run(101, 2, Mode::FS, Level::L2, 0, 9);
     EXPECT_EQ(shown.shown.size(), 1u) << "another text was acknowledged";
-    shown = x.run(101, 3, 0, 3, 0, 7);
+    shown = x.run(101, 3, Mode::FS, Level::L2, 0, 7);
     EXPECT_TRUE(shown.shown.empty());
     EXPECT_FALSE(shown.service_brake || shown.emergency_brake);
     ASSERT_EQ(x.reports.size(), 1u);
@@ -125,7 +125,7 @@ TEST(Texts, AcknowledgementAndEnd) {  // Q_CONFTEXTDISPLAY
   t.Q_TEXTCONFIRM = 1;
   t.ack_and_end = true;
   Display x{t};
-  EXPECT_EQ(x.run(0, 0, 0, 3, 0, 7).shown.size(), 1u);
+  EXPECT_EQ(x.run(0, 0, Mode::FS, Level::L2, 0, 7).shown.size(), 1u);
   EXPECT_TRUE(x.reports.empty());
   EXPECT_TRUE(x.run(0, 1).to_acknowledge.empty());
   EXPECT_TRUE(x.run(100, 2).shown.empty());

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "terms/stored.h"
 #include "track/description.h"
 
 namespace evc::track {
@@ -47,38 +48,8 @@ struct Elapsed {
 /// for speed restrictions, gradient, adhesion, big metal masses, and areas passed.
 Elapsed advance(Description& d, const Here& here);
 
-/// What the tables of 4.9 and 4.10 name and is stored here; the tables themselves are in modes/.
-enum class Item : std::uint8_t {
-  movement_authority,
-  gradient,
-  ssp,
-  asp,
-  tsr,
-  inhibit_revocable_tsr,
-  default_gradient_tsr,
-  signalling_speed,
-  route_suitability,
-  adhesion_trackside,
-  plain_text,
-  fixed_text,
-  geo_position,
-  mode_profile,
-  rbc_transition_order,
-  radio_infill_area,
-  track_conditions_general,
-  track_conditions_horn_stopping,
-  track_condition_bmm,
-  reversing_area,
-  reversing_supervision,
-  permitted_braking_distance,
-  level_crossing,
-  stop_sh_on_desk_opening,
-  sh_bg_list,
-  sr_bg_list,
-  generic_ls_marker,
-  count
-};
-/// Deletes (resets to the initial state) one item.
-void forget(Description& d, Item item);
+/// Deletes (resets to the initial state) what a row of 4.10.1.3 names, as the tables of 4.9 and 4.10 in modes/ ask for.
+/// False when that row is not stored in the track description.
+bool forget(Description& d, evc::Stored stored);
 
 }  // namespace evc::track

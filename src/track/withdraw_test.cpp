@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "track/testing.h"
 
 namespace evc::track {
@@ -45,8 +48,8 @@ Description full() {
     pbd.from = at(x);
     pbd.to = at(x + 100);
     room = c.pbd->elements.push_back(pbd) && room;
-    room = c.conditions->elements.push_back({at(x), at(x + 100), Condition::sound_horn}) && room;
-    room = c.conditions->elements.push_back({at(x), at(x + 100), Condition::radio_hole}) && room;
+    room = c.conditions->elements.push_back({at(x), at(x + 100), TrackConditionKind::sound_horn}) && room;
+    room = c.conditions->elements.push_back({at(x), at(x + 100), TrackConditionKind::radio_hole}) && room;
     room = c.big_metal->elements.push_back({at(x), at(x + 100)}) && room;
     room = c.platforms->elements.push_back({at(x), at(x + 100), 0, 0}) && room;
     RouteSuitability item;
@@ -176,7 +179,7 @@ TEST(ConditionalStop, WhereItLiesDecides) {  // 3.10.2.2
     if (c.loa) d.ma->V_LOA = Speed{20};
     d.suitability.clear();
     EXPECT_EQ(stop_at(d, at(c.stop), front_at(100)), c.answer) << c.name;
-    const Authority a = authority(d, {}, 0);
+    const Authority a = authority(d, {}, Mode::FS);
     EXPECT_EQ(a.EOA, at(*c.EOA)) << c.name;
     EXPECT_EQ(a.SvL, at(*c.SvL)) << c.name;
     EXPECT_FALSE(a.LOA) << c.name;
@@ -307,46 +310,58 @@ TEST(Passed, IsForgotten300MetresBehind) {  // A.3.6
   EXPECT_EQ(d.ma->sections.size(), 1u);
 }
 
-TEST(Forget, EachItem) {
-  for (unsigned i = 0; i < static_cast<unsigned>(Item::count); ++i) {
+TEST(Forget, EachRow) {  // 4.10.1.3
+  using enum evc::Stored;
+  const auto gone = [](const Description& d) {
+    return std::vector<std::pair<evc::Stored, bool>>{
+        {movement_authority, !d.ma},
+        {gradient, d.gradient.empty()},
+        {ssp, d.ssp.empty()},
+        {asp, d.asp.empty()},
+        {tsr, d.tsr.empty()},
+        {inhibit_revocable_tsr, !d.revocable_tsr_inhibited},
+        {default_gradient_tsr, !d.default_gradient},
+        {signalling_speed, !d.signalling},
+        {route_suitability, d.suitability.empty()},
+        {adhesion_trackside, d.adhesion.empty()},
+        {plain_text, d.texts.size() == 1 && d.texts[0].Q_TEXT},
+        {fixed_text, d.texts.size() == 1 && !d.texts[0].Q_TEXT},
+        {geo_position, d.geo.empty()},
+        {mode_profile, d.mode_profile.empty()},
+        {rbc_transition_order, !d.rbc_transition},
+        {radio_infill_area, !d.radio_infill},
+        {track_conditions_general,
+         d.conditions.size() == 3 && d.conditions[0].kind == TrackConditionKind::sound_horn && !d.traction},
+        {track_conditions_horn_stopping,
+         d.conditions.size() == 3 && d.conditions[0].kind == TrackConditionKind::radio_hole},
+        {track_condition_bmm, d.big_metal.empty()},
+        {reversing_area, !d.reversing_area && !d.reversing_reference},
+        {reversing_supervision, !d.reversing_supervision},
+        {permitted_braking_distance, d.pbd.empty()},
+        {level_crossing, d.lx.empty()},
+        {stop_sh_on_desk_opening, !d.stop_shunting_on_desk_opening},
+        {sh_bg_list, !d.sh_list},
+        {sr_bg_list_speed_distance, !d.sr_list},
+        {generic_ls_marker, !d.generic_ls_marker},
+    };
+  };
+  std::size_t stored_here = 0;
+  for (const auto& row : kStoredRows) {
     Description d = full();
     d.sr_list = GroupList{};
     d.revocable_tsr_inhibited = true;
-    const auto item = static_cast<Item>(i);
-    forget(d, item);
-    const bool gone[] = {!d.ma,
-                         d.gradient.empty(),
-                         d.ssp.empty(),
-                         d.asp.empty(),
-                         d.tsr.empty(),
-                         !d.revocable_tsr_inhibited,
-                         !d.default_gradient,
-                         !d.signalling,
-                         d.suitability.empty(),
-                         d.adhesion.empty(),
-                         d.texts.size() == 1 && d.texts[0].Q_TEXT,
-                         d.texts.size() == 1 && !d.texts[0].Q_TEXT,
-                         d.geo.empty(),
-                         d.mode_profile.empty(),
-                         !d.rbc_transition,
-                         !d.radio_infill,
-                         d.conditions.size() == 3 && d.conditions[0].kind == Condition::sound_horn && !d.traction,
-                         d.conditions.size() == 3 && d.conditions[0].kind == Condition::radio_hole,
-                         d.big_metal.empty(),
-                         !d.reversing_area && !d.reversing_reference,
-                         !d.reversing_supervision,
-                         d.pbd.empty(),
-                         d.lx.empty(),
-                         !d.stop_shunting_on_desk_opening,
-                         !d.sh_list,
-                         !d.sr_list,
-                         !d.generic_ls_marker};
-    static_assert(std::size(gone) == static_cast<std::size_t>(Item::count));
-    for (unsigned k = 0; k < std::size(gone); ++k) EXPECT_EQ(gone[k], k == i) << "forget " << i << " touched " << k;
+    const std::uint32_t revision = d.revision;
+    const bool forgotten = forget(d, row.value);
+    EXPECT_EQ(d.revision != revision, forgotten) << row.name;
+    bool listed = false;
+    for (const auto& [what, is_gone] : gone(d)) {
+      EXPECT_EQ(is_gone, what == row.value) << "forget " << row.name << " touched " << name(what);
+      listed = listed || what == row.value;
+    }
+    EXPECT_EQ(forgotten, listed) << row.name;
+    stored_here += forgotten ? 1 : 0;
   }
-  Description d = full();
-  forget(d, Item::count);
-  EXPECT_TRUE(d.ma);
+  EXPECT_EQ(stored_here, 27u);
 }
 
 }  // namespace

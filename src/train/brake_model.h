@@ -4,9 +4,9 @@
 
 #include "base/step_function.h"
 #include "base/units.h"
+#include "terms/srs_version.h"
 #include "train/fixed_values.h"
 #include "train/national_values.h"
-#include "train/srs_version.h"
 #include "train/train_data.h"
 
 // From train data and national values to the decelerations and times of 3.13.6. All step functions here

@@ -340,7 +340,7 @@ TEST(Defaults, StandardTrainAndNationalValues) {
   EXPECT_EQ(v.D_NVROLL.si, 2.0);
   EXPECT_FALSE(v.D_NVSTFF.has_value());
   EXPECT_FALSE(v.T_NVCONTACT.has_value());
-  EXPECT_EQ(v.M_NVCONTACT, ContactReaction::no_reaction);
+  EXPECT_EQ(v.M_NVCONTACT, Reaction::none);
   EXPECT_EQ(v.M_NVEBCL, 9);
 }
 

@@ -5,11 +5,9 @@
 
 #include "base/step_function.h"
 #include "base/units.h"
+#include "terms/reaction.h"
 
 namespace evc::train {
-
-/// Reaction when no safe message arrived for T_NVCONTACT (3.16.3.4).
-enum class ContactReaction : std::uint8_t { train_trip = 0, service_brake = 1, no_reaction = 2 };
 
 /// A_NVMAXREDADH1..3: the deceleration that reduced adhesion allows at most (3.13.6.2.1.8). The codes
 /// 61, 62, 63 mean no maximum and differ in what is shown in ceiling speed monitoring.
@@ -65,7 +63,7 @@ struct NationalValues {
   std::optional<Duration> T_NVCONTACT;  // infinity
   Distance Q_NVLOCACC{12.0};
   // Reactions and permissions.
-  ContactReaction M_NVCONTACT = ContactReaction::no_reaction;
+  Reaction M_NVCONTACT = Reaction::none;
   bool M_NVDERUN = true;          // driver identity may change while running
   bool Q_NVDRIVER_ADHES = false;  // the driver may modify the adhesion factor
   bool Q_NVSBTSMPERM = true;      // service brake in target speed monitoring

@@ -110,7 +110,7 @@ void announce(Unit& unit, Script& script) {
     e.D_LINK = Distance{static_cast<double>(a)};
     e.NID_BG = b == 255 ? balise::kIdentityUnknown : static_cast<std::uint16_t>(b & 15);
     e.nominal = (b & 16) != 0;
-    e.reaction = static_cast<balise::Reaction>((b >> 5) % 3);
+    e.reaction = *reaction_of((b >> 5) % 3);
     e.Q_LOCACC = Distance{static_cast<double>(a & 63)};
     require(list.entries.push_back(e));
   }

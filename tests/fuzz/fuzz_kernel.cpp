@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     in.now = {t};
     in.odometry = {{{place}}, {{place - doubt}}, {{place + doubt}}, {v}, {v > 0.5 ? v - 0.5 : 0.0}, {v + 0.5}, {0.0}};
     in.driver = {};
-    in.radio_link = kernel::RadioLink::unchanged;
+    in.radio_link = RadioLink::unchanged;
     kernel::BaliseTelegram telegram;
     kernel::RadioMessage message;
     switch (what & 7) {
@@ -91,7 +91,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case 6: {
         const std::uint8_t entry = bytes.next();
         in.driver.driver_id = 1;
-        if ((entry & 1) != 0) in.driver.level = static_cast<modes::Level>((entry >> 1) % modes::kLevels);
+        if ((entry & 1) != 0) in.driver.level = static_cast<Level>((entry >> 1) % kLevels);
         in.driver.nid_ntc = 1;
         if ((entry & 16) != 0) in.driver.train_data = &config.train;
         if ((entry & 32) != 0) in.driver.train_running_number = 1;
@@ -99,7 +99,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       }
       default:
-        in.radio_link = static_cast<kernel::RadioLink>(bytes.next() % 4u);
+        in.radio_link = static_cast<RadioLink>(bytes.next() % 4u);
         in.train.sleeping = (what & 8) != 0;
         in.train.non_leading = (what & 16) != 0;
         in.train.desk_open = (what & 32) == 0;
@@ -108,7 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto twin = std::make_unique<kernel::State>(*unit.state);
     kernel::step(*unit.state, *unit.derived, in, *unit.out);
     check(unit.out->min_safe_front <= unit.out->est_front && unit.out->est_front <= unit.out->max_safe_front);
-    check(static_cast<std::size_t>(unit.out->mode) < modes::kModes);
+    check(static_cast<std::size_t>(unit.out->mode) < kModes);
     if (cycle % 16 == 0) {
       // A snapshot taken before the cycle gives the same cycle, with everything derived computed again.
       Unit other;

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <initializer_list>
+
+namespace evc {
+
+/// A set of enumerators (at most 64; bits() and of_bits() are those of the first 32).
+template <class E>
+class Set {
+ public:
+  constexpr Set() = default;
+  constexpr Set(std::initializer_list<E> elements) {
+    for (const E e : elements) add(e);
+  }
+  constexpr static Set of_bits(std::uint32_t bits) {
+    Set s;
+    s.bits_ = bits & ((std::uint64_t{1} << static_cast<unsigned>(E::count)) - 1u);
+    return s;
+  }
+  constexpr void add(E e) { bits_ |= std::uint64_t{1} << static_cast<unsigned>(e); }
+  constexpr void add(E e, bool when) {
+    if (when) add(e);
+  }
+  constexpr void remove(E e) { bits_ &= ~(std::uint64_t{1} << static_cast<unsigned>(e)); }
+  constexpr bool has(E e) const { return ((bits_ >> static_cast<unsigned>(e)) & 1u) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr std::uint32_t bits() const { return static_cast<std::uint32_t>(bits_); }
+  constexpr Set& operator|=(Set b) {
+    bits_ |= b.bits_;
+    return *this;
+  }
+  friend constexpr bool operator==(Set, Set) = default;
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+}  // namespace evc

@@ -1,0 +1,30 @@
+#pragma once
+#include "terms/row.h"
+
+namespace evc {
+
+/// The type of speed and distance monitoring in force (3.13.10): ceiling speed, target speed, release speed.
+enum class Monitoring : std::uint8_t { none, CSM, TSM, RSM };
+
+inline constexpr auto kMonitoringRows = std::to_array<terms::Row<Monitoring>>({
+    {Monitoring::none, "none"},
+    {Monitoring::CSM, "CSM"},
+    {Monitoring::TSM, "TSM"},
+    {Monitoring::RSM, "RSM"},
+});
+static_assert(terms::in_order(kMonitoringRows));
+
+/// The supervision status (3.13.10.1.2), the higher the nearer to intervention; none where nothing is monitored.
+enum class Status : std::uint8_t { none, Normal, Indication, Overspeed, Warning, Intervention };
+
+inline constexpr auto kStatusRows = std::to_array<terms::Row<Status>>({
+    {Status::none, "none"},
+    {Status::Normal, "Normal"},
+    {Status::Indication, "Indication"},
+    {Status::Overspeed, "Overspeed"},
+    {Status::Warning, "Warning"},
+    {Status::Intervention, "Intervention"},
+});
+static_assert(terms::in_order(kStatusRows));
+
+}  // namespace evc

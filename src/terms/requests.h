@@ -1,0 +1,61 @@
+#pragma once
+#include "terms/row.h"
+
+// What passes between the procedures and the driver.
+namespace evc {
+
+/// What the driver can be asked to acknowledge; the numbers are those of the driver interface.
+enum class Ack : std::uint8_t { OS, LS, SH, SR, UN, SN, RV, trip, level, text, brake, train_data, count };
+
+inline constexpr auto kAckRows = std::to_array<terms::Row<Ack>>({
+    {Ack::OS, "OS"},
+    {Ack::LS, "LS"},
+    {Ack::SH, "SH"},
+    {Ack::SR, "SR"},
+    {Ack::UN, "UN"},
+    {Ack::SN, "SN"},
+    {Ack::RV, "RV"},
+    {Ack::trip, "trip"},
+    {Ack::level, "level"},
+    {Ack::text, "text"},
+    {Ack::brake, "brake"},
+    {Ack::train_data, "train_data"},
+});
+static_assert(terms::in_order(kAckRows) && kAckRows.size() == terms::index(Ack::count));
+
+/// Data that the driver is asked to enter or to revalidate.
+enum class Entry : std::uint8_t { driver_id, level, rbc_contact, train_data, train_running_number, count };
+
+inline constexpr auto kEntryRows = std::to_array<terms::Row<Entry>>({
+    {Entry::driver_id, "enter driver_id"},
+    {Entry::level, "enter level"},
+    {Entry::rbc_contact, "enter rbc_contact"},
+    {Entry::train_data, "enter train_data"},
+    {Entry::train_running_number, "enter train_running_number"},
+});
+static_assert(terms::in_order(kEntryRows) && kEntryRows.size() == terms::index(Entry::count));
+
+/// What the procedure lets the driver choose now (beside the conditions of the mode, driver/driver.h).
+enum class Offer : std::uint8_t {
+  start,
+  shunting,
+  non_leading,
+  train_data,
+  override_,
+  driver_id,
+  train_running_number,
+  level,
+  count
+};
+
+/// What the driver is informed of; the texts are those of the DMI.
+enum class Inform : std::uint8_t {
+  network_registration_failed,
+  session_failed,
+  train_rejected,
+  SH_refused,
+  SH_request_failed,
+  count
+};
+
+}  // namespace evc
