@@ -23,6 +23,8 @@ METHODS = ["test", "inspection", "analysis"]
 CLAUSES, SEEDS = "requirements/clauses.csv", "requirements/seeds.csv"
 CHAPTER_9, WITHOUT_ROW = "requirements/chapter_9.csv", "requirements/without_row.txt"
 HEADER, PAGES = "src/terms/clauses.inc", "docs/requirements"
+# A place "train/train_data.h" is a file of the room train in one of these.
+ROOTS = ("src", "include/openevc")
 FILES_WITHOUT_NAME = ("docs/", "tools/", "bench/", "CAVEATS.md", "README.md")
 
 NUMBER = r"(?:A(?:\.\d+)+|[3-8](?:\.\d+)+)"
@@ -68,14 +70,9 @@ class Tree:
     def __init__(self, root):
         self.root = pathlib.Path(root)
         self.sources, self.tests, self.scenarios = {}, set(), set()
-        src = self.root / "src"
-        for path in sorted(p for p in src.rglob("*") if p.suffix in (".h", ".cpp", ".inc")):
-            name = str(path.relative_to(src))
-            text = path.read_text(encoding="utf-8")
-            if path.name.endswith("_test.cpp"):
-                self.tests |= self.tests_of(text)
-            elif path.suffix != ".inc" and not path.name.startswith("test_"):
-                self.sources[name] = text
+        self.path = {}
+        for root in ROOTS:
+            self.read_sources(root)
         for path in sorted((self.root / "tests").rglob("*_test.cpp")):
             self.tests |= self.tests_of(path.read_text(encoding="utf-8"))
         for path in sorted((self.root / "tests").rglob("*.scenario")):
@@ -89,6 +86,17 @@ class Tree:
         self.by_name = collections.defaultdict(list)
         for name in self.sources:
             self.by_name[(name.split("/")[0], name.rsplit("/", 1)[-1])].append(name)
+
+    def read_sources(self, root):
+        folder = self.root / root
+        for path in sorted(p for p in folder.rglob("*") if p.suffix in (".h", ".cpp")):
+            name = str(path.relative_to(folder))
+            text = path.read_text(encoding="utf-8")
+            if path.name.endswith("_test.cpp"):
+                self.tests |= self.tests_of(text)
+            elif not path.name.startswith("test_"):
+                self.sources[name] = text
+                self.path[name] = f"{root}/{name}"
 
     @staticmethod
     def tests_of(text):
@@ -174,12 +182,12 @@ def place_faults(tree, row):
                 faults.append(f"{path} does not exist")
             continue
         if path.endswith("/"):
-            if not (tree.root / "src" / path).is_dir():
-                faults.append(f"no folder src/{path}")
+            if not any((tree.root / root / path).is_dir() for root in ROOTS):
+                faults.append(f"no folder {path} in {' or '.join(ROOTS)}")
             continue
         files = tree.files(path)
         if not files:
-            faults.append(f"no file {path} in src/{path.split('/')[0]}")
+            faults.append(f"no file {path} in the room {path.split('/')[0]}")
         for name in names if files else []:
             if not any(tree.names_in(f, name) for f in files):
                 where = tree.find(name, path.split("/")[0], path.rsplit("/", 1)[-1])
@@ -277,9 +285,9 @@ def check_sources(tree, register):
             if name.split("/")[0] == LANGUAGE and clause.startswith(PAGES_OF_LANGUAGE):
                 continue
             if literal and clause not in register.known:
-                faults.append(f"src/{name}:{line}: \"{clause}\" has no row in {CLAUSES}")
+                faults.append(f"{tree.path[name]}:{line}: \"{clause}\" has no row in {CLAUSES}")
             elif not register.has(clause):
-                faults.append(f"src/{name}:{line}: {clause} has no row in {CLAUSES}, and no clause above it has")
+                faults.append(f"{tree.path[name]}:{line}: {clause} has no row in {CLAUSES}, and no clause above it has")
     return faults
 
 

@@ -71,7 +71,7 @@ class Requirements(unittest.TestCase):
 
     def test_missing_code_place(self):
         self.assertEqual(self.with_row("group.h:Group,", "groups.h:Group,"),
-                         ["requirements/clauses.csv:2: 3.4.1.1: no file balise/groups.h in src/balise"])
+                         ["requirements/clauses.csv:2: 3.4.1.1: no file balise/groups.h in the room balise"])
         self.assertEqual(self.with_row("group.h:Group.size", "group.h:Group.weight"),
                          ["requirements/clauses.csv:5: 3.6.4.2.5 (3.x 3.6.4.3): no Group.weight in balise/group.h"])
 
@@ -85,6 +85,12 @@ class Requirements(unittest.TestCase):
         self.assertIn(",balise/counting/counter.cpp:count,", (self.root / "requirements/clauses.csv").read_text())
         check.write(self.root)
         self.assertEqual(self.faults(), [])
+
+    def test_a_public_header_belongs_to_its_room(self):
+        self.write("include/openevc/balise/group.h", "// 3.4.2.1\nstruct Group { int size; };\n")
+        (self.root / "src/balise/inner/group.h").unlink()
+        self.assertEqual(self.faults(), ["include/openevc/balise/group.h:1: 3.4.2.1 has no row in requirements/clauses.csv, "
+                                         "and no clause above it has"])
 
     def test_unknown_status_and_method(self):
         found = self.with_row("part,test", "nearly,by eye")
