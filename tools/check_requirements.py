@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """The register of requirements (requirements/README.md) against the tree, without a build.
 
-Usage: tools/check_requirements.py [--write | --fix-places | --missing] [--root ROOT]
+Usage: tools/check_requirements.py [--write | --fix-places | --add-scenarios | --missing] [--root ROOT]
   (nothing)      every fault of the register, one a line; exit 1 if there is one
   --write        docs/requirements/, src/terms/clauses.inc and requirements/without_row.txt, made anew
   --fix-places   code places whose function moved to another file follow it
+  --add-scenarios  the rows that are done or in part name the scenarios that name their clause, and no others
   --missing      the on-board clauses of SUBSET-026-9 without a row, one a line
 """
 import argparse
@@ -40,7 +41,10 @@ LITERAL = re.compile(rf'"({NUMBER})(?: ?[a-z]\)?| \[\d+\])?(?:: [^"]*)?"')
 # A clause in a comment has three parts or more: 3.6 may be anything.
 COMMENT = re.compile(r"(?<![\w.,/-])((?:A|[3-8])(?:\.\d+){2,})(?![\w]|\.\d)")
 TEST = re.compile(r"^[ \t]*(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\)", re.M)
-SCENARIO = re.compile(r"^scenario[ \t]+(.+?)[ \t]*$", re.M)
+# A text scenario: its name, "open" where it is expected to fail, and the clauses of what it expects: "then ... [3.8.5.2]".
+SCENARIO = re.compile(r"^scenario[ \t]+(.+?)[ \t]*$")
+OPEN = re.compile(r"^[ \t]+open\b")
+EXPECTED = re.compile(rf"\[({NUMBER})(?: [a-z])?(?:\((\d+)\))?\][ \t]*$")
 # "(3.x 3.6.4.3)" in a row is the number that the paragraph has in issues 3.4.0 and 3.6.0.
 ROW_NUMBERS = re.compile(rf"(?:^|, |\(3\.x )({NUMBER})")
 
@@ -64,22 +68,25 @@ def numbers_of(clause):
     return ROW_NUMBERS.findall(clause)
 
 
+class Scenario:
+    def __init__(self, file, name, title):
+        self.file, self.name, self.title, self.open, self.clauses = file, name, title, False, []
+
+
 class Tree:
     """What the register is held against: sources, tests, scenarios, gates."""
 
     def __init__(self, root):
         self.root = pathlib.Path(root)
-        self.sources, self.tests, self.scenarios = {}, set(), set()
+        self.sources, self.tests, self.scenarios = {}, set(), []
         self.path = {}
         for root in ROOTS:
             self.read_sources(root)
         for path in sorted((self.root / "tests").rglob("*_test.cpp")):
             self.tests |= self.tests_of(path.read_text(encoding="utf-8"))
         for path in sorted((self.root / "tests").rglob("*.scenario")):
-            if "corpus" in path.parts:
-                continue
-            for name in SCENARIO.findall(path.read_text(encoding="utf-8")):
-                self.scenarios.add(path.stem + "." + re.sub(r"\W+", "_", name))
+            if "corpus" not in path.parts:
+                self.read_scenarios(path)
         ci = self.root / ".ci" / "run"
         self.gates = set(re.findall(r"^(?:\S+=\S+ )*gate (\w[\w-]*)", ci.read_text(), re.M)) if ci.exists() else set()
         self.words = {name: set(re.findall(r"[A-Za-z_]\w*", text)) for name, text in self.sources.items()}
@@ -98,6 +105,17 @@ class Tree:
                 self.sources[name] = text
                 self.path[name] = f"{root}/{name}"
 
+    def read_scenarios(self, path):
+        file = str(path.relative_to(self.root))
+        self.scenarios.append(Scenario(file, "", ""))  # what stands ahead of the first: blocks that others use
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if found := SCENARIO.match(line):
+                self.scenarios.append(Scenario(file, path.stem + "." + re.sub(r"\W+", "_", found[1]), found[1]))
+            elif OPEN.match(line):
+                self.scenarios[-1].open = True
+            elif found := EXPECTED.search(line):
+                self.scenarios[-1].clauses.append((number, found[1], found[2]))
+
     @staticmethod
     def tests_of(text):
         return {f"{suite}.{name}" for suite, name in TEST.findall(text)
@@ -111,8 +129,8 @@ class Tree:
             return rest in self.gates
         if kind == "scenario":
             wanted = re.sub(r"[^\w.*?]+", "_", rest)
-            return any(fnmatch.fnmatchcase(s, wanted) or fnmatch.fnmatchcase(s.split(".", 1)[1], wanted)
-                       for s in self.scenarios)
+            return any(fnmatch.fnmatchcase(s.name, wanted) or fnmatch.fnmatchcase(s.name.split(".", 1)[1], wanted)
+                       for s in self.scenarios if s.name and not s.open)
         return False
 
     def files(self, path):
@@ -258,6 +276,12 @@ class Register:
             return "wrong" if "wrong" in found else found.pop()
         return "part"
 
+    def all_done(self, number, condition=None):
+        """Of a clause with the paragraphs below it, or of one condition of it: "4.6.3 [12]"."""
+        rows = [row for n, rows in self.rows.items() if n == number or n.startswith(number + ".") for row in rows
+                if condition is None or f"[{condition}]" in row["clause"]]
+        return bool(rows) and all(row["status"] == "done" for row in rows)
+
     def has(self, number):
         """Itself or a section with rows, or a paragraph of a clause that has one."""
         return number in self.known or any(a in self.rows for a in ancestors(number))
@@ -288,6 +312,18 @@ def check_sources(tree, register):
                 faults.append(f"{tree.path[name]}:{line}: \"{clause}\" has no row in {CLAUSES}")
             elif not register.has(clause):
                 faults.append(f"{tree.path[name]}:{line}: {clause} has no row in {CLAUSES}, and no clause above it has")
+    return faults
+
+
+def check_scenarios(tree, register):
+    """Of a scenario that is expected to fail some clause is not called done in the register."""
+    faults = []
+    for scenario in tree.scenarios:
+        named = {number: line for line, number, _ in reversed(scenario.clauses)}
+        done = [register.all_done(number, condition) for _, number, condition in scenario.clauses]
+        if scenario.open and named and all(done):
+            faults.append(f"{scenario.file}:{min(named.values())}: \"{scenario.title}\" is open, and {CLAUSES} says done of "
+                          + ", ".join(sorted(named, key=order)))
     return faults
 
 
@@ -406,6 +442,7 @@ def check(root):
     register = Register(clauses)
     faults = check_rows(tree, CLAUSES, clauses) + check_rows(tree, SEEDS, seeds)
     faults += check_sources(tree, register)
+    faults += check_scenarios(tree, register)
     missing = without_row(root, register)
     limit = committed_without_row(root)
     if limit is None or len(missing) > limit:
@@ -460,6 +497,24 @@ def fix_places(root):
         print(f"{name}: {moved} places followed what moved")
 
 
+def add_scenarios(root):
+    """What a scenario expects "[4.6.3(12)]" is shown of the row "4.6.3 [12]". An open scenario shows nothing."""
+    tree, rows, added = Tree(root), read(root, CLAUSES), 0
+    shown = collections.defaultdict(list)
+    for scenario in tree.scenarios:
+        for _, number, condition in scenario.clauses if scenario.name and not scenario.open else []:
+            shown[number + (f" [{condition}]" if condition else "")].append("scenario:" + scenario.name)
+    for row in rows:
+        found = sorted(set(shown[row["clause"]])) if row["status"] in ("done", "part") else []
+        tests = [t for t in row["test"].split("; ") if t != "-" and not t.startswith("scenario:")] + found
+        added += len(found)
+        if tests and row["status"] == "done":
+            row["method"] = "test"
+        row["test"] = "; ".join(tests) or "-"
+    (pathlib.Path(root) / CLAUSES).write_text(written(rows), encoding="utf-8")
+    print(f"{CLAUSES}: {added} scenarios stand in rows")
+
+
 def merged(places):
     """One entry a file, names in the order of the row."""
     out = {}
@@ -490,12 +545,15 @@ def main():
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--write", action="store_true")
     what.add_argument("--fix-places", action="store_true")
+    what.add_argument("--add-scenarios", action="store_true")
     what.add_argument("--missing", action="store_true")
     args = parser.parse_args()
     if args.write:
         return write(args.root)
     if args.fix_places:
         return fix_places(args.root)
+    if args.add_scenarios:
+        return add_scenarios(args.root)
     if args.missing:
         print("\n".join(without_row(args.root, Register(read(args.root, CLAUSES)))))
         return 0

@@ -69,6 +69,30 @@ class Requirements(unittest.TestCase):
         self.write(".ci/run", "gate format tools/check_format\n")
         self.assertIn("requirements/seeds.csv:2: S-001: no test gate:layers", self.faults())
 
+    def test_an_open_scenario_of_a_clause_that_is_done(self):
+        text = 'scenario first message\n  then mode FS [{}]\n\nscenario second\n  open "A1"\n  then mode SH [{}]\n'
+        self.write("tests/scenarios/radio.scenario", text.format("3.5.1", "3.4.1.2"))
+        self.assertEqual(self.faults(), ['tests/scenarios/radio.scenario:6: "second" is open, and requirements/clauses.csv '
+                                         "says done of 3.4.1.2"])
+        for sound in ("3.6.4.2.5", "4.6.3(12)", "5.4.4"):
+            self.write("tests/scenarios/radio.scenario", text.format("3.5.1", sound))
+            self.assertEqual(self.faults(), [])
+
+    def test_an_open_scenario_is_no_test(self):
+        self.write("tests/scenarios/radio.scenario", 'scenario first message\n  open "A1"\n  then mode FS [4.6.3(12)]\n')
+        self.assertEqual(self.faults(),
+                         ["requirements/clauses.csv:5: 3.6.4.2.5 (3.x 3.6.4.3): no test scenario:radio.first_message"])
+
+    def test_scenarios_are_added_to_the_rows_of_their_clauses(self):
+        self.write("tests/scenarios/radio.scenario", "scenario first message\n  then mode FS [3.5.1]\n  and V_P is 40 [3.4.1.1]\n"
+                   "scenario second\n  open\n  then mode SH [3.4.1.1]\n  and mode SB [4.6.3(12)]\n")
+        with contextlib.redirect_stdout(io.StringIO()):
+            check.add_scenarios(self.root)
+            rows = {row["clause"]: row["test"] for row in check.read(self.root, "requirements/clauses.csv")}
+        self.assertEqual(rows["3.4.1.1"], "Balise.Counts; scenario:radio.first_message")
+        self.assertEqual(rows["3.4.1.2, 3.4.1.3"], "Balise.*")
+        self.assertEqual(rows["4.6.3 [12]"], "-")
+
     def test_missing_code_place(self):
         self.assertEqual(self.with_row("group.h:Group,", "groups.h:Group,"),
                          ["requirements/clauses.csv:2: 3.4.1.1: no file balise/groups.h in the room balise"])
