@@ -59,12 +59,17 @@ bool matches(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
-/// The named members are as named.
+/// The named members are as named; every element of a named list is in the list.
 bool holds(const Json& wanted, const Json& found) {
+  if (wanted.is_array())
+    return found.is_array() && std::all_of(wanted.begin(), wanted.end(), [&](const Json& item) {
+             return std::any_of(found.begin(), found.end(), [&](const Json& other) { return holds(item, other); });
+           });
+  if (!wanted.is_object()) return wanted == found;
   if (!found.is_object()) return false;
   for (const auto& [key, value] : wanted.items()) {
     const auto it = found.find(key);
-    if (it == found.end() || *it != value) return false;
+    if (it == found.end() || !holds(value, *it)) return false;
   }
   return true;
 }
@@ -170,9 +175,10 @@ class Run {
         cycle();
         break;
       case What::odometer:
-        error_ = a.error > 0.0 ? a.error : error_;
-        offset_ += (reads_ - a.reads) * front_;  // the counter goes on from where it is
-        reads_ = a.reads;
+        if (a.error) error_ = *a.error;
+        if (!a.reads) break;
+        offset_ += (reads_ - *a.reads) * front_;  // the counter goes on from where it is
+        reads_ = *a.reads;
         break;
     }
   }
@@ -254,11 +260,20 @@ class Run {
     start();
     const double way = v_ < 0.0 ? -1.0 : 1.0;
     const std::size_t n = a.balises.size();
+    double from = front_;
+    if (a.from_group) {
+      const auto group = places_.find(*a.from_group);
+      if (group == places_.end()) fail("a group that was passed or laid before", "none of that number", false);
+      from = group->second;
+    }
     for (std::size_t i = 0; i < n; ++i) {
       // Along the way the train goes: the one with the greatest N_PIG first where the group lies reversed.
       const std::size_t k = a.reversed ? n - 1 - i : i;
-      const double at = front_ + way * (a.ahead_m + 3.0 * static_cast<double>(i));
-      if (i == 0) groups_[a.NID_BG] = counter(at);
+      const double at = from + way * (a.ahead_m + 3.0 * static_cast<double>(i));
+      if (i == 0) {
+        groups_[a.NID_BG] = counter(at);
+        places_[a.NID_BG] = at;
+      }
       if (a.balises[k].missing) continue;
       const auto bits = io::encode_balise_json(a.balises[k].telegram);
       if (!bits) fail("a telegram", bits.error().why, false);
@@ -579,7 +594,8 @@ class Run {
   double front_ = 0.0, v_ = 0.0, doubt_ = 0.0, target_v_ = std::nan("");
   double error_ = 0.0, reads_ = 1.0, offset_ = 0.0;
   std::vector<TrackBalise> balises_;
-  std::map<std::int64_t, double> groups_;
+  std::map<std::int64_t, double> groups_;  // the counter at the first balise of each group
+  std::map<std::int64_t, double> places_;  // its true place
 };
 
 }  // namespace

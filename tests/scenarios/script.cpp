@@ -372,7 +372,10 @@ class Reader {
       a.NID_BG = words.integer(0, 16383, "NID_BG");
       words.require("lies");
       a.ahead_m = words.metres();
-      words.require("ahead");
+      if (words.one_of({"ahead", "from"}) == 1) {
+        words.require("group");
+        a.from_group = words.integer(0, 16383, "NID_BG");
+      }
       read_balises(words, a);
     } else if (words.take("drives")) {
       read_drive(words, a);

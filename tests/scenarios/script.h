@@ -69,15 +69,16 @@ struct Action {
   std::int64_t NID_BG = 0;      ///< pass, lay
   std::vector<Balise> balises;  ///< pass, lay: in the order of N_PIG
   bool reversed = false;        ///< pass, lay: the balise with the greatest N_PIG comes first
-  double ahead_m = 1.0;         ///< pass, lay
-  std::optional<double> v_mps;  ///< drive
-  double a_mps2 = 1.0;          ///< drive, stop
-  std::optional<double> for_s;  ///< drive, wait
-  std::optional<double> for_m;  ///< drive
+  double ahead_m = 1.0;         ///< pass, lay: from the antenna, or
+  std::optional<std::int64_t> from_group;  ///< lay: from the first balise of this group
+  std::optional<double> v_mps;             ///< drive
+  double a_mps2 = 1.0;                     ///< drive, stop
+  std::optional<double> for_s;             ///< drive, wait
+  std::optional<double> for_m;             ///< drive
   std::optional<Condition> until;
-  double within_s = 60.0;  ///< with `until`
-  double error = 0.0;      ///< odometer: half the interval a metre
-  double reads = 1.0;      ///< odometer: metres counted a metre
+  double within_s = 60.0;       ///< with `until`
+  std::optional<double> error;  ///< odometer: half the interval a metre
+  std::optional<double> reads;  ///< odometer: metres counted a metre
 };
 
 struct Statement {

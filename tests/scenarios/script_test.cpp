@@ -78,6 +78,16 @@ TEST(Runner, goes_through_with_what_holds) {
   EXPECT_EQ(failure_of("scenario a\n  when desk opened\n  then mode SB [4.6.3(4)]\n  and brakes none [4.4.7.1]\n"), "");
 }
 
+TEST(Runner, the_odometer_counts_and_is_as_accurate_as_said) {
+  const std::string begin =
+      "scenario a\n  given odometer reads 5 % too_much\n  and odometer error 10 %\n  and drives at 36 km/h with 40 "
+      "m/s2\n"
+      "  when drives for 100 m\n";
+  EXPECT_EQ(
+      failure_of(begin + "  then est_front_m is 105 +- 3 [3.6.4.1]\n  and max_safe_front_m is 115 +- 3 [3.6.4.1]\n"),
+      "");
+}
+
 TEST(Runner, says_what_did_not_hold_and_where) {
   const std::string text = failure_of("scenario a\n  when desk opened\n  then mode FS [4.6.3(31)]\n");
   EXPECT_TRUE(contains(text, "x.scenario:3: scenario a\n  expected: then mode FS [4.6.3(31)]\n")) << text;

@@ -448,6 +448,15 @@ const lang::VariableInfo* find_sent(std::span<const lang::Step> steps, std::stri
   }
   return nullptr;
 }
+/// Whether it sends a list of this name.
+bool is_sent_list(std::string_view name) {
+  for (const lang::PacketLayout& layout : lang::packet_layouts())
+    for (const lang::Step& step : layout.steps)
+      if (layout.info->direction == lang::Direction::to_track && step.kind == lang::Step::Kind::repeat &&
+          name == step.name)
+        return true;
+  return false;
+}
 const lang::VariableInfo* find_sent(std::string_view name) {
   for (const lang::PacketLayout& layout : lang::packet_layouts())
     if (layout.info->direction == lang::Direction::to_track)
@@ -465,6 +474,10 @@ Json sent_members(const Value& members) {
   if (const Value* scale = member(&members, "Q_SCALE")) Q_SCALE = static_cast<std::uint64_t>(scale->number);
   for (const Value& value : members.members) {
     const std::string& key = value.name;
+    if (value.kind == Value::Kind::list && is_sent_list(key)) {
+      for (const Value& item : value.items) out[key].push_back(sent_members(item));
+      continue;
+    }
     const lang::VariableInfo* info = find_sent(key);
     if (info == nullptr) throw ReadError{value.line, "\"" + key + "\"", "a variable that the on-board sends"};
     out[key] = code_of(value, key, info, Q_SCALE);
