@@ -226,7 +226,10 @@ class Run {
   template <class Bits>
   void give_bits(const char* key, const Bits& bits) {
     if (!bits) fail("bits", bits.error().variable + " " + bits.error().why, false);
-    queue(Json{{key, {{"message", io::hex_of_bits(bits->bytes, bits->bits)}}}});
+    // Whole bytes, filled up with ones (a loop message ends with packet 255).
+    std::string hex = io::hex_of_bits(bits->bytes, bits->bits);
+    if (hex.size() % 2 != 0) hex += 'F';
+    queue(Json{{key, {{"message", hex}}}});
   }
 
   void give_message(const Action& a) {
