@@ -161,7 +161,7 @@ class Ride {
     inputs_.driver.selected = 1u << static_cast<unsigned>(kernel::Select::start);
     cycle();
     cycle();
-    inputs_.driver.acknowledged = 1u << static_cast<unsigned>(kernel::Ack::SR);
+    inputs_.driver.acknowledged = 1u << static_cast<unsigned>(Ack::SR);
     cycle();
     cycle();
   }

@@ -70,8 +70,8 @@ endfunction()
 # evc_link_rooms(target): links every room that exists, for tests, benchmarks and fuzz targets that
 # look at the whole.
 function(evc_link_rooms target)
-  foreach(room IN ITEMS sim io kernel driver procedures protection sdm radio track balise brakes modes position
-                        train airgap lang terms base)
+  foreach(room IN ITEMS sim io texts kernel driver procedures protection sdm radio track balise brakes modes position
+                        train airgap lang port terms base)
     if(TARGET evc_${room})
       target_link_libraries(${target} PRIVATE evc_${room})
     endif()

@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "sdm/curves.h"
+#include "texts/texts.h"
 
 using namespace evc::literals;
 namespace sdm = evc::sdm;
+namespace texts = evc::texts;
 namespace train = evc::train;
 
 int main() {
@@ -17,7 +19,8 @@ int main() {
   in.train.L_TRAIN = 400_m;
   in.train.V_MAXTRAIN = 200_km_h;
   if (const train::Fault fault = train::check(in.train); fault != train::Fault::none) {
-    std::printf("train data refused: %s, SUBSET-026 %s\n", train::name(fault), train::clause(fault));
+    std::printf("train data refused: %s, SUBSET-026 %s\n", texts::name(fault),
+                texts::text_of(train::clause(fault)).c_str());
     return 2;
   }
   bool room = in.gradient.permille.append({0_m}, 0.0) && in.gradient.permille.append({4000_m}, -5.0);

@@ -17,6 +17,7 @@
 #include "lang/si.h"
 #include "lang/telegram.h"
 #include "position/position.h"
+#include "texts/texts.h"
 
 namespace evc {
 namespace {
@@ -88,9 +89,9 @@ struct Unit {
   }
   void take(const balise::Outcome& outcome) {
     for (const balise::Event& e : outcome.events) {
-      linked_ok += e.what == balise::Happened::linking_ok ? 1 : 0;
-      if (e.what == balise::Happened::linking_ok || e.what == balise::Happened::group_accepted) continue;
-      log += std::string(balise::name_of(e.what)) + " " + std::to_string(e.id.NID_BG) + "; ";
+      linked_ok += e.what == What::linking_ok ? 1 : 0;
+      if (e.what == What::linking_ok || e.what == What::group_accepted) continue;
+      log += std::string(texts::text_of(e.what).text) + " " + std::to_string(e.id.NID_BG) + "; ";
     }
     worst = std::max(worst, outcome.reaction);
     reactions += outcome.reaction != Reaction::none ? 1 : 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "io/output_lines.h"
 #include "terms/message_numbers.h"
@@ -34,8 +33,6 @@ Sample sample_of(double t_s, double x_m, const Outputs& o) {
   s.brakes = static_cast<std::uint8_t>((o.tco ? 1 : 0) | (o.sb ? 2 : 0) | (o.eb ? 4 : 0));
   return s;
 }
-
-bool is(const char* a, const char* b) { return a != nullptr && std::strcmp(a, b) == 0; }
 
 }  // namespace
 
@@ -100,50 +97,95 @@ void Journey::note_events(const Outputs& o) {
   }
 }
 
-/// The groups' own events; names of balise::Happened.
+/// The groups' own events.
 void Journey::count(const kernel::Event& e) {
-  if (is(e.subject, "linking BG") && is(e.what, "ok")) ++counts_.groups_linked_ok;
-  if (!is(e.subject, "BG")) return;
-  if (is(e.what, "not found in its window") || is(e.what, "a later group found in its window")) ++counts_.groups_missed;
-  if (is(e.what, "message inconsistent") || is(e.what, "found before its window") ||
-      is(e.what, "crossed in the wrong direction"))
-    ++counts_.groups_rejected;
-  if (is(e.what, "telegram not decoded")) ++counts_.telegrams_rejected;
+  switch (e.what) {
+    case What::linking_ok:
+      ++counts_.groups_linked_ok;
+      return;
+    case What::linking_error_missed:
+    case What::linking_error_later:
+      ++counts_.groups_missed;
+      return;
+    case What::group_inconsistent:
+    case What::linking_error_early:
+    case What::group_wrong_direction:
+      ++counts_.groups_rejected;
+      return;
+    case What::telegram_not_decoded:
+      ++counts_.telegrams_rejected;
+      return;
+    default:
+      return;
+  }
 }
+
+namespace {
+
+/// What became of a message or of an authority: a verdict on packet 12 is one on the authority that it brings.
+enum class Fate : std::uint8_t { unknown, accepted, refused, rejected };
+
+/// A message that waits in a transition buffer has passed the checks and filters.
+std::optional<Fate> fate_of_message(What what) {
+  switch (what) {
+    case What::message_accepted:
+    case What::message_buffered:
+      return Fate::accepted;
+    case What::message_refused:
+      return Fate::refused;
+    case What::message_rejected:
+      return Fate::rejected;
+    case What::message_unknown:
+      return Fate::unknown;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_verdict_on_packet(What what) {
+  return what == What::packet_accepted || what == What::packet_buffered || what == What::packet_refused ||
+         what == What::packet_kept || what == What::packet_contact_stored || what == What::packet_no_room ||
+         what == What::packet_shortened;
+}
+
+}  // namespace
 
 /// What became of the messages delivered in this cycle: each one's verdict is the first event of its
 /// number that is not another one's.
 void Journey::count_messages(const Outputs& outputs) {
-  std::vector<const kernel::Event*> verdicts;
+  struct Verdict {
+    std::int32_t NID_MESSAGE;
+    Fate fate;
+  };
+  std::vector<Verdict> verdicts;
   bool authority_refused = false;
   const kernel::Event* authority_by_balise = nullptr;
   for (const kernel::Event& e : outputs.events) {
-    if (is(e.subject, "message") && e.id >= 0) verdicts.push_back(&e);
-    if (is(e.subject, "MA") && is(e.what, "refused")) authority_refused = true;
-    if (is(e.subject, "packet") && e.id == 12) authority_by_balise = &e;
+    if (const auto fate = fate_of_message(e.what)) verdicts.push_back({e.id, *fate});
+    if (e.what == What::authority_refused) authority_refused = true;
+    if (is_verdict_on_packet(e.what) && e.id == 12) authority_by_balise = &e;
   }
   const auto& deliveries = world_.radio().deliveries();
   for (; next_delivery_ < deliveries.size(); ++next_delivery_) {
     const sim::Delivery& d = deliveries[next_delivery_];
     const auto verdict = std::find_if(verdicts.begin(), verdicts.end(),
-                                      [&](const kernel::Event* e) { return e != nullptr && e->id == d.NID_MESSAGE; });
-    const char* what = verdict == verdicts.end() ? nullptr : (*verdict)->what;
-    if (verdict != verdicts.end()) *verdict = nullptr;
+                                      [&](const Verdict& v) { return v.NID_MESSAGE == d.NID_MESSAGE; });
+    const Fate fate = verdict == verdicts.end() ? Fate::unknown : verdict->fate;
+    if (verdict != verdicts.end()) verdicts.erase(verdict);
     if (d.seq < 0) continue;
-    // A message that waits in a transition buffer has passed the checks and filters.
-    const bool accepted = is(what, "accepted") || is(what, "buffered");
-    if (accepted) ++counts_.messages_accepted;
-    if (is(what, "refused")) ++counts_.messages_refused;
-    if (is(what, "rejected")) ++counts_.messages_rejected;
+    if (fate == Fate::accepted) ++counts_.messages_accepted;
+    if (fate == Fate::refused) ++counts_.messages_refused;
+    if (fate == Fate::rejected) ++counts_.messages_rejected;
     if (d.NID_MESSAGE != message::movement_authority && d.NID_MESSAGE != message::movement_authority_shifted) continue;
     ++counts_.authorities_received;
-    if (accepted && !authority_refused) ++counts_.authorities_accepted;
+    if (fate == Fate::accepted && !authority_refused) ++counts_.authorities_accepted;
   }
   // A buffered one that is released in a later cycle was counted when it came.
   if (authority_by_balise == nullptr || !telegrams_in_cycle_) return;
   ++counts_.authorities_received;
-  const char* what = authority_by_balise->what;
-  if ((is(what, "accepted") && !authority_refused) || is(what, "buffered")) ++counts_.authorities_accepted;
+  if ((authority_by_balise->what == What::packet_accepted && !authority_refused) ||
+      authority_by_balise->what == What::packet_buffered)
+    ++counts_.authorities_accepted;
 }
 
 }  // namespace evc::app

@@ -15,7 +15,7 @@ void begin(Outcome& outcome) {
   outcome.shorten_at_standstill = false;
 }
 
-void tell(Outcome& outcome, Happened what, GroupId id, const char* clause) {
+void tell(Outcome& outcome, What what, GroupId id, Clause clause) {
   note(outcome, {what, id, Finding::none, Reaction::none, ErrorReport::none, clause});
 }
 
@@ -95,21 +95,21 @@ bool covered(const State& state, const Header& header, Duration now) {
 /// The checks of a telegram by itself, in the order of A.3.3; true: nothing of it is used.
 bool dropped(State& state, const Header& header, const Reading& reading, const Situation& situation, Outcome& outcome) {
   if (header.X() == 0) {
-    tell(outcome, Happened::telegram_version_old, header.id, "3.17.3.5 a");
+    tell(outcome, What::telegram_version_old, header.id, "3.17.3.5 a"_srs);
     return true;
   }
   if (covered(state, header, situation.now)) {
-    tell(outcome, Happened::telegram_covered, header.id, "3.15.9.3");
+    tell(outcome, What::telegram_covered, header.id, "3.15.9.3"_srs);
     return true;
   }
   if (situation.against_permitted_movement) {
-    tell(outcome, Happened::telegram_against_movement, header.id, "3.14.3.6");
+    tell(outcome, What::telegram_against_movement, header.id, "3.14.3.6"_srs);
     return true;
   }
   if (header.X() <= situation.highest_X) return false;
   // Ignored, but not missed: its balise was there.
   group_of(state, header, reading, situation, outcome);
-  tell(outcome, Happened::telegram_version_new, header.id, situation.level_1_2_3 ? "3.17.3.5 d" : "3.17.3.5 e");
+  tell(outcome, What::telegram_version_new, header.id, situation.level_1_2_3 ? "3.17.3.5 d"_srs : "3.17.3.5 e"_srs);
   if (situation.level_1_2_3) outcome.version_too_high = true;
   if (complete(*state.open)) close(state, situation, outcome);
   return true;
@@ -119,7 +119,7 @@ void note_undecodable(State& state, const Reading& reading, const Situation& sit
   if (situation.against_permitted_movement) return;  // 3.14.3.6
   if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
   if (!state.open) state.open = OpenGroup{};
-  tell(outcome, Happened::telegram_not_decoded, state.open->id, "3.16.1.1");
+  tell(outcome, What::telegram_not_decoded, state.open->id, "3.16.1.1"_srs);
   state.open->undecoded = true;
   state.open->last = reading.counter;
   state.open->last_antenna = reading.antenna;
@@ -138,7 +138,7 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   Telegram telegram = look_into(reading.bytes, reading.bits, header);
   telegram.counter = reading.counter;
   telegram.antenna = reading.antenna;
-  if (telegram.faulty) tell(outcome, Happened::telegram_not_decoded, header.id, "3.16.1.1");
+  if (telegram.faulty) tell(outcome, What::telegram_not_decoded, header.id, "3.16.1.1"_srs);
   const bool room = open.telegrams.push_back(telegram);
   EVC_REQUIRE(room);  // at most one for each N_PIG
 

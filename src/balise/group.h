@@ -7,7 +7,9 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "terms/clause.h"
 #include "terms/reaction.h"
+#include "terms/what.h"
 
 // What comes out of this room: checked, oriented balise groups (SUBSET-026-3 3.4, 3.16.2).
 namespace evc::balise {
@@ -97,32 +99,14 @@ constexpr bool valid_for(std::uint64_t Q_DIR, Direction direction) {
   return direction != Direction::unknown && Q_DIR == static_cast<std::uint64_t>(direction);
 }
 
-/// What the kernel prints and reacts to.
-enum class Happened : std::uint8_t {
-  group_accepted,             // id; found in place if `announced`
-  linking_ok,                 // id: the announced group was found in its window
-  linking_error_early,        // 3.16.2.3.1 a
-  linking_error_missed,       // 3.16.2.3.1 b
-  linking_error_later,        // 3.16.2.3.1 c
-  wrong_direction,            // 3.16.2.3.2 [66]
-  double_linking_error,       // 3.16.2.7.1.1
-  double_repositioning,       // 3.16.2.7.2.2
-  message_error,              // 3.16.2.4.1, .4, 3.16.2.5.1: see `finding`
-  group_ignored,              // rejected without reaction
-  telegram_covered,           // 3.15.9.3
-  telegram_version_old,       // X = 0: 3.17.3.5 a
-  telegram_version_new,       // X above the highest supported: 3.17.3.5 d, e
-  telegram_against_movement,  // 3.14.3.6
-  telegram_not_decoded,       // 3.16.1.1: a spare value, a broken packet, or no header
-  capacity,                   // something could not be stored: see the clause
-};
+/// One thing that happened to a group or for want of one.
 struct Event {
-  Happened what{};
+  What what{};
   GroupId id;  // the expected group for linking errors, else the one read
   Finding finding = Finding::none;
   Reaction reaction = Reaction::none;
   ErrorReport report = ErrorReport::none;
-  const char* clause = "";  // a literal
+  Clause clause;
 };
 
 /// What one call brought.
@@ -140,9 +124,5 @@ struct Outcome {
 
 /// Adds an event and what it asks for. A full list keeps the reaction and turns its last entry into `capacity`.
 void note(Outcome& outcome, const Event& event);
-
-/// One line a finding, for people.
-const char* name_of(Finding finding);
-const char* name_of(Happened what);
 
 }  // namespace evc::balise

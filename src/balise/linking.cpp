@@ -18,7 +18,7 @@ Link move_on(LinkingState& linking) {
   return link;
 }
 
-void react(Outcome& outcome, Happened what, const Link& link, const char* clause) {
+void react(Outcome& outcome, What what, const Link& link, Clause clause) {
   note(outcome, {what, link.id, Finding::none, link.reaction, ErrorReport::linking, clause});
 }
 
@@ -41,9 +41,9 @@ Judgement judge_expected(LinkingState& linking, const PlaceInterval& antenna, Ou
   move_on(linking);
   linking.missed_in_row = 0;  // elsewhere, but detected
   if (early)
-    react(outcome, Happened::linking_error_early, link, "3.16.2.3.1 a");
+    react(outcome, What::linking_error_early, link, "3.16.2.3.1 a"_srs);
   else
-    react(outcome, Happened::linking_error_missed, link, "3.16.2.3.1 b");
+    react(outcome, What::linking_error_missed, link, "3.16.2.3.1 b"_srs);
   return {Judgement::Verdict::outside_window, link};
 }
 
@@ -53,7 +53,7 @@ Judgement judge_later(LinkingState& linking, std::size_t ahead, const PlaceInter
     const Link& next = linking.links.front();
     // Neither a) nor c) holds while the window of the expected group is not open: no reaction.
     if (antenna.max < first_possible(linking, next)) return {Judgement::Verdict::outside_window, linking.links[ahead]};
-    react(outcome, Happened::linking_error_later, move_on(linking), "3.16.2.3.1 c");
+    react(outcome, What::linking_error_later, move_on(linking), "3.16.2.3.1 c"_srs);
     linking.missed_in_row = 0;
   }
   return judge_expected(linking, antenna, outcome);  // 3.4.4.4.6.1
@@ -75,12 +75,12 @@ Judgement judge_unsupervised(LinkingState& linking, GroupId id) {
 void miss(LinkingState& linking, Outcome& outcome) {
   const bool seen = linking.detected;
   const Link link = move_on(linking);
-  react(outcome, Happened::linking_error_missed, link, "3.16.2.3.1 b");
+  react(outcome, What::linking_error_missed, link, "3.16.2.3.1 b"_srs);
   linking.missed_in_row = seen ? std::uint8_t{0} : static_cast<std::uint8_t>(linking.missed_in_row + 1);
   if (linking.missed_in_row < 2) return;
   linking.missed_in_row = 1;  // a third one makes a pair with this one
-  note(outcome, {Happened::double_linking_error, link.id, Finding::none, Reaction::service_brake,
-                 ErrorReport::double_linking, "3.16.2.7.1.1"});
+  note(outcome, {What::double_linking_error, link.id, Finding::none, Reaction::service_brake,
+                 ErrorReport::double_linking, "3.16.2.7.1.1"_srs});
 }
 
 Place end_of(const LinkingState& linking) {

@@ -27,7 +27,7 @@ TEST(Linking, WindowOfTheWorkedExample) {
     Outcome outcome;
     const double error = 5 + 5 + 0.05 * a;
     const Judgement j = judge(linking, {426, 7}, true, at(a - error, a, a + error), true, outcome);
-    early = !outcome.events.empty() && outcome.events[0].what == Happened::linking_error_early;
+    early = !outcome.events.empty() && outcome.events[0].what == What::linking_error_early;
     return j.verdict == Verdict::found;
   };
   bool early = false;
@@ -222,9 +222,9 @@ TEST(LinkingFaults, Row15EarlyIsRejectedAndTheNextOneExpected) {
   EXPECT_FALSE(t.last().accepted);
   EXPECT_EQ(t.last().finding, Finding::outside_window);
   EXPECT_EQ(t.reaction, Reaction::trip);
-  ASSERT_NE(t.first(Happened::linking_error_early), nullptr);
-  EXPECT_EQ(t.first(Happened::linking_error_early)->id.NID_BG, 1);
-  EXPECT_EQ(t.first(Happened::linking_error_early)->report, ErrorReport::linking);
+  ASSERT_NE(t.first(What::linking_error_early), nullptr);
+  EXPECT_EQ(t.first(What::linking_error_early)->id.NID_BG, 1);
+  EXPECT_EQ(t.first(What::linking_error_early)->report, ErrorReport::linking);
   EXPECT_EQ(expected(t.state.linking)->id.NID_BG, 2);
   EXPECT_FALSE(t.shorten);  // only a service brake shortens
 }
@@ -238,8 +238,8 @@ TEST(LinkingFaults, Row16MissedAtTheEndOfTheWindow) {
   t.run_to(116.4);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_TRUE(t.shorten);
-  ASSERT_NE(t.first(Happened::linking_error_missed), nullptr);
-  EXPECT_EQ(t.first(Happened::linking_error_missed)->id.NID_BG, 1);
+  ASSERT_NE(t.first(What::linking_error_missed), nullptr);
+  EXPECT_EQ(t.first(What::linking_error_missed)->id.NID_BG, 1);
   EXPECT_EQ(expected(t.state.linking)->id.NID_BG, 2);
 }
 
@@ -249,10 +249,10 @@ TEST(LinkingFaults, Row17LaterGroupInTheWindowOfTheExpectedOne) {
   announce(t, {entry(100, 1, Reaction::trip), entry(50, 2, Reaction::none)});
   t.pass(149, 2);
   EXPECT_EQ(t.reaction, Reaction::trip);  // of the expected one
-  EXPECT_EQ(t.first(Happened::linking_error_later)->id.NID_BG, 1);
+  EXPECT_EQ(t.first(What::linking_error_later)->id.NID_BG, 1);
   EXPECT_TRUE(t.last().accepted);  // checked at once in its own window
   EXPECT_EQ(t.last().link_place, Place{150_m});
-  EXPECT_EQ(t.count(Happened::linking_ok), 1);
+  EXPECT_EQ(t.count(What::linking_ok), 1);
   EXPECT_EQ(expected(t.state.linking), nullptr);
 }
 
@@ -260,8 +260,8 @@ TEST(LinkingFaults, Row17LaterGroupOutsideItsOwnWindowAddsItsReaction) {
   Train t;
   announce(t, {entry(100, 1, Reaction::none), entry(50, 2, Reaction::service_brake)});
   t.pass(98, 2);  // window of 1 is open, that of 2 is not
-  EXPECT_EQ(t.count(Happened::linking_error_later), 1);
-  EXPECT_EQ(t.count(Happened::linking_error_early), 1);
+  EXPECT_EQ(t.count(What::linking_error_later), 1);
+  EXPECT_EQ(t.count(What::linking_error_early), 1);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_FALSE(t.last().accepted);
 }
@@ -271,7 +271,7 @@ TEST(LinkingFaults, Row17TwoAheadWhenAllWindowsAreOpen) {
   t.under = t.over = 200;
   announce(t, {entry(100, 1, Reaction::none), entry(50, 2, Reaction::service_brake), entry(50, 3, Reaction::trip)});
   t.pass(199, 3);
-  EXPECT_EQ(t.count(Happened::linking_error_later), 2);
+  EXPECT_EQ(t.count(What::linking_error_later), 2);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_TRUE(t.last().accepted);
 }
@@ -303,10 +303,10 @@ TEST(LinkingFaults, LateInTheSameCycle) {
   announce(t, {entry(100, 1), entry(100, 2)});
   t.pass(105.5, 1);
   EXPECT_FALSE(t.last().accepted);
-  EXPECT_EQ(t.count(Happened::linking_error_missed), 1);
+  EXPECT_EQ(t.count(What::linking_error_missed), 1);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   t.run_to(120);
-  EXPECT_EQ(t.count(Happened::linking_error_missed), 1);
+  EXPECT_EQ(t.count(What::linking_error_missed), 1);
 }
 
 TEST(LinkingFaults, Row24TwoInARow) {
@@ -317,10 +317,10 @@ TEST(LinkingFaults, Row24TwoInARow) {
   t.run_to(207);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_TRUE(t.shorten);
-  ASSERT_NE(t.first(Happened::double_linking_error), nullptr);
-  EXPECT_EQ(t.first(Happened::double_linking_error)->report, ErrorReport::double_linking);
+  ASSERT_NE(t.first(What::double_linking_error), nullptr);
+  EXPECT_EQ(t.first(What::double_linking_error)->report, ErrorReport::double_linking);
   t.run_to(307);
-  EXPECT_EQ(t.count(Happened::double_linking_error), 2);
+  EXPECT_EQ(t.count(What::double_linking_error), 2);
 }
 
 TEST(LinkingFaults, Row24AGroupBetweenOrOneReadOutsideItsWindowEndsTheRow) {
@@ -332,7 +332,7 @@ TEST(LinkingFaults, Row24AGroupBetweenOrOneReadOutsideItsWindowEndsTheRow) {
   t.run_to(307);
   t.pass(390, 4);  // early, rejected, but detected
   t.run_to(507);
-  EXPECT_EQ(t.count(Happened::double_linking_error), 0);
+  EXPECT_EQ(t.count(What::double_linking_error), 0);
 }
 
 TEST(LinkingFaults, Row24AnAnnouncedGroupThatCallsItselfUnlinkedWasDetected) {
@@ -340,10 +340,10 @@ TEST(LinkingFaults, Row24AnAnnouncedGroupThatCallsItselfUnlinkedWasDetected) {
   announce(t, {entry(100, 1, Reaction::none), entry(100, 2, Reaction::none)});
   t.pass(100, 1, true, 0);
   t.run_to(107);
-  EXPECT_EQ(t.count(Happened::linking_error_missed), 1);  // not found as a linked group
+  EXPECT_EQ(t.count(What::linking_error_missed), 1);  // not found as a linked group
   t.run_to(207);
-  EXPECT_EQ(t.count(Happened::linking_error_missed), 2);
-  EXPECT_EQ(t.count(Happened::double_linking_error), 0);
+  EXPECT_EQ(t.count(What::linking_error_missed), 2);
+  EXPECT_EQ(t.count(What::double_linking_error), 0);
 }
 
 TEST(LinkingFaults, Row26NoReactionButReported) {
@@ -351,7 +351,7 @@ TEST(LinkingFaults, Row26NoReactionButReported) {
   announce(t, {entry(100, 1, Reaction::none)});
   t.run_to(107);
   EXPECT_EQ(t.reaction, Reaction::none);
-  EXPECT_EQ(t.first(Happened::linking_error_missed)->report, ErrorReport::linking);
+  EXPECT_EQ(t.first(What::linking_error_missed)->report, ErrorReport::linking);
 }
 
 TEST(LinkingFaults, Row14NotAnnounced) {
@@ -422,7 +422,7 @@ TEST(LinkingFaults, TheWindowWaitsForAGroupThatIsBeingRead) {
   t.run_to(130);
   EXPECT_EQ(t.reaction, Reaction::trip);
   EXPECT_FALSE(t.last().accepted);
-  EXPECT_EQ(t.count(Happened::linking_error_missed), 1);
+  EXPECT_EQ(t.count(What::linking_error_missed), 1);
 }
 
 }  // namespace

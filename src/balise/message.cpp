@@ -141,7 +141,7 @@ bool repositioning_for(const OpenGroup& open, Direction crossing) {
   return false;
 }
 
-void refuse(Group& group, Finding finding, Happened what, Reaction reaction, ErrorReport report, const char* clause,
+void refuse(Group& group, Finding finding, What what, Reaction reaction, ErrorReport report, Clause clause,
             Outcome& outcome) {
   group.accepted = false;
   group.finding = finding;
@@ -157,9 +157,9 @@ void judge_by_itself(Group& group, const OpenGroup& open, const Examined& found,
   const bool brakes = situation.braking_on_message_error && !inhibited(open, found);
   const Reaction reaction = brakes ? Reaction::service_brake : Reaction::none;
   if (group.linked)
-    refuse(group, error, Happened::message_error, reaction, ErrorReport::linked_message, "3.16.2.4.4", outcome);
+    refuse(group, error, What::group_inconsistent, reaction, ErrorReport::linked_message, "3.16.2.4.4"_srs, outcome);
   else
-    refuse(group, error, Happened::message_error, reaction, ErrorReport::unlinked_message, "3.16.2.5.1", outcome);
+    refuse(group, error, What::group_inconsistent, reaction, ErrorReport::unlinked_message, "3.16.2.5.1"_srs, outcome);
 }
 
 /// The announced group, its reference balise in its window (or missed): 3.16.2.3.2, 3.16.2.4.1.
@@ -168,13 +168,14 @@ void judge_announced(Group& group, const Link& link, const Examined& found, Outc
   group.link_place = link.place;
   group.Q_LOCACC = link.Q_LOCACC;
   if (found.crossing != Direction::unknown && found.crossing != link.crossing)
-    refuse(group, Finding::wrong_direction, Happened::wrong_direction, Reaction::trip, ErrorReport::linking,
-           "3.16.2.3.2", outcome);
+    refuse(group, Finding::wrong_direction, What::group_wrong_direction, Reaction::trip, ErrorReport::linking,
+           "3.16.2.3.2"_srs, outcome);
   const Finding error = error_of(found, true);
   if (error != Finding::none)
-    refuse(group, error, Happened::message_error, link.reaction, ErrorReport::linked_message, "3.16.2.4.1", outcome);
+    refuse(group, error, What::group_inconsistent, link.reaction, ErrorReport::linked_message, "3.16.2.4.1"_srs,
+           outcome);
   if (!group.accepted) return;
-  note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.3"});
+  note(outcome, {What::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.3"_srs});
 }
 
 /// Identity unknown was expected: 3.4.4.4.2.1 a to c.
@@ -184,8 +185,8 @@ void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& o
                     repositioning_for(open, found.crossing);
   const Finding error = error_of(found, true);
   if (!fits || error != Finding::none) {
-    refuse(group, error != Finding::none ? error : Finding::not_repositioning, Happened::group_ignored, Reaction::none,
-           ErrorReport::none, "3.4.4.4.2.1", outcome);
+    refuse(group, error != Finding::none ? error : Finding::not_repositioning, What::group_ignored, Reaction::none,
+           ErrorReport::none, "3.4.4.4.2.1"_srs, outcome);
     return;
   }
   take_repositioning(linking, group.id, link);
@@ -194,7 +195,7 @@ void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& o
   group.announced = true;
   // The unknown entry breaks the chain of link distances: the estimated place counts (3.6.4.3).
   group.Q_LOCACC = link.Q_LOCACC;
-  note(outcome, {Happened::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"});
+  note(outcome, {What::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"_srs});
 }
 
 /// Where linking is not supervised a stored entry still gives place, accuracy and orientation.
@@ -208,8 +209,8 @@ void look_for_second_repositioning(LinkingState& linking, const Group& group, co
   if (!group.linked || group.announced || !second_repositioning(linking, group.id, group.crossing)) return;
   if (!repositioning_for(open, group.crossing)) return;
   linking.repositioned.reset();
-  note(outcome, {Happened::double_repositioning, group.id, Finding::none, Reaction::service_brake,
-                 ErrorReport::double_repositioning, "3.16.2.7.2.2"});
+  note(outcome, {What::double_repositioning, group.id, Finding::none, Reaction::service_brake,
+                 ErrorReport::double_repositioning, "3.16.2.7.2.2"_srs});
 }
 
 /// The reference balise is N_PIG 0, or its duplicate where that one was not read (3.16.2.3.3).
@@ -277,8 +278,8 @@ void orient(Group& group, const OpenGroup& open, const Examined& found, const Si
 void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Examined& found,
             const Situation& situation, Outcome& outcome) {
   using Verdict = Judgement::Verdict;
-  const auto ignore = [&](Finding finding, const char* clause) {
-    refuse(group, finding, Happened::group_ignored, Reaction::none, ErrorReport::none, clause, outcome);
+  const auto ignore = [&](Finding finding, Clause clause) {
+    refuse(group, finding, What::group_ignored, Reaction::none, ErrorReport::none, clause, outcome);
   };
   switch (open.judgement.verdict) {
     case Verdict::found:
@@ -288,9 +289,9 @@ void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Ex
       return judge_repositioning(linking, group, open, *open.judgement.link, found, outcome);
     case Verdict::outside_window:
       group.announced = true;
-      return ignore(Finding::outside_window, "3.16.2.3.1.1");
+      return ignore(Finding::outside_window, "3.16.2.3.1.1"_srs);
     case Verdict::not_announced:
-      return ignore(Finding::not_announced, "3.16.2.4.3");
+      return ignore(Finding::not_announced, "3.16.2.4.3"_srs);
     case Verdict::unjudged:
     case Verdict::unlinked:
     case Verdict::not_used:
@@ -313,7 +314,7 @@ void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situ
   if (situation.linking_checked) look_for_second_repositioning(linking, group, open, outcome);
   finish(group, open);
   if (group.accepted && !group.announced)
-    note(outcome, {Happened::group_accepted, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.1"});
+    note(outcome, {What::group_accepted, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.1"_srs});
   EVC_REQUIRE(outcome.groups.push_back(group));
 }
 

@@ -192,14 +192,14 @@ TEST(MessageConsistency, AnnouncedGroupsGiveTheLinkingReaction) {
     EXPECT_EQ(t.last().accepted, c.announced_accepted);
     EXPECT_EQ(t.reaction, c.announced_accepted ? Reaction::none : Reaction::trip);
     EXPECT_EQ(t.last().lrbg_compliant, c.announced_accepted);
-    EXPECT_EQ(t.count(Happened::linking_ok), c.announced_accepted ? 1 : 0);
+    EXPECT_EQ(t.count(What::linking_ok), c.announced_accepted ? 1 : 0);
     if (!c.announced_accepted) {
       EXPECT_EQ(t.last().finding, c.finding);
-      EXPECT_EQ(t.first(Happened::message_error)->report, ErrorReport::linked_message);
+      EXPECT_EQ(t.first(What::group_inconsistent)->report, ErrorReport::linked_message);
     }
-    EXPECT_EQ(t.count(Happened::linking_error_missed), 0);  // never twice for one group
-    EXPECT_EQ(t.count(Happened::group_accepted), 0);
-    EXPECT_EQ(t.events.size(), 1u + static_cast<std::size_t>(t.count(Happened::telegram_not_decoded)));
+    EXPECT_EQ(t.count(What::linking_error_missed), 0);  // never twice for one group
+    EXPECT_EQ(t.count(What::group_accepted), 0);
+    EXPECT_EQ(t.events.size(), 1u + static_cast<std::size_t>(t.count(What::telegram_not_decoded)));
   }
 }
 
@@ -213,11 +213,11 @@ TEST(MessageConsistency, LinkedGroupsWithoutLinkingAndUnlinkedOnesBrake) {
       EXPECT_EQ(t.last().accepted, c.other_accepted);
       EXPECT_EQ(t.reaction, c.other_brakes ? Reaction::service_brake : Reaction::none);
       EXPECT_EQ(t.shorten, c.other_brakes);
-      EXPECT_EQ(t.count(Happened::group_accepted), c.other_accepted ? 1 : 0);
+      EXPECT_EQ(t.count(What::group_accepted), c.other_accepted ? 1 : 0);
       EXPECT_EQ(t.last().lrbg_compliant, c.other_accepted && met == Met::linked);
       if (c.other_accepted) continue;
       EXPECT_EQ(t.last().finding, c.finding);
-      EXPECT_EQ(t.first(Happened::message_error)->report,
+      EXPECT_EQ(t.first(What::group_inconsistent)->report,
                 met == Met::linked ? ErrorReport::linked_message : ErrorReport::unlinked_message);
     }
   }
@@ -259,7 +259,7 @@ TEST(MessageConsistency, GroupsNotAnnouncedAreRejectedSilently) {
     drive(t, c, Met::announced);
     EXPECT_FALSE(t.last().accepted);
     EXPECT_EQ(t.reaction, Reaction::none);
-    EXPECT_EQ(t.count(Happened::message_error), 0);
+    EXPECT_EQ(t.count(What::group_inconsistent), 0);
   }
 }
 
@@ -289,7 +289,7 @@ TEST(MessageConsistency, NothingReadableCountsAsUnlinked) {
   EXPECT_FALSE(t.last().identified);
   EXPECT_FALSE(t.last().accepted);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
-  EXPECT_EQ(t.first(Happened::message_error)->report, ErrorReport::unlinked_message);
+  EXPECT_EQ(t.first(What::group_inconsistent)->report, ErrorReport::unlinked_message);
 }
 
 TEST(MessageConsistency, ATelegramThatBelongsToNoBaliseIsNotDecoded) {

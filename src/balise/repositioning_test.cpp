@@ -69,7 +69,7 @@ TEST(Repositioning, ALaterKnownGroupMeansTheRepositioningOneWasMissed) {
   Train t;
   announce(t, {entry(500, kUnknownId, Reaction::service_brake, 300), entry(100, 5)});
   t.pass(600, 5);
-  EXPECT_EQ(t.count(Happened::linking_error_later), 1);
+  EXPECT_EQ(t.count(What::linking_error_later), 1);
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_TRUE(t.last().accepted);
 }
@@ -85,7 +85,7 @@ TEST(Repositioning, Row25ASecondOneBrakes) {
   pass_with(t, 1000, 51, test::repositioning(1));
   EXPECT_EQ(t.reaction, Reaction::service_brake);
   EXPECT_TRUE(t.shorten);
-  EXPECT_EQ(t.first(Happened::double_repositioning)->report, ErrorReport::double_repositioning);
+  EXPECT_EQ(t.first(What::double_repositioning)->report, ErrorReport::double_repositioning);
 }
 
 TEST(Repositioning, Row25EndsWithTheWindowOrAKnownGroup) {
@@ -102,7 +102,7 @@ TEST(Repositioning, Row25EndsWithTheWindowOrAKnownGroup) {
   announce(u, {entry(800, 5)});
   u.pass(800, 5);
   pass_with(u, 900, 51, test::repositioning(1));
-  EXPECT_EQ(u.count(Happened::double_repositioning), 0);
+  EXPECT_EQ(u.count(What::double_repositioning), 0);
 }
 
 TEST(Repositioning, WithAMissedReferenceBaliseItIsIgnored) {

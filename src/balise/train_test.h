@@ -138,12 +138,12 @@ struct Train {
     }
   }
   const Group& last() const { return groups.back(); }
-  int count(Happened what) const {
+  int count(What what) const {
     int n = 0;
     for (const Event& e : events) n += e.what == what ? 1 : 0;
     return n;
   }
-  const Event* first(Happened what) const {
+  const Event* first(What what) const {
     for (const Event& e : events)
       if (e.what == what) return &e;
     return nullptr;

@@ -51,11 +51,11 @@ bool wants_acknowledgement(Release rule) {
   return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
 }
 
-/// For each row of the table the first one of the same clause, compared when compiled: no text is compared in a cycle.
+/// For each row of the table the first one of the same clause.
 constexpr auto first_of_clause = [] {
   std::array<std::size_t, srs_3_14_1.size()> first{};
   for (std::size_t i = 0; i < first.size(); ++i)
-    while (std::string_view(srs_3_14_1[first[i]].clause) != srs_3_14_1[i].clause) ++first[i];
+    while (srs_3_14_1[first[i]].clause != srs_3_14_1[i].clause) ++first[i];
   return first;
 }();
 

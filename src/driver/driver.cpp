@@ -5,10 +5,9 @@
 namespace evc::driver {
 namespace {
 
-template <std::size_t Capacity>
-void put(InplaceVector<const char*, Capacity>& list, const char* text) {
-  // The capacities hold everything that can be shown at once; a list that is full shows the first entries.
-  if (text != nullptr) static_cast<void>(list.push_back(text));
+void put(Show& show, std::optional<Symbol> symbol) {
+  // The list holds everything that can be shown at once; one that is full shows the first entries.
+  if (symbol) static_cast<void>(show.symbols.push_back(*symbol));
 }
 
 /// What Start needs beside the mode (window Main): SB with all data, PT after its procedure, SR with an RBC.
@@ -145,7 +144,7 @@ Set<Input> enabled(const ActionContext& context) {
 namespace {
 
 void put_level(Show& show, const ShowContext& c) {
-  if (c.level.has_value()) put(show.symbols, symbol(*c.level));
+  if (c.level.has_value()) put(show, symbol(*c.level));
 }
 
 /// Area C1: an acknowledgement of a mode hides the announcement of a level (015560 8.2.3.1).
@@ -154,7 +153,7 @@ void put_c1(Show& show, const ShowContext& c) {
   bool mode = false;
   for (const Ack ack : modes_first)
     if (c.requests.has(ack) && !mode) {
-      put(show.symbols, symbol(ack));
+      put(show, symbol(ack));
       mode = true;
     }
   if (mode) return;
@@ -162,143 +161,114 @@ void put_c1(Show& show, const ShowContext& c) {
   // After the transition the level to acknowledge is the one shown.
   const std::optional<Level> shown = c.announced.has_value() ? c.announced : level ? c.level : std::nullopt;
   if (shown.has_value() && (level || allowed(Output::level_announcement, c.mode)))
-    put(show.symbols, announcement_symbol(*shown, level));
+    put(show, announcement_symbol(*shown, level));
 }
 
 }  // namespace
 
 Show show(const ShowContext& c) {
   Show out;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Ack::count); ++i)
-    if (c.requests.has(static_cast<Ack>(i))) put(out.requests, name(static_cast<Ack>(i)));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Entry::count); ++i)
-    if (c.entries.has(static_cast<Entry>(i))) put(out.requests, name(static_cast<Entry>(i)));
-
   const bool nothing = !c.desk_open && c.mode != Mode::SF && c.mode != Mode::IS;
   if (nothing || c.mode == Mode::NP || c.mode == Mode::PS || c.mode == Mode::SL) return out;
-  put(out.symbols, symbol(c.mode));                       // B7
+  put(out, symbol(c.mode));                               // B7
   if (allowed(Output::level, c.mode)) put_level(out, c);  // C8
   put_c1(out, c);                                         // C1
-  const auto where = [&](bool when, Output output, const char* which) {
-    if (when && allowed(output, c.mode)) put(out.symbols, which);
+  const auto where = [&](bool when, Output output, Symbol which) {
+    if (when && allowed(output, c.mode)) put(out, which);
   };
-  where(c.slippery_rail, Output::slippery_rail, "ST02");                    // A4
-  where(c.lssma, Output::lssma, "LS01");                                    // A1
-  where(c.lx_not_protected, Output::lx_not_protected, "LX01");              // B3
-  where(c.reversing_possible, Output::reversing_allowed, "ST06");           // C6
-  where(c.override_active, Output::override_status, "MO03");                // C7
-  where(c.brake_commanded, Output::brake_indication, "ST01");               // C9
-  where(c.track_ahead_free_asked, Output::taf_request, "DR02");             // D
-  where(c.radio == RadioStatus::up, Output::radio_link_status, "ST03");     // E1
-  where(c.radio == RadioStatus::lost, Output::radio_link_status, "ST04");   // E1
-  where(c.tunnel_stopping_area, Output::track_cond_horn_stopping, "TC36");  // C2
+  where(c.slippery_rail, Output::slippery_rail, Symbol::ST02);                    // A4
+  where(c.lssma, Output::lssma, Symbol::LS01);                                    // A1
+  where(c.lx_not_protected, Output::lx_not_protected, Symbol::LX01);              // B3
+  where(c.reversing_possible, Output::reversing_allowed, Symbol::ST06);           // C6
+  where(c.override_active, Output::override_status, Symbol::MO03);                // C7
+  where(c.brake_commanded, Output::brake_indication, Symbol::ST01);               // C9
+  where(c.track_ahead_free_asked, Output::taf_request, Symbol::DR02);             // D
+  where(c.radio == RadioStatus::up, Output::radio_link_status, Symbol::ST03);     // E1
+  where(c.radio == RadioStatus::lost, Output::radio_link_status, Symbol::ST04);   // E1
+  where(c.tunnel_stopping_area, Output::track_cond_horn_stopping, Symbol::TC36);  // C2
   return out;
 }
 
-const char* symbol(Mode mode) {
-  constexpr std::array<const char*, kModes> symbols{
-      /* NP */ nullptr, /* SB */ "MO13", /* PS */ nullptr, /* SH */ "MO01", /* FS */ "MO11", /* LS */ "MO21",
-      /* SR */ "MO09",  /* OS */ "MO07", /* SL */ nullptr, /* NL */ "MO12", /* UN */ "MO16", /* TR */ "MO04",
-      /* PT */ "MO06",  /* SF */ "MO18", /* IS */ nullptr, /* SN */ "MO19", /* RV */ "MO14"};
+std::optional<Symbol> symbol(Mode mode) {
+  constexpr std::array<std::optional<Symbol>, kModes> symbols{
+      /* NP */ std::nullopt, /* SB */ Symbol::MO13, /* PS */ std::nullopt,
+      /* SH */ Symbol::MO01, /* FS */ Symbol::MO11, /* LS */ Symbol::MO21,
+      /* SR */ Symbol::MO09, /* OS */ Symbol::MO07, /* SL */ std::nullopt,
+      /* NL */ Symbol::MO12, /* UN */ Symbol::MO16, /* TR */ Symbol::MO04,
+      /* PT */ Symbol::MO06, /* SF */ Symbol::MO18, /* IS */ std::nullopt,
+      /* SN */ Symbol::MO19, /* RV */ Symbol::MO14};
   return symbols[static_cast<std::size_t>(mode)];
 }
 
-const char* symbol(Ack ack) {
+std::optional<Symbol> symbol(Ack ack) {
   switch (ack) {
     case Ack::SH:
-      return "MO02";
+      return Symbol::MO02;
     case Ack::trip:
-      return "MO05";
+      return Symbol::MO05;
     case Ack::OS:
-      return "MO08";
+      return Symbol::MO08;
     case Ack::SR:
-      return "MO10";
+      return Symbol::MO10;
     case Ack::RV:
-      return "MO15";
+      return Symbol::MO15;
     case Ack::UN:
-      return "MO17";
+      return Symbol::MO17;
     case Ack::SN:
-      return "MO20";
+      return Symbol::MO20;
     case Ack::LS:
-      return "MO22";
+      return Symbol::MO22;
     default:
-      return nullptr;
+      return std::nullopt;
   }
 }
 
-const char* symbol(Level level) {
-  constexpr std::array<const char*, modes::kLevels> symbols{"LE01", "LE02", "LE03", "LE04", "LE05"};
+Symbol symbol(Level level) {
+  constexpr std::array<Symbol, kLevels> symbols{Symbol::LE01, Symbol::LE02, Symbol::LE03, Symbol::LE04, Symbol::LE05};
   return symbols[static_cast<std::size_t>(level)];
 }
 
-const char* announcement_symbol(Level level, bool acknowledgement) {
-  constexpr std::array<const char*, modes::kLevels> grey{"LE06", "LE08", "LE10", "LE12", "LE14"};
-  constexpr std::array<const char*, modes::kLevels> yellow{"LE07", "LE09", "LE11", "LE13", "LE15"};
+Symbol announcement_symbol(Level level, bool acknowledgement) {
+  constexpr std::array<Symbol, kLevels> grey{Symbol::LE06, Symbol::LE08, Symbol::LE10, Symbol::LE12, Symbol::LE14};
+  constexpr std::array<Symbol, kLevels> yellow{Symbol::LE07, Symbol::LE09, Symbol::LE11, Symbol::LE13, Symbol::LE15};
   return (acknowledgement ? yellow : grey)[static_cast<std::size_t>(level)];
 }
 
-const char* name(Ack ack) {
-  constexpr std::array<const char*, static_cast<std::size_t>(Ack::count)> names{
-      "OS", "LS", "SH", "SR", "UN", "SN", "RV", "trip", "level", "text", "brake", "train_data"};
-  return names[static_cast<std::size_t>(ack)];
-}
-
-const char* name(Entry entry) {
-  constexpr std::array<const char*, static_cast<std::size_t>(Entry::count)> names{
-      "enter driver_id", "enter level", "enter rbc_contact", "enter train_data", "enter train_running_number"};
-  return names[static_cast<std::size_t>(entry)];
-}
-
-const char* text(modes::Inform inform) {
-  switch (inform) {
-    case modes::Inform::network_registration_failed:
-      return "Radio network registration failed";
-    case modes::Inform::train_rejected:
-      return "Train is rejected";
-    case modes::Inform::SH_refused:
-      return "SH refused";
-    case modes::Inform::SH_request_failed:
-      return "SH request failed";
-    default:  // a session that could not be opened is shown by ST04
-      return nullptr;
-  }
-}
-
-const char* trip_reason(int condition) {
+std::optional<TripReason> trip_reason(int condition) {
   switch (condition) {
     case 17:
     case 66:
-      return "Balise read error";
+      return TripReason::balise_read_error;
     case 41:
-      return "Communication error";
+      return TripReason::communication_error;
     case 35:
-      return "SH refused";
+      return TripReason::SH_refused;
     case 65:
-      return "Trackside not compatible";
+      return TripReason::trackside_not_compatible;
     case 12:
     case 16:
     case 18:
     case 43:
-      return "Unauthorized passing of EOA / LOA";
+      return TripReason::passing_of_EOA_or_LOA;
     case 39:
     case 67:
-      return "No MA received at level transition";
+      return TripReason::no_MA_at_level_transition;
     case 42:
-      return "SR distance exceeded";
+      return TripReason::SR_distance_exceeded;
     case 49:
     case 52:
-      return "SH stop order";
+      return TripReason::SH_stop_order;
     case 36:
     case 54:
-      return "SR stop order";
+      return TripReason::SR_stop_order;
     case 20:
-      return "Emergency stop";
+      return TripReason::emergency_stop;
     case 69:
-      return "No track description";
+      return TripReason::no_track_description;
     case 38:
-      return "National system brake demand";
+      return TripReason::national_system_brake_demand;
     default:
-      return nullptr;
+      return std::nullopt;
   }
 }
 

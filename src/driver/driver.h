@@ -3,20 +3,16 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/set.h"
 #include "driver/srs_4_7_2.h"
-#include "modes/level.h"
-#include "modes/mode.h"
-#include "modes/requests.h"
+#include "terms/level.h"
+#include "terms/mode.h"
+#include "terms/requests.h"
+#include "terms/symbol.h"
 
 // What the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
 // ERA_ERTMS_015560). The symbols are named as there (MO07, LE04, ST01, ...).
 namespace evc::driver {
-
-using modes::Ack;
-using modes::Entry;
-using modes::Level;
-using modes::Offer;
-using modes::Set;
 
 /// What decides which choices are enabled, beside the mode (windows Main, Override and Special).
 struct ActionContext {
@@ -54,7 +50,6 @@ struct ShowContext {
   std::optional<Level> level;      // none when it is not valid
   std::optional<Level> announced;  // a transition that will change the level
   Set<Ack> requests;               // acknowledgements asked for
-  Set<Entry> entries;              // entries asked for
   bool override_active = false;
   bool brake_commanded = false;  // service or emergency brake
   RadioStatus radio = RadioStatus::none;
@@ -67,32 +62,39 @@ struct ShowContext {
 };
 
 struct Show {
-  InplaceVector<const char*, 32> symbols;   // in the order of the areas of the screen
-  InplaceVector<const char*, 16> requests;  // "OS", "level", "brake", ..., then entries "enter driver_id", ...
+  InplaceVector<Symbol, 32> symbols;  // in the order of the areas of the screen
 };
 
-/// What is shown now. All texts are literals. With no desk open nothing is (4.7.2 marks it A in SB and TR), but for the
-/// system failure.
+/// What is shown now. With no desk open nothing is (4.7.2 marks it A in SB and TR), but for the system failure.
 Show show(const ShowContext& context);
 
-/// The symbol of a mode ("MO11"), null for NP, PS, SL and IS.
-const char* symbol(Mode mode);
-/// The symbol with which the mode's acknowledgement is asked for ("MO08"), null where there is none.
-const char* symbol(Ack ack);
-/// The symbol of a level ("LE04").
-const char* symbol(Level level);
+/// The symbol of a mode (MO11), none for NP, PS, SL and IS.
+std::optional<Symbol> symbol(Mode mode);
+/// The symbol with which the mode's acknowledgement is asked for (MO08), none where there is none.
+std::optional<Symbol> symbol(Ack ack);
+/// The symbol of a level (LE04).
+Symbol symbol(Level level);
 /// The symbol of an announced level, with (yellow) or without acknowledgement. Levels 1, 2 and 3 have a yellow one only
 /// up to 3.6.0 and then from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are taken.
-const char* announcement_symbol(Level level, bool acknowledgement);
+Symbol announcement_symbol(Level level, bool acknowledgement);
 
-/// The name of a request as in the inputs of the driver ("OS", "trip"), and of an entry ("enter driver_id").
-const char* name(Ack ack);
-const char* name(Entry entry);
-
-/// The text of the DMI for what a procedure tells (015560 15); null for what a symbol tells (a session that could not
-/// be opened: RadioStatus::lost).
-const char* text(modes::Inform inform);
-/// The trip reason for the condition of 4.6.3 that led to TR, null for one that has none.
-const char* trip_reason(int condition);
+/// What the driver is told of a trip (015560).
+enum class TripReason : std::uint8_t {
+  balise_read_error,
+  communication_error,
+  SH_refused,
+  trackside_not_compatible,
+  passing_of_EOA_or_LOA,
+  no_MA_at_level_transition,
+  SR_distance_exceeded,
+  SH_stop_order,
+  SR_stop_order,
+  emergency_stop,
+  no_track_description,
+  national_system_brake_demand,
+  count
+};
+/// The trip reason for the condition of 4.6.3 that led to TR, none for one that has none.
+std::optional<TripReason> trip_reason(int condition);
 
 }  // namespace evc::driver

@@ -4,14 +4,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "modes/mode.h"
 #include "modes/page.h"
+#include "terms/mode.h"
 
 // SUBSET-026-4 4.7.2: the inputs and outputs of the driver interface in each mode, of 3.6.0.
 namespace evc::driver {
-
-using modes::kModes;
-using modes::Mode;
 
 /// `X` always in the mode; `A` when further conditions hold; `-` not; `NA` cannot be told (SF, IS); `NS` left to the
 /// national system.
@@ -77,7 +74,14 @@ enum class Input : std::uint8_t {
   count
 };
 inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::count);
-const char* name(Input input);
+
+/// Whether there is one row for each, in the order of the enumeration.
+template <class Rows>
+constexpr bool in_order(const Rows& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].what) != i) return false;
+  return true;
+}
 
 struct InputRow {
   Input what{};
@@ -129,7 +133,7 @@ inline constexpr auto srs_4_7_2_inputs = [] {
   });
 }();
 // clang-format on
-static_assert(srs_4_7_2_inputs.size() == kInputs);
+static_assert(srs_4_7_2_inputs.size() == kInputs && in_order(srs_4_7_2_inputs));
 
 constexpr Mark mark(Input which, Mode mode) {
   return srs_4_7_2_inputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];
@@ -192,7 +196,6 @@ enum class Output : std::uint8_t {
   count
 };
 inline constexpr std::size_t kOutputs = static_cast<std::size_t>(Output::count);
-const char* name(Output output);
 
 struct OutputRow {
   Output what{};
@@ -260,7 +263,7 @@ inline constexpr auto srs_4_7_2_outputs = [] {
   });
 }();
 // clang-format on
-static_assert(srs_4_7_2_outputs.size() == kOutputs);
+static_assert(srs_4_7_2_outputs.size() == kOutputs && in_order(srs_4_7_2_outputs));
 
 constexpr Mark mark(Output which, Mode mode) {
   return srs_4_7_2_outputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];

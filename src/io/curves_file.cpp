@@ -39,7 +39,7 @@ class Referred {
 };
 
 /// Fixed values.
-constexpr const char* kFixed = "A.3.1";
+constexpr Clause kFixed = "A.3.1"_srs;
 
 void read_fixed_values(train::FixedValues& f, const JsonPlace& place) {
   place.know_only({"dV_ebi_min", "dV_ebi_max", "V_ebi_min",       "V_ebi_max",      "dV_sbi_min",     "dV_sbi_max",
@@ -83,7 +83,7 @@ void read_gradient(sdm::GradientProfile& gradient, const JsonPlace& table) {
     require_between(row, 2, last ? 3 : 2);
     const double from = location(row[0]);
     if (i > 0 && !(from > table[i - 1][0].number())) row[0].fail("a location beyond the one before");
-    if (!gradient.permille.append({{from}}, row[1].number(-254.0, 254.0, "7.5.1.37")))
+    if (!gradient.permille.append({{from}}, row[1].number(-254.0, 254.0, "7.5.1.37"_srs)))
       table.fail("at most " + std::to_string(sdm::kGradientSteps) + " changes of gradient");
     if (row.size() == 3) {
       const double to = location(row[2]);
@@ -100,7 +100,7 @@ void read_mrsp(sdm::Mrsp& mrsp, const JsonPlace& table) {
     require_between(row, 2, 2);
     const double from = location(row[0]);
     if (i > 0 && !(from > table[i - 1][0].number())) row[0].fail("a location beyond the one before");
-    if (!mrsp.append({{from}}, {row[1].number(0.0, 600.0, "7.5.1.171") / kKmh}))
+    if (!mrsp.append({{from}}, {row[1].number(0.0, 600.0, "7.5.1.171"_srs) / kKmh}))
       table.fail("at most " + std::to_string(sdm::kMrspSteps - 1) + " changes of speed");
   }
 }
@@ -130,7 +130,7 @@ void read_track(sdm::Inputs& in, const JsonPlace& track) {
   track.know_only({"gradient", "default_gradient", "mrsp", "adhesion", "brake_inhibition", "powerless"});
   if (const auto p = track.find("gradient")) read_gradient(in.gradient, *p);
   if (const auto p = track.find("default_gradient"); p && !p->is_null())
-    in.gradient.default_for_TSR = p->number(-254.0, 254.0, "7.5.1.38");
+    in.gradient.default_for_TSR = p->number(-254.0, 254.0, "7.5.1.38"_srs);
   if (const auto p = track.find("mrsp")) read_mrsp(in.mrsp, *p);
   if (const auto p = track.find("adhesion"))
     for (std::size_t i = 0; i < p->size(); ++i) {
@@ -157,7 +157,7 @@ void read_release_speed(sdm::Authority& a, const JsonPlace& place) {
     return;
   }
   a.release_speed = sdm::ReleaseSpeedChoice::value;
-  a.V_release = {place.number(0.0, 600.0, "7.5.1.168") / kKmh};
+  a.V_release = {place.number(0.0, 600.0, "7.5.1.168"_srs) / kKmh};
 }
 
 /// The restriction that is the target becomes a step of the MRSP, if it is not one already.
@@ -194,7 +194,7 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
   const std::size_t type = target["type"].one_of({"EOA_SvL", "LOA", "MRSP", "SR"});
   out.target_location = {{location(target["location_m"])}};
   const auto speed = target.find("speed_kmh");
-  const Speed V_target{speed && !speed->is_null() ? speed->number(0.0, 600.0, "7.5.1.171") / kKmh : 0.0};
+  const Speed V_target{speed && !speed->is_null() ? speed->number(0.0, 600.0, "7.5.1.171"_srs) / kKmh : 0.0};
   const auto TSR = target.find("due_to_TSR");
   if (type == 2) {
     out.target = sdm::TargetKind::MRSP;
@@ -225,7 +225,7 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
   if (const auto p = target.find("level")) a.level_1_at_EOA = p->integer(1, 3) == 1;
   if (const auto p = target.find("reference_m")) a.reference = {{location(*p)}};
   a.Q_LOCACC_reference = in.national_values.Q_NVLOCACC;
-  if (const auto p = target.find("Q_LOCACC_m")) a.Q_LOCACC_reference = {p->number(0.0, 63.0, "7.5.1.115")};
+  if (const auto p = target.find("Q_LOCACC_m")) a.Q_LOCACC_reference = {p->number(0.0, 63.0, "7.5.1.115"_srs)};
 }
 
 void read_state(CurvesInput& out, const JsonPlace& state) {
@@ -289,7 +289,7 @@ PbdQuery read_PBD(const JsonPlace& place) {
   place.know_only({"D_PBD", "G_PBDSR", "Q_PBDSR"});
   PbdQuery q;
   q.D_PBD = {place["D_PBD"].number(0.0, kFar_m)};
-  if (const auto p = place.find("G_PBDSR")) q.G_PBDSR = p->number(-254.0, 254.0, "7.5.1.37.1");
+  if (const auto p = place.find("G_PBDSR")) q.G_PBDSR = p->number(-254.0, 254.0, "7.5.1.37.1"_srs);
   if (const auto p = place.find("Q_PBDSR")) {
     const double brake = p->number(0.0, 1.0);
     if (brake != 0.0 && brake != 1.0) p->fail("0 (emergency brake) or 1 (service brake)");
@@ -299,7 +299,7 @@ PbdQuery read_PBD(const JsonPlace& place) {
 }
 LxQuery read_LX(const JsonPlace& place) {
   place.know_only({"D_LX", "V_LX"});
-  return {Place{{location(place["D_LX"])}}, Speed{place["V_LX"].number(0.0, 600.0, "7.5.1.157.1") / kKmh}};
+  return {Place{{location(place["D_LX"])}}, Speed{place["V_LX"].number(0.0, 600.0, "7.5.1.157.1"_srs) / kKmh}};
 }
 template <class Query>
 void read_all(std::vector<Query>& out, const JsonPlace& list, Query (*read)(const JsonPlace&)) {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "io/input_names.h"
+#include "texts/texts.h"
 
 namespace evc::io {
 namespace {
@@ -23,7 +23,7 @@ Configuration read_configuration(const JsonPlace& place) {
   if (const auto p = place.find("national_values")) c.national_values = read_national_values(*p);
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
-    for (std::size_t i = 0; i < p->size(); ++i) c.levels[(*p)[i].one_of(kLevelNames)] = true;
+    for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
   }
   c.document = place.value().dump();
   return c;
@@ -80,10 +80,16 @@ void read_loop(CycleInputs& cycle, const JsonPlace& place) {
   cycle.loops.push_back(read_message(place["message"]));
 }
 
+/// What the bearer reports: each of RadioLink but `unchanged`.
+RadioLink read_session(const JsonPlace& place) {
+  const std::span<const char* const> names(terms::kNames<kRadioLinkRows>);
+  return static_cast<RadioLink>(1 + place.one_of(names.subspan(1)));
+}
+
 void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
   place.know_only({"message", "session"});
   if (const auto p = place.find("message")) radio.emplace_back(read_message(*p));
-  if (const auto p = place.find("session")) radio.emplace_back(static_cast<RadioLink>(1 + p->one_of(kSessionNames)));
+  if (const auto p = place.find("session")) radio.emplace_back(read_session(*p));
 }
 
 /// A cycle has room for one report of the bearer: a second one, and what comes by radio after it, is for the next.
@@ -128,7 +134,7 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
   place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m"});
   auto& driver = cycle.levels.driver;
   if (const auto p = place.find("driver_id")) driver.driver_id = packed_digits(*p);
-  if (const auto p = place.find("level")) driver.level = static_cast<modes::Level>(p->one_of(kLevelNames));
+  if (const auto p = place.find("level")) driver.level = p->term<kLevelRows>();
   if (const auto p = place.find("nid_ntc")) driver.nid_ntc = static_cast<std::uint8_t>(p->integer(0, 255));
   if (const auto p = place.find("train_running_number")) driver.train_running_number = packed_digits(*p);
   if (const auto p = place.find("rbc")) driver.rbc_contact = read_contact(*p);
@@ -141,7 +147,7 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
 }
 
 /// One name or an array of names, each a bit.
-std::uint32_t read_names(const JsonPlace& place, std::initializer_list<const char*> names) {
+std::uint32_t read_names(const JsonPlace& place, std::span<const char* const> names) {
   if (!place.is_array()) return 1u << place.one_of(names);
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < place.size(); ++i) bits |= 1u << place[i].one_of(names);
@@ -151,8 +157,9 @@ std::uint32_t read_names(const JsonPlace& place, std::initializer_list<const cha
 void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"select", "ack", "enter"});
   auto& driver = cycle.levels.driver;
-  if (const auto p = place.find("select")) driver.selected |= read_names(*p, kSelectNames);
-  if (const auto p = place.find("ack")) driver.acknowledged |= read_names(*p, kAckNames);
+  if (const auto p = place.find("select")) driver.selected |= read_names(*p, texts::kSelectNames);
+  if (const auto p = place.find("ack"))
+    driver.acknowledged |= read_names(*p, std::span<const char* const>(terms::kNames<kAckRows>));
   if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
 }
 
@@ -178,7 +185,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.ep_brake_active, "ep_brake_active");
   flag(t.additional_brake_active, "additional_brake_active");
   if (const auto p = place.find("direction_controller"))
-    t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(kDirectionNames));
+    t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {
     t.brake_pressure_kpa.reset();
     if (!p->is_null()) t.brake_pressure_kpa = p->number(0.0, 2000.0);

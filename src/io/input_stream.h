@@ -20,7 +20,7 @@ struct Configuration {
   SrsVersion srs = SrsVersion::v3_6_0;
   Train train;
   train::NationalValues national_values;
-  std::array<bool, modes::kLevels> levels{true, true, true, true, true};
+  std::array<bool, kLevels> levels{true, true, true, true, true};
   std::string document = "{}";  // as read, on one line
 
   kernel::Config for_kernel() const;

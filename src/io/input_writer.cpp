@@ -1,7 +1,7 @@
 #include "io/input_writer.h"
 
-#include "io/input_names.h"
 #include "io/number.h"
+#include "texts/texts.h"
 
 namespace evc::io {
 namespace {
@@ -29,8 +29,6 @@ void append_odometer(std::string& out, const kernel::Odometry& o) {
   out += '}';
 }
 
-const char* name_of(std::initializer_list<const char*> names, std::size_t i) { return names.begin()[i]; }
-
 /// Appends what changed in the signals as `,"train":{...}`.
 void append_signals(std::string& out, kernel::TrainSignals& before, const kernel::TrainSignals& now) {
   std::string fields;
@@ -56,7 +54,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
   if (before.direction_controller != now.direction_controller) {
     fields += fields.empty() ? "" : ",";
     fields += "\"direction_controller\":\"";
-    fields += name_of(kDirectionNames, static_cast<std::size_t>(now.direction_controller));
+    fields += texts::kDirectionNames[static_cast<std::size_t>(now.direction_controller)];
     fields += '"';
   }
   if (before.brake_pressure_kpa != now.brake_pressure_kpa) {
@@ -102,9 +100,9 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
   if (d.driver_id) append_packed(fields, ",\"driver_id\":", *d.driver_id);
   if (d.level) {
     fields += ",\"level\":\"";
-    fields += name_of(kLevelNames, static_cast<std::size_t>(*d.level));
+    fields += name(*d.level);
     fields += '"';
-    if (*d.level == modes::Level::NTC) {
+    if (*d.level == Level::NTC) {
       fields += ",\"nid_ntc\":";
       append_number(fields, static_cast<std::int64_t>(d.nid_ntc));
     }
@@ -136,13 +134,12 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
 
 void append_driver(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
   append_enter(out, cycle, train_document);
-  const auto bits = [&](std::uint32_t set, const char* key, std::initializer_list<const char*> names) {
+  const auto bits = [&](std::uint32_t set, const char* key, std::span<const char* const> names) {
     for (std::size_t n = 0; n < names.size(); ++n)
-      if (((set >> n) & 1u) != 0)
-        out += opened(cycle.t_ms) + ",\"driver\":{\"" + key + "\":\"" + name_of(names, n) + "\"}}\n";
+      if (((set >> n) & 1u) != 0) out += opened(cycle.t_ms) + ",\"driver\":{\"" + key + "\":\"" + names[n] + "\"}}\n";
   };
-  bits(cycle.levels.driver.selected, "select", kSelectNames);
-  bits(cycle.levels.driver.acknowledged, "ack", kAckNames);
+  bits(cycle.levels.driver.selected, "select", texts::kSelectNames);
+  bits(cycle.levels.driver.acknowledged, "ack", terms::kNames<kAckRows>);
 }
 
 void append_message(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits) {
@@ -179,7 +176,7 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   for (const auto& loop : cycle.loops) append_message(out, cycle.t_ms, "loop", loop);
   if (cycle.levels.radio_link != RadioLink::unchanged)
     out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
-           name_of(kSessionNames, static_cast<std::size_t>(cycle.levels.radio_link) - 1) + "\"}}\n";
+           terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + "\"}}\n";
   for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message);
   append_driver(out, cycle, train_document_);
 }
@@ -189,9 +186,9 @@ std::string configuration_document(const Configuration& c) {
   append_number(out, c.cycle_ms);
   out += std::string(",\"srs\":\"") + name(c.srs) + "\",\"train\":" + c.train.document + ",\"levels\":[";
   bool first = true;
-  for (std::size_t n = 0; n < modes::kLevels; ++n) {
+  for (std::size_t n = 0; n < kLevels; ++n) {
     if (!c.levels[n]) continue;
-    out += std::string(first ? "\"" : ",\"") + name_of(kLevelNames, n) + "\"";
+    out += std::string(first ? "\"" : ",\"") + name(static_cast<Level>(n)) + "\"";
     first = false;
   }
   return out + "]}";

@@ -1,4 +1,5 @@
 #include "io/json.h"
+#include "texts/texts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +107,7 @@ void JsonPlace::know_only(std::initializer_list<const char*> known) const {
   }
 }
 
-std::string of_clause(const char* clause) {
-  return clause == nullptr ? std::string() : std::string(" (SUBSET-026 ") + clause + ")";
-}
+std::string of_clause(Clause clause) { return clause ? " (SUBSET-026 " + texts::text_of(clause) + ")" : std::string(); }
 
 double JsonPlace::number() const {
   if (!value_->is_number()) fail("a number");
@@ -117,14 +116,14 @@ double JsonPlace::number() const {
   return v;
 }
 
-double JsonPlace::number(double least, double most, const char* clause) const {
+double JsonPlace::number(double least, double most, Clause clause) const {
   const double v = number();
   if (!(v >= least && v <= most))
     fail("a number from " + Json(least).dump() + " to " + Json(most).dump() + of_clause(clause));
   return v;
 }
 
-std::int64_t JsonPlace::integer(std::int64_t least, std::int64_t most, const char* clause) const {
+std::int64_t JsonPlace::integer(std::int64_t least, std::int64_t most, Clause clause) const {
   const std::string wanted =
       "an integer from " + std::to_string(least) + " to " + std::to_string(most) + of_clause(clause);
   if (!value_->is_number_integer()) fail(wanted);

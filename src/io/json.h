@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/diagnostic.h"
+#include "terms/clause.h"
 #include "terms/row.h"
 
 namespace evc::io {
@@ -62,8 +63,8 @@ class JsonPlace {
 
   double number() const;
   /// Outside the range an error, with the clause of SUBSET-026 that gives it.
-  double number(double least, double most, const char* clause = nullptr) const;
-  std::int64_t integer(std::int64_t least, std::int64_t most, const char* clause = nullptr) const;
+  double number(double least, double most, Clause clause = {}) const;
+  std::int64_t integer(std::int64_t least, std::int64_t most, Clause clause = {}) const;
   bool boolean() const;
   const std::string& string() const;
   /// The index of this string in `names`; an error listing them otherwise.
@@ -93,6 +94,6 @@ class JsonPlace {
 };
 
 /// " (SUBSET-026 3.13.2)", or nothing without a clause.
-std::string of_clause(const char* clause);
+std::string of_clause(Clause clause);
 
 }  // namespace evc::io

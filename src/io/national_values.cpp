@@ -13,7 +13,7 @@ namespace {
 using train::NationalValues;
 constexpr double kKmh = 3.6;
 /// Ranges of the variables.
-constexpr const char* kRanges = "7.5.1";
+constexpr Clause kRanges = "7.5.1"_srs;
 
 constexpr std::initializer_list<const char*> kKeys = {
     "V_NVSHUNT",      "V_NVSTFF",       "V_NVONSIGHT",      "V_NVLIMSUPERV",  "V_NVUNFIT", "V_NVREL",

@@ -1,16 +1,21 @@
 #include "io/output_lines.h"
 
-#include <cstring>
+#include <algorithm>
+#include <vector>
 
 #include "io/number.h"
+#include "texts/texts.h"
 
 namespace evc::io {
 namespace {
 
 using kernel::Outputs;
 
-constexpr const char* kMonitoring[] = {nullptr, "CSM", "TSM", "RSM"};
-constexpr const char* kStatus[] = {nullptr, "Normal", "Indication", "Overspeed", "Warning", "Intervention"};
+/// The name of a term, null for `none`, the first.
+template <const auto& kRows, class E>
+const char* name_or_null(E value) {
+  return terms::index(value) == 0 ? nullptr : terms::kNames<kRows>[terms::index(value)];
+}
 
 void append_kmh(std::string& out, Speed v) { append_micro(out, v.si * 3.6); }
 void append_metres(std::string& out, OdometerPlace p) { append_micro(out, p.from_origin.si); }
@@ -175,19 +180,42 @@ bool same_shown(const InplaceVector<kernel::ShownText, 6>& a, const InplaceVecto
   return true;
 }
 
+void append_text(std::string& out, const char* text) { out += text; }
+
+/// The elements of a set by their names, in the order of the enumeration.
+template <class E, class Names>
+void append_names(std::vector<const char*>& names, Set<E> set, const Names& all) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(E::count); ++i)
+    if (set.has(static_cast<E>(i))) names.push_back(all[i]);
+}
+
+/// Acknowledgements, then entries, then Start.
+std::vector<const char*> requests_of(const Outputs& o) {
+  std::vector<const char*> names;
+  append_names(names, o.requests, terms::kNames<kAckRows>);
+  append_names(names, o.entries, terms::kNames<kEntryRows>);
+  if (o.start_offered) names.push_back("start");
+  return names;
+}
+
+std::vector<const char*> reasons_of(const Outputs& o) {
+  std::vector<const char*> names;
+  append_names(names, o.brake_reasons, terms::kNames<kCauseRows>);
+  return names;
+}
+
 void append_driver(Row& row, const Outputs& o) {
-  const auto text = [](std::string& out, const char* s) { out += s; };
   if (row.json()) row.open("driver");
-  row.list("requests", o.driver_requests, text);
+  row.list("requests", requests_of(o), append_text);
   row.list("texts", o.texts, append_shown_text);
-  row.list("symbols", o.symbols, text);
+  row.list("symbols", o.symbols, [](std::string& out, Symbol s) { out += name(s); });
   row.close();
 }
 
 void append_speeds(Row& row, const Outputs& o) {
   row.speed("v_kmh", o.v);
-  row.text("monitoring", kMonitoring[static_cast<std::size_t>(o.monitoring)]);
-  row.text("status", kStatus[static_cast<std::size_t>(o.status)]);
+  row.text("monitoring", name_or_null<kMonitoringRows>(o.monitoring));
+  row.text("status", name_or_null<kStatusRows>(o.status));
   row.speed("V_P", o.V_P);
   row.speed("V_W", o.V_W);
   row.speed("V_SBI", o.V_SBI);
@@ -207,8 +235,8 @@ void append_speeds(Row& row, const Outputs& o) {
 void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
-  row.text("mode", modes::name(o.mode));
-  row.text("level", modes::name(o.level));
+  row.text("mode", name(o.mode));
+  row.text("level", name(o.level));
   append_lrbg(row, o.lrbg);
   row.place("est_front_m", o.est_front);
   row.place("min_safe_front_m", o.min_safe_front);
@@ -217,7 +245,7 @@ void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   row.flag("tco", o.tco);
   row.flag("sb", o.sb);
   row.flag("eb", o.eb);
-  row.list("brake_reasons", o.brake_reasons, [](std::string& out, const char* s) { out += s; });
+  row.list("brake_reasons", reasons_of(o), append_text);
   append_driver(row, o);
   row.list("radio_out", o.radio_out, [](std::string& out, const kernel::OutgoingMessage& m) {
     append_hex(out, {m.bytes.begin(), m.bytes.size()});
@@ -227,40 +255,54 @@ void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   row.list("events", o.events, append_event);
 }
 
-template <class T, std::size_t N>
-bool same_texts(const InplaceVector<T, N>& a, const InplaceVector<T, N>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::strcmp(a[i], b[i]) != 0) return false;
-  return true;
+void append_change(std::string& out, const char* from, const char* to) {
+  out += ' ';
+  out += from;
+  out += "->";
+  out += to;
+}
+
+/// What the numbers of an event say; what the clause is followed by.
+void append_details(std::string& out, const kernel::Event& e, texts::Takes takes) {
+  const auto word = [&out](const char* text) {
+    out += ' ';
+    out += text;
+  };
+  switch (takes) {
+    case texts::Takes::nothing:
+      return;
+    case texts::Takes::id:
+      out += ' ';
+      return append_number(out, static_cast<std::int64_t>(e.id));
+    case texts::Takes::modes:
+      return append_change(out, name(static_cast<Mode>(e.from)), name(static_cast<Mode>(e.to)));
+    case texts::Takes::levels:
+      return append_change(out, name(static_cast<Level>(e.from)), name(static_cast<Level>(e.to)));
+    case texts::Takes::select:
+      return word(texts::words_of(static_cast<kernel::Select>(e.id)));
+    case texts::Takes::entered:
+      return word(texts::words_of(static_cast<kernel::Entered>(e.id)));
+    case texts::Takes::fault:
+      return word(texts::name(static_cast<train::Fault>(e.id)));
+  }
 }
 
 }  // namespace
 
 void append_event(std::string& out, const kernel::Event& e) {
-  out += e.subject;
-  const auto word = [&out](const char* text) {
-    if (!out.empty()) out += ' ';
-    out += text;
-  };
-  if (e.id >= 0) {
-    word("");
-    append_number(out, e.id);
+  const texts::EventText& row = texts::text_of(e.what);
+  out += row.subject;
+  append_details(out, e, row.takes);
+  if (row.text != nullptr) {
+    out += ' ';
+    out += row.text;
   }
-  if (e.from != nullptr && e.to != nullptr) {
-    word(e.from);
-    out += "->";
-    out += e.to;
-  }
-  if (e.what != nullptr) word(e.what);
-  if (e.clause != nullptr) {
-    word("[");
-    out += e.clause;
+  if (row.takes == texts::Takes::modes) {
+    out += " [";
+    append_number(out, static_cast<std::int64_t>(e.id));
     out += ']';
-  } else if (e.number >= 0) {
-    word("[");
-    append_number(out, static_cast<std::int64_t>(e.number));
-    out += ']';
+  } else if (e.clause) {
+    out += " [" + texts::text_of(e.clause) + (row.after_clause == nullptr ? "" : row.after_clause) + ']';
   }
 }
 
@@ -289,8 +331,9 @@ bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
                     a.status == b.status && a.V_MRSP == b.V_MRSP && a.V_target == b.V_target &&
                     a.V_release == b.V_release && a.EOA == b.EOA && a.SvL == b.SvL && a.tco == b.tco && a.sb == b.sb &&
                     a.eb == b.eb && same_shown(a.texts, b.texts);
-  return !same || !same_texts(a.brake_reasons, b.brake_reasons) || !same_texts(a.driver_requests, b.driver_requests) ||
-         !same_texts(a.symbols, b.symbols);
+  return !same || a.brake_reasons != b.brake_reasons || a.requests != b.requests || a.entries != b.entries ||
+         a.start_offered != b.start_offered ||
+         !std::equal(a.symbols.begin(), a.symbols.end(), b.symbols.begin(), b.symbols.end());
 }
 
 }  // namespace evc::io

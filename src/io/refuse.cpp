@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "texts/texts.h"
+
 namespace evc::io {
 namespace {
 
@@ -56,7 +58,7 @@ void refuse(const JsonPlace& place, train::Fault fault) {
     if (const auto key = place.find(f.key)) key->fail(expected_for(fault));
     place.fail(std::string("no usable ") + f.key, expected_for(fault));
   }
-  place.fail(train::name(fault), expected_for(fault));
+  place.fail(texts::name(fault), expected_for(fault));
 }
 
 double number_or(const JsonPlace& place, double least, double most, train::Fault fault) {

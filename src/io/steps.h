@@ -7,7 +7,7 @@ namespace evc::io {
 /// Reads `[[from, value], ...]` into a step function: the first step begins at 0, steps increase, and
 /// there are at most as many as the standard allows in `clause`. `read_value(row)` reads what follows `from`.
 template <class Function, class ReadValue>
-Function read_steps(const JsonPlace& table, double unit, const char* clause, ReadValue read_value) {
+Function read_steps(const JsonPlace& table, double unit, Clause clause, ReadValue read_value) {
   Function f;
   if (table.size() == 0) table.fail("at least one [from, value]" + of_clause(clause));
   for (std::size_t i = 0; i < table.size(); ++i) {

@@ -87,8 +87,8 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_EQ(cycle.t_ms, 600);
   EXPECT_EQ(cycle.levels.radio_link, RadioLink::unchanged);
   ASSERT_TRUE(*stream.next(cycle));
-  EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::OS));
-  EXPECT_TRUE(cycle.levels.driver.has(kernel::Ack::level));
+  EXPECT_TRUE(cycle.levels.driver.has(Ack::OS));
+  EXPECT_TRUE(cycle.levels.driver.has(Ack::level));
   EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::override_));
   EXPECT_EQ(cycle.levels.driver.driver_id, 0x12FFFFFFu);
   EXPECT_FALSE(*stream.next(cycle));
@@ -223,16 +223,16 @@ kernel::Outputs some_outputs() {
   o.V_target = 0_km_h;
   o.d_target = 812.4_m;
   o.sb = true;
-  (void)o.brake_reasons.push_back("speed");
-  (void)o.driver_requests.push_back("OS");
-  (void)o.symbols.push_back("MO07");
+  o.brake_reasons.add(Cause::overspeed_service);
+  o.requests.add(Ack::OS);
+  (void)o.symbols.push_back(Symbol::MO07);
   kernel::OutgoingMessage m;
   (void)m.bytes.push_back(0x9B);
   (void)o.radio_out.push_back(m);
   o.radio_connect = kernel::RbcAddress{426, 1, 0x0031840880150FFFu};
-  (void)o.events.push_back({"mode", -1, "SR", "FS", nullptr, nullptr, 31});
-  (void)o.events.push_back({"linking BG", 353, nullptr, nullptr, "ok", nullptr, -1});
-  (void)o.events.push_back({"packet", 65, nullptr, nullptr, "refused", "4.8.3", -1});
+  (void)o.events.push_back(kernel::Event::mode_changed(Mode::SR, Mode::FS, 31));
+  (void)o.events.push_back({.what = What::linking_ok, .id = 353});
+  (void)o.events.push_back({.what = What::packet_refused, .id = 65, .clause = "4.8.3"_srs});
   return o;
 }
 
@@ -245,7 +245,7 @@ TEST(OutputLines, Json) {
       "\"min_safe_front_m\":0,\"max_safe_front_m\":0,\"v_kmh\":139.7,\"monitoring\":\"TSM\",\"status\":\"Indication\","
       "\"V_P\":140,\"V_W\":null,\"V_SBI\":null,\"V_EBI\":null,\"V_MRSP\":null,\"V_target\":0,\"d_target_m\":812.4,"
       "\"V_release\":null,\"EOA_m\":null,\"SvL_m\":null,\"tco\":false,\"sb\":true,\"eb\":false,"
-      "\"brake_reasons\":[\"speed\"],\"driver\":{\"requests\":[\"OS\"],\"texts\":[],\"symbols\":[\"MO07\"]},"
+      "\"brake_reasons\":[\"overspeed: SBI\"],\"driver\":{\"requests\":[\"OS\"],\"texts\":[],\"symbols\":[\"MO07\"]},"
       "\"radio_out\":[\"9B\"],\"radio_connect\":{\"NID_C\":426,\"NID_RBC\":1,\"NID_RADIO\":\"0031840880150FFF\"},"
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
       "[4.8.3]\"]}\n");

@@ -42,13 +42,13 @@ constexpr std::initializer_list<const char*> kTrainKeys = {
 };
 
 /// The clauses of the ranges (SUBSET-026).
-constexpr const char* kModels = "3.13.2.2.3.1";
-constexpr const char* kTimes = "3.13.2.2.3.2";
-constexpr const char* kNormalService = "3.13.2.2.3.1.9";
-constexpr const char* kCorrection = "3.13.2.2.9.1";
-constexpr const char* kOnGradients = "3.13.2.2.9.2.1";
+constexpr Clause kModels = "3.13.2.2.3.1"_srs;
+constexpr Clause kTimes = "3.13.2.2.3.2"_srs;
+constexpr Clause kNormalService = "3.13.2.2.3.1.9"_srs;
+constexpr Clause kCorrection = "3.13.2.2.9.1"_srs;
+constexpr Clause kOnGradients = "3.13.2.2.9.2.1"_srs;
 
-train::DecelerationSteps read_decelerations(const JsonPlace& table, const char* clause = kModels) {
+train::DecelerationSteps read_decelerations(const JsonPlace& table, Clause clause = kModels) {
   return read_steps<train::DecelerationSteps>(table, kKmh, clause, [clause](const JsonPlace& row) {
     require_row(row, 2);
     return Acceleration{row[1].number(0.0, 10.0, clause)};
@@ -105,7 +105,7 @@ train::EmergencySteps read_emergency_steps(const JsonPlace& model) {
     step.Kdry_rst.fill(train::Factor::of(1.0));
     if (!kdry.empty()) step.Kdry_rst = kdry.at(v);
     if (!steps.steps.push_back({v, step}))
-      table.fail("at most 7 common steps of deceleration and factors" + of_clause("3.13.2.2.9.2"));
+      table.fail("at most 7 common steps of deceleration and factors" + of_clause("3.13.2.2.9.2"_srs));
   }
   return steps;
 }

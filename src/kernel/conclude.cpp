@@ -12,7 +12,6 @@ namespace evc::kernel {
 namespace {
 
 using modes::Function;
-using modes::Mode;
 
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
@@ -60,7 +59,7 @@ void compose_messages(Cycle& cycle) {
   State& s = cycle.state;
   static_assert(decltype(Outputs::radio_out)::capacity() == radio::Outbox::kMessages);
   if (cycle.outbox.messages.empty()) return;
-  if (cycle.outbox.lost) note(cycle, Event{.subject = "message", .what = "not sent: too many in one cycle"});
+  if (cycle.outbox.lost) note(cycle, {.what = What::message_not_sent});
   const position::Report report = position::report(s.position, {});
   const radio::PositionReport p = position_report(s, report);
   const radio::TrainDataReport t = train_report(s);
@@ -159,7 +158,6 @@ driver::ShowContext show_context(const Cycle& cycle) {
   if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
     c.announced = s.level_transition.pending->to.level;
   c.requests = cycle.effects.requests;
-  c.entries = cycle.effects.entries;
   c.override_active = s.override_.active;
   c.brake_commanded = cycle.out.sb || cycle.out.eb;
   c.radio = s.radio.session.indication == radio::Indication::up       ? driver::RadioStatus::up
@@ -209,8 +207,10 @@ void begin(Outputs& out) {
   out.EOA.reset();
   out.SvL.reset();
   out.tco = out.sb = out.eb = false;
-  out.brake_reasons.clear();
-  out.driver_requests.clear();
+  out.brake_reasons = {};
+  out.requests = {};
+  out.entries = {};
+  out.start_offered = false;
   out.texts.clear();
   out.symbols.clear();
   out.radio_out.clear();
@@ -241,14 +241,14 @@ void run_radio(Cycle& cycle) {
   in.NID_LTRBG = cycle.NID_LTRBG;
   const radio::Result r = radio::supervise(s.radio, in, cycle.outbox);
   s.contact_trip = r.trip;
-  if (r.session_established) note(cycle, Event{.subject = "session", .what = "established", .clause = "3.5.3.7"});
-  if (r.session_lost) note(cycle, Event{.subject = "session", .what = "lost", .clause = "3.5.4"});
+  if (r.session_established) note(cycle, {.what = What::session_established, .clause = "3.5.3.7"_srs});
+  if (r.session_lost) note(cycle, {.what = What::session_lost, .clause = "3.5.4"_srs});
   cycle.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
   if (r.shorten) {
     if (track::shorten(s.track, track::Situation::i_radio_contact_lost, cycle.here.max_safe_front, cycle.here))
       s.track_description_deleted = true;
     cut_other(s, cycle.here.max_safe_front);
-    note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "3.16.3.4.5"});
+    note(cycle, {.what = What::track_description_shortened, .clause = "3.16.3.4.5"_srs});
   }
   compose_messages(cycle);
   if (cycle.outbox.connect) cycle.out.radio_connect = address(*cycle.outbox.connect);
@@ -262,7 +262,7 @@ void command_brakes(Cycle& cycle) {
                   s.mode == Mode::NP || s.mode == Mode::SF || cycle.facts.safety_fault);
   brakes::Context context;
   context.standstill = cycle.here.standstill;
-  context.driver_acknowledges = cycle.facts.acknowledged.has(modes::Ack::brake);
+  context.driver_acknowledges = cycle.facts.acknowledged.has(Ack::brake);
   context.new_consistent_message = cycle.new_radio_message;
   context.service_brake_fitted = s.train.service_brake_interface;
   context.traction_cut_off_fitted = s.train.traction_cut_off_interface;
@@ -271,11 +271,8 @@ void command_brakes(Cycle& cycle) {
   cycle.out.tco = command.tco;
   cycle.out.sb = command.sb;
   cycle.out.eb = command.eb;
-  for (std::size_t i = 0; i < brakes::kCauses; ++i)
-    if (command.reasons.has(static_cast<brakes::Cause>(i)) &&
-        !cycle.out.brake_reasons.push_back(brakes::row(static_cast<brakes::Cause>(i)).reason))
-      break;
-  cycle.effects.requests.add(modes::Ack::brake, command.acknowledgement_wanted);
+  cycle.out.brake_reasons = command.reasons;
+  cycle.effects.requests.add(Ack::brake, command.acknowledgement_wanted);
 }
 
 void show(Cycle& cycle) {
@@ -295,10 +292,10 @@ void show(Cycle& cycle) {
   if (a.LOA) out.EOA = position::counter_of(s.position, *a.LOA);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
   const driver::Show shown = driver::show(show_context(cycle));
-  for (const char* symbol : shown.symbols) (void)out.symbols.push_back(symbol);             // 32 as well
-  for (const char* request : shown.requests) (void)out.driver_requests.push_back(request);  // 16 as well
-  if (cycle.effects.offers.has(modes::Offer::start) && !out.driver_requests.full())
-    (void)out.driver_requests.push_back("start");
+  out.symbols = shown.symbols;
+  out.requests = cycle.effects.requests;
+  out.entries = cycle.effects.entries;
+  out.start_offered = cycle.effects.offers.has(Offer::start);
   show_texts(cycle);
   s.requested = cycle.effects.requests;
   s.offers = cycle.effects.offers;

@@ -4,7 +4,7 @@ namespace evc::kernel {
 
 void note(Cycle& cycle, const Event& event) {
   if (cycle.out.events.push_back(event)) return;
-  cycle.out.events.back() = Event{.subject = "events", .what = "lost: too many in one cycle"};
+  cycle.out.events.back() = Event{.what = What::events_lost};
 }
 
 track::Here here(const State& state) {

@@ -29,7 +29,7 @@ struct Cycle {
   std::uint8_t ma_request_reasons = 0;
 
   std::optional<procedures::level_transition::Order> order;  // the last level transition order accepted
-  std::optional<modes::Level> switching_to;                  // it will be executed in this cycle
+  std::optional<Level> switching_to;                         // it will be executed in this cycle
   // Events of this cycle for the procedures.
   bool SR_authorised = false;
   bool position_confirmed = false, train_accepted = false, train_rejected = false;
@@ -41,7 +41,7 @@ struct Cycle {
   bool new_radio_message = false;
   bool train_data_entered = false;
   bool level_changed_by_driver = false;
-  std::optional<modes::Mode> profile_at_front;  // of the area in which the max safe front end is
+  std::optional<Mode> profile_at_front;  // of the area in which the max safe front end is
   std::optional<std::uint32_t> NID_LTRBG;
   bool reversing_possible = false;
   bool taf_granted = false;  // message 149 is due

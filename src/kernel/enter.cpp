@@ -7,8 +7,6 @@ namespace evc::kernel {
 namespace {
 
 using modes::Fate;
-using modes::Mode;
-using modes::Stored;
 
 constexpr bool clears(Fate fate) { return fate == Fate::deleted || fate == Fate::reset; }
 
@@ -113,7 +111,7 @@ void apply(State& s, Stored stored, Fate fate) {
 
 template <class FateOf>
 void apply_all(State& s, FateOf fate_of) {
-  for (std::size_t i = 0; i < modes::kStored; ++i) {
+  for (std::size_t i = 0; i < kStored; ++i) {
     const auto stored = static_cast<Stored>(i);
     apply(s, stored, fate_of(stored));
   }
@@ -124,7 +122,7 @@ void apply_all(State& s, FateOf fate_of) {
 void enter_mode(Cycle& cycle, Mode to, int number) {
   State& s = cycle.state;
   const Mode from = s.mode;
-  note(cycle, Event{.subject = "mode", .from = modes::name(from), .to = modes::name(to), .number = number});
+  note(cycle, Event::mode_changed(from, to, number));
   // The area that was entered is no end of authority any more; before 4.10 deletes the profile (SH).
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, cycle.here);
   apply_all(s, [&](Stored stored) { return modes::on_entry(to, from, stored, s.srs); });
@@ -150,11 +148,7 @@ void enter_mode(Cycle& cycle, Mode to, int number) {
 
 void enter_level(Cycle& cycle, const modes::OrderedLevel& to, bool by_driver) {
   State& s = cycle.state;
-  note(cycle, Event{.subject = "level",
-                    .from = modes::name(s.level.level),
-                    .to = modes::name(to.level),
-                    .what = by_driver ? "by driver" : nullptr,
-                    .clause = "5.10"});
+  note(cycle, Event::level_changed(s.level.level, to.level, by_driver));
   s.level = to;
   s.data.level_status = DataStatus::valid;
   ++s.revision;

@@ -35,7 +35,7 @@ struct Evaluation {
   std::uint64_t judge = 0;  // bit n: the n-th packet
   std::uint8_t refused = 0;
   Waiting waiting;
-  const char* refused_because = nullptr;
+  Clause refused_because;
 };
 
 bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }
@@ -59,15 +59,24 @@ AcceptanceContext context_of(const Cycle& cycle, const Information& information)
   return c;
 }
 
-void tell(Evaluation& e, const char* subject, int id, const Acceptance& a) {
-  const char* what = a.verdict == Verdict::buffered              ? "buffered"
-                     : a.verdict == Verdict::order_stored        ? "kept"
-                     : a.verdict == Verdict::rejected            ? "refused"
-                     : a.verdict == Verdict::only_contact_stored ? "contact stored"
-                                                                 : "accepted";
-  note(
-      e.cycle,
-      Event{.subject = subject, .id = id, .what = what, .clause = a.verdict == Verdict::accepted ? nullptr : a.clause});
+What what_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::buffered:
+      return What::packet_buffered;
+    case Verdict::order_stored:
+      return What::packet_kept;
+    case Verdict::rejected:
+      return What::packet_refused;
+    case Verdict::only_contact_stored:
+      return What::packet_contact_stored;
+    case Verdict::accepted:
+      break;
+  }
+  return What::packet_accepted;
+}
+
+void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a) {
+  note(e.cycle, {.what = what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
   if (a.verdict == Verdict::rejected) {
     ++e.refused;
     e.refused_because = a.clause;
@@ -78,12 +87,12 @@ void tell(Evaluation& e, const char* subject, int id, const Acceptance& a) {
 bool accept_packet(Evaluation& e, std::size_t i, int detail = 0) {
   const lang::PacketView& view = e.information.packets[i];
   const modes::Informations rows = modes::information_of_packet(view.NID_PACKET, detail);
-  Acceptance worst{Verdict::accepted, ""};
+  Acceptance worst{Verdict::accepted, {}};
   for (const evc::Information row : rows) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }
-  tell(e, "packet", view.NID_PACKET, worst);
+  tell_packet(e, view.NID_PACKET, worst);
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
   return worst.verdict == Verdict::accepted;
 }
@@ -102,7 +111,7 @@ modes::LevelTable table_of(const P& p) {
   const auto entry = [&p](const auto& e) {
     modes::OrderedLevel level;
     level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was refused before
-    level.nid_ntc = level.level == modes::Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
+    level.nid_ntc = level.level == Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
     level.L_ack = L_ack(p, e);
     return level;
   };
@@ -176,7 +185,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
                                                 position::antenna(s.position, s.train.L_antenna_front), current);
     // The list holds the LRBG: its distance by linking counts, and everything in the message with it (3.6.4.3).
     e.reference.place = stored.reference;
-    if (!stored.complete) note(e.cycle, Event{.subject = "linking", .what = "too many groups: farthest left out"});
+    if (!stored.complete) note(e.cycle, {.what = What::linking_capacity});
   }
 }
 
@@ -190,7 +199,7 @@ void take_national_values(Evaluation& e, const lang::PacketView& view) {
   if (!received.D_VALIDNV) {
     use_national_values(s, received.values, received.areas);
     s.pending_national_values.reset();
-    note(e.cycle, Event{.subject = "national values", .what = "in force", .clause = "3.18.2.3"});
+    note(e.cycle, {.what = What::national_values_in_force, .clause = "3.18.2.3"_srs});
     return;
   }
   s.pending_national_values =
@@ -202,9 +211,9 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, bool store_
   lang::Packet42 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
   const radio::SessionOrder order = radio::session_order_of(p);
-  if (radio::order(s.radio, order, s.mode == modes::Mode::SL, store_only, s.now, e.cycle.outbox))
-    note(e.cycle,
-         Event{.subject = "session", .what = order.establish ? "ordered" : "termination ordered", .clause = "3.5.3.5"});
+  if (radio::order(s.radio, order, s.mode == Mode::SL, store_only, s.now, e.cycle.outbox))
+    note(e.cycle, {.what = order.establish ? What::session_ordered : What::session_termination_ordered,
+                   .clause = "3.5.3.5"_srs});
   if (!order.establish) e.cycle.termination_ordered = true;
 }
 
@@ -240,7 +249,7 @@ void take_cover(Evaluation& e, const lang::PacketView& view) {
   // T_VBC in days (7.5.1.155.1).
   const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
   if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
-    note(e.cycle, Event{.subject = "virtual balise cover", .what = "no room: not set"});
+    note(e.cycle, {.what = What::cover_capacity});
 }
 
 /// Packets whose use is not with the track description.
@@ -258,7 +267,7 @@ bool take_here(Evaluation& e, std::size_t i) {
       if (lang::decode(view, p) == lang::Fault::none) e.context.orders_establishment = p.Q_RBC.raw == 1;
       const auto rows = modes::information_of_packet(packet::session_management);
       const Acceptance a = modes::accept(rows[0], e.context);
-      tell(e, "packet", packet::session_management, a);
+      tell_packet(e, packet::session_management, a);
       if (a.verdict == Verdict::accepted || a.verdict == Verdict::only_contact_stored)
         take_session_order(e, view, a.verdict == Verdict::only_contact_stored);
       return true;
@@ -335,7 +344,7 @@ void evaluate_authority(Evaluation& e) {
       if (trip.verdict == Verdict::accepted) {
         e.contents.V_MAIN = whole.V_MAIN;
         e.cycle.facts.trip_order = true;
-        note(e.cycle, Event{.subject = "trip", .what = "ordered by balise group", .clause = "3.11.6.2"});
+        note(e.cycle, {.what = What::trip_ordered, .clause = "3.11.6.2"_srs});
       }
     }
     if (!accept_packet(e, i)) {
@@ -359,12 +368,12 @@ void evaluate_authority(Evaluation& e) {
 void tell_stored(Evaluation& e, const track::Stored& stored) {
   for (const track::Note& n : stored.notes) {
     if (n.what == track::Note::What::stored) continue;
-    note(e.cycle, Event{.subject = "packet",
-                        .id = n.packet,
-                        .what = n.what == track::Note::What::full        ? "no room"
-                                : n.what == track::Note::What::shortened ? "shortened"
-                                                                         : "refused",
-                        .clause = n.clause});
+    note(e.cycle, {.what = n.what == track::Note::What::full        ? What::packet_no_room
+                           : n.what == track::Note::What::shortened ? What::packet_shortened
+                           : !n.clause                              ? What::packet_refused_no_room
+                                                                    : What::packet_refused,
+                   .id = n.packet,
+                   .clause = n.clause});
     if (n.what == track::Note::What::refused) {
       ++e.refused;
       e.refused_because = n.clause;
@@ -385,18 +394,18 @@ void store_contents(Evaluation& e) {
   }
   if (stored.lost_from) {
     cut_other(s, *stored.lost_from < c.here.max_safe_front ? c.here.max_safe_front : *stored.lost_from);
-    note(c, Event{.subject = "track description", .what = "ended: no room for more", .clause = "3.7.2.3"});
+    note(c, {.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
   }
   if (stored.ma_accepted) {
     s.ma_with_trip_order = c.facts.trip_order;
     c.facts.ma_accepted = true;
-    if (e.information.medium == modes::Medium::rbc)
+    if (e.information.medium == Medium::rbc)
       c.ma_from_rbc = true;
     else if (!c.facts.trip_order)
       c.balise_proceed = true;
-    note(c, Event{.subject = "MA", .what = "accepted", .clause = "3.8.4"});
+    note(c, {.what = What::authority_accepted, .clause = "3.8.4"_srs});
   } else if (authority) {
-    note(c, Event{.subject = "MA", .what = "refused", .clause = "3.7.2.3"});
+    note(c, {.what = What::authority_refused, .clause = "3.7.2.3"_srs});
   }
   if (e.contents.stop_if_in_sr && *e.contents.stop_if_in_sr) c.facts.stop_if_in_SR = true;
   if (e.contents.danger_for_shunting && *e.contents.danger_for_shunting) c.facts.stop_if_in_SH = true;
@@ -422,7 +431,7 @@ void evaluate_message(Evaluation& e) {
       e.refused_because = a.clause;
     }
     if (a.verdict != Verdict::accepted) continue;
-    if (const char* clause = take_message(e.cycle, e.information, message, e.reference)) {
+    if (const Clause clause = take_message(e.cycle, e.information, message, e.reference)) {
       ++e.refused;
       e.refused_because = clause;
     }
@@ -451,6 +460,16 @@ std::optional<Infill> find_infill(const Information& information) {
   return std::nullopt;
 }
 
+void tell_message(Evaluation& e) {
+  const bool refused = e.refused != 0;
+  note(e.cycle, {.what = refused && e.refused_because ? What::message_refused
+                         : refused                    ? What::message_refused_no_room
+                         : e.waiting.any()            ? What::message_buffered
+                                                      : What::message_accepted,
+                 .id = e.information.message->NID_MESSAGE,
+                 .clause = refused ? e.refused_because : Clause{}});
+}
+
 void evaluate_part(Evaluation& e) {
   evaluate_level_orders(e);
   evaluate_linking(e, e.contents.infill.has_value());
@@ -465,7 +484,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
   for (const balise::Link& link : e.cycle.state.balise.linking.links)
     if (link.id == infill.group) place = link.place;
   if (!place) {
-    note(e.cycle, Event{.subject = "infill", .id = infill.group.NID_BG, .what = "refused", .clause = "3.6.2.3.1"});
+    note(e.cycle, {.what = What::infill_refused, .id = infill.group.NID_BG, .clause = "3.6.2.3.1"_srs});
     return;
   }
   e.judge = judge;
@@ -484,7 +503,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
 }  // namespace
 
 Waiting evaluate(Cycle& cycle, const Information& information) {
-  Evaluation e{cycle, information, context_of(cycle, information), {}, {}, 0, 0, {}, nullptr};
+  Evaluation e{cycle, information, context_of(cycle, information), {}, {}, 0, 0, {}, {}};
   e.reference = {information.reference, information.orientation, information.group, information.medium,
                  cycle.state.now};
   e.contents.medium = e.reference.medium;
@@ -498,14 +517,7 @@ Waiting evaluate(Cycle& cycle, const Information& information) {
   if (information.message != nullptr) evaluate_message(e);
   store_contents(e);
   if (infill) evaluate_infill(e, *infill, information.judge_packets & ~before);
-  if (information.message != nullptr) {
-    const bool refused = e.refused != 0;
-    const char* what = refused ? "refused" : e.waiting.any() ? "buffered" : "accepted";
-    note(cycle, Event{.subject = "message",
-                      .id = information.message->NID_MESSAGE,
-                      .what = what,
-                      .clause = refused ? e.refused_because : nullptr});
-  }
+  if (information.message != nullptr) tell_message(e);
   return e.waiting;
 }
 

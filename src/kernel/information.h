@@ -13,7 +13,7 @@ namespace evc::kernel {
 
 /// A message whose bits were found right, with what its distances count from.
 struct Information {
-  modes::Medium medium = modes::Medium::balise;
+  Medium medium = Medium::balise;
   GroupId group;                               // the group passed, or the LRBG of the radio message
   Place reference{};                           // of it, D_REF included
   Direction orientation = Direction::unknown;  // of the train against it (in SL, PS, SH: crossing direction)

@@ -17,8 +17,6 @@
 namespace evc::kernel {
 namespace {
 
-using modes::Mode;
-
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
 procedures::start_of_mission::Session session_of(const State& s) {
@@ -35,7 +33,7 @@ DataStatus position_status(const State& s) {
                                                     : DataStatus::unknown;
 }
 
-modes::Set<Ack> acknowledged(const DriverActions& driver) { return modes::Set<Ack>::of_bits(driver.acknowledged); }
+Set<Ack> acknowledged(const DriverActions& driver) { return Set<Ack>::of_bits(driver.acknowledged); }
 
 /// What decides which inputs of the driver are enabled now (4.7.2).
 driver::ActionContext action_context(const Cycle& cycle) {
@@ -60,16 +58,20 @@ driver::ActionContext action_context(const Cycle& cycle) {
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   c.offers = s.offers;
   // What start of mission asks for is offered too (S12).
-  c.offers.add(modes::Offer::train_data, s.entries.has(modes::Entry::train_data));
+  c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
   c.requests = s.requested;
   return c;
 }
 
 /// Whether the driver may do it now; an action that is not enabled has no effect, and the event says so.
-bool may(Cycle& cycle, driver::Input input, const char* what) {
+bool may(Cycle& cycle, driver::Input input, const Event& otherwise) {
   if (driver::enabled(action_context(cycle)).has(input)) return true;
-  note(cycle, Event{.subject = "driver", .what = what, .clause = "4.7.2: not enabled"});
+  note(cycle, otherwise);
   return false;
+}
+bool may_enter(Cycle& cycle, driver::Input input, Entered entered) {
+  return may(cycle, input,
+             {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
 }
 
 /// Selections that are enabled; the others are dropped.
@@ -77,22 +79,23 @@ DriverActions enabled_selections(Cycle& cycle) {
   struct Row {
     Select select;
     driver::Input input;
-    const char* what;
   };
   constexpr std::array<Row, 9> rows{{
-      {Select::start, driver::Input::start, "start"},
-      {Select::override_, driver::Input::override_, "override"},
-      {Select::shunting, driver::Input::shunting, "shunting"},
-      {Select::exit_shunting, driver::Input::exit_shunting, "exit of shunting"},
-      {Select::non_leading, driver::Input::non_leading, "non leading"},
-      {Select::maintain_shunting, driver::Input::continue_shunting, "maintain shunting"},
-      {Select::slippery_rail, driver::Input::adhesion, "slippery rail"},
-      {Select::adhesion_normal, driver::Input::adhesion, "adhesion"},
-      {Select::track_ahead_free, driver::Input::track_ahead_free, "track ahead free"},
+      {Select::start, driver::Input::start},
+      {Select::override_, driver::Input::override_},
+      {Select::shunting, driver::Input::shunting},
+      {Select::exit_shunting, driver::Input::exit_shunting},
+      {Select::non_leading, driver::Input::non_leading},
+      {Select::maintain_shunting, driver::Input::continue_shunting},
+      {Select::slippery_rail, driver::Input::adhesion},
+      {Select::adhesion_normal, driver::Input::adhesion},
+      {Select::track_ahead_free, driver::Input::track_ahead_free},
   }};
   DriverActions actions = cycle.in.driver;
   for (const Row& row : rows)
-    if (actions.has(row.select) && !may(cycle, row.input, row.what))
+    if (actions.has(row.select) &&
+        !may(cycle, row.input,
+             {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(row.select), .clause = "4.7.2"_srs}))
       actions.selected &= ~(1u << static_cast<unsigned>(row.select));
   return actions;
 }
@@ -104,7 +107,7 @@ void forget_authority_of_old_train(Cycle& cycle) {
     if (track::shorten(s.track, track::Situation::j_train_data_changed, cycle.here.max_safe_front, cycle.here))
       s.track_description_deleted = true;
     cut_other(s, cycle.here.max_safe_front);
-    note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "3.18.3.7"});
+    note(cycle, {.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
   }
   clear_buffer(s);
 }
@@ -113,7 +116,8 @@ void forget_authority_of_old_train(Cycle& cycle) {
 bool enter_train_data(Cycle& cycle, const train::TrainData& data) {
   State& s = cycle.state;
   if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
-    note(cycle, Event{.subject = "train data", .what = train::name(fault), .clause = train::clause(fault)});
+    note(cycle,
+         {.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = train::clause(fault)});
     return false;
   }
   const bool route_matters = s.train.cant_deficiency_mm != data.cant_deficiency_mm ||
@@ -125,7 +129,7 @@ bool enter_train_data(Cycle& cycle, const train::TrainData& data) {
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;
   radio::send_train_data(s.radio);
-  note(cycle, Event{.subject = "train data", .what = "valid", .clause = "3.18.3"});
+  note(cycle, {.what = What::train_data_valid, .clause = "3.18.3"_srs});
   return true;
 }
 
@@ -134,12 +138,12 @@ void enter_SR_data(Cycle& cycle) {
   State& s = cycle.state;
   if (!cycle.in.driver.V_sr && !cycle.in.driver.D_sr) return;
   if (s.mode == Mode::SR && !cycle.here.standstill) cycle.asked.add(brakes::Cause::movement_while_entering_SR_data);
-  if (!may(cycle, driver::Input::sr_speed_distance, "SR speed and distance")) return;
+  if (!may_enter(cycle, driver::Input::sr_speed_distance, Entered::SR_speed_distance)) return;
   // A speed up to 600 km/h, a distance up to the greatest that packets give.
   const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
   if ((cycle.in.driver.V_sr && !in_range(cycle.in.driver.V_sr->si, 600.0 / 3.6)) ||
       (cycle.in.driver.D_sr && !in_range(cycle.in.driver.D_sr->si, 327670.0)))
-    return note(cycle, Event{.subject = "SR speed and distance", .what = "refused: out of range", .clause = "4.4.11"});
+    return note(cycle, {.what = What::SR_data_out_of_range, .clause = "4.4.11"_srs});
   if (cycle.in.driver.V_sr) s.staff_responsible.V = cycle.in.driver.V_sr;
   if (cycle.in.driver.D_sr) s.staff_responsible.end = cycle.here.est_front + *cycle.in.driver.D_sr;
   ++s.revision;
@@ -164,10 +168,10 @@ std::span<const procedures::mode_profile::Area> areas_of(const State& s,
 
 std::optional<modes::OrderedLevel> driver_level(Cycle& cycle) {
   const State& s = cycle.state;
-  if (!cycle.in.driver.level || !may(cycle, driver::Input::level, "level")) return {};
+  if (!cycle.in.driver.level || !may_enter(cycle, driver::Input::level, Entered::level)) return {};
   modes::OrderedLevel level;
   level.level = *cycle.in.driver.level;
-  if (level.level == modes::Level::NTC) level.nid_ntc = cycle.in.driver.nid_ntc;
+  if (level.level == Level::NTC) level.nid_ntc = cycle.in.driver.nid_ntc;
   const modes::LevelTable* table = s.level_table ? &*s.level_table : nullptr;
   if (!modes::driver_may_select(level, table, available_levels(cycle))) return {};
   return level;
@@ -190,15 +194,14 @@ void run_level_transition(Cycle& cycle) {
   const auto result = procedures::level_transition::step(s.level_transition, in);
   cycle.effects |= result.effects;
   if (result.overdue)
-    cycle.asked.add(*result.overdue == modes::Level::NTC ? brakes::Cause::level_NTC_unacknowledged
-                                                         : brakes::Cause::level_0_unacknowledged);
+    cycle.asked.add(*result.overdue == Level::NTC ? brakes::Cause::level_NTC_unacknowledged
+                                                  : brakes::Cause::level_0_unacknowledged);
   if (result.cancelled) clear_buffer(s);
   if (!result.switch_to) return;
   const modes::OrderedLevel from = s.level;
   enter_level(cycle, *result.switch_to, result.by_driver);
   cycle.facts.level_switched_to = s.level.level;
-  cycle.facts.level_order_changed_national_system_only =
-      from.level == modes::Level::NTC && s.level.level == modes::Level::NTC;
+  cycle.facts.level_order_changed_national_system_only = from.level == Level::NTC && s.level.level == Level::NTC;
   if (level_2_or_3(from.level) && !level_2_or_3(s.level.level))
     s.reports.rear_border = result.by_driver ? std::optional<Place>{} : cycle.here.est_front;
   release_buffer(cycle);
@@ -238,7 +241,7 @@ Duration request_cycle(const State& s) {
 }
 
 /// 5.4.3.3: what start of mission makes of the status of data.
-void change_statuses(Cycle& cycle, modes::Set<procedures::Status> status) {
+void change_statuses(Cycle& cycle, Set<procedures::Status> status) {
   State& s = cycle.state;
   using procedures::Status;
   if (status.has(Status::position_unknown))
@@ -261,7 +264,7 @@ void run_start_of_mission(Cycle& cycle) {
   in.level = s.level.level;
   in.desk_open = cycle.in.train.desk_open;
   in.session = session_of(s);
-  in.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(modes::Level::L2)];
+  in.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)];
   in.T_CYCRQST = request_cycle(s);
   in.driver_id = s.data.driver_id_status;
   in.train_running_number = s.data.train_running_number_status;
@@ -318,9 +321,9 @@ void run_override(Cycle& cycle) {
   if (r.started) {
     s.staff_responsible = {};
     if (s.national_values.D_NVSTFF) s.staff_responsible.end = cycle.here.est_front + *s.national_values.D_NVSTFF;
-    note(cycle, Event{.subject = "override", .what = "active", .clause = "5.8.3"});
+    note(cycle, {.what = What::override_active, .clause = "5.8.3"_srs});
   }
-  if (r.ended_by != nullptr) note(cycle, Event{.subject = "override", .what = "ended", .clause = r.ended_by});
+  if (r.ended_by) note(cycle, {.what = What::override_ended, .clause = r.ended_by});
   if (before != s.override_.active || r.started) ++s.revision;
 }
 
@@ -412,24 +415,25 @@ void take_driver_actions(Cycle& cycle) {
   if (cycle.driver.selected != 0) cycle.driver = enabled_selections(cycle);
   const DriverActions& driver = cycle.driver;
   cycle.facts.acknowledged = acknowledged(driver);
-  if (driver.driver_id && may(cycle, driver::Input::driver_id, "driver identity")) {
+  if (driver.driver_id && may_enter(cycle, driver::Input::driver_id, Entered::driver_id)) {
     s.data.driver_id = *driver.driver_id;
     s.data.driver_id_status = DataStatus::valid;
   }
-  if (driver.train_running_number && may(cycle, driver::Input::train_running_number, "train running number")) {
+  if (driver.train_running_number &&
+      may_enter(cycle, driver::Input::train_running_number, Entered::train_running_number)) {
     s.data.train_running_number = *driver.train_running_number;
     s.data.train_running_number_status = DataStatus::valid;
   }
   if (driver.train_data != nullptr) {
-    if (may(cycle, driver::Input::train_data, "train data"))
+    if (may_enter(cycle, driver::Input::train_data, Entered::train_data))
       cycle.train_data_entered = enter_train_data(cycle, *driver.train_data);
   } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown &&
-             may(cycle, driver::Input::train_data, "train data")) {
+             may_enter(cycle, driver::Input::train_data, Entered::train_data)) {
     s.data.train_data_status = DataStatus::valid;
     radio::send_train_data(s.radio);
     cycle.train_data_entered = true;
   }
-  if (driver.rbc_contact && may(cycle, driver::Input::rbc_contact, "RBC contact"))
+  if (driver.rbc_contact && may_enter(cycle, driver::Input::rbc_contact, Entered::rbc_contact))
     s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
   if (driver.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;

@@ -49,8 +49,8 @@ std::optional<track::TractionChange> traction(const Bits& first, const Bits& sec
     in.now = {0.1 * cycle};
     step(*state, *derived, in, out);
   }
-  state->mode = modes::Mode::SR;
-  state->level.level = modes::Level::L1;
+  state->mode = Mode::SR;
+  state->level.level = Level::L1;
   const std::array<BaliseTelegram, 2> read{BaliseTelegram{first.bytes, 830, {{0.0}}},
                                            BaliseTelegram{second.bytes, 830, {{3.0}}}};
   in.balise_telegrams = read;

@@ -29,8 +29,9 @@ bool proposal_is_described(const Cycle& cycle, const Information& information, c
 /// Linking and pending national values beyond a place are deleted (A.3.4).
 void cut_other(State& state, Place beyond);
 
-/// Carries out the information of a radio message itself (not its packets). A literal clause when it is refused.
-const char* take_message(Cycle& cycle, const Information& information, const lang::MessageToTrainView& message,
-                         const track::Reference& reference);
+/// Carries out the information of a radio message itself (not its packets). The clause when it is refused, none when it
+/// is not.
+Clause take_message(Cycle& cycle, const Information& information, const lang::MessageToTrainView& message,
+                    const track::Reference& reference);
 
 }  // namespace evc::kernel

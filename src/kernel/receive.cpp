@@ -13,8 +13,6 @@
 namespace evc::kernel {
 namespace {
 
-using modes::Mode;
-
 bool judged_by_crossing(Mode mode) { return mode == Mode::SL || mode == Mode::PS || mode == Mode::SH; }
 
 /// Modes in which an inconsistent message does not brake (4.4.6.1.12, 4.4.14.1.9, 4.4.15.1.10, 4.4.18.1.10,
@@ -50,16 +48,13 @@ void react(Cycle& cycle, const balise::Outcome& outcome) {
   bool two_missed = false;
   for (const balise::Event& e : outcome.events) {
     // What the group brings is told where it is evaluated.
-    if (e.what == balise::Happened::group_accepted) continue;
-    note(cycle, Event{.subject = e.what == balise::Happened::linking_ok ? "linking BG" : "BG",
-                      .id = e.id.NID_BG,
-                      .what = e.what == balise::Happened::linking_ok ? "ok" : balise::name_of(e.what),
-                      .clause = e.clause != nullptr && e.clause[0] != '\0' ? e.clause : nullptr});
+    if (e.what == What::group_accepted) continue;
+    note(cycle, {.what = e.what, .id = e.id.NID_BG, .clause = e.clause});
     if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
       radio::report_error(s.radio, static_cast<std::uint8_t>(e.report));
-    linking = linking || e.what == balise::Happened::linking_error_early ||
-              e.what == balise::Happened::linking_error_missed || e.what == balise::Happened::linking_error_later;
-    two_missed = two_missed || e.what == balise::Happened::double_linking_error;
+    linking = linking || e.what == What::linking_error_early || e.what == What::linking_error_missed ||
+              e.what == What::linking_error_later;
+    two_missed = two_missed || e.what == What::double_linking_error;
   }
   if (outcome.reaction == Reaction::trip) cycle.facts.linking_reaction_trip = true;
   if (outcome.reaction == Reaction::service_brake) {
@@ -157,7 +152,7 @@ void drop_superseded(Information& information) {
 /// consistent (3.16.2.4.4): nothing of it is used.
 void refuse_group(Cycle& cycle, GroupId id) {
   State& s = cycle.state;
-  note(cycle, Event{.subject = "BG", .id = id.NID_BG, .what = "refused: too many packets", .clause = "3.16.2.4.4"});
+  note(cycle, {.what = What::group_too_many_packets, .id = id.NID_BG, .clause = "3.16.2.4.4"_srs});
   if (!brakes_on_message_error(s.mode)) return;
   cycle.asked.add(brakes::Cause::balise_group_consistency);
   s.shorten_at_standstill = true;
@@ -185,10 +180,10 @@ void receive_group(Cycle& cycle, const balise::Group& group) {
   balise::keep_covers_of(s.balise, group.id.NID_C);
   track::note_group(s.track, group.id, reference->place);
   check_lists(cycle, group.id);
-  note(cycle, Event{.subject = "group", .id = group.id.NID_BG, .what = "accepted"});
+  note(cycle, {.what = What::group_accepted, .id = group.id.NID_BG});
 
   Information information;
-  information.medium = modes::Medium::balise;
+  information.medium = Medium::balise;
   information.group = group.id;
   information.reference = reference->place;
   information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference->orientation;
@@ -254,7 +249,7 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
 void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes) {
   State& s = cycle.state;
   Information information;
-  information.medium = modes::Medium::rbc;
+  information.medium = Medium::rbc;
   information.sv = view.sv;
   information.message = &view;
   information.min_safe_front = cycle.here.min_safe_front;
@@ -262,7 +257,7 @@ void evaluate_radio(Cycle& cycle, const lang::MessageToTrainView& view, std::spa
   // 3.8.4.2.1: timers count from the time stamp of the message.
   if (lang::seconds(view.T_TRAIN)) information.time = radio::time_of(view.T_TRAIN.raw, s.now);
   if (!refer(information, s, view)) {
-    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "refused", .clause = "3.6.2.2.2"});
+    note(cycle, {.what = What::message_refused, .id = view.NID_MESSAGE, .clause = "3.6.2.2.2"_srs});
     return;
   }
   shift_reference(information, view);
@@ -280,12 +275,12 @@ void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
   State& s = cycle.state;
   const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s));
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
-    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "unknown", .clause = "3.17.3.11"});
+    note(cycle, {.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
     return;
   }
   if (view.fault != lang::Fault::none || bytes.size() > 1024) {
     radio::receive_inconsistent(s.radio);
-    note(cycle, Event{.subject = "message", .id = view.NID_MESSAGE, .what = "rejected", .clause = "3.16.3.1.1"});
+    note(cycle, {.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
     return;
   }
   radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
@@ -294,8 +289,7 @@ void receive_message(Cycle& cycle, std::span<const std::uint8_t> bytes) {
     header.NID_LRBG = radio::kUnknownLrbg;
   const radio::Rejected rejected = radio::receive(s.radio, header, s.now, cycle.outbox);
   if (rejected != radio::Rejected::no) {
-    note(cycle,
-         Event{.subject = "message", .id = view.NID_MESSAGE, .what = "rejected", .clause = radio::clause(rejected)});
+    note(cycle, {.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
     return;
   }
   cycle.new_radio_message = true;
@@ -328,8 +322,7 @@ void receive_balises(Cycle& cycle) {
 }
 
 void receive_loops(Cycle& cycle) {
-  for (std::size_t i = 0; i < cycle.in.loop_messages.size(); ++i)
-    note(cycle, Event{.subject = "loop message", .what = "not used"});
+  for (std::size_t i = 0; i < cycle.in.loop_messages.size(); ++i) note(cycle, {.what = What::loop_message_not_used});
 }
 
 void receive_radio(Cycle& cycle) {
@@ -354,7 +347,7 @@ void release_buffer(Cycle& cycle) {
     information.judge_packets = set.waiting;
     information.judge_message = set.message_waits;
     information.released = true;
-    if (set.medium == modes::Medium::rbc) {
+    if (set.medium == Medium::rbc) {
       const std::span<const std::uint8_t> bytes{set.bytes.data(), set.size};
       const lang::MessageToTrainView view = lang::scan_message_to_train(
           bytes, set.M_VERSION == 0 ? lang::SystemVersion{2, 1} : lang::system_version(set.M_VERSION),

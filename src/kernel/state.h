@@ -41,7 +41,7 @@ struct PendingNationalValues {
 
 /// One set of information in the transition buffer (4.8.5): the bits as received and what of them waits.
 struct BufferedSet {
-  modes::Medium medium = modes::Medium::balise;
+  Medium medium = Medium::balise;
   GroupId group;
   Place reference{};
   Direction orientation = Direction::unknown;
@@ -78,7 +78,7 @@ struct StaffResponsible {
 struct SupervisionBasis {
   /// The curves are built anew when one of these changes.
   struct Key {
-    modes::Mode mode{};           ///< what counts for the MRSP and what is supervised depends on it (4.5.2)
+    Mode mode{};                  ///< what counts for the MRSP and what is supervised depends on it (4.5.2)
     std::uint32_t track = 0;      ///< track::Description::revision
     std::uint32_t revision = 0;   ///< State::revision
     std::uint8_t brakes = 0;      ///< special brakes reported active (3.13.2.2.6), one bit each
@@ -104,9 +104,9 @@ struct State {
   Duration cycle{0.1};
   Duration now{};
   SrsVersion srs = SrsVersion::v3_6_0;
-  std::array<bool, modes::kLevels> fitted_levels{true, true, true, true, true};
-  modes::Mode mode = modes::Mode::NP;
-  modes::Mode previous_mode = modes::Mode::NP;
+  std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
+  Mode mode = Mode::NP;
+  Mode previous_mode = Mode::NP;
   modes::OrderedLevel level;
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 
@@ -131,9 +131,9 @@ struct State {
   procedures::leaving_rbc::State leaving_rbc;
   procedures::override_::State override_;
   procedures::shunting::State shunting;
-  modes::Set<modes::Ack> requested;  // acknowledgements shown in the cycle before
-  modes::Set<modes::Offer> offers;   // what the procedures let the driver choose, and
-  modes::Set<modes::Entry> entries;  // enter, in the cycle before
+  Set<Ack> requested;  // acknowledgements shown in the cycle before
+  Set<Offer> offers;   // what the procedures let the driver choose, and
+  Set<Entry> entries;  // enter, in the cycle before
   StaffResponsible staff_responsible;
   bool slippery_rail = false;  // chosen by the driver
   bool ma_with_trip_order = false;

@@ -37,7 +37,7 @@ void advance_track(Cycle& cycle) {
   State& s = cycle.state;
   const track::Elapsed elapsed = track::advance(s.track, cycle.here);
   if (elapsed.any()) {
-    note(cycle, Event{.subject = "MA", .what = "timer elapsed", .clause = "3.8.4"});
+    note(cycle, {.what = What::authority_timer_elapsed, .clause = "3.8.4"_srs});
     const bool authority = s.track.ma && !s.track.ma->sections.empty();
     cut_other(s, authority ? s.track.ma->far_end() : cycle.here.max_safe_front);
   }
@@ -47,7 +47,7 @@ void advance_track(Cycle& cycle) {
     if (track::shorten(s.track, track::Situation::h_linking_reaction, cycle.here.max_safe_front, cycle.here))
       s.track_description_deleted = true;
     cut_other(s, cycle.here.max_safe_front);
-    note(cycle, Event{.subject = "track description", .what = "shortened to the train", .clause = "A.3.4"});
+    note(cycle, {.what = What::track_description_shortened, .clause = "A.3.4"_srs});
   }
   if (cycle.facts.ma_accepted) s.track_description_deleted = false;
 }
@@ -55,12 +55,12 @@ void advance_track(Cycle& cycle) {
 void run_texts(Cycle& cycle) {
   State& s = cycle.state;
   std::uint8_t acknowledged = 0;
-  if (cycle.facts.acknowledged.has(modes::Ack::text) && !s.texts_to_acknowledge.empty())
+  if (cycle.facts.acknowledged.has(Ack::text) && !s.texts_to_acknowledge.empty())
     acknowledged = s.texts_to_acknowledge[0];
   InplaceVector<std::uint8_t, 6> reports;
   cycle.texts = track::show_texts(s.track, cycle.here, s.mode, s.level.level, s.level.nid_ntc, acknowledged, reports);
   s.texts_to_acknowledge = cycle.texts.to_acknowledge;
-  cycle.effects.requests.add(modes::Ack::text, !cycle.texts.to_acknowledge.empty());
+  cycle.effects.requests.add(Ack::text, !cycle.texts.to_acknowledge.empty());
   cycle.asked.add(brakes::Cause::text_service, cycle.texts.service_brake);
   cycle.asked.add(brakes::Cause::text_emergency, cycle.texts.emergency_brake);
   for (const std::uint8_t id : reports) radio::report_text_acknowledged(id, cycle.outbox);
@@ -92,7 +92,7 @@ void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs
   Cycle cycle(state, derived, inputs, outputs);
   // 4.4.5: without a sound odometer or configuration nothing can be supervised. The last place stays.
   const bool can_go_on = sound(state, inputs);
-  if (!can_go_on) note(cycle, Event{.subject = "odometry", .what = "not sound", .clause = "4.4.5"});
+  if (!can_go_on) note(cycle, {.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   cycle.facts.safety_fault = !can_go_on || state.configuration_refused;
   if (can_go_on) {
     state.now = inputs.now;

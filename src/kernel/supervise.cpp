@@ -8,8 +8,6 @@
 namespace evc::kernel {
 namespace {
 
-using modes::Mode;
-
 /// NC_CDTRAIN (7.5.1.82.1): the cant deficiencies in mm by code.
 constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 180, 210, 225, 245, 275, 300};
 
@@ -266,8 +264,7 @@ void pass_level_crossings(Cycle& cycle, const sdm::Motion& motion) {
                                              .passed;
     if (!over) continue;
     track::substitute_level_crossing(s.track, lx.NID_LX, cycle.here.est_front);
-    note(cycle,
-         Event{.subject = "level crossing", .id = lx.NID_LX, .what = "speed instead of stop", .clause = "5.16.2"});
+    note(cycle, {.what = What::level_crossing_speed, .id = lx.NID_LX, .clause = "5.16.2"_srs});
     return;  // the others are looked at with the curves built anew
   }
 }
@@ -301,8 +298,8 @@ namespace {
 /// Level 1 at the end of the authority: now, or by an order that is executed in rear of it (3.13.9.4.8.2).
 bool level_1_at(const State& s, const std::optional<Place>& EOA) {
   const auto& pending = s.level_transition.pending;
-  if (pending && EOA && pending->border <= *EOA) return pending->to.level == modes::Level::L1;
-  return s.level.level == modes::Level::L1;
+  if (pending && EOA && pending->border <= *EOA) return pending->to.level == Level::L1;
+  return s.level.level == Level::L1;
 }
 
 /// What the release speed calculated on board depends on beside the data, in steps of 5 m and 0.5 m/s: curves are not
@@ -337,9 +334,8 @@ void refresh(Cycle& cycle) {
   d.built = s.basis.number;
   build(cycle, s.basis);
   if (!changed) return;  // told when it was built first
-  if (d.sdm.truncated) note(cycle, Event{.subject = "supervision", .what = "too many targets: kept on the safe side"});
-  if (d.sdm.no_deceleration)
-    note(cycle, Event{.subject = "supervision", .what = "no deceleration before a target", .clause = "3.13.6.2"});
+  if (d.sdm.truncated) note(cycle, {.what = What::targets_lost});
+  if (d.sdm.no_deceleration) note(cycle, {.what = What::no_deceleration, .clause = "3.13.6.2"_srs});
 }
 
 void supervise_speed(Cycle& cycle) {
@@ -371,7 +367,7 @@ void guard_movement(Cycle& cycle) {
       s.track.reversing_supervision->D_REVERSE)
     m.reversing_left =
         cycle.here.est_front - (*s.track.reversing_reference - *s.track.reversing_supervision->D_REVERSE);
-  m.acknowledged = cycle.facts.acknowledged.has(modes::Ack::brake);
+  m.acknowledged = cycle.facts.acknowledged.has(Ack::brake);
   const protection::Commands c = protection::guard(s.guards, protection::guards_of(s.mode), m);
   cycle.asked.add(brakes::Cause::roll_away, c.roll_away);
   cycle.asked.add(brakes::Cause::reverse_movement, c.reverse_movement);

@@ -6,7 +6,7 @@
 namespace evc::kernel {
 
 /// Whether the mode supervises speed by itself (4.5.2); in SN the national system does.
-bool supervises_speed(modes::Mode mode);
+bool supervises_speed(Mode mode);
 
 /// Builds the authority, the MRSP and all curves anew when the track description, the train or the national values
 /// changed since they were built. Without a change nothing is done.

@@ -19,13 +19,12 @@ static_assert(
     }(),
     "one row for each information, in order; what an STM sends has its own table of levels");
 
-constexpr std::array<const char*, 15> k483{"4.8.3",      "4.8.3 [1]",  "4.8.3 [2]",  "4.8.3 [3]",  "4.8.3 [4]",
-                                           "4.8.3 [5]",  "4.8.3 [6]",  "4.8.3 [7]",  "4.8.3 [8]",  "4.8.3 [9]",
-                                           "4.8.3 [10]", "4.8.3 [11]", "4.8.3 [12]", "4.8.3 [13]", "4.8.3 [14]"};
-constexpr std::array<const char*, 10> k484{"4.8.4",     "4.8.4 [1]", "4.8.4 [2]", "4.8.4 [3]", "4.8.4 [4]",
-                                           "4.8.4 [5]", "4.8.4 [6]", "4.8.4 [7]", "4.8.4 [8]", "4.8.4 [9]"};
+constexpr Clause k483 = "4.8.3"_srs;
+constexpr Clause k484 = "4.8.4"_srs;
+constexpr std::size_t kNotes483 = 15;  // one more than the number of the last exception
+constexpr std::size_t kNotes484 = 10;
 
-constexpr Acceptance kAccepted{Verdict::accepted, ""};
+constexpr Acceptance kAccepted{Verdict::accepted, {}};
 
 /// The exceptions of 4.8.3 that reject what the cell accepts.
 bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
@@ -68,12 +67,12 @@ bool level_exception_buffers(std::size_t n, const AcceptanceContext& c) {
 }
 
 Acceptance judge_level_cell(const AcceptanceCell& cell, const AcceptanceContext& c) {
-  for (std::size_t n = 1; n < k483.size(); ++n) {
+  for (std::size_t n = 1; n < kNotes483; ++n) {
     if (((cell.notes >> n) & 1u) == 0) continue;
-    if (cell.mark == Mark::accepted && level_exception_rejects(n, c)) return {Verdict::rejected, k483[n]};
-    if (cell.mark == Mark::rejected && level_exception_buffers(n, c)) return {Verdict::buffered, k483[n]};
+    if (cell.mark == Mark::accepted && level_exception_rejects(n, c)) return {Verdict::rejected, k483.exception(n)};
+    if (cell.mark == Mark::rejected && level_exception_buffers(n, c)) return {Verdict::buffered, k483.exception(n)};
   }
-  return cell.mark == Mark::accepted ? kAccepted : Acceptance{Verdict::rejected, k483[0]};
+  return cell.mark == Mark::accepted ? kAccepted : Acceptance{Verdict::rejected, k483};
 }
 
 /// The exceptions of 4.8.4 that reject what the cell accepts.
@@ -139,10 +138,9 @@ bool only_of_supervising_rbc(Information information, SrsVersion srs) {
 
 Acceptance accept_by_level(Information information, const AcceptanceContext& c) {
   const std::size_t i = static_cast<std::size_t>(information);
-  if (i >= srs_4_8_3.size()) return {Verdict::rejected, k483[0]};
+  if (i >= srs_4_8_3.size()) return {Verdict::rejected, k483};
   // 3.6.0 has no initiation of a session by the RBC.
-  if (information == Information::session_initiation && c.srs != SrsVersion::v3_4_0)
-    return {Verdict::rejected, k483[0]};
+  if (information == Information::session_initiation && c.srs != SrsVersion::v3_4_0) return {Verdict::rejected, k483};
   const AcceptanceByLevel& row = srs_4_8_3[i];
   return judge_level_cell((c.medium == Medium::rbc ? row.rbc : row.not_rbc)[static_cast<std::size_t>(c.level)], c);
 }
@@ -152,25 +150,25 @@ Acceptance accept_by_rbc(Information information, const AcceptanceContext& c) {
   if (c.rbc == RbcRole::former) {  // of the RBC left behind only the end of its session counts (3.15.1.3)
     const bool session =
         information == Information::session_management || information == Information::session_termination_ack;
-    return session ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"};
+    return session ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"_srs};
   }
   if (speaks_for_both_rbcs(information, c.srs)) return kAccepted;
-  if (only_of_supervising_rbc(information, c.srs)) return {Verdict::rejected, "4.8.2.1"};
-  return {Verdict::buffered, "4.8.2.1"};
+  if (only_of_supervising_rbc(information, c.srs)) return {Verdict::rejected, "4.8.2.1"_srs};
+  return {Verdict::buffered, "4.8.2.1"_srs};
 }
 
 Acceptance accept_by_mode(Information information, const AcceptanceContext& c) {
-  if (c.infill && c.mode != Mode::FS && c.mode != Mode::LS) return {Verdict::rejected, "4.8.4 infill"};
+  if (c.infill && c.mode != Mode::FS && c.mode != Mode::LS) return {Verdict::rejected, "4.8.4 infill"_srs};
   const AcceptanceCell& cell = srs_4_8_4[static_cast<std::size_t>(information)].modes[static_cast<std::size_t>(c.mode)];
   const bool text = information == Information::plain_text || information == Information::fixed_text;
   if (text && c.mode == Mode::NL && c.srs == SrsVersion::v3_4_0) return kAccepted;
-  if (cell.mark != Mark::accepted) return {Verdict::rejected, k484[0]};
+  if (cell.mark != Mark::accepted) return {Verdict::rejected, k484};
   Acceptance out = kAccepted;
-  for (std::size_t n = 1; n < k484.size(); ++n) {
+  for (std::size_t n = 1; n < kNotes484; ++n) {
     if (((cell.notes >> n) & 1u) == 0) continue;
-    if (mode_exception_rejects(n, c)) return {Verdict::rejected, k484[n]};
+    if (mode_exception_rejects(n, c)) return {Verdict::rejected, k484.exception(n)};
     const Verdict verdict = mode_exception_verdict(n, c);
-    if (verdict != Verdict::accepted) out = {verdict, k484[n]};
+    if (verdict != Verdict::accepted) out = {verdict, k484.exception(n)};
   }
   return out;
 }
@@ -186,7 +184,7 @@ Acceptance accept(Information information, const AcceptanceContext& c) {
 Acceptance accept_from_stm(Information information, bool own_level_ntc, bool announced_own,
                            const AcceptanceContext& c) {
   if (information != Information::stm_max_speed && information != Information::stm_system_speed_distance)
-    return {Verdict::rejected, k483[0]};
+    return {Verdict::rejected, k483};
   const std::size_t row = information == Information::stm_max_speed ? 0 : 1;
   const std::size_t level = static_cast<std::size_t>(c.level);
   // Columns 0, NTC X, NTC Y, 1, 2, 3.

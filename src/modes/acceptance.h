@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "modes/information.h"
+#include "terms/clause.h"
 #include "terms/level.h"
 #include "terms/medium.h"
 #include "terms/mode.h"
@@ -59,7 +60,7 @@ enum class Verdict : std::uint8_t {
 
 struct Acceptance {
   Verdict verdict = Verdict::rejected;
-  const char* clause = "";  // "4.8.3 [4]": the table and the exception that decided; the table alone for a plain cell
+  Clause clause;  // the table and the exception that decided, "4.8.3 [4]"; the table alone for a plain cell
 };
 
 /// 4.8.1: the filter of level and medium (4.8.3), then that of the supervising RBC (4.8.2), then that of the mode

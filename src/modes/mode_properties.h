@@ -33,9 +33,7 @@ struct ModeProperties {
   SpeedLimit speed_limit;
   Supervision supervision;
   ModeBrake brake;
-  bool desk_needed;      // the driver drives from here
-  const char* on_board;  // what the unit answers for, our words
-  const char* driver;    // what the driver answers for, our words
+  bool desk_needed;  // the driver drives from here
 };
 
 inline constexpr std::uint8_t kAnyLevel = 0b11111;
@@ -44,29 +42,30 @@ inline constexpr std::uint8_t kLevelNTC = 0b00010;
 inline constexpr std::uint8_t kLevels123 = 0b11100;
 
 // clang-format off
-/// 4.4.3 to 4.4.20, in the order of `Mode`.
+/// 4.4.3 to 4.4.20, in the order of `Mode`. Behind each row what the unit answers for | what the driver answers for, in
+/// our words.
 inline constexpr auto srs_4_4 = [] {
   using enum SpeedLimit;
   using enum Supervision;
   constexpr ModeBrake nothing = ModeBrake::none, eb = ModeBrake::emergency_brake;
   return std::to_array<ModeProperties>({
-    {Mode::NP, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "keep the emergency brake on",                       "nothing"},
-    {Mode::SB, kAnyLevel,  standstill,       unsupervised,         nothing, false, "keep the train standing",                           "nothing"},
-    {Mode::PS, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "know where the engine is",                          "nothing: another engine leads"},
-    {Mode::SH, kAnyLevel,  V_NVSHUNT,        ceiling,              nothing, true,  "shunting speed and the border of the area, if any", "stay in the area, every movement"},
-    {Mode::FS, kLevels123, profile_only,     full,                 nothing, true,  "everything",                                        "the EOA below the release speed; the rear not covered at entry"},
-    {Mode::LS, kLevels123, V_NVLIMSUPERV,    full,                 nothing, true,  "what the data allow, in the background",            "lineside signals and rules"},
-    {Mode::SR, kLevels123, V_NVSTFF,         mrsp_and_sr_distance, nothing, true,  "ceiling speed, SR distance and list if any",        "track, points, lineside information"},
-    {Mode::OS, kLevels123, V_NVONSIGHT,      full,                 nothing, true,  "everything but an occupied track",                  "look out for what is on the track"},
-    {Mode::SL, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "know where the engine is",                          "nothing: another engine leads"},
-    {Mode::NL, kAnyLevel,  no_limit,         unsupervised,          nothing, true,  "show track conditions",                             "obey what is shown; another engine leads"},
-    {Mode::UN, kLevel0,    V_NVUNFIT,        mrsp_targets,         nothing, true,  "ceiling speed and temporary restrictions",          "lineside signals, everything"},
-    {Mode::TR, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "stop the train and hold it",                        "acknowledge at standstill"},
-    {Mode::PT, kLevels123, no_limit,         unsupervised,          nothing, true,  "backwards only, within D_NVPOTRP",                  "moving backwards"},
-    {Mode::SF, kAnyLevel,  no_limit,         unsupervised,          eb,      false, "keep the emergency brake on",                       "nothing"},
-    {Mode::IS, kAnyLevel,  no_limit,         unsupervised,          nothing, false, "nothing",                                           "everything"},
-    {Mode::SN, kLevelNTC,  national,         ceiling,              nothing, true,  "what the national system asks for",                 "as the national system says"},
-    {Mode::RV, kLevels123, V_REVERSE,        ceiling,              nothing, true,  "ceiling speed and reversing distance",              "keep within the distance"},
+    {Mode::NP, kAnyLevel,  no_limit,         unsupervised,          eb,      false},  // keep the emergency brake on | nothing
+    {Mode::SB, kAnyLevel,  standstill,       unsupervised,         nothing, false},  // keep the train standing | nothing
+    {Mode::PS, kAnyLevel,  no_limit,         unsupervised,          nothing, false},  // know where the engine is | nothing: another engine leads
+    {Mode::SH, kAnyLevel,  V_NVSHUNT,        ceiling,              nothing, true},  // shunting speed and the border of the area, if any | stay in the area, every movement
+    {Mode::FS, kLevels123, profile_only,     full,                 nothing, true},  // everything | the EOA below the release speed; the rear not covered at entry
+    {Mode::LS, kLevels123, V_NVLIMSUPERV,    full,                 nothing, true},  // what the data allow, in the background | lineside signals and rules
+    {Mode::SR, kLevels123, V_NVSTFF,         mrsp_and_sr_distance, nothing, true},  // ceiling speed, SR distance and list if any | track, points, lineside information
+    {Mode::OS, kLevels123, V_NVONSIGHT,      full,                 nothing, true},  // everything but an occupied track | look out for what is on the track
+    {Mode::SL, kAnyLevel,  no_limit,         unsupervised,          nothing, false},  // know where the engine is | nothing: another engine leads
+    {Mode::NL, kAnyLevel,  no_limit,         unsupervised,          nothing, true},  // show track conditions | obey what is shown; another engine leads
+    {Mode::UN, kLevel0,    V_NVUNFIT,        mrsp_targets,         nothing, true},  // ceiling speed and temporary restrictions | lineside signals, everything
+    {Mode::TR, kAnyLevel,  no_limit,         unsupervised,          eb,      false},  // stop the train and hold it | acknowledge at standstill
+    {Mode::PT, kLevels123, no_limit,         unsupervised,          nothing, true},  // backwards only, within D_NVPOTRP | moving backwards
+    {Mode::SF, kAnyLevel,  no_limit,         unsupervised,          eb,      false},  // keep the emergency brake on | nothing
+    {Mode::IS, kAnyLevel,  no_limit,         unsupervised,          nothing, false},  // nothing | everything
+    {Mode::SN, kLevelNTC,  national,         ceiling,              nothing, true},  // what the national system asks for | as the national system says
+    {Mode::RV, kLevels123, V_REVERSE,        ceiling,              nothing, true},  // ceiling speed and reversing distance | keep within the distance
   });
 }();
 // clang-format on

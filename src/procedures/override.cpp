@@ -26,20 +26,20 @@ void start(State& state, const Inputs& in) {
   }
 }
 
-/// 5.8.4.1: the end condition that is met, null for none. In UN and SN only a and b are looked at; in SH there is no
+/// 5.8.4.1: the end condition that is met, none without one. In UN and SN only a and b are looked at; in SH there is no
 /// SR distance and no former EOA.
-const char* end_condition(const State& state, const Inputs& in, bool eoa_passes) {
-  if (in.now >= state.until) return "5.8.4.1 a";
-  if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b";
-  if (in.D_NVOVTRP.has_value() && state.start - in.odometer > *in.D_NVOVTRP) return "5.8.4.1 b";
-  if (in.mode == Mode::UN || in.mode == Mode::SN) return nullptr;
-  if (eoa_passes) return "5.8.4.1 c";
-  if (in.stop_if_in_SR || in.stop_if_in_SH) return "5.8.4.1 d";
-  if (in.balise_proceed) return "5.8.4.1 e";
-  if (in.ma_from_rbc && (in.level == Level::L2 || in.level == Level::L3)) return "5.8.4.1 f";
-  if (in.group_not_in_list) return "5.8.4.1 g";
-  if (state.sr_distance_end.has_value() && in.est_front > *state.sr_distance_end) return "5.8.4.1 h";
-  return nullptr;
+Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
+  if (in.now >= state.until) return "5.8.4.1 a"_srs;
+  if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
+  if (in.D_NVOVTRP.has_value() && state.start - in.odometer > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
+  if (in.mode == Mode::UN || in.mode == Mode::SN) return {};
+  if (eoa_passes) return "5.8.4.1 c"_srs;
+  if (in.stop_if_in_SR || in.stop_if_in_SH) return "5.8.4.1 d"_srs;
+  if (in.balise_proceed) return "5.8.4.1 e"_srs;
+  if (in.ma_from_rbc && (in.level == Level::L2 || in.level == Level::L3)) return "5.8.4.1 f"_srs;
+  if (in.group_not_in_list) return "5.8.4.1 g"_srs;
+  if (state.sr_distance_end.has_value() && in.est_front > *state.sr_distance_end) return "5.8.4.1 h"_srs;
+  return {};
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ Result step(State& state, const Inputs& in) {
   out.former_eoa_passed = eoa_passes;
   if (state.active && !out.started) {
     out.ended_by = end_condition(state, in, eoa_passes);
-    if (out.ended_by != nullptr) state.active = false;
+    if (out.ended_by) state.active = false;
   }
   // 5.8.3.1.3: the former EOA is deleted by a stop if in SR.
   if (in.stop_if_in_SR) state.former_eoa.reset();

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/units.h"
+#include "terms/clause.h"
 #include "terms/level.h"
 #include "terms/mode.h"
 
@@ -48,7 +49,7 @@ struct Result {
   bool started = false;            // (re)started in this cycle: SR speed and distance return to the national values
   bool active = false;             // Facts::override_active: before the end conditions of this cycle
   bool former_eoa_passed = false;  // Facts::former_eoa_passed: becomes true in this cycle
-  const char* ended_by = nullptr;  // "5.8.4.1 a" ..., when it ends in this cycle
+  Clause ended_by;                 // a bullet of 5.8.4.1 when it ends in this cycle
 };
 
 /// 5.8.2.1: whether the driver may choose override now.

@@ -210,12 +210,6 @@ void ask(const State& state, const Inputs& in, Effects& out) {
 
 }  // namespace
 
-const char* name(Step step) {
-  constexpr const char* names[] = {"S0",  "S1",  "S2",  "S3",  "D31", "D33", "S10", "S12",
-                                   "S13", "S11", "S20", "S21", "S22", "S23", "S24", "S25"};
-  return names[static_cast<std::size_t>(step)];
-}
-
 Effects step(State& state, const Inputs& in) {
   Effects out;
   if (in.mode != Mode::SB || !in.desk_open) {

@@ -31,7 +31,6 @@ enum class Step : std::uint8_t {
   S24,  // SR
   S25,  // OS, LS or SH
 };
-const char* name(Step step);
 
 struct State {
   Step step = Step::S0;

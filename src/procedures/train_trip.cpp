@@ -95,11 +95,6 @@ void ask(const State& state, const Inputs& in, Effects& out) {
 
 }  // namespace
 
-const char* name(Step step) {
-  constexpr const char* names[] = {"S010", "S050", "S060", "S120", "S121", "S130", "S140", "S150", "S160", "S170"};
-  return names[static_cast<std::size_t>(step)];
-}
-
 Effects step(State& state, const Inputs& in) {
   if (in.mode == Mode::TR) return in_trip(state, in);
   if (in.mode != Mode::PT) {

@@ -21,7 +21,6 @@ enum class Step : std::uint8_t {
   S160,  // PT: SR is acknowledged
   S170,  // PT: OS, LS or SH is acknowledged
 };
-const char* name(Step step);
 
 struct State {
   Step step = Step::S010;

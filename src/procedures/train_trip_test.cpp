@@ -122,7 +122,7 @@ TEST(TrainTrip, An_RBC_that_does_not_answer_is_left) {
   EXPECT_TRUE(t.cycle().send.empty());
   t.in.session_open = true;
   EXPECT_TRUE(t.cycle().send.has(Send::position_report));
-  EXPECT_STREQ(train_trip::name(t.state.step), "S120");
+  EXPECT_EQ(t.state.step, train_trip::Step::S120);
 }
 
 }  // namespace

@@ -29,14 +29,14 @@ bool EmergencyStops::unconditional_pending() const {
 Answer accept_conditional(EmergencyStops& stops, track::Description& d, std::uint8_t NID_EM, Place stop,
                           Place min_front_at_reception, const track::Here& here) {
   // A place that is already passed cannot be stopped at: refused, and nothing changes (3.10.2.2).
-  if (min_front_at_reception > stop) return {false, 3, "3.10.2.2"};
+  if (min_front_at_reception > stop) return {false, 3, "3.10.2.2"_srs};
   keep(stops, {NID_EM, true, stop});
-  return {true, track::stop_at(d, stop, here), nullptr};
+  return {true, track::stop_at(d, stop, here), {}};
 }
 
 Answer accept_unconditional(EmergencyStops& stops, std::uint8_t NID_EM) {
   keep(stops, {NID_EM, false, {}});
-  return {true, 2, nullptr};
+  return {true, 2, {}};
 }
 
 bool revoke(EmergencyStops& stops, std::uint8_t NID_EM) {

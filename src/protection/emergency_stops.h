@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "base/inplace_vector.h"
+#include "terms/clause.h"
 #include "track/description.h"
 
 // Emergency messages (3.10).
@@ -26,7 +27,7 @@ struct EmergencyStops {
 struct Answer {
   bool accepted = false;
   std::uint8_t Q_EMERGENCYSTOP = 3;
-  const char* clause = nullptr;
+  Clause clause;
 };
 
 /// A conditional emergency stop (message 15). `min_front_at_reception`: the test uses the position when the message

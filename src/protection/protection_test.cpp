@@ -29,7 +29,7 @@ TEST(EmergencyStops, APlaceAlreadyPassedIsRefusedAndChangesNothing) {
   const Answer a = accept_conditional(stops, d, 1, at(500), at(500.1), front_at(600));
   EXPECT_FALSE(a.accepted);
   EXPECT_EQ(a.Q_EMERGENCYSTOP, 3);
-  EXPECT_STREQ(a.clause, "3.10.2.2");
+  EXPECT_EQ(a.clause, "3.10.2.2"_srs);
   EXPECT_FALSE(stops.any());
   EXPECT_EQ(d.ma->end(), at(2000));
   EXPECT_TRUE(accept_conditional(stops, d, 1, at(500), at(500), front_at(505)).accepted)

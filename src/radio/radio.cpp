@@ -81,18 +81,18 @@ void stamp(State& s, Duration now, Outbox& out) {
 
 }  // namespace
 
-const char* clause(Rejected rejected) {
+Clause clause(Rejected rejected) {
   switch (rejected) {
     case Rejected::no:
-      return nullptr;
+      return {};
     case Rejected::no_session:
-      return "3.5.2.1";
+      return "3.5.2.1"_srs;
     case Rejected::terminating:
-      return "3.5.5.6";
+      return "3.5.5.6"_srs;
     case Rejected::time_stamp:
-      return "3.16.3.3.3";
+      return "3.16.3.3.3"_srs;
   }
-  return nullptr;
+  return {};
 }
 
 Rejected receive(State& s, const Header& header, Duration now, Outbox& out) {

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "radio/messages.h"
 #include "radio/session.h"
+#include "terms/clause.h"
 #include "terms/reaction.h"
 
 // Radio (A3): everything between the bearer and the contents of messages. When a position report is due by
@@ -62,7 +63,7 @@ struct State {
 /// Why a message was rejected as a whole (3.16.3.1.1).
 enum class Rejected : std::uint8_t { no, no_session, terminating, time_stamp };
 /// The clause of a rejection, a literal; null when not rejected.
-const char* clause(Rejected rejected);
+Clause clause(Rejected rejected);
 
 /// Whether stamp `a` is later than `b`; the counter runs over after 497 days (3.16.3.2.3).
 constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }

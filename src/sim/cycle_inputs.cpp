@@ -11,7 +11,7 @@ void CycleInputs::clear() {
   levels.driver = {};
 }
 
-const kernel::Inputs& CycleInputs::view() {
+const port::Inputs& CycleInputs::view() {
   balise_views_.clear();
   loop_views_.clear();
   radio_views_.clear();

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/evc.h"
+#include "port/inputs.h"
+#include "port/outputs.h"
 #include "sim/line.h"
 #include "train/train_data.h"
 
@@ -17,7 +18,7 @@ struct CycleInputs {
     OdometerPlace at;
   };
   std::int64_t t_ms = 0;
-  kernel::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()
+  port::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()
   std::vector<Telegram> balises;
   std::vector<Bits> loops;
   std::vector<Bits> radio;
@@ -25,12 +26,12 @@ struct CycleInputs {
 
   void clear();
   /// The kernel's view; valid until this object is changed.
-  const kernel::Inputs& view();
+  const port::Inputs& view();
 
  private:
-  std::vector<kernel::BaliseTelegram> balise_views_;
-  std::vector<kernel::LoopMessage> loop_views_;
-  std::vector<kernel::RadioMessage> radio_views_;
+  std::vector<port::BaliseTelegram> balise_views_;
+  std::vector<port::LoopMessage> loop_views_;
+  std::vector<port::RadioMessage> radio_views_;
 };
 
 }  // namespace evc::sim

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace evc::sim {
 namespace {
 
-using kernel::Ack;
-using kernel::Outputs;
-using kernel::Select;
+using port::Outputs;
+using port::Select;
 
 constexpr double kKmh = 3.6;
 constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
@@ -20,15 +18,6 @@ constexpr double kMarginLate = 0.5 / kKmh;
 constexpr double kStopShort = 12.0;             // metres before the end of authority
 constexpr std::int64_t kEntry_ms = 1000;        // from one entry to the next
 constexpr std::uint32_t kDigits = 0x4711FFFFu;  // driver identity and train running number 4711, packed
-
-constexpr const char* kAckNames[] = {"OS", "LS",   "SH",    "SR",   "UN",    "SN",
-                                     "RV", "trip", "level", "text", "brake", "train_data"};
-static_assert(std::size(kAckNames) == static_cast<std::size_t>(Ack::count));
-
-bool asks(const Outputs& seen, const char* name) {
-  return std::any_of(seen.driver_requests.begin(), seen.driver_requests.end(),
-                     [name](const char* request) { return std::strcmp(request, name) == 0; });
-}
 
 constexpr std::uint32_t bit(Select s) { return 1u << static_cast<unsigned>(s); }
 
@@ -51,7 +40,7 @@ Driver::Driver(DriverKind kind, const Line& line, const train::TrainData& train)
 void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
   if (seen.level == Level::L2 || seen.level == Level::L3) level_2_entered_ = true;
   inputs.levels.train.desk_open = true;
-  inputs.levels.train.direction_controller = kernel::DirectionController::forward;
+  inputs.levels.train.direction_controller = port::DirectionController::forward;
   start_mission(seen, t_ms, inputs);
   acknowledge(seen, t_ms, inputs);
 }
@@ -61,17 +50,17 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
   if (seen.mode != Mode::SB || t_ms < next_entry_ms_) return;
   auto& driver = inputs.levels.driver;
   next_entry_ms_ = t_ms + (kind_ == DriverKind::late ? 2 * kEntry_ms : kEntry_ms);
-  if (asks(seen, "enter driver_id")) {
+  if (seen.entries.has(Entry::driver_id)) {
     driver.driver_id = kDigits;
-  } else if (asks(seen, "enter level")) {
+  } else if (seen.entries.has(Entry::level)) {
     driver.level = line_.start_level;
     driver.nid_ntc = line_.start_nid_ntc;
-  } else if (asks(seen, "enter train_data")) {
+  } else if (seen.entries.has(Entry::train_data)) {
     inputs.train_data = train_;
     data_entered_ = true;
-  } else if (asks(seen, "enter train_running_number")) {
+  } else if (seen.entries.has(Entry::train_running_number)) {
     driver.train_running_number = kDigits;
-  } else if (asks(seen, "start") && data_entered_) {
+  } else if (seen.start_offered && data_entered_) {
     driver.selected |= bit(Select::start);
   } else if (!data_entered_) {
     driver.selected |= bit(Select::train_data);
@@ -82,7 +71,7 @@ void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& in
   // 5 s are allowed (T_ACK, A.3.1).
   const std::int64_t delay = kind_ == DriverKind::late ? 3500 : 1000;
   for (std::size_t n = 0; n < asked_since_.size(); ++n) {
-    if (!asks(seen, kAckNames[n])) {
+    if (!seen.requests.has(static_cast<Ack>(n))) {
       asked_since_[n].reset();
       continue;
     }

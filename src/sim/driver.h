@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/evc.h"
+#include "port/inputs.h"
+#include "port/outputs.h"
 #include "sim/cycle_inputs.h"
 #include "sim/line.h"
 #include "sim/motion.h"
@@ -25,17 +26,17 @@ class Driver {
   Driver(DriverKind kind, const Line& line, const train::TrainData& train);
 
   /// The driver sees the outputs of the last cycle and acts in the inputs of this one.
-  void act(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void act(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
   /// Where the handle stands until the next cycle.
-  Handle handle(const kernel::Outputs& seen, const Motion& motion, double step_s);
+  Handle handle(const port::Outputs& seen, const Motion& motion, double step_s);
 
  private:
-  void start_mission(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
-  void acknowledge(const kernel::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void start_mission(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void acknowledge(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
   double speed_of_line(const Motion& motion) const;
-  double permitted(const kernel::Outputs& seen, const Motion& motion) const;
-  double reckless_speed(const kernel::Outputs& seen, const Motion& motion);
-  bool must_stand(const kernel::Outputs& seen) const;
+  double permitted(const port::Outputs& seen, const Motion& motion) const;
+  double reckless_speed(const port::Outputs& seen, const Motion& motion);
+  bool must_stand(const port::Outputs& seen) const;
   double margin() const;
 
   DriverKind kind_;
@@ -45,7 +46,7 @@ class Driver {
   bool creeping_ = false;
   std::optional<double> last_wanted_;
   std::deque<double> wanted_;  // accelerations not yet acted on (late)
-  std::array<std::optional<std::int64_t>, static_cast<std::size_t>(kernel::Ack::count)> asked_since_{};
+  std::array<std::optional<std::int64_t>, static_cast<std::size_t>(Ack::count)> asked_since_{};
   std::int64_t next_entry_ms_ = 1000;
   bool data_entered_ = false;
 };

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/evc.h"
+#include "port/inputs.h"
+#include "port/outputs.h"
 
 namespace evc::sim {
 

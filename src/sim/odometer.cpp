@@ -35,8 +35,8 @@ void Odometer::accelerate(double a, double step_s) {
   acceleration_ += (a - acceleration_) * std::min(1.0, step_s / kSmoothing_s);
 }
 
-kernel::Odometry Odometer::read(double v) const {
-  kernel::Odometry o;
+port::Odometry Odometer::read(double v) const {
+  port::Odometry o;
   // Outwards, so that rounding cannot exclude the truth.
   o.nominal = {{milli(nominal_)}};
   o.min = {{std::floor(min_ * 1e3) / 1e3 + 0.0}};

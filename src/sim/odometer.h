@@ -1,5 +1,6 @@
 #pragma once
-#include "kernel/evc.h"
+#include "port/inputs.h"
+#include "port/outputs.h"
 #include "sim/random.h"
 
 namespace evc::sim {
@@ -21,7 +22,7 @@ class Odometer {
   /// The true acceleration over the last `step_s`; the sensor smooths it.
   void accelerate(double a, double step_s);
   /// Counters in whole millimetres; speed `v` and acceleration as the sensor sees them.
-  kernel::Odometry read(double v) const;
+  port::Odometry read(double v) const;
   /// The nominal counter after a further true way of `way_m` (a balise between two readings).
   double nominal_after(double way_m) const { return nominal_ + way_m * (1.0 + error()); }
 

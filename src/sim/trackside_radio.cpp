@@ -47,7 +47,7 @@ TracksideRadio::TracksideRadio(const Line& line, std::optional<int> last_ma, Ran
   if (!line.balises.empty()) M_VERSION_ = static_cast<std::uint8_t>(line.balises.front().telegram.number(1, 7));
 }
 
-void TracksideRadio::hear(const kernel::Outputs& outputs, std::int64_t t_ms) {
+void TracksideRadio::hear(const port::Outputs& outputs, std::int64_t t_ms) {
   if (outputs.radio_disconnect) {
     bearer_ = session_ = false;
     connected_at_ms_.reset();
@@ -56,10 +56,10 @@ void TracksideRadio::hear(const kernel::Outputs& outputs, std::int64_t t_ms) {
   if (outputs.radio_connect && !bearer_ && !connected_at_ms_)
     connected_at_ms_ = t_ms + static_cast<std::int64_t>(random_.between(1500.0, 4000.0));
   if (!bearer_) return;
-  for (const kernel::OutgoingMessage& message : outputs.radio_out) answer(message, t_ms);
+  for (const port::OutgoingMessage& message : outputs.radio_out) answer(message, t_ms);
 }
 
-void TracksideRadio::answer(const kernel::OutgoingMessage& message, std::int64_t t_ms) {
+void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t_ms) {
   const Bits bits{{message.bytes.begin(), message.bytes.end()}, 8 * message.bytes.size()};
   const std::uint32_t NID_MESSAGE = bits.number(0, 8);
   const std::uint32_t T_TRAIN = bits.number(kStampAt, 32);

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/evc.h"
+#include "port/inputs.h"
+#include "port/outputs.h"
 #include "sim/cycle_inputs.h"
 #include "sim/line.h"
 #include "sim/random.h"
@@ -27,7 +28,7 @@ class TracksideRadio {
   TracksideRadio(const Line& line, std::optional<int> last_ma, Random& random);
 
   /// What the on-board asked of the bearer and sent in the cycle at `t_ms`.
-  void hear(const kernel::Outputs& outputs, std::int64_t t_ms);
+  void hear(const port::Outputs& outputs, std::int64_t t_ms);
   /// Puts what arrives in the cycle at `t_ms` into its inputs.
   void deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs);
 
@@ -46,7 +47,7 @@ class TracksideRadio {
     std::int64_t due_ms = 0;
     std::size_t message = 0;  // index in the line
   };
-  void answer(const kernel::OutgoingMessage& message, std::int64_t t_ms);
+  void answer(const port::OutgoingMessage& message, std::int64_t t_ms);
   void reply(std::int64_t t_ms, Bits message);
   void send(Bits message, int seq, std::int64_t t_ms, double front_m, CycleInputs& inputs);
 

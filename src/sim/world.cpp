@@ -97,7 +97,7 @@ void World::read_balises(double antenna_before, double antenna_after, double nom
   }
 }
 
-void World::observe(const kernel::Outputs& outputs) {
+void World::observe(const port::Outputs& outputs) {
   seen_ = outputs;
   radio_.hear(outputs, inputs_.t_ms);
 }
@@ -108,7 +108,7 @@ bool World::finished() const {
   return inputs_.t_ms - moved_at_ms_ > kStandsForGood_ms && radio_.waiting() == 0;
 }
 
-std::optional<World::Reference> World::reference(const kernel::NidLrbg& lrbg) const {
+std::optional<World::Reference> World::reference(const port::NidLrbg& lrbg) const {
   for (auto it = passings_.rbegin(); it != passings_.rend(); ++it)
     if (it->NID_C == lrbg.NID_C && it->NID_BG == lrbg.NID_BG)
       return Reference{it->position_m, it->nominal_m - train_.L_antenna_front.si};

@@ -40,7 +40,7 @@ class World {
 
   /// The inputs of the next cycle; the first one is of t = 0, before anything moves.
   CycleInputs& advance();
-  void observe(const kernel::Outputs& outputs);
+  void observe(const port::Outputs& outputs);
   /// The rear has passed the last group, or the front the end; or the train stands for good.
   bool finished() const;
 
@@ -58,7 +58,7 @@ class World {
   struct Reference {
     double position_m, nominal_m;
   };
-  std::optional<Reference> reference(const kernel::NidLrbg& lrbg) const;
+  std::optional<Reference> reference(const port::NidLrbg& lrbg) const;
 
  private:
   void move_one_cycle();
@@ -74,7 +74,7 @@ class World {
   TracksideRadio radio_;
   Driver driver_;
   CycleInputs inputs_;
-  kernel::Outputs seen_;
+  port::Outputs seen_;
   bool first_ = true;
   double start_m_, end_m_;
   std::int64_t moved_at_ms_ = 0;  // when the train last was a metre away from where it stood

@@ -31,8 +31,8 @@ Line plain_line() {
 }
 
 /// An on-board that lets the train run, without any supervision.
-kernel::Outputs in_SN(const kernel::Inputs& inputs) {
-  kernel::Outputs o;
+port::Outputs in_SN(const port::Inputs& inputs) {
+  port::Outputs o;
   o.mode = Mode::SN;
   o.level = Level::NTC;
   o.v = inputs.odometry.V_est;
@@ -88,7 +88,7 @@ TEST(World, TheSameSeedGivesTheSameWorld) {
     ASSERT_EQ(oa.nominal, ob.nominal);
     ASSERT_EQ(oa.V_est, ob.V_est);
     other_differs = other_differs || oa.nominal != oc.nominal;
-    kernel::Inputs inputs;
+    port::Inputs inputs;
     inputs.odometry = oa;
     a.observe(in_SN(inputs));
     b.observe(in_SN(inputs));
@@ -104,7 +104,7 @@ TEST(World, AStandingTrainEndsTheRun) {
   int cycles = 0;
   while (!world.finished() && ++cycles < 5000) {
     world.advance();
-    kernel::Outputs o;
+    port::Outputs o;
     o.mode = Mode::SB;
     o.eb = true;
     world.observe(o);
@@ -181,9 +181,9 @@ TEST(Odometer, BoundsHoldOverAnyStretch) {
     }
 }
 
-kernel::Outputs saying(std::initializer_list<std::uint8_t> first_bytes) {
-  kernel::Outputs o;
-  kernel::OutgoingMessage m;
+port::Outputs saying(std::initializer_list<std::uint8_t> first_bytes) {
+  port::Outputs o;
+  port::OutgoingMessage m;
   for (const std::uint8_t b : first_bytes) (void)m.bytes.push_back(b);
   while (m.bytes.size() < 24) (void)m.bytes.push_back(0);
   (void)o.radio_out.push_back(m);
@@ -203,7 +203,7 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   Random random(1);
   TracksideRadio radio(line, 5, random);
   CycleInputs inputs;
-  const auto cycle = [&](std::int64_t t_ms, const kernel::Outputs& o) {
+  const auto cycle = [&](std::int64_t t_ms, const port::Outputs& o) {
     radio.hear(o, t_ms);
     inputs.clear();
     radio.deliver(t_ms + 100, 200.0, inputs);
@@ -211,8 +211,8 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   cycle(0, {});
   EXPECT_EQ(radio.withheld(), 1u);
   EXPECT_EQ(radio.waiting(), 1u);
-  kernel::Outputs call;
-  call.radio_connect = kernel::RbcAddress{1, 2, 3};
+  port::Outputs call;
+  call.radio_connect = port::RbcAddress{1, 2, 3};
   cycle(100, call);
   std::int64_t t = 200;
   while (inputs.levels.radio_link != RadioLink::connected && t < 10000) cycle(t += 100, {});

@@ -22,18 +22,18 @@ std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fre
 template <class T, std::size_t N, std::size_t M>
 void replace(const Filing& f, std::uint8_t packet, InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
   if (const std::optional<Place> from = replace(stored, fresh))
-    f.lost(packet, *from, "3.7.3.1");
+    f.lost(packet, *from, "3.7.3.1"_srs);
   else
-    f.note(packet, Note::What::stored, nullptr);
+    f.note(packet, Note::What::stored, {});
 }
 
 /// A continuous profile: without room for all of it, it ends at its last step.
 template <class Value, std::size_t N, std::size_t M>
 void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, const Profile<Value, M>& fresh) {
   if (stored.replace_from(fresh))
-    f.note(packet, Note::What::stored, nullptr);
+    f.note(packet, Note::What::stored, {});
   else
-    f.lost(packet, stored.steps.back().from, "3.7.3.1");
+    f.lost(packet, stored.steps.back().from, "3.7.3.1"_srs);
 }
 
 // --- speed restrictions
@@ -43,26 +43,26 @@ void store_tsr(const Filing& f) {
   for (const std::uint8_t id : f.c.revoked_tsr) {
     // 255 names every restriction that cannot be revoked (3.11.5.9).
     if (id != 255) d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == id; });
-    f.note(66, Note::What::stored, nullptr);
+    f.note(66, Note::What::stored, {});
   }
   if (f.c.inhibit_revocable_tsr) {
     d.revocable_tsr_inhibited = true;
-    f.note(64, Note::What::stored, nullptr);
+    f.note(64, Note::What::stored, {});
   }
   for (const TemporarySpeedRestriction& tsr : f.c.tsr) {
     if (tsr.NID_TSR != 255 && !tsr.from_rbc && d.revocable_tsr_inhibited) {
-      f.note(65, Note::What::refused, "3.11.5.12");
+      f.note(65, Note::What::refused, "3.11.5.12"_srs);
       continue;
     }
     if (tsr.NID_TSR != 255)
       d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == tsr.NID_TSR; });
     const bool room = d.tsr.push_back(tsr);
     if (!room) cover(d.tsr.back(), tsr);
-    f.stored(65, room, "3.11.5");
+    f.stored(65, room, "3.11.5"_srs);
   }
   if (f.c.default_gradient) {
     d.default_gradient = f.c.default_gradient;
-    f.note(141, Note::What::stored, nullptr);
+    f.note(141, Note::What::stored, {});
   }
 }
 
@@ -78,9 +78,9 @@ void store_level_crossings(const Filing& f) {
     d.lx.erase_if([&](const LevelCrossing& old) { return old.NID_LX == lx.NID_LX; });
     const bool room = d.lx.push_back(lx);
     if (!room && lx.unprotected)
-      f.lost(88, lx.from, "3.12.5");
+      f.lost(88, lx.from, "3.12.5"_srs);
     else
-      f.stored(88, room, "3.12.5");
+      f.stored(88, room, "3.12.5"_srs);
   }
 }
 
@@ -103,7 +103,7 @@ void store_suitability(const Filing& f) {
   const Fresh<RouteSuitability>& fresh = *f.c.suitability;
   if (fresh.initial_state) {
     d.suitability.erase_if([&](const RouteSuitability& old) { return old.at >= fresh.from; });
-    return f.note(70, Note::What::stored, nullptr);
+    return f.note(70, Note::What::stored, {});
   }
   // Each kind that the packet names is replaced as a whole, wherever it lies (3.7.3.1 h-j).
   d.suitability.erase_if([&](const RouteSuitability& old) {
@@ -114,8 +114,8 @@ void store_suitability(const Filing& f) {
   std::optional<Place> lost;
   for (const RouteSuitability& item : fresh.elements)
     if (!d.suitability.push_back(item) && (!lost || item.at < *lost)) lost = item.at;
-  if (lost) return f.lost(70, *lost, "3.12.2");
-  f.note(70, Note::What::stored, nullptr);
+  if (lost) return f.lost(70, *lost, "3.12.2"_srs);
+  f.note(70, Note::What::stored, {});
 }
 
 void store_adhesion(const Filing& f) {
@@ -131,15 +131,15 @@ void store_conditions(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
   if (c.conditions) replace(f, 68, d.conditions, *c.conditions);
-  if (c.big_metal) f.stored(67, !replace(d.big_metal, *c.big_metal), "3.7.3.1");
-  if (c.platforms) f.stored(69, !replace(d.platforms, *c.platforms), "3.7.3.1");
+  if (c.big_metal) f.stored(67, !replace(d.big_metal, *c.big_metal), "3.7.3.1"_srs);
+  if (c.platforms) f.stored(69, !replace(d.platforms, *c.platforms), "3.7.3.1"_srs);
   if (c.traction) {
     d.traction = c.traction;
-    f.note(39, Note::What::stored, nullptr);
+    f.note(39, Note::What::stored, {});
   }
   if (c.current) {
     d.current = c.current;
-    f.note(40, Note::What::stored, nullptr);
+    f.note(40, Note::What::stored, {});
   }
   store_suitability(f);
   store_adhesion(f);
@@ -154,12 +154,12 @@ void store_texts(const Filing& f) {
       if (text.report && old.report && !old.acknowledged && old.NID_TEXTMESSAGE == text.NID_TEXTMESSAGE)
         repeated = true;
     if (repeated) {
-      f.note(packet, Note::What::refused, "3.12.3.5.3");
+      f.note(packet, Note::What::refused, "3.12.3.5.3"_srs);
       continue;
     }
     text.id = d.next_text_id;
     d.next_text_id = d.next_text_id == 255 ? std::uint8_t{1} : static_cast<std::uint8_t>(d.next_text_id + 1);
-    f.stored(packet, d.texts.push_back(text), "3.12.3");
+    f.stored(packet, d.texts.push_back(text), "3.12.3"_srs);
   }
 }
 
@@ -168,20 +168,20 @@ void store_orders(const Filing& f) {
   Description& d = f.d;
   if (c.rbc_transition) {
     d.rbc_transition = c.rbc_transition;
-    f.note(131, Note::What::stored, nullptr);
+    f.note(131, Note::What::stored, {});
   }
   if (c.radio_infill) {
     d.radio_infill = c.radio_infill;
-    f.note(133, Note::What::stored, nullptr);
+    f.note(133, Note::What::stored, {});
   }
   if (c.reversing_area) {
     d.reversing_area = c.reversing_area;
     d.reversing_reference = c.reversing_area->to;
-    f.note(138, Note::What::stored, nullptr);
+    f.note(138, Note::What::stored, {});
   }
   if (c.reversing_supervision) {
     d.reversing_supervision = c.reversing_supervision;
-    f.note(139, Note::What::stored, nullptr);
+    f.note(139, Note::What::stored, {});
   }
   if (c.sh_list && !c.ma) d.sh_list = c.sh_list;
   if (c.sr_authorisation) d.sr_list = c.sr_list;
@@ -190,7 +190,7 @@ void store_orders(const Filing& f) {
     d.geo.erase_if([&](const GeoReference& old) { return !old.applies_from || *old.applies_from > f.here.est_front; });
     bool room = true;
     for (const GeoReference& reference : *c.geo) room = d.geo.push_back(reference) && room;
-    f.stored(79, room, "3.6.6");
+    f.stored(79, room, "3.6.6"_srs);
   }
   d.stop_shunting_on_desk_opening = d.stop_shunting_on_desk_opening || c.stop_shunting_on_desk_opening;
   bool limited_supervision = false;
@@ -210,10 +210,10 @@ bool matters_to_monitoring(const Contents& c) {
 
 }  // namespace
 
-Stored store(Description& d, const Contents& c, const Here& here, const char* refuse_ma) {
+Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma) {
   Stored report;
   const Filing f{d, c, here, report};
-  for (const std::uint8_t packet : c.lost) f.note(packet, Note::What::full, "3.7.3.1");
+  for (const std::uint8_t packet : c.lost) f.note(packet, Note::What::full, "3.7.3.1"_srs);
   report.lost_from = c.lost_from;
   store_authority(f, refuse_ma);
   store_signalling_speed(f);

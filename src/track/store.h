@@ -1,15 +1,17 @@
 #pragma once
 #include <cstdint>
 
+#include "terms/clause.h"
 #include "track/description.h"
 
 namespace evc::track {
 
-/// One thing that became of a packet: stored (clause null), refused or deleted because of the clause.
+/// One thing that became of a packet: stored (no clause), refused or deleted because of the clause; refused without one
+/// for want of room.
 struct Note {
   std::uint8_t packet = 0;
   enum class What : std::uint8_t { stored, refused, shortened, full } what = What::stored;
-  const char* clause = nullptr;
+  Clause clause;
 };
 struct Stored {
   bool ma_accepted = false, ma_refused = false;
@@ -28,8 +30,8 @@ bool complete(const Description& d, const Here& here);
 
 /// Stores what a message brings: shortening first, then the MA if it is complete, then each packet by its rule of
 /// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be taken now (3.10.2.4 pending emergency stop,
-/// 4.8.3 [3] train data not acknowledged), or null. What a full store cannot take is noted; where
+/// 4.8.3 [3] train data not acknowledged), or none. What a full store cannot take is noted; where
 /// it restricts the train, authority and track description end there (Stored::lost_from).
-Stored store(Description& d, const Contents& c, const Here& here, const char* refuse_ma = nullptr);
+Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma = {});
 
 }  // namespace evc::track

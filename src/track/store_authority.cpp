@@ -4,7 +4,7 @@
 namespace evc::track {
 namespace {
 
-constexpr const char* kIncomplete = "3.7.2.3";
+constexpr Clause kIncomplete = "3.7.2.3"_srs;
 
 /// Whether the end-section or overlap timer of the new MA takes over the running one: it does where the new start is
 /// already behind the max safe front end; a timer that does not run counts as expired then (3.8.4.1.3-4, 3.8.4.4.4-5).
@@ -95,14 +95,15 @@ void store_mode_profile(const Filing& f) {
     shunting = shunting || area.mode == Mode::SH;
   }
   if (lost)
-    f.lost(80, *lost, "3.12.4");
+    f.lost(80, *lost, "3.12.4"_srs);
   else
-    f.note(80, Note::What::stored, nullptr);
+    f.note(80, Note::What::stored, {});
   // The list of a stored SH area goes with it and comes with the new one (3.12.4.4).
   if (shunting) d.sh_list = c.sh_list;
 }
 
-void refuse_authority(const Filing& f, const char* clause) {
+/// Without a clause: for want of room.
+void refuse_authority(const Filing& f, Clause clause) {
   f.report.ma_refused = true;
   f.note(f.c.V_MAIN ? 12 : 15, Note::What::refused, clause);
   if (f.c.mode_profile) f.note(80, Note::What::refused, clause);
@@ -128,27 +129,27 @@ bool complete(const Description& d, const Here& here) {
   return d.ssp.covers(here.est_front, to) && d.gradient.covers(here.est_front, to);
 }
 
-void store_authority(const Filing& f, const char* refuse_ma) {
+void store_authority(const Filing& f, Clause refuse_ma) {
   const Contents& c = f.c;
   Description& d = f.d;
   if (!c.ma || c.ma->sections.empty()) return;
-  if (refuse_ma != nullptr) return refuse_authority(f, refuse_ma);
+  if (refuse_ma) return refuse_authority(f, refuse_ma);
   // Infill extends an authority: without one there is nothing it could begin at (3.8.5.1 b).
-  if (c.infill && !d.ma) return refuse_authority(f, "3.8.5.1");
+  if (c.infill && !d.ma) return refuse_authority(f, "3.8.5.1"_srs);
   if (!complete(d, c, f.here)) return refuse_authority(f, kIncomplete);
   MovementAuthority ma = *c.ma;
-  if (c.infill && !join(ma, *d.ma, *c.infill)) return refuse_authority(f, "capacity");
+  if (c.infill && !join(ma, *d.ma, *c.infill)) return refuse_authority(f, {});
   carry_timers(ma, d.ma, f.here);
   if (c.ma_is_shortening_request || is_shortening(ma, d.ma)) {
     // The deletion concerns what was stored before this message (3.8.5.1.5 of 4.0.0; silent before).
     f.report.shortened = true;
-    f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6" : "3.8.5.1.3");
+    f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6"_srs : "3.8.5.1.3"_srs);
     (void)shorten(d, c.ma_is_shortening_request ? Situation::f_shortening_granted : Situation::b_shortened_ma,
                   ma.far_end(), f.here);
   }
   d.ma = ma;
   f.report.ma_accepted = true;
-  f.note(ma.level_1 ? 12 : 15, Note::What::stored, nullptr);
+  f.note(ma.level_1 ? 12 : 15, Note::What::stored, {});
   store_mode_profile(f);
   // An MA of level 2/3 ends the signalling related restriction of level 1 (3.11.6.3.1).
   if (!ma.level_1) d.signalling.reset();
@@ -184,7 +185,7 @@ void reposition(const Filing& f) {
     ma.overlap->start = ma.overlap->start + shift;
     ma.overlap->end = ma.overlap->end + shift;
   }
-  f.note(16, Note::What::stored, nullptr);
+  f.note(16, Note::What::stored, {});
 }
 
 }  // namespace evc::track

@@ -10,10 +10,10 @@ namespace {
 
 using namespace testing;
 
-std::string_view clause_of(const Stored& s, std::uint8_t packet) {
+Clause clause_of(const Stored& s, std::uint8_t packet) {
   for (const Note& n : s.notes)
-    if (n.packet == packet && n.clause != nullptr) return n.clause;
-  return "";
+    if (n.packet == packet && n.clause) return n.clause;
+  return {};
 }
 TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
   TemporarySpeedRestriction t;
@@ -68,9 +68,9 @@ TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
     EXPECT_EQ(s.ma_accepted, c.accepted) << c.name;
     EXPECT_EQ(s.ma_refused, !c.accepted) << c.name;
     EXPECT_EQ(d.ma.has_value(), c.accepted) << c.name;
-    EXPECT_EQ(clause_of(s, 15), c.accepted ? "" : "3.7.2.3") << c.name;
-    EXPECT_EQ(clause_of(s, 80), c.accepted ? "" : "3.7.2.3") << c.name;
-    EXPECT_EQ(clause_of(s, 49), c.accepted ? "" : "3.7.2.3") << c.name;
+    EXPECT_EQ(clause_of(s, 15), c.accepted ? Clause{} : "3.7.2.3"_srs) << c.name;
+    EXPECT_EQ(clause_of(s, 80), c.accepted ? Clause{} : "3.7.2.3"_srs) << c.name;
+    EXPECT_EQ(clause_of(s, 49), c.accepted ? Clause{} : "3.7.2.3"_srs) << c.name;
     EXPECT_EQ(d.tsr.size(), 1u) << "the other packets are judged on their own: " << c.name;
     EXPECT_EQ(d.ssp.empty(), contents.ssp->empty()) << c.name;
   }
@@ -92,7 +92,7 @@ TEST(Store, ARefusedMaLeavesTheOldOne) {
   c.ma = authority_to(2000);
   EXPECT_TRUE(store(d, c, front_at(100)).ma_refused);
   EXPECT_EQ(d.ma->end(), at(1000));
-  EXPECT_EQ(clause_of(store(d, whole(3000), front_at(100), "3.10.2.4"), 15), "3.10.2.4");
+  EXPECT_EQ(clause_of(store(d, whole(3000), front_at(100), "3.10.2.4"_srs), 15), "3.10.2.4"_srs);
   EXPECT_EQ(d.ma->end(), at(1000));
   EXPECT_TRUE(d.ssp.covers(at(0), at(3000))) << "only the MA is refused";
 }
@@ -142,7 +142,7 @@ TEST(Store, GrantedShorteningRequest) {
   c.ma_is_shortening_request = true;
   const Stored s = store(d, c, front_at(100));
   EXPECT_TRUE(s.shortened);
-  EXPECT_EQ(clause_of(s, 15), "3.8.6");
+  EXPECT_EQ(clause_of(s, 15), "3.8.6"_srs);
 }
 
 TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
@@ -177,7 +177,7 @@ TEST(Store, InfillWithoutAnMaIsRefused) {
   Description d;
   Contents c = whole(3000);
   c.infill = at(1500);
-  EXPECT_EQ(clause_of(store(d, c, front_at(1600)), 15), "3.8.5.1");
+  EXPECT_EQ(clause_of(store(d, c, front_at(1600)), 15), "3.8.5.1"_srs);
   EXPECT_FALSE(d.ma);
 }
 

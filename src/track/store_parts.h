@@ -11,25 +11,25 @@ struct Filing {
   const Here& here;
   Stored& report;
 
-  void note(std::uint8_t packet, Note::What what, const char* clause) const {
+  void note(std::uint8_t packet, Note::What what, Clause clause) const {
     // The report holds one note per packet kind; a full one loses notes, never data.
     if (!report.notes.full()) (void)report.notes.push_back({packet, what, clause});
   }
-  void stored(std::uint8_t packet, bool room, const char* clause) const {
+  void stored(std::uint8_t packet, bool room, Clause clause) const {
     if (room)
-      note(packet, Note::What::stored, nullptr);
+      note(packet, Note::What::stored, {});
     else
       note(packet, Note::What::full, clause);
   }
   /// Something of `packet` that restricts from `from` on found no room.
-  void lost(std::uint8_t packet, Place from, const char* clause) const {
+  void lost(std::uint8_t packet, Place from, Clause clause) const {
     note(packet, Note::What::full, clause);
     if (!report.lost_from || from < *report.lost_from) report.lost_from = from;
   }
 };
 
 /// The MA with its mode profile and list for SH: shortening, completeness, timers (3.8).
-void store_authority(const Filing& filing, const char* refuse_ma);
+void store_authority(const Filing& filing, Clause refuse_ma);
 /// V_MAIN (3.11.6).
 void store_signalling_speed(const Filing& filing);
 /// Packet 16 (3.8.5.2).

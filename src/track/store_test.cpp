@@ -11,10 +11,10 @@ namespace {
 
 using namespace testing;
 
-std::string_view clause_of(const Stored& s, std::uint8_t packet) {
+Clause clause_of(const Stored& s, std::uint8_t packet) {
   for (const Note& n : s.notes)
-    if (n.packet == packet && n.clause != nullptr) return n.clause;
-  return "";
+    if (n.packet == packet && n.clause) return n.clause;
+  return {};
 }
 TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
   TemporarySpeedRestriction t;
@@ -46,7 +46,7 @@ TEST(Store, TemporarySpeedRestrictions) {  // 3.11.5
   Contents more;
   for (const auto& t : {tsr_of(7, 0, 1, 8), tsr_of(200, 0, 1, 8, true), tsr_of(255, 0, 1, 8)})
     ASSERT_TRUE(more.tsr.push_back(t));
-  EXPECT_EQ(clause_of(store(d, more, front_at(0)), 65), "3.11.5.12");
+  EXPECT_EQ(clause_of(store(d, more, front_at(0)), 65), "3.11.5.12"_srs);
   EXPECT_EQ(d.tsr.size(), 4u);
 }
 
@@ -56,7 +56,7 @@ TEST(Store, AFullTsrStoreGrowsItsLastOneToCoverBoth) {
     ASSERT_TRUE(d.tsr.push_back(tsr_of(static_cast<std::uint8_t>(i), 1000, 1100, 16)));
   Contents c;
   ASSERT_TRUE(c.tsr.push_back(tsr_of(100, 500, 600, 4)) && c.tsr.push_back(tsr_of(101, 2000, 2100, 20)));
-  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 65), "3.11.5");
+  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 65), "3.11.5"_srs);
   EXPECT_EQ(d.tsr.back().from, at(500));
   EXPECT_EQ(d.tsr.back().to, at(2100));
   EXPECT_EQ(d.tsr.back().V_TSR, 4);
@@ -134,13 +134,13 @@ TEST(Store, WhatHasNoRoomAndRestrictsEndsTheAuthorityInFrontOfIt) {
     Contents c;
     ASSERT_TRUE(c.lx.push_back({.from = at(3000), .to = at(3010), .NID_LX = 100, .unprotected = true}));
     const Stored stored = store(d, c, here);
-    EXPECT_EQ(clause_of(stored, 88), "3.12.5");
+    EXPECT_EQ(clause_of(stored, 88), "3.12.5"_srs);
     expect_ended(d, stored);
     Description other = on_the_way();
     other.lx = d.lx;
     c.lx[0].unprotected = false;
     const Stored of_protected = store(other, c, here);
-    EXPECT_EQ(clause_of(of_protected, 88), "3.12.5");
+    EXPECT_EQ(clause_of(of_protected, 88), "3.12.5"_srs);
     EXPECT_FALSE(of_protected.lost_from) << "a protected one asks for nothing";
   }
   {
@@ -164,7 +164,7 @@ TEST(Store, WhatHasNoRoomAndRestrictsEndsTheAuthorityInFrontOfIt) {
     Contents c;
     c.lose(88, at(3000));  // the message itself brought more than there is room for
     const Stored stored = store(d, c, here);
-    EXPECT_EQ(clause_of(stored, 88), "3.7.3.1");
+    EXPECT_EQ(clause_of(stored, 88), "3.7.3.1"_srs);
     expect_ended(d, stored);
   }
 }
@@ -220,8 +220,8 @@ TEST(Store, WhatDoesNotRestrictIsOnlyTold) {
   c.big_metal = one_behind_the_other<BigMetalMass>(30);
   c.platforms = one_behind_the_other<Platform>(30);
   const Stored stored = store(d, c, front_at(0));
-  EXPECT_EQ(clause_of(stored, 67), "3.7.3.1");
-  EXPECT_EQ(clause_of(stored, 69), "3.7.3.1");
+  EXPECT_EQ(clause_of(stored, 67), "3.7.3.1"_srs);
+  EXPECT_EQ(clause_of(stored, 69), "3.7.3.1"_srs);
   EXPECT_FALSE(stored.lost_from);
   EXPECT_EQ(d.ma->end(), at(5000));
 }
@@ -358,12 +358,12 @@ TEST(Store, TheSameTextIdentityIsRefusedWhileUnacknowledged) {  // 3.12.3.5.3
   t.Q_TEXTCONFIRM = 1;
   ASSERT_TRUE(c.texts.push_back(t));
   store(d, c, front_at(0));
-  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 72), "3.12.3.5.3");
+  EXPECT_EQ(clause_of(store(d, c, front_at(0)), 72), "3.12.3.5.3"_srs);
   EXPECT_EQ(d.texts.size(), 1u);
   Contents plain;
   ASSERT_TRUE(plain.texts.push_back(Text{}));
   for (int i = 0; i < 5; ++i) store(d, plain, front_at(0));
-  EXPECT_EQ(clause_of(store(d, plain, front_at(0)), 72), "3.12.3") << "full";
+  EXPECT_EQ(clause_of(store(d, plain, front_at(0)), 72), "3.12.3"_srs) << "full";
   d.next_text_id = 255;
   d.texts.clear();
   store(d, plain, front_at(0));

@@ -4,6 +4,7 @@
 
 #include "base/step_function.h"
 #include "base/units.h"
+#include "terms/clause.h"
 #include "terms/srs_version.h"
 #include "train/fixed_values.h"
 #include "train/national_values.h"
@@ -51,10 +52,8 @@ enum class Fault : std::uint8_t {
   A_NVMAXREDADH,            // outside 0..3.15 m/s2
   count
 };
-/// "3.13.3.2.1 b": the paragraph that the fault offends.
-const char* clause(Fault fault);
-/// A short name for messages: "brake_percentage".
-const char* name(Fault fault);
+/// The paragraph that the fault offends, none for `none`.
+Clause clause(Fault fault);
 
 /// The first fault found, `Fault::none` when everything is in range.
 Fault check(const TrainData& train);

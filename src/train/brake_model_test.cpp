@@ -414,12 +414,10 @@ TEST(Check, EveryFaultOfNationalValues) {
             Fault::none);
 }
 
-TEST(Check, EveryFaultHasANameAndAClause) {
-  std::set<std::string> names;
+TEST(Check, EveryFaultHasAClause) {
   for (unsigned i = 0; i < static_cast<unsigned>(Fault::count); ++i) {
     const auto fault = static_cast<Fault>(i);
-    EXPECT_TRUE(names.insert(name(fault)).second) << name(fault);
-    EXPECT_EQ(std::string(clause(fault)).empty(), fault == Fault::none);
+    EXPECT_EQ(static_cast<bool>(clause(fault)), fault != Fault::none) << i;
   }
 }
 

@@ -3,40 +3,45 @@
 namespace evc::train {
 namespace {
 
-struct FaultText {
+struct FaultRow {
   Fault fault;
-  const char* name;
-  const char* clause;
+  Clause clause;
 };
-constexpr FaultText kTexts[] = {
-    {Fault::none, "none", ""},
-    {Fault::brake_percentage, "brake_percentage", "3.13.3.2.1 b"},
-    {Fault::train_length_lambda, "train_length_lambda", "3.13.3.2.1 c"},
-    {Fault::maximum_speed_lambda, "maximum_speed_lambda", "3.13.3.2.1 a"},
-    {Fault::train_length, "train_length", "A.3.11"},
-    {Fault::maximum_speed, "maximum_speed", "A.3.11"},
-    {Fault::traction_cut_off_time, "traction_cut_off_time", "3.13.2.2.2"},
-    {Fault::antenna, "antenna", "3.6.4.2"},
-    {Fault::rotating_mass, "rotating_mass", "3.13.2.2.10"},
-    {Fault::no_emergency_model, "no_emergency_model", "3.13.2.2.3.1"},
-    {Fault::no_service_model, "no_service_model", "3.13.2.2.3.1"},
-    {Fault::no_emergency_time, "no_emergency_time", "3.13.2.2.3.2"},
-    {Fault::no_service_time, "no_service_time", "3.13.2.2.3.2"},
-    {Fault::deceleration, "deceleration", "3.13.2.2.3.1"},
-    {Fault::correction_factor, "correction_factor", "3.13.2.2.9.1"},
-    {Fault::build_up_time, "build_up_time", "3.13.2.2.3.2"},
-    {Fault::Kn, "Kn", "3.13.2.2.9.2.1"},
-    {Fault::guidance_without_model, "guidance_without_model", "3.13.8.5.2"},
-    {Fault::special_brake_interface, "special_brake_interface", "3.13.2.2.6"},
-    {Fault::Kv_int, "Kv_int", "3.13.2.3.7.11"},
-    {Fault::Kr_int, "Kr_int", "3.13.2.3.7.12"},
-    {Fault::Kt_int, "Kt_int", "3.13.2.3.7.14"},
-    {Fault::A_NVP, "A_NVP", "3.13.2.3.7.11.5"},
-    {Fault::M_NVAVADH, "M_NVAVADH", "3.13.2.3.7.6"},
-    {Fault::M_NVEBCL, "M_NVEBCL", "3.13.2.3.7.5"},
-    {Fault::A_NVMAXREDADH, "A_NVMAXREDADH", "3.13.2.3.7.7"},
+constexpr FaultRow kClauses[] = {
+    {Fault::none, {}},
+    {Fault::brake_percentage, "3.13.3.2.1 b"_srs},
+    {Fault::train_length_lambda, "3.13.3.2.1 c"_srs},
+    {Fault::maximum_speed_lambda, "3.13.3.2.1 a"_srs},
+    {Fault::train_length, "A.3.11"_srs},
+    {Fault::maximum_speed, "A.3.11"_srs},
+    {Fault::traction_cut_off_time, "3.13.2.2.2"_srs},
+    {Fault::antenna, "3.6.4.2"_srs},
+    {Fault::rotating_mass, "3.13.2.2.10"_srs},
+    {Fault::no_emergency_model, "3.13.2.2.3.1"_srs},
+    {Fault::no_service_model, "3.13.2.2.3.1"_srs},
+    {Fault::no_emergency_time, "3.13.2.2.3.2"_srs},
+    {Fault::no_service_time, "3.13.2.2.3.2"_srs},
+    {Fault::deceleration, "3.13.2.2.3.1"_srs},
+    {Fault::correction_factor, "3.13.2.2.9.1"_srs},
+    {Fault::build_up_time, "3.13.2.2.3.2"_srs},
+    {Fault::Kn, "3.13.2.2.9.2.1"_srs},
+    {Fault::guidance_without_model, "3.13.8.5.2"_srs},
+    {Fault::special_brake_interface, "3.13.2.2.6"_srs},
+    {Fault::Kv_int, "3.13.2.3.7.11"_srs},
+    {Fault::Kr_int, "3.13.2.3.7.12"_srs},
+    {Fault::Kt_int, "3.13.2.3.7.14"_srs},
+    {Fault::A_NVP, "3.13.2.3.7.11.5"_srs},
+    {Fault::M_NVAVADH, "3.13.2.3.7.6"_srs},
+    {Fault::M_NVEBCL, "3.13.2.3.7.5"_srs},
+    {Fault::A_NVMAXREDADH, "3.13.2.3.7.7"_srs},
 };
-static_assert(sizeof(kTexts) / sizeof(kTexts[0]) == static_cast<unsigned>(Fault::count));
+static_assert(
+    [] {
+      for (unsigned i = 0; i < sizeof(kClauses) / sizeof(kClauses[0]); ++i)
+        if (static_cast<unsigned>(kClauses[i].fault) != i) return false;
+      return sizeof(kClauses) / sizeof(kClauses[0]) == static_cast<unsigned>(Fault::count);
+    }(),
+    "one row for each fault, in order");
 
 constexpr bool within(double v, double low, double high) { return v >= low && v <= high; }  // false for NaN
 
@@ -95,8 +100,7 @@ bool valid(const MaxReducedAdhesion& a) { return a.no_maximum || within(a.A.si, 
 
 }  // namespace
 
-const char* name(Fault fault) { return kTexts[static_cast<unsigned>(fault)].name; }
-const char* clause(Fault fault) { return kTexts[static_cast<unsigned>(fault)].clause; }
+Clause clause(Fault fault) { return kClauses[static_cast<unsigned>(fault)].clause; }
 
 Fault check(const TrainData& t) {
   if (!within(t.L_TRAIN.si, 1e-9, 4095.0)) return Fault::train_length;

@@ -1,0 +1,21 @@
+#pragma once
+#include <array>
+
+#include "base/units.h"
+#include "terms/level.h"
+#include "terms/srs_version.h"
+#include "train/national_values.h"
+#include "train/train_data.h"
+
+namespace evc::port {
+
+/// What the unit is told once, at power-up.
+struct Config {
+  Duration cycle{0.1};
+  SrsVersion srs = SrsVersion::v3_6_0;
+  train::TrainData train;
+  train::NationalValues national_values;                           // valid until packet 3 brings others (3.18.2)
+  std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
+};
+
+}  // namespace evc::port

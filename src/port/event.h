@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <type_traits>
+
+#include "terms/clause.h"
+#include "terms/level.h"
+#include "terms/mode.h"
+#include "terms/what.h"
+
+namespace evc::port {
+
+/// What the driver entered, in events.
+enum class Entered : std::uint8_t {
+  driver_id,
+  train_running_number,
+  train_data,
+  rbc_contact,
+  level,
+  SR_speed_distance,
+  count
+};
+
+/// One thing that happened in a cycle, with what it happened to and the clause that makes it so.
+struct Event {
+  static constexpr std::int32_t kNone = -1;
+
+  What what{};
+  std::uint8_t from = 0, to = 0;  ///< of a change: Mode or Level
+  std::int32_t id = kNone;        ///< what `what` says: NID_MESSAGE, NID_BG, number of a condition, ... not negative
+  Clause clause{};                ///< none where nothing but the event itself is to be said
+
+  /// A mode transition and its condition of 4.6.3.
+  static constexpr Event mode_changed(Mode from, Mode to, int condition) {
+    return {What::mode_changed, static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), condition, {}};
+  }
+  static constexpr Event level_changed(Level from, Level to, bool by_driver) {
+    return {by_driver ? What::level_changed_by_driver : What::level_changed, static_cast<std::uint8_t>(from),
+            static_cast<std::uint8_t>(to), kNone, "5.10"_srs};
+  }
+
+  friend constexpr bool operator==(const Event&, const Event&) = default;
+};
+static_assert(std::is_trivially_copyable_v<Event> && sizeof(Event) == 12);
+
+}  // namespace evc::port

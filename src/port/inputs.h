@@ -1,0 +1,107 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/units.h"
+#include "terms/level.h"
+#include "terms/radio_link.h"
+#include "terms/requests.h"
+#include "train/train_data.h"
+
+// What goes into one cycle of the kernel.
+namespace evc::port {
+
+/// The odometer: absolute counters since power-up (metres) and speeds. min <= nominal <= max.
+struct Odometry {
+  OdometerPlace nominal, min, max;
+  Speed V_est, V_min, V_max;
+  Acceleration A_est;
+};
+
+/// The user bits of one balise telegram and the nominal counter when its centre was passed by the antenna.
+struct BaliseTelegram {
+  std::span<const std::uint8_t> bytes;  // left aligned
+  std::size_t bits = 0;
+  OdometerPlace at;
+};
+struct LoopMessage {
+  std::span<const std::uint8_t> bytes;
+};
+struct RadioMessage {
+  std::span<const std::uint8_t> bytes;
+};
+/// Selections of the driver in this cycle, one bit each (4.7.2, "driver requests").
+enum class Select : std::uint8_t {
+  start,
+  override_,
+  shunting,
+  exit_shunting,
+  non_leading,
+  maintain_shunting,
+  train_data,
+  slippery_rail,
+  adhesion_normal,
+  isolate,
+  track_ahead_free,
+  count
+};
+struct DriverActions {
+  std::uint32_t selected = 0;      // bit n: Select(n)
+  std::uint32_t acknowledged = 0;  // bit n: Ack(n)
+  constexpr bool has(Select s) const { return ((selected >> static_cast<unsigned>(s)) & 1u) != 0; }
+  constexpr bool has(Ack a) const { return ((acknowledged >> static_cast<unsigned>(a)) & 1u) != 0; }
+  /// Entered data (5.4 start of mission); absent when nothing was entered in this cycle.
+  std::optional<std::uint32_t> driver_id;  // as entered, 8 BCD digits packed (DRIVER_ID)
+  std::optional<Level> level;
+  std::uint8_t nid_ntc = 0;                           // with level NTC
+  std::optional<std::uint32_t> train_running_number;  // 8 BCD digits packed (NID_OPERATIONAL)
+  const train::TrainData* train_data = nullptr;       // entered and validated by the driver
+  struct RbcContact {
+    std::uint16_t NID_C;
+    std::uint16_t NID_RBC;
+    std::uint64_t NID_RADIO;
+  };
+  std::optional<RbcContact> rbc_contact;
+  std::optional<Speed> V_sr;  // SR speed and distance (4.4.11)
+  std::optional<Distance> D_sr;
+};
+
+enum class DirectionController : std::uint8_t { neutral, forward, backward };
+
+/// The train interface (SUBSET-034), levels, not edges: io keeps the last value of each.
+struct TrainSignals {
+  bool powered = true;
+  bool isolated = false;
+  bool desk_open = false;
+  bool sleeping = false;
+  bool non_leading = false;
+  bool passive_shunting = false;
+  DirectionController direction_controller = DirectionController::forward;
+  std::optional<double> brake_pressure_kpa;
+  bool service_brake_feedback = false;
+  bool regenerative_brake_active = true, eddy_current_brake_active = true, magnetic_shoe_brake_active = true,
+       ep_brake_active = true;
+  bool additional_brake_active = false;
+};
+
+/// The STM interface, levels: bit n of `available` is NID_NTC n (NID_NTC > 63 is not kept here).
+struct NationalSystem {
+  std::uint64_t available = 0;
+  bool trip_active = false;
+};
+
+struct Inputs {
+  Duration now{};  // since power-up
+  Odometry odometry;
+  std::span<const BaliseTelegram> balise_telegrams;
+  std::span<const LoopMessage> loop_messages;
+  std::span<const RadioMessage> radio_messages;
+  RadioLink radio_link = RadioLink::unchanged;
+  DriverActions driver;
+  TrainSignals train;
+  NationalSystem national_system;
+  bool safety_fault = false;
+};
+
+}  // namespace evc::port

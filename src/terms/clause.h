@@ -1,0 +1,96 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "terms/srs_clauses.h"
+
+namespace evc {
+
+static_assert(
+    [] {
+      for (std::size_t i = 1; i < kSrsClauses.size(); ++i)
+        if (kSrsClauses[i - 1] >= kSrsClauses[i]) return false;
+      return kSrsClauses.size() < 0xFFFF;
+    }(),
+    "the register is sorted and names each paragraph once");
+
+/// Never defined, nor constexpr: the compiler names it where a literal is no clause of the register.
+void clause_does_not_stand_in_the_register();
+
+/// A paragraph of SUBSET-026 that an event, a refusal or a table row refers to: "3.8.6", a bullet of it "5.8.4.1 a", or
+/// an exception of a table "4.8.3 [4]". Made from a literal when compiled, "3.8.6"_srs; one whose paragraph is not in
+/// the register does not compile. Kept as a number: the kernel holds no text of it (texts/texts.h prints it).
+class Clause {
+ public:
+  /// None.
+  constexpr Clause() = default;
+
+  /// The clause that `text` names.
+  static consteval Clause of(std::string_view text) {
+    Clause c;
+    if (c.find(text)) return c;
+    const std::size_t space = text.find(' ');
+    if (space == std::string_view::npos || !c.find(text.substr(0, space)) || !c.take_part(text.substr(space + 1)))
+      clause_does_not_stand_in_the_register();
+    return c;
+  }
+
+  /// The n-th numbered exception of the table, 1 to 99: "4.8.3" with 4 is "4.8.3 [4]". 0: the clause itself.
+  constexpr Clause exception(std::size_t n) const {
+    Clause c = *this;
+    c.part_ = n == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(kExceptions + n);
+    return c;
+  }
+
+  constexpr explicit operator bool() const { return paragraph_ != 0; }
+  /// Of its paragraph in the register; not to be called for none.
+  constexpr std::size_t place_in_register() const { return paragraph_ - std::size_t{1}; }
+  /// 'a' to 'z', 0 without one.
+  constexpr char bullet() const { return part_ >= 1 && part_ <= 26 ? static_cast<char>('a' + part_ - 1) : '\0'; }
+  /// The number of the exception, 0 without one.
+  constexpr unsigned exception() const { return part_ > kExceptions ? part_ - kExceptions : 0u; }
+
+  friend constexpr bool operator==(Clause, Clause) = default;
+
+ private:
+  static constexpr unsigned kExceptions = 100;
+
+  constexpr bool find(std::string_view paragraph) {
+    std::size_t low = 0;
+    std::size_t high = kSrsClauses.size();
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (kSrsClauses[middle] < paragraph)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    if (low == kSrsClauses.size() || kSrsClauses[low] != paragraph) return false;
+    paragraph_ = static_cast<std::uint16_t>(low + 1);
+    return true;
+  }
+  /// "a" or "[12]".
+  constexpr bool take_part(std::string_view part) {
+    if (part.size() == 1 && part[0] >= 'a' && part[0] <= 'z') {
+      part_ = static_cast<std::uint8_t>(part[0] - 'a' + 1);
+      return true;
+    }
+    if (part.size() < 3 || part.size() > 4 || part.front() != '[' || part.back() != ']') return false;
+    unsigned n = 0;
+    for (const char digit : part.substr(1, part.size() - 2)) {
+      if (digit < '0' || digit > '9') return false;
+      n = 10 * n + static_cast<unsigned>(digit - '0');
+    }
+    part_ = static_cast<std::uint8_t>(kExceptions + n);
+    return n != 0;
+  }
+
+  std::uint16_t paragraph_ = 0;  // 0: none, else one more than its place in the register
+  std::uint8_t part_ = 0;        // 1 to 26: a bullet; above kExceptions: an exception
+};
+
+/// "3.8.6"_srs.
+consteval Clause operator""_srs(const char* text, std::size_t length) { return Clause::of({text, length}); }
+
+}  // namespace evc

@@ -1,0 +1,45 @@
+#pragma once
+#include "terms/row.h"
+
+namespace evc {
+
+// clang-format off
+/// The symbols that the driver machine interface shows, with their names of ERA_ERTMS_015560.
+enum class Symbol : std::uint8_t {
+  // Levels; announced, without and with acknowledgement in turn.
+  LE01, LE02, LE03, LE04, LE05,
+  LE06, LE07, LE08, LE09, LE10, LE11, LE12, LE13, LE14, LE15,
+  // Modes and the acknowledgement of modes; MO03 is override.
+  MO01, MO02, MO03, MO04, MO05, MO06, MO07, MO08, MO09, MO10, MO11,
+  MO12, MO13, MO14, MO15, MO16, MO17, MO18, MO19, MO20, MO21, MO22,
+  ST01,  ///< service or emergency brake intervention
+  ST02,  ///< slippery rail
+  ST03,  ///< safe radio connection up
+  ST04,  ///< safe radio connection lost, or it could not be set up
+  ST06,  ///< reversing permitted
+  LS01,  ///< lowest supervised speed within the MA
+  LX01,  ///< level crossing not protected
+  DR02,  ///< track ahead free asked for
+  TC36,  ///< tunnel stopping area
+  count
+};
+
+inline constexpr auto kSymbolRows = std::to_array<terms::Row<Symbol>>({
+    {Symbol::LE01, "LE01"}, {Symbol::LE02, "LE02"}, {Symbol::LE03, "LE03"}, {Symbol::LE04, "LE04"}, {Symbol::LE05, "LE05"},
+    {Symbol::LE06, "LE06"}, {Symbol::LE07, "LE07"}, {Symbol::LE08, "LE08"}, {Symbol::LE09, "LE09"}, {Symbol::LE10, "LE10"},
+    {Symbol::LE11, "LE11"}, {Symbol::LE12, "LE12"}, {Symbol::LE13, "LE13"}, {Symbol::LE14, "LE14"}, {Symbol::LE15, "LE15"},
+    {Symbol::MO01, "MO01"}, {Symbol::MO02, "MO02"}, {Symbol::MO03, "MO03"}, {Symbol::MO04, "MO04"}, {Symbol::MO05, "MO05"},
+    {Symbol::MO06, "MO06"}, {Symbol::MO07, "MO07"}, {Symbol::MO08, "MO08"}, {Symbol::MO09, "MO09"}, {Symbol::MO10, "MO10"},
+    {Symbol::MO11, "MO11"}, {Symbol::MO12, "MO12"}, {Symbol::MO13, "MO13"}, {Symbol::MO14, "MO14"}, {Symbol::MO15, "MO15"},
+    {Symbol::MO16, "MO16"}, {Symbol::MO17, "MO17"}, {Symbol::MO18, "MO18"}, {Symbol::MO19, "MO19"}, {Symbol::MO20, "MO20"},
+    {Symbol::MO21, "MO21"}, {Symbol::MO22, "MO22"}, {Symbol::ST01, "ST01"}, {Symbol::ST02, "ST02"}, {Symbol::ST03, "ST03"},
+    {Symbol::ST04, "ST04"}, {Symbol::ST06, "ST06"}, {Symbol::LS01, "LS01"}, {Symbol::LX01, "LX01"}, {Symbol::DR02, "DR02"},
+    {Symbol::TC36, "TC36"},
+});
+// clang-format on
+static_assert(terms::in_order(kSymbolRows) && kSymbolRows.size() == terms::index(Symbol::count));
+
+/// "MO07".
+constexpr const char* name(Symbol symbol) { return terms::kNames<kSymbolRows>[terms::index(symbol)]; }
+
+}  // namespace evc

@@ -1,0 +1,93 @@
+#pragma once
+#include <cstdint>
+
+namespace evc {
+
+/// What happened in a cycle: the kind of an event. The texts of the outputs stand in texts/events.cpp, one row each.
+enum class What : std::uint8_t {
+  events_lost,  ///< more than the outputs hold; takes the place of the last one
+  odometry_not_sound,
+
+  // Balise groups; `id` is NID_BG.
+  group_accepted,  ///< its information may be used
+  group_too_many_packets,
+  linking_ok,                 ///< the announced group was found in its window
+  linking_error_early,        ///< 3.16.2.3.1 a
+  linking_error_missed,       ///< 3.16.2.3.1 b
+  linking_error_later,        ///< 3.16.2.3.1 c
+  group_wrong_direction,      ///< 3.16.2.3.2 [66]
+  double_linking_error,       ///< 3.16.2.7.1.1
+  double_repositioning,       ///< 3.16.2.7.2.2
+  group_inconsistent,         ///< 3.16.2.4.1, .4, 3.16.2.5.1
+  group_ignored,              ///< rejected without reaction
+  telegram_covered,           ///< 3.15.9.3
+  telegram_version_old,       ///< X = 0: 3.17.3.5 a
+  telegram_version_new,       ///< X above the highest supported: 3.17.3.5 d, e
+  telegram_against_movement,  ///< 3.14.3.6
+  telegram_not_decoded,       ///< 3.16.1.1: a spare value, a broken packet, or no header
+  group_capacity,             ///< something could not be stored: see the clause
+  linking_capacity,
+  cover_capacity,
+
+  // Messages (`id` is NID_MESSAGE) and packets (NID_PACKET) through the filters of 4.8.
+  message_accepted,
+  message_buffered,  ///< waits in the transition buffer (4.8.5)
+  message_refused,   ///< by a filter, or by what it asks for
+  message_refused_no_room,
+  message_rejected,  ///< by the radio link: not consistent, or not in sequence
+  message_unknown,
+  message_not_sent,
+  loop_message_not_used,
+  packet_accepted,
+  packet_buffered,
+  packet_refused,
+  packet_refused_no_room,
+  packet_kept,            ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
+  packet_contact_stored,  ///< nothing else of it is used (4.8.4 [3], [8])
+  packet_no_room,
+  packet_shortened,
+  infill_refused,  ///< `id` is NID_BG of the group that linking does not name
+
+  // Movement authority and track description.
+  authority_accepted,
+  authority_refused,
+  authority_timer_elapsed,
+  shortening_granted,
+  shortening_rejected,
+  trip_ordered,
+  track_description_shortened,
+  track_description_ended,
+  emergency_stop_accepted,  ///< `id` of these is NID_EM
+  emergency_stop_place_passed,
+  emergency_stop_other_direction,
+  emergency_stop_unconditional,
+  emergency_stop_revoked,
+  level_crossing_speed,  ///< `id` is NID_LX
+  targets_lost,
+  no_deceleration,
+
+  // Session, national values.
+  session_ordered,
+  session_termination_ordered,
+  session_established,
+  session_lost,
+  national_values_in_force,
+  national_values_default,
+
+  // Modes, levels, procedures.
+  mode_changed,  ///< `id` is the number of the condition of 4.6.3
+  level_changed,
+  level_changed_by_driver,
+  override_active,
+  override_ended,
+
+  // The driver.
+  selection_not_enabled,  ///< `id` is a Select
+  entry_not_enabled,      ///< `id` is an Entered
+  train_data_valid,
+  train_data_refused,  ///< `id` is a train::Fault
+  SR_data_out_of_range,
+  count
+};
+
+}  // namespace evc

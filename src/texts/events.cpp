@@ -1,0 +1,122 @@
+#include "texts/texts.h"
+
+namespace evc::texts {
+namespace {
+
+// clang-format off
+constexpr auto kEvents = std::to_array<EventText>({
+    {What::events_lost, "events", Takes::nothing, "lost: too many in one cycle"},
+    {What::odometry_not_sound, "odometry", Takes::nothing, "not sound"},
+
+    // Balise groups.
+    {What::group_accepted, "group", Takes::id, "accepted"},
+    {What::group_too_many_packets, "BG", Takes::id, "refused: too many packets"},
+    {What::linking_ok, "linking BG", Takes::id, "ok"},
+    {What::linking_error_early, "BG", Takes::id, "found before its window"},
+    {What::linking_error_missed, "BG", Takes::id, "not found in its window"},
+    {What::linking_error_later, "BG", Takes::id, "a later group found in its window"},
+    {What::group_wrong_direction, "BG", Takes::id, "crossed in the wrong direction"},
+    {What::double_linking_error, "BG", Takes::id, "second group in a row not found"},
+    {What::double_repositioning, "BG", Takes::id, "second repositioning group"},
+    {What::group_inconsistent, "BG", Takes::id, "message inconsistent"},
+    {What::group_ignored, "BG", Takes::id, "ignored"},
+    {What::telegram_covered, "BG", Takes::id, "covered"},
+    {What::telegram_version_old, "BG", Takes::id, "version too old"},
+    {What::telegram_version_new, "BG", Takes::id, "version too new"},
+    {What::telegram_against_movement, "BG", Takes::id, "read against the permitted movement"},
+    {What::telegram_not_decoded, "BG", Takes::id, "telegram not decoded"},
+    {What::group_capacity, "BG", Takes::id, "capacity exceeded"},
+    {What::linking_capacity, "linking", Takes::nothing, "too many groups: farthest left out"},
+    {What::cover_capacity, "virtual balise cover", Takes::nothing, "no room: not set"},
+
+    // Messages.
+    {What::message_accepted, "message", Takes::id, "accepted"},
+    {What::message_buffered, "message", Takes::id, "buffered"},
+    {What::message_refused, "message", Takes::id, "refused"},
+    {What::message_refused_no_room, "message", Takes::id, "refused [capacity]"},
+    {What::message_rejected, "message", Takes::id, "rejected"},
+    {What::message_unknown, "message", Takes::id, "unknown"},
+    {What::message_not_sent, "message", Takes::nothing, "not sent: too many in one cycle"},
+    {What::loop_message_not_used, "loop message", Takes::nothing, "not used"},
+    {What::packet_accepted, "packet", Takes::id, "accepted"},
+    {What::packet_buffered, "packet", Takes::id, "buffered"},
+    {What::packet_refused, "packet", Takes::id, "refused"},
+    {What::packet_refused_no_room, "packet", Takes::id, "refused [capacity]"},
+    {What::packet_kept, "packet", Takes::id, "kept"},
+    {What::packet_contact_stored, "packet", Takes::id, "contact stored"},
+    {What::packet_no_room, "packet", Takes::id, "no room"},
+    {What::packet_shortened, "packet", Takes::id, "shortened"},
+    {What::infill_refused, "infill", Takes::id, "refused"},
+
+    // Movement authority and track description.
+    {What::authority_accepted, "MA", Takes::nothing, "accepted"},
+    {What::authority_refused, "MA", Takes::nothing, "refused"},
+    {What::authority_timer_elapsed, "MA", Takes::nothing, "timer elapsed"},
+    {What::shortening_granted, "MA shortening", Takes::nothing, "granted"},
+    {What::shortening_rejected, "MA shortening", Takes::nothing, "rejected"},
+    {What::trip_ordered, "trip", Takes::nothing, "ordered by balise group"},
+    {What::track_description_shortened, "track description", Takes::nothing, "shortened to the train"},
+    {What::track_description_ended, "track description", Takes::nothing, "ended: no room for more"},
+    {What::emergency_stop_accepted, "emergency stop", Takes::id, "accepted"},
+    {What::emergency_stop_place_passed, "emergency stop", Takes::id, "refused: place passed"},
+    {What::emergency_stop_other_direction, "emergency stop", Takes::id, "refused: other direction"},
+    {What::emergency_stop_unconditional, "emergency stop", Takes::id, "unconditional"},
+    {What::emergency_stop_revoked, "emergency stop", Takes::id, "revoked"},
+    {What::level_crossing_speed, "level crossing", Takes::id, "speed instead of stop"},
+    {What::targets_lost, "supervision", Takes::nothing, "too many targets: kept on the safe side"},
+    {What::no_deceleration, "supervision", Takes::nothing, "no deceleration before a target"},
+
+    // Session, national values.
+    {What::session_ordered, "session", Takes::nothing, "ordered"},
+    {What::session_termination_ordered, "session", Takes::nothing, "termination ordered"},
+    {What::session_established, "session", Takes::nothing, "established"},
+    {What::session_lost, "session", Takes::nothing, "lost"},
+    {What::national_values_in_force, "national values", Takes::nothing, "in force"},
+    {What::national_values_default, "national values", Takes::nothing, "defaults"},
+
+    // Modes, levels, procedures.
+    {What::mode_changed, "mode", Takes::modes, nullptr},
+    {What::level_changed, "level", Takes::levels, nullptr},
+    {What::level_changed_by_driver, "level", Takes::levels, "by driver"},
+    {What::override_active, "override", Takes::nothing, "active"},
+    {What::override_ended, "override", Takes::nothing, "ended"},
+
+    // The driver.
+    {What::selection_not_enabled, "driver", Takes::select, nullptr, ": not enabled"},
+    {What::entry_not_enabled, "driver", Takes::entered, nullptr, ": not enabled"},
+    {What::train_data_valid, "train data", Takes::nothing, "valid"},
+    {What::train_data_refused, "train data", Takes::fault, nullptr},
+    {What::SR_data_out_of_range, "SR speed and distance", Takes::nothing, "refused: out of range"},
+});
+// clang-format on
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kEvents.size(); ++i)
+        if (static_cast<std::size_t>(kEvents[i].what) != i) return false;
+      return kEvents.size() == static_cast<std::size_t>(What::count);
+    }(),
+    "one row for each, in order");
+
+constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectWords{
+    "start",      "override",      "shunting", "exit of shunting", "non leading",     "maintain shunting",
+    "train data", "slippery rail", "adhesion", "isolation",        "track ahead free"};
+constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
+    "driver identity", "train running number", "train data", "RBC contact", "level", "SR speed and distance"};
+
+}  // namespace
+
+const EventText& text_of(What what) { return kEvents[static_cast<std::size_t>(what)]; }
+
+std::string text_of(Clause clause) {
+  if (!clause) return {};
+  std::string text(kSrsClauses[clause.place_in_register()]);
+  if (clause.bullet() != '\0') text += std::string(" ") + clause.bullet();
+  if (clause.exception() != 0) text += " [" + std::to_string(clause.exception()) + "]";
+  return text;
+}
+
+const char* words_of(port::Select select) { return kSelectWords[static_cast<std::size_t>(select)]; }
+const char* words_of(port::Entered entered) { return kEnteredWords[static_cast<std::size_t>(entered)]; }
+
+}  // namespace evc::texts

@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "driver/driver.h"
+#include "port/event.h"
+#include "port/inputs.h"
+#include "terms/clause.h"
+#include "terms/requests.h"
+#include "terms/what.h"
+#include "train/brake_model.h"
+
+// The texts and names of what goes into the kernel and comes out of it, for all that speaks with people or files. No
+// kernel room links them.
+namespace evc::texts {
+
+/// What the numbers of an event are.
+enum class Takes : std::uint8_t {
+  nothing,
+  id,       ///< `id` is printed as it is
+  modes,    ///< `from` and `to` are modes, `id` the condition
+  levels,   ///< `from` and `to` are levels
+  select,   ///< `id` is a Select
+  entered,  ///< `id` is an Entered
+  fault     ///< `id` is a train::Fault
+};
+/// How an event is told: "SUBJECT id from->to text [clause]".
+struct EventText {
+  What what;
+  const char* subject;
+  Takes takes;
+  const char* text;                    ///< null where what it takes says all
+  const char* after_clause = nullptr;  ///< within its brackets
+};
+const EventText& text_of(What what);
+
+/// "5.8.4.1 h", "4.8.3 [4]"; empty for none.
+std::string text_of(Clause clause);
+
+/// The names of inputs in JSON, in the order of their enumerations.
+extern const std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames;
+extern const std::array<const char*, 3> kDirectionNames;  ///< DirectionController
+
+/// What the driver selected or entered, in words of an event.
+const char* words_of(port::Select select);
+const char* words_of(port::Entered entered);
+/// "brake_percentage".
+const char* name(train::Fault fault);
+/// Inputs and outputs of 4.7.2: "train_data".
+const char* name(driver::Input input);
+const char* name(driver::Output output);
+
+/// The text of the DMI for what a procedure tells (015560 15); null for what a symbol tells.
+const char* text_of(Inform inform);
+/// The text of a trip reason (015560).
+const char* text_of(driver::TripReason reason);
+
+}  // namespace evc::texts

@@ -1,0 +1,56 @@
+#include "texts/texts.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace evc::texts {
+namespace {
+
+TEST(Texts, AClauseIsPrintedAsItStandsInTheStandard) {
+  EXPECT_EQ(text_of("3.8.6"_srs), "3.8.6");
+  EXPECT_EQ(text_of("A.3.4"_srs), "A.3.4");
+  EXPECT_EQ(text_of("5.8.4.1 h"_srs), "5.8.4.1 h");
+  EXPECT_EQ(text_of("4.8.3"_srs.exception(14)), "4.8.3 [14]");
+  EXPECT_EQ(text_of(Clause{}), "");
+}
+
+TEST(Texts, EveryEventSaysWhatHappened) {
+  std::set<std::string> lines;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(What::count); ++i) {
+    const EventText& row = text_of(static_cast<What>(i));
+    EXPECT_STRNE(row.subject, "") << i;
+    // Without a text what the event takes says all.
+    EXPECT_TRUE(row.text != nullptr || (row.takes != Takes::nothing && row.takes != Takes::id)) << i;
+    const std::string line = std::string(row.subject) + "|" + (row.text == nullptr ? "" : row.text) + "|" +
+                             std::to_string(static_cast<int>(row.takes));
+    EXPECT_TRUE(lines.insert(line).second) << "two events read the same: " << line;
+  }
+}
+
+TEST(Texts, NamesAreDifferent) {
+  std::set<std::string> faults, selects, inputs, outputs;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(train::Fault::count); ++i)
+    EXPECT_TRUE(faults.insert(name(static_cast<train::Fault>(i))).second) << i;
+  for (const char* n : kSelectNames) EXPECT_TRUE(selects.insert(n).second) << n;
+  for (std::size_t i = 0; i < driver::kInputs; ++i)
+    EXPECT_TRUE(inputs.insert(name(static_cast<driver::Input>(i))).second) << i;
+  for (std::size_t i = 0; i < driver::kOutputs; ++i)
+    EXPECT_TRUE(outputs.insert(name(static_cast<driver::Output>(i))).second) << i;
+  // The places of the names are those of the enumerators.
+  EXPECT_STREQ(name(train::Fault::A_NVMAXREDADH), "A_NVMAXREDADH");
+  EXPECT_STREQ(name(train::Fault::correction_factor), "correction_factor");
+  EXPECT_STREQ(kSelectNames[static_cast<std::size_t>(port::Select::adhesion_normal)], "adhesion_normal");
+  EXPECT_STREQ(words_of(port::Select::exit_shunting), "exit of shunting");
+  EXPECT_STREQ(words_of(port::Entered::SR_speed_distance), "SR speed and distance");
+}
+
+TEST(Texts, TextsOfTheDriverMachineInterface) {
+  EXPECT_STREQ(text_of(Inform::train_rejected), "Train is rejected");
+  EXPECT_EQ(text_of(Inform::session_failed), nullptr);  // a symbol says it: ST04
+  EXPECT_STREQ(text_of(driver::TripReason::passing_of_EOA_or_LOA), "Unauthorized passing of EOA / LOA");
+  EXPECT_STREQ(text_of(driver::TripReason::national_system_brake_demand), "National system brake demand");
+}
+
+}  // namespace
+}  // namespace evc::texts
