@@ -1,5 +1,6 @@
-# Flags and the shape of a room: evc_room(name [KERNEL] [DEPENDS rooms...] [LIBRARIES targets...])
-# makes the library evc_<name> from src/<name>/*.cpp and the test <name>_test from *_test.cpp.
+# Flags and the shape of a room: evc_room(name [KERNEL] [MAIN file] [PROGRAM_TESTS] [DEPENDS rooms...] [LIBRARIES targets...])
+# makes the library evc_<name> from src/<name>/*.cpp (without MAIN) and the test <name>_test from *_test.cpp; with
+# PROGRAM_TESTS these run the program `evc`.
 
 add_library(evc_flags INTERFACE)
 target_include_directories(evc_flags INTERFACE ${CMAKE_SOURCE_DIR}/src)
@@ -16,6 +17,8 @@ if(EVC_COVERAGE)
   target_link_options(evc_flags INTERFACE --coverage)
 endif()
 
+set(EVC_TEST_OPTIONS "" CACHE STRING "Further options for the sources of tests, such as -O0: they are half of the build")
+
 set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
 
 # evc_tell_paths(files...): the paths that tests need, for those that ask for them by name or by a header that does, so
@@ -31,11 +34,14 @@ function(evc_tell_paths)
 endfunction()
 
 function(evc_room name)
-  cmake_parse_arguments(ROOM "KERNEL" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "KERNEL;PROGRAM_TESTS" "MAIN" "DEPENDS;LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  if(ROOM_MAIN)
+    list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_MAIN})
+  endif()
   set(library evc_${name})
   if(sources)
     add_library(${library} STATIC ${sources})
@@ -62,9 +68,32 @@ function(evc_room name)
   if(tests AND EVC_TESTS)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
+    target_compile_options(${name}_test PRIVATE ${EVC_TEST_OPTIONS})
     evc_tell_paths(${tests})
+    if(ROOM_PROGRAM_TESTS)
+      add_dependencies(${name}_test evc)
+    endif()
     add_test(NAME ${name} COMMAND ${name}_test)
   endif()
+endfunction()
+
+# evc_embed(room FILES... [PARTS files...]): pages are part of the program. The text of page.html becomes the string
+# literal page_template, in pieces that every compiler takes; PARTS are files that several pages share.
+function(evc_embed room)
+  cmake_parse_arguments(EMBED "" "" "PARTS" ${ARGN})
+  set(parts ${EMBED_PARTS})
+  list(TRANSFORM parts PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  foreach(file IN LISTS EMBED_UNPARSED_ARGUMENTS)
+    get_filename_component(page ${file} NAME_WE)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${page}_template.cpp)
+    add_custom_command(
+      OUTPUT ${source}
+      COMMAND ${CMAKE_COMMAND} -DINPUT=${CMAKE_CURRENT_SOURCE_DIR}/${file} -DOUTPUT=${source} -DROOM=${room}
+              -DNAME=${page}_template "-DINCLUDES=${EMBED_PARTS}" -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${parts} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+      VERBATIM)
+    target_sources(evc_${room} PRIVATE ${source})
+  endforeach()
 endfunction()
 
 # evc_link_rooms(target): links every room that exists, for tests, benchmarks and fuzz targets that

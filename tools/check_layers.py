@@ -27,13 +27,11 @@ MAY_INCLUDE = {
     "sim": BELOW_KERNEL | {"texts"},
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
     "io": BELOW_KERNEL | {"kernel", "texts", "sim"},
-    "capi": BELOW_KERNEL | {"kernel"},
-    "batch": BELOW_KERNEL | {"kernel"},
-    "app": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "capi", "batch"},
+    "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
+    "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
+    "language": {"base", "terms", "lang", "airgap", "texts", "io"},
+    "app": {"curves", "run", "language", "io"},
 }
-
-# The list of clauses (tools/check_requirements.py) stands there.
-MAY_INCLUDE.setdefault("terms", {"base"})
 
 # What a kernel room may take from the standard library: headers that need no heap, no clock, no file,
 # no thread and no locale. What they could still pull in is caught by tools/check_symbols.

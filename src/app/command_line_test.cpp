@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/on_board.h"
-#include "app/program_test.h"
+#include "io/program_test.h"
+#include "run/on_board.h"
 
 namespace evc::app {
 namespace {

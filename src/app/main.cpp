@@ -6,14 +6,8 @@
 #include <string>
 #include <system_error>
 
-#include "app/command_curves.h"
-#include "app/command_decode.h"
-#include "app/command_describe.h"
-#include "app/command_encode.h"
 #include "app/command_line.h"
-#include "app/command_make_line.h"
-#include "app/command_replay.h"
-#include "app/command_run.h"
+#include "app/commands.h"
 #include "app/standard_streams.h"
 #include "io/file.h"
 
@@ -33,13 +27,7 @@ int command(int argc, char** argv) {
   app.set_version_flag("--version", EVC_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
-  evc::app::add_run_command(app, exit_code);
-  evc::app::add_replay_command(app, exit_code);
-  evc::app::add_curves_command(app, exit_code);
-  evc::app::add_decode_command(app, exit_code);
-  evc::app::add_encode_command(app, exit_code);
-  evc::app::add_describe_command(app, exit_code);
-  evc::app::add_make_line_command(app, exit_code);
+  evc::app::add_commands(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

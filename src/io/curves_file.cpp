@@ -316,7 +316,7 @@ void read_query(CurvesInput& out, const JsonPlace& query) {
   if (const auto p = query.find("positions_m")) out.positions_m = read_list(*p, -kFar_m, kFar_m);
 }
 
-void read_workbook(sdm::WorkbookInputs& w, const JsonPlace& place) {
+void read_workbook(WorkbookInputs& w, const JsonPlace& place) {
   place.know_only({"quantum_m", "length_m", "DT_s", "DX_m", "DV_ms", "dV_ms", "A_safe"});
   if (const auto p = place.find("quantum_m")) w.quantum = {p->number(0.1, 1000.0)};
   if (const auto p = place.find("length_m")) w.length = {p->number(w.quantum.si, 10000.0 * w.quantum.si)};
@@ -360,7 +360,7 @@ CurvesInput read(const JsonPlace& root) {
   if (const auto p = root.find("state")) read_state(out, *p);
   if (const auto p = root.find("query")) read_query(out, *p);
   if (const auto p = root.find("workbook")) {
-    out.workbook = sdm::WorkbookInputs{};
+    out.workbook = WorkbookInputs{};
     read_workbook(*out.workbook, *p);
     out.workbook->mrsp = {};
     for (const auto& step : in.mrsp.steps)

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/train_file.h"
+#include "io/workbook_inputs.h"
 #include "sdm/curves.h"
-#include "sdm/memo_model.h"
 
 namespace evc::io {
 
@@ -37,7 +37,7 @@ struct CurvesInput {
   std::vector<PbdQuery> PBD;
   std::vector<LxQuery> LX;
   /// Constants of the workbook model, where the document gives them (`--model workbook`).
-  std::optional<sdm::WorkbookInputs> workbook;
+  std::optional<WorkbookInputs> workbook;
 };
 
 /// Reads `evc-curves/1`. Absent keys take the defaults of A.3.1, A.3.2 and the standard train; unknown

@@ -1,17 +1,16 @@
 // `evc replay` and nothing else: what tools/check_determinism builds with every compiler and level.
-#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstring>
 
-#include "app/command_replay.h"
+#include "run/replay.h"
 
 int main(int argc, char** argv) {
-  CLI::App app{"evc replay alone"};
-  app.require_subcommand(1);
-  int exit_code = 0;
-  evc::app::add_replay_command(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+  if (argc != 5 || std::strcmp(argv[1], "replay") != 0 || std::strcmp(argv[3], "-o") != 0) {
+    std::fputs("usage: evc_replay replay INPUTS -o OUTPUTS\n", stderr);
+    return 2;
   }
-  return exit_code;
+  evc::run::ReplayOptions options;
+  options.input = argv[2];
+  options.output = argv[4];
+  return evc::run::replay(options);
 }

@@ -1,0 +1,221 @@
+#include "app/commands.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "curves/command.h"
+#include "io/file.h"
+#include "io/make_line.h"
+#include "language/decode.h"
+#include "language/describe.h"
+#include "language/encode.h"
+#include "run/replay.h"
+#include "run/run.h"
+
+// The command line: what `evc COMMAND --help` shows, in one place. What the commands do stands in their rooms.
+namespace evc::app {
+namespace {
+
+std::optional<std::uint64_t> seed_of(const std::string& digits) {
+  std::uint64_t seed = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, seed);
+  return error == std::errc{} && stop == end ? std::optional(seed) : std::nullopt;
+}
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<run::RunOptions>();
+  auto seed = std::make_shared<std::string>("1");
+  CLI::App* command = app.add_subcommand("run", "Drive a train along a line under the on-board's supervision");
+  command->add_option("line", options->line, "line file (etcs-line/1); the shipped line when not given");
+  command->add_option("--train", options->train, "train file (etcs-train/1); the standard train when not given");
+  command->add_option("--driver", options->driver, "perfect, late or reckless")
+      ->check(CLI::IsMember({"perfect", "late", "reckless"}));
+  command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--seed", *seed, "seed of odometer errors and delays")
+      ->check([](const std::string& seed) {
+        return seed_of(seed) ? std::string()
+                             : "found " + seed + ", expected a whole number from 0 to 18446744073709551615";
+      });
+  command->add_option("-o,--output", options->output, "folder for the report and the records");
+  command->callback([options, seed, &exit_code] { options->seed = *seed_of(*seed);
+    exit_code = run::run(*options);
+ ; });
+}
+
+void add_replay(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<run::ReplayOptions>();
+  CLI::App* command = app.add_subcommand("replay", "Give a stream of inputs to the on-board and print its outputs");
+  command->add_option("input", options->input, "JSON Lines of inputs; - for standard input")->required();
+  command->add_option("--config", options->config, "configuration, instead of the stream's first line");
+  command->add_option("-o,--output", options->output, "where the outputs go; standard output when not given");
+  command->add_option("--every", options->every, "print every Nth cycle only")->check(CLI::Range(1, 1000000000));
+  command->add_flag("--changes", options->changes,
+                    "print a cycle only when something other than position and speed changed");
+  command->callback([options, &exit_code] { exit_code = run::replay(*options); });
+}
+
+void add_curves(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<curves::Options>();
+  CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
+  command->add_option("input", options->input, "what is asked (evc-curves/1); a shipped example when not given");
+  command->add_option("--format", options->format, "json, csv or table")
+      ->check(CLI::IsMember({"json", "csv", "table"}))
+      ->capture_default_str();
+  command->add_option("--model", options->model, "srs, or workbook: an early spreadsheet model of the curves")
+      ->check(CLI::IsMember({"srs", "workbook"}))
+      ->capture_default_str();
+  command->add_option("--explain", options->explain_kmh, "the computation for this speed in km/h, step by step")
+      ->check(CLI::Range(0.0, 600.0));
+  command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html to work with");
+  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  command->callback([command, options, &exit_code] {
+    if (command->get_subcommands().empty()) exit_code = curves::show(*options);
+  });
+
+  auto two = std::make_shared<curves::CompareOptions>();
+  CLI::App* comparison =
+      command->add_subcommand("compare", "Difference between two trains, sets of national values or SRS versions");
+  comparison->add_option("a", two->a, "input A (evc-curves/1)")->required();
+  comparison->add_option("b", two->b, "input B")->required();
+  comparison->add_option("--format", two->format, "json, csv or table")
+      ->check(CLI::IsMember({"json", "csv", "table"}))
+      ->capture_default_str();
+  comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html to work with");
+  comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
+  comparison->callback([two, &exit_code] { exit_code = curves::compare(*two); });
+}
+
+void add_decode(CLI::App& app, int& exit_code) {
+  CLI::App* decode = app.add_subcommand("decode", "Bits of balises and radio to JSON or a table");
+  decode->require_subcommand(1);
+  using language::What;
+  struct Kind {
+    const char* name;
+    const char* help;
+    What what;
+  };
+  for (const Kind& kind :
+       {Kind{"balise", "User bits of a balise telegram: 830, 210, or fewer up to packet 255", What::balise},
+        Kind{"airgap", "Coded bits of a balise: 1023 or 341 at any rotation, or a stream", What::airgap},
+        Kind{"radio", "A radio message", What::radio}, Kind{"packet", "One packet", What::packet}}) {
+    CLI::App* sub = decode->add_subcommand(kind.name, kind.help);
+    const auto o = std::make_shared<language::DecodeOptions>();
+    o->what = kind.what;
+    sub->add_option("INPUT", o->input, "Hexadecimal digits, a file with one telegram a line, or - for standard input")
+        ->required();
+    sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
+    sub->add_flag("--explain", o->explain, "A table for people: bit, variable, raw code, meaning");
+    CLI::Option* strict = sub->add_flag("--strict", o->strict, "Refuse spare codes (always done except for packets)");
+    sub->add_flag("--tolerant", o->tolerant, "Take spare codes, wrong media and packets that stand twice")
+        ->excludes(strict);
+    if (kind.what != What::packet)
+      sub->add_option("--pcapng", o->pcapng, "Also write what was taken as a capture for Wireshark (etcs-wireshark)");
+    if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are of a Euroloop message");
+    if (kind.what == What::radio || kind.what == What::packet) {
+      CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");
+      CLI::Option* to_track = sub->add_flag("--to-track", o->to_track, "From train to track");
+      to_track->excludes(to_train);
+      sub->add_option("--sv", o->sv, "System version of the session")->capture_default_str();
+    }
+    const bool needs_direction = kind.what == What::radio || kind.what == What::packet;
+    sub->callback([o, needs_direction, &exit_code] {
+      if (needs_direction && !o->to_train && !o->to_track)
+        throw CLI::ValidationError("found no direction, expected --to-train or --to-track");
+      exit_code = language::decode(*o);
+    });
+  }
+}
+
+void add_encode(CLI::App& app, int& exit_code) {
+  CLI::App* encode = app.add_subcommand("encode", "JSON as of `evc decode` to bits");
+  encode->require_subcommand(1);
+  using language::What;
+  struct Kind {
+    const char* name;
+    const char* help;
+    What what;
+  };
+  for (const Kind& kind : {Kind{"balise", "User bits of a balise telegram", What::balise},
+                           Kind{"airgap", "Coded bits of a balise: 1023 or 341", What::airgap},
+                           Kind{"radio", "A radio message", What::radio}, Kind{"packet", "One packet", What::packet}}) {
+    CLI::App* sub = encode->add_subcommand(kind.name, kind.help);
+    const auto o = std::make_shared<language::EncodeOptions>();
+    o->what = kind.what;
+    sub->add_option("INPUT", o->input, "A JSON object, a file of such, or - for standard input")->required();
+    sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
+    if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "A Euroloop message");
+    if (kind.what == What::radio || kind.what == What::packet) {
+      CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");
+      sub->add_flag("--to-track", o->to_track, "From train to track")->excludes(to_train);
+      sub->add_option("--sv", o->sv, "System version; the newest that fits the members if absent");
+    }
+    sub->callback([o, &exit_code] { exit_code = language::encode(*o); });
+  }
+}
+
+void add_describe(CLI::App& app, int& exit_code) {
+  CLI::App* describe = app.add_subcommand("describe", "The tables of the ETCS language (SUBSET-026-7, -8)");
+  describe->require_subcommand(1);
+  const auto options = std::make_shared<language::DescribeOptions>();
+  CLI::App* packets = describe->add_subcommand("packets", "All packets, or the layouts of one with bit offsets");
+  CLI::App* variables = describe->add_subcommand("variables", "All variables, or the codes of one");
+  CLI::App* messages = describe->add_subcommand("messages", "All radio messages, or one with its packets");
+  packets->add_option("ID", options->id, "NID_PACKET");
+  variables->add_option("ID", options->id, "Name, V_STATIC");
+  messages->add_option("ID", options->id, "NID_MESSAGE");
+  for (CLI::App* sub : {packets, variables, messages}) sub->add_flag("--markdown", options->markdown, "As a page");
+  CLI::Option* to_train = packets->add_flag("--to-train", options->to_train, "Only the packet from track to train");
+  packets->add_flag("--to-track", options->to_track, "Only the packet from train to track")->excludes(to_train);
+  packets->add_flag("--index", options->index, "The index of the pages in docs/packets");
+  CLI::App* schema = describe->add_subcommand("schema", "The JSON schema of telegrams, messages and packets");
+  schema->callback([&exit_code] { exit_code = language::describe_schema(); });
+  packets->callback([options, &exit_code] { exit_code = language::describe_packets(*options); });
+  variables->callback([options, &exit_code] { exit_code = language::describe_variables(*options); });
+  messages->callback([options, &exit_code] { exit_code = language::describe_messages(*options); });
+}
+
+int make(const std::string& input, const std::string& output) {
+  const auto complain = [](const io::Diagnostic& diagnostic) {
+    fmt::print(stderr, "{}\n", diagnostic.text());
+    return 2;
+  };
+  if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
+  const auto text = io::read_text(input);
+  if (!text) return complain(text.error());
+  const auto line = io::make_line(*text, input);
+  if (!line) return complain(line.error());
+  const auto written = io::write_whole(output, *line);
+  return written ? 0 : complain(written.error());
+}
+
+void add_make_line(CLI::App& app, int& exit_code) {
+  auto input = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>("-");
+  CLI::App* command =
+      app.add_subcommand("make-line", "Encode a readable description of a line into telegrams and messages");
+  command->add_option("description", *input, "description (evc-line-description/1); - for standard input")->required();
+  command->add_option("-o,--output", *output, "line file (etcs-line/1); standard output when not given");
+  command->callback([input, output, &exit_code] { exit_code = make(*input, *output); });
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, int& exit_code) {
+  add_run(app, exit_code);
+  add_replay(app, exit_code);
+  add_curves(app, exit_code);
+  add_decode(app, exit_code);
+  add_encode(app, exit_code);
+  add_describe(app, exit_code);
+  add_make_line(app, exit_code);
+}
+
+}  // namespace evc::app

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace evc::app {
+
+/// Adds every command with its arguments; the one that is given runs and leaves its exit status in `exit_code`.
+void add_commands(CLI::App& app, int& exit_code);
+
+}  // namespace evc::app

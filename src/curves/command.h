@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+// `evc curves` and `evc curves compare`. Both return the exit status: 0, or 2 when the input cannot be read or the
+// output not written, which is reported in one line.
+namespace evc::curves {
+
+struct Options {
+  std::string input;            ///< evc-curves/1; empty: a shipped example
+  std::string format = "json";  ///< json, csv or table
+  std::string model = "srs";    ///< srs or workbook
+  std::string plot;             ///< FILE.svg or FILE.html; empty: no chart
+  std::string output = "-";
+  double explain_kmh = -1.0;  ///< below 0: no explanation
+};
+/// Braking curves and supervision limits of one train and one target.
+int show(const Options& options);
+
+struct CompareOptions {
+  std::string a, b;
+  std::string format = "table";
+  std::string plot;
+  std::string output = "-";
+};
+/// Difference between two trains, sets of national values or SRS versions.
+int compare(const CompareOptions& options);
+
+}  // namespace evc::curves

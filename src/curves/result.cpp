@@ -1,0 +1,335 @@
+#include "curves/result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/number.h"
+
+namespace evc::curves {
+namespace {
+
+constexpr double kKmh = 3.6;
+
+const sdm::Target* find_target(const sdm::Derived& derived, const io::CurvesInput& input) {
+  for (const sdm::Target& t : derived.targets) {
+    const Place at = t.kind == sdm::TargetKind::EOA_SvL ? t.d_EOA : t.d_target;
+    if (t.kind == input.target && at == input.target_location) return &t;
+  }
+  return derived.targets.empty() ? nullptr : &derived.targets.back();
+}
+
+/// The lower of two values, where they exist.
+Value least(const std::optional<Place>& a, const std::optional<Place>& b, const Approached& approached) {
+  if (!a && !b) return std::nullopt;
+  const Place least = !a ? *b : !b ? *a : std::min(*a, *b);
+  return is_somewhere(least) ? Value(approached.before_target(least)) : std::nullopt;
+}
+
+/// The official tool of 3.4.0 takes P and I above the MRSP from the MRSP and ends the EBI where release
+/// speed monitoring begins.
+void draw_as_the_tool(SpeedRow& row, const Approached& a) {
+  double ceiling = 0.0;  // the highest speed on the way to the target
+  for (const auto& step : a.input().inputs.mrsp.steps)
+    if (step.from < a.input().target_location) ceiling = std::max(ceiling, step.value.si * kKmh);
+  if (row.v_kmh > ceiling) {
+    const SpeedRow at_ceiling = speed_row(a, ceiling);
+    row.P = at_ceiling.P;
+    row.I = at_ceiling.I;
+    row.P_EOA = at_ceiling.P_EOA;
+    row.I_EOA = at_ceiling.I_EOA;
+    row.P_SvL = at_ceiling.P_SvL;
+    row.I_SvL = at_ceiling.I_SvL;
+  }
+  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start) && row.EBI)
+    row.EBI = std::max(*row.EBI, a.before_target(*start));
+}
+
+template <class Row>
+void append_members(std::string& out, const Row& row, const std::vector<Column<Row>>& columns) {
+  for (const auto& c : columns) {
+    if (out.back() != '{') out += ", ";
+    out += fmt::format("\"{}\": {}", c.name, shortest(row.*c.value, "null"));
+  }
+}
+
+template <class Row>
+void append_rows(std::string& out, const char* key, const char* first, double Row::*at, const std::vector<Row>& rows,
+                 const std::vector<Column<Row>>& columns) {
+  out += fmt::format("  \"{}\": [", key);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    out += i == 0 ? "\n" : ",\n";
+    out += fmt::format("    {{\"{}\": {}", first, shortest(rows[i].*at, "null"));
+    append_members(out, rows[i], columns);
+    out += '}';
+  }
+  out += rows.empty() ? "]" : "\n  ]";
+}
+
+std::string as_json(const CurvesResult& r) {
+  std::string out = "{\n  \"schema\": \"evc-curves-result/1\",\n  \"scalars\": {";
+  append_members(out, r.scalars, scalar_columns());
+  out += "},\n";
+  append_rows(out, "by_speed", "v_kmh", &SpeedRow::v_kmh, r.by_speed, speed_columns(r.separate_EOA));
+  out += ",\n";
+  append_rows(out, "by_position", "position_m", &PositionRow::position_m, r.by_position, position_columns());
+  append_queries_json(out, "PBD", r.PBD);
+  append_queries_json(out, "LX", r.LX);
+  if (!r.notes.empty()) {
+    out += ",\n  \"notes\": [";
+    for (std::size_t i = 0; i < r.notes.size(); ++i) {
+      if (i > 0) out += ", ";
+      io::append_string(out, r.notes[i]);
+    }
+    out += "]";
+  }
+  return out + "\n}\n";
+}
+
+template <class Row>
+void append_csv(std::string& out, const char* first, double Row::*at, const std::vector<Row>& rows,
+                const std::vector<Column<Row>>& columns) {
+  out += first;
+  for (const auto& c : columns) out += std::string(",") + c.name;
+  out += '\n';
+  for (const Row& row : rows) {
+    out += shortest(row.*at, "");
+    for (const auto& c : columns) out += "," + shortest(row.*c.value, "");
+    out += '\n';
+  }
+}
+
+std::string as_csv(const CurvesResult& r) {
+  std::string out;
+  if (!r.by_speed.empty() || r.by_position.empty())
+    append_csv(out, "v_kmh", &SpeedRow::v_kmh, r.by_speed, speed_columns(r.separate_EOA));
+  if (!r.by_position.empty()) {
+    if (!out.empty()) out += '\n';
+    append_csv(out, "position_m", &PositionRow::position_m, r.by_position, position_columns());
+  }
+  append_queries_csv(out, r.PBD);
+  append_queries_csv(out, r.LX);
+  return out;
+}
+
+template <class Row>
+std::string table_of(const char* first, double Row::*at, const std::vector<Row>& rows,
+                     const std::vector<Column<Row>>& columns) {
+  std::vector<Column<Row>> used;
+  for (const auto& c : columns)
+    if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return (row.*c.value).has_value(); }))
+      used.push_back(c);
+  std::vector<std::string> names{first};
+  for (const auto& c : used) names.emplace_back(c.name);
+  TextTable table(names);
+  for (const Row& row : rows) {
+    std::vector<std::string> cells{shortest(row.*at, "-")};
+    for (const auto& c : used) cells.push_back(fixed(row.*c.value, c.name[1] == '_' && c.name[0] == 'A' ? 3 : 1));
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string as_table(const CurvesResult& r) {
+  std::string out;
+  for (const auto& c : scalar_columns())
+    if ((r.scalars.*c.value).has_value()) out += fmt::format("{:<18} {:>10}\n", c.name, fixed(r.scalars.*c.value, 2));
+  if (!r.by_speed.empty()) {
+    out += "\nmetres before the target location, by speed (decelerations in m/s2)\n";
+    out += table_of("km/h", &SpeedRow::v_kmh, r.by_speed, speed_columns(r.separate_EOA));
+  }
+  if (!r.by_position.empty()) {
+    out += "\nspeeds in km/h, by place\n";
+    out += table_of("m", &PositionRow::position_m, r.by_position, position_columns());
+  }
+  append_queries_table(out, "permitted braking distances", r.PBD);
+  append_queries_table(out, "level crossings: metres before them where their speed takes the place of the stop", r.LX);
+  for (const std::string& note : r.notes) out += "note: " + note + "\n";
+  return out;
+}
+
+}  // namespace
+
+Approached::Approached(io::CurvesInput input) : input_(std::move(input)), derived_(std::make_unique<sdm::Derived>()) {
+  sdm::rebuild(*derived_, input_.inputs);
+  target_ = find_target(*derived_, input_);
+}
+
+sdm::Explanation Approached::explain(Speed V, const sdm::Target& target) const {
+  return sdm::explain(*derived_, input_.inputs, target, V, input_.V_ura, input_.A_est,
+                      input_.motion ? &*input_.motion : nullptr);
+}
+
+std::optional<Place> Approached::start_of_RSM() const {
+  const sdm::ReleaseSpeed& r = derived_->release_speed;
+  if (!r.exists || input_.target != sdm::TargetKind::EOA_SvL) return std::nullopt;
+  const Distance room = input_.motion ? input_.motion->max_safe_front - input_.motion->est_front : Distance{0.0};
+  return r.d_SBI2 - r.d_SBI1 >= room ? r.d_SBI1 : r.d_SBI2;
+}
+
+std::vector<std::string> Approached::notes() const {
+  std::vector<std::string> notes;
+  if (input_.target == sdm::TargetKind::EOA_SvL && derived_->release_speed.on_board && !derived_->release_speed.exists)
+    notes.emplace_back(
+        "no release speed can be calculated on board: from the trip location the train would not stop "
+        "in rear of the SvL (3.13.9.4.8)");
+  if (target_->warnings.no_deceleration)
+    notes.emplace_back("the train does not decelerate everywhere (A <= 0): the curve is level there, on the safe side");
+  if (derived_->truncated) notes.emplace_back("more elements than there is room for: answered on the safe side");
+  return notes;
+}
+
+const std::vector<Column<SpeedRow>>& speed_columns(bool separate_EOA) {
+  using R = SpeedRow;
+  static const std::vector<Column<R>> all = {
+      {"A_safe", &R::A_safe},
+      {"A_expected", &R::A_expected},
+      {"A_brake_emergency", &R::A_brake_emergency},
+      {"A_brake_service", &R::A_brake_service},
+      {"EBD", &R::EBD},
+      {"SBD", &R::SBD},
+      {"GUI", &R::GUI},
+      {"EBI", &R::EBI},
+      {"SBI1", &R::SBI1},
+      {"SBI2", &R::SBI2},
+      {"FLOI", &R::FLOI},
+      {"W", &R::W},
+      {"P", &R::P},
+      {"I", &R::I},
+      {"W_EOA", &R::W_EOA},
+      {"P_EOA", &R::P_EOA},
+      {"I_EOA", &R::I_EOA},
+      {"W_SvL", &R::W_SvL},
+      {"P_SvL", &R::P_SvL},
+      {"I_SvL", &R::I_SvL},
+  };
+  static const std::vector<Column<R>> common(all.begin(), all.end() - 6);
+  return separate_EOA ? all : common;
+}
+
+const std::vector<Column<SpeedRow>>& curve_columns() {
+  static const std::vector<Column<SpeedRow>> curves(speed_columns(false).begin() + 4, speed_columns(false).end());
+  return curves;
+}
+
+const std::vector<Column<PositionRow>>& position_columns() {
+  using R = PositionRow;
+  static const std::vector<Column<R>> columns = {
+      {"EBD", &R::EBD}, {"SBD", &R::SBD}, {"EBI", &R::EBI}, {"SBI", &R::SBI}, {"W", &R::W}, {"P", &R::P}, {"I", &R::I},
+  };
+  return columns;
+}
+
+const std::vector<Column<Scalars>>& scalar_columns() {
+  using R = Scalars;
+  static const std::vector<Column<R>> columns = {
+      {"T_be_s", &R::T_be_s},
+      {"T_bs_s", &R::T_bs_s},
+      {"V_release_kmh", &R::V_release_kmh},
+      {"d_start_RSM_m", &R::d_start_RSM_m},
+      {"d_preindication_m", &R::d_preindication_m},
+      {"d_perturbation_m", &R::d_perturbation_m},
+  };
+  return columns;
+}
+
+SpeedRow speed_row(const Approached& a, double v_kmh) {
+  const sdm::Explanation e = a.explain(Speed{v_kmh / kKmh});
+  const auto distance = [&](Place place) { return is_somewhere(place) ? Value(a.before_target(place)) : std::nullopt; };
+  SpeedRow row;
+  row.v_kmh = v_kmh;
+  row.A_safe = e.A_safe.si;
+  row.A_expected = e.A_expected.si;
+  row.A_brake_emergency = e.A_brake_emergency.si;
+  row.A_brake_service = e.A_brake_service.si;
+  row.EBD = distance(e.d_EBD);
+  if (e.d_SBD) row.SBD = distance(*e.d_SBD);
+  if (e.d_GUI) row.GUI = distance(*e.d_GUI);
+  row.EBI = distance(*e.EBD.d_EBI);  // null, as all that follows from it, for a speed that is nowhere allowed
+  row.SBI2 = distance(e.EBD.d_SBI);
+  row.FLOI = distance(e.d_FLOI);
+  row.W = distance(e.d_W);
+  row.P = distance(e.d_P);
+  row.I = distance(e.d_I);
+  row.W_SvL = distance(e.EBD.d_W);
+  row.P_SvL = distance(e.EBD.d_P);
+  row.I_SvL = distance(e.EBD.d_I);
+  if (e.SBD) {
+    row.SBI1 = distance(e.SBD->d_SBI);
+    row.W_EOA = distance(e.SBD->d_W);
+    row.P_EOA = distance(e.SBD->d_P);
+    row.I_EOA = distance(e.SBD->d_I);
+  }
+  if (a.derived().rules.pre_indication) draw_as_the_tool(row, a);
+  return row;
+}
+
+CurvesResult curves_result(const Approached& a) {
+  const io::CurvesInput& input = a.input();
+  const sdm::Derived& d = a.derived();
+  const sdm::Target& t = a.target();
+  CurvesResult r;
+  const sdm::Explanation e = a.explain(Speed{0.0});
+  r.scalars.T_be_s = e.build_up.T_be.si;
+  r.scalars.T_bs_s = e.build_up.T_bs.si;
+  if (t.kind == sdm::TargetKind::EOA_SvL && d.release_speed.exists)
+    // Without the noise of the way from km/h to m/s and back.
+    r.scalars.V_release_kmh = std::nearbyint(d.release_speed.V_release.si * kKmh * 1e9) / 1e9;
+  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start))
+    r.scalars.d_start_RSM_m = a.before_target(*start);
+  r.scalars.d_preindication_m = least(t.d_preindication_EBD, t.d_preindication_SBD, a);
+  if (input.target != sdm::TargetKind::MRSP && !d.rules.pre_indication)
+    r.scalars.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);
+  for (const double v : input.speeds_kmh) r.by_speed.push_back(speed_row(a, v));
+  const Distance under_reading = input.motion ? input.motion->est_front - input.motion->min_safe_front : Distance{0.0};
+  for (const double x : input.positions_m) {
+    const sdm::PositionRow p = sdm::speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est, under_reading);
+    PositionRow row;
+    row.position_m = x;
+    row.EBD = p.EBD.si * kKmh;
+    if (t.kind == sdm::TargetKind::EOA_SvL) row.SBD = p.SBD.si * kKmh;
+    row.EBI = p.EBI.si * kKmh;
+    row.SBI = p.SBI.si * kKmh;
+    row.W = p.W.si * kKmh;
+    row.P = p.P.si * kKmh;
+    row.I = p.I.si * kKmh;
+    r.by_position.push_back(row);
+  }
+  r.PBD = PBD_rows(a);
+  r.LX = LX_rows(a);
+  r.separate_EOA = t.kind == sdm::TargetKind::EOA_SvL && t.d_EOA != t.d_target;
+  r.notes = a.notes();
+  return r;
+}
+
+std::string curves_text(const CurvesResult& result, Format format) {
+  if (format == Format::csv) return as_csv(result);
+  return format == Format::table ? as_table(result) : as_json(result);
+}
+
+std::string TextTable::text() const {
+  std::vector<std::size_t> width;
+  for (const auto& row : rows_)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i == width.size()) width.push_back(0);
+      width[i] = std::max(width[i], row[i].size());
+    }
+  std::string out;
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) out += fmt::format("{}{:>{}}", i == 0 ? "" : "  ", row[i], width[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+std::string fixed(const Value& value, int digits) { return value ? fmt::format("{:.{}f}", *value, digits) : "-"; }
+
+std::string shortest(const Value& value, const char* none) {
+  if (!value) return none;
+  std::string out;
+  io::append_number(out, *value);
+  return out;
+}
+
+}  // namespace evc::curves

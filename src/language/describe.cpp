@@ -1,0 +1,59 @@
+#include "language/describe.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <memory>
+#include <string>
+
+#include "io/file.h"
+#include "io/telegram_explain.h"
+
+namespace evc::language {
+namespace {
+
+int print(const std::string& text, const std::string& what, const std::string& id) {
+  if (text.empty()) {
+    fmt::print(stderr, "evc describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
+    return 2;
+  }
+  const auto written = io::write_whole("-", text);
+  if (!written) fmt::print(stderr, "{}\n", written.error().text());
+  return written ? 0 : 2;
+}
+
+int number_of(const std::string& id) {
+  int n = -1;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), n);
+  return error == std::errc{} && end == id.data() + id.size() && n >= 0 && n <= 255 ? n : -1;
+}
+
+}  // namespace
+
+int describe_packets(const DescribeOptions& o) {
+  if (o.index) return print(io::packet_index_page(), "packets", "");
+  if (o.id.empty()) return print(io::list_packets(), "packets", "");
+  const int n = number_of(o.id);
+  if (n < 0) return print("", "packets", o.id);
+  const auto nid = static_cast<std::uint8_t>(n);
+  std::string text;
+  if (!o.to_track) text += io::describe_packet(nid, lang::Direction::to_train, o.markdown);
+  if (!o.to_train) text += (text.empty() ? "" : "\n") + io::describe_packet(nid, lang::Direction::to_track, o.markdown);
+  if (text == "\n") text.clear();
+  return print(text, "packets", o.id);
+}
+
+int describe_messages(const DescribeOptions& o) {
+  if (o.id.empty()) return print(io::list_messages(), "messages", "");
+  const int n = number_of(o.id);
+  return print(n < 0 ? "" : io::describe_message(static_cast<std::uint8_t>(n), o.markdown), "messages", o.id);
+}
+
+int describe_variables(const DescribeOptions& o) {
+  if (o.id.empty()) return print(io::list_variables(), "variables", "");
+  return print(io::describe_variable(o.id, o.markdown), "variables", o.id);
+}
+
+int describe_schema() { return print(io::telegram_schema(), "schema", ""); }
+
+}  // namespace evc::language

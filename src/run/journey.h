@@ -1,0 +1,84 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/evc.h"
+#include "sim/world.h"
+
+namespace evc::run {
+
+/// What a chart shows of one cycle: speeds in km/h, NaN where not supervised.
+struct Sample {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double t_s = 0.0, x_m = 0.0;
+  double v = 0.0, mrsp = none, p = none, w = none, sbi = none, ebi = none, target = none, d_target = none,
+         release = none;
+  std::uint8_t mode = 0, level = 0, monitoring = 0, status = 0;
+  std::uint8_t brakes = 0;  // bits: 1 traction cut-off, 2 service brake, 4 emergency brake
+};
+
+/// An event with its time and place along the run.
+struct JourneyEvent {
+  double t_s = 0.0, x_m = 0.0;
+  std::string text;
+};
+
+/// What a run measures of itself, cycle by cycle: everything in `summary.json` and the report.
+class Journey {
+ public:
+  explicit Journey(const sim::World& world) : world_(world) {}
+
+  /// After every cycle.
+  void record(const sim::CycleInputs& inputs, const kernel::Outputs& outputs);
+
+  struct Interventions {
+    int tco = 0, sb = 0, eb = 0, trip = 0;
+  };
+  struct Counts {
+    int groups_linked_ok = 0, groups_missed = 0, groups_rejected = 0;
+    int telegrams_rejected = 0;
+    int messages_accepted = 0, messages_refused = 0, messages_rejected = 0;
+    int authorities_received = 0, authorities_accepted = 0;
+  };
+  std::size_t cycles() const { return samples_.size(); }
+  const std::vector<Sample>& samples() const { return samples_; }
+  const std::vector<JourneyEvent>& events() const { return events_; }
+  const std::vector<std::string>& modes() const { return modes_; }
+  const std::vector<std::string>& levels() const { return levels_; }
+  const Interventions& interventions() const { return interventions_; }
+  const Counts& counts() const { return counts_; }
+  std::optional<double> min_margin_to_EBI_kmh() const { return min_margin_; }
+  double max_position_error_m() const { return max_position_error_; }
+  int confidence_interval_violations() const { return violations_; }
+  std::optional<double> svl_overrun_m() const { return svl_overrun_; }
+
+ private:
+  void note_changes(const kernel::Outputs& outputs);
+  void note_position(const kernel::Outputs& outputs);
+  void note_events(const kernel::Outputs& outputs);
+  void count(const kernel::Event& event);
+  void count_messages(const kernel::Outputs& outputs);
+
+  const sim::World& world_;
+  std::vector<Sample> samples_;
+  std::vector<JourneyEvent> events_;
+  std::vector<std::string> modes_, levels_;
+  Interventions interventions_;
+  Counts counts_;
+  bool tco_ = false, sb_ = false, eb_ = false;
+  std::optional<Mode> mode_;
+  std::optional<Level> level_;
+  std::optional<double> min_margin_, svl_overrun_;
+  std::optional<double> svl_m_;  // true place of the supervised location that holds
+  double max_position_error_ = 0.0;
+  int violations_ = 0;
+  std::size_t next_delivery_ = 0;
+  bool telegrams_in_cycle_ = false;
+};
+
+}  // namespace evc::run

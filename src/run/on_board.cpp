@@ -1,0 +1,34 @@
+#include "run/on_board.h"
+
+#include <chrono>
+
+#include "kernel/state.h"
+
+namespace evc::run {
+
+struct OnBoard::Memory {
+  kernel::State state;
+  kernel::Derived derived;
+  kernel::Outputs outputs;
+};
+
+OnBoard::OnBoard(const kernel::Config& config, Costs costs) : memory_(std::make_unique<Memory>()), keep_(costs) {
+  kernel::power_up(memory_->state, memory_->derived, config);
+  if (keep_ == Costs::kept) costs_.reserve(1 << 16);
+}
+
+OnBoard::~OnBoard() = default;
+
+const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
+  const std::size_t allocations_before = allocations();
+  const auto before = std::chrono::steady_clock::now();
+  kernel::step(memory_->state, memory_->derived, inputs, memory_->outputs);
+  const auto after = std::chrono::steady_clock::now();
+  allocations_ += allocations() - allocations_before;
+  if (keep_ == Costs::kept) costs_.push_back(std::chrono::duration<float>(after - before).count());
+  return memory_->outputs;
+}
+
+std::size_t OnBoard::state_bytes() { return sizeof(kernel::State); }
+
+}  // namespace evc::run

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "kernel/evc.h"
+
+namespace evc::run {
+
+/// Heap allocations of the whole program so far.
+std::size_t allocations();
+
+/// The kernel with its state, and what its steps cost.
+class OnBoard {
+ public:
+  /// A live stream never ends: what each of its steps cost is not kept.
+  enum class Costs : std::uint8_t { dropped, kept };
+  explicit OnBoard(const kernel::Config& config, Costs costs = Costs::dropped);
+  ~OnBoard();
+  OnBoard(const OnBoard&) = delete;
+  OnBoard& operator=(const OnBoard&) = delete;
+
+  /// One cycle. The outputs stay valid until the next one.
+  const kernel::Outputs& step(const kernel::Inputs& inputs);
+
+  static std::size_t state_bytes();
+  std::size_t allocations_in_step() const { return allocations_; }
+  /// Seconds of every step so far; empty when they are dropped.
+  const std::vector<float>& costs() const { return costs_; }
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+  Costs keep_;
+  std::size_t allocations_ = 0;
+  std::vector<float> costs_;
+};
+
+}  // namespace evc::run

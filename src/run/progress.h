@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+
+namespace evc::run {
+
+/// A progress bar on standard error when that is a terminal; nothing otherwise.
+class Progress {
+ public:
+  explicit Progress(const char* what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// `share` 0..1 done; redrawn when it changed visibly.
+  void show(double share, std::int64_t t_ms, double speed_kmh);
+  void clear();
+
+ private:
+  const char* what_;
+  bool terminal_;
+  int drawn_ = -1;
+};
+
+}  // namespace evc::run

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace evc::run {
+
+struct ReplayOptions {
+  std::string input;   ///< JSON Lines; "-": standard input, answered cycle by cycle
+  std::string config;  ///< configuration, instead of the stream's first line
+  std::string output = "-";
+  std::int64_t every = 1;  ///< print every Nth cycle only
+  bool changes = false;    ///< print a cycle only when something other than position and speed changed
+};
+/// `evc replay`: gives a recorded or live stream of inputs to the on-board and prints its outputs. Returns the exit
+/// status: 0, or 2 with one line on standard error.
+int replay(const ReplayOptions& options);
+
+}  // namespace evc::run

@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace evc::run {
+
+struct RunOptions {
+  std::string line;                ///< etcs-line/1; empty: the shipped line
+  std::string train;               ///< etcs-train/1; empty: the standard train
+  std::string driver = "perfect";  ///< perfect, late or reckless
+  std::string output;              ///< folder for the report and the records; empty: none are written
+  std::uint64_t seed = 1;          ///< of odometer errors and delays
+  int last_ma = -1;                ///< movement authorities with a higher seq are withheld; below 0: none are
+};
+/// `evc run`: drives a simulated train along a line under the on-board's supervision. Returns the exit status: 0, or 2
+/// with one line on standard error.
+int run(const RunOptions& options);
+
+}  // namespace evc::run

@@ -1,0 +1,368 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/make_line.h"
+#include "io/number.h"
+#include "io/telegram_json.h"
+#include "io/program_test.h"
+#include "io/train_file.h"
+#include "lang/encode.h"
+#include "lang/messages.h"
+#include "lang/packets/packet_15.h"
+#include "run/sha256.h"
+
+// The program as its users see it.
+namespace evc::run {
+namespace {
+
+using nlohmann::json;
+
+struct Finished {
+  int exit_code = -1;
+  std::string output;  // standard output and standard error
+};
+
+Finished evc(const std::string& arguments) {
+  const std::string command = program() + arguments + " 2>&1";
+  Finished finished;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return finished;
+  char block[4096];
+  for (std::size_t n = 0; (n = std::fread(block, 1, sizeof block, pipe)) > 0;) finished.output.append(block, n);
+  const int status = ::pclose(pipe);
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return finished;
+}
+
+std::string shared_line() {
+  const char* given = std::getenv("OPENEVC_SHARED");
+  return (given != nullptr ? std::string(given) : std::string(EVC_SOURCE_DIR "/../shared")) +
+         "/lines/amsterdam_utrecht.json";
+}
+
+TEST(ShippedLine, IsWhatItsDescriptionGives) {
+  const std::string folder = EVC_SOURCE_DIR "/data/lines/";
+  const auto made = make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
+  ASSERT_TRUE(made) << made.error().text();
+  EXPECT_EQ(*made, text_of(folder + "brunnental.json"))
+      << "run: evc make-line data/lines/brunnental.description.json -o data/lines/brunnental.json";
+}
+
+TEST(ShippedTrains, AreReadAndTheStandardOneIsTheDefault) {
+  for (const auto& entry : std::filesystem::directory_iterator(EVC_SOURCE_DIR "/data/trains")) {
+    const auto train = io::read_train(text_of(entry.path().string()), entry.path().string());
+    ASSERT_TRUE(train) << train.error().text();
+    if (entry.path().filename() != "standard.json") continue;
+    EXPECT_EQ(train->data, train::TrainData{});
+    EXPECT_EQ(train->dynamics.tractive_effort, sim::Dynamics{}.tractive_effort);
+    EXPECT_EQ(train->dynamics.davis, sim::Dynamics{}.davis);
+    EXPECT_EQ(train->dynamics.emergency_brake, sim::Dynamics{}.emergency_brake);
+    EXPECT_EQ(train->dynamics.service_brake, sim::Dynamics{}.service_brake);
+    EXPECT_EQ(train->dynamics.build_up_s, sim::Dynamics{}.build_up_s);
+  }
+}
+
+TEST(MakeLine, ErrorsNameThePlace) {
+  const auto error_of = [](const char* text) {
+    const auto made = make_line(text, "d.json");
+    return made ? std::string() : made.error().text();
+  };
+  EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
+    "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authorty":{}}]}],
+    "radio":[]})")
+                .find("/groups/0/orders/0"),
+            std::string::npos);
+  // The profile has to reach the danger point and 100 m beyond.
+  EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
+    "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],
+    "radio":[]})")
+                .find("a profile with a hole from 0 m to 190 m"),
+            std::string::npos);
+}
+
+/// A line of two groups in level 1 with the given orders of the first group and radio messages.
+json line_with(const std::string& first_group, const std::string& radio) {
+  const auto made = make_line(
+      R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"start":{},"gradient":[[0,3000,0]],
+      "ssp":[[0,3000,80]],"groups":[{"NID_BG":7,"at_m":100,)" +
+          first_group + R"(},{"NID_BG":8,"at_m":600}],"radio":[)" + radio + "]}",
+      "d.json");
+  return made ? json::parse(*made) : json(made.error().text());
+}
+
+/// The packets of a balise of the first group.
+json packets_in(const json& line, std::size_t balise) {
+  const auto bits = io::bits_of_hex(line["balise_groups"][0]["balises"][balise]["telegram_hex"].get<std::string>());
+  std::string text;
+  EXPECT_TRUE(bits && io::append_balise_json(text, bits->bytes, bits->bits));
+  return json::parse(text)["packets"];
+}
+
+TEST(MakeLine, AnyPacketAndAnyMessage) {
+  const std::string packet = R"({"NID_PACKET":45,"Q_DIR":1,"NID_MN":4711})";
+  const json line = line_with(R"("orders":[{"packet":)" + packet + "}]",
+                              R"({"at_m":300,"lrbg":7,"message":{"NID_MESSAGE":16,"NID_EM":3}})");
+  ASSERT_TRUE(line.is_object()) << line;
+  EXPECT_EQ(packets_in(line, 0)[0]["NID_MN"], 4711);
+  EXPECT_EQ(line["balise_groups"][0]["balises"][0]["contains"][0], "45 Radio network registration");
+  const json& message = line["rbc_messages"][0];
+  EXPECT_EQ(message["nid_message"], 16);
+  // NID_MESSAGE 16, L_MESSAGE 10 bytes, T_TRAIN 0, M_ACK 0, NID_LRBG 1 and 7, NID_EM 3 (8.7.6): 79 bits and one of
+  // padding.
+  EXPECT_EQ(message["message_hex"], "100280000000000800E6");
+}
+
+TEST(MakeLine, InfillCountsFromTheMainSignalInEveryTelegram) {
+  const json line = line_with(R"("orders":[{"infill":8},{"authority":{"to_m":1500}},{"text":{"text":")" +
+                                  std::string(80, 'x') + R"(","for_s":9}}])",
+                              "");
+  ASSERT_TRUE(line.is_object()) << line;
+  const json first = packets_in(line, 0), second = packets_in(line, 1);
+  EXPECT_EQ(first[0]["NID_PACKET"], 136);
+  EXPECT_EQ(first[0]["NID_BG"], 8);
+  EXPECT_EQ(first[1]["NID_PACKET"], 12);
+  EXPECT_EQ(first[1]["L_ENDSECTION"], 900);
+  EXPECT_EQ(second[0]["NID_PACKET"], 136);
+  EXPECT_EQ(second[1]["NID_PACKET"], 72);
+}
+
+TEST(MakeLine, NationalValuesWithoutAMaximum) {
+  const json line = line_with(
+      R"("orders":[{"national_values":{"A_NVMAXREDADH1":"no maximum","A_NVMAXREDADH2":"no maximum, time to indication",
+      "A_NVMAXREDADH3":0.7,"V_NVREL":25}}])",
+      "");
+  ASSERT_TRUE(line.is_object()) << line;
+  const json packet = packets_in(line, 0)[0];
+  EXPECT_EQ(packet["NID_PACKET"], 3);
+  EXPECT_EQ(packet["NID_C"], 1);
+  EXPECT_EQ(packet["V_NVREL"], 5);
+  EXPECT_EQ(packet["A_NVMAXREDADH1"], 63);
+  EXPECT_EQ(packet["A_NVMAXREDADH2"], 62);
+  EXPECT_EQ(packet["A_NVMAXREDADH3"], 14);
+}
+
+TEST(MakeLine, NumberOfBalises) {
+  const json line = line_with(R"("balises":1,"orders":[])", "");
+  ASSERT_TRUE(line.is_object()) << line;
+  EXPECT_EQ(line["balise_groups"][0]["balises"].size(), 1u);
+  EXPECT_EQ(line["balise_groups"][1]["balises"].size(), 2u);
+  const std::string refused = line_with(R"("balises":9)", "");
+  EXPECT_NE(refused.find("/groups/0/balises"), std::string::npos) << refused;
+}
+
+TEST(MakeLine, WrongPacketsAndMessagesNameThePlace) {
+  const std::string packet = line_with(R"("orders":[{"packet":{"NID_PACKET":45,"Q_DIR":1}}])", "");
+  EXPECT_NE(packet.find("/groups/0/orders/0/packet: found"), std::string::npos) << packet;
+  EXPECT_NE(packet.find("NID_MN"), std::string::npos) << packet;
+  const std::string message = line_with(R"("orders":[])", R"({"at_m":300,"lrbg":7,"message":{"NID_MESSAGE":16}})");
+  EXPECT_NE(message.find("/radio/0/message: found"), std::string::npos) << message;
+  EXPECT_NE(message.find("NID_EM"), std::string::npos) << message;
+  const std::string both =
+      line_with(R"("orders":[])", R"({"at_m":300,"lrbg":7,"orders":[],"message":{"NID_MESSAGE":6}})");
+  EXPECT_NE(both.find("/radio/0: found orders and a message"), std::string::npos) << both;
+}
+
+TEST(Sha256, OfTheStandard) {
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+/// A whole journey, and what the summary says of it.
+void expect_clean_run(const json& s) {
+  EXPECT_EQ(s["balise_groups"]["read"], s["balise_groups"]["on_line"]);
+  EXPECT_EQ(s["balise_groups"]["missed"], 0);
+  EXPECT_EQ(s["balise_groups"]["rejected"], 0);
+  EXPECT_EQ(s["telegrams"]["rejected"], 0);
+  EXPECT_EQ(s["movement_authorities"]["received"], s["movement_authorities"]["accepted"]);
+  for (const char* kind : {"tco", "sb", "eb", "trip"}) EXPECT_EQ(s["interventions"][kind], 0) << kind;
+  EXPECT_EQ(s["confidence_interval_violations"], 0);
+  EXPECT_EQ(s["allocations_in_step"], 0);
+  EXPECT_TRUE(s["svl_overrun_m"].is_null());
+}
+
+TEST(Run, TheShippedLineAndItsReplay) {
+  const Folder folder("run");
+  const Finished run = evc("run -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json summary = json::parse(text_of(folder / "summary.json"));
+  expect_clean_run(summary);
+  EXPECT_EQ(summary["modes"], json({"SB", "SR", "FS", "OS", "FS", "SN"}));
+  EXPECT_EQ(summary["levels"], json({"1", "2", "NTC"}));
+  EXPECT_EQ(summary["radio_messages"]["received"], summary["radio_messages"]["accepted"]);
+  const std::string outputs = text_of(folder / "outputs.jsonl");
+  EXPECT_EQ(summary["output_hash"], sha256(outputs));
+  // Replaying the inputs gives the same outputs, byte for byte.
+  const Finished replay = evc("replay '" + (folder / "inputs.jsonl") + "' -o '" + (folder / "replayed.jsonl") + "'");
+  ASSERT_EQ(replay.exit_code, 0) << replay.output;
+  EXPECT_TRUE(text_of(folder / "replayed.jsonl") == outputs);
+  // The thinned streams are parts of the whole one.
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+  const Finished every = evc("replay --every 10 '" + (folder / "inputs.jsonl") + "'");
+  EXPECT_EQ(lines(every.output), (lines(outputs) + 9) / 10);
+  const Finished changes = evc("replay --changes - < '" + (folder / "inputs.jsonl") + "'");
+  EXPECT_GT(lines(changes.output), 100);
+  EXPECT_LT(lines(changes.output), lines(outputs) / 2);
+  EXPECT_EQ(lines(text_of(folder / "trace.csv")), lines(outputs) + 1);
+  const std::string page = text_of(folder / "report.html");
+  EXPECT_EQ(page.find("/*DATA*/null"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos) << "the page needs no network";
+}
+
+TEST(Run, TheRecordedLine) {
+  if (!std::filesystem::exists(shared_line())) GTEST_SKIP() << "needs " << shared_line();
+  const Folder folder("recorded");
+  const Finished run = evc("run '" + shared_line() + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  expect_clean_run(s);
+  EXPECT_EQ(s["modes"], json({"SB", "SN", "FS", "SN"}));
+  EXPECT_EQ(s["levels"], json({"NTC", "2", "NTC"}));
+  EXPECT_EQ(s["balise_groups"]["on_line"], 103);
+  EXPECT_EQ(s["telegrams"]["decoded"], 206);
+  EXPECT_EQ(s["radio_messages"]["received"], 57);
+  EXPECT_EQ(s["radio_messages"]["accepted"], 18);
+  EXPECT_EQ(s["radio_messages"]["refused"], 39);
+  EXPECT_EQ(s["radio_messages"]["absent"], 1);
+  EXPECT_EQ(s["movement_authorities"]["received"], 16);
+}
+
+TEST(Run, ARecklessDriverIsStoppedBeforeTheEndOfHisLastAuthority) {
+  if (!std::filesystem::exists(shared_line())) GTEST_SKIP() << "needs " << shared_line();
+  const Folder folder("reckless");
+  for (const char* choice : {"--last-ma 5 --seed 3", "--last-ma 23 --seed 4", "--last-ma 32 --seed 5"}) {
+    const Finished run = evc("run '" + shared_line() + "' --driver reckless " + choice + " -o '" + folder.path() + "'");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const json s = json::parse(text_of(folder / "summary.json"));
+    EXPECT_EQ(s["confidence_interval_violations"], 0);
+    EXPECT_EQ(s["interventions"]["trip"], 1) << choice;
+    // He creeps past at or below the release speed of 15 km/h: 1 s, and the way to stand still from there.
+    EXPECT_LT(s["svl_overrun_m"].get<double>(), 20.0) << choice;
+  }
+}
+
+TEST(Run, ATelegramThatDoesNotDecodeIsCountedAndTheRunGoesOn) {
+  const Folder folder("undecodable");
+  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  // Group 117: the second balise is not its duplicate, its loss is an error of a linked group.
+  line["balise_groups"][16]["balises"][1]["telegram_hex"] = std::string(208, 'F');
+  ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
+  const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  EXPECT_EQ(s["telegrams"]["rejected"], 1);
+  EXPECT_EQ(s["balise_groups"]["rejected"], 1);
+  EXPECT_GE(s["interventions"]["sb"], 1);  // Q_LINKREACTION is the service brake
+  EXPECT_NE(text_of(folder / "outputs.jsonl").find("BG 117 message inconsistent [3.16.2.4.1]"), std::string::npos);
+}
+
+TEST(Run, AnAuthorityWithoutGradientAndSpeedProfileIsRefused) {
+  const Folder folder("no_profile");
+  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  json& message = line["rbc_messages"][2];
+  ASSERT_EQ(message["contains"][0], "15 Level 2/3 movement authority");
+  // The same authority, to 19 900 m from group 108 at 8 180 m, and nothing else (3.7.2.3, 4.8.3 [4]).
+  lang::Message3 header;
+  header.NID_LRBG.raw = 1000u << 14 | 108u;
+  lang::Packet15 authority;
+  authority.Q_DIR.raw = 1;
+  authority.Q_SCALE.raw = 1;
+  authority.T_EMA.raw = 1023;
+  authority.L_ENDSECTION.raw = 19900 - 8180;
+  std::array<std::uint8_t, 64> bytes{};
+  BitWriter out(bytes);
+  lang::encode_message(out, header, authority);
+  std::string digits;
+  io::append_hex(digits, out.bytes());
+  message["message_hex"] = digits;
+  message["message_bits"] = 4 * digits.size();
+  ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
+  const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  EXPECT_EQ(s["movement_authorities"]["accepted"].get<int>(), s["movement_authorities"]["received"].get<int>() - 1);
+  EXPECT_EQ(s["radio_messages"]["refused"], 1);
+  EXPECT_NE(text_of(folder / "outputs.jsonl").find("message 3 refused [4.8.3"), std::string::npos);
+}
+
+TEST(Run, WrongInputsAreToldAndLeaveNothing) {
+  const Folder folder("wrong");
+  ASSERT_TRUE(io::write_whole(folder / "line.json", R"({"schema":"etcs-line/1","name":"x","length_m":1,
+    "balise_groups":[{"balises":[{"position_m":"here","telegram_hex":"90"}]}]})"));
+  const Finished line = evc("run '" + (folder / "line.json") + "' -o '" + (folder / "out") + "'");
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_NE(line.output.find("/balise_groups/0/balises/0/position_m: found \"here\", expected a number"),
+            std::string::npos)
+      << line.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(evc("run --driver sleepy").exit_code, 2);
+  EXPECT_EQ(evc("run --train /nonexistent.json").exit_code, 2);
+  EXPECT_EQ(evc("").exit_code, 2);
+  EXPECT_EQ(evc("--help").exit_code, 0);
+}
+
+/// An old summary never stands beside the files of another run.
+TEST(Run, AFolderHoldsOneRunOrTheOther) {
+  const Folder folder("one_run");
+  const std::string old = "of the run before";
+  for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
+    ASSERT_TRUE(io::write_whole(folder / name, old));
+  // The third file cannot be written; reported after the drive, as a full disk is.
+  std::filesystem::create_directory(folder / "trace.csv");
+  const Finished failed = evc("run -o '" + folder.path() + "'");
+  EXPECT_EQ(failed.exit_code, 2);
+  EXPECT_NE(failed.output.find("/trace.csv: found a directory, expected a file that can be written"),
+            std::string::npos);
+  for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
+    EXPECT_EQ(text_of(folder / name), old) << name;
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++entries;
+  EXPECT_EQ(entries, 5u) << "no temporary file stays";
+  // A folder of the name that a probe could have is no obstacle.
+  std::filesystem::remove(folder / "trace.csv");
+  std::filesystem::create_directory(folder / "probe");
+  const Finished run = evc("run -o '" + folder.path() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
+}
+
+TEST(Run, TheFilesAreThereWhateverBecomesOfTheSummary) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const Folder folder("lost");
+  // More than standard output keeps back: it fails in the middle.
+  ASSERT_TRUE(
+      io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","name":")" + std::string(20000, 'x') + "\"}"));
+  const Finished run =
+      evc("run --train '" + (folder / "t.json") + "' -o '" + folder.path() + "' 2>&1 >/dev/full | cat");
+  EXPECT_EQ(run.output, "standard output: found No space left on device, expected room to write all of it\n");
+  EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
+}
+
+TEST(Run, ATrainThatCannotBeSupervisedIsToldBeforeTheDrive) {
+  const Folder folder("train");
+  ASSERT_TRUE(io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","max_speed_kmh":250})"));
+  const Finished run = evc("run --train '" + (folder / "t.json") + "'");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.output, (folder / "t.json") +
+                            ": /max_speed_kmh: found 250, expected at most 200 km/h with a brake percentage "
+                            "(SUBSET-026 3.13.3.2.1 a)\n");
+}
+
+TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
+  const Folder folder("replay");
+  ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));
+  const Finished replay = evc("replay '" + (folder / "in.jsonl") + "' -o '" + (folder / "out.jsonl") + "'");
+  EXPECT_EQ(replay.exit_code, 2);
+  EXPECT_NE(replay.output.find("line 3"), std::string::npos) << replay.output;
+  const std::string outputs = text_of(folder / "out.jsonl");
+  ASSERT_FALSE(outputs.empty());
+  EXPECT_EQ(outputs.back(), '\n');
+  EXPECT_TRUE(json::accept(outputs.substr(0, outputs.find('\n'))));
+}
+
+}  // namespace
+}  // namespace evc::run
