@@ -5,33 +5,39 @@
 namespace evc::sdm {
 namespace {
 
+/// Condition [1] of Table 16 for a target, 3.4.0: beyond the pre-indication location.
+bool beyond_preindication(const Cycle& c, const Target& t) {
+  return t.preindication_passed_at_once ||
+         (t.d_preindication_EBD.has_value() && c.m.max_safe_front > *t.d_preindication_EBD) ||
+         (t.d_preindication_SBD.has_value() && c.m.est_front > *t.d_preindication_SBD);
+}
+
+/// The same from 3.6.0 on: beyond an Indication limit.
+bool beyond_indication(const Cycle& c, const Target& t, const Seen& seen) {
+  const ReleaseSpeed& r = release(c);
+  if (r.exists && !(c.a.V >= r.V_release))
+    return seen.beyond_I_EBD && t.V_target < c.a.V && !behind_trip_location(c, t);
+  if (c.m.standstill) return false;
+  return (seen.beyond_I_EBD && t.V_target < c.M && t.V_target < c.a.V) || seen.beyond_I_SBD;
+}
+
+/// Condition [2]: beyond the start of release speed monitoring.
+bool beyond_start_of_RSM(const Cycle& c) {
+  if (!release(c).exists) return false;
+  const bool from_SBD = c.rsm.d_SBI2 - c.rsm.d_SBI1 >= c.m.max_safe_front - c.m.est_front;
+  return from_SBD ? c.m.est_front > c.rsm.d_SBI1 : c.m.max_safe_front > c.rsm.d_SBI2;
+}
+
 /// Conditions [1]-[6] of Table 16, bit n for [n].
 unsigned transition_conditions(const Cycle& c, const Seen* seen) {
-  const ReleaseSpeed& r = release(c);
   bool one = false;
+  bool MRDT_in_list = false;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
     const Target& t = c.d.targets[i];
-    if (c.d.rules.pre_indication) {
-      one = one || t.preindication_passed_at_once ||
-            (t.d_preindication_EBD.has_value() && c.m.max_safe_front > *t.d_preindication_EBD) ||
-            (t.d_preindication_SBD.has_value() && c.m.est_front > *t.d_preindication_SBD);
-      continue;
-    }
-    if (!r.exists || c.a.V >= r.V_release) {
-      const bool EBD = seen[i].beyond_I_EBD && t.V_target < c.M && t.V_target < c.a.V;
-      one = one || (!c.m.standstill && (EBD || seen[i].beyond_I_SBD));
-    } else {
-      one = one || (seen[i].beyond_I_EBD && t.V_target < c.a.V && !behind_trip_location(c, t));
-    }
+    one = one || (c.d.rules.pre_indication ? beyond_preindication(c, t) : beyond_indication(c, t, seen[i]));
+    MRDT_in_list = MRDT_in_list || (c.s.has_MRDT && id_of(t) == c.s.MRDT);
   }
-  bool two = false;
-  if (r.exists) {
-    const bool from_SBD = c.rsm.d_SBI2 - c.rsm.d_SBI1 >= c.m.max_safe_front - c.m.est_front;
-    two = from_SBD ? c.m.est_front > c.rsm.d_SBI1 : c.m.max_safe_front > c.rsm.d_SBI2;
-  }
-  bool MRDT_in_list = false;
-  for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
-    MRDT_in_list = MRDT_in_list || (c.s.has_MRDT && id_of(c.d.targets[i]) == c.s.MRDT);
+  const bool two = beyond_start_of_RSM(c);
   const bool three = c.d.rules.pre_indication ? c.list_updated && !one : !MRDT_in_list && !one && !two;
   const bool six = c.V_MRSP_updated && MRDT_in_list && !(c.s.MRDT.V_target < c.M) && !one && !two;
   unsigned met = 0;
@@ -162,12 +168,32 @@ Triggered monitor_RSM(Cycle& c) {
   return t;
 }
 
-/// Tables 8-12 over all targets.
-Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
+/// What the rows of Tables 8-12 say of one target whose speed is `Vt`.
+void take_target(const Cycle& c, Bounds& b, bool EOA_SvL, Speed Vt, unsigned beyond, Triggered& t, Revoked& r) {
   const Rules& rules = c.d.rules;
-  Bounds b = ceiling_bounds(c.M, c.d.fixed);
-  Triggered t;
-  Revoked r;
+  set_target(b, Vt, c.d.fixed);
+  for (const TriggerRow& row : trigger_table(rules, EOA_SvL))
+    if (holds(row, b, c.a.V, beyond)) t.take(row);
+  bool any = false;
+  bool eb = false;
+  bool normal = false;
+  bool by_r1 = false;
+  for (const RevocationRow& row : revocation_table(rules)) {
+    if (!holds(row, b, c.a.V, beyond, false)) continue;  // r0: `monitor_TSM`
+    any = true;
+    eb = eb || (row.EB == EbRelease::or_zero && Vt.si <= 0.0) || c.d.Q_NVEMRRLS;
+    normal = normal || row.to == Status::Normal;
+    by_r1 = by_r1 || row.id == 1;
+  }
+  r.all = r.all && any;
+  r.eb = r.eb && eb;
+  r.to_normal = r.to_normal && normal;
+  r.only_r2 = r.only_r2 || (normal && !by_r1);
+}
+
+/// The same for all targets.
+void take_targets(const Cycle& c, const Seen* seen, Bounds& b, Triggered& t, Revoked& r) {
+  const Rules& rules = c.d.rules;
   const bool at_or_below_M = c.a.V <= c.M;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
     const Target& target = c.d.targets[i];
@@ -182,25 +208,34 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
       r.eb = r.eb && c.d.Q_NVEMRRLS;
       continue;
     }
-    set_target(b, Vt, c.d.fixed);
-    for (const TriggerRow& row : trigger_table(rules, EOA_SvL))
-      if (holds(row, b, c.a.V, beyond)) t.take(row);
-    bool any = false;
-    bool eb = false;
-    bool normal = false;
-    bool by_r1 = false;
-    for (const RevocationRow& row : revocation_table(rules)) {
-      if (!holds(row, b, c.a.V, beyond, false)) continue;  // r0: below
-      any = true;
-      eb = eb || (row.EB == EbRelease::or_zero && Vt.si <= 0.0) || c.d.Q_NVEMRRLS;
-      normal = normal || row.to == Status::Normal;
-      by_r1 = by_r1 || row.id == 1;
-    }
-    r.all = r.all && any;
-    r.eb = r.eb && eb;
-    r.to_normal = r.to_normal && normal;
-    r.only_r2 = r.only_r2 || (normal && !by_r1);
+    take_target(c, b, EOA_SvL, Vt, beyond, t, r);
   }
+}
+
+/// The status of target speed monitoring: up with what triggers, down only with what is revoked (3.13.10.4.13-17).
+Status status_in_TSM(const Cycle& c, const Triggered& t, const Revoked& r, bool revoked, bool MRDT_changed) {
+  const Rules& rules = c.d.rules;
+  Status status = c.s.status;
+  if (t.status > status) {
+    status = t.status;
+  } else if (status > Status::Indication) {
+    if (revoked && !(status == Status::Intervention && braking(c.s)))
+      status = r.to_normal && rules.pre_indication ? Status::Normal : Status::Indication;
+  } else if (status == Status::Indication && rules.pre_indication && revoked && r.to_normal &&
+             (!r.only_r2 || MRDT_changed)) {
+    status = Status::Normal;
+  }
+  // 3.13.10.4.17: from 3.6.0 on there is no Normal status here.
+  if (status == Status::Normal && !rules.pre_indication) status = Status::Indication;
+  return status;
+}
+
+/// Tables 8-12 over all targets.
+Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
+  Bounds b = ceiling_bounds(c.M, c.d.fixed);
+  Triggered t;
+  Revoked r;
+  take_targets(c, seen, b, t, r);
   if (t.status < Status::Overspeed && c.a.V > c.M) {
     // No row covers it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
     // ceiling is supervised all the same.
@@ -212,17 +247,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
   const bool revoked = r.all && t.status < Status::Overspeed;
   if (revoked) c.s.tco = c.s.sb = c.s.eb_for_sb = false;
   if (c.m.standstill || (revoked && r.eb)) c.s.eb = false;
-  if (t.status > c.s.status) {
-    c.s.status = t.status;
-  } else if (c.s.status > Status::Indication) {
-    if (revoked && !(c.s.status == Status::Intervention && braking(c.s)))
-      c.s.status = r.to_normal && rules.pre_indication ? Status::Normal : Status::Indication;
-  } else if (c.s.status == Status::Indication && rules.pre_indication && revoked && r.to_normal &&
-             (!r.only_r2 || MRDT_changed)) {
-    c.s.status = Status::Normal;
-  }
-  // 3.13.10.4.17: from 3.6.0 on there is no Normal status here.
-  if (c.s.status == Status::Normal && !rules.pre_indication) c.s.status = Status::Indication;
+  c.s.status = status_in_TSM(c, t, r, revoked, MRDT_changed);
   return t;
 }
 
@@ -294,20 +319,10 @@ Speed V_MRSP_with_LOA(const Derived& d, const Motion& m) {
   return M;
 }
 
-}  // namespace
-
-Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front) {
-  if (mrsp.empty()) return Speed{0.0};  // nothing is known: nothing is allowed
-  std::size_t i = mrsp.index_at(min_safe_front);
-  Speed V = mrsp.steps[i].value;
-  for (++i; i < mrsp.size() && mrsp.steps[i].from <= max_safe_front; ++i) V = std::min(V, mrsp.steps[i].value);
-  return V;
-}
-
-Result supervise(Supervision& s, const Derived& d, const Motion& m) {
-  EVC_REQUIRE(d.valid);
-  Result out;
-  Cycle c{.s = s, .d = d, .m = m};
+/// What the train's speed, place and brakes of this cycle give, before any target is looked at.
+void begin(Cycle& c) {
+  const Derived& d = c.d;
+  const Motion& m = c.m;
   c.M = V_MRSP_with_LOA(d, m);
   c.M_ebi = c.M + dV_ebi(c.M, d.fixed);
   c.V_delta0 = d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura;
@@ -316,8 +331,8 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
          m.max_safe_front > d.targets[c.first].d_target)
     ++c.first;
   // Read when active only.
-  c.list_updated = s.list_revision != d.revision || s.list_passed != c.first;
-  c.V_MRSP_updated = !(s.V_MRSP == c.M);
+  c.list_updated = c.s.list_revision != d.revision || c.s.list_passed != c.first;
+  c.V_MRSP_updated = !(c.s.V_MRSP == c.M);
   use_feedback(c);
   c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
   c.cmt = times(d.time_config, d.cmt, c.feedback.cmt, d.rules, d.fixed);
@@ -335,7 +350,23 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
     if (c.feedback.cm0.has_value())
       c.rsm = rsm_start(d, t, release(c).V_release, release(c).d_trip, release(c).on_board, c.feedback);
   }
+}
 
+}  // namespace
+
+Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front) {
+  if (mrsp.empty()) return Speed{0.0};  // nothing is known: nothing is allowed
+  std::size_t i = mrsp.index_at(min_safe_front);
+  Speed V = mrsp.steps[i].value;
+  for (++i; i < mrsp.size() && mrsp.steps[i].from <= max_safe_front; ++i) V = std::min(V, mrsp.steps[i].value);
+  return V;
+}
+
+Result supervise(Supervision& s, const Derived& d, const Motion& m) {
+  EVC_REQUIRE(d.valid);
+  Result out;
+  Cycle c{.s = s, .d = d, .m = m};
+  begin(c);
   std::array<Seen, kTargets> seen;
   for (std::size_t i = c.first; i < d.targets.size(); ++i) evaluate(c, i, seen[i]);
 

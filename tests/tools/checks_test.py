@@ -10,6 +10,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 import check_layers  # noqa: E402
 import check_links  # noqa: E402
 import check_readme  # noqa: E402
+import check_size  # noqa: E402
 import check_tree  # noqa: E402
 
 
@@ -60,6 +61,53 @@ class Layers(Tree):
 
     def test_file_without_room(self):
         self.assertEqual(len(self.breaches("src/base/x.h", '#include "units.h"\n')), 1)
+
+
+class Size(Tree):
+    def breaches(self, lines, branches=0, listed="", name="src/track/a.cpp"):
+        body = "".join(f"  if (a == {i}) return '{{';  // }}\n" for i in range(branches))
+        body += "  ++a;\n" * (lines - 2 - branches)
+        self.write(name, "namespace x {\n\nint longest(int a) noexcept {\n" + body + "}\n}  // namespace x\n")
+        self.write("tools/sizes.txt", listed)
+        return check_size.check(self.root)
+
+    def test_function_within_the_rule(self):
+        self.assertEqual(self.breaches(60, 25), [])
+
+    def test_function_of_61_lines(self):
+        self.assertEqual(self.breaches(61), [
+            "src/track/a.cpp:3: longest has 61 lines, 0 branches, expected at most 60 lines or 25 branches"])
+
+    def test_function_of_26_branches(self):
+        self.assertEqual(len(self.breaches(30, 26)), 1)
+
+    def test_listed_may_shrink_only(self):
+        row = "function src/track/a.cpp longest 70 0"
+        self.assertEqual(self.breaches(70, 0, row), [])
+        self.assertIn("may shrink only", self.breaches(71, 0, row)[0])
+        self.assertIn("write the smaller figure", self.breaches(69, 0, row)[0])
+        self.assertIn("the line goes", self.breaches(60, 0, row)[0])
+
+    def test_table_may_grow(self):
+        self.assertEqual(self.breaches(90, 0, "function src/track/a.cpp longest 70 0 table"), [])
+
+    def test_file_of_the_kernel(self):
+        self.write("tools/sizes.txt", "")
+        self.write("src/kernel/a.cpp", "int a;\n" * 301)
+        self.write("src/track/b.cpp", "int a;\n" * 301)
+        self.assertEqual(check_size.check(self.root), ["src/kernel/a.cpp:1: file has 301 lines, expected at most 300 lines"])
+
+    def test_what_is_a_function(self):
+        text = """
+struct A : B {
+  A() : b{1}, c(2) { if (b) c = 1; }
+  bool operator()(int x) const noexcept { return x ? true : false; }
+};
+template <class T> auto f(T t) -> std::optional<int> { for (;;) { auto g = [&] { while (t) {} }; } }
+enum class E { a, b };
+const int table[] = {1, 2};
+"""
+        self.assertEqual([(f[0], f[3]) for f in check_size.functions(text)], [("A", 1), ("operator()", 1), ("f", 2)])
 
 
 class Links(Tree):
