@@ -100,8 +100,4 @@ Outcome<Received> read(std::span<const std::uint8_t> period, Format format);
 /// `Received::end`. The fault is that of the window that came furthest; bits of a format to come end the search.
 Outcome<Received> receive(std::span<const std::uint8_t> stream, std::size_t count, std::size_t from = 0);
 
-/// The self-test at power-up: a long and a short telegram, coded, shifted, inverted, repeated and with a bit error,
-/// must be received or refused as they should. False: the tables or the machine are not sound.
-bool self_test();
-
 }  // namespace evc::airgap

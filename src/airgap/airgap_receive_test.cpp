@@ -242,8 +242,6 @@ TEST(Receive, PureNoiseIsNothing) {
   EXPECT_FALSE(ones.receive());
 }
 
-TEST(SelfTest, Passes) { EXPECT_TRUE(self_test()); }
-
 TEST(Faults, HaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
   for (int i = 0; i <= static_cast<int>(Fault::no_candidate); ++i) names.insert(name(static_cast<Fault>(i)));

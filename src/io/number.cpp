@@ -32,8 +32,6 @@ void append_micro(std::string& out, double value) {
   append_number(out, std::isfinite(scaled) ? scaled / 1e6 + 0.0 : value);
 }
 
-double to_milli(double value) { return std::nearbyint(value * 1e3) / 1e3 + 0.0; }
-
 void append_string(std::string& out, std::string_view text) {
   constexpr char digits[] = "0123456789abcdef";
   out += '"';

@@ -17,7 +17,4 @@ void append_string(std::string& out, std::string_view text);
 /// Hexadecimal digits, two a byte, without quotes.
 void append_hex(std::string& out, std::span<const std::uint8_t> bytes);
 
-/// `value` rounded to a thousandth: what the simulated world's counters count.
-double to_milli(double value);
-
 }  // namespace evc::io

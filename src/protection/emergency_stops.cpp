@@ -15,11 +15,6 @@ void keep(EmergencyStops& stops, const EmergencyStop& stop) {
 
 }  // namespace
 
-bool EmergencyStops::conditional_pending() const {
-  for (const EmergencyStop& stop : pending)
-    if (stop.conditional) return true;
-  return false;
-}
 bool EmergencyStops::unconditional_pending() const {
   for (const EmergencyStop& stop : pending)
     if (!stop.conditional) return true;

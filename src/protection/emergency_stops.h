@@ -18,7 +18,6 @@ struct EmergencyStop {
 struct EmergencyStops {
   InplaceVector<EmergencyStop, 16> pending;
   bool any() const { return !pending.empty(); }
-  bool conditional_pending() const;
   bool unconditional_pending() const;
 };
 

@@ -48,13 +48,11 @@ TEST(EmergencyStops, AcceptedOnesShortenAndArePending) {
   EXPECT_EQ(d.ma->end(), at(1500));
   ASSERT_EQ(stops.pending.size(), 1u) << "the same identity replaces";
   EXPECT_EQ(stops.pending[0].at, at(1800));
-  EXPECT_TRUE(stops.conditional_pending());
   EXPECT_FALSE(stops.unconditional_pending());
   EXPECT_EQ(accept_unconditional(stops, 2).Q_EMERGENCYSTOP, 2);
   EXPECT_TRUE(stops.unconditional_pending());
   EXPECT_FALSE(revoke(stops, 9));
   EXPECT_TRUE(revoke(stops, 1));
-  EXPECT_FALSE(stops.conditional_pending());
   EXPECT_EQ(d.ma->end(), at(1500)) << "revocation restores nothing";
   EXPECT_TRUE(revoke(stops, 2));
   EXPECT_FALSE(stops.any());

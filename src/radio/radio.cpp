@@ -166,8 +166,6 @@ bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Dura
   return true;
 }
 
-bool train_data_acknowledgement_pending(const State& s) { return s.train_data_stamp.has_value(); }
-
 Result supervise(State& s, const Inputs& in, Outbox& out) {
   Result result;
   const bool was_lost = s.session.phase == Phase::lost;

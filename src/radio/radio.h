@@ -92,9 +92,6 @@ struct SessionOrder {
 /// when the order is ignored: nothing stored for "last known RBC", a sleeping unit, another RBC to leave.
 bool order(State& state, const SessionOrder& order, bool sleeping, bool store_only, Duration now, Outbox& out);
 
-/// MA and others from the RBC are refused while train data are sent and not acknowledged (4.8.3 [3]).
-bool train_data_acknowledgement_pending(const State& state);
-
 struct Inputs {
   Duration now{};
   RadioLink link = RadioLink::unchanged;

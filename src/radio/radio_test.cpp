@@ -216,21 +216,21 @@ TEST(Contact, RadioHoleAndLevelSwitchStartItAnew) {
 TEST(TrainData, SentAcknowledgedAndSentAgain) {  // 3.18.3.4
   Unit u;
   u.up();
-  EXPECT_FALSE(train_data_acknowledgement_pending(u.s));
+  EXPECT_FALSE(u.s.train_data_stamp.has_value());
   EXPECT_TRUE(u.s.train_data_acknowledged);
   send_train_data(u.s);
   u.cycle();
   ASSERT_EQ(u.messages(), Ids{129});
-  EXPECT_TRUE(train_data_acknowledgement_pending(u.s));
+  EXPECT_TRUE(u.s.train_data_stamp.has_value());
   receive_train_data_ack(u.s, u.out.messages[0].T_TRAIN + 1);
-  EXPECT_TRUE(train_data_acknowledgement_pending(u.s)) << "of another sending";
+  EXPECT_TRUE(u.s.train_data_stamp.has_value()) << "of another sending";
   u.fresh();
   u.cycle(RadioLink::lost);
   u.fresh();
   u.cycle(RadioLink::connected);
   EXPECT_EQ(u.messages(), Ids{129}) << "in the kept session";
   receive_train_data_ack(u.s, *u.s.train_data_stamp);
-  EXPECT_FALSE(train_data_acknowledgement_pending(u.s));
+  EXPECT_FALSE(u.s.train_data_stamp.has_value());
 }
 
 TEST(MaRequest, RepeatedEvery60SecondsWithoutParameters) {  // 3.8.2, A.3.1

@@ -32,7 +32,4 @@ void reset_feedback(FeedbackState& s, Duration T_bs);
 FeedbackTimes feedback_times(FeedbackState& s, std::optional<double> p_kpa, Duration T_bs,
                              const train::FixedValues& fixed, bool may_begin = true);
 
-/// Main pipe pressure from the brake cylinder's (A.3.10.1), kPa.
-constexpr double p_from_cylinder(double p_cylinder, double k1) { return 500.0 - p_cylinder / k1; }
-
 }  // namespace evc::sdm

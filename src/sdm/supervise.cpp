@@ -410,10 +410,4 @@ MemoStatus memo_status(const Result& r, Speed V_est, bool trip) {
   return MemoStatus::Null;
 }
 
-bool passed_end_of_authority(const Authority& a, const Motion& m, bool level_1, Distance L_antenna_front) {
-  if (a.kind == Authority::Kind::none) return false;
-  const Place front = level_1 ? m.min_safe_front - L_antenna_front : m.min_safe_front;
-  return front > a.EOA;
-}
-
 }  // namespace evc::sdm

@@ -174,7 +174,4 @@ enum class MemoStatus : std::uint8_t { Null, P, W, SB, EB, Trip };
 /// is EB, as the standard has it.
 MemoStatus memo_status(const Result& result, Speed V_est, bool trip);
 
-/// Train trip by position (3.13.10.2.6-7): min safe front end (level 1: antenna) beyond EOA or LOA.
-bool passed_end_of_authority(const Authority& authority, const Motion& motion, bool level_1, Distance L_antenna_front);
-
 }  // namespace evc::sdm

@@ -116,7 +116,6 @@ struct TrainData {
   bool traction_cut_off_interface = true;
   bool service_brake_interface = true;
   bool service_brake_feedback = false;
-  double k1_brake_cylinder = 2.5;  // 500 - p_cylinder / k1 (A.3.10), where the cylinder pressure is measured
   // Dimensions.
   Distance L_TRAIN{200.0};
   Speed V_MAXTRAIN{160.0 / 3.6};
