@@ -39,15 +39,15 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
       ->check(CLI::Range(0, 1000000));
-  command->add_option("--seed", *seed, "seed of odometer errors and delays")
-      ->check([](const std::string& seed) {
-        return seed_of(seed) ? std::string()
-                             : "found " + seed + ", expected a whole number from 0 to 18446744073709551615";
-      });
+  command->add_option("--seed", *seed, "seed of odometer errors and delays")->check([](const std::string& given) {
+    return seed_of(given) ? std::string()
+                          : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
+  });
   command->add_option("-o,--output", options->output, "folder for the report and the records");
-  command->callback([options, seed, &exit_code] { options->seed = *seed_of(*seed);
+  command->callback([options, seed, &exit_code] {
+    options->seed = *seed_of(*seed);
     exit_code = run::run(*options);
- ; });
+  });
 }
 
 void add_replay(CLI::App& app, int& exit_code) {

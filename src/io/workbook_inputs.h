@@ -4,8 +4,8 @@
 
 namespace evc::io {
 
-/// The sheet of the workbook model (`evc curves --model workbook`): a grid of `quantum` from the farthest point (position 0, the target's side)
-/// against the running direction to the train.
+/// The sheet of the workbook model (`evc curves --model workbook`): a grid of `quantum` from the farthest point
+/// (position 0, the target's side) against the running direction to the train.
 struct WorkbookInputs {
   Distance quantum{10.0};
   Distance length{700.0};

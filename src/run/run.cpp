@@ -153,7 +153,7 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
 }
 
 io::Result<sim::Line> load_line(const RunOptions& options) {
-  const std::string file = options.line.empty() ? data_file(kShippedLine) : options.line;
+  const std::string file = options.line.empty() ? io::data_file(kShippedLine) : options.line;
   const auto text = io::read_text(file);
   if (!text) return tl::unexpected(text.error());
   return io::read_line(*text, file);
