@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
-"""Line coverage of the kernel rooms by all tests (gcov), as the run of tools/check_sanitizers left it in build/asan;
-without one that is made first. Prints a table per room; the lines that no test reaches are in
-build/asan/uncovered.txt. Usage: tools/check_coverage.py [--floor PERCENT]"""
+"""Line coverage of the kernel rooms by unit tests and scenarios (gcov), as the run of tools/check_sanitizers left it in
+build/asan; without one that is made first. Each room has a floor in tests/gates/coverage.txt: less than that fails, and
+so does a floor that stayed 1 % behind or that is lower than in CI_BASE (default: the commit before). The lines that no
+test reaches go to build/asan/uncovered.txt.
+
+Usage: tools/check_coverage.py [--build FOLDER] [--write-floors]
+  --write-floors  raises the floors to today's figures (none falls)"""
 import argparse
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -12,7 +17,8 @@ import sys
 import check_layers
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BUILD = ROOT / "build/asan"
+FLOORS = ROOT / "tests/gates/coverage.txt"
+SLACK = 1.0  # percent that a figure may be above its floor
 
 
 def room_of(path):
@@ -25,34 +31,77 @@ def room_of(path):
     return parts[0] if kernel else None
 
 
-def counts():
+def counts(build):
     """{file: {line: times run}} of all kernel sources, over every object that was compiled."""
     lines = {}
-    data = sorted(BUILD.rglob("*.gcda"))
+    data = sorted(build.rglob("*.gcda"))
     for start in range(0, len(data), 20):
-        done = subprocess.run(["gcov", "--json-format", "--stdout", *data[start:start + 20]], cwd=BUILD, text=True,
+        done = subprocess.run(["gcov", "--json-format", "--stdout", *data[start:start + 20]], cwd=build, text=True,
                               capture_output=True, check=True)
         for document in done.stdout.splitlines():
             if not document.startswith("{"):
                 continue
             for entry in json.loads(document)["files"]:
-                if room_of(str(BUILD / entry["file"])) is None:
+                if room_of(str(build / entry["file"])) is None:
                     continue
-                file = lines.setdefault(os.path.relpath((BUILD / entry["file"]).resolve(), ROOT), {})
+                file = lines.setdefault(os.path.relpath((build / entry["file"]).resolve(), ROOT), {})
                 for line in entry["lines"]:
                     file[line["line_number"]] = file.get(line["line_number"], 0) + line["count"]
     return lines
 
 
+def read(text):
+    """{room: floor in percent} of the committed file; the line `goal ROOM PERCENT` is what a room has to reach."""
+    floors, goals = {}, {}
+    for line in text.splitlines():
+        words = line.split()
+        if words and words[0] == "goal":
+            goals[words[1]] = float(words[2])
+        elif words:
+            floors[words[0]] = float(words[1])
+    return floors, goals
+
+
+def written(floors, goals):
+    lines = [f"{room} {floor:.1f}\n" for room, floor in sorted(floors.items())]
+    return "".join(lines + [f"goal {room} {goal:.1f}\n" for room, goal in sorted(goals.items())])
+
+
+def faults(floors, figures, before):
+    """What does not fit: figures below a floor or well above it, rooms without a floor, floors that fell.
+    `before`: the floors of the commit that is compared with."""
+    sentences = []
+    for room in sorted(floors.keys() | figures.keys()):
+        floor, figure = floors.get(room), figures.get(room)
+        if floor is None or figure is None:
+            sentences.append(f"{room}: {'has no floor' if floor is None else 'has a floor and was not measured'}")
+        elif figure < floor:
+            sentences.append(f"{room}: {figure:.1f} % are below the floor of {floor:.1f} %")
+        elif figure > floor + SLACK:
+            sentences.append(f"{room}: {figure:.1f} % are well above the floor of {floor:.1f} %: it rises")
+    sentences += [f"{room}: the floor fell from {before[room]:.1f} to {floors[room]:.1f} %" for room in sorted(floors)
+                  if floors[room] < before.get(room, 0.0)]
+    return sentences
+
+
+def floors_before():
+    """The floors of the commit that CI_BASE names (default: the last one), empty where it has none."""
+    done = subprocess.run(["git", "show", f"{os.environ.get('CI_BASE', 'HEAD~1')}:{FLOORS.relative_to(ROOT)}"], cwd=ROOT,
+                          capture_output=True, text=True)
+    return read(done.stdout)[0] if done.returncode == 0 else {}
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--floor", type=float, default=0, help="fail below this percentage over all rooms")
-    floor = parser.parse_args().floor
-    if not any(BUILD.rglob("*.gcda")):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/asan")
+    parser.add_argument("--write-floors", action="store_true")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    if not any(build.rglob("*.gcda")):
         subprocess.run([ROOT / "tools/check_sanitizers"], check=True, stdout=sys.stderr)
-    lines = counts()
+    lines = counts(build)
     rooms = {}
-    with open(BUILD / "uncovered.txt", "w", encoding="utf-8") as uncovered:
+    with open(build / "uncovered.txt", "w", encoding="utf-8") as uncovered:
         for name in sorted(lines):
             text = (ROOT / name).read_text(encoding="utf-8").splitlines()
             room = rooms.setdefault(name.split("/")[1], [0, 0])
@@ -61,12 +110,23 @@ def main():
                 room[1] += times > 0
                 if not times:
                     uncovered.write(f"{name}:{number}: {text[number - 1].strip()}\n")
-    total, covered = (sum(r[i] for r in rooms.values()) for i in (0, 1))
+    floors, goals = read(FLOORS.read_text(encoding="utf-8")) if FLOORS.exists() else ({}, {})
+    # Rounded down: the floor that is written is never above what was measured.
+    figures = {room: math.floor(1000 * run / n) / 10 for room, (n, run) in rooms.items()}
     for room, (n, run) in sorted(rooms.items()):
-        print(f"coverage: {room:12} {run:6} of {n:6} lines  {100 * run / n:5.1f} %")
-    percent = 100 * covered / total if total else 0
-    print(f"coverage: {'all':12} {covered:6} of {total:6} lines  {percent:5.1f} %   (build/asan/uncovered.txt)")
-    return 0 if total and percent >= floor else 1
+        goal = f", goal {goals[room]:.1f}" if room in goals else ""
+        print(f"coverage: {room:12} {run:6} of {n:6} lines  {figures[room]:5.1f} %   floor {floors.get(room, 0.0):5.1f}{goal}")
+    print(f"coverage: lines that no test reaches: {os.path.relpath(build / 'uncovered.txt', ROOT)}")
+    if options.write_floors:
+        kept = {room: max(figure, floors.get(room, 0.0)) for room, figure in figures.items()}
+        FLOORS.write_text(written(kept, goals), encoding="utf-8")
+        floors = kept
+    wrong = faults(floors, figures, floors_before())
+    for sentence in wrong:
+        print(f"coverage: {sentence}")
+    if wrong:
+        print(f"coverage: floors stand in {FLOORS.relative_to(ROOT)}; tools/check_coverage.py --write-floors raises them")
+    return 1 if wrong or not figures else 0
 
 
 if __name__ == "__main__":
