@@ -66,6 +66,9 @@ void explain_option(Diagnostic& d, std::string what) {
   } else if (const auto often = split(what, "At Most 1 required but received "); often && often->before.empty()) {
     d.found = "it " + often->behind + " times";
     d.expected = "it once";
+  } else if (const auto few = split(what, " required but received "); few && few->before.rfind("At least ", 0) == 0) {
+    d.found = few->behind + " behind it";
+    d.expected = few->before.substr(9);
   } else {
     d.where += (d.where.empty() ? "" : ": ") + what;
   }

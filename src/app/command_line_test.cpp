@@ -24,6 +24,10 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("run --foo"), "evc run: found --foo, expected an option that `evc run --help` lists\n");
   EXPECT_EQ(refused("run a b c"), "evc run: found \"b\", expected no further argument\n");
   EXPECT_EQ(refused("replay"), "evc replay: found no input, expected JSON Lines of inputs; - for standard input\n");
+  EXPECT_EQ(refused("replay --diff a"), "evc replay: --diff: found 1 behind it, expected 2\n");
+  EXPECT_EQ(refused("replay in --diff a b"), "evc replay: found input and --diff, expected one of them\n");
+  EXPECT_EQ(refused("replay --diff /nonexistent /dev/null"),
+            "/nonexistent: found No such file or directory, expected a file that can be read\n");
   EXPECT_EQ(refused("curves compare a"), "evc curves compare: found no b, expected input B\n");
   EXPECT_EQ(refused("decode radio 00"), "evc decode radio: found no direction, expected --to-train or --to-track\n");
   EXPECT_EQ(refused("decode balise 00 --strict --tolerant"),

@@ -53,13 +53,20 @@ void add_run(CLI::App& app, int& exit_code) {
 void add_replay(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::ReplayOptions>();
   CLI::App* command = app.add_subcommand("replay", "Give a stream of inputs to the on-board and print its outputs");
-  command->add_option("input", options->input, "JSON Lines of inputs; - for standard input")->required();
+  CLI::Option* input = command->add_option("input", options->input, "JSON Lines of inputs; - for standard input");
   command->add_option("--config", options->config, "configuration, instead of the stream's first line");
   command->add_option("-o,--output", options->output, "where the outputs go; standard output when not given");
   command->add_option("--every", options->every, "print every Nth cycle only")->check(CLI::Range(1, 1000000000));
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
-  command->callback([options, &exit_code] { exit_code = run::replay(*options); });
+  auto compared = std::make_shared<std::vector<std::string>>();
+  command->add_option("--diff", *compared, "compare two streams of outputs: the first line that differs, by fields")
+      ->expected(2)
+      ->excludes(input);
+  command->callback([options, compared, input, &exit_code] {
+    if (compared->empty() && input->count() == 0) throw CLI::RequiredError("input");
+    exit_code = compared->empty() ? run::replay(*options) : run::diff((*compared)[0], (*compared)[1]);
+  });
 }
 
 void add_curves(CLI::App& app, int& exit_code) {

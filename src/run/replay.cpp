@@ -11,6 +11,7 @@
 #include "io/file.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
+#include "io/outputs_diff.h"
 #include "run/on_board.h"
 
 namespace evc::run {
@@ -111,6 +112,18 @@ int replay(const ReplayOptions& options) {
   if ((*lines)->error() != 0) return complain(cut_off());
   if (!written) return complain(written.error());
   return 0;
+}
+
+int diff(const std::string& a, const std::string& b) {
+  const auto text_a = io::read_text(a);
+  if (!text_a) return complain(text_a.error());
+  const auto text_b = io::read_text(b);
+  if (!text_b) return complain(text_b.error());
+  const auto found = io::difference(*text_a, a, *text_b, b);
+  if (!found) return complain(found.error());
+  if (!*found) return 0;
+  fmt::print("{}", io::text_of(**found, a, b));
+  return 1;
 }
 
 }  // namespace evc::run
