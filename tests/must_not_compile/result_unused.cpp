@@ -1,0 +1,10 @@
+// That a sequence was full is not overlooked.
+#include "base/inplace_vector.h"
+
+using namespace evc;
+
+#ifdef MISTAKE
+void f(InplaceVector<int, 4>& v) { v.push_back(1); }
+#else
+bool f(InplaceVector<int, 4>& v) { return v.push_back(1); }
+#endif

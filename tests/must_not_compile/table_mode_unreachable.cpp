@@ -1,0 +1,18 @@
+// A mode that no cell enters does not pass (4.6.2).
+// expected: static
+#include "modes/mode_table.h"
+
+using namespace evc;
+
+enum class M { NP, SB, FS };
+
+constexpr auto table = std::to_array<modes::Cell<M>>({
+    {M::SB, M::NP, {4}, 2},
+#ifdef MISTAKE
+    {M::SB, M::FS, {10}, 3},
+#else
+    {M::FS, M::SB, {10}, 3},
+#endif
+    {M::NP, M::SB, {29}, 1},
+});
+static_assert(modes::every_mode_is_reachable(table, 3));

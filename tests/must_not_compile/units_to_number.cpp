@@ -1,0 +1,10 @@
+// A length does not become a number by itself.
+#include "base/units.h"
+
+using namespace evc;
+
+#ifdef MISTAKE
+constexpr double metres = Distance{5.0};
+#else
+constexpr double metres = Distance{5.0}.si;
+#endif
