@@ -45,7 +45,8 @@ void compare(const Json* a, const Json* b, const std::string& pointer, std::vect
   if (a != nullptr && b != nullptr) {
     if (*a == *b) return;
     if (a->is_object() && b->is_object()) {
-      for (const auto& item : a->items()) compare(&item.value(), member(*b, item.key()), pointer + "/" + token(item.key()), out);
+      for (const auto& item : a->items())
+        compare(&item.value(), member(*b, item.key()), pointer + "/" + token(item.key()), out);
       for (const auto& item : b->items())
         if (!a->contains(item.key())) compare(nullptr, &item.value(), pointer + "/" + token(item.key()), out);
       return;
@@ -98,7 +99,8 @@ std::string text_of(const StreamDifference& d, const std::string& name_a, const 
     text += "  " + (d.lines_a < d.lines_b ? name_a : name_b) + " ends before it\n";
   else if (d.fields.empty())
     text += "  the values are the same, only their spelling differs\n";
-  for (const FieldDifference& f : d.fields) text += "  " + (f.pointer.empty() ? "the line" : f.pointer) + ": " + f.a + " | " + f.b + "\n";
+  for (const FieldDifference& f : d.fields)
+    text += "  " + (f.pointer.empty() ? "the line" : f.pointer) + ": " + f.a + " | " + f.b + "\n";
   return text + std::to_string(d.differing) + " lines differ of " + std::to_string(d.lines_a) + " | " +
          std::to_string(d.lines_b) + "\n";
 }

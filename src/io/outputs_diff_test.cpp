@@ -19,11 +19,13 @@ TEST(OutputsDiff, NothingWhereTheBytesAreTheSame) {
 TEST(OutputsDiff, FirstDifferingLineFieldByField) {
   const char* a =
       "{\"t_ms\":0,\"mode\":\"SB\"}\n"
-      "{\"t_ms\":100,\"mode\":\"SB\",\"V_P\":null,\"events\":[\"x\",\"y\"],\"driver\":{\"symbols\":[\"MO13\"]},\"old\":1}\n"
+      "{\"t_ms\":100,\"mode\":\"SB\",\"V_P\":null,\"events\":[\"x\",\"y\"],\"driver\":{\"symbols\":[\"MO13\"]},\"old\":"
+      "1}\n"
       "{\"t_ms\":200}\n";
   const char* b =
       "{\"t_ms\":0,\"mode\":\"SB\"}\n"
-      "{\"t_ms\":100,\"mode\":\"FS\",\"V_P\":12.5,\"events\":[\"x\"],\"driver\":{\"symbols\":[\"MO11\"]},\"a/b\":true}\n"
+      "{\"t_ms\":100,\"mode\":\"FS\",\"V_P\":12.5,\"events\":[\"x\"],\"driver\":{\"symbols\":[\"MO11\"]},\"a/"
+      "b\":true}\n"
       "{\"t_ms\":300}\n";
   EXPECT_EQ(shown(a, b),
             "a and b differ first in line 2, t_ms 100\n"
@@ -37,7 +39,8 @@ TEST(OutputsDiff, FirstDifferingLineFieldByField) {
 }
 
 TEST(OutputsDiff, OneStreamEnds) {
-  EXPECT_EQ(shown("{}\n", "{}\n{}\n{}\n"), "a and b differ first in line 2\n  a ends before it\n2 lines differ of 1 | 3\n");
+  EXPECT_EQ(shown("{}\n", "{}\n{}\n{}\n"),
+            "a and b differ first in line 2\n  a ends before it\n2 lines differ of 1 | 3\n");
   EXPECT_EQ(shown("{}\n", ""), "a and b differ first in line 1\n  b ends before it\n1 lines differ of 1 | 0\n");
 }
 
