@@ -1,8 +1,10 @@
 #pragma once
+#include <gtest/gtest.h>
 // Random trains, tracks and targets for the property tests; seeded, so every failure can be repeated.
 #include <cstdint>
 #include <cstdlib>
 #include <random>
+#include <string>
 
 #include "sdm/curves.h"
 
@@ -30,6 +32,27 @@ inline int cases(int in_ci = 2000) {
   const char* asked = std::getenv("EVC_CASES");
   return asked != nullptr ? std::atoi(asked) : in_ci;
 }
+
+/// Counts what a property compared over its cases. A loop that skips what it should look at proves nothing: at the end
+/// of the test fewer than `least` comparisons for each case are a failure.
+class Compared {
+ public:
+  Compared(int cases, double least) : cases_(cases), least_(least) {}
+  Compared(const Compared&) = delete;
+  Compared& operator=(const Compared&) = delete;
+  ~Compared() {
+    if (::testing::Test::HasFatalFailure()) return;
+    const double each = static_cast<double>(number_) / cases_;
+    ::testing::Test::RecordProperty("compared_in_a_case", std::to_string(each));
+    EXPECT_GE(each, least_) << number_ << " comparisons in " << cases_ << " cases";
+  }
+  void operator++() { ++number_; }
+
+ private:
+  long number_ = 0;
+  int cases_;
+  double least_;
+};
 
 inline train::TrainData random_train(Dice& dice) {
   train::TrainData t;
