@@ -268,8 +268,7 @@ TEST_F(RecordedLine, AGroupCrossedInTheOtherDirectionTrips) {
     }
     const Unit unit = driven(swapped);
     EXPECT_EQ(unit.worst, Reaction::trip);
-    EXPECT_NE(unit.log.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos)
-        << unit.log;
+    EXPECT_NE(unit.log.find("crossed in the wrong direction " + std::to_string(turned)), std::string::npos) << unit.log;
     EXPECT_EQ(unit.rejected, 1);
     EXPECT_EQ(unit.accepted, 102);
   }

@@ -15,8 +15,8 @@ struct ReplayOptions {
 /// status: 0, or 2 with one line on standard error.
 int replay(const ReplayOptions& options);
 
-/// `evc replay --diff`: compares two files of outputs and prints the first line that differs, field by field. Returns the
-/// exit status: 0 the same bytes, 1 different, 2 one cannot be read.
+/// `evc replay --diff`: compares two files of outputs and prints the first line that differs, field by field. Returns
+/// the exit status: 0 the same bytes, 1 different, 2 one cannot be read.
 int diff(const std::string& a, const std::string& b);
 
 }  // namespace evc::run

@@ -9,8 +9,8 @@
 
 #include "io/make_line.h"
 #include "io/number.h"
-#include "io/telegram_json.h"
 #include "io/program_test.h"
+#include "io/telegram_json.h"
 #include "io/train_file.h"
 #include "lang/encode.h"
 #include "lang/messages.h"
