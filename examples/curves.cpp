@@ -14,7 +14,7 @@ namespace train = evc::train;
 int main() {
   sdm::Inputs in;
   in.revision = 1;  // changes whenever anything else in it changes
-  in.srs = SrsVersion::v3_6_0;
+  in.srs = evc::SrsVersion::v3_6_0;
   in.train.brake_percentage = 150.0;  // the rest is the standard train: lambda, position P
   in.train.L_TRAIN = 400_m;
   in.train.V_MAXTRAIN = 200_km_h;
@@ -52,6 +52,6 @@ int main() {
   motion.V_est = 140_km_h;
   const sdm::Result now = sdm::supervise(state, *derived, motion);
   std::printf("at 4800 m with 140 km/h: permitted %.1f km/h, %s\n", now.V_P.si * 3.6,
-              now.status == sdm::Status::Indication ? "Indication" : "another status");
-  return now.status == sdm::Status::Indication ? 0 : 1;
+              now.status == evc::Status::Indication ? "Indication" : "another status");
+  return now.status == evc::Status::Indication ? 0 : 1;
 }

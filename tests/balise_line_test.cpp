@@ -93,7 +93,7 @@ struct Unit {
       if (e.what == What::linking_ok || e.what == What::group_accepted) continue;
       log += std::string(texts::text_of(e.what).text) + " " + std::to_string(e.id.NID_BG) + "; ";
     }
-    worst = std::max(worst, outcome.reaction);
+    if (stronger(outcome.reaction, worst)) worst = outcome.reaction;
     reactions += outcome.reaction != Reaction::none ? 1 : 0;
     for (const balise::Group& group : outcome.groups) {
       (group.accepted ? accepted : rejected)++;

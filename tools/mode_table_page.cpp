@@ -9,6 +9,7 @@
 
 namespace {
 
+using namespace evc;
 using namespace evc::modes;
 
 template <class M>

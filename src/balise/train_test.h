@@ -99,7 +99,7 @@ struct Train {
   void take(const Outcome& outcome) {
     for (const Group& g : outcome.groups) groups.push_back(g);
     for (const Event& e : outcome.events) events.push_back(e);
-    if (outcome.reaction > reaction) reaction = outcome.reaction;
+    if (stronger(outcome.reaction, reaction)) reaction = outcome.reaction;
     shorten = shorten || outcome.shorten_at_standstill;
     wrong_direction = wrong_direction || outcome.wrong_direction;
     version_too_high = version_too_high || outcome.version_too_high;

@@ -438,7 +438,7 @@ ordered_json telegram(const Encoder& encoder, const Group& group, unsigned N_PIG
 
 ordered_json balises(Encoder& encoder, const Group& group, const JsonPlace& place) {
   const auto count = place.find("balises");
-  const auto total = static_cast<unsigned>(count ? count->integer(1, 8, "3.4.1.1") : 2);
+  const auto total = static_cast<unsigned>(count ? count->integer(1, 8, "3.4.1.1"_srs) : 2);
   Orders orders(encoder, group, place.find("orders"));
   ordered_json all = ordered_json::array();
   for (unsigned N_PIG = 0; N_PIG < total; ++N_PIG) all.push_back(telegram(encoder, group, N_PIG, total - 1, orders));

@@ -72,29 +72,29 @@ TEST(Override, Every_end_condition_ends_it_and_is_named) {
     change(d);
     const auto r = d.cycle(seconds);
     EXPECT_TRUE(r.active);  // the status before the end conditions of this cycle (5.8.4.2)
-    EXPECT_EQ(d.state.active, r.ended_by == nullptr);
+    EXPECT_EQ(d.state.active, !r.ended_by);
     return r.ended_by;
   };
-  EXPECT_EQ(ended_by([](Driver&) {}), nullptr);
-  EXPECT_STREQ(ended_by([](Driver&) {}, 60.0), "5.8.4.1 a");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{200.1}}; }), "5.8.4.1 b");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{-200.1}}; }), "5.8.4.1 b");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.min_safe_antenna = at(100.1); }), "5.8.4.1 c");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.stop_if_in_SR = true; }), "5.8.4.1 d");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.stop_if_in_SH = true; }), "5.8.4.1 d");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.balise_proceed = true; }), "5.8.4.1 e");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.ma_from_rbc = true; }), "5.8.4.1 f");
-  EXPECT_STREQ(ended_by([](Driver& d) { d.in.group_not_in_list = true; }), "5.8.4.1 g");
+  EXPECT_EQ(ended_by([](Driver&) {}), Clause{});
+  EXPECT_EQ(ended_by([](Driver&) {}, 60.0), "5.8.4.1 a"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{200.1}}; }), "5.8.4.1 b"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.odometer = OdometerPlace{Distance{-200.1}}; }), "5.8.4.1 b"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.min_safe_antenna = at(100.1); }), "5.8.4.1 c"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.stop_if_in_SR = true; }), "5.8.4.1 d"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.stop_if_in_SH = true; }), "5.8.4.1 d"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.balise_proceed = true; }), "5.8.4.1 e"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.ma_from_rbc = true; }), "5.8.4.1 f"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.group_not_in_list = true; }), "5.8.4.1 g"_srs);
   EXPECT_EQ(ended_by([](Driver& d) {
               d.in.level = Level::L1;
               d.in.ma_from_rbc = true;
             }),
-            nullptr);
+            Clause{});
   EXPECT_EQ(ended_by([](Driver& d) {
               d.in.D_NVOVTRP.reset();
               d.in.odometer = OdometerPlace{Distance{1.0e6}};
             }),
-            nullptr);
+            Clause{});
 }
 
 TEST(Override, In_UN_and_SN_only_time_and_distance_end_it) {
@@ -104,9 +104,9 @@ TEST(Override, In_UN_and_SN_only_time_and_distance_end_it) {
     d.in.selected = true;
     d.cycle();
     d.in.balise_proceed = d.in.group_not_in_list = true;
-    EXPECT_EQ(d.cycle().ended_by, nullptr);
+    EXPECT_EQ(d.cycle().ended_by, Clause{});
     EXPECT_FALSE(d.state.former_eoa.has_value());
-    EXPECT_STREQ(d.cycle(60.0).ended_by, "5.8.4.1 a");
+    EXPECT_EQ(d.cycle(60.0).ended_by, "5.8.4.1 a"_srs);
   }
 }
 
@@ -117,15 +117,15 @@ TEST(Override, The_SR_distance_before_it_ends_it) {
   d.in.selected = true;
   d.cycle();
   d.in.sr_distance_end = at(1000.0);
-  EXPECT_EQ(d.cycle().ended_by, nullptr);
+  EXPECT_EQ(d.cycle().ended_by, Clause{});
   d.in.est_front = at(120.1);
-  EXPECT_STREQ(d.cycle().ended_by, "5.8.4.1 h");
+  EXPECT_EQ(d.cycle().ended_by, "5.8.4.1 h"_srs);
 }
 
 TEST(Override, The_former_EOA_is_passed_once) {
   Driver d;
   d.select();
-  EXPECT_STREQ(d.cycle(60.0).ended_by, "5.8.4.1 a");
+  EXPECT_EQ(d.cycle(60.0).ended_by, "5.8.4.1 a"_srs);
   d.in.min_safe_antenna = at(100.1);
   const auto passed = d.cycle();
   EXPECT_TRUE(passed.former_eoa_passed);
@@ -169,7 +169,7 @@ TEST(Override, Selected_again_it_starts_again) {
   d.cycle(50.0);
   d.in.selected = true;
   EXPECT_TRUE(d.cycle().started);
-  EXPECT_EQ(d.cycle(50.0).ended_by, nullptr);
+  EXPECT_EQ(d.cycle(50.0).ended_by, Clause{});
   EXPECT_EQ(d.state.former_eoa, at(100.0));  // in SR a later selection changes nothing
 }
 

@@ -266,7 +266,7 @@ TEST(StartOfMission, A_session_lost_leads_back) {
     ASSERT_EQ(cab.state.step, lost);
     cab.in.session = Session::none;
     cab.cycle();
-    EXPECT_EQ(cab.state.step, Step::S10) << name(lost);
+    EXPECT_EQ(cab.state.step, Step::S10) << static_cast<int>(lost);
   }
 }
 
