@@ -79,8 +79,8 @@ TEST(StandardOutput, OneThatIsClosedIsAnError) {
 
 /// A live stream has no end: nothing may grow with it.
 TEST(OnBoard, KeepsCostsOnlyWhenAsked) {
-  OnBoard dropped{kernel::Config{}};
-  OnBoard kept{kernel::Config{}, OnBoard::Costs::kept};
+  run::OnBoard dropped{kernel::Config{}};
+  run::OnBoard kept{kernel::Config{}, run::OnBoard::Costs::kept};
   for (int n = 0; n < 10; ++n) {
     kernel::Inputs inputs;
     inputs.now = {0.1 * n};

@@ -122,10 +122,11 @@ void add_decode(CLI::App& app, int& exit_code) {
     sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
     sub->add_flag("--explain", o->explain, "A table for people: bit, variable, raw code, meaning");
     CLI::Option* strict = sub->add_flag("--strict", o->strict, "Refuse spare codes (always done except for packets)");
-    sub->add_flag("--tolerant", o->tolerant, "Take spare codes, wrong media and packets that stand twice")
+    sub->add_flag("--tolerant", o->tolerant, "Accept spare codes, wrong media and packets that stand twice")
         ->excludes(strict);
     if (kind.what != What::packet)
-      sub->add_option("--pcapng", o->pcapng, "Also write what was taken as a capture for Wireshark (etcs-wireshark)");
+      sub->add_option("--pcapng", o->pcapng,
+                      "Also write what was accepted as a capture for Wireshark (etcs-wireshark)");
     if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are of a Euroloop message");
     if (kind.what == What::radio || kind.what == What::packet) {
       CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");

@@ -48,7 +48,7 @@ std::string shared_line() {
 
 TEST(ShippedLine, IsWhatItsDescriptionGives) {
   const std::string folder = EVC_SOURCE_DIR "/data/lines/";
-  const auto made = make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
+  const auto made = io::make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
   ASSERT_TRUE(made) << made.error().text();
   EXPECT_EQ(*made, text_of(folder + "brunnental.json"))
       << "run: evc make-line data/lines/brunnental.description.json -o data/lines/brunnental.json";
@@ -70,7 +70,7 @@ TEST(ShippedTrains, AreReadAndTheStandardOneIsTheDefault) {
 
 TEST(MakeLine, ErrorsNameThePlace) {
   const auto error_of = [](const char* text) {
-    const auto made = make_line(text, "d.json");
+    const auto made = io::make_line(text, "d.json");
     return made ? std::string() : made.error().text();
   };
   EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
@@ -88,7 +88,7 @@ TEST(MakeLine, ErrorsNameThePlace) {
 
 /// A line of two groups in level 1 with the given orders of the first group and radio messages.
 json line_with(const std::string& first_group, const std::string& radio) {
-  const auto made = make_line(
+  const auto made = io::make_line(
       R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"start":{},"gradient":[[0,3000,0]],
       "ssp":[[0,3000,80]],"groups":[{"NID_BG":7,"at_m":100,)" +
           first_group + R"(},{"NID_BG":8,"at_m":600}],"radio":[)" + radio + "]}",
