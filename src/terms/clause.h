@@ -48,12 +48,15 @@ class Clause {
   constexpr std::size_t place_in_register() const { return paragraph_ - std::size_t{1}; }
   /// 'a' to 'z', 0 without one.
   constexpr char bullet() const { return part_ >= 1 && part_ <= 26 ? static_cast<char>('a' + part_ - 1) : '\0'; }
+  /// Whether it is the column of infill information of the table: "4.8.4 infill".
+  constexpr bool infill() const { return part_ == kInfill; }
   /// The number of the exception, 0 without one.
   constexpr unsigned exception() const { return part_ > kExceptions ? part_ - kExceptions : 0u; }
 
   friend constexpr bool operator==(Clause, Clause) = default;
 
  private:
+  static constexpr std::uint8_t kInfill = 27;
   static constexpr unsigned kExceptions = 100;
 
   constexpr bool find(std::string_view paragraph) {
@@ -70,8 +73,12 @@ class Clause {
     paragraph_ = static_cast<std::uint16_t>(low + 1);
     return true;
   }
-  /// "a" or "[12]".
+  /// "a", "[12]" or "infill".
   constexpr bool take_part(std::string_view part) {
+    if (part == "infill") {
+      part_ = kInfill;
+      return true;
+    }
     if (part.size() == 1 && part[0] >= 'a' && part[0] <= 'z') {
       part_ = static_cast<std::uint8_t>(part[0] - 'a' + 1);
       return true;
@@ -87,7 +94,7 @@ class Clause {
   }
 
   std::uint16_t paragraph_ = 0;  // 0: none, else one more than its place in the register
-  std::uint8_t part_ = 0;        // 1 to 26: a bullet; above kExceptions: an exception
+  std::uint8_t part_ = 0;        // 1 to 26: a bullet; 27: infill; above kExceptions: an exception
 };
 
 /// "3.8.6"_srs.

@@ -13,6 +13,15 @@ TEST(Clause, NamesAParagraphOfTheRegister) {
   EXPECT_EQ(c.exception(), 0u);
 }
 
+TEST(Clause, NamesTheInfillColumnOfItsTable) {
+  const Clause c = "4.8.4 infill"_srs;
+  EXPECT_TRUE(c.infill());
+  EXPECT_FALSE("4.8.4"_srs.infill());
+  EXPECT_EQ(c.bullet(), '\0');
+  EXPECT_EQ(c.exception(), 0u);
+  EXPECT_EQ(kSrsClauses[c.place_in_register()], "4.8.4");
+}
+
 TEST(Clause, NamesABulletOfIt) {
   constexpr Clause c = "5.8.4.1 h"_srs;
   EXPECT_EQ(kSrsClauses[c.place_in_register()], "5.8.4.1");

@@ -111,6 +111,7 @@ const EventText& text_of(What what) { return kEvents[static_cast<std::size_t>(wh
 std::string text_of(Clause clause) {
   if (!clause) return {};
   std::string text(kSrsClauses[clause.place_in_register()]);
+  if (clause.infill()) text += " infill";
   if (clause.bullet() != '\0') text += std::string(" ") + clause.bullet();
   if (clause.exception() != 0) text += " [" + std::to_string(clause.exception()) + "]";
   return text;
