@@ -74,7 +74,7 @@ class Scenario:
 
 
 class Tree:
-    """What the register is held against: sources, tests, scenarios, gates."""
+    """What the register is compared with: sources, tests, scenarios, gates."""
 
     def __init__(self, root):
         self.root = pathlib.Path(root)

@@ -78,7 +78,7 @@ Symbol symbol(Level level);
 /// up to 3.6.0 and then from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are taken.
 Symbol announcement_symbol(Level level, bool acknowledgement);
 
-/// What the driver is told of a trip (015560).
+/// The reason of a trip as shown to the driver (015560).
 enum class TripReason : std::uint8_t {
   balise_read_error,
   communication_error,

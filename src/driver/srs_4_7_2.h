@@ -10,7 +10,7 @@
 // SUBSET-026-4 4.7.2: the inputs and outputs of the driver interface in each mode, of 3.6.0.
 namespace evc::driver {
 
-/// `X` always in the mode; `A` when further conditions hold; `-` not; `NA` cannot be told (SF, IS); `NS` left to the
+/// `X` always in the mode; `A` when further conditions hold; `-` not; `NA` cannot be decided (SF, IS); `NS` left to the
 /// national system.
 enum class Mark : std::uint8_t { no, always, available, cannot_be_told, national };
 

@@ -5,7 +5,7 @@
 // Entry to modes and levels (4.9, 4.10).
 namespace evc::kernel {
 
-/// Enters `to` because of condition `number` of 4.6.3: deletes and invalidates what 4.10 says, tells the procedures.
+/// Enters `to` because of condition `number` of 4.6.3: deletes and invalidates what 4.10 says, calls the procedures.
 void enter_mode(Cycle& cycle, Mode to, int number);
 /// The level changes: 4.9 and the release of the transition buffer are the caller's next steps.
 void enter_level(Cycle& cycle, const modes::OrderedLevel& to, bool by_driver);

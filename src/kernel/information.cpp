@@ -479,7 +479,7 @@ void evaluate_part(Evaluation& e) {
 
 /// The infill part, after the rest of the message (4.8.1.5).
 void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
-  // Also linking of this very message tells where the group lies.
+  // Linking of this very message also gives the place of the group.
   std::optional<Place> place;
   for (const balise::Link& link : e.cycle.state.balise.linking.links)
     if (link.id == infill.group) place = link.place;

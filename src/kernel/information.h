@@ -22,7 +22,7 @@ struct Information {
   lang::SystemVersion sv;
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
-  // Of a set released from the transition buffer: what of it waited; else everything.
+  // The packets to judge: all, or of a set released from the transition buffer those that were buffered.
   std::uint64_t judge_packets = ~std::uint64_t{0};
   bool judge_message = true;
   bool released = false;

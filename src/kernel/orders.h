@@ -11,7 +11,7 @@ namespace evc::kernel {
 modes::AvailableLevels available_levels(const Cycle& cycle);
 
 /// A level transition order passed the filters: stores its table and remembers it for the level transition of this
-/// cycle. Tells what it means, so that the rest of the message can be judged for the new level (4.8.1.3).
+/// cycle. Returns the decision, so that the rest of the message can be judged for the new level (4.8.1.3).
 modes::OrderDecision give_order(Cycle& cycle, const procedures::level_transition::Order& order);
 
 /// National values come into force (3.18.2.4).

@@ -47,7 +47,7 @@ void react(Cycle& cycle, const balise::Outcome& outcome) {
   bool linking = false;
   bool two_missed = false;
   for (const balise::Event& e : outcome.events) {
-    // What the group brings is told where it is evaluated.
+    // The contents of the group are logged where they are evaluated.
     if (e.what == What::group_accepted) continue;
     note(cycle, {.what = e.what, .id = e.id.NID_BG, .clause = e.clause});
     if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
@@ -111,7 +111,7 @@ void keep(State& state, const BufferedSet& set) {
   (void)state.buffer.push_back(set);
 }
 
-/// What of a released set has to wait once more goes behind the others.
+/// Packets of a released set that are buffered again are queued last.
 void keep_again(State& state, const BufferedSet& set, const Waiting& waiting) {
   if (!waiting.any()) return;
   BufferedSet again = set;

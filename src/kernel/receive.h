@@ -14,7 +14,7 @@ void receive_radio(Cycle& cycle);
 
 /// 4.8.5: everything that waits is judged again at the new level, in the order of reception.
 void release_buffer(Cycle& cycle);
-/// The order for which it waited is gone (4.8.5.4).
+/// The order for which it waited is deleted (4.8.5.4).
 void clear_buffer(State& state);
 
 }  // namespace evc::kernel

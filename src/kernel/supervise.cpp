@@ -333,7 +333,7 @@ void refresh(Cycle& cycle) {
   if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
   d.built = s.basis.number;
   build(cycle, s.basis);
-  if (!changed) return;  // told when it was built first
+  if (!changed) return;  // logged when it was built first
   if (d.sdm.truncated) note(cycle, {.what = What::targets_lost});
   if (d.sdm.no_deceleration) note(cycle, {.what = What::no_deceleration, .clause = "3.13.6.2"_srs});
 }

@@ -119,7 +119,7 @@ constexpr bool announced_to_driver(const PendingTransition& pending, const Order
 
 // clang-format off
 /// 5.10.3 with 4.6.2: what becomes of the mode when the level is switched, by rows "from modes -> to level". The mode
-/// table does the work; this is the same told by level, for pages and tests.
+/// table does the work; this is the same by level, for pages and tests.
 struct ModeConsequence { Mode from; Level to; Mode becomes; int number; };
 inline constexpr auto srs_5_10_3 = [] {
   using enum Mode;

@@ -59,7 +59,7 @@ struct ByLeaving {
 
 /// The cell that fires, if any. Several enabled: the priority decides (4.6.2). Equal priorities are
 /// taken as exclusive by the standard; should two such cells hold in one cycle after all, the cell
-/// of a level transition goes first, then that of an event, for these are lost otherwise while a
+/// of a level transition comes first, then that of an event, for these are lost otherwise while a
 /// state is still there in the next cycle; then the page's order.
 template <class M, std::size_t N, std::size_t Modes>
 constexpr std::optional<Transition<M>> select(const ByLeaving<M, N, Modes>& table, M current,

@@ -207,7 +207,7 @@ TEST(Acceptance, Packets_and_messages_find_the_rows_of_the_reference) {
           (i == 0 || from[i - 1] == ' ' || from[i - 1] == '(') && std::isdigit(static_cast<unsigned char>(from[i + 1]));
       if (!starts || (from[i] != 'P' && from[i] != 'M') || from.find('[') < i || from.find("infill") < i) continue;
       const int number = std::stoi(from.substr(i + 1));
-      // the details that tell rows of one packet apart
+      // the details that distinguish rows of one packet
       int detail = 0;
       if (id == "track_conditions_general") detail = 3;
       if (id == "lssma_toggle_on") detail = 1;

@@ -9,7 +9,7 @@
 
 namespace evc::port {
 
-/// What the unit is told once, at power-up.
+/// The configuration, given once at power-up.
 struct Config {
   Duration cycle{0.1};
   SrsVersion srs = SrsVersion::v3_6_0;

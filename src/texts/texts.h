@@ -24,7 +24,7 @@ enum class Takes : std::uint8_t {
   entered,  ///< `id` is an Entered
   fault     ///< `id` is a train::Fault
 };
-/// How an event is told: "SUBJECT id from->to text [clause]".
+/// How an event is printed: "SUBJECT id from->to text [clause]".
 struct EventText {
   What what;
   const char* subject;
@@ -50,7 +50,7 @@ const char* name(train::Fault fault);
 const char* name(driver::Input input);
 const char* name(driver::Output output);
 
-/// The text of the DMI for what a procedure tells (015560 15); null for what a symbol tells.
+/// The text of the DMI for what a procedure reports (015560 15); null for what a symbol shows.
 const char* text_of(Inform inform);
 /// The text of a trip reason (015560).
 const char* text_of(driver::TripReason reason);

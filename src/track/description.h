@@ -24,7 +24,7 @@ struct Here {
   bool standstill = false;
 };
 
-/// Everything that trackside told about the track ahead (A4). All places are in the track frame, which is tied
+/// Everything that trackside sent about the track ahead (A4). All places are in the track frame, which is tied
 /// to the balise groups: relocation moves the train, not the data.
 struct Description {
   // 3.8
@@ -130,7 +130,7 @@ struct Contents {
   void lose(std::uint8_t packet) {
     for (const std::uint8_t known : lost)
       if (known == packet) return;
-    (void)lost.push_back(packet);  // 65, 66, 88 and one of 72, 76 tell enough
+    (void)lost.push_back(packet);  // 65, 66, 88 and one of 72, 76 are enough
   }
   void lose(std::uint8_t packet, Place from) {
     lose(packet);

@@ -69,7 +69,7 @@ struct MovementAuthority {
   std::optional<Place> SvL() const;
   /// How far SSP and gradient have to reach (3.7.2.3): the SvL, of a limited authority the LOA; needs a section.
   Place far_end() const;
-  /// The release speed that goes with the EOA (3.13.9.4.4).
+  /// The release speed of the EOA (3.13.9.4.4).
   Release release() const;
   friend constexpr bool operator==(const MovementAuthority&, const MovementAuthority&) = default;
 };

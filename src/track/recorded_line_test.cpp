@@ -146,7 +146,7 @@ TEST(RecordedLine, GradientAndSpeedAreThoseOfTheTrack) {
     store(d, c, here);
     after[m["seq"]] = d;
   }
-  // Each stretch of the track names the message that told it.
+  // Each stretch of the track names the message that sent it.
   int checked = 0;
   for (const json& g : (*line)["physical_track"]["gradient"]) {
     const auto it = after.find(g["src_seq"].get<int>());

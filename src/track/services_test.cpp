@@ -197,7 +197,7 @@ TEST(GeographicalPosition, CountsFromTheOffset) {  // 3.6.6
   EXPECT_EQ(geographical_position(d, front_at(460)), 20u);
   EXPECT_FALSE(geographical_position(d, front_at(490))) << "below zero";
   note_group(d, {1, 12}, at(600));
-  EXPECT_FALSE(geographical_position(d, front_at(700))) << "told to stop";
+  EXPECT_FALSE(geographical_position(d, front_at(700))) << "ordered to stop";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ inline constexpr SpeedCode kNoSpeed = 255;  ///< no value given
 inline constexpr SpeedCode kEndOfProfile = 127;
 constexpr Speed speed_of(SpeedCode code) { return {static_cast<double>(code * 5) / 3.6}; }
 
-/// What a train has to tell for the choice of speeds and for the route (3.18.3.2).
+/// The train data for the choice of speeds and for the route (3.18.3.2).
 struct TrainCategory {
   std::uint8_t NC_CDTRAIN = 0;  ///< index of the cant deficiency, 0..10: 80 100 130 150 165 180 210 225 245 275 300 mm
   std::uint16_t NC_TRAIN = 0;   ///< bit k: other international category k (0 freight P, 1 freight G, 2 passenger)

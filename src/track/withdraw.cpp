@@ -93,7 +93,7 @@ void delete_all(Description& d) {
   d.next_text_id = text_id;
 }
 
-/// The MA ends at `end` from now on; its own end data are gone.
+/// The MA ends at `end` from now on; its own end data are deleted.
 void end_at(MovementAuthority& ma, Place end) {
   while (ma.sections.size() > 1 && ma.sections.back().begin >= end) ma.sections.pop_back();
   ma.sections.back().end = end;

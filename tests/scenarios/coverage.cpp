@@ -55,7 +55,7 @@ std::string coverage_page(const Coverage& coverage) {
       "# What the scenarios show\n"
       "Made from the `covers` lines of [the scenarios](scenarios.md) by `scenarios_test --coverage`; a test fails when "
       "this\n"
-      "page is not up to date. *open*: the scenario is expected to fail until a finding is mended.\n";
+      "page is not up to date. *open*: the scenario is expected to fail until a finding is corrected.\n";
   const auto absent = missing();
   std::string kind;
   for (const Required& r : required()) {

@@ -245,7 +245,7 @@ class Reader {
     try {
       statements = read_statements(body);
     } catch (const ReadError& e) {
-      // What is wrong in a block of another file is told with the place where it is used, too.
+      // What is wrong in a block of another file is reported with the place where it is used, too.
       file_ = own;
       if (from.empty() || block.at.file == own) throw;
       throw ReadError{line_of(from), "in " + block.at.file + " line " + std::to_string(e.line) + ": " + e.found,

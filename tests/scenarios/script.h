@@ -50,7 +50,7 @@ struct Condition {
   WantedMessage message;  ///< message
   Json address;           ///< call, hang_up: the members that are named
   bool tco = false, sb = false, eb = false;
-  std::vector<std::string> reasons;  ///< brakes: causes that have to be among those told
+  std::vector<std::string> reasons;  ///< brakes: causes that have to be among those reported
 };
 
 struct Balise {
@@ -64,7 +64,7 @@ struct Action {
   What what = What::wait;
   Json json;                    ///< configure, input: members; message, loop: as `evc encode` takes it
   bool T_TRAIN = false;         ///< message: T_TRAIN is the time when it is given
-  bool NID_LRBG = false;        ///< message: NID_LRBG is the one that the unit told last
+  bool NID_LRBG = false;        ///< message: NID_LRBG is the one that the unit reported last
   int answers = 0;              ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
   std::int64_t NID_BG = 0;      ///< pass, lay
   std::vector<Balise> balises;  ///< pass, lay: in the order of N_PIG
