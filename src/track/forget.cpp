@@ -1,3 +1,4 @@
+#include "track/areas.h"
 #include "track/withdraw.h"
 
 namespace evc::track {
@@ -16,7 +17,6 @@ constexpr auto kRows = std::to_array<Row>({
     {evc::Stored::movement_authority,         [](Description& d) { d.ma.reset(); }},
     {evc::Stored::gradient,                   [](Description& d) { d.gradient.steps.clear(); }},
     {evc::Stored::ssp,                        [](Description& d) { d.ssp.steps.clear(); }},
-    {evc::Stored::asp,                        [](Description& d) { d.asp.clear(); }},
     {evc::Stored::stop_sh_on_desk_opening,    [](Description& d) { d.stop_shunting_on_desk_opening = false; }},
     {evc::Stored::sh_bg_list,                 [](Description& d) { d.sh_list.reset(); }},
     {evc::Stored::sr_bg_list_speed_distance,  [](Description& d) { d.sr_list.reset(); }},
@@ -34,15 +34,12 @@ constexpr auto kRows = std::to_array<Row>({
     {evc::Stored::radio_infill_area,          [](Description& d) { d.radio_infill.reset(); }},
     {evc::Stored::track_conditions_general,   [](Description& d) {
        d.conditions.erase_if([](const TrackCondition& c) { return !is_horn_or_stopping(c); });
-       d.platforms.clear();
        d.traction.reset();
        d.current.reset();
      }},
     {evc::Stored::track_conditions_horn_stopping, [](Description& d) { d.conditions.erase_if(is_horn_or_stopping); }},
-    {evc::Stored::track_condition_bmm,        [](Description& d) { d.big_metal.clear(); }},
     {evc::Stored::reversing_area,             [](Description& d) { d.reversing_area.reset(); d.reversing_reference.reset(); }},
     {evc::Stored::reversing_supervision,      [](Description& d) { d.reversing_supervision.reset(); }},
-    {evc::Stored::permitted_braking_distance, [](Description& d) { d.pbd.clear(); }},
     {evc::Stored::level_crossing,             [](Description& d) { d.lx.clear(); }},
     {evc::Stored::generic_ls_marker,          [](Description& d) { d.generic_ls_marker = false; }},
 });
@@ -51,13 +48,19 @@ constexpr auto kRows = std::to_array<Row>({
 }  // namespace
 
 bool forget(Description& d, evc::Stored stored) {
+  bool kept_here = false;
   for (const Row& row : kRows) {
     if (row.what != stored) continue;
     row.forget(d);
-    ++d.revision;
-    return true;
+    kept_here = true;
   }
-  return false;
+  each_list([&](const auto& list) {
+    if (list.row != stored) return;
+    (d.*list.kept).clear();
+    kept_here = true;
+  });
+  if (kept_here) ++d.revision;
+  return kept_here;
 }
 
 }  // namespace evc::track

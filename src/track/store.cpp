@@ -1,5 +1,6 @@
 #include "track/store.h"
 
+#include "track/areas.h"
 #include "track/store_parts.h"
 #include "track/withdraw.h"
 
@@ -34,6 +35,19 @@ void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, co
     f.note(packet, Note::What::stored, {});
   else
     f.lost(packet, stored.steps.back().from, "3.7.3.1"_srs);
+}
+
+/// What cannot be stored for want of room ends the authority where it restricts; the rest is only noted.
+template <class Lists>
+void store_areas(const Filing& f, const Lists& lists) {
+  each_list(lists, [&](const auto& list) {
+    const auto& fresh = f.c.*list.fresh;
+    if (!fresh) return;
+    if (list.restricts)
+      replace(f, list.packet, f.d.*list.kept, *fresh);
+    else
+      f.stored(list.packet, !replace(f.d.*list.kept, *fresh), "3.7.3.1"_srs);
+  });
 }
 
 // --- speed restrictions
@@ -89,8 +103,7 @@ void store_profiles(const Filing& f) {
   Description& d = f.d;
   if (c.ssp) replace(f, 27, d.ssp, *c.ssp);
   if (c.gradient) replace(f, 21, d.gradient, *c.gradient);
-  if (c.asp) replace(f, 51, d.asp, *c.asp);
-  if (c.pbd) replace(f, 52, d.pbd, *c.pbd);
+  store_areas(f, kSpeedAreas);
   store_tsr(f);
   store_level_crossings(f);
 }
@@ -130,9 +143,7 @@ void store_adhesion(const Filing& f) {
 void store_conditions(const Filing& f) {
   const Contents& c = f.c;
   Description& d = f.d;
-  if (c.conditions) replace(f, 68, d.conditions, *c.conditions);
-  if (c.big_metal) f.stored(67, !replace(d.big_metal, *c.big_metal), "3.7.3.1"_srs);
-  if (c.platforms) f.stored(69, !replace(d.platforms, *c.platforms), "3.7.3.1"_srs);
+  store_areas(f, kConditionAreas);
   if (c.traction) {
     d.traction = c.traction;
     f.note(39, Note::What::stored, {});
@@ -203,9 +214,11 @@ void store_orders(const Filing& f) {
 }
 
 bool matters_to_monitoring(const Contents& c) {
-  return c.ma || c.V_MAIN || c.mode_profile || c.repositioned_section || c.ssp || c.gradient || c.asp || c.pbd ||
-         !c.tsr.empty() || !c.revoked_tsr.empty() || c.default_gradient || !c.lx.empty() || c.conditions ||
-         c.suitability || c.adhesion || c.traction || c.reversing_area || c.reversing_supervision;
+  bool areas = false;
+  each_list([&](const auto& list) { areas = areas || (list.restricts && (c.*list.fresh).has_value()); });
+  return areas || c.ma || c.V_MAIN || c.mode_profile || c.repositioned_section || c.ssp || c.gradient ||
+         !c.tsr.empty() || !c.revoked_tsr.empty() || c.default_gradient || !c.lx.empty() || c.suitability ||
+         c.adhesion || c.traction || c.reversing_area || c.reversing_supervision;
 }
 
 }  // namespace

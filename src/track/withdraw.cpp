@@ -1,5 +1,6 @@
 #include "track/withdraw.h"
 
+#include "track/areas.h"
 #include "track/services.h"
 
 namespace evc::track {
@@ -48,11 +49,10 @@ bool cut_areas(InplaceVector<T, N>& areas, Place at) {
 bool cut_description(Description& d, Place at) {
   bool deleted = d.ssp.cut(at);
   deleted = d.gradient.cut(at) || deleted;
-  deleted = cut_areas(d.asp, at) || deleted;
-  deleted = cut_areas(d.pbd, at) || deleted;
-  deleted = cut_areas(d.conditions, at) || deleted;
-  deleted = cut_areas(d.big_metal, at) || deleted;
-  (void)cut_areas(d.platforms, at);
+  each_list([&](const auto& list) {
+    const bool any = cut_areas(d.*list.kept, at);
+    deleted = deleted || (any && list.track_description);
+  });
   const std::size_t points = d.suitability.size();
   d.suitability.erase_if([&](const RouteSuitability& item) { return item.at >= at; });
   deleted = deleted || d.suitability.size() != points;
@@ -186,14 +186,10 @@ void forget_passed(Description& d, const Here& here) {
   const Place limit = here.min_safe_rear - kKeptBehind;
   d.ssp.forget_before(limit);
   d.gradient.forget_before(limit);
-  forget_areas(d.asp, limit);
+  each_list([&](const auto& list) { forget_areas(d.*list.kept, limit); });
   forget_areas(d.tsr, limit);
-  forget_areas(d.pbd, limit);
   forget_areas(d.lx, limit);
-  forget_areas(d.big_metal, limit);
   forget_areas(d.adhesion, limit);
-  forget_areas(d.conditions, limit);
-  forget_areas(d.platforms, limit);
   if (d.ma)
     while (d.ma->sections.size() > 1 && d.ma->sections.front().end < limit) d.ma->sections.erase(0);
   // An area is left when the min safe front end passes its end (3.12.4.6).
