@@ -10,7 +10,7 @@ void run_radio(Cycle& cycle);
 void command_brakes(Cycle& cycle);
 /// Position, authority, symbols, requests and texts (4.7).
 void show(Cycle& cycle);
-/// The outputs of a cycle before anything happened in it.
+/// The outputs of a cycle before anything happened in it, whatever they held.
 void begin(Outputs& out);
 
 }  // namespace evc::kernel

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "base/bit_cursor.h"
+#include "kernel/cycle.h"
 #include "kernel/evc.h"
 #include "kernel/state.h"
+#include "kernel/supervise.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_135.h"
@@ -310,6 +312,30 @@ TEST_F(Unit, enters_FS_on_an_MA_of_level_1_and_stops_the_train_before_its_end) {
   EXPECT_EQ(out.mode, Mode::FS);
 }
 
+TEST_F(Unit, asks_whether_the_train_can_stop_without_touching_what_is_in_force) {
+  start_of_mission(Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  const LevelOne data(2000, 20);
+  pass(telegram(100, 0, 1, true, data.ma, data.gradient, data.ssp), telegram(100, 1, 1, true), 8.0);
+  for (int i = 0; i < 10; ++i) cycle(8.0);
+  ASSERT_EQ(out.mode, Mode::FS);
+  ASSERT_TRUE(state->track.ma.has_value());
+  track::Contents far, near;
+  far.ma = near.ma = state->track.ma;
+  near.ma->sections.back().stop = near.ma->sections.back().end =
+      state->track.ma->sections.back().end - Distance{1950.0};
+  Outputs other;
+  Cycle question(*state, *derived, in, other);
+  question.here = here(*state);
+  const State state_before = *state;
+  const auto in_force_before = std::make_unique<Derived::Curves>(derived->in_force);
+  EXPECT_TRUE(can_stop_before(question, *derived, far));
+  EXPECT_FALSE(can_stop_before(question, *derived, near));
+  EXPECT_EQ(std::memcmp(&state_before, state.get(), sizeof(State)), 0);
+  EXPECT_EQ(std::memcmp(in_force_before.get(), &derived->in_force, sizeof(Derived::Curves)), 0);
+  EXPECT_EQ(derived->built, state->basis.number);
+}
+
 TEST_F(Unit, refuses_an_MA_without_gradient) {
   start_of_mission(Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);
@@ -322,6 +348,13 @@ TEST_F(Unit, refuses_an_MA_without_gradient) {
 
 /// Every output, as far as a cycle can differ in it.
 void expect_same(const Outputs& a, const Outputs& b) {
+  EXPECT_EQ(a.now.si, b.now.si);
+  EXPECT_EQ(a.nid_ntc, b.nid_ntc);
+  EXPECT_EQ(a.v, b.v);
+  EXPECT_EQ(a.radio_connect.has_value(), b.radio_connect.has_value());
+  EXPECT_EQ(a.radio_disconnect.has_value(), b.radio_disconnect.has_value());
+  ASSERT_EQ(a.texts.size(), b.texts.size());
+  for (std::size_t i = 0; i < a.texts.size(); ++i) EXPECT_EQ(a.texts[i].id, b.texts[i].id);
   EXPECT_EQ(a.mode, b.mode);
   EXPECT_EQ(a.level, b.level);
   EXPECT_EQ(a.lrbg, b.lrbg);
@@ -348,9 +381,23 @@ void expect_same(const Outputs& a, const Outputs& b) {
   EXPECT_EQ(a.entries, b.entries);
   EXPECT_EQ(a.start_offered, b.start_offered);
   EXPECT_TRUE(std::equal(a.symbols.begin(), a.symbols.end(), b.symbols.begin(), b.symbols.end()));
-  EXPECT_EQ(a.radio_out.size(), b.radio_out.size());
+  ASSERT_EQ(a.radio_out.size(), b.radio_out.size());
+  for (std::size_t i = 0; i < a.radio_out.size(); ++i) EXPECT_EQ(a.radio_out[i].bytes, b.radio_out[i].bytes);
   ASSERT_EQ(a.events.size(), b.events.size());
   for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_EQ(a.events[i], b.events[i]);
+}
+
+TEST_F(Unit, gives_outputs_that_nothing_of_the_last_cycle_is_left_in) {
+  start_of_mission(Level::L1, 0, Ack::SR);
+  for (int i = 0; i < 50; ++i) cycle(8.0);
+  const auto same_state = std::make_unique<State>(*state);
+  const auto same_derived = std::make_unique<Derived>(*derived);
+  in.now = {t};
+  Outputs clean;
+  step(*state, *derived, in, clean);
+  std::memset(static_cast<void*>(&out), 0xFF, sizeof out);
+  step(*same_state, *same_derived, in, out);
+  expect_same(out, clean);
 }
 
 class AnyEdition : public Unit, public ::testing::WithParamInterface<SrsVersion> {

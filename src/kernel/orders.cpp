@@ -151,7 +151,8 @@ Clause take_shortening(Cycle& cycle, const Information& information, const lang:
   State& s = cycle.state;
   track::Contents proposed = proposal(information, reference);
   const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
-                       track::complete(s.track, proposed, cycle.here) && can_stop_before(cycle, proposed);
+                       track::complete(s.track, proposed, cycle.here) &&
+                       can_stop_before(cycle, cycle.derived, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, cycle.outbox);
   note(cycle, {.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});
   if (!granted) return "3.8.6.2"_srs;

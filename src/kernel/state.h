@@ -160,9 +160,17 @@ static_assert(sizeof(State) <= 64 * 1024);
 /// What can be computed anew from State at any time: curves and merged profiles. Never in a snapshot; with a State that
 /// is put back goes a Derived{}.
 struct Derived {
-  std::uint32_t built = 0;  ///< SupervisionBasis::number it was built from; 0: from none
-  sdm::Inputs inputs;
-  sdm::Derived sdm;
+  /// Curves of one authority, with what they were built from.
+  struct Curves {
+    sdm::Inputs inputs;
+    sdm::Derived sdm;
+    InplaceVector<track::SpeedCode, 40> pbd_speeds;  ///< of the permitted braking distances stored (3.11.11)
+  };
+  std::uint32_t built = 0;  ///< SupervisionBasis::number `in_force` was built from; 0: from none
+  Curves in_force;
+  /// For questions about another authority (3.8.6): what is in force stays as it is. Nothing is read from it in another
+  /// call than the one that wrote it.
+  Curves proposed;
 };
 
 }  // namespace evc::kernel

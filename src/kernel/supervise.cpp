@@ -140,12 +140,13 @@ void add_limit(track::MrspQuery& query, Speed v) {
 }
 
 /// Speeds of the permitted braking distances (3.11.11): with the brakes of now.
-void compute_PBD(State& s, const sdm::Inputs& in) {
-  for (track::PermittedBrakingDistance& p : s.track.pbd) {
-    const Speed v =
-        sdm::permitted_braking_distance_speed(in, p.D_PBD, static_cast<double>(p.gradient_permille), !p.service_brake);
-    // Steps of 5 km/h; sdm has rounded down.
-    p.speed = static_cast<track::SpeedCode>(v.si * 3.6 / 5.0 + 0.5);
+void compute_PBD(const track::Description& d, Derived::Curves& curves) {
+  curves.pbd_speeds.clear();
+  for (const track::PermittedBrakingDistance& p : d.pbd) {
+    const Speed v = sdm::permitted_braking_distance_speed(curves.inputs, p.D_PBD,
+                                                          static_cast<double>(p.gradient_permille), !p.service_brake);
+    // Steps of 5 km/h; sdm has rounded down. As many as are stored.
+    (void)curves.pbd_speeds.push_back(static_cast<track::SpeedCode>(v.si * 3.6 / 5.0 + 0.5));
   }
 }
 
@@ -166,23 +167,22 @@ std::uint8_t brake_bits(const TrainSignals& t) {
                                    (t.additional_brake_active ? 16 : 0));
 }
 
-/// Curves and limits, from the stored data and `basis`.
-void build(Cycle& cycle, const SupervisionBasis& basis) {
-  State& s = cycle.state;
-  sdm::Inputs& in = cycle.derived.inputs;
+/// Curves and limits, from the stored data and `basis`; of the train interface only the special brakes are asked for.
+void build(Derived::Curves& curves, const State& s, const TrainSignals& train, const SupervisionBasis& basis) {
+  sdm::Inputs& in = curves.inputs;
   in.revision = basis.number;
   in.srs = s.srs;
   in.train = s.train;
   in.national_values = s.national_values;
-  in.brakes = brake_status(cycle.in.train);
-
+  in.brakes = brake_status(train);
   in.conditions = conditions_of(s, basis.min_safe_rear);
-  compute_PBD(s, in);  // with the rail as it is now (3.11.11.4)
+  compute_PBD(s.track, curves);  // with the rail as it is now (3.11.11.4)
   track::MrspQuery query;
   query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
   query.category = category_of(s.train);
   query.elements = elements_in(s.mode);
+  query.pbd_speeds = {curves.pbd_speeds.begin(), curves.pbd_speeds.size()};
   const auto counts = [&](modes::Function f) { return modes::active(f, s.mode); };
   if (counts(modes::Function::mrsp_train)) add_limit(query, s.train.V_MAXTRAIN);
   if (counts(modes::Function::mrsp_mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
@@ -193,8 +193,8 @@ void build(Cycle& cycle, const SupervisionBasis& basis) {
   in.authority = within(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
   in.SR_end = within(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
   in.gradient = gradient_of(s.track, basis.min_safe_rear);
-  cycle.derived.sdm.valid = false;
-  (void)sdm::rebuild(cycle.derived.sdm, in);
+  curves.sdm.valid = false;
+  (void)sdm::rebuild(curves.sdm, in);
 }
 
 /// The basis of curves that are built now.
@@ -259,8 +259,8 @@ void pass_level_crossings(Cycle& cycle, const sdm::Motion& motion) {
   for (const track::LevelCrossing& lx : s.track.lx) {
     if (!lx.unprotected || lx.substituted || cycle.here.est_front > lx.from) continue;
     const bool over = lx.stop_required ? cycle.here.standstill && cycle.here.est_front >= lx.from - lx.L_STOPLX
-                                       : sdm::lx_substitution(cycle.derived.inputs, cycle.derived.sdm, lx.from,
-                                                              track::speed_of(lx.V_LX), motion)
+                                       : sdm::lx_substitution(cycle.derived.in_force.inputs, cycle.derived.in_force.sdm,
+                                                              lx.from, track::speed_of(lx.V_LX), motion)
                                              .passed;
     if (!over) continue;
     track::substitute_level_crossing(s.track, lx.NID_LX, cycle.here.est_front);
@@ -332,10 +332,10 @@ void refresh(Cycle& cycle) {
                                                            : track::Authority{});
   if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
   d.built = s.basis.number;
-  build(cycle, s.basis);
+  build(d.in_force, s, cycle.in.train, s.basis);
   if (!changed) return;  // logged when it was built first
-  if (d.sdm.truncated) note(cycle, {.what = What::targets_lost});
-  if (d.sdm.no_deceleration) note(cycle, {.what = What::no_deceleration, .clause = "3.13.6.2"_srs});
+  if (d.in_force.sdm.truncated) note(cycle, {.what = What::targets_lost});
+  if (d.in_force.sdm.no_deceleration) note(cycle, {.what = What::no_deceleration, .clause = "3.13.6.2"_srs});
 }
 
 void supervise_speed(Cycle& cycle) {
@@ -346,7 +346,7 @@ void supervise_speed(Cycle& cycle) {
   }
   const sdm::Motion motion = motion_of(cycle);
   pass_level_crossings(cycle, motion);
-  const sdm::Result r = sdm::supervise(s.supervision, cycle.derived.sdm, motion);
+  const sdm::Result r = sdm::supervise(s.supervision, cycle.derived.in_force.sdm, motion);
   show_limits(cycle, r);
   cycle.asked.add(brakes::Cause::overspeed_traction, r.tco);
   cycle.asked.add(brakes::Cause::overspeed_service, r.sb);
@@ -376,8 +376,8 @@ void guard_movement(Cycle& cycle) {
   cycle.asked.add(brakes::Cause::reversing_distance, c.reversing);
 }
 
-bool can_stop_before(Cycle& cycle, const track::Contents& proposal) {
-  State& s = cycle.state;
+bool can_stop_before(const Cycle& cycle, Derived& derived, const track::Contents& proposal) {
+  const State& s = cycle.state;
   if (!within(s, modes::Supervision::full) || !proposal.ma) return false;
   const track::MovementAuthority& proposed = *proposal.ma;
   track::Authority a;
@@ -395,11 +395,9 @@ bool can_stop_before(Cycle& cycle, const track::Contents& proposal) {
       a.EOA = area.from;
       a.SvL = area.from;
     }
-  // The curves of the proposed authority stand in the place of those in force, which are built anew afterwards.
-  build(cycle, basis_of(cycle, s.basis.key, a));
-  cycle.derived.built = 0;
+  build(derived.proposed, s, cycle.in.train, basis_of(cycle, s.basis.key, a));
   sdm::Supervision fresh;
-  const sdm::Result r = sdm::supervise(fresh, cycle.derived.sdm, motion_of(cycle));
+  const sdm::Result r = sdm::supervise(fresh, derived.proposed.sdm, motion_of(cycle));
   return r.monitoring == Monitoring::CSM && r.status == Status::Normal;
 }
 

@@ -19,7 +19,8 @@ void supervise_speed(Cycle& cycle);
 void guard_movement(Cycle& cycle);
 
 /// 3.8.6.2: the train is in rear of the Indication limits of the proposed authority.
-bool can_stop_before(Cycle& cycle, const track::Contents& proposal);
+/// A question: only Derived::proposed is written.
+bool can_stop_before(const Cycle& cycle, Derived& derived, const track::Contents& proposal);
 
 /// The train as the choice of speeds needs it (3.18.3.2).
 track::TrainCategory category_of(const train::TrainData& train);

@@ -84,8 +84,8 @@ Mrsp mrsp(const Description& d, const MrspQuery& query) {
   if (counts.tsr)
     lower_by_areas(f, d.tsr, query.train_length, [](const TemporarySpeedRestriction& t) { return t.V_TSR; });
   if (counts.pbd)
-    for (const PermittedBrakingDistance& pbd : d.pbd)
-      if (pbd.speed != kNoSpeed) lower(f, pbd.from, pbd.to, speed_of(pbd.speed));
+    for (std::size_t i = 0; i < d.pbd.size() && i < query.pbd_speeds.size(); ++i)
+      if (query.pbd_speeds[i] != kNoSpeed) lower(f, d.pbd[i].from, d.pbd[i].to, speed_of(query.pbd_speeds[i]));
   if (counts.lx)
     for (const LevelCrossing& lx : d.lx)
       if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));

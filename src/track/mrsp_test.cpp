@@ -79,7 +79,6 @@ TEST(Mrsp, LowestOfAllKinds) {
   pbd.to = at(3100);
   ASSERT_TRUE(d.pbd.push_back(pbd));
   pbd.from = at(3050);
-  pbd.speed = 10;
   ASSERT_TRUE(d.pbd.push_back(pbd));
   LevelCrossing lx;
   lx.from = at(4000);
@@ -95,6 +94,8 @@ TEST(Mrsp, LowestOfAllKinds) {
   ASSERT_TRUE(d.lx.push_back(lx));
   d.signalling = SignallingSpeed{at(6000), 6, at(6500)};
   MrspQuery q = query(100);
+  const std::array<SpeedCode, 2> pbd_speeds{kNoSpeed, 10};
+  q.pbd_speeds = pbd_speeds;
   ASSERT_TRUE(q.limits.push_back({at(7000), at(7100), kmh(30)}));
   const Mrsp f = mrsp(d, q);
   EXPECT_EQ(f.at(at(499)), kmh(140));
@@ -135,7 +136,6 @@ TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
   PermittedBrakingDistance pbd;
   pbd.from = at(0);
   pbd.to = at(900);
-  pbd.speed = 6;
   ASSERT_TRUE(d.pbd.push_back(pbd));
   LevelCrossing lx;
   lx.to = at(900);
@@ -148,6 +148,8 @@ TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
                                                      &MrspElements::pbd, &MrspElements::lx,  &MrspElements::signalling};
   for (std::size_t i = 0; i < elements.size(); ++i) {
     MrspQuery q = query();
+    const std::array<SpeedCode, 1> pbd_speeds{6};
+    q.pbd_speeds = pbd_speeds;
     q.category.M_AXLELOADCAT = 5;
     q.elements = {false, false, false, false, false, false};
     EXPECT_EQ(mrsp(d, q).at(at(100)), kmh(160));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "track/description.h"
 
@@ -27,6 +28,8 @@ struct MrspQuery {
   TrainCategory category{};
   InplaceVector<Limit, 8> limits;  ///< of mode, train, override
   MrspElements elements{};
+  /// V_PBD of each permitted braking distance stored, in their order; of one without, nothing is counted (3.11.11).
+  std::span<const SpeedCode> pbd_speeds{};
 };
 /// The highest speed of the language (7.5.1.173): the value where nothing limits.
 inline constexpr Speed kNoLimit = speed_of(120);

@@ -85,7 +85,6 @@ struct PermittedBrakingDistance {
   Distance D_PBD{};
   std::int16_t gradient_permille = 0;
   bool service_brake = false;  ///< Q_PBDSR: false emergency brake, true service brake
-  SpeedCode speed = kNoSpeed;  ///< V_PBD, set by sdm; kNoSpeed: not computed yet
   friend constexpr bool operator==(const PermittedBrakingDistance&, const PermittedBrakingDistance&) = default;
 };
 
