@@ -3,7 +3,7 @@
 time (a mutant), and the room's tests are run with it. A mutant that no test notices is a survivor: a test is
 missing, or the mutant means the same (then it is listed, with the reason, in docs/ROOM-mutants.md).
 
-Operators: row (drops a row of a table), cell (another enumerator), compare (< <= and so on), logic (&& ||), negate
+Operators: row (drops a row of a table), cell (another enumerator), word (of a row of text another one), compare (< <= and so on), logic (&& ||), negate
 (a condition), sign (+ -), factor (* /), minmax, number (a constant), truth (true false), delete (a statement).
 All mutants are in one build, an instrumented copy of the room in which an environment variable selects the one that is on
 (tools/mutation/schema.py); the few that cannot be there are built alone. Only tests in which the mutant makes a
@@ -12,10 +12,11 @@ enough, and a mutant that takes ten times the time is killed by that. Lines that
 (EVC_REQUIRE) are left alone. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]
-                            [--jobs N] [--build NAME] [--check] [--list]
-  --rows       all rows of the constexpr tables and nothing else (operators row, cell, number, truth there);  --rest: all but these
+                            [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list]
+  --rows       all rows of the constexpr tables and nothing else (operators row, cell, word, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
   --sample N   N random mutants;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
+  --changed    only in lines that changed since COMMIT
   --survivors  those of the last run again
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
   --check      builds each mutant alone as well and prints where the verdicts differ
@@ -30,7 +31,7 @@ import sys
 import time
 
 from mutation.room import Room
-from mutation.sources import ROOT, in_order
+from mutation.sources import ROOT, changed_lines, in_order
 
 MEMORY = 2 << 30
 
@@ -55,6 +56,9 @@ def choose(room, options):
     mutants = [m for m in room.mutants if (m.row if options.rows else not (m.row and options.rest))]
     if options.files:
         mutants = in_order(mutants, options.files.split(","))
+    if options.changed:
+        lines = changed_lines(options.changed)
+        mutants = [m for m in mutants if m.line in lines.get(f"src/{room.name}/{m.path.name}", ())]
     if options.survivors:
         last = {r["key"] for r in map(json.loads, results_file(room, options).read_text().splitlines())
                 if r["verdict"] == "survived"}
@@ -116,6 +120,7 @@ def main():
     parser.add_argument("--sample", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--files")
+    parser.add_argument("--changed", metavar="COMMIT")
     parser.add_argument("--behaviour", action="store_true")
     parser.add_argument("--survivors", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -133,6 +138,8 @@ def main():
     # A mutant may ask for memory without end, and it may crash often.
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    if options.changed:
+        room.wanted = mutants  # few: what else could be changed need not be in the build
     room.prepare()
     mutants.sort(key=lambda m: m.id not in room.in_schema)  # those that take long come last
     alone = sum(m.id not in room.in_schema for m in mutants)

@@ -138,5 +138,39 @@ class Mutation(unittest.TestCase):
         self.assertEqual(re.sub(r"\s", "", schema.instrumented(text, [], set())[0]), 'f("a&&b");')
 
 
+class Pages(unittest.TestCase):
+    """Tables that look like a page of the standard, and what of them changed."""
+    TEXT = """\
+inline constexpr auto page = [] {
+  return std::to_array<Row>({
+    {speed, "U  D[1]  NR", false, "a sentence of words", "3.14"},
+    {track, "U  U  U",     true,  "another",             "3.8"},
+  });
+}();
+int other = 1;
+"""
+
+    def mutants(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "page.h"
+            path.write_text(self.TEXT, encoding="utf-8")
+            return [(m.line, m.operator, m.row) for m in sources.mutants_of(path, {})]
+
+    def test_rows_words_and_cells(self):
+        self.assertEqual(self.mutants(), [
+            (3, "row", "page"), (3, "word", "page"), (3, "word", "page"), (3, "word", "page"), (3, "truth", "page"),
+            (4, "row", "page"), (4, "truth", "page"), (7, "number", "")])
+
+    def test_another_mark_of_the_row(self):
+        line = '    {speed, "U  D[1]  NR", false},'
+        changed = [line[:a] + new + line[b:] for a, b, new in sources.words_of_rows(line)]
+        self.assertEqual(changed[1], '    {speed, "U  NR  NR", false},')
+
+    def test_lines_of_a_difference(self):
+        diff = ("--- a/src/x/a.h\n+++ b/src/x/a.h\n@@ -3 +3,2 @@ row\n-x\n+y\n+z\n@@ -9,2 +11,0 @@\n-a\n-b\n"
+                "--- a/src/x/b.h\n+++ b/src/x/b.h\n@@ -1 +1 @@\n-p\n+q\n--- a/src/x/c.h\n+++ /dev/null\n@@ -1 +0,0 @@\n-r\n")
+        self.assertEqual(sources.lines_of_diff(diff), {"src/x/a.h": {3, 4}, "src/x/b.h": {1}})
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -108,6 +108,7 @@ class Room:
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
         self.mutants = mutants_of_room(self.src / name, [SHARED / "src" / room for room in self.rooms[1:]])
+        self.wanted = self.mutants  # those that the one build is made for
         self.tree = self.out / "instrumented"
         self.all = Build(self.out / "all", [self.tree, self.src, SHARED / "src"], ["-O1"], [HERE / "schema.h"])
         self.plain = Build(self.out / "plain", [self.src, SHARED / "src"], ["-O0"], [])
@@ -176,7 +177,7 @@ class Room:
 
     def write_tree(self, dropped):
         files = {}
-        for m in self.mutants:
+        for m in self.wanted:
             files.setdefault(m.path, []).append(m)
         for old in self.tree.glob("*/*.*"):
             if self.src / self.name / old.name not in files:

@@ -151,7 +151,10 @@ def runtime_edits(code, name, dropped):
 def instrumented(text, mutants, dropped, name="file"):
     """The instrumented text, and the numbers of the mutants in it. `dropped`: marks of changes that do not compile."""
     code = without_comments(text)
-    mutants = [m for m in mutants if str(m.id) not in dropped]
+    # Pages are made at compile time: each of their mutants is built alone.
+    mutants = [m for m in mutants if str(m.id) not in dropped and m.row != "page"]
+    if not mutants:
+        return code, set()
     edits = logic_edits(masked(text), [m for m in mutants if m.operator == "logic"])
     edits += [simple_edit(code, m) for m in mutants if m.operator not in ("logic", "row")]
     edits += table_edits(code, name, mutants, dropped)

@@ -3,6 +3,8 @@ import dataclasses
 import fnmatch
 import pathlib
 import re
+import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SRC = ROOT / "src"
@@ -15,6 +17,8 @@ SWAPS = {
 }
 OPERATOR = {old: (name, new) for name, swaps in SWAPS.items() for old, new in swaps.items()}
 TABLE = re.compile(r"constexpr (\w+) (k\w+)\[\] = \{(?= *$)", re.M)
+TO_ARRAY = re.compile(r"\bto_array<.+>\(\{$")  # tables that look like a page of the standard
+MARK = r"(?:[A-Z]{1,4}|-)(?:\[\d+\])*"  # a cell of such a page: D, NR, A[3][14]
 LITERALS = r'"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\''
 COMMENTS = r"//[^\n]*|/\*.*?\*/"
 
@@ -50,7 +54,7 @@ class Mutant:
     end: int
     new: str
     operator: str
-    row: bool  # in a row of a table
+    row: str  # "array" or "page": in a row of such a table; "" elsewhere
     what: str
     id: int = 0
 
@@ -112,6 +116,18 @@ def inside_line(line, enums):
         yield m.start(), m.end(), changed_number(m.group()), "number"
 
 
+def words_of_rows(line):
+    """(start, end, another word of the row) of every word of a row of text, "U  D  NR"."""
+    for literal in re.finditer(r'"([^"\\]*)"', line):
+        words = list(re.finditer(r"\S+", literal.group(1)))
+        values = sorted({w.group() for w in words})
+        if len(words) < 3 or len(values) < 2 or not all(re.fullmatch(MARK, v) for v in values):
+            continue
+        for w in words:
+            new = values[(values.index(w.group()) + 1) % len(values)]
+            yield literal.start(1) + w.start(), literal.start(1) + w.end(), new
+
+
 def deleted_statement(line, previous):
     """Where in the line a statement stands whose loss leaves something that compiles: an assignment, a call, a
     jump; or one of them after `if (a)` or `else`. `previous`: how the code in front ends."""
@@ -132,33 +148,38 @@ def deleted_statement(line, previous):
 
 
 def places(text, enums):
-    """(start, end, replacement, operator, in a table row) of every mutant of a file."""
+    """(start, end, replacement, operator, what table it stands in a row of) of every mutant of a file:
+    "array", "page" (made at compile time, checked by assertions) or "" (none)."""
     code = masked(text)
-    in_table = False
+    in_table = ""
     previous = ";"
     start = 0
     for line in code.split("\n"):
         stripped = line.strip()
         if TABLE.search(stripped):
-            in_table, previous = True, "{"
-        elif in_table and stripped == "};":
-            in_table, previous = False, ";"
+            in_table, previous = "array", "{"
+        elif TO_ARRAY.search(stripped):
+            in_table, previous = "page", "{"
+        elif in_table and stripped in ("};", "});"):
+            in_table, previous = "", ";"
         elif stripped.startswith(("#", "EVC_REQUIRE", "static_assert", "template", "using", "namespace", "enum ")):
             previous = stripped[-1]
         elif stripped:
-            row = in_table and stripped.startswith("{")
+            row = in_table if in_table and stripped.startswith("{") else ""
             if row:
-                yield start, start + len(line), "", "row", True
+                yield start, start + len(line), "", "row", row
+                for first, last, new in words_of_rows(text[start:start + len(line)]):
+                    yield start + first, start + last, new, "word", row
             for first, last, new, operator in inside_line(line, enums):
                 yield start + first, start + last, new, operator, row
             for m in re.finditer(r"\b(?:if|while) \(", line):
                 begin = start + m.end() - 1
                 end = closing(code, begin)
                 if end > 0 and ";" not in code[begin:end] and "const " not in code[begin:end]:
-                    yield begin, end + 1, "(!" + text[begin:end + 1] + ")", "negate", False
+                    yield begin, end + 1, "(!" + text[begin:end + 1] + ")", "negate", ""
             statement = deleted_statement(line, previous)
             if statement is not None:
-                yield start + statement, start + len(line), ";", "delete", False
+                yield start + statement, start + len(line), ";", "delete", ""
             previous = "e" if stripped.endswith("else") else stripped[-1]
         start += len(line) + 1
 
@@ -192,6 +213,26 @@ def mutants_of_room(folder, others):
     for number, mutant in enumerate(found, 1):
         mutant.id = number
     return found
+
+
+def lines_of_diff(diff):
+    """{file: numbers of its new lines} of a `git diff -U0`."""
+    lines, name = {}, None
+    for line in diff.splitlines():
+        if line.startswith("+++ "):
+            name = line[6:] if line.startswith("+++ b/") else None
+        elif name and (m := re.match(r"@@ -\S+ \+(\d+)(?:,(\d+))? @@", line)):
+            first, number = int(m[1]), int(m[2] or 1)
+            lines.setdefault(name, set()).update(range(first, first + number))
+    return lines
+
+
+def changed_lines(commit):
+    """What differs in src between a commit and the files as they are now."""
+    done = subprocess.run(["git", "diff", "-U0", commit, "--", "src"], cwd=ROOT, capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"mutate: git diff {commit}: {done.stderr.strip()}")
+    return lines_of_diff(done.stdout)
 
 
 def in_order(mutants, patterns):
