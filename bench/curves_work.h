@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdlib>
 
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 #include "sdm/evaluate.h"
 
 // What the benchmarks of speed and distance monitoring work on.

@@ -2,19 +2,35 @@
 # makes the library evc_<name> from src/<name>/*.cpp (without MAIN) and the test <name>_test from *_test.cpp; with
 # PROGRAM_TESTS these run the program `evc`.
 
-add_library(evc_flags INTERFACE)
-target_include_directories(evc_flags INTERFACE ${CMAKE_SOURCE_DIR}/src)
-# The same bits from every compiler and level: no contraction, no fast-math (docs/architecture.md). Warnings are errors.
-target_compile_options(evc_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                           -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Werror)
+include(GNUInstallDirs)
+
+# What everybody needs who compiles our headers, a host program too: C++20, the headers and the same bits from every
+# compiler and level (docs/architecture.md), for the headers compute as well. No contraction; never fast-math.
+add_library(openevc_headers INTERFACE)
+add_library(openevc::headers ALIAS openevc_headers)
+set_target_properties(openevc_headers PROPERTIES EXPORT_NAME headers)
+target_compile_features(openevc_headers INTERFACE cxx_std_20)
+target_compile_options(openevc_headers INTERFACE -ffp-contract=off)
+target_include_directories(openevc_headers INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+# What is ours alone: the rooms' headers, and warnings. It never reaches a host program.
+add_library(evc_private INTERFACE)
+target_link_libraries(evc_private INTERFACE openevc_headers)
+target_include_directories(evc_private INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include/openevc)
+target_compile_options(evc_private INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                                             -Wold-style-cast -Wnon-virtual-dtor)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(evc_private INTERFACE -Werror)  # a host's newer compiler may warn
+endif()
 # Under -fsanitize (the Debug build) g++ 12 has false positives: sign conversions of promoted unsigned shifts.
-target_compile_options(evc_flags INTERFACE $<$<CONFIG:Debug>:-Wno-sign-conversion>)
+target_compile_options(evc_private INTERFACE $<$<CONFIG:Debug>:-Wno-sign-conversion>)
 # g++ 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651), at -O2 and above.
-target_compile_options(evc_flags INTERFACE
+target_compile_options(evc_private INTERFACE
                        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<CONFIG:RelWithDebInfo>>>:-Wno-restrict>)
 if(EVC_COVERAGE)
-  target_compile_options(evc_flags INTERFACE --coverage)
-  target_link_options(evc_flags INTERFACE --coverage)
+  target_compile_options(evc_private INTERFACE --coverage)
+  target_link_options(evc_private INTERFACE --coverage)
 endif()
 
 set(EVC_TEST_OPTIONS "" CACHE STRING "Further options for the sources of tests, such as -O0: they are half of the build")
@@ -27,7 +43,7 @@ function(evc_tell_paths)
   foreach(file IN LISTS ARGN)
     file(STRINGS ${file} uses REGEX "EVC_SOURCE_DIR|EVC_PROGRAM|(curves|program|bit_by_bit)_test\\.h" LIMIT_COUNT 1)
     if(uses)
-      set_property(SOURCE ${file} APPEND PROPERTY COMPILE_DEFINITIONS EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+      set_property(SOURCE ${file} APPEND PROPERTY COMPILE_DEFINITIONS EVC_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   EVC_PROGRAM="$<$<TARGET_EXISTS:evc>:$<TARGET_FILE:evc>>")
     endif()
   endforeach()
@@ -58,7 +74,7 @@ function(evc_room name)
     add_library(${library} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_link_libraries(${library} ${scope} evc_flags)
+  target_link_libraries(${library} ${scope} evc_private)
   foreach(other IN LISTS ROOM_DEPENDS)
     target_link_libraries(${library} ${scope} evc_${other})
   endforeach()
@@ -105,5 +121,5 @@ function(evc_link_rooms target)
       target_link_libraries(${target} PRIVATE evc_${room})
     endif()
   endforeach()
-  target_compile_definitions(${target} PRIVATE EVC_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_compile_definitions(${target} PRIVATE EVC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()

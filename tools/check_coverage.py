@@ -24,11 +24,13 @@ SLACK = 1.0  # percent that a figure may be above its floor
 def room_of(path):
     """The kernel room of a source file, or None: tests and other folders do not count."""
     try:
-        parts = pathlib.Path(path).resolve().relative_to(ROOT / "src").parts
+        where = pathlib.Path(path).resolve().relative_to(ROOT)
     except ValueError:
         return None
-    kernel = parts[0] in check_layers.KERNEL_ROOMS and not check_layers.is_test(pathlib.Path(path))
-    return parts[0] if kernel else None
+    if where.parts[0] not in ("src", "include"):
+        return None
+    room = check_layers.room_of(where)
+    return room if room in check_layers.KERNEL_ROOMS and not check_layers.is_test(where) else None
 
 
 def counts(build):
@@ -104,7 +106,7 @@ def main():
     with open(build / "uncovered.txt", "w", encoding="utf-8") as uncovered:
         for name in sorted(lines):
             text = (ROOT / name).read_text(encoding="utf-8").splitlines()
-            room = rooms.setdefault(name.split("/")[1], [0, 0])
+            room = rooms.setdefault(room_of(str(ROOT / name)), [0, 0])
             for number, times in sorted(lines[name].items()):
                 room[0] += 1
                 room[1] += times > 0

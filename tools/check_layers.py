@@ -15,7 +15,7 @@ MAY_INCLUDE = {
     "terms": {"base"},
     **{room: {"base", "terms"} for room in ("lang", "airgap", "train", "position", "modes", "brakes")},
     **{room: {"base", "terms", "lang"} for room in ("balise", "track", "radio")},
-    "sdm": {"base", "terms", "train", "track", "position"},
+    "sdm": {"base", "terms", "train"},
     "protection": {"base", "terms", "lang", "track", "position"},
     "procedures": {"base", "terms", "modes"},
     "driver": {"base", "terms", "modes"},
@@ -31,7 +31,14 @@ MAY_INCLUDE = {
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "app": {"curves", "run", "language", "io"},
+    # What hosts in C++ and in C are given beside the kernel and the curves.
+    "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
+    "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},
 }
+
+# Public headers (docs/embedding.md): those of a room stand in include/openevc/ROOM, these above them are a room's too.
+PUBLIC = pathlib.PurePath("include/openevc")
+PUBLIC_ROOM = {"evc.h": "kernel", "curves.h": "sdm", "language.h": "embed", "sim.h": "embed", "openevc.h": "capi"}
 
 # What a kernel room may take from the standard library: headers that need no heap, no clock, no file,
 # no thread and no locale. What they could still pull in is caught by tools/check_symbols.
@@ -59,15 +66,21 @@ def without_comments(text):
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
 
 
+def room_of(where):
+    """The room of a source file or header, named from the root: src/sdm/rebuild.cpp, include/openevc/sdm/inputs.h."""
+    parts = where.parts[len(PUBLIC.parts) if where.is_relative_to(PUBLIC) else 1:]
+    return PUBLIC_ROOM.get(parts[0], parts[0])
+
+
 def check(root):
-    """All breaches below root/src, as 'file:line: reason'."""
+    """All breaches below root/src and in the public headers, as 'file:line: reason'."""
     breaches = []
-    source = pathlib.Path(root) / "src"
-    for path in sorted(source.rglob("*")):
+    for path in sorted([*(pathlib.Path(root) / "src").rglob("*"), *(root / PUBLIC).rglob("*")]):
         if path.suffix not in (".h", ".cpp", ".hpp", ".cc", ".inc"):
             continue
-        room = path.relative_to(source).parts[0]
         where = path.relative_to(root)
+        room = room_of(where)
+        public = where.is_relative_to(PUBLIC)
         if room not in MAY_INCLUDE:
             breaches.append(f"{where}:1: room '{room}' is not in the table of rooms")
             continue
@@ -79,8 +92,11 @@ def check(root):
                 continue
             own, system = found.groups()
             if own:
-                other = own.split("/")[0]
-                if "/" not in own:
+                if public and not (root / "include" / own).is_file():
+                    breaches.append(f'{where}:{number}: "{own}" is no public header: "openevc/..." is, in include/')
+                own = own.removeprefix("openevc/")
+                other = PUBLIC_ROOM.get(own, own.split("/")[0])
+                if "/" not in own and own not in PUBLIC_ROOM:
                     breaches.append(f'{where}:{number}: "{own}" is not named with its room')
                 elif other == "texts" and is_test(path):
                     continue  # tests say in words what they found
@@ -97,7 +113,8 @@ def check(root):
 
 
 def main():
-    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
+    root = root if len(sys.argv) > 1 else root.parent.parent
     breaches = check(root)
     for breach in breaches:
         print(breach)

@@ -19,7 +19,8 @@ COMPARISONS = ("modes_test", "lang_test", "io_test", "airgap_test", "sdm_test", 
 def mode_page():
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "mode_table_page"
-        subprocess.run(["c++", "-std=c++20", "-I", ROOT / "src", ROOT / "tools/mode_table_page.cpp", "-o", program],
+        subprocess.run(["c++", "-std=c++20", "-I", ROOT / "src", "-I", ROOT / "include",
+                        "-I", ROOT / "include/openevc", ROOT / "tools/mode_table_page.cpp", "-o", program],
                        check=True)
         return subprocess.run([program], check=True, capture_output=True, text=True).stdout
 

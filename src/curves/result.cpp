@@ -12,14 +12,6 @@ namespace {
 
 constexpr double kKmh = 3.6;
 
-const sdm::Target* find_target(const sdm::Derived& derived, const io::CurvesInput& input) {
-  for (const sdm::Target& t : derived.targets) {
-    const Place at = t.kind == sdm::TargetKind::EOA_SvL ? t.d_EOA : t.d_target;
-    if (t.kind == input.target && at == input.target_location) return &t;
-  }
-  return derived.targets.empty() ? nullptr : &derived.targets.back();
-}
-
 /// The lower of two values, where they exist.
 Value least(const std::optional<Place>& a, const std::optional<Place>& b, const Approached& approached) {
   if (!a && !b) return std::nullopt;
@@ -153,7 +145,7 @@ std::string as_table(const CurvesResult& r) {
 
 Approached::Approached(io::CurvesInput input) : input_(std::move(input)), derived_(std::make_unique<sdm::Derived>()) {
   sdm::rebuild(*derived_, input_.inputs);
-  target_ = find_target(*derived_, input_);
+  target_ = io::target_of(input_, *derived_);
 }
 
 sdm::Explanation Approached::explain(Speed V, const sdm::Target& target) const {

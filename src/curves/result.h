@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/curves_file.h"
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 
 namespace evc::curves {
 

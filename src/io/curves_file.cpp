@@ -381,6 +381,14 @@ CurvesInput read(const JsonPlace& root) {
 
 }  // namespace
 
+const sdm::Target* target_of(const CurvesInput& input, const sdm::Derived& derived) {
+  for (const sdm::Target& t : derived.targets) {
+    const Place at = t.kind == sdm::TargetKind::EOA_SvL ? t.d_EOA : t.d_target;
+    if (t.kind == input.target && at == input.target_location) return &t;
+  }
+  return derived.targets.empty() ? nullptr : &derived.targets.back();
+}
+
 Result<CurvesInput> read_curves(std::string_view text, const std::string& file) {
   return guarded([&] {
     const Json document = parse_json(text, file);

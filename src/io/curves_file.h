@@ -5,7 +5,7 @@
 
 #include "io/train_file.h"
 #include "io/workbook_inputs.h"
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 
 namespace evc::io {
 
@@ -44,5 +44,8 @@ struct CurvesInput {
 /// keys are errors; train data and national values out of range are refused with the clause. `train`
 /// and `national_values` may be names of files, relative to `file`.
 Result<CurvesInput> read_curves(std::string_view text, const std::string& file);
+
+/// The target that the document asks about, among those that follow from it; null when nothing is supervised.
+const sdm::Target* target_of(const CurvesInput& input, const sdm::Derived& derived);
 
 }  // namespace evc::io

@@ -1,4 +1,4 @@
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 
 #include <algorithm>
 

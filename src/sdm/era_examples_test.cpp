@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "sdm/curves.h"
+#include "openevc/curves.h"
 
 namespace evc::sdm::test {
 

@@ -15,7 +15,7 @@ import tempfile
 import threading
 
 from mutation import schema
-from mutation.sources import ROOT, SRC, mutants_of_room
+from mutation.sources import PUBLIC, ROOT, SRC, mutants_of_room
 
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED = ROOT / "build" / "mutants" / "shared"  # what no mutant changes: other rooms, the test library
@@ -162,11 +162,21 @@ class Room:
         for room in self.rooms:
             copy = self.src if room == self.name else SHARED / "src"
             for old in (copy / room).rglob("*.*"):
-                if not (SRC / old.relative_to(copy)).exists():
+                if not any((root / old.relative_to(copy)).exists() for root in (SRC, PUBLIC)):
                     old.unlink()
-            for file in (SRC / room).rglob("*.*"):
-                if file.suffix in (".cpp", ".h"):
-                    write(copy / file.relative_to(SRC), file.read_text())
+            for root in (SRC, PUBLIC):
+                for file in (root / room).rglob("*.*"):
+                    if file.suffix in (".cpp", ".h"):
+                        write(copy / file.relative_to(root), file.read_text())
+        # "openevc/ROOM/x.h" is ROOM/x.h in a copy; what stands above the public rooms is the same in every one.
+        for header in PUBLIC.glob("*.h"):
+            write(SHARED / "src" / header.name, header.read_text())
+        # What the build makes: no snapshot is exchanged here.
+        write(SHARED / "src/kernel/state_layout.h", "#pragma once\n#define EVC_STATE_LAYOUT 0u\n")
+        for tree in (self.src, SHARED / "src", self.out / "instrumented"):
+            tree.mkdir(parents=True, exist_ok=True)
+            if not (tree / "openevc").is_symlink():
+                (tree / "openevc").symlink_to(".")
 
     def sources(self):
         return sorted((self.src / self.name).glob("*.cpp"), key=lambda s: (not is_test(s), s.name))
@@ -300,6 +310,7 @@ class Room:
         text = original.read_text()
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             tree = pathlib.Path(folder)
+            (tree / "openevc").symlink_to(".")
             changed = tree / self.name / mutant.path.name
             write(changed, text[:mutant.start] + mutant.new + text[mutant.end:])
             made = []

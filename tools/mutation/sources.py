@@ -8,6 +8,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SRC = ROOT / "src"
+PUBLIC = ROOT / "include/openevc"  # public headers: PUBLIC/ROOM beside SRC/ROOM, one folder in a copy
 
 SWAPS = {
     "compare": {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="},
@@ -60,7 +61,8 @@ class Mutant:
 
     @property
     def name(self):
-        return f"src/{self.path.parent.name}/{self.path.name}"
+        file = f"{self.path.parent.name}/{self.path.name}"
+        return f"include/openevc/{file}" if (PUBLIC / file).exists() else f"src/{file}"
 
     def key(self):
         return self.name + " " + self.operator + " " + self.what
@@ -201,9 +203,9 @@ def mutants_of_room(folder, others):
     the folders of the rooms that it uses."""
     name = folder.name
     included = set()
-    for source in SRC.glob("*/*"):
+    for source in [*SRC.glob("*/*"), *PUBLIC.rglob("*")]:
         if source.suffix in (".cpp", ".h") and not is_test(source):
-            included.update(re.findall(rf'^#include "{name}/(\w+\.h)"', source.read_text(), re.M))
+            included.update(re.findall(rf'^#include "(?:openevc/)?{name}/(\w+\.h)"', source.read_text(), re.M))
     tests_only = {h.name for h in folder.glob("*.h")} - included
     enums = enumerators([folder, *others])
     found = []

@@ -1,11 +1,11 @@
 #pragma once
 #include <optional>
 
-#include "base/units.h"
-#include "sdm/braking_curve.h"
-#include "sdm/rules.h"
-#include "train/brake_model.h"
-#include "train/fixed_values.h"
+#include "openevc/base/units.h"
+#include "openevc/sdm/braking_curve.h"
+#include "openevc/sdm/rules.h"
+#include "openevc/train/brake_model.h"
+#include "openevc/train/fixed_values.h"
 
 // The braking to target supervision limits of 3.13.9.3. Every structure keeps the intermediate values
 // with the standard's symbols: what `evc curves --explain` prints is what was computed.

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/step_function.h"
-#include "base/units.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
 
 namespace evc::train {
 

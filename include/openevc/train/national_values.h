@@ -3,9 +3,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "base/step_function.h"
-#include "base/units.h"
-#include "terms/reaction.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
+#include "openevc/terms/reaction.h"
 
 namespace evc::train {
 

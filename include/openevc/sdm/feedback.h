@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "base/units.h"
-#include "sdm/limits.h"
+#include "openevc/base/units.h"
+#include "openevc/sdm/limits.h"
 
 // Service brake feedback, A.3.10: the pressure shows that the driver brakes, the build-up times shrink.
 namespace evc::sdm {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 
-#include "base/inplace_vector.h"
-#include "base/units.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/units.h"
 
 namespace evc {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "base/require.h"
+#include "openevc/base/require.h"
 
 namespace evc {
 

@@ -10,13 +10,13 @@
 /// Units are SI; places are metres along the line in running direction.
 #include <optional>
 
-#include "sdm/braking_curve.h"
-#include "sdm/deceleration.h"
-#include "sdm/inputs.h"
-#include "sdm/limits.h"
-#include "sdm/locations.h"
-#include "sdm/rules.h"
-#include "sdm/supervision.h"
+#include "openevc/sdm/braking_curve.h"
+#include "openevc/sdm/deceleration.h"
+#include "openevc/sdm/inputs.h"
+#include "openevc/sdm/limits.h"
+#include "openevc/sdm/locations.h"
+#include "openevc/sdm/rules.h"
+#include "openevc/sdm/supervision.h"
 
 namespace evc::sdm {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <type_traits>
 
-#include "base/units.h"
+#include "openevc/base/units.h"
 
 namespace evc::train {
 

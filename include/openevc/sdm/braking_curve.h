@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "base/inplace_vector.h"
-#include "base/units.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/units.h"
 
 namespace evc::sdm {
 

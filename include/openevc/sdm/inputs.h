@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/inplace_vector.h"
-#include "base/step_function.h"
-#include "base/units.h"
-#include "sdm/deceleration.h"
-#include "terms/srs_version.h"
-#include "train/brake_model.h"
-#include "train/train_data.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
+#include "openevc/sdm/deceleration.h"
+#include "openevc/terms/srs_version.h"
+#include "openevc/train/brake_model.h"
+#include "openevc/train/train_data.h"
 
 namespace evc::sdm {
 

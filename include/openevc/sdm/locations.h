@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "sdm/inputs.h"
-#include "sdm/limits.h"
-#include "sdm/supervision.h"
+#include "openevc/sdm/inputs.h"
+#include "openevc/sdm/limits.h"
+#include "openevc/sdm/supervision.h"
 
 // Locations and speeds that other functions need from speed and distance monitoring.
 namespace evc::sdm {

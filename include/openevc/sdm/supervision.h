@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/inplace_vector.h"
-#include "base/units.h"
-#include "sdm/braking_curve.h"
-#include "sdm/deceleration.h"
-#include "sdm/feedback.h"
-#include "sdm/inputs.h"
-#include "sdm/limits.h"
-#include "sdm/rules.h"
-#include "terms/monitoring.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/units.h"
+#include "openevc/sdm/braking_curve.h"
+#include "openevc/sdm/deceleration.h"
+#include "openevc/sdm/feedback.h"
+#include "openevc/sdm/inputs.h"
+#include "openevc/sdm/limits.h"
+#include "openevc/sdm/rules.h"
+#include "openevc/terms/monitoring.h"
 
 // Speed and distance monitoring, 3.13: `rebuild` when track, train or national values change,
 // `supervise` in every cycle.

@@ -5,11 +5,11 @@
 #include <optional>
 #include <span>
 
-#include "base/inplace_vector.h"
-#include "base/step_function.h"
-#include "base/units.h"
-#include "sdm/braking_curve.h"
-#include "train/brake_model.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
+#include "openevc/sdm/braking_curve.h"
+#include "openevc/train/brake_model.h"
 
 // A_safe, A_expected and A_normal_service of 3.13.6 as functions of speed and place: bands of speed,
 // segments of track, and the curve traced through them.

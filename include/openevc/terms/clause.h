@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "terms/srs_clauses.h"
+#include "openevc/terms/srs_clauses.h"
 
 namespace evc {
 

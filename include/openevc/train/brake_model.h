@@ -2,13 +2,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/step_function.h"
-#include "base/units.h"
-#include "terms/clause.h"
-#include "terms/srs_version.h"
-#include "train/fixed_values.h"
-#include "train/national_values.h"
-#include "train/train_data.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
+#include "openevc/terms/clause.h"
+#include "openevc/terms/srs_version.h"
+#include "openevc/train/fixed_values.h"
+#include "openevc/train/national_values.h"
+#include "openevc/train/train_data.h"
 
 // From train data and national values to the decelerations and times of 3.13.6. All step functions here
 // are read with `value_below` (a step includes its upper limit).

@@ -1,5 +1,5 @@
 #pragma once
-#include "terms/srs_version.h"
+#include "openevc/terms/srs_version.h"
 
 namespace evc::sdm {
 

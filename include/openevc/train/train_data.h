@@ -5,10 +5,10 @@
 #include <optional>
 #include <type_traits>
 
-#include "base/inplace_vector.h"
-#include "base/step_function.h"
-#include "base/units.h"
-#include "train/speed_steps.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/step_function.h"
+#include "openevc/base/units.h"
+#include "openevc/train/speed_steps.h"
 
 namespace evc::train {
 
