@@ -9,14 +9,11 @@
 #include "port/inputs.h"
 #include "port/outputs.h"
 #include "sim/cycle_inputs.h"
+#include "sim/driver_kind.h"
 #include "sim/line.h"
 #include "sim/motion.h"
 
 namespace evc::sim {
-
-/// perfect: follows the permitted speed with a comfortable braking ahead. late: the same, but reacts
-/// and acknowledges late. reckless: ignores the permitted speed.
-enum class DriverKind : std::uint8_t { perfect, late, reckless };
 
 /// The driver: starts the mission, follows or ignores the permitted speed, acknowledges. Where the
 /// on-board gives no permitted speed he drives to the line's own speeds, 40 km/h where there are none

@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "openevc/openevc.h"
+
+namespace {
+
+std::string file(const std::string& name) {
+  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/" + name);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Memory as a host gives it, with a fence behind it that must not be touched.
+class Memory {
+ public:
+  explicit Memory(std::size_t size) : size_(size), bytes_(size + 2 * openevc_alignment(), 0xA5) {
+    const auto address = reinterpret_cast<std::uintptr_t>(bytes_.data());
+    at_ = bytes_.data() + (openevc_alignment() - address % openevc_alignment()) % openevc_alignment();
+  }
+  void* at() { return at_; }
+  std::size_t size() const { return size_; }
+  bool fence_stands() const {
+    for (const unsigned char* p = at_ + size_; p < bytes_.data() + bytes_.size(); ++p)
+      if (*p != 0xA5) return false;
+    return true;
+  }
+
+ private:
+  std::size_t size_;
+  std::vector<unsigned char> bytes_;
+  unsigned char* at_;
+};
+
+constexpr std::uint8_t kPacket65[] = {0x41, 0x40, 0x8E, 0x83, 0x83, 0x52, 0x03, 0x20, 0x20};
+constexpr const char* kPacket65Json =
+    R"({"NID_PACKET":65,"Q_DIR":1,"L_PACKET":71,"Q_SCALE":1,"NID_TSR":7,"D_TSR":850,"L_TSR":400,"Q_FRONT":0,"V_TSR":16})";
+
+openevc_reading packet() {
+  openevc_reading r{};
+  r.size = sizeof r;
+  r.form = OPENEVC_PACKET;
+  return r;
+}
+
+TEST(C, VersionIsTheHeaders) {
+  const std::string version = std::to_string(OPENEVC_VERSION_MAJOR) + "." + std::to_string(OPENEVC_VERSION_MINOR) +
+                              "." + std::to_string(OPENEVC_VERSION_PATCH);
+  EXPECT_EQ(openevc_version(), version);
+}
+
+TEST(CDecode, TextIntoTheCallersBuffer) {
+  const openevc_reading reading = packet();
+  char json[512];
+  std::size_t length = 0;
+  ASSERT_EQ(openevc_decode(&reading, kPacket65, 71, json, sizeof json, &length, nullptr, 0), OPENEVC_OK);
+  EXPECT_STREQ(json, kPacket65Json);
+  EXPECT_EQ(length, std::strlen(kPacket65Json));
+}
+
+TEST(CDecode, BufferOfEachSize) {
+  const openevc_reading reading = packet();
+  const std::size_t needed = std::strlen(kPacket65Json) + 1;
+  for (std::size_t size = 0; size <= needed; ++size) {
+    std::vector<char> json(size + 1, '#');
+    std::size_t length = 0;
+    const openevc_result result = openevc_decode(&reading, kPacket65, 71, json.data(), size, &length, nullptr, 0);
+    EXPECT_EQ(result, size < needed ? OPENEVC_TOO_SMALL : OPENEVC_OK) << size;
+    EXPECT_EQ(length, needed - 1);
+    EXPECT_EQ(json[size], '#') << "written beyond " << size;
+  }
+}
+
+TEST(CDecode, WhyIsCutToItsBuffer) {
+  const openevc_reading reading = packet();
+  std::uint8_t wrong[sizeof kPacket65];
+  std::memcpy(wrong, kPacket65, sizeof wrong);
+  wrong[1] = 0x40;
+  wrong[2] = 0x9E;  // L_PACKET 79
+  char json[512], why[256];
+  ASSERT_EQ(openevc_decode(&reading, wrong, 71, json, sizeof json, nullptr, why, sizeof why), OPENEVC_REFUSED);
+  EXPECT_STREQ(why, "bit 10, packet 65, L_PACKET 79: L_PACKET reaches beyond the end");
+  char part[8] = "#######";
+  EXPECT_EQ(openevc_decode(&reading, wrong, 71, json, sizeof json, nullptr, part, 7), OPENEVC_REFUSED);
+  EXPECT_STREQ(part, "bit 10");
+}
+
+TEST(CDecode, WhatIsNoArgument) {
+  openevc_reading reading = packet();
+  char json[512], why[64];
+  EXPECT_EQ(openevc_decode(nullptr, kPacket65, 71, json, sizeof json, nullptr, why, sizeof why), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_decode(&reading, nullptr, 71, json, sizeof json, nullptr, nullptr, 0), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_decode(&reading, kPacket65, 71, nullptr, 0, nullptr, nullptr, 0), OPENEVC_TOO_SMALL);
+  reading.form = 4;
+  EXPECT_EQ(openevc_decode(&reading, kPacket65, 71, json, sizeof json, nullptr, nullptr, 0), OPENEVC_BAD_ARGUMENT);
+  reading.size = 0;
+  EXPECT_EQ(openevc_decode(&reading, kPacket65, 71, json, sizeof json, nullptr, nullptr, 0), OPENEVC_BAD_ARGUMENT);
+}
+
+/// A program that was compiled with a shorter struct: what it does not have is taken as zero.
+TEST(CDecode, ShorterStruct) {
+  openevc_reading reading = packet();
+  reading.size = offsetof(openevc_reading, to_track);
+  reading.to_track = 1;   // not part of it
+  reading.version_x = 9;  // neither
+  char json[512];
+  EXPECT_EQ(openevc_decode(&reading, kPacket65, 71, json, sizeof json, nullptr, nullptr, 0), OPENEVC_OK);
+}
+
+class CCurves : public testing::Test {
+ protected:
+  CCurves() : memory(openevc_curves_size()) {}
+  openevc_result build(const std::string& document) {
+    return openevc_curves_build(memory.at(), memory.size(), document.data(), document.size(), &curves, why, sizeof why);
+  }
+  Memory memory;
+  openevc_curves* curves = nullptr;
+  char why[256] = "";
+};
+
+/// The row that `evc curves` prints for the same document (docs/curves.md).
+TEST_F(CCurves, RowOfTheExample) {
+  ASSERT_EQ(build(file("data/curves/passenger_eoa.json")), OPENEVC_OK) << why;
+  EXPECT_TRUE(memory.fence_stands());
+  openevc_distances d{};
+  d.size = sizeof d;
+  ASSERT_EQ(openevc_curves_at_speed(curves, 140 / 3.6, &d), OPENEVC_OK);
+  EXPECT_NEAR(d.EBD, 1067.2, 0.05);
+  EXPECT_NEAR(d.EBI, 1282.0, 0.05);
+  EXPECT_NEAR(d.FLOI, 1694.2, 0.05);
+  EXPECT_NEAR(d.P, 1849.7, 0.05);
+  EXPECT_NEAR(d.I, 2335.1, 0.05);
+  EXPECT_TRUE(std::isnan(d.GUI));  // no guidance curve
+  EXPECT_EQ(d.size, sizeof d);
+  openevc_speeds s{};
+  s.size = sizeof s;
+  ASSERT_EQ(openevc_curves_at_position(curves, 7000.0 - d.EBD, &s), OPENEVC_OK);
+  EXPECT_NEAR(s.EBD, 140 / 3.6, 1e-6);
+}
+
+/// An object is plain memory: it may be moved as bytes.
+TEST_F(CCurves, MovesAsBytes) {
+  ASSERT_EQ(build(file("data/curves/push_pull_loa.json")), OPENEVC_OK) << why;
+  openevc_distances a{}, b{};
+  a.size = b.size = sizeof a;
+  ASSERT_EQ(openevc_curves_at_speed(curves, 20.0, &a), OPENEVC_OK);
+  Memory other(openevc_curves_size());
+  std::memcpy(other.at(), memory.at(), memory.size());
+  std::memset(memory.at(), 0, memory.size());
+  EXPECT_EQ(openevc_curves_at_speed(curves, 20.0, &a), OPENEVC_BAD_ARGUMENT);
+  ASSERT_EQ(openevc_curves_at_speed(static_cast<openevc_curves*>(other.at()), 20.0, &b), OPENEVC_OK);
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+}
+
+TEST_F(CCurves, WhatIsRefused) {
+  EXPECT_EQ(build("{}"), OPENEVC_REFUSED);
+  EXPECT_EQ(curves, nullptr);
+  EXPECT_NE(std::string(why).find("schema"), std::string::npos) << why;
+  EXPECT_EQ(build("{"), OPENEVC_REFUSED);
+  const std::string document = file("data/curves/passenger_eoa.json");
+  const auto with = [&](void* at, std::size_t size) {
+    return openevc_curves_build(at, size, document.data(), document.size(), &curves, why, sizeof why);
+  };
+  EXPECT_EQ(with(nullptr, memory.size()), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(with(memory.at(), memory.size() - 1), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(with(static_cast<char*>(memory.at()) + 1, memory.size()), OPENEVC_BAD_ARGUMENT);
+  EXPECT_STREQ(why, "memory: not aligned to openevc_alignment()");
+  EXPECT_EQ(openevc_curves_build(memory.at(), memory.size(), nullptr, 0, &curves, why, sizeof why),
+            OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_curves_build(memory.at(), memory.size(), "{}", 2, nullptr, why, sizeof why), OPENEVC_BAD_ARGUMENT);
+  ASSERT_EQ(build(document), OPENEVC_OK);
+  openevc_distances d{};
+  EXPECT_EQ(openevc_curves_at_speed(curves, 20.0, &d), OPENEVC_BAD_ARGUMENT);  // no size
+  d.size = sizeof d;
+  for (const double v : {-1.0, std::nan(""), 1e9})
+    EXPECT_EQ(openevc_curves_at_speed(curves, v, &d), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_curves_at_speed(curves, 20.0, nullptr), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_curves_at_speed(nullptr, 20.0, &d), OPENEVC_BAD_ARGUMENT);
+  openevc_speeds s{};
+  s.size = sizeof s;
+  EXPECT_EQ(openevc_curves_at_position(curves, std::nan(""), &s), OPENEVC_BAD_ARGUMENT);
+}
+
+/// A longer struct of a newer program: nothing is written beyond what the library knows, its size stays.
+TEST_F(CCurves, LongerStruct) {
+  ASSERT_EQ(build(file("data/curves/passenger_eoa.json")), OPENEVC_OK) << why;
+  struct {
+    openevc_distances known;
+    std::uint64_t newer;
+  } d{};
+  d.known.size = sizeof d;
+  d.newer = 0x1234;
+  ASSERT_EQ(openevc_curves_at_speed(curves, 20.0, &d.known), OPENEVC_OK);
+  EXPECT_EQ(d.known.size, sizeof d);
+  EXPECT_EQ(d.newer, 0x1234u);
+}
+
+}  // namespace

@@ -1,0 +1,86 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <type_traits>
+
+#include "openevc/openevc.h"
+
+// The door of the C interface: what comes in is checked, nothing is thrown out.
+namespace evc::capi {
+
+inline constexpr std::size_t kAlignment = 64;
+
+/// Where a function that fails says why.
+struct Why {
+  char* text = nullptr;
+  std::size_t size = 0;
+
+  openevc_result because(openevc_result result, std::string_view reason) const noexcept {
+    if (text != nullptr && size > 0) {
+      const std::size_t n = reason.size() < size - 1 ? reason.size() : size - 1;
+      std::memcpy(text, reason.data(), n);
+      text[n] = '\0';
+    }
+    return result;
+  }
+};
+
+/// Runs the body; what it throws becomes a result. Only texts need the heap.
+template <class Body>
+openevc_result guarded(Why why, Body&& body) noexcept {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return why.because(OPENEVC_NO_MEMORY, "no memory");
+  } catch (...) {
+    return why.because(OPENEVC_DEFECT, "a defect of the library");
+  }
+}
+
+inline bool aligned(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0; }
+
+/// Why memory cannot hold an object of `size` bytes; null when it can.
+inline const char* refuse_memory(const void* memory, std::size_t memory_size, std::size_t size) {
+  if (memory == nullptr) return "memory: null";
+  if (!aligned(memory)) return "memory: not aligned to openevc_alignment()";
+  if (memory_size < size) return "memory: smaller than the object's size";
+  return nullptr;
+}
+
+/// A struct as the library knows it, from one that may be shorter (of an older header) or longer: what the caller's
+/// does not have is zero. False: it has no size.
+template <class Struct>
+bool take(Struct& ours, const Struct* theirs) {
+  static_assert(std::is_trivially_copyable_v<Struct>);
+  ours = {};
+  if (theirs == nullptr || theirs->size < sizeof theirs->size) return false;
+  std::memcpy(&ours, theirs, theirs->size < sizeof ours ? theirs->size : sizeof ours);
+  return true;
+}
+/// The way back: nothing beyond the caller's size is written, and that size stays.
+template <class Struct>
+bool give(Struct* theirs, const Struct& ours) {
+  if (theirs == nullptr || theirs->size < sizeof theirs->size) return false;
+  const std::uint32_t size = theirs->size;
+  std::memcpy(theirs, &ours, size < sizeof ours ? size : sizeof ours);
+  theirs->size = size;
+  return true;
+}
+
+/// A text into the caller's buffer, with a zero at its end; its length is given also where it does not fit.
+inline openevc_result give_text(std::string_view text, char* out, std::size_t size, std::size_t* length,
+                                Why why) noexcept {
+  if (length != nullptr) *length = text.size();
+  if (out == nullptr || size < text.size() + 1) return why.because(OPENEVC_TOO_SMALL, "the buffer is too small");
+  std::memcpy(out, text.data(), text.size());
+  out[text.size()] = '\0';
+  return OPENEVC_OK;
+}
+
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace evc::capi

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""The binary interface of libopenevc.so is the one that src/capi/abi.txt lists: the symbols that it gives, and of
+include/openevc/openevc.h every struct's size, every member's place and every constant. A program that was compiled
+before goes on with the library while lines are only added: members at the end of a struct, functions, constants.
+Usage: tools/check_abi.py LIBRARY [--write]   --write brings the list up to date."""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+HEADER = ROOT / "include/openevc/openevc.h"
+LIST = ROOT / "src/capi/abi.txt"
+
+
+def symbols(library):
+    """Names that the library gives to others."""
+    listed = subprocess.run(["nm", "-D", "--defined-only", "--format=posix", library], check=True, capture_output=True,
+                            text=True).stdout
+    names = (line.split()[:2] for line in listed.splitlines())
+    # The version's own name (A) is no function.
+    return sorted(f"symbol {name.split('@')[0]}" for name, kind in names if kind != "A")
+
+
+def layout_program(header):
+    """A C program that prints sizes, places and constants of a header."""
+    text = re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.S)
+    out = [f'#include "{header}"', "#include <stdio.h>", "int main(void) {"]
+    for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, re.S):
+        out.append(f'  printf("struct {name} %zu\\n", sizeof({name}));')
+        for declaration in filter(None, (d.strip() for d in body.split(";"))):
+            kind, names = re.match(r"((?:const |unsigned )?\w+(?:\s*\*)*)\s*(.*)", declaration, re.S).groups()
+            for member in names.split(","):
+                member = re.sub(r"\[.*", "", member.strip(" *\n"))
+                shown = " ".join(kind.split()).replace(" *", "*")
+                out.append(f'  printf("  {name}.{member} {shown} %zu %zu\\n", offsetof({name}, {member}), '
+                           f'sizeof((({name}*)0)->{member}));')
+    for body, name in re.findall(r"typedef enum \w+ \{(.*?)\} (\w+);", text, re.S):
+        out.append(f'  printf("enum {name}\\n");')
+        for constant in re.findall(r"\b([A-Z]\w+)\b(?= =)", body):
+            out.append(f'  printf("  {constant} %d\\n", (int){constant});')
+    return "\n".join(out + ["  return 0;", "}"]) + "\n"
+
+
+def layout():
+    with tempfile.TemporaryDirectory() as folder:
+        source, program = pathlib.Path(folder) / "layout.c", pathlib.Path(folder) / "layout"
+        source.write_text(layout_program(HEADER), encoding="utf-8")
+        subprocess.run(["cc", "-std=c11", "-o", program, source], check=True)
+        return subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def main():
+    words = [w for w in sys.argv[1:] if w != "--write"]
+    if len(words) != 1:
+        sys.exit(__doc__)
+    found = symbols(words[0]) + layout()
+    if "--write" in sys.argv:
+        LIST.write_text("\n".join(found) + "\n", encoding="utf-8")
+    listed = LIST.read_text(encoding="utf-8").splitlines() if LIST.exists() else []
+    faults = [f"abi: gone or changed: {line.strip()}" for line in listed if line not in found]
+    faults += [f"abi: not in {LIST.relative_to(ROOT)}: {line.strip()}" for line in found if line not in listed]
+    print("\n".join(faults + [f"abi: {len(found)} lines, {len(faults)} faults"]))
+    return 1 if faults or not found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
