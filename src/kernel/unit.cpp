@@ -1,0 +1,91 @@
+#include <cstring>
+#include <new>
+
+#include "kernel/state.h"
+#include "kernel/state_layout.h"
+#include "kernel/unit.h"
+
+namespace evc::kernel {
+namespace {
+
+/// What a Unit's memory holds.
+struct Content {
+  State state;
+  Derived derived;
+};
+static_assert(std::is_trivially_copyable_v<Content>);
+static_assert(sizeof(Content) <= Unit::kBytes && sizeof(Content) + 16 * 1024 > Unit::kBytes,
+              "Unit::kBytes follows the size of State and Derived");
+static_assert(alignof(Content) <= Unit::kAlignment);
+
+/// Before the State in a snapshot. A number of another byte order is another magic.
+struct SnapshotHead {
+  std::uint64_t magic = 0x4F50454E45564331;  // "OPENEVC1"
+  std::uint32_t format = 1;                  // of this head
+  std::uint32_t state_bytes = sizeof(State);
+  std::uint64_t layout = EVC_STATE_LAYOUT;
+  std::uint64_t checksum = 0;  // of the State's bytes
+};
+static_assert(sizeof(SnapshotHead) == 32 && std::is_trivially_copyable_v<SnapshotHead>);
+
+/// FNV-1a, eight bytes at a time: finds what storage and transport damage, not what somebody forges.
+std::uint64_t checksum_of(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0xCBF29CE484222325;
+  for (std::size_t i = 0; i < bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, bytes.size() - i < 8 ? bytes.size() - i : 8);
+    sum = (sum ^ word) * 0x100000001B3;
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// The only way to what a Unit holds.
+struct UnitAccess {
+  static Content& of(Unit& unit) { return *std::launder(reinterpret_cast<Content*>(unit.memory_)); }
+  static const Content& of(const Unit& unit) { return *std::launder(reinterpret_cast<const Content*>(unit.memory_)); }
+};
+
+Unit::Unit() noexcept { new (memory_) Content; }
+
+void power_up(Unit& unit, const Config& config) noexcept {
+  Content& c = UnitAccess::of(unit);
+  power_up(c.state, c.derived, config);
+}
+
+void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept {
+  Content& c = UnitAccess::of(unit);
+  step(c.state, c.derived, inputs, outputs);
+}
+
+std::size_t snapshot_size() noexcept { return sizeof(SnapshotHead) + sizeof(State); }
+
+bool snapshot(const Unit& unit, std::span<std::byte> out) noexcept {
+  if (out.size() < snapshot_size()) return false;
+  const std::span<std::byte> state = out.subspan(sizeof(SnapshotHead), sizeof(State));
+  std::memcpy(state.data(), &UnitAccess::of(unit).state, sizeof(State));
+  SnapshotHead head;
+  head.checksum = checksum_of(state);
+  std::memcpy(out.data(), &head, sizeof head);
+  return true;
+}
+
+SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept {
+  const SnapshotHead ours;
+  SnapshotHead head;
+  if (snapshot.size() < sizeof head) return SnapshotFault::too_short;
+  std::memcpy(&head, snapshot.data(), sizeof head);
+  if (head.magic != ours.magic) return SnapshotFault::not_a_snapshot;
+  if (head.format != ours.format) return SnapshotFault::other_format;
+  if (head.layout != ours.layout || head.state_bytes != ours.state_bytes) return SnapshotFault::other_layout;
+  if (snapshot.size() < snapshot_size()) return SnapshotFault::too_short;
+  const std::span<const std::byte> state = snapshot.subspan(sizeof head, sizeof(State));
+  if (checksum_of(state) != head.checksum) return SnapshotFault::damaged;
+  Content& c = UnitAccess::of(unit);
+  std::memcpy(&c.state, state.data(), sizeof(State));
+  new (&c.derived) Derived;  // built anew in the next cycle; too large for the stack
+  return SnapshotFault::none;
+}
+
+}  // namespace evc::kernel
