@@ -1,6 +1,5 @@
 /* Braking curves in C: the document in the file that is named (docs/curves.md) to a table of metres before its target.
  * The numbers are those of examples/curves.cpp for data/curves/passenger_eoa.json. */
-#include <math.h>
 #include <openevc/openevc.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -48,6 +48,227 @@ OPENEVC_API const char* openevc_version(void) OPENEVC_NOEXCEPT;
 /* Of every object's memory, in bytes. */
 OPENEVC_API size_t openevc_alignment(void) OPENEVC_NOEXCEPT;
 
+/* ---- The on-board unit ------------------------------------------------------------------------------------------ */
+
+typedef struct openevc_unit openevc_unit;
+
+OPENEVC_API size_t openevc_unit_size(void) OPENEVC_NOEXCEPT;
+/* `configuration`: the object `config` of docs/replay.md (cycle, SRS version, train, national values, levels), `length`
+ * bytes; null or empty: the standard train. `*unit` is then the object in `memory`, powered up: the first step enters
+ * SB. */
+OPENEVC_API openevc_result openevc_power_up(void* memory, size_t memory_size, const char* configuration, size_t length,
+                                            openevc_unit** unit, char* why, size_t why_size) OPENEVC_NOEXCEPT;
+
+typedef enum openevc_level {
+  OPENEVC_L0 = 0,
+  OPENEVC_NTC = 1,
+  OPENEVC_L1 = 2,
+  OPENEVC_L2 = 3,
+  OPENEVC_L3 = 4
+} openevc_level;
+
+/* In the column order of 4.6.2. */
+typedef enum openevc_mode {
+  OPENEVC_NP = 0,
+  OPENEVC_SB = 1,
+  OPENEVC_PS = 2,
+  OPENEVC_SH = 3,
+  OPENEVC_FS = 4,
+  OPENEVC_LS = 5,
+  OPENEVC_SR = 6,
+  OPENEVC_OS = 7,
+  OPENEVC_SL = 8,
+  OPENEVC_NL = 9,
+  OPENEVC_UN = 10,
+  OPENEVC_TR = 11,
+  OPENEVC_PT = 12,
+  OPENEVC_SF = 13,
+  OPENEVC_IS = 14,
+  OPENEVC_SN = 15,
+  OPENEVC_RV = 16
+} openevc_mode;
+
+/* What the radio bearer reports of the connection to the RBC that was called last. */
+typedef enum openevc_link {
+  OPENEVC_LINK_UNCHANGED = 0,
+  OPENEVC_LINK_CONNECTED = 1,
+  OPENEVC_LINK_LOST = 2,
+  OPENEVC_LINK_REFUSED = 3
+} openevc_link;
+
+/* Selections of the driver in this cycle (4.7.2): `selected` has the bit 1u << openevc_select. */
+typedef enum openevc_select {
+  OPENEVC_START = 0,
+  OPENEVC_OVERRIDE = 1,
+  OPENEVC_SHUNTING = 2,
+  OPENEVC_EXIT_SHUNTING = 3,
+  OPENEVC_NON_LEADING = 4,
+  OPENEVC_MAINTAIN_SHUNTING = 5,
+  OPENEVC_TRAIN_DATA = 6,
+  OPENEVC_SLIPPERY_RAIL = 7,
+  OPENEVC_ADHESION_NORMAL = 8,
+  OPENEVC_ISOLATE = 9,
+  OPENEVC_TRACK_AHEAD_FREE = 10
+} openevc_select;
+
+/* What the driver acknowledges in this cycle, and what he is asked to: bit 1u << openevc_ack. */
+typedef enum openevc_ack {
+  OPENEVC_ACK_OS = 0,
+  OPENEVC_ACK_LS = 1,
+  OPENEVC_ACK_SH = 2,
+  OPENEVC_ACK_SR = 3,
+  OPENEVC_ACK_UN = 4,
+  OPENEVC_ACK_SN = 5,
+  OPENEVC_ACK_RV = 6,
+  OPENEVC_ACK_TRIP = 7,
+  OPENEVC_ACK_LEVEL = 8,
+  OPENEVC_ACK_TEXT = 9,
+  OPENEVC_ACK_BRAKE = 10,
+  OPENEVC_ACK_TRAIN_DATA = 11
+} openevc_ack;
+
+/* Data of the driver (5.4): bit 1u << openevc_entry. */
+typedef enum openevc_entry {
+  OPENEVC_ENTRY_DRIVER_ID = 0,
+  OPENEVC_ENTRY_LEVEL = 1,
+  OPENEVC_ENTRY_RBC_CONTACT = 2,
+  OPENEVC_ENTRY_TRAIN_DATA = 3,
+  OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER = 4,
+  OPENEVC_ENTRY_SR_SPEED = 5,   /* only entered, never asked for */
+  OPENEVC_ENTRY_SR_DISTANCE = 6 /* the same */
+} openevc_entry;
+
+typedef struct openevc_telegram {
+  const uint8_t* bytes; /* user bits, left aligned */
+  uint32_t bits;
+  uint32_t reserved;
+  double at; /* nominal counter when the antenna passed the balise's centre, metres */
+} openevc_telegram;
+
+typedef struct openevc_message {
+  const uint8_t* bytes;
+  size_t size;
+} openevc_message;
+
+/* What goes into one cycle. Set it to its defaults with openevc_inputs_init, then fill in. Levels (odometer, signals of
+ * the train, national system) have to be given in every cycle; the rest belongs to one cycle. */
+typedef struct openevc_inputs {
+  uint32_t size;
+  int32_t link; /* openevc_link */
+  double now;   /* seconds since power-up */
+  /* The odometer: counters since power-up with nominal between min and max, speeds, acceleration. */
+  double nominal, min, max;
+  double V_est, V_min, V_max;
+  double A_est;
+  /* What the trackside sends; read during the call only. */
+  const openevc_telegram* telegrams;
+  size_t telegrams_count;
+  const openevc_message* loops;
+  size_t loops_count;
+  const openevc_message* radio;
+  size_t radio_count;
+  /* The driver. */
+  uint32_t selected;             /* bits of openevc_select */
+  uint32_t acknowledged;         /* bits of openevc_ack */
+  uint32_t entered;              /* bits of openevc_entry: which of the following members count */
+  uint32_t driver_id;            /* 8 BCD digits */
+  uint32_t train_running_number; /* 8 BCD digits */
+  int32_t level;                 /* openevc_level */
+  uint16_t NID_NTC;              /* with OPENEVC_NTC */
+  uint16_t NID_C, NID_RBC;
+  uint16_t reserved;
+  uint64_t NID_RADIO; /* 16 BCD digits */
+  double V_sr, D_sr;
+  const char* train_data; /* docs/train.md, train_data_length bytes */
+  size_t train_data_length;
+  /* Signals of the train (SUBSET-034), 0 or 1. */
+  uint8_t powered, isolated, desk_open, sleeping, non_leading, passive_shunting;
+  int8_t direction; /* of the direction controller: -1 backward, 0 neutral, 1 forward */
+  uint8_t service_brake_feedback;
+  uint8_t regenerative_brake_active, eddy_current_brake_active, magnetic_shoe_brake_active, ep_brake_active;
+  uint8_t additional_brake_active, safety_fault, national_trip;
+  uint8_t reserved_2;
+  double brake_pressure_kpa; /* of the main pipe; not a number: not measured */
+  uint64_t national_systems; /* bit n: the national system NID_NTC n is there */
+} openevc_inputs;
+/* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
+OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
+
+#define OPENEVC_SYMBOLS 32
+#define OPENEVC_TEXTS 6
+#define OPENEVC_RADIO_OUT 24
+#define OPENEVC_EVENTS 96
+
+typedef struct openevc_text {
+  int32_t id;
+  int32_t Q_TEXT; /* of a fixed text; -1: a plain one */
+  uint8_t length;
+  uint8_t characters[255]; /* ISO 8859-1 */
+} openevc_text;
+
+typedef struct openevc_radio_out {
+  uint32_t size;
+  uint8_t bytes[192];
+} openevc_radio_out;
+
+typedef struct openevc_address {
+  uint8_t given; /* 0: none */
+  uint8_t reserved[3];
+  uint16_t NID_C, NID_RBC;
+  uint64_t NID_RADIO;
+} openevc_address;
+
+typedef struct openevc_event {
+  char text[128]; /* as docs/replay.md has it: "mode SB->SR [8]", ended by a zero */
+} openevc_event;
+
+/* What comes out of one cycle; members after `size` are written by openevc_step. */
+typedef struct openevc_outputs {
+  uint32_t size;
+  int32_t mode;  /* openevc_mode */
+  int32_t level; /* openevc_level */
+  int32_t NID_NTC;
+  int32_t LRBG_NID_C, LRBG_NID_BG; /* -1: no LRBG */
+  int32_t monitoring;              /* 0 none, 1 CSM, 2 TSM, 3 RSM */
+  int32_t status;                  /* 0 none, 1 Normal, 2 Indication, 3 Overspeed, 4 Warning, 5 Intervention */
+  double now;
+  double est_front, min_safe_front, max_safe_front; /* as nominal counters */
+  double V_est;
+  /* Not a number where not supervised. */
+  double V_P, V_W, V_SBI, V_EBI, V_MRSP, V_target, V_release;
+  double d_target;
+  double EOA, SvL; /* nominal counter of the front end that stands there */
+  /* Commands: traction cut-off, service brake, emergency brake. */
+  uint8_t tco, sb, eb;
+  uint8_t start_offered; /* the driver may select OPENEVC_START */
+  uint32_t requests;     /* bits of openevc_ack: acknowledgements asked of the driver */
+  uint32_t entries;      /* bits of openevc_entry: data asked of the driver */
+  uint32_t symbols_count, texts_count, radio_out_count, events_count;
+  uint64_t brake_causes;            /* bit n: openevc_cause_name(n) asks for a brake */
+  char symbols[OPENEVC_SYMBOLS][8]; /* names of ERA_ERTMS_015560: "MO07", ended by a zero */
+  openevc_text texts[OPENEVC_TEXTS];
+  openevc_address connect, disconnect;
+  openevc_radio_out radio_out[OPENEVC_RADIO_OUT];
+  openevc_event events[OPENEVC_EVENTS];
+} openevc_outputs;
+
+/* One cycle (docs/replay.md). OPENEVC_BAD_ARGUMENT and OPENEVC_REFUSED, `why` saying which member, leave the unit as it
+ * was; what the track sends and what the odometer counts is never refused here: the unit answers it as the standard
+ * says. The heap is used for `train_data` and for the texts of events alone. */
+OPENEVC_API openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, openevc_outputs* outputs,
+                                        char* why, size_t why_size) OPENEVC_NOEXCEPT;
+
+/* "overspeed: SBI"; null where there is no cause of that number. */
+OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
+
+/* A snapshot is all that a unit remembers, as bytes with a head that says what made it. One that another layout of the
+ * unit has made, or that is damaged, is refused: OPENEVC_REFUSED, and the unit is as it was. */
+OPENEVC_API size_t openevc_snapshot_size(void) OPENEVC_NOEXCEPT;
+OPENEVC_API openevc_result openevc_snapshot(const openevc_unit* unit, void* snapshot, size_t size) OPENEVC_NOEXCEPT;
+/* `memory` as for openevc_power_up; it may be that of `*unit` itself. */
+OPENEVC_API openevc_result openevc_restore(void* memory, size_t memory_size, const void* snapshot, size_t size,
+                                           openevc_unit** unit, char* why, size_t why_size) OPENEVC_NOEXCEPT;
+
 /* ---- The ETCS language ------------------------------------------------------------------------------------------ */
 
 typedef enum openevc_form {

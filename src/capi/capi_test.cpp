@@ -146,7 +146,7 @@ TEST_F(CCurves, RowOfTheExample) {
 
 /// An object is plain memory: it may be moved as bytes.
 TEST_F(CCurves, MovesAsBytes) {
-  ASSERT_EQ(build(file("data/curves/push_pull_loa.json")), OPENEVC_OK) << why;
+  ASSERT_EQ(build(file("data/curves/workbook.json")), OPENEVC_OK) << why;
   openevc_distances a{}, b{};
   a.size = b.size = sizeof a;
   ASSERT_EQ(openevc_curves_at_speed(curves, 20.0, &a), OPENEVC_OK);
@@ -199,6 +199,176 @@ TEST_F(CCurves, LongerStruct) {
   ASSERT_EQ(openevc_curves_at_speed(curves, 20.0, &d.known), OPENEVC_OK);
   EXPECT_EQ(d.known.size, sizeof d);
   EXPECT_EQ(d.newer, 0x1234u);
+}
+
+/// A unit in a host's memory, through start of mission in level 0.
+class CUnit : public testing::Test {
+ protected:
+  CUnit() : memory(openevc_unit_size()), out(std::make_unique<openevc_outputs>()) {
+    out->size = sizeof *out;
+    EXPECT_EQ(power_up(nullptr), OPENEVC_OK) << why;
+  }
+  openevc_result power_up(const char* configuration) {
+    return openevc_power_up(memory.at(), memory.size(), configuration, configuration ? std::strlen(configuration) : 0,
+                            &unit, why, sizeof why);
+  }
+  static openevc_inputs at(int n) {
+    openevc_inputs in;
+    EXPECT_EQ(openevc_inputs_init(&in, sizeof in), OPENEVC_OK);
+    in.now = 0.1 * n;
+    in.desk_open = n > 0;
+    if (n == 10) {
+      in.entered = 1u << OPENEVC_ENTRY_DRIVER_ID;
+      in.driver_id = 0x1234;
+    }
+    if (n == 20) {
+      in.entered = 1u << OPENEVC_ENTRY_LEVEL;
+      in.level = OPENEVC_L0;
+    }
+    if (n == 30) in.selected = 1u << OPENEVC_TRAIN_DATA;
+    if (n == 40) {
+      in.entered = 1u << OPENEVC_ENTRY_TRAIN_DATA;
+      in.train_data = kTrain;
+      in.train_data_length = std::strlen(kTrain);
+    }
+    if (n == 50) {
+      in.entered = 1u << OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER;
+      in.train_running_number = 0x4711;
+    }
+    if (n == 60) in.selected = 1u << OPENEVC_START;
+    if (n > 60) in.acknowledged = 1u << OPENEVC_ACK_UN;
+    return in;
+  }
+  openevc_result step(const openevc_inputs& in) { return openevc_step(unit, &in, out.get(), why, sizeof why); }
+  void run(int from, int to) {
+    for (int n = from; n < to; ++n) ASSERT_EQ(step(at(n)), OPENEVC_OK) << n << ": " << why;
+  }
+  bool has_event(const char* text) const {
+    for (std::uint32_t i = 0; i < out->events_count; ++i)
+      if (std::strcmp(out->events[i].text, text) == 0) return true;
+    return false;
+  }
+  static constexpr const char* kTrain = R"({"schema":"etcs-train/1","length_m":300})";
+  Memory memory;
+  std::unique_ptr<openevc_outputs> out;
+  openevc_unit* unit = nullptr;
+  char why[256] = "";
+};
+
+TEST_F(CUnit, StartOfMissionInLevel0) {
+  run(0, 1);
+  EXPECT_EQ(out->mode, OPENEVC_SB);
+  EXPECT_TRUE(has_event("mode NP->SB [4]")) << out->events[0].text;
+  run(1, 80);
+  EXPECT_EQ(out->mode, OPENEVC_UN);
+  EXPECT_EQ(out->level, OPENEVC_L0);
+  EXPECT_EQ(out->LRBG_NID_BG, -1);
+  EXPECT_TRUE(std::isnan(out->EOA));
+  ASSERT_GT(out->symbols_count, 0u);
+  bool unfitted = false;
+  for (std::uint32_t i = 0; i < out->symbols_count; ++i) unfitted |= std::strcmp(out->symbols[i], "MO16") == 0;
+  EXPECT_TRUE(unfitted) << "4.7.2: the symbol of UN";
+  EXPECT_TRUE(memory.fence_stands());
+}
+
+/// A brake, its cause by name: standstill supervision in SB (3.14.4).
+TEST_F(CUnit, BrakeHasACause) {
+  run(0, 3);
+  for (int n = 3; n < 40; ++n) {
+    openevc_inputs in = at(n);
+    in.entered = in.selected = in.acknowledged = 0;
+    in.nominal = in.min = in.max = 0.2 * (n - 2);
+    in.V_est = in.V_min = in.V_max = 2.0;
+    ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  }
+  ASSERT_NE(out->brake_causes, 0u);
+  EXPECT_TRUE(out->sb || out->eb);
+  std::string causes;
+  for (int n = 0; n < 64; ++n)
+    if ((out->brake_causes >> n) & 1u) causes += std::string(openevc_cause_name(n)) + ";";
+  EXPECT_NE(causes.find("standstill;"), std::string::npos) << causes;
+  EXPECT_EQ(openevc_cause_name(-1), nullptr);
+  EXPECT_EQ(openevc_cause_name(64), nullptr);
+}
+
+/// A telegram that does not decode is the unit's to answer, not an argument to refuse.
+TEST_F(CUnit, TelegramIsRead) {
+  run(0, 80);
+  std::uint8_t bytes[104] = {};
+  const openevc_telegram telegram{bytes, 830, 0, 0.0};
+  openevc_inputs in = at(80);
+  in.telegrams = &telegram;
+  in.telegrams_count = 1;
+  ASSERT_EQ(step(in), OPENEVC_OK);
+  ASSERT_GT(out->events_count, 0u);
+  in.telegrams = nullptr;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+}
+
+TEST_F(CUnit, SnapshotInOtherMemory) {
+  run(0, 65);
+  std::vector<unsigned char> snapshot(openevc_snapshot_size());
+  ASSERT_EQ(openevc_snapshot(unit, snapshot.data(), snapshot.size()), OPENEVC_OK);
+  EXPECT_EQ(openevc_snapshot(unit, snapshot.data(), snapshot.size() - 1), OPENEVC_TOO_SMALL);
+  run(65, 80);
+  const openevc_outputs expected = *out;
+  Memory other(openevc_unit_size());
+  openevc_unit* woken = nullptr;
+  ASSERT_EQ(openevc_restore(other.at(), other.size(), snapshot.data(), snapshot.size(), &woken, why, sizeof why),
+            OPENEVC_OK)
+      << why;
+  unit = woken;
+  *out = openevc_outputs{};
+  out->size = sizeof *out;
+  run(65, 80);
+  EXPECT_EQ(std::memcmp(&expected, out.get(), offsetof(openevc_outputs, V_P)), 0);
+  EXPECT_EQ(out->mode, OPENEVC_UN);
+  snapshot[100] ^= 1;
+  EXPECT_EQ(openevc_restore(other.at(), other.size(), snapshot.data(), snapshot.size(), &woken, why, sizeof why),
+            OPENEVC_REFUSED);
+  EXPECT_STREQ(why, "damaged");
+  run(80, 81);  // the unit is as it was
+}
+
+TEST_F(CUnit, WhatIsRefused) {
+  EXPECT_EQ(power_up("{"), OPENEVC_REFUSED);
+  EXPECT_EQ(unit, nullptr);
+  EXPECT_EQ(power_up(R"({"cycle_ms":0})"), OPENEVC_REFUSED);
+  EXPECT_NE(std::string(why).find("cycle_ms"), std::string::npos) << why;
+  openevc_inputs in = at(1);
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);  // no unit
+  ASSERT_EQ(power_up(R"({"cycle_ms":200,"srs":"4.0.0"})"), OPENEVC_OK) << why;
+  in.direction = 2;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  EXPECT_STREQ(why, "inputs.direction: not -1, 0 or 1");
+  in = at(1);
+  in.link = 4;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  in = at(20);
+  in.level = 5;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  in = at(40);
+  in.train_data_length -= 1;
+  EXPECT_EQ(step(in), OPENEVC_REFUSED);
+  EXPECT_EQ(std::string(why).rfind("inputs.train_data: ", 0), 0u) << why;
+  out->size = 0;
+  EXPECT_EQ(step(at(1)), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_step(unit, nullptr, out.get(), why, sizeof why), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_inputs_init(nullptr, sizeof in), OPENEVC_BAD_ARGUMENT);
+}
+
+/// A program with an older header: members it does not have keep their defaults, none of its outputs is written beyond.
+TEST_F(CUnit, ShorterStructs) {
+  run(0, 1);
+  openevc_inputs in = at(1);
+  in.size = offsetof(openevc_inputs, powered);
+  in.powered = 0;  // not part of it
+  out->size = offsetof(openevc_outputs, V_P);
+  out->V_P = 12345.0;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_EQ(out->mode, OPENEVC_SB);
+  EXPECT_EQ(out->V_P, 12345.0);
+  EXPECT_EQ(out->size, offsetof(openevc_outputs, V_P));
 }
 
 }  // namespace

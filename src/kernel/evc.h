@@ -1,31 +1,8 @@
 #pragma once
-#include "port/config.h"
-#include "port/event.h"
-#include "port/inputs.h"
-#include "port/outputs.h"
+#include "kernel/port.h"
 
-// The whole outside of the kernel. Nothing else goes in or out: no clock, no file, no thread, no
-// random number.
+// The kernel as its own rooms see it; for hosts State and Derived are hidden in a Unit (openevc/evc.h).
 namespace evc::kernel {
-
-using port::BaliseTelegram;
-using port::Config;
-using port::DirectionController;
-using port::DriverActions;
-using port::Entered;
-using port::Event;
-using port::Inputs;
-using port::LoopMessage;
-using port::NationalSystem;
-using port::NidLrbg;
-using port::Odometry;
-using port::OutgoingMessage;
-using port::Outputs;
-using port::RadioMessage;
-using port::RbcAddress;
-using port::Select;
-using port::ShownText;
-using port::TrainSignals;
 
 struct State;
 struct Derived;

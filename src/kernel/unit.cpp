@@ -3,7 +3,7 @@
 
 #include "kernel/state.h"
 #include "kernel/state_layout.h"
-#include "kernel/unit.h"
+#include "openevc/evc.h"
 
 namespace evc::kernel {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/unit.h"
+#include "openevc/evc.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "terms/clause.h"
-#include "terms/level.h"
-#include "terms/mode.h"
-#include "terms/what.h"
+#include "openevc/terms/clause.h"
+#include "openevc/terms/level.h"
+#include "openevc/terms/mode.h"
+#include "openevc/terms/what.h"
 
 namespace evc::port {
 

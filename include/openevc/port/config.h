@@ -1,11 +1,11 @@
 #pragma once
 #include <array>
 
-#include "base/units.h"
-#include "terms/level.h"
-#include "terms/srs_version.h"
-#include "train/national_values.h"
-#include "train/train_data.h"
+#include "openevc/base/units.h"
+#include "openevc/terms/level.h"
+#include "openevc/terms/srs_version.h"
+#include "openevc/train/national_values.h"
+#include "openevc/train/train_data.h"
 
 namespace evc::port {
 

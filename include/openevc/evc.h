@@ -1,9 +1,21 @@
 #pragma once
+/// The on-board unit: one deterministic function of a state and the inputs of a cycle. Link openevc::kernel.
+///
+///     auto unit = std::make_unique<evc::kernel::Unit>();   // or anywhere else: it is plain memory
+///     evc::kernel::power_up(*unit, config);
+///     for (;;) {                                            // every config.cycle
+///       evc::kernel::step(*unit, inputs, outputs);
+///     }
+///
+/// Nothing goes in or out but Config, Inputs and Outputs: no clock, no file, no thread, no random number, no heap, no
+/// exception, no state outside the Unit. Units may be used from any threads at the same time, each by one at a time.
+/// Quantities are SI and carry their dimension (openevc/base/units.h); enumerations have the standard's names and
+/// codes.
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "kernel/evc.h"
+#include "openevc/kernel/port.h"
 
 namespace evc::kernel {
 

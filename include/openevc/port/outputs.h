@@ -3,16 +3,16 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/inplace_vector.h"
-#include "base/set.h"
-#include "base/units.h"
-#include "port/event.h"
-#include "terms/cause.h"
-#include "terms/level.h"
-#include "terms/mode.h"
-#include "terms/monitoring.h"
-#include "terms/requests.h"
-#include "terms/symbol.h"
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/set.h"
+#include "openevc/base/units.h"
+#include "openevc/port/event.h"
+#include "openevc/terms/cause.h"
+#include "openevc/terms/level.h"
+#include "openevc/terms/mode.h"
+#include "openevc/terms/monitoring.h"
+#include "openevc/terms/requests.h"
+#include "openevc/terms/symbol.h"
 
 // What comes out of one cycle of the kernel: enumerations and numbers. The names and texts that people and JSON use
 // for them stand in the tables of `terms` and in `texts`.

@@ -3,11 +3,11 @@
 #include <optional>
 #include <span>
 
-#include "base/units.h"
-#include "terms/level.h"
-#include "terms/radio_link.h"
-#include "terms/requests.h"
-#include "train/train_data.h"
+#include "openevc/base/units.h"
+#include "openevc/terms/level.h"
+#include "openevc/terms/radio_link.h"
+#include "openevc/terms/requests.h"
+#include "openevc/train/train_data.h"
 
 // What goes into one cycle of the kernel.
 namespace evc::port {

@@ -1,5 +1,5 @@
 #pragma once
-#include "terms/row.h"
+#include "openevc/terms/row.h"
 
 // What passes between the procedures and the driver.
 namespace evc {

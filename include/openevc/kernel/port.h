@@ -1,0 +1,30 @@
+#pragma once
+#include "openevc/port/config.h"
+#include "openevc/port/event.h"
+#include "openevc/port/inputs.h"
+#include "openevc/port/outputs.h"
+
+// The whole outside of the kernel. Nothing else goes in or out: no clock, no file, no thread, no
+// random number.
+namespace evc::kernel {
+
+using port::BaliseTelegram;
+using port::Config;
+using port::DirectionController;
+using port::DriverActions;
+using port::Entered;
+using port::Event;
+using port::Inputs;
+using port::LoopMessage;
+using port::NationalSystem;
+using port::NidLrbg;
+using port::Odometry;
+using port::OutgoingMessage;
+using port::Outputs;
+using port::RadioMessage;
+using port::RbcAddress;
+using port::Select;
+using port::ShownText;
+using port::TrainSignals;
+
+}  // namespace evc::kernel
