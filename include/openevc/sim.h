@@ -38,7 +38,7 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// What the unit is told at power-up.
+  /// The configuration of the unit.
   const kernel::Config& config() const;
   /// The inputs of the next cycle; the first one is of time 0, before anything moves. Valid until the next call.
   const kernel::Inputs& advance();

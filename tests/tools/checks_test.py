@@ -35,7 +35,7 @@ class Layers(Tree):
         return check_layers.check(self.root)
 
     def test_allowed(self):
-        text = '#include "sdm/curves.h"\n#include <array>\n#include "base/units.h"\n#include "track/gradient.h"\n'
+        text = '#include "sdm/curves.h"\n#include <array>\n#include "base/units.h"\n#include "train/brake_model.h"\n'
         self.assertEqual(self.breaches("src/sdm/curves.cpp", text), [])
 
     def test_arrow_turns_back(self):
@@ -108,6 +108,19 @@ enum class E { a, b };
 const int table[] = {1, 2};
 """
         self.assertEqual([(f[0], f[3]) for f in check_size.functions(text)], [("A", 1), ("operator()", 1), ("f", 2)])
+    def test_public_headers_name_public_headers_alone(self):
+        self.write("include/openevc/base/units.h", "")
+        self.write("src/sdm/tables.h", "")
+        text = '#include "openevc/base/units.h"\n#include "sdm/tables.h"\n'
+        self.assertEqual(self.breaches("include/openevc/sdm/inputs.h", text),
+                         ['include/openevc/sdm/inputs.h:2: "sdm/tables.h" is no public header: "openevc/..." is, in include/'])
+
+    def test_public_headers_belong_to_their_room(self):
+        self.write("include/openevc/sdm/inputs.h", "")
+        text = '#include "openevc/sdm/inputs.h"\n#include "openevc/evc.h"\n'
+        self.assertEqual(self.breaches("src/modes/table.cpp", text),
+                         ["src/modes/table.cpp:1: modes may not include sdm",
+                          "src/modes/table.cpp:2: modes may not include kernel"])
 
 
 class Links(Tree):
