@@ -62,7 +62,7 @@ double scale_of(std::uint64_t Q_SCALE) { return Q_SCALE == 0 ? 0.1 : Q_SCALE == 
 Json code_of(const Value& v, const std::string& name, const lang::VariableInfo* info, std::uint64_t Q_SCALE) {
   if (v.kind == Value::Kind::text || v.kind == Value::Kind::list) return plain_json(v);
   if (v.kind == Value::Kind::word) {
-    if (v.text == "unknown" && info != nullptr) return (std::uint64_t{1} << info->bits) - 1;
+    if (v.text == "unknown" && info != nullptr) return lang::all_ones(info->bits);
     throw ReadError{v.line, "\"" + v.text + "\"", "a number for " + name};
   }
   if (v.kind != Value::Kind::number) throw ReadError{v.line, "an object", "a number for " + name};
