@@ -105,8 +105,8 @@ function(evc_embed room)
     add_custom_command(
       OUTPUT ${source}
       COMMAND ${CMAKE_COMMAND} -DINPUT=${CMAKE_CURRENT_SOURCE_DIR}/${file} -DOUTPUT=${source} -DROOM=${room}
-              -DNAME=${page}_template "-DINCLUDES=${EMBED_PARTS}" -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
-      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${parts} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+              -DNAME=${page}_template "-DINCLUDES=${EMBED_PARTS}" -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${parts} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
       VERBATIM)
     target_sources(evc_${room} PRIVATE ${source})
   endforeach()

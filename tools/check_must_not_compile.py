@@ -11,12 +11,13 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+INCLUDES = ("src", "include/openevc", "include")
 FEWEST = 12  # cases; a folder that was not found is no proof
 
 
 def compiled(compiler, file, *flags):
     """(whether it compiled, what the compiler said)."""
-    done = subprocess.run([compiler, "-std=c++20", f"-I{ROOT / 'src'}", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
+    done = subprocess.run([compiler, "-std=c++20", *(f"-I{ROOT / d}" for d in INCLUDES), "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
                            "-Wno-unused-variable", "-Wno-unused-const-variable", *flags, str(file)], capture_output=True, text=True,
                           env={**os.environ, "LC_ALL": "C"})
     return done.returncode == 0, done.stderr

@@ -3,7 +3,7 @@
 
 Usage: tools/check_requirements.py [--write | --fix-places | --add-scenarios | --missing] [--root ROOT]
   (nothing)      every fault of the register, one a line; exit 1 if there is one
-  --write        docs/requirements/, src/terms/clauses.inc and requirements/without_row.txt, made anew
+  --write        docs/requirements/, include/openevc/terms/clauses.inc and requirements/without_row.txt, made anew
   --fix-places   code places whose function moved to another file follow it
   --add-scenarios  the rows that are done or in part name the scenarios that name their clause, and no others
   --missing      the on-board clauses of SUBSET-026-9 without a row, one a line
@@ -23,7 +23,7 @@ UNDONE = ("missing", "4.0.0 only", "not applicable")
 METHODS = ["test", "inspection", "analysis"]
 CLAUSES, SEEDS = "requirements/clauses.csv", "requirements/seeds.csv"
 CHAPTER_9, WITHOUT_ROW = "requirements/chapter_9.csv", "requirements/without_row.txt"
-HEADER, PAGES = "src/terms/clauses.inc", "docs/requirements"
+HEADER, PAGES = "include/openevc/terms/clauses.inc", "docs/requirements"
 # A place "train/train_data.h" is a file of the room train in one of these.
 ROOTS = ("src", "include/openevc")
 FILES_WITHOUT_NAME = ("docs/", "tools/", "bench/", "CAVEATS.md", "README.md")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Rows and cells of tables that changed since CI_BASE (default: the commit before) are changed one at a time; a test of
 their room has to notice each (tools/mutate.py). A survivor that docs/ROOM-mutants.md does not list fails. Where more
-changed than LARGEST, that many are taken by lot, so that the time is bounded.
+changed than LARGEST, that many are taken at random, so that the time is bounded.
 Usage: tools/check_table_mutants.py"""
 import os
 import subprocess

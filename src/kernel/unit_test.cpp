@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// What of the outputs tells two units apart.
+/// What of the outputs distinguishes two units.
 struct Seen {
   int mode = 0, level = 0;
   double est_front = 0.0, max_safe_front = 0.0;

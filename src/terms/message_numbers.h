@@ -29,7 +29,7 @@ enum ToTrain : std::uint8_t {
   coordinate_system_assigned = 45,
 };
 
-/// From the train (8.4.5).
+/// From the train (8.6).
 enum ToTrack : std::uint8_t {
   validated_train_data = 129,
   request_for_shunting = 130,

@@ -62,6 +62,21 @@ class Layers(Tree):
     def test_file_without_room(self):
         self.assertEqual(len(self.breaches("src/base/x.h", '#include "units.h"\n')), 1)
 
+    def test_public_headers_name_public_headers_alone(self):
+        self.write("include/openevc/base/units.h", "")
+        self.write("src/sdm/tables.h", "")
+        text = '#include "openevc/base/units.h"\n#include "sdm/tables.h"\n'
+        self.assertEqual(self.breaches("include/openevc/sdm/inputs.h", text),
+                         ['include/openevc/sdm/inputs.h:2: "sdm/tables.h" is no public header: "openevc/..." is, in include/'])
+
+    def test_public_headers_belong_to_their_room(self):
+        self.write("include/openevc/sdm/inputs.h", "")
+        text = '#include "openevc/sdm/inputs.h"\n#include "openevc/evc.h"\n'
+        self.assertEqual(self.breaches("src/modes/table.cpp", text),
+                         ["src/modes/table.cpp:1: modes may not include sdm",
+                          "src/modes/table.cpp:2: modes may not include kernel"])
+
+
 
 class Size(Tree):
     def breaches(self, lines, branches=0, listed="", name="src/track/a.cpp"):
@@ -108,19 +123,6 @@ enum class E { a, b };
 const int table[] = {1, 2};
 """
         self.assertEqual([(f[0], f[3]) for f in check_size.functions(text)], [("A", 1), ("operator()", 1), ("f", 2)])
-    def test_public_headers_name_public_headers_alone(self):
-        self.write("include/openevc/base/units.h", "")
-        self.write("src/sdm/tables.h", "")
-        text = '#include "openevc/base/units.h"\n#include "sdm/tables.h"\n'
-        self.assertEqual(self.breaches("include/openevc/sdm/inputs.h", text),
-                         ['include/openevc/sdm/inputs.h:2: "sdm/tables.h" is no public header: "openevc/..." is, in include/'])
-
-    def test_public_headers_belong_to_their_room(self):
-        self.write("include/openevc/sdm/inputs.h", "")
-        text = '#include "openevc/sdm/inputs.h"\n#include "openevc/evc.h"\n'
-        self.assertEqual(self.breaches("src/modes/table.cpp", text),
-                         ["src/modes/table.cpp:1: modes may not include sdm",
-                          "src/modes/table.cpp:2: modes may not include kernel"])
 
 
 class Links(Tree):

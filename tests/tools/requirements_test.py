@@ -178,13 +178,13 @@ class Requirements(unittest.TestCase):
         self.assertIsNone(self.register("").status("3.9.9"))
 
     def test_generated_files_that_are_old(self):
-        self.write("src/terms/clauses.inc", '"3.4",\n')
+        self.write("include/openevc/terms/clauses.inc", '"3.4",\n')
         self.write("docs/requirements/clauses_3_4.md", "# 3.4\n")
         self.assertEqual([f.split(":")[0] for f in self.faults()],
-                         ["docs/requirements/clauses_3_4.md", "src/terms/clauses.inc"])
+                         ["docs/requirements/clauses_3_4.md", "include/openevc/terms/clauses.inc"])
 
     def test_the_list_for_the_compiler_is_sorted_and_holds_sections(self):
-        lines = (self.root / "src/terms/clauses.inc").read_text().splitlines()[2:]
+        lines = (self.root / "include/openevc/terms/clauses.inc").read_text().splitlines()[2:]
         self.assertEqual(lines, sorted(lines))
         self.assertEqual(len(lines), len(set(lines)))
         self.assertIn('"3.4.1",', lines)

@@ -7,7 +7,7 @@ namespace evc {
 
 // clang-format off
 inline constexpr auto kSrsClauses = std::to_array<std::string_view>({
-#include "terms/clauses.inc"
+#include "openevc/terms/clauses.inc"
 });
 // clang-format on
 
