@@ -5,13 +5,14 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDERS = ("src", "include/openevc", "include")  # where a name of a header begins
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 
 @functools.lru_cache(maxsize=None)
 def text_and_includes(path):
     data = path.read_bytes()
-    found = [ROOT / "src" / name for name in INCLUDE.findall(data.decode("utf-8", "replace"))]
+    found = [ROOT / folder / name for name in INCLUDE.findall(data.decode("utf-8", "replace")) for folder in FOLDERS]
     return data, tuple(p for p in found if p.exists())
 
 
