@@ -83,7 +83,9 @@ TEST(Guards, ByMode) {  // 4.5.2
                       {SL, false, false, false, false, false}, {NL, false, false, false, false, false},
                       {UN, true, false, false, false, false},  {TR, false, false, false, false, false},
                       {PT, true, true, false, true, false},    {SN, false, false, false, false, false},
-                      {RV, true, true, false, false, true}};
+                      {RV, true, true, false, false, true},    {NP, false, false, false, false, false},
+                      {SF, false, false, false, false, false}, {IS, false, false, false, false, false},
+                      {PS, false, false, false, false, false}};
   for (const Row& r : rows) {
     const GuardSelection s = guards_of(r.mode);
     EXPECT_EQ(s.roll_away, r.roll_away) << name(r.mode);

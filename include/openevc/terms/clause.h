@@ -26,8 +26,8 @@ class Clause {
   /// None.
   constexpr Clause() = default;
 
-  /// The clause that `text` names.
-  static consteval Clause of(std::string_view text) {
+  /// The clause that `text` names; for use when compiled only: elsewhere it does not link.
+  static constexpr Clause of(std::string_view text) {
     Clause c;
     if (c.find(text)) return c;
     const std::size_t space = text.find(' ');
@@ -97,7 +97,21 @@ class Clause {
   std::uint8_t part_ = 0;        // 1 to 26: a bullet; 27: infill; above kExceptions: an exception
 };
 
-/// "3.8.6"_srs.
-consteval Clause operator""_srs(const char* text, std::size_t length) { return Clause::of({text, length}); }
+/// The characters of a literal as a template argument.
+template <std::size_t N>
+struct ClauseText {
+  consteval ClauseText(const char (&literal)[N]) {
+    for (std::size_t i = 0; i + 1 < N; ++i) text[i] = literal[i];
+  }
+  char text[N]{};
+};
+
+/// "3.8.6"_srs. A template, so that the clause is a constant wherever the literal stands: clang 14 leaves calls of a
+/// consteval operator behind in some places.
+template <ClauseText T>
+constexpr Clause operator""_srs() {
+  constexpr Clause clause = Clause::of({T.text, sizeof(T.text) - 1});
+  return clause;
+}
 
 }  // namespace evc
