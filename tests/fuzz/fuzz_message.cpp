@@ -17,7 +17,7 @@ void look(std::span<const std::uint8_t> bytes, evc::lang::Direction direction, e
     check(lang::scan_message_to_train(bytes, sv));
   else
     check(lang::scan_message_to_track(bytes, sv));
-  if (bytes.empty() || !fuzz::is_told(bytes)) return;
+  if (bytes.empty() || !fuzz::is_selected(bytes)) return;
   io::explain_radio(bytes, direction, sv);
   for (const io::Spare spare : {io::Spare::refuse, io::Spare::accept}) {
     std::string json;

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const lang::LoopMessageView loop = lang::scan_loop_message(bytes, bits);
   if (loop.fault == lang::Fault::none)
     for (const lang::PacketView& view : loop.packets) fuzz::check_view(view, true);
-  if (!fuzz::is_told(bytes)) return 0;
+  if (!fuzz::is_selected(bytes)) return 0;
   const bool readable = lang::scan_telegram(bytes, bits, lang::Check::reading).fault == lang::Fault::none;
   fuzz::require(readable || all.fault != lang::Fault::none);
   io::explain_balise(bytes, bits);
