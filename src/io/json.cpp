@@ -14,8 +14,16 @@ std::string shown(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// RFC 6901: "~" and "/" inside a key.
-std::string escaped(const std::string& key) {
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
+
+}  // namespace
+
+std::string reference_token(const std::string& key) {
   std::string out;
   for (const char c : key) {
     if (c == '~')
@@ -27,15 +35,6 @@ std::string escaped(const std::string& key) {
   }
   return out;
 }
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return -1;
-}
-
-}  // namespace
 
 Json parse_json(std::string_view text, const std::string& file, const std::string& where) {
   try {
@@ -68,7 +67,7 @@ void JsonPlace::fail(std::string expected) const { fail(shown(*value_), std::mov
 
 JsonPlace JsonPlace::child(const Json& value, std::string key) const {
   JsonPlace place(value, file_, prefix_);
-  place.pointer_ = pointer_ + "/" + escaped(key);
+  place.pointer_ = pointer_ + "/" + reference_token(key);
   return place;
 }
 

@@ -93,6 +93,9 @@ class JsonPlace {
   std::string pointer_;
 };
 
+/// A key as a reference token of a JSON pointer: "~" and "/" inside it escaped (RFC 6901).
+std::string reference_token(const std::string& key);
+
 /// " (SUBSET-026 3.13.2)", or nothing without a clause.
 std::string of_clause(Clause clause);
 

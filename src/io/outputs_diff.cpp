@@ -19,20 +19,6 @@ std::vector<std::string_view> split(std::string_view text) {
   return lines;
 }
 
-/// A key as a reference token of a JSON pointer (RFC 6901).
-std::string token(const std::string& key) {
-  std::string out;
-  for (const char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
-
 const Json* member(const Json& object, const std::string& key) {
   const auto found = object.find(key);
   return found == object.end() ? nullptr : &*found;
@@ -46,9 +32,9 @@ void compare(const Json* a, const Json* b, const std::string& pointer, std::vect
     if (*a == *b) return;
     if (a->is_object() && b->is_object()) {
       for (const auto& item : a->items())
-        compare(&item.value(), member(*b, item.key()), pointer + "/" + token(item.key()), out);
+        compare(&item.value(), member(*b, item.key()), pointer + "/" + reference_token(item.key()), out);
       for (const auto& item : b->items())
-        if (!a->contains(item.key())) compare(nullptr, &item.value(), pointer + "/" + token(item.key()), out);
+        if (!a->contains(item.key())) compare(nullptr, &item.value(), pointer + "/" + reference_token(item.key()), out);
       return;
     }
     if (a->is_array() && b->is_array()) {
