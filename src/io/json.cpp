@@ -23,7 +23,7 @@ int hex_digit(char c) {
 
 }  // namespace
 
-std::string reference_token(const std::string& key) {
+std::string reference_token(std::string_view key) {
   std::string out;
   for (const char c : key) {
     if (c == '~')
@@ -65,7 +65,7 @@ void JsonPlace::fail(std::string found, std::string expected) const {
 
 void JsonPlace::fail(std::string expected) const { fail(shown(*value_), std::move(expected)); }
 
-JsonPlace JsonPlace::child(const Json& value, std::string key) const {
+JsonPlace JsonPlace::child(const Json& value, std::string_view key) const {
   JsonPlace place(value, file_, prefix_);
   place.pointer_ = pointer_ + "/" + reference_token(key);
   return place;
@@ -75,7 +75,7 @@ std::optional<JsonPlace> JsonPlace::find(std::string_view key) const {
   if (!value_->is_object()) fail("an object");
   const auto it = value_->find(key);
   if (it == value_->end()) return std::nullopt;
-  return child(*it, std::string(key));
+  return child(*it, key);
 }
 
 JsonPlace JsonPlace::operator[](std::string_view key) const {

@@ -84,7 +84,7 @@ class JsonPlace {
   [[noreturn]] void fail(std::string found, std::string expected) const;
 
  private:
-  JsonPlace child(const Json& value, std::string key) const;
+  JsonPlace child(const Json& value, std::string_view key) const;
   std::string pointer() const;
 
   const Json* value_;
@@ -94,7 +94,7 @@ class JsonPlace {
 };
 
 /// A key as a reference token of a JSON pointer: "~" and "/" inside it escaped (RFC 6901).
-std::string reference_token(const std::string& key);
+std::string reference_token(std::string_view key);
 
 /// " (SUBSET-026 3.13.2)", or nothing without a clause.
 std::string of_clause(Clause clause);
