@@ -36,6 +36,10 @@ MAY_INCLUDE = {
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},
 }
 
+# The stages of a cycle, in their order, folders of src/kernel: a stage sees its own headers, what the kernel's stages
+# share, and of the stages before it the result alone. What they share sees no stage; step.cpp joins them.
+STAGES = {"intake": "received.h", "decide": "decided.h", "supervise": "supervised.h", "report": None}
+
 # Public headers (docs/embedding.md): those of a room stand in include/openevc/ROOM, these above them are a room's too.
 PUBLIC = pathlib.PurePath("include/openevc")
 PUBLIC_ROOM = {"evc.h": "kernel", "curves.h": "sdm", "language.h": "embed", "sim.h": "embed", "openevc.h": "capi"}
@@ -72,6 +76,25 @@ def room_of(where):
     return PUBLIC_ROOM.get(parts[0], parts[0])
 
 
+def stage_breach(where, own):
+    """Why this file of src/kernel may not include that header of a stage, or None."""
+    include = own.split("/")
+    if where.parts[:2] != ("src", "kernel") or len(include) != 3 or include[0] != "kernel":
+        return None
+    stages = list(STAGES)
+    stage, header = include[1:]
+    if stage not in STAGES:
+        return f"{stage} is not in the table of stages"
+    if len(where.parts) == 3:
+        return None if where.name == "step.cpp" or is_test(where) else f"only step.cpp may include stage {stage}"
+    mine = where.parts[2]
+    if mine == stage:
+        return None
+    if mine not in STAGES or stages.index(mine) < stages.index(stage):
+        return f"stage {mine} may not include stage {stage}"
+    return None if header == STAGES[stage] else f"stage {mine} may include of stage {stage} its result alone"
+
+
 def check(root):
     """All breaches below root/src and in the public headers, as 'file:line: reason'."""
     breaches = []
@@ -102,6 +125,8 @@ def check(root):
                     continue  # tests say in words what they found
                 elif other != room and other not in MAY_INCLUDE[room]:
                     breaches.append(f"{where}:{number}: {room} may not include {other}")
+                elif why := stage_breach(where, own):
+                    breaches.append(f"{where}:{number}: {why}")
             elif kernel_code and system not in KERNEL_STANDARD:
                 breaches.append(f"{where}:{number}: <{system}> has no place in a kernel room")
         if kernel_code:

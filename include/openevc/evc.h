@@ -23,7 +23,7 @@ namespace evc::kernel {
 /// unit that goes on from the same moment. Large: not for a small stack.
 class Unit {
  public:
-  static constexpr std::size_t kBytes = 304 * 1024;
+  static constexpr std::size_t kBytes = 336 * 1024;
   static constexpr std::size_t kAlignment = 16;
 
   /// Not powered up: power_up comes before the first step.

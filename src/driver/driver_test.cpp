@@ -147,6 +147,13 @@ TEST(Driver, Each_condition_closes_what_needs_it) {
   }
 }
 
+TEST(Driver, Override_in_standby_needs_level_2_or_3) {  // 5.8.2.1 b
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    const Level level = static_cast<Level>(l);
+    EXPECT_EQ(enabled(everything(Mode::SB, level)).has(Input::override_), level_2_or_3(level)) << name(level);
+  }
+}
+
 TEST(Driver, Start_of_mission_opens_the_choices_of_standby) {
   ActionContext c = everything(Mode::SB, Level::L1);
   c.offers = {};

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/bit_cursor.h"
-#include "kernel/cycle.h"
 #include "kernel/evc.h"
+#include "kernel/here.h"
+#include "kernel/intake/shortening.h"
 #include "kernel/state.h"
-#include "kernel/supervise.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_135.h"
@@ -324,13 +324,13 @@ TEST_F(Unit, asks_whether_the_train_can_stop_without_touching_what_is_in_force) 
   far.ma = near.ma = state->track.ma;
   near.ma->sections.back().stop = near.ma->sections.back().end =
       state->track.ma->sections.back().end - Distance{1950.0};
-  Outputs other;
-  Cycle question(*state, *derived, in, other);
-  question.here = here(*state);
+  const auto question = [&](const track::Contents& proposal) {
+    return can_stop_before(*state, derived->scratch.curves, in.train, here(*state), proposal);
+  };
   const State state_before = *state;
   const auto in_force_before = std::make_unique<Derived::Curves>(derived->in_force);
-  EXPECT_TRUE(can_stop_before(question, *derived, far));
-  EXPECT_FALSE(can_stop_before(question, *derived, near));
+  EXPECT_TRUE(question(far));
+  EXPECT_FALSE(question(near));
   EXPECT_EQ(std::memcmp(&state_before, state.get(), sizeof(State)), 0);
   EXPECT_EQ(std::memcmp(in_force_before.get(), &derived->in_force, sizeof(Derived::Curves)), 0);
   EXPECT_EQ(derived->built, state->basis.number);

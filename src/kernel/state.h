@@ -166,11 +166,17 @@ struct Derived {
     sdm::Derived sdm;
     InplaceVector<track::SpeedCode, 40> pbd_speeds;  ///< of the permitted braking distances stored (3.11.11)
   };
+  /// Room to work in: nothing is read from it in another call than the one that wrote it, and what is in force stays as
+  /// it is.
+  struct Scratch {
+    track::Contents contents;                            ///< of the message that is evaluated
+    track::Contents proposal;                            ///< of the authority that is judged (4.8.3 [4], 3.8.6)
+    Curves curves;                                       ///< of the authority that is asked about (3.8.6)
+    InplaceVector<BufferedSet, kBufferedSets> released;  ///< from the transition buffer
+  };
   std::uint32_t built = 0;  ///< SupervisionBasis::number `in_force` was built from; 0: from none
   Curves in_force;
-  /// For questions about another authority (3.8.6): what is in force stays as it is. Nothing is read from it in another
-  /// call than the one that wrote it.
-  Curves proposed;
+  Scratch scratch;
 };
 
 }  // namespace evc::kernel

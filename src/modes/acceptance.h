@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "modes/information.h"
 #include "terms/clause.h"
+#include "terms/information.h"
 #include "terms/level.h"
 #include "terms/medium.h"
 #include "terms/mode.h"

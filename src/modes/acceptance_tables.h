@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "modes/information.h"
 #include "modes/page.h"
+#include "terms/information.h"
 #include "terms/level.h"
 #include "terms/mode.h"
 

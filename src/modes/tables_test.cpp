@@ -10,7 +10,6 @@
 #include "modes/acceptance_tables.h"
 #include "modes/active_functions.h"
 #include "modes/conditions.h"
-#include "modes/information.h"
 #include "modes/levels.h"
 #include "modes/mode_properties.h"
 #include "modes/srs_4_6_2.h"
@@ -189,41 +188,6 @@ TEST(Acceptance, By_mode_is_4_8_4) {
       }
     }
   EXPECT_EQ(compared, srs_4_8_4.size());
-}
-
-TEST(Acceptance, Packets_and_messages_find_the_rows_of_the_reference) {
-  const json file = reference("acceptance_by_mode.json");
-  const auto has = [](const Informations& found, const std::string& id) {
-    for (const Information i : found)
-      if (id == name(i)) return true;
-    return false;
-  };
-  std::set<int> packets, messages;
-  for (const json& r : file["information"]) {
-    const std::string id = r["id"];
-    const std::string from = r["packets"];
-    for (std::size_t i = 0; i + 1 < from.size(); ++i) {
-      const bool starts =
-          (i == 0 || from[i - 1] == ' ' || from[i - 1] == '(') && std::isdigit(static_cast<unsigned char>(from[i + 1]));
-      if (!starts || (from[i] != 'P' && from[i] != 'M') || from.find('[') < i || from.find("infill") < i) continue;
-      const int number = std::stoi(from.substr(i + 1));
-      // the details that distinguish rows of one packet
-      int detail = 0;
-      if (id == "track_conditions_general") detail = 3;
-      if (id == "lssma_toggle_on") detail = 1;
-      const Informations found =
-          from[i] == 'P' ? information_of_packet(number, detail) : information_of_message(number);
-      (from[i] == 'P' ? packets : messages).insert(number);
-      bool any = false;
-      for (const std::string& what : informations(id)) any = any || has(found, what);
-      EXPECT_TRUE(any) << id << " " << from[i] << number;
-    }
-  }
-  EXPECT_GE(packets.size(), 45u);
-  EXPECT_GE(messages.size(), 18u);
-  EXPECT_EQ(information_of_packet(12).size(), 2u);
-  for (const int none : {0, 49, 63, 80, 145, 255, 199}) EXPECT_TRUE(information_of_packet(none).empty()) << none;
-  for (const int none : {24, 37, 200}) EXPECT_TRUE(information_of_message(none).empty()) << none;
 }
 
 TEST(Stored, Is_4_10_in_3_4_0_and_3_6_0) {

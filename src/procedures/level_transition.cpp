@@ -22,8 +22,7 @@ void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out
   state.acknowledged = false;
 }
 
-void take(State& state, const Inputs& in, const Order& order, Result& out) {
-  const modes::OrderDecision decision = modes::judge(order.kind, order.table, in.current, in.mode, in.available);
+void take(State& state, const Inputs& in, const Order& order, const modes::OrderDecision& decision, Result& out) {
   if (decision.effect == OrderEffect::keep_until_mode_left) {
     state.kept = true;  // one only, the newest (4.4.8.1.5)
     state.kept_order = order;
@@ -68,10 +67,11 @@ void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& ou
 Result step(State& state, const Inputs& in) {
   Result out;
   if (in.order != nullptr) {
-    take(state, in, *in.order, out);
+    take(state, in, in.order->order, in.order->decision, out);
   } else if (state.kept && !waits_for_other_mode(in.mode)) {
     state.kept = false;
-    take(state, in, state.kept_order, out);
+    const Order& order = state.kept_order;
+    take(state, in, order, modes::judge(order.kind, order.table, in.current, in.mode, in.available), out);
   }
   if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front)) {
     const OrderedLevel to = state.pending->to;

@@ -17,6 +17,12 @@ struct Order {
   modes::LevelTable table;
 };
 
+/// An order and what to do with it (modes::judge).
+struct JudgedOrder {
+  Order order;
+  modes::OrderDecision decision;
+};
+
 struct State {
   std::optional<modes::PendingTransition> pending;
   bool shown = false;           // the acknowledgement is asked for
@@ -33,10 +39,10 @@ struct Inputs {
   Mode mode = Mode::SB;
   modes::OrderedLevel current;
   Place est_front{}, max_safe_front{};
-  const Order* order = nullptr;                     // accepted in this cycle
+  const JudgedOrder* order = nullptr;               // accepted in this cycle
   std::optional<modes::OrderedLevel> driver_level;  // chosen by the driver in this cycle, driver_may_select() holds
-  modes::AvailableLevels available;
-  bool acknowledged = false;  // Ack::level in this cycle
+  modes::AvailableLevels available;                 // for an order that was kept until SH or PS is left
+  bool acknowledged = false;                        // Ack::level in this cycle
   SrsVersion srs = SrsVersion::v3_6_0;
 };
 

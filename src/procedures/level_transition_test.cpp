@@ -30,8 +30,12 @@ struct Border {
     in.now += Duration{1.0};
     in.est_front = at(front);
     in.max_safe_front = at(front + 10.0);
-    in.order = send ? &order : nullptr;
+    const level_transition::JudgedOrder judged{
+        order,
+        send ? modes::judge(order.kind, order.table, in.current, in.mode, in.available) : modes::OrderDecision{}};
+    in.order = send ? &judged : nullptr;
     const level_transition::Result out = step(state, in);
+    in.order = nullptr;
     send = false;
     in.acknowledged = false;
     in.driver_level.reset();

@@ -44,29 +44,9 @@ Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
 
 }  // namespace
 
-bool selectable(const Inputs& in) {
-  if (in.V_est > in.V_NVALLOWOVTRP) return false;
-  switch (in.mode) {
-    case Mode::SH:
-      return true;
-    case Mode::FS:
-    case Mode::LS:
-    case Mode::OS:
-    case Mode::SR:
-    case Mode::UN:
-    case Mode::PT:
-    case Mode::SN:
-      return in.train_data_valid;
-    case Mode::SB:
-      return in.train_data_valid && (in.level == Level::L2 || in.level == Level::L3);
-    default:
-      return false;
-  }
-}
-
 Result step(State& state, const Inputs& in) {
   Result out;
-  if (in.selected && selectable(in)) {
+  if (in.selected) {
     start(state, in);
     out.started = true;
     // [37] leads from SB, FS, LS, OS and PT to SR; the mode table has no such cell elsewhere.

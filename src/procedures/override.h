@@ -22,13 +22,10 @@ struct State {
 struct Inputs {
   Duration now{};
   OdometerPlace odometer{};  // nominal
-  Speed V_est{};
   Mode mode = Mode::SB;
   Level level = Level::L0;
-  bool selected = false;  // the driver, in this cycle
-  bool train_data_valid = false;
+  bool selected = false;  // by the driver, in this cycle; enabled by 5.8.2.1 (driver/driver.h)
   // National values; an infinite distance is no value, a T_NVOVTRP is never infinite.
-  Speed V_NVALLOWOVTRP{};
   Duration T_NVOVTRP{60.0};
   std::optional<Distance> D_NVOVTRP{Distance{200.0}};
   // Position
@@ -51,9 +48,6 @@ struct Result {
   bool former_eoa_passed = false;  // Facts::former_eoa_passed: becomes true in this cycle
   Clause ended_by;                 // a bullet of 5.8.4.1 when it ends in this cycle
 };
-
-/// 5.8.2.1: whether the driver may choose override now.
-bool selectable(const Inputs& inputs);
 
 /// One cycle, before the mode transition. The override distance is run on the nominal odometer.
 Result step(State& state, const Inputs& inputs);

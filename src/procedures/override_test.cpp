@@ -13,8 +13,6 @@ struct Driver {
   Driver() {
     in.mode = Mode::FS;
     in.level = Level::L2;
-    in.train_data_valid = true;
-    in.V_NVALLOWOVTRP = Speed{5.0};
     in.eoa_or_loa = at(100.0);
     in.est_front = at(95.0);
     in.min_safe_antenna = at(85.0);
@@ -35,34 +33,6 @@ struct Driver {
     return out;
   }
 };
-
-TEST(Override, Where_it_may_be_selected) {
-  for (std::size_t m = 0; m < kModes; ++m) {
-    Driver d;
-    d.in.mode = static_cast<Mode>(m);
-    const bool with_data = d.in.mode == Mode::FS || d.in.mode == Mode::LS || d.in.mode == Mode::OS ||
-                           d.in.mode == Mode::SR || d.in.mode == Mode::UN || d.in.mode == Mode::PT ||
-                           d.in.mode == Mode::SN || d.in.mode == Mode::SB;
-    EXPECT_EQ(override_::selectable(d.in), with_data || d.in.mode == Mode::SH) << name(d.in.mode);
-    d.in.train_data_valid = false;
-    EXPECT_EQ(override_::selectable(d.in), d.in.mode == Mode::SH) << name(d.in.mode);
-    d.in.train_data_valid = true;
-    d.in.V_est = Speed{5.1};
-    EXPECT_FALSE(override_::selectable(d.in));
-  }
-  Driver standby;
-  standby.in.mode = Mode::SB;
-  standby.in.level = Level::L1;
-  EXPECT_FALSE(override_::selectable(standby.in));
-}
-
-TEST(Override, Too_fast_is_no_selection) {
-  Driver d;
-  d.in.selected = true;
-  d.in.V_est = Speed{6.0};
-  const auto r = d.cycle();
-  EXPECT_FALSE(r.selected || r.started || r.active);
-}
 
 TEST(Override, Every_end_condition_ends_it_and_is_named) {
   const auto ended_by = [](auto&& change, double seconds = 1.0) {

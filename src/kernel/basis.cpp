@@ -1,0 +1,102 @@
+#include "kernel/basis.h"
+
+#include "kernel/here.h"
+#include "kernel/train_category.h"
+
+namespace evc::kernel {
+namespace {
+
+/// The speed limit of the mode (3.11.7); absent: the mode has none.
+std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
+  const train::NationalValues& nv = s.national_values;
+  const auto of_area = [&](Mode mode, Speed national) {
+    const auto area = track::area_due(s.track, here);
+    return area && area->mode == mode && area->V_MAMODE != track::kNoSpeed ? track::speed_of(area->V_MAMODE) : national;
+  };
+  switch (modes::properties(s.mode).speed_limit) {
+    case modes::SpeedLimit::V_NVSHUNT:
+      return of_area(Mode::SH, nv.V_NVSHUNT);
+    case modes::SpeedLimit::V_NVSTFF:
+      return s.staff_responsible.V ? *s.staff_responsible.V : nv.V_NVSTFF;
+    case modes::SpeedLimit::V_NVONSIGHT:
+      return of_area(Mode::OS, nv.V_NVONSIGHT);
+    case modes::SpeedLimit::V_NVLIMSUPERV:
+      return of_area(Mode::LS, nv.V_NVLIMSUPERV);
+    case modes::SpeedLimit::V_NVUNFIT:
+      return nv.V_NVUNFIT;
+    case modes::SpeedLimit::V_REVERSE:
+      return s.track.reversing_supervision ? track::speed_of(s.track.reversing_supervision->V_REVERSE) : Speed{};
+    case modes::SpeedLimit::no_limit:
+    case modes::SpeedLimit::standstill:
+    case modes::SpeedLimit::profile_only:
+    case modes::SpeedLimit::national:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The special brakes reported active, as bits.
+std::uint8_t brake_bits(const TrainSignals& t) {
+  return static_cast<std::uint8_t>((t.regenerative_brake_active ? 1 : 0) | (t.eddy_current_brake_active ? 2 : 0) |
+                                   (t.magnetic_shoe_brake_active ? 4 : 0) | (t.ep_brake_active ? 8 : 0) |
+                                   (t.additional_brake_active ? 16 : 0));
+}
+
+/// Level 1 at the end of the authority: now, or by an order that is executed in rear of it (3.13.9.4.8.2).
+bool level_1_at(const State& s, const std::optional<Place>& EOA) {
+  const auto& pending = s.level_transition.pending;
+  if (pending && EOA && pending->border <= *EOA) return pending->to.level == Level::L1;
+  return s.level.level == Level::L1;
+}
+
+/// What the release speed calculated on board depends on beside the data, in steps of 5 m and 0.5 m/s: curves are not
+/// built anew for every millimetre (3.13.9.4.8.2).
+std::uint32_t inaccuracy(const State& s, const track::Here& here) {
+  if (s.basis.authority.release.kind != track::Release::Kind::on_board) return 0;
+  const double interval = (here.max_safe_front - here.min_safe_front).si / 5.0;
+  const double speed = run_of(s.position.now).V_ura.si / 0.5;
+  const auto steps = [](double v) { return v < 30000.0 ? static_cast<std::uint32_t>(v) : 30000u; };
+  return steps(interval) << 16 | steps(speed);
+}
+
+}  // namespace
+
+bool supervises_speed(Mode mode) {
+  return modes::properties(mode).supervision != modes::Supervision::unsupervised && mode != Mode::SN;
+}
+
+bool supervises(const State& s, modes::Supervision kind) { return modes::properties(s.mode).supervision == kind; }
+
+SupervisionBasis basis_of(const State& s, const track::Here& here, const SupervisionBasis::Key& key,
+                          const track::Authority& authority) {
+  SupervisionBasis basis;
+  basis.key = key;
+  basis.number = s.basis.number + 1;
+  if (basis.number == 0) basis.number = 1;
+  basis.min_safe_rear = here.min_safe_rear;
+  basis.confidence_interval = here.max_safe_front - here.min_safe_front;
+  basis.V_ura = run_of(s.position.now).V_ura;
+  if (const position::Reference* lrbg = position::lrbg(s.position)) {
+    basis.reference = lrbg->place;
+    basis.Q_LOCACC = lrbg->Q_LOCACC;
+  }
+  basis.authority = authority;
+  return basis;
+}
+
+bool renew_basis(State& s, const TrainSignals& train, const track::Here& here) {
+  const SupervisionBasis::Key key{.mode = s.mode,
+                                  .track = s.track.revision,
+                                  .revision = s.revision,
+                                  .brakes = brake_bits(train),
+                                  .level_1_at_EOA = level_1_at(s, s.basis.authority.EOA),
+                                  .inaccuracy = inaccuracy(s, here),
+                                  .mode_limit = mode_speed(s, here)};
+  if (s.basis.number != 0 && s.basis.key == key) return false;
+  s.basis = basis_of(s, here, key,
+                     supervises(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), s.mode)
+                                                             : track::Authority{});
+  return true;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,177 @@
+#include "kernel/curves.h"
+
+#include "kernel/basis.h"
+#include "kernel/here.h"
+#include "kernel/train_category.h"
+#include "modes/active_functions.h"
+#include "sdm/locations.h"
+
+namespace evc::kernel {
+namespace {
+
+sdm::Authority authority_of(const SupervisionBasis& basis) {
+  const track::Authority& a = basis.authority;
+  sdm::Authority out;
+  // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA takes its place
+  // (3.13.1.5).
+  if (a.LOA && (!a.EOA || *a.EOA > *a.LOA)) {
+    out.kind = sdm::Authority::Kind::LOA;
+    out.EOA = *a.LOA;
+    out.V_LOA = a.V_LOA;
+    return out;
+  }
+  if (!a.EOA) return out;
+  out.kind = sdm::Authority::Kind::EOA_SvL;
+  out.EOA = *a.EOA;
+  out.SvL = a.SvL ? *a.SvL : *a.EOA;
+  using Kind = track::Release::Kind;
+  out.release_speed = a.release.kind == Kind::given      ? sdm::ReleaseSpeedChoice::value
+                      : a.release.kind == Kind::national ? sdm::ReleaseSpeedChoice::national
+                      : a.release.kind == Kind::on_board ? sdm::ReleaseSpeedChoice::on_board
+                                                         : sdm::ReleaseSpeedChoice::none;
+  out.V_release = a.release.V;
+  out.level_1_at_EOA = basis.key.level_1_at_EOA;
+  if (basis.reference) {
+    out.Q_LOCACC_reference = basis.Q_LOCACC;
+    out.reference = *basis.reference;
+  }
+  out.confidence_interval = basis.confidence_interval;
+  out.V_ura = basis.V_ura;
+  return out;
+}
+
+void earliest(std::optional<Place>& at, Place from) {
+  if (!at || from < *at) at = from;
+}
+
+sdm::TrackConditions conditions_of(const State& s, Place min_safe_rear) {
+  sdm::TrackConditions c;
+  for (const track::AdhesionArea& area : s.track.adhesion)
+    if (area.slippery && !c.reduced_adhesion.push_back({area.from, area.to})) c.slippery_rail = true;
+  c.slippery_rail = c.slippery_rail || s.slippery_rail;
+  for (const track::TrackCondition& t : s.track.conditions) {
+    if (t.to < min_safe_rear) continue;  // passed by the whole train
+    using enum TrackConditionKind;
+    if (t.kind == switch_off_regenerative_brake) earliest(c.regenerative_off, t.from);
+    if (t.kind == switch_off_eddy_current_emergency_brake) earliest(c.eddy_current_emergency_off, t.from);
+    if (t.kind == switch_off_eddy_current_service_brake) earliest(c.eddy_current_service_off, t.from);
+    if (t.kind == switch_off_magnetic_shoe_brake) earliest(c.magnetic_shoe_off, t.from);
+    if (t.kind == powerless_lower_pantograph || t.kind == powerless_main_switch_off) earliest(c.powerless, t.from);
+  }
+  return c;
+}
+
+/// Steps of the MRSP that a TSR holds down: their targets use the default gradient (3.13.4.1.3).
+void mark_TSR_steps(const State& s, sdm::Inputs& in) {
+  in.mrsp_due_to_TSR = {};
+  for (std::size_t i = 0; i < in.mrsp.steps.size(); ++i)
+    for (const track::TemporarySpeedRestriction& t : s.track.tsr) {
+      const Place end = t.Q_FRONT ? t.to : t.to + s.train.L_TRAIN;
+      const Place at = in.mrsp.steps[i].from;
+      if (t.from <= at && at < end && track::speed_of(t.V_TSR) == in.mrsp.steps[i].value) in.mrsp_due_to_TSR[i] = true;
+    }
+}
+
+/// The gradient from the train's rear on, and where it is known (3.13.4.1.2). A hole between known parts counts as
+/// level.
+sdm::GradientProfile gradient_of(const track::Description& d, Place from) {
+  sdm::GradientProfile g;
+  const auto& steps = d.gradient.steps;
+  std::size_t first = 0;
+  while (first < steps.size() && !steps[first].value.known()) ++first;
+  std::size_t end = steps.size();
+  while (end > first && !steps[end - 1].value.known()) --end;
+  if (first < end) {
+    g.permille = track::gradient(d, from);
+    if (steps[first].from > from) g.known_from = steps[first].from;
+    if (end < steps.size()) g.known_to = steps[end].from;
+  }
+  if (d.default_gradient) g.default_for_TSR = static_cast<double>(*d.default_gradient);
+  return g;
+}
+
+/// What the MRSP is made of in the mode in force (4.5.2).
+track::MrspElements elements_in(Mode mode) {
+  using modes::Function;
+  return {.ssp = modes::active(Function::mrsp_ssp, mode),
+          .asp = modes::active(Function::mrsp_asp, mode),
+          .tsr = modes::active(Function::mrsp_tsr, mode),
+          .pbd = modes::active(Function::mrsp_pbd, mode),
+          .lx = modes::active(Function::mrsp_lx, mode),
+          .signalling = modes::active(Function::mrsp_signalling, mode)};
+}
+
+void add_limit(track::MrspQuery& query, Speed v) {
+  // Three limits at the most: there is room for eight.
+  (void)query.limits.push_back({std::nullopt, std::nullopt, v});
+}
+
+/// Speeds of the permitted braking distances (3.11.11): with the brakes of now.
+void compute_PBD(const track::Description& d, Derived::Curves& curves) {
+  curves.pbd_speeds.clear();
+  for (const track::PermittedBrakingDistance& p : d.pbd) {
+    const Speed v = sdm::permitted_braking_distance_speed(curves.inputs, p.D_PBD,
+                                                          static_cast<double>(p.gradient_permille), !p.service_brake);
+    // Steps of 5 km/h; sdm has rounded down. As many as are stored.
+    (void)curves.pbd_speeds.push_back(static_cast<track::SpeedCode>(v.si * 3.6 / 5.0 + 0.5));
+  }
+}
+
+train::BrakeStatus brake_status(const TrainSignals& t) {
+  train::BrakeStatus b;
+  b.regenerative = t.regenerative_brake_active;
+  b.eddy_current = t.eddy_current_brake_active;
+  b.magnetic_shoe = t.magnetic_shoe_brake_active;
+  b.electro_pneumatic = t.ep_brake_active;
+  b.adhesion_independent = t.additional_brake_active;
+  return b;
+}
+
+}  // namespace
+
+void build(Derived::Curves& curves, const State& s, const TrainSignals& train, const SupervisionBasis& basis) {
+  sdm::Inputs& in = curves.inputs;
+  in.revision = basis.number;
+  in.srs = s.srs;
+  in.train = s.train;
+  in.national_values = s.national_values;
+  in.brakes = brake_status(train);
+  in.conditions = conditions_of(s, basis.min_safe_rear);
+  compute_PBD(s.track, curves);  // with the rail as it is now (3.11.11.4)
+  track::MrspQuery query;
+  query.from = basis.min_safe_rear;
+  query.train_length = s.train.L_TRAIN;
+  query.category = category_of(s.train);
+  query.elements = elements_in(s.mode);
+  query.pbd_speeds = {curves.pbd_speeds.begin(), curves.pbd_speeds.size()};
+  const auto counts = [&](modes::Function f) { return modes::active(f, s.mode); };
+  if (counts(modes::Function::mrsp_train)) add_limit(query, s.train.V_MAXTRAIN);
+  if (counts(modes::Function::mrsp_mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
+  if (counts(modes::Function::mrsp_override) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
+  in.mrsp = track::mrsp(s.track, query);
+  mark_TSR_steps(s, in);
+  in.supervise_targets = !supervises(s, modes::Supervision::ceiling);
+  in.authority = supervises(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
+  in.SR_end = supervises(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
+  in.gradient = gradient_of(s.track, basis.min_safe_rear);
+  curves.sdm.valid = false;
+  (void)sdm::rebuild(curves.sdm, in);
+}
+
+sdm::Motion motion_of(const State& s, const track::Here& here, const TrainSignals& train) {
+  sdm::Motion m;
+  m.est_front = here.est_front;
+  m.min_safe_front = here.min_safe_front;
+  m.max_safe_front = here.max_safe_front;
+  const Run run = run_of(s.position.now);
+  m.V_est = run.V;
+  m.V_ura = run.V_ura;
+  m.A_est = run.A;
+  m.standstill = here.standstill;
+  m.now = s.now;
+  m.brake_pressure_kpa = train.brake_pressure_kpa;
+  if (s.radio.ma_request) m.T_MAR = s.radio.ma_request->T_MAR;
+  return m;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,111 @@
+#include "kernel/decide/decide.h"
+
+#include "kernel/basis.h"
+#include "kernel/decide/enter.h"
+#include "kernel/decide/mission.h"
+#include "kernel/here.h"
+#include "modes/srs_4_6_2.h"
+#include "procedures/staff_responsible.h"
+#include "protection/authority.h"
+#include "track/store.h"
+
+namespace evc::kernel {
+namespace {
+
+/// Facts of 4.6.3 that came in, or are read off the train interface, the position and the track description.
+procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) {
+  procedures::Facts f;
+  f.isolated = in.train.isolated || in.driver.has(Select::isolate);
+  f.powered = in.train.powered;
+  f.desk_open = in.train.desk_open;
+  f.standstill = r.here.standstill;
+  f.sleeping = in.train.sleeping;
+  f.non_leading = in.train.non_leading;
+  f.passive_shunting = in.train.passive_shunting;
+  f.safety_fault = r.safety_fault;
+  f.level = s.level.level;
+  f.level_switched_to = r.level_switched_to;
+  f.level_order_changed_national_system_only = r.national_system_only;
+  f.acknowledged = r.acknowledged;
+  f.requested = s.requested;
+  f.selects_exit_SH = r.selected.has(Select::exit_shunting);
+  f.selects_NL = r.selected.has(Select::non_leading);
+  f.train_data_valid = valid(s.data.train_data_status);
+  f.ma_ssp_gradient_stored = s.track.ma.has_value() && track::complete(s.track, r.here);
+  f.ma_accepted = r.ma_accepted || s.track.ma.has_value();
+  f.ma_with_trip_order = s.ma_with_trip_order;
+  f.mode_is_OS = s.mode == Mode::OS;
+  f.mode_is_LS = s.mode == Mode::LS;
+  f.group_at_eoa_in_RSM = r.group_at_EOA_in_RSM;
+  f.linking_reaction_trip = r.linking_reaction_trip;
+  f.linked_group_wrong_direction = r.linked_group_wrong_direction;
+  f.telegram_version_too_high = r.telegram_version_too_high;
+  f.trip_order = r.trip_order;
+  f.stop_if_in_SH = r.stop_if_in_SH;
+  f.stop_if_in_SR = r.stop_if_in_SR;
+  f.group_passed_not_in_SH_list = r.group_passed_not_in_SH_list;
+  f.group_passed_not_in_SR_list = r.group_passed_not_in_SR_list;
+  f.group_passed_in_SR_list = r.group_passed_in_SR_list;
+  f.ues_accepted = r.ues_accepted;
+  f.ues_received = r.ues_received || s.emergency_stops.unconditional_pending();
+  f.T_NVCONTACT_trip = s.contact_trip;
+  f.stop_shunting_stored = s.track.stop_shunting_on_desk_opening;
+  f.national_trip = in.national_system.trip_active;
+  f.SR_distance_passed =
+      s.mode == Mode::SR && procedures::staff_responsible::distance_passed(s.staff_responsible.end, r.here.est_front);
+  return f;
+}
+
+/// [12], [16], [69]: with the authority that is in force after everything this cycle received.
+void observe_authority(const State& s, const track::Here& here, procedures::Facts& f) {
+  const track::Authority& a = s.basis.authority;
+  f.min_safe_antenna_beyond_eoa = protection::passes_end_level_1(a, here);
+  f.min_safe_front_beyond_eoa = protection::passes_end_level_2(a, here);
+  f.front_in_rear_of_track_description = track::before_track_description(s.track, here);
+}
+
+void change_mode(State& s, const TrainSignals& train, const procedures::Facts& facts, Decided& out, Log log) {
+  s.previous_mode = s.mode;
+  const auto transition = modes::next_mode(s.mode, procedures::observe(facts));
+  if (!transition) return;
+  enter_mode(s, transition->to, transition->number, out.here, log);
+  out.mode_changed = true;
+  out.basis_renewed = renew_basis(s, train, out.here) || out.basis_renewed;
+}
+
+/// Texts of packets 72 and 76 (3.12.3).
+void run_texts(State& s, bool acknowledges, Decided& out) {
+  const std::uint8_t acknowledged = acknowledges && !s.texts_to_acknowledge.empty() ? s.texts_to_acknowledge[0] : 0;
+  out.texts =
+      track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledged, out.texts_to_report);
+  s.texts_to_acknowledge = out.texts.to_acknowledge;
+  out.effects.requests.add(Ack::text, !out.texts.to_acknowledge.empty());
+  out.asked.add(brakes::Cause::text_service, out.texts.service_brake);
+  out.asked.add(brakes::Cause::text_emergency, out.texts.emergency_brake);
+}
+
+}  // namespace
+
+Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
+  Decided out;
+  out.here = received.here;
+  out.effects = received.level;
+  procedures::Facts facts = facts_of(s, in, received);
+  std::optional<Mode> profile_at_front = run_mode_profile(s, received, facts, out);
+  if (!facts.ma_ssp_gradient_stored) profile_at_front.reset();
+  run_start_of_mission(s, in, received, profile_at_front, out);
+  out.basis_renewed = renew_basis(s, in.train, out.here);
+  run_override(s, received, out.here, facts, log);
+  run_shunting(s, received, out.here, facts, out.effects);
+  run_reversing(s, in.train.direction_controller, out);
+  observe_authority(s, out.here, facts);
+  change_mode(s, in.train, facts, out, log);
+  run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
+  run_end_of_mission(s, received, out.effects);
+  run_texts(s, received.acknowledged.has(Ack::text), out);
+  out.track_ahead_free_granted =
+      protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free)).granted;
+  return out;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+
+#include "base/inplace_vector.h"
+#include "brakes/brakes.h"
+#include "procedures/effects.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+
+/// What the procedures, the mode transition and the texts want of the driver, the brakes and the radio in this cycle.
+struct Decided {
+  track::Here here;             ///< the train, after start of mission said what its position is worth
+  procedures::Effects effects;  ///< of all procedures
+  brakes::CauseSet asked;
+  bool mode_changed = false;
+  bool basis_renewed = false;                      ///< State::basis is another one than in the cycle before
+  bool start_selected = false;                     ///< an MA is requested for it (3.8.2.3 a)
+  bool reversing_possible = false;                 ///< shown to the driver (5.13)
+  bool track_ahead_free_granted = false;           ///< message 149 is due
+  track::TextDisplay texts;                        ///< shown now
+  InplaceVector<std::uint8_t, 6> texts_to_report;  ///< acknowledged: messages 158 are due
+};
+
+}  // namespace evc::kernel

@@ -1,0 +1,32 @@
+#include "kernel/decide/enter.h"
+
+#include "kernel/stored.h"
+
+namespace evc::kernel {
+
+void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log) {
+  const Mode from = s.mode;
+  log.note(Event::mode_changed(from, to, number));
+  // The area that was entered is no end of authority any more; before 4.10 deletes the profile (SH).
+  if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, here);
+  keep_for_mode(s, to, from);
+  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
+  // A group that is only partly read is not continued after the power was off.
+  if (to == Mode::NP) balise::abandon(s.balise);
+  s.mode = to;
+  ++s.revision;
+  procedures::level_transition::on_mode_change(s.level_transition, from, to);
+  procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
+  procedures::override_::on_mode_change(s.override_, from, to);
+  if (!s.level_transition.pending) s.buffer.clear();
+  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
+  brakes::on_mode_entry(s.brakes, to, from);
+  protection::enter_mode(s.guards, protection::guards_of(to), s.position.now.counter.nominal);
+  if (to == Mode::SR) {
+    // 4.4.11.1.3.1: the national distance from the estimated front end, unless the RBC gave one with its authorisation.
+    if (!s.staff_responsible.by_rbc && s.national_values.D_NVSTFF)
+      s.staff_responsible.end = here.est_front + *s.national_values.D_NVSTFF;
+  }
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,231 @@
+#include "kernel/decide/mission.h"
+
+#include "kernel/here.h"
+#include "kernel/stored.h"
+#include "procedures/reversing.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+procedures::start_of_mission::Session session_of(const State& s) {
+  using procedures::start_of_mission::Session;
+  if (s.radio.session.established()) return Session::open;
+  return s.radio.session.phase == radio::Phase::connecting || s.radio.session.phase == radio::Phase::waiting_version
+             ? Session::establishing
+             : Session::none;
+}
+
+DataStatus position_status(const State& s) {
+  return s.position.status == DataStatus::valid     ? DataStatus::valid
+         : s.position.status == DataStatus::invalid ? DataStatus::invalid
+                                                    : DataStatus::unknown;
+}
+
+std::span<const procedures::mode_profile::Area> areas_of(const State& s,
+                                                         InplaceVector<procedures::mode_profile::Area, 32>& areas) {
+  for (const track::ModeArea& a : s.track.mode_profile) {
+    procedures::mode_profile::Area area;
+    area.mode = a.mode;
+    area.start = a.from;
+    if (a.mode != Mode::SH) area.end = a.to;
+    const Speed national = area.mode == Mode::OS   ? s.national_values.V_NVONSIGHT
+                           : area.mode == Mode::LS ? s.national_values.V_NVLIMSUPERV
+                                                   : s.national_values.V_NVSHUNT;
+    area.V = a.V_MAMODE == track::kNoSpeed ? national : track::speed_of(a.V_MAMODE);
+    area.L_ack = a.from - a.ack_from;
+    (void)areas.push_back(area);  // both hold 32
+  }
+  return {areas.begin(), areas.size()};
+}
+
+Duration request_cycle(const State& s) {
+  return s.radio.ma_request && s.radio.ma_request->T_CYCRQST ? *s.radio.ma_request->T_CYCRQST : Duration{60.0};
+}
+
+/// 5.4.3.3: what start of mission makes of the status of data.
+void change_statuses(State& s, Set<procedures::Status> status) {
+  using procedures::Status;
+  if (status.has(Status::position_unknown))
+    position::forget(s.position);
+  else if (status.has(Status::position_valid))
+    position::validate(s.position);
+  if (status.has(Status::level_invalid) && valid(s.data.level_status)) s.data.level_status = DataStatus::invalid;
+  if (status.has(Status::level_valid)) s.data.level_status = DataStatus::valid;
+  if (status.has(Status::rbc_contact_invalid) && valid(s.contact_status)) s.contact_status = DataStatus::invalid;
+  if (status.has(Status::rbc_contact_valid)) s.contact_status = DataStatus::valid;
+}
+
+}  // namespace
+
+std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out) {
+  InplaceVector<procedures::mode_profile::Area, 32> areas;
+  procedures::mode_profile::Inputs in;
+  in.now = s.now;
+  in.mode = s.mode;
+  in.level = s.level.level;
+  in.areas = areas_of(s, areas);
+  in.min_safe_front = out.here.min_safe_front;
+  in.est_front = out.here.est_front;
+  in.max_safe_front = out.here.max_safe_front;
+  in.V_est = run_of(s.position.now).V;
+  in.acknowledged = received.acknowledged;
+  in.srs = s.srs;
+  const auto r = procedures::mode_profile::step(s.mode_profile, in);
+  out.effects |= r.effects;
+  facts.profile_demands_OS = r.demands_OS;
+  facts.profile_demands_LS = r.demands_LS;
+  facts.profile_demands_SH = r.demands_SH;
+  facts.profile_in_force = r.in_force;
+  facts.front_in_OS_ack_area = r.front_in_OS_ack_area;
+  facts.front_in_LS_ack_area = r.front_in_LS_ack_area;
+  if (r.overdue)
+    out.asked.add(*r.overdue == Mode::OS   ? brakes::Cause::OS_unacknowledged
+                  : *r.overdue == Mode::LS ? brakes::Cause::LS_unacknowledged
+                                           : brakes::Cause::SH_unacknowledged);
+  return r.at_front;
+}
+
+void run_start_of_mission(State& s, const Inputs& in, const Received& received, std::optional<Mode> profile_at_front,
+                          Decided& out) {
+  procedures::start_of_mission::Inputs som;
+  som.now = s.now;
+  som.mode = s.mode;
+  som.level = s.level.level;
+  som.desk_open = in.train.desk_open;
+  som.session = session_of(s);
+  som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)];
+  som.T_CYCRQST = request_cycle(s);
+  som.driver_id = s.data.driver_id_status;
+  som.train_running_number = s.data.train_running_number_status;
+  som.position = position_status(s);
+  som.level_status = s.data.level_status;
+  som.train_data = s.data.train_data_status;
+  som.enters_level = in.driver.level.has_value() && valid(s.data.level_status);
+  som.enters_rbc_contact = in.driver.rbc_contact.has_value();
+  som.enters_train_data = received.train_data_entered;
+  som.selects_start = received.selected.has(Select::start);
+  som.train_data_acknowledged = s.radio.train_data_acknowledged;
+  som.position_confirmed = received.position_confirmed;
+  som.train_accepted = received.train_accepted;
+  som.train_rejected = received.train_rejected;
+  som.SR_authorised = received.SR_authorised;
+  som.profile_at_front = profile_at_front;
+  const bool was_running = s.start_of_mission.step != procedures::start_of_mission::Step::S0;
+  const procedures::Effects effects = procedures::start_of_mission::step(s.start_of_mission, som);
+  out.effects |= effects;
+  if (!effects.status.empty()) {
+    change_statuses(s, effects.status);
+    out.here = here(s);
+  }
+  if (was_running && s.mode == Mode::SB && !in.train.desk_open) {
+    keep_for_closed_desk(s);
+    ++s.revision;
+  }
+  if (s.start_of_mission.step == procedures::start_of_mission::Step::S21) out.start_selected = true;
+}
+
+void run_override(State& s, const Received& received, const track::Here& here, procedures::Facts& facts, Log log) {
+  procedures::override_::Inputs in;
+  in.now = s.now;
+  in.odometer = s.position.now.counter.nominal;
+  in.mode = s.mode;
+  in.level = s.level.level;
+  in.selected = received.selected.has(Select::override_);
+  in.T_NVOVTRP = s.national_values.T_NVOVTRP;
+  in.D_NVOVTRP = s.national_values.D_NVOVTRP;
+  in.est_front = here.est_front;
+  in.min_safe_antenna = here.min_safe_antenna;
+  const track::Authority& a = s.basis.authority;
+  in.eoa_or_loa = a.EOA ? a.EOA : a.LOA;
+  if (s.mode == Mode::SR) in.sr_distance_end = s.staff_responsible.end;
+  in.stop_if_in_SR = received.stop_if_in_SR;
+  in.stop_if_in_SH = received.stop_if_in_SH;
+  in.balise_proceed = received.balise_proceed;
+  in.ma_from_rbc = received.ma_from_rbc;
+  in.group_not_in_list = received.group_passed_not_in_SR_list || received.group_passed_not_in_SH_list;
+  const bool before = s.override_.active;
+  const auto r = procedures::override_::step(s.override_, in);
+  facts.selects_override = r.selected;
+  facts.override_active = r.active;
+  facts.former_eoa_passed = r.former_eoa_passed;
+  if (r.started) {
+    s.staff_responsible = {};
+    if (s.national_values.D_NVSTFF) s.staff_responsible.end = here.est_front + *s.national_values.D_NVSTFF;
+    log.note({.what = What::override_active, .clause = "5.8.3"_srs});
+  }
+  if (r.ended_by) log.note({.what = What::override_ended, .clause = r.ended_by});
+  if (before != s.override_.active || r.started) ++s.revision;
+}
+
+void run_shunting(State& s, const Received& received, const track::Here& here, procedures::Facts& facts,
+                  procedures::Effects& effects) {
+  procedures::shunting::Inputs in;
+  in.now = s.now;
+  in.mode = s.mode;
+  in.level = s.level.level;
+  in.standstill = here.standstill;
+  in.session_open = s.radio.session.established();
+  in.selects_SH = received.selected.has(Select::shunting);
+  in.selects_continue = received.selected.has(Select::maintain_shunting);
+  in.authorised = received.SH_authorised;
+  in.refused = received.SH_refused;
+  const auto r = procedures::shunting::step(s.shunting, in);
+  effects |= r.effects;
+  facts.SH_granted = r.granted;
+  facts.selects_SH = r.selects_SH;
+  facts.continue_shunting = s.shunting.continues;
+}
+
+void run_reversing(const State& s, DirectionController controller, Decided& out) {
+  procedures::reversing::Inputs in;
+  in.mode = s.mode;
+  in.standstill = out.here.standstill;
+  in.controller_backward = controller == DirectionController::backward;
+  in.est_front = out.here.est_front;
+  if (s.track.reversing_area && s.track.reversing_supervision && s.track.reversing_reference) {
+    procedures::reversing::Reversing r;
+    r.start = s.track.reversing_area->from;
+    r.end = s.track.reversing_area->to;
+    r.reference = *s.track.reversing_reference;
+    r.D_REVERSE = s.track.reversing_supervision->D_REVERSE;
+    r.V_REVERSE = track::speed_of(s.track.reversing_supervision->V_REVERSE);
+    in.stored = r;
+  }
+  const auto r = procedures::reversing::step(in);
+  out.effects |= r.effects;
+  out.reversing_possible = r.possible;
+}
+
+void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
+                    Decided& out) {
+  procedures::train_trip::Inputs trip;
+  trip.now = s.now;
+  trip.mode = s.mode;
+  trip.level = s.level.level;
+  trip.desk_open = desk_open;
+  trip.standstill = out.here.standstill;
+  trip.session_open = s.radio.session.established();
+  trip.train_data_valid = valid(s.data.train_data_status);
+  trip.exit_recognised = received.exit_from_trip;
+  trip.emergency_stop_pending = s.emergency_stops.any();
+  trip.selects_start = received.selected.has(Select::start);
+  trip.SR_authorised = received.SR_authorised;
+  trip.T_CYCRQST = request_cycle(s);
+  trip.profile_at_front = profile_at_front;
+  out.effects |= procedures::train_trip::step(s.train_trip, trip);
+  if (s.train_trip.step == procedures::train_trip::Step::S150) out.start_selected = true;
+}
+
+void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects) {
+  procedures::end_of_mission::Inputs end;
+  end.now = s.now;
+  end.mode = s.mode;
+  end.previous_mode = s.previous_mode;
+  end.session_open = s.radio.session.established();
+  end.termination_ordered = received.termination_ordered;
+  end.level_2_or_3 = level_2_or_3(s.level.level);
+  effects |= procedures::end_of_mission::step(s.end_of_mission, end);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,26 @@
+#pragma once
+#include <optional>
+
+#include "kernel/decide/decided.h"
+#include "kernel/intake/received.h"
+#include "kernel/log.h"
+#include "kernel/state.h"
+#include "procedures/observe.h"
+
+// The procedures of chapter 5, one function each: from State and what came in to the facts of 4.6.3 and what they want.
+namespace evc::kernel {
+
+/// Gives the mode of the area of the mode profile in which the max safe front end is.
+std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out);
+void run_start_of_mission(State& s, const Inputs& in, const Received& received, std::optional<Mode> profile_at_front,
+                          Decided& out);
+void run_override(State& s, const Received& received, const track::Here& here, procedures::Facts& facts, Log log);
+void run_shunting(State& s, const Received& received, const track::Here& here, procedures::Facts& facts,
+                  procedures::Effects& effects);
+void run_reversing(const State& s, DirectionController controller, Decided& out);
+/// After the mode transition.
+void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
+                    Decided& out);
+void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects);
+
+}  // namespace evc::kernel

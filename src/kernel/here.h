@@ -1,0 +1,25 @@
+#pragma once
+#include "kernel/state.h"
+#include "track/services.h"
+
+// The train as the stages see it: where it is, and how fast it runs.
+namespace evc::kernel {
+
+/// The train in the track frame now.
+track::Here here(const State& state);
+
+/// How fast the train runs, whichever way. `V_ura`: by how much it may be faster (3.13.9.3.2.1). `A` grows the speed.
+struct Run {
+  Speed V{}, V_ura{};
+  Acceleration A{};
+};
+constexpr Run run_of(const position::Odometry& now) {
+  const bool backward = now.V_est < Speed{};
+  const Speed V = backward ? -now.V_est : now.V_est;
+  const Speed most = -now.V_min > now.V_max ? -now.V_min : now.V_max;
+  return {V, most - V, backward ? -now.A_est : now.A_est};
+}
+
+constexpr bool valid(DataStatus status) { return status == DataStatus::valid; }
+
+}  // namespace evc::kernel

@@ -1,0 +1,115 @@
+#include "kernel/intake/authority.h"
+
+#include "kernel/intake/filter.h"
+#include "kernel/intake/routes.h"
+#include "kernel/stored.h"
+#include "terms/message_numbers.h"
+#include "track/store.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Verdict;
+
+/// The signalling related speed restriction "0" is a row of its own: a trip order (3.11.6.2). Gives whether it counts.
+bool judge_trip_order(Evaluation& e) {
+  if (modes::accept(evc::Information::signalling_speed, e.context).verdict != Verdict::accepted) return false;
+  e.r.out.trip_order = true;
+  e.r.log.note({.what = What::trip_ordered, .clause = "3.11.6.2"_srs});
+  return true;
+}
+
+/// What belongs to the authority waits with it.
+void wait_with_authority(Evaluation& e) {
+  for (std::size_t k = 0; k < e.information.packets.size(); ++k)
+    if (route_of(e.information.packets[k]).turn == Turn::with_authority && judged(e, k))
+      e.waiting.packets |= std::uint64_t{1} << k;
+}
+
+/// Of the same part: what stands behind packet 136 belongs to the infill authority.
+void add_with_authority(Evaluation& e) {
+  for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
+    const lang::PacketView& view = e.information.packets[k];
+    if ((view.NID_PACKET == packet::mode_profile || view.NID_PACKET == packet::balise_groups_for_sh_area) &&
+        judged(e, k))
+      (void)track::add(e.contents, view, e.reference);
+  }
+}
+
+void tell_stored(Evaluation& e, const track::Stored& stored) {
+  for (const track::Note& n : stored.notes) {
+    if (n.what == track::Note::What::stored) continue;
+    e.r.log.note({.what = n.what == track::Note::What::full        ? What::packet_no_room
+                          : n.what == track::Note::What::shortened ? What::packet_shortened
+                          : !n.clause                              ? What::packet_refused_no_room
+                                                                   : What::packet_refused,
+                  .id = n.packet,
+                  .clause = n.clause});
+    if (n.what == track::Note::What::refused) refuse(e, n.clause);
+  }
+}
+
+}  // namespace
+
+void evaluate_authority(Evaluation& e) {
+  // The authority of a request to shorten is a proposal: take_message decides (3.8.6).
+  if (e.information.message != nullptr && e.information.message->NID_MESSAGE == message::request_to_shorten_ma) return;
+  track::Contents& c = e.contents;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (route_of(view).turn != Turn::authority || !judged(e, i)) continue;
+    // Judged in its place; refused, it gives way to what was there before.
+    std::optional<track::MovementAuthority>& before = e.r.scratch.proposal.ma;
+    before.reset();
+    if (c.ma) before = c.ma;
+    const std::optional<track::SpeedCode> V_MAIN_before = c.V_MAIN;
+    if (track::add(c, view, e.reference) != track::Added::added) continue;
+    e.context.described_over_whole_ma = track::complete(e.r.state.track, c, e.r.out.here);
+    const bool stop = view.NID_PACKET == packet::level_1_movement_authority && c.V_MAIN && *c.V_MAIN == 0 && !c.infill;
+    const bool trip_order = stop && judge_trip_order(e);
+    if (judge_packet(e, i) == Verdict::accepted) {
+      add_with_authority(e);
+      continue;
+    }
+    c.ma.reset();
+    if (before) c.ma = before;
+    if (!trip_order) c.V_MAIN = V_MAIN_before;
+    if ((e.waiting.packets >> i & 1u) != 0) wait_with_authority(e);
+  }
+}
+
+void store_contents(Evaluation& e) {
+  Received& out = e.r.out;
+  State& s = e.r.state;
+  const bool authority = e.contents.ma.has_value();
+  const track::Stored stored = track::store(s.track, e.contents, out.here);
+  tell_stored(e, stored);
+  if (stored.trip_order) out.trip_order = true;
+  if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
+    // Linking and national values of this very message were stored already; those of the old MA go (3.8.5.1.3).
+    cut_beyond(s, s.track.ma->far_end());
+  }
+  if (stored.lost_from) {
+    cut_beyond(s, *stored.lost_from < out.here.max_safe_front ? out.here.max_safe_front : *stored.lost_from);
+    e.r.log.note({.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
+  }
+  if (stored.ma_accepted) {
+    s.ma_with_trip_order = out.trip_order;
+    out.ma_accepted = true;
+    if (e.information.medium == Medium::rbc)
+      out.ma_from_rbc = true;
+    else if (!out.trip_order)
+      out.balise_proceed = true;
+    e.r.log.note({.what = What::authority_accepted, .clause = "3.8.4"_srs});
+  } else if (authority) {
+    e.r.log.note({.what = What::authority_refused, .clause = "3.7.2.3"_srs});
+  }
+  if (e.contents.stop_if_in_sr && *e.contents.stop_if_in_sr) out.stop_if_in_SR = true;
+  if (e.contents.danger_for_shunting && *e.contents.danger_for_shunting) out.stop_if_in_SH = true;
+  if (e.contents.track_ahead_free_to) {
+    out.NID_LTRBG =
+        (std::uint32_t{e.contents.track_ahead_free_to->NID_C} << 14) | e.contents.track_ahead_free_to->NID_BG;
+  }
+}
+
+}  // namespace evc::kernel

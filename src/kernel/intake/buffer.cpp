@@ -1,0 +1,98 @@
+#include "kernel/intake/buffer.h"
+
+#include "kernel/intake/filter.h"
+#include "lang/messages.h"
+
+namespace evc::kernel {
+namespace {
+
+void make_room(State& state) {
+  if (state.buffer.full()) state.buffer.erase(0);
+}
+
+Information information_of(const BufferedSet& set) {
+  Information information;
+  information.medium = set.medium;
+  information.group = set.group;
+  information.reference = set.reference;
+  information.orientation = set.orientation;
+  information.min_safe_front = set.min_safe_front;
+  information.time = set.received;
+  information.judge_packets = set.waiting;
+  information.judge_message = set.message_waits;
+  return information;
+}
+
+Waiting evaluate_message(Reception& r, const BufferedSet& set) {
+  Information information = information_of(set);
+  const lang::MessageToTrainView view =
+      lang::scan_message_to_train({set.bytes.data(), set.size}, session_version(set.M_VERSION), lang::Check::structure);
+  information.sv = view.sv;
+  information.message = &view;
+  (void)gather(information, view.packets);  // as many as when it was received
+  drop_superseded(information);
+  return evaluate(r, information);
+}
+
+void gather_telegrams(Information& information, const BufferedSet& set) {
+  std::size_t at = 0;
+  for (const std::uint16_t bits : set.telegram_bits) {
+    const std::size_t length = (bits + 7u) / 8u;
+    const lang::TelegramView view = lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
+    information.sv = view.sv;
+    (void)gather(information, view.packets);
+    at += length;
+  }
+  drop_superseded(information);
+}
+
+Waiting evaluate_group(Reception& r, const BufferedSet& set) {
+  Information information = information_of(set);
+  gather_telegrams(information, set);
+  return evaluate(r, information);
+}
+
+}  // namespace
+
+BufferedSet& keep(State& state, const Information& information, const Waiting& waiting) {
+  make_room(state);
+  (void)state.buffer.push_back({});  // there is room now
+  BufferedSet& set = state.buffer.back();
+  set.medium = information.medium;
+  set.group = information.group;
+  set.reference = information.reference;
+  set.orientation = information.orientation;
+  set.min_safe_front = information.min_safe_front;
+  set.received = information.time;
+  set.waiting = waiting.packets;
+  set.message_waits = waiting.message;
+  set.M_VERSION = state.radio.session.M_VERSION;
+  return set;
+}
+
+void add_bits(BufferedSet& set, std::span<const std::uint8_t> bytes) {
+  for (std::size_t i = 0; i < bytes.size() && set.size < set.bytes.size(); ++i) set.bytes[set.size++] = bytes[i];
+}
+
+void add_telegram(BufferedSet& set, std::span<const std::uint8_t> bytes, std::uint16_t bits) {
+  add_bits(set, bytes);
+  (void)set.telegram_bits.push_back(bits);  // at most eight
+}
+
+void release_buffer(Reception& r) {
+  State& s = r.state;
+  // Taken out first: a set that has to wait again waits behind.
+  InplaceVector<BufferedSet, kBufferedSets>& sets = r.scratch.released;
+  sets = s.buffer;
+  s.buffer.clear();
+  for (const BufferedSet& set : sets) {
+    const Waiting waiting = set.medium == Medium::rbc ? evaluate_message(r, set) : evaluate_group(r, set);
+    if (!waiting.any()) continue;
+    make_room(s);
+    (void)s.buffer.push_back(set);  // there is room now
+    s.buffer.back().waiting = waiting.packets;
+    s.buffer.back().message_waits = waiting.message;
+  }
+}
+
+}  // namespace evc::kernel

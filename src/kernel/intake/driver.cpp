@@ -1,0 +1,172 @@
+#include "kernel/intake/driver.h"
+
+#include "driver/driver.h"
+#include "kernel/here.h"
+#include "kernel/intake/levels.h"
+#include "kernel/stored.h"
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+/// What decides which inputs of the driver are enabled now (4.7.2).
+driver::ActionContext action_context(const Reception& r) {
+  const State& s = r.state;
+  driver::ActionContext c;
+  c.mode = s.mode;
+  if (valid(s.data.level_status)) c.level = s.level.level;
+  c.desk_open = r.in.train.desk_open;
+  c.standstill = r.out.here.standstill;
+  c.driver_id_valid = valid(s.data.driver_id_status);
+  c.train_data_valid = valid(s.data.train_data_status);
+  c.train_running_number_valid = valid(s.data.train_running_number_status);
+  c.session_open = s.radio.session.established();
+  c.train_data_acknowledged = s.radio.train_data_acknowledged;
+  c.emergency_stop_pending = s.emergency_stops.any();
+  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
+  c.non_leading_signal = r.in.train.non_leading;
+  c.passive_shunting_signal = r.in.train.passive_shunting;
+  c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
+  c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
+  c.driver_id_while_running = s.national_values.M_NVDERUN;
+  c.track_ahead_free_asked = s.track_ahead_free.asking;
+  c.offers = s.offers;
+  // What start of mission asks for is offered too (S12).
+  c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
+  c.requests = s.requested;
+  return c;
+}
+
+/// Whether the driver may do it now; an action that is not enabled has no effect, and the event says so.
+bool may(Reception& r, driver::Input input, const Event& otherwise) {
+  if (driver::enabled(action_context(r)).has(input)) return true;
+  r.log.note(otherwise);
+  return false;
+}
+bool may_enter(Reception& r, driver::Input input, Entered entered) {
+  return may(r, input,
+             {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
+}
+
+/// Selections that are enabled; the others are dropped.
+Set<Select> enabled_selections(Reception& r) {
+  struct Row {
+    Select select;
+    driver::Input input;
+  };
+  constexpr std::array<Row, 9> rows{{
+      {Select::start, driver::Input::start},
+      {Select::override_, driver::Input::override_},
+      {Select::shunting, driver::Input::shunting},
+      {Select::exit_shunting, driver::Input::exit_shunting},
+      {Select::non_leading, driver::Input::non_leading},
+      {Select::maintain_shunting, driver::Input::continue_shunting},
+      {Select::slippery_rail, driver::Input::adhesion},
+      {Select::adhesion_normal, driver::Input::adhesion},
+      {Select::track_ahead_free, driver::Input::track_ahead_free},
+  }};
+  Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
+  for (const Row& row : rows)
+    if (selected.has(row.select) &&
+        !may(r, row.input,
+             {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(row.select), .clause = "4.7.2"_srs}))
+      selected.remove(row.select);
+  return selected;
+}
+
+/// 3.18.3.7: the authority was given for another train.
+void forget_authority_of_old_train(Reception& r) {
+  State& s = r.state;
+  if (s.track.ma) {
+    shorten(s, track::Situation::j_train_data_changed, r.out.here.max_safe_front, r.out.here);
+    r.log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
+  }
+  s.buffer.clear();
+}
+
+/// Whether the data were taken.
+bool enter_train_data(Reception& r, const train::TrainData& data) {
+  State& s = r.state;
+  if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
+    r.log.note(
+        {.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = train::clause(fault)});
+    return false;
+  }
+  const bool route_matters = s.train.cant_deficiency_mm != data.cant_deficiency_mm ||
+                             s.train.other_categories != data.other_categories || s.train.axle_load != data.axle_load ||
+                             s.train.loading_gauge != data.loading_gauge ||
+                             !(s.train.traction_systems == data.traction_systems);
+  if (route_matters && s.data.train_data_status == DataStatus::valid) forget_authority_of_old_train(r);
+  s.train = data;
+  s.data.train_data_status = DataStatus::valid;
+  ++s.revision;
+  radio::send_train_data(s.radio);
+  r.log.note({.what = What::train_data_valid, .clause = "3.18.3"_srs});
+  return true;
+}
+
+/// Entry of SR speed and distance (4.4.11.1.5): only in SR, the distance from the front end at the entry.
+void enter_SR_data(Reception& r) {
+  State& s = r.state;
+  if (!r.in.driver.V_sr && !r.in.driver.D_sr) return;
+  if (s.mode == Mode::SR && !r.out.here.standstill) r.out.asked.add(brakes::Cause::movement_while_entering_SR_data);
+  if (!may_enter(r, driver::Input::sr_speed_distance, Entered::SR_speed_distance)) return;
+  // A speed up to 600 km/h, a distance up to the greatest that packets give.
+  const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
+  if ((r.in.driver.V_sr && !in_range(r.in.driver.V_sr->si, 600.0 / 3.6)) ||
+      (r.in.driver.D_sr && !in_range(r.in.driver.D_sr->si, 327670.0)))
+    return r.log.note({.what = What::SR_data_out_of_range, .clause = "4.4.11"_srs});
+  if (r.in.driver.V_sr) s.staff_responsible.V = r.in.driver.V_sr;
+  if (r.in.driver.D_sr) s.staff_responsible.end = r.out.here.est_front + *r.in.driver.D_sr;
+  ++s.revision;
+}
+
+}  // namespace
+
+std::optional<modes::OrderedLevel> driver_level(Reception& r) {
+  const State& s = r.state;
+  if (!r.in.driver.level || !may_enter(r, driver::Input::level, Entered::level)) return {};
+  modes::OrderedLevel level;
+  level.level = *r.in.driver.level;
+  if (level.level == Level::NTC) level.nid_ntc = r.in.driver.nid_ntc;
+  const modes::LevelTable* table = s.level_table ? &*s.level_table : nullptr;
+  if (!modes::driver_may_select(level, table, available_levels(s, r.in.national_system))) return {};
+  return level;
+}
+
+void receive_driver(Reception& r) {
+  State& s = r.state;
+  const DriverActions& driver = r.in.driver;
+  if (driver.selected != 0) r.out.selected = enabled_selections(r);
+  r.out.acknowledged = Set<Ack>::of_bits(driver.acknowledged);
+  if (driver.driver_id && may_enter(r, driver::Input::driver_id, Entered::driver_id)) {
+    s.data.driver_id = *driver.driver_id;
+    s.data.driver_id_status = DataStatus::valid;
+  }
+  if (driver.train_running_number && may_enter(r, driver::Input::train_running_number, Entered::train_running_number)) {
+    s.data.train_running_number = *driver.train_running_number;
+    s.data.train_running_number_status = DataStatus::valid;
+  }
+  if (driver.train_data != nullptr) {
+    if (may_enter(r, driver::Input::train_data, Entered::train_data))
+      r.out.train_data_entered = enter_train_data(r, *driver.train_data);
+  } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown &&
+             may_enter(r, driver::Input::train_data, Entered::train_data)) {
+    s.data.train_data_status = DataStatus::valid;
+    radio::send_train_data(s.radio);
+    r.out.train_data_entered = true;
+  }
+  if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact))
+    s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
+  if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {
+    s.slippery_rail = true;
+    ++s.revision;
+  }
+  if (r.out.selected.has(Select::adhesion_normal) && s.slippery_rail) {
+    s.slippery_rail = false;
+    ++s.revision;
+  }
+  enter_SR_data(r);
+}
+
+}  // namespace evc::kernel

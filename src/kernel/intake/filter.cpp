@@ -1,0 +1,242 @@
+#include "kernel/intake/filter.h"
+
+#include "kernel/intake/authority.h"
+#include "kernel/intake/levels.h"
+#include "kernel/intake/messages.h"
+#include "kernel/intake/routes.h"
+#include "kernel/intake/shortening.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_136.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_5.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Acceptance;
+using modes::AcceptanceContext;
+using modes::Verdict;
+
+AcceptanceContext context_of(const Reception& r, const Information& information) {
+  const State& s = r.state;
+  AcceptanceContext c;
+  c.mode = s.mode;
+  c.level = s.level.level;
+  c.medium = information.medium;
+  if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
+    c.announced = s.level_transition.pending->to.level;
+  if (executes_order(r)) c.announced = r.order->decision.to.level;
+  c.train_data_unacknowledged = s.radio.train_data_stamp.has_value();
+  c.emergency_stop_pending = s.emergency_stops.any();
+  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
+  c.desk_open = r.in.train.desk_open;
+  c.train_data_valid = s.data.train_data_status == DataStatus::valid;
+  c.override_active = s.override_.active;
+  c.srs = s.srs;
+  return c;
+}
+
+What what_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::buffered:
+      return What::packet_buffered;
+    case Verdict::order_stored:
+      return What::packet_kept;
+    case Verdict::rejected:
+      return What::packet_refused;
+    case Verdict::only_contact_stored:
+      return What::packet_contact_stored;
+    case Verdict::accepted:
+      break;
+  }
+  return What::packet_accepted;
+}
+
+void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a) {
+  e.r.log.note({.what = what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
+  if (a.verdict == Verdict::rejected) refuse(e, a.clause);
+}
+
+/// The contents of a message, or of what stands behind packet 136 in it, before anything was accepted.
+void begin(track::Contents& contents, const Information& information, Place reference) {
+  empty(contents);
+  contents.medium = information.medium;
+  contents.time = information.time;
+  contents.reference = reference;
+}
+
+bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i) == Verdict::accepted; }
+
+// --- Level transition orders come first (4.8.1.3)
+
+void evaluate_level_orders(Evaluation& e) {
+  bool along = false;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i)
+    along = along || e.information.packets[i].NID_PACKET == packet::level_transition_order;
+  e.context.level_order_along_or_announced = along || e.r.state.level_transition.pending.has_value();
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (route_of(view).turn != Turn::level_order || !judged(e, i)) continue;
+    const auto order = order_of(view, e.reference);
+    if (!order) continue;
+    e.context.order = order->kind;
+    if (!accepted(e, i)) continue;
+    const modes::OrderDecision decision = give_order(e.r, *order);
+    if (decision.effect == modes::OrderEffect::execute || decision.effect == modes::OrderEffect::announce)
+      e.context.announced = decision.to.level;
+    else if (decision.cancels_pending)
+      e.context.announced.reset();
+    e.context.immediate_order_to_1_2_3 =
+        decision.effect == modes::OrderEffect::execute && level_1_2_3(decision.to.level);
+  }
+}
+
+// --- Linking goes before other location data (4.8.1.6)
+
+void evaluate_linking(Evaluation& e, bool infill) {
+  State& s = e.r.state;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    if (route_of(view).turn != Turn::linking || !judged(e, i)) continue;
+    lang::Packet5 p;
+    if (!accepted(e, i) || lang::decode(view, p) != lang::Fault::none) continue;
+    balise::LinkingReference reference;
+    reference.id = e.reference.group;
+    reference.place = e.reference.place;
+    reference.NID_C = e.information.group.NID_C;
+    reference.orientation_known = e.information.orientation != Direction::unknown;
+    reference.infill = infill;
+    std::optional<balise::CurrentLrbg> current;
+    if (const position::Reference* lrbg = position::lrbg(s.position))
+      current = balise::CurrentLrbg{lrbg->id, lrbg->place};
+    const balise::Stored stored = balise::store(s.balise.linking, balise::linking_list(p), reference,
+                                                position::antenna(s.position, s.train.L_antenna_front), current);
+    // The list holds the LRBG: its distance by linking counts, and everything in the message with it (3.6.4.3).
+    e.reference.place = stored.reference;
+    if (!stored.complete) e.r.log.note({.what = What::linking_capacity});
+  }
+}
+
+// --- Everything else
+
+bool orders_establishment(const lang::PacketView& view) {
+  lang::Packet42 p;
+  return lang::decode(view, p) == lang::Fault::none && p.Q_RBC.raw == 1;
+}
+
+void evaluate_rest(Evaluation& e) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const lang::PacketView& view = e.information.packets[i];
+    const PacketRoute& route = route_of(view);
+    if (route.turn != Turn::rest || !judged(e, i)) continue;
+    if (route.number == packet::session_management) e.context.orders_establishment = orders_establishment(view);
+    const Verdict verdict = judge_packet(e, i);
+    if (route.take != nullptr && (verdict == Verdict::accepted || verdict == Verdict::only_contact_stored))
+      route.take(e, view, verdict);
+  }
+}
+
+/// The information of the radio message itself, beside its packets.
+void evaluate_message(Evaluation& e) {
+  const lang::MessageToTrainView& message = *e.information.message;
+  if (!e.information.judge_message || message.NID_MESSAGE == message::movement_authority ||
+      message.NID_MESSAGE == message::movement_authority_shifted)
+    return;
+  if (message.NID_MESSAGE == message::request_to_shorten_ma)
+    e.context.described_over_whole_ma = proposal_is_described(e);
+  const std::optional<evc::Information> row = row_of_message(message.NID_MESSAGE);
+  if (!row) return;
+  const Acceptance a = modes::accept(*row, e.context);
+  if (a.verdict == Verdict::buffered) e.waiting.message = true;
+  if (a.verdict == Verdict::rejected) refuse(e, a.clause);
+  if (a.verdict != Verdict::accepted) return;
+  if (const Clause clause = take_message(e, message)) refuse(e, clause);
+}
+
+/// Everything behind packet 136 is infill (3.6.2.3.1, 7.4.2.32): it counts from another group, which linking names.
+struct Infill {
+  std::size_t at = 0;  // index of packet 136
+  GroupId group;
+};
+std::optional<Infill> find_infill(const Information& information) {
+  for (std::size_t i = 0; i < information.packets.size(); ++i) {
+    if (information.packets[i].NID_PACKET != packet::infill_location_reference) continue;
+    Infill infill;
+    infill.at = i;
+    lang::Packet136 p;
+    if (lang::decode(information.packets[i], p) != lang::Fault::none) return infill;
+    infill.group = {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
+    return infill;
+  }
+  return std::nullopt;
+}
+
+void tell_message(Evaluation& e) {
+  const bool refused = e.refused != 0;
+  e.r.log.note({.what = refused && e.refused_because ? What::message_refused
+                        : refused                    ? What::message_refused_no_room
+                        : e.waiting.any()            ? What::message_buffered
+                                                     : What::message_accepted,
+                .id = e.information.message->NID_MESSAGE,
+                .clause = refused ? e.refused_because : Clause{}});
+}
+
+void evaluate_part(Evaluation& e) {
+  evaluate_level_orders(e);
+  evaluate_linking(e, e.contents.infill.has_value());
+  evaluate_rest(e);
+  evaluate_authority(e);
+}
+
+/// The infill part, after the rest of the message (4.8.1.5).
+void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
+  // Linking of this very message also gives the place of the group.
+  std::optional<Place> place;
+  for (const balise::Link& link : e.r.state.balise.linking.links)
+    if (link.id == infill.group) place = link.place;
+  if (!place) {
+    e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = "3.6.2.3.1"_srs});
+    return;
+  }
+  e.judge = judge;
+  e.context.infill = true;
+  e.reference.place = *place;
+  e.reference.group = infill.group;
+  begin(e.contents, e.information, *place);
+  e.contents.infill = *place;
+  evaluate_part(e);
+  store_contents(e);
+}
+
+}  // namespace
+
+Verdict judge_packet(Evaluation& e, std::size_t i) {
+  const lang::PacketView& view = e.information.packets[i];
+  Acceptance worst{Verdict::accepted, {}};
+  for (const evc::Information row : rows_of(route_of(view), view)) {
+    const Acceptance a = modes::accept(row, e.context);
+    if (a.verdict != Verdict::accepted) worst = a;
+  }
+  tell_packet(e, view.NID_PACKET, worst);
+  if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
+  return worst.verdict;
+}
+
+Waiting evaluate(Reception& r, const Information& information) {
+  const track::Reference reference{information.reference, information.orientation, information.group,
+                                   information.medium, r.state.now};
+  Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, 0, {}};
+  begin(e.contents, information, information.reference);
+  const std::optional<Infill> infill = find_infill(information);
+  // Packets before packet 136; bit n stands for the n-th packet.
+  const std::uint64_t before = infill ? (std::uint64_t{1} << infill->at) - 1u : ~std::uint64_t{0};
+  e.judge = information.judge_packets & before;
+  evaluate_part(e);
+  if (information.message != nullptr) evaluate_message(e);
+  store_contents(e);
+  if (infill) evaluate_infill(e, *infill, information.judge_packets & ~before);
+  if (information.message != nullptr) tell_message(e);
+  return e.waiting;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,190 @@
+#include "kernel/intake/groups.h"
+
+#include "kernel/here.h"
+#include "kernel/intake/buffer.h"
+#include "kernel/intake/filter.h"
+#include "kernel/intake/national_values.h"
+#include "modes/active_functions.h"
+#include "protection/authority.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+bool judged_by_crossing(Mode mode) { return mode == Mode::SL || mode == Mode::PS || mode == Mode::SH; }
+
+/// Modes in which an inconsistent message does not brake (4.4.6.1.12, 4.4.14.1.9, 4.4.15.1.10, 4.4.18.1.10,
+/// 4.4.20.1.15).
+bool brakes_on_message_error(Mode mode) {
+  return modes::active(modes::Function::bg_msg_consistency_unlinked, mode) && mode != Mode::SL && mode != Mode::PT &&
+         mode != Mode::NL && mode != Mode::RV && mode != Mode::PS;
+}
+
+/// 3.14.3.6: what is read during a movement that reverse movement protection forbids is ignored. In PT and RV the
+/// permitted direction is backward.
+bool moves_against_permission(const State& s) {
+  if (!modes::active(modes::Function::reverse_movement, s.mode)) return false;
+  const bool backward_permitted = s.mode == Mode::PT || s.mode == Mode::RV;
+  return position::motion(s.position) == (backward_permitted ? position::Motion::forward : position::Motion::backward);
+}
+
+balise::Situation situation_of(const Reception& r) {
+  const State& s = r.state;
+  balise::Situation now;
+  now.now = s.now;
+  now.linking_checked = modes::active(modes::Function::link_consistency, s.mode);
+  now.braking_on_message_error = brakes_on_message_error(s.mode);
+  now.against_permitted_movement = moves_against_permission(s);
+  now.counter_rises = position::counter_rises(s.position);
+  now.level_1_2_3 = level_1_2_3(s.level.level);
+  return now;
+}
+
+void react(Reception& r, const balise::Outcome& outcome) {
+  State& s = r.state;
+  bool linking = false;
+  bool two_missed = false;
+  for (const balise::Event& e : outcome.events) {
+    // The contents of the group are logged where they are evaluated.
+    if (e.what == What::group_accepted) continue;
+    r.log.note({.what = e.what, .id = e.id.NID_BG, .clause = e.clause});
+    if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
+      radio::report_error(s.radio, static_cast<std::uint8_t>(e.report));
+    linking = linking || e.what == What::linking_error_early || e.what == What::linking_error_missed ||
+              e.what == What::linking_error_later;
+    two_missed = two_missed || e.what == What::double_linking_error;
+  }
+  if (outcome.reaction == Reaction::trip) r.out.linking_reaction_trip = true;
+  if (outcome.reaction == Reaction::service_brake) {
+    r.out.asked.add(two_missed ? brakes::Cause::two_groups_missed
+                    : linking  ? brakes::Cause::linking
+                               : brakes::Cause::balise_group_consistency);
+    s.shorten_at_standstill = s.shorten_at_standstill || outcome.shorten_at_standstill;
+  }
+  if (outcome.wrong_direction) r.out.linked_group_wrong_direction = true;
+  if (outcome.version_too_high) r.out.telegram_version_too_high = true;
+}
+
+/// The group becomes the LRBG, or at least the reference of its own information.
+const position::Reference* locate(Reception& r, const balise::Group& group) {
+  State& s = r.state;
+  position::Passage passage;
+  passage.id = group.id;
+  passage.counter = group.counter;
+  passage.L_antenna = s.train.L_antenna_front;
+  passage.link_place = group.link_place;
+  passage.Q_LOCACC = group.Q_LOCACC ? *group.Q_LOCACC : s.national_values.Q_NVLOCACC;
+  passage.counter_against_group = group.counter_against_group;
+  passage.single = group.single;
+  if (group.lrbg_compliant) {
+    (void)position::relocate(s.position, passage);
+    // The release speed calculated on board counts with the accuracy of the LRBG (3.13.9.4.8.2).
+    if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
+    r.out.new_lrbg = true;
+    return position::lrbg(s.position);
+  }
+  (void)position::refer_to_unlinked(s.position, passage);
+  return s.position.unlinked ? &*s.position.unlinked : nullptr;
+}
+
+void check_lists(Reception& r, GroupId id) {
+  State& s = r.state;
+  const auto named = [id](const track::GroupList& list) {
+    for (const GroupId& g : list)
+      if (g == id) return true;
+    return false;
+  };
+  if (s.mode == Mode::SR && s.track.sr_list) {
+    if (named(*s.track.sr_list))
+      r.out.group_passed_in_SR_list = true;
+    else
+      r.out.group_passed_not_in_SR_list = true;
+  }
+  if (s.mode == Mode::SH && s.track.sh_list && !named(*s.track.sh_list)) r.out.group_passed_not_in_SH_list = true;
+}
+
+/// A group whose telegrams hold more packets together than the unit takes is treated as one whose message is not
+/// consistent (3.16.2.4.4): nothing of it is used.
+void refuse_group(Reception& r, GroupId id) {
+  State& s = r.state;
+  r.log.note({.what = What::group_too_many_packets, .id = id.NID_BG, .clause = "3.16.2.4.4"_srs});
+  if (!brakes_on_message_error(s.mode)) return;
+  r.out.asked.add(brakes::Cause::balise_group_consistency);
+  s.shorten_at_standstill = true;
+}
+
+/// The trip by a balise group in release speed monitoring (3.13.10.2.6 b of 4.0.0).
+void check_group_at_EOA(Reception& r, const balise::Group& group) {
+  const State& s = r.state;
+  const bool in_RSM = s.supervision.active && s.supervision.monitoring == Monitoring::RSM;
+  if (s.srs != SrsVersion::v4_0_0 || !in_RSM || !level_2_or_3(s.level.level)) return;
+  if (!group.announced || !group.link_place || !group.Q_LOCACC) return;
+  if (protection::group_trips(s.basis.authority, *group.link_place - *group.Q_LOCACC, s.train.L_antenna_front))
+    r.out.group_at_EOA_in_RSM = true;
+}
+
+void receive_group(Reception& r, const balise::Group& group) {
+  State& s = r.state;
+  check_group_at_EOA(r, group);
+  if (!group.accepted) return;
+  // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
+  leave_area(r, group.id.NID_C);
+  const position::Reference* reference = locate(r, group);
+  if (reference == nullptr) return;
+  r.out.here = here(s);
+  balise::keep_covers_of(s.balise, group.id.NID_C);
+  track::note_group(s.track, group.id, reference->place);
+  check_lists(r, group.id);
+  r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
+
+  Information information;
+  information.medium = Medium::balise;
+  information.group = group.id;
+  information.reference = reference->place;
+  information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference->orientation;
+  information.min_safe_front = r.out.here.min_safe_front;
+  information.time = s.now;
+  for (const balise::Telegram& t : group.telegrams) {
+    if (!t.used) continue;
+    const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
+    information.sv = view.sv;
+    if (!gather(information, view.packets)) return refuse_group(r, group.id);
+  }
+  drop_superseded(information);
+  const Waiting waiting = evaluate(r, information);
+  if (!waiting.any()) return;
+  BufferedSet& set = keep(s, information, waiting);
+  for (const balise::Telegram& t : group.telegrams)
+    if (t.used) add_telegram(set, t.span(), t.bits);
+}
+
+void take(Reception& r, const balise::Outcome& outcome) {
+  react(r, outcome);
+  for (const balise::Group& group : outcome.groups) receive_group(r, group);
+}
+
+}  // namespace
+
+void receive_balises(Reception& r) {
+  State& s = r.state;
+  balise::Outcome outcome;
+  for (const BaliseTelegram& t : r.in.balise_telegrams) {
+    balise::Reading reading;
+    reading.bytes = t.bytes;
+    reading.bits = t.bits;
+    reading.counter = position::reading_at(s.position, t.at);
+    reading.antenna = position::antenna_at(s.position, reading.counter, s.train.L_antenna_front);
+    balise::read(s.balise, reading, situation_of(r), outcome);
+    take(r, outcome);
+  }
+  balise::close_overdue(s.balise, s.position.now.counter, situation_of(r), outcome);
+  take(r, outcome);
+  balise::expect(s.balise, position::antenna(s.position, s.train.L_antenna_front), situation_of(r), outcome);
+  take(r, outcome);
+}
+
+void receive_loops(Reception& r) {
+  for (std::size_t i = 0; i < r.in.loop_messages.size(); ++i) r.log.note({.what = What::loop_message_not_used});
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,81 @@
+#include "kernel/intake/intake.h"
+
+#include "kernel/here.h"
+#include "kernel/intake/driver.h"
+#include "kernel/intake/groups.h"
+#include "kernel/intake/levels.h"
+#include "kernel/intake/national_values.h"
+#include "kernel/intake/radio_messages.h"
+#include "kernel/intake/reception.h"
+#include "kernel/stored.h"
+#include "track/services.h"
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+position::Odometry odometry_of(const Odometry& in) {
+  return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
+}
+
+/// Beyond these no train is: 30 years, a million kilometres, 1000 m/s. Not a number is never within.
+constexpr double kLongest = 1e9;
+constexpr double kFastest = 1e3;
+bool within(double v, double limit) { return v >= -limit && v <= limit; }
+
+/// Whether the cycle's time and places can be worked with: within bounds, in order, no way back in time.
+bool sound(const State& s, const Inputs& in) {
+  const Odometry& o = in.odometry;
+  for (const BaliseTelegram& t : in.balise_telegrams)
+    if (!within(t.at.from_origin.si, kLongest)) return false;
+  return in.now >= s.now && within(in.now.si, kLongest) && within(o.min.from_origin.si, kLongest) &&
+         within(o.max.from_origin.si, kLongest) && o.min <= o.nominal && o.nominal <= o.max &&
+         within(o.V_min.si, kFastest) && within(o.V_max.si, kFastest) && o.V_min <= o.V_est && o.V_est <= o.V_max &&
+         within(o.A_est.si, kFastest);
+}
+
+/// Timers of the authority, data whose function is over, and what a reaction shortens once the train stands
+/// (3.8.4, A.3.4, A.3.6).
+void advance_track(Reception& r) {
+  State& s = r.state;
+  const track::Elapsed elapsed = track::advance(s.track, r.out.here);
+  if (elapsed.any()) {
+    r.log.note({.what = What::authority_timer_elapsed, .clause = "3.8.4"_srs});
+    const bool authority = s.track.ma && !s.track.ma->sections.empty();
+    cut_beyond(s, authority ? s.track.ma->far_end() : r.out.here.max_safe_front);
+  }
+  if (elapsed.track_description_deleted) s.track_description_deleted = true;
+  if (s.shorten_at_standstill && r.out.here.standstill) {
+    s.shorten_at_standstill = false;
+    shorten(s, track::Situation::h_linking_reaction, r.out.here.max_safe_front, r.out.here);
+    r.log.note({.what = What::track_description_shortened, .clause = "A.3.4"_srs});
+  }
+  if (r.out.ma_accepted) s.track_description_deleted = false;
+}
+
+}  // namespace
+
+Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log) {
+  Received out;
+  Reception r{s, scratch, in, outbox, log, out, {}};
+  // 4.4.5: without a sound odometer or configuration nothing can be supervised. The last place stays.
+  const bool can_go_on = sound(s, in);
+  if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
+  out.safety_fault = !can_go_on || s.configuration_refused || in.safety_fault;
+  if (can_go_on) {
+    s.now = in.now;
+    position::update(s.position, odometry_of(in.odometry), in.now);
+  }
+  out.here = here(s);
+  receive_driver(r);
+  receive_balises(r);
+  receive_loops(r);
+  receive_radio(r);
+  out.here = here(s);
+  advance_track(r);
+  run_level_transition(r);
+  advance_national_values(r);
+  return out;
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,120 @@
+#include "kernel/intake/levels.h"
+
+#include "kernel/intake/buffer.h"
+#include "kernel/intake/driver.h"
+#include "kernel/stored.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_46.h"
+#include "lang/si.h"
+#include "terms/packet_numbers.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::OrderEffect;
+
+/// Packet 46 has no place and so no length in rear of it.
+Distance L_ack(const lang::Packet41& p, const lang::Packet41_levels& e) {
+  return lang::metres(p.Q_SCALE, e.L_ACKLEVELTR);
+}
+Distance L_ack(const lang::Packet46&, const lang::Packet46_levels&) { return {}; }
+
+template <class P>
+modes::LevelTable table_of(const P& p) {
+  modes::LevelTable table;
+  const auto entry = [&p](const auto& e) {
+    modes::OrderedLevel level;
+    level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was refused before
+    level.nid_ntc = level.level == Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
+    level.L_ack = L_ack(p, e);
+    return level;
+  };
+  bool room = table.push_back(entry(p.first_levels()));
+  for (const auto& further : p.levels) room = room && table.push_back(entry(further));
+  return table;
+}
+
+/// 4.9; the release of the transition buffer is the caller's next step.
+void enter_level(Reception& r, const modes::OrderedLevel& to, bool by_driver) {
+  State& s = r.state;
+  r.log.note(Event::level_changed(s.level.level, to.level, by_driver));
+  s.level = to;
+  s.data.level_status = DataStatus::valid;
+  ++s.revision;
+  keep_for_level(s, to.level);
+  r.out.level_changed_by_driver = by_driver;
+}
+
+}  // namespace
+
+std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view,
+                                                            const track::Reference& reference) {
+  procedures::level_transition::Order order;
+  if (view.NID_PACKET == packet::conditional_level_transition_order) {
+    lang::Packet46 p;
+    if (lang::decode(view, p) != lang::Fault::none) return {};
+    order.kind = modes::OrderKind::conditional;
+    order.table = table_of(p);
+    return order;
+  }
+  lang::Packet41 p;
+  if (lang::decode(view, p) != lang::Fault::none) return {};
+  const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
+  order.kind = D_LEVELTR ? modes::OrderKind::announcement : modes::OrderKind::immediate;
+  if (D_LEVELTR) order.border = reference.place + *D_LEVELTR;
+  order.table = table_of(p);
+  return order;
+}
+
+modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system) {
+  modes::AvailableLevels available;
+  available.fitted = state.fitted_levels;
+  available.national_systems[0] = national_system.available;
+  return available;
+}
+
+modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order) {
+  State& s = r.state;
+  s.level_table = order.table;
+  const modes::OrderDecision decision =
+      modes::judge(order.kind, order.table, s.level, s.mode, available_levels(s, r.in.national_system));
+  // The procedure looks at one order a cycle, the last one; an earlier one of the same cycle is replaced
+  // (5.10.1.6), but never an order that is to be executed by one that is not.
+  if (decision.effect == OrderEffect::execute || !executes_order(r)) r.order = {order, decision};
+  return decision;
+}
+
+bool executes_order(const Reception& r) { return r.order && r.order->decision.effect == OrderEffect::execute; }
+
+void run_level_transition(Reception& r) {
+  State& s = r.state;
+  procedures::level_transition::Inputs in;
+  in.now = s.now;
+  in.mode = s.mode;
+  in.current = s.level;
+  in.est_front = r.out.here.est_front;
+  in.max_safe_front = r.out.here.max_safe_front;
+  in.order = r.order ? &*r.order : nullptr;
+  in.driver_level = driver_level(r);
+  in.available = available_levels(s, r.in.national_system);
+  in.acknowledged = r.out.acknowledged.has(Ack::level);
+  in.srs = s.srs;
+  if (in.driver_level) s.data.level_status = DataStatus::valid;
+  const auto result = procedures::level_transition::step(s.level_transition, in);
+  r.out.level = result.effects;
+  if (result.overdue)
+    r.out.asked.add(*result.overdue == Level::NTC ? brakes::Cause::level_NTC_unacknowledged
+                                                  : brakes::Cause::level_0_unacknowledged);
+  if (result.cancelled) s.buffer.clear();
+  if (!result.switch_to) return;
+  const Level from = s.level.level;
+  enter_level(r, *result.switch_to, result.by_driver);
+  r.out.level_switched_to = s.level.level;
+  r.out.national_system_only = from == Level::NTC && s.level.level == Level::NTC;
+  if (level_2_or_3(from) && !level_2_or_3(s.level.level))
+    s.reports.rear_border = result.by_driver ? std::optional<Place>{} : r.out.here.est_front;
+  release_buffer(r);
+}
+
+}  // namespace evc::kernel

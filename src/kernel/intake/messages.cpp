@@ -1,0 +1,171 @@
+#include "kernel/intake/messages.h"
+
+#include "kernel/intake/routes.h"
+#include "kernel/intake/shortening.h"
+#include "kernel/stored.h"
+#include "lang/decode.h"
+#include "lang/messages.h"
+#include "lang/si.h"
+#include "terms/message_numbers.h"
+
+namespace evc::kernel {
+namespace {
+
+Clause take_conditional_stop(Evaluation& e, const lang::MessageToTrainView& view) {
+  State& s = e.r.state;
+  lang::Message15 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (e.information.orientation == Direction::unknown) return "3.6.3.1.4"_srs;
+  const std::optional<Place> stop = track::stop_location(m, e.reference);
+  const protection::Answer answer =
+      stop ? protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw, *stop,
+                                            e.information.min_safe_front, e.r.out.here)
+           : protection::Answer{.clause = "3.6.3.1.3"_srs};
+  std::uint8_t Q = answer.Q_EMERGENCYSTOP;
+  if (answer.accepted) cut_beyond(s, *stop);
+  if (e.information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
+  radio::answer_emergency_stop(m.NID_EM.raw, Q, e.r.outbox);
+  e.r.log.note({.what = answer.accepted ? What::emergency_stop_accepted
+                        : stop          ? What::emergency_stop_place_passed
+                                        : What::emergency_stop_other_direction,
+                .id = m.NID_EM.raw,
+                .clause = answer.accepted ? "3.10.2.2"_srs : answer.clause});
+  return answer.accepted ? Clause{} : answer.clause;
+}
+
+Clause take_unconditional_stop(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message16 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  const protection::Answer answer = protection::accept_unconditional(e.r.state.emergency_stops, m.NID_EM.raw);
+  std::uint8_t Q = answer.Q_EMERGENCYSTOP;
+  if (e.information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
+  radio::answer_emergency_stop(m.NID_EM.raw, Q, e.r.outbox);
+  e.r.out.ues_accepted = answer.accepted;
+  e.r.out.ues_received = true;
+  e.r.log.note({.what = What::emergency_stop_unconditional, .id = m.NID_EM.raw, .clause = "3.10.2.3"_srs});
+  return answer.accepted ? Clause{} : answer.clause;
+}
+
+Clause take_revocation(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message18 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (!protection::revoke(e.r.state.emergency_stops, m.NID_EM.raw)) return "3.10.3.3"_srs;
+  e.r.log.note({.what = What::emergency_stop_revoked, .id = m.NID_EM.raw, .clause = "3.10.3.3"_srs});
+  return {};
+}
+
+/// SR authorisation: D_SR from the estimated front end, and the list of packet 63 (4.4.11.1.3.2).
+Clause take_SR_authorisation(Evaluation& e, const lang::MessageToTrainView& view) {
+  State& s = e.r.state;
+  lang::Message2 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  e.r.out.SR_authorised = true;
+  const std::optional<Distance> D_SR = lang::metres(m.Q_SCALE, m.D_SR);
+  s.staff_responsible.end.reset();
+  s.staff_responsible.by_rbc = true;
+  ++s.revision;
+  if (D_SR) s.staff_responsible.end = e.r.out.here.est_front + *D_SR;
+  s.track.sr_list.reset();
+  for (const lang::PacketView& p : e.information.packets) {
+    if (p.NID_PACKET != packet::balise_groups_in_sr_authority) continue;
+    track::Contents& list = empty(e.r.scratch.proposal);
+    if (track::add(list, p, e.reference) == track::Added::added) s.track.sr_list = list.sr_list;
+  }
+  return {};
+}
+
+Clause take_track_ahead_free(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message34 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (e.reference.orientation == Direction::unknown) return "3.6.3.1.4"_srs;
+  if (!track::valid_direction(m.Q_DIR.raw, e.reference.orientation)) return "3.6.3.1.3"_srs;
+  const Place from =
+      track::shifted(e.reference, lang::metres(m.Q_SCALE, m.D_REF)).place + lang::metres(m.Q_SCALE, m.D_TAFDISPLAY);
+  const Place to = from + lang::metres(m.Q_SCALE, m.L_TAFDISPLAY);
+  protection::request(e.r.state.track_ahead_free, from, to);
+  return {};
+}
+
+Clause take_train_data_acknowledgement(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message8 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  radio::receive_train_data_ack(e.r.state.radio, m.T_TRAIN_REF.raw);
+  return {};
+}
+
+Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView& view) {
+  e.r.out.exit_from_trip = true;
+  e.r.state.radio.exit_from_trip = view.T_TRAIN.raw;
+  return {};
+}
+
+Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message45 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  const Direction nominal = m.Q_ORIENTATION.raw == 1 ? Direction::nominal : Direction::reverse;
+  return position::assign_orientation(e.r.state.position, e.information.group, nominal) ? Clause{} : "3.4.2.3.3.8"_srs;
+}
+
+/// The fact alone counts.
+template <bool Received::*kFact>
+Clause take_fact(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.*kFact = true;
+  return {};
+}
+
+using TakeMessage = Clause (*)(Evaluation&, const lang::MessageToTrainView&);
+/// The way of a radio message itself, beside its packets: its row of 4.8.3 and 4.8.4, and what is done when it is
+/// accepted; nothing where its packets or the session (radio/) hold all that it says.
+struct MessageRoute {
+  message::ToTrain number;
+  evc::Information row;
+  TakeMessage take;
+};
+
+// clang-format off
+/// 8.4.4. The general message (24) and the infill authority (37) have no row.
+constexpr auto kMessageRoutes = [] {
+  using enum evc::Information;
+  return std::to_array<MessageRoute>({
+    {message::sr_authorisation,                 sr_authorisation,             take_SR_authorisation},
+    {message::movement_authority,               movement_authority,           nullptr},
+    {message::exit_from_trip_recognised,        exit_trip_recognition,        take_exit_from_trip},
+    {message::train_data_acknowledged,          train_data_ack,               take_train_data_acknowledgement},
+    {message::request_to_shorten_ma,            ma_shortening_request,        take_shortening},
+    {message::conditional_emergency_stop,       conditional_emergency_stop,   take_conditional_stop},
+    {message::unconditional_emergency_stop,     unconditional_emergency_stop, take_unconditional_stop},
+    {message::emergency_stop_revoked,           emergency_stop_revocation,    take_revocation},
+    {message::sh_refused,                       sh_refused,                   take_fact<&Received::SH_refused>},
+    {message::sh_authorised,                    sh_authorised,                take_fact<&Received::SH_authorised>},
+    {message::trackside_system_version,         trackside_system_version,     nullptr},
+    {message::movement_authority_shifted,       movement_authority,           nullptr},
+    {message::track_ahead_free_request,         track_ahead_free_request,     take_track_ahead_free},
+    {message::session_initiated_by_rbc,         session_initiation,           nullptr},
+    {message::session_termination_acknowledged, session_termination_ack,      nullptr},
+    {message::train_rejected,                   train_rejected,               take_fact<&Received::train_rejected>},
+    {message::train_accepted,                   train_accepted,               take_fact<&Received::train_accepted>},
+    {message::som_position_confirmed,           som_position_confirmed,       take_fact<&Received::position_confirmed>},
+    {message::coordinate_system_assigned,       coordinate_system_assignment, take_coordinate_system},
+  });
+}();
+// clang-format on
+
+constexpr const MessageRoute* route_of(std::uint8_t NID_MESSAGE) {
+  for (const MessageRoute& route : kMessageRoutes)
+    if (route.number == NID_MESSAGE) return &route;
+  return {};
+}
+
+}  // namespace
+
+std::optional<evc::Information> row_of_message(std::uint8_t NID_MESSAGE) {
+  const MessageRoute* const route = route_of(NID_MESSAGE);
+  return route != nullptr ? std::optional(route->row) : std::nullopt;
+}
+
+Clause take_message(Evaluation& e, const lang::MessageToTrainView& message) {
+  const MessageRoute* const route = route_of(message.NID_MESSAGE);
+  return route != nullptr && route->take != nullptr ? route->take(e, message) : Clause{};
+}
+
+}  // namespace evc::kernel

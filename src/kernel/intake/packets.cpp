@@ -1,0 +1,188 @@
+#include "kernel/intake/national_values.h"
+#include "kernel/intake/routes.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_3.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_57.h"
+#include "lang/packets/packet_58.h"
+#include "lang/packets/packet_6.h"
+#include "lang/packets/packet_68.h"
+#include "lang/si.h"
+#include "radio/from_packets.h"
+#include "terms/track_condition.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Verdict;
+
+/// Kept with the track description.
+void store_with_track(Evaluation& e, const lang::PacketView& view, Verdict) {
+  (void)track::add(e.contents, view, e.reference);
+}
+
+void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) {
+  State& s = e.r.state;
+  lang::Packet3 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  const ReceivedNationalValues received = read(p);
+  if (!received.D_VALIDNV) {
+    use_national_values(s, received.values, received.areas);
+    s.pending_national_values.reset();
+    e.r.log.note({.what = What::national_values_in_force, .clause = "3.18.2.3"_srs});
+    return;
+  }
+  s.pending_national_values =
+      PendingNationalValues{e.reference.place + *received.D_VALIDNV, received.values, received.areas};
+}
+
+void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
+  State& s = e.r.state;
+  lang::Packet42 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  const radio::SessionOrder order = radio::session_order_of(p);
+  if (radio::order(s.radio, order, s.mode == Mode::SL, verdict == Verdict::only_contact_stored, s.now, e.r.outbox))
+    e.r.log.note(
+        {.what = order.establish ? What::session_ordered : What::session_termination_ordered, .clause = "3.5.3.5"_srs});
+  if (!order.establish) e.r.out.termination_ordered = true;
+}
+
+void take_ma_request_parameters(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet57 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  e.r.state.radio.ma_request = radio::ma_request_of(p);
+}
+
+void take_report_parameters(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet58 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  position::ReportParameters r;
+  r.T_CYCLOC = lang::seconds(p.T_CYCLOC);
+  r.D_CYCLOC = lang::metres(p.Q_SCALE, p.D_CYCLOC);
+  r.M_LOC = p.M_LOC.raw;
+  for (const auto& at : p.locations) {
+    // 31 places at the most: there is room.
+    (void)r.at.push_back({e.reference.place + lang::metres(p.Q_SCALE, at.D_LOC), at.Q_LGTLOC.raw == 1});
+  }
+  State& s = e.r.state;
+  position::set_parameters(s.reports, s.position, r);
+}
+
+void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet6 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  State& s = e.r.state;
+  if (p.Q_VBCO.raw == 0) {
+    balise::remove_cover(s.balise, static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw);
+    return;
+  }
+  // T_VBC in days (7.5.1.155.1).
+  const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
+  if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
+    e.r.log.note({.what = What::cover_capacity});
+}
+
+evc::Information row_of_track_condition(const lang::PacketView& view) {
+  lang::Packet68 p;
+  // The return to the initial state is of the row that every mode accepts which accepts any condition.
+  if (lang::decode(view, p) != lang::Fault::none || p.Q_TRACKINIT.raw == 1)
+    return evc::Information::track_conditions_horn_stopping;
+  const auto kind = track_condition_of(p.M_TRACKCOND.raw);
+  return kind && horn_or_stopping(*kind) ? evc::Information::track_conditions_horn_stopping
+                                         : evc::Information::track_conditions_general;
+}
+
+// clang-format off
+/// The way of each packet of the trackside (7.4.2) through the kernel.
+constexpr auto kPacketRoutes = [] {
+  using enum evc::Information;
+  return std::to_array<PacketRoute>({
+    // packet                                         turn                  rows of 4.8.3 and 4.8.4                  taken by
+    {packet::virtual_balise_cover_marker,             Turn::before,         {},                                      nullptr},
+    {packet::system_version_order,                    Turn::rest,           {system_version_order},                  nullptr},
+    {packet::national_values,                         Turn::rest,           {national_values},                       take_national_values},
+    {packet::linking,                                 Turn::linking,        {linking},                               nullptr},
+    {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             take_cover},
+    {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  store_with_track},
+    {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      nullptr},
+    {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    store_with_track},
+    {packet::repositioning_information,               Turn::rest,           {repositioning},                         store_with_track},
+    {packet::gradient_profile,                        Turn::rest,           {gradient},                              store_with_track},
+    {packet::static_speed_profile,                    Turn::rest,           {ssp},                                   store_with_track},
+    {packet::traction_system_change,                  Turn::rest,           {track_conditions_general},              store_with_track},
+    {packet::permitted_current_change,                Turn::rest,           {track_conditions_general},              store_with_track},
+    {packet::level_transition_order,                  Turn::level_order,    {level_transition_order},                nullptr},
+    {packet::session_management,                      Turn::rest,           {session_management},                    take_session_order},
+    {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr},
+    {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr},
+    {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr},
+    {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      store_with_track},
+    {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   store_with_track},
+    {packet::permitted_braking_distance,              Turn::rest,           {permitted_braking_distance},            store_with_track},
+    {packet::ma_request_parameters,                   Turn::rest,           {ma_request_params},                     take_ma_request_parameters},
+    {packet::position_report_parameters,              Turn::rest,           {position_report_params},                take_report_parameters},
+    {packet::balise_groups_in_sr_authority,           Turn::with_authority, {},                                      store_with_track},
+    {packet::inhibition_of_revocable_tsr,             Turn::rest,           {inhibit_revocable_tsr},                 store_with_track},
+    {packet::temporary_speed_restriction,             Turn::rest,           {tsr},                                   store_with_track},
+    {packet::tsr_revocation,                          Turn::rest,           {tsr_revocation},                        store_with_track},
+    {packet::big_metal_masses,                        Turn::rest,           {track_condition_bmm},                   store_with_track},
+    {packet::track_condition,                         Turn::rest,           row_of_track_condition,                  store_with_track},
+    {packet::station_platforms,                       Turn::rest,           {track_conditions_general},              store_with_track},
+    {packet::route_suitability,                       Turn::rest,           {route_suitability},                     store_with_track},
+    {packet::adhesion_factor,                         Turn::rest,           {adhesion},                              store_with_track},
+    {packet::plain_text,                              Turn::rest,           {plain_text},                            store_with_track},
+    {packet::fixed_text,                              Turn::rest,           {fixed_text},                            store_with_track},
+    {packet::geographical_position,                   Turn::rest,           {geo_position},                          store_with_track},
+    {packet::mode_profile,                            Turn::with_authority, {},                                      store_with_track},
+    {packet::level_crossing,                          Turn::rest,           {level_crossing},                        store_with_track},
+    {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         store_with_track},
+    {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  store_with_track},
+    {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         store_with_track},
+    {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     nullptr},
+    {packet::eolm,                                    Turn::rest,           {eolm},                                  nullptr},
+    {packet::stop_shunting_on_desk_opening,           Turn::rest,           {stop_sh_on_desk_opening},               store_with_track},
+    {packet::infill_location_reference,               Turn::before,         {infill_location_reference},             nullptr},
+    {packet::stop_if_in_sr,                           Turn::rest,           {stop_if_in_sr},                         store_with_track},
+    {packet::reversing_area,                          Turn::rest,           {reversing_area},                        store_with_track},
+    {packet::reversing_supervision,                   Turn::rest,           {reversing_supervision},                 store_with_track},
+    {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr},
+    {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  store_with_track},
+    {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr},
+    {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr},
+    {packet::lssma_display,                           Turn::rest,           {lssma_toggle_off},                      nullptr},
+    {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     store_with_track},
+    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr},
+    {packet::end_of_information,                      Turn::before,         {},                                      nullptr},
+  });
+}();
+// clang-format on
+
+/// Where the route of each number stands; kPacketRoutes.size() for a number that this unit does not know.
+constexpr auto kPlaceOfRoute = [] {
+  std::array<std::uint8_t, 256> place{};
+  place.fill(static_cast<std::uint8_t>(kPacketRoutes.size()));
+  for (std::size_t i = 0; i < kPacketRoutes.size(); ++i) {
+    if (place[kPacketRoutes[i].number] != kPacketRoutes.size())
+      __builtin_trap();  // not constexpr: two rows do not compile
+    place[kPacketRoutes[i].number] = static_cast<std::uint8_t>(i);
+  }
+  return place;
+}();
+
+}  // namespace
+
+const PacketRoute& route_of(const lang::PacketView& view) {
+  static constexpr PacketRoute kNone{packet::end_of_information, Turn::rest, {}, nullptr};
+  const std::uint8_t i = kPlaceOfRoute[view.NID_PACKET & 0xFFu];
+  return i < kPacketRoutes.size() ? kPacketRoutes[i] : kNone;
+}
+
+InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view) {
+  InformationRows rows;
+  const Rows& r = route.rows;
+  if (r.count > 0) (void)rows.push_back(r.of_contents != nullptr ? r.of_contents(view) : r.first);
+  if (r.count > 1) (void)rows.push_back(r.second);
+  return rows;
+}
+
+}  // namespace evc::kernel

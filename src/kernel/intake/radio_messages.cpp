@@ -1,0 +1,98 @@
+#include "kernel/intake/radio_messages.h"
+
+#include "kernel/intake/buffer.h"
+#include "kernel/intake/filter.h"
+#include "lang/decode.h"
+#include "lang/instances.h"
+#include "lang/messages.h"
+#include "lang/si.h"
+
+namespace evc::kernel {
+namespace {
+
+/// Reference and orientation of a radio message: its NID_LRBG among those remembered (3.6.2.2.2 c).
+bool refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
+  const auto id = lang::group(view.NID_LRBG);
+  if (!id) {
+    // LRBG unknown (3.6.2.2.2.3): only what needs no place can be used; distances count from the front end.
+    information.reference = position::front(state.position).est;
+    information.orientation = Direction::unknown;
+    return true;
+  }
+  information.group = {id->NID_C, id->NID_BG};
+  const position::Reference* reference = position::find(state.position, information.group);
+  if (reference == nullptr) return false;
+  information.reference = reference->place;
+  information.orientation = reference->orientation;
+  return true;
+}
+
+/// Message 33 counts from a point D_REF away from the LRBG (3.6.3.2.5).
+void shift_reference(Information& information, const lang::MessageToTrainView& view) {
+  if (view.NID_MESSAGE != message::movement_authority_shifted) return;
+  lang::Message33 m;
+  if (lang::decode(view, m) != lang::Fault::none) return;
+  const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
+  information.reference =
+      information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
+}
+
+void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes) {
+  State& s = r.state;
+  Information information;
+  information.medium = Medium::rbc;
+  information.sv = view.sv;
+  information.message = &view;
+  information.min_safe_front = r.out.here.min_safe_front;
+  information.time = s.now;
+  // 3.8.4.2.1: timers count from the time stamp of the message.
+  if (lang::seconds(view.T_TRAIN)) information.time = radio::time_of(view.T_TRAIN.raw, s.now);
+  if (!refer(information, s, view)) {
+    r.log.note({.what = What::message_refused, .id = view.NID_MESSAGE, .clause = "3.6.2.2.2"_srs});
+    return;
+  }
+  shift_reference(information, view);
+  (void)gather(information, view.packets);  // a message has no more than there is room for
+  drop_superseded(information);
+  const Waiting waiting = evaluate(r, information);
+  if (!waiting.any()) return;
+  add_bits(keep(s, information, waiting), bytes);
+}
+
+void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
+  State& s = r.state;
+  const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s.radio.session.M_VERSION));
+  if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
+    r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
+    return;
+  }
+  if (view.fault != lang::Fault::none || bytes.size() > 1024) {
+    radio::receive_inconsistent(s.radio);
+    r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
+    return;
+  }
+  radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
+  // 40 and 41 of an old RBC may carry any LRBG (6.6.3.3.2).
+  if (view.sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
+    header.NID_LRBG = radio::kUnknownLrbg;
+  const radio::Rejected rejected = radio::receive(s.radio, header, s.now, r.outbox);
+  if (rejected != radio::Rejected::no) {
+    r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
+    return;
+  }
+  r.out.new_radio_message = true;
+  if (view.NID_MESSAGE == message::trackside_system_version) {
+    lang::Message32 m;
+    if (lang::decode(view, m) == lang::Fault::none)
+      radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, r.outbox);
+  }
+  evaluate_radio(r, view, bytes);
+}
+
+}  // namespace
+
+void receive_radio(Reception& r) {
+  for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m.bytes);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,24 @@
+#pragma once
+#include <optional>
+
+#include "kernel/intake/received.h"
+#include "kernel/log.h"
+#include "kernel/state.h"
+#include "procedures/level_transition.h"
+#include "radio/messages.h"
+
+namespace evc::kernel {
+
+/// What the parts of the first stage work on. It ends with the stage.
+struct Reception {
+  State& state;
+  Derived::Scratch& scratch;
+  const Inputs& in;
+  radio::Outbox& outbox;  ///< answers to the RBC
+  Log log;
+  Received& out;
+  /// The last level transition order accepted, as it was judged (5.10.1.6).
+  std::optional<procedures::level_transition::JudgedOrder> order;
+};
+
+}  // namespace evc::kernel

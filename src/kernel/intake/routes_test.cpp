@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kernel/intake/routes.h"
+#include "lang/encode.h"
+#include "lang/packets/packet_68.h"
+
+// The ways of packets and messages against the reference data.
+namespace evc::kernel {
+namespace {
+
+using nlohmann::json;
+
+InformationRows rows_of_number(int NID_PACKET) {
+  lang::PacketView view;
+  view.NID_PACKET = static_cast<std::uint16_t>(NID_PACKET);
+  return rows_of(route_of(view), view);
+}
+
+template <class P>
+InformationRows rows_of_contents(P packet) {
+  std::array<std::uint8_t, 64> bytes{};
+  BitWriter out(bytes);
+  lang::encode(out, packet);
+  lang::PacketView view;
+  view.NID_PACKET = P::info.NID_PACKET;
+  view.L_PACKET = static_cast<std::uint16_t>(out.position());
+  view.sv = {2, 1};
+  view.bytes = bytes;
+  return rows_of(route_of(view), view);
+}
+
+InformationRows rows_of_condition(std::uint8_t M_TRACKCOND) {
+  lang::Packet68 p;
+  p.M_TRACKCOND.raw = M_TRACKCOND;
+  return rows_of_contents(p);
+}
+
+/// One row of the reference stands for several where the two tables cut differently.
+std::vector<std::string> informations(const std::string& id) {
+  if (id == "track_conditions_no_bmm") return {"track_conditions_general", "track_conditions_horn_stopping"};
+  if (id == "level_transition_orders") return {"level_transition_order", "conditional_level_transition_order"};
+  return {id};
+}
+
+std::set<std::string> names(const InformationRows& rows) {
+  std::set<std::string> out;
+  for (const evc::Information row : rows) out.insert(name(row));
+  return out;
+}
+
+TEST(Routes, PacketsAndMessagesFindTheRowsOfTheReference) {
+  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/acceptance_by_mode.json");
+  const json file = json::parse(in);
+  std::set<int> packets, messages;
+  for (const json& r : file["information"]) {
+    const std::string id = r["id"];
+    const std::string from = r["packets"];
+    for (std::size_t i = 0; i + 1 < from.size(); ++i) {
+      const bool starts =
+          (i == 0 || from[i - 1] == ' ' || from[i - 1] == '(') && std::isdigit(static_cast<unsigned char>(from[i + 1]));
+      if (!starts || (from[i] != 'P' && from[i] != 'M') || from.find('[') < i || from.find("infill") < i) continue;
+      const int number = std::stoi(from.substr(i + 1));
+      std::set<std::string> found;
+      if (from[i] == 'M') {
+        messages.insert(number);
+        if (const auto row = row_of_message(static_cast<std::uint8_t>(number))) found = {name(*row)};
+      } else {
+        packets.insert(number);
+        found = names(rows_of_number(number));
+        if (number == 68) found.merge(names(rows_of_condition(3)));
+      }
+      if (id == "lssma_toggle_on") continue;  // the unit takes each for the other row
+      bool any = false;
+      for (const std::string& what : informations(id)) any = any || found.count(what) != 0;
+      EXPECT_TRUE(any) << id << " " << from[i] << number;
+    }
+  }
+  EXPECT_GE(packets.size(), 45u);
+  EXPECT_GE(messages.size(), 18u);
+  EXPECT_EQ(rows_of_number(12).size(), 2u);
+  for (const int none : {0, 49, 63, 80, 145, 255, 199}) EXPECT_TRUE(rows_of_number(none).empty()) << none;
+  for (const std::uint8_t none : std::array<std::uint8_t, 3>{24, 37, 200}) EXPECT_FALSE(row_of_message(none)) << none;
+}
+
+TEST(Routes, TheRowOfATrackConditionIsThatOfItsKind) {  // 4.8.3, 4.8.4
+  for (std::uint8_t kind = 0; kind <= 10; ++kind)
+    EXPECT_EQ(names(rows_of_condition(kind)),
+              (std::set<std::string>{kind <= 2 ? "track_conditions_horn_stopping" : "track_conditions_general"}))
+        << int{kind};
+}
+
+}  // namespace
+}  // namespace evc::kernel

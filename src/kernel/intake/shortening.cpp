@@ -1,0 +1,73 @@
+#include "kernel/intake/shortening.h"
+
+#include "kernel/basis.h"
+#include "kernel/curves.h"
+#include "kernel/stored.h"
+#include "radio/messages.h"
+#include "terms/packet_numbers.h"
+#include "track/store.h"
+
+namespace evc::kernel {
+namespace {
+
+/// The authority that message 9 proposes.
+track::Contents& proposal(Evaluation& e) {
+  track::Contents& proposed = empty(e.r.scratch.proposal);
+  proposed.medium = e.reference.medium;
+  proposed.time = e.information.time;
+  proposed.reference = e.information.reference;
+  for (const lang::PacketView& p : e.information.packets)
+    if (p.NID_PACKET == packet::level_2_3_movement_authority || p.NID_PACKET == packet::mode_profile ||
+        p.NID_PACKET == packet::balise_groups_for_sh_area)
+      (void)track::add(proposed, p, e.reference);
+  return proposed;
+}
+
+}  // namespace
+
+bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
+                     const track::Contents& proposal) {
+  if (!supervises(s, modes::Supervision::full) || !proposal.ma) return false;
+  const track::MovementAuthority& proposed = *proposal.ma;
+  track::Authority a;
+  if (proposed.limited()) {
+    a.LOA = proposed.end();
+    a.V_LOA = proposed.V_LOA;
+  } else {
+    a.EOA = proposed.end();
+    a.SvL = proposed.SvL();
+  }
+  // The start of an area of its mode profile would be an end as well (3.12.4), on the safe side with the SvL there.
+  if (proposal.mode_profile)
+    for (const track::ModeArea& area : *proposal.mode_profile) {
+      if (a.EOA && area.from >= *a.EOA) continue;
+      a.EOA = area.from;
+      a.SvL = area.from;
+    }
+  build(curves, s, train, basis_of(s, here, s.basis.key, a));
+  sdm::Supervision fresh;
+  const sdm::Result limits = sdm::supervise(fresh, curves.sdm, motion_of(s, here, train));
+  return limits.monitoring == Monitoring::CSM && limits.status == Status::Normal;
+}
+
+bool proposal_is_described(Evaluation& e) {
+  const track::Contents& proposed = proposal(e);
+  return proposed.ma && track::complete(e.r.state.track, proposed, e.r.out.here);
+}
+
+Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
+  State& s = e.r.state;
+  track::Contents& proposed = proposal(e);
+  const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
+                       track::complete(s.track, proposed, e.r.out.here) &&
+                       can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
+  radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
+  e.r.log.note({.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});
+  if (!granted) return "3.8.6.2"_srs;
+  proposed.ma_is_shortening_request = true;
+  (void)track::store(s.track, proposed, e.r.out.here);
+  cut_beyond(s, proposed.ma->far_end());
+  return {};
+}
+
+}  // namespace evc::kernel

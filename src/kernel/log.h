@@ -1,0 +1,17 @@
+#pragma once
+#include "kernel/port.h"
+
+namespace evc::kernel {
+
+/// Where the stages log what happens in a cycle.
+struct Log {
+  decltype(Outputs::events)& events;
+
+  /// Adds an event; when there is no room the last one says so.
+  void note(const Event& event) const {
+    if (events.push_back(event)) return;
+    events.back() = Event{.what = What::events_lost};
+  }
+};
+
+}  // namespace evc::kernel

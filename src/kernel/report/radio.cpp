@@ -1,0 +1,189 @@
+#include "kernel/report/radio.h"
+
+#include "kernel/here.h"
+#include "kernel/stored.h"
+#include "kernel/train_category.h"
+#include "modes/active_functions.h"
+#include "radio/compose.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Function;
+
+radio::TrainDataReport train_report(const State& s) {
+  const train::TrainData& t = s.train;
+  radio::TrainDataReport r;
+  const track::TrainCategory category = category_of(t);
+  r.NC_CDTRAIN = category.NC_CDTRAIN;
+  r.NC_TRAIN = category.NC_TRAIN;
+  // The RBC must not believe the train shorter or slower than it is: rounded up.
+  const auto whole = static_cast<std::uint16_t>(t.L_TRAIN.si);
+  r.L_TRAIN = static_cast<double>(whole) < t.L_TRAIN.si ? static_cast<std::uint16_t>(whole + 1) : whole;
+  const double steps = t.V_MAXTRAIN.si * 3.6 / 5.0;
+  r.V_MAXTRAIN = static_cast<std::uint8_t>(steps + 0.999999);
+  r.M_LOADINGGAUGE = static_cast<std::uint8_t>(t.loading_gauge);
+  r.M_AXLELOADCAT = category.M_AXLELOADCAT;
+  r.M_AIRTIGHT = t.airtight ? 1 : 0;
+  for (const train::TractionSystem& system : t.traction_systems)
+    (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
+  if (valid(s.data.train_running_number_status)) r.NID_OPERATIONAL = s.data.train_running_number;
+  return r;
+}
+
+radio::PositionReport position_report(const State& s, const position::Report& p) {
+  radio::PositionReport r;
+  r.Q_SCALE = p.Q_SCALE;
+  r.NID_LRBG = p.NID_LRBG;
+  r.NID_PRVLRBG = p.NID_PRVLRBG;
+  r.D_LRBG = p.D_LRBG;
+  r.Q_DIRLRBG = p.Q_DIRLRBG;
+  r.Q_DLRBG = p.Q_DLRBG;
+  r.L_DOUBTOVER = p.L_DOUBTOVER;
+  r.L_DOUBTUNDER = p.L_DOUBTUNDER;
+  r.Q_LENGTH = p.Q_LENGTH;
+  if (p.L_TRAININT) r.L_TRAININT = *p.L_TRAININT;
+  r.V_TRAIN = p.V_TRAIN;
+  r.Q_DIRTRAIN = p.Q_DIRTRAIN;
+  r.M_MODE = M_MODE(s.mode);
+  r.M_LEVEL = M_LEVEL(s.level.level);
+  r.NID_NTC = s.level.nid_ntc;
+  return r;
+}
+
+bool in_radio_hole(const State& s, const track::Here& here) {
+  for (const track::TrackCondition& t : s.track.conditions)
+    if (t.kind == TrackConditionKind::radio_hole && here.max_safe_front >= t.from && here.est_front <= t.to)
+      return true;
+  return false;
+}
+
+/// What the procedures ask to send; MA requests and reports go with the conditions of the radio room.
+void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
+  using procedures::Send;
+  for (const std::uint8_t id : decided.texts_to_report) radio::report_text_acknowledged(id, outbox);
+  const auto& wishes = decided.effects.send;
+  if (wishes.has(Send::open_session) && s.radio.contact) {
+    radio::SessionOrder order;
+    order.establish = true;
+    order.rbc = *s.radio.contact;
+    order.cause = radio::Cause::start_of_mission;
+    (void)radio::order(s.radio, order, false, false, s.now, outbox);
+  }
+  if (wishes.has(Send::terminate_session)) radio::terminate(s.radio.session, s.now, outbox);
+  if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
+  if (wishes.has(Send::shunting_request)) outbox.send(message::request_for_shunting);
+  if (wishes.has(Send::end_of_mission)) outbox.send(message::end_of_mission);
+  if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
+}
+
+/// The events of this cycle that are to be reported in the mode in force (4.5.2).
+position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided) {
+  position::ReportEvents e;
+  const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
+  e.mode_change = decided.mode_changed && level_2_or_3(s.level.level) && in_mode(Function::report_mode_change);
+  e.new_lrbg = received.new_lrbg;
+  e.level_change =
+      received.level_switched_to && in_mode(received.level_changed_by_driver ? Function::report_level_change_driver
+                                                                             : Function::report_level_change_trackside);
+  e.session_established = s.radio.established_now && in_mode(Function::report_session_established);
+  e.error_to_report = !s.radio.errors.empty() && in_mode(Function::report_data_consistency_error);
+  e.parameters_active = in_mode(Function::report_rbc_requested) || in_mode(Function::report_every_bg);
+  e.standstill_active = in_mode(Function::report_standstill);
+  e.borders_active = in_mode(Function::report_level_border_rear);
+  return e;
+}
+
+/// The report that the rear left the RBC's area is repeated until the RBC ends the session (3.5.5.1 e).
+void leave_rbc(State& s, bool exit_reported, bool termination_ordered, procedures::Effects& effects,
+               radio::Outbox& outbox) {
+  procedures::leaving_rbc::Inputs in;
+  in.now = s.now;
+  in.exit_reported = exit_reported;
+  in.level_2_or_3 = level_2_or_3(s.level.level);
+  in.session_open = s.radio.session.established();
+  in.termination_ordered = termination_ordered;
+  const procedures::Effects own = procedures::leaving_rbc::step(s.leaving_rbc, in);
+  effects |= own;
+  if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.session, s.now, outbox);
+}
+
+std::uint8_t request_reasons(const State& s, const Received& received, const Decided& decided,
+                             bool before_perturbation) {
+  std::uint8_t reasons = 0;
+  if (received.NID_LTRBG) reasons |= radio::kTrackAheadFree;
+  if (decided.start_selected) reasons |= radio::kStartSelected;
+  if (modes::active(Function::ma_request_cyclic, s.mode) && level_2_or_3(s.level.level) && s.radio.ma_request) {
+    if (before_perturbation && s.radio.ma_request->T_MAR) reasons |= radio::kBeforePerturbation;
+    const auto left = track::time_to_timeout(s.track, s.now);
+    if (left && s.radio.ma_request->T_TIMEOUTRQST && *left <= *s.radio.ma_request->T_TIMEOUTRQST)
+      reasons |= radio::kBeforeTimeout;
+  }
+  if (s.track_description_deleted && modes::active(Function::ma_request_td_deleted, s.mode) &&
+      level_2_or_3(s.level.level))
+    reasons |= radio::kTrackDescriptionDeleted;
+  return reasons;
+}
+
+}  // namespace
+
+RadioResult run_radio(State& s, RadioLink link, const Received& received, const Decided& decided,
+                      bool request_before_perturbation, radio::Outbox& outbox, Log log) {
+  RadioResult out;
+  out.effects = decided.effects;
+  const track::Here& here = decided.here;
+  send_wishes(s, decided, outbox);
+  radio::Inputs in;
+  in.now = s.now;
+  in.link = link;
+  in.in_radio_hole = in_radio_hole(s, here);
+  in.level_2_or_3 = level_2_or_3(s.level.level);
+  in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
+  in.standstill = here.standstill;
+  in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
+  in.contact.T_NVCONTACT = s.national_values.T_NVCONTACT;
+  in.contact.M_NVCONTACT = s.national_values.M_NVCONTACT;
+  const std::uint16_t due =
+      position::due(s.reports, s.position, events_to_report(s, received, decided), s.train.L_TRAIN);
+  leave_rbc(s, (due & static_cast<std::uint16_t>(position::Due::border)) != 0, received.termination_ordered,
+            out.effects, outbox);
+  in.report_due = due != 0 || out.effects.send.has(procedures::Send::position_report);
+  in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
+  in.Q_STATUS = Q_STATUS(s.position.status);
+  in.reasons = request_reasons(s, received, decided, request_before_perturbation);
+  in.NID_LTRBG = received.NID_LTRBG;
+  const radio::Result r = radio::supervise(s.radio, in, outbox);
+  s.contact_trip = r.trip;
+  if (r.session_established) log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
+  if (r.session_lost) log.note({.what = What::session_lost, .clause = "3.5.4"_srs});
+  out.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
+  if (r.shorten) {
+    shorten(s, track::Situation::i_radio_contact_lost, here.max_safe_front, here);
+    log.note({.what = What::track_description_shortened, .clause = "3.16.3.4.5"_srs});
+  }
+  return out;
+}
+
+void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& out) {
+  static_assert(decltype(Outputs::radio_out)::capacity() == radio::Outbox::kMessages);
+  if (outbox.messages.empty()) return;
+  if (outbox.lost) log.note({.what = What::message_not_sent});
+  const position::Report report = position::report(s.position, {});
+  const radio::PositionReport p = position_report(s, report);
+  const radio::TrainDataReport t = train_report(s);
+  const radio::OnBoard unit{};
+  bool position_sent = false;
+  for (const radio::Intent& intent : outbox.messages) {
+    std::array<std::uint8_t, 192> bytes{};
+    const std::size_t n = radio::compose(intent, p, t, unit, s.radio.session.M_VERSION, bytes);
+    OutgoingMessage message;
+    for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
+    if (n == 0) continue;
+    (void)out.radio_out.push_back(message);  // as many as the outbox holds
+    position_sent = position_sent || radio::reports_position(intent.NID_MESSAGE);
+  }
+  if (position_sent) position::note_reported(s.position, report);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,155 @@
+#include "kernel/report/report.h"
+
+#include "driver/driver.h"
+#include "kernel/here.h"
+#include "kernel/report/radio.h"
+#include "track/services.h"
+
+namespace evc::kernel {
+namespace {
+
+RbcAddress address(const radio::Rbc& rbc) { return {rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO}; }
+
+/// All causes of this cycle into brake commands (3.14.1). Gives whether a release waits for the driver.
+bool command_brakes(State& s, const Received& received, const Decided& decided, brakes::CauseSet asked, Outputs& out) {
+  asked.add(brakes::Cause::trip, s.mode == Mode::TR);
+  asked.add(brakes::Cause::no_power_or_failure, s.mode == Mode::NP || s.mode == Mode::SF || received.safety_fault);
+  brakes::Context context;
+  context.standstill = decided.here.standstill;
+  context.driver_acknowledges = received.acknowledged.has(Ack::brake);
+  context.new_consistent_message = received.new_radio_message;
+  context.service_brake_fitted = s.train.service_brake_interface;
+  context.traction_cut_off_fitted = s.train.traction_cut_off_interface;
+  brakes::Command command = brakes::command(s.brakes, asked, context);
+  if (s.mode == Mode::IS) command = {};  // 4.4.3: isolated from the brakes
+  out.tco = command.tco;
+  out.sb = command.sb;
+  out.eb = command.eb;
+  out.brake_reasons = command.reasons;
+  return command.acknowledgement_wanted;
+}
+
+void show_limits(const sdm::Result& r, Outputs& out) {
+  out.monitoring = r.monitoring;
+  out.status = r.status;
+  out.V_P = r.V_P;
+  out.V_W = r.V_W;
+  out.V_SBI = r.V_SBI;
+  out.V_EBI = r.V_EBI;
+  out.V_MRSP = r.V_MRSP;
+  out.V_target = r.V_target;
+  out.d_target = r.d_target;
+  out.V_release = r.V_release;
+}
+
+driver::ShowContext show_context(const State& s, bool desk_open, const Decided& decided, Set<Ack> requests,
+                                 bool brake_commanded) {
+  const track::Here& here = decided.here;
+  driver::ShowContext c;
+  c.mode = s.mode;
+  c.desk_open = desk_open;
+  if (valid(s.data.level_status)) c.level = s.level.level;
+  if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
+    c.announced = s.level_transition.pending->to.level;
+  c.requests = requests;
+  c.override_active = s.override_.active;
+  c.brake_commanded = brake_commanded;
+  c.radio = s.radio.session.indication == radio::Indication::up       ? driver::RadioStatus::up
+            : s.radio.session.indication == radio::Indication::failed ? driver::RadioStatus::lost
+                                                                      : driver::RadioStatus::none;
+  c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
+  c.reversing_possible = decided.reversing_possible;
+  c.track_ahead_free_asked = s.track_ahead_free.asking;
+  for (const track::TrackCondition& t : s.track.conditions)
+    if (t.kind == TrackConditionKind::tunnel_stopping_area && here.est_front >= t.from && here.est_front <= t.to)
+      c.tunnel_stopping_area = true;
+  for (const track::LevelCrossing& lx : s.track.lx)
+    if (lx.unprotected && here.est_front <= lx.to) c.lx_not_protected = true;
+  return c;
+}
+
+void show_texts(const track::Description& d, const track::TextDisplay& texts, Outputs& out) {
+  for (const std::uint8_t id : texts.shown) {
+    const track::Text* text = nullptr;
+    for (const track::Text& t : d.texts)
+      if (t.id == id) text = &t;
+    if (text == nullptr) continue;
+    ShownText shown;
+    shown.id = id;
+    shown.Q_TEXT = text->Q_TEXT;
+    shown.length = text->length;
+    shown.characters = text->characters;
+    (void)out.texts.push_back(shown);  // six at the most
+  }
+}
+
+/// Position, authority, symbols, requests and texts (4.7).
+void show(State& s, bool desk_open, const Decided& decided, const procedures::Effects& effects, Outputs& out) {
+  const track::Here& here = decided.here;
+  out.now = s.now;
+  out.mode = s.mode;
+  out.level = s.level.level;
+  out.nid_ntc = s.level.nid_ntc;
+  if (const position::Reference* lrbg = position::lrbg(s.position)) out.lrbg = NidLrbg{lrbg->id.NID_C, lrbg->id.NID_BG};
+  out.est_front = position::counter_of(s.position, here.est_front);
+  out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
+  out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
+  out.v = s.position.now.V_est;
+  const track::Authority& a = s.basis.authority;
+  if (a.EOA) out.EOA = position::counter_of(s.position, *a.EOA);
+  if (a.LOA) out.EOA = position::counter_of(s.position, *a.LOA);
+  if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
+  const driver::Show shown = driver::show(show_context(s, desk_open, decided, effects.requests, out.sb || out.eb));
+  out.symbols = shown.symbols;
+  out.requests = effects.requests;
+  out.entries = effects.entries;
+  out.start_offered = effects.offers.has(Offer::start);
+  show_texts(s.track, decided.texts, out);
+  s.requested = effects.requests;
+  s.offers = effects.offers;
+  s.entries = effects.entries;
+}
+
+template <class T>
+void reset(T& field) {
+  field = T{};
+}
+/// What the elements hold is not read before they are written: 7 KB need not be touched each cycle.
+template <class T, std::size_t N>
+void reset(InplaceVector<T, N>& list) {
+  list.clear();
+}
+template <class... Fields>
+void reset_all(Fields&... fields) {
+  (reset(fields), ...);
+}
+
+}  // namespace
+
+void reset(Outputs& out) {
+  // All members by name: one that is added and not named here does not compile.
+  auto& [now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
+         V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests, entries,
+         start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events] = out;
+  reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
+            V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
+            entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events);
+}
+
+void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,
+            radio::Outbox& outbox, Log log, Outputs& out) {
+  if (supervised.limits) show_limits(*supervised.limits, out);
+  const bool before_perturbation = supervised.limits && supervised.limits->MA_request;
+  RadioResult radio = run_radio(s, in.radio_link, received, decided, before_perturbation, outbox, log);
+  compose_messages(s, outbox, log, out);
+  if (outbox.connect) out.radio_connect = address(*outbox.connect);
+  if (outbox.disconnect) out.radio_disconnect = address(*outbox.disconnect);
+  brakes::CauseSet asked = received.asked;
+  asked |= decided.asked;
+  asked |= supervised.asked;
+  asked |= radio.asked;
+  radio.effects.requests.add(Ack::brake, command_brakes(s, received, decided, asked, out));
+  show(s, in.train.desk_open, decided, radio.effects, out);
+}
+
+}  // namespace evc::kernel

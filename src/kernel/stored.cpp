@@ -1,0 +1,144 @@
+#include "kernel/stored.h"
+
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+using modes::Fate;
+
+constexpr bool clears(Fate fate) { return fate == Fate::deleted || fate == Fate::reset; }
+
+void remove_stops(State& s, bool conditional) {
+  s.emergency_stops.pending.erase_if(
+      [conditional](const protection::EmergencyStop& e) { return e.conditional == conditional; });
+}
+
+/// Deletes or resets what is kept outside the track description.
+void clear_other(State& s, Stored stored) {
+  using enum Stored;
+  switch (stored) {
+    case pending_national_values:
+      s.pending_national_values.reset();
+      return;
+    case linking:
+      balise::clear(s.balise.linking);
+      return;
+    case ma_request_params:
+      s.radio.ma_request.reset();
+      return;
+    case position_report_params:
+      position::clear_parameters(s.reports);
+      return;
+    case sr_bg_list_speed_distance:
+      s.staff_responsible = {};
+      return;
+    case adhesion_driver:
+      s.slippery_rail = false;
+      return;
+    case unconditional_stops:
+      remove_stops(s, false);
+      return;
+    case conditional_stops:
+      remove_stops(s, true);
+      return;
+    case train_position:
+      position::forget(s.position);
+      return;
+    case train_data:
+      s.data.train_data_status = DataStatus::unknown;
+      return;
+    case level:
+      s.data.level_status = DataStatus::unknown;
+      return;
+    case trackside_level_table:
+      s.level_table.reset();
+      return;
+    case driver_id:
+      s.data.driver_id_status = DataStatus::unknown;
+      return;
+    case rbc_id_phone:
+      s.radio.contact.reset();
+      return;
+    case train_running_number:
+      s.data.train_running_number_status = DataStatus::unknown;
+      return;
+    case track_ahead_free_request:
+      s.track_ahead_free = {};
+      return;
+    default:
+      return;  // national values, versions, covers and language are never deleted (4.10)
+  }
+}
+
+void invalidate(DataStatus& status) {
+  if (status == DataStatus::valid) status = DataStatus::invalid;
+}
+
+void revalidate(State& s, Stored stored) {
+  using enum Stored;
+  switch (stored) {
+    case train_position:
+      position::invalidate(s.position);
+      return;
+    case train_data:
+      invalidate(s.data.train_data_status);
+      return;
+    case level:
+      invalidate(s.data.level_status);
+      return;
+    case driver_id:
+      invalidate(s.data.driver_id_status);
+      return;
+    case train_running_number:
+      invalidate(s.data.train_running_number_status);
+      return;
+    case rbc_id_phone:
+      invalidate(s.contact_status);
+      return;
+    default:
+      return;
+  }
+}
+
+void apply(State& s, Stored stored, Fate fate) {
+  if (fate == Fate::to_be_revalidated) return revalidate(s, stored);
+  if (!clears(fate)) return;
+  (void)track::forget(s.track, stored);
+  clear_other(s, stored);
+}
+
+template <class FateOf>
+void apply_all(State& s, FateOf fate_of) {
+  for (std::size_t i = 0; i < kStored; ++i) {
+    const auto stored = static_cast<Stored>(i);
+    apply(s, stored, fate_of(stored));
+  }
+}
+
+}  // namespace
+
+void keep_for_mode(State& state, Mode to, Mode from) {
+  apply_all(state, [&](Stored stored) { return modes::on_entry(to, from, stored, state.srs); });
+}
+
+void keep_for_level(State& state, Level to) {
+  apply_all(state, [to](Stored stored) { return modes::on_level_entry(to, stored); });
+}
+
+void keep_for_closed_desk(State& state) {
+  apply_all(state, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
+}
+
+void cut_beyond(State& state, Place beyond) {
+  balise::clear_beyond(state.balise.linking, beyond);
+  if (state.pending_national_values && state.pending_national_values->from > beyond)
+    state.pending_national_values.reset();
+}
+
+void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here) {
+  if (track::shorten(state.track, situation, beyond, here)) state.track_description_deleted = true;
+  cut_beyond(state, beyond);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,91 @@
+#include "kernel/supervise/supervise.h"
+
+#include "kernel/basis.h"
+#include "kernel/curves.h"
+#include "sdm/locations.h"
+
+namespace evc::kernel {
+namespace {
+
+/// Builds the curves in force anew when their basis is another one than they were built from.
+void refresh(State& s, Derived& d, const TrainSignals& train, const track::Here& here, bool renewed, Log log) {
+  if (renew_basis(s, train, here)) renewed = true;
+  if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
+  d.built = s.basis.number;
+  build(d.in_force, s, train, s.basis);
+  if (!renewed) return;  // logged when it was built first
+  if (d.in_force.sdm.truncated) log.note({.what = What::targets_lost});
+  if (d.in_force.sdm.no_deceleration) log.note({.what = What::no_deceleration, .clause = "3.13.6.2"_srs});
+}
+
+protection::Way way_of(DirectionController controller) {
+  return controller == DirectionController::forward    ? protection::Way::forward
+         : controller == DirectionController::backward ? protection::Way::backward
+                                                       : protection::Way::none;
+}
+
+/// 5.16.2: the stop in rear of an unprotected level crossing gives way to the LX speed: with an order to stop once the
+/// train stands in its stopping area, else once it has passed the place that 3.13.9.3.5.11 defines.
+void pass_level_crossings(State& s, const Derived::Curves& in_force, const track::Here& here, const sdm::Motion& motion,
+                          Log log) {
+  for (const track::LevelCrossing& lx : s.track.lx) {
+    if (!lx.unprotected || lx.substituted || here.est_front > lx.from) continue;
+    const bool over =
+        lx.stop_required
+            ? here.standstill && here.est_front >= lx.from - lx.L_STOPLX
+            : sdm::lx_substitution(in_force.inputs, in_force.sdm, lx.from, track::speed_of(lx.V_LX), motion).passed;
+    if (!over) continue;
+    track::substitute_level_crossing(s.track, lx.NID_LX, here.est_front);
+    log.note({.what = What::level_crossing_speed, .id = lx.NID_LX, .clause = "5.16.2"_srs});
+    return;  // the others are looked at with the curves built anew
+  }
+}
+
+/// One cycle of 3.13.10.
+void supervise_speed(State& s, const Derived::Curves& in_force, const TrainSignals& train, const track::Here& here,
+                     Supervised& out, Log log) {
+  if (!supervises_speed(s.mode)) {
+    s.supervision = {};
+    return;
+  }
+  const sdm::Motion motion = motion_of(s, here, train);
+  pass_level_crossings(s, in_force, here, motion, log);
+  const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, in_force.sdm, motion));
+  out.asked.add(brakes::Cause::overspeed_traction, r.tco);
+  out.asked.add(brakes::Cause::overspeed_service, r.sb);
+  out.asked.add(brakes::Cause::overspeed_emergency, r.eb);
+}
+
+/// Roll away, reverse movement, standstill, post trip and reversing distance (3.14.2-4, 4.4.14, 3.15.4).
+void guard_movement(State& s, const TrainSignals& train, const track::Here& here, bool acknowledged, Supervised& out) {
+  protection::Movement m;
+  m.nominal = s.position.now.counter.nominal;
+  m.standstill = here.standstill;
+  m.controller = way_of(train.direction_controller);
+  m.permitted = s.mode == Mode::PT || s.mode == Mode::RV ? protection::Way::backward : protection::Way::forward;
+  m.D_NVROLL = s.national_values.D_NVROLL;
+  m.D_NVPOTRP = s.national_values.D_NVPOTRP;
+  if (s.mode == Mode::RV && s.track.reversing_reference && s.track.reversing_supervision &&
+      s.track.reversing_supervision->D_REVERSE)
+    m.reversing_left = here.est_front - (*s.track.reversing_reference - *s.track.reversing_supervision->D_REVERSE);
+  m.acknowledged = acknowledged;
+  const protection::Commands c = protection::guard(s.guards, protection::guards_of(s.mode), m);
+  out.asked.add(brakes::Cause::roll_away, c.roll_away);
+  out.asked.add(brakes::Cause::reverse_movement, c.reverse_movement);
+  out.asked.add(brakes::Cause::standstill, c.standstill);
+  out.asked.add(brakes::Cause::post_trip_distance, c.post_trip);
+  out.asked.add(brakes::Cause::reversing_distance, c.reversing);
+}
+
+}  // namespace
+
+Supervised supervise(State& state, Derived& derived, const TrainSignals& train, const track::Here& here,
+                     bool basis_renewed, bool brake_acknowledged, Log log) {
+  Supervised out;
+  refresh(state, derived, train, here, basis_renewed, log);
+  supervise_speed(state, derived.in_force, train, here, out, log);
+  guard_movement(state, train, here, brake_acknowledged, out);
+  return out;
+}
+
+}  // namespace evc::kernel

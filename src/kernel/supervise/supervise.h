@@ -1,0 +1,16 @@
+#pragma once
+#include "kernel/log.h"
+#include "kernel/state.h"
+#include "kernel/supervise/supervised.h"
+#include "track/services.h"
+
+// Third stage: speed and distance monitoring (3.13), and the movement protections (3.14).
+namespace evc::kernel {
+
+/// Supervises the movement with what is in force after the mode transition. Of Derived only what is in force is
+/// written. `basis_renewed`: State::basis was renewed in this cycle before; `brake_acknowledged`: by the driver, in
+/// this cycle.
+Supervised supervise(State& state, Derived& derived, const TrainSignals& train, const track::Here& here,
+                     bool basis_renewed, bool brake_acknowledged, Log log);
+
+}  // namespace evc::kernel
