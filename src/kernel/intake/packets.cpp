@@ -1,6 +1,7 @@
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
 #include "lang/decode.h"
+#include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_57.h"
@@ -92,6 +93,12 @@ evc::Information row_of_track_condition(const lang::PacketView& view) {
                                          : evc::Information::track_conditions_general;
 }
 
+evc::Information row_of_lssma(const lang::PacketView& view) {
+  lang::Packet180 p;
+  const bool on = lang::decode(view, p) == lang::Fault::none && p.Q_LSSMA.raw == 1;
+  return on ? evc::Information::lssma_toggle_on : evc::Information::lssma_toggle_off;
+}
+
 // clang-format off
 /// The way of each packet of the trackside (7.4.2) through the kernel.
 constexpr auto kPacketRoutes = [] {
@@ -149,7 +156,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  store_with_track},
     {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr},
     {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr},
-    {packet::lssma_display,                           Turn::rest,           {lssma_toggle_off},                      nullptr},
+    {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr},
     {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     store_with_track},
     {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr},
     {packet::end_of_information,                      Turn::before,         {},                                      nullptr},

@@ -10,6 +10,7 @@
 
 #include "kernel/intake/routes.h"
 #include "lang/encode.h"
+#include "lang/packets/packet_180.h"
 #include "lang/packets/packet_68.h"
 
 // The ways of packets and messages against the reference data.
@@ -40,6 +41,12 @@ InformationRows rows_of_contents(P packet) {
 InformationRows rows_of_condition(std::uint8_t M_TRACKCOND) {
   lang::Packet68 p;
   p.M_TRACKCOND.raw = M_TRACKCOND;
+  return rows_of_contents(p);
+}
+
+InformationRows rows_of_lssma(std::uint8_t Q_LSSMA) {
+  lang::Packet180 p;
+  p.Q_LSSMA.raw = Q_LSSMA;
   return rows_of_contents(p);
 }
 
@@ -76,8 +83,8 @@ TEST(Routes, PacketsAndMessagesFindTheRowsOfTheReference) {
         packets.insert(number);
         found = names(rows_of_number(number));
         if (number == 68) found.merge(names(rows_of_condition(3)));
+        if (number == 180) found.merge(names(rows_of_lssma(1)));
       }
-      if (id == "lssma_toggle_on") continue;  // the unit takes each for the other row
       bool any = false;
       for (const std::string& what : informations(id)) any = any || found.count(what) != 0;
       EXPECT_TRUE(any) << id << " " << from[i] << number;
@@ -95,6 +102,11 @@ TEST(Routes, TheRowOfATrackConditionIsThatOfItsKind) {  // 4.8.3, 4.8.4
     EXPECT_EQ(names(rows_of_condition(kind)),
               (std::set<std::string>{kind <= 2 ? "track_conditions_horn_stopping" : "track_conditions_general"}))
         << int{kind};
+}
+
+TEST(Routes, LssmaIsSwitchedOnAndOff) {  // 7.4.2.38
+  EXPECT_EQ(names(rows_of_lssma(0)), std::set<std::string>{"lssma_toggle_off"});
+  EXPECT_EQ(names(rows_of_lssma(1)), std::set<std::string>{"lssma_toggle_on"});
 }
 
 }  // namespace
