@@ -15,6 +15,7 @@
  * - Units are metres, seconds, m/s, m/s2. A number that does not exist is not a number (isnan).
  * - Codes are those of SUBSET-026-7 where it has them (M_MODE, M_LEVEL, NID_C, ...).
  */
+/* NOLINTBEGIN(modernize-deprecated-headers, modernize-use-using): C reads this too. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -329,4 +330,5 @@ OPENEVC_API openevc_result openevc_curves_at_position(const openevc_curves* curv
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(modernize-deprecated-headers, modernize-use-using) */
 #endif

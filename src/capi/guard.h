@@ -16,9 +16,11 @@ inline constexpr std::size_t kAlignment = 64;
 
 /// Where a function that fails says why.
 struct Why {
-  char* text = nullptr;
-  std::size_t size = 0;
+  char* text;
+  std::size_t size;
 
+  /// `to` may be null: then nobody is told.
+  Why(char* to, std::size_t room) noexcept : text(to), size(room) {}
   openevc_result because(openevc_result result, std::string_view reason) const noexcept {
     if (text != nullptr && size > 0) {
       const std::size_t n = reason.size() < size - 1 ? reason.size() : size - 1;
