@@ -166,7 +166,7 @@ class Room:
                     old.unlink()
             for root in (SRC, PUBLIC):
                 for file in (root / room).rglob("*.*"):
-                    if file.suffix in (".cpp", ".h"):
+                    if file.suffix in (".cpp", ".h", ".inc"):
                         write(copy / file.relative_to(root), file.read_text())
         # "openevc/ROOM/x.h" is ROOM/x.h in a copy; what stands above the public rooms is the same in every one.
         for header in PUBLIC.glob("*.h"):

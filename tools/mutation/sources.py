@@ -84,13 +84,15 @@ def described(text, start, end, new, operator):
 
 
 def enumerators(folders):
-    """Enum name -> its values, of all headers in these folders."""
+    """Enum name -> its values, of all headers in these folders. Of two with one name (modes of two editions of the SRS)
+    only what both have: the text does not show which of them is meant."""
     found = {}
     for folder in folders:
         for header in folder.glob("*.h"):
             for name, body in re.findall(r"enum class (\w+)[^{;]*\{([^}]*)\}", masked(header.read_text())):
                 values = [v.split("=")[0].strip() for v in body.split(",")]
-                found[name] = [v for v in values if v and v != "count"]
+                values = [v for v in values if v and v != "count"]
+                found[name] = [v for v in found.get(name, values) if v in values]
     return found
 
 
@@ -195,7 +197,7 @@ def mutants_of(path, enums):
 
 def is_test(path):
     """Tests and the headers that are named as theirs."""
-    return path.stem.endswith("_test") or path.stem.startswith("test_")
+    return path.stem.endswith(("_test", "testing")) or path.stem.startswith("test_")
 
 
 def mutants_of_room(folder, others):
