@@ -8,8 +8,6 @@ namespace {
 using modes::OrderedLevel;
 using modes::OrderEffect;
 
-bool waits_for_other_mode(Mode mode) { return mode == Mode::SH || mode == Mode::PS; }
-
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
@@ -68,8 +66,8 @@ Result step(State& state, const Inputs& in) {
   Result out;
   if (in.order != nullptr) {
     take(state, in, in.order->order, in.order->decision, out);
-  } else if (state.kept && !waits_for_other_mode(in.mode)) {
-    state.kept = false;
+  } else if (state.kept) {
+    state.kept = false;  // take() keeps it again as long as the mode is SH or PS
     const Order& order = state.kept_order;
     take(state, in, order, modes::judge(order.kind, order.table, in.current, in.mode, in.available), out);
   }

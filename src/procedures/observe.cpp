@@ -1,8 +1,6 @@
 #include "procedures/observe.h"
 
 namespace evc::procedures {
-namespace {}  // namespace
-
 modes::Conditions observe(const Facts& f) {
   const bool in_1 = f.level == Level::L1;
   const bool in_2_3 = level_2_or_3(f.level);

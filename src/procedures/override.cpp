@@ -68,8 +68,8 @@ Result step(State& state, const Inputs& in) {
 }
 
 void on_mode_change(State& state, Mode from, Mode to) {
-  if (to == Mode::TR || to == Mode::LS || to == Mode::OS || to == Mode::SH) state.active = false;  // 5.8.4.1 i
-  // Other modes have no override (4.5.2): SB, FS, NL, ... end it with the mission or authority.
+  // 5.8.4.1 i: TR, LS, OS and SH end it. The other modes have no override (4.5.2): SB, FS, NL, ... end it with the
+  // mission or authority.
   if (to != Mode::SR && to != Mode::UN && to != Mode::SN) state.active = false;
   if (from == Mode::SR) state.former_eoa.reset();
 }

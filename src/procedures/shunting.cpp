@@ -1,8 +1,6 @@
 #include "procedures/shunting.h"
 
 namespace evc::procedures::shunting {
-namespace {}  // namespace
-
 Result step(State& state, const Inputs& in) {
   Result out;
   const bool rbc = in.level == Level::L2 || in.level == Level::L3;

@@ -226,7 +226,6 @@ Effects step(State& state, const Inputs& in) {
     state.step = next(state, now, out);
     if (before == Step::S10 || before == Step::S20 || before == Step::S2) now.enters_level = false;
     if (before == Step::S10 || before == Step::S20) now.enters_train_data = now.selects_start = false;
-    if (before == Step::S3 && state.step != Step::S3) now.enters_rbc_contact = false;
     if (state.step == before) break;
     // What begins with this cycle's outputs cannot be answered before the next one.
     if (state.step == Step::D31 || state.step == Step::S11 || state.step == Step::S21) break;

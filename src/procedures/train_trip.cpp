@@ -110,7 +110,6 @@ Effects step(State& state, const Inputs& in) {
     const Step before = state.step;
     state.step = next(state, in, out);
     if (state.step == before || state.step == Step::S121 || state.step == Step::S150) break;
-    if (before == Step::S140) break;  // one selection of Start, one step
   }
   if (state.step == Step::S150 && in.now >= state.next_request) {
     out.send.add(Send::ma_request);
