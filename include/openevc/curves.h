@@ -20,8 +20,8 @@
 
 namespace evc::sdm {
 
-/// All limits of one target for one speed, with what they were computed from. `EBD` is absent for
-/// nothing but is meaningful for every kind (SvL for EOA_SvL); `SBD` for EOA_SvL only.
+/// All limits of one target for one speed, with the values they were computed from. `EBD` is valid
+/// for every kind of target (for EOA_SvL: of the SvL); `SBD` only for EOA_SvL.
 struct Explanation {
   Approach approach{};
   train::BuildUpTimes build_up{};  // before reduction
@@ -30,27 +30,28 @@ struct Explanation {
   Place est_front{}, min_safe_front{};
   Limits EBD{};
   std::optional<Limits> SBD;
-  // The curves at the speed itself.
+  // The curves' places at the speed.
   Place d_EBD{};
   std::optional<Place> d_SBD, d_GUI;
-  // Decelerations at that speed and at the place where the curve has it.
+  // Decelerations at that speed, at the place where the curve has it.
   Acceleration A_safe{}, A_brake_safe{}, A_brake_emergency{};
   Acceleration A_expected{}, A_brake_service{};
   Acceleration A_gradient_EBD{}, A_gradient_SBD{};
   /// Special brakes that count there (3.13.2.2.6, 3.13.5.1).
   train::BrakeSet in_use_emergency{}, in_use_service{};
-  /// The most restrictive of both curves: the nearer one (3.3.0's FLOI and the limits drawn).
+  /// The more restrictive (nearer) limits of both curves: the FLOI of 3.3.0, and the limits that
+  /// are drawn.
   Place d_FLOI{}, d_W{}, d_P{}, d_I{};
 };
-/// Limits at speed `V`. With 4.0.0's reduced build-up times the train's front matters: `motion` gives
-/// it; without, the times are those of a train that is about to reach its first limit.
+/// Limits at speed `V`. The reduced build-up times of 4.0.0 depend on the train's front end, given by `motion`; without
+/// it, the times are those of a train about to reach its first limit.
 Explanation explain(const Derived& derived, const Inputs& in, const Target& target, Speed V, Speed V_ura,
                     Acceleration A_est, const Motion* motion = nullptr);
 
 /// Speeds of one target's curves and limits at a place (3.13.9.3.3.7 ff., not iterated: the supervision
 /// limits invert to these only when V_est equals them): the speed V whose limit location is `x`, found by
 /// bisection to 1e-9 m/s. The train's estimated front is at `x`, its min safe front `under_reading` in rear of it:
-/// 4.0.0's build-up times are reduced from there (A.3.12).
+/// the build-up times of 4.0.0 are reduced from there (A.3.12).
 struct PositionRow {
   Speed EBD, SBD, EBI, SBI, W, P, I;
 };

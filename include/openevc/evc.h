@@ -7,10 +7,10 @@
 ///       evc::kernel::step(*unit, inputs, outputs);
 ///     }
 ///
-/// Nothing goes in or out but Config, Inputs and Outputs: no clock, no file, no thread, no random number, no heap, no
-/// exception, no state outside the Unit. Units may be used from any threads at the same time, each by one at a time.
-/// Quantities are SI and carry their dimension (openevc/base/units.h); enumerations have the standard's names and
-/// codes.
+/// The only inputs and outputs are Config, Inputs and Outputs: no clock, no file, no thread, no random number, no heap,
+/// no exception, no state outside the Unit. Different threads may use different units at the same time; one unit is
+/// used by one thread at a time. Quantities are SI and carry their dimension (openevc/base/units.h); enumerations have
+/// the standard's names and codes.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,14 +19,14 @@
 
 namespace evc::kernel {
 
-/// All of one on-board unit, as plain memory: it may lie anywhere, be copied as bytes, and needs no end. A copy is a
-/// unit that goes on from the same moment. Large: not for a small stack.
+/// A whole on-board unit as plain memory: it may be stored anywhere, be copied as bytes, and needs no destruction. A
+/// copy is a unit that continues from the same moment. Too large for a small stack.
 class Unit {
  public:
   static constexpr std::size_t kBytes = 336 * 1024;
   static constexpr std::size_t kAlignment = 16;
 
-  /// Not powered up: power_up comes before the first step.
+  /// Not powered up: call power_up before the first step.
   Unit() noexcept;
 
  private:
@@ -34,27 +34,27 @@ class Unit {
   alignas(kAlignment) std::byte memory_[kBytes];
 };
 
-/// Puts the unit into its state after power-up: mode SB is entered from NP in the first cycle (4.6.3 [4]). With train
-/// data or national values that `train::check` refuses it goes to SF then ([13]).
+/// Puts the unit into its state after power-up: mode SB is entered from NP in the first cycle (4.6.3 [4]). If
+/// `train::check` rejects the train data or national values, it enters SF instead ([13]).
 void power_up(Unit& unit, const Config& config) noexcept;
 
 /// One cycle. Total, deterministic, allocation-free; equal (unit, inputs) give equal results. Times, places and speeds
-/// that are not numbers, out of all range (10^9 s or m, 1000 m/s), not between their bounds or before the last cycle's
+/// that are not numbers, beyond 10^9 s, 10^9 m or 1000 m/s, outside their bounds, or earlier than in the last cycle
 /// lead to SF (4.4.5).
 void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept;
 
-/// A snapshot is all that the unit remembers, behind a head that says what made it; bytes of this machine, for storing
-/// and for another process.
+/// A snapshot is the whole state of the unit, preceded by a header that identifies the format and the build; in the
+/// byte order of this machine, to be stored or passed to another process.
 std::size_t snapshot_size() noexcept;
-/// False, and nothing written, where `out` has less than snapshot_size().
+/// False, with nothing written, if `out` has fewer than snapshot_size() bytes.
 [[nodiscard]] bool snapshot(const Unit& unit, std::span<std::byte> out) noexcept;
 
 /// Why a snapshot is refused.
 enum class SnapshotFault : std::uint8_t {
   none,
-  too_short,       ///< fewer bytes than its head says, or than a head has
-  not_a_snapshot,  ///< other bytes, or a machine with another byte order
-  other_format,    ///< made by a version of openevc with another head
+  too_short,       ///< fewer bytes than its header says, or than a header has
+  not_a_snapshot,  ///< other data, or a machine with another byte order
+  other_format,    ///< made by a version of openevc with another header
   other_layout,    ///< made by a build whose unit is laid out differently
   damaged          ///< the checksum is not that of the content
 };
@@ -65,8 +65,8 @@ constexpr const char* name(SnapshotFault fault) {
       "damaged"};
   return kNames[static_cast<std::size_t>(fault)];
 }
-/// The unit goes on from the moment of the snapshot; with any fault it is as it was. Finds what storage and transport
-/// damage, not what somebody forges.
+/// The unit continues from the moment of the snapshot; with any fault it stays unchanged. Detects damage by storage and
+/// transport, not forgery.
 [[nodiscard]] SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept;
 
 }  // namespace evc::kernel

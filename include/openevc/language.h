@@ -1,15 +1,15 @@
 #pragma once
-/// The ETCS language (SUBSET-026-7 and -8) as JSON: what a balise, a loop or the radio sends, bit by bit, to a text and
-/// back (docs/decode.md, data/schema/evc-telegram.json). Link openevc::language.
+/// The ETCS language (SUBSET-026-7 and -8) as JSON: converts what a balise, a loop or the radio sends, bit by bit, to
+/// text and back (docs/decode.md, data/schema/evc-telegram.json). Link openevc::language.
 ///
 ///     const auto telegram = evc::language::bits_of_hex("...");
 ///     const auto text = evc::language::decode(telegram.bytes, telegram.size, {});
 ///     if (text.error) ...                               // where, and why
 ///     else use(text.json);
 ///
-/// Values are raw codes, members stand in the order of SUBSET-026-7, counters of repeated groups are left out. A text
-/// that is decoded and encoded again gives the same bits. No state: every function may be called from any thread.
-/// Throws std::bad_alloc and nothing else.
+/// Values are raw codes, members are in the order of SUBSET-026-7, counters of repeated groups are left out. Bits that
+/// are decoded and encoded again are the same bits. No state: every function may be called from any thread. Throws
+/// std::bad_alloc and nothing else.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,7 +20,7 @@
 
 namespace evc::language {
 
-/// What the bits are.
+/// Which kind of data the bits are.
 enum class Form : std::uint8_t {
   balise,  ///< user bits of a balise telegram: 830, 210, or fewer up to packet 255 (8.4.2)
   loop,    ///< a Euroloop message (8.4.3)
@@ -38,34 +38,34 @@ struct Version {
 struct Reading {
   Form form = Form::balise;
   Direction direction = Direction::to_train;  ///< of a message or packet
-  Version version{};                          ///< of the session, for a message or packet; a telegram carries its own
-  /// Take codes that are spare, wrong media and packets that stand twice, too: only what is needed to read the bits is
-  /// checked. A packet alone is always read so.
+  Version version{};                          ///< of the session, for a message or packet; a telegram contains its own
+  /// Also accept spare codes, wrong media and packets that occur twice: only what is needed to read the bits is
+  /// checked. A packet alone is always read in this way.
   bool tolerant = false;
 };
 
 struct Error {
   std::size_t bit = 0;                   ///< where reading stopped; 0 for a JSON text
   int packet = -1;                       ///< NID_PACKET, -1 outside of packets
-  std::string variable;                  ///< "V_STATIC"; empty if none is to blame
+  std::string variable;                  ///< "V_STATIC"; empty if the error is not in a variable
   std::optional<std::uint64_t> value{};  ///< its code
   std::string why;                       ///< "spare value"
 };
 
 struct Text {
-  std::string json;  ///< one object, without a line end; empty with an error
+  std::string json;  ///< one object, without a line end; empty after an error
   std::optional<Error> error{};
 };
 /// `bytes` hold the bits left aligned; the first `bits` of them are read.
 Text decode(std::span<const std::uint8_t> bytes, std::size_t bits, const Reading& reading);
 
 struct Bits {
-  std::vector<std::uint8_t> bytes;  ///< left aligned, filled with zeros; empty with an error
+  std::vector<std::uint8_t> bytes;  ///< left aligned, filled with zeros; empty after an error
   std::size_t size = 0;             ///< in bits
   std::optional<Error> error{};
 };
 
-/// What a JSON text does not say itself. Absent: found out from its members; the newest version that has exactly these.
+/// What the JSON text does not contain. Absent: deduced from its members; the newest version that has exactly these.
 struct Writing {
   Form form = Form::balise;
   std::optional<Direction> direction{};

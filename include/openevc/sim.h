@@ -28,10 +28,10 @@ class Simulation {
   struct Settings {
     DriverKind driver = DriverKind::perfect;
     std::uint64_t seed = 1;      ///< of odometer errors and delays
-    double adhesion_mps2 = 1.5;  ///< the most deceleration that the rail gives
+    double adhesion_mps2 = 1.5;  ///< maximum deceleration that adhesion allows
   };
-  /// `line`: an etcs-line/1 document; `train`: an etcs-train/1 document, empty for the standard train. Empty, and `why`
-  /// filled, where one of them is not as it has to be.
+  /// `line`: an etcs-line/1 document; `train`: an etcs-train/1 document, empty for the standard train. Empty, with the
+  /// reason in `why`, if one of them is not valid.
   static std::optional<Simulation> load(std::string_view line, std::string_view train, const Settings& settings,
                                         std::string& why);
   Simulation(Simulation&&) noexcept;
@@ -40,14 +40,15 @@ class Simulation {
 
   /// The configuration of the unit.
   const kernel::Config& config() const;
-  /// The inputs of the next cycle; the first one is of time 0, before anything moves. Valid until the next call.
+  /// The inputs of the next cycle; the first one is for time 0, before anything moves. Valid until the next call.
   const kernel::Inputs& advance();
-  /// What the unit answered: moves the brakes, and the driver sees it.
+  /// Takes the outputs of the unit: applies the brakes and shows them to the driver.
   void observe(const kernel::Outputs& outputs);
-  /// The rear has passed the last balise group, or the front the end of the line; or the train stands for good.
+  /// The rear end has passed the last balise group, the front end has passed the end of the line, or the train has
+  /// stopped and will not move again.
   bool finished() const;
 
-  /// Where the front end truly is, along the line, and how fast the train truly is.
+  /// The true place of the front end along the line, and the true speed.
   Distance front() const;
   Speed speed() const;
 

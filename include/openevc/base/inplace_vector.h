@@ -22,14 +22,13 @@ class InplaceVector {
   constexpr bool empty() const { return size_ == 0; }
   constexpr bool full() const { return size_ == Capacity; }
 
-  /// False when full: the caller decides what the standard wants then (never silently dropped).
+  /// False when full: the caller does what the standard requires then; nothing is dropped silently.
   [[nodiscard]] constexpr bool push_back(const T& value) {
     if (size_ == Capacity) return false;
     items_[size_++] = value;
     return true;
   }
-  /// Makes room for one more element and gives it to be filled in; what it holds before that is not
-  /// specified. Null when full.
+  /// Appends an element with unspecified content, to be filled in by the caller. Null when full.
   [[nodiscard]] constexpr T* grow() {
     if (size_ == Capacity) return nullptr;
     return &items_[size_++];
@@ -50,7 +49,7 @@ class InplaceVector {
     size_ = static_cast<std::uint16_t>(size_ - (last - first));
   }
   constexpr void erase(std::size_t i) { erase(i, i + 1); }
-  /// Removes every element for which `gone` holds; the others keep their order.
+  /// Removes every element for which `gone` returns true; the others keep their order.
   template <class Predicate>
   constexpr void erase_if(Predicate gone) {
     std::size_t kept = 0;

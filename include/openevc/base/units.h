@@ -48,8 +48,8 @@ struct Position {
 };
 
 /// The frame in which track data are stored: metres along the line, increasing in the running
-/// direction of the active cab. It is tied to the balise groups: when the train relocates on a new
-/// LRBG (SUBSET-026-3 3.6.4) stored places stay as they are and the train moves in the frame.
+/// direction of the active cab. It is fixed to the balise groups: on a relocation to a new LRBG
+/// (SUBSET-026-3 3.6.4) stored places do not change and the train moves in the frame.
 struct TrackFrame;
 using Place = Position<TrackFrame>;
 

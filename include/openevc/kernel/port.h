@@ -4,8 +4,8 @@
 #include "openevc/port/inputs.h"
 #include "openevc/port/outputs.h"
 
-// The whole outside of the kernel. Nothing else goes in or out: no clock, no file, no thread, no
-// random number.
+// The complete interface of the kernel. It has no other inputs or outputs: no clock, no file, no
+// thread, no random number.
 namespace evc::kernel {
 
 using port::BaliseTelegram;

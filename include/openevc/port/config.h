@@ -14,7 +14,7 @@ struct Config {
   Duration cycle{0.1};
   SrsVersion srs = SrsVersion::v3_6_0;
   train::TrainData train;
-  train::NationalValues national_values;                           // valid until packet 3 brings others (3.18.2)
+  train::NationalValues national_values;                           // valid until packet 3 gives others (3.18.2)
   std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
 };
 

@@ -20,14 +20,15 @@ enum class Entered : std::uint8_t {
   count
 };
 
-/// One thing that happened in a cycle, with what it happened to and the clause that makes it so.
+/// One event of a cycle, with the object it concerns and the clause that requires it.
 struct Event {
   static constexpr std::int32_t kNone = -1;
 
   What what{};
   std::uint8_t from = 0, to = 0;  ///< of a change: Mode or Level
-  std::int32_t id = kNone;        ///< what `what` says: NID_MESSAGE, NID_BG, number of a condition, ... not negative
-  Clause clause{};                ///< none where nothing but the event itself is to be said
+  std::int32_t id =
+      kNone;        ///< its meaning depends on `what`: NID_MESSAGE, NID_BG, number of a condition, ... not negative
+  Clause clause{};  ///< none where the event needs no clause
 
   /// A mode transition and its condition of 4.6.3.
   static constexpr Event mode_changed(Mode from, Mode to, int condition) {

@@ -9,7 +9,7 @@
 #include "openevc/terms/requests.h"
 #include "openevc/train/train_data.h"
 
-// What goes into one cycle of the kernel.
+// The inputs of one cycle of the kernel.
 namespace evc::port {
 
 /// The odometer: absolute counters since power-up (metres) and speeds. min <= nominal <= max.
@@ -69,7 +69,8 @@ struct DriverActions {
 
 enum class DirectionController : std::uint8_t { neutral, forward, backward };
 
-/// The train interface (SUBSET-034), levels, not edges: io keeps the last value of each.
+/// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
+/// each.
 struct TrainSignals {
   bool powered = true;
   bool isolated = false;
@@ -85,7 +86,8 @@ struct TrainSignals {
   bool additional_brake_active = false;
 };
 
-/// The STM interface, levels: bit n of `available` is NID_NTC n (NID_NTC > 63 is not kept here).
+/// The STM interface, as states: bit n of `available` is NID_NTC n (NID_NTC > 63 is not stored
+/// here).
 struct NationalSystem {
   std::uint64_t available = 0;
   bool trip_active = false;

@@ -14,8 +14,8 @@
 #include "openevc/terms/requests.h"
 #include "openevc/terms/symbol.h"
 
-// What comes out of one cycle of the kernel: enumerations and numbers. The names and texts that people and JSON use
-// for them stand in the tables of `terms` and in `texts`.
+// The outputs of one cycle of the kernel: enumerations and numbers. Their names and texts for people and JSON are in
+// the tables of `terms` and in `texts`.
 namespace evc::port {
 
 struct NidLrbg {
@@ -54,8 +54,8 @@ struct Outputs {
   // Absent where not supervised.
   std::optional<Speed> V_P, V_W, V_SBI, V_EBI, V_MRSP, V_target, V_release;
   std::optional<Distance> d_target;
-  // End of authority and supervised location (3.8.4.3, 3.8.4.5) as nominal counter of the front end
-  // that stands there; absent without an authority.
+  // End of authority and supervised location (3.8.4.3, 3.8.4.5), as the nominal counter of a front
+  // end at that place; absent without an authority.
   std::optional<OdometerPlace> EOA, SvL;
   bool tco = false, sb = false, eb = false;
   Set<Cause> brake_reasons;           // every cause that asks for a brake

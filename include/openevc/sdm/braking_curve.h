@@ -28,13 +28,14 @@ struct CurveView {
   /// V_X(d): the curve's speed at a place; at and beyond the foot the foot's speed.
   Speed speed_at(Place x) const;
   SpeedSquared speed_squared_at(Place x) const;
-  /// The same, quick for one place after the other, each further upstream: `knot` is 0 at first, the one found then.
+  /// The same, fast for a sequence of places, each further upstream: `knot` is 0 for the first one and is updated by
+  /// each call.
   Speed next_speed_at(Place x, std::size_t& knot) const;
-  /// d_X(V): how far a train may run at `V`, the end of a level stretch that has it; below the foot's speed the foot;
-  /// -1e9 for a speed that is nowhere allowed.
+  /// d_X(V): the last place where a train may run at `V` (the downstream end of a level stretch at `V`); the foot for a
+  /// speed below the foot's; -1e9 for a speed that is allowed nowhere.
   Place place_at(Speed V) const;
-  /// The knot from which the arc at `x` leads upstream: the last one downstream of `x`, at and beyond the foot the
-  /// foot. Looked for from `low` on, which is one downstream of `x` or the foot.
+  /// The knot from which the arc at `x` leads upstream: the last one downstream of `x`; the foot, if `x` is at or
+  /// beyond it. The search begins at `low`, which is the foot or downstream of `x`.
   std::size_t knot_at(Place x, std::size_t low = 0) const;
   /// The knot from which the arc leads upstream to the speed `V`: the last one with a lower speed.
   std::size_t knot_at(Speed V) const;
@@ -42,10 +43,10 @@ struct CurveView {
 
 inline constexpr std::size_t kMaxKnots = 176;
 
-/// What a trace met that the standard does not foresee or that did not fit; answered on the safe side.
+/// Cases in a trace that the standard does not cover or that did not fit; handled on the safe side.
 struct CurveWarnings {
-  bool no_deceleration = false;  // A <= 0 somewhere: the curve is level or falls upstream there
-  bool truncated = false;        // more arcs than there is room for: level from there upstream
+  bool no_deceleration = false;  // A <= 0 at some place: the curve is level or falls upstream there
+  bool truncated = false;        // more arcs than fit: level from there upstream
   friend constexpr bool operator==(const CurveWarnings&, const CurveWarnings&) = default;
 };
 

@@ -31,7 +31,7 @@ struct GradientProfile {
   std::optional<Place> known_from, known_to;
   std::optional<double> default_for_TSR;
 };
-/// Where the gradient is known, up to (not including) `to`; both 1e9 m when it is known at no place at all.
+/// Where the gradient is known, up to (not including) `to`; both 1e9 m when it is known nowhere.
 struct KnownPart {
   Place from{}, to{};
 };
@@ -42,11 +42,10 @@ struct Zone {
   friend constexpr bool operator==(const Zone&, const Zone&) = default;
 };
 
-/// Where special brakes do not count and where adhesion is reduced (3.13.5). A brake inhibition counts
-/// from the start of the profile to the foot of every curve, whatever its end: the earliest start of a
-/// profile in use is given.
+/// Where special brakes do not count and where adhesion is reduced (3.13.5). A brake inhibition applies from the start
+/// of its profile to the foot of every curve, wherever it ends: only the earliest start of a profile in use is stored.
 struct TrackConditions {
-  InplaceVector<Zone, kZones> reduced_adhesion;  // as received; the train length is added here
+  InplaceVector<Zone, kZones> reduced_adhesion;  // as received; the train length is added in this room
   bool slippery_rail = false;                    // selected by the driver: everywhere
   std::optional<Place> regenerative_off, eddy_current_emergency_off, eddy_current_service_off, magnetic_shoe_off,
       powerless;
@@ -55,9 +54,9 @@ struct TrackConditions {
 /// Special brakes of a gamma train that do not count from `x` on (3.13.5.1), for the emergency or the service brake.
 train::BrakeSet brakes_off(const TrackConditions& conditions, const train::TrainData& train, Place x, bool service);
 
-/// Lowest gradient under a train whose front is at x, as a step function of x (3.13.4.2). Where part of
-/// the train stands on track without a known gradient, 0 counts for that part (safe side). Each step of
-/// the input is the lowest one at most once, so the room is always enough.
+/// Lowest gradient under a train whose front is at x, as a step function of x (3.13.4.2). For a part of the train on
+/// track with unknown gradient, 0 is used (safe side). Each step of the input is the lowest one at most once, so the
+/// capacity always suffices.
 struct CompensatedGradient {
   StepFunction<Place, double, kGradientSteps + 8> permille;
 };
@@ -85,13 +84,13 @@ struct Band {
   friend constexpr bool operator==(const Band&, const Band&) = default;
 };
 using Bands = InplaceVector<Band, train::kMergedSteps>;
-/// The band that includes the speed, as its upper limit at the most.
+/// The band that includes the speed; its upper limit belongs to it.
 std::size_t band_below(const Bands& bands, SpeedSquared w);
 
 enum class CurveKind : std::uint8_t { EBD, SBD, GUI };
 
-/// Everything that the deceleration depends on. A stage is the brakes that count from a place on;
-/// brakes only drop out along the track, so there are at most four.
+/// Everything that the deceleration depends on. A stage is the set of brakes that count from a
+/// place on; along the track brakes can only be lost, so there are at most four stages.
 struct Decelerations {
   static constexpr std::size_t kStages = 4;
   std::array<Bands, kStages> safe, expected, normal_service;  // empty normal_service: no GUI
@@ -108,7 +107,7 @@ struct Decelerations {
   Acceleration at(CurveKind kind, Speed V, Place x, bool due_to_TSR = false) const;
 };
 
-/// Deceleration in one cell.
+/// Deceleration in one band and segment.
 constexpr Acceleration deceleration(const Band& b, const Segment& s) {
   const Acceleration A = b.A[s.reduced_adhesion ? 1 : 0] + s.A_gradient;
   if (s.grad > 0.0) return A - (s.grad / 1000.0) * b.Kn_plus;
@@ -121,8 +120,8 @@ void determine(Decelerations& out, const train::TrainData& train, const train::N
                const TrackConditions& conditions);
 
 /// Traces the curve of `kind` that has speed `V_anchor` at `anchor`: downstream to its foot at `V_foot`
-/// (<= V_anchor), upstream to `V_top` (3.13.8.3-5). Where A <= 0 the curve falls upstream; the stored
-/// one is the monotonous curve below it. Appends to `out` at most `room` knots.
+/// (<= V_anchor), upstream to `V_top` (3.13.8.3-5). Where A <= 0 the curve falls upstream; the stored curve is the
+/// monotonic one below it. Appends to `out` at most `room` knots.
 CurveWarnings trace(std::span<Knot> room, std::size_t& used, const Decelerations& d, CurveKind kind, bool due_to_TSR,
                     Place anchor, Speed V_anchor, Speed V_foot, Speed V_top);
 

@@ -17,7 +17,7 @@ namespace evc::sdm {
 inline constexpr std::size_t kMrspSteps = 128;
 using Mrsp = StepFunction<Place, Speed, kMrspSteps>;
 
-/// What the release speed shall be (3.13.9.4.3).
+/// Source of the release speed (3.13.9.4.3).
 enum class ReleaseSpeedChoice : std::uint8_t { none, value, national, on_board };
 
 /// End of authority with its supervised location, or limit of authority: the closest ones, temporary
@@ -41,8 +41,7 @@ struct Authority {
   friend constexpr bool operator==(const Authority&, const Authority&) = default;
 };
 
-/// All that curves and fixed locations depend on. The caller changes `revision` whenever anything else
-/// in it changes.
+/// Everything that curves and fixed locations depend on. The caller changes `revision` whenever another member changes.
 struct Inputs {
   std::uint64_t revision = 0;
   SrsVersion srs = SrsVersion::v3_6_0;
@@ -50,8 +49,8 @@ struct Inputs {
   train::NationalValues national_values;
   train::FixedValues fixed;
   train::BrakeStatus brakes;
-  /// Never empty when something is supervised: at least the maximum train speed. Which restrictions
-  /// are in it is the caller's business (mode).
+  /// Never empty when something is supervised: at least the maximum train speed. The caller selects
+  /// the restrictions in it, by mode.
   Mrsp mrsp;
   std::array<bool, kMrspSteps> mrsp_due_to_TSR{};  // by step
   /// Whether the decreases of the MRSP are targets (FS, LS, OS, SR, UN; not SH, RV).

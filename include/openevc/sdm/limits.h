@@ -8,7 +8,7 @@
 #include "openevc/train/fixed_values.h"
 
 // The braking to target supervision limits of 3.13.9.3. Every structure keeps the intermediate values
-// with the standard's symbols: what `evc curves --explain` prints is what was computed.
+// with the standard's symbols: `evc curves --explain` prints the values that were computed.
 namespace evc::sdm {
 
 /// dV_ebi, dV_sbi, dV_warning of 3.13.9.2 for a ceiling speed.
@@ -36,18 +36,18 @@ struct TimeConfig {
 };
 TimeConfig time_config(const train::TrainData& train, const train::NationalValues& values);
 
-/// `T_bs1`, `T_bs2` as the service brake feedback says, where it is available (A.3.10).
+/// `T_bs1`, `T_bs2` by the service brake feedback, where it is available (A.3.10).
 struct FeedbackTimes {
   Duration T_bs1, T_bs2;
 };
-/// T_traction of 3.13.9.3.2.3: where it is fitted the traction is cut off at the Warning limit already.
+/// T_traction of 3.13.9.3.2.3: where a cut-off is fitted, traction is cut off already at the Warning limit.
 Duration T_traction(const TimeConfig& config, Duration T_bs2, const train::FixedValues& fixed);
 Times times(const TimeConfig& config, const train::BuildUpTimes& build_up, const std::optional<FeedbackTimes>& feedback,
             const Rules& rules, const train::FixedValues& fixed);
 
-/// What the train does: the speed for which the limits are valid, with its compensations.
+/// The speed for which the limits are valid, with its compensations.
 struct Approach {
-  Speed V{};         // V_est, or the speed that a clause puts in its place
+  Speed V{};         // V_est, or the speed that a clause uses instead
   Speed V_delta0{};  // 3.13.9.3.2.1; 0 where Q_NVINHSMICPERM
   Acceleration A_est1{}, A_est2{};
 };
@@ -75,7 +75,7 @@ struct Limits {
   Place d_I{};
   std::optional<Place> d_GUI;  // d_GUI(V) where guidance is in use
 };
-/// `d_target`: given where d_P may not lie beyond it (4.0.0, EBD without guidance).
+/// `d_target`: given where d_P may not be beyond it (4.0.0, EBD without guidance).
 Limits limits_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const Times& t, Speed V_target,
                      const std::optional<Place>& d_target, const train::FixedValues& fixed);
 Limits limits_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const Times& t, const train::FixedValues& fixed);

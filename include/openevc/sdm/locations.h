@@ -8,21 +8,21 @@
 // Locations and speeds that other functions need from speed and distance monitoring.
 namespace evc::sdm {
 
-/// Where the supervision of an unprotected level crossing's start as EOA and SvL gives way to its speed
-/// (3.13.9.3.5.11-12, 5.16.2-3), when no stop is required. `passed`: the deciding front end has passed
-/// it, and the LX speed enters the MRSP from there.
+/// Where the supervision of an unprotected level crossing changes from its start as EOA and SvL to the LX speed, when
+/// no stop is required (3.13.9.3.5.11-12, 5.16.2-3). `passed`: the front end that decides has passed this place, and
+/// the LX speed is in the MRSP.
 struct LxSubstitution {
   Place d_P{};
   bool from_SBD = false;  // decided by SBI1: against the estimated front end
   bool passed = false;
   Limits EBD{}, SBD{};
 };
-/// `LX_start`: the temporary EOA and SvL. Curves are traced here.
+/// `LX_start`: the temporary EOA and SvL. This function traces curves.
 LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place LX_start, Speed V_LX,
                                const Motion& motion);
 
 /// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
-/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient that came with it.
+/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient received with it.
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake);
 
 }  // namespace evc::sdm

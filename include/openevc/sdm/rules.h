@@ -3,9 +3,9 @@
 
 namespace evc::sdm {
 
-/// Where the issues of SUBSET-026 differ in speed and distance monitoring, as data: one piece of code
-/// serves them all. 3.6.0 was not read itself; its column is what 3.4.0, 4.0.0 and the driver machine
-/// interface of 3.6.0 bracket.
+/// The differences between the issues of SUBSET-026 in speed and distance monitoring, as data: the same code serves all
+/// issues. The text of 3.6.0 was not available; its column is deduced from 3.4.0, 4.0.0 and the driver machine
+/// interface of 3.6.0.
 struct Rules {
   bool indication_includes_T_driver;    // T_indication + T_driver (3.13.9.3.6.2)
   bool pre_indication;                  // CSM -> TSM by pre-indication location, Normal status in TSM

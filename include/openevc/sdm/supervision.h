@@ -30,7 +30,7 @@ struct CurveRef {
   friend constexpr bool operator==(const CurveRef&, const CurveRef&) = default;
 };
 
-/// A supervised target (3.13.8.2) with what is fixed about it.
+/// A supervised target (3.13.8.2) with its fixed values.
 struct Target {
   TargetKind kind = TargetKind::MRSP;
   bool due_to_TSR = false;
@@ -46,7 +46,7 @@ struct Target {
   bool preindication_passed_at_once = false;                      // 3.4.0: curve below the MRSP at its start
 };
 
-/// Perturbation location (3.13.11): where the MA request counts from.
+/// Perturbation location (3.13.11): the reference of the MA request.
 struct Perturbation {
   std::optional<Place> from_EBD;  // SvL or LOA, against the max safe front end
   std::optional<Place> from_SBD;  // EOA, against the estimated front end
@@ -63,7 +63,7 @@ struct ReleaseSpeed {
   Place d_SBI2{};  // for V_release, the most restrictive one, against the max safe front end
 };
 
-/// All that follows from `Inputs`; recomputable, not part of any snapshot.
+/// Everything computed from `Inputs`; it can be computed again and is not part of a snapshot.
 struct Derived {
   std::uint64_t revision = 0;  // of the inputs it was built from
   bool valid = false;
@@ -83,7 +83,7 @@ struct Derived {
   InplaceVector<Target, kTargets> targets;  // MRSP targets in order of place, then LOA or EOA_SvL, then SR_end
   ReleaseSpeed release_speed;
   Perturbation perturbation;
-  bool truncated = false;        // something did not fit; answered on the safe side
+  bool truncated = false;        // something did not fit; handled on the safe side
   bool no_deceleration = false;  // A_safe <= 0 on the way to a target
   std::uint16_t knots_used = 0;
   std::array<Knot, kKnotPool> knots{};
@@ -107,7 +107,7 @@ struct Motion {
   std::optional<Duration> T_MAR;             // of the RBC's MA request parameters (packet 57)
 };
 
-/// Which target a displayed value is about: kind, place and speed identify it across rebuilds.
+/// The target of a displayed value: kind, place and speed identify it across rebuilds.
 struct TargetId {
   TargetKind kind = TargetKind::MRSP;
   Place d_target{};
@@ -115,7 +115,7 @@ struct TargetId {
   friend constexpr bool operator==(const TargetId&, const TargetId&) = default;
 };
 
-/// What speed and distance monitoring remembers from cycle to cycle.
+/// The state of speed and distance monitoring, kept from cycle to cycle.
 struct Supervision {
   bool active = false;  // false: the next cycle is the first one (3.13.10.3.5)
   Monitoring monitoring = Monitoring::CSM;
@@ -128,7 +128,7 @@ struct Supervision {
   TargetId MRDT{};
   Speed V_MRSP{};
   FeedbackState feedback;
-  // Shown values that may not rise (A.3.10, A.3.13).
+  // Displayed values that may not rise (A.3.10, A.3.13).
   bool hold_P = false, hold_SBI = false, hold_target_distance = false;
   std::optional<Speed> shown_P{}, shown_SBI{};
   std::optional<Distance> shown_target_distance{};
@@ -171,7 +171,7 @@ Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front);
 /// The six statuses, first match wins.
 enum class MemoStatus : std::uint8_t { Null, P, W, SB, EB, Trip };
 /// `trip`: a train trip is due (EOA passed, timer elapsed). An estimated speed above the EBI in force
-/// is EB, as the standard has it.
+/// is EB, as in the standard.
 MemoStatus memo_status(const Result& result, Speed V_est, bool trip);
 
 }  // namespace evc::sdm

@@ -35,7 +35,7 @@ enum class Cause : std::uint8_t {
   count
 };
 
-/// The names are what outputs say: service and emergency brake for the same have one.
+/// The names as printed in outputs: service and emergency brake for the same cause share one.
 inline constexpr auto kCauseRows = std::to_array<terms::Row<Cause>>({
     {Cause::trip, "trip"},
     {Cause::no_power_or_failure, "no power or system failure"},

@@ -15,22 +15,22 @@ static_assert(
     }(),
     "the register is sorted and names each paragraph once");
 
-/// Never defined, nor constexpr: the compiler names it where a literal is no clause of the register.
+/// Neither defined nor constexpr: the compiler names it in its error where a literal is not a clause of the register.
 void clause_does_not_stand_in_the_register();
 
 /// A paragraph of SUBSET-026 that an event, a refusal or a table row refers to: "3.8.6", a bullet of it "5.8.4.1 a", or
-/// an exception of a table "4.8.3 [4]". Made from a literal when compiled, "3.8.6"_srs; one whose paragraph is not in
-/// the register does not compile. Kept as a number: the kernel holds no text of it (texts/texts.h prints it).
+/// an exception of a table "4.8.3 [4]". Made from a literal at compile time, "3.8.6"_srs; a paragraph that is not in
+/// the register does not compile. Stored as a number: the kernel holds no text (texts/texts.h prints it).
 class Clause {
  public:
   /// None.
   constexpr Clause() = default;
 
-  /// The clause that `text` names; for use when compiled only: elsewhere it does not link.
+  /// The clause with the name `text`; for use at compile time only: at run time it does not link.
   static constexpr Clause of(std::string_view text) {
     Clause c;
     if (c.find(text)) return c;
-    // Not find(): with -fsanitize=undefined g++ 12 does not compute it from a template argument.
+    // Not find(): with -fsanitize=undefined g++ 12 cannot evaluate it on a template argument.
     std::size_t space = 0;
     while (space < text.size() && text[space] != ' ') ++space;
     if (space == text.size() || !c.find(text.substr(0, space)) || !c.take_part(text.substr(space + 1)))
@@ -46,7 +46,7 @@ class Clause {
   }
 
   constexpr explicit operator bool() const { return paragraph_ != 0; }
-  /// Of its paragraph in the register; not to be called for none.
+  /// Index of its paragraph in the register. Not valid for no clause.
   constexpr std::size_t place_in_register() const { return paragraph_ - std::size_t{1}; }
   /// 'a' to 'z', 0 without one.
   constexpr char bullet() const { return part_ >= 1 && part_ <= 26 ? static_cast<char>('a' + part_ - 1) : '\0'; }
@@ -108,8 +108,8 @@ struct ClauseText {
   char text[N]{};
 };
 
-/// "3.8.6"_srs. A template, so that the clause is a constant wherever the literal stands: clang 14 leaves calls of a
-/// consteval operator behind in some places.
+/// "3.8.6"_srs. A template, so that the clause is a constant wherever the literal stands: in some places clang 14 emits
+/// calls of a consteval operator.
 template <ClauseText T>
 constexpr Clause operator""_srs() {
   constexpr Clause clause = Clause::of({T.text, sizeof(T.text) - 1});

@@ -7,7 +7,7 @@ namespace evc {
 enum class Mode : std::uint8_t { NP, SB, PS, SH, FS, LS, SR, OS, SL, NL, UN, TR, PT, SF, IS, SN, RV };
 
 // clang-format off
-/// Code: M_MODE (7.5.1.72). NP is never reported, the unit has no power; it has the code of SB, which follows it.
+/// Code: M_MODE (7.5.1.72). NP is never reported, as the unit has no power; it has the code of SB, the mode after it.
 inline constexpr auto kModeRows = std::to_array<terms::WireRow<Mode>>({
     {Mode::NP,  6, "NP"},
     {Mode::SB,  6, "SB"},
@@ -34,7 +34,7 @@ inline constexpr std::size_t kModes = kModeRows.size();
 /// M_MODE (7.5.1.72).
 constexpr std::uint8_t M_MODE(Mode mode) { return terms::kCodes<kModeRows>[terms::index(mode)]; }
 
-/// The mode of a code of M_MODE or M_MODETEXTDISPLAY; NP, which no train runs in, for a code that names none.
+/// The mode of a code of M_MODE or M_MODETEXTDISPLAY; NP, in which no train runs, for a spare code.
 constexpr Mode mode_of(std::uint64_t M_MODE) {
   constexpr const auto& codes = terms::kCodes<kModeRows>;
   for (std::size_t i = terms::index(Mode::SB); i < kModes; ++i)
@@ -42,7 +42,7 @@ constexpr Mode mode_of(std::uint64_t M_MODE) {
   return Mode::NP;
 }
 
-/// The mode of an area of a mode profile: M_MAMODE (7.5.1.70). A spare code is refused before (chapter 7).
+/// The mode of an area of a mode profile: M_MAMODE (7.5.1.70). Spare codes are rejected before (chapter 7).
 constexpr Mode mode_of_area(std::uint64_t M_MAMODE) {
   return M_MAMODE == 0 ? Mode::OS : M_MAMODE == 1 ? Mode::SH : Mode::LS;
 }

@@ -14,7 +14,7 @@ inline constexpr auto kMonitoringRows = std::to_array<terms::Row<Monitoring>>({
 });
 static_assert(terms::in_order(kMonitoringRows));
 
-/// The supervision status (3.13.10.1.2), the higher the nearer to intervention; none where nothing is monitored.
+/// The supervision status (3.13.10.1.2), in the order of severity; none where nothing is monitored.
 enum class Status : std::uint8_t { none, Normal, Indication, Overspeed, Warning, Intervention };
 
 inline constexpr auto kStatusRows = std::to_array<terms::Row<Status>>({

@@ -3,7 +3,7 @@
 
 namespace evc {
 
-/// What the bearer reports of the safe radio connection to the RBC that was called last (3.5.3).
+/// What the bearer reports of the safe radio connection to the last RBC called (3.5.3).
 enum class RadioLink : std::uint8_t { unchanged, connected, lost, refused };
 
 inline constexpr auto kRadioLinkRows = std::to_array<terms::Row<RadioLink>>({

@@ -3,7 +3,7 @@
 
 namespace evc {
 
-/// What the unit does by itself when linking or the radio contact fails.
+/// Reaction of the unit when linking or radio contact fails.
 enum class Reaction : std::uint8_t { trip, service_brake, none };
 
 /// Code: Q_LINKREACTION (7.5.1.117) and M_NVCONTACT (7.5.1.74).

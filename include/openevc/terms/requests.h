@@ -1,7 +1,7 @@
 #pragma once
 #include "openevc/terms/row.h"
 
-// What passes between the procedures and the driver.
+// What the procedures ask of the driver, offer and show.
 namespace evc {
 
 /// What the driver can be asked to acknowledge; the numbers are those of the driver interface.
@@ -35,7 +35,7 @@ inline constexpr auto kEntryRows = std::to_array<terms::Row<Entry>>({
 });
 static_assert(terms::in_order(kEntryRows) && kEntryRows.size() == terms::index(Entry::count));
 
-/// What the procedure lets the driver choose now (beside the conditions of the mode, driver/driver.h).
+/// What the procedure lets the driver choose now (in addition to the conditions of the mode, driver/driver.h).
 enum class Offer : std::uint8_t {
   start,
   shunting,

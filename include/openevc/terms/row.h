@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-// The vocabulary of the standard, declared once for all rooms. Each enumeration stands beside its table: one row per
-// enumerator with its name and, where chapter 7 gives it one, its code on the wire. Codes and names are taken out of
-// the tables when compiled, so that a room which asks for the code does not link the names.
+// The vocabulary of the standard, declared once for all rooms. Next to each enumeration is its table: one row per
+// enumerator with its name and, where chapter 7 gives one, its code on the wire. Codes and names are extracted from the
+// tables at compile time, so that a room that uses the codes does not link the names.
 namespace evc::terms {
 
 template <class E>
@@ -14,7 +14,7 @@ constexpr std::size_t index(E value) {
   return static_cast<std::size_t>(value);
 }
 
-/// A term that never goes over the air.
+/// A term that is never sent over the air.
 template <class E>
 struct Row {
   E value;
@@ -37,7 +37,7 @@ constexpr bool in_order(const Rows& rows) {
   return true;
 }
 
-/// Whether the enumerators have the codes of the wire for their values.
+/// Whether the values of the enumerators are the codes of the wire.
 template <class Rows>
 constexpr bool value_is_code(const Rows& rows) {
   for (const auto& row : rows)

@@ -3,8 +3,8 @@
 
 namespace evc {
 
-/// The issues of SUBSET-026 that this unit knows: whose formulas and tables apply. The mode table 4.6.2 of 3.4.0 and
-/// 3.6.0 is one; 4.0.0 has two modes more and no level 3.
+/// The issues of SUBSET-026 that this unit implements: they select formulas and tables. 3.4.0 and 3.6.0 share the mode
+/// table 4.6.2; 4.0.0 has two more modes and no level 3.
 enum class SrsVersion : std::uint8_t { v3_4_0, v3_6_0, v4_0_0 };
 
 inline constexpr auto kSrsVersionRows = std::to_array<terms::Row<SrsVersion>>({

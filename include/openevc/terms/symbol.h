@@ -6,7 +6,7 @@ namespace evc {
 // clang-format off
 /// The symbols that the driver machine interface shows, with their names of ERA_ERTMS_015560.
 enum class Symbol : std::uint8_t {
-  // Levels; announced, without and with acknowledgement in turn.
+  // Levels; then announced levels, alternating without and with acknowledgement.
   LE01, LE02, LE03, LE04, LE05,
   LE06, LE07, LE08, LE09, LE10, LE11, LE12, LE13, LE14, LE15,
   // Modes and the acknowledgement of modes; MO03 is override.

@@ -3,9 +3,9 @@
 
 namespace evc {
 
-/// What happened in a cycle: the kind of an event. The texts of the outputs stand in texts/events.cpp, one row each.
+/// What happened in a cycle: the kind of an event. The texts of the outputs are in texts/events.cpp, one row each.
 enum class What : std::uint8_t {
-  events_lost,  ///< more than the outputs hold; takes the place of the last one
+  events_lost,  ///< more events than the outputs hold; replaces the last one
   odometry_not_sound,
 
   // Balise groups; `id` is NID_BG.
@@ -32,7 +32,7 @@ enum class What : std::uint8_t {
   // Messages (`id` is NID_MESSAGE) and packets (NID_PACKET) through the filters of 4.8.
   message_accepted,
   message_buffered,  ///< waits in the transition buffer (4.8.5)
-  message_refused,   ///< by a filter, or by what it asks for
+  message_refused,   ///< by a filter, or because of its contents
   message_refused_no_room,
   message_rejected,  ///< by the radio link: not consistent, or not in sequence
   message_unknown,
@@ -43,7 +43,7 @@ enum class What : std::uint8_t {
   packet_refused,
   packet_refused_no_room,
   packet_kept,            ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
-  packet_contact_stored,  ///< nothing else of it is used (4.8.4 [3], [8])
+  packet_contact_stored,  ///< the rest of the packet is not used (4.8.4 [3], [8])
   packet_no_room,
   packet_shortened,
   infill_refused,  ///< `id` is NID_BG of the group that linking does not name

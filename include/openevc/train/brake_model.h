@@ -33,7 +33,7 @@ enum class Fault : std::uint8_t {
   traction_cut_off_time,    // < 0
   antenna,                  // < 0
   rotating_mass,            // outside M_rotating_min..max
-  no_emergency_model,       // gamma without A_brake_emergency for no special brake at all
+  no_emergency_model,       // gamma without A_brake_emergency for the case without special brakes
   no_service_model,         // the same for A_brake_service
   no_emergency_time,        // the same for T_brake_emergency
   no_service_time,          // the same for T_brake_service
@@ -41,7 +41,7 @@ enum class Fault : std::uint8_t {
   correction_factor,        // Kdry_rst, Kwet_rst outside 0..1
   build_up_time,            // negative, or shorter than the reaction time
   Kn,                       // outside 0..10 m/s2
-  guidance_without_model,   // Q_NVGUIPERM is set by the national value but no normal service model given
+  guidance_without_model,   // Q_NVGUIPERM is set but no normal service model is given
   special_brake_interface,  // a combination that 3.13.2.2.6 does not allow
   Kv_int,                   // empty, or outside 0..2.54
   Kr_int,                   // empty, or outside 0..1.55
@@ -52,7 +52,7 @@ enum class Fault : std::uint8_t {
   A_NVMAXREDADH,            // outside 0..3.15 m/s2
   count
 };
-/// The paragraph that the fault offends, none for `none`.
+/// The paragraph that the fault violates; none for `none`.
 Clause clause(Fault fault);
 
 /// The first fault found, `Fault::none` when everything is in range.
@@ -102,8 +102,8 @@ BrakeSet in_use_service(const TrainData& train, const BrakeStatus& status, Brake
 inline constexpr std::size_t kMergedSteps = 16;
 using MergedSteps = StepFunction<Speed, Acceleration, kMergedSteps>;
 
-/// The emergency brake model for the special brakes `in_use` (gamma): that of exactly them, else the one with the
-/// most of them; null when there is none.
+/// The emergency brake model for the special brakes `in_use` (gamma): the model for exactly these, else the one with
+/// the most of them; null when there is none.
 const EmergencyModel* emergency_model(const TrainData& train, BrakeSet in_use);
 /// A_brake_emergency(V) with the special brakes `in_use` (gamma), or of the conversion model.
 DecelerationSteps A_brake_emergency(const TrainData& train, BrakeSet in_use);

@@ -20,7 +20,7 @@ struct FixedValues {
   // Rotating mass, % of the train's weight.
   double M_rotating_max = 15.0;
   double M_rotating_min = 2.0;
-  // Numbers of the text of 3.13.
+  // Numbers given in the text of 3.13.
   Acceleration g{9.81};
   Acceleration A_est2_max{0.4};       // 3.13.9.3.2.9
   Duration T_bs2_min{2.0};            // 3.13.9.3.3.4.1, A.3.10

@@ -9,8 +9,8 @@
 
 namespace evc::train {
 
-/// A_NVMAXREDADH1..3: the deceleration that reduced adhesion allows at most (3.13.6.2.1.8). The codes
-/// 61, 62, 63 mean no maximum and differ in what is shown in ceiling speed monitoring.
+/// A_NVMAXREDADH1..3: the maximum deceleration under reduced adhesion (3.13.6.2.1.8). The codes 61, 62, 63 mean no
+/// maximum and differ in what is displayed in ceiling speed monitoring.
 struct MaxReducedAdhesion {
   enum class Display : std::uint8_t { none, target_information, time_to_indication };
   Acceleration A{};
@@ -33,7 +33,7 @@ struct KvPair {
 template <class Function, class Value>
 constexpr Function single_step(Value value) {
   Function f;
-  // A function with capacity takes its first step always.
+  // A function with capacity accepts its first step always.
   if (!f.append({}, value)) __builtin_trap();
   return f;
 }

@@ -7,9 +7,9 @@
 
 namespace evc::train {
 
-/// Index of the step that holds at `x` where every step includes its UPPER limit and the first one
-/// includes 0 (3.13.2.2.3.1.7, 3.13.2.2.9.1.3): from < x <= next from. This is how brake models and
-/// correction factors are read; `StepFunction::at` includes the lower limit instead. Needs !empty().
+/// Index of the step that applies at `x`, where every step includes its UPPER limit and the first one includes 0
+/// (3.13.2.2.3.1.7, 3.13.2.2.9.1.3): from < x <= next from. This is how brake models and correction factors are read;
+/// `StepFunction::at` includes the lower limit instead. Needs !empty().
 template <class Axis, class Value, std::size_t N>
 constexpr std::size_t step_below(const StepFunction<Axis, Value, N>& f, Axis x) {
   std::size_t i = f.size() - 1;
@@ -23,8 +23,8 @@ constexpr Value value_below(const StepFunction<Axis, Value, N>& f, Axis x) {
 }
 
 /// A decimal factor of up to eight places in four bytes; `value()` is the double nearest to the
-/// decimal, so 0.7 stored is 0.7 read. Range 0..42; finer values are rounded down, which is the safe
-/// side for a correction factor of a deceleration.
+/// decimal, so 0.7 is stored and read back as 0.7. Range 0..42; finer values are rounded down, which is the safe side
+/// for a correction factor of a deceleration.
 struct Factor {
   std::uint32_t hundred_millionths = 0;
 
@@ -32,7 +32,7 @@ struct Factor {
     if (!(v > 0.0)) return {0};
     if (v >= 42.0) return {4200000000u};
     const auto below = static_cast<std::uint32_t>(v * 1e8);
-    // The product is rounded: a decimal of eight places may come out just below its own integer.
+    // The product is rounded: a decimal of eight places may yield a product just below its integer.
     const bool exact_above = static_cast<double>(below + 1) / 1e8 <= v;
     return {exact_above ? below + 1 : below};
   }

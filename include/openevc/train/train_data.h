@@ -12,8 +12,8 @@
 
 namespace evc::train {
 
-/// Which of the two ways the train's brakes are described (3.13.2.2.1): `lambda` by brake percentage
-/// and the conversion model, `gamma` by step functions of deceleration.
+/// How the train's brakes are described (3.13.2.2.1): `lambda` by brake percentage and the conversion model, `gamma` by
+/// step functions of deceleration.
 enum class BrakeModel : std::uint8_t { lambda, gamma };
 enum class BrakePosition : std::uint8_t { PassengerP, FreightP, FreightG };
 
@@ -93,12 +93,12 @@ struct TrainData {
   BrakeModel brake_model = BrakeModel::lambda;
   BrakePosition brake_position = BrakePosition::PassengerP;
   double brake_percentage = 135.0;
-  // Brakes, gamma (3.13.2.2.3, 3.13.2.2.9). A set in use without its own model takes the strongest of
-  // the models whose brakes are all in use: fewer brakes counted is the safe side.
+  // Brakes, gamma (3.13.2.2.3, 3.13.2.2.9). A set in use without a model of its own uses the strongest model whose
+  // brakes are all in use: to count fewer brakes is the safe side.
   InplaceVector<EmergencyModel, 4> emergency;
   InplaceVector<ServiceModel, 4> service;
-  // Times. gamma: required. lambda: optional, a configured service time shorter than the one of the
-  // conversion model is taken (A.3.9); emergency times are not read.
+  // Times. gamma: required. lambda: optional; a configured service time is used if it is shorter
+  // than that of the conversion model (A.3.9); emergency times are not read.
   InplaceVector<BuildUpTime, 4> T_emergency;
   InplaceVector<BuildUpTime, 4> T_service;
   NormalServiceModels normal_service;
