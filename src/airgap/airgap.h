@@ -1,8 +1,8 @@
 #pragma once
 /// Eurobalise telegram coding (SUBSET-036 4.3): user bits to the bits that a balise sends, and back.
 ///
-/// All bit strings are bytes, left aligned: the first bit is the most significant bit of byte 0 and is the bit that is
-/// sent first. Nothing here remembers anything; nothing allocates.
+/// All bit strings are bytes, left aligned: the first bit is the most significant bit of byte 0 and is sent first. The
+/// functions have no state and allocate nothing.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ constexpr bool bit(std::span<const std::uint8_t> bytes, std::size_t i) {
 enum class Fault : std::uint8_t {
   none,
   size,             ///< fewer bytes than the format needs
-  too_few_bits,     ///< the stream ended before n + r bits (4.3.4.1.2): nothing to judge
+  too_few_bits,     ///< the stream ended before n + r bits (4.3.4.1.2): no verdict possible
   parity,           ///< not a multiple of g (annex A1, check bits)
   repetition,       ///< the r extra bits differ from the first r bits of the window
   synchronisation,  ///< multiple of g whose syndrome is that of no telegram start
@@ -36,13 +36,13 @@ enum class Fault : std::uint8_t {
   off_synch,        ///< too many valid words in a row in a shifted parsing
   aperiodicity,     ///< long format too similar to itself after a third of its length
   under_sampling,   ///< too many valid words in a row when every 2nd, 4th, 8th or 16th bit is read
-  unknown_format,   ///< b108 or b107 of a format to come
+  unknown_format,   ///< b108 or b107 of a future format
   no_candidate,     ///< no pair (sb, esb) passes all tests
 };
 /// The fault's name as the standard calls the test, for messages.
 std::string_view name(Fault fault);
 
-/// A value, or the fault that stands in its place.
+/// A value, or the fault instead of it.
 template <class T>
 struct Outcome {
   Fault fault = Fault::none;
@@ -70,8 +70,8 @@ struct Coded {
 /// A telegram found in received bits.
 struct Received {
   Format format = Format::long_;
-  Shaping shaping;                       ///< what the encoder had chosen
-  bool inverted = false;                 ///< inversion bit b109 was set: all bits had been inverted on the way
+  Shaping shaping;                       ///< what the encoder chose
+  bool inverted = false;                 ///< inversion bit b109 was set: all bits were inverted on the way
   std::uint16_t rotation = 0;            ///< bits by which the accepted window starts after b(n-1)
   std::size_t start = 0;                 ///< index of the accepted window's first bit in the stream
   std::size_t end = 0;                   ///< index after the last bit that was needed to accept
@@ -79,25 +79,25 @@ struct Received {
   std::span<const std::uint8_t> user_bytes() const { return {user.data(), bytes_for(user_bits(format))}; }
 };
 
-/// Codes `user` (830 or 210 bits; what follows them in the last byte is ignored) with the first pair (sb, esb), both
-/// ascending, at or after `from` whose telegram passes all tests of 4.3.2.5. Any passing pair is right by the standard.
+/// Codes `user` (830 or 210 bits; the remaining bits of the last byte are ignored) with the first pair (sb, esb), both
+/// ascending, at or after `from` whose telegram passes all tests of 4.3.2.5. The standard allows any pair that passes.
 /// Faults: `size`, `no_candidate`.
 Outcome<Coded> encode(std::span<const std::uint8_t> user, Format format, Shaping from = {});
 
-/// Tests a telegram that begins with b(n-1), as an encoder must before it is given to a balise: check bits, control
-/// bits, alphabet, off-synch parsing, aperiodicity, under-sampling, in this order. Gives the first test that fails or
-/// `none`.
+/// Tests a telegram that begins with b(n-1), as an encoder must before the telegram is used in a balise: check bits,
+/// control bits, alphabet, off-synch parsing, aperiodicity, under-sampling, in this order. Returns the first test that
+/// fails, or `none`.
 Fault examine(std::span<const std::uint8_t> coded, Format format);
 
-/// Reads one period of a telegram, any rotation, inverted or not, as it stands in a file: exactly coded_bits(format)
-/// bits. There are no extra bits to compare, hence not for a train: see `receive`.
-/// Faults: `size`, `parity`, `synchronisation`, `alphabet`, `unknown_format`.
+/// Reads one period of a telegram from a file, in any rotation, inverted or not: exactly coded_bits(format) bits. There
+/// are no extra bits to compare, so this is not for use on a train: see `receive`. Faults: `size`, `parity`,
+/// `synchronisation`, `alphabet`, `unknown_format`.
 Outcome<Received> read(std::span<const std::uint8_t> period, Format format);
 
 /// The receiver of 4.3.4: looks in bits [from, count) of `stream` for the first window of either format that is safe:
 /// n bits divisible by g, followed by r = 77 (long) or 121 (short) bits equal to its first ones (r = n once the window
-/// has moved over 7500 bits), synchronised, of valid words only. To look for the next telegram continue from
-/// `Received::end`. The fault is that of the window that came furthest; bits of a format to come end the search.
+/// has moved over 7500 bits), synchronised, of valid words only. To search for the next telegram continue from
+/// `Received::end`. The fault is that of the window that passed the most tests; bits of a future format end the search.
 Outcome<Received> receive(std::span<const std::uint8_t> stream, std::size_t count, std::size_t from = 0);
 
 }  // namespace evc::airgap

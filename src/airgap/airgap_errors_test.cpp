@@ -8,8 +8,8 @@
 
 #include "airgap/airgap.h"
 
-// What bit errors do: a telegram with errors may be refused or corrected by waiting, but its user bits are never wrong.
-// By default a part of all errors; with OPENEVC_CAMPAIGN set all of them (docs/airgap.md has the figures).
+// Effect of bit errors: a telegram with errors may be rejected, or received later, but its user bits are never wrong.
+// By default a sample of the errors is tried; with OPENEVC_CAMPAIGN set, all of them (figures: docs/airgap.md).
 namespace evc::airgap {
 namespace {
 
@@ -115,7 +115,7 @@ TEST_P(Errors, EveryTwoBitsOfTheWindow) {
   const std::size_t step = whole_campaign() ? 1 : 23;
   for (std::size_t i = 0; i < sample.least; ++i) {
     flip(window, i);
-    // Every distance between the two bits is met for some i also when only a part is tried.
+    // Every distance between the two bits occurs for some i even when only a sample is tried.
     for (std::size_t k = i + 1 + (step == 1 ? 0 : random() % step); k < sample.least; k += step) {
       flip(window, k);
       tally.count(receive(window, sample.least), sample);
@@ -128,7 +128,7 @@ TEST_P(Errors, EveryTwoBitsOfTheWindow) {
   EXPECT_EQ(tally.accepted_wrong, 0u);
 }
 
-/// A burst: `length` bits the first and last of which are wrong, those between at random.
+/// A burst: `length` bits, the first and the last wrong, those between at random.
 void add_burst(Generator& random, Bytes& bytes, std::size_t at, std::size_t length, std::size_t round_trip) {
   const std::uint64_t inner = random();
   for (std::size_t i = 0; i < length; ++i)
@@ -152,7 +152,7 @@ TEST_P(Errors, BurstsUpTo32BitsInThePeriod) {
 }
 
 TEST_P(Errors, BurstsUpTo32BitsInAStream) {
-  // Three periods with a burst: what stands beside it may be received, and is then right.
+  // Three periods with a burst: the parts beside it may be received, and are then right.
   const std::uint64_t count = whole_campaign() ? 5'000'000 : 10'000;
   while (tally.tried < count) {
     const Sample sample(random, GetParam());
@@ -171,7 +171,7 @@ TEST_P(Errors, BurstsUpTo32BitsInAStream) {
 }
 
 TEST_P(Errors, SlippedBitsInTheWindow) {
-  // Annex A1.3: up to three bits lost or inserted in n + r are always found.
+  // Annex A1.3: up to three bits lost or inserted in n + r are always detected.
   const std::uint64_t count = whole_campaign() ? 1'000'000 : 5'000;
   while (tally.tried < count) {
     const Sample sample(random, GetParam());

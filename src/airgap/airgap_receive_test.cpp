@@ -103,7 +103,7 @@ TEST(Receive, AfterSevenThousandFiveHundredBitsTwoWholePeriods) {
     for (const std::size_t noise : {std::size_t{7500}, std::size_t{7501}}) {
       Stream stream;
       stream.add_noise(random, noise - 1);
-      stream.add_equal(bit(coded->bytes, n - 1) ? 0 : 1, 1);  // surely not the telegram's
+      stream.add_equal(bit(coded->bytes, n - 1) ? 0 : 1, 1);  // differs from the telegram's next bit
       stream.add(*coded, 0, n + r);
       EXPECT_EQ(static_cast<bool>(stream.receive()), noise == 7500);
       stream.add(*coded, r, n - r);
@@ -144,7 +144,7 @@ TEST(Receive, TwoTelegramsInARowWithTheGapOfASwitch) {
     const auto one = stream.receive();
     ASSERT_TRUE(one);
     EXPECT_EQ(bytes_of(one->user_bytes()), first_user);
-    // Search on: only these two are ever found, the old one first.
+    // Continue the search: only these two are found, the old one first.
     bool old_one = true;
     std::size_t from = one->end, found = 0;
     for (auto next = stream.receive(from); next; next = stream.receive(from = next->end), ++found) {
@@ -161,7 +161,7 @@ TEST(Receive, TwoTelegramsInARowWithTheGapOfASwitch) {
 TEST(Receive, BitsOfALaterFormatEndTheSearch) {
   for (const Format format : {Format::long_, Format::short_}) {
     const auto& code = bit_by_bit::code(format);
-    // A telegram whose b108 is 1 or whose b107 is 0, otherwise sound: its first word of control bits must be valid.
+    // A telegram with b108 = 1 or b107 = 0, otherwise correct: its first word of control bits must be valid.
     int tried = 0;
     for (const int control : {0, 2, 3}) {
       bool found = false;
@@ -219,7 +219,7 @@ TEST(Receive, AgreesWithTheBitByBitOne) {
     const auto slow = bit_by_bit::search(stream.bits, code);
     const auto fast = stream.receive();
     ++seen[slow.fault];
-    // The other format's receiver is never the one that got further, unless this one got nowhere.
+    // The receiver of the other format passes more tests only if this one passes none.
     if (slow.fault >= Fault::repetition || slow.fault == Fault::none) expect_equal(fast, slow);
     EXPECT_EQ(static_cast<bool>(fast), slow.fault == Fault::none);
   }

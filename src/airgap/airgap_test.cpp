@@ -90,8 +90,8 @@ TEST(Vectors, WhatMustBeRejectedIsForTheStatedTest) {
     ASSERT_EQ(vector.at("fails").size(), 1u);
     const Fault stated = tests.at(vector.at("fails")[0].get<std::string>());
     EXPECT_EQ(examine(coded, format_of(vector)), stated);
-    // The reference names the first test that fails; the two of the alphabet break off-synch parsing as well. The
-    // encoder never sends it.
+    // The reference names the first test that fails; the two alphabet faults break off-synch parsing as well. The
+    // encoder never sends such a telegram.
     const auto& code = bit_by_bit::code(format_of(vector));
     const auto bits = bit_by_bit::from_bytes(coded, code.n);
     const auto failing = bit_by_bit::failing_tests(bits, code);
@@ -144,7 +144,7 @@ TEST(Encode, AgreesWithTheBitByBitOne) {
 }
 
 TEST(Encode, PassesOverNoUsablePair) {
-  // Every pair before the one that was chosen fails in the bit-by-bit implementation too.
+  // Every pair before the chosen one fails in the bit-by-bit implementation too.
   Generator random(4325);
   const Bytes user = random_user(random, Format::short_);
   const Shaping from{16, 0};
@@ -160,7 +160,7 @@ TEST(Encode, PassesOverNoUsablePair) {
 }
 
 TEST(Examine, EachTestAgreesWithTheBitByBitOne) {
-  // Candidates of all kinds: as they come, with bits changed and check bits put right again.
+  // Candidates of all kinds: unchanged, with bits changed, and with the check bits computed again.
   Generator random(4321);
   std::map<Fault, int> seen;
   for (const Format format : {Format::long_, Format::short_}) {
@@ -273,7 +273,7 @@ TEST(Examine, AperiodicityAgreesWithTheBitByBitOne) {
   Generator random(341);
   int passed = 0, failed = 0;
   for (int round = 0; round < 400; ++round) {
-    // Two words come again a third of the telegram later, one to three bits shifted or not, some bits changed.
+    // Two words are repeated a third of the telegram later, one to three bits shifted or not, some bits changed.
     auto bits = random_words<1023>(random);
     const std::size_t p = 11 * (random() % 93), shift = 338 + random() % 7;
     std::set<std::size_t> changed;

@@ -1,6 +1,6 @@
 #pragma once
-// A second, slow implementation of SUBSET-036 4.3 for the tests: bit by bit, as the text says it, sharing nothing with
-// the fast one but the enumeration of faults. Its words come from tests/reference/.
+// A second, slow implementation of SUBSET-036 4.3 for the tests: bit by bit, as the text describes it. It shares only
+// the enumeration of faults with the fast one; its words are read from tests/reference/.
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -91,7 +91,7 @@ inline void set_number(Bits& bits, std::size_t low, std::size_t length, int valu
   for (std::size_t i = 0; i < length; ++i) bits[low + i] = value >> i & 1;
 }
 
-/// The telegram for these user bits and this pair, tests aside (E1 to E5).
+/// The telegram for these user bits and this pair, without tests (E1 to E5).
 inline Bits telegram(Bits user, const Code& c, int sb, int esb) {
   int sum = 0;
   for (std::size_t p = 0; p < c.m; p += 10) sum += number(user, p, 10);
@@ -124,7 +124,7 @@ inline bool valid_word(const Bits& b, std::size_t i) {
   for (std::size_t k = 1; k <= 11; ++k) word = 2 * word + b[(i + n - k) % n];
   return word_index()[static_cast<std::size_t>(word)] >= 0;
 }
-/// The longest run of valid words in the parsing that starts at i, round and round; a full circle counts n/11 words.
+/// The longest run of valid words in the parsing that starts at i, cyclic; a full circle counts n/11 words.
 inline std::size_t longest_run(const Bits& b, std::size_t i) {
   const std::size_t n = b.size(), all = n / 11;
   std::size_t run = 0, longest = 0;
@@ -215,7 +215,7 @@ inline Read read_window(const Bits& window, const Code& c) {
   return out;
 }
 
-/// One of the two receivers. `stream[0]` is received first. Faults as `airgap::receive` gives them.
+/// One of the two receivers. `stream[0]` is received first. Faults as in `airgap::receive`.
 inline Read search(const std::vector<int>& stream, const Code& c) {
   Read best{stream.size() < c.n + c.r ? Fault::too_few_bits : Fault::parity, {}, false, 0, 0, 0};
   for (std::size_t at = 0;; ++at) {

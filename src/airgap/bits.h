@@ -53,7 +53,7 @@ struct Bits {
   friend constexpr bool operator==(const Bits&, const Bits&) = default;
 };
 
-/// The bits twice over, so that a cyclic telegram can be read across its end.
+/// The bits twice in a row, so that a cyclic telegram can be read across its end.
 template <std::size_t N>
 constexpr Bits<2 * N> twice(const Bits<N>& bits) {
   Bits<2 * N> out;

@@ -47,7 +47,7 @@ inline constexpr Bits<N> kInSynch = phase_places<N>(0);
 template <std::size_t N>
 inline constexpr Bits<N> kOneBitOff = phase_places<N>(1) ^ phase_places<N>(10);
 
-/// At most 2 valid words in a row one bit beside the right parsing, 10 (long) or 6 (short) in the other eight.
+/// At most 2 valid words in a row one bit off the right parsing, 10 (long) or 6 (short) in the other eight.
 template <class Code>
 constexpr bool passes_off_synch(const Bits<Code::n>& word_places) {
   constexpr std::size_t longest = Code::format == Format::long_ ? 10 : 6;
@@ -93,7 +93,7 @@ constexpr Bits<N> every_second_bit(const Bits<N>& bits) {
   return out;
 }
 
-/// Read at every 2nd, 4th, 8th or 16th bit, from any place, at most 30 valid words in a row.
+/// At most 30 valid words in a row when every 2nd, 4th, 8th or 16th bit is read, from any place.
 template <class Code>
 constexpr bool passes_under_sampling(Bits<Code::n> bits) {
   for (int k = 1; k <= 4; ++k) {

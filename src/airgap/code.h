@@ -128,7 +128,7 @@ struct Arithmetic {
     }
     return basis;
   }();
-  /// Bits 84..75 of a residue: they alone show which multiple of g it is, if it is one.
+  /// Bits 84..75 of a residue: they alone identify the multiple of g, if it is one.
   static constexpr std::size_t leading(Residue v) { return static_cast<std::size_t>(v.high >> 11 & 1023); }
   /// v mod g, of v mod f*g.
   static constexpr Residue modulo_g(Residue v) {

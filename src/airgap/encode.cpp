@@ -5,7 +5,7 @@ namespace {
 
 /// Division by h = x^32+x^31+x^30+x^29+x^27+x^25+1, a byte of the quotient a step (4.3.2.2).
 struct ScramblerStep {
-  std::uint32_t state = 0;  // what the byte's feedback leaves in the register
+  std::uint32_t state = 0;  // the register after the feedback of the byte
   std::uint8_t out = 0;
 };
 constexpr std::uint32_t kScramblerTaps = 0xEA000001;
@@ -99,7 +99,7 @@ Outcome<Coded> encode_as(std::span<const std::uint8_t> user, Shaping from) {
       if (!tail_is_of_words(tail)) continue;
       Bits<Code::n> candidate = bits;
       candidate.w[0] |= tail.low;
-      candidate.w[1] |= tail.high;  // sb's last bits stand there already
+      candidate.w[1] |= tail.high;  // already holds the last bits of sb
       if (examine_shape<Code>(candidate) != Fault::none) continue;
       coded = {Fault::none, {Code::format, {sb, esb}, {}}};
       store(candidate, coded.value.bytes);

@@ -79,7 +79,8 @@ bool equal(std::span<const std::uint8_t> stream, std::size_t a, std::size_t b, s
   return take(stream, a, length) == take(stream, b, length);
 }
 
-/// How far a window came: the order of the receiver's tests.
+/// Whether a window with fault `a` passed more tests than one with `b`: the order of the receiver's
+/// tests.
 constexpr bool further(Fault a, Fault b) { return a > b; }
 
 /// One of the two receivers that work in parallel: the first safe window that ends at or before `count`.
@@ -89,10 +90,11 @@ Outcome<Received> search(std::span<const std::uint8_t> stream, std::size_t from,
   constexpr std::size_t far = 7500;  // bits, after which r = n (4.3.4.1.2)
   if (count < from || count - from < n + Code::r) return {Fault::too_few_bits, {}};
   Outcome<Received> best{Fault::parity, {}};
-  // The window's residue modulo g slides along: the bit that leaves and the one that enters both weigh x^0, as
+  // The residue modulo g of the sliding window: the bit that leaves and the bit that enters both have weight x^0, as
   // x^n = 1 modulo g.
   Residue sliding = Arithmetic<Code>::modulo_g(Arithmetic<Code>::of(load<n>(stream, from)));
-  // ... and modulo f*g while one multiple of g follows the other, as on a dead line.
+  // The residue modulo f*g is kept while one multiple of g follows another, as with a line of
+  // constant bits.
   Residue whole;
   bool have_whole = false;
   std::uint64_t changes = 0;

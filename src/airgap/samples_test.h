@@ -31,7 +31,7 @@ inline Bytes random_user(Generator& random, Format format) {
   return user;
 }
 
-/// A stream of single bits, and what the receivers take.
+/// A stream of single bits, in the form the receivers read.
 struct Stream {
   std::vector<int> bits;
   void add(const Coded& coded, std::size_t from, std::size_t count, bool inverted = false) {

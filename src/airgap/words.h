@@ -5,8 +5,8 @@
 namespace evc::airgap {
 
 // clang-format off
-/// The word that stands for each 10-bit block (SUBSET-036 annex B2), octal and ascending as there. The words were found
-/// by search: no rule makes them.
+/// The word for each 10-bit block (SUBSET-036 annex B2), octal and ascending as there. The words were found by search:
+/// no rule generates them.
 inline constexpr std::array<std::uint16_t, 1024> words = {
     00101, 00102, 00103, 00104, 00105, 00106, 00107, 00110, 00111, 00112, 00113, 00114, 00115, 00116, 00117, 00120,
     00121, 00122, 00123, 00124, 00125, 00126, 00127, 00130, 00131, 00132, 00133, 00134, 00135, 00141, 00142, 00143,
@@ -85,8 +85,8 @@ inline constexpr auto block_of = [] {
 
 constexpr bool is_word(std::uint64_t word) { return block_of[word] >= 0; }
 
-/// What annexes A1.1.2 and B2 say of the table: ascending, closed under inversion, no word that begins or ends with
-/// five equal bits, not the word 10000000001. Together with the sum a mistyped word is found.
+/// What annexes A1.1.2 and B2 require of the table: ascending, closed under inversion, no word that begins or ends with
+/// five equal bits, not the word 10000000001. Together with the sum this detects a mistyped word.
 static_assert([] {
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace evc {
 
-// window() turns eight bytes round in one step.
+// window() swaps eight bytes in one step.
 static_assert(std::endian::native == std::endian::little);
 
 /// Reads unsigned numbers of 1 to 64 bits from a bit string, most significant bit first and without
@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little);
 /// every read after that (the fault is sticky), and the position stays where the first one failed.
 class BitReader {
  public:
-  /// The first `bits` bits of `bytes`; `bits` larger than the bytes hold is cut down to what they hold.
+  /// Reads the first `bits` bits of `bytes`; a count larger than the bytes hold is reduced to what they hold.
   constexpr BitReader(std::span<const std::uint8_t> bytes, std::size_t bits, std::size_t position = 0)
       : data_(bytes.data()),
         size_(bytes.size()),
@@ -54,7 +54,7 @@ class BitReader {
   }
   /// Bits that window() holds at least.
   static constexpr unsigned kWindow = 57;
-  /// The bits from position() on, the first one in the most significant place; zeros after the bytes' end.
+  /// The bits from position() on, the first one most significant; zeros after the end of the bytes.
   [[gnu::always_inline]] std::uint64_t window() const {
     const std::size_t byte = at_ / 8;
     std::uint64_t word = 0;
@@ -66,11 +66,11 @@ class BitReader {
     }
     return word << (at_ % 8);
   }
-  /// True if `bits` more bits are there.
+  /// True if at least `bits` bits are left.
   constexpr bool has(std::size_t bits) const { return at_ + bits <= end_; }
-  /// Passes over `bits` bits, which must be there: has(bits).
+  /// Skips `bits` bits. Requires has(bits).
   constexpr void advance(std::size_t bits) { at_ += bits; }
-  /// The same, one bit at a time: the plain form the fast one is compared with.
+  /// The same, one bit at a time: the reference for the tests of read().
   constexpr std::uint64_t read_bit_by_bit(unsigned bits, const char* what = nullptr) {
     if (at_ + bits > end_) {
       fail(what);
@@ -80,7 +80,7 @@ class BitReader {
     for (unsigned i = 0; i < bits; ++i, ++at_) value = (value << 1) | ((data_[at_ / 8] >> (7 - at_ % 8)) & 1u);
     return value;
   }
-  /// Goes on at bit `position`; beyond the end the reader becomes faulty.
+  /// Continues at bit `position`; beyond the end the reader becomes faulty.
   constexpr void seek(std::size_t position, const char* what = nullptr) {
     if (position > end_)
       fail(what);
@@ -118,7 +118,7 @@ class BitWriter {
   constexpr std::size_t position() const { return at_; }
   constexpr bool faulty() const { return faulty_; }
   constexpr void fail() { faulty_ = true; }
-  /// The bytes begun so far.
+  /// The bytes written so far; the last one may be incomplete.
   constexpr std::span<const std::uint8_t> bytes() const { return {data_, (at_ + 7) / 8}; }
 
   /// Appends the low `bits` bits (1 to 64) of `value`.

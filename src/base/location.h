@@ -12,23 +12,22 @@ struct GroupId {
   friend constexpr bool operator==(const GroupId&, const GroupId&) = default;
 };
 
-/// The odometer's three absolute counters at one moment; min <= nominal <= max. What the train truly
-/// ran between two readings lies between the increments of `min` and of `max`.
+/// The odometer's three absolute counters at one moment; min <= nominal <= max. The distance the train really ran
+/// between two readings lies between the increments of `min` and of `max`.
 struct OdometerReading {
   OdometerPlace nominal, min, max;
   friend constexpr bool operator==(const OdometerReading&, const OdometerReading&) = default;
 };
 
-/// Where something of the train is in the track frame: min <= est <= max, "max" being the far end in
-/// the train's orientation.
+/// Place of a part of the train in the track frame: min <= est <= max. "max" is the far end in the train's orientation.
 struct PlaceInterval {
   Place min, est, max;
   friend constexpr bool operator==(const PlaceInterval&, const PlaceInterval&) = default;
   friend constexpr PlaceInterval operator-(PlaceInterval a, Distance d) { return {a.min - d, a.est - d, a.max - d}; }
 };
 
-/// A direction against the co-ordinate system of a balise group; the codes are those of Q_DIRLRBG,
-/// Q_DLRBG and Q_DIRTRAIN.
+/// A direction relative to the co-ordinate system of a balise group; the codes are those of
+/// Q_DIRLRBG, Q_DLRBG and Q_DIRTRAIN.
 enum class Direction : std::uint8_t { reverse = 0, nominal = 1, unknown = 2 };
 
 /// The other direction; unknown stays unknown.

@@ -59,8 +59,9 @@ constexpr auto first_of_clause = [] {
   return first;
 }();
 
-/// 3.14.1.10: an acknowledgement at standstill is for the causes of one clause; another clause needs its own. The
-/// clauses come in the order of the table. The first row of the clause; absent: nothing is acknowledged.
+/// 3.14.1.10: an acknowledgement at standstill covers the causes of one clause; another clause needs its own. The
+/// clauses are acknowledged in the order of the table. Returns the first row of the clause; absent: nothing is
+/// acknowledged.
 std::optional<std::size_t> acknowledged_clause(const State& state, const Context& c) {
   if (!c.standstill || !c.driver_acknowledges) return {};
   for (std::size_t i = 0; i < srs_3_14_1.size(); ++i)
@@ -85,7 +86,7 @@ bool released(Release rule, bool asked, bool acknowledged, const Context& c) {
   }
 }
 
-/// Whether the cause gives a new command: when it appears, and with movement where the rule says so.
+/// Whether the cause gives a new command: when it appears, and on movement where the rule requires it.
 bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
   if (!asked) return false;
   if (r.release == Release::when_gone) return true;
@@ -115,8 +116,7 @@ Command command(State& state, CauseSet asked, const Context& c) {
     out.acknowledgement_wanted = out.acknowledgement_wanted || (wants_acknowledgement(r.release) && c.standstill);
   }
   state.asked_before = asked;
-  // 3.14.1.2: the emergency brake when the service brake does not come, or is not fitted; it is released with its
-  // causes.
+  // 3.14.1.2: the emergency brake when the service brake does not act or is not fitted; it is released with its causes.
   if (out.sb && (c.service_brake_failed || !c.service_brake_fitted)) out.eb = true;
   if (!c.service_brake_fitted) out.sb = false;
   return out;

@@ -17,7 +17,7 @@ enum class Kind : std::uint8_t { traction_cut_off, service_brake, emergency_brak
 
 /// What ends the command of a cause once it was given.
 enum class Release : std::uint8_t {
-  when_gone,  // the asking room knows the rule: the command lasts as long as it is asked for
+  when_gone,  // the room that asks applies the rule: the command lasts as long as it is asked for
   at_standstill,
   at_standstill_or_message,  // or with a new consistent message from the RBC
   acknowledged_at_standstill,
@@ -32,13 +32,13 @@ struct CauseRow {
   Cause cause;
   Kind kind;
   Release release;
-  bool again_on_movement;  // after the release any further movement while the cause is still there brakes again
+  bool again_on_movement;  // after the release, any further movement while the cause is present brakes again
   Clause clause;
 };
 
 // clang-format off
-/// 3.14.1, 3.13.10 and where the causes are defined. Where the standard leaves the kind of brake free (roll away, reverse
-/// movement, standstill, movement during data entry, BTM alarm) it is the emergency brake.
+/// 3.14.1, 3.13.10 and the clauses that define the causes. Where the standard leaves the kind of brake open (roll away,
+/// reverse movement, standstill, movement during data entry, BTM alarm), the emergency brake is used.
 inline constexpr auto srs_3_14_1 = [] {
   using enum Release;
   constexpr Kind tco = Kind::traction_cut_off, sb = Kind::service_brake, eb = Kind::emergency_brake;
@@ -86,7 +86,7 @@ struct Context {
   bool standstill = false;
   bool driver_acknowledges = false;     // the brake, in this cycle; counts at standstill only
   bool new_consistent_message = false;  // from the RBC, in this cycle
-  bool service_brake_fitted = true;     // otherwise the emergency brake takes its place
+  bool service_brake_fitted = true;     // otherwise the emergency brake is used instead
   bool service_brake_failed = false;    // commanded, but the train does not brake (3.14.1.2)
   bool traction_cut_off_fitted = true;
 };
@@ -94,15 +94,15 @@ struct Context {
 struct Command {
   bool tco = false, sb = false, eb = false;
   CauseSet reasons;
-  bool acknowledgement_wanted = false;  // a release waits for the driver, all else is fulfilled (3.14.1.8)
+  bool acknowledgement_wanted = false;  // a release waits only for the driver's acknowledgement (3.14.1.8)
 };
 
-/// One cycle: what is asked for now gives commands, and commands whose release rule is fulfilled end. Service and
-/// emergency brake are joined over the causes separately.
+/// One cycle: the causes asked for give commands, and commands whose release rule is fulfilled end. Service brake and
+/// emergency brake are combined over the causes separately.
 Command command(State& state, CauseSet asked, const Context& context);
 
-/// 4.12 of 4.0.0, used for 3.x too, which is silent: a mode entry revokes commands. Those that last as long as they are
-/// asked for are not touched here: the rooms that ask for them stop asking.
+/// 4.12 of 4.0.0: a mode entry revokes commands. Used for 3.x too, which does not say. Commands that last as long as
+/// they are asked for are not changed here: the rooms that ask for them stop asking.
 void on_mode_entry(State& state, Mode to, Mode from);
 
 /// Whether the entry of mode `to` from mode `from` revokes the command of a cause.

@@ -34,7 +34,7 @@ TEST(Brakes, Every_cause_alone_commands_its_kind_and_names_itself) {
   }
 }
 
-// For every rule: is the command of a cause that asked for one cycle still there afterwards?
+// For every rule: does the command of a cause that asked for one cycle last?
 TEST(Brakes, Every_cause_is_released_by_its_own_rule_and_by_nothing_less) {
   for (const CauseRow& r : srs_3_14_1) {
     const auto left_after = [&](Context context, bool still_asked) {

@@ -4,8 +4,8 @@
 namespace evc {
 
 // clang-format off
-/// What trackside sends: the rows of the acceptance tables 4.8.3 and 4.8.4. Where the two tables cut differently (level
-/// transition orders, track conditions) the finer cut is taken.
+/// What trackside sends: the rows of the acceptance tables 4.8.3 and 4.8.4. Where the two tables divide differently
+/// (level transition orders, track conditions), the finer division is used.
 enum class Information : std::uint8_t {
   national_values,                    // national values
   linking,                            // linking
@@ -41,7 +41,7 @@ enum class Information : std::uint8_t {
   eolm,                               // end of loop marker
   coordinate_system_assignment,       // assignment of coordinate system
   infill_location_reference,          // infill location reference
-  track_conditions_general,           // track conditions but the next two rows
+  track_conditions_general,           // track conditions except the next two rows
   track_conditions_horn_stopping,     // sound horn, non stopping area, tunnel stopping area
   track_condition_bmm,                // big metal masses
   location_identity,                  // identity of the balise group

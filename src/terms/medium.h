@@ -3,7 +3,8 @@
 
 namespace evc {
 
-/// What brings information from the trackside: a balise group, a loop, a radio infill unit, an RBC.
+/// What transmits information from the trackside: a balise group, a loop, a radio infill unit, an
+/// RBC.
 enum class Medium : std::uint8_t { balise, loop, riu, rbc };
 
 }  // namespace evc

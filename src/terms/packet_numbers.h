@@ -4,7 +4,7 @@
 // NID_PACKET (7.5.1.91) by name. What a packet holds is declared in lang/packets.
 namespace evc::packet {
 
-/// From the trackside (7.4.2), and those of X = 1 that stand for one of X = 2 (6.5.1.5).
+/// From the trackside (7.4.2), and those of X = 1 that are translated to one of X = 2 (6.5.1.5).
 enum ToTrain : std::uint8_t {
   virtual_balise_cover_marker = 0,
   system_version_order = 2,

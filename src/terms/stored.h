@@ -35,7 +35,7 @@ enum class Stored : std::uint8_t {
   rbc_transition_order,           // RBC transition order
   radio_infill_area,              // radio infill area
   eolm,                           // end of loop marker
-  track_conditions_general,       // track conditions but the next two rows
+  track_conditions_general,       // track conditions except the next two rows
   track_conditions_horn_stopping, // sound horn, non stopping area, tunnel stopping area
   track_condition_bmm,            // big metal masses
   unconditional_stops,            // unconditional emergency stops

@@ -36,8 +36,8 @@ int members(BrakeSet set) {
   return n;
 }
 
-/// The model for exactly the brakes in use, else the one with the most of them; none of the brakes
-/// counted may be missing. nullptr only when there is no model for the empty set either.
+/// The model for exactly the brakes in use, else the one with the most of them; a model never
+/// counts a brake that is not in use. nullptr only when there is no model for the empty set either.
 template <class Models>
 const typename Models::value_type* choose(const Models& models, BrakeSet in_use) {
   const typename Models::value_type* best = nullptr;
@@ -244,7 +244,7 @@ BuildUpTimes build_up_times(const TrainData& train, const NationalValues& values
   t.T_be_react = {values.Kt_int * react.emergency};
   t.T_bs = {T_brake_service_cm};
   t.T_bs_react = {react.service};
-  // A.3.9: the model gives the longest time; a configured shorter one is used.
+  // A.3.9: the model gives the longest time; a shorter configured one is used.
   if (service != nullptr) {
     t.T_bs = std::min(t.T_bs, service->T_brake);
     t.T_bs_react = std::min(t.T_bs_react, service->T_brake_react);

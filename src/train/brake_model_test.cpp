@@ -114,7 +114,7 @@ TEST(ConversionModel, BuildUpTimes) {
     const BuildUpTimes cmt = build_up_times(t, v, {}, false);
     EXPECT_NEAR(cmt.T_be.si, kto * c.emergency, 1e-12);
     EXPECT_NEAR(cmt.T_bs.si, kto * c.service, 1e-12);
-    // kto never touches the reaction times.
+    // kto does not apply to the reaction times.
     EXPECT_EQ(cm0.T_be_react, cmt.T_be_react);
     EXPECT_EQ(cm0.T_bs_react, cmt.T_bs_react);
   }
@@ -256,14 +256,15 @@ TEST(Gamma, TheModelOfTheBrakesInUse) {
   const auto A = [&](BrakeSet off) { return A_brake_emergency(t, in_use_emergency(t, s, off)).steps[0].value.si; };
   EXPECT_EQ(A(0), 1.2);
   EXPECT_EQ(A(kMagneticShoe), 1.0);
-  // Magnetic shoe without the regenerative brake has no model of its own: the weaker one counts.
+  // There is no model for the magnetic shoe without the regenerative brake: the weaker model is
+  // used.
   EXPECT_EQ(A(kRegenerative), 0.8);
   EXPECT_EQ(A_brake_service(t, in_use_service(t, s, 0)).steps[0].value.si, 0.75);
   EXPECT_EQ(A_brake_service(t, in_use_service(t, s, kRegenerative)).steps[0].value.si, 0.6);
   s.regenerative = false;
   EXPECT_EQ(A(0), 0.8);
   EXPECT_EQ(build_up_times(t, {}, s, true).T_be.si, 2.5);
-  EXPECT_EQ(build_up_times(t, {}, s, false).T_be.si, 2.5);  // kto is the conversion model's
+  EXPECT_EQ(build_up_times(t, {}, s, false).T_be.si, 2.5);  // kto belongs to the conversion model
   EXPECT_EQ(build_up_times(t, {}, s, true).T_bs.si, 2.0);
   EXPECT_EQ(build_up_times(t, {}, s, true).T_be_react.si, 0.9);
   s.electro_pneumatic = false;
