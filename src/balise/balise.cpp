@@ -28,7 +28,7 @@ bool too_far(const OpenGroup& open, const OdometerReading& counter) {
   return between(counter, open.last) > kBaliseSpacing + kSpacingMargin;
 }
 
-/// Finishes the open group. One of which nothing but telegrams of too new a version was read says nothing.
+/// Finishes the open group. A group of which only telegrams of too new a version were read is not evaluated.
 void close(State& state, const Situation& situation, Outcome& outcome) {
   if (state.open->identified && state.open->telegrams.empty() && !state.open->undecoded) {
     state.open.reset();
@@ -41,15 +41,15 @@ void close(State& state, const Situation& situation, Outcome& outcome) {
 
 bool seen(const OpenGroup& open, std::uint8_t N_PIG) { return ((open.seen >> N_PIG) & 1u) != 0; }
 
-/// The same balise under the antenna still (3.16.2.1.1: one telegram).
+/// The same balise is still under the antenna (3.16.2.1.1: one telegram).
 bool same_passage(const OpenGroup& open, const Header& header, const Reading& reading) {
   return open.identified && open.id == header.id && !open.telegrams.empty() &&
          open.telegrams.back().N_PIG == header.N_PIG &&
          between(reading.counter, open.telegrams.back().counter) < kSameBalise;
 }
 
-/// Does this telegram continue the open group? Another group, a balise seen before, or one against the
-/// order so far (the train has turned) begins a new passage.
+/// Does this telegram continue the open group? Another group, a balise read before, or one against the order so far
+/// (the train has turned) begins a new passage.
 bool continues(const OpenGroup& open, const Header& header) {
   if (!open.identified) return true;
   if (!(open.id == header.id) || seen(open, header.N_PIG)) return false;
@@ -58,7 +58,7 @@ bool continues(const OpenGroup& open, const Header& header) {
   return (header.N_PIG > open.telegrams.back().N_PIG) == rising;
 }
 
-/// The group to which the telegram belongs; closes another one before.
+/// The group to which the telegram belongs; closes a different open group first.
 OpenGroup& group_of(State& state, const Header& header, const Reading& reading, const Situation& situation,
                     Outcome& outcome) {
   if (state.open && (!continues(*state.open, header) || too_far(*state.open, reading.counter)))
@@ -71,7 +71,7 @@ OpenGroup& group_of(State& state, const Header& header, const Reading& reading, 
     open.N_TOTAL = header.N_TOTAL;
     open.Q_LINK = header.Q_LINK;
   }
-  // Identity is equal; the rest of what a group has in common must be, too (3.16.1.1).
+  // The identity is equal; the other common values of the group must be equal too (3.16.1.1).
   if (open.N_TOTAL != header.N_TOTAL || open.Q_LINK != header.Q_LINK) open.header_mismatch = true;
   open.seen = static_cast<std::uint8_t>(open.seen | (1u << header.N_PIG));
   open.last = reading.counter;
@@ -92,7 +92,7 @@ bool covered(const State& state, const Header& header, Duration now) {
   return false;
 }
 
-/// The checks of a telegram by itself, in the order of A.3.3; true: nothing of it is used.
+/// The checks of a single telegram, in the order of A.3.3; true: no part of the telegram is used.
 bool dropped(State& state, const Header& header, const Reading& reading, const Situation& situation, Outcome& outcome) {
   if (header.X() == 0) {
     tell(outcome, What::telegram_version_old, header.id, "3.17.3.5 a"_srs);
@@ -107,7 +107,7 @@ bool dropped(State& state, const Header& header, const Reading& reading, const S
     return true;
   }
   if (header.X() <= situation.highest_X) return false;
-  // Ignored, but not missed: its balise was there.
+  // Ignored, but not missed: its balise was detected.
   group_of(state, header, reading, situation, outcome);
   tell(outcome, What::telegram_version_new, header.id, situation.level_1_2_3 ? "3.17.3.5 d"_srs : "3.17.3.5 e"_srs);
   if (situation.level_1_2_3) outcome.version_too_high = true;

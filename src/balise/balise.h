@@ -9,8 +9,8 @@
 // From telegrams to balise groups (3.4.1, 3.4.2, 3.16.2).
 namespace evc::balise {
 
-/// Farthest distance of two neighbours in one group (SUBSET-040 4.1.1.2), and what odometer and
-/// detection may add to it: 1 m each at both balises (SUBSET-036 4.2.10.2), 5 % of 12 m.
+/// Farthest distance of two neighbours in one group (SUBSET-040 4.1.1.2), and the tolerance of
+/// odometer and detection: 1 m at each of the two balises (SUBSET-036 4.2.10.2), 5 % of 12 m.
 inline constexpr Distance kBaliseSpacing{12.0};
 inline constexpr Distance kSpacingMargin{2.6};
 /// Two readings of the same balise closer than this are one passage.
@@ -18,19 +18,19 @@ inline constexpr Distance kSameBalise{1.3};
 /// Virtual balise covers kept (3.15.9).
 inline constexpr std::size_t kCovers = 16;
 
-/// How the unit stands when the telegram is read: what these rules need to know of level and mode.
+/// The facts about level and mode that these rules need, at the time the telegram is read.
 struct Situation {
   Duration now{};                        // since power-up
   bool linking_checked = false;          // the mode supervises linking: FS, LS, OS (4.5.2)
   bool braking_on_message_error = true;  // SB SH FS LS SR OS UN SN TR; not in SL PT NL RV PS (4.4.6.1.12 ...)
   /// Reverse movement protection is active and the train moves against it (3.14.3.6).
   bool against_permitted_movement = false;
-  bool counter_rises = true;   // the way the train moves, as the odometer counts
+  bool counter_rises = true;   // direction of movement, as the odometer counts
   bool level_1_2_3 = false;    // else level 0 or NTC (3.17.3.5 d, e)
   std::uint8_t highest_X = 2;  // highest supported system version number
 };
 
-/// A balise as the antenna saw it.
+/// A balise as read by the antenna.
 struct Reading {
   std::span<const std::uint8_t> bytes;  // user bits, left aligned
   std::size_t bits = 0;
@@ -54,8 +54,8 @@ struct OpenGroup {
   bool identified = false;       // false: only unreadable balises so far
   bool undecoded = false;        // a balise was detected but not decoded
   bool header_mismatch = false;  // N_TOTAL or Q_LINK differ within the group
-  Judgement judgement;           // of its reference balise against linking
-  OdometerReading last;          // the last balise of it
+  Judgement judgement;           // of its reference balise by linking
+  OdometerReading last;          // its last balise
   PlaceInterval last_antenna;
   std::uint8_t seen = 0;  // bit n: N_PIG n was read, used or not
   InplaceVector<Telegram, kBalises> telegrams;
@@ -67,18 +67,18 @@ struct State {
   InplaceVector<Cover, kCovers> covers;
 };
 
-// Each call begins with an empty `outcome`: what stood in it before is deleted.
+// Each call clears `outcome` first.
 
 /// A telegram was read. May finish the open group, and this one.
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
-/// Each cycle: finishes the open group once no further balise of it can come (3.16.2.1.3).
+/// Each cycle: finishes the open group when no further balise of the group can follow (3.16.2.1.3).
 void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome);
 /// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)?
 void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome);
 /// Drops a group that is only partly read (change of cab, power off).
 void abandon(State& state);
 
-/// Stores a cover; the same identity replaces (3.15.9.4). False: no room, the cover is not in force.
+/// Stores a cover; one with the same identity is replaced (3.15.9.4). False: no room, the cover is not in force.
 [[nodiscard]] bool set_cover(State& state, const Cover& cover);
 void remove_cover(State& state, std::uint8_t NID_VBCMK, std::uint16_t NID_C);
 /// A consistent message with another NID_C was received (3.15.9.5 d).

@@ -37,7 +37,7 @@ TEST(Balise, MoreBitsThanATelegramHasAreAFault) {
   Train t;
   t.read_at(10, Balise{5, 0, 0}.telegram(840));
   EXPECT_EQ(t.last().finding, Finding::invalid_value);
-  // A count beyond the bytes that are there is cut to them.
+  // A count larger than the bytes hold is reduced to them.
   Train u;
   const Bits bits = Balise{5, 0, 0}.telegram(216);
   const std::vector<std::uint8_t> bytes = bits.bytes();
@@ -119,7 +119,7 @@ TEST(Balise, TurningWithinAGroupBeginsANewPassage) {
   Train t;
   t.read_at(10, Balise{5, 0, 2});
   t.read_at(13, Balise{5, 1, 2});
-  t.read_at(10, Balise{5, 0, 2});  // back over the first one
+  t.read_at(10, Balise{5, 0, 2});  // backwards over the first one
   ASSERT_EQ(t.groups.size(), 1u);
   EXPECT_FALSE(t.groups[0].accepted);
   EXPECT_EQ(t.state.open->telegrams.size(), 1u);
@@ -190,7 +190,7 @@ TEST(Telegrams, Row35And36TooNewAVersion) {
     EXPECT_EQ(t.version_too_high, level_1_2_3);
     EXPECT_TRUE(t.groups.empty());
     EXPECT_EQ(t.reaction, Reaction::none);
-    // One alone, its mate of a supported version: ignored is not missed.
+    // Only one telegram is of a new version, the other is supported: ignored is not missed.
     b.NID_BG = 6;
     t.read_at(40, b);
     t.read_at(43, Balise{6, 0, 1});
@@ -206,7 +206,7 @@ TEST(Telegrams, Row39UnknownPacketOfALaterYIsSkipped) {
   b.packets = {test::packet(99, 1, Bits{}.put(5, 10))};
   t.read_at(10, b);
   EXPECT_TRUE(t.last().accepted);
-  // Row 40: in a version that is known it is a fault.
+  // Row 40: in a supported version it is a fault.
   Balise c{6, 0, 0};
   c.packets = b.packets;
   t.read_at(40, c);
@@ -223,7 +223,7 @@ TEST(Telegrams, Row33CoversHideTelegramsFaultyOrNot) {
   EXPECT_TRUE(t.groups.empty());
   EXPECT_EQ(t.count(What::telegram_covered), 1);
   EXPECT_EQ(t.reaction, Reaction::none);
-  // Another marker, another country, none, or the time is over.
+  // Another marker, another country, no marker, or the time has elapsed.
   b.packets = {test::marker(18)};
   b.N_TOTAL = 0;
   t.read_at(100, b);
@@ -307,7 +307,8 @@ TEST(Events, AFullListKeepsTheReaction) {
   EXPECT_EQ(outcome.events.back().what, What::group_capacity);
 }
 
-// Whatever the antenna brings: no crash, no group out of nothing, the state stays small and sane.
+// With any bits from the antenna: no crash, no group without a balise, the state stays bounded and
+// consistent.
 TEST(Balise, NoiseIsAnswered) {
   std::mt19937 random(11);
   Train t;

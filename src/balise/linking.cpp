@@ -59,7 +59,8 @@ Judgement judge_later(LinkingState& linking, std::size_t ahead, const PlaceInter
   return judge_expected(linking, antenna, outcome);  // 3.4.4.4.6.1
 }
 
-/// Linking is stored but not supervised (or not used any more): groups passed leave the list, their places stay true.
+/// Linking is stored but not supervised (or no longer used): groups passed are deleted from the list, the other places
+/// stay valid.
 Judgement judge_unsupervised(LinkingState& linking, GroupId id) {
   Judgement judgement;
   judgement.verdict = Judgement::Verdict::not_used;
@@ -78,7 +79,7 @@ void miss(LinkingState& linking, Outcome& outcome) {
   react(outcome, What::linking_error_missed, link, "3.16.2.3.1 b"_srs);
   linking.missed_in_row = seen ? std::uint8_t{0} : static_cast<std::uint8_t>(linking.missed_in_row + 1);
   if (linking.missed_in_row < 2) return;
-  linking.missed_in_row = 1;  // a third one makes a pair with this one
+  linking.missed_in_row = 1;  // this one and a third one would be two in a row again
   note(outcome, {What::double_linking_error, link.id, Finding::none, Reaction::service_brake,
                  ErrorReport::double_linking, "3.16.2.7.1.1"_srs});
 }
@@ -149,8 +150,8 @@ void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linki
 
 namespace {
 
-/// Is the entry the group that was passed at `place`, and not the same group once more, around a loop? What
-/// lies between is what a measured distance may err.
+/// Whether the entry is the group passed at `place`, and not the same group again after a loop of track: the places may
+/// differ by the error of a measured distance.
 bool passed_at(const Link& link, const LinkingReference& reference, GroupId id, Place place) {
   constexpr Distance kSure{100};
   if (!(link.id == id) || link.id == reference.id) return false;
@@ -158,11 +159,11 @@ bool passed_at(const Link& link, const LinkingReference& reference, GroupId id, 
   return link.place - place <= kSure + 0.1 * run;
 }
 
-/// The list in the track frame, and how much of it is behind the train.
+/// The list in the track frame, and the part of it that is behind the train.
 struct Placed {
   InplaceVector<Link, 32> links;
   std::size_t passed = 0;  // entries up to the last one that was passed
-  Distance correction{};   // of all places, so that the current LRBG is where it is
+  Distance correction{};   // added to all places, so that the current LRBG keeps its place
 };
 
 Placed place_links(const LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
@@ -183,7 +184,7 @@ Placed place_links(const LinkingState& linking, const LinkingList& list, const L
     if (link.identity_unknown()) continue;
     const bool is_current = current && passed_at(link, reference, current->id, current->place);
     const bool is_found = linking.found && passed_at(link, reference, linking.found->id, linking.found->place);
-    // 3.6.4.3: the list holds the reference and the LRBG, so their distance is the one by linking.
+    // 3.6.4.3: the list holds the reference and the LRBG, so their distance by linking is used.
     if (is_current) placed.correction = current->place - link.place;
     if (is_current || is_found) placed.passed = placed.links.size();
   }
@@ -197,7 +198,7 @@ Stored store(LinkingState& linking, const LinkingList& list, const LinkingRefere
              const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current) {
   const Placed placed = place_links(linking, list, reference, current);
   Stored stored{reference.place + placed.correction, true};
-  if (reference.infill) {  // 3.7.3.1 n: what is announced up to the infill reference stays
+  if (reference.infill) {  // 3.7.3.1 n: groups announced up to the infill reference are kept
     linking.links.erase_if([&](const Link& link) { return link.place > stored.reference; });
   } else {  // 3.7.3.1 m
     linking.links.clear();
@@ -225,14 +226,14 @@ void clear_beyond(LinkingState& linking, Place place) {
 }
 
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked) {
-  // A window counts as passed only when it was judged: the group may be under the antenna still.
+  // A window counts as passed only after it was judged: the group may still be under the antenna.
   return linking_checked && (!linking.links.empty() || (linking.used_until && antenna.min <= *linking.used_until));
 }
 
 const Link* expected(const LinkingState& linking) { return linking.links.empty() ? nullptr : &linking.links.front(); }
 
 Place first_possible(const LinkingState& linking, const Link& link) {
-  // 3.4.4.4.4: a group without known identity may come right behind the last linked group.
+  // 3.4.4.4.4: a group of unknown identity may follow directly behind the last linked group.
   if (link.identity_unknown() && linking.previous) return *linking.previous;
   return link.place - link.Q_LOCACC;
 }

@@ -13,7 +13,7 @@ namespace evc::balise {
 inline constexpr std::uint16_t kIdentityUnknown = 16383;
 /// One packet announces up to 32 groups (1 + N_ITER 31); infill linking adds to what is stored.
 inline constexpr std::size_t kLinks = 64;
-/// A balise may still be detected this far behind its centre (3.16.2.3.1.1): only then is it missed.
+/// A balise may still be detected this far behind its centre (3.16.2.3.1.1): it counts as missed only beyond this.
 inline constexpr Distance kDetectionZone{1.3};
 
 /// One announced group, placed in the track frame.
@@ -28,7 +28,7 @@ struct Link {
   friend constexpr bool operator==(const Link&, const Link&) = default;
 };
 
-/// Packet 5 in SI, as the rules need it.
+/// Packet 5 in SI units.
 struct LinkingList {
   struct Entry {
     Distance D_LINK;
@@ -41,10 +41,10 @@ struct LinkingList {
   InplaceVector<Entry, 32> entries;
 };
 
-/// The packet as read, in SI. A reaction code that is spare cannot come here: decode() refuses it.
+/// The packet as read, in SI. It contains no spare reaction code: decode() rejects those.
 LinkingList linking_list(const lang::Packet5& packet);
 
-/// From where a linking list counts.
+/// The reference of a linking list.
 struct LinkingReference {
   GroupId id;               // sender, LRBG of the message, or the infill location reference
   Place place;              // of its reference balise
@@ -53,14 +53,14 @@ struct LinkingReference {
   bool infill = false;
 };
 
-/// What the linking supervision says of a reference balise that was just read.
+/// The verdict of linking supervision on a reference balise that was just read.
 struct Judgement {
   enum class Verdict : std::uint8_t {
-    unjudged,        // the reference balise was not read yet
+    unjudged,        // the reference balise has not been read yet
     unlinked,        // marked unlinked: always considered (3.4.4.4.2)
-    not_used,        // linking is not used: every group is taken (3.4.4.4.1)
+    not_used,        // linking is not used: every group is accepted (3.4.4.4.1)
     found,           // the expected one, inside its window
-    repositioning,   // may be the one with unknown identity: decided when the group is complete
+    repositioning,   // may be the group with unknown identity: decided when the group is complete
     outside_window,  // announced, elsewhere (3.16.2.3.1.1)
     not_announced,   // marked linked, not in the list (3.4.4.4.2)
   };
@@ -70,7 +70,7 @@ struct Judgement {
 
 struct LinkingState {
   InplaceVector<Link, kLinks> links;  // in running order; the first one is expected
-  /// End of the window of the farthest announced group: until the antenna is past it linking is used (3.4.4.2.1.1).
+  /// End of the window of the farthest announced group: linking is used until the antenna has passed it (3.4.4.2.1.1).
   std::optional<Place> used_until;
   std::optional<Place> previous;  // of the last linked group, where a window with unknown identity opens (3.4.4.4.4)
   /// The last group found in place, to be skipped in newer lists.
@@ -90,11 +90,11 @@ struct LinkingState {
   bool detected = false;           // a balise of the expected group was read
 };
 
-/// Stores linking that passed the filters of 4.8; replaces from the reference on (3.7.3.1 m, n). Groups
-/// that were found already, and windows that have ended, are left out. Returns the place of the
-/// reference: another one than given when the list holds the current LRBG `current`, because then the
-/// distance by linking counts (3.6.4.3); everything in the same message is placed from it.
-/// Not `complete`: the list did not fit, its farthest groups are left out.
+/// Stores linking that passed the filters of 4.8; replaces the stored list from the reference on (3.7.3.1 m, n). Groups
+/// already found and windows that have ended are left out. Returns the place of the reference: it differs from the
+/// given one if the list contains the current LRBG `current`, because then the distance by linking is used (3.6.4.3);
+/// all information of the message is placed relative to it. Not `complete`: the list did not fit, its farthest groups
+/// are left out.
 struct Stored {
   Place reference;
   bool complete = true;
@@ -105,7 +105,7 @@ struct CurrentLrbg {
 };
 Stored store(LinkingState& linking, const LinkingList& list, const LinkingReference& reference,
              const PlaceInterval& antenna, const std::optional<CurrentLrbg>& current);
-/// All of it (4.10), or what lies beyond a place (A.3.4).
+/// Deletes everything (4.10), or what lies beyond a place (A.3.4).
 void clear(LinkingState& linking);
 void clear_beyond(LinkingState& linking, Place place);
 
@@ -117,23 +117,25 @@ Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const Pla
 /// expected one counts as found with an error in its message (3.16.2.4.1 a), the expectation moves on.
 Judgement judge_without_reference(LinkingState& linking, GroupId id, const PlaceInterval& antenna,
                                   bool linking_checked);
-/// The repositioning group was taken: the expectation moves on, a second one is looked for (3.16.2.7.2).
+/// The repositioning group was accepted: the expectation moves on, a second one is supervised (3.16.2.7.2).
 void take_repositioning(LinkingState& linking, GroupId id, const Link& link);
-/// A group with repositioning was read, crossed in `crossing`: is it a second one (3.16.2.7.2.2)?
+/// A group with repositioning was read, crossed in direction `crossing`: whether it is a second one
+/// (3.16.2.7.2.2).
 bool second_repositioning(const LinkingState& linking, GroupId id, Direction crossing);
-/// Each cycle: windows that ended without their group (3.16.2.3.1 b), two of them in a row (3.16.2.7.1).
-/// `reading`: the group that is being read and not judged yet; its window waits for it.
+/// Each cycle: windows that ended without their group (3.16.2.3.1 b), and two such windows in a row (3.16.2.7.1).
+/// `reading`: the group that is being read and not judged yet; its window does not end before.
 void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linking_checked,
                  const std::optional<GroupId>& reading, Outcome& outcome);
 
-/// Is linking used now: groups announced, and the farthest window not passed (3.4.4.2.1.1)?
+/// Whether linking is used now: groups are announced, and the farthest window is not passed
+/// (3.4.4.2.1.1).
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked);
 /// The expected group, or null.
 const Link* expected(const LinkingState& linking);
-/// Where it can first and last be found, without odometer tolerance (3.4.4.4.3, .4).
+/// The first and last place where it can be found, without odometer tolerance (3.4.4.4.3, .4).
 Place first_possible(const LinkingState& linking, const Link& link);
 Place last_possible(const Link& link);
-/// Its window seen from the estimated antenna, for displays: [first - under-reading, last + over-reading].
+/// Its window for the estimated antenna place, for display: [first - under-reading, last + over-reading].
 std::optional<PlaceInterval> window(const LinkingState& linking, const PlaceInterval& antenna);
 
 }  // namespace evc::balise

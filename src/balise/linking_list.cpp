@@ -10,7 +10,7 @@ LinkingList::Entry entry_of(lang::var::Q_SCALE Q_SCALE, const lang::Packet5_link
   if (link.Q_NEWCOUNTRY.raw == 1) entry.NID_C = link.NID_C.raw;
   entry.NID_BG = link.NID_BG.raw;
   entry.nominal = link.Q_LINKORIENTATION.raw == 1;
-  entry.reaction = reaction_of(link.Q_LINKREACTION.raw).value_or(Reaction::trip);  // a spare code: the severe one
+  entry.reaction = reaction_of(link.Q_LINKREACTION.raw).value_or(Reaction::trip);  // a spare code: the most severe one
   entry.Q_LOCACC = lang::metres(link.Q_LOCACC);
   return entry;
 }

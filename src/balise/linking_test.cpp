@@ -91,7 +91,7 @@ TEST(Linking, GroupsPassedAreLeftOutOfAList) {
   store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(206, 290, 300), std::nullopt);
   ASSERT_EQ(linking.links.size(), 2u);
   EXPECT_EQ(expected(linking)->id.NID_BG, 3);
-  // 3 was found just now, though its window is still open.
+  // Group 3 was just found; its window is still open.
   linking.found = LinkingState::Found{{426, 3}, Place{297_m}};
   store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(206, 290, 300), std::nullopt);
   ASSERT_EQ(linking.links.size(), 1u);
@@ -104,7 +104,7 @@ TEST(Linking, AListOverTheCurrentLrbgPlacesItsReferenceByLinking) {
   LinkingList list;
   static_cast<void>(list.entries.push_back(entry(100, 1)));
   static_cast<void>(list.entries.push_back(entry(100, 2)));
-  // The odometer had put group 1 at 103.
+  // By odometer, group 1 is at 103.
   const Stored stored = store(linking, list, {{426, 9}, Place{}, 426, true, false}, at(104, 110, 115),
                               CurrentLrbg{{426, 1}, Place{103_m}});
   EXPECT_EQ(stored.reference, Place{3_m});
@@ -170,7 +170,7 @@ TEST(Linking, IsUsedUntilTheFarthestWindowEnds) {
   EXPECT_EQ(expected(t.state.linking), nullptr);
   EXPECT_TRUE(used(t.state.linking, at(205, 206, 207), true));
   EXPECT_FALSE(used(t.state.linking, at(205.1, 206, 207), true));
-  // A linked group that is not announced is taken only then.
+  // A linked group that is not announced is accepted only then.
   t.pass(204, 9);
   EXPECT_FALSE(t.last().accepted);
   t.run_to(230);
@@ -208,12 +208,12 @@ TEST(Linking, StoredButNotSupervisedItStillTellsThePlace) {
   EXPECT_EQ(t.last().link_place, Place{200_m});
   EXPECT_EQ(t.last().Q_LOCACC, 5_m);
   EXPECT_EQ(expected(t.state.linking)->id.NID_BG, 3);
-  t.run_to(330);  // nobody misses group 3
+  t.run_to(330);  // group 3 is not reported missed
   EXPECT_EQ(t.reaction, Reaction::none);
   EXPECT_EQ(expected(t.state.linking)->id.NID_BG, 4);
 }
 
-// --- The cases of linking consistency (3.16.2.3.1). Row numbers are those of docs of the fault cases.
+// --- The cases of linking consistency (3.16.2.3.1).
 
 TEST(LinkingFaults, Row15EarlyIsRejectedAndTheNextOneExpected) {
   Train t;
@@ -362,7 +362,7 @@ TEST(LinkingFaults, Row14NotAnnounced) {
   EXPECT_EQ(t.last().finding, Finding::not_announced);
   EXPECT_EQ(t.reaction, Reaction::none);
   EXPECT_EQ(t.events.back().report, ErrorReport::none);
-  // Even with reading errors.
+  // Also with reading errors.
   t.read_at(60, test::Balise{78, 0, 1});
   t.run_to(80);
   EXPECT_FALSE(t.last().accepted);
@@ -404,7 +404,7 @@ TEST(LinkingFaults, ASingleGroupKeepsNoOrientationFromLinkingWithoutOne) {
 TEST(LinkingFaults, ReverseCrossingIsJudgedAtTheReferenceBalise) {
   Train t;
   announce(t, {entry(100, 1, Reaction::trip, 2, false)});
-  t.pass(99, 1, false);  // its second balise came at 96, before the window opened at 98
+  t.pass(99, 1, false);  // its second balise was read at 96, before the window opened at 98
   EXPECT_TRUE(t.last().accepted);
   EXPECT_EQ(t.last().crossing, Direction::reverse);
   EXPECT_EQ(t.reaction, Reaction::none);
@@ -418,7 +418,7 @@ TEST(LinkingFaults, TheWindowWaitsForAGroupThatIsBeingRead) {
   t.read_at(101, test::Balise{1, 1, 2});
   t.run_to(104);  // past 102 + 1.3
   EXPECT_EQ(t.reaction, Reaction::none);
-  t.read_at(105, test::Balise{1, 0, 2});  // its reference balise comes too late
+  t.read_at(105, test::Balise{1, 0, 2});  // its reference balise is too late
   t.run_to(130);
   EXPECT_EQ(t.reaction, Reaction::trip);
   EXPECT_FALSE(t.last().accepted);

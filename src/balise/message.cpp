@@ -14,7 +14,7 @@ Telegram* read_of(OpenGroup& open, int N_PIG) {
   return nullptr;
 }
 
-/// The telegram that says it duplicates balise `n`, or null.
+/// The telegram marked as the duplicate of balise `n`, or null.
 Telegram* duplicate_of(OpenGroup& open, int n) {
   Telegram* before = read_of(open, n - 1);
   if (before != nullptr && before->M_DUP == kNextIsSame) return before;
@@ -23,18 +23,18 @@ Telegram* duplicate_of(OpenGroup& open, int n) {
   return nullptr;
 }
 
-/// What is wrong within the group; a and b with their ways out.
+/// The errors within the group; for a and b, whether a duplicate resolves them.
 struct Examined {
   bool missed = false;       // a, and no duplicate was read
   bool not_decoded = false;  // b, and no duplicate was read
   bool all_read = false;
-  bool direction_saved = true;  // what the saving duplicates hold can be used without linking (3.16.2.4.4.1 a)
+  bool direction_saved = true;  // the packets of these duplicates can be used without linking (3.16.2.4.4.1 a)
   bool single = false;
   Finding content = Finding::none;  // c or d
   Direction crossing = Direction::unknown;
 };
 
-/// Out of each pair of duplicates one is used (3.16.2.4.8.1, .2).
+/// One of each pair of duplicates is used (3.16.2.4.8.1, .2).
 void choose_duplicates(OpenGroup& open) {
   for (Telegram& first : open.telegrams) {
     if (first.M_DUP != kNextIsSame) continue;
@@ -44,7 +44,7 @@ void choose_duplicates(OpenGroup& open) {
       (first.default_information ? first : *second).used = false;
       continue;
     }
-    const bool second_is_last = second > &first;  // they stand in the order of reading
+    const bool second_is_last = second > &first;  // they are in the order of reading
     (second_is_last ? first : *second).used = false;
   }
 }
@@ -60,7 +60,7 @@ bool counters_fit(const OpenGroup& open) {
   return true;
 }
 
-/// 8.4.1.4 for the whole message: the telegrams that it is composed of (8.4.1.6), each of which is right by itself.
+/// 8.4.1.4 for the whole message: the telegrams it is composed of (8.4.1.6), each of which is consistent.
 bool packets_fit(const OpenGroup& open) {
   lang::Instances message;
   for (const Telegram& telegram : open.telegrams) {
@@ -98,7 +98,7 @@ void examine_missing(OpenGroup& open, Examined& found) {
     if (duplicate->one_direction && found.crossing == Direction::unknown) found.direction_saved = false;
   }
   found.all_read = !any;
-  // Something else than a balise of this group could not be decoded: no duplicate makes that good.
+  // The undecoded telegram belongs to no known balise of this group: no duplicate replaces it.
   if (!any && open.undecoded) found.not_decoded = true;
 }
 
@@ -117,14 +117,15 @@ Examined examine(OpenGroup& open) {
   return found;
 }
 
-/// The error that counts; `linked_by_list`: linking was the reference, so a duplicate saves in any case.
+/// The error that counts; `linked_by_list`: linking gave the reference, so a duplicate resolves the error in any case.
 Finding error_of(const Examined& found, bool linked_by_list) {
   if (found.not_decoded) return Finding::balise_not_decoded;
   if (found.missed || (!linked_by_list && !found.direction_saved)) return Finding::balise_missed;
   return found.content;
 }
 
-/// 3.16.2.4.4.1 b: packet 145 in a telegram that was read takes the brake off errors a and b.
+/// 3.16.2.4.4.1 b: packet 145 in a telegram that was read inhibits the brake reaction to errors a
+/// and b.
 bool inhibited(const OpenGroup& open, const Examined& found) {
   if (found.all_read || found.content != Finding::none) return false;
   for (const Telegram& telegram : open.telegrams)
@@ -193,12 +194,13 @@ void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& o
   group.accepted = true;
   group.repositioning = true;
   group.announced = true;
-  // The unknown entry breaks the chain of link distances: the estimated place counts (3.6.4.3).
+  // The entry with unknown identity breaks the chain of link distances: the estimated place is used
+  // (3.6.4.3).
   group.Q_LOCACC = link.Q_LOCACC;
   note(outcome, {What::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"_srs});
 }
 
-/// Where linking is not supervised a stored entry still gives place, accuracy and orientation.
+/// Where linking is not supervised, a stored entry still gives place, accuracy and orientation.
 void use_stored_link(Group& group, const std::optional<Link>& link) {
   if (!link || !group.accepted) return;
   group.link_place = link->place;
@@ -251,7 +253,7 @@ void finish(Group& group, const OpenGroup& open) {
   group.lrbg_compliant = group.accepted && group.linked && place_fits;  // 3.6.2.2.2 a
 }
 
-/// The judgement of the reference balise, made up for where it is still open.
+/// Completes the judgement of the reference balise where it is still open.
 void complete_judgement(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   Judgement& judgement = open.judgement;
   if (!open.identified || !open.Q_LINK) {
@@ -269,12 +271,12 @@ void orient(Group& group, const OpenGroup& open, const Examined& found, const Si
   const std::optional<Link>& link = open.judgement.link;
   group.single = found.single;
   group.crossing = found.crossing;
-  // 3.4.2.3.2.2: a group without orientation of its own takes the announced one.
+  // 3.4.2.3.2.2: a group without orientation of its own is assigned the announced one.
   if (found.crossing == Direction::unknown && link && link->gives_orientation) group.crossing = link->crossing;
   group.counter_against_group = against_counter(open, group.crossing, situation);
 }
 
-/// Accepted or not, by what linking says of the group.
+/// Decides by linking whether the group is accepted.
 void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Examined& found,
             const Situation& situation, Outcome& outcome) {
   using Verdict = Judgement::Verdict;

@@ -3,8 +3,8 @@
 #include "balise/balise.h"
 #include "balise/train_test.h"
 
-// Balise group message consistency (3.16.2.4, 3.16.2.5): every error of a group against every way it can be
-// met: announced by linking, marked linked without linking, marked unlinked.
+// Balise group message consistency (3.16.2.4, 3.16.2.5): every error of a group, for a group announced by linking,
+// marked linked without linking, and marked unlinked.
 namespace evc::balise {
 namespace {
 
@@ -14,10 +14,10 @@ using test::Bits;
 using test::entry;
 using test::Train;
 
-/// How the group is met.
+/// How the group is announced or marked.
 enum class Met : std::uint8_t { announced, linked, unlinked };
 
-/// What a balise of the group does.
+/// How a balise of the group is read.
 enum class Is : std::uint8_t { read, missed, undecodable };
 
 struct One {
@@ -30,7 +30,7 @@ struct One {
 struct Case {
   const char* name;
   std::vector<One> balises;  // N_PIG 0, 1, ..., 3 m apart, crossed nominal
-  // Expected: accepted, and the reaction where there is one to give.
+  // Expected: accepted or not, and the reaction.
   bool announced_accepted;
   bool other_accepted;
   bool other_brakes;
@@ -116,7 +116,7 @@ std::vector<Case> cases() {
        false},
       // 29
       {"pair, the reference balise missed", {missed, {Is::read, 2}}, true, true, false},
-      // 8: the orientation is lost, linking would give it
+      // 8: the orientation is unknown; only linking would give it
       {"pair, one missed, directional", {holding(directional(1), 1), missed}, true, false, true, a},
       {"pair, one missed, directional and data for others",
        {{Is::read, 1, 255, {outside_etcs(1), directional(1)}}, missed},
@@ -250,7 +250,7 @@ TEST(MessageConsistency, SomeModesDoNotBrakeButReject) {
   }
 }
 
-// 14: linking is used, the group is not announced: nothing happens whatever is wrong.
+// 14: linking is used, the group is not announced: no error has a reaction.
 TEST(MessageConsistency, GroupsNotAnnouncedAreRejectedSilently) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
@@ -263,7 +263,7 @@ TEST(MessageConsistency, GroupsNotAnnouncedAreRejectedSilently) {
   }
 }
 
-// The same crossed from the other side: acceptance and reactions do not depend on the direction, except for the
+// The same, crossed in the other direction: acceptance and reactions do not depend on the direction, except for the
 // choice within a pair.
 TEST(MessageConsistency, ReverseCrossingIsNoError) {
   for (unsigned n = 2; n <= 8; ++n) {
@@ -357,7 +357,7 @@ TEST(MessageConsistency, WhichTelegramOfAPairIsUsed) {
     EXPECT_EQ(t.last().default_information, first_default && second_default);
     return which;
   };
-  EXPECT_EQ(used(false, false, true), 1);  // the last received
+  EXPECT_EQ(used(false, false, true), 1);  // the last one received
   EXPECT_EQ(used(false, false, false), 0);
   EXPECT_EQ(used(true, true, true), 1);
   EXPECT_EQ(used(true, true, false), 0);
@@ -383,7 +383,7 @@ TEST(MessageConsistency, TheDuplicateOfTheReferenceBaliseIsTheLocationReference)
   EXPECT_EQ(t.last().link_place, Place{100_m});
   EXPECT_EQ(t.reaction, Reaction::none);
 
-  Train u;  // outside the window it does not help
+  Train u;  // outside the window it has no effect
   announce(u, {entry(100, kGroup, Reaction::trip, 2)});
   u.read_at(103.5, second);
   u.run_to(120);

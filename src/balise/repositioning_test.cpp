@@ -3,7 +3,8 @@
 #include "balise/linking.h"
 #include "balise/train_test.h"
 
-// A group announced with unknown identity (3.4.4.4.2.1, 3.4.4.4.4), and the look-out for a second one (3.16.2.7.2).
+// A group announced with unknown identity (3.4.4.4.2.1, 3.4.4.4.4), and the supervision against a second one
+// (3.16.2.7.2).
 namespace evc::balise {
 namespace {
 

@@ -14,7 +14,7 @@ std::uint32_t bits_at(std::span<const std::uint8_t> bytes, std::size_t first, un
   return value;
 }
 
-/// The telegram may be broken behind the marker, so the marker is read by itself.
+/// The telegram may be broken behind the marker, so the marker is read separately.
 std::optional<std::uint8_t> cover_marker(std::span<const std::uint8_t> bytes, std::size_t bits, unsigned X) {
   constexpr std::size_t kNidPacket = 8, kQdirAndLength = 2 + 13, kMarker = 6;
   if (bits < kHeaderBits + kNidPacket) return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<std::uint8_t> cover_marker(std::span<const std::uint8_t> bytes, st
 void look_at(const lang::PacketView& packet, Telegram& telegram) {
   constexpr std::uint16_t kRepositioning = 16, kOutsideEtcs = 44, kInhibition = 145, kDefault = 254;
   if (packet.NID_PACKET == kDefault) telegram.default_information = true;
-  if (packet.NID_PACKET == kInhibition) telegram.inhibits_reaction = true;  // whatever its direction
+  if (packet.NID_PACKET == kInhibition) telegram.inhibits_reaction = true;  // in any direction
   if (packet.NID_PACKET == kRepositioning)
     telegram.repositioning = static_cast<std::uint8_t>(telegram.repositioning | (1u << packet.Q_DIR));
   // 3.16.2.4.4.1 a: data for applications outside ETCS do not need the orientation.

@@ -4,12 +4,12 @@
 
 #include "balise/group.h"
 
-// One telegram: what the rules for groups need to see of it.
+// One telegram: the parts that the rules for groups need.
 namespace evc::balise {
 
 /// The 50 bits in front of the packets (8.4.2.1), and the marker for virtual balise covers.
 struct Header {
-  bool readable = false;  // the bits are there, from the track, from a balise
+  bool readable = false;  // the bits are complete, sent by the track, by a balise
   std::uint8_t M_VERSION = 0;
   std::uint8_t N_PIG = 0;
   std::uint8_t N_TOTAL = 0;
@@ -23,7 +23,8 @@ struct Header {
 
 Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits);
 
-/// Keeps the bits and looks at the packets. More bits than a telegram has are faulty (3.16.1.1).
+/// Stores the bits and evaluates the packets. More bits than a telegram can have are a fault
+/// (3.16.1.1).
 Telegram look_into(std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header);
 
 }  // namespace evc::balise

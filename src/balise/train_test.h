@@ -1,5 +1,5 @@
 #pragma once
-// For the tests of this room: telegrams bit by bit, and a train that reads them.
+// For the tests of this room: telegrams built bit by bit, and a train that reads them.
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -155,7 +155,7 @@ inline LinkingList::Entry entry(double D_LINK, std::uint16_t NID_BG, Reaction re
   return {Distance{D_LINK}, std::nullopt, NID_BG, nominal, reaction, Distance{Q_LOCACC}};
 }
 
-/// The linking counts from place 0 (group 100 of country 426).
+/// Linking with its reference at place 0 (group 100 of country 426).
 inline void announce(Train& train, std::initializer_list<LinkingList::Entry> entries) {
   LinkingList list;
   for (const LinkingList::Entry& e : entries) static_cast<void>(list.entries.push_back(e));

@@ -6,19 +6,19 @@ namespace {
 constexpr Distance magnitude(Distance d) { return d.si < 0 ? -d : d; }
 constexpr Distance at_least_zero(Distance d) { return d.si > 0 ? d : Distance{0}; }
 
-/// Where the counter stands in the track frame.
+/// The place of the counter in the track frame.
 Place in_track(const State& state, OdometerPlace counter) {
   return Place{state.sense * counter.from_origin + state.offset};
 }
 
-/// The bounds at `at`, a distance away from a reading: the increments may err by kOdometerError.
+/// The bounds at `at`, at a distance from a reading: the increments may be wrong by kOdometerError.
 OdometerReading away_from(const OdometerReading& reading, OdometerPlace at) {
   const Distance d = at - reading.nominal;
   const Distance error = kOdometerError * magnitude(d);
   return {at, reading.min + d + error, reading.max + d - error};
 }
 
-/// What a position without LRBG counts from.
+/// The reference of a position without LRBG.
 Reference since_power_up(const State& state) {
   Reference origin;
   origin.counter = state.origin;
@@ -38,8 +38,8 @@ PlaceInterval interval(const State& state, const Reference& reference, const Odo
   return {est - over, est, est + under};
 }
 
-/// Room for one more reference: the oldest one that was not reported is deleted first, because the RBC does not
-/// know it; the last one, the LRBG, stays.
+/// Room for one more reference: the oldest one that was not reported is deleted first, because the RBC does not know
+/// it; the last one, the LRBG, is kept.
 void make_room(State& state) {
   auto& references = state.references;
   if (!references.full()) return;
@@ -70,7 +70,7 @@ Reference reference_for(const State& state, const Passage& passage, Place place)
   return reference;
 }
 
-/// A group met before: what was learnt of it by reports and assignment is kept.
+/// A group passed before: its data from reports and assignment are kept.
 void take_over(Reference& reference, const Reference& earlier) {
   reference.reported = earlier.reported;
   reference.reported_with = earlier.reported_with;
@@ -83,7 +83,7 @@ void take_over(Reference& reference, const Reference& earlier) {
 void pair_up(const State& state, Reference& reference) {
   if (reference.orientation != Direction::unknown || state.references.empty()) return;
   const Reference& last = state.references.back();
-  if (last.id == reference.id) {  // 3.4.2.3.3.5: read again, the pair stays
+  if (last.id == reference.id) {  // 3.4.2.3.3.5: read again, the pair is kept
     reference.previous = last.previous;
     reference.pair_orientation = last.pair_orientation;
     return;

@@ -11,24 +11,24 @@
 // Where the train is (SUBSET-026-3 3.4.2.3, 3.6.1, 3.6.2, 3.6.4).
 //
 // Two frames. The odometer counts from power-up and never jumps; its value is the place of the front
-// end of the active cab. Track data live in the track frame, which is tied to the balise groups.
-// One offset (and one sense, which a change of cab turns) leads from one to the other. When the train
-// relocates on a group whose distance the trackside gave, the offset takes up what the odometer
-// erred; the stored track data stay where they are (3.6.4.3).
+// end of the active cab. Track data are stored in the track frame, which is fixed to the balise groups. One offset (and
+// one sense, inverted by a change of cab) converts between them. When the train relocates to a group whose distance was
+// given by trackside, the offset absorbs the odometer error; the stored track data do not change (3.6.4.3).
 namespace evc::position {
 
 /// LRBGs remembered: at least the 8 last reported ones must be known (3.6.2.2.2 c).
 inline constexpr std::size_t kReferences = 16;
-/// PRVLRBGs remembered with one single balise group that awaits its assignment (3.4.2.3.3.7).
+/// PRVLRBGs remembered for a single balise group that waits for its assignment (3.4.2.3.3.7).
 inline constexpr std::size_t kPreviousReported = 2;
-/// Below this speed, for this long, and without this much movement the train stands. SUBSET-026
-/// gives no number: the supplier's choice.
+/// The train is at standstill below this speed, for this time, with less movement than this.
+/// SUBSET-026 gives no figures: the supplier chooses them.
 inline constexpr Speed kStandstillSpeed{0.05};
 inline constexpr Duration kStandstillTime{0.5};
 inline constexpr Distance kStandstillDistance{0.05};
-/// The counter has to come back this far before the train counts as having turned.
+/// The counter has to run back by this distance before the train counts as turned.
 inline constexpr Distance kTurnDistance{0.1};
-/// What an odometer may err over a distance (SUBSET-041 5.3.1.1), taken where no reading bounds it.
+/// Relative odometer error over a distance (SUBSET-041 5.3.1.1), used where no reading bounds the
+/// distance.
 inline constexpr double kOdometerError = 0.05;
 
 /// One reading of the odometer.
@@ -40,7 +40,7 @@ struct Odometry {
 
 enum class Motion : std::uint8_t { standstill, forward, backward };  // as seen from the active cab
 
-/// A balise group the position can be referred to.
+/// A balise group to which the position can refer.
 struct Reference {
   GroupId id;
   OdometerReading counter;                     // when the antenna was over the reference balise
@@ -49,9 +49,10 @@ struct Reference {
   Distance Q_LOCACC;                           // frozen when the group was read (3.6.4.2.3)
   Direction orientation = Direction::unknown;  // of the train (active cab) against the group (3.6.1.6)
   bool single = false;                         // gives no orientation of its own (3.4.2.3)
-  /// Against the move from `previous` to this group, as a single group without orientation is reported (3.4.2.3.3.2).
+  /// Relative to the movement from `previous` to this group, as a single group without orientation is reported
+  /// (3.4.2.3.3.2).
   Direction pair_orientation = Direction::unknown;
-  bool counter_rising = true;  // how the counter ran when it was passed (3.4.2.3.3.4)
+  bool counter_rising = true;  // direction of the counter when it was passed (3.4.2.3.3.4)
   bool reported = false;
   /// The groups with which this one was reported as "previous" (packet 1) while its orientation was
   /// unknown, and whether more than one such pair exists (3.4.2.3.3.7, .8).
@@ -69,12 +70,12 @@ struct State {
   DataStatus status = DataStatus::unknown;
   InplaceVector<Reference, kReferences> references;  // oldest first; the last one is the LRBG
   std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
-  OdometerPlace extreme;                             // farthest counter in the present direction
+  OdometerPlace extreme;                             // farthest counter in the current direction
   Motion last_motion = Motion::forward;              // never `standstill`
   OdometerPlace rest;                                // counter when the train came to rest
   Duration rest_since{};
-  OdometerReading origin;  // the first reading: counts while there is no LRBG
-  bool started = false;    // an odometer reading was taken
+  OdometerReading origin;  // the first reading: the reference while there is no LRBG
+  bool started = false;    // an odometer reading was received
 };
 
 /// A group that was read and accepted, with its place as given by trackside.
@@ -82,28 +83,28 @@ struct Passage {
   GroupId id;
   OdometerReading counter;                               // when the antenna was over the reference balise
   Distance L_antenna;                                    // of the antenna behind the front end
-  std::optional<Place> link_place;                       // by linking (3.6.4.3); absent: the estimated place is taken
+  std::optional<Place> link_place;                       // by linking (3.6.4.3); absent: the estimated place is used
   Distance Q_LOCACC;                                     // linking, else Q_NVLOCACC, else 12 m (3.6.4.2.3)
   Direction counter_against_group = Direction::unknown;  // nominal: N_PIG rises as the counter grows
   bool single = false;
 };
 
-/// Takes a reading of the odometer; `now` is the time since power-up. Detects direction and standstill.
+/// Stores a reading of the odometer; `now` is the time since power-up. Detects direction and standstill.
 void update(State& state, const Odometry& odometry, Duration now);
 
-/// The three counters when the nominal one was `at`: interpolated between the last two readings; farther
-/// away 5 % of the distance to the nearer one is added. Only increments of the bounds have a meaning: just
-/// there `min` <= `nominal` <= `max` need not hold.
+/// The three counters when the nominal one was `at`: interpolated between the last two readings; outside them 5 % of
+/// the distance to the nearer one is added. Only increments of the bounds are meaningful: here alone `min` <= `nominal`
+/// <= `max` need not hold.
 OdometerReading reading_at(const State& state, OdometerPlace at);
 
-/// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the frames are tied
-/// again. Returns how far the estimated front end moved in the track frame (0 without linking).
+/// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the offset between the frames is
+/// computed again. Returns how far the estimated front end moved in the track frame (0 without linking).
 Distance relocate(State& state, const Passage& passage);
-/// An unlinked group was accepted: data that refer to it get an interval of their own (3.6.4.7).
+/// An unlinked group was accepted: data that refer to it have an interval of their own (3.6.4.7).
 /// Returns its place in the track frame.
 Place refer_to_unlinked(State& state, const Passage& passage);
 
-// --- Where the train is. All are total; without an LRBG the interval counts from power-up.
+// --- Where the train is. Defined in every state; without an LRBG the interval starts at power-up.
 
 /// The LRBG, if any.
 const Reference* lrbg(const State& state);
@@ -111,8 +112,8 @@ const Reference* lrbg(const State& state);
 PlaceInterval front(const State& state);
 /// Front end now with the interval of another reference (3.6.4.7).
 PlaceInterval front(const State& state, const Reference& reference);
-/// The hull of the interval by the LRBG and, while there is one, that by the last unlinked group: on the safe
-/// side for data of either (3.6.4.7).
+/// The smallest interval that contains the one of the LRBG and, if present, that of the last unlinked group: on the
+/// safe side for data of either (3.6.4.7).
 PlaceInterval widest_front(const State& state);
 /// Front end when the counters stood at `counter`.
 PlaceInterval front_at(const State& state, const OdometerReading& counter);
@@ -128,23 +129,23 @@ inline PlaceInterval antenna_at(const State& state, const OdometerReading& count
 Distance L_DOUBTOVER(const State& state);
 Distance L_DOUBTUNDER(const State& state);
 
-/// From one frame to the other, at the present offset. A place ahead of the train gets a counter
+/// From one frame to the other, with the current offset. A place ahead of the train has a counter
 /// ahead of the train.
 Place place_of(const State& state, OdometerPlace counter);
 OdometerPlace counter_of(const State& state, Place place);
 
-/// The reference balise of a remembered LRBG (3.6.2.2.2 c): where the data of a radio message start.
-/// Absent: not among the remembered ones (the message is not used).
+/// The reference balise of a remembered LRBG (3.6.2.2.2 c): the start of the data of a radio message. Absent: not
+/// remembered (the message is not used).
 std::optional<Place> place_of(const State& state, GroupId id);
 /// The remembered LRBG itself; null when it is not remembered.
 const Reference* find(const State& state, GroupId id);
 // --- Motion, orientation
 
 Motion motion(const State& state);
-/// The last direction in which the train moved; `forward` before it ever moved.
+/// The last direction in which the train moved; `forward` before its first movement.
 Motion last_motion(const State& state);
 bool at_standstill(const State& state);
-/// The counter grew with the last movement.
+/// The last movement increased the counter.
 bool counter_rises(const State& state);
 /// Train orientation against the LRBG (Q_DIRLRBG).
 Direction orientation(const State& state);
@@ -153,20 +154,20 @@ Direction running_direction(const State& state);
 /// The side of the LRBG on which the estimated front end is (Q_DLRBG).
 Direction side(const State& state);
 
-/// Radio message 45: the group named gets a co-ordinate system (3.4.2.3.3.6). `nominal`: the move from
-/// PRVLRBG to it, as reported, is its nominal direction. False: rejected (not remembered, not a single
-/// group, not reported with one and only one PRVLRBG; 3.4.2.3.3.8).
+/// Radio message 45: assigns a co-ordinate system to the group (3.4.2.3.3.6). `nominal`: the move from PRVLRBG to it,
+/// as reported, is its nominal direction. False: rejected (not remembered, not a single group, not reported with one
+/// and only one PRVLRBG; 3.4.2.3.3.8).
 [[nodiscard]] bool assign_orientation(State& state, GroupId id, Direction q_orientation);
 
 /// The cab at the other end of the engine becomes active: the track frame is mirrored (p -> -p), the
-/// front end is that of the other cab (5.12.2.5). The caller mirrors or drops what it holds in the frame.
+/// front end is that of the other cab (5.12.2.5). The caller mirrors or deletes its own data in the frame.
 void change_cab(State& state, Distance L_engine);
 
 // --- Status (4.10, 4.11, 5.4)
 
 /// Position kept over No Power or entered as invalid: to be confirmed.
 void invalidate(State& state);
-/// Confirmed by the RBC (message 43) or by cold movement detection. Without a reference it stays unknown.
+/// Confirmed by the RBC (message 43) or by cold movement detection. Without a reference the position stays unknown.
 void validate(State& state);
 /// Position deleted: unknown, no LRBG.
 void forget(State& state);

@@ -46,14 +46,14 @@ TEST(Position, StartsUnknownAndCountsFromPowerUp) {
   EXPECT_EQ(place_of(s, GroupId{426, 1}), std::nullopt);
 }
 
-// The worked numbers of a train with the worst allowed odometer: 5 m + 5 % of the run.
+// Worked example of a train with the worst allowed odometer: 5 m + 5 % of the distance run.
 TEST(Position, ConfidenceIntervalOfTheWorstAllowedOdometer) {
   State s;
   update(s, moving(exact(0)), 0_s);
   Passage p = passage(1, exact(0));
   p.Q_LOCACC = 5_m;
   relocate(s, p);
-  // Front 1014 m after the group was read with the antenna: 5 + 5 + 50.7 m each way.
+  // Front 1014 m after the antenna read the group: 5 + 5 + 50.7 m on either side.
   update(s, moving(spread(1014, 5 + 0.05 * 1014, 5 + 0.05 * 1014)), 60_s);
   EXPECT_NEAR(L_DOUBTOVER(s).si, 60.7, 1e-9);
   EXPECT_NEAR(L_DOUBTUNDER(s).si, 60.7, 1e-9);
@@ -76,10 +76,10 @@ TEST(Position, LinkingTakesThePlaceOfTheMeasuredDistance) {
   EXPECT_EQ(front(s).est.from_origin.si, 1000);
   EXPECT_EQ(L_DOUBTOVER(s).si, 10);  // the interval restarts
   EXPECT_EQ(L_DOUBTUNDER(s).si, 10);
-  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -2);  // stored data stay
+  EXPECT_EQ(place_of(s, GroupId{426, 1})->from_origin.si, -2);  // stored data do not change
   // An EOA 3000 m from the first group is 2000 m from the second.
   EXPECT_EQ((Place{2998_m} - lrbg(s)->place).si, 2000);
-  // Both frames agree there and back.
+  // Both conversions between the frames agree.
   EXPECT_EQ(counter_of(s, Place{1000_m}).from_origin.si, 1012);
   EXPECT_EQ(place_of(s, OdometerPlace{1012_m}).from_origin.si, 1000);
 }
@@ -187,7 +187,7 @@ TEST(Position, ChangeOfCabKeepsTheTrainWhereItIs) {
   EXPECT_EQ(L_DOUBTOVER(s), L_DOUBTUNDER(before));
   EXPECT_EQ(L_DOUBTUNDER(s), L_DOUBTOVER(before));
   EXPECT_EQ((lrbg(s)->place - front(s).est).si, 82);
-  // Leading from there the counter falls and the train comes back to the group.
+  // With this cab leading the counter falls and the train returns to the group.
   update(s, moving(spread(60, 3.5, 8.5)), 20_s);
   EXPECT_EQ(motion(s), Motion::forward);
   EXPECT_FALSE(counter_rises(s));
@@ -280,8 +280,8 @@ TEST(Position, Status) {
   EXPECT_EQ(lrbg(s), nullptr);
 }
 
-// 3.6.4: wherever the odometer's bounds hold and the groups lie within their accuracy, the train is
-// inside its interval. Random runs, forward and backward, linked and unlinked groups, changes of cab.
+// 3.6.4: if the odometer's bounds hold and the groups lie within their accuracy, the train is inside its interval.
+// Random runs, forward and backward, linked and unlinked groups, changes of cab.
 TEST(Position, TheTrueFrontIsAlwaysInsideTheInterval) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     std::mt19937 random(seed);
@@ -296,7 +296,7 @@ TEST(Position, TheTrueFrontIsAlwaysInsideTheInterval) {
     double previous_balise = 0;  // nominal place of the LRBG, in the world
     update(s, moving(counter), 0_s);
     for (int step = 1; step < 400; ++step) {
-      const double run = uniform(0, 1) < 0.9 ? uniform(0, 20) : uniform(-10, 0);  // as the cab leads
+      const double run = uniform(0, 1) < 0.9 ? uniform(0, 20) : uniform(-10, 0);  // in the direction of the leading cab
       const double error = uniform(-0.02, 0.02);
       const double d = cabs * run;
       truth += d;
@@ -309,7 +309,7 @@ TEST(Position, TheTrueFrontIsAlwaysInsideTheInterval) {
       if (uniform(0, 1) < 0.15 && run > 0) {  // a balise under the antenna, 3 m behind the leading end
         const double accuracy = uniform(1, 12);
         const double world = truth - cabs * 3;
-        const double balise = world + uniform(-accuracy, accuracy);  // where the trackside believes it is
+        const double balise = world + uniform(-accuracy, accuracy);  // where it is according to trackside
         Passage p;
         p.id = {1, static_cast<std::uint16_t>(step)};
         p.counter = counter;
@@ -322,7 +322,7 @@ TEST(Position, TheTrueFrontIsAlwaysInsideTheInterval) {
         tied = true;
       }
       if (tied && uniform(0, 1) < 0.01) {
-        // The mirrored frame's place p is at frame + cabs * p: the origin stays where it is.
+        // Place p of the mirrored frame is at frame + cabs * p: the origin does not move.
         change_cab(s, Distance{engine});
         truth -= cabs * engine;
         cabs = -cabs;

@@ -3,12 +3,12 @@
 namespace evc::position {
 namespace {
 
-/// The largest code that is a length.
+/// The largest code of a length.
 constexpr double kLargest = 32766.0;
-/// Speeds and lengths that are whole in their step must not be rounded up by the last bit of a double.
+/// Speeds and lengths that are whole multiples of their step must not be rounded up by the last bit of a double.
 constexpr double kWhole = 1e-6;
 
-/// x to the next whole number, 0 for what is negative.
+/// x rounded up to a whole number, 0 for a negative x.
 std::uint32_t up(double x) {
   if (x <= kWhole) return 0;
   const auto whole = static_cast<std::uint32_t>(x);
@@ -45,7 +45,7 @@ void put_place(Report& out, const State& state, const Reference& reference) {
   if (at.max - at.est > longest) longest = at.max - at.est;
   out.Q_SCALE = finest_scale(longest);
   const double steps = in_steps(away, out.Q_SCALE);
-  if (steps > kLargest) return;  // farther than can be reported: D_LRBG and the doubts stay unknown
+  if (steps > kLargest) return;  // too far to be reported: D_LRBG and the doubts stay unknown
   const auto nearest = static_cast<std::uint16_t>(steps + 0.5);
   out.D_LRBG = nearest;
   const Distance reported = from_steps(nearest, out.Q_SCALE);
@@ -114,7 +114,7 @@ void clear_parameters(ReportState& reports) {
 
 namespace {
 
-/// Has the end of the train that counts passed the place?
+/// Whether the end of the train to which the place applies has passed it.
 bool passed(const State& state, const ReportParameters::At& at, Distance L_TRAIN) {
   const PlaceInterval end = front(state);
   return at.front ? end.max >= at.place : end.min - L_TRAIN >= at.place;

@@ -32,15 +32,15 @@ struct Report {
   std::uint8_t Q_DIRTRAIN = 2;
 };
 
-/// Where the rear was last known to follow (3.6.5.2.4): the min safe rear end when the integrity was confirmed.
+/// The min safe rear end when integrity was last confirmed (3.6.5.2.4).
 struct IntegrityStatus {
   Integrity integrity = Integrity::none;
   Place min_safe_rear;
 };
 
-/// The report of the present position. D_LRBG to the nearest step of the finest scale that fits, its
-/// rounding added to the doubts, which are rounded up: the interval reported holds the one supervised.
-/// V_TRAIN and L_TRAININT are rounded up.
+/// The report of the current position. D_LRBG is rounded to the nearest step of the finest scale that fits; the
+/// rounding is added to the doubts, which are rounded up: the reported interval contains the supervised one. V_TRAIN
+/// and L_TRAININT are rounded up.
 Report report(const State& state, const IntegrityStatus& integrity);
 /// The report was sent: its LRBG (and its PRVLRBG) may be used by the RBC (3.6.2.2.2 c, 3.4.2.3.3.7).
 void note_reported(State& state, const Report& sent);
@@ -57,8 +57,8 @@ struct ReportParameters {
   InplaceVector<At, 32> at;
 };
 
-/// What happened in the cycle, beyond what the position itself shows (3.6.5.1.4). The caller does not set a
-/// bit where the mode does not report it (4.5.2).
+/// Events of the cycle that the position itself does not show (3.6.5.1.4). The caller does not set a bit where the mode
+/// does not report it (4.5.2).
 struct ReportEvents {
   bool mode_change = false;          // b
   bool integrity_confirmed = false;  // c
@@ -72,7 +72,7 @@ struct ReportEvents {
   bool borders_active = true;        // e, f, k
 };
 
-/// Why a report is due: one bit each, 0 = none.
+/// Why a report is due: one bit per reason, 0: none.
 enum class Due : std::uint16_t {
   none = 0,
   standstill = 1 << 0,
@@ -98,7 +98,7 @@ struct ReportState {
 void set_parameters(ReportState& reports, const State& state, const ReportParameters& parameters);
 /// On entering level 1 or NP (4.9.1.3).
 void clear_parameters(ReportState& reports);
-/// Is a report due in this cycle? Consumes what it reports. Bits of `Due`.
+/// Whether a report is due in this cycle, as bits of `Due`. A reason is returned once.
 std::uint16_t due(ReportState& reports, const State& state, const ReportEvents& events, Distance L_TRAIN);
 
 }  // namespace evc::position

@@ -44,7 +44,7 @@ TEST(Report, UnknownPosition) {
   EXPECT_EQ(r.Q_DIRLRBG, 2);
   EXPECT_EQ(r.Q_DLRBG, 2);
   EXPECT_EQ(r.Q_DIRTRAIN, 2);
-  EXPECT_EQ(r.V_TRAIN, 32);  // 160 km/h is whole
+  EXPECT_EQ(r.V_TRAIN, 32);  // 160 km/h is a whole number of steps
   EXPECT_FALSE(r.NID_PRVLRBG);
   EXPECT_FALSE(r.L_TRAININT);
 }
@@ -147,11 +147,11 @@ TEST(Report, ASingleGroupIsReportedWithThePreviousOne) {
   EXPECT_EQ(r.NID_LRBG, (426u << 14) | 7u);
   ASSERT_TRUE(r.NID_PRVLRBG);
   EXPECT_EQ(*r.NID_PRVLRBG, (426u << 14) | 352u);
-  EXPECT_EQ(r.Q_DIRLRBG, 1);  // the move from the previous one to it counts as nominal
+  EXPECT_EQ(r.Q_DIRLRBG, 1);  // the movement from the previous one to it counts as nominal
   EXPECT_EQ(r.Q_DLRBG, 1);
   EXPECT_EQ(r.Q_DIRTRAIN, 1);
   EXPECT_EQ(orientation(s), Direction::unknown);
-  // Read again: the pair stays.
+  // Read again: the pair is kept.
   Passage p = passage(7, 101);
   p.single = true;
   p.counter_against_group = Direction::unknown;
@@ -188,7 +188,7 @@ TEST(Report, AssignmentOfACoordinateSystem) {
   EXPECT_EQ(report(reversed, {}).Q_DIRTRAIN, 0);
 }
 
-// The train has turned back meanwhile, or the other cab leads: what was reported still counts.
+// The train has turned back meanwhile, or the other cab leads: the reported pair still counts.
 TEST(Report, AssignmentCountsFromThePairThatWasReported) {
   State s = single_after(7, false);
   note_reported(s, report(s, {}));
@@ -211,7 +211,7 @@ TEST(Report, AssignmentCountsFromThePairThatWasReported) {
 TEST(Report, AssignmentIsRefusedWhenReportedWithTwoDifferentPreviousGroups) {
   State s = single_after(7, false);
   note_reported(s, report(s, {}));
-  note_reported(s, report(s, {}));  // the same pair twice is no problem
+  note_reported(s, report(s, {}));  // the same pair twice is one pair
   EXPECT_FALSE(s.references.back().reported_ambiguously);
   relocate(s, passage(9, 150));
   Passage p = passage(7, 200);

@@ -26,7 +26,7 @@ TafResult ask(TrackAheadFree& state, Place est_front, bool acknowledged) {
     state = {};
     return result;
   }
-  // Once it is shown it stays, also when the train rolls back (A.3.5).
+  // Once shown, the request stays, even when the train rolls back (A.3.5).
   state.asking = state.asking || est_front >= *state.from;
   if (state.asking && acknowledged) {
     state = {};

@@ -11,8 +11,8 @@ namespace evc::protection {
 bool passes_end_level_1(const track::Authority& authority, const track::Here& here);
 /// Condition [16]: the min safe front end beyond EOA or LOA, level 2 and 3.
 bool passes_end_level_2(const track::Authority& authority, const track::Here& here);
-/// 4.0.0, level 2, read in release speed monitoring (3.13.10.2.6 b): a group that by linking lies, at its first
-/// possible location, at or beyond the EOA, or in rear of it by less than the antenna is behind the front end.
+/// 4.0.0, level 2, read in release speed monitoring (3.13.10.2.6 b): a group whose first possible location by linking
+/// is at or beyond the EOA, or in rear of it by less than the distance from antenna to front end.
 bool group_trips(const track::Authority& authority, Place first_possible, Distance L_antenna_front);
 /// Track ahead free request (message 34; 3.15.5).
 struct TrackAheadFree {
@@ -20,7 +20,7 @@ struct TrackAheadFree {
   bool asking = false;
 };
 void request(TrackAheadFree& state, Place from, Place to);
-/// Whether the driver is asked now; an acknowledgement ends it: true in `granted`, message 149 is due.
+/// Whether the driver is asked now. An acknowledgement ends the request: `granted` is true and message 149 is due.
 struct TafResult {
   bool asking = false, granted = false;
 };

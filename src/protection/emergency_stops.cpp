@@ -7,7 +7,7 @@
 namespace evc::protection {
 namespace {
 
-/// A stop with a known identity takes the place of the old one (3.10.1.3.1). Sixteen identities: there is room.
+/// A stop with a known identity replaces the old one (3.10.1.3.1). There is room for all sixteen identities.
 void keep(EmergencyStops& stops, const EmergencyStop& stop) {
   stops.pending.erase_if([&](const EmergencyStop& old) { return old.NID_EM == stop.NID_EM; });
   if (!stops.pending.push_back(stop)) stops.pending.back() = stop;
@@ -23,7 +23,7 @@ bool EmergencyStops::unconditional_pending() const {
 
 Answer accept_conditional(EmergencyStops& stops, track::Description& d, std::uint8_t NID_EM, Place stop,
                           Place min_front_at_reception, const track::Here& here) {
-  // A place that is already passed cannot be stopped at: refused, and nothing changes (3.10.2.2).
+  // The train has already passed the place: refused, and nothing changes (3.10.2.2).
   if (min_front_at_reception > stop) return {false, 3, "3.10.2.2"_srs};
   keep(stops, {NID_EM, true, stop});
   return {true, track::stop_at(d, stop, here), {}};

@@ -29,13 +29,14 @@ struct Answer {
   Clause clause;
 };
 
-/// A conditional emergency stop (message 15). `min_front_at_reception`: the test uses the position when the message
-/// came, also when it waited in a buffer (4.8.5.7). An accepted one shortens the MA (3.10.2.2).
+/// A conditional emergency stop (message 15). `min_front_at_reception`: the test uses the position at reception of the
+/// message, even if it was buffered (4.8.5.7). An accepted one shortens the MA (3.10.2.2).
 Answer accept_conditional(EmergencyStops& stops, track::Description& d, std::uint8_t NID_EM, Place stop,
                           Place min_front_at_reception, const track::Here& here);
 /// An unconditional emergency stop (message 16): the train trips (3.10.2.3).
 Answer accept_unconditional(EmergencyStops& stops, std::uint8_t NID_EM);
-/// Message 18: removes its own stop only (3.10.3.3). False: no such stop, ignored.
+/// Message 18: revokes only the stop with its identity (3.10.3.3). False: no such stop, the message
+/// is ignored.
 bool revoke(EmergencyStops& stops, std::uint8_t NID_EM);
 /// The value for an RBC of system version 1 (6.6.3.4.5).
 std::uint8_t Q_EMERGENCYSTOP_for_version_1(std::uint8_t Q_EMERGENCYSTOP);

@@ -7,18 +7,18 @@ Distance moved(const Movement& m, OdometerPlace from, Way way) {
   return way == Way::backward ? from - m.nominal : m.nominal - from;
 }
 
-/// The ways that are forbidden: up to both.
+/// The forbidden directions: none, one or both.
 struct Forbidden {
   bool forward = false, backward = false;
 };
 
 Forbidden against_controller(const Movement& m) {
-  if (!m.controller) return {};  // without the interface the function is absent (3.14.2.3)
+  if (!m.controller) return {};  // without the interface there is no roll away protection (3.14.2.3)
   return {*m.controller != Way::forward, *m.controller != Way::backward};
 }
 
-/// The reference follows the train as long as it moves as allowed; forbidden movement counts from where it began.
-/// Coming back towards the reference takes the distance back.
+/// The reference follows the train while its movement is allowed; forbidden movement is measured from its start.
+/// Movement back towards the reference reduces the distance.
 void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) {
   if (g.braking) {
     if (m.standstill && m.acknowledged) g = {m.nominal, false};
@@ -34,8 +34,8 @@ void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) 
   g.braking = m.D_NVROLL && away > *m.D_NVROLL;
 }
 
-/// PT distance and reversing distance: beyond it the brake; after standstill and acknowledgement any further movement
-/// backwards while still beyond brakes again (4.4.14.1.3.2, 3.15.4.8).
+/// PT distance and reversing distance: beyond it the brake is commanded; after standstill and acknowledgement any
+/// further movement backwards beyond it brakes again (4.4.14.1.3.2, 3.15.4.8).
 void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& released_at, const Movement& m) {
   if (braking) {
     if (m.standstill && m.acknowledged) {
@@ -81,7 +81,7 @@ Commands guard(MovementGuards& g, const GuardSelection& selection, const Movemen
   }
   if (selection.reversing) {
     const bool beyond = m.reversing_left && *m.reversing_left < Distance{};
-    // A longer distance ends the reason at once (3.14.1.7.1).
+    // A longer distance ends the cause at once (3.14.1.7.1).
     if (!beyond) g.reversing_braking = false;
     supervise_end(beyond, g.reversing_braking, g.reversing_released_at, m);
   }
@@ -97,7 +97,7 @@ void enter_mode(MovementGuards& g, const GuardSelection& selection, OdometerPlac
   if (!selection.roll_away) g.roll_away = {};
   if (!selection.reverse_movement) g.reverse_movement = {};
   if (!selection.standstill) g.standstill = {};
-  // The permitted direction turns on entry and on exit of PT and RV (4.12).
+  // The permitted direction changes on entry and exit of PT and RV (4.12).
   const bool turned = selection.post_trip || selection.reversing || g.post_trip_from.has_value();
   if (turned) g.reverse_movement = {};
   g.post_trip_braking = false;

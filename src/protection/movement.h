@@ -8,7 +8,7 @@
 // Roll away, reverse movement, standstill supervision (3.14.2-4) and post trip distance (4.4.14).
 namespace evc::protection {
 
-/// A way to move, as seen from the active cab.
+/// A direction of movement, as seen from the active cab.
 enum class Way : std::int8_t { backward = -1, none = 0, forward = 1 };
 
 /// One protection by distance: a forbidden movement beyond its limit commands the brake until standstill and the
@@ -21,12 +21,13 @@ struct MovementGuards {
   DistanceGuard roll_away, reverse_movement, standstill;
   std::optional<OdometerPlace> post_trip_from;  ///< front end when PT was entered
   bool post_trip_braking = false;
-  std::optional<OdometerPlace> post_trip_released_at;  ///< released while still beyond: any backward move brakes again
+  std::optional<OdometerPlace>
+      post_trip_released_at;  ///< released while still beyond: any backward movement brakes again
   std::optional<OdometerPlace> reversing_released_at;
   bool reversing_braking = false;
 };
 
-/// What is supervised in the mode in force (4.5.2).
+/// The supervision in the current mode (4.5.2).
 struct GuardSelection {
   bool roll_away = false;         ///< SH FS LS SR OS UN PT RV, with a direction controller
   bool reverse_movement = false;  ///< FS LS SR OS PT RV
@@ -44,10 +45,11 @@ struct Movement {
   std::optional<Distance> D_NVROLL;  ///< absent: infinite
   std::optional<Distance> D_NVPOTRP;
   std::optional<Distance>
-      reversing_left;         ///< RV: distance to the end of the reversing distance, negative beyond; absent: endless
+      reversing_left;         ///< RV: distance to the end of the reversing distance, negative beyond; absent: unlimited
   bool acknowledged = false;  ///< the driver acknowledged the brake
 };
-/// Brakes asked for. Roll away, reverse movement and standstill leave the kind of brake open (3.14.1.1): emergency.
+/// Brakes asked for. For roll away, reverse movement and standstill the kind of brake is open (3.14.1.1): the emergency
+/// brake is used.
 struct Commands {
   bool roll_away = false, reverse_movement = false, standstill = false;  ///< emergency brake
   bool post_trip = false;                                                ///< service brake (4.4.14.1.3)
@@ -56,7 +58,7 @@ struct Commands {
   bool any() const { return roll_away || reverse_movement || standstill || post_trip || reversing; }
 };
 Commands guard(MovementGuards& guards, const GuardSelection& selection, const Movement& movement);
-/// A mode was entered: supervision that the mode does not have ends, roll away protection continues (4.12).
+/// A mode was entered: supervision that is not active in the mode ends, roll away protection continues (4.12).
 void enter_mode(MovementGuards& guards, const GuardSelection& selection, OdometerPlace nominal);
 
 }  // namespace evc::protection
