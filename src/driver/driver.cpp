@@ -6,11 +6,13 @@ namespace evc::driver {
 namespace {
 
 void put(Show& show, std::optional<Symbol> symbol) {
-  // The list holds everything that can be shown at once; one that is full shows the first entries.
+  // The list holds everything that can be shown at once; if it is full, further entries are not
+  // shown.
   if (symbol) static_cast<void>(show.symbols.push_back(*symbol));
 }
 
-/// What Start needs beside the mode (window Main): SB with all data, PT after its procedure, SR with an RBC.
+/// The conditions of Start in addition to the mode (window Main): SB with all data, PT after its procedure, SR with an
+/// RBC.
 bool start_possible(const ActionContext& c) {
   switch (c.mode) {
     case Mode::SB:
@@ -44,7 +46,7 @@ bool override_possible(const ActionContext& c) {
   }
 }
 
-/// The acknowledgement an input stands for.
+/// The acknowledgement that an input gives.
 std::optional<Ack> acknowledged_by(Input input) {
   switch (input) {
     case Input::ack_OS:
@@ -147,7 +149,7 @@ void put_level(Show& show, const ShowContext& c) {
   if (c.level.has_value()) put(show, symbol(*c.level));
 }
 
-/// Area C1: an acknowledgement of a mode hides the announcement of a level (015560 8.2.3.1).
+/// Area C1: a mode acknowledgement hides the announcement of a level (015560 8.2.3.1).
 void put_c1(Show& show, const ShowContext& c) {
   constexpr Ack modes_first[] = {Ack::trip, Ack::SH, Ack::OS, Ack::LS, Ack::SR, Ack::RV, Ack::UN, Ack::SN};
   bool mode = false;
@@ -158,7 +160,7 @@ void put_c1(Show& show, const ShowContext& c) {
     }
   if (mode) return;
   const bool level = c.requests.has(Ack::level);
-  // After the transition the level to acknowledge is the one shown.
+  // After the transition, the level to be acknowledged is shown.
   const std::optional<Level> shown = c.announced.has_value() ? c.announced : level ? c.level : std::nullopt;
   if (shown.has_value() && (level || allowed(Output::level_announcement, c.mode)))
     put(show, announcement_symbol(*shown, level));

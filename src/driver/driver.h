@@ -14,7 +14,7 @@
 // ERA_ERTMS_015560). The symbols are named as there (MO07, LE04, ST01, ...).
 namespace evc::driver {
 
-/// What decides which choices are enabled, beside the mode (windows Main, Override and Special).
+/// What enables inputs in addition to the mode (windows Main, Override and Special).
 struct ActionContext {
   Mode mode = Mode::NP;
   std::optional<Level> level;  // none when it is not valid
@@ -34,12 +34,12 @@ struct ActionContext {
   bool driver_id_while_running = false;     // M_NVDERUN
   bool reversing_possible = false;
   bool track_ahead_free_asked = false;
-  Set<Offer> offers;  // what start of mission and train trip let the driver choose
+  Set<Offer> offers;  // choices offered by start of mission and train trip
   Set<Ack> requests;  // acknowledgements asked for
 };
 
-/// The inputs of 4.7.2 that are enabled now. Menus are closed while an acknowledgement is asked for (015560 5.4), but
-/// for acknowledgements and isolation.
+/// The inputs of 4.7.2 that are enabled now. While an acknowledgement is asked for, only acknowledgements and isolation
+/// are (015560 5.4).
 Set<Input> enabled(const ActionContext& context);
 
 enum class RadioStatus : std::uint8_t { none, up, lost };
@@ -65,17 +65,18 @@ struct Show {
   InplaceVector<Symbol, 32> symbols;  // in the order of the areas of the screen
 };
 
-/// What is shown now. With no desk open nothing is (4.7.2 marks it A in SB and TR), but for the system failure.
+/// What is shown now. With no desk open only the system failure is shown (4.7.2 marks the other outputs A in SB and
+/// TR).
 Show show(const ShowContext& context);
 
 /// The symbol of a mode (MO11), none for NP, PS, SL and IS.
 std::optional<Symbol> symbol(Mode mode);
-/// The symbol with which the mode's acknowledgement is asked for (MO08), none where there is none.
+/// The symbol that asks for the acknowledgement (MO08), none where there is none.
 std::optional<Symbol> symbol(Ack ack);
 /// The symbol of a level (LE04).
 Symbol symbol(Level level);
 /// The symbol of an announced level, with (yellow) or without acknowledgement. Levels 1, 2 and 3 have a yellow one only
-/// up to 3.6.0 and then from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are taken.
+/// up to 3.6.0, for a transition from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are used instead.
 Symbol announcement_symbol(Level level, bool acknowledgement);
 
 /// The reason of a trip as shown to the driver (015560).
@@ -94,7 +95,7 @@ enum class TripReason : std::uint8_t {
   national_system_brake_demand,
   count
 };
-/// The trip reason for the condition of 4.6.3 that led to TR, none for one that has none.
+/// The trip reason for the condition of 4.6.3 that led to TR; none for a condition without one.
 std::optional<TripReason> trip_reason(int condition);
 
 }  // namespace evc::driver

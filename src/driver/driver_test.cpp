@@ -27,7 +27,7 @@ std::string text(Mark mark) {
   return texts[static_cast<int>(mark)];
 }
 
-/// The rows of 3.6.0 made from those of 3.4.0 and the listed differences.
+/// The rows of 3.6.0, computed from those of 3.4.0 and the listed differences.
 std::map<std::string, std::map<std::string, std::string>> rows(const std::string& kind) {
   const json file = reference();
   std::map<std::string, std::map<std::string, std::string>> out;
@@ -215,7 +215,7 @@ TEST(Driver, A_mode_acknowledgement_hides_the_announcement_of_a_level) {
   EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "LE09"}));
   c.requests = {Ack::level, Ack::OS};
   EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "MO08"}));
-  // After the transition the new level is what is acknowledged.
+  // After the transition the new level is acknowledged.
   ShowContext after = cab(Mode::SN, Level::NTC);
   after.requests = {Ack::level};
   EXPECT_EQ(list(show(after)), (Symbols{"MO19", "LE02", "LE09"}));

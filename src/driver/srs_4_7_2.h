@@ -33,7 +33,7 @@ constexpr std::array<Mark, kModes> marks(std::string_view row) {
   return out;
 }
 
-/// 4.7.2: what the driver may do.
+/// 4.7.2: the inputs of the driver.
 enum class Input : std::uint8_t {
   train_data,
   language,
@@ -139,7 +139,7 @@ constexpr Mark mark(Input which, Mode mode) {
   return srs_4_7_2_inputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];
 }
 
-/// 4.7.2: what the driver is shown.
+/// 4.7.2: the outputs to the driver.
 enum class Output : std::uint8_t {
   mode,
   level,
@@ -269,7 +269,7 @@ constexpr Mark mark(Output which, Mode mode) {
   return srs_4_7_2_outputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];
 }
 
-/// Whether the mode allows it, further conditions left aside.
+/// Whether the mode allows it, without further conditions.
 template <class What>
 constexpr bool allowed(What which, Mode mode) {
   const Mark m = mark(which, mode);

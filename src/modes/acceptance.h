@@ -11,14 +11,14 @@
 
 namespace evc::modes {
 
-/// Which of the two RBCs of a handover speaks (4.8.2, 3.15.1); without a handover it is the supervising one.
+/// Which of the two RBCs of a handover sends (4.8.2, 3.15.1); without a handover, the supervising one.
 enum class RbcRole : std::uint8_t { supervising, accepting, former };
 
-/// What a level transition order does when it is executed; packet 41 with D_LEVELTR 32767 is immediate, another one an
-/// announcement, packet 46 conditional.
+/// The kind of a level transition order: packet 41 with D_LEVELTR 32767 is immediate, any other an announcement; packet
+/// 46 is conditional.
 enum class OrderKind : std::uint8_t { immediate, announcement, conditional };
 
-/// The facts that the exceptions of 4.8.3 and 4.8.4 ask for, at the time of the evaluation.
+/// The facts for the exceptions of 4.8.3 and 4.8.4, at the time of the evaluation.
 struct AcceptanceContext {
   Mode mode = Mode::NP;
   Level level = Level::L0;
@@ -52,9 +52,9 @@ struct AcceptanceContext {
 
 enum class Verdict : std::uint8_t {
   accepted,
-  buffered,             // kept in the transition buffer and judged again when the level or RBC changes (4.8.5)
-  only_contact_stored,  // the RBC's identity and number are stored, nothing else is done (4.8.4 [3], [8])
-  order_stored,         // the level order is kept until another mode than SH or PS is entered (4.8.4 [7])
+  buffered,             // stored in the transition buffer and judged again when the level or RBC changes (4.8.5)
+  only_contact_stored,  // only the RBC's identity and number are stored (4.8.4 [3], [8])
+  order_stored,         // the level order is stored until a mode other than SH or PS is entered (4.8.4 [7])
   rejected,
 };
 
@@ -64,17 +64,18 @@ struct Acceptance {
 };
 
 /// 4.8.1: the filter of level and medium (4.8.3), then that of the supervising RBC (4.8.2), then that of the mode
-/// (4.8.4). What is buffered passes the other filters when it is released. A cell that cannot occur rejects.
+/// (4.8.4). Buffered information passes the other filters when it is released. A cell that cannot occur rejects.
 Acceptance accept(Information information, const AcceptanceContext& context);
 
 /// The first filter alone.
 Acceptance accept_by_level(Information information, const AcceptanceContext& context);
-/// The second filter alone: what comes from the RBC that does not supervise (yet, or any more).
+/// The second filter alone: for information from the RBC that does not supervise yet, or no longer
+/// supervises.
 Acceptance accept_by_rbc(Information information, const AcceptanceContext& context);
 /// The third filter alone.
 Acceptance accept_by_mode(Information information, const AcceptanceContext& context);
 
-/// 4.8.3, last part: what the national system X sends. `own_level_ntc`: the level is NTC of the same X;
+/// 4.8.3, last part: information from the national system X. `own_level_ntc`: the level is NTC of the same X;
 /// `announced_own`: a transition to NTC X further on is ordered.
 Acceptance accept_from_stm(Information information, bool own_level_ntc, bool announced_own,
                            const AcceptanceContext& context);

@@ -60,7 +60,7 @@ struct AcceptanceByMode {
 };
 
 // clang-format off
-/// 4.8.3 of 3.6.0. In 3.4.0 exception [14] is not there; the row session_initiation ends with 3.4.0.
+/// 4.8.3 of 3.6.0. 3.4.0 has no exception [14]; the row session_initiation exists up to 3.4.0.
 inline constexpr auto srs_4_8_3 = [] {
   using enum Information;
   return std::to_array<AcceptanceByLevel>({
@@ -210,7 +210,7 @@ inline constexpr auto srs_4_8_4 = [] {
   });
 }();
 
-/// What a national system X may send (4.8.3, last part): level 0, NTC X, NTC Y, 1, 2, 3.
+/// Information from a national system X (4.8.3, last part): level 0, NTC X, NTC Y, 1, 2, 3.
 inline constexpr auto srs_4_8_3_stm = std::to_array<std::array<AcceptanceCell, 6>>({
     // maximum speed; system speed and distance
     {AcceptanceCell("A[7]"), AcceptanceCell("R"), AcceptanceCell("R[6]"), AcceptanceCell("A[7]"), AcceptanceCell("A[7]"), AcceptanceCell("A[7]")},

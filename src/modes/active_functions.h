@@ -308,12 +308,12 @@ static_assert(
     }(),
     "one row for each, in order");
 
-/// Whether `function` is active in `mode`; an optional mark is no. Some rows hold in levels 2 and 3 only, as their name
-/// says: the caller knows the level.
+/// Whether `function` is active in `mode`; optional counts as inactive. Some rows apply in levels 2 and 3 only, as
+/// their names say: the caller checks the level.
 constexpr bool active(Function function, Mode mode) {
   return srs_4_5_2[static_cast<std::size_t>(function)].modes[static_cast<std::size_t>(mode)] == Activity::active;
 }
-/// The mark itself, in the issue asked for.
+/// The mark itself, in the given issue.
 Activity activity(Function function, Mode mode, SrsVersion srs = SrsVersion::v3_6_0);
 
 }  // namespace evc::modes

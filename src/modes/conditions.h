@@ -44,16 +44,16 @@ class Conditions {
 };
 
 /// How long a condition stays true, which decides between two cells of equal priority (srs_4_6_2.h):
-/// a state can be looked at again in the next cycle, an event cannot, and a level transition leaves
-/// the unit in a level in which the old mode has no meaning.
+/// a state can be evaluated again in the next cycle, an event cannot, and after a level transition the unit is in a
+/// level in which the old mode has no meaning.
 enum class Nature : std::uint8_t { state, event, level };
 
-/// Who knows the facts behind a condition. All 65 become bits in procedures/observe.h; this names
-/// the room whose values have to be handed to it.
+/// The source of the facts of a condition. procedures/observe.h turns all 65 into bits; this names
+/// the room whose values it needs.
 enum class Origin : std::uint8_t {
   train_interface,    // desks, sleeping, non leading, passive shunting, power, isolation
   safety_monitor,     // the platform's own fault detection
-  driver_selection,   // a request of the driver (driver/actions.h says when it is enabled)
+  driver_selection,   // a request of the driver (driver/driver.h: when it is enabled)
   start_of_mission,   // procedures/start_of_mission.h
   train_trip,         // procedures/train_trip.h
   mode_profile,       // procedures/mode_profile.h: OS, LS and SH areas and their acknowledgement
@@ -62,7 +62,7 @@ enum class Origin : std::uint8_t {
   level_transition,   // procedures/level_transition.h with modes/levels.h
   reversing,          // procedures/reversing.h
   staff_responsible,  // procedures/staff_responsible.h: distance and list
-  authority,          // track: MA, SSP, gradient and where the train is on them
+  authority,          // track: MA, SSP, gradient and the position of the train on them
   balise,             // balise: linking, version, trip order, stop orders
   emergency_stop,     // protection: message 16
   radio,              // radio: T_NVCONTACT
@@ -168,7 +168,7 @@ constexpr Conditions conditions_of(Nature nature) {
   return c;
 }
 
-/// Our words for condition [n]; null when 3.x has no such condition.
+/// A short description of condition [n]; null when 3.x has no such condition.
 constexpr const char* meaning(int n) {
   for (const Condition& row : srs_4_6_3)
     if (row.number == n) return row.meaning;

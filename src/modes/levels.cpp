@@ -34,7 +34,7 @@ OrderDecision judge(OrderKind kind, const LevelTable& table, const OrderedLevel&
         return decision;
       }
   }
-  // 5.10.1.6: the newest order takes the place of one that waits.
+  // 5.10.1.6: the newest order replaces a pending one.
   decision.cancels_pending = true;
   if (decision.to.same_level(current))
     decision.effect = OrderEffect::none;

@@ -19,7 +19,7 @@ struct OrderedLevel {
   std::uint8_t nid_ntc = 0;  // 0 unless level is NTC
   Distance L_ack{};
   friend constexpr bool operator==(const OrderedLevel&, const OrderedLevel&) = default;
-  /// Same level, and the same national system where that matters.
+  /// Same level, and in level NTC the same national system.
   constexpr bool same_level(const OrderedLevel& b) const {
     return level == b.level && (level != Level::NTC || nid_ntc == b.nid_ntc);
   }
@@ -28,8 +28,8 @@ struct OrderedLevel {
 /// A table of priority of levels, the highest first; 1 + N_ITER entries, N_ITER is a 5-bit number.
 using LevelTable = InplaceVector<OrderedLevel, 32>;
 
-/// What this unit can run in (5.10.2.4): levels 0 and 1 always where fitted; 2 and 3 with a working mobile terminal;
-/// NTC with that national system (bit n: NID_NTC n).
+/// The levels available to this unit (5.10.2.4): levels 0 and 1 always where fitted; 2 and 3 with a working mobile
+/// terminal; NTC with that national system (bit n: NID_NTC n).
 struct AvailableLevels {
   std::array<bool, kLevels> fitted{true, true, true, true, true};
   bool mobile_terminal = true;
@@ -51,12 +51,12 @@ struct AvailableLevels {
   }
 };
 
-/// 5.10.2.4: the first entry that is available, otherwise the last one. Needs a table that is not empty.
+/// 5.10.2.4: the first entry that is available, otherwise the last one. The table must not be empty.
 OrderedLevel select_level(const LevelTable& table, const AvailableLevels& available);
 
 // clang-format off
 /// 5.10.4: whether a transition ordered by trackside from the level of the row to that of the column has to be
-/// acknowledged. (NTC, NTC) is one national system to another. A level that the driver chose needs none.
+/// acknowledged. (NTC, NTC) is one national system to another. A level selected by the driver needs none.
 inline constexpr std::array<std::array<bool, kLevels>, kLevels> srs_5_10_4{{
     //          to 0     NTC   1      2      3
     /* 0   */ {{false, true, false, false, false}},
@@ -67,11 +67,11 @@ inline constexpr std::array<std::array<bool, kLevels>, kLevels> srs_5_10_4{{
 }};
 // clang-format on
 
-/// 5.10.4; none in NL (4.4.15), and none where the level stays what it is. 4.0.0 asks none from NTC to 1 or 2.
+/// 5.10.4; none in NL (4.4.15), and none where the level does not change. 4.0.0 requires none from NTC to 1 or 2.
 bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mode mode,
                             SrsVersion srs = SrsVersion::v3_6_0);
 
-/// A level transition that waits for its place.
+/// A pending level transition: announced for a place ahead.
 struct PendingTransition {
   OrderedLevel to;
   Place border;
@@ -82,29 +82,29 @@ struct PendingTransition {
 /// the border is missed.
 constexpr bool border_reached(const PendingTransition& pending, Place est_front) { return est_front >= pending.border; }
 
-/// 5.10.4.1: the acknowledgement is asked for from the place where the max safe front end enters the length L_ack in
-/// rear of the border.
+/// 5.10.4.1: the acknowledgement is asked for as soon as the max safe front end enters the length L_ack in rear of the
+/// border.
 constexpr bool in_acknowledgement_length(const PendingTransition& pending, Place max_safe_front) {
   return max_safe_front >= pending.border - pending.to.L_ack;
 }
 
-/// What a received order means.
+/// The effect of a received order.
 enum class OrderEffect : std::uint8_t {
-  none,                  // the level is what it is; the table is stored
+  none,                  // the level does not change; the table is stored
   execute,               // change the level in this cycle
-  announce,              // keep it until its place; replaces the pending one (5.10.1.6)
+  announce,              // store it until its place; replaces the pending one (5.10.1.6)
   keep_until_mode_left,  // SH, PS: judged when another mode is entered (4.4.8.1.5)
   rejected,
 };
 struct OrderDecision {
   OrderEffect effect = OrderEffect::rejected;
   OrderedLevel to;               // the selected level
-  bool cancels_pending = false;  // a transition that waits is dropped
+  bool cancels_pending = false;  // the pending transition is deleted
 };
 
 /// 5.10.1, 5.10.2: what to do with an order that passed the filters of 4.8. A conditional order whose table holds the
-/// current level changes nothing; another one is an immediate order (5.10.2.5). An announcement of the level that the
-/// unit is in replaces a pending transition, and nothing is left to do. RV handles no transition (3.15.4.6).
+/// current level changes nothing; another one is an immediate order (5.10.2.5). An announcement of the current level
+/// deletes a pending transition and has no other effect. RV handles no transition (3.15.4.6).
 OrderDecision judge(OrderKind kind, const LevelTable& table, const OrderedLevel& current, Mode mode,
                     const AvailableLevels& available);
 
@@ -112,14 +112,14 @@ OrderDecision judge(OrderKind kind, const LevelTable& table, const OrderedLevel&
 /// the unit.
 bool driver_may_select(const OrderedLevel& level, const LevelTable* trackside_table, const AvailableLevels& available);
 
-/// What the driver is shown of a pending transition (4.7.2, symbols LE06 ..): nothing when the level will not change.
+/// Whether a pending transition is shown to the driver (4.7.2, symbols LE06 ..): not when the level will not change.
 constexpr bool announced_to_driver(const PendingTransition& pending, const OrderedLevel& current) {
   return !pending.to.same_level(current);
 }
 
 // clang-format off
-/// 5.10.3 with 4.6.2: what becomes of the mode when the level is switched, by rows "from modes -> to level". The mode
-/// table does the work; this is the same by level, for pages and tests.
+/// 5.10.3 with 4.6.2: the mode after a level change, by rows "from modes -> to level". The mode table makes the
+/// transition; this is the same by level, for pages and tests.
 struct ModeConsequence { Mode from; Level to; Mode becomes; int number; };
 inline constexpr auto srs_5_10_3 = [] {
   using enum Mode;

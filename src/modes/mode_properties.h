@@ -7,24 +7,24 @@
 
 namespace evc::modes {
 
-/// Where the mode's speed limit comes from (4.4, 3.11.7).
+/// The source of the mode's speed limit (4.4, 3.11.7).
 enum class SpeedLimit : std::uint8_t {
   no_limit,       // no speed supervised
   standstill,     // SB: the train has to stand
   profile_only,   // FS: the most restrictive speed profile has no mode element
-  V_NVSHUNT,      // unless the mode profile brings another one
+  V_NVSHUNT,      // unless the mode profile gives another one
   V_NVSTFF,       // unless the driver enters another one
-  V_NVONSIGHT,    // unless the mode profile brings another one
-  V_NVLIMSUPERV,  // unless the mode profile brings another one
+  V_NVONSIGHT,    // unless the mode profile gives another one
+  V_NVLIMSUPERV,  // unless the mode profile gives another one
   V_NVUNFIT,
   V_REVERSE,  // packet 139
-  national,   // what the national system gives through the STM
+  national,   // given by the national system through the STM
 };
 
 /// Kind of speed and distance monitoring (4.5.2).
 enum class Supervision : std::uint8_t { unsupervised, ceiling, mrsp_targets, mrsp_and_sr_distance, full };
 
-/// What the mode itself does to the brakes (4.4).
+/// The brake command of the mode itself (4.4).
 enum class ModeBrake : std::uint8_t { none, emergency_brake };
 
 struct ModeProperties {
@@ -42,8 +42,8 @@ inline constexpr std::uint8_t kLevelNTC = 0b00010;
 inline constexpr std::uint8_t kLevels123 = 0b11100;
 
 // clang-format off
-/// 4.4.3 to 4.4.20, in the order of `Mode`. Behind each row what the unit answers for | what the driver answers for, in
-/// our words.
+/// 4.4.3 to 4.4.20, in the order of `Mode`. The comment of a row: responsibility of the unit | responsibility of the
+/// driver.
 inline constexpr auto srs_4_4 = [] {
   using enum SpeedLimit;
   using enum Supervision;

@@ -39,8 +39,8 @@ struct Transition {
   int priority = 0;
 };
 
-/// The table again, the cells that leave one mode side by side (in the page's order), so that a cycle looks at a dozen
-/// cells and not at all of them.
+/// The same table with the cells that leave one mode next to each other (in the page's order), so that a cycle
+/// evaluates a dozen cells instead of all.
 template <class M, std::size_t N, std::size_t Modes>
 struct ByLeaving {
   std::array<Cell<M>, N> cells{};
@@ -57,10 +57,10 @@ struct ByLeaving {
   }
 };
 
-/// The cell that fires, if any. Several enabled: the priority decides (4.6.2). Equal priorities are
-/// taken as exclusive by the standard; should two such cells hold in one cycle after all, the cell
-/// of a level transition comes first, then that of an event, for these are lost otherwise while a
-/// state is still there in the next cycle; then the page's order.
+/// The cell that fires, if any. If several hold, the priority decides (4.6.2). The standard assumes
+/// that cells of equal priority exclude each other. If two hold in one cycle all the same, a level
+/// transition comes first, then an event, because these would be lost, while a state still holds in
+/// the next cycle; then the page's order.
 template <class M, std::size_t N, std::size_t Modes>
 constexpr std::optional<Transition<M>> select(const ByLeaving<M, N, Modes>& table, M current,
                                               const Conditions& holding) {

@@ -5,7 +5,7 @@
 #include "modes/srs_4_6_2.h"
 #include "modes/srs_4_6_2_v400.h"
 
-// What the tables of this room do together.
+// The tables of this room together.
 namespace evc::modes {
 namespace {
 
@@ -42,11 +42,12 @@ TEST(NextMode, Names_the_first_condition_of_the_cell_that_holds) {
 }
 
 TEST(NextMode, Of_equal_priorities_what_would_be_lost_goes_first) {
-  // FS: on sight area [40] and level 0 [21] in one cycle. The transition cannot be seen again.
+  // FS: on sight area [40] and level 0 [21] in one cycle. The level transition would not be seen
+  // again.
   EXPECT_EQ(next_mode(Mode::FS, {40, 21})->to, Mode::UN);
   // LS: back to FS [32] and the driver's override [37].
   EXPECT_EQ(next_mode(Mode::LS, {32, 37})->to, Mode::SR);
-  // SB: the MA came [10] while the driver acknowledged on sight [15].
+  // SB: the MA was received [10] while the driver acknowledged on sight [15].
   EXPECT_EQ(next_mode(Mode::SB, {10, 15})->to, Mode::OS);
   // FS: override [37] and level 0 [21].
   EXPECT_EQ(next_mode(Mode::FS, {37, 21})->to, Mode::UN);
@@ -219,7 +220,7 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   c.rbc = RbcRole::former;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.2.1"_srs);
   expect(accept(Information::session_management, c), Verdict::accepted, {});
-  c.medium = Medium::balise;  // the role is that of an RBC only
+  c.medium = Medium::balise;  // only an RBC has a role
   expect(accept(Information::tsr, c), Verdict::accepted, {});
 }
 

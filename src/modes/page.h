@@ -7,10 +7,11 @@
 #include "terms/mode.h"
 
 // Tables of the standard are written as rows of text that look like the page and are read at
-// compile time: a slip in a row does not compile, and no text is left in the program.
+// compile time: an error in a row does not compile, and the program contains no text.
 namespace evc::modes::page {
 
-/// Where a row cannot be read: not constexpr, hence an error of the compiler at that row.
+/// Called for a row that cannot be read: not constexpr, so the compiler reports an error at that
+/// row.
 inline void row_cannot_be_read() { __builtin_trap(); }
 
 /// The words of a row between blanks; exactly N of them.

@@ -137,7 +137,8 @@ static_assert(equal_priority_means_disjoint_conditions(srs_4_6_2));
 inline constexpr ByLeaving<Mode, srs_4_6_2.size(), kModes> srs_4_6_2_by_leaving(srs_4_6_2);
 
 /// The mode to enter now, with the condition and its priority; none when the mode stays. One
-/// transition a cycle: its entry actions (4.10) come before the conditions are looked at again.
+/// transition a cycle: its entry actions (4.10) are executed before the conditions are evaluated
+/// again.
 constexpr std::optional<Transition<Mode>> next_mode(Mode current, const Conditions& holding) {
   return select(srs_4_6_2_by_leaving, current, holding);
 }

@@ -3,7 +3,7 @@
 
 #include "modes/mode_table.h"
 
-// The mode table of SRS 4.0.0, beside that of 3.x: it has the modes SM (Supervised Manoeuvre) and AD (Automatic
+// The mode table of SRS 4.0.0: it has, in addition to 3.x, the modes SM (Supervised Manoeuvre) and AD (Automatic
 // Driving) and no level 3. Data only: the conditions 9, 11, 24, 33, 48, 53 and 75 to 84 are not observed by this unit.
 namespace evc::modes::v400 {
 

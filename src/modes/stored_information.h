@@ -14,7 +14,7 @@
 namespace evc::modes {
 
 /// What happens to a piece of stored information: `U`, `D`, `TBR` (kept, but invalid until it is revalidated), `R`
-/// (back to its initial value), `NR` (the mode cannot be left but by power off; taken as unchanged).
+/// (set to its initial value), `NR` (the mode can only be left by power off; treated as unchanged).
 enum class Fate : std::uint8_t { unchanged, deleted, to_be_revalidated, reset, not_relevant };
 
 /// A row of 4.10.1.3. [1]: unchanged when coming from SH; [2]: unchanged when coming from PS.
@@ -120,18 +120,18 @@ static_assert(
 /// 4.10: what to do with `stored` when mode `to` is entered from mode `from`.
 Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs = SrsVersion::v3_6_0);
 
-/// 4.9.1: what to do with `stored` when level `to` is entered; every other level change touches nothing.
+/// 4.9.1: what to do with `stored` when level `to` is entered; any other level change changes nothing.
 Fate on_level_entry(Level to, Stored stored);
 
-/// A.3.4 situation k: what to do with `stored` when the desk is closed while start of mission goes on (the mode stays
-/// SB, so that on_entry does not apply).
+/// A.3.4 situation k: what to do with `stored` when the desk is closed during start of mission (the mode stays SB, so
+/// on_entry does not apply).
 Fate on_desk_closed_in_start_of_mission(Stored stored);
 
 /// Status of the five items that NP makes invalid, after power-up (4.11).
 enum class ColdMovement : std::uint8_t { none, moved_or_unknown };
 
 /// 4.11.1: the validity after power-up of an item that entering NP made invalid: eolm, train_position, level,
-/// trackside_level_table, rbc_id_phone. Items that NP left valid are not touched (answer: valid).
+/// trackside_level_table, rbc_id_phone. Items that NP left valid do not change (result: valid).
 DataStatus on_exit_np(ColdMovement movement, Stored stored);
 
 }  // namespace evc::modes

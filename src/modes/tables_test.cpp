@@ -70,7 +70,7 @@ TEST(ModeTable, Every_condition_of_every_cell_alone_takes_its_way_with_its_prior
     for (const int n : t["conditions"]) {
       const auto went = next_mode(mode(t["from"]), Conditions{n});
       ASSERT_TRUE(went.has_value());
-      // One condition may stand in two cells of one row: then the better priority wins.
+      // One condition may be in two cells of one row: then the higher priority wins.
       int best = 99;
       std::string to;
       for (const json& other : file["transitions"]) {
@@ -98,7 +98,7 @@ TEST(Conditions, Are_those_of_4_6_3) {
     }
     active.insert(n);
     ASSERT_NE(meaning(n), nullptr) << n;
-    // The table is used where the reference says so.
+    // The table contains a condition if the reference does.
     std::set<std::string> used;
     for (const Cell<Mode>& cell : srs_4_6_2)
       if (cell.any.test(n)) used.insert(std::string(name(cell.from)) + ">" + name(cell.to));
@@ -115,7 +115,7 @@ TEST(Conditions, Have_the_nature_of_the_reference_but_for_its_corrections) {
     const int n = c["id"];
     bool event = c["kind"] == "event";
     if (n == 43) event = true;  // passing the former EOA is an edge (5.8.4.1 c)
-    if (n == 1) event = false;  // the device may be operated while unpowered: its state counts
+    if (n == 1) event = false;  // the device may be operated without power: its state counts
     const bool level_switch = c["expr"].get<std::string>().find("level_switch") != std::string::npos;
     for (const Condition& row : srs_4_6_3)
       if (row.number == n) {
@@ -249,7 +249,7 @@ TEST(Stored, On_level_entry_on_power_up_and_on_a_closed_desk) {
       }
       EXPECT_EQ(on_exit_np(movement, stored), expected) << name(stored);
     }
-    // What NP makes invalid is what 4.11 speaks of.
+    // NP makes exactly the items of 4.11 invalid.
     EXPECT_EQ(on_entry(Mode::NP, Mode::FS, stored) == Fate::to_be_revalidated,
               file["on_exit_NP"]["no_cold_movement"].contains(name(stored)))
         << name(stored);

@@ -27,7 +27,7 @@ struct Composer {
   BitWriter& out;
 };
 
-/// X = 1 knows no passive shunting (6.6.3.4.5 [1]).
+/// X = 1 has no passive shunting (6.6.3.4.5 [1]).
 std::uint8_t M_MODE_for(std::uint8_t M_MODE, bool version_1) {
   return version_1 && M_MODE == evc::M_MODE(Mode::PS) ? evc::M_MODE(Mode::SH) : M_MODE;
 }
@@ -74,7 +74,7 @@ void put_position(const Composer& c) {
   }
 }
 
-/// Packets 4 and 5 of 136 and 157; X = 1 knows no packet 5 and fewer errors (6.6.3.4.5 [2]).
+/// Packets 4 and 5 of 136 and 157; X = 1 has no packet 5 and fewer error codes (6.6.3.4.5 [2]).
 void put_error_and_number(const Composer& c) {
   if (c.intent.M_ERROR && c.version_1) {
     lang::TrainPacket4_v1_0 p;
@@ -217,7 +217,7 @@ void put_answer(const Composer& c) {
   put_position(c);
 }
 
-/// Everything but the length and the padding. False: this message is not sent to this version.
+/// The whole message except length and padding. False: this message is not sent to this version.
 bool put(const Composer& c) {
   switch (c.intent.NID_MESSAGE) {
     case message::validated_train_data:

@@ -47,8 +47,8 @@ struct OnBoard {
   InplaceVector<std::uint64_t, 4> NID_RADIO;  ///< telephone numbers of the mobile terminals, for packet 3
 };
 
-/// Writes the message; the number of bytes, or 0 when it is not sent to this version (158 to X = 1) or `bytes` is too
-/// small. `M_VERSION`: of the RBC, 0 while it is not known.
+/// Writes the message. Returns the number of bytes; 0 when it is not sent to this version (158 to X = 1) or `bytes` is
+/// too small. `M_VERSION`: of the RBC, 0 while it is unknown.
 std::size_t compose(const Intent& intent, const PositionReport& position, const TrainDataReport& train,
                     const OnBoard& unit, std::uint8_t M_VERSION, std::span<std::uint8_t> bytes);
 

@@ -134,7 +134,7 @@ TEST(Compose, EmergencyStopAnswers) {
     Intent i = intent_of(147);
     i.Q_EMERGENCYSTOP = q;
     EXPECT_EQ(Sent(i, 0x21).message<lang::TrainMessage147>().Q_EMERGENCYSTOP.raw, q);
-    if (q == 3) continue;  // X = 1 has no such code
+    if (q == 3) continue;  // X = 1 does not have this code
     EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage147_v1_0>().Q_EMERGENCYSTOP.raw, q);
     EXPECT_EQ(Sent(i, 0x10).message<lang::TrainMessage147_v1_0>().NID_EM.raw, 5);
   }

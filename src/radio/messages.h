@@ -27,7 +27,7 @@ constexpr std::uint32_t T_TRAIN_of(Duration now) {
   return static_cast<std::uint32_t>(static_cast<std::uint64_t>(now.si * 100.0 + 0.5) % 0xFFFF'FFFFu);
 }
 
-/// The on-board time that a stamp of up to 248 days ago stands for; never later than now.
+/// The on-board time of a stamp that is at most 248 days old; never later than now.
 constexpr Duration time_of(std::uint32_t T_TRAIN, Duration now) {
   const auto age = static_cast<std::int32_t>(T_TRAIN_of(now) - T_TRAIN);
   return age > 0 ? now - Duration{static_cast<double>(age) / 100.0} : now;
@@ -41,11 +41,11 @@ struct Header {
   std::uint32_t NID_LRBG = kUnknownLrbg;
 };
 
-/// A message that the train has to send; the bits come from `compose`.
+/// A message to send to the RBC; `compose` makes the bits.
 struct Intent {
   std::uint8_t NID_MESSAGE = 0;
   std::uint32_t T_TRAIN = 0;                     ///< its own stamp
-  std::uint32_t T_TRAIN_REF = 0;                 ///< 137, 138, 146: of the message that is answered
+  std::uint32_t T_TRAIN_REF = 0;                 ///< 137, 138, 146: of the message answered
   std::uint8_t NID_EM = 0, Q_EMERGENCYSTOP = 0;  ///< 147, in the codes of the RBC's version
   std::uint8_t Q_MARQSTREASON = 0;               ///< 132
   std::uint8_t Q_STATUS = 0;                     ///< 157: 0 invalid, 1 valid, 2 unknown
@@ -69,15 +69,15 @@ constexpr bool reports_position(std::uint8_t NID_MESSAGE) {
   }
 }
 
-/// What leaves in one cycle.
+/// The messages and orders to the bearer of one cycle.
 struct Outbox {
   static constexpr std::size_t kMessages = 24;
   InplaceVector<Intent, kMessages> messages;
   std::optional<Rbc> connect, disconnect;
   bool inform_no_connection = false;  ///< start of mission: all tries failed (5.4.3.2 A32)
   bool inform_no_version = false;     ///< message 154 was sent (3.5.3.8)
-  bool lost = false;                  ///< there were more messages than room
-  /// When there is no room an answer to an emergency stop (147) takes the place of the last message that is not one.
+  bool lost = false;                  ///< there were more messages than fit
+  /// When there is no room, an answer to an emergency stop (147) replaces the last message of another kind.
   void send(const Intent& intent) {
     if (messages.push_back(intent)) return;
     lost = true;

@@ -48,7 +48,7 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   if (!s.ma_request || !s.ma_request->T_MAR) reasons = static_cast<std::uint8_t>(reasons & ~kBeforePerturbation);
   if (!s.ma_request || !s.ma_request->T_TIMEOUTRQST) reasons = static_cast<std::uint8_t>(reasons & ~kBeforeTimeout);
   s.reasons = static_cast<std::uint8_t>(s.reasons & reasons);
-  if (s.session.phase != Phase::up) return;  // a reason that waits is new when the session is there
+  if (s.session.phase != Phase::up) return;  // a reason that waits counts as new when the session is established
   const bool fresh = (reasons & ~s.reasons) != 0;
   const bool repeatable = (reasons & ~kTrackAheadFree) != 0;
   std::optional<Duration> cycle = kDefaultRequestCycle;
@@ -64,7 +64,7 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
-/// Every message has its own stamp, also two of one 10 ms tick (3.16.3.3.2).
+/// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
   // While there is no connection, messages that are due count as sent (3.5.4.5).
   if (s.session.phase == Phase::lost || s.session.phase == Phase::connecting) out.messages.clear();
@@ -136,7 +136,7 @@ void receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
 }
 
 void receive_train_data_ack(State& s, std::uint32_t T_TRAIN_REF) {
-  // Only the acknowledgement of the latest sending counts (4.8.3 [3]).
+  // Only the acknowledgement of the latest message 129 counts (4.8.3 [3]).
   if (!s.train_data_stamp || *s.train_data_stamp != T_TRAIN_REF) return;
   s.train_data_stamp.reset();
   s.train_data_acknowledged = true;

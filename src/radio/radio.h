@@ -9,11 +9,11 @@
 #include "terms/clause.h"
 #include "terms/reaction.h"
 
-// Radio (A3): everything between the bearer and the contents of messages. When a position report is due by
-// its parameters is said in position/; here it gets its session.
+// Radio: everything between the bearer and the contents of messages. position/ decides when a position report is due by
+// its parameters; this room sends it.
 namespace evc::radio {
 
-/// T_CYCRQSTD: cycle of the MA request while no packet 57 was received (A.3.1).
+/// T_CYCRQSTD: cycle of the MA request before packet 57 is received (A.3.1).
 inline constexpr Duration kDefaultRequestCycle{60.0};
 
 /// Packet 57. Absent: off.
@@ -31,7 +31,7 @@ enum Reason : std::uint8_t {
   kTrackAheadFree = 16,
 };
 
-/// What happens at the end of T_NVCONTACT.
+/// The reaction when T_NVCONTACT expires.
 struct ContactRule {
   std::optional<Duration> T_NVCONTACT;  ///< absent: infinite
   Reaction M_NVCONTACT = Reaction::none;
@@ -41,12 +41,13 @@ struct State {
   Session session;
   std::optional<Rbc> contact;              ///< stored RBC contact
   std::optional<std::uint32_t> last_sent;  ///< T_TRAIN of the last message sent: stamps are unique (3.16.3.3.2)
-  bool established_now = false;            ///< message 32 was taken since the last cycle
+  bool established_now = false;            ///< message 32 was accepted since the last cycle
   // 3.16.3.4
-  std::optional<Duration> contact_reference;  ///< T_REF: stamp of the last message, level switch, or radio hole left
-  bool contact_lost = false;                  ///< T_NVCONTACT expired and no new message since
-  bool contact_brake_released = false;        ///< the service brake for it was released at standstill
-  bool reconnected = false;                   ///< 60 s later the connection was set up again
+  std::optional<Duration>
+      contact_reference;      ///< T_REF: stamp of the last message, of a level change, or of the exit from a radio hole
+  bool contact_lost = false;  ///< T_NVCONTACT expired and no new message since
+  bool contact_brake_released = false;  ///< the service brake for it was released at standstill
+  bool reconnected = false;             ///< the connection was set up again 60 s later
   bool was_in_hole = false, was_level_2_or_3 = false;
   // 3.18.3.4
   bool train_data_pending = false;                ///< has to be sent
@@ -54,7 +55,7 @@ struct State {
   bool train_data_acknowledged = false;           ///< in this session
   // 3.8.2
   std::optional<MaRequestParameters> ma_request;
-  std::uint8_t reasons = 0;  ///< that were sent and are still true
+  std::uint8_t reasons = 0;  ///< that were sent and still apply
   std::optional<Duration> requested_at;
   InplaceVector<std::uint8_t, 4> errors;        ///< M_ERROR to report (3.16.4)
   std::optional<std::uint32_t> exit_from_trip;  ///< T_TRAIN of message 6 (4.8.4 [1])
@@ -62,23 +63,23 @@ struct State {
 
 /// Why a message was rejected as a whole (3.16.3.1.1).
 enum class Rejected : std::uint8_t { no, no_session, terminating, time_stamp };
-/// The clause of a rejection, a literal; null when not rejected.
+/// The clause of a rejection; none when not rejected.
 Clause clause(Rejected rejected);
 
-/// Whether stamp `a` is later than `b`; the counter runs over after 497 days (3.16.3.2.3).
+/// Whether stamp `a` is later than `b`; the counter overflows after 497 days (3.16.3.2.3).
 constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-/// Takes a message whose bits were found right: session, order of time stamps, acknowledgement (146) when M_ACK,
-/// contact supervision (3.16.3). Message 39 is carried out here. What the message contains may still be refused by
-/// filters: it counts as received all the same.
+/// Receives a message whose bits are correct: checks session and order of time stamps, acknowledges (146) when M_ACK,
+/// supervises contact (3.16.3). Message 39 is executed here. The contents may still be refused by filters; the message
+/// counts as received all the same.
 Rejected receive(State& state, const Header& header, Duration now, Outbox& out);
-/// A message whose bits are not right (3.16.3.1.1.2): reported to the RBC.
+/// A message whose bits are not correct (3.16.3.1.1.2): reported to the RBC.
 void receive_inconsistent(State& state);
 /// Message 32, after `receive`.
 void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(State& state, std::uint32_t T_TRAIN_REF);
-/// An error of balises or radio to report when a session is there (3.16.4): M_ERROR.
+/// An error of balises or radio, to be reported when a session is established (3.16.4): M_ERROR.
 void report_error(State& state, std::uint8_t M_ERROR);
 
 /// Packet 42, packet 131 as an order to establish, or the driver's choice (3.5.3).
@@ -88,8 +89,8 @@ struct SessionOrder {
   bool sleeping_too = false;  ///< Q_SLEEPSESSION
   Cause cause = Cause::trackside_order;
 };
-/// `sleeping`: only orders with Q_SLEEPSESSION count. `store_only`: in SH and PS just the contact is stored. False
-/// when the order is ignored: nothing stored for "last known RBC", a sleeping unit, another RBC to leave.
+/// `sleeping`: only orders with Q_SLEEPSESSION count. `store_only`: in SH and PS only the contact is stored. False when
+/// the order is ignored: no stored "last known RBC", a sleeping unit, or a termination for another RBC.
 bool order(State& state, const SessionOrder& order, bool sleeping, bool store_only, Duration now, Outbox& out);
 
 struct Inputs {
@@ -104,18 +105,18 @@ struct Inputs {
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
   bool start_of_mission = false;  ///< reports are sent as 157 with Q_STATUS (5.4)
   std::uint8_t Q_STATUS = 1;
-  std::uint8_t reasons = 0;                ///< reasons of the MA request that are true now
-  std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the border's group
+  std::uint8_t reasons = 0;                ///< reasons of the MA request that apply now
+  std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the group at the border
 };
 struct Result {
   bool session_established = false, session_lost = false;
   bool trip = false;           ///< condition [41], as long as it holds
-  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
+  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1; until standstill or a new message
   bool contact_lost = false;   ///< for the driver: no message in due time
-  bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
+  bool shorten = false;        ///< standstill under this brake without a message: A.3.4 i, once
 };
 /// One cycle: session, contact supervision, train data, position reports, MA requests, repetitions. Afterwards every
-/// message of the outbox has its own time stamp; what has no connection to leave by is taken out (3.5.4.5).
+/// message of the outbox has its own time stamp; messages without a connection are removed (3.5.4.5).
 Result supervise(State& state, const Inputs& inputs, Outbox& out);
 
 /// Train data were validated or changed: 129 is due (3.18.3.4).
@@ -129,7 +130,7 @@ inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYS
   intent.Q_EMERGENCYSTOP = Q_EMERGENCYSTOP;
   out.send(intent);
 }
-/// Messages 137 (granted) and 138 (rejected): the answer to message 9 with that stamp (3.8.6).
+/// Messages 137 (granted) and 138 (rejected): the answer to message 9 with this stamp (3.8.6).
 inline void answer_shortening(bool granted, std::uint32_t T_TRAIN_REF, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = granted ? message::shortening_granted : message::shortening_rejected;

@@ -99,7 +99,7 @@ TEST(Messages, AnAnswerToAnEmergencyStopFindsRoom) {
 TEST(Messages, AStampBecomesATime) {
   EXPECT_EQ(time_of(1000, Duration{20.0}), Duration{10.0});
   EXPECT_EQ(time_of(2001, Duration{20.0}), Duration{20.0}) << "never later than now";
-  const Duration late{42949672.95 + 5.0};  // the counter has wrapped round
+  const Duration late{42949672.95 + 5.0};  // the counter has overflowed
   EXPECT_NEAR(time_of(0xFFFF'FFF0u, late).si, late.si - 5.15, 0.011);
 }
 

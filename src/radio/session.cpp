@@ -3,7 +3,7 @@
 namespace evc::radio {
 namespace {
 
-/// The versions X whose language this unit speaks (SUBSET-026-6).
+/// Whether this unit supports the version X (SUBSET-026-6).
 bool supported(std::uint8_t M_VERSION) {
   const unsigned X = M_VERSION >> 4;
   return X == 1 || X == 2;
@@ -32,7 +32,7 @@ void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& o
   request(s, now, out);
 }
 
-/// The session is over; an order that came meanwhile is carried out now (3.5.3.4.2).
+/// The session is terminated; an order received meanwhile is executed now (3.5.3.4.2).
 void go_idle(Session& s, Duration now, Outbox& out) {
   enter(s, Phase::idle, now);
   s.request_connection = false;
@@ -80,14 +80,14 @@ void link_lost(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
       else
         request(s, now, out);
       return;
-    case Phase::waiting_version:  // there is no session yet that could be kept
+    case Phase::waiting_version:  // there is no session yet to keep
       enter(s, Phase::connecting, now);
       return attempt_failed(s, in_radio_hole, now, out);
     case Phase::connecting:
     case Phase::lost:
       return attempt_failed(s, in_radio_hole, now, out);
     case Phase::idle:
-    case Phase::terminating:  // the repetitions run out by themselves
+    case Phase::terminating:  // the repetitions end by their number
       return;
   }
 }
@@ -158,7 +158,7 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
       connect_to(s, s.rbc, s.cause, now, out);
       break;
     case Phase::connecting:
-      // An attempt that the bearer has not answered yet continues; after a radio hole a new one starts (3.5.4.4).
+      // A request that the bearer has not answered yet continues; after a radio hole a new one starts (3.5.4.4).
       if (!s.request_connection && !in_radio_hole) request(s, now, out);
       break;
     case Phase::lost:
@@ -184,7 +184,7 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   if (!supported(M_VERSION)) {
     out.send(message::no_compatible_version);
     out.inform_no_version = true;
-    s.phase = Phase::up;  // so that it is left with message 156
+    s.phase = Phase::up;  // so that message 156 terminates it
     terminate(s, now, out);
     return false;
   }

@@ -39,13 +39,13 @@ struct Session {
   Cause cause = Cause::start_of_mission;
   std::uint8_t tries = 0;        ///< connection requests made
   std::uint8_t repetitions = 0;  ///< of message 156
-  Duration since{};              ///< the phase was entered, or the last repetition sent
+  Duration since{};              ///< entry of the phase, or the last repetition
   std::optional<Duration> status_timer;
   Indication indication = Indication::none;
-  std::uint8_t M_VERSION = 0;                 ///< of the RBC, from message 32; 0: not known
+  std::uint8_t M_VERSION = 0;                 ///< of the RBC, from message 32; 0: unknown
   std::optional<std::uint32_t> last_T_TRAIN;  ///< of the last message not rejected: the sequence reference
   bool request_connection = false;            ///< a request was made that the bearer has not answered yet
-  std::optional<Rbc> remembered;              ///< ordered while terminating; set up afterwards
+  std::optional<Rbc> remembered;              ///< ordered during termination; set up afterwards
   Cause remembered_cause = Cause::trackside_order;
 
   /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
@@ -57,10 +57,11 @@ struct Outbox;
 /// Establishes a session with `rbc` unless one with it is up or being set up (3.5.3.4.1); a session with another RBC is
 /// terminated first (3.5.3.5.2).
 void establish(Session& session, const Rbc& rbc, Cause cause, Duration now, Outbox& out);
-/// Terminates the session (3.5.5): message 156, repeated until 39; while connecting it just stops.
+/// Terminates the session (3.5.5): message 156, repeated until 39; while connecting, the set-up
+/// ends.
 void terminate(Session& session, Duration now, Outbox& out);
-/// What the bearer reports, and the timers. `in_radio_hole`: no attempts to connect (3.5.4.4). True in the cycle in
-/// which the session came to be lost for good after kSessionKept: cause `after_loss` is due (3.5.3.4 f).
+/// Evaluates the report of the bearer and the timers. `in_radio_hole`: no connection requests (3.5.4.4). True in the
+/// cycle in which the session is finally lost after kSessionKept: cause `after_loss` is due (3.5.3.4 f).
 bool maintain(Session& session, RadioLink link, bool in_radio_hole, Duration now, Outbox& out);
 /// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
 bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);

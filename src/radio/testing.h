@@ -29,7 +29,7 @@ struct Unit {
     now += 0.1;
     return r;
   }
-  /// Runs quietly for a time; the messages sent meanwhile.
+  /// Runs for a time without inputs; returns the messages sent meanwhile.
   std::vector<int> run(double seconds) {
     std::vector<int> sent;
     for (const double end = now + seconds; now < end;) {
@@ -56,7 +56,7 @@ struct Unit {
     ASSERT_EQ(message(32), Rejected::no);
     receive_version(s, M_VERSION, Duration{now}, out);
   }
-  /// Session up, everything sent that its start asks for.
+  /// Establishes a session and sends the messages due at its start.
   void up(std::uint8_t M_VERSION = 0x10) {
     order_session();
     cycle();
