@@ -8,8 +8,8 @@
 
 namespace evc::procedures {
 
-/// Messages and session orders; each is sent once in a cycle in which it stands in the effects. A position report for a
-/// new mode or level is one with those that the radio's own rules ask for in the same cycle (3.6.5.1.4 b, g).
+/// Messages and session orders; each is sent once per cycle in which the effects contain it. A position report for a
+/// new mode or level is combined with those due by the rules of radio in the same cycle (3.6.5.1.4 b, g).
 enum class Send : std::uint8_t {
   open_session,
   terminate_session,
@@ -22,8 +22,8 @@ enum class Send : std::uint8_t {
   count
 };
 
-/// Changes of the status of data (5.4.3.3, "status of data"). Of one kind of data "invalid" and "unknown" come before
-/// "valid" when both stand in one cycle.
+/// Changes of the status of data (5.4.3.3, "status of data"). If one cycle has both for a kind of data, "invalid" and
+/// "unknown" are applied before "valid".
 enum class Status : std::uint8_t {
   position_unknown,
   position_valid,
@@ -34,7 +34,7 @@ enum class Status : std::uint8_t {
   count
 };
 
-/// What a procedure wants in this cycle. The kernel joins those of all procedures.
+/// The effects of a procedure in this cycle. The kernel combines those of all procedures.
 struct Effects {
   Set<Ack> requests;
   Set<Entry> entries;
@@ -58,13 +58,13 @@ struct Effects {
 
 /// A.3.1: time in which a change of mode or level has to be acknowledged.
 inline constexpr Duration T_ACK{5.0};
-/// A.3.1: a message without its answer is repeated three times, 15 s apart.
+/// A.3.1: a message without an answer is repeated three times, 15 s apart.
 inline constexpr Duration T_REPEAT{15.0};
 inline constexpr std::uint8_t N_REPEAT = 3;
 
 /// Send, wait 15 s, repeat three times, wait again, then give up (A.3.1).
 struct Repetition {
-  Duration next{};        // when the next sending or the end is due
+  Duration next{};        // time of the next repetition, or of the end
   std::uint8_t left = 0;  // repetitions left
   bool waiting = false;
 

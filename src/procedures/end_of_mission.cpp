@@ -37,8 +37,7 @@ Effects step(State& state, const Inputs& in) {
   Effects out;
   if (in.mode != in.previous_mode) {
     const bool ends = ends_mission(in.previous_mode, in.mode, state.mission);
-    // A095: shunting entered while no mission was in progress ends the session of level 2/3 likewise, with a mode
-    // report.
+    // A095: shunting entered without a mission in progress also ends the session of level 2/3, with a mode report.
     const bool shunting_only = in.mode == Mode::SH && !state.mission && in.level_2_or_3 && in.previous_mode != Mode::PS;
     if (ends || in.mode == Mode::NP) state.mission = false;
     if (is_mission(in.mode)) state.mission = true;

@@ -10,7 +10,7 @@ namespace evc::procedures::end_of_mission {
 struct State {
   bool mission = false;            // a mission is in progress (5.4.7: entered FS, LS, SR, OS, NL, UN or SN)
   bool waits_for_order = false;    // for the RBC's order to terminate the session
-  bool reports_mode_only = false;  // what is repeated meanwhile: 136 instead of 150
+  bool reports_mode_only = false;  // message 136 is repeated instead of 150
   Repetition repetition;
 };
 
@@ -18,7 +18,7 @@ struct Inputs {
   Duration now{};
   Mode mode = Mode::NP;              // now
   Mode previous_mode = Mode::NP;     // in the cycle before
-  bool session_open = false;         // with an RBC; a session with an infill unit ends at once (kernel)
+  bool session_open = false;         // with an RBC; a session with a radio infill unit ends at once (kernel)
   bool termination_ordered = false;  // packet 42, in this cycle
   bool level_2_or_3 = false;
 };

@@ -70,7 +70,7 @@ TEST(EndOfMission, Without_a_session_nothing_is_opened) {
   EXPECT_TRUE(m.to(Mode::SB).send.empty());
   m.in.session_open = true;
   EXPECT_TRUE(m.cycle().send.empty());
-  // A session that is lost ends the wait.
+  // The loss of the session ends the wait.
   m.to(Mode::FS);
   m.to(Mode::SB);
   m.in.session_open = false;

@@ -1,8 +1,8 @@
 #pragma once
 #include "procedures/effects.h"
 
-// The end of the session after the RBC's area was left over a level border: SUBSET-026-3 3.5.5.1 e, SUBSET-026-5
-// 5.10.3.3.5, 5.10.3.6.5. (Over an RBC border it is the handover's, 5.15.)
+// The end of the session after the train has left the RBC's area over a level border: SUBSET-026-3 3.5.5.1 e,
+// SUBSET-026-5 5.10.3.3.5, 5.10.3.6.5. (At an RBC border it belongs to the handover, 5.15.)
 namespace evc::procedures::leaving_rbc {
 
 struct State {
@@ -19,7 +19,7 @@ struct Inputs {
 };
 
 /// One cycle. The report is repeated three times, 15 s apart; without an order the session is terminated at the end of
-/// the last wait. An order, the end of the session, or level 2/3 entered again end the wait.
+/// the last wait. An order, the end of the session, or a new entry to level 2/3 ends the wait.
 Effects step(State& state, const Inputs& inputs);
 
 }  // namespace evc::procedures::leaving_rbc

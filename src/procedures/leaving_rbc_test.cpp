@@ -21,7 +21,7 @@ TEST(LeavingRbc, The_report_is_repeated_and_then_the_session_ends) {
   Leaving l;
   EXPECT_TRUE(l.cycle().send.empty());
   l.in.exit_reported = true;
-  EXPECT_TRUE(l.cycle().send.empty());  // the report of the border itself is the radio's
+  EXPECT_TRUE(l.cycle().send.empty());  // radio sends the report at the border
   int reports = 0;
   Effects last;
   for (int i = 0; i < 60; ++i) {

@@ -12,7 +12,7 @@ using modes::OrderEffect;
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
   const bool needed = modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
-  // 5.10.4.3: within T_ACK after the transition, unless it was given ahead.
+  // 5.10.4.3: within T_ACK after the transition, unless the driver acknowledged before.
   state.unacknowledged = needed && !state.acknowledged;
   state.unacknowledged_level = to.level;
   state.deadline = in.now + T_ACK;
@@ -22,11 +22,12 @@ void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out
 
 void take(State& state, const Inputs& in, const Order& order, const modes::OrderDecision& decision, Result& out) {
   if (decision.effect == OrderEffect::keep_until_mode_left) {
-    state.kept = true;  // one only, the newest (4.4.8.1.5)
+    state.kept = true;  // only one, the newest (4.4.8.1.5)
     state.kept_order = order;
     return;
   }
-  // An acknowledgement given for the same level stays good when the order is repeated, for the driver knows already.
+  // An acknowledgement for the same level stays valid when the order is repeated, because the driver has already seen
+  // it.
   const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
   if (decision.cancels_pending && state.pending.has_value()) {
     state.pending.reset();
@@ -39,14 +40,14 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
     execute(state, in, decision.to, out);
 }
 
-/// 5.10.4: ask for the acknowledgement, ahead of the transition or after it.
+/// 5.10.4: asks for the acknowledgement, before or after the transition.
 void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& out) {
-  // 5.10.4.1.2 of 4.0.0: in SB only at the change; 3.x does not say.
+  // 5.10.4.1.2 of 4.0.0: in SB only at the transition; 3.x does not say.
   const bool only_at_change = in.srs == SrsVersion::v4_0_0 && in.mode == Mode::SB;
   const bool ahead = state.pending.has_value() && !state.acknowledged && !only_at_change &&
                      modes::acknowledgement_needed(current, state.pending->to, in.mode, in.srs) &&
                      modes::in_acknowledgement_length(*state.pending, in.max_safe_front);
-  if (in.acknowledged && state.shown) {  // one that was not asked for is none
+  if (in.acknowledged && state.shown) {  // only an acknowledgement that was asked for counts
     if (state.unacknowledged)
       state.unacknowledged = false;
     else if (ahead)
@@ -81,7 +82,7 @@ Result step(State& state, const Inputs& in) {
   if (!out.switch_to.has_value() && in.driver_level.has_value() && !in.driver_level->same_level(in.current)) {
     out.switch_to = in.driver_level;
     out.by_driver = true;
-    state.unacknowledged = false;  // the level in question is left
+    state.unacknowledged = false;  // the level to be acknowledged is left
     if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();
       state.pending.reset();
@@ -99,7 +100,7 @@ void on_mode_change(State& state, Mode from, Mode to) {
     state.acknowledged = false;
     state.kept = false;
   }
-  switch (to) {  // 4.12 of 4.0.0: the command that waits for the acknowledgement is revoked
+  switch (to) {  // 4.12 of 4.0.0: the brake command that waits for the acknowledgement is revoked
     case Mode::NP:
     case Mode::SB:
     case Mode::PS:

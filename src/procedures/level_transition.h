@@ -7,7 +7,7 @@
 #include "procedures/effects.h"
 #include "terms/mode.h"
 
-// Level transitions in time and place, SUBSET-026-5 5.10, on the tables of modes/levels.h.
+// The course of level transitions, SUBSET-026-5 5.10, with the tables of modes/levels.h.
 namespace evc::procedures::level_transition {
 
 /// An order that passed the filters of 4.8.
@@ -27,7 +27,7 @@ struct State {
   std::optional<modes::PendingTransition> pending;
   bool shown = false;           // the acknowledgement is asked for
   bool acknowledged = false;    // the pending transition is acknowledged already
-  bool unacknowledged = false;  // a transition was executed and its acknowledgement is missing
+  bool unacknowledged = false;  // a transition was executed and is not acknowledged yet
   Level unacknowledged_level = Level::L0;
   Duration deadline{};  // T_ACK after the transition
   bool kept = false;    // an order waits until SH or PS is left (4.4.8.1.5)
@@ -50,16 +50,18 @@ struct Result {
   Effects effects;                               // request Ack::level, service brake
   std::optional<modes::OrderedLevel> switch_to;  // execute a transition in this cycle
   bool by_driver = false;
-  std::optional<Level> overdue;  // transition to it not acknowledged for T_ACK: the cause of the service brake
-  bool announced = false;        // a transition that will change the level waits: buffer per 4.8.3 [1], [2], [6]
-  bool cancelled = false;  // a pending transition was dropped or replaced: the transition buffer is deleted (4.8.5)
+  std::optional<Level>
+      overdue;  // the transition to this level was not acknowledged within T_ACK: the cause of the service brake
+  bool announced =
+      false;  // a transition that will change the level is pending: information is buffered by 4.8.3 [1], [2], [6]
+  bool cancelled = false;  // a pending transition was deleted or replaced: the transition buffer is deleted (4.8.5)
 };
 
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
 
-/// To be called at every mode transition, with what 4.10 says of the level order: deletes it, or lets an order that was
-/// kept in SH or PS be judged in the next cycle.
+/// To be called at every mode transition; the level order is handled by 4.10: it is deleted, or an order stored in SH
+/// or PS is judged in the next cycle.
 void on_mode_change(State& state, Mode from, Mode to);
 
 }  // namespace evc::procedures::level_transition

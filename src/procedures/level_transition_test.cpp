@@ -69,7 +69,7 @@ TEST(LevelTransition, Acknowledged_ahead) {
   EXPECT_EQ(b.cycle(690.0).effects.requests, Set<Ack>{Ack::level});
   b.in.acknowledged = true;
   EXPECT_TRUE(b.cycle(700.0).effects.requests.empty());
-  // The same order again asks for nothing new.
+  // The same order again asks for no further acknowledgement.
   b.give(OrderKind::announcement, level(Level::NTC, 1), 1010.0);
   const auto again = b.cycle(710.0);
   EXPECT_TRUE(again.effects.requests.empty());
@@ -115,7 +115,7 @@ TEST(LevelTransition, The_newest_order_counts) {
   b.give(OrderKind::announcement, level(Level::L1), 2000.0);
   EXPECT_TRUE(b.cycle(600.0).cancelled);
   EXPECT_FALSE(b.cycle(1500.0).switch_to.has_value());
-  // An order for the level that the unit is in drops what waits.
+  // An order for the current level deletes the pending transition.
   b.give(OrderKind::immediate, level(Level::L2));
   const auto r = b.cycle(1600.0);
   EXPECT_TRUE(r.cancelled);
@@ -137,9 +137,9 @@ TEST(LevelTransition, A_pending_level_that_the_driver_chose_meanwhile_is_no_tran
   const auto r = b.cycle(600.0);
   EXPECT_TRUE(r.by_driver);
   EXPECT_FALSE(r.announced);
-  EXPECT_TRUE(r.effects.requests.empty());  // a level that the driver chose needs no acknowledgement
+  EXPECT_TRUE(r.effects.requests.empty());  // a level selected by the driver needs no acknowledgement
   EXPECT_FALSE(b.cycle(1000.0).switch_to.has_value());
-  // 4.0.0 drops the order.
+  // 4.0.0 deletes the order.
   Border n(level(Level::L1), Mode::FS);
   n.in.srs = SrsVersion::v4_0_0;
   n.give(OrderKind::announcement, level(Level::L2), 1000.0);
@@ -160,7 +160,7 @@ TEST(LevelTransition, Kept_in_shunting) {
   level_transition::on_mode_change(b.state, Mode::SH, Mode::SB);
   b.in.mode = Mode::SB;
   EXPECT_EQ(b.cycle(0.0).switch_to->level, Level::L2);
-  // Left to a mode that deletes the order (4.10).
+  // SH is left for a mode that deletes the order (4.10).
   Border d(level(Level::L1), Mode::SH);
   d.give(OrderKind::immediate, level(Level::L2));
   d.cycle(0.0);
@@ -177,7 +177,7 @@ TEST(LevelTransition, Mode_entries_delete_what_4_10_says) {
   EXPECT_TRUE(b.state.pending.has_value());
   level_transition::on_mode_change(b.state, Mode::OS, Mode::SR);
   EXPECT_FALSE(b.state.pending.has_value());
-  // And in TR nothing is asked of the driver for a level.
+  // In TR no acknowledgement of a level is asked for.
   Border t(level(Level::L2), Mode::FS);
   t.give(OrderKind::immediate, level(Level::L0));
   t.cycle(0.0);

@@ -5,7 +5,7 @@ namespace {
 
 Ack acknowledgement(Mode mode) { return mode == Mode::OS ? Ack::OS : mode == Mode::LS ? Ack::LS : Ack::SH; }
 
-/// A shunting area has an entry and no end (3.12.4.2).
+/// A shunting area has a start and no end (3.12.4.2).
 bool ends_before(const Area& area, Place p) { return area.mode != Mode::SH && area.end.has_value() && p >= *area.end; }
 
 bool holds(const Area& area, Place max_safe_front) {
@@ -20,21 +20,20 @@ bool in_ack_length(const Area& area, Place est_front) {
   return est_front >= area.start - area.L_ack && est_front < area.start;
 }
 
-/// 3.x speaks of the max safe front end, 4.0.0 of the furthest area that the confidence interval overlaps. From FS, LS
-/// and OS the words of 3.x are followed. Where the mode is entered only now (SR, UN, SN, SB, PT) they would leave a
-/// train whose rear end of the interval is still in the area with neither this mode nor FS, so that 4.0.0 is followed
-/// there.
+/// 3.x uses the max safe front end, 4.0.0 the furthest area that the confidence interval overlaps. From FS, LS and OS
+/// the rule of 3.x is used. From SR, UN, SN, SB and PT it would give neither this mode nor FS to a train whose min safe
+/// front end is still in the area; there the rule of 4.0.0 is used.
 bool overlap_demands(const Inputs& in) {
   return in.srs == SrsVersion::v4_0_0 || (in.mode != Mode::FS && in.mode != Mode::LS && in.mode != Mode::OS);
 }
 
 /// From these modes the driver may acknowledge ahead of the area (4.6.2: [15], [50], [70]); from SR, UN, SN the train
-/// gets there by way of FS or LS.
+/// enters FS or LS first.
 bool may_acknowledge_ahead(Mode mode, Mode area) {
   return mode != area && (mode == Mode::FS || mode == Mode::LS || mode == Mode::OS);
 }
 
-/// The nearest area ahead that asks for another mode.
+/// The nearest area ahead that requires another mode.
 const Area* next_area(const Inputs& in) {
   const Area* nearest = nullptr;
   for (const Area& area : in.areas) {
@@ -44,8 +43,8 @@ const Area* next_area(const Inputs& in) {
   return nearest;
 }
 
-/// 5.7.3, 5.9.3, 5.19.3: the request ahead of the area. Once shown it stays, also when the window is left again; it
-/// is deleted with the area.
+/// 5.7.3, 5.9.3, 5.19.3: the request ahead of the area. Once shown, it stays even when the train leaves the window
+/// again; it is deleted with the area.
 void ask_ahead(State& state, const Inputs& in) {
   const Area* area = next_area(in);
   if (area == nullptr || (state.shown && state.asked != area->mode)) state.shown = false;

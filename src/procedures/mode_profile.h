@@ -18,12 +18,12 @@ struct Area {
   Place start{};
   std::optional<Place> end;  // none: to the end of the MA, and always for SH (3.12.4.2)
   Speed V{};                 // the limit in the area
-  Distance L_ack{};          // length in rear of the start where it may be acknowledged
+  Distance L_ack{};          // length in rear of the start in which it may be acknowledged
 };
 
 struct State {
   bool shown = false;           // an acknowledgement is asked for in advance of the area
-  bool unacknowledged = false;  // the mode was entered without it
+  bool unacknowledged = false;  // the mode was entered without acknowledgement
   Mode asked = Mode::OS;
   Duration deadline{};  // T_ACK after the entry
 };
@@ -32,7 +32,7 @@ struct Inputs {
   Duration now{};
   Mode mode = Mode::SB;
   Level level = Level::L0;
-  std::span<const Area> areas;  // in use; in levels 0 and NTC kept for the level transition
+  std::span<const Area> areas;  // in use; in levels 0 and NTC stored for the level transition
   Place min_safe_front{}, est_front{}, max_safe_front{};
   Speed V_est{};
   Set<Ack> acknowledged;  // in this cycle
@@ -44,15 +44,15 @@ struct Result {
   bool demands_OS = false, demands_LS = false, demands_SH = false;  // by the area in which the train is
   bool in_force = false;                                            // Facts::profile_in_force
   bool front_in_OS_ack_area = false, front_in_LS_ack_area = false;  // by the estimated front end
-  std::optional<Mode> overdue;   // entered and not acknowledged for T_ACK: the cause of Effects::service_brake
+  std::optional<Mode> overdue;   // entered and not acknowledged within T_ACK: the cause of Effects::service_brake
   std::optional<Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
 };
 
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
 
-/// To be called at every mode transition with the condition that made it: OS, LS or SH entered by its area ([34], [40],
-/// [73]; [71], [72], [74]; [51], [61]) has to be acknowledged within T_ACK; every other transition ends the matter.
+/// To be called at every mode transition with its condition: OS, LS or SH entered because of its area ([34], [40],
+/// [73]; [71], [72], [74]; [51], [61]) has to be acknowledged within T_ACK; any other transition ends this supervision.
 void on_mode_change(State& state, Mode to, int condition, Duration now);
 
 }  // namespace evc::procedures::mode_profile

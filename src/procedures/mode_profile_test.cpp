@@ -21,7 +21,7 @@ struct Profile {
     in.level = Level::L2;
     in.V_est = Speed{9.0};
   }
-  /// The estimated front end at `front`, the confidence interval 10 m each way.
+  /// The estimated front end at `front`, the confidence interval 10 m on either side.
   mode_profile::Result cycle(double front, Set<Ack> acknowledged = {}) {
     in.now += Duration{1.0};
     in.est_front = at(front);
@@ -112,7 +112,7 @@ TEST(ModeProfile, The_nearest_area_of_another_mode_is_asked_for) {
   p.areas.insert(p.areas.begin(), {Mode::LS, at(1500.0), at(1900.0), Speed{10.0}, Distance{2000.0}});
   EXPECT_EQ(p.cycle(850.0).effects.requests, Set<Ack>{Ack::OS});
   p.in.mode = Mode::OS;
-  EXPECT_EQ(p.cycle(860.0).effects.requests, Set<Ack>{Ack::LS});  // the OS area no longer counts
+  EXPECT_EQ(p.cycle(860.0).effects.requests, Set<Ack>{Ack::LS});  // the OS area is no longer ahead
 }
 
 TEST(ModeProfile, An_entry_without_acknowledgement_brakes_after_5_s) {

@@ -10,16 +10,17 @@ modes::Conditions observe(const Facts& f) {
   const bool to_1 = f.level_switched_to == Level::L1;
   const bool to_2_3 = f.level_switched_to.has_value() && level_2_or_3(*f.level_switched_to);
   const bool to_1_2_3 = to_1 || to_2_3;
-  // An acknowledgement without its request is none (4.6.3: "is requested and").
+  // An acknowledgement counts only with its request (4.6.3: "is requested and").
   const auto acknowledges = [&](Ack ack) { return f.requested.has(ack) && f.acknowledged.has(ack); };
   const bool acknowledges_trip = acknowledges(Ack::trip) && f.standstill;
   const bool desks_closed = !f.desk_open;
-  // The stay in OS or LS after an acknowledgement given ahead of the area is no return to FS (4.0.0 [75], [76]).
+  // After an acknowledgement ahead of the area, the train stays in OS or LS and does not return to FS (4.0.0 [75],
+  // [76]).
   const bool held_by_ack_area = (f.mode_is_OS && f.front_in_OS_ack_area) || (f.mode_is_LS && f.front_in_LS_ack_area);
   const bool full = f.ma_ssp_gradient_stored && !f.profile_in_force;
 
-  // An MA whose SSP or gradient does not begin at the train gives no mode of [25], [34], [61] or [71]: taken as none,
-  // for UN and SN must not continue in a level that they do not belong to.
+  // An MA whose SSP or gradient does not begin at the train gives no mode by [25], [34], [61] or [71]. It is treated as
+  // no MA, because UN and SN must not continue in a level to which they do not belong.
   const bool usable_ma = f.ma_accepted && f.ma_ssp_gradient_stored;
 
   modes::Conditions c;

@@ -8,13 +8,13 @@
 
 namespace evc::procedures {
 
-/// Three kinds of list of balise groups (SR: packet 63, SH: packet 49): an empty list allows none, no list allows all
+/// State of a list of balise groups (SR: packet 63, SH: packet 49): an empty list allows none, no list allows all
 /// (4.4.8.1.1, 4.4.11.1.3).
 enum class GroupList : std::uint8_t { none, empty, some };
 
-/// The vocabulary of 4.6.3: every fact that its conditions ask for, in this cycle. What is an event holds in the cycle
-/// only in which it happens; the kernel hands over each event exactly once. Override means its status before the end
-/// conditions of this cycle (5.8.4.1 d and g take effect after the group is evaluated).
+/// Every fact that the conditions of 4.6.3 need, in this cycle. An event is true only in the cycle in which it happens;
+/// the kernel passes each event exactly once. Override means its status before the end conditions of this cycle
+/// (5.8.4.1 d and g take effect after the group is evaluated).
 struct Facts {
   // train interface, platform
   bool isolated = false;   // [1] state of the isolation device
@@ -26,12 +26,12 @@ struct Facts {
   bool passive_shunting = false;
   bool safety_fault = false;  // [13]
   // level
-  Level level = Level::L0;                 // after the switch of this cycle, if any
+  Level level = Level::L0;                 // after the level change of this cycle, if any
   std::optional<Level> level_switched_to;  // a transition is executed in this cycle (also NTC X to NTC Y)
   bool level_order_changed_national_system_only = false;  // NTC X to NTC Y: no [56] from SN, the mode stays
   // driver, this cycle
-  Set<Ack> acknowledged;          // acknowledgements given
-  Set<Ack> requested;             // acknowledgements that were shown when they were given (Effects::requests before)
+  Set<Ack> acknowledged;  // acknowledgements given
+  Set<Ack> requested;  // acknowledgements asked for when the driver gave them (Effects::requests of the cycle before)
   bool selects_SH = false;        // [5][35]
   bool selects_exit_SH = false;   // [19]
   bool selects_NL = false;        // [46]
@@ -39,18 +39,18 @@ struct Facts {
   // data
   bool train_data_valid = false;
   bool ma_ssp_gradient_stored = false;  // SSP and gradient at least from the front end
-  bool ma_accepted = false;             // an MA is in use after the whole sequence of this cycle [39]
+  bool ma_accepted = false;             // an MA is in use after all steps of this cycle [39]
   bool ma_with_trip_order = false;      // attribute of the MA in use [32]
   // mode profile (mode_profile.h)
   bool profile_demands_OS = false, profile_demands_LS = false, profile_demands_SH = false;  // [34][40][71][72][51][61]
-  bool profile_in_force = false;      // any of them by the position of the train, [10][25][31][32]
+  bool profile_in_force = false;      // any mode profile is in force at the position of the train, [10][25][31][32]
   bool front_in_OS_ack_area = false;  // [74], and it keeps OS where the mode is OS
   bool front_in_LS_ack_area = false;  // [73], and it keeps LS where the mode is LS
   bool mode_is_OS = false, mode_is_LS = false;
   // authority
   bool min_safe_antenna_beyond_eoa = false;         // [12]
   bool min_safe_front_beyond_eoa = false;           // [16]
-  bool group_at_eoa_in_RSM = false;                 // [11] of 4.0.0, into TR from where [16] leads there
+  bool group_at_eoa_in_RSM = false;                 // [11] of 4.0.0, to TR from the modes of [16]
   bool front_in_rear_of_track_description = false;  // [69]: est front in rear of a stored SSP or gradient
   // balise
   bool linking_reaction_trip = false;         // [17]
@@ -59,14 +59,14 @@ struct Facts {
   bool trip_order = false;                    // [18][67]: accepted by the filters of 4.8, this cycle
   bool stop_if_in_SH = false;                 // [49]
   bool stop_if_in_SR = false;                 // [54]
-  bool group_passed_not_in_SH_list = false;   // [52]: a group was passed, a list is stored and does not name it
+  bool group_passed_not_in_SH_list = false;   // [52]: a group was passed, a list is stored and does not contain it
   bool group_passed_not_in_SR_list = false;   // [36]
-  bool group_passed_in_SR_list = false;       // [54]: a list is stored and names it
+  bool group_passed_in_SR_list = false;       // [54]: a list is stored and contains it
   // radio
   bool ues_accepted = false;      // [20]: also one released from the transition buffer in this cycle
   bool ues_received = false;      // [45]: accepted or in the buffer, not revoked
   bool T_NVCONTACT_trip = false;  // [41]: exceeded and M_NVCONTACT is trip
-  bool SH_granted = false;        // [6]: message 28 that answers a request still open (shunting.h)
+  bool SH_granted = false;        // [6]: message 28 answers an open request (shunting.h)
   // procedures
   bool override_active = false;       // before the end conditions of this cycle
   bool former_eoa_passed = false;     // [43]: becomes true in this cycle (override.h)

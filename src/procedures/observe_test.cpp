@@ -9,7 +9,7 @@
 #include "modes/srs_4_6_2.h"
 #include "procedures/staff_responsible.h"
 
-// MC/DC of 4.6.3: for every condition the facts that make it true; flipping each of them alone makes it false.
+// MC/DC of 4.6.3: for every condition the facts that make it true; inverting any single one makes it false.
 namespace evc::procedures {
 namespace {
 

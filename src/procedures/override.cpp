@@ -21,13 +21,13 @@ void start(State& state, const Inputs& in) {
       state.former_eoa = in.est_front;
       state.former_eoa_passed = false;
       break;
-    default:  // in SR the former EOA stays what it is; SH, UN and SN make none
+    default:  // in SR the former EOA does not change; SH, UN and SN have none
       break;
   }
 }
 
-/// 5.8.4.1: the end condition that is met, none without one. In UN and SN only a and b are looked at; in SH there is no
-/// SR distance and no former EOA.
+/// 5.8.4.1: the end condition that is met, or none. In UN and SN only a and b are evaluated; in SH there is no SR
+/// distance and no former EOA.
 Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
   if (in.now >= state.until) return "5.8.4.1 a"_srs;
   if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
@@ -49,20 +49,20 @@ Result step(State& state, const Inputs& in) {
   if (in.selected) {
     start(state, in);
     out.started = true;
-    // [37] leads from SB, FS, LS, OS and PT to SR; the mode table has no such cell elsewhere.
+    // [37] leads from SB, FS, LS, OS and PT to SR; the mode table has it in no other cell.
     out.selected = true;
   }
   out.active = state.active;
   const bool eoa_passes =
       state.former_eoa.has_value() && !state.former_eoa_passed && in.min_safe_antenna > *state.former_eoa;
   if (eoa_passes) state.former_eoa_passed = true;
-  // 4.6.3 [43] asks for the passage itself, with the override status that held when it happened.
+  // 4.6.3 [43] is the event of passing, with the override status at that time.
   out.former_eoa_passed = eoa_passes;
   if (state.active && !out.started) {
     out.ended_by = end_condition(state, in, eoa_passes);
     if (out.ended_by) state.active = false;
   }
-  // 5.8.3.1.3: the former EOA is deleted by a stop if in SR.
+  // 5.8.3.1.3: a "stop if in SR" deletes the former EOA.
   if (in.stop_if_in_SR) state.former_eoa.reset();
   return out;
 }

@@ -13,8 +13,8 @@ namespace evc::procedures::override_ {
 struct State {
   bool active = false;
   Duration until{};                 // a: T_NVOVTRP after the selection
-  OdometerPlace start{};            // b: where it was selected
-  std::optional<Place> former_eoa;  // c and [43]; kept after the end of override, deleted when SR is left
+  OdometerPlace start{};            // b: place of the selection
+  std::optional<Place> former_eoa;  // c and [43]; stored beyond the end of override, deleted when SR is left
   bool former_eoa_passed = false;
   std::optional<Place> sr_distance_end;  // h: the SR distance supervised before the selection
 };
@@ -52,7 +52,7 @@ struct Result {
 /// One cycle, before the mode transition. The override distance is run on the nominal odometer.
 Result step(State& state, const Inputs& inputs);
 
-/// To be called at every mode transition: 5.8.4.1 i (TR, LS, OS, SH end it), and SR left deletes the former EOA.
+/// To be called at every mode transition: TR, LS, OS, SH end override (5.8.4.1 i); leaving SR deletes the former EOA.
 void on_mode_change(State& state, Mode from, Mode to);
 
 }  // namespace evc::procedures::override_

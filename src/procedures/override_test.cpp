@@ -24,7 +24,7 @@ struct Driver {
         false;
     return out;
   }
-  /// Selects override in FS and goes to SR.
+  /// Selects override in FS, which leads to SR.
   override_::Result select() {
     in.selected = true;
     const override_::Result out = cycle();
@@ -101,7 +101,8 @@ TEST(Override, The_former_EOA_is_passed_once) {
   EXPECT_TRUE(passed.former_eoa_passed);
   EXPECT_FALSE(passed.active);  // [43]
   EXPECT_FALSE(d.cycle().former_eoa_passed);
-  // While override is on the passage ends it, and is no trip afterwards.
+  // While override is active, passing the former EOA ends it and does not trip the train
+  // afterwards.
   Driver on;
   on.select();
   on.in.min_safe_antenna = at(100.1);

@@ -11,7 +11,7 @@ namespace evc::procedures::reversing {
 /// Stored by packets 138 and 139. The reference of the distance is the end of the area received with it (3.15.4.3).
 struct Reversing {
   Place start{}, end{};               // of the area
-  Place reference{};                  // where the distance begins
+  Place reference{};                  // start of the distance
   std::optional<Distance> D_REVERSE;  // none: infinite
   Speed V_REVERSE{};
 };

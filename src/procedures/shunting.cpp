@@ -5,11 +5,11 @@ Result step(State& state, const Inputs& in) {
   Result out;
   const bool rbc = in.level == Level::L2 || in.level == Level::L3;
   const bool in_shunting = in.mode == Mode::SH || in.mode == Mode::PS;
-  // 5.12.4: the function works once and is cleared when shunting is left.
+  // 5.12.4: the function works once and is reset when shunting is left.
   if (!in_shunting) state.continues = false;
   if (in.mode == Mode::SH && in.selects_continue) state.continues = true;
 
-  // E015: in levels 0, NTC and 1 the selection acts by [5]; with a national trip in level NTC by [35].
+  // E015: in levels 0, NTC and 1 the selection takes effect by [5]; with a national trip in level NTC by [35].
   out.selects_SH = in.selects_SH && in.standstill && !rbc;
   if (in_shunting || !rbc || !in.session_open) {
     state.waits_for_answer = false;
@@ -23,7 +23,7 @@ Result step(State& state, const Inputs& in) {
     return out;
   }
   if (!state.waits_for_answer) return out;
-  if (in.authorised || in.refused) {  // E090, E215; a grant that comes while moving is lost (4.6.3 [6])
+  if (in.authorised || in.refused) {  // E090, E215; a grant received while moving has no effect (4.6.3 [6])
     state.waits_for_answer = false;
     state.repetition.stop();
     out.granted = in.authorised && in.standstill;

@@ -5,7 +5,7 @@
 #include "terms/level.h"
 #include "terms/mode.h"
 
-// Shunting that the driver asks for, SUBSET-026-5 5.6, and going on with it when the desk is closed (5.12.4).
+// Shunting on the driver's request, SUBSET-026-5 5.6, and continuing it when the desk is closed (5.12.4).
 namespace evc::procedures::shunting {
 
 struct State {
@@ -28,11 +28,11 @@ struct Inputs {
 
 struct Result {
   Effects effects;
-  bool granted = false;     // Facts::SH_granted: 28 answers the request that is open
-  bool selects_SH = false;  // Facts::selects_SH: in levels 0, NTC and 1 the selection acts at once
+  bool granted = false;     // Facts::SH_granted: message 28 answers the open request
+  bool selects_SH = false;  // Facts::selects_SH: in levels 0, NTC and 1 the selection takes effect at once
 };
 
-/// One cycle. A grant or refusal without an open request is no answer (4.6.3 [6]).
+/// One cycle. A grant or refusal without an open request has no effect (4.6.3 [6]).
 Result step(State& state, const Inputs& inputs);
 
 }  // namespace evc::procedures::shunting

@@ -42,7 +42,7 @@ TEST(Shunting, In_level_2_the_RBC_grants_it) {
   const auto asked = s.ask();
   EXPECT_TRUE(asked.effects.send.has(Send::shunting_request));
   EXPECT_FALSE(asked.selects_SH);
-  EXPECT_TRUE(s.ask().effects.send.empty());  // once is enough
+  EXPECT_TRUE(s.ask().effects.send.empty());  // sent once only
   s.in.authorised = true;
   EXPECT_TRUE(s.cycle().granted);
   s.in.authorised = true;

@@ -23,10 +23,10 @@ Step after_start(State& state, const Inputs& in) {
   }
 }
 
-/// D2, D3, D7: where the identity of the driver is known.
+/// D2, D3, D7: the next step once the driver identity is known.
 Step after_driver_id(const Inputs& in, Effects& out) {
   if (!valid(in.position) || !valid(in.level_status)) {
-    // The level chosen in this very cycle is the driver's answer already.
+    // A level selected in this cycle is the driver's answer.
     if (!in.enters_level) out.status.add(Status::level_invalid, valid(in.level_status));
     out.status.add(Status::rbc_contact_invalid);
     return Step::S2;
@@ -40,7 +40,7 @@ Step after_driver_id(const Inputs& in, Effects& out) {
   return Step::S10;
 }
 
-/// S3: contact to the RBC.
+/// S3: RBC contact.
 Step after_level(const Inputs& in, Effects& out) {
   if (!in.mobile_terminal_registered) {
     out.inform.add(Inform::network_registration_failed);
@@ -63,7 +63,7 @@ Step after_session(const Inputs& in, Effects& out) {
   return valid(in.position) ? Step::S10 : Step::D33;
 }
 
-/// D33, D22: the RBC has confirmed the position, or taken or refused the train.
+/// D33, D22: the RBC has confirmed the position, or accepted or rejected the train.
 Step after_validation(const Inputs& in, Effects& out) {
   if (in.position_confirmed && in.position == DataStatus::invalid) {
     out.status.add(Status::position_valid);  // A35
@@ -82,7 +82,7 @@ Step after_validation(const Inputs& in, Effects& out) {
   return in.session == Session::open ? Step::D33 : Step::S10;
 }
 
-/// D10, D11: train data and running number are there.
+/// D10, D11: train data and running number are valid.
 Step after_running_number(const Inputs& in, Effects& out) {
   if (!level_2_or_3(in.level)) return Step::S20;
   if (in.session != Session::open) return Step::S10;
@@ -101,9 +101,9 @@ Step after_ma_request(State& state, const Inputs& in) {
   return Step::S21;
 }
 
-/// S10 and S20 offer nearly the same.
+/// S10 and S20, which offer nearly the same choices.
 Step choose(State& state, const Inputs& in, Effects& out) {
-  if (in.enters_level) {  // re-entry: level and RBC data are asked for again
+  if (in.enters_level) {  // a new entry: level and RBC data are asked for again
     out.status |= {Status::rbc_contact_invalid, Status::level_valid};
     return level_2_or_3(in.level) ? Step::S3 : Step::S10;
   }
@@ -113,8 +113,8 @@ Step choose(State& state, const Inputs& in, Effects& out) {
   return state.step;
 }
 
-/// S22 to S24: the acknowledgement stands as long as the level does; a session lost meanwhile leads back (5.4.5.1),
-/// but for a start without one.
+/// S22 to S24: the acknowledgement is asked for while the level does not change. Loss of the session leads back
+/// (5.4.5.1), except after a start without a session.
 Step while_acknowledging(const State& state, const Inputs& in) {
   switch (state.step) {
     case Step::S22:
@@ -156,7 +156,7 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return in.train_data_acknowledged ? Step::S20 : Step::S11;
     case Step::S21:
       return after_ma_request(state, in);
-    case Step::S25:  // the mode profile is the RBC's
+    case Step::S25:  // the RBC sent the mode profile
       if (!level_2_or_3(in.level)) return Step::S20;
       return session_lost(in) ? Step::S10 : Step::S25;
     default:
@@ -164,7 +164,7 @@ Step next(State& state, const Inputs& in, Effects& out) {
   }
 }
 
-/// What a waiting step asks for and offers.
+/// The requests and offers of a waiting step.
 void ask(const State& state, const Inputs& in, Effects& out) {
   switch (state.step) {
     case Step::S1:
@@ -182,7 +182,7 @@ void ask(const State& state, const Inputs& in, Effects& out) {
       out.offers |= {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
                      Offer::driver_id, Offer::train_running_number, Offer::level};
       out.offers.add(Offer::start, valid(in.train_data) && valid(in.train_running_number));
-      // Not asked for by the standard, but without train data only shunting and non leading are left.
+      // The standard does not require this request, but without train data only shunting and non leading are possible.
       out.entries.add(Entry::train_data, !valid(in.train_data));
       break;
     case Step::S12:
@@ -213,13 +213,13 @@ void ask(const State& state, const Inputs& in, Effects& out) {
 Effects step(State& state, const Inputs& in) {
   Effects out;
   if (in.mode != Mode::SB || !in.desk_open) {
-    // E10, E12, E30 to E32: with the mission an invalid position becomes unknown (5.4.3.3).
+    // E10, E12, E30 to E32: when the mission starts, an invalid position becomes unknown (5.4.3.3).
     if (in.mode != Mode::SB && state.step != Step::S0 && in.position == DataStatus::invalid)
       out.status.add(Status::position_unknown);
     state = State{};
     return out;
   }
-  // Decisions take no time: continue until a step waits. Every step is passed at most once in a cycle.
+  // Decisions take no time: continue until a step waits. Every step is executed at most once in a cycle.
   Inputs now = in;
   for (int k = 0; k < 16; ++k) {
     const Step before = state.step;
@@ -227,7 +227,7 @@ Effects step(State& state, const Inputs& in) {
     if (before == Step::S10 || before == Step::S20 || before == Step::S2) now.enters_level = false;
     if (before == Step::S10 || before == Step::S20) now.enters_train_data = now.selects_start = false;
     if (state.step == before) break;
-    // What begins with this cycle's outputs cannot be answered before the next one.
+    // A request in the outputs of this cycle is answered in the next one at the earliest.
     if (state.step == Step::D31 || state.step == Step::S11 || state.step == Step::S21) break;
   }
   if (state.step == Step::S21 && in.now >= state.next_request) {

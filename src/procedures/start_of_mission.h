@@ -7,12 +7,12 @@
 #include "terms/level.h"
 #include "terms/mode.h"
 
-// Start of mission, SUBSET-026-5 5.4. The steps bear the standard's names.
+// Start of mission, SUBSET-026-5 5.4. The steps have the standard's names.
 namespace evc::procedures::start_of_mission {
 
 enum class Session : std::uint8_t { none, establishing, open };
 
-/// The steps in which something is waited for; decisions and actions between them take no time.
+/// The steps in which the procedure waits; decisions and actions between them take no time.
 enum class Step : std::uint8_t {
   S0,   // no mission is being started
   S1,   // driver identity
@@ -23,9 +23,9 @@ enum class Step : std::uint8_t {
   S10,  // shunting, non leading or train data
   S12,  // train data
   S13,  // train running number
-  S11,  // train data are at the RBC
+  S11,  // train data sent, the RBC's acknowledgement is due
   S20,  // start
-  S21,  // the RBC answers the MA request
+  S21,  // waits for the RBC's answer to the MA request
   S22,  // SN is acknowledged
   S23,  // UN
   S24,  // SR
@@ -54,21 +54,21 @@ struct Inputs {
   DataStatus level_status = DataStatus::unknown;
   DataStatus train_data = DataStatus::unknown;
   // The driver, this cycle.
-  bool enters_level = false;        // entered or revalidated (S2, and as re-entry in S10 and S20)
+  bool enters_level = false;        // entered or revalidated (S2, and again in S10 and S20)
   bool enters_rbc_contact = false;  // entered, revalidated or "last RBC" chosen
   bool enters_train_data = false;
   bool selects_start = false;
   // The RBC, this cycle.
-  bool train_data_acknowledged = false;  // 8, or still in force from before
+  bool train_data_acknowledged = false;  // message 8, or acknowledged earlier and still valid
   bool position_confirmed = false;       // 43
   bool train_accepted = false;           // 41
   bool train_rejected = false;           // 40
   bool SR_authorised = false;            // 2
-  // MA, SSP and gradient are stored and the profile asks for this mode where the train stands (OS, LS or SH).
+  // MA, SSP and gradient are stored and the mode profile requires this mode at the train's position (OS, LS or SH).
   std::optional<Mode> profile_at_front;
 };
 
-/// One cycle. Outside SB, or with the desk closed, the procedure is over (step S0). The acknowledgements asked for in
+/// One cycle. Outside SB, or with the desk closed, the procedure has ended (step S0). The acknowledgements asked for in
 /// S22 to S25 become [58], [60], [8], [15], [70], [50] in observe(); a plain MA in S21 is [10].
 Effects step(State& state, const Inputs& inputs);
 

@@ -220,7 +220,7 @@ TEST(StartOfMission, Without_a_network_or_a_session) {
   cab.enter_level(Level::L2);
   EXPECT_TRUE(cab.last.inform.has(Inform::network_registration_failed));
   EXPECT_EQ(cab.state.step, Step::S10);
-  // Start without a session leads to SR, in level 2 too (5.4.5.3 h).
+  // Start without a session leads to SR also in level 2 (5.4.5.3 h).
   cab.in.train_running_number = DataStatus::valid;
   cab.enter_train_data();
   EXPECT_EQ(cab.state.step, Step::S10);
@@ -278,7 +278,7 @@ TEST(StartOfMission, Level_entered_again) {
   EXPECT_TRUE(cab.last.status.has(Status::rbc_contact_invalid));
   cab.start();
   EXPECT_EQ(cab.state.step, Step::S24);
-  // A level that changes under the acknowledgement takes it back.
+  // A level change during the request for acknowledgement withdraws the request.
   cab.in.level = Level::NTC;
   cab.cycle();
   EXPECT_EQ(cab.state.step, Step::S20);
@@ -299,7 +299,7 @@ TEST(StartOfMission, Train_data_that_have_to_be_revalidated) {
   cab.cycle();
   cab.give_driver_id();
   cab.enter_level(Level::L1);
-  cab.in.enters_train_data = true;  // chosen, not yet valid
+  cab.in.enters_train_data = true;  // selected, not yet valid
   EXPECT_TRUE(cab.cycle().entries.has(Entry::train_data));
   EXPECT_EQ(cab.state.step, Step::S12);
   cab.cycle();

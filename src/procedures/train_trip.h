@@ -11,15 +11,15 @@ namespace evc::procedures::train_trip {
 
 enum class Step : std::uint8_t {
   S010,  // no trip
-  S050,  // TR: standstill is waited for
-  S060,  // TR: the acknowledgement is asked for
-  S120,  // PT: the RBC recognises the exit from trip
-  S121,  // PT: the RBC did not, the session is terminated; only override, a new session or another level helps (C36)
-  S130,  // PT: emergency stops are revoked
-  S140,  // PT: start or shunting
-  S150,  // PT: the RBC answers the MA request
+  S050,  // TR: waits for standstill
+  S060,  // TR: asks for the acknowledgement
+  S120,  // PT: waits until the RBC recognises the exit from trip
+  S121,  // PT: the RBC did not, the session is terminated; left only by override, a new session or another level (C36)
+  S130,  // PT: waits until emergency stops are revoked
+  S140,  // PT: offers start and shunting
+  S150,  // PT: waits for the RBC's answer to the MA request
   S160,  // PT: SR is acknowledged
-  S170,  // PT: OS, LS or SH is acknowledged
+  S170,  // PT: waits for the acknowledgement of OS, LS or SH
 };
 
 struct State {
@@ -46,8 +46,8 @@ struct Inputs {
 };
 
 /// One cycle, after the mode transition. The acknowledgement asked for in S060 becomes [7], [62], [63] or [68] in
-/// observe(); what is deleted at the entry to TR and PT stands in 4.10. With the desk closed nothing is asked of the
-/// driver, and the train stays in TR (4.4.13.1.6).
+/// observe(); the table 4.10 deletes data on entry to TR and PT. With the desk closed the driver is asked for nothing,
+/// and the train stays in TR (4.4.13.1.6).
 Effects step(State& state, const Inputs& inputs);
 
 /// 4.8.4 [1], level 2/3 in PT: the RBC has recognised the exit from trip.

@@ -7,8 +7,8 @@
 #include "modes/srs_4_6_2.h"
 #include "procedures/observe.h"
 
-// A random walk through modes and levels: whatever happens in one cycle, the unit is never left in a mode that the
-// level does not have.
+// A random walk through modes and levels: after any events of a cycle, the unit is never in a mode that the level does
+// not have.
 namespace evc::procedures {
 namespace {
 
@@ -23,8 +23,8 @@ struct Dice {
 
 bool has_authority(Level level) { return level != Level::L0 && level != Level::NTC; }
 
-/// Facts that can hold together: an MA and its profile are used in levels 1, 2 and 3 only; SR is proposed there only,
-/// UN in level 0, SN in level NTC (5.4); override is not to be had in SB outside level 2 and 3 (5.8.2.1).
+/// Facts that can be true together: an MA and its profile are used in levels 1, 2 and 3 only; SR is proposed there
+/// only, UN in level 0, SN in level NTC (5.4); override cannot be selected in SB outside level 2 and 3 (5.8.2.1).
 Facts anything(Dice& dice, Mode mode, Level level) {
   Facts f;
   f.isolated = dice.one_in(400);
@@ -78,7 +78,7 @@ Facts anything(Dice& dice, Mode mode, Level level) {
 }
 
 /// Modes in which a transition of level leads to another mode or none is needed. PT and RV handle none in 3.x (4.8.4
-/// [5], 3.15.4.6), SF and IS are the end.
+/// [5], 3.15.4.6), SF and IS are final.
 bool level_may_change(Mode mode) {
   return mode != Mode::PT && mode != Mode::RV && mode != Mode::SF && mode != Mode::IS && mode != Mode::NP;
 }
