@@ -45,9 +45,9 @@ struct RouteSuitability {
   friend constexpr bool operator==(const RouteSuitability&, const RouteSuitability&) = default;
 };
 
-/// What the train can run on.
+/// The train's data for route suitability.
 struct TrainInterfaces {
-  std::uint8_t M_LOADINGGAUGE = 0;  ///< 0 none of the interoperable profiles, 1 G1, 2 GA, 3 GB, 4 GC
+  std::uint8_t M_LOADINGGAUGE = 0;  ///< 0 no interoperable profile, 1 G1, 2 GA, 3 GB, 4 GC
   std::uint8_t M_AXLELOADCAT = 0;
   struct Traction {
     std::uint8_t M_VOLTAGE = 0;

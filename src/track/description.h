@@ -15,7 +15,7 @@
 
 namespace evc::track {
 
-/// The train in the track frame, as far as stored data need it.
+/// The position of the train in the track frame, as needed for stored data.
 struct Here {
   Place est_front{}, min_safe_front{}, max_safe_front{};
   Place min_safe_rear{};
@@ -24,8 +24,8 @@ struct Here {
   bool standstill = false;
 };
 
-/// Everything that trackside sent about the track ahead (A4). All places are in the track frame, which is tied
-/// to the balise groups: relocation moves the train, not the data.
+/// Everything that trackside sent about the track ahead. All places are in the track frame, which is fixed to the
+/// balise groups: relocation moves the train, not the data.
 struct Description {
   // 3.8
   std::optional<MovementAuthority> ma;
@@ -54,14 +54,14 @@ struct Description {
   std::optional<RadioInfillArea> radio_infill;
   std::optional<GroupList> sh_list, sr_list;
   std::optional<ReversingArea> reversing_area;
-  std::optional<Place> reversing_reference;  ///< end of the area as received; cutting does not move it (3.15.4)
+  std::optional<Place> reversing_reference;  ///< end of the area as received; shortening does not move it (3.15.4)
   std::optional<ReversingSupervision> reversing_supervision;
   InplaceVector<GeoReference, 32> geo;
   bool stop_shunting_on_desk_opening = false;  ///< packet 135
   bool generic_ls_marker = false;              ///< packet 181
 
   std::uint8_t next_text_id = 1;
-  /// Grows with every change that the speed and distance monitoring has to know.
+  /// Increases with every change that affects speed and distance monitoring.
   std::uint32_t revision = 0;
 };
 static_assert(sizeof(Description) < 30 * 1024);
@@ -75,15 +75,15 @@ struct Fresh {
   InplaceVector<T, N> elements;
 };
 
-/// What one message brings, already filtered (4.8) and in the track frame. All of it is evaluated together,
-/// whatever the order of its packets (8.4.1.3).
+/// The contents of one message, already filtered (4.8) and in the track frame. They are evaluated together, in any
+/// order of the packets (8.4.1.3).
 struct Contents {
   Medium medium = Medium::balise;
   Duration time{};              ///< of the section timers: time stamp, or passage of the group's first balise
-  std::optional<Place> infill;  ///< infill location reference of packet 136; everything here is infill then
+  std::optional<Place> infill;  ///< infill location reference of packet 136; then all contents are infill
 
   std::optional<MovementAuthority> ma;
-  bool ma_is_shortening_request = false;  ///< message 9: the proposed MA was found acceptable (3.8.6)
+  bool ma_is_shortening_request = false;  ///< message 9: the proposed MA is acceptable (3.8.6)
   std::optional<SpeedCode> V_MAIN;        ///< packet 12; 0 is a trip order
   std::optional<ModeProfile> mode_profile;
   std::optional<GroupList> sh_list;
@@ -119,18 +119,18 @@ struct Contents {
   bool stop_shunting_on_desk_opening = false;
   bool generic_ls_marker = false;
 
-  // Not stored: they act at once.
+  // Not stored: these take effect at once.
   std::optional<bool> stop_if_in_sr;           ///< packet 137: true stop
   std::optional<bool> danger_for_shunting;     ///< packet 132: true stop
   std::optional<GroupId> track_ahead_free_to;  ///< packet 90: border group
 
-  // What there was no room for: the packets, and the nearest place from which something is missing that restricts.
+  // Packets for which there was no room, and the nearest place from which restrictive data are missing.
   InplaceVector<std::uint8_t, 4> lost;
   std::optional<Place> lost_from;
   void lose(std::uint8_t packet) {
     for (const std::uint8_t known : lost)
       if (known == packet) return;
-    (void)lost.push_back(packet);  // 65, 66, 88 and one of 72, 76 are enough
+    (void)lost.push_back(packet);  // room for 65, 66, 88 and one of 72, 76
   }
   void lose(std::uint8_t packet, Place from) {
     lose(packet);

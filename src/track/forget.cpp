@@ -4,7 +4,7 @@
 namespace evc::track {
 namespace {
 
-/// A row of 4.10.1.3 that is kept in the track description, and how it goes back to its initial state.
+/// A row of 4.10.1.3 that is stored in the track description, and how it is reset to its initial state.
 struct Row {
   evc::Stored what;
   void (*forget)(Description& d);

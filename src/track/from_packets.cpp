@@ -43,13 +43,13 @@ Section section_of(const P& p, lang::var::Q_SCALE scale, Place begin, Distance l
   return section;
 }
 
-/// Packets 12 and 15 have the same form but for V_MAIN (3.8.3).
+/// Packets 12 and 15 have the same form, except for V_MAIN (3.8.3).
 template <class P>
 MovementAuthority authority_of(const P& p, const Contents& c, const Reference& r) {
   MovementAuthority ma;
   Place at = r.place;
   for (const auto& s : p.sections) {
-    // 31 sections and the last one: there is room.
+    // 31 sections and the last one fit.
     (void)ma.sections.push_back(section_of(s, p.Q_SCALE, at, metres(p.Q_SCALE, s.L_SECTION), c.time));
     at = ma.sections.back().end;
   }
@@ -107,7 +107,7 @@ StaticSpeed element_of(const lang::Packet27_steps& step) {
   element.Q_FRONT = step.Q_FRONT.raw == 1;
   for (const auto& diff : step.diffs) {
     if (diff.Q_DIFF.raw == 0) {
-      // The class is the step of the same number in the rising order of 3.11.3.2.2.
+      // The code is the index of the class in the rising order of 3.11.3.2.2.
       if (diff.NC_CDDIFF.raw < element.cd.size()) limit_to(element.cd[diff.NC_CDDIFF.raw], diff.V_DIFF.raw);
     } else if (diff.NC_DIFF.raw < element.other.size()) {
       limit_to(element.other[diff.NC_DIFF.raw], diff.V_DIFF.raw);
@@ -148,7 +148,7 @@ void take(Contents& c, const lang::Packet51& p, const Reference& r) {
     for (const auto& category : e.categories)
       if (category.M_AXLELOADCAT.raw < element.V_AXLELOAD.size())
         limit_to(element.V_AXLELOAD[category.M_AXLELOADCAT.raw], category.V_AXLELOAD.raw);
-    (void)fresh.elements.push_back(element);  // one and 31 further: there is room
+    (void)fresh.elements.push_back(element);  // one and 31 further ones fit
   };
   append(p.first_restrictions());
   fresh.from = at;
@@ -194,7 +194,7 @@ void take(Contents& c, const lang::Packet65& p, const Reference& r) {
   c.lose(packet::temporary_speed_restriction);
 }
 void take(Contents& c, const lang::Packet66& p, const Reference&) {
-  if (!c.revoked_tsr.push_back(p.NID_TSR.raw)) c.lose(packet::tsr_revocation);  // the restriction stays
+  if (!c.revoked_tsr.push_back(p.NID_TSR.raw)) c.lose(packet::tsr_revocation);  // the restriction is kept
 }
 void take(Contents& c, const lang::Packet64&, const Reference&) { c.inhibit_revocable_tsr = true; }
 void take(Contents& c, const lang::Packet141& p, const Reference&) {
@@ -226,7 +226,7 @@ void take(Contents& c, const lang::Packet80& p, const Reference& r) {
     area.from = at;
     area.mode = mode_of_area(m.M_MAMODE.raw);
     const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
-    // The length of a shunting area is not used: it is left by its own rules (3.12.4.2).
+    // The length of a shunting area is not used: SH is left by its own rules (3.12.4.2).
     if (length && area.mode != Mode::SH) area.to = at + *length;
     if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
     area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);

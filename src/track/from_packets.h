@@ -7,21 +7,22 @@
 #include "lang/telegram.h"
 #include "track/description.h"
 
-// From the wire into the track frame (3.6.2, 3.6.3).
+// Conversion of packets into the track frame (3.6.2, 3.6.3).
 namespace evc::track {
 
-/// What the distances of a packet count from: the group that sent it, the LRBG of a radio message (shifted by
-/// D_REF), or the infill location reference.
+/// The reference of the distances of a packet: the group that sent it, the LRBG of a radio message (shifted by D_REF),
+/// or the infill location reference.
 struct Reference {
   Place place{};
-  /// Of the train against the group (in SL, PS, SH: the direction in which the group was crossed, 3.6.3.1.3).
+  /// Of the train relative to the group (in SL, PS, SH: the direction in which the group was crossed, 3.6.3.1.3).
   Direction orientation = Direction::unknown;
-  GroupId group{};  ///< its NID_C stands where a packet says "same country"
+  GroupId group{};  ///< its NID_C applies where a packet says "same country"
   Medium medium = Medium::balise;
   Duration now{};
 };
 
-/// Whether information with this Q_DIR counts for the orientation; while it is unknown only "both" does (3.6.3.1.3-4).
+/// Whether information with this Q_DIR counts for the orientation; with an unknown orientation only "both" counts
+/// (3.6.3.1.3-4).
 bool valid_direction(std::uint8_t Q_DIR, Direction orientation);
 
 /// The reference of messages 15, 33 and 34: shifted by D_REF, positive in the nominal direction of the LRBG (7.5.1.22).

@@ -28,7 +28,7 @@ Fresh<T> areas_of(const P& p, const E& first, const List& further, Place referen
     T element = make(e);
     element.from = at;
     element.to = at + metres(p.Q_SCALE, e.L_TRACKCOND);
-    (void)fresh.elements.push_back(element);  // one and 31 further: there is room
+    (void)fresh.elements.push_back(element);  // one and 31 further ones fit
   };
   append(first);
   fresh.from = at;
@@ -50,7 +50,7 @@ void take(Contents& c, const lang::Packet68& p, const Reference& r) {
   }
   c.conditions = areas_of<TrackCondition>(p, p.first_conditions(), p.conditions, r.place, [](const auto& e) {
     TrackCondition condition;
-    // A spare code does not get here: the message was refused (chapter 7). Nor does one of Q_SUITABILITY.
+    // A spare code cannot occur here: the message was rejected (chapter 7). The same applies to Q_SUITABILITY.
     condition.kind = track_condition_of(e.M_TRACKCOND.raw).value_or(TrackConditionKind::non_stopping_area);
     return condition;
   });
@@ -130,7 +130,7 @@ Text text_of(const P& p, const Reference& r) {
   t.start_mode = mode_limit(p.M_MODETEXTDISPLAY_START.raw);
   t.start_level = level_of(p.M_LEVELTEXTDISPLAY_START.raw);
   t.start_NTC = p.NID_NTC_START.raw;
-  // The length counts from the start place, without one from the reference.
+  // The length is measured from the start place; without one, from the reference.
   if (const std::optional<Distance> l = metres(p.Q_SCALE, p.L_TEXTDISPLAY))
     t.end_at = (t.start_at ? *t.start_at : r.place) + *l;
   t.T_TEXTDISPLAY = lang::seconds(p.T_TEXTDISPLAY);

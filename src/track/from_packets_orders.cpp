@@ -21,7 +21,7 @@ namespace {
 using lang::Fault;
 using lang::metres;
 
-/// Lists of balise groups: "same country" is that of the group before, of the sender for the first one.
+/// Lists of balise groups: "same country" means that of the group before; for the first one, that of the sender.
 template <class List>
 GroupList groups_of(const List& list, const Reference& r) {
   GroupList groups;

@@ -7,10 +7,10 @@
 #include "track/from_packets.h"
 #include "track/testing.h"
 
-// Packets written with the language's own encoder, for tests.
+// Packets written with the encoder of `lang`, for tests.
 namespace evc::track::testing {
 
-/// A packet written with the language's own encoder and found again as in a telegram of version 2.1.
+/// A packet written with the encoder of `lang` and read as in a telegram of version 2.1.
 struct Written {
   std::array<std::uint8_t, 2048> bytes{};
   lang::PacketView view;

@@ -12,7 +12,7 @@ namespace evc::track {
 /// One area of the mode profile (packet 80; 3.12.4).
 struct ModeArea {
   Place from{};
-  std::optional<Place> to;        ///< absent: endless. The length of a shunting area is ignored
+  std::optional<Place> to;        ///< absent: unlimited. The length of a shunting area is ignored
   Mode mode = Mode::OS;           ///< OS, LS or SH
   SpeedCode V_MAMODE = kNoSpeed;  ///< kNoSpeed: the national value
   Place ack_from{};               ///< start of the acknowledgement window

@@ -15,7 +15,7 @@ struct Release {
   friend constexpr bool operator==(const Release&, const Release&) = default;
 };
 
-/// A timer of the movement authority. `limit` absent: endless.
+/// A timer of the movement authority. `limit` absent: infinite.
 struct Timer {
   std::optional<Duration> limit;
   Duration started{};
@@ -58,24 +58,25 @@ struct MovementAuthority {
   std::optional<EndSectionTimer> end_section;
   std::optional<DangerPoint> danger_point;
   std::optional<Overlap> overlap;
-  std::optional<Place> fixed_SvL;        ///< set by what shortened the MA (3.8.4.1.2, 3.10.2.2, A.3.4 [11])
-  std::optional<Release> fixed_release;  ///< likewise; a shortened MA has V_NVREL or none
+  std::optional<Place> fixed_SvL;        ///< set when the MA was shortened (3.8.4.1.2, 3.10.2.2, A.3.4 [11])
+  std::optional<Release> fixed_release;  ///< set when the MA was shortened: V_NVREL or none
   bool level_1 = false;
 
-  bool limited() const { return V_LOA > Speed{}; }        ///< ends in an LOA
+  bool limited() const { return V_LOA > Speed{}; }        ///< ends with an LOA
   Place start() const { return sections.front().begin; }  ///< needs a section
-  Place end() const { return sections.back().end; }       ///< EOA or LOA; needs a section
+  Place end() const { return sections.back().end; }       ///< EOA or LOA; requires a section
   /// The supervised location (3.8.4.5); absent while an LOA is supervised.
   std::optional<Place> SvL() const;
-  /// How far SSP and gradient have to reach (3.7.2.3): the SvL, of a limited authority the LOA; needs a section.
+  /// The place up to which SSP and gradient are required (3.7.2.3): the SvL, or the LOA of a limited authority;
+  /// requires a section.
   Place far_end() const;
   /// The release speed of the EOA (3.13.9.4.4).
   Release release() const;
   friend constexpr bool operator==(const MovementAuthority&, const MovementAuthority&) = default;
 };
 
-/// What is supervised at the end of the authority, the nearest of the MA's own points and the temporary ones of
-/// mode profile, route suitability and level crossings (3.12).
+/// What is supervised at the end of the authority: the nearest of the MA's own locations and the temporary ones of mode
+/// profile, route suitability and level crossings (3.12).
 struct Authority {
   std::optional<Place> EOA, SvL;
   std::optional<Place> LOA;

@@ -3,17 +3,17 @@
 namespace evc::track {
 namespace {
 
-/// Where a restriction without an end ends: farther than any stored place.
+/// The end of a restriction without an end: farther than any stored place.
 constexpr Place kFar{Distance{1.0e9}};
 
-/// Makes room for one step: the two neighbours at the far end become one at their lower speed.
+/// Makes room for one step: merges the two steps at the far end at their lower speed.
 void merge_last(Mrsp& f) {
   const Speed last = f.steps.back().value;
   f.steps.pop_back();
   if (last < f.steps.back().value) f.steps.back().value = last;
 }
 
-/// Splits the function at `x` and gives the index of the step that starts there.
+/// Splits the function at `x` and returns the index of the step that starts there.
 std::size_t split(Mrsp& f, Place x) {
   std::size_t i = f.index_at(x);
   if (f.steps[i].from >= x) return i;
@@ -37,7 +37,7 @@ void lower(Mrsp& f, Place from, Place to, Speed v) {
     if (f.steps[i].value > v) f.steps[i].value = v;
 }
 
-/// Neighbours of equal speed become one.
+/// Merges neighbours of equal speed.
 void join_equal(Mrsp& f) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < f.size(); ++i) {
@@ -55,7 +55,8 @@ void lower_by_ssp(Mrsp& f, const Description& d, const MrspQuery& q) {
     const bool last = i + 1 == steps.size();
     const Speed v = speed_of(steps[i].value.speed_for(q.category));
     Place to = last ? kFar : steps[i + 1].from;
-    // Up to where the rear end has left the element; towards a lower speed it makes no difference (3.11.3.1.3).
+    // Up to the place where the rear end has left the element; before a lower speed this makes no difference
+    // (3.11.3.1.3).
     if (!last && !steps[i].value.Q_FRONT) to = to + q.train_length;
     lower(f, steps[i].from, to, v);
   }
@@ -103,7 +104,7 @@ GradientFunction gradient(const Description& d, Place from, double unknown) {
   if (steps.empty() || steps[i].from > from) (void)f.append(from, unknown);
   for (; i < steps.size(); ++i) {
     const double value = steps[i].value.known() ? static_cast<double>(steps[i].value.permille) : unknown;
-    // Room for one more than the profile holds is missing only when it begins beyond `from`: keep the lower one.
+    // There is one step too many only if the profile begins beyond `from`: keep the lower one.
     if (!f.append(steps[i].from, value) && value < f.steps.back().value) f.steps.back().value = value;
   }
   return f;

@@ -118,7 +118,7 @@ TEST(Mrsp, LowestOfAllKinds) {
 }
 
 TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
-  // 4.5.2: each element by itself, and all but one.
+  // 4.5.2: each element alone, and all except one.
   Description d;
   StaticSpeed e;
   e.V_STATIC = 12;
@@ -161,7 +161,7 @@ TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
   }
 }
 
-/// Each restriction by itself, the lowest at every place: what the merged function has to equal.
+/// The lowest of the restrictions at every place: the merged function has to be equal to it.
 Speed lowest_at(const Description& d, const MrspQuery& q, Place x) {
   Speed v = kNoLimit;
   const auto lower = [&](Place from, Place to, Speed s) {

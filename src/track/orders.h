@@ -9,7 +9,8 @@
 
 namespace evc::track {
 
-/// A list of balise groups that may be passed in SH (packet 49) or SR (packet 63). An empty list lets none pass.
+/// A list of balise groups that may be passed in SH (packet 49) or SR (packet 63). With an empty list none may be
+/// passed.
 using GroupList = InplaceVector<GroupId, 32>;
 
 /// RBC transition order (packet 131).
@@ -22,7 +23,7 @@ struct RbcTransition {
 };
 
 struct RadioInfillArea {
-  Place at{};  ///< where to establish or terminate
+  Place at{};  ///< place of establishing or terminating
   bool establish = false;
   std::uint16_t NID_C = 0, NID_RIU = 0;
   std::uint64_t NID_RADIO = 0;
@@ -36,7 +37,7 @@ struct ReversingArea {
   friend constexpr bool operator==(const ReversingArea&, const ReversingArea&) = default;
 };
 struct ReversingSupervision {
-  std::optional<Distance> D_REVERSE;  ///< from the end of the area backwards; absent: endless
+  std::optional<Distance> D_REVERSE;  ///< backwards from the end of the area; absent: unlimited
   SpeedCode V_REVERSE = 0;
   friend constexpr bool operator==(const ReversingSupervision&, const ReversingSupervision&) = default;
 };
@@ -46,7 +47,7 @@ struct GeoReference {
   GroupId group{};
   Distance D_POSOFF{};
   bool counts_up = true;                    ///< Q_MPOSITION
-  std::optional<std::uint32_t> M_POSITION;  ///< metres; absent: no more geographical position
+  std::optional<std::uint32_t> M_POSITION;  ///< metres; absent: the geographical position ends
   std::optional<Place> applies_from;        ///< known once the group was passed
   friend constexpr bool operator==(const GeoReference&, const GeoReference&) = default;
 };

@@ -7,10 +7,10 @@
 
 namespace evc::track {
 
-/// A continuous profile (3.6.3.2.2): a value holds from its place to the next one's; the last one is
-/// endless unless it is the end-of-profile code. `Value` offers `known()` and `Value::unknown()`;
-/// a step that is not known is a hole or the end of the profile. Steps are in order of place; two at
-/// one place are an element without length, which still counts (3.6.3.2.2 e).
+/// A continuous profile (3.6.3.2.2): a value is valid from its place to that of the next one; the last one has no end
+/// unless it is the end-of-profile code. `Value` has `known()` and `Value::unknown()`; an unknown step is a hole or the
+/// end of the profile. Steps are in order of place; two steps at one place are an element of length 0, which still
+/// counts (3.6.3.2.2 e).
 template <class Value, std::size_t N>
 struct Profile {
   struct Step {
@@ -22,15 +22,15 @@ struct Profile {
 
   constexpr bool empty() const { return steps.empty(); }
 
-  /// Appends at the far end. When full the profile ends at its last step: less is known, and an MA
-  /// that needs more is refused (3.7.2.3). False in that case or when `from` lies behind the end.
+  /// Appends at the far end. When full, the profile ends at its last step: an MA that needs more is
+  /// refused (3.7.2.3). False in that case, or when `from` is before the last step.
   constexpr bool append(Place from, const Value& value) {
     if (!steps.empty() && from < steps.back().from) return false;
     if (steps.push_back({from, value})) return true;
     steps.back().value = Value::unknown();
     return false;
   }
-  /// New data replace the stored ones from their start on; before it the old ones stay (3.7.3.1 a, b).
+  /// New data replace the stored ones from their start on; before it the old ones are kept (3.7.3.1 a, b).
   template <std::size_t M>
   constexpr bool replace_from(const Profile<Value, M>& fresh) {
     if (fresh.empty()) return true;
@@ -40,7 +40,7 @@ struct Profile {
     for (const auto& step : fresh.steps) all = append(step.from, step.value) && all;
     return all;
   }
-  /// Whether replace_from(fresh) would find room for everything.
+  /// Whether there is room for replace_from(fresh).
   template <std::size_t M>
   constexpr bool has_room_for(const Profile<Value, M>& fresh) const {
     if (fresh.empty()) return true;
@@ -48,10 +48,10 @@ struct Profile {
     while (kept < steps.size() && steps[kept].from < fresh.steps.front().from) ++kept;
     return kept + fresh.steps.size() <= N;
   }
-  /// Withdraws everything from `at` on (A.3.4): the profile ends there. Whether anything known stood there.
+  /// Deletes everything from `at` on (A.3.4): the profile ends there. Returns whether anything known was deleted.
   constexpr bool cut(Place at) {
     bool known_beyond = false;
-    bool ended_there = false;  // a step began exactly where it is cut
+    bool ended_there = false;  // a step begins exactly at the cut
     while (!steps.empty() && steps.back().from >= at) {
       known_beyond = known_beyond || steps.back().value.known();
       ended_there = steps.back().from == at;
@@ -61,13 +61,13 @@ struct Profile {
     append(at, Value::unknown());
     return known_beyond || !ended_there;
   }
-  /// Forgets the steps whose whole length lies behind `limit` (A.3.6).
+  /// Deletes the steps that lie completely behind `limit` (A.3.6).
   constexpr void forget_before(Place limit) {
     std::size_t gone = 0;
     while (gone + 1 < steps.size() && steps[gone + 1].from <= limit) ++gone;
     if (gone > 0) steps.erase(0, gone);
   }
-  /// Whether a known value stands at every place of [from, to).
+  /// Whether the profile has a known value at every place of [from, to).
   constexpr bool covers(Place from, Place to) const {
     if (steps.empty() || steps.front().from > from) return false;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -89,8 +89,8 @@ struct Profile {
   friend constexpr bool operator==(const Profile&, const Profile&) = default;
 };
 
-/// Whether `stored`, replaced from the start of `fresh` on, would cover [from, to) (3.7.2.3: what is
-/// stored and what comes in the same message count together).
+/// Whether `stored`, replaced from the start of `fresh` on, would cover [from, to) (3.7.2.3: stored data and data of
+/// the same message count together).
 template <class Value, std::size_t N, std::size_t M>
 constexpr bool covers_together(const Profile<Value, N>& stored, const Profile<Value, M>& fresh, Place from, Place to) {
   if (fresh.empty()) return stored.covers(from, to);

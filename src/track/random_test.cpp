@@ -5,7 +5,7 @@
 #include "track/testing.h"
 #include "track/withdraw.h"
 
-// Whatever is stored, withdrawn and run in whatever order: what the other rooms rely on holds.
+// Data stored, withdrawn and passed in any order: the properties that other rooms rely on hold.
 namespace evc::track {
 namespace {
 

@@ -12,7 +12,7 @@
 #include "track/testing.h"
 #include "track/withdraw.h"
 
-// The radio messages of a recorded passage, decoded from their bits and stored in order.
+// The radio messages of a recorded run, decoded from their bits and stored in order.
 namespace evc::track {
 namespace {
 
@@ -104,7 +104,7 @@ TEST(RecordedLine, EveryMovementAuthorityIsAcceptedAndCovered) {
     EXPECT_TRUE(stored.ma_accepted) << "seq " << m["seq"];
     EXPECT_FALSE(stored.shortened) << "seq " << m["seq"];
     EXPECT_TRUE(complete(d, here)) << "seq " << m["seq"];
-    // The end is where the plain fields of the recording put it.
+    // The end agrees with the decoded fields of the recording.
     double length = 0;
     for (const json& p : m["packets"])
       if (p["nid_packet"] == 15) {
@@ -146,7 +146,7 @@ TEST(RecordedLine, GradientAndSpeedAreThoseOfTheTrack) {
     store(d, c, here);
     after[m["seq"]] = d;
   }
-  // Each stretch of the track names the message that sent it.
+  // Each stretch of track names the message that sent it.
   int checked = 0;
   for (const json& g : (*line)["physical_track"]["gradient"]) {
     const auto it = after.find(g["src_seq"].get<int>());

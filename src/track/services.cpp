@@ -14,7 +14,7 @@ void nearest(std::optional<Place>& best, Place at) {
 bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train) {
   switch (item.kind) {
     case Suitability::gauge:
-      // A train that fits none of the interoperable profiles fits no listed one.
+      // A train without an interoperable profile fits none of those listed.
       return train.M_LOADINGGAUGE == 0 || ((item.M_LINEGAUGE >> (train.M_LOADINGGAUGE - 1)) & 1u) == 0;
     case Suitability::axle_load:
       return train.M_AXLELOADCAT > item.M_AXLELOADCAT;
@@ -45,7 +45,8 @@ Authority authority(const Description& d, const TrainInterfaces& train, Mode mod
     if (area.also_SvL) {
       nearest(SvL, area.from);
     } else if (ma.limited()) {
-      // Beyond an area's start there is no LOA; the overlap or danger point would count without it, else the end.
+      // With a stop at an area's start there is no LOA; without the LOA the overlap or danger point would count, else
+      // the end.
       MovementAuthority ended = ma;
       ended.V_LOA = {};
       if (const std::optional<Place> end = ended.SvL()) nearest(SvL, ma.end() < area.from ? area.from : *end);

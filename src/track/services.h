@@ -5,7 +5,7 @@
 
 #include "track/description.h"
 
-// What the other rooms read from the track description.
+// Queries and updates of the track description by other rooms.
 namespace evc::track {
 
 inline constexpr std::size_t kMrspSteps = 128;
@@ -13,47 +13,48 @@ using Mrsp = StepFunction<Place, Speed, kMrspSteps>;
 /// Per mille, positive uphill.
 using GradientFunction = StepFunction<Place, double, 96>;
 
-/// A speed limit from outside the track description: mode, train, override, STM. Open ends: absent.
+/// A speed limit from outside the track description: mode, train, override, STM. An absent end is
+/// open.
 struct Limit {
   std::optional<Place> from, to;
   Speed V{};
 };
-/// Which stored restrictions count (4.5.2 says it for each mode).
+/// Which stored restrictions count (4.5.2, for each mode).
 struct MrspElements {
   bool ssp = true, asp = true, tsr = true, pbd = true, lx = true, signalling = true;
 };
 struct MrspQuery {
-  Place from{};  ///< where the function starts; something behind the train's rear end
+  Place from{};  ///< start of the function, behind the train's rear end
   Distance train_length{};
   TrainCategory category{};
   InplaceVector<Limit, 8> limits;  ///< of mode, train, override
   MrspElements elements{};
-  /// V_PBD of each permitted braking distance stored, in their order; of one without, nothing is counted (3.11.11).
+  /// V_PBD of each permitted braking distance stored, in their order; one without a speed is not counted (3.11.11).
   std::span<const SpeedCode> pbd_speeds{};
 };
-/// The highest speed of the language (7.5.1.173): the value where nothing limits.
+/// The highest speed of the language (7.5.1.173): the value where there is no limit.
 inline constexpr Speed kNoLimit = speed_of(120);
 
 /// The most restrictive speed profile (3.13.7): the lowest of SSP, ASP, TSR, PBD, LX, signalling speed and `limits`,
 /// with the train length delay of SSP, ASP and TSR. The speed in force is the lowest between min and max safe front
-/// end. Where there are more changes than there is room for, the lower neighbour is kept: never higher than due.
+/// end. If there are more changes than fit, the lower neighbour is kept: the profile is never too high.
 Mrsp mrsp(const Description& d, const MrspQuery& query);
 
-/// The stored gradient, not compensated for the train length. Where it is not known: `unknown` per mille (0, or for
+/// The stored gradient, not compensated for the train length. Where it is unknown: `unknown` per mille (0, or for
 /// targets of a TSR the default gradient; 3.13.4.1.2-3). Never empty: it starts at or before `from`.
 GradientFunction gradient(const Description& d, Place from, double unknown = 0.0);
 
-/// EOA, SvL, LOA and release speed to supervise now. `mode` is the one in force: the start of an area of that
-/// mode is no stop any more; in SH, SR and others nothing is asked.
+/// EOA, SvL, LOA and release speed to supervise now. `mode` is the current one: the start of an area of this mode is no
+/// longer a stop; in SH, SR and other modes there is no authority.
 Authority authority(const Description& d, const TrainInterfaces& train, Mode mode);
 
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
 /// end; the farthest such area. Absent: none (3.12.4.5-6).
 std::optional<ModeArea> area_due(const Description& d, const Here& here);
-/// The driver acknowledged, or the area was entered: it is no temporary EOA any more.
+/// The driver acknowledged, or the area was entered: its start is no longer a temporary EOA.
 void accept_area(Description& d, Mode mode, const Here& here);
 
-/// Adhesion that counts for a place: reduced between an area's start and its end plus the train length (3.13.5.3).
+/// Whether reduced adhesion applies at a place: between an area's start and its end plus the train length (3.13.5.3).
 bool slippery(const Description& d, Place at, Distance train_length);
 
 /// Estimated front end in rear of the first SSP or gradient stored (4.6.3 [69]).
@@ -62,11 +63,12 @@ bool before_track_description(const Description& d, const Here& here);
 /// The nearest place from which the route does not suit the train (3.12.2.7).
 std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces& train);
 
-/// Marks the level crossing as substituted: V_LX instead of the stop, from `from` on (5.16).
+/// Marks the level crossing as substituted: V_LX applies instead of the stop, from `from` on
+/// (5.16).
 void substitute_level_crossing(Description& d, std::uint8_t NID_LX, Place from);
 
-/// The shortest time until a section timer or the LOA speed timer of the stored MA runs out, for the MA request
-/// (3.8.2.3 c; end section and overlap timers do not count). Absent: no such timer runs.
+/// The shortest time until a section timer or the LOA speed timer of the stored MA expires, for the MA request (3.8.2.3
+/// c; end section and overlap timers do not count). Absent: no such timer runs.
 std::optional<Duration> time_to_timeout(const Description& d, Duration now);
 
 /// Geographical position of the estimated front end in metres (3.6.6); absent when none applies.
@@ -74,14 +76,16 @@ std::optional<std::uint32_t> geographical_position(const Description& d, const H
 /// A balise group was passed at `at`: references to it become applicable after their offset.
 void note_group(Description& d, GroupId group, Place at);
 
-/// Text display (3.12.3): `brake_*` while a text waits for its acknowledgement beyond its end.
+/// Text display (3.12.3): the brake members are true while a text waits for its acknowledgement
+/// beyond its end.
 struct TextDisplay {
   InplaceVector<std::uint8_t, 6> shown;  ///< ids
   InplaceVector<std::uint8_t, 6> to_acknowledge;
   bool service_brake = false, emergency_brake = false;
 };
-/// Runs the texts one cycle. `NID_NTC` counts in level NTC. `acknowledged`: id of the text that the
-/// driver acknowledged now, 0 none. `reports`: NID_TEXTMESSAGE of messages 158 that are due.
+/// Updates the texts, once per cycle. `NID_NTC` is used in level NTC. `acknowledged`: id of the
+/// text that the driver acknowledged now, 0 none. `reports`: NID_TEXTMESSAGE of messages 158 that
+/// are due.
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
                        std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports);
 

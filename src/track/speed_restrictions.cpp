@@ -3,7 +3,7 @@
 namespace evc::track {
 
 SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
-  // The basic speed stands below every cant deficiency class; a missing class takes the next lower one.
+  // The basic speed comes before the cant deficiency classes; a missing class has the speed of the next lower one.
   SpeedCode base = V_STATIC;
   for (std::size_t k = 0; k <= train.NC_CDTRAIN && k < cd.size(); ++k)
     if (cd[k] != kNoSpeed) base = cd[k];

@@ -7,8 +7,8 @@
 #include "base/units.h"
 #include "track/profile.h"
 
-// Static speed restrictions and gradient (3.11, 3.11.12). Everything is stored for every train category:
-// which speed counts is decided when the MRSP is built.
+// Static speed restrictions and gradient (3.11, 3.11.12). The speeds of all train categories are stored: the MRSP
+// selects the one that applies.
 namespace evc::track {
 
 /// A speed of the language in steps of 5 km/h.
@@ -60,7 +60,7 @@ struct AxleLoadRestriction {
   bool Q_FRONT = false;
   std::array<SpeedCode, 13> V_AXLELOAD{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
                                        kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
-  /// The lowest speed of the categories up to the train's (3.11.4.3 up to 3.6.0); absent when none applies.
+  /// The lowest speed of the categories up to that of the train (3.11.4.3 up to 3.6.0); absent when none applies.
   SpeedCode speed_for(const TrainCategory& train) const;
   friend constexpr bool operator==(const AxleLoadRestriction&, const AxleLoadRestriction&) = default;
 };
@@ -75,8 +75,8 @@ struct TemporarySpeedRestriction {
   friend constexpr bool operator==(const TemporarySpeedRestriction&, const TemporarySpeedRestriction&) = default;
 };
 
-/// Where there is no room for one more: `kept` grows to cover both at the lower speed, never less than asked; it can no
-/// longer be revoked.
+/// If there is no room for one more: `kept` is extended to cover both at the lower speed, never less restrictive; it
+/// can no longer be revoked.
 void cover(TemporarySpeedRestriction& kept, const TemporarySpeedRestriction& more);
 
 /// One element of the permitted braking distance profile (packet 52); its speed is computed in sdm.
@@ -96,7 +96,7 @@ struct LevelCrossing {
   SpeedCode V_LX = 0;
   bool stop_required = false;  ///< Q_STOPLX
   Distance L_STOPLX{};         ///< stopping area in rear of the crossing
-  bool substituted = false;    ///< V_LX holds instead of the stop (5.16), from `V_LX_from`
+  bool substituted = false;    ///< V_LX applies instead of the stop (5.16), from `V_LX_from`
   Place V_LX_from{};
   friend constexpr bool operator==(const LevelCrossing&, const LevelCrossing&) = default;
 };
@@ -105,7 +105,7 @@ struct LevelCrossing {
 struct SignallingSpeed {
   Place from{};
   SpeedCode V_MAIN = 0;
-  std::optional<Place> to;  ///< where shortening cut it (A.3.4)
+  std::optional<Place> to;  ///< place where it was shortened (A.3.4)
   friend constexpr bool operator==(const SignallingSpeed&, const SignallingSpeed&) = default;
 };
 

@@ -7,9 +7,9 @@
 namespace evc::track {
 namespace {
 
-/// New data of a non-continuous profile: what starts at or beyond the new start goes, what spans it is cut there
-/// (3.7.3.1 c, d, f, g; 3.7.3.2), then the new elements follow. Gives where the first one lies for which there is no
-/// room.
+/// New data of a non-continuous profile: elements that start at or beyond the new start are deleted, one across it is
+/// cut there (3.7.3.1 c, d, f, g; 3.7.3.2), then the new elements are appended. Returns the place of the first one for
+/// which there is no room.
 template <class T, std::size_t N, std::size_t M>
 std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
   stored.erase_if([&](const T& old) { return old.from >= fresh.from; });
@@ -28,7 +28,7 @@ void replace(const Filing& f, std::uint8_t packet, InplaceVector<T, N>& stored, 
     f.note(packet, Note::What::stored, {});
 }
 
-/// A continuous profile: without room for all of it, it ends at its last step.
+/// A continuous profile: if it does not fit, it ends at the last step that does.
 template <class Value, std::size_t N, std::size_t M>
 void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, const Profile<Value, M>& fresh) {
   if (stored.replace_from(fresh))
@@ -37,7 +37,7 @@ void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, co
     f.lost(packet, stored.steps.back().from, "3.7.3.1"_srs);
 }
 
-/// What cannot be stored for want of room ends the authority where it restricts; the rest is only noted.
+/// Data that restrict and do not fit end the authority at their place; other data are only noted.
 template <class Lists>
 void store_areas(const Filing& f, const Lists& lists) {
   each_list(lists, [&](const auto& list) {
@@ -55,7 +55,7 @@ void store_areas(const Filing& f, const Lists& lists) {
 void store_tsr(const Filing& f) {
   Description& d = f.d;
   for (const std::uint8_t id : f.c.revoked_tsr) {
-    // 255 names every restriction that cannot be revoked (3.11.5.9).
+    // 255 is the identity of every restriction that cannot be revoked (3.11.5.9).
     if (id != 255) d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == id; });
     f.note(66, Note::What::stored, {});
   }
@@ -85,7 +85,7 @@ void store_level_crossings(const Filing& f) {
   for (LevelCrossing lx : f.c.lx) {
     for (const LevelCrossing& old : d.lx)
       if (old.NID_LX == lx.NID_LX && old.substituted && lx.unprotected) {
-        // Repeated while its speed already holds: it goes on holding.
+        // Received again while its speed already applies: it continues to apply.
         lx.substituted = true;
         lx.V_LX_from = old.V_LX_from;
       }
@@ -118,7 +118,7 @@ void store_suitability(const Filing& f) {
     d.suitability.erase_if([&](const RouteSuitability& old) { return old.at >= fresh.from; });
     return f.note(70, Note::What::stored, {});
   }
-  // Each kind that the packet names is replaced as a whole, wherever it lies (3.7.3.1 h-j).
+  // Each kind in the packet is replaced completely, at all places (3.7.3.1 h-j).
   d.suitability.erase_if([&](const RouteSuitability& old) {
     for (const RouteSuitability& item : fresh.elements)
       if (item.kind == old.kind) return true;
@@ -135,7 +135,7 @@ void store_adhesion(const Filing& f) {
   if (!f.c.adhesion) return;
   Fresh<AdhesionArea> fresh;
   fresh.from = f.c.adhesion->from;
-  // An area that is not slippery only clears (3.7.3.1 l).
+  // An area that is not slippery only deletes (3.7.3.1 l).
   if (f.c.adhesion->slippery) (void)fresh.elements.push_back(*f.c.adhesion);
   replace(f, 71, f.d.adhesion, fresh);
 }
@@ -197,7 +197,7 @@ void store_orders(const Filing& f) {
   if (c.sh_list && !c.ma) d.sh_list = c.sh_list;
   if (c.sr_authorisation) d.sr_list = c.sr_list;
   if (c.geo) {
-    // What applies already goes on until another becomes applicable (3.6.6.3).
+    // A reference that already applies continues until another becomes applicable (3.6.6.3).
     d.geo.erase_if([&](const GeoReference& old) { return !old.applies_from || *old.applies_from > f.here.est_front; });
     bool room = true;
     for (const GeoReference& reference : *c.geo) room = d.geo.push_back(reference) && room;

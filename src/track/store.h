@@ -6,8 +6,8 @@
 
 namespace evc::track {
 
-/// One thing that became of a packet: stored (no clause), refused or deleted because of the clause; refused without one
-/// for want of room.
+/// What happened to a packet: stored (no clause), or refused or deleted because of the clause; refused without a
+/// clause: no room.
 struct Note {
   std::uint8_t packet = 0;
   enum class What : std::uint8_t { stored, refused, shortened, full } what = What::stored;
@@ -17,21 +17,21 @@ struct Stored {
   bool ma_accepted = false, ma_refused = false;
   bool shortened = false;   ///< the new MA was a shortening: data beyond the new SvL were deleted (3.8.5.1.3)
   bool trip_order = false;  ///< V_MAIN = 0, not infill (3.11.6.2)
-  /// From here on something that restricts is missing for want of room: the authority was ended there.
+  /// Restrictive data from this place on did not fit: the authority was ended there.
   std::optional<Place> lost_from;
   InplaceVector<Note, 40> notes;
 };
 
-/// Whether SSP and gradient, stored or in the same message, reach without hole from the estimated front end (or the
+/// Whether SSP and gradient, stored or in the same message, reach without a hole from the estimated front end (or the
 /// infill reference) to the SvL of the MA, for an LOA to the LOA (3.7.2.3).
 bool complete(const Description& d, const Contents& c, const Here& here);
-/// The same for what is stored: the MA that is stored is still covered.
+/// The same for stored data: whether the stored MA is still covered.
 bool complete(const Description& d, const Here& here);
 
-/// Stores what a message brings: shortening first, then the MA if it is complete, then each packet by its rule of
-/// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be taken now (3.10.2.4 pending emergency stop,
-/// 4.8.3 [3] train data not acknowledged), or none. What a full store cannot take is noted; where
-/// it restricts the train, authority and track description end there (Stored::lost_from).
+/// Stores the contents of a message: shortening first, then the MA if it is complete, then each packet by its rule of
+/// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be accepted now (3.10.2.4 pending emergency stop, 4.8.3
+/// [3] train data not acknowledged), or none. Data that do not fit are noted; if they restrict the train, authority and
+/// track description end there (Stored::lost_from).
 Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma = {});
 
 }  // namespace evc::track

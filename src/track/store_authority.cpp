@@ -6,8 +6,8 @@ namespace {
 
 constexpr Clause kIncomplete = "3.7.2.3"_srs;
 
-/// Whether the end-section or overlap timer of the new MA takes over the running one: it does where the new start is
-/// already behind the max safe front end; a timer that does not run counts as expired then (3.8.4.1.3-4, 3.8.4.4.4-5).
+/// Whether the end section or overlap timer of the new MA continues the running one: yes, if its start is already
+/// behind the max safe front end; a timer that does not run then counts as expired (3.8.4.1.3-4, 3.8.4.4.4-5).
 void carry_timer(Timer& fresh, const Timer* old, Place start, const Here& here, bool& expired) {
   if (start >= here.max_safe_front) return;
   if (old != nullptr && old->running) {
@@ -19,7 +19,7 @@ void carry_timer(Timer& fresh, const Timer* old, Place start, const Here& here, 
   }
 }
 
-/// A.3.4 situation e on a new MA whose end section counts as timed out.
+/// A.3.4 situation e for a new MA whose end section timer counts as expired.
 void end_at_front(MovementAuthority& ma, const Here& here) {
   while (ma.sections.size() > 1 && ma.sections.back().begin >= here.est_front) ma.sections.pop_back();
   ma.sections.back().end = here.est_front;
@@ -47,8 +47,8 @@ void carry_timers(MovementAuthority& ma, const std::optional<MovementAuthority>&
   if (end_section_over) end_at_front(ma, here);
 }
 
-/// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section that runs there ends
-/// at the reference, and so does the last one when the old authority ends in rear of it. False when there is no room.
+/// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section at the reference ends
+/// there; so does the last section if the old authority ends in rear of it. False when there is no room.
 bool join(MovementAuthority& ma, const MovementAuthority& old, Place infill) {
   MovementAuthority joined = ma;
   joined.sections.clear();
@@ -70,7 +70,7 @@ bool is_shortening(const MovementAuthority& ma, const std::optional<MovementAuth
   return !old_SvL || *SvL < *old_SvL;
 }
 
-/// In an area that was accepted, the same area in a new MA asks for no new acknowledgement (5.9.2.7).
+/// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7).
 bool accepted_before(const ModeProfile& old, const ModeArea& area, const Here& here) {
   if (here.est_front < area.ack_from && here.max_safe_front < area.from) return false;
   for (const ModeArea& o : old)
@@ -98,11 +98,11 @@ void store_mode_profile(const Filing& f) {
     f.lost(80, *lost, "3.12.4"_srs);
   else
     f.note(80, Note::What::stored, {});
-  // The list of a stored SH area goes with it and comes with the new one (3.12.4.4).
+  // The list of a stored SH area is replaced together with the area (3.12.4.4).
   if (shunting) d.sh_list = c.sh_list;
 }
 
-/// Without a clause: for want of room.
+/// Without a clause: no room.
 void refuse_authority(const Filing& f, Clause clause) {
   f.report.ma_refused = true;
   f.note(f.c.V_MAIN ? 12 : 15, Note::What::refused, clause);
@@ -118,7 +118,7 @@ bool complete(const Description& d, const Contents& c, const Here& here) {
   const Place to = c.ma->far_end();
   const NewStaticSpeedProfile ssp = c.ssp ? *c.ssp : NewStaticSpeedProfile{};
   const NewGradientProfile gradient = c.gradient ? *c.gradient : NewGradientProfile{};
-  // What there is no room for would be a hole as well.
+  // Data that do not fit would be a hole as well.
   return d.ssp.has_room_for(ssp) && d.gradient.has_room_for(gradient) && covers_together(d.ssp, ssp, from, to) &&
          covers_together(d.gradient, gradient, from, to);
 }
@@ -134,14 +134,14 @@ void store_authority(const Filing& f, Clause refuse_ma) {
   Description& d = f.d;
   if (!c.ma || c.ma->sections.empty()) return;
   if (refuse_ma) return refuse_authority(f, refuse_ma);
-  // Infill extends an authority: without one there is nothing it could begin at (3.8.5.1 b).
+  // Infill extends an authority: without a stored authority it is refused (3.8.5.1 b).
   if (c.infill && !d.ma) return refuse_authority(f, "3.8.5.1"_srs);
   if (!complete(d, c, f.here)) return refuse_authority(f, kIncomplete);
   MovementAuthority ma = *c.ma;
   if (c.infill && !join(ma, *d.ma, *c.infill)) return refuse_authority(f, {});
   carry_timers(ma, d.ma, f.here);
   if (c.ma_is_shortening_request || is_shortening(ma, d.ma)) {
-    // The deletion concerns what was stored before this message (3.8.5.1.5 of 4.0.0; silent before).
+    // The deletion applies to data stored before this message (3.8.5.1.5 of 4.0.0; earlier issues do not say).
     f.report.shortened = true;
     f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6"_srs : "3.8.5.1.3"_srs);
     (void)shorten(d, c.ma_is_shortening_request ? Situation::f_shortening_granted : Situation::b_shortened_ma,
@@ -151,7 +151,7 @@ void store_authority(const Filing& f, Clause refuse_ma) {
   f.report.ma_accepted = true;
   f.note(ma.level_1 ? 12 : 15, Note::What::stored, {});
   store_mode_profile(f);
-  // An MA of level 2/3 ends the signalling related restriction of level 1 (3.11.6.3.1).
+  // An MA of level 2/3 deletes the signalling related restriction of level 1 (3.11.6.3.1).
   if (!ma.level_1) d.signalling.reset();
 }
 
@@ -165,7 +165,7 @@ void store_signalling_speed(const Filing& f) {
   f.d.signalling = SignallingSpeed{f.c.infill ? *f.c.infill : f.here.min_safe_rear, *f.c.V_MAIN, std::nullopt};
 }
 
-/// Packet 16: a new length for the section in which the front end is, the following ones move along (3.8.5.2).
+/// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).
 void reposition(const Filing& f) {
   if (!f.c.repositioned_section || !f.d.ma) return;
   MovementAuthority& ma = *f.d.ma;

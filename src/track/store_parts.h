@@ -4,7 +4,7 @@
 // The parts of `store`, one file each.
 namespace evc::track {
 
-/// One message on its way into the store.
+/// One message while it is stored.
 struct Filing {
   Description& d;
   const Contents& c;
@@ -12,7 +12,8 @@ struct Filing {
   Stored& report;
 
   void note(std::uint8_t packet, Note::What what, Clause clause) const {
-    // The report holds one note per packet kind; a full one loses notes, never data.
+    // The report has room for one note per kind of packet; when it is full, notes are lost, never
+    // data.
     if (!report.notes.full()) (void)report.notes.push_back({packet, what, clause});
   }
   void stored(std::uint8_t packet, bool room, Clause clause) const {
@@ -21,7 +22,7 @@ struct Filing {
     else
       note(packet, Note::What::full, clause);
   }
-  /// Something of `packet` that restricts from `from` on found no room.
+  /// Data of `packet` that restrict from `from` on did not fit.
   void lost(std::uint8_t packet, Place from, Clause clause) const {
     note(packet, Note::What::full, clause);
     if (!report.lost_from || from < *report.lost_from) report.lost_from = from;

@@ -68,7 +68,7 @@ Description on_the_way() {
   EXPECT_TRUE(store(d, whole(5000), front_at(0)).ma_accepted);
   return d;
 }
-/// What restricts from 3000 m on was not kept: authority and description end there, all before it stays.
+/// The restriction from 3000 m on was not stored: authority and description end there, everything before is kept.
 void expect_ended(const Description& d, const Stored& stored, double at_metre = 3000.0) {
   ASSERT_TRUE(stored.lost_from);
   EXPECT_EQ(*stored.lost_from, at(at_metre));
@@ -80,7 +80,7 @@ void expect_ended(const Description& d, const Stored& stored, double at_metre = 
   EXPECT_FALSE(d.gradient.at(at(at_metre)));
   EXPECT_TRUE(d.ssp.at(at(at_metre - 1.0)));
 }
-/// `n` elements that begin one behind the other from 100 m on, then one at 3000 and one at 3500 m.
+/// `n` elements in sequence from 100 m on, then one at 3000 and one at 3500 m.
 template <class T>
 Fresh<T> one_behind_the_other(std::size_t n) {
   Fresh<T> fresh;
@@ -93,7 +93,7 @@ Fresh<T> one_behind_the_other(std::size_t n) {
   }
   return fresh;
 }
-/// Fills a store behind the train so that all but two of 30 new elements find room.
+/// Fills a store with elements behind the train, so that 28 of 30 new elements fit.
 template <class T, std::size_t N>
 void fill(InplaceVector<T, N>& stored, std::size_t fresh) {
   while (stored.size() + fresh - 2 < N) {
@@ -162,7 +162,7 @@ TEST(Store, WhatHasNoRoomAndRestrictsEndsTheAuthorityInFrontOfIt) {
   {
     Description d = on_the_way();
     Contents c;
-    c.lose(88, at(3000));  // the message itself brought more than there is room for
+    c.lose(88, at(3000));  // the message itself contained more than fits
     const Stored stored = store(d, c, here);
     EXPECT_EQ(clause_of(stored, 88), "3.7.3.1"_srs);
     expect_ended(d, stored);

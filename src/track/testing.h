@@ -3,7 +3,7 @@
 #include "track/services.h"
 #include "track/store.h"
 
-// Short ways to write track data down in tests.
+// Short notation of track data for tests.
 namespace evc::track::testing {
 
 constexpr Place at(double metres) { return Place{Distance{metres}}; }

@@ -15,7 +15,7 @@ bool level_is(Level level, std::uint8_t NID_NTC, const Situation& s) {
   return level == s.level && (level != Level::NTC || NID_NTC == s.NID_NTC);
 }
 
-/// "All" parts in use, or one of them; no part in use: fulfilled at once for the start, never for the end.
+/// All parts in use, or one of them; with no part in use: fulfilled at once for the start, never for the end.
 struct Parts {
   bool all = false;
   unsigned used = 0, true_now = 0;
@@ -35,7 +35,7 @@ bool starts(const Text& t, const Situation& s) {
   return parts.used == 0 || parts.fulfilled();
 }
 
-/// Each part of the end is latched on its own (3.12.3.4.3.1.2 of 4.0.0).
+/// Each part of the end is latched separately (3.12.3.4.3.1.2 of 4.0.0).
 bool ends(Text& t, const Situation& s) {
   t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
   t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
@@ -64,7 +64,7 @@ TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level,
     const bool confirm = t.Q_TEXTCONFIRM != 0;
     if (confirm && acknowledged == t.id && !t.acknowledged) {
       t.acknowledged = true;
-      if (t.report) (void)reports.push_back(t.NID_TEXTMESSAGE);  // at most one per stored text: there is room
+      if (t.report) (void)reports.push_back(t.NID_TEXTMESSAGE);  // at most one per stored text: it fits
     }
     const bool end = ends(t, s);
     const bool waits = confirm && !t.acknowledged;
@@ -73,10 +73,10 @@ TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level,
       t.state = Text::State::ended;
       continue;
     }
-    (void)display.shown.push_back(t.id);  // as many as texts are stored
+    (void)display.shown.push_back(t.id);  // at most one per stored text
     if (!waits) continue;
     (void)display.to_acknowledge.push_back(t.id);
-    // Beyond its end the text stays until it is acknowledged, with the brake it orders (3.12.3.4.7).
+    // Beyond its end the text stays until it is acknowledged, with the brake that it orders (3.12.3.4.7).
     display.service_brake = display.service_brake || (end && t.Q_TEXTCONFIRM == 2);
     display.emergency_brake = display.emergency_brake || (end && t.Q_TEXTCONFIRM == 3);
   }

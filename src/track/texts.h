@@ -12,7 +12,7 @@ namespace evc::track {
 /// A text message (packets 72, 76; 3.12.3) with the state of its display.
 struct Text {
   std::uint8_t Q_TEXTCLASS = 0;  ///< 0 auxiliary, 1 important
-  bool all_parts = false;        ///< Q_TEXTDISPLAY: all start (end) parts have to hold together
+  bool all_parts = false;        ///< Q_TEXTDISPLAY: all start (end) parts have to be fulfilled together
   std::optional<Place> start_at;
   std::optional<Mode> start_mode;    ///< absent: not limited by the mode
   std::optional<Level> start_level;  ///< absent: not limited by the level
@@ -35,7 +35,7 @@ struct Text {
   bool acknowledged = false;
   bool end_place_passed = false, end_time_over = false, end_mode_left = false, end_level_left = false;  ///< latched
   Duration shown_since{};
-  std::uint8_t id = 0;  ///< given on board, to name the text to the driver interface
+  std::uint8_t id = 0;  ///< assigned on board, to identify the text at the driver interface
   friend constexpr bool operator==(const Text&, const Text&) = default;
 };
 

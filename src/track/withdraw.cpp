@@ -6,7 +6,8 @@
 namespace evc::track {
 namespace {
 
-/// D_KEEP_REAR (A.3.1): speed restrictions, gradient, adhesion and big metal masses are kept this far behind.
+/// D_KEEP_REAR (A.3.1): speed restrictions, gradient, adhesion and big metal masses are stored up to this distance
+/// behind.
 constexpr Distance kKeptBehind{300.0};
 
 bool cuts_at_train(Situation situation) {
@@ -24,13 +25,13 @@ bool cuts_at_train(Situation situation) {
   }
 }
 
-/// 3.8.2.7.3: after these an MA is not requested.
+/// 3.8.2.7.3: no MA is requested after these situations.
 bool without_request(Situation situation) {
   return situation == Situation::a_conditional_emergency_stop || situation == Situation::b_shortened_ma ||
          situation == Situation::f_shortening_granted || situation == Situation::k_desk_closed_during_start;
 }
 
-/// Elements beyond `at` go, the one across it ends there. Whether there was any.
+/// Deletes elements beyond `at`; the one across it ends there. Returns whether there was any.
 template <class T, std::size_t N>
 bool cut_areas(InplaceVector<T, N>& areas, Place at) {
   bool changed = false;
@@ -45,7 +46,8 @@ bool cut_areas(InplaceVector<T, N>& areas, Place at) {
   return changed;
 }
 
-/// The track description beyond `at`: what an MA brings along (3.7.1.1). Whether any was there.
+/// Deletes the track description beyond `at`, the data that belong to an MA (3.7.1.1). Returns
+/// whether there was any.
 bool cut_description(Description& d, Place at) {
   bool deleted = d.ssp.cut(at);
   deleted = d.gradient.cut(at) || deleted;
@@ -67,8 +69,8 @@ bool cut_description(Description& d, Place at) {
   return deleted;
 }
 
-/// The mode areas that begin beyond `at` go with their windows; one that begins in rear of it stays whole (A.3.4 [7],
-/// [12]).
+/// Deletes the mode areas that begin beyond `at` with their windows; one that begins in rear of it is not changed
+/// (A.3.4 [7], [12]).
 void cut_mode_profile(Description& d, Place at) {
   d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= at; });
 }
@@ -78,7 +80,7 @@ void cut_texts(Description& d, Place at) {
       [&](const Text& text) { return text.state == Text::State::waiting && text.start_at && *text.start_at > at; });
 }
 
-/// What A.3.4 k deletes here.
+/// Deletes the data of A.3.4 k.
 void delete_all(Description& d) {
   const auto geo = d.geo;
   const bool stop_shunting = d.stop_shunting_on_desk_opening;
@@ -153,7 +155,8 @@ void run_overlap_timer(Description& d, const Here& here, Elapsed& elapsed) {
     timer.running = true;
     timer.started = here.now;
   }
-  // Standstill after the start ends the overlap as well, also an endless one (3.8.4.4.3).
+  // Standstill after the timer start also ends the overlap, even with an infinite timer
+  // (3.8.4.4.3).
   if (!timer.running || !(timer.expired_at(here.now) || here.standstill)) return;
   ma.overlap.reset();
   ma.V_LOA = {};

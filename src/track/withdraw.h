@@ -26,16 +26,16 @@ enum class Situation : std::uint8_t {
 
 /// Deletes from `d` what A.3.4 deletes. a-d, f, n: beyond `cut` (the new SvL; for a the stop location); e, g-j, l, m:
 /// beyond the max safe front end, the EOA becomes the estimated and the SvL the max safe front end, without release
-/// speed; k: all that is listed. `shunting`: the train is in SH (its list stays). Gives whether part of the track
+/// speed; k: everything listed. `shunting`: the train is in SH (its list is kept). Returns whether part of the track
 /// description was deleted in a situation after which an MA is requested (3.8.2.7.3).
 bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting = false);
 
-/// What a conditional emergency stop does to the MA (3.10.2.2): the value of Q_EMERGENCYSTOP for message 147, 0: EOA
-/// or LOA changed, 1: not changed. The caller has checked that the stop is not passed. Deletes per A.3.4 a.
+/// Applies a conditional emergency stop to the MA (3.10.2.2). Returns Q_EMERGENCYSTOP for message 147, 0: EOA or LOA
+/// changed, 1: not changed. The caller has checked that the stop is not passed. Deletes data by A.3.4 a.
 std::uint8_t stop_at(Description& d, Place stop, const Here& here);
 
-/// Authority and track description end at `place`, or at the train where that is nearer: from there on something is not
-/// known (3.7.2.3).
+/// Ends authority and track description at `place`, or at the train if that is nearer: beyond it data are missing
+/// (3.7.2.3).
 void end_before(Description& d, Place place, const Here& here);
 
 /// Events of the running supervision of stored data.
@@ -44,12 +44,12 @@ struct Elapsed {
   bool track_description_deleted = false;  ///< reason 8 of the MA request
   bool any() const { return section_timeout || overlap_timeout || end_section_timeout || loa_timeout; }
 };
-/// Every cycle: timers of the MA (3.8.4), and data whose function is over (A.3.6): 300 m behind the min safe rear end
-/// for speed restrictions, gradient, adhesion, big metal masses, and areas passed.
+/// Every cycle: timers of the MA (3.8.4), and deletion of data no longer needed (A.3.6): speed restrictions, gradient,
+/// adhesion and big metal masses 300 m behind the min safe rear end, and areas passed.
 Elapsed advance(Description& d, const Here& here);
 
-/// Deletes (resets to the initial state) what a row of 4.10.1.3 names, as the tables of 4.9 and 4.10 in modes/ ask for.
-/// False when that row is not stored in the track description.
+/// Deletes (resets to the initial state) the data of a row of 4.10.1.3, as required by the tables of 4.9 and 4.10 in
+/// modes/. False when that row is not stored in the track description.
 bool forget(Description& d, evc::Stored stored);
 
 }  // namespace evc::track

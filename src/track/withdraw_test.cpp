@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// Two sections to 2000 m, everything known to 4000 m, and one of every kind at 500, 1500 and 3000 m.
+/// Two sections to 2000 m, the description known to 4000 m, and one element of every kind at 500, 1500 and 3000 m.
 Description full() {
   Description d;
   Contents c = whole(2000);
