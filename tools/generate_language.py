@@ -241,7 +241,7 @@ def struct_text(s, head, forward):
     for typ, name, cond in s.members:
         t.append("  %s %s;%s\n" % (typ, name, present(cond)))
     for element, name in s.first:
-        t.append("  /// The element that stands before the counter, in the form of the further ones.\n")
+        t.append("  /// The element before the counter, in the form of the others.\n")
         t.append("  constexpr %s first_%s() const { return {%s}; }\n" % (element.name, name, ", ".join(m[1] for m in element.members)))
     t.append("  friend constexpr bool operator==(const %s&, const %s&) = default;\n};\n" % (s.name, s.name))
     return "".join(t)

@@ -11,7 +11,7 @@
 // Reader and writer made from the layouts. Included by the .cpp files that instantiate them only.
 namespace evc::lang::codec {
 
-/// A reader that also remembers the first spare code it met.
+/// A reader that also stores the first spare code it read.
 struct Source {
   BitReader in;
   const char* spare_variable = nullptr;
@@ -105,12 +105,12 @@ template <class V>
   v.raw = static_cast<typename V::Raw>(code);
   note_spare<V>(from, code);
 }
-/// One by one: where a run does not fit into what is left, or one of its codes is spare.
+/// One by one: used where a run does not fit into the remaining bits, or one of its codes is spare.
 template <class S, class... V>
 [[gnu::noinline]] void get_singly(Source& from, S& s, const Field<S, V>&... fields) {
   (get(from, s.*fields.member), ...);
 }
-/// A run of fields out of one window.
+/// A run of fields from one window.
 template <class S, class... V>
 [[gnu::always_inline]] inline void get_run(Source& from, S& s, const Field<S, V>&... fields) {
   constexpr unsigned total = (V::bits + ...);
@@ -151,7 +151,7 @@ constexpr void clear(S& s, const When<S, V, I...>& w) {
 template <std::size_t From, class T, class Up>
 void read_structure(Source& from, Scope<T, Up> scope);
 
-/// Items [From, end): fields in runs, the others by themselves.
+/// Items [From, end): fields in runs, the others one by one.
 template <std::size_t From = 0, class S, class Up, class... I>
 [[gnu::always_inline]] inline void read_items(Source& from, Scope<S, Up>& scope, const Items<I...>& items);
 template <class S, class Up, class... I>

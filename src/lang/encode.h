@@ -4,7 +4,7 @@
 #include "lang/variables.h"
 
 // Writing of packets, telegrams and messages. L_PACKET, L_MESSAGE and the counters are computed. The
-// writer becomes faulty when the space is too small or a value too wide; then its content is not valid.
+// writer becomes faulty when the space is too small or a value too wide; its content is then not valid.
 namespace evc::lang {
 
 /// Appends a packet in the layout of its struct (`Packet27` the newest, `Packet27_v1_0` the older one).
@@ -28,8 +28,8 @@ void begin_telegram(BitWriter& out, const TelegramHeader& header);
 /// Packet 255, then ones up to `bits` (210 or 830); 0: no filling.
 void end_telegram(BitWriter& out, std::size_t bits);
 
-/// NID_MESSAGE, a place for L_MESSAGE, and the variables of the message that stand before its packets.
-/// A message starts at bit 0 of the writer.
+/// NID_MESSAGE, space for L_MESSAGE, and the variables of the message before its packets. A message starts at bit 0 of
+/// the writer.
 template <class M>
 void begin_message(BitWriter& out, const M& message);
 /// Padding to a whole byte, and L_MESSAGE.

@@ -6,7 +6,7 @@
 namespace evc::lang {
 namespace {
 
-/// `bits` bits of a packet, from the `from`-th one of it.
+/// `bits` bits of a packet, starting at its bit `from`.
 std::uint64_t bits_of(const PacketView& packet, unsigned from, unsigned bits) {
   const std::size_t end = packet.bit + packet.L_PACKET;
   return BitReader(packet.bytes, end, packet.bit + from).read(bits);
@@ -40,7 +40,7 @@ bool Instances::add_location(const PacketView& packet) {
   return wrong;
 }
 
-/// 8.4.1.4.2, .3, .5 and .9. More than there is room for are taken for one too many.
+/// 8.4.1.4.2, .3, .5 and .9. More than fit count as one too many.
 bool Instances::add_identity(const PacketView& packet, std::uint32_t nid, std::uint32_t identity) {
   const std::uint32_t which = nid << 16 | identity;
   for (std::size_t i = 0; i < count_; ++i) {

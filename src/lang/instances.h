@@ -7,9 +7,9 @@
 
 #include "lang/telegram.h"
 
-// What stands in one message together: which packets may come again (8.4.1.4, 8.4.1.5), and which of version 1.1 stand
-// in for those of 1.0 (6.6.3.2.3). A message is a radio message, a loop message, or all telegrams of a balise group
-// that are used for it (3.16.2.1.2, 8.4.1.6).
+// The packets of one message together: which may occur again (8.4.1.4, 8.4.1.5), and which of version 1.1 replace those
+// of 1.0 (6.6.3.2.3). A message is a radio message, a loop message, or all telegrams of a balise group that are used
+// for it (3.16.2.1.2, 8.4.1.6).
 namespace evc::lang {
 
 /// Numbers of 0 to 255.
@@ -25,10 +25,10 @@ constexpr NumberSet set_of(std::initializer_list<std::uint8_t> numbers) {
   return s;
 }
 
-/// NID_PACKET as it stands in the bits; PacketView::NID_PACKET is that of version 2.1.
+/// NID_PACKET as in the bits; PacketView::NID_PACKET is that of version 2.1.
 std::uint8_t wire_number(const PacketView& packet);
 
-/// The packets that a message has so far.
+/// The packets read so far of a message.
 class Instances {
  public:
   /// A further telegram of the message begins.
@@ -38,12 +38,12 @@ class Instances {
   }
   /// Adds a packet; unknown ones do not count. True: with it the message has one instance too many for a direction.
   ///
-  /// Packets 44, 254, 145, 0 and 200 may come again; 65, 66, 88 and 6 with another identity (NID_TSR, the one of
-  /// restrictions that cannot be revoked apart; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in a telegram, and in
-  /// every telegram with the same content. Identities are compared within one direction, as is the rule to which
-  /// they are the exception. What follows packet 136 is about another group and counts separately.
+  /// Packets 44, 254, 145, 0 and 200 may occur again; 65, 66, 88 and 6 with another identity (NID_TSR, except that of
+  /// restrictions that cannot be revoked; NID_TSR; NID_LX; NID_VBCMK with NID_C); 136 once in a telegram, with the same
+  /// content in every telegram. Identities are compared within one direction, because the rule itself is per direction.
+  /// Packets after packet 136 concern another group and count separately.
   bool add(const PacketView& packet) { return packet.known && add(packet, wire_number(packet)); }
-  /// The same for a packet that is known, with its wire_number() at hand.
+  /// The same for a known packet with its wire_number().
   bool add(const PacketView& packet, std::uint8_t nid) {
     if (special.has(nid) || packet.direction == Direction::to_track) [[unlikely]]
       return add_special(packet, nid);
@@ -63,7 +63,7 @@ class Instances {
       return again;
     }
   };
-  /// Those of 8.4.1.4.1 to .9: several may stand in a message.
+  /// Those of 8.4.1.4.1 to .9: a message may contain several.
   static constexpr NumberSet special = set_of({44, 65, 66, 136, 88, 254, 145, 0, 200, 6});
   bool add_special(const PacketView& packet, std::uint8_t nid);
   bool add_location(const PacketView& packet);
@@ -74,7 +74,7 @@ class Instances {
   // more than 26 (8.4.2.1), a message of eight telegrams not more than 208.
   std::array<std::uint32_t, 208> identities_;  // NOLINT(cppcoreguidelines-pro-type-member-init): up to count_
   std::size_t count_ = 0;
-  std::uint64_t location_[2]{};  // what packet 136 says for each direction, 0: none
+  std::uint64_t location_[2]{};  // the contents of packet 136 for each direction, 0: none
   std::uint8_t infill_for_ = 0;  // directions of the packets 136 of this telegram, a bit each
   bool infill_ = false;
 };
@@ -85,8 +85,8 @@ struct Superseding {
   bool p206 = false, p207 = false, p239 = false;
   bool drops(const PacketView& packet) const;
 };
-/// The packets of one message that stand in for others. Called with the packets that are valid for the train's
-/// direction: one for the other direction takes nothing away here, which keeps the more.
+/// The packets of one message that replace others. Called with the packets valid for the train's direction: a packet
+/// for the other direction supersedes nothing, which keeps more information.
 Superseding superseding_in(std::span<const PacketView> message);
 
 }  // namespace evc::lang

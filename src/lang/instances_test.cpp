@@ -26,11 +26,11 @@
 #include "lang/packets/packet_70.h"
 #include "lang/packets/packet_88.h"
 
-// 8.4.1.4, 8.4.1.5 and the exceptions of 6.6.3.2.3 that look at the whole message.
+// 8.4.1.4, 8.4.1.5 and the exceptions of 6.6.3.2.3 that concern the whole message.
 namespace evc::lang {
 namespace {
 
-/// A telegram of a version with these packets, and what was found in it.
+/// A telegram of a version with these packets, and the result of reading it.
 struct Made {
   std::array<std::uint8_t, 128> room{};
   TelegramView view;
@@ -83,7 +83,7 @@ TEST(Instances, RestrictionsDifferInTheirIdentity) {
   EXPECT_EQ(fault_of(restriction(0, 1), restriction(1, 1)), Fault::none);
   // 255: cannot be revoked, has no identity.
   EXPECT_EQ(fault_of(restriction(1, 255), restriction(1, 255)), Fault::none);
-  // A restriction and the revocation of the one that was there are different packets.
+  // A restriction and the revocation of the former one are different packets.
   EXPECT_EQ(fault_of(restriction(1, 7), revocation(1, 7)), Fault::none);
   // Also where one of them follows packet 136.
   EXPECT_EQ(fault_of(restriction(1, 1), infill(1, 9), restriction(1, 1)), Fault::duplicate_packet);
@@ -104,7 +104,7 @@ TEST(Instances, CrossingsDifferInTheirIdentity) {
 TEST(Instances, CoversDifferInMarkerOrCountry) {
   EXPECT_EQ(fault_of(cover(2, 1, 5, 426), cover(2, 1, 6, 426), cover(2, 1, 5, 427)), Fault::none);
   EXPECT_EQ(fault_of(cover(2, 1, 5, 426), cover(2, 1, 5, 426)), Fault::duplicate_packet);
-  // Set and removed at once: the order of packets must not matter (8.4.1.3).
+  // Set and removed at once: the result must not depend on the order of packets (8.4.1.3).
   EXPECT_EQ(fault_of(cover(1, 1, 5, 426), cover(2, 0, 5, 426)), Fault::duplicate_packet);
   EXPECT_EQ(fault_of(cover(2, 1, 5, 426), cover(0, 0, 5, 426)), Fault::duplicate_packet);
   EXPECT_EQ(fault_of(cover(0, 1, 5, 426), cover(1, 0, 5, 426)), Fault::none);
@@ -126,7 +126,7 @@ TEST(Instances, InfillCountsByItself) {
   EXPECT_EQ(fault_of(infill(2, 9), infill(1, 9)), Fault::duplicate_packet);
 }
 
-/// Whether all telegrams can stand in one message.
+/// Whether one message can contain all the telegrams.
 bool together(std::initializer_list<const Made*> telegrams) {
   Instances instances;
   for (const Made* telegram : telegrams) {
@@ -146,7 +146,7 @@ TEST(Instances, AcrossTheTelegramsOfAGroup) {
   EXPECT_TRUE(together({&first, &second}));
   EXPECT_FALSE(together({&second, &both}));
   const Made old(16, restriction(1, 1));
-  EXPECT_FALSE(together({&first, &old}));  // the version does not matter
+  EXPECT_FALSE(together({&first, &old}));  // the version makes no difference
 }
 
 TEST(Instances, InfillAcrossTelegrams) {
@@ -155,7 +155,7 @@ TEST(Instances, InfillAcrossTelegrams) {
   EXPECT_TRUE(together({&a, &b}));  // one packet 136 in each, both the same; 45 once outside and once inside
   EXPECT_FALSE(together({&a, &elsewhere}));
   EXPECT_TRUE(together({&a, &back}));
-  EXPECT_TRUE(together({&a, &plain}));  // packet 5 of the infill, and of the group itself in the next telegram
+  EXPECT_TRUE(together({&a, &plain}));  // packet 5 as infill, and for the group itself in the next telegram
   EXPECT_FALSE(together({&b, &b}));
 }
 
@@ -171,7 +171,8 @@ TEST(Instances, MoreThanAMessageCanHaveAreOneTooMany) {
   }
 }
 
-// 6.6.3.2.3 exceptions 9, 11 to 13: beside 206, 207, 239 the old packets are for other units.
+// 6.6.3.2.3 exceptions 9, 11 to 13: with 206, 207, 239 in the message the old packets are for other
+// units.
 TEST(Superseding, InTheSameTelegram) {
   Packet68_v1_0 old;
   old.Q_TRACKINIT.raw = 1;
@@ -184,7 +185,7 @@ TEST(Superseding, InTheSameTelegram) {
   own_suitability.Q_TRACKINIT.raw = 1;
   const Made made(17, old, own, Packet39_v1_0{}, Packet239{}, suitability, own_suitability);
   ASSERT_EQ(made.view.fault, Fault::none);
-  ASSERT_EQ(made.view.packets.size(), 6u);  // whoever reads sees all of them
+  ASSERT_EQ(made.view.packets.size(), 6u);  // a reader gets all of them
   PacketViews message = made.view.packets;
   const Superseding newer = superseding_in(message);
   message.erase_if([&](const PacketView& p) { return newer.drops(p); });
@@ -198,7 +199,7 @@ TEST(Superseding, InTheSameTelegram) {
 }
 
 TEST(Superseding, AcrossTheTelegramsOfAGroup) {
-  // The telegram for units of 1.0 is marked 1.0, the other one 1.1; packets of X = 2 mean what they say.
+  // The telegram for units of 1.0 is marked 1.0, the other one 1.1; packets of X = 2 are not superseded.
   Packet68_v1_0 condition;
   condition.Q_TRACKINIT.raw = 1;
   Packet68 of_2;

@@ -23,7 +23,7 @@ inline constexpr std::size_t steps_in<WhenAround<V, I...>> = 1 + (steps_in<I> + 
 template <class... I>
 inline constexpr std::size_t steps_in<Items<I...>> = (steps_in<I> + ... + 0);
 
-/// Looks for the step that reads `member`; `at` counts the steps passed.
+/// Finds the step that reads `member`; `at` counts the steps passed.
 template <class S, class W, class M>
 constexpr void seek(const Field<S, W>& f, M member, std::size_t& at, std::size_t& found) {
   if constexpr (std::is_same_v<M, W S::*>)
@@ -126,7 +126,7 @@ constexpr PacketLayout packets[]{EVC_PACKETS_TO_TRAIN(EVC_ROW) EVC_PACKETS_TO_TR
 constexpr MessageLayout messages[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW) EVC_MESSAGES_TO_TRACK(EVC_ROW)};
 #undef EVC_ROW
 
-/// Place of each number in `packets`, one more, per direction and version.
+/// One more than the index of each number in `packets`, per direction and version.
 using Index = std::array<std::array<std::uint8_t, 256>, 8>;
 constexpr Index make_index() {
   Index index{};

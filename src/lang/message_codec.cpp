@@ -24,7 +24,7 @@ FaultAt read_message(const View& view, M& message, std::size_t* end) {
   return {};
 }
 
-/// Messages that mean the same in every version (8.4.4.1.1) can be read before a version is agreed.
+/// Messages that are the same in every version (8.4.4.1.1) can be read before a version is agreed.
 template <class M>
 constexpr bool is_of(std::uint8_t nid, SystemVersion sv) {
   const Versions version = known_version(sv);

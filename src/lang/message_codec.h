@@ -14,8 +14,8 @@ struct MessageToTrackCodec {
   const MessageInfo* info;
   FaultAt (*check)(const MessageToTrackView& view, std::size_t& end);
 };
-/// Null: no such message in this version. An unknown X finds the newest form: the caller decides
-/// whether the message may be read at all (8.4.4.1.1).
+/// Null: no such message in this version. With an unknown X the newest form is returned: the caller
+/// decides whether the message may be read (8.4.4.1.1).
 const MessageToTrainCodec* find_message_to_train(std::uint8_t nid, SystemVersion sv);
 const MessageToTrackCodec* find_message_to_track(std::uint8_t nid, SystemVersion sv);
 

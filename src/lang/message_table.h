@@ -7,7 +7,7 @@
 
 namespace evc::lang {
 
-/// Which packets a message must and may carry (SUBSET-026-8 8.6, 8.7).
+/// Mandatory and optional packets of a message (SUBSET-026-8 8.6, 8.7).
 struct MessageRules {
   std::uint8_t NID_MESSAGE;
   const char* name;

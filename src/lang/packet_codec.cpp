@@ -28,7 +28,7 @@ constexpr std::array to_train{EVC_PACKETS_TO_TRAIN(EVC_ROW)};
 constexpr std::array to_track{EVC_PACKETS_TO_TRACK(EVC_ROW)};
 #undef EVC_ROW
 
-/// The place of every packet number in the lists above, one more; 0: no such packet.
+/// One more than the index of every packet number in the lists above; 0: no such packet.
 using Index = std::array<std::uint8_t, 256>;
 template <std::size_t N>
 consteval std::array<Index, 4> index_of(const std::array<const PacketCodec*, N>& list) {

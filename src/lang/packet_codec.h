@@ -13,25 +13,25 @@ namespace evc::lang {
 struct PacketCodec {
   const PacketInfo* info;
   bool has_length;  ///< false: packets 0 and 255
-  /// Reads the packet and forgets it. False: not sound, and `at` says why.
+  /// Reads the packet only to check it. False: not consistent, with the reason in `at`.
   bool (*check)(const PacketView& view, FaultAt& at);
 };
 /// The layout of packet `nid` in the known version `version` (one bit); null if there is none.
 const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid);
 
-/// What is wrong after reading `view`, where something is.
+/// The fault after reading `view`, if there is one.
 FaultAt verdict(const codec::Source& from, const PacketView& view);
 /// Check::reading: a spare code of a later Y, except of Q_SCALE and Q_DIR.
 bool is_let_through(const FaultAt& fault, SystemVersion sv);
 
-/// Reads the packet in exactly the layout of P. False: not sound, and `at` says why.
+/// Reads the packet in exactly the layout of P. False: not consistent, with the reason in `at`.
 template <class P>
 [[gnu::noinline]] bool read_packet(const PacketView& view, P& packet, FaultAt& at) {
   const std::size_t end = view.bit + view.L_PACKET;
   codec::Source from{BitReader(view.bytes, end, view.bit + 8)};
   if constexpr (codec::has_direction<P>) {
     codec::get(from, packet.Q_DIR);
-    from.in.advance(13);  // L_PACKET: the view has it, and it is at least this long
+    from.in.advance(13);  // L_PACKET: stored in the view, and the packet is at least this long
     codec::read_structure<1>(from, codec::Scope<P, void>{packet, nullptr});
   } else {
     if constexpr (codec::has_length<P>) from.in.advance(13);
@@ -43,7 +43,7 @@ template <class P>
   return false;
 }
 
-/// Reads the packet and forgets it; made in packet_codec_*.cpp.
+/// Reads the packet only to check it; instantiated in packet_codec_*.cpp.
 template <class P>
 bool check_packet(const PacketView& view, FaultAt& at);
 

@@ -64,7 +64,7 @@ void encode(BitWriter& out, const P& packet) {
 
 template <class P>
 bool check_packet(const PacketView& view, FaultAt& at) {
-  // Reading assigns every member that it looks at, so the room need not be made zero first.
+  // Reading assigns every member it uses, so the memory need not be zero before.
   alignas(P) std::byte room[sizeof(P)];
   return read_packet(view, *std::launder(reinterpret_cast<P*>(room)), at);
 }

@@ -1,5 +1,5 @@
-// Random packets of every layout: the reader and the writer made from the structs against a walk over
-// the layout as data that reads bit by bit. OPENEVC_CASES sets how many per layout.
+// Random packets of every layout: the reader and writer made from the structs, compared with a walk over the layout as
+// data that reads bit by bit. OPENEVC_CASES sets how many per layout.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// Writes random codes along a layout, spare ones left out.
+/// Writes random codes by a layout, without spare ones.
 struct RandomWriter {
   Random& random;
   BitWriter& out;
@@ -28,7 +28,7 @@ struct RandomWriter {
 
   std::uint64_t code(const Step& step) {
     for (;;) {
-      // Often a limit of the range: special values lie there.
+      // Often a limit of the range, where special values are.
       const std::uint64_t any = random();
       std::uint64_t code = any & all_ones(step.bits);
       if (any >> 60 == 0) code = all_ones(step.bits) - (any & 3u & all_ones(step.bits));
@@ -69,7 +69,7 @@ struct RandomWriter {
   }
 };
 
-/// What a walk sees, as a list.
+/// The values of a walk as a list.
 struct Record {
   std::vector<std::pair<std::string, std::uint64_t>> seen;
   void field(const Step& step, std::uint64_t code, std::size_t bit) {
@@ -106,7 +106,7 @@ void round_trip(const char* type) {
   SCOPED_TRACE(type);
   const PacketLayout& layout = layout_named(type);
   Random random(P::info.NID_PACKET * 7u + static_cast<unsigned>(P::info.direction));
-  // The struct as a Packet3 has two thousand and more bits: the size is chosen so that L_PACKET can hold it.
+  // A Packet3 has over two thousand bits: the size is chosen so that L_PACKET can hold it.
   for (int n = cases(); n > 0 && !testing::Test::HasFailure(); --n) {
     std::array<std::uint8_t, 1400> bytes{};
     BitWriter out(bytes);
@@ -143,7 +143,7 @@ void round_trip(const char* type) {
       const auto width = static_cast<unsigned>(std::min<std::size_t>(first.left(), 64));
       ASSERT_EQ(first.read_bit_by_bit(width), second.read_bit_by_bit(width));
     }
-    // Both walks see the same.
+    // Both walks give the same values.
     const std::size_t header = layout.has_direction ? 23 : layout.has_length ? 21 : 8;
     BitReader fast(out.bytes(), offset + bits, offset + header);
     BitReader slow(out.bytes(), offset + bits, offset + header);
@@ -153,7 +153,7 @@ void round_trip(const char* type) {
     ASSERT_EQ(a.seen, b.seen);
     ASSERT_FALSE(fast.faulty());
     ASSERT_EQ(fast.position(), offset + bits);
-    // One bit less: the content does not fit into L_PACKET any more, or L_PACKET not into the bytes.
+    // One bit less: the content no longer fits into L_PACKET, or L_PACKET into the bytes.
     if (layout.has_length && bits > header) {
       bool has_rest = false;
       for (const Step& s : layout.steps) has_rest = has_rest || s.kind == Step::Kind::rest;

@@ -7,9 +7,9 @@
 
 #include "base/inplace_vector.h"
 
-// How the ETCS language is written down here. A packet is declared once: a plain struct, its
-// PacketInfo, and one `layout_of<>` that lists its fields in the order of SUBSET-026-7. The reader,
-// the writer, the JSON form, the tables of `evc describe` and the pages in docs/packets derive from it.
+// The notation of the ETCS language. A packet is declared once: a plain struct, its PacketInfo, and one `layout_of<>`
+// that lists its fields in the order of SUBSET-026-7. The reader, the writer, the JSON form, the tables of `evc
+// describe` and the pages in docs/packets derive from it.
 namespace evc::lang {
 
 /// X.Y of the system version (SUBSET-026-6 6.5, M_VERSION).
@@ -26,18 +26,18 @@ constexpr SystemVersion system_version(std::uint64_t M_VERSION) {
 /// A set of the four system versions whose layouts are known.
 using Versions = std::uint8_t;
 inline constexpr Versions v1_0 = 1, v1_1 = 2, v2_0 = 4, v2_1 = 8;
-/// The known version to read `sv` with: itself, or the newest known with the same X (3.17.3.11); 0 if
-/// X is unknown.
+/// The known version to read `sv` with: itself, or the newest supported one with the same X (3.17.3.11); 0 if X is
+/// unknown.
 constexpr Versions known_version(SystemVersion sv) {
   if (sv.x == 1) return sv.y == 0 ? v1_0 : v1_1;
   if (sv.x == 2) return sv.y == 0 ? v2_0 : v2_1;
   return 0;
 }
 
-/// A version Y that came after the ones known here, of a known X (3.17.3.11).
+/// A version Y later than the supported ones, of a known X (3.17.3.11).
 constexpr bool is_later(SystemVersion sv) { return (sv.x == 1 || sv.x == 2) && sv.y > 1; }
 
-/// A set of the ways information travels.
+/// A set of transmission media.
 using Media = std::uint8_t;
 namespace media {
 inline constexpr Media balise = 1, loop = 2, RBC = 4, RIU = 8;
@@ -45,7 +45,7 @@ inline constexpr Media balise = 1, loop = 2, RBC = 4, RIU = 8;
 
 enum class Direction : std::uint8_t { to_train, to_track };
 
-/// What stands above the table of a packet in chapter 7.
+/// The heading of the table of a packet in chapter 7.
 struct PacketInfo {
   std::uint8_t NID_PACKET;
   const char* name;
@@ -56,7 +56,7 @@ struct PacketInfo {
   const char* note;
 };
 
-/// What stands above the table of a message in chapter 8.
+/// The heading of the table of a message in chapter 8.
 struct MessageInfo {
   std::uint8_t NID_MESSAGE;
   const char* name;
@@ -79,7 +79,7 @@ struct Range {
   std::uint64_t first, last;
 };
 
-/// In the place of a range of spare codes: those with a decimal digit A to E (7.5.1.91.1, 7.5.1.92).
+/// Instead of a range of spare codes: those with a decimal digit A to E (7.5.1.91.1, 7.5.1.92).
 inline constexpr Range decimal_digits{1, 0};
 constexpr bool is_in(Range range, std::uint64_t code) {
   if (range.first <= range.last) return code >= range.first && code <= range.last;
@@ -93,7 +93,7 @@ constexpr std::uint64_t all_ones(unsigned bits) {
 }
 
 /// One variable of the ETCS language (SUBSET-026-7 7.5): name and width are its type, `raw` is the
-/// number on the wire. Codes above `max` are no ordinary values: special ones, or spare ones.
+/// number on the wire. Codes above `max` are special or spare.
 template <Name N, unsigned Bits, std::uint64_t Max = all_ones(Bits), Range... Spare>
 struct Variable {
   static_assert(Bits >= 1 && Bits <= 64);
@@ -110,7 +110,7 @@ struct Variable {
   friend constexpr bool operator==(Variable, Variable) = default;
 };
 
-/// Bits without a structure of ETCS's, up to the end given by L_PACKET (packet 44).
+/// Bits without a structure in ETCS, up to the end given by L_PACKET (packet 44).
 struct Opaque {
   std::uint16_t bits = 0;
   InplaceVector<std::uint8_t, 1024> bytes;  // left aligned
@@ -138,8 +138,8 @@ constexpr Test is(std::uint16_t a) { return {false, 1, {a, 0}}; }
 constexpr Test is(std::uint16_t a, std::uint16_t b) { return {false, 2, {a, b}}; }
 constexpr Test is_not(std::uint16_t a) { return {true, 1, {a, 0}}; }
 
-/// Items of a layout in their order: a std::tuple that the compiler reads fast. Each file that includes a packet
-/// builds its layout, and the recursion and the constructors of std::tuple are most of that time.
+/// Items of a layout in their order: a tuple that compiles fast. Each file that includes a packet builds its layout;
+/// with std::tuple, recursion and constructors would take most of that time.
 template <std::size_t K, class I>
 struct ItemAt {
   I item;
@@ -150,12 +150,12 @@ template <std::size_t... K, class... I>
 struct ItemsAt<std::index_sequence<K...>, I...> : ItemAt<K, I>... {};
 template <class... I>
 struct Items : ItemsAt<std::index_sequence_for<I...>, I...> {};
-/// Item `K` of them.
+/// Item `K` of the list.
 template <std::size_t K, class I>
 [[gnu::always_inline]] constexpr const I& at(const ItemAt<K, I>& items) {
   return items.item;
 }
-/// Calls `f` with each of them in turn, from item `From` on.
+/// Calls `f` with each item in turn, from item `From` on.
 template <std::size_t From = 0, class... I, class F>
 [[gnu::always_inline]] constexpr void each(const Items<I...>& items, F f) {
   [&]<std::size_t... K>(std::index_sequence<K...>) { (f(at<From + K>(items)), ...); }
@@ -167,7 +167,7 @@ struct Field {
   const char* name;
   V S::*member;
 };
-/// Items that are there only if `test` holds for `condition`.
+/// Items that are present only if `test` holds for `condition`.
 template <class S, class V, class... I>
 struct When {
   V S::*condition;
@@ -204,7 +204,7 @@ template <class I>
 constexpr I item(I i) {
   return i;
 }
-/// A field whose name in the structure is not the variable's.
+/// A field whose name in the structure differs from the variable's.
 template <class S, class V>
 constexpr Field<S, V> named(const char* name, V S::*member) {
   return {name, member};

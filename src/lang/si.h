@@ -6,8 +6,8 @@
 #include "lang/variables.h"
 
 // Raw codes as quantities. Each is one correctly rounded operation on the raw number. Where a
-// variable has codes that are no ordinary value (infinite, unknown, "national value") the result is
-// optional and empty for those; otherwise it is the quantity itself.
+// variable has special codes (infinite, unknown, "national value"), the result is optional and
+// empty for those; otherwise it is the quantity itself.
 namespace evc::lang {
 
 namespace detail {
@@ -80,7 +80,7 @@ constexpr double factor(var::M_NVKVINT k) { return k.raw / 50.0; }
 constexpr double factor(var::M_NVKRINT k) { return k.raw / 20.0; }
 constexpr double factor(var::M_NVKTINT k) { return k.raw / 20.0; }
 constexpr double factor(var::M_NVAVADH k) { return k.raw / 20.0; }
-/// L_NVKRINT: train length at which a correction factor starts to hold (7.5.1.54.1).
+/// L_NVKRINT: train length from which a correction factor applies (7.5.1.54.1).
 constexpr Distance metres(var::L_NVKRINT l) {
   if (l.raw <= 4) return Distance{25.0 * l.raw};
   if (l.raw <= 6) return Distance{150.0 + 50.0 * (l.raw - 5)};

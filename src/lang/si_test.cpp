@@ -47,7 +47,7 @@ TEST(Si, SpeedsTimesAndOthers) {
   EXPECT_EQ(nid_lrbg({426, 352}), (426u << 14) | 352);
 }
 
-/// The formula of L_NVKRINT against its table, code by code.
+/// The formula of L_NVKRINT compared with its table, code by code.
 TEST(Si, TrainLengthSteps) {
   const VariableInfo* info = find_variable("L_NVKRINT");
   ASSERT_EQ(info->numbers.size(), 32u);

@@ -13,13 +13,13 @@ namespace {
 
 enum class Ending : std::uint8_t { packet_255, padding };
 
-/// What is the same for all packets of one telegram or message.
+/// What all packets of one telegram or message have in common.
 struct Frame {
   std::span<const std::uint8_t> bytes;
   std::size_t end = 0;  // bits
   Direction direction = Direction::to_train;
   SystemVersion sv;
-  Media medium = 0;  // 0: given by the message's list
+  Media medium = 0;  // 0: given by the list of the message
   Ending ending = Ending::packet_255;
   Check check = Check::all;
 };
@@ -43,7 +43,7 @@ constexpr Field<S, V> field(V S::*member) {
   return {V::name, member};
 }
 
-/// Finds where the packet at `view.bit` ends; `known` is null if the number says nothing here.
+/// Finds the end of the packet at `view.bit`; `known` is null if the number is unknown.
 [[gnu::always_inline]] inline FaultAt measure(const Frame& frame, PacketView& view, const PacketCodec* known) {
   const std::size_t left = frame.end - view.bit;
   const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
@@ -71,7 +71,7 @@ bool is_let_through(const FaultAt& fault, const Frame& frame) {
   return frame.check == Check::reading && is_let_through(fault, frame.sv);
 }
 
-/// What is to be said of a packet besides where it ends. False: not sound, and `at` says why.
+/// Checks a packet whose end is known. False: not consistent, with the reason in `at`.
 bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
                  Instances& instances, FaultAt& at) {
   const auto nid = static_cast<std::uint8_t>(view.NID_PACKET);
@@ -139,7 +139,7 @@ void set_fault(View& view, const FaultAt& at) {
   view.fault = at.fault;
 }
 
-/// The header is whole and for this receiver.
+/// Whether the header is complete and for this receiver.
 FaultAt check_header(const codec::Source& from, var::Q_UPDOWN Q_UPDOWN, var::M_VERSION M_VERSION, Check check) {
   if (from.in.faulty()) return {Fault::truncated, from.in.position(), -1, from.in.failed_on(), 0};
   if (Q_UPDOWN.raw != 1 && check != Check::structure) return {Fault::wrong_direction, 0, -1, "Q_UPDOWN", Q_UPDOWN.raw};
@@ -156,9 +156,8 @@ bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
   return false;
 }
 
-/// 8.4.4: the mandatory packets come first, in their order; the others are on the message's list.
-/// Unknown packets are ignored, for a train where the message may have others than the mandatory ones (3.17.3.11
-/// c).
+/// 8.4.4: the mandatory packets are first, in their order; the others are on the list of the message. Unknown packets
+/// are ignored; by a train only where the message may have others than the mandatory ones (3.17.3.11 c).
 FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check) {
   std::size_t next = 0;
   for (const auto& one_of : rules.required) {
@@ -177,7 +176,7 @@ FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::s
   return {};
 }
 
-/// Everything that messages of both directions share.
+/// The common part of messages of both directions.
 template <class View, class Codec>
 FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersion), Direction direction, Check check) {
   BitReader in(view.bytes);

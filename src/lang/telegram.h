@@ -8,8 +8,8 @@
 #include "lang/schema.h"
 #include "lang/variables.h"
 
-// Telegrams and messages as found on the wire: header variables and where the packets are. Nothing
-// is copied or allocated; a view is valid as long as the bytes it was made from.
+// Telegrams and messages as received: header variables and the places of the packets. Nothing is
+// copied or allocated; a view is valid as long as the bytes it was made from.
 namespace evc::lang {
 
 /// A packet inside a telegram or message.
@@ -20,17 +20,17 @@ struct PacketView {
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
   std::uint32_t bit = 0;       ///< of NID_PACKET in `bytes`
   std::uint8_t Q_DIR = 0;      ///< raw; 2 (both) for packets without Q_DIR and from the train
-  SystemVersion sv{0, 0};      ///< to be set in views made by hand
+  SystemVersion sv{0, 0};      ///< to be set in views not made by scan_...()
   Direction direction = Direction::to_train;
-  bool known = false;                   ///< false: a number without a meaning here, skipped by its length
+  bool known = false;                   ///< false: an unknown number, skipped by its length
   std::span<const std::uint8_t> bytes;  ///< of the whole telegram or message
 };
 
 inline constexpr std::size_t kPacketsMax = 48;
 using PacketViews = InplaceVector<PacketView, kPacketsMax>;
 
-/// A balise telegram (8.4.2). `fault` set: the telegram is not consistent and nothing else here counts,
-/// except that the header is what was read as far as it was read.
+/// A balise telegram (8.4.2). `fault` set: the telegram is not consistent and the other members are not valid, except
+/// the part of the header that was read.
 struct TelegramView {
   var::Q_UPDOWN Q_UPDOWN;
   var::M_VERSION M_VERSION;
@@ -92,17 +92,17 @@ struct MessageToTrackView {
   Fault fault = Fault::none;
 };
 
-/// What is checked beyond what is needed to find the packets.
+/// The checks beyond those needed to find the packets.
 ///
-/// Of a version Y that is later than the ones known (M_VERSION 2.2 and above) a train skips packets whose number it
-/// does not know (3.17.3.11). Codes that it does not know in packets that it knows are another matter: the clause
-/// speaks of NID_PACKET and NID_MESSAGE only, and a speed or a distance without a meaning cannot be used, so the
-/// message is inconsistent (3.16.1.1.1).
+/// With a later version Y (M_VERSION 2.2 and above) a train skips packets with an unknown number (3.17.3.11). This does
+/// not apply to unknown codes in known packets: the clause mentions NID_PACKET and NID_MESSAGE only, and a speed or
+/// distance without a meaning cannot be used, so the message is inconsistent (3.16.1.1.1).
 enum class Check : std::uint8_t {
-  /// For a train: everything 3.16.1, 3.16.2, 7.3 and 8.4 say, also the inside of every packet, its media, 8.4.1.4.
+  /// For a train: all rules of 3.16.1, 3.16.2, 7.3 and 8.4, including the contents of every packet, its media, and
+  /// 8.4.1.4.
   all,
-  /// For whoever only reads: as `all`, but unknown packets are skipped in every version, and of a later Y spare codes
-  /// are let through, except Q_SCALE and Q_DIR, without which nothing can be made of a packet.
+  /// For a reader that is not a train: as `all`, but unknown packets are skipped in every version, and spare codes of a
+  /// later Y are accepted, except Q_SCALE and Q_DIR, without which a packet cannot be interpreted.
   reading,
   structure,  ///< only that the packets can be found
 };
@@ -112,14 +112,14 @@ enum class Check : std::uint8_t {
 /// give Fault::unknown_version with the header read.
 TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
 LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
-/// Radio messages carry no version of their own: `sv` is that of the session (3.5.3.5.2). `bytes` is the
-/// whole message: more or fewer than L_MESSAGE is a fault.
+/// Radio messages do not contain a version: `sv` is that of the session (3.5.3.5.2). `bytes` is the whole message: more
+/// or fewer than L_MESSAGE is a fault.
 MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all);
 MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all);
 
-/// Checks the one packet that `bytes` begin with, of `bits` bits.
+/// Checks one packet at the start of `bytes`, of `bits` bits.
 FaultAt check_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Direction direction, SystemVersion sv);
 
 }  // namespace evc::lang

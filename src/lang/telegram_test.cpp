@@ -53,7 +53,7 @@ TEST(Telegram, OfARealLine) {
   EXPECT_EQ(decode(t.packets[0], linking), Fault::not_a_packet_of_this_kind);
 }
 
-/// A telegram of version 2.1 (or what `M_VERSION` says) with what `fill` writes.
+/// A telegram of version 2.1 (or `M_VERSION`) with the bits that `fill` writes.
 template <class Fill>
 struct Made {
   std::array<std::uint8_t, 128> room{};
@@ -86,7 +86,7 @@ TEST(Telegram, UnknownPacketWithLengthZero) {
 }
 
 TEST(Telegram, CounterAtItsLimit) {
-  // 31 further links announced, none there: the packet ends by its own length.
+  // 31 further links announced, none present: the packet ends by its own length.
   const Made made([](BitWriter& out) {
     raw_packet(out, 5, 1, 69);
     out.write(1, 2);
@@ -96,7 +96,7 @@ TEST(Telegram, CounterAtItsLimit) {
   const TelegramView t = made.scan();
   EXPECT_EQ(t.fault, Fault::length_mismatch);
   EXPECT_STREQ(t.at.variable, "D_LINK");
-  // As many as there can be.
+  // The maximum number.
   Packet5 full;
   full.Q_DIR.raw = 1;
   while (!full.links.full()) (void)full.links.push_back({});
@@ -117,7 +117,7 @@ TEST(Telegram, PacketThatEndsBeyondTheTelegram) {
   const TelegramView t = made.scan(Check::structure);
   EXPECT_EQ(t.fault, Fault::length_beyond_end);
   EXPECT_EQ(t.at.value, 8191u);
-  // The header of a packet cut off.
+  // A packet with an incomplete header.
   const Made cut([](BitWriter&) {}, 33, 0);
   std::array<std::uint8_t, 8> bytes{};
   std::copy_n(cut.room.begin(), 8, bytes.begin());
@@ -152,7 +152,7 @@ TEST(Telegram, UnknownPacketIsSkipped) {
   ASSERT_EQ(t.packets.size(), 2u);
   EXPECT_FALSE(t.packets[0].known);
   EXPECT_TRUE(t.packets[1].known);
-  // A train knows every number of 2.1 (3.16.1.1.1), but not those of 2.2 (3.17.3.11).
+  // A train supports every number of 2.1 (3.16.1.1.1), but not those of 2.2 (3.17.3.11).
   EXPECT_EQ(made.scan().fault, Fault::spare_value);
   EXPECT_EQ(made.scan().at.packet, 99);
   EXPECT_STREQ(made.scan().at.variable, "NID_PACKET");
@@ -174,7 +174,7 @@ TEST(Telegram, SpareCode) {
   EXPECT_EQ(t.at.value, 121u);
   EXPECT_EQ(t.at.bit, 50u + 23 + 2 + 8 + 15 + 15 + 1);
   EXPECT_EQ(Made(fill).scan(Check::structure).fault, Fault::none);
-  // A train cannot use it with a later Y either; a mere reader continues and finds the code.
+  // A train cannot use it with a later Y either; a reader continues and returns the code.
   EXPECT_EQ(Made(fill, 34).scan().fault, Fault::spare_value);
   EXPECT_EQ(Made(fill).scan(Check::reading).fault, Fault::spare_value);
   const Made later(fill, 34);
@@ -183,7 +183,7 @@ TEST(Telegram, SpareCode) {
   Packet65 read;
   EXPECT_EQ(decode(reading.packets[0], read), Fault::none);
   EXPECT_EQ(read.V_TSR.raw, 121);
-  // But not a scale or a direction that nothing is known of.
+  // But not with an unknown scale or direction.
   const auto scale = [](BitWriter& out) {
     Packet65 tsr;
     tsr.Q_DIR.raw = 1;
@@ -277,7 +277,7 @@ TEST(Telegram, PacketsThatStandTwice) {
   EXPECT_EQ(twice(0, 1), Fault::none);
   EXPECT_EQ(twice(2, 1), Fault::duplicate_packet);
   EXPECT_EQ(twice(0, 2), Fault::duplicate_packet);
-  // 8.4.1.4: temporary speed restrictions, and what follows packet 136.
+  // 8.4.1.4: temporary speed restrictions, and packets after packet 136.
   EXPECT_EQ(Made([](BitWriter& out) {
               encode(out, Packet65{{1}, {1}, {1}, {}, {}, {}, {}});
               encode(out, Packet65{{1}, {1}, {2}, {}, {}, {}, {}});
@@ -296,7 +296,7 @@ TEST(Telegram, PacketsThatStandTwice) {
 }
 
 TEST(Telegram, MediumAndPlace) {
-  // Packet 57 comes by radio only.
+  // Packet 57 is sent by radio only.
   EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan().fault, Fault::wrong_medium);
   EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan(Check::structure).fault, Fault::none);
   const auto marker = [](BitWriter& out) {
@@ -348,7 +348,7 @@ TEST(LoopMessage, IsRead) {
   EXPECT_EQ(scan_loop_message(out.bytes(), out.position()).fault, Fault::wrong_medium);
 }
 
-/// A message with what `fill` writes after its own variables.
+/// A message with the bits that `fill` writes after its own variables.
 template <class M, class Fill>
 std::vector<std::uint8_t> message(const M& m, Fill fill) {
   std::array<std::uint8_t, 200> room{};
@@ -432,7 +432,8 @@ TEST(Message, LengthAndVersion) {
   bytes[0] = 200;
   EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::unknown_message);
   EXPECT_EQ(scan_message_to_train({}, {2, 1}).fault, Fault::truncated);
-  // Before a version is agreed only the messages that every version has are read (8.4.4.1.1).
+  // Before a version is agreed only messages that are the same in every version are read
+  // (8.4.4.1.1).
   const std::vector<std::uint8_t> version = message(Message32{}, no_packets);
   EXPECT_EQ(scan_message_to_train(version, {0, 0}).fault, Fault::none);
   // Shorter than its own variables.
@@ -513,7 +514,7 @@ TEST(Encode, NoRoom) {
   begin_telegram(telegram, {});
   end_telegram(telegram, 50);
   EXPECT_TRUE(telegram.faulty());
-  // Bits of an application that are not there.
+  // Missing bits of an application.
   BitWriter application(more);
   Packet44 p;
   p.OTHER_DATA.bits = 9;

@@ -6,8 +6,8 @@ namespace evc::lang {
 namespace {
 
 // 6.6.3.2.3 [3]: NC_DIFF of X = 1 -> Q_DIFF, NC_CDDIFF, NC_DIFF. {1}: whether the speed for an "other"
-// category replaces the one for cant deficiency (Q_DIFF 1) or stands beside it (2) depends on the train.
-// 2 is taken: both apply and the lower one wins, which is never less restrictive.
+// category replaces the one for cant deficiency (Q_DIFF 1) or applies in addition (2) depends on the train. 2 is used:
+// both apply and the lower one counts, which is never less restrictive.
 struct Category {
   bool other;
   std::uint8_t code;  // NC_CDDIFF, or NC_DIFF of X = 2 if `other`
@@ -52,7 +52,7 @@ std::uint8_t axle_load_category(var::M_AXLELOAD m) {
   return 11;
 }
 
-/// Every element of `from` turned by `make` into one of `to`; both have the same capacity.
+/// Converts every element of `from` by `make` into one of `to`; both have the same capacity.
 template <class From, class To, class Make>
 void each_element(const From& from, To& to, Make make) {
   static_assert(From::capacity() <= To::capacity());
@@ -112,8 +112,8 @@ bool translate(const Packet3_v1_0& from, Packet3& to) {
   to.Q_DIR = from.Q_DIR;
   to.Q_SCALE = from.Q_SCALE;
   to.D_VALIDNV.raw = from.D_VALIDNV.raw;
-  // One list of countries here; its first one stands before the counter in X = 2. An empty list (the
-  // values would be valid nowhere) has no form in X = 2.
+  // X = 1 has one list of countries; in X = 2 the first country is before the counter. An empty list (values valid
+  // nowhere) cannot be expressed in X = 2.
   if (from.areas.empty()) return false;
   to.NID_C = from.areas[0].NID_C;
   for (std::size_t i = 1; i < from.areas.size(); ++i) (void)to.areas.push_back({from.areas[i].NID_C});
@@ -280,8 +280,8 @@ bool translate(const Packet70_v1_0& from, Packet70& to) {
   to.Q_TRACKINIT = from.Q_TRACKINIT;
   to.D_TRACKINIT = from.D_TRACKINIT;
   if (from.Q_TRACKINIT.raw == 1) return true;  // [11]
-  // [12]: only what is about known traction systems is taken; distances are increments, so those of
-  // the points left out are added to the next one taken.
+  // [12]: only points for known traction systems are used; distances are increments, so those of
+  // the points left out are added to the next one used.
   std::uint32_t distance = 0;
   bool first = true;
   const auto take = [&](var::D_SUITABILITY D_SUITABILITY, var::Q_SUITABILITY Q_SUITABILITY,
@@ -397,7 +397,7 @@ TrainPacket1_v1_0 for_version_1(const TrainPacket1& p) {
           p.V_TRAIN, p.Q_DIRTRAIN,  mode(p.M_MODE), p.M_LEVEL,  p.NID_NTC};
 }
 TrainPacket4_v1_0 for_version_1(const TrainPacket4& p) {
-  // [2]: 6 (safety critical fault) is 7 there; 7 and 8 are not sent, which the caller must see to.
+  // [2]: 6 (safety critical fault) is 7 in X = 1; the caller must not send 7 and 8.
   return {{static_cast<std::uint8_t>(p.M_ERROR.raw == 6 ? 7 : p.M_ERROR.raw)}};
 }
 

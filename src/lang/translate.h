@@ -23,13 +23,13 @@
 #include "lang/packets/train_packet_11.h"
 #include "lang/packets/train_packet_4.h"
 
-// Information of system version X = 1 in the form of X = 2, and the other way round for what is sent
-// to an RBC of X = 1 (SUBSET-026-6 6.6.3). decode() and encode() with a version call these.
+// Information of system version X = 1 in the form of X = 2, and in the other direction for messages to an RBC of X = 1
+// (SUBSET-026-6 6.6.3). decode() and encode() with a version call these.
 namespace evc::lang {
 
 template <class... P>
 struct Forms {};
-/// The older layouts a packet can be made from.
+/// The older layouts from which a packet can be made.
 template <class P>
 struct OlderForms {
   using type = Forms<>;
@@ -56,9 +56,9 @@ EVC_OLDER_FORMS(Packet140, Packet140_v1_0)
 
 /// 6.6.3.2.3. False: a unit of X = 2 ignores the packet (exceptions 10 to 13).
 bool translate(const Packet200& from, Packet0& to);
-/// Q_NVSRBKTRG stands in the place of Q_NVSBTSMPERM. V_NVLIMSUPERV and Q_NVLOCACC get their defaults
-/// (A.3.2; exception 1a), as do the values of packet 203, which append() sets. Whether values stored
-/// before are to be kept instead (exceptions 1b and 2) is the receiver's to decide: it sees `view.sv`.
+/// Q_NVSRBKTRG is used as Q_NVSBTSMPERM. V_NVLIMSUPERV and Q_NVLOCACC get their defaults (A.3.2; exception 1a), as do
+/// the values of packet 203, which append() sets. The receiver decides by `view.sv` whether stored values are kept
+/// instead (exceptions 1b and 2).
 bool translate(const Packet3_v1_0& from, Packet3& to);
 bool translate(const Packet27_v1_0& from, Packet27& to);
 bool translate(const Packet39_v1_0& from, Packet39& to);
@@ -78,11 +78,11 @@ bool translate(const Packet140_v1_0& from, Packet140& to);
 /// Packet 203 appended to the packet 3 of the same message (6.6.3.2.3 exception 16).
 void append(Packet3& national_values, const Packet203& braking_curves);
 
-/// 6.6.3.4.5: what is sent to an RBC or RIU of X = 1. `M_LEVEL` 4 stays 4.
+/// 6.6.3.4.5: messages to an RBC or RIU of X = 1. `M_LEVEL` 4 stays 4.
 TrainPacket0_v1_0 for_version_1(const TrainPacket0& from);
 TrainPacket1_v1_0 for_version_1(const TrainPacket1& from);
 TrainPacket4_v1_0 for_version_1(const TrainPacket4& from);
-/// NID_OPERATIONAL is not in the packet of X = 2 and is given apart (6.6.3.4.5 exception 3a).
+/// NID_OPERATIONAL is not in the packet of X = 2 and is a parameter (6.6.3.4.5 exception 3a).
 TrainPacket11_v1_0 for_version_1(const TrainPacket11& from, var::NID_OPERATIONAL_V1 NID_OPERATIONAL);
 TrainMessage132_v1_0 for_version_1(const TrainMessage132& from);
 TrainMessage147_v1_0 for_version_1(const TrainMessage147& from);

@@ -104,7 +104,7 @@ TEST(Translate, NationalValues) {
   EXPECT_EQ(p.M_NVKTINT.raw, 20);
   EXPECT_EQ(p.kr_steps.size(), 1u);
   EXPECT_EQ(p.V_NVSTFF.raw, 8);
-  // Values for no country at all.
+  // Values for no country.
   old.areas.clear();
   EXPECT_EQ(through(old, p), Fault::not_applicable);
 }
@@ -132,11 +132,11 @@ TEST(Translate, Traction) {
   newer.NID_CTRACTION.raw = 5;
   ASSERT_EQ(through(newer, p, {1, 1}), Fault::none);
   EXPECT_EQ(p.NID_CTRACTION.raw, 5);
-  // A packet of a version in which it does not stand.
+  // A packet that does not exist in the version.
   EXPECT_EQ(through(newer, p, {1, 0}), Fault::not_a_packet_of_this_kind);
 }
 
-// [12]: points that are not about traction are left out, their distances kept.
+// [12]: points that do not concern traction are left out, their distances are kept.
 TEST(Translate, RouteSuitability) {
   Packet70_v1_0 old;
   old.D_SUITABILITY.raw = 100;
@@ -159,10 +159,10 @@ TEST(Translate, RouteSuitability) {
   old.Q_TRACKINIT.raw = 1;
   ASSERT_EQ(through(old, p), Fault::none);
   EXPECT_EQ(p.Q_TRACKINIT.raw, 1);
-  // Nothing about traction.
+  // No point for traction.
   Packet70_v1_0 gauge;
   EXPECT_EQ(through(gauge, p), Fault::not_applicable);
-  // A distance that has no form.
+  // A distance that cannot be expressed.
   Packet70_v1_0 far;
   far.D_SUITABILITY.raw = 32767;
   point.D_SUITABILITY.raw = 32767;

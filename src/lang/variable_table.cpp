@@ -4,7 +4,7 @@
 
 #include "lang/variables.h"
 
-// The meaning of every code, in our own words (SUBSET-026-7 7.5).
+// The meaning of every code (SUBSET-026-7 7.5), reworded.
 namespace evc::lang {
 namespace {
 

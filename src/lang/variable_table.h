@@ -6,7 +6,7 @@
 
 namespace evc::lang {
 
-/// What a number of the wire means.
+/// The meaning of a number on the wire.
 enum class Kind : std::uint8_t {
   acceleration,
   bcd,        ///< decimal digits, one in four bits, filled up with F
@@ -49,7 +49,7 @@ struct VariableInfo {
   std::uint64_t max;  ///< greatest ordinary code
   std::span<const Meaning> special;
   std::span<const Meaning> codes;
-  std::span<const Meaning> bit_meanings;  ///< Meaning::code is the bit's number, 0 the least significant
+  std::span<const Meaning> bit_meanings;  ///< Meaning::code is the number of the bit, 0 the least significant
   std::span<const CodeNumber> numbers;
   std::span<const Range> spare;
   Versions versions;

@@ -6,8 +6,8 @@
 #include "lang/fault.h"
 #include "lang/layouts.h"
 
-// A walk over bits along a layout as data. It shares nothing with the readers made from the structs
-// but the layout: the two are compared in tests and by the fuzzers.
+// A walk over bits by a layout as data. It shares only the layout with the readers made from the
+// structs: tests and fuzzers compare the two.
 namespace evc::lang {
 
 /// The structures that a walk is in, innermost first.
@@ -29,7 +29,7 @@ inline constexpr std::size_t kStepsMax = 96;
 /// Reads along `steps` and calls `visitor`:
 ///   field(step, code, bit), begin_group(step, count, bit of the counter), begin_element(index),
 ///   end_element(), end_group(), rest(step, bit, bits).
-/// `Read` is how a code is read: fast or bit by bit. Ends early when the reader becomes faulty.
+/// `Read` reads a code: fast or bit by bit. Ends early when the reader becomes faulty.
 template <auto Read, class Visitor>
 void walk(BitReader& in, std::span<const Step> steps, Visitor& visitor, const WalkScope* up = nullptr,
           std::size_t first = 0) {

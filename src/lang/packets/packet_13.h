@@ -30,7 +30,7 @@ struct Packet13 {
   var::NID_BG NID_BG;
   var::D_SR D_SR;
   InplaceVector<Packet13_groups, 31> groups;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet13_groups first_groups() const { return {Q_NEWCOUNTRY, NID_C, NID_BG, D_SR}; }
   friend constexpr bool operator==(const Packet13&, const Packet13&) = default;
 };

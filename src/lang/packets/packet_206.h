@@ -27,7 +27,7 @@ struct Packet206 {
   var::L_TRACKCOND L_TRACKCOND;                        ///< only if Q_TRACKINIT == 0
   var::M_TRACKCONDBC M_TRACKCONDBC;                    ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet206_conditions, 31> conditions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet206_conditions first_conditions() const { return {D_TRACKCOND, L_TRACKCOND, M_TRACKCONDBC}; }
   friend constexpr bool operator==(const Packet206&, const Packet206&) = default;
 };

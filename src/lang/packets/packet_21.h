@@ -25,7 +25,7 @@ struct Packet21 {
   var::Q_GDIR Q_GDIR;
   var::G_A G_A;
   InplaceVector<Packet21_steps, 31> steps;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet21_steps first_steps() const { return {D_GRADIENT, Q_GDIR, G_A}; }
   friend constexpr bool operator==(const Packet21&, const Packet21&) = default;
 };

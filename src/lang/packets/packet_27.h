@@ -35,7 +35,7 @@ struct Packet27 {
   var::Q_FRONT Q_FRONT;
   InplaceVector<Packet27_diffs, 31> diffs;
   InplaceVector<Packet27_steps, 31> steps;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet27_steps first_steps() const { return {D_STATIC, V_STATIC, Q_FRONT, diffs}; }
   friend constexpr bool operator==(const Packet27&, const Packet27&) = default;
 };
@@ -87,7 +87,7 @@ struct Packet27_v1_0 {
   var::Q_FRONT Q_FRONT;
   InplaceVector<Packet27_v1_0_diffs, 31> diffs;
   InplaceVector<Packet27_v1_0_steps, 31> steps;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet27_v1_0_steps first_steps() const { return {D_STATIC, V_STATIC, Q_FRONT, diffs}; }
   friend constexpr bool operator==(const Packet27_v1_0&, const Packet27_v1_0&) = default;
 };

@@ -23,7 +23,7 @@ struct Packet3_kv_sets {
   var::M_NVKVINT M_NVKVINT_A;
   var::M_NVKVINT M_NVKVINT_B;  ///< only if Q_NVKVINTSET == 1
   InplaceVector<Packet3_kv_steps, 31> kv_steps;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet3_kv_steps first_kv_steps() const { return {V_NVKVINT, M_NVKVINT_A, M_NVKVINT_B}; }
   friend constexpr bool operator==(const Packet3_kv_sets&, const Packet3_kv_sets&) = default;
 };
@@ -90,15 +90,15 @@ struct Packet3 {
   var::M_NVKRINT M_NVKRINT;                      ///< only if Q_NVKINT == 1
   InplaceVector<Packet3_kr_steps, 31> kr_steps;  ///< only if Q_NVKINT == 1
   var::M_NVKTINT M_NVKTINT;                      ///< only if Q_NVKINT == 1
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet3_areas first_areas() const { return {NID_C}; }
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet3_kv_steps first_kv_steps() const { return {V_NVKVINT, M_NVKVINT_A, M_NVKVINT_B}; }
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet3_kv_sets first_kv_sets() const {
     return {Q_NVKVINTSET, A_NVP12, A_NVP23, V_NVKVINT, M_NVKVINT_A, M_NVKVINT_B, kv_steps};
   }
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet3_kr_steps first_kr_steps() const { return {L_NVKRINT, M_NVKRINT}; }
   friend constexpr bool operator==(const Packet3&, const Packet3&) = default;
 };

@@ -26,7 +26,7 @@ struct Packet41 {
   var::NID_NTC NID_NTC;  ///< only if M_LEVELTR == 1
   var::L_ACKLEVELTR L_ACKLEVELTR;
   InplaceVector<Packet41_levels, 31> levels;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet41_levels first_levels() const { return {M_LEVELTR, NID_NTC, L_ACKLEVELTR}; }
   friend constexpr bool operator==(const Packet41&, const Packet41&) = default;
 };

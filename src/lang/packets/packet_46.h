@@ -22,7 +22,7 @@ struct Packet46 {
   var::M_LEVELTR M_LEVELTR;
   var::NID_NTC NID_NTC;  ///< only if M_LEVELTR == 1
   InplaceVector<Packet46_levels, 31> levels;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet46_levels first_levels() const { return {M_LEVELTR, NID_NTC}; }
   friend constexpr bool operator==(const Packet46&, const Packet46&) = default;
 };

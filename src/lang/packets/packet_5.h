@@ -33,7 +33,7 @@ struct Packet5 {
   var::Q_LINKREACTION Q_LINKREACTION;
   var::Q_LOCACC Q_LOCACC;
   InplaceVector<Packet5_links, 31> links;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet5_links first_links() const {
     return {D_LINK, Q_NEWCOUNTRY, NID_C, NID_BG, Q_LINKORIENTATION, Q_LINKREACTION, Q_LOCACC};
   }

@@ -35,7 +35,7 @@ struct Packet51 {
   var::Q_FRONT Q_FRONT;                                   ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet51_categories, 31> categories;      ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet51_restrictions, 31> restrictions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet51_restrictions first_restrictions() const { return {D_AXLELOAD, L_AXLELOAD, Q_FRONT, categories}; }
   friend constexpr bool operator==(const Packet51&, const Packet51&) = default;
 };
@@ -88,7 +88,7 @@ struct Packet51_v1_0 {
   var::Q_FRONT Q_FRONT;                                        ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet51_v1_0_categories, 31> categories;      ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet51_v1_0_restrictions, 31> restrictions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet51_v1_0_restrictions first_restrictions() const {
     return {D_AXLELOAD, L_AXLELOAD, Q_FRONT, categories};
   }

@@ -33,7 +33,7 @@ struct Packet52 {
   var::D_PBDSR D_PBDSR;                                   ///< only if Q_TRACKINIT == 0
   var::L_PBDSR L_PBDSR;                                   ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet52_restrictions, 31> restrictions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet52_restrictions first_restrictions() const {
     return {D_PBD, Q_GDIR, G_PBDSR, Q_PBDSR, D_PBDSR, L_PBDSR};
   }

@@ -18,7 +18,7 @@ struct Packet67 {
   var::D_TRACKCOND D_TRACKCOND;
   var::L_TRACKCOND L_TRACKCOND;
   InplaceVector<Packet67_areas, 31> areas;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet67_areas first_areas() const { return {D_TRACKCOND, L_TRACKCOND}; }
   friend constexpr bool operator==(const Packet67&, const Packet67&) = default;
 };

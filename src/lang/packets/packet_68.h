@@ -27,7 +27,7 @@ struct Packet68 {
   var::L_TRACKCOND L_TRACKCOND;                       ///< only if Q_TRACKINIT == 0
   var::M_TRACKCOND M_TRACKCOND;                       ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet68_conditions, 31> conditions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet68_conditions first_conditions() const { return {D_TRACKCOND, L_TRACKCOND, M_TRACKCOND}; }
   friend constexpr bool operator==(const Packet68&, const Packet68&) = default;
 };
@@ -68,7 +68,7 @@ struct Packet68_v1_0 {
   var::L_TRACKCOND L_TRACKCOND;                            ///< only if Q_TRACKINIT == 0
   var::M_TRACKCOND_V1 M_TRACKCOND;                         ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet68_v1_0_conditions, 31> conditions;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet68_v1_0_conditions first_conditions() const { return {D_TRACKCOND, L_TRACKCOND, M_TRACKCOND}; }
   friend constexpr bool operator==(const Packet68_v1_0&, const Packet68_v1_0&) = default;
 };

@@ -29,7 +29,7 @@ struct Packet69 {
   var::M_PLATFORM M_PLATFORM;                       ///< only if Q_TRACKINIT == 0
   var::Q_PLATFORM Q_PLATFORM;                       ///< only if Q_TRACKINIT == 0
   InplaceVector<Packet69_platforms, 31> platforms;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet69_platforms first_platforms() const { return {D_TRACKCOND, L_TRACKCOND, M_PLATFORM, Q_PLATFORM}; }
   friend constexpr bool operator==(const Packet69&, const Packet69&) = default;
 };

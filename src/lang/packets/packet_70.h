@@ -33,7 +33,7 @@ struct Packet70 {
   var::M_VOLTAGE M_VOLTAGE;                   ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 2
   var::NID_CTRACTION NID_CTRACTION;           ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 2 && M_VOLTAGE != 0
   InplaceVector<Packet70_points, 31> points;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet70_points first_points() const {
     return {D_SUITABILITY, Q_SUITABILITY, M_LINEGAUGE, M_AXLELOADCAT, M_VOLTAGE, NID_CTRACTION};
   }
@@ -88,7 +88,7 @@ struct Packet70_v1_0 {
   var::M_AXLELOAD M_AXLELOAD;                      ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 1
   var::M_TRACTION M_TRACTION;                      ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 2
   InplaceVector<Packet70_v1_0_points, 31> points;  ///< only if Q_TRACKINIT == 0
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet70_v1_0_points first_points() const {
     return {D_SUITABILITY, Q_SUITABILITY, M_LOADINGGAUGE, M_AXLELOAD, M_TRACTION};
   }

@@ -27,7 +27,7 @@ struct Packet79 {
   var::Q_MPOSITION Q_MPOSITION;
   var::M_POSITION M_POSITION;
   InplaceVector<Packet79_references, 31> references;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet79_references first_references() const {
     return {Q_NEWCOUNTRY, NID_C, NID_BG, D_POSOFF, Q_MPOSITION, M_POSITION};
   }
@@ -71,7 +71,7 @@ struct Packet79_v1_0 {
   var::Q_MPOSITION Q_MPOSITION;
   var::M_POSITION_V1 M_POSITION;
   InplaceVector<Packet79_v1_0_references, 31> references;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet79_v1_0_references first_references() const {
     return {Q_NEWCOUNTRY, NID_C, NID_BG, D_POSOFF, Q_MPOSITION, M_POSITION};
   }

@@ -31,7 +31,7 @@ struct Packet80 {
   var::L_ACKMAMODE L_ACKMAMODE;
   var::Q_MAMODE Q_MAMODE;
   InplaceVector<Packet80_modes, 31> modes;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet80_modes first_modes() const {
     return {D_MAMODE, M_MAMODE, V_MAMODE, L_MAMODE, L_ACKMAMODE, Q_MAMODE};
   }
@@ -75,7 +75,7 @@ struct Packet80_v1_0 {
   var::L_MAMODE L_MAMODE;
   var::L_ACKMAMODE L_ACKMAMODE;
   InplaceVector<Packet80_v1_0_modes, 31> modes;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr Packet80_v1_0_modes first_modes() const { return {D_MAMODE, M_MAMODE, V_MAMODE, L_MAMODE, L_ACKMAMODE}; }
   friend constexpr bool operator==(const Packet80_v1_0&, const Packet80_v1_0&) = default;
 };

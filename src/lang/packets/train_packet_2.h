@@ -14,7 +14,7 @@ struct TrainPacket2 {
       2, "Supported system versions", Direction::to_track, v2_1, media::RBC | media::RIU, "7.4.3.3", ""};
   var::M_VERSION M_VERSION;
   InplaceVector<TrainPacket2_versions, 31> versions;
-  /// The element that stands before the counter, in the form of the further ones.
+  /// The element before the counter, in the form of the others.
   constexpr TrainPacket2_versions first_versions() const { return {M_VERSION}; }
   friend constexpr bool operator==(const TrainPacket2&, const TrainPacket2&) = default;
 };
