@@ -5,7 +5,7 @@
 namespace evc::sdm {
 
 std::size_t CurveView::knot_at(Place x, std::size_t low) const {
-  // In steps that double, then by bisection: the result is mostly near.
+  // With doubling steps, then by bisection: the result is usually near.
   std::size_t step = 1;
   std::size_t high = knots.size();
   while (low + step < high) {
@@ -26,7 +26,7 @@ std::size_t CurveView::knot_at(Place x, std::size_t low) const {
 }
 
 std::size_t CurveView::knot_at(Speed V) const {
-  // The last knot with a lower speed: at a speed that a level stretch has, its downstream end decides.
+  // The last knot with a lower speed: at the speed of a level stretch, its downstream end counts.
   const SpeedSquared w = V * V;
   std::size_t low = 0;
   std::size_t high = knots.size();
@@ -42,7 +42,7 @@ std::size_t CurveView::knot_at(Speed V) const {
 
 namespace {
 
-/// On the arc that leads upstream from `k`; downstream of it the knot's.
+/// v^2 on the arc that leads upstream from `k`; downstream of `k`, that of the knot.
 inline SpeedSquared on_arc(const Knot& k, Place x) { return k.w + 2.0 * (k.A * std::max(k.x - x, Distance{})); }
 
 }  // namespace
@@ -60,7 +60,7 @@ Place CurveView::place_at(Speed V) const {
   const SpeedSquared w = V * V;
   const Knot& k = knots[knot_at(V)];
   if (w <= k.w) return k.x;
-  if (k.A.si <= 0.0) return {{-1e9}};  // a level end: this speed is nowhere allowed
+  if (k.A.si <= 0.0) return {{-1e9}};  // a level end: this speed is allowed nowhere
   return k.x - Distance{(w - k.w).si / (2.0 * k.A.si)};
 }
 

@@ -19,7 +19,8 @@ void decelerations(Explanation& e, const Derived& d, const Inputs& in, const Tar
   const train::BrakeSet off = brakes_off(in.conditions, in.train, s.from, false);
   e.in_use_emergency = train::in_use_emergency(in.train, in.brakes, off);
   e.A_brake_emergency = train::value_below(train::A_brake_emergency(in.train, e.in_use_emergency), V);
-  // The expected deceleration where the SBD has the speed; without an SBD where the EBD has it.
+  // The expected deceleration at the place where the SBD has the speed; without an SBD, where the
+  // EBD has it.
   const Place where = e.d_SBD.value_or(e.d_EBD);
   const Segment& z = A.segments[segment_upstream_of(A.segments, where)];
   const Bands& expected = A.bands(CurveKind::SBD, z);
@@ -30,7 +31,7 @@ void decelerations(Explanation& e, const Derived& d, const Inputs& in, const Tar
   e.in_use_service = train::in_use_service(in.train, in.brakes, brakes_off(in.conditions, in.train, z.from, true));
 }
 
-/// The speed whose location `place(V)` is `x`: places fall with the speed.
+/// The speed whose location `place(V)` is `x`: the places decrease with increasing speed.
 template <class PlaceOf>
 Speed speed_of(PlaceOf place, Place x, Speed V_top) {
   Speed low{0.0};
@@ -57,7 +58,7 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
       e.est_front = motion->est_front;
       e.min_safe_front = motion->min_safe_front;
     } else {
-      // By unreduced times: the longest stretch of track ahead is the safe side (A.3.12.2.2-5).
+      // With unreduced times: the longest stretch of track ahead is the safe side (A.3.12.2.2-5).
       const TargetLimits earliest = limits_of(d, t, e.approach, asked);
       e.est_front = earliest.EBD.d_I;
       if (earliest.SBD.has_value()) e.est_front = std::min(e.est_front, earliest.SBD->d_I);
@@ -72,14 +73,14 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
   e.d_EBD = d.view(t.EBD).place_at(V);
   if (t.kind == TargetKind::EOA_SvL) e.d_SBD = d.view(t.SBD).place_at(V);
   if (d.view(t.GUI).exists()) e.d_GUI = d.view(t.GUI).place_at(V);
-  // EOA and SvL have a guidance curve each (3.13.8.5.2 a); the more restrictive one is the driver's.
+  // EOA and SvL have a guidance curve each (3.13.8.5.2 a); the more restrictive one is displayed.
   if (d.view(t.GUI_EOA).exists()) e.d_GUI = std::min(*e.d_GUI, d.view(t.GUI_EOA).place_at(V));
   decelerations(e, d, in, t, V);
   e.d_FLOI = e.EBD.d_SBI;
   e.d_W = e.EBD.d_W;
   e.d_P = e.EBD.d_P;
   e.d_I = e.EBD.d_I;
-  // The official tool of 3.4.0 draws P to the target at most; I does not follow it.
+  // The official tool of 3.4.0 draws P not beyond the target; I is not limited in this way.
   if (d.rules.pre_indication) e.d_P = std::min(e.d_P, t.d_target);
   if (e.SBD.has_value()) {
     e.d_FLOI = std::min(e.d_FLOI, e.SBD->d_SBI);

@@ -7,26 +7,26 @@
 #include "sdm/supervision.h"
 #include "sdm/tables.h"
 
-// What the parts of one supervision cycle share: supervise.cpp (types of monitoring, statuses, commands), near.cpp
-// (limits of the targets), display.cpp (what the driver sees). Not for other rooms.
+// The common data of one supervision cycle: supervise.cpp (types of monitoring, statuses, commands), near.cpp (limits
+// of the targets), display.cpp (displayed values). Not for other rooms.
 namespace evc::sdm {
 
 constexpr double kFar = 1e18;
-/// Above all rounding, below what matters.
+/// Larger than any rounding error, smaller than any relevant difference.
 constexpr Speed kSpare{0.1};
 
-/// What a target looks like in this cycle. Plain numbers: nothing is cleared that is not used.
+/// A target in this cycle. Plain numbers: members that are not used are not initialised.
 struct Seen {
   unsigned beyond;  // bit per Limit
   bool beyond_I_EBD, beyond_I_SBD;
-  bool near;    // some limit of it can be exceeded; if not, its speeds are kFar
-  double to_I;  // distance to its Indication limit; where it is not near a lower bound of it
+  bool near;    // one of its limits can be exceeded; if not, its speeds are kFar
+  double to_I;  // distance to its Indication limit; a lower bound of it if not `near`
   double V_P, V_P_EBD, V_P_SBD, V_W, V_SBI, V_EBI;
 };
 
 constexpr unsigned bit(Limit l) { return 1u << static_cast<unsigned>(l); }
 
-/// What the bounds of `earliest_indication` share for all targets.
+/// The part of the bounds of `earliest_indication` that is the same for all targets.
 struct Ahead {
   Approach a{};
   BuildUpLoss loss_cm0{}, loss_cmt{};  // with the longest times, towards a target speed below the train's
@@ -42,14 +42,14 @@ struct Cycle {
   Approach a{};
   Ahead ahead{};
   Times cm0{}, cmt{};
-  Times longest_cm0{}, longest_cmt{};        // no time of any target is longer, reduced (4.0.0) or not
+  Times longest_cm0{}, longest_cmt{};        // upper bounds of the times of all targets, reduced (4.0.0) or not
   Speed full_below_cm0{}, full_below_cmt{};  // 4.0.0: towards lower target speeds no build-up time is reduced
   Feedback feedback{};
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;
-  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
-  // Where a release speed exists:
+  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest displayed ceiling
+  // If a release speed exists:
   RsmStart rsm{};
   Place d_SvL{};
 };
@@ -76,18 +76,18 @@ inline TimesAsked asked(const Cycle& c, const Target& t) {
   return q;
 }
 
-/// Limits for another speed than V_est, with that speed's own assumptions.
+/// Limits for a speed other than V_est, with the assumptions for that speed.
 inline TargetLimits limits_at(const Cycle& c, const Target& t, Speed V) {
   Approach a = c.a;
   a.V = V;
   return limits_of(c.d, t, a, asked(c, t));
 }
 
-/// For another speed than V_est.
+/// For a speed other than V_est.
 Ahead ahead_of(const Cycle& c, Speed V);
 
-/// Places that no Indication limit of the target lies in rear of: for one speed, and for every speed up to `V_least`
-/// of the curves. Quick; nothing is known with service brake feedback or guidance.
+/// Lower bounds of the places of the target's Indication limits: for one speed, and for every speed up to `V_least` of
+/// the curves. Fast to compute; not available with service brake feedback or guidance.
 struct Earliest {
   Place EBD{}, SBD{};
 };
@@ -113,10 +113,10 @@ inline Bounds ceiling_bounds(Speed M, const train::FixedValues& f) {
   return b;
 }
 
-/// Limits of target `i` against the train's place; nothing but `near` is valid where it is far away.
+/// Limits of target `i` at the train's place; if it is far away, only `near` is valid.
 void evaluate(Cycle& c, std::size_t i, Seen& seen);
 
-/// 3.13.10.4.2, 3.13.10.4.5. True when the driver is to be informed of a change.
+/// 3.13.10.4.2, 3.13.10.4.5. True when the driver has to be informed of a change.
 bool select_MRDT(Cycle& c, const Seen* seen);
 /// Limits, target and release speed for the display, with the values that may not rise (A.3.10, A.3.13).
 void display(Cycle& c, const Seen* seen, Result& out);

@@ -33,17 +33,17 @@ train::BrakeSet brakes_off(const TrackConditions& c, const train::TrainData& t, 
 
 namespace {
 
-/// The profile with `unknown` where nothing is known: it starts far behind and never ends.
+/// The profile with `unknown` where the gradient is not known: it starts far behind and has no end.
 struct Extended {
   StepFunction<Place, double, kGradientSteps + 2> f;
 };
 Extended extended(const GradientProfile& p, double unknown) {
   Extended e;
   const KnownPart c = known_part(p);
-  // Two more steps than the profile can have are room enough.
+  // Room for two more steps than the profile can have is enough.
   EVC_REQUIRE(e.f.append({{-kNowhere}}, unknown));
   for (const auto& step : p.permille.steps) {
-    // What begins before the known part takes the place of the one before it.
+    // A step that begins before the known part replaces the one before it.
     const Place from = std::max(step.from, c.from);
     if (from < c.to) EVC_REQUIRE(e.f.append(from, step.value));
   }
@@ -81,7 +81,7 @@ CompensatedGradient lowest_under_train(const Steps& f, Distance L) {
   }
 }
 
-/// Change points of all that makes a segment, sorted and without doubles.
+/// Change points of everything that separates segments, sorted and without duplicates.
 struct Borders {
   InplaceVector<Place, kSegments> at;
 
@@ -145,8 +145,8 @@ constexpr train::MaxReducedAdhesion kNoCap{{}, true, {}};
 CompensatedGradient compensated_gradient(const GradientProfile& profile, Distance L_TRAIN, bool target_due_to_TSR) {
   CompensatedGradient c = lowest_under_train(extended(profile, 0.0).f, L_TRAIN);
   if (!target_due_to_TSR || !profile.default_for_TSR.has_value()) return c;
-  // 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length compensation; a known fall
-  // under the rest of the train is kept (safe side): only that is below 0 where the front is not covered.
+  // 3.13.4.1.2-3: the default gradient applies at places that are not covered, without length compensation; a known
+  // fall under the rest of the train is kept (safe side): where the front is not covered, only such a fall is below 0.
   const double unknown = *profile.default_for_TSR;
   const KnownPart cover = known_part(profile);
   Borders borders;
@@ -205,7 +205,7 @@ Acceleration Decelerations::at(CurveKind kind, Speed V, Place x, bool due_to_TSR
 
 namespace {
 
-/// Segments for one version of the gradient.
+/// Segments for one of the gradients (with or without the default for TSR).
 void build_segments(Segments& out, const CompensatedGradient& gradient, const TrackConditions& c,
                     const train::TrainData& t, const train::FixedValues& fixed,
                     const InplaceVector<train::BrakeSet, Decelerations::kStages>& emergency,
@@ -254,8 +254,8 @@ Acceleration highest(const std::array<Bands, Decelerations::kStages>& stages, st
 void determine(Decelerations& out, const train::TrainData& t, const train::NationalValues& values,
                const train::FixedValues& fixed, const train::BrakeStatus& status, const GradientProfile& gradient,
                const TrackConditions& conditions) {
-  // Stages: the brakes that are off at the start of each zone; they only grow along the track, so one
-  // per zone start at most, and the conversion model knows none (3.13.2.2.6.3).
+  // Stages: the brakes that are off at the start of each zone. Along the track the set only grows, so there is at most
+  // one stage per zone start; the conversion model has none (3.13.2.2.6.3).
   InplaceVector<train::BrakeSet, Decelerations::kStages> emergency, service;
   TrackConditions c = conditions;
   if (t.brake_model == train::BrakeModel::lambda) {
@@ -294,22 +294,22 @@ void determine(Decelerations& out, const train::TrainData& t, const train::Natio
 
 namespace {
 
-/// Writes knots going upstream and keeps them monotonous.
+/// Writes knots in upstream order and keeps them monotonic.
 class Pen {
  public:
   Pen(std::span<Knot> room, std::size_t& used) : room_(room), used_(used), first_(used) {}
 
   void put(Place x, SpeedSquared w) {
-    // A curve that fell: what lies above the new point is cut off and replaced by a level stretch.
+    // If the curve fell: the part above the new point is replaced by a level stretch.
     bool fell = false;
     while (used_ > first_ && room_[used_ - 1].w > w) {
       --used_;
       fell = true;
     }
     if (fell && used_ > first_) {
-      // The arc that was cut crosses w inside: the level stretch begins there.
+      // The cut arc crosses w: the level stretch begins there.
       Knot& below = room_[used_ - 1];
-      if (below.w < w) {  // then its arc rises
+      if (below.w < w) {  // so its arc rises
         const Place crossing = below.x - Distance{(w - below.w).si / (2.0 * below.A.si)};
         push({crossing, w, {0.0}});
       } else {
@@ -344,7 +344,7 @@ struct Downstream {
   bool reached = false;
 };
 
-/// From the anchor down to the foot. Not reached where the train cannot brake.
+/// From the anchor down to the foot, which is not reached if the train cannot brake.
 Downstream to_foot(const Decelerations& d, CurveKind kind, const Segments& segments, Place x, SpeedSquared w,
                    SpeedSquared w_foot) {
   Downstream down;
@@ -403,7 +403,7 @@ void upstream(Pen& pen, CurveWarnings& warnings, const Decelerations& d, CurveKi
       const Acceleration A_under = deceleration(bands[under], segments[s]);
       const SpeedSquared lower = under > 0 ? bands[under - 1].w_upto : SpeedSquared{0.0};
       if (A_under.si >= 0.0 || w.si <= 0.0) {
-        // Below this speed the train brakes, above it does not: the curve cannot rise here.
+        // Below this speed the train can brake, above it cannot: the curve cannot rise here.
         pen.arc({0.0});
         x = border;
       } else if (const Distance to_band{(w - lower).si / (-2.0 * A_under.si)}; x - to_band >= border) {
@@ -438,7 +438,7 @@ CurveWarnings trace(std::span<Knot> room, std::size_t& used, const Decelerations
         pen.put(down.knots[i].x, down.knots[i].w);
       }
     } else {
-      // The margin of the EBI cannot be braked away beyond the target: the target speed is due at it.
+      // The train cannot lose the margin of the EBI beyond the target: the target speed is required at the target.
       warnings.no_deceleration = true;
       w = w_foot;
     }

@@ -11,12 +11,13 @@ bool concerned(const Cycle& c, const Seen& seen, const Target& t) {
   if (t.kind == TargetKind::EOA_SvL) return seen.beyond_I_EBD || seen.beyond_I_SBD;
   return seen.beyond_I_EBD && t.V_target < c.M && c.a.V >= t.V_target;
 }
-/// V_P of a concerned target: of EOA and SvL only the part whose Indication limit is exceeded.
+/// V_P of a concerned target: for EOA and SvL, only of the curves whose Indication limit is
+/// exceeded.
 double concerned_V_P(const Seen& s) {
   return std::min(s.beyond_I_EBD ? s.V_P_EBD : kFar, s.beyond_I_SBD ? s.V_P_SBD : kFar);
 }
 
-/// 3.13.9.3.5.9: where the Permitted speed has come down to the target speed; for the target distance and for masking.
+/// 3.13.9.3.5.9: where the Permitted speed has fallen to the target speed; for the target distance and for masking.
 Place d_P_at_target_speed(const Cycle& c, const Target& t) {
   const std::optional<FeedbackTimes>& feedback = c.feedback.towards(t);
   if (!feedback.has_value()) return t.d_P_target;
@@ -33,13 +34,13 @@ double in_rear(const Cycle& c, const Target& t, Speed V, Place d_P) {
   return l.SBD.has_value() ? std::max(EBD, (d_P - l.SBD->d_I).si) : EBD;
 }
 
-/// 3.13.10.4.4.1: of the targets that the MRDT masks the one whose Indication limit is furthest in rear, the first of
-/// equals; kTargets if it masks none.
+/// 3.13.10.4.4.1: of the targets masked by the MRDT, the one whose Indication limit is furthest in rear (the first of
+/// equal ones); kTargets if it masks none.
 std::size_t furthest_masked(const Cycle& c, const Seen* seen, std::size_t masking) {
   const Target& MRDT = c.d.targets[masking];
   const Ahead ahead = ahead_of(c, MRDT.V_target);
   const Place d_P = d_P_at_target_speed(c, MRDT);
-  // Bounds first: only the few that may be the furthest are looked at closely, the most promising one first.
+  // Bounds first: only the few candidates that may be the furthest are evaluated exactly, the best one first.
   struct Candidate {
     std::size_t i;
     double at_most;
@@ -80,7 +81,7 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
       lowest = V_P;
     }
   }
-  // Each step leads to a lower target speed: no target comes twice.
+  // Each step leads to a lower target speed: no target occurs twice.
   for (std::size_t next = best; next != kTargets; next = furthest_masked(c, seen, next)) best = next;
   return best;
 }
@@ -122,8 +123,8 @@ void show_limits(const Cycle& c, const Seen* seen, Result& out) {
   }
   const std::size_t MRDT = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
-    // The speeds of a target that is far away are far above all others. 3.4.0 shows the MRDT's; it has the lowest one
-    // anyway.
+    // The speeds of a target that is far away are far above all others. 3.4.0 displays those of the MRDT, which has the
+    // lowest one.
     if (c.d.rules.masking || i == MRDT) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
     out.V_W = std::min(out.V_W, Speed{seen[i].V_W});
     out.V_SBI = std::min(out.V_SBI, Speed{seen[i].V_SBI});
@@ -155,7 +156,7 @@ double to_indication(const Cycle& c, const Target& t, const Seen& seen, bool abo
   return l.SBD.has_value() ? std::min(EBD, (l.SBD->d_I - c.m.est_front).si) : EBD;
 }
 
-/// 3.13.10.3.8-10: what ceiling speed monitoring says about the first Indication.
+/// 3.13.10.3.8-10: the outputs of ceiling speed monitoring about the first Indication.
 void show_first_indication(const Cycle& c, const Seen* seen, Result& out) {
   if (!c.d.rules.first_indication) return;
   const bool above_release = !release(c).exists || c.a.V >= release(c).V_release;
@@ -184,14 +185,14 @@ template <class T>
 void hold(bool& flag, bool also, std::optional<T>& shown, T& value) {
   if ((flag || also) && shown.has_value()) {
     if (value < *shown)
-      flag = false;  // each value is free again once it falls
+      flag = false;  // a value is no longer held once it falls
     else
       value = *shown;
   }
   shown = value;
 }
 
-/// A.3.10, A.3.13: shown values do not rise because build-up times shrink.
+/// A.3.10, A.3.13: displayed values do not rise because build-up times get shorter.
 void hold_shown_values(Cycle& c, bool MRDT_changed, Result& out) {
   Supervision& s = c.s;
   const bool pawl = c.d.rules.reduced_build_up && c.reduced && !MRDT_changed;
@@ -206,7 +207,7 @@ void hold_shown_values(Cycle& c, bool MRDT_changed, Result& out) {
   if (s.monitoring == Monitoring::TSM)
     hold(s.hold_SBI, pawl, s.shown_SBI, out.V_SBI);
   else
-    s.shown_SBI.reset();  // 3.13.10.5: release speed monitoring shows no SBI that might have to stay
+    s.shown_SBI.reset();  // 3.13.10.5: release speed monitoring displays no SBI that might have to be held
   if (out.d_target.has_value()) {
     Distance shown = *out.d_target;
     hold(s.hold_target_distance, false, s.shown_target_distance, shown);

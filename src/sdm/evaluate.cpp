@@ -67,7 +67,7 @@ TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, 
   }
   train::BuildUpTimes reduced = full;
   train::BuildUpTimes reduced_SBD = full;
-  // 3.13.6.3.2.5: only without feedback. The service brake first: T_traction needs its time.
+  // 3.13.6.3.2.5: only without feedback. The service brake first: T_traction depends on its time.
   if (!d.time_config.feedback_available) {
     reduced.T_bs = reduced_T_bs(d, target, full, a, target.d_target, *asked.reduced_from);
     if (target.kind == TargetKind::EOA_SvL)
@@ -75,7 +75,7 @@ TargetTimes times_of(const Derived& d, const Target& target, const Approach& a, 
   }
   t.EBD = t.SBD = times(d.time_config, reduced, asked.feedback, d.rules, d.fixed);
   reduced.T_be = reduced_T_be(d, target, full, a, t.EBD, *asked.reduced_from);
-  // T_be is in T_berem and in nothing else.
+  // T_be occurs only in T_berem.
   t.EBD.T_be = reduced.T_be;
   t.EBD.T_berem = std::max(t.EBD.T_be - t.EBD.T_traction, Duration{0.0});
   if (target.kind == TargetKind::EOA_SvL) t.SBD = times(d.time_config, reduced_SBD, asked.feedback, d.rules, d.fixed);
@@ -119,7 +119,7 @@ TargetLimits limits_of(const Derived& d, const Target& target, const Approach& a
   l.EBD = EBD_limits_of(d, target, a, l.times.EBD);
   if (target.kind == TargetKind::EOA_SvL) l.SBD = SBD_limits_of(d, target, a, l.times.SBD);
   if (d.rules.indication_ignores_feedback && asked.feedback.has_value()) {
-    // 3.13.9.3.6.5: T_bs1 = T_bs2 = T_bs in everything that leads to d_I; T_be is the reduced one there too.
+    // 3.13.9.3.6.5: T_bs1 = T_bs2 = T_bs in all terms of d_I; T_be is the reduced one there too.
     const TargetTimes without = times_of(d, target, a, {std::nullopt, asked.reduced_from});
     l.EBD.d_I = EBD_limits_of(d, target, a, without.EBD).d_I;
     if (l.SBD.has_value()) l.SBD->d_I = SBD_limits_of(d, target, a, without.SBD).d_I;
@@ -133,8 +133,8 @@ RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Pla
   const auto asked = [&](const Target& t) {
     TimesAsked times{feedback.towards(t), {}};
     if (d.rules.reduced_build_up) {
-      // The location shall not depend on the train's: a train that is about to reach it. The place with unreduced times
-      // is the earliest it can be, and the longest stretch in front of it the safe side (A.3.12.2.2-5).
+      // The location must not depend on the train's position: a train about to reach it is assumed. The place with
+      // unreduced times is the earliest possible one; the longest stretch ahead is the safe side (A.3.12.2.2-5).
       const TargetLimits earliest = limits_of(d, t, a, times);
       Place here = earliest.EBD.d_SBI;
       if (earliest.SBD.has_value()) here = std::min(here, earliest.SBD->d_SBI);

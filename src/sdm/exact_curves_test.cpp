@@ -1,5 +1,5 @@
-// Braking curves that come out exactly: places, speeds and decelerations are multiples of powers of two, so every
-// knot is known to the last bit, and every question can be asked at it.
+// Braking curves that are exact: places, speeds and decelerations are multiples of powers of two, so every knot is
+// known to the last bit, and every function can be tested at it.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -57,7 +57,8 @@ TEST(ExactCurves, PlacesAndSpeedsAtEveryKnot) {
       EXPECT_EQ(c.speed_squared_at(x - Distance{kShort}), knots[k].w + 2.0 * (knots[k].A * Distance{kShort}));
       EXPECT_EQ(c.next_speed_at(x, next), c.speed_at(x));
       EXPECT_EQ(next, downstream);
-      // How far a train may run at the speed: the first knot from the foot that has it.
+      // The last place at which the train may run at the speed: the first knot from the foot that
+      // has it.
       const Speed V{std::sqrt(knots[k].w.si)};
       std::size_t first = k;
       while (first > 0 && knots[first - 1].w == knots[k].w) --first;
@@ -83,7 +84,7 @@ TEST(ExactCurves, PlacesAndSpeedsAtEveryKnot) {
 
 // ---- A track for a known curve ---------------------------------------------------------------------------------
 
-/// Brake of steps and gradient profile, made while walking upstream: after each arc the place, or the step of speed, or
+/// Brake of steps and gradient profile, built in upstream direction: after each arc the place, or the step of speed, or
 /// both change. A_gradient is grad / 64 m/s2.
 struct KnownCurve {
   Inputs in;
@@ -140,7 +141,7 @@ KnownCurve known_curve(Dice& dice, double V_foot) {
     A = B;
     if ((what & 1) != 0) {
       const double upstream = 64.0 * (A - brake);
-      // A fall is under the train until it has left it, a rise from its start.
+      // A fall counts until the whole train has left it, a rise from its start.
       changes.push_back({upstream < grad ? x - kL : x, upstream});
       grad = upstream;
       border = x;
@@ -271,7 +272,8 @@ TEST(ExactCurves, FallsAreCutToTheLowestSpeedUpstream) {
       ASSERT_EQ(knots[k].w.si, expected.w_at(x)) << "knot " << k << " at " << x;
       if (k == 0) continue;
       const Knot& before = knots[k - 1];
-      // No knot twice; the arc leads from one to the next, and only a fall makes it level.
+      // No knot occurs twice; each arc leads from one knot to the next, and only a fall makes it
+      // level.
       ASSERT_LT(knots[k].x, before.x);
       ASSERT_GE(knots[k].w, before.w);
       ASSERT_EQ(knots[k].w, before.w + 2.0 * (before.A * (before.x - knots[k].x)));
@@ -289,7 +291,7 @@ TEST(ExactCurves, FallsAreCutToTheLowestSpeedUpstream) {
 TEST(ExactCurves, WhatBeginsAtTheAnchorDoesNotCountUpstream) {
   Inputs in = simple_inputs();
   in.gradient.permille = {};
-  ASSERT_TRUE(in.gradient.permille.append({{0.0}}, -200.0));  // from the second segment on nothing brakes
+  ASSERT_TRUE(in.gradient.permille.append({{0.0}}, -200.0));  // from the second segment on the train cannot brake
   const BrakingCurve curve = trace(determined(in), CurveKind::EBD, false, {{0.0}}, {}, {}, {30.0});
   EXPECT_FALSE(curve.warnings.no_deceleration);
   EXPECT_EQ(curve.knots[0], (Knot{{{0.0}}, {0.0}, {1.0}}));
@@ -325,7 +327,7 @@ TEST(ExactCurves, AFootBehindTooManyArcsOrALevelStretchIsNotReached) {
   EXPECT_EQ(level.knots[2], (Knot{{{16.0}}, {64.0}, {1.0}}));
 }
 
-// ---- What `explain` says at a border -------------------------------------------------------------------------------
+// ---- `explain` at a border -------------------------------------------------------------------------------
 
 TEST(ExactCurves, DecelerationsOfAnExplanationAtEveryKnot) {
   for (int i = 0; i < 300; ++i) {
@@ -343,7 +345,8 @@ TEST(ExactCurves, DecelerationsOfAnExplanationAtEveryKnot) {
       const Explanation e = explain(*d, c.in, d->targets.back(), V, {}, {});
       ASSERT_EQ(e.d_EBD, k.x);
       ASSERT_EQ(*e.d_SBD, k.x);
-      // A zone and a step include their ends: the place just upstream, the speed just below.
+      // A zone and a step include their ends: tested just upstream of the place and just below the
+      // speed.
       const double x = k.x.from_origin.si - kTiny;
       ASSERT_EQ(e.A_safe.si, r.A(CurveKind::EBD, V.si, x));
       ASSERT_EQ(e.A_expected.si, r.A(CurveKind::SBD, V.si, x));
@@ -388,7 +391,7 @@ TEST(ExactCurves, AnInhibitionAtAKnot) {
     auto d = std::make_unique<Derived>();
     rebuild(*d, in);
     const auto at = [&](double V) { return explain(*d, in, d->targets.back(), {V}, {}, {}); };
-    // v^2 = 400 at 800 m, where the brake counts for the last time.
+    // v^2 = 400 at 800 m, the last place where the brake counts.
     if (one.emergency) {
       EXPECT_EQ(at(20.0).d_EBD.from_origin.si, 800.0);
       EXPECT_EQ(at(20.0).A_brake_emergency.si, 2.0);

@@ -34,7 +34,7 @@ void follow_pressure(FeedbackState& s, std::optional<double> p_kpa, Duration now
     }
     return;
   }
-  // A.3.10.2 b: once per second. After a gap no more of them than p0 needs to come from any value to any other.
+  // A.3.10.2 b: once per second. After a gap, at most as many steps as p0 needs to change from any value to any other.
   s.last = std::max(s.last, now - kLongest);
   while (now - s.last >= Duration{1.0}) {
     s.last += Duration{1.0};

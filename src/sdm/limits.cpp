@@ -5,7 +5,7 @@
 namespace evc::sdm {
 namespace {
 
-/// The shape of dV_ebi, dV_sbi and dV_warning (3.13.9.2.3).
+/// The common formula of dV_ebi, dV_sbi and dV_warning (3.13.9.2.3).
 Speed margin(Speed V, Speed dV_min, Speed dV_max, Speed V_min, Speed V_max) {
   if (V <= V_min) return dV_min;
   const Ratio C = (dV_max - dV_min) / (V_max - V_min);
@@ -126,7 +126,7 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
   const Distance D_be = D_be_display(a, t);
   const Speed V_delta = a.V_delta0 + a.A_est1 * t.T_traction + a.A_est2 * t.T_berem;
   std::size_t knot = 0;
-  // From its foot on the curve has V_target, which no floor is below.
+  // From its foot on, the curve has V_target; no floor is below it.
   const auto speed = [&](Duration before, Speed floor) {
     return std::max(EBD.next_speed_at(front + a.V * before + D_be, knot) - V_delta, floor);
   };

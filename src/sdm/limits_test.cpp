@@ -1,5 +1,6 @@
-// Every formula of 3.13.6-3.13.9, 3.11.11 and A.3.12 against values computed by hand. The train is
-// `simple_train()`: A_safe 1.0, A_expected 0.8 m/s2, T_be 8 s, T_bs 3 s, T_traction_cut_off 10 s.
+// Every formula of 3.13.6-3.13.9, 3.11.11 and A.3.12 compared with values computed by hand. The
+// train is `simple_train()`: A_safe 1.0, A_expected 0.8 m/s2, T_be 8 s, T_bs 3 s,
+// T_traction_cut_off 10 s.
 #include "sdm/limits.h"
 
 #include <gtest/gtest.h>
@@ -64,12 +65,12 @@ TEST(TimesOfLimits, WithServiceBrakeAndTractionCutOff) {
   t = times({{4.0}, true, true, false}, b, std::nullopt, rules_of(SrsVersion::v3_6_0), f);
   EXPECT_EQ(t.T_traction.si, 0.0);
   EXPECT_EQ(t.T_berem.si, 8.0);
-  // 0.8 T_bs counts from 6.25 s on; with feedback it is 5 s.
+  // 0.8 T_bs applies from 6.25 s on; with feedback it is 5 s.
   const train::BuildUpTimes slow{{8.0}, {2.0}, {10.0}, {1.0}};
   EXPECT_EQ(times(c, slow, std::nullopt, rules_of(SrsVersion::v3_4_0), f).T_indication.si, 8.0);
   EXPECT_EQ(times({{10.0}, true, true, true}, slow, std::nullopt, rules_of(SrsVersion::v3_4_0), f).T_indication.si,
             5.0);
-  // With feedback T_bs2 is 2 s at least.
+  // With feedback T_bs2 is at least 2 s.
   const train::BuildUpTimes quick{{8.0}, {2.0}, {1.0}, {0.5}};
   t = times({{10.0}, true, true, true}, quick, FeedbackTimes{{0.0}, {0.0}}, rules_of(SrsVersion::v3_6_0), f);
   EXPECT_EQ(t.T_bs1.si, 0.0);
@@ -87,7 +88,7 @@ TEST(EBI, SpeedAndDistanceBeforeTheFullEffort) {
   EXPECT_NEAR(l.V_bec.si, 35.2, 1e-12);
   EXPECT_NEAR(l.D_bec.si, 32.5 * 5 + 34.6 * 3, 1e-12);
   EXPECT_NEAR(D_be_display(a, t).si, 266.3, 1e-12);
-  // Below the target speed: the target speed takes its place.
+  // Below the target speed: the target speed is used instead.
   l = before_emergency_effort(approach({10.0}, {1.0}, {0.6}, train::FixedValues{}), t, {20.0});
   EXPECT_NEAR(l.V_bec.si, 21.2, 1e-12);
   EXPECT_NEAR(l.D_bec.si, 20.0 * 5 + 20.6 * 3, 1e-12);
@@ -201,7 +202,7 @@ TEST(Curves, ReducedAdhesionFromItsStartToItsEndPlusTheTrain) {
   EXPECT_EQ(A(4000.0), 0.7);
   EXPECT_EQ(A(4299.0), 0.7);
   EXPECT_EQ(A(4301.0), 1.0);
-  // The service brake is not concerned.
+  // The service brake is not affected.
   EXPECT_EQ(d->decelerations.at(CurveKind::SBD, {10.0}, {{4100.0}}).si, 0.8);
   in.conditions.slippery_rail = true;
   ++in.revision;
@@ -233,12 +234,12 @@ TEST(Curves, AnInhibitedBrakeIsMissingToTheFoot) {
   EXPECT_EQ(A(2999.0), 1.4);
   EXPECT_EQ(A(3500.0), 1.2);
   EXPECT_EQ(A(4500.0), 1.0);
-  EXPECT_EQ(A(9000.0), 1.0);  // whatever the profile's end
+  EXPECT_EQ(A(9000.0), 1.0);  // for any end of the profile
   // `explain` names the brakes that count where the curve has the speed.
   EXPECT_EQ(explain(*d, in, d->targets[0], {10.0}, {}, {}).A_brake_emergency.si, 1.0);
   EXPECT_EQ(explain(*d, in, d->targets[0], {60.0}, {}, {}).A_brake_emergency.si, 1.2);
   EXPECT_EQ(explain(*d, in, d->targets[0], {80.0}, {}, {}).A_brake_emergency.si, 1.4);
-  // A powerless section takes a regenerative brake that needs the line voltage, and no other.
+  // A powerless section removes a regenerative brake that needs the line voltage, and no other.
   in.conditions.regenerative_off.reset();
   in.conditions.powerless = Place{{3500.0}};
   ++in.revision;
@@ -249,7 +250,7 @@ TEST(Curves, AnInhibitedBrakeIsMissingToTheFoot) {
   ++in.revision;
   d = built(in);
   EXPECT_EQ(A(3501.0), 1.4);
-  // The service brake model has no special brakes here; with a model it follows its own zone.
+  // This service brake model has no special brakes; with one, the service brake has its own zone.
   train::ServiceModel s = in.train.service[0];
   s.with = train::kEddyCurrent;
   s.A_brake_service.steps[0].value = {0.9};
@@ -276,7 +277,7 @@ TEST(Gradient, LowestUnderTheTrain) {
   ASSERT_TRUE(p.permille.append({{2000.0}}, 10.0));
   const CompensatedGradient c = compensated_gradient(p, {200.0}, false);
   const auto at = [&](double x) { return c.permille.at({{x}}); };
-  EXPECT_EQ(at(-1.0), 0.0);   // nothing is known
+  EXPECT_EQ(at(-1.0), 0.0);   // unknown gradient
   EXPECT_EQ(at(100.0), 0.0);  // the rear is not on known track yet
   EXPECT_EQ(at(201.0), 5.0);
   EXPECT_EQ(at(1001.0), -8.0);
@@ -320,7 +321,7 @@ TEST(Gradient, DefaultForTargetsOfATSRWhereNothingIsKnown) {
   const CompensatedGradient up = compensated_gradient(p, {200.0}, true);
   EXPECT_EQ(up.permille.at({{1100.0}}), -20.0);
   EXPECT_EQ(up.permille.at({{1201.0}}), 6.0);
-  // It is used by the targets that are due to a TSR.
+  // It applies to targets due to a TSR.
   Inputs in = simple_inputs();
   in.gradient.permille = {};
   ASSERT_TRUE(in.gradient.permille.append({{-10000.0}}, 0.0));
@@ -351,16 +352,16 @@ TEST(Curves, WhereTheTrainCannotBrakeTheCurveFalls) {
   const double w = 400 - 2 * A * 500;
   EXPECT_NEAR(EBD.speed_squared_at({{3000.0}}).si, w, 1e-9);
   EXPECT_NEAR(EBD.speed_squared_at({{2900.0}}).si, w + 200, 1e-9);
-  // In the fall and until the curve is lower than that: the level that the fall allows.
+  // In the fall, and until the curve is lower: the level that the fall allows.
   EXPECT_NEAR(EBD.speed_squared_at({{3300.0}}).si, w, 1e-9);
   EXPECT_NEAR(EBD.speed_squared_at({{3700 - w / 2 + 1}}).si, w - 2, 1e-9);
-  // So steep that nothing holds the train: it has to stop before.
+  // Too steep for the brakes: the train has to stop before.
   in.gradient.permille.steps[1].value = -200.0;
   ++in.revision;
   d = built(in);
   EXPECT_NEAR(d->view(d->targets[0].EBD).speed_squared_at({{3000.0}}).si, 0.0, 1e-9);
   EXPECT_NEAR(d->view(d->targets[0].EBD).speed_squared_at({{2900.0}}).si, 200.0, 1e-9);
-  // Nothing brakes anywhere: no speed is allowed at any place.
+  // The train cannot brake anywhere: no speed is allowed at any place.
   in.gradient.permille.steps[0] = {{{-1e9}}, -200.0};
   ++in.revision;
   d = built(in);
@@ -530,7 +531,7 @@ TEST(ReleaseSpeed, CalculatedOnBoard) {
   ++in.revision;
   d = built(in);
   EXPECT_LT(d->release_speed.V_release.si, lowest(190, 8) - 1.0);
-  // With the speed error: the larger of f41 (2 km/h up to 30 km/h) and V_ura comes on top.
+  // With the speed error: the larger of f41 (2 km/h up to 30 km/h) and V_ura is added.
   in.mrsp = {};
   ASSERT_TRUE(in.mrsp.append({{-1000.0}}, {30.0}));
   a.SvL = {{5100.0}};
@@ -540,14 +541,14 @@ TEST(ReleaseSpeed, CalculatedOnBoard) {
   a.V_ura = {1.0};
   ++in.revision;
   EXPECT_NEAR(built(in)->release_speed.V_release.si, lowest(90, 8) - 1.0, 1e-6);
-  // No room at all: 0, no release speed.
+  // No distance left: 0, no release speed.
   a.SvL = {{4950.0}};
   ++in.revision;
   EXPECT_FALSE(built(in)->release_speed.exists);
 }
 
 TEST(ReleaseSpeed, EveryTargetHasItsOwnTimesWithFeedback) {
-  // The service brake acts towards the restriction (cmt) as its own time says, not as towards the SvL (cm0).
+  // Towards the restriction the service brake time is that of cmt, not that of cm0 as towards the SvL.
   Inputs in = simple_inputs();
   ASSERT_TRUE(in.mrsp.append({{5010.0}}, {2.0}));
   set_EOA(in, 5000.0, 5400.0);
@@ -577,7 +578,7 @@ TEST(Perturbation, WhereTheIndicationLimitCutsTheMRSP) {
   EXPECT_NEAR(m(*d->perturbation.from_EBD), 3830.0, 1e-9);
   EXPECT_NEAR(m(*d->perturbation.from_SBD), 3857.5, 1e-9);
   EXPECT_FALSE(d->perturbation.passed_at_once);
-  // A speed increase where the train would have to brake already: its place counts.
+  // A speed increase where the train already has to brake: its place counts.
   in.mrsp = {};
   ASSERT_TRUE(in.mrsp.append({{-1000.0}}, {10.0}));
   ASSERT_TRUE(in.mrsp.append({{4000.0}}, {30.0}));
@@ -629,7 +630,7 @@ TEST(PreIndication, OfALimitOfAuthority) {
   const double v = 20.0 + 7.5 / 3.6;
   EXPECT_NEAR(m(*built(in)->targets[0].d_preindication_EBD), 5000 - (900 - v * v) / 2 - 240 - 90 - 120 - 150 - 210,
               1e-9);
-  // Faster than everything before it: no reason to brake.
+  // Faster than every element before it: no reason to brake.
   in.authority.V_LOA = {40.0};
   ++in.revision;
   const auto d = built(in);
@@ -638,7 +639,7 @@ TEST(PreIndication, OfALimitOfAuthority) {
 }
 
 TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
-  // More decreases than there is room for; one of those that become one target is a TSR's.
+  // More decreases than fit; one of those merged into one target is due to a TSR.
   Inputs in = simple_inputs();
   for (int i = 0; i < 90; ++i) ASSERT_TRUE(in.mrsp.append({{1000.0 + 20.0 * i}}, {29.0 - 0.3 * i}));
   in.mrsp_due_to_TSR[85] = true;
@@ -655,7 +656,7 @@ TEST(Curves, TargetsThatBecomeOneTakeTheWorseGradient) {
 }
 
 TEST(PermittedBrakingDistance, KnowsNoServiceBrakeFeedback) {
-  // 3.11.11: as if it were not implemented, also where T_bs is shorter than the 2 s that feedback asks for.
+  // 3.11.11: as if feedback were not implemented, even where T_bs is shorter than the minimum of 2 s with feedback.
   Inputs in = simple_inputs();
   in.train.T_service = {};
   ASSERT_TRUE(in.train.T_service.push_back({{1.0}, {0.5}, 0}));
@@ -698,7 +699,7 @@ TEST(Curves, WithoutRoomTheRestIsLevel) {
   ASSERT_EQ(used, 5u);
   const CurveView curve{room};
   const Speed last{std::sqrt(room[4].w.si)};
-  EXPECT_EQ(curve.speed_at({{0.0}}), last);               // no more speed further upstream
+  EXPECT_EQ(curve.speed_at({{0.0}}), last);               // the speed does not rise further upstream
   EXPECT_LE(m(curve.place_at(last + Speed{0.1})), -1e8);  // a higher one nowhere
 }
 
@@ -741,7 +742,7 @@ TEST(LevelCrossing, WhereItsSpeedTakesOver) {
   EXPECT_FALSE(lx.passed);
   motion.max_safe_front = {{2801.0}};
   EXPECT_TRUE(lx_substitution(in, *d, {{3000.0}}, {10.0}, motion).passed);
-  // 4.0.0 takes acceleration and speed error of the moment.
+  // 4.0.0 uses the current acceleration and speed error.
   in.srs = SrsVersion::v4_0_0;
   ++in.revision;
   d = built(in);
@@ -782,7 +783,7 @@ TEST(PermittedBrakingDistance, RoundedDownTo5KmH) {
   // SB: T_bs2 3 s more against the EBD: v^2 = 2 (995 - 14 v): 32.77 m/s = 118 km/h less 5.8 and 1;
   // against the SBD: v^2 = 1.6 (995 - 4 v): 36.8 m/s.
   EXPECT_NEAR(permitted_braking_distance_speed(in, {1000.0}, 0.0, false).si * 3.6, 110.0, 1e-9);
-  // A fall takes more.
+  // A fall needs a longer distance.
   EXPECT_LT(permitted_braking_distance_speed(in, {1000.0}, -20.0, true).si * 3.6, 114.0);
   // No speed fits.
   EXPECT_EQ(permitted_braking_distance_speed(in, {10.0}, 0.0, true).si, 0.0);
@@ -909,7 +910,7 @@ TEST(ReducedBuildUp, AgreesWithTheRampAndStepModelsInSmallSteps) {
   EXPECT_GT(reduced, 20);
 }
 
-/// What is said before the track was looked at is what the track says, for every brake that is not stronger.
+/// A result found without the track equals the result with the track, for every brake that is not stronger.
 TEST(ReducedBuildUp, WhatIsSettledEarlyIsWhatTheTrackSays) {
   int settled = 0;
   int open = 0;
@@ -949,7 +950,7 @@ TEST(ReducedBuildUp, TheServiceBrakeTowardsTheEOAKnowsNothingOfTheWayToTheSvL) {
   EXPECT_LT(t.SBD.T_bs1, t.EBD.T_bs1);
 }
 
-/// Every segment and every band looked at by itself.
+/// Every segment and every band evaluated separately.
 DecelerationRange range_by_cells(const Decelerations& d, CurveKind kind, Place from, Place to, Place reduced_from,
                                  Speed low, Speed high) {
   DecelerationRange range{{1e9}, {-1e9}};
@@ -1018,7 +1019,7 @@ TEST(ReducedBuildUp, LimitsOf400) {
   const TargetTimes fast = times_of(*d, t, approach({30.0}, {}, {}, d->fixed), asked);
   EXPECT_FALSE(fast.reduced_be);
   EXPECT_EQ(fast.EBD, times_of(*d, t, approach({30.0}, {}, {}, d->fixed), {}).EBD);
-  // At standstill the reaction times hold.
+  // At standstill the reaction times apply.
   const TargetTimes standing = times_of(*d, t, approach({0.0}, {}, {}, d->fixed), asked);
   EXPECT_EQ(standing.EBD.T_bs2.si, 1.0);
   EXPECT_EQ(standing.EBD.T_be.si, 2.0);
@@ -1102,7 +1103,7 @@ TEST(Explain, CarriesTheValuesOfTheComputation) {
   EXPECT_NEAR(m(e.d_EBD), 4550.0, 1e-9);
   EXPECT_NEAR(m(*e.d_SBD), 4337.5, 1e-9);
   EXPECT_EQ(e.d_FLOI, std::min(e.EBD.d_SBI, e.SBD->d_SBI));
-  // The speed at the place of a limit is the limit's speed.
+  // The speed at the place of a limit is the speed of the limit.
   const PositionRow row = speeds_at(*d, in, d->targets[0], e.d_P, {1.0}, {0.6});
   EXPECT_NEAR(row.P.si, 30.0, 1e-9);
   EXPECT_LT(row.I, row.P);
@@ -1131,7 +1132,7 @@ TEST(Explain, WithoutAPlaceTheTrainIsAboutToReachItsFirstLimit) {
   ++in.revision;
   d = built(in);
   EXPECT_EQ(explain(*d, in, d->targets[0], {10.0}, {}, {}).times.T_be.si, 14.0);
-  // A train that is further on has it behind itself.
+  // A train further on has passed it.
   Motion beyond = at(4900.0, 10.0);
   EXPECT_NEAR(explain(*d, in, d->targets[0], {10.0}, {}, {}, &beyond).times.T_be.si, 2 + std::sqrt(480.0) / 2, 1e-9);
 }
@@ -1157,7 +1158,7 @@ TEST(Explain, GradientsOfBothCurves) {
 }
 
 TEST(Explain, SpeedsAtAPlaceAreThoseOfATrainThere) {
-  // 4.0.0 reduces build-up times from the train's front end: a train at the place of a limit has that limit.
+  // 4.0.0 reduces build-up times from the train's front end: a train at the place of a limit has exactly that limit.
   for (int i = 0; i < 300; ++i) {
     const RandomCase c = random_case(static_cast<std::uint64_t>(i), SrsVersion::v4_0_0);
     const auto d = built(c.in);

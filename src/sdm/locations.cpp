@@ -19,10 +19,10 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
   const BrakingCurve SBD = trace(A, CurveKind::SBD, false, LX_start, {}, {}, top);
   BrakingCurve GUI;
   if (d.guidance) GUI = trace(A, CurveKind::GUI, false, LX_start, {}, {}, top);
-  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: those of the moment.
+  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: the current ones.
   Approach a{.V = V_LX, .V_delta0 = V_delta0_41(d, V_LX), .A_est1 = {}, .A_est2 = {}};
   if (d.rules.LX_with_current_motion) a = approach(V_LX, d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura, m.A_est, d.fixed);
-  // The stop is EOA and SvL in one; 4.0.0 reduces the build-up times for V_LX (A.3.12).
+  // The stop is both EOA and SvL; 4.0.0 reduces the build-up times for V_LX (A.3.12).
   Target stop;
   stop.kind = TargetKind::EOA_SvL;
   stop.zero = true;
@@ -39,8 +39,9 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
 }
 
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake) {
-  // 3.11.11.4: the own gradient only, no trackside adhesion, inhibition or powerless section; the
-  // driver's slippery rail counts. Traction cut-off and feedback as if not implemented.
+  // 3.11.11.4: only the gradient of the packet, no trackside adhesion, inhibition or powerless
+  // section; slippery rail selected by the driver counts. Traction cut-off and feedback as if not
+  // implemented.
   GradientProfile gradient;
   EVC_REQUIRE(gradient.permille.append({{-1e9}}, grad));
   TrackConditions conditions;
@@ -58,8 +59,8 @@ Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, dou
   const Times t = times(config, build_up, std::nullopt, rules_of(in.srs), in.fixed);
   const Duration T_be = t.T_traction + t.T_berem;
   const auto V_delta0 = [&](Speed V) { return in.national_values.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V); };
-  // Excess of the speed over what the EBD allows where the full effort begins (V_ = V + dV); beyond the curve that is
-  // 0.
+  // Excess of the speed over the EBD at the place where the full effort begins (V_ = V + dV); beyond the curve the EBD
+  // is 0.
   const auto EBD_excess = [&](Speed V_, Duration T_bs2) {
     const Speed v = V_ + V_delta0(V_);
     const Place x = Place{in.train.L_antenna_front} + v * in.fixed.T41_balise + v * T_be + V_ * T_bs2;
@@ -74,8 +75,8 @@ Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, dou
     const Speed V_ = V + dV_sbi(V, in.fixed);
     return std::max(EBD_excess(V_, t.T_bs2), SBD_excess(V_));
   };
-  // The excess grows with V, without a step; the lowest speed within the tolerance is taken (deterministic, safe side).
-  // 0 where that of 0 is higher already; the highest speed of the curves where no train is fast enough.
+  // The excess grows continuously with V; the lowest speed within the tolerance is used (deterministic, safe side). 0
+  // if the excess at 0 is higher already; the highest speed of the curves if no speed reaches the tolerance.
   Speed low{0.0};
   Speed high = top;
   for (int i = 0; i < 60; ++i) {

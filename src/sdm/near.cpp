@@ -5,8 +5,8 @@
 namespace evc::sdm {
 namespace {
 
-/// No limit of the target can be exceeded and none of its speeds can be the lowest: both curves lie above every
-/// speed that counts at every place that matters. `room` gets a lower bound of the distance to the Indication limit.
+/// No limit of the target can be exceeded and none of its speeds can be the lowest: both curves are above every
+/// relevant speed at every relevant place. `room` is set to a lower bound of the distance to the Indication limit.
 bool far_away(const Cycle& c, const Target& t, double& room) {
   if (c.d.rules.pre_indication) return false;
   const BuildUpLoss& loss = t.zero ? c.ahead.loss_cm0 : c.ahead.loss_cmt;
@@ -24,7 +24,7 @@ void set_beyond(Seen& seen, const Limits& l, Place front, bool EBD) {
   if (EBD && front > *l.d_EBI) seen.beyond |= bit(Limit::EBI);
 }
 
-/// Is it clear without a look at the track that no build-up time is reduced?
+/// Whether it is certain, without evaluating the track, that no build-up time is reduced.
 bool full_build_up(const Cycle& c, const Target& t) {
   return !c.d.rules.reduced_build_up || t.V_target < (t.zero ? c.full_below_cm0 : c.full_below_cmt);
 }
@@ -54,7 +54,7 @@ Earliest earliest_indication(const Cycle& c, const Target& t, const Ahead& ahead
   if (t.V_target > ahead.a.V) loss = before_emergency_effort(ahead.a, longest, t.V_target);
   const Speed V = std::max(loss.V_bec, V_least) + kSpare;
   const Duration to_I = c.d.fixed.T_driver + longest.T_indication;
-  // With 4.0.0 P lies at the target at the latest.
+  // With 4.0.0, P is not beyond the target.
   Earliest I;
   I.EBD = std::min(c.d.view(t.EBD).place_at(V), t.d_target) - (ahead.a.V * (longest.T_bs2 + to_I) + loss.D_bec);
   if (t.kind == TargetKind::EOA_SvL) I.SBD = c.d.view(t.SBD).place_at(V) - ahead.a.V * (longest.T_bs1 + to_I);
@@ -65,7 +65,7 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   const Target& t = c.d.targets[i];
   seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar, kFar};
   if (far_away(c, t, seen.to_I)) {
-    // A.3.13 asks whether any target's build-up time is reduced, the far ones' too.
+    // A.3.13 depends on whether the build-up time of any target is reduced, including far ones.
     if (c.d.rules.reduced_build_up && !c.reduced && in_list(c, t) && !full_build_up(c, t))
       note_reduced(c, t, times_of(c.d, t, c.a, asked(c, t)));
     return;

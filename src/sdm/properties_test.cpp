@@ -20,9 +20,9 @@ std::unique_ptr<Derived> built(const Inputs& in) {
   return d;
 }
 
-/// Every limit location of every target at a few speeds; NaN where the EBD lies beyond its target (below
-/// V_target + dV_ebi it does, and the weaker the brake the further: 3.13.8.3.1), and at speeds up to the
-/// target's, which are not supervised.
+/// Every limit location of every target at a few speeds; NaN where the EBD is beyond its target (below V_target +
+/// dV_ebi, and further with a weaker brake: 3.13.8.3.1), and at speeds up to the target speed, which are not
+/// supervised.
 std::vector<double> limit_places(const Inputs& in, const Motion& m) {
   const auto d = built(in);
   std::vector<double> places;
@@ -37,7 +37,7 @@ std::vector<double> limit_places(const Inputs& in, const Motion& m) {
   return places;
 }
 
-/// None of `worse` lies nearer to the target (downstream) than its counterpart.
+/// No place of `worse` is nearer to the target (downstream) than its counterpart.
 void expect_not_nearer(const std::vector<double>& base, const std::vector<double>& worse, const char* what,
                        std::uint64_t seed, Compared& compared) {
   ASSERT_EQ(base.size(), worse.size());
@@ -58,7 +58,7 @@ TEST(Properties, LimitsAreInOrder) {
     for (const Target& t : d->targets)
       for (double v = 0.0; v <= 220.0; v += 20.0) {
         const Explanation e = explain(*d, c.in, t, kmh(v), c.motion.V_ura, c.motion.A_est);
-        // Much of the order is subtraction of times that are not negative: counted is where the order is strict.
+        // Much of the order follows from subtracting non-negative times: only strict order is counted.
         if (e.EBD.d_I < e.EBD.d_P && e.EBD.d_P < e.EBD.d_W && e.EBD.d_W < e.EBD.d_SBI && e.EBD.d_SBI < *e.EBD.d_EBI)
           ++compared;
         ASSERT_LE(e.EBD.d_I, e.EBD.d_P) << seed;
@@ -83,7 +83,7 @@ TEST(Properties, AWorseTrainOrTrackNeverMovesALimitTowardsTheTarget) {
   for (int i = 0; i < number; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
     RandomCase c = random_case(seed);
-    // Places of the targets and release speeds stay; only what the limits follow from changes.
+    // Targets and release speeds stay the same; only the inputs of the limits change.
     const std::vector<double> base = limit_places(c.in, c.motion);
     Dice dice(seed ^ 0x5eedull);
     const std::size_t k = static_cast<std::size_t>(dice.integer(0, 1000));
@@ -146,7 +146,7 @@ TEST(Properties, FallsTooSteepForTheBrakesAreMonotonousToo) {
     auto& worse = in.gradient.permille.steps;
     worse[static_cast<std::size_t>(dice.integer(0, 1000)) % worse.size()].value -= 5.0;
     expect_not_nearer(base, limit_places(in, c.motion), "steeper fall", seed, compared);
-    // Curves stay ordered: no speed is allowed further upstream than a lower one.
+    // Curves are monotonic: no speed is allowed further downstream than a lower one.
     const auto d = built(c.in);
     for (const Target& t : d->targets) {
       const CurveView EBD = d->view(t.EBD);
@@ -190,7 +190,7 @@ TEST(Properties, SplittingASegmentChangesNothing) {
     c.in.train.brake_model = train::BrakeModel::gamma;
     if (c.in.train.emergency.empty()) continue;
     const std::vector<double> base = limit_places(c.in, c.motion);
-    // Borders of brakes that the train does not have: segments are cut, nothing else.
+    // Borders of brakes that the train does not have: they only divide segments.
     Inputs in = c.in;
     Dice dice(static_cast<std::uint64_t>(i) + 5);
     in.conditions.regenerative_off = Place{{dice.real(0.0, 5000.0)}};
@@ -226,7 +226,7 @@ TEST(Properties, PlaceToSpeedToPlace) {
 
 // ---- An independent fine-step integrator -----------------------------------------------------------
 
-/// Gradient under a train by looking at every step, uncompensated input.
+/// Gradient under a train by evaluating every step of the uncompensated input.
 double lowest_gradient(const Inputs& in, double front) {
   const double rear = front - in.train.L_TRAIN.si;
   const auto& steps = in.gradient.permille.steps;
@@ -297,7 +297,7 @@ TEST(Properties, TheCurveIsThatOfAFineStepIntegrator) {
         const double A = safe_deceleration(c.in, std::sqrt(w) + 1e-9, x - kStep / 2.0);
         w += 2.0 * A * kStep;
         x -= kStep;
-        // At most one step of speed or track is missed per change, each worth 2 dA dx in v^2.
+        // At most one step of speed or track is missed per change, each causing 2 dA dx in v^2.
         if (n % 4000 == 0) {
           ++compared;
           ASSERT_NEAR(EBD.speed_squared_at({{x}}).si, w, 60 * 2.0 * 1.5 * kStep * 0.5) << "case " << i << " at " << x;
@@ -381,11 +381,11 @@ TEST(Properties, ADriverWhoStaysBelowThePermittedSpeedIsNeverBraked) {
     for (int n = 0; n < 1200; ++n) {
       m.standstill = m.V_est.si == 0.0;
       const Result r = supervise(s, *d, m);
-      // Standing still is no proof.
+      // Standstill proves nothing.
       if (!m.standstill) ++compared;
       ASSERT_FALSE(r.eb || r.sb || r.tco) << i << " at " << m.est_front.from_origin.si;
       ASSERT_LE(r.status, Status::Indication) << i << " at " << m.est_front.from_origin.si;
-      // The highest speed that is permitted half a second further on.
+      // The highest speed that is still permitted half a second later.
       Speed low{0.0};
       Speed high = m.V_est + Speed{0.3};
       for (int k = 0; k < 14; ++k) {
@@ -400,8 +400,8 @@ TEST(Properties, ADriverWhoStaysBelowThePermittedSpeedIsNeverBraked) {
 }
 
 TEST(Properties, AnUnbrakedTrainIsStoppedBeforeTheSupervisedLocation) {
-  // Above the permitted speed the commands come early enough: from the emergency command the train of
-  // its own model stops at the SvL at the latest.
+  // Above the permitted speed the commands come early enough: from the emergency command on, a train that brakes as
+  // modelled stops at the SvL at the latest.
   const int number = cases(400);
   Compared compared(number, 0.2);
   for (int i = 0; i < number; ++i) {

@@ -3,8 +3,8 @@
 #include "sdm/evaluate.h"
 #include "sdm/supervision.h"
 
-// What follows from track, train and national values alone: targets with their curves, release speed,
-// pre-indication and perturbation locations.
+// Results of track, train and national values alone: targets with their curves, release speed, pre-indication and
+// perturbation locations.
 namespace evc::sdm {
 namespace {
 
@@ -64,7 +64,7 @@ class Builder {
         t.due_to_TSR = in_.mrsp_due_to_TSR[i];
         add(t);
       }
-      // 4.0.0: whatever is lower than an element before it; else decreases only.
+      // 4.0.0: every element lower than one before it; else decreases only.
       before = d_.rules.all_lower_elements_are_targets ? std::max(before, step.value) : step.value;
     }
   }
@@ -102,7 +102,7 @@ class Builder {
     std::size_t used = d_.knots_used;
     const std::size_t first = used;
     EVC_REQUIRE(first + kMaxKnots <= kKnotPool);
-    // There is room for every curve: kReserved, and what room_for_MRSP_target asks for.
+    // There is room for every curve: kReserved, and the room checked by room_for_MRSP_target.
     const CurveWarnings met = trace({d_.knots.data(), first + kMaxKnots}, used, d_.decelerations, kind, due_to_TSR,
                                     anchor, V_anchor, V_foot, V_top_);
     d_.knots_used = static_cast<std::uint16_t>(used);
@@ -111,7 +111,7 @@ class Builder {
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(used - first)};
   }
 
-  /// For two curves, with what the ends of authority and of the SR distance need: two targets and their curves.
+  /// Room for two curves, plus that for the ends of authority and of the SR distance: two targets and their curves.
   bool room_for_MRSP_target() const {
     return d_.targets.size() + 2 < kTargets && kKnotPool - d_.knots_used >= kReserved + 2 * kMaxKnots;
   }
@@ -145,11 +145,11 @@ class Builder {
     d_.truncated = d_.truncated || t.warnings.truncated;
   }
 
-  /// No room for the MRSP targets from step `i` on: the last target takes the lowest of their speeds.
+  /// No room for the MRSP targets from step `i` on: the last target gets the lowest of their speeds.
   void squeeze(std::size_t i) {
     d_.truncated = true;
     Target& last = d_.targets.back();
-    // The default gradient of a TSR counts for all of them where it falls, for none where it does not.
+    // The default gradient of a TSR applies to all of them if it is a fall, else to none.
     const bool falling = in_.gradient.default_for_TSR.value_or(0.0) < 0.0;
     for (; i < in_.mrsp.size(); ++i) {
       last.V_target = std::min(last.V_target, in_.mrsp.steps[i].value);
@@ -163,8 +163,8 @@ class Builder {
     std::optional<Place> d;  // d_ref of 3.13.11.5-6
     Speed V{};               // V_n of its element
   };
-  /// First element n where the Indication limit valid for its speed lies in it, or beyond its end with
-  /// the next one's before. `skip_below`: elements slower than the LOA's speed (3.13.11.7.1).
+  /// First element n that contains the Indication limit for its speed, or whose limit is beyond its end while that of
+  /// the next element is before it. `skip_below`: elements slower than the LOA's speed (3.13.11.7.1).
   Reference reference(const Target& t, bool SBD, Speed skip_below) const;
 
   bool below_MRSP_at_start(const Target& t, bool SBD) const {
@@ -228,7 +228,7 @@ void Builder::pre_indications() {
     if (t.kind == TargetKind::EOA_SvL)
       t.preindication_passed_at_once =
           t.preindication_passed_at_once || before(t.d_preindication_SBD) || below_MRSP_at_start(t, true);
-    // 3.4.0: an LOA faster than all before it is no reason to brake.
+    // 3.4.0: no braking for an LOA faster than all elements before it.
     if (t.kind == TargetKind::LOA && !t.d_preindication_EBD.has_value() && t.V_target >= highest(in_.mrsp))
       t.preindication_passed_at_once = false;
   }
@@ -252,7 +252,7 @@ void Builder::perturbation() {
 }
 
 /// 3.13.9.4.8.2 for one target: the lowest speed above V_target that satisfies both conditions, else
-/// V_target. V - (V_EBD(x(V)) - V_d0(V)) grows with V, so bisection finds where it is -1 km/h.
+/// V_target. V - (V_EBD(x(V)) - V_d0(V)) grows with V, so bisection finds the speed where it is -1 km/h.
 Speed Builder::on_board_release_speed(const Target& t, Place d_trip) const {
   const Authority& a = in_.authority;
   const train::BuildUpTimes& build_up = t.zero ? d_.cm0 : d_.cmt;
@@ -277,7 +277,7 @@ Speed Builder::on_board_release_speed(const Target& t, Place d_trip) const {
     const Speed middle = low + (high - low) / 2.0;
     (excess(middle) >= -d_.fixed.search_tolerance ? high : low) = middle;
   }
-  // The excess grows without a jump, so it is not above the tolerance either.
+  // The excess grows continuously, so it is not above the tolerance either.
   return place(high) <= t.foot ? high : t.V_target;
 }
 
@@ -321,8 +321,8 @@ void Builder::release_speed() {
   start = rsm_start(d_, EOA_SvL, r.V_release, r.d_trip, r.on_board, {});
   r.d_SBI1 = start.d_SBI1;
   r.d_SBI2 = start.d_SBI2;
-  // A release speed of 0 would brake every movement before the EOA: it is none, and the curves are
-  // supervised to their feet.
+  // A release speed of 0 would brake every movement before the EOA: it counts as none, and the
+  // curves are supervised to their feet.
   r.exists = r.V_release.si > 0.0;
 }
 

@@ -5,21 +5,21 @@
 namespace evc::sdm {
 namespace {
 
-/// V_t1 of A.3.12.3: when the brake begins to act.
+/// V_t1 of A.3.12.3: the speed when the brake begins to act.
 double speed_before_ramp(const Ramp& r) {
   const double t_max = r.T_traction_max.si;
   const double react = r.T_react.si;
   return r.v0.si + r.A_est1.si * std::min(t_max, react) + r.A_est2.si * std::max(react - t_max, 0.0);
 }
-/// V_t2 of A.3.12.4: when the brake has its full effort `A`.
+/// V_t2 of A.3.12.4: the speed when the brake has its full effort `A`.
 double speed_after_ramp(const Ramp& r, double A) {
   const double t2 = 2.0 * r.T.si - r.T_react.si;  // A.3.12.2.1
   const double t_max = r.T_traction_max.si;
   return std::max(0.0, r.v0.si + r.A_est1.si * t_max + r.A_est2.si * (t2 - t_max) - A * (t2 - r.T_react.si) / 2.0);
 }
 
-/// A.3.12.7: the time after which the step model has run the distance `D`, the way down to V_target included. The
-/// root of a2 k t^2 / 2 + u k t + c = 0, in the form that holds for the smallest A_est2 and for 0.
+/// A.3.12.7: the time after which the step model has run the distance `D`, including braking to V_target. The root of
+/// a2 k t^2 / 2 + u k t + c = 0, in the form that is valid for A_est2 down to 0.
 double time_of_step_model(const Ramp& r, double D) {
   const double A_max = r.A.A_max.si;
   const double a1 = r.A_est1.si;
@@ -48,7 +48,7 @@ DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, boo
   std::size_t i = 0;
   while (!contains(i, from)) ++i;
   while (i < n && segments[i].from <= to) {
-    // Segments in a row with the same bands: of them the steepest rise counts. EBD and SBD have no Kn.
+    // Of consecutive segments with the same bands the steepest rise counts. EBD and SBD have no Kn.
     const Segment& first = segments[i];
     const Bands& bands = d.bands(kind, first);
     Segment steepest = first;
@@ -72,7 +72,7 @@ std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_high
   const double Vt = r.V_target.si;
   if (r.T <= r.T_react) return r.T;
   if (speed_before_ramp(r) <= Vt) return r.T_react;  // A.3.12.3
-  // A.3.12.4. Rounding is monotonous: a weaker brake never ends the ramp at a lower speed.
+  // A.3.12.4. Rounding is monotonic: a weaker brake never ends the ramp at a lower speed.
   const double V_t2 = speed_after_ramp(r, A_highest.si);
   if (r.stop ? V_t2 > 0.0 : V_t2 >= Vt) return r.T;
   return std::nullopt;
@@ -94,15 +94,15 @@ Duration reduced_build_up_time(const Ramp& r) {
   const double a2 = r.A_est2.si;
   const double t_max = r.T_traction_max.si;
   const double incr = 2.0 * (r.T.si - react);
-  // A.3.12.5: when the target speed is reached on the ramp. A_B and the root are positive: without a brake the train
-  // would not be slower at the end of the ramp (A.3.12.4), and A_est2 <= A_est1.
+  // A.3.12.5: the time when the target speed is reached on the ramp. A_B and the root are positive: without a brake the
+  // train would not be slower at the end of the ramp (A.3.12.4), and A_est2 <= A_est1.
   const double B = std::max(0.0, r.v0.si - r.V_target.si) + a1 * t_max + a2 * (react - t_max);
   const double x = incr / A_B * (a2 + __builtin_sqrt(a2 * a2 + 2.0 * A_B * B / incr));
   const double t_e = react + x;
-  // A.3.12.6: the distance until then.
+  // A.3.12.6: the distance run until then.
   const double D = r.v0.si * t_e + a1 * t_max * t_max / 2.0 + a1 * t_max * (t_e - t_max) +
                    a2 * (t_e - t_max) * (t_e - t_max) / 2.0 - A_B * x * x * x / (6.0 * incr);
-  // A.3.12.8. A target speed that is not reached on the ramp gives more than T.
+  // A.3.12.8. If the target speed is not reached on the ramp, the result would be more than T.
   return {std::min(r.T.si, std::max((react + t_e) / 2.0, time_of_step_model(r, D)))};
 }
 

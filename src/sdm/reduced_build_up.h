@@ -5,8 +5,8 @@
 #include "sdm/deceleration.h"
 #include "sdm/limits.h"
 
-// A.3.12 of 4.0.0: the equivalent build-up time shrinks where the ramp of the brake reaches the target
-// speed before it is fully built up. Formulas A.3.12.5-8 are re-derived from the informative annex.
+// A.3.12 of 4.0.0: the equivalent build-up time is shorter if the train reaches the target speed before the brake is
+// fully built up. Formulas A.3.12.5-8 are re-derived from the informative annex.
 namespace evc::sdm {
 
 /// Lowest brake deceleration (no gradient) and highest deceleration (with it) in a rectangle of place
@@ -20,7 +20,7 @@ struct DecelerationRange {
 DecelerationRange deceleration_range(const Decelerations& d, CurveKind kind, bool due_to_TSR, Place from, Place to,
                                      Place reduced_from, Speed V_low, Speed V_high);
 
-/// What the ramp model needs for one target and one brake.
+/// The inputs of the ramp model for one target and one brake.
 struct Ramp {
   Duration T{}, T_react{};  // T_be, T_be_react or T_bs, T_bs_react
   Speed v0{};               // V_est + V_delta0, V_est for the service brake
@@ -30,11 +30,11 @@ struct Ramp {
   Duration T_traction_max{}, T_traction_min{};
   DecelerationRange A{};
 };
-/// The same where A.3.12.3 and .4 decide it already for the strongest deceleration of the brake anywhere: the track
-/// between train and target need not be evaluated then.
+/// The same, if A.3.12.3 and .4 already give the result for the strongest deceleration of the brake on any track: then
+/// the track between train and target need not be evaluated.
 std::optional<Duration> build_up_time_settled(const Ramp& r, Acceleration A_highest);
 
-/// Towards target speeds below this one the same is T, for a stop too.
+/// Towards target speeds below this one, and for a stop, the reduced time is T.
 Speed full_build_up_below(const Ramp& r, Acceleration A_highest);
 
 /// T_be_reduced or T_bs_reduced; never more than T.

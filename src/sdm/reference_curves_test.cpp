@@ -1,5 +1,5 @@
-// Decelerations and braking curves against the independent model of test_reference_curves.h, with a good part of the
-// questions exactly at borders of segments, steps of speed and knots.
+// Decelerations and braking curves compared with the independent model of test_reference_curves.h, often exactly at
+// borders of segments, steps of speed and knots.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -74,7 +74,7 @@ TEST(ReferenceModel, WhatIsDeterminedAnewKeepsNothing) {
     EXPECT_EQ(d->highest_expected.si, highest(r, false, places));
     for (const Segments* s : {&d->segments, &d->segments_for_TSR})
       for (std::size_t n = 1; n < s->size(); ++n) EXPECT_LT((*s)[n - 1].from, (*s)[n].from);
-    // The conversion model knows no special brakes (3.13.2.2.6.3).
+    // The conversion model has no special brakes (3.13.2.2.6.3).
     if (in.train.brake_model != train::BrakeModel::lambda) continue;
     Inputs plain = in;
     plain.conditions = {};
@@ -133,7 +133,7 @@ void expect_curve(const BrakingCurve& curve, const ReferenceCurve& r, Dice& dice
   for (int n = 0; n < 10; ++n) {
     const double V = dice.chance(0.5) ? 2.5 * dice.integer(0, 40) : dice.real(0.0, 100.0);
     if (V * V <= r.foot_w() + 1e-6) continue;
-    // At the speed of a level stretch, to the last bit, either end may come out of rounding: left out.
+    // At exactly the speed of a level stretch, rounding may select either end: left out.
     const double x = r.place_of(V * V);
     const double y = r.place_of(V * V + 1e-6);
     if (x - y > 1e-3) continue;

@@ -1,4 +1,4 @@
-// `explain` and `speeds_at` against the limits themselves and the independent model.
+// `explain` and `speeds_at` compared with the limits and the independent model.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -35,7 +35,7 @@ Inputs random_track(Dice& dice, int i) {
   return in;
 }
 
-/// The brake at the place where the curve has the speed; nothing where that is too close to a border to decide.
+/// The brake at the place where the curve has the speed; none if this is too close to a border to decide.
 void expect_decelerations(const Explanation& e, const Inputs& in, const Target& t, Speed V) {
   const Reference r(in, t.due_to_TSR);
   const Reference plain(in);
@@ -169,13 +169,14 @@ TEST(ReferenceExplain, EndsOfTheSearchForASpeed) {
   ASSERT_TRUE(in.mrsp.append({{4000.0}}, {10.0}));
   const auto d = built(in);
   const Target& t = d->targets[0];
-  // Where the limit of the highest speed is, that speed is found to the last bit (halving comes close only); also
-  // further upstream.
+  // At the limit of the highest speed, exactly that speed is returned (bisection would only come close); also further
+  // upstream.
   const Explanation top = explain(*d, in, t, {59.9}, {}, {});
   EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI, {}, {}).EBI.si, 59.9);
   EXPECT_EQ(speeds_at(*d, in, t, *top.EBD.d_EBI - Distance{1.0}, {}, {}).EBI.si, 59.9);
   EXPECT_LT(speeds_at(*d, in, t, *top.EBD.d_EBI + Distance{1.0}, {}, {}).EBI.si, 59.9);
-  // All speeds up to the target's have their limit at one place; at it and beyond none is left, the safe side.
+  // All speeds up to the target's have their limit at one place; at this place and beyond no speed is left, the safe
+  // side.
   const Place last = *explain(*d, in, t, {0.0}, {}, {}).EBD.d_EBI;
   ASSERT_EQ(*explain(*d, in, t, {10.0}, {}, {}).EBD.d_EBI, last);
   EXPECT_EQ(speeds_at(*d, in, t, last, {}, {}).EBI.si, 0.0);
@@ -197,7 +198,7 @@ TEST(ReferenceExplain, PIsDrawnToTheTargetAtMostIn340Only) {
 }
 
 TEST(ReferenceExplain, ReducedAdhesionUnderTheMinSafeFrontEndCounts) {
-  // Reduced adhesion up to 4840 m, for the train's length; the train is at 4900 m or not quite.
+  // Reduced adhesion up to 4840 m plus the train length; the train is at 4900 m or just before.
   Inputs in = simple_inputs(SrsVersion::v4_0_0);
   in.train.service_brake_interface = false;
   in.train.T_traction_cut_off = {0.0};
@@ -222,10 +223,10 @@ TEST(ReferenceExplain, InFrontOfTheProfileAndWhereNoSpeedIsAllowed) {
   ASSERT_TRUE(in.gradient.permille.append({{1000.0}}, 10.0));
   set_EOA(in, 2000.0, 2000.0);
   auto d = built(in);
-  // Nothing is known in front of the profile and until the train is on it.
+  // The gradient is unknown in front of the profile and until the train is on it.
   EXPECT_EQ(explain(*d, in, d->targets.back(), {50.0}, {}, {}).A_gradient_EBD.si, 0.0);
   EXPECT_GT(explain(*d, in, d->targets.back(), {10.0}, {}, {}).A_gradient_EBD.si, 0.0);
-  // A fall that no brake holds: the speed has no place.
+  // A fall too steep for the brake: the speed has no place.
   in.gradient.permille.steps[0] = {{{-1e9}}, -200.0};
   ++in.revision;
   d = built(in);

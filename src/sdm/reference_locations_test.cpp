@@ -1,5 +1,5 @@
-// What follows from track and train alone - targets, their curves, release speed, perturbation and pre-indication
-// locations - against plain searches, with steps of speed laid exactly where the locations are.
+// Results of track and train alone (targets, their curves, release speed, perturbation and pre-indication locations)
+// compared with plain searches, with steps of speed exactly at the locations.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -16,7 +16,7 @@ using namespace evc::sdm::test;
 
 constexpr SrsVersion kVersions[] = {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0};
 
-/// One target list after the other is built into the same place: nothing of the one before may stay.
+/// Each target list is built in the same memory: nothing of the one before may remain.
 std::unique_ptr<Derived> place_of_work() {
   auto d = std::make_unique<Derived>();
   d->truncated = d->no_deceleration = true;
@@ -186,7 +186,7 @@ TEST(ReferenceLocations, SixtyTwoRestrictionsAndBothEndsFit) {
   rebuild(*d, in);
   EXPECT_EQ(d->targets.size(), 64u);
   EXPECT_TRUE(d->truncated);
-  // The last one has the lowest speed of those that do not fit; its curves are traced again.
+  // The last target has the lowest speed of those that do not fit; its curves are traced again.
   EXPECT_EQ(d->targets[61].V_target.si, 10.0);
   EXPECT_EQ(d->targets[61].d_target.from_origin.si, 6200.0);
   expect_equal(d->view(d->targets[61].EBD),
@@ -241,7 +241,7 @@ struct Found {
   std::optional<Place> d;
   Speed V{};
 };
-/// Every element is asked for itself, the first one that answers counts.
+/// Every element is evaluated separately; the first one with a result counts.
 Found d_ref(const Derived& d, const Inputs& in, const Target& t, bool SBD, Speed skip_below) {
   const auto& steps = in.mrsp.steps;
   for (std::size_t n = 0; n < steps.size(); ++n) {
@@ -306,8 +306,8 @@ TEST(ReferenceLocations, PerturbationAndPreIndication) {
     rebuild(*d, in);
     expect_locations(*d, in);
     if (HasFatalFailure()) return;
-    // The same with a step of speed, or the start, exactly at a location of the first try: nothing that the curve
-    // towards an end of authority depends on.
+    // The same with a step of speed, or the start, exactly at a location of the first run: the curve towards an end of
+    // authority does not depend on it.
     if (d->targets.empty()) continue;
     const Target t = d->targets.back();
     const bool SBD = t.kind == TargetKind::EOA_SvL && dice.chance(0.5);
@@ -348,7 +348,7 @@ TEST(ReferenceLocations, ACurveThatHasTheSpeedOfTheMRSPAtItsStartIsNotBelowIt) {
 
 // ---- Release speed (3.13.9.4) --------------------------------------------------------------------------------------
 
-/// The lowest speed above V_target that satisfies both inequalities, by trying one after the other.
+/// The lowest speed above V_target that satisfies both inequalities, by trial.
 double lowest_release_speed(const Derived& d, const Inputs& in, const Target& t, double d_trip, double V_top) {
   const bool v4 = in.srs == SrsVersion::v4_0_0;
   const auto b = train::build_up_times(in.train, in.national_values, in.brakes, t.V_target.si == 0.0);
@@ -434,7 +434,7 @@ TEST(ReferenceLocations, ReleaseSpeed) {
     double lowest = std::min(in.mrsp.at(r.d_trip), in.mrsp.at(std::min(from, r.d_trip))).si;
     for (const auto& step : in.mrsp.steps)
       if (step.from > from && step.from < r.d_trip) lowest = std::min(lowest, step.value.si);
-    // Found by trying, the speed is known to 0.1 mm/s only: a step of speed that close is left out.
+    // Trial finds the speed to 0.1 mm/s only: a step of speed this close is left out.
     bool close = false;
     for (const auto& step : in.mrsp.steps) close = close || (on_board && std::abs((step.from - from).si) < 0.02);
     limited += lowest < V;
@@ -452,7 +452,7 @@ TEST(ReferenceLocations, ReleaseSpeed) {
     again.mrsp = {};
     const bool at_start = dice.chance(0.5);
     (void)again.mrsp.append(in.mrsp.steps[0].from, {at_start ? 1.0 : 50.0});
-    // At it, or within the confidence interval behind it.
+    // At the location, or within the confidence interval behind it.
     if (at_start) (void)again.mrsp.append(dice.chance(0.5) ? from : from + a.confidence_interval / 2.0, {50.0});
     (void)again.mrsp.append(r.d_trip, {dice.chance(0.5) ? 2.0 : 60.0});
   }

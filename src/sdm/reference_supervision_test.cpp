@@ -1,4 +1,4 @@
-// `supervise` beside the reference supervision: random journeys, a good part of their cycles exactly on a border.
+// `supervise` compared with the reference supervision: random journeys, with many cycles exactly at a limit.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -75,7 +75,7 @@ void expect_equal(const Supervision& a, const Supervision& b) {
   ASSERT_EQ(a.feedback.approaching, b.feedback.approaching);
 }
 
-/// What the journeys of a version meet: the more, the stronger the comparison.
+/// The events of the journeys of a version: the more, the stronger the comparison.
 struct Seen {
   int CSM = 0, TSM = 0, RSM = 0, indication = 0, warning = 0, intervention = 0, held = 0, locked = 0, TTI = 0;
 };

@@ -1,6 +1,6 @@
-// Times, reduced build-up times, limits and locations of 3.13.9, 3.11.11 and A.3.12 against a model of their own: plain
-// numbers after the text of the clauses, equations solved by bisection. Curves (3.13.8), decelerations (3.13.6) and the
-// times of the brake model are those of the product; they have their own tests.
+// Times, reduced build-up times, limits and locations of 3.13.9, 3.11.11 and A.3.12 compared with a separate model:
+// plain numbers from the text of the clauses, equations solved by bisection. Curves (3.13.8), decelerations (3.13.6)
+// and the times of the brake model are those of the product; they have their own tests.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double m(Place p) { return p.from_origin.si; }
 
 // ---- The model ---------------------------------------------------------------------------------------
 
-/// The train data, national values and version from which the times follow.
+/// The train data, national values and version on which the times depend.
 struct Setting {
   double T_cut_off;
   bool cut_off_at_warning, SB, feedback;
@@ -71,7 +71,7 @@ template <class F>
 double integral(F f, double a, double b) {
   return (b - a) / 6.0 * (f(a) + 4.0 * f((a + b) / 2.0) + f(b));
 }
-/// Where a rising function is 0.
+/// The zero of a rising function.
 template <class F>
 double zero_of(F f, double low, double high) {
   for (int i = 0; i < 100; ++i) {
@@ -94,7 +94,7 @@ double model_reduced(const ModelRamp& r) {
   const double V_t1 = integral([&](double t) { return t <= r.T_max ? r.a1 : r.a2; }, 0.0, 0.0) + r.v0 +
                       (r.T_max < r.react ? r.a1 * r.T_max + r.a2 * (r.react - r.T_max) : r.a1 * r.react);
   if (r.stop ? V_t1 == 0.0 : V_t1 <= r.Vt) return r.react;
-  // Speed that the brake has taken away at a time on the ramp.
+  // Loss of speed by the brake up to a time on the ramp.
   const auto taken = [&](double t) {
     return integral([&](double u) { return r.A_brake * (u - r.react) / (full - r.react); }, r.react, t);
   };
@@ -102,7 +102,7 @@ double model_reduced(const ModelRamp& r) {
   const double V_t2 = std::max(0.0, r.v0 + gained(full) - taken(full));
   if (r.stop ? V_t2 > 0.0 : V_t2 >= r.Vt) return r.T;
   if (r.A_max <= 0.0) return r.T;
-  // t2_enough; later than the end of the ramp: the brake is fully needed.
+  // t2_enough; later than the end of the ramp: the full brake effort is needed.
   const double above = std::max(0.0, r.v0 - r.Vt);
   const auto reached = [&](double t) { return taken(t) - gained(t) - above; };
   if (reached(full) <= 0.0) return r.T;
@@ -201,7 +201,7 @@ struct Model {
     return model_reduced(r);
   }
   double T_be(const ModelTimes& unreduced) const {
-    // No reaction time: Kt_int = 0 (A.3.12.1.4), or none is known.
+    // No reaction time: Kt_int = 0 (A.3.12.1.4), or unknown.
     if (!s.reduces || !fronts.has_value() || full.T_be_react.si == 0.0) return full.T_be.si;
     if (unreduced.traction >= full.T_be.si) return full.T_be.si;
     ModelRamp r{full.T_be.si, full.T_be_react.si, V + V0, t.V_target.si, stop};
@@ -264,8 +264,8 @@ void random_steps(Dice& dice, Steps& steps, double low, double high) {
   if (dice.chance(0.5)) (void)steps.append({dice.real(5.0, 30.0)}, {dice.real(low, high)});
 }
 
-/// random_case with what it never has: guidance, feedback, a regenerative brake and where it is off, times of 0,
-/// targets of TSRs, the end of the SR distance, low speeds and any acceleration.
+/// random_case with features it never has: guidance, feedback, a regenerative brake and zones where it is off, times of
+/// 0, targets of TSRs, the end of the SR distance, low speeds and any acceleration.
 RandomCase wide_case(std::uint64_t seed) {
   RandomCase c = random_case(seed, static_cast<SrsVersion>(seed % 3));
   Dice dice(seed ^ 0x71a3e5ull);
@@ -305,7 +305,7 @@ RandomCase wide_case(std::uint64_t seed) {
     }
   } else {
     if (dice.chance(0.2)) v.Kt_int = dice.chance(0.5) ? 0.0 : dice.real(0.0, 1.5);
-    // A configured service brake time counts where it is shorter, than the reaction too.
+    // A configured service brake time is used if it is shorter, even than the reaction time.
     if (dice.chance(0.3)) (void)t.T_service.push_back({{dice.real(0.5, 4.0)}, {dice.real(0.0, 4.0)}, 0});
   }
   if (dice.chance(0.4)) {
@@ -324,7 +324,7 @@ std::unique_ptr<Derived> built(const Inputs& in) {
   return d;
 }
 
-/// Speeds to look at, and places of the train that matter for the target.
+/// Speeds to test, and relevant places of the train for the target.
 double speed_for(Dice& dice, const Inputs& in, const Target& t) {
   const double Vt = t.V_target.si;
   switch (dice.integer(0, 5)) {
@@ -392,7 +392,7 @@ TEST(ReferenceTimes, MarginsOfTheCeiling) {
 }
 
 Ramp random_ramp(Dice& dice) {
-  // Large ones and small ones: the equations shall hold at walking speed too.
+  // Large and small ones: the equations must hold at walking speed too.
   const double scale = dice.chance(0.5) ? 1.0 : 0.05;
   Ramp r{.T = {scale * dice.real(0.5, 9.0)}};
   r.T_react = {dice.chance(0.1) ? r.T.si : dice.real(0.0, 1.1) * r.T.si};
@@ -421,7 +421,7 @@ TEST(ReferenceTimes, ReducedBuildUpTimes) {
                        r.T_traction_max.si, r.T_traction_min.si, r.A.A_brake_min.si, r.A.A_max.si});
     ASSERT_NEAR(reduced_build_up_time(r).si, expected, 1e-9) << i;
     ++(expected == r.T.si ? full : expected == r.T_react.si ? reaction : between);
-    // What holds towards this target speed is not said to be full too early: nothing is reduced below.
+    // The bound is not too high: below this target speed nothing is reduced.
     const Speed below = full_build_up_below(r, r.A.A_brake_min);
     if (r.T > r.T_react && r.V_target < below) {
       ASSERT_EQ(expected, r.T.si) << i;
@@ -433,7 +433,7 @@ TEST(ReferenceTimes, ReducedBuildUpTimes) {
 }
 
 TEST(ReferenceTimes, TheSmallestAccelerationIsLikeNone) {
-  // The distance is what decides: A_max well above A_brake_min. What odometry gives at constant speed is not just 0.
+  // The distance decides: A_max is well above A_brake_min. At constant speed odometry does not measure exactly 0.
   Ramp r{.T = {6.0}, .T_react = {2.0}, .v0 = {30.0}, .V_target = {29.0}, .A = {{0.5}, {0.55}}};
   const double without = reduced_build_up_time(r).si;
   EXPECT_GT(without, 4.9);
@@ -448,24 +448,25 @@ TEST(ReferenceTimes, BordersOfTheReduction) {
   // Just at the target speed when the brake begins to act; not above it.
   Ramp r{.T = {4.0}, .T_react = {1.0}, .v0 = {10.0}, .V_target = {10.0}, .A = {{1.0}, {1.0}}};
   EXPECT_EQ(reduced_build_up_time(r).si, 1.0);
-  // Just at it at the end of the ramp: 3 s of 1 m/s2 on average half of it, from 13 m/s.
+  // Just at it at the end of the ramp: 3 s with an average of half of 1 m/s2, from 13 m/s.
   r.v0 = {13.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
   // To a stop exactly at the end of the ramp.
   r = {.T = {4.0}, .T_react = {1.0}, .v0 = {3.0}, .stop = true, .A = {{1.0}, {1.0}}};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
-  // Still walking at the end of the ramp: that settles it, whatever the track.
+  // Still moving at the end of the ramp: this decides on any track.
   r.v0 = {3.5};
   EXPECT_EQ(build_up_time_settled(r, {1.0}), r.T);
   r.v0 = {0.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 1.0);
-  // Slow, but not standing: not the reaction time.
+  // Slow, but not at standstill: not the reaction time.
   r.v0 = {0.5};
   EXPECT_NEAR(reduced_build_up_time(r).si, 0.75 + 2 * std::sqrt(6.0) / 3, 1e-12);
-  // In a fall where the brake only just holds the train the step model never gets there.
+  // In a fall where the brake only just holds the train, the step model never reaches the target
+  // speed.
   r.A.A_max = {0.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
-  // No ramp at all: T is the reaction time.
+  // No ramp: T is the reaction time.
   r.T_react = {4.0};
   EXPECT_EQ(reduced_build_up_time(r).si, 4.0);
   EXPECT_GT(full_build_up_below(r, {1.0}).si, 1e6);
@@ -483,7 +484,7 @@ TEST(ReferenceTimes, FullBuildUpIsKnownAsFarAsTheRampTells) {
     if (r.V_target.si > 0.0) {
       ASSERT_EQ(reduced_build_up_time(r), r.T) << i;
     }
-    // Towards a higher target speed some time is saved, or none only for the distance.
+    // Towards a higher target speed the time is reduced, unless the distance prevents it.
     r.V_target = below + Speed{1e-6};
     ASSERT_FALSE(build_up_time_settled(r, r.A.A_brake_min) == r.T) << i;
   }
@@ -575,7 +576,7 @@ TEST(ReferenceLimits, OfEveryTarget) {
 }
 
 TEST(ReferenceLimits, StrongTractionWithoutServiceBrake) {
-  // What is left of the traction after the Warning limit (A.3.12.2.8) decides where the distance does.
+  // The remaining traction after the Warning limit (A.3.12.2.8) decides where the distance decides.
   int reduced = 0;
   for (int i = 0; i < 1000; ++i) {
     Dice dice(static_cast<std::uint64_t>(i));
@@ -708,7 +709,7 @@ TEST(ReferenceLimits, NothingIsLongerThanTheLongestTimes) {
       const Model model{c.in, *d, t, speed_for(dice, c.in, t), dice.real(0.0, 2.0), c.motion.A_est.si, {}, {}};
       const Times unreduced = times(d->time_config, b, std::nullopt, d->rules, d->fixed);
       Times expected = unreduced;
-      // Only T_traction grows when T_bs2 is reduced, at most to the reaction time.
+      // When T_bs2 is reduced, at most to the reaction time, only T_traction grows.
       if (model.s.reduces && !model.s.feedback)
         expected.T_traction = {traction_time(model.s, model.s.SB ? std::min(b.T_bs, b.T_bs_react).si : 0.0)};
       const Times longest = longest_times(unreduced, *d, b);
@@ -730,7 +731,7 @@ TEST(ReferenceLimits, NothingIsLongerThanTheLongestTimes) {
 }
 
 TEST(ReferenceLimits, FullBuildUpAsFarAsTheStrongestBrakeTells) {
-  // Not stricter than A.3.12.4 asks: where both brakes would be fully built up at the strongest deceleration.
+  // Not stricter than A.3.12.4: where both brakes would be fully built up at the strongest deceleration.
   for (int i = 0; i < cases() / 2; ++i) {
     const auto seed = static_cast<std::uint64_t>(3 * i + 2);  // 4.0.0
     const RandomCase c = wide_case(seed);
@@ -776,7 +777,8 @@ TEST(ReferenceLocations, StartOfReleaseSpeedMonitoring) {
     (void)c.in.mrsp.append({{EOA + 60.0}}, kmh(10.0));
     c.in.authority.SvL = c.in.authority.EOA + Distance{dice.chance(0.3) ? 60.0 : dice.real(0.0, 200.0)};
     if (dice.chance(0.6)) {
-      // A short train on a track that changes every few metres: it matters from where on it counts.
+      // A short train on a track that changes every few metres: the result depends on the start of
+      // its range.
       c.in.train.L_TRAIN = {10.0};
       c.in.gradient = {};
       for (int k = 0; k < 40; ++k)
@@ -792,7 +794,7 @@ TEST(ReferenceLocations, StartOfReleaseSpeedMonitoring) {
     Feedback feedback;
     feedback.cm0 = feedback_for(dice, c.in, d->cm0.T_bs.si);
     feedback.cmt = feedback_for(dice, c.in, d->cmt.T_bs.si);
-    // A train that is about to reach the location, where that is with unreduced times.
+    // A train about to reach the location with unreduced times.
     const auto model_of = [&](const Target& t) {
       Model model{c.in, *d, t, V, V0, 0.0, t.V_target.si == 0.0 ? feedback.cm0 : feedback.cmt, {}};
       if (model.s.reduces) {
@@ -827,7 +829,7 @@ TEST(ReferenceLocations, WhereTheSpeedOfALevelCrossingTakesOver) {
     RandomCase c = wide_case(seed);
     Dice dice(seed + 11000);
     const Place start{{dice.real(1000.0, 5000.0)}};
-    // The stop is what an authority that ends there would be.
+    // The stop is like an authority that ends there.
     Inputs ends_there = c.in;
     ends_there.authority = {};
     ends_there.authority.kind = Authority::Kind::EOA_SvL;
@@ -845,7 +847,7 @@ TEST(ReferenceLocations, WhereTheSpeedOfALevelCrossingTakesOver) {
     c.motion.max_safe_front = c.motion.est_front + Distance{dice.chance(0.5) ? 0.0 : dice.real(0.0, 150.0)};
     c.motion.min_safe_front = c.motion.est_front - Distance{dice.real(0.0, 60.0)};
     if (v400) model.fronts = Fronts{c.motion.est_front, c.motion.min_safe_front};
-    // P follows from SBI or guidance only (3.13.9.3.5.12): the target is no bound of it.
+    // P follows from SBI or guidance only (3.13.9.3.5.12): the target does not limit it.
     const Model plain{ends_there, *d, stop, V, V0, model.A_est, {}, model.fronts};
     const ModelTimes T = plain.times_EBD();
     const ModelLimits SBD = plain.SBD();
@@ -882,7 +884,7 @@ TEST(ReferenceLocations, SpeedOfAPermittedBrakingDistance) {
     const double distance = dice.chance(0.3) ? dice.real(0.0, 150.0) : dice.real(0.0, 3000.0);
     const double grad = dice.integer(-20, 20);
     const bool emergency = dice.chance(0.5);
-    // The curves to a stop in a track of that gradient without any condition but the driver's slippery rail.
+    // The curves to a stop on a track of this gradient, with slippery rail by the driver as the only condition.
     Inputs track = in;
     track.gradient = {};
     (void)track.gradient.permille.append({{-1e6}}, grad);
@@ -923,7 +925,7 @@ TEST(ReferenceLocations, SpeedOfAPermittedBrakingDistance) {
   EXPECT_GT(positive, cases() / 4);
 }
 
-// ---- What random values do not hit ---------------------------------------------------------------------
+// ---- Cases that random values do not reach ---------------------------------------------------------------------
 
 TEST(ReferenceLocations, FrontExactlyWhereTheLevelCrossingGivesWay) {
   const Inputs in = simple_inputs();
@@ -934,7 +936,7 @@ TEST(ReferenceLocations, FrontExactlyWhereTheLevelCrossingGivesWay) {
   EXPECT_FALSE(lx_substitution(in, *d, {{3000.0}}, {10.0}, motion).passed);
   motion.max_safe_front = lx.d_P + Distance{1e-9};
   EXPECT_TRUE(lx_substitution(in, *d, {{3000.0}}, {10.0}, motion).passed);
-  // Both limits decide where they are just as far apart as the front ends: the SBD.
+  // Both limits are reached together if they are as far apart as the front ends: the SBD decides.
   Motion apart = at(2500.0, 20.0);
   Inputs weak = in;
   weak.train.service[0].A_brake_service.steps[0].value = {0.1};
@@ -945,7 +947,7 @@ TEST(ReferenceLocations, FrontExactlyWhereTheLevelCrossingGivesWay) {
 }
 
 TEST(ReferenceLocations, APermittedBrakingDistanceKnowsNothingOfFeedback) {
-  // With feedback T_bs2 would be 2 s at least.
+  // With feedback T_bs2 would be at least 2 s.
   Inputs in = simple_inputs();
   in.fixed.PBD_rounding = kmh(0.01);
   in.train.T_service[0].T_brake = {0.5};
@@ -955,7 +957,7 @@ TEST(ReferenceLocations, APermittedBrakingDistanceKnowsNothingOfFeedback) {
 }
 
 TEST(ReferenceLocations, APermittedBrakingDistanceFasterThanAnyTrain) {
-  // The highest speed of the curves: V_MAXTRAIN 108 km/h and 100 km/h, rounded down; or the one that is given.
+  // The highest speed of the curves: V_MAXTRAIN 108 km/h and 100 km/h, rounded down; or the given one.
   Inputs in = simple_inputs();
   EXPECT_NEAR(permitted_braking_distance_speed(in, {90000.0}, 0.0, true).si * 3.6, 205.0, 1e-9);
   in.V_top = 40 * in.fixed.PBD_rounding;

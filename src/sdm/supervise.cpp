@@ -55,19 +55,19 @@ Monitoring next_monitoring(const Cycle& c, unsigned met) {
     if ((met & condition(2)) != 0) return Monitoring::RSM;
     return (met & condition(1)) != 0 ? Monitoring::TSM : Monitoring::CSM;
   }
-  // A release speed that no longer exists cannot be monitored; its target is, as long as that exists.
+  // A release speed that no longer exists cannot be monitored; its target is monitored as long as it exists.
   if (c.s.monitoring == Monitoring::RSM && !release(c).exists && (met & condition(3)) == 0) return Monitoring::TSM;
   for (const TransitionRow& row : transition_table(c.d.rules))
     if (row.from == c.s.monitoring && (met & row.conditions) != 0) return row.to;
   return c.s.monitoring;
 }
 
-/// 3.13.10.6.2-4: what happens to commands on a transition.
+/// 3.13.10.6.2-4: the commands at a transition.
 void enter(Supervision& s, Monitoring to) {
   if (to == s.monitoring) return;
   if (s.monitoring == Monitoring::TSM) s.tco = false;
   if (to == Monitoring::RSM) {
-    // From CSM too: release speed monitoring knows no revocation of the service brake.
+    // From CSM too: release speed monitoring does not revoke the service brake.
     s.sb = false;
     s.eb_for_sb = false;
   }
@@ -77,7 +77,7 @@ void enter(Supervision& s, Monitoring to) {
 
 bool holds(const TriggerRow& row, const Bounds& b, Speed V, unsigned beyond) {
   if (row.equal) {
-    // A release speed of 0 stands for none.
+    // A release speed of 0 means none.
     if (!(V == at(b, row.above)) || V.si <= 0.0) return false;
   } else {
     if (row.above != Bound::none && !(V > at(b, row.above))) return false;
@@ -110,7 +110,7 @@ struct Triggered {
   }
 };
 
-/// What may be revoked: that for which every target meets a revocation condition.
+/// The commands that may be revoked: those for which every target meets a revocation condition.
 struct Revoked {
   bool all = true;        // a condition is met for every target
   bool eb = true;         // also by Q_NVEMRRLS or a target speed of 0
@@ -142,8 +142,8 @@ Triggered monitor_CSM(Cycle& c) {
     if (row.SB) c.s.sb = c.s.eb_for_sb = false;
     if (row.EB == EbRelease::always || (row.EB == EbRelease::if_permitted && c.d.Q_NVEMRRLS)) c.s.eb = false;
   }
-  const bool below = c.a.V <= c.M;  // r1, or r0 of a brake that was not needed any more
-  // 3.13.10.3.6: Indication does not exist here; one of these ends it.
+  const bool below = c.a.V <= c.M;  // r1, or r0 of a brake that was no longer needed
+  // 3.13.10.3.6: ceiling speed monitoring has no Indication status; one of these ends it.
   if (t.status > c.s.status)
     c.s.status = t.status;
   else if (below && (c.s.status != Status::Intervention || !braking(c.s)))
@@ -168,7 +168,7 @@ Triggered monitor_RSM(Cycle& c) {
   return t;
 }
 
-/// What the rows of Tables 8-12 say of one target whose speed is `Vt`.
+/// Applies the rows of Tables 8-12 to one target with speed `Vt`.
 void take_target(const Cycle& c, Bounds& b, bool EOA_SvL, Speed Vt, unsigned beyond, Triggered& t, Revoked& r) {
   const Rules& rules = c.d.rules;
   set_target(b, Vt, c.d.fixed);
@@ -204,7 +204,7 @@ void take_targets(const Cycle& c, const Seen* seen, Bounds& b, Triggered& t, Rev
     if (target.kind == TargetKind::EOA_SvL) Vt = V_release_in_tables(c);
     const unsigned beyond = seen[i].beyond;
     if (!rules.pre_indication && beyond == 0 && at_or_below_M && c.a.V > Vt) {
-      // In rear of all limits: no row of the tables; r3 holds.
+      // In rear of all limits: no row of the tables triggers; r3 holds.
       r.eb = r.eb && c.d.Q_NVEMRRLS;
       continue;
     }
@@ -212,7 +212,8 @@ void take_targets(const Cycle& c, const Seen* seen, Bounds& b, Triggered& t, Rev
   }
 }
 
-/// The status of target speed monitoring: up with what triggers, down only with what is revoked (3.13.10.4.13-17).
+/// The status of target speed monitoring: it rises with triggering conditions, and falls only with revocations
+/// (3.13.10.4.13-17).
 Status status_in_TSM(const Cycle& c, const Triggered& t, const Revoked& r, bool revoked, bool MRDT_changed) {
   const Rules& rules = c.d.rules;
   Status status = c.s.status;
@@ -238,12 +239,12 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
   take_targets(c, seen, b, t, r);
   if (t.status < Status::Overspeed && c.a.V > c.M) {
     // No row covers it (3.6.0: no Indication limit exceeded; 3.4.0: beyond limits of a target above V_MRSP): the
-    // ceiling is supervised all the same.
+    // ceiling is supervised nevertheless.
     t = ceiling_triggers(c, b);
   }
   apply_triggers(c, t, c.d.time_config.service_brake_available);
-  // What triggers in this cycle is not revoked: with 4.0.0 t1 and t2 hold at the release speed, and r1 too. Above
-  // V_MRSP something always triggers.
+  // A condition that triggers in this cycle is not revoked: with 4.0.0, t1 and t2 hold at the release speed, and r1
+  // too. Above V_MRSP a condition always triggers.
   const bool revoked = r.all && t.status < Status::Overspeed;
   if (revoked) c.s.tco = c.s.sb = c.s.eb_for_sb = false;
   if (c.m.standstill || (revoked && r.eb)) c.s.eb = false;
@@ -253,7 +254,7 @@ Triggered monitor_TSM(Cycle& c, const Seen* seen, bool MRDT_changed) {
 
 // ---- Service brake feedback -------------------------------------------------------------------------
 
-/// 3.4.0: a target that the driver may have braked for lies behind the train since this cycle.
+/// 3.4.0: a target for which the driver may have braked was passed in this cycle.
 bool target_passed(const Cycle& c) {
   if (c.s.list_revision == c.d.revision) return c.first > c.s.list_passed;
   return c.s.has_MRDT && c.s.MRDT.kind == TargetKind::MRSP && c.m.max_safe_front > c.s.MRDT.d_target;
@@ -280,7 +281,7 @@ void use_feedback(Cycle& c) {
   s.feedback.T_bs1_previous = c.feedback.cm0->T_bs1;
 }
 
-/// What the next cycle's feedback depends on.
+/// The state for the feedback of the next cycle.
 void follow_feedback(Cycle& c, const Seen* seen, Monitoring before) {
   Supervision& s = c.s;
   s.feedback.approaching = false;
@@ -306,7 +307,7 @@ bool MA_request(const Cycle& c) {
   if (!has_authority) return false;
   if (p.passed_at_once) return true;
   const Distance ahead = (c.M + dV_warning(c.M, c.d.fixed)) * *c.m.T_MAR;
-  // A location that was not found lies before the track description: passed.
+  // A location that was not found is before the track description: passed.
   if (!p.from_EBD.has_value() || c.m.max_safe_front > *p.from_EBD - ahead) return true;
   return !LOA && (!p.from_SBD.has_value() || c.m.est_front > *p.from_SBD - ahead);
 }
@@ -319,7 +320,7 @@ Speed V_MRSP_with_LOA(const Derived& d, const Motion& m) {
   return M;
 }
 
-/// What the train's speed, place and brakes of this cycle give, before any target is looked at.
+/// Values from the train's speed, place and brakes in this cycle, before any target is evaluated.
 void begin(Cycle& c) {
   const Derived& d = c.d;
   const Motion& m = c.m;
@@ -330,7 +331,7 @@ void begin(Cycle& c) {
   while (c.first < d.targets.size() && d.targets[c.first].kind == TargetKind::MRSP &&
          m.max_safe_front > d.targets[c.first].d_target)
     ++c.first;
-  // Read when active only.
+  // Used only when active.
   c.list_updated = c.s.list_revision != d.revision || c.s.list_passed != c.first;
   c.V_MRSP_updated = !(c.s.V_MRSP == c.M);
   use_feedback(c);
@@ -355,7 +356,7 @@ void begin(Cycle& c) {
 }  // namespace
 
 Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front) {
-  if (mrsp.empty()) return Speed{0.0};  // nothing is known: nothing is allowed
+  if (mrsp.empty()) return Speed{0.0};  // no profile: no speed is allowed
   std::size_t i = mrsp.index_at(min_safe_front);
   Speed V = mrsp.steps[i].value;
   for (++i; i < mrsp.size() && mrsp.steps[i].from <= max_safe_front; ++i) V = std::min(V, mrsp.steps[i].value);

@@ -14,7 +14,7 @@ using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
-/// Inputs, curves and memory of one unit.
+/// Inputs, curves and state of one unit.
 struct Unit {
   Inputs in;
   std::unique_ptr<Derived> d = std::make_unique<Derived>();
@@ -49,7 +49,7 @@ TEST(CSM, StatusesAndCommandsBySpeed) {
   EXPECT_EQ(u.cycle(0, kM + 0.01).status, Status::Overspeed);
   EXPECT_EQ(u.cycle(0, kW).status, Status::Overspeed);
   EXPECT_EQ(u.cycle(0, kW + 0.01).status, Status::Warning);
-  EXPECT_FALSE(u.r.tco);  // TCO is target speed monitoring's
+  EXPECT_FALSE(u.r.tco);  // only target speed monitoring commands TCO
   EXPECT_EQ(u.cycle(0, kSBI).status, Status::Warning);
   EXPECT_EQ(u.cycle(0, kSBI + 0.01).status, Status::Intervention);
   EXPECT_TRUE(u.r.sb);
@@ -64,7 +64,7 @@ TEST(CSM, StatusesAndCommandsBySpeed) {
   EXPECT_NEAR(u.r.V_EBI.si, kEBI, 1e-12);
   EXPECT_NEAR(u.r.V_W.si, kW, 1e-12);
   EXPECT_NEAR(u.r.V_P.si, kM, 1e-12);
-  // Below the SBI again nothing is taken back; below the ceiling the service brake is.
+  // Below the SBI nothing is revoked yet; below the ceiling the service brake is.
   u.cycle(0, kM + 0.01);
   EXPECT_TRUE(u.r.sb && u.r.eb);
   u.cycle(0, kM);
@@ -105,7 +105,7 @@ TEST(CSM, WithoutServiceBrakeInterfaceTheEmergencyBrakeTakesItsPlace) {
   EXPECT_FALSE(u.r.sb);
   u.cycle(0, kM);  // revoked as the service brake would be
   EXPECT_FALSE(u.r.eb);
-  // With the EBI exceeded as well its own rule prevails.
+  // If the EBI is exceeded as well, its own rule applies.
   u.cycle(0, kEBI + 0.1);
   u.cycle(0, kM);
   EXPECT_TRUE(u.r.eb);
@@ -130,7 +130,7 @@ TEST(TSM, ATrainThatDoesNotBrake) {
   // 30 m/s, no acceleration: EBD limits I 3830, P 4100, W 4160, SBI2 4220, EBI 4310 (SvL 5000); SBD
   // limits I 3857.5, P 4127.5, W 4187.5, SBI1 4247.5 (EOA 4900).
   Unit u = approaching_EOA();
-  EXPECT_EQ(u.cycle(3830, kM).monitoring, Monitoring::CSM);  // at the limit it is not passed
+  EXPECT_EQ(u.cycle(3830, kM).monitoring, Monitoring::CSM);  // at the limit, it is not exceeded
   EXPECT_EQ(u.cycle(3830.1, kM).monitoring, Monitoring::TSM);
   EXPECT_TRUE(u.r.monitoring_changed);
   EXPECT_EQ(u.r.status, Status::Indication);
@@ -151,7 +151,8 @@ TEST(TSM, ATrainThatDoesNotBrake) {
   u.cycle(4310.1, kM);
   EXPECT_TRUE(u.r.eb);
   EXPECT_EQ(u.r.highest.condition, 13);
-  // Slower than P: service brake and traction are free, the emergency brake stays to standstill.
+  // Slower than P: service brake and traction cut-off are revoked, the emergency brake stays until
+  // standstill.
   u.cycle(4320, 10.0);
   EXPECT_FALSE(u.r.tco || u.r.sb);
   EXPECT_TRUE(u.r.eb);
@@ -191,7 +192,7 @@ TEST(TSM, ServiceBrakeNotPermittedInTSM) {
   u.cycle(4310.1, kM);
   EXPECT_TRUE(u.r.eb);
   EXPECT_FALSE(u.r.sb);
-  // In CSM the interface alone counts: a service brake commanded there stays in TSM.
+  // In CSM only the interface counts: a service brake commanded there continues in TSM.
   Unit v;
   v.in.national_values.Q_NVSBTSMPERM = false;
   set_EOA(v.in, 4900.0, 5000.0);
@@ -223,7 +224,7 @@ TEST(TSM, AnMRSPTargetAndItsCeilings) {
   EXPECT_EQ(*u.r.V_target, Speed{20.0});
   EXPECT_NEAR(u.r.d_target->si, (u.d->targets[0].d_P_target - Place{{e.d_I.from_origin.si + 0.1}}).si, 1e-9);
   EXPECT_FALSE(u.r.V_release.has_value());
-  // Overspeed against the ceiling while the curves still allow it (t6), warning (t9), brakes (t12, t15).
+  // Above the ceiling while the curves still allow the speed: overspeed (t6), warning (t9), brakes (t12, t15).
   const double x = e.d_I.from_origin.si + 50;
   EXPECT_EQ(u.cycle(x, kM + 0.1).status, Status::Overspeed);
   EXPECT_EQ(u.r.highest.condition, 6);
@@ -236,7 +237,7 @@ TEST(TSM, AnMRSPTargetAndItsCeilings) {
   u.cycle(x, kEBI + 0.1);
   EXPECT_EQ(u.r.highest.condition, 15);
   EXPECT_TRUE(u.r.eb);
-  // At or below the target speed everything but the emergency brake is free.
+  // At or below the target speed everything except the emergency brake is revoked.
   u.cycle(x, 20.0);
   EXPECT_FALSE(u.r.tco || u.r.sb);
   EXPECT_TRUE(u.r.eb);
@@ -328,7 +329,7 @@ TEST(RSM, TheServiceBrakeGoesWhenItIsEntered) {
   u.cycle(4870, 5.0);
   EXPECT_EQ(u.r.monitoring, Monitoring::RSM);
   EXPECT_FALSE(u.r.sb || u.r.tco || u.r.eb);
-  EXPECT_EQ(u.r.status, Status::Intervention);  // as the table has it: until standstill
+  EXPECT_EQ(u.r.status, Status::Intervention);  // by the table: until standstill
   // A new authority without release speed: the same end is supervised by its curves.
   u.in.authority.release_speed = ReleaseSpeedChoice::none;
   u.build();
@@ -366,7 +367,7 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   EXPECT_EQ(u.r.status, Status::Indication);
   EXPECT_FALSE(u.r.tco || u.r.sb || u.r.eb);
   EXPECT_EQ(*u.r.V_release, Speed{5.0});
-  // 4.0.0 knows t0-t2 for exactly the release speed.
+  // 4.0.0 has t0-t2 for exactly the release speed.
   Unit v(SrsVersion::v4_0_0);
   v.in.authority = u.in.authority;
   v.build();
@@ -375,7 +376,7 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   EXPECT_EQ(v.r.monitoring, Monitoring::TSM);
   EXPECT_EQ(v.r.status, Status::Warning);
   EXPECT_EQ(v.r.highest.condition, 2);
-  // r1 holds there too, and does not end what has begun: neither the Warning nor, in rear of W, the Overspeed.
+  // r1 holds there too, and does not end the status: neither Warning nor, in rear of W, Overspeed.
   for (int n = 0; n < 2; ++n) {
     v.cycle(4865, 5.0);
     EXPECT_EQ(v.r.status, Status::Warning);
@@ -392,7 +393,7 @@ TEST(ReleaseSpeedInTSM, BelowItNothingIsTriggered) {
   for (int n = 0; n < 2; ++n) EXPECT_EQ(w.cycle(x, 5.0).status, Status::Overspeed);
 }
 
-/// t0, t1 and t2 of 4.0.0, one after the other, at a release speed that is hardly one.
+/// t0, t1 and t2 of 4.0.0, one after the other, at a very low release speed.
 TEST(ReleaseSpeedInTSM, At400EveryReleaseSpeedCounts) {
   Unit u(SrsVersion::v4_0_0);
   set_EOA(u.in, 4900.0, 5000.0);
@@ -457,7 +458,7 @@ TEST(TSM340, NormalStatusBetweenPreIndicationAndIndication) {
   EXPECT_EQ(v.cycle(3745, kSBI + 0.1).highest.condition, 11);
   EXPECT_EQ(v.cycle(3745, kEBI + 0.1).highest.condition, 14);
   EXPECT_EQ(v.cycle(3960, kEBI + 0.1).highest.condition, 15);
-  // The list changes and nothing is near: ceiling speed monitoring.
+  // The list changes and no target is near: ceiling speed monitoring.
   set_EOA(v.in, 9000.0, 9000.0);
   v.build();
   EXPECT_EQ(v.cycle(3961, kM).monitoring, Monitoring::CSM);
@@ -524,7 +525,7 @@ TEST(LOA, ASpeedNotAStop) {
   EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
   EXPECT_EQ(u.r.MRDT->kind, TargetKind::LOA);
   EXPECT_EQ(*u.r.V_target, Speed{20.0});
-  // Beyond it its speed is a ceiling.
+  // Beyond the LOA its speed is a ceiling.
   EXPECT_EQ(u.cycle(3999.9, 19.0).V_MRSP.si, 30.0);
   EXPECT_EQ(u.cycle(4000, 19.0).V_MRSP.si, 20.0);
   EXPECT_EQ(u.cycle(4001, 19.0).V_MRSP.si, 20.0);
@@ -578,7 +579,7 @@ TEST(Display, NothingIsNearInCSM) {
   u.cycle(0, 25.0);
   EXPECT_EQ(u.r.V_P.si, kM);
   EXPECT_FALSE(u.r.V_target.has_value());
-  // The first Indication location is given whatever A_NVMAXREDADH says.
+  // The first Indication location is output for any A_NVMAXREDADH.
   const Explanation e = explain(*u.d, u.in, u.d->targets[0], {25.0}, {}, {});
   ASSERT_TRUE(u.r.first_indication.has_value());
   EXPECT_NEAR(u.r.first_indication->si, e.d_I.from_origin.si, 1e-9);
@@ -603,7 +604,7 @@ TEST(Display, TimeToIndicationWhenAskedFor) {
   EXPECT_EQ(u.r.monitoring, Monitoring::CSM);
   EXPECT_EQ(*u.r.V_target, Speed{0.0});
   EXPECT_FALSE(u.r.TTI.has_value());
-  // 3.4.0 knows none of this.
+  // 3.4.0 has none of this.
   Unit v = approaching_EOA(SrsVersion::v3_4_0);
   EXPECT_FALSE(v.cycle(3000, kM).first_indication.has_value());
 }
@@ -624,7 +625,7 @@ TEST(Display, FirstIndicationBelowTheReleaseSpeed) {
 
 TEST(MRDT, AMaskedTargetIsShown) {
   // Two restrictions close to each other: the first one's P is the lowest, but the second one's
-  // Indication at the first one's speed lies before the first one's P.
+  // Indication limit at the first one's speed is before the first one's P.
   Unit u;
   ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {20.0}));
   ASSERT_TRUE(u.in.mrsp.append({{4150.0}}, {10.0}));
@@ -661,7 +662,7 @@ TEST(MRDT, MaskingCountsFromTheFixedPermittedSpeedLocation) {
   }
 }
 
-/// 3.13.10.4.2: masked where d_I < d_P, not where they are the same to the last bit.
+/// 3.13.10.4.2: masked if d_I < d_P, not if they are exactly equal.
 TEST(MRDT, ATargetWhoseIndicationLimitLiesOnThePermittedOneIsNotMasked) {
   Unit u;
   ASSERT_TRUE(u.in.mrsp.append({{4000.0}}, {4.0}));
@@ -678,7 +679,7 @@ TEST(MRDT, ATargetWhoseIndicationLimitLiesOnThePermittedOneIsNotMasked) {
       u.build();
     }
     ASSERT_EQ(gap().si, masked_by);
-    // At 5 m/s just beyond both Indication limits; of the restriction the Permitted speed is the lower one.
+    // At 5 m/s just beyond both Indication limits; the Permitted speed of the restriction is the lower one.
     const TargetLimits l = limits_of(*u.d, u.d->targets[1], approach({5.0}, {}, {}, u.d->fixed), {});
     u.s = {};
     u.cycle((std::min(l.EBD.d_I, l.SBD->d_I) + Distance{0.5}).from_origin.si, 5.0);
@@ -688,8 +689,8 @@ TEST(MRDT, ATargetWhoseIndicationLimitLiesOnThePermittedOneIsNotMasked) {
 }
 
 TEST(MRDT, NoneWhereTheOldOneIsPassedAndNoOtherOneIsConcerned) {
-  // Passed is the restriction to 2 m/s; below the release speed of 10 m/s the one to 4 m/s keeps target speed
-  // monitoring, but it is not below V_MRSP.
+  // The restriction to 2 m/s is passed; below the release speed of 10 m/s the one to 4 m/s keeps target speed
+  // monitoring active, but it is not below V_MRSP.
   Unit u;
   ASSERT_TRUE(u.in.mrsp.append({{4500.0}}, {2.0}));
   ASSERT_TRUE(u.in.mrsp.append({{4510.0}}, {30.0}));
@@ -709,7 +710,7 @@ TEST(MRDT, NoneWhereTheOldOneIsPassedAndNoOtherOneIsConcerned) {
   EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
   EXPECT_FALSE(u.s.has_MRDT);
   EXPECT_FALSE(u.r.MRDT.has_value());
-  // Relocated in rear of it: it is shown to the driver again.
+  // Relocated in rear of it: it is displayed again.
   u.cycle(4499, 5.0);
   EXPECT_EQ(u.r.MRDT, first);
   EXPECT_TRUE(u.r.MRDT_changed);
@@ -721,12 +722,12 @@ TEST(MRDT, StaysUntilALowerOneIsSelected) {
   u.build();
   u.cycle(3500, 28.0);
   ASSERT_EQ(u.r.V_target->si, 20.0);
-  // Slower than the target: not among the concerned ones any more, but it stays.
+  // Slower than the target: no longer among the concerned targets, but it stays the MRDT.
   u.cycle(3550, 19.0);
   EXPECT_EQ(u.r.monitoring, Monitoring::TSM);
   EXPECT_EQ(u.r.V_target->si, 20.0);
   EXPECT_FALSE(u.r.MRDT_changed);
-  // A stop before it takes over.
+  // A stop before it replaces it.
   set_EOA(u.in, 3900.0, 3900.0);
   u.build();
   u.cycle(3551, 19.0);
@@ -749,7 +750,7 @@ TEST(MRDT, ALowerTargetStaysWhenAHigherOneIsSelectedLater) {
   EXPECT_FALSE(u.r.MRDT_changed);
   u.s = {};
   u.cycle(3660, 20.5);
-  EXPECT_EQ(u.r.V_target->si, 20.0);  // a unit that comes along without the memory
+  EXPECT_EQ(u.r.V_target->si, 20.0);  // a unit without the state
 }
 
 TEST(MRDT, In340TheTargetWithTheLowestPermittedSpeed) {
@@ -778,7 +779,7 @@ TEST(TSM, AtStandstillBeyondTheEndNothingIsCommanded) {
 TEST(MARequest, BeforeThePerturbationLocation) {
   Unit u = approaching_EOA();
   Motion m = at(0, kM);
-  EXPECT_FALSE(u.cycle(m).MA_request);  // the RBC gave no parameters
+  EXPECT_FALSE(u.cycle(m).MA_request);  // no parameters from the RBC
   m.T_MAR = Duration{10.0};
   EXPECT_FALSE(u.cycle(m).MA_request);
   // 3830 - (30 + 4/3.6) * 10.
@@ -843,7 +844,7 @@ TEST(Memo, SixStatuses) {
   EXPECT_EQ(memo_status(r, {22.0}, false), MemoStatus::W);
   EXPECT_EQ(memo_status(r, {23.0}, false), MemoStatus::SB);
   EXPECT_EQ(memo_status(r, {23.1}, false), MemoStatus::EB);
-  // A status that lasts counts as much as a speed above its limit.
+  // A status that continues counts like a speed above its limit.
   r.status = Status::Overspeed;
   EXPECT_EQ(memo_status(r, {10.0}, false), MemoStatus::P);
   r.status = Status::Warning;
@@ -871,9 +872,9 @@ TEST(Supervision, BeginsWithNothing) {
 
 TEST(Feedback, FirstStablePressureAndItsDrift) {
   FeedbackState s;
-  follow_pressure(s, 300.0, {0.0});  // too low to begin with
+  follow_pressure(s, 300.0, {0.0});  // too low at first
   follow_pressure(s, 480.0, {1.0});
-  follow_pressure(s, 510.0, {2.0});  // moved by more than 20 kPa: again
+  follow_pressure(s, 510.0, {2.0});  // changed by more than 20 kPa: starts again
   follow_pressure(s, 500.0, {3.0});
   EXPECT_FALSE(s.p0_known);
   follow_pressure(s, 505.0, {5.0});
@@ -914,7 +915,7 @@ TEST(Feedback, TimesShrinkWithThePressureAndLock) {
   t = feedback_times(s, 470.0, {6.0}, f);  // p1: 6 * (470 - 350) / 150
   EXPECT_NEAR(t.T_bs1.si, 4.8, 1e-12);
   EXPECT_NEAR(t.T_bs2.si, 4.8, 1e-12);
-  t = feedback_times(s, 490.0, {6.0}, f);  // started: it goes on above p1
+  t = feedback_times(s, 490.0, {6.0}, f);  // started: it continues above p1
   EXPECT_NEAR(t.T_bs1.si, 5.6, 1e-12);
   t = feedback_times(s, 445.0, {6.0}, f);
   EXPECT_NEAR(t.T_bs1.si, 6.0 * 95 / 150, 1e-12);
@@ -924,7 +925,7 @@ TEST(Feedback, TimesShrinkWithThePressureAndLock) {
   EXPECT_EQ(feedback_times(s, 500.0, {6.0}, f).T_bs1.si, 0.0);
   reset_feedback(s, {6.0});
   EXPECT_EQ(feedback_times(s, 500.0, {6.0}, f).T_bs1.si, 6.0);
-  // Never below 2 s for T_bs2, nor without a pressure.
+  // T_bs2 is never below 2 s, nor is it without a pressure.
   EXPECT_EQ(feedback_times(s, 500.0, {1.0}, f).T_bs2.si, 2.0);
   EXPECT_EQ(feedback_times(s, std::nullopt, {6.0}, f).T_bs1.si, 6.0);
 }
@@ -954,7 +955,7 @@ TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
     ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
     const Speed before = u.r.V_P;
     EXPECT_FALSE(u.s.feedback.started);
-    // The driver brakes: T_bs1 and T_bs2 shrink to 0 and 2 s; the permitted speed shown does not rise.
+    // The driver brakes: T_bs1 and T_bs2 fall to 0 and 2 s; the displayed Permitted speed does not rise.
     cycle(4192, 24.9, 460.0, 5.1);
     cycle(4194, 24.8, 430.0, 5.2);
     EXPECT_TRUE(u.s.feedback.locked);
@@ -962,7 +963,7 @@ TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
     const Speed held = u.r.V_P;
     cycle(4196, 24.7, 430.0, 5.3);
     EXPECT_LE(u.r.V_P, held);
-    // Out of target speed monitoring everything is forgotten.
+    // Leaving target speed monitoring resets the feedback.
     set_EOA(u.in, 9900.0, 9900.0);
     u.build();
     cycle(4200, 20.0, 430.0, 5.4);
@@ -997,7 +998,7 @@ TEST(Feedback, HeldValuesAreFreeAgainOnceTheyFall) {
     }
     cycle(4400, 430.0);
     EXPECT_LT(u.r.V_P, P);
-    cycle(4350, 430.0);  // relocated; nothing shrinks now
+    cycle(4350, 430.0);  // relocated; no time gets shorter now
     EXPECT_GT(u.r.V_P, P);
     EXPECT_GT(u.r.V_SBI, SBI);
   }
@@ -1045,7 +1046,7 @@ TEST(Feedback, BeginsWith340BeyondTheIndicationLimitOnly) {
     ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
     cycle(4191, 25.0, 430.0);
     EXPECT_TRUE(u.s.feedback.locked);
-    cycle(4192, 10.0, 500.0);  // slower, no limit exceeded any more: what has begun goes on
+    cycle(4192, 10.0, 500.0);  // slower, no limit is exceeded any more: the started feedback continues
     cycle(4193, 10.0, 500.0);
     EXPECT_TRUE(u.s.feedback.locked);
   }
@@ -1074,7 +1075,7 @@ TEST(Feedback, In340IsForgottenWhenTheTargetIsPassed) {
     ASSERT_TRUE(u.s.feedback.locked);
     cycle(3999, 19.0, 500.0);
     ASSERT_TRUE(u.s.feedback.locked);
-    // At the target it is not passed, with a new list of targets neither.
+    // At the target it is not passed, even with a new list of targets.
     cycle(4000, 19.0, 500.0);
     ASSERT_TRUE(u.s.feedback.locked);
     u.build();
@@ -1085,7 +1086,7 @@ TEST(Feedback, In340IsForgottenWhenTheTargetIsPassed) {
     cycle(4002, 19.0, 500.0);
     ASSERT_EQ(u.r.monitoring, Monitoring::TSM);
     EXPECT_EQ(u.s.feedback.locked, srs == SrsVersion::v4_0_0);
-    // Passed in the cycle of a new list: forgotten too.
+    // Passed in the cycle of a new list: reset too.
     cycle(4002, 19.0, 430.0);
     ASSERT_TRUE(u.s.feedback.locked);
     ASSERT_EQ(u.s.MRDT.d_target, Place{{4300.0}});
@@ -1168,7 +1169,8 @@ TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
   u.cycle(4880, 1.5);
   const Speed shown = u.r.V_P;
   const Speed shown_SBI = u.r.V_SBI;
-  // Slower: the build-up times are shorter still, and 1.0 m/s leaves more room. Shown is what was.
+  // Slower: the build-up times are even shorter, and 1.0 m/s would allow more. The displayed value
+  // is held.
   u.cycle(4880, 1.0);
   EXPECT_EQ(u.r.V_P, shown);
   EXPECT_EQ(u.r.V_SBI, shown_SBI);
@@ -1181,7 +1183,7 @@ TEST(ReducedBuildUp, ShownSpeedIsHeldIn400) {
 
 TEST(ReducedBuildUp, AnElementNotBelowVMRSPHoldsNothingIn400) {
   // 10 m/s from 1000, 20 m/s from 1500, 3 m/s from 1600: at 10 m/s only the build-up towards 20 m/s would be reduced,
-  // and that is no target (3.13.8.2.1 a): the permitted speed may rise when the train stops accelerating.
+  // which is no target (3.13.8.2.1 a): the permitted speed may rise when the train stops accelerating.
   Unit u(SrsVersion::v4_0_0);
   ASSERT_TRUE(u.in.mrsp.append({{1000.0}}, {10.0}));
   ASSERT_TRUE(u.in.mrsp.append({{1500.0}}, {20.0}));
@@ -1227,7 +1229,7 @@ TEST(Safety, TSM360SupervisesTheCeilingInRearOfAllIndicationLimits) {
 }
 
 TEST(Safety, TSM340SupervisesTheCeilingBeyondTheLimitsOfAFasterTarget) {
-  // An LOA at 25 m/s in 3000, 20 m/s from 2000 on: V = 22 m/s is not above the target speed, and beyond SBI2.
+  // An LOA with 25 m/s at 3000, 20 m/s from 2000 on: V = 22 m/s is not above the target speed, and beyond SBI2.
   Unit u(SrsVersion::v3_4_0);
   ASSERT_TRUE(u.in.mrsp.append({{2000.0}}, {20.0}));
   u.in.authority.kind = Authority::Kind::LOA;
@@ -1254,7 +1256,7 @@ TEST(Safety, ReportsWhatTheCurvesMet) {
   EXPECT_TRUE(u.r.no_deceleration);
   EXPECT_TRUE(u.r.eb);
   EXPECT_FALSE(u.r.truncated);
-  // More targets than there is room for: what does not fit is reported.
+  // More targets than fit: this is reported.
   Unit v;
   for (int n = 0; n < 127; ++n) ASSERT_TRUE(v.in.mrsp.append({{10.0 * n}}, {n % 2 == 0 ? 20.0 : 10.0}));
   v.build();

@@ -6,10 +6,10 @@
 #include "sdm/supervision.h"
 #include "terms/srs_version.h"
 
-// The tables of 3.13.10 as they stand on the page: triggering conditions with their speed and location,
-// the command and the status they trigger. A location "beyond X" means the max safe front end for limits
-// from an EBD; in the EOA/SvL tables "max safe front for SvL OR estimated front for EOA"; "up to X" is
-// its negation (AND). SBI is SBI2 for an EBD and SBI1 for the EOA; EBI concerns the SvL only.
+// The tables of 3.13.10 in the form of the page: triggering conditions with their speed and location, the command and
+// the status they trigger. A location "beyond X" means the max safe front end for limits from an EBD; in the EOA/SvL
+// tables "max safe front for SvL OR estimated front for EOA"; "up to X" is its negation (AND). SBI is SBI2 for an EBD
+// and SBI1 for the EOA; EBI concerns the SvL only.
 namespace evc::sdm {
 
 /// Speeds that the rows compare with. Vt: target speed, in the EOA/SvL table the release speed (0 where
@@ -112,8 +112,8 @@ inline constexpr TriggerRow kTSM_EOA_SvL_4_0_0[] = {
     {15, Bound::M_ebi,  Bound::none,  Limit::none, Limit::none, Command::EB,   Status::Intervention},
 };
 
-/// Tables 8 and 9 of 3.6.0, as a public implementation of it has them: 4.0.0's without t0-t2, and t6,
-/// t9, t12, t15 only beyond the Indication limit.
+/// Tables 8 and 9 of 3.6.0, as in a public implementation: those of 4.0.0 without t0-t2, and with t6, t9, t12, t15 only
+/// beyond the Indication limit.
 inline constexpr TriggerRow kTSM_MRSP_LOA_3_6_0[] = {
     {3,  Bound::Vt,     Bound::M,     Limit::I,    Limit::P,    Command::none, Status::Indication},
     {4,  Bound::Vt,     Bound::M,     Limit::P,    Limit::none, Command::none, Status::Overspeed},

@@ -1,4 +1,4 @@
-// Reads the reference facts for tables_test.cpp. Apart from it, so that a changed table does not compile the parser
+// Reads the reference facts for tables_test.cpp. A file of its own, so that a changed table does not compile the parser
 // again.
 #include "sdm/test_tables.h"
 
@@ -22,7 +22,7 @@ const json& reference() {
   return all;
 }
 
-/// The limits of a location text, as "d>X" and "d<=X": which are beyond, which not.
+/// The limits of a location text, as "d>X" and "d<=X": those passed, and those not passed.
 struct Location {
   std::set<std::string> beyond, not_beyond;
 };
@@ -35,7 +35,7 @@ Location parse_MRSP(const std::string& t) {
   if (std::regex_match(t, m, std::regex(R"(d<=(d\w+\([VM]\)))"))) l.not_beyond.insert(m[1].str());
   return l;
 }
-/// "(S:d>dI(M) OR E:d>dI(M)) AND S:d<=dEBI(V)": what S and E say is one limit; SBI1, SBI2 are SBI.
+/// "(S:d>dI(M) OR E:d>dI(M)) AND S:d<=dEBI(V)": S and E give one limit; SBI1, SBI2 are SBI.
 Location parse_EOA(const std::string& t) {
   Location l;
   static const std::regex part(R"(([SE]):d(>|<=)(d[A-Za-z]+)[12]?(\([VM]\)))");
@@ -49,7 +49,7 @@ std::string without_star(std::string s) {
   if (!s.empty() && s.back() == '*') s.pop_back();
   return s;
 }
-/// One way to write speeds: Vt for V_release too, M for V_MRSP, dVw(M) for dV_warning.
+/// A uniform notation of speeds: Vt for V_release too, M for V_MRSP, dVw(M) for dV_warning.
 std::string speed_words(std::string s) {
   s = std::regex_replace(s, std::regex("Vr"), "Vt");
   s = std::regex_replace(s, std::regex("V_MRSP"), "M");
@@ -105,7 +105,7 @@ json with_indication(const json& v400, bool EOA) {
   return rows;
 }
 
-/// `to`: where each row leads from Intervention.
+/// `to`: the status of each row after Intervention.
 Facts revocations(const json& rows, const std::map<std::string, std::string>& to) {
   Facts facts;
   for (const json& w : rows) {
@@ -166,7 +166,7 @@ Facts release_revocations() {
   return revocations(reference()["RSM"]["revoke"], to);
 }
 Facts revocations_3_4_0() {
-  // Table 12 of 3.4.0: all but r3 (not beyond the Permitted limit) end in Normal status.
+  // Table 12 of 3.4.0: all except r3 (not beyond the Permitted limit) lead to Normal status.
   return revocations(reference()["TSM_MRSP_LOA"]["revoke"],
                      {{"r0", "NoS"}, {"r1", "NoS"}, {"r2", "NoS"}, {"r3", "IndS"}});
 }

@@ -72,7 +72,7 @@ void expect_rows(std::span<const RevocationRow> rows, const std::vector<std::str
 }
 void expect_rows(std::span<const TransitionRow> rows, const std::vector<std::string>& wanted) {
   std::vector<std::string> ours = lines(rows);
-  std::sort(ours.begin(), ours.end());  // their order: 3.13.10.6 knows none
+  std::sort(ours.begin(), ours.end());  // 3.13.10.6 gives no order
   expect(ours, wanted);
 }
 
@@ -100,7 +100,7 @@ TEST(Tables, TransitionsBetweenTypesOfMonitoring) {
   expect_rows(kTransitions_3_4_0, transitions_3_4_0());
   expect_rows(kTransitions_4_0_0, transitions_4_0_0());
 }
-/// Every issue of the standard is served by its own tables.
+/// Every issue of the standard has its own tables.
 TEST(Tables, ByVersion) {
   using evc::SrsVersion;
   const auto same = [](auto a, auto b) { return a.data() == b.data() && a.size() == b.size(); };

@@ -33,8 +33,8 @@ inline int cases(int in_ci = 2000) {
   return asked != nullptr ? std::atoi(asked) : in_ci;
 }
 
-/// Counts what a property compared over its cases. A loop that skips what it should look at proves nothing: at the end
-/// of the test fewer than `least` comparisons for each case are a failure.
+/// Counts what a property compared over its cases. A loop that skips its comparisons proves nothing: at the end of the
+/// test, fewer than `least` comparisons per case are a failure.
 class Compared {
  public:
   Compared(int cases, double least) : cases_(cases), least_(least) {}
@@ -148,8 +148,8 @@ inline RandomCase random_case(std::uint64_t seed, SrsVersion srs = SrsVersion::v
   return c;
 }
 
-/// A train to compute with by hand: A_brake_safe 1.0, A_brake_service 0.8 m/s2 at any speed, T_be 8 s,
-/// T_bs 3 s, traction cut-off 10 s with an interface, 100 m long; 108 km/h everywhere.
+/// A train for computation by hand: A_brake_safe 1.0, A_brake_service 0.8 m/s2 at any speed, T_be 8 s, T_bs 3 s,
+/// traction cut-off 10 s with an interface, 100 m long; 108 km/h everywhere.
 inline train::TrainData simple_train() {
   train::TrainData t;
   t.brake_model = train::BrakeModel::gamma;

@@ -1,5 +1,5 @@
 #pragma once
-// For tests: random trains on random journeys, a good part of their cycles exactly on a border.
+// For tests: random trains on random journeys, with many cycles exactly at a limit.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -31,12 +31,12 @@ inline void guidance(Inputs& in, Dice& dice) {
   }
 }
 
-/// Speeds that fall nearly everywhere: every other element is a target.
+/// Speeds that fall at nearly every step: every second element is a target.
 inline void dense_mrsp(Inputs& in, Dice& dice) {
   in.mrsp = {};
   double x = -500.0;
   int speed = 60;
-  // Sometimes more of them than there is room for.
+  // Sometimes more of them than fit.
   for (int n = dice.chance(0.1) ? 128 : dice.integer(20, 40); n > 0; --n) {
     if (n > 40) speed = dice.integer(10, 60);
     (void)in.mrsp.append({{x}}, kmh(5.0 * speed));
@@ -148,7 +148,7 @@ class Journey {
   }
 
  private:
-  /// Where there is a release speed, sometimes with targets exactly at trip location and SvL.
+  /// With a release speed, sometimes with targets exactly at trip location and SvL.
   void build() {
     ++in_.revision;
     rebuild(*derived, in_);
@@ -191,7 +191,7 @@ class Journey {
 
   Speed ceiling() const { return V_MRSP(derived->mrsp, m_.min_safe_front, m_.max_safe_front); }
 
-  /// V_est of the next cycle; `t`: the target that is looked at.
+  /// V_est of the next cycle; `t`: the target under test.
   Speed speed(const Target* t) {
     const Speed M = ceiling();
     const train::FixedValues& f = derived->fixed;
@@ -247,7 +247,7 @@ class Journey {
     return limits_of(*derived, t, approach(m_.V_est, V_delta0, m_.A_est, derived->fixed), q);
   }
 
-  /// A location that decides something about `t`.
+  /// Moves to a location at which a condition of `t` changes.
   void to_border(const Target& t, int which, Distance over, Distance under) {
     const ReleaseSpeed& r = derived->release_speed;
     const Perturbation& p = derived->perturbation;
@@ -342,7 +342,7 @@ class Journey {
     if (dice_.chance(0.5)) m_.A_est = {dice_.chance(0.5) ? 0.0 : dice_.real(-1.0, 0.9)};
     if (dice_.chance(0.5)) m_.V_ura = {dice_.chance(0.5) ? 0.0 : dice_.real(0.0, 2.0)};
     const auto& targets = derived->targets;
-    // Mostly one of the last ones: the end of the authority.
+    // Usually one of the last ones: the end of the authority.
     const int n = static_cast<int>(targets.size());
     const Target* t =
         n == 0 ? nullptr : &targets[static_cast<std::size_t>(dice_.chance(0.4) ? n - 1 : dice_.integer(0, n - 1))];
@@ -353,7 +353,7 @@ class Journey {
       m_.V_est = speed(t);
       const int which = dice_.integer(0, 25);
       to_border(*t, which, over, under);
-      if (dice_.chance(0.5)) {  // the ceiling may be another one there
+      if (dice_.chance(0.5)) {  // the ceiling may differ there
         m_.V_est = speed(t);
         to_border(*t, which, over, under);
       }

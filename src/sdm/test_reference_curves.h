@@ -1,6 +1,6 @@
 #pragma once
-// An independent model of 3.13.4-3.13.8 to compare with: it looks at every place and walks border by border.
-// Nothing of it is taken from the code under test; brake models and rotating mass come from the train's room.
+// An independent model of 3.13.4-3.13.8 for comparison: it evaluates every place and proceeds border by border. It uses
+// no code under test; brake models and rotating mass are those of the room `train`.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,7 +12,7 @@
 
 namespace evc::sdm::test {
 
-/// So little that no border lies between a place and this much in rear of it; exact for places on a grid.
+/// So small that no border is between a place and this distance in rear of it; exact for places on a grid.
 inline constexpr double kTiny = 1.0 / (1 << 20);
 
 struct Reference {
@@ -49,7 +49,7 @@ struct Reference {
       if (s.from.from_origin.si <= p) value = s.value;
     return value;
   }
-  /// Where the profile as received changes.
+  /// The change points of the received profile.
   std::vector<double> received_borders() const {
     std::vector<double> all;
     for (const auto& s : in.gradient.permille.steps) all.push_back(s.from.from_origin.si);
@@ -57,7 +57,8 @@ struct Reference {
       if (p.has_value()) all.push_back(p->from_origin.si);
     return all;
   }
-  /// Per mille, for a train whose front is at x: every place under it counts where it was received, with 0 elsewhere.
+  /// Per mille, for a train whose front is at x: every place under it counts with its received gradient, with 0
+  /// elsewhere.
   double grad(double x) const {
     double lowest = 1e9;
     double lowest_known = 1e9;
@@ -119,7 +120,7 @@ struct Reference {
     return sum;
   }
 
-  // ---- Where something changes -------------------------------------------------------------------------------
+  // ---- Change points -------------------------------------------------------------------------------
   std::vector<double> borders() const {
     std::set<double> all;
     const double L = in.train.L_TRAIN.si;
@@ -156,8 +157,8 @@ struct Reference {
   }
 };
 
-/// Trains, tracks and national values with everything that 3.13.4-3.13.6 knows, on a grid of 50 m and 2.5 m/s so
-/// that borders coincide.
+/// Trains, tracks and national values with every feature of 3.13.4-3.13.6, on a grid of 50 m and 2.5 m/s so that
+/// borders coincide.
 inline train::TrainData rich_train(Dice& dice) {
   train::TrainData t = random_train(dice);
   t.L_TRAIN = {50.0 * dice.integer(1, 18)};
@@ -251,9 +252,9 @@ inline Inputs rich_inputs(Dice& dice) {
   return in;
 }
 
-/// A braking curve as a list of places and squared speeds from the foot upstream, straight between them: the walk
-/// of 3.13.8.3. It may fall upstream where the train cannot brake; what is allowed is the lowest speed from a place
-/// upstream on.
+/// A braking curve as a list of places and squared speeds from the foot upstream, linear between them: the trace of
+/// 3.13.8.3. It may fall upstream where the train cannot brake; the allowed speed is the lowest one from a place on
+/// upstream.
 struct ReferenceCurve {
   struct Vertex {
     double x, w;
@@ -290,7 +291,7 @@ struct ReferenceCurve {
     return lowest;
   }
   double foot_w() const { return w_at(walk.front().x); }
-  /// d_X(V): how far a train may run with it.
+  /// d_X(V): the last place at which the train may run at this speed.
   double place_of(double w) const {
     if (walk.back().w < w) return A_beyond > 0.0 ? walk.back().x - (w - walk.back().w) / (2.0 * A_beyond) : -1e9;
     for (std::size_t i = walk.size() - 1; i-- > 0;)

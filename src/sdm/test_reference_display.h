@@ -1,5 +1,5 @@
 #pragma once
-// For tests: the most relevant displayed target and what else the driver sees, for the reference supervision.
+// For tests: the most relevant displayed target and the other displayed values, for the reference supervision.
 #include "sdm/test_reference_supervision.h"
 
 namespace evc::sdm::test {

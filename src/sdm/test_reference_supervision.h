@@ -1,8 +1,8 @@
 #pragma once
-// For tests: one cycle of 3.13.10 once more, plain and slow, from the text and tables of the standard. Every target is
-// looked at with all of its limits; nothing is left out, bounded or kept for later. Limits and curves are the tested
-// ones (limits_of, speeds_of_EBD, speeds_of_SBD). Tables 5 to 15 are in test_reference_tables.h, what the driver
-// sees in test_reference_display.h.
+// For tests: one cycle of 3.13.10 again, plain and slow, from the text and tables of the standard. Every target is
+// evaluated with all of its limits; nothing is left out, bounded or stored for later. Limits and curves are the tested
+// ones (limits_of, speeds_of_EBD, speeds_of_SBD). Tables 5 to 15 are in test_reference_tables.h, the displayed values
+// in test_reference_display.h.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace evc::sdm::test {
 
-/// A supervised target as the train sees it. S: max safe front end and limits of the EBD; E: estimated front end and
-/// limits of the SBD (EOA only).
+/// A supervised target at the position of the train. S: max safe front end and limits of the EBD; E: estimated front
+/// end and limits of the SBD (EOA only).
 struct Sight {
   Target t;
   TargetLimits l;
@@ -52,7 +52,7 @@ struct Met {
 
 class ReferenceSupervision {
  public:
-  Supervision s;  // what is remembered
+  Supervision s;  // the state
   Feedback feedback;
   std::vector<Sight> list;  // the supervised targets of the last cycle
 
@@ -129,7 +129,7 @@ inline TimesAsked ReferenceSupervision::asked(const Target& t) const {
   return q;
 }
 
-/// V_est replaced by another speed, all else as it is.
+/// V_est replaced by another speed, everything else unchanged.
 inline TargetLimits ReferenceSupervision::limits_for(const Target& t, Speed V) const {
   Approach a = a_;
   a.V = V;
@@ -164,7 +164,7 @@ inline void ReferenceSupervision::see_targets() {
       x.S_I_M = S > at_M.EBD.d_I;
       x.E_I_M = at_M.SBD.has_value() && E > at_M.SBD->d_I;
     }
-    // A.3.13.2; 3.13.8.2.1 a: what is not lower than V_MRSP is no target.
+    // A.3.13.2; 3.13.8.2.1 a: an element not lower than V_MRSP is no target.
     if (t.kind != TargetKind::MRSP || t.V_target < M_)
       reduced_ = reduced_ || x.l.times.reduced_be || (d_->time_config.service_brake_available && x.l.times.reduced_bs);
     list.push_back(x);
@@ -233,7 +233,7 @@ inline FeedbackTimes ReferenceSupervision::times_by_pressure(Duration T_bs, bool
   return {{0.0}, two};
 }
 
-/// 3.4.0, 3.6.0: what was reached belongs to a target.
+/// 3.4.0, 3.6.0: the state of the feedback belongs to a target.
 inline bool ReferenceSupervision::target_passed() const {
   std::size_t passed = 0;
   for (const Target& t : d_->targets) passed += t.kind == TargetKind::MRSP && m_.max_safe_front > t.d_target;
@@ -319,7 +319,7 @@ inline Monitoring ReferenceSupervision::next_monitoring() const {
       if (three) return Monitoring::CSM;
       // A release speed that does not exist any more cannot be monitored.
       return four || !release().exists ? Monitoring::TSM : Monitoring::RSM;
-    case Monitoring::none:  // active supervision is of one of the three types
+    case Monitoring::none:  // active supervision has one of the three types
       break;
   }
   return s.monitoring;

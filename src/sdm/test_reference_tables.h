@@ -47,7 +47,7 @@ inline void ReferenceSupervision::triggers(Met& met, const Sight& x, Speed Vt) c
     met.when(over_EBI && x.I_M(), 15, Met::eb, Intervention);
     return;
   }
-  // 3.6.0 has no t0-t2 and asks for the Indication limit in the rows of the ceiling.
+  // 3.6.0 has no t0-t2 and requires the Indication limit in the rows of the ceiling.
   const bool ceiling = v400() || x.I();
   const bool at_release = v400() && EOA && V == Vt && Vt.si > 0.0;
   met.when(at_release && x.I(), 0, Met::nothing, Indication);
@@ -117,7 +117,7 @@ inline Met ReferenceSupervision::monitor_TSM(bool MRDT_changed) {
     r_1 = r_1 && r1;
   }
   if (V_ > M_ && met.status < Status::Overspeed) {
-    // No row speaks: the ceiling is supervised all the same (safe side).
+    // No row applies: the ceiling is supervised nevertheless (safe side).
     met = triggers_CSM();
     r_any = false;
   }
@@ -125,7 +125,7 @@ inline Met ReferenceSupervision::monitor_TSM(bool MRDT_changed) {
   if (met.SB && d_->time_config.service_brake_available) s.sb = true;
   if (met.SB && !d_->time_config.service_brake_available) s.eb_for_sb = true;
   if (met.EB) s.eb = true;
-  // What triggers in this cycle is not revoked (t1, t2 and r1 at the release speed).
+  // A condition that triggers in this cycle is not revoked (t1, t2 and r1 at the release speed).
   const bool revoked = r_any && V_ <= M_ && met.status < Status::Overspeed;
   if (revoked) s.tco = s.sb = s.eb_for_sb = false;
   if (m_.standstill || (revoked && r_EB)) s.eb = false;

@@ -1,5 +1,5 @@
 #pragma once
-// For tests: the tables of 3.13.10 of the reference facts, one line of one form for every row.
+// For tests: the tables of 3.13.10 in the reference facts, one line for every row.
 #include <string>
 #include <vector>
 
