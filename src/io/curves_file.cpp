@@ -9,7 +9,7 @@ namespace evc::io {
 namespace {
 
 constexpr double kKmh = 3.6;
-constexpr double kFar_m = 1e7;  // no line is longer
+constexpr double kFar_m = 1e7;  // longer than any line
 constexpr std::size_t kMostQueries = 200000;
 
 void require_between(const JsonPlace& row, std::size_t least, std::size_t most) {
@@ -18,7 +18,7 @@ void require_between(const JsonPlace& row, std::size_t least, std::size_t most) 
 }
 double location(const JsonPlace& place) { return place.number(-kFar_m, kFar_m); }
 
-/// A document of its own that `place` names, or the place itself.
+/// The separate document that `place` names, or the place itself.
 class Referred {
  public:
   Referred(const JsonPlace& place, const char* what) : place_(place) {
@@ -105,7 +105,7 @@ void read_mrsp(sdm::Mrsp& mrsp, const JsonPlace& table) {
   }
 }
 
-/// The earliest start counts up to the foot of every curve (3.13.5.1).
+/// The earliest start applies up to the foot of every curve (3.13.5.1).
 void from_earliest(std::optional<Place>& start, Place from) {
   if (!start || from < *start) start = from;
 }
@@ -160,7 +160,7 @@ void read_release_speed(sdm::Authority& a, const JsonPlace& place) {
   a.V_release = {place.number(0.0, 600.0, "7.5.1.168"_srs) / kKmh};
 }
 
-/// The restriction that is the target becomes a step of the MRSP, if it is not one already.
+/// The restriction used as target becomes a step of the MRSP, unless it is one already.
 void set_restriction(sdm::Inputs& in, Place from, Speed V, bool due_to_TSR, const JsonPlace& target) {
   sdm::Mrsp merged;
   bool done = false;
@@ -354,7 +354,7 @@ CurvesInput read(const JsonPlace& root) {
   }
   if (const auto p = root.find("fixed_values")) read_fixed_values(in.fixed, *p);
   if (const auto p = root.find("track")) read_track(in, *p);
-  // Without a speed profile the train's own speed is the only restriction.
+  // Without a speed profile the maximum train speed is the only restriction.
   if (in.mrsp.empty() && !in.mrsp.append({{-kFar_m}}, in.train.V_MAXTRAIN)) __builtin_trap();
   read_target(out, root["target"]);
   if (const auto p = root.find("state")) read_state(out, *p);

@@ -33,7 +33,7 @@ TEST(CurvesFile, TheWeakerSubsetOfKvWithoutTheDecelerationsThatDecide) {
   EXPECT_EQ(weaker.steps[1].value, (train::KvPair{0.6, 0.6}));
   const auto both = Kv(R"({"Kv_int_passenger":[[0,0.7,0.8]],"A_NVP12":0.9,"A_NVP23":1.2})");
   EXPECT_EQ(both.steps[0].value, (train::KvPair{0.7, 0.8}));
-  // M_NVKVINT carries up to 2.54.
+  // M_NVKVINT goes up to 2.54.
   EXPECT_EQ(error_of(document(target, R"({"Kv_int_freight":[[0,2.5]]})")), "");
   EXPECT_NE(error_of(document(target, R"({"Kv_int_freight":[[0,2.55]]})")).find("3.13.2.3.7.11"), std::string::npos);
 }

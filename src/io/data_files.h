@@ -3,11 +3,11 @@
 
 namespace evc::io {
 
-/// The folder of what ships with the program (`lines/`, `trains/`): $OPENEVC_DATA, else beside an
-/// installed program, else in the source tree it was built from.
+/// The folder of the shipped data (`lines/`, `trains/`): $OPENEVC_DATA, else the one of the
+/// installed program, else that of the source tree.
 std::string data_folder();
 
-/// A ready-made file of that folder by its path there.
+/// The name of a file of this folder, from its path there.
 std::string data_file(const std::string& path);
 
 }  // namespace evc::io

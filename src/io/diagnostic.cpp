@@ -3,7 +3,7 @@
 namespace evc::io {
 namespace {
 
-/// One line, whatever the input held: control characters become spaces, long texts are cut.
+/// One line for any input: control characters become spaces, long texts are cut.
 std::string one_line(const std::string& text) {
   constexpr std::size_t longest = 200;
   std::string line;

@@ -4,12 +4,12 @@
 
 namespace evc::io {
 
-/// What is wrong with an input and where, for one line on standard error (exit status 2).
+/// An error of an input and its place, for one line on standard error (exit status 2).
 struct Diagnostic {
   std::string file;      // file name; "-" for standard input
   std::string where;     // JSON pointer, "line 7", "line 7 /odometer/nominal_m", "bit 12"; may be empty
-  std::string found;     // what stands there
-  std::string expected;  // what the format wants there
+  std::string found;     // the text found there
+  std::string expected;  // what the format expects there
 
   /// `FILE: WHERE: found X, expected Y`.
   std::string text() const;

@@ -17,8 +17,8 @@ Diagnostic system_error_at(const std::string& file, const char* expected) {
   return {file, "", std::strerror(errno), expected};
 }
 
-/// Makes a new file beside `file`, under a name of its own: nothing that is there, a link included, is written
-/// through. Below 0: the reason is in errno.
+/// Creates a new file next to `file` with a new name: no existing file or link is written to. Below 0: the reason is in
+/// errno.
 int open_beside(const std::string& file, std::string& name) {
   int descriptor = -1;
   for (int attempt = 0; descriptor < 0 && attempt < 100; ++attempt) {
@@ -62,7 +62,7 @@ WholeFile::WholeFile(WholeFile&& other) noexcept
 
 Result<WholeFile> WholeFile::create(const std::string& file) {
   if (file == "-") return WholeFile(file, "", stdout);
-  // A device or pipe has no name to rename to: written straight.
+  // A device or pipe cannot be replaced by renaming: it is written directly.
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   const bool exists = !error && std::filesystem::exists(status);
@@ -108,7 +108,7 @@ Result<bool> WholeFile::finish() {
     if (error_ == 0 && !closed) error_ = errno;
   }
   if (error_ == 0) return true;
-  errno = error_;  // of the first thing that failed
+  errno = error_;  // of the first operation that failed
   return tl::unexpected(system_error_at(file_, "room to write the whole file"));
 }
 
@@ -139,7 +139,7 @@ bool same_file(const std::string& a, const std::string& b) {
     const bool nobodys = ::stat("/dev/null", &null) == 0 && one.st_dev == null.st_dev && one.st_ino == null.st_ino;
     return !nobodys && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
   }
-  // Neither is there yet: the same name, whichever way it is written.
+  // Neither file exists yet: compare the names in normal form.
   std::error_code error;
   const auto whole = [&](const std::string& file) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);

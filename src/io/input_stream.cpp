@@ -10,7 +10,7 @@ namespace {
 
 using sim::CycleInputs;
 
-/// A gap in a stream is filled with cycles: longer ones are taken for a mistake.
+/// A gap in a stream is filled with cycles; a longer one is an error.
 constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
@@ -80,7 +80,7 @@ void read_loop(CycleInputs& cycle, const JsonPlace& place) {
   cycle.loops.push_back(read_message(place["message"]));
 }
 
-/// What the bearer reports: each of RadioLink but `unchanged`.
+/// The report of the bearer: each of RadioLink except `unchanged`.
 RadioLink read_session(const JsonPlace& place) {
   const std::span<const char* const> names(terms::kNames<kRadioLinkRows>);
   return static_cast<RadioLink>(1 + place.one_of(names.subspan(1)));
@@ -92,7 +92,8 @@ void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
   if (const auto p = place.find("session")) radio.emplace_back(read_session(*p));
 }
 
-/// A cycle has room for one report of the bearer: a second one, and what comes by radio after it, is for the next.
+/// A cycle has room for one report of the bearer: a second one, and radio messages after it, are left for the next
+/// cycle.
 void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
   for (; !radio.empty(); radio.pop_front()) {
     if (auto* message = std::get_if<sim::Bits>(&radio.front())) {
@@ -265,7 +266,7 @@ void InputStream::read_ahead() {
     Pending read{parse_json(text, file_, place_of_line()), 0};
     const JsonPlace place(read.object, file_, place_of_line());
     const auto t = place.find("t_ms");
-    // `config` is of no time: it may stand alone.
+    // `config` has no time: it may be on a line without `t_ms`.
     if (t || !place.find("config")) {
       const JsonPlace time = place["t_ms"];
       read.t_ms = time.integer(0, INT64_MAX / 4);

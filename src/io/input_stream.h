@@ -26,25 +26,25 @@ struct Configuration {
   kernel::Config for_kernel() const;
 };
 
-/// Reads the object of `config`, from a file of its own or from the first line of a stream.
+/// Reads the object of `config`, from a separate file or from the first line of a stream.
 Result<Configuration> read_configuration(std::string_view text, const std::string& file);
 
-/// Reads a stream of inputs cycle by cycle. A cycle consumes every input with `t_ms` up to its own
-/// time; cycles follow each other every `cycle_ms` from 0 until the last input is consumed. Of two radio sessions
-/// reported in one cycle the second waits for the next, with what comes by radio after it: none is lost.
+/// Reads a stream of inputs cycle by cycle. A cycle consumes every input with `t_ms` up to its own time; there is a
+/// cycle every `cycle_ms` from 0 until the last input is consumed. If one cycle has two reports of the radio session,
+/// the second one and the radio messages after it are delivered in the next cycle: none is lost.
 class InputStream {
  public:
-  /// Puts the next line, without its end, into the argument; false at the end.
+  /// Stores the next line, without its end, in the argument; false at the end.
   using NextLine = std::function<bool(std::string&)>;
-  /// What came by radio, in order: messages, and what the bearer reports.
+  /// Radio inputs in order: messages and reports of the bearer.
   using Radio = std::deque<std::variant<sim::Bits, RadioLink>>;
 
-  /// `given` takes the place of a `config` in the stream.
+  /// `given` replaces a `config` in the stream.
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});
 
   const Configuration& configuration() const { return configuration_; }
-  /// Fills `cycle` with the inputs of the next cycle, signals kept; false when there is none. An error
-  /// names the line; the cycles before it are whole.
+  /// Fills `cycle` with the inputs of the next cycle and keeps the signals; false when there is none. An error names
+  /// the line; the cycles before it are complete.
   Result<bool> next(sim::CycleInputs& cycle);
 
  private:

@@ -6,8 +6,7 @@
 
 namespace evc::io {
 
-/// Writes the inputs that a world made as the stream that `InputStream` reads: replaying it gives the
-/// same outputs.
+/// Writes the inputs made by a simulated world as a stream for `InputStream`: replaying it gives the same outputs.
 class InputWriter {
  public:
   explicit InputWriter(const Configuration& configuration) : train_document_(configuration.train.document) {
@@ -24,7 +23,7 @@ class InputWriter {
   bool safety_fault_ = false;
 };
 
-/// The configuration's document from its parts, for a run that was not given one.
+/// The configuration document made from its parts, for a run without one.
 std::string configuration_document(const Configuration& configuration);
 
 }  // namespace evc::io

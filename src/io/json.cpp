@@ -7,7 +7,7 @@
 namespace evc::io {
 namespace {
 
-/// The value as it stands in the file, short.
+/// The value as in the file, shortened.
 std::string shown(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return "an array of " + std::to_string(value.size());

@@ -17,12 +17,12 @@ namespace evc::io {
 
 using Json = nlohmann::json;
 
-/// Thrown inside io's readers only and turned into a Result at their doors (`guarded`).
+/// Thrown inside the readers of io only; `guarded` turns it into a Result.
 struct ReadError {
   Diagnostic diagnostic;
 };
 
-/// Runs a reader; what it throws becomes the Result's error.
+/// Runs a reader; an exception becomes the error of the Result.
 template <class F>
 auto guarded(F&& read) -> Result<decltype(read())> {
   try {
@@ -58,7 +58,7 @@ class JsonPlace {
   JsonPlace operator[](std::size_t i) const;
   std::size_t size() const;
 
-  /// Refuses keys that are not in `known` (a misspelt key must not be silently ignored).
+  /// Rejects keys that are not in `known` (a misspelt key must not be ignored silently).
   void know_only(std::initializer_list<const char*> known) const;
 
   double number() const;
@@ -70,7 +70,7 @@ class JsonPlace {
   /// The index of this string in `names`; an error listing them otherwise.
   std::size_t one_of(std::initializer_list<const char*> names) const;
   std::size_t one_of(std::span<const char* const> names) const;
-  /// The term of a table of src/terms whose name stands here.
+  /// The term with this name in a table of src/terms.
   template <const auto& kRows>
   auto term() const {
     return kRows[one_of(std::span<const char* const>(terms::kNames<kRows>))].value;

@@ -36,7 +36,7 @@ std::string media_text(lang::Media m) {
 }
 const char* direction_text(Direction d) { return d == Direction::to_train ? "track to train" : "train to track"; }
 
-/// All that is known of a variable's codes, in one line.
+/// The codes of a variable with their meanings, in one line.
 std::string codes_text(const VariableInfo& v) {
   std::vector<std::string> parts;
   if (v.by_scale)
@@ -80,7 +80,7 @@ std::string test_text(const std::string& variable, const lang::Test& test) {
   return text;
 }
 
-/// The rows of a table: where every field is at least, counted from the start of its structure.
+/// The rows of a table: the lowest bit of every field, counted from the start of its structure.
 class Rows {
  public:
   void add(std::span<const Step> steps, std::size_t from, std::size_t to, int depth, const std::string& when) {
@@ -96,7 +96,7 @@ class Rows {
           const std::size_t before = at_;
           const bool was_fixed = fixed_;
           add(steps, i + 1, i + 1u + s.count, depth, when.empty() ? test : when + ", " + test);
-          at_ = before;  // the least: without them
+          at_ = before;  // the lowest bit: without them
           fixed_ = false;
           (void)was_fixed;
           i += s.count;
@@ -340,7 +340,7 @@ std::string list_variables() {
 
 namespace {
 
-/// JSON schema of the members that a list of steps gives.
+/// JSON schema of the members of a list of steps.
 class Schema {
  public:
   void object(std::string& out, std::span<const Step> steps, const std::string& head,

@@ -104,7 +104,7 @@ TEST(Explain, Tables) {
   EXPECT_NE(text.find("balise telegram, system version 1.0\n"), std::string::npos);
   EXPECT_NE(text.find("   73  NID_MN                              2114079  20421\n"), std::string::npos) << text;
   EXPECT_NE(text.find("packet 255  End of information"), std::string::npos);
-  // A telegram that breaks off.
+  // A truncated telegram.
   EXPECT_NE(explain_balise(bits->bytes, 90).find("! not sound"), std::string::npos);
   // An unknown packet, a text, a group, bits of an application.
   const auto packet = [](const char* json) {

@@ -8,7 +8,7 @@
 namespace evc::io {
 namespace {
 
-constexpr double kFar = 1e7;  // metres; more than any run
+constexpr double kFar = 1e7;  // metres; longer than any run
 
 /// Bits as hexadecimal digits with their number; without `count_key` all digits are bits.
 sim::Bits read_bits(const JsonPlace& place, const char* hex_key, const char* count_key, std::size_t most) {
@@ -87,7 +87,7 @@ void read_start(sim::Line& line, const JsonPlace& root, const std::optional<Json
   const auto start = root.find("start");
   if (start)
     if (const auto front = start->find("front_m")) line.start_front_m = front->number(-kFar, kFar);
-  // A transition before the start gives the level that holds there.
+  // A transition before the start gives the level at the start.
   const auto transitions = track ? track->find("level_transitions") : std::nullopt;
   for (std::size_t i = 0; transitions && i < transitions->size(); ++i) {
     const JsonPlace transition = (*transitions)[i];

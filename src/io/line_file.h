@@ -7,8 +7,7 @@
 
 namespace evc::io {
 
-/// Reads `etcs-line/1`. Unknown keys are allowed in this schema alone. A file none of whose groups has
-/// bits is refused, saying so.
+/// Reads `etcs-line/1`. Unknown keys are allowed in this schema only. A file in which no group has bits is rejected.
 Result<sim::Line> read_line(std::string_view text, const std::string& file);
 
 }  // namespace evc::io

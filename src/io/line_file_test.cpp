@@ -36,7 +36,7 @@ TEST(LineFile, ReadsWhatTheContractNames) {
   EXPECT_EQ(line->radio[0].delay_s, 4.0);
   EXPECT_EQ(line->absent_messages, 1u);
   EXPECT_EQ(line->start_front_m, -50.0);
-  EXPECT_EQ(line->start_level, Level::L1);  // the transition behind the start: M_LEVELTR 2 is level 1
+  EXPECT_EQ(line->start_level, Level::L1);  // the transition in rear of the start: M_LEVELTR 2 is level 1
   EXPECT_EQ(line->ssp[0].kmh, 80.0);
 }
 

@@ -37,8 +37,8 @@ using io::JsonPlace;
 using nlohmann::ordered_json;
 
 constexpr double kBaliseSpacing = 3.0;  // metres, N_PIG 0 to N_PIG 1
-constexpr std::size_t kLinks = 14;      // groups announced ahead at most
-constexpr double kBeyond = 100.0;       // profiles reach so far beyond the danger point
+constexpr std::size_t kLinks = 14;      // maximum number of groups announced ahead
+constexpr double kBeyond = 100.0;       // distance by which profiles extend beyond the danger point
 constexpr std::uint8_t kLocationAccuracy = 5;
 constexpr lang::SystemVersion kVersion{2, 1};
 
@@ -71,7 +71,7 @@ std::string title(const JsonPlace& packet) {
   return std::to_string(NID_PACKET);
 }
 
-/// Counts metres between places one after another, without adding up roundings.
+/// Distances in metres between consecutive places, without accumulating rounding errors.
 class Increments {
  public:
   explicit Increments(double reference_m) : reference_(reference_m) {}
@@ -87,7 +87,7 @@ class Increments {
   long last_ = 0;
 };
 
-/// What is written into one telegram or message, seen from its reference group.
+/// The contents of one telegram or message, relative to its reference group.
 class Encoder {
  public:
   Encoder(const JsonPlace& root, std::vector<Group> groups, std::vector<Step> gradient, std::vector<Step> ssp,
@@ -114,7 +114,8 @@ class Encoder {
                "revoke_temporary_speed_restriction, mode_profile, text, ma_requests, position_reports, packet or, in a "
                "group, infill");
   }
-  /// Packet 136: the orders behind it in this telegram count from the group of the main signal.
+  /// Packet 136: the group of the main signal is the reference of the orders after it in this
+  /// telegram.
   const Group& infill(BitWriter& out, const JsonPlace& NID_BG, const Group& here, ordered_json& contains) {
     contains_ = &contains;
     const Group& main = group(NID_BG);
@@ -348,7 +349,7 @@ class Encoder {
     add(out, packet);
   }
 
-  /// Any packet, in the JSON of `evc encode packet`: for what has no order of its own.
+  /// Any packet, in the JSON of `evc encode packet`: for packets without an order.
   void packet(BitWriter& out, const JsonPlace& p) {
     const auto bits = io::encode_packet_json(p.value(), {lang::Direction::to_train, kVersion});
     if (!bits) p.fail(io::error_json(bits.error()), "a packet to the train of system version 2.1");
@@ -382,7 +383,7 @@ class Orders {
   /// Writes the orders that still fit; the others are left for the next balise of the group.
   void put(BitWriter& out, ordered_json& contains) {
     constexpr std::size_t room = 830 - 8;  // packet 255 follows
-    // What is infill stays infill in the next telegram.
+    // Infill continues in the next telegram.
     if (infill_ && left()) (void)encoder_.infill(out, *infill_, group_, contains);
     for (; left(); ++next_) {
       const BitWriter before = out;
@@ -448,7 +449,7 @@ ordered_json balises(Encoder& encoder, const Group& group, const JsonPlace& plac
   return all;
 }
 
-/// A radio message as it stands in the line file.
+/// A radio message as in the line file.
 struct EncodedMessage {
   unsigned NID_MESSAGE = 0;
   ordered_json contains = ordered_json::array();
@@ -459,8 +460,8 @@ std::uint32_t NID_LRBG_of(const Encoder& encoder, const Group& reference) {
   return std::uint32_t{encoder.NID_C()} << 14 | reference.NID_BG;
 }
 
-/// Any message, in the JSON of `evc encode radio`: for what the orders cannot say. What every message has may be
-/// absent: NID_LRBG is the reference group's, T_TRAIN is written when it is sent.
+/// Any message, in the JSON of `evc encode radio`: for contents without an order. The variables that every message has
+/// may be absent: NID_LRBG is the reference group, T_TRAIN is written when the message is sent.
 EncodedMessage whole_message(const Encoder& encoder, const JsonPlace& place, const Group& reference) {
   io::Json message = place.value();
   if (!message.is_object()) place.fail("an object");
@@ -493,7 +494,7 @@ EncodedMessage message_of_orders(Encoder& encoder, const JsonPlace& orders, cons
     begin(lang::Message3{});
   else
     begin(lang::Message24{});
-  // The mandatory packet of message 3 comes first (8.7.2).
+  // The mandatory packet of message 3 is the first one (8.7.2).
   for (const bool first : {true, false})
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (orders[i].find("authority").has_value() == first)

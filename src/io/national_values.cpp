@@ -38,7 +38,7 @@ void read_acceleration(Acceleration& a, const JsonPlace& place, const char* key)
 }
 bool is_infinity(const JsonPlace& p) { return p.is_null() || (p.is_string() && p.string() == "infinity"); }
 
-/// A number in m/s2, or which display "no maximum" asks for.
+/// A number in m/s2, or the kind of display with "no maximum".
 void read_reduced_adhesion(train::MaxReducedAdhesion& a, const JsonPlace& place, const char* key) {
   using train::MaxReducedAdhesion;
   const auto p = place.find(key);
@@ -80,7 +80,7 @@ void read_brake_values(NationalValues& nv, const JsonPlace& place) {
           return train::KvPair{number_or(row[1], 0.0, 2.54, train::Fault::Kv_int),
                                number_or(row[2], 0.0, 2.54, train::Fault::Kv_int)};
         });
-  // Which subset holds is decided by two decelerations (3.13.6.2.1.8.1) without a default: the weaker one without them.
+  // Two decelerations without a default select the subset (3.13.6.2.1.8.1); without them, the weaker one is used.
   if (!place.find("A_NVP12") || !place.find("A_NVP23"))
     for (auto& step : nv.Kv_int_passenger.steps) step.value.a = step.value.b = std::min(step.value.a, step.value.b);
 }

@@ -11,7 +11,7 @@ void append_number(std::string& out, double value) {
     return;
   }
   if (value == 0.0) {
-    // JSON readers take "-0" for an integer and lose the sign.
+    // JSON readers read "-0" as an integer and lose the sign.
     out += std::signbit(value) ? "-0.0" : "0";
     return;
   }

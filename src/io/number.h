@@ -7,7 +7,7 @@
 
 namespace evc::io {
 
-/// Appends the shortest decimal that reads back to the same double; `null` for what JSON cannot hold.
+/// Appends the shortest decimal that reads back to the same double; `null` for a value that JSON cannot represent.
 void append_number(std::string& out, double value);
 void append_number(std::string& out, std::int64_t value);
 /// The value rounded to a millionth first: a speed of 140/3.6 m/s shows as 140 km/h.

@@ -20,7 +20,7 @@ const char* name_or_null(E value) {
 void append_kmh(std::string& out, Speed v) { append_micro(out, v.si * 3.6); }
 void append_metres(std::string& out, OdometerPlace p) { append_micro(out, p.from_origin.si); }
 
-/// One shape for both formats: JSON has a key before each value and `null`, CSV a comma and nothing.
+/// One row in either format: JSON has a key before each value and `null`, CSV a comma and an empty field.
 class Row {
  public:
   Row(std::string& out, bool json) : out_(out), json_(json) {}
@@ -262,7 +262,7 @@ void append_change(std::string& out, const char* from, const char* to) {
   out += to;
 }
 
-/// What the numbers of an event say; what the clause is followed by.
+/// The text of the numbers of an event, and the text after the clause.
 void append_details(std::string& out, const kernel::Event& e, texts::Takes takes) {
   const auto word = [&out](const char* text) {
     out += ' ';

@@ -13,7 +13,7 @@ void append_output(std::string& out, std::int64_t t_ms, const kernel::Outputs& o
 /// The same as one row of comma separated values, nested keys joined with a dot; lists are joined
 /// with a semicolon in one quoted field.
 void append_trace(std::string& out, std::int64_t t_ms, const kernel::Outputs& outputs);
-/// The header row of these.
+/// The header row of the trace.
 std::string trace_header();
 
 /// "SUBJECT what [clause or condition]".

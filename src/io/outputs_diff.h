@@ -9,7 +9,7 @@
 
 namespace evc::io {
 
-/// A value that differs between two lines: its JSON pointer, and what stands there ("nothing" where it is absent).
+/// A value that differs between two lines: its JSON pointer and both values ("nothing" where absent).
 struct FieldDifference {
   std::string pointer;
   std::string a, b;
@@ -18,17 +18,17 @@ struct FieldDifference {
 /// How two streams of JSON Lines differ.
 struct StreamDifference {
   std::size_t line = 0;                 ///< the first line that differs, from 1
-  std::optional<std::string> t_ms;      ///< the time that stands in it
-  std::vector<FieldDifference> fields;  ///< of that line; empty when one stream ended or only the spelling differs
+  std::optional<std::string> t_ms;      ///< the time of this line
+  std::vector<FieldDifference> fields;  ///< of this line; empty when one stream ended or only the notation differs
   std::size_t lines_a = 0, lines_b = 0;
-  std::size_t differing = 0;  ///< lines that differ, with those that only one stream has
+  std::size_t differing = 0;  ///< number of lines that differ, including those that only one stream has
 };
 
 /// Compares byte for byte; nothing when both are the same. An error when a differing line is not JSON.
 Result<std::optional<StreamDifference>> difference(std::string_view a, const std::string& name_a, std::string_view b,
                                                    const std::string& name_b);
 
-/// The difference for a reader, a line for each field.
+/// The difference as text, one line for each field.
 std::string text_of(const StreamDifference& difference, const std::string& name_a, const std::string& name_b);
 
 }  // namespace evc::io

@@ -31,7 +31,7 @@ TEST(Pcapng, Blocks) {
   EXPECT_EQ(little(out, 36, 2), 228u);
   const std::array<std::uint8_t, 5> bits{0x90, 0x02, 0xFF, 0xB5, 0x40};
   trace.append(out, Pcapng::Port::balise, lang::Direction::to_train, bits);
-  // Every block says its length at both ends, a multiple of four.
+  // Every block has its length at both ends, a multiple of four.
   std::size_t at = 0;
   std::vector<std::uint32_t> types;
   while (at < out.size()) {
@@ -69,7 +69,7 @@ TEST(Pcapng, VersionComesFirst) {
   EXPECT_EQ(view.NID_MESSAGE, 32);
   EXPECT_NE(out.find("made: the system version"), std::string::npos);
   trace.append(out, Pcapng::Port::radio, lang::Direction::to_track, message);
-  // The second frame is sent the other way, a millisecond later.
+  // The second frame is in the other direction, a millisecond later.
   const std::size_t second = 48 + little(out, 48 + 4);
   EXPECT_EQ(little(out, second + 16), 1000u);
   EXPECT_EQ(network(out, second + 28 + 12, 4), 0x0A1A0002u);

@@ -9,7 +9,7 @@
 
 #include "io/file.h"
 
-// The program as its users see it, for tests.
+// Runs the program as a user does, for tests.
 namespace evc {
 
 inline std::string text_of(const std::string& file) {
@@ -17,7 +17,7 @@ inline std::string text_of(const std::string& file) {
   return text ? *text : std::string();
 }
 
-/// A folder of its own, empty at first and deleted at the end.
+/// A new empty folder, deleted at the end.
 class Folder {
  public:
   explicit Folder(const char* name)
@@ -45,7 +45,7 @@ struct Ended {
 /// Runs the program; the arguments go through the shell and may redirect.
 inline Ended ended(const std::string& arguments) {
   const Folder folder("ended");
-  // The redirections that the caller gives come last and win.
+  // The redirections of the caller are last and take effect.
   const std::string command = program() + ">'" + (folder / "output") + "' 2>'" + (folder / "errors") + "' " + arguments;
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "output"), text_of(folder / "errors")};

@@ -7,7 +7,7 @@
 namespace evc::io {
 namespace {
 
-/// Where a fault of the train or of the national values stands, and what would be right.
+/// The key of a fault of train or national values, and the expected value.
 struct FaultPlace {
   train::Fault fault;
   const char* key;
@@ -41,7 +41,7 @@ constexpr FaultPlace kFaultPlaces[] = {
     {train::Fault::A_NVMAXREDADH, "A_NVMAXREDADH1", "A_NVMAXREDADH from 0 to 3.15 m/s2"},
 };
 
-/// What would be right, with the clause that says so.
+/// The expected value with its clause.
 std::string expected_for(train::Fault fault) {
   std::string expected = "a value in range";
   for (const FaultPlace& f : kFaultPlaces)

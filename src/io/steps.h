@@ -16,7 +16,7 @@ Function read_steps(const JsonPlace& table, double unit, Clause clause, ReadValu
     if (i == 0 && from != 0.0) row[0].fail("0: the first step begins at 0" + of_clause(clause));
     if (i > 0 && !(from > table[i - 1][0].number()))
       row[0].fail("a step further than the one before" + of_clause(clause));
-    // Not `append`: it merges equal neighbours, and the table is kept as it stands.
+    // Not `append`: it merges equal neighbours, but the table is stored as given.
     if (!f.steps.push_back({{from / unit}, read_value(row)}))
       table.fail("at most " + std::to_string(Function{}.steps.capacity()) + " steps" + of_clause(clause));
   }

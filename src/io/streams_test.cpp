@@ -94,7 +94,7 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_FALSE(*stream.next(cycle));
 }
 
-/// `lost` and `connected` again in one cycle: both are given, in order, and what comes after them stays after them.
+/// `lost` and `connected` again in one cycle: both are delivered in order, before the inputs that follow them.
 TEST(InputStream, TwoReportsOfTheBearerInOneCycle) {
   auto stream = open(R"({"t_ms":110,"radio":{"message":"180014"}}
 {"t_ms":120,"radio":{"session":"lost"}}
@@ -143,7 +143,7 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
-/// Everything that a cycle can hold is written and read back to the same.
+/// Everything that a cycle can contain is written and read back unchanged.
 TEST(InputWriter, RoundTrip) {
   Configuration configuration;
   configuration.train.document = R"({"schema":"etcs-train/1","length_m":123})";
@@ -297,7 +297,7 @@ TEST(WholeFile, AppearsOnlyWhenWhole) {
   EXPECT_FALSE(read_text("/"));
 }
 
-/// A folder of its own with nothing in it.
+/// A new empty folder.
 class Folder {
  public:
   explicit Folder(const char* name) : path_(::testing::TempDir() + "/openevc_" + name) {

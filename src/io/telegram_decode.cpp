@@ -18,7 +18,7 @@ using lang::Versions;
 
 constexpr char kDigits[] = "0123456789ABCDEF";
 
-/// Text appended to a buffer that is made large enough first: a telegram is some hundred bytes.
+/// Appends text to a buffer that was made large enough before: a telegram has some hundred bytes.
 void put(std::string& out, std::string_view text) { out.append(text); }
 void put_number(std::string& out, std::uint64_t n) {
   char text[20];
@@ -126,8 +126,8 @@ TelegramError error_of(const FaultAt& at) {
   return error;
 }
 
-/// One packet at `bit`; `end` is where the telegram or message ends. Gives the bit after the packet. What scan_...()
-/// has let through cannot fail here, but this reader does not rely on it.
+/// One packet at `bit`; `end` is where the telegram or message ends. Returns the bit after the packet. A packet
+/// accepted by scan_...() cannot fail here, but this reader does not rely on it.
 tl::expected<std::size_t, FaultAt> put_packet(std::string& out, std::span<const std::uint8_t> bytes, std::size_t bit,
                                               std::size_t end, Direction direction, Versions version) {
   BitReader in(bytes, end, bit);
@@ -180,7 +180,7 @@ constexpr HeaderField balise_header[]{{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MED
                                       {"M_DUP", 2},    {"M_MCOUNT", 8},  {"NID_C", 10},  {"NID_BG", 14}, {"Q_LINK", 1}};
 constexpr HeaderField loop_header[]{{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"NID_C", 10}, {"NID_LOOP", 14}};
 
-/// Everything of a balise telegram or loop message after it was found sound.
+/// The whole of a balise telegram or loop message that is consistent.
 tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::uint8_t> bytes, std::size_t bits,
                                          std::span<const HeaderField> header, SystemVersion sv) {
   put(out, "{\"schema\":\"evc-telegram/1\",\"system_version\":\"");
@@ -205,8 +205,8 @@ tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::
   }
   at += 8;
   put(out, "]");
-  // What stands behind packet 255 has no meaning (8.4.2.1). Less than a byte of zeros is taken for the
-  // filling of the digits; anything else is kept, so that encoding gives the same bits.
+  // Bits after packet 255 have no meaning (8.4.2.1). Less than a byte of zeros counts as padding of the digits;
+  // anything else is kept, so that encoding gives the same bits.
   if (bits - at >= 8 || !all_are(bytes, at, bits, false)) {
     std::size_t end = bits;
     if (bits > 210 && bits <= 216 && at <= 210 && all_are(bytes, 210, bits, false)) end = 210;
@@ -222,7 +222,7 @@ tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::
   return {};
 }
 
-/// Runs `write`; on error `out` gets its old length back.
+/// Runs `write`; on error `out` is reset to its old length.
 template <class Write>
 tl::expected<void, TelegramError> guarded(std::string& out, Write write) {
   const std::size_t before = out.size();
@@ -236,7 +236,7 @@ tl::expected<void, TelegramError> guarded(std::string& out, Write write) {
 
 tl::expected<void, TelegramError> append_balise_json(std::string& out, std::span<const std::uint8_t> bytes,
                                                      std::size_t bits, Spare spare) {
-  // 830 bits leave two of the last digit's four over.
+  // Of the last digit's four bits, 830 bits leave two unused.
   if (bits > 830 && bits <= 832) bits = 830;
   if (bits > 830) return tl::unexpected(TelegramError{830, -1, "", {}, "more than the 830 user bits of a telegram"});
   const lang::TelegramView view =

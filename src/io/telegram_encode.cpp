@@ -23,7 +23,7 @@ TelegramError complaint(std::string variable, std::string why, int packet = -1) 
   return {0, packet, std::move(variable), {}, std::move(why)};
 }
 
-/// Thrown inside this file and caught at its doors.
+/// Thrown and caught inside this file only.
 struct Refused {
   TelegramError error;
 };
@@ -45,8 +45,8 @@ std::optional<std::uint64_t> hex_number(const std::string& text) {
   return n;
 }
 
-/// The raw code of a member: a number, a negative one for D_REF, or, where a number of JSON may not be exact, a string
-/// of hexadecimal digits.
+/// The raw code of a member: a number (negative for D_REF), or, where a JSON number may not be exact, a string of
+/// hexadecimal digits.
 std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
   std::uint64_t code = 0;
   if (value.is_number_unsigned()) {
@@ -66,10 +66,10 @@ std::uint64_t code_of(const Json& value, const char* name, unsigned bits) {
   return code;
 }
 
-/// Thrown when the members fit but a length does not: says more than what another version would lack.
+/// Thrown when the members fit but a length does not: more useful than the fault of another version.
 struct WrongLength : Refused {};
 
-/// L_PACKET and L_MESSAGE may be left out, not be wrong.
+/// L_PACKET and L_MESSAGE may be absent, but not wrong.
 void check_length(const Json& object, const char* name, unsigned bits, std::uint64_t computed) {
   const auto given = object.find(name);
   if (given == object.end()) return;
@@ -81,7 +81,7 @@ void check_length(const Json& object, const char* name, unsigned bits, std::uint
   throw wrong;
 }
 
-/// The names of members beside those of a layout.
+/// The names of members in addition to those of a layout.
 using Names = std::initializer_list<const char*>;
 bool holds(Names names, const std::string& name) {
   return std::any_of(names.begin(), names.end(), [&name](const char* n) { return name == n; });
@@ -91,12 +91,12 @@ std::size_t count_present(const Json& object, Names names) {
       std::count_if(names.begin(), names.end(), [&object](const char* n) { return object.contains(n); }));
 }
 
-/// Writes the members of one object along a layout. Every member must be used.
+/// Writes the members of one object by a layout. Every member must be used.
 class ObjectWriter {
  public:
   explicit ObjectWriter(BitWriter& out) : out_(out) {}
 
-  /// The steps before `first` and the members `beside` are written by others.
+  /// The steps before `first` and the members `beside` are written elsewhere.
   void write(const Json& object, std::span<const Step> steps, const lang::WalkScope* up, std::size_t first,
              Names beside) {
     std::array<std::uint64_t, lang::kStepsMax> codes{};
@@ -106,7 +106,7 @@ class ObjectWriter {
     const auto member = [&](const char* name) -> const Json& {
       const auto it = object.find(name);
       if (it != object.end()) return *it;
-      // A misspelt name is the reason why the right one is missing.
+      // First: a misspelt name explains why the right one is missing.
       refuse_unknown(object, steps, beside);
       refuse(name, "missing");
     };
@@ -203,7 +203,7 @@ void write_packet_as(BitWriter& out, const Json& packet, const PacketLayout& lay
   }
 }
 
-/// `{NID_PACKET, Q_DIR, L_PACKET, raw}`: as it was.
+/// `{NID_PACKET, Q_DIR, L_PACKET, raw}`: written unchanged.
 void write_raw_packet(BitWriter& out, const Json& packet, std::uint64_t nid) {
   const bool with_direction = packet.contains("Q_DIR");
   if (!packet.contains("L_PACKET")) refuse("L_PACKET", "missing");
@@ -215,7 +215,7 @@ void write_raw_packet(BitWriter& out, const Json& packet, std::uint64_t nid) {
   out.write(length, 13);
   if (!packet.at("raw").is_string()) refuse("raw", "expected hexadecimal digits");
   const std::string& digits = packet.at("raw").get_ref<const std::string&>();
-  // A packet may be a header only.
+  // A packet may consist of its header only.
   const auto raw = digits.empty() ? tl::expected<Bits, TelegramError>(Bits{}) : bits_of_hex(digits);
   if (!raw) refuse("raw", raw.error().why);
   if ((length - header + 3) / 4 != raw->bits / 4) refuse("raw", "not as many digits as L_PACKET wants");

@@ -90,14 +90,14 @@ class Table {
   std::string out_;
 };
 
-/// Puts what a walk sees into the table.
+/// Enters the values of a walk in the table.
 struct Explainer {
   Table& table;
   std::span<const std::uint8_t> bytes;
   int depth = 1;
   std::uint64_t scale = 1;
   std::string text{};                // letters of X_TEXT
-  std::vector<std::string> names{};  // of the groups it is in
+  std::vector<std::string> names{};  // of the repeated groups around the field
   std::size_t here = 0;              // bit reached
 
   void field(const Step& step, std::uint64_t code, std::size_t bit) {

@@ -11,11 +11,11 @@
 // The ETCS language for people: `evc decode --explain`, `evc describe` and the pages in docs/packets.
 namespace evc::io {
 
-/// What a raw code means: in units, or the text of its code. `Q_SCALE` is that of the packet, 1 if it has none.
+/// The meaning of a raw code: in units, or as text. `Q_SCALE` is that of the packet, 1 if it has none.
 std::string meaning_of(const lang::VariableInfo& variable, std::uint64_t code, std::uint64_t Q_SCALE);
 
-/// A table of bit offset, variable, raw code and meaning. The bits must have been taken by the
-/// append_..._json() of their kind; a line that begins with "!" ends the table if they are not sound.
+/// A table of bit offset, variable, raw code and meaning. The bits must have been accepted by the append_..._json() of
+/// their kind; if they are not consistent, a line that begins with "!" ends the table.
 std::string explain_balise(std::span<const std::uint8_t> bytes, std::size_t bits);
 std::string explain_radio(std::span<const std::uint8_t> bytes, lang::Direction direction, lang::SystemVersion sv);
 std::string explain_packet(std::span<const std::uint8_t> bytes, std::size_t bits, lang::Direction direction,
@@ -30,7 +30,7 @@ std::string describe_packet(std::uint8_t NID_PACKET, lang::Direction direction, 
 std::string describe_message(std::uint8_t NID_MESSAGE, bool markdown);
 /// By name ("V_STATIC": with its _V1 form) ; "" if there is none.
 std::string describe_variable(std::string_view name, bool markdown);
-/// The JSON schema of everything that append_..._json() gives.
+/// The JSON schema of all results of append_..._json().
 std::string telegram_schema();
 /// The index of the packet pages.
 std::string packet_index_page();

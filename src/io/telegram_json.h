@@ -12,20 +12,20 @@
 #include "lang/schema.h"
 
 // The ETCS language as JSON: `evc decode` and `evc encode` (docs/decode.md, data/schema/evc-telegram.json).
-// Values are raw codes, members stand in the order of SUBSET-026-7, counters are left out. A text that
-// is decoded and encoded again gives the same bits.
+// Values are raw codes, members are in the order of SUBSET-026-7, counters are left out. Bits that are decoded and
+// encoded again are the same bits.
 namespace evc::io {
 
-/// Why bits or a JSON text were not taken.
+/// Why bits or a JSON text were not accepted.
 struct TelegramError {
   std::size_t bit = 0;
   int packet = -1;       ///< NID_PACKET, -1 outside of packets
-  std::string variable;  ///< "" if none is to blame
+  std::string variable;  ///< "" if the error is not in a variable
   std::optional<std::uint64_t> value;
   std::string why;
 };
 /// `{"error":{"bit":218,"packet":27,"variable":"V_STATIC","value":121,"why":"spare value"}}`
-/// Before the bit stands the line of the input, counted from 1, if there is one.
+/// If there is a line number of the input, counted from 1, it is before the bit.
 std::string error_json(const TelegramError& error, std::uint64_t line = 0);
 
 struct Bits {
@@ -38,7 +38,7 @@ tl::expected<Bits, TelegramError> bits_of_hex(std::string_view hex);
 std::string hex_of_bits(std::span<const std::uint8_t> bytes, std::size_t bits);
 
 enum class Spare : std::uint8_t {
-  refuse,  ///< everything that 3.16.2, 7.3 and 8.4 want is checked
+  refuse,  ///< all rules of 3.16.2, 7.3 and 8.4 are checked
   accept,  ///< only what is needed to read the bits; spare codes are returned
 };
 
@@ -58,13 +58,13 @@ tl::expected<void, TelegramError> append_packet_json(std::string& out, std::span
                                                      std::size_t bits, lang::Direction direction,
                                                      lang::SystemVersion sv, Spare spare = Spare::accept);
 
-/// What a JSON text does not say. Absent: found out from its members (Q_DIR and the message number give
-/// the direction; the newest layout that has exactly these members and this L_PACKET is taken).
+/// What the JSON text does not contain. Absent: deduced from its members (Q_DIR and the message number give the
+/// direction; the newest layout with exactly these members and this L_PACKET is used).
 struct EncodeOptions {
   std::optional<lang::Direction> direction;
   std::optional<lang::SystemVersion> sv;
 };
-/// The user bits: up to packet 255, or as many as the member "bits" says, filled with ones.
+/// The user bits: up to packet 255, or the number of the member "bits", filled with ones.
 tl::expected<Bits, TelegramError> encode_balise_json(const nlohmann::json& telegram);
 tl::expected<Bits, TelegramError> encode_loop_json(const nlohmann::json& message);
 tl::expected<Bits, TelegramError> encode_radio_json(const nlohmann::json& message, const EncodeOptions& options = {});

@@ -18,7 +18,7 @@ Json reference(const std::string& name) {
   return Json::parse(file);
 }
 
-/// A file of the shared material; null if it is not there.
+/// A file of the shared material; null if it does not exist.
 Json shared(const std::string& name) {
   const char* folder = std::getenv("OPENEVC_SHARED");
   const std::string path = (folder != nullptr ? folder : EVC_SOURCE_DIR "/../shared") + ("/" + name);
@@ -26,7 +26,7 @@ Json shared(const std::string& name) {
   return file ? Json::parse(file) : Json();
 }
 
-/// The vectors in the form of the contract: without counters, wide numbers as hexadecimal digits.
+/// The vectors in the documented form: without counters, wide numbers as hexadecimal digits.
 Json without_counters(const Json& j) {
   if (j.is_array()) {
     Json out = Json::array();
@@ -71,7 +71,7 @@ TEST(TelegramVectors, Telegrams) {
     ASSERT_TRUE(encoded) << error_json(encoded.error());
     EXPECT_EQ(encoded->bits, v.at("bits"));
     EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
-    // From the vector's own values as well.
+    // Also from the values of the vector.
     expected["packets"] = v.at("decoded").at("packets");
     const auto from_vector = encode_balise_json(expected);
     ASSERT_TRUE(from_vector) << error_json(from_vector.error());
@@ -98,11 +98,11 @@ TEST(TelegramVectors, Packets) {
     ASSERT_TRUE(encoded) << error_json(encoded.error());
     EXPECT_EQ(encoded->bits, v.at("bits"));
     EXPECT_EQ(hex_of_bits(encoded->bytes, encoded->bits), hex);
-    // Direction and version found out from the members.
+    // Direction and version deduced from the members.
     const auto guessed = encode_packet_json(v.at("decoded"));
     ASSERT_TRUE(guessed) << error_json(guessed.error());
     EXPECT_EQ(hex_of_bits(guessed->bytes, guessed->bits), hex);
-    // Spare codes are named when they are not wanted, and only then.
+    // Spare codes are reported only when they are not accepted.
     text.clear();
     const auto strict = append_packet_json(text, bits->bytes, bits->bits, direction_of(v), *sv, Spare::refuse);
     EXPECT_EQ(!strict, v.contains("warnings")) << (strict ? "" : error_json(strict.error()));
@@ -129,7 +129,7 @@ TEST(TelegramVectors, Messages) {
   }
 }
 
-/// All that was recorded on a real line decodes, and encodes to the same digits.
+/// Everything recorded on a real line is decoded, and encoded to the same digits.
 TEST(TelegramJson, RecordedLine) {
   const Json line = shared("lines/amsterdam_utrecht.json");
   if (line.is_null()) GTEST_SKIP() << "no shared material";
@@ -183,7 +183,7 @@ TEST(TelegramJson, SaysWhatIsWrong) {
 }
 
 TEST(TelegramJson, KeepsTheFilling) {
-  // The same telegram without filling, filled with ones to 830, and with something else behind packet 255.
+  // The same telegram without filling, filled with ones to 830, and with other bits after packet 255.
   Json short_form = Json::parse(R"({"schema":"evc-telegram/1","system_version":"2.1","header":{"Q_UPDOWN":1,
     "M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":0,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},
     "packets":[{"NID_PACKET":254,"Q_DIR":1,"L_PACKET":23},{"NID_PACKET":99,"Q_DIR":0,"L_PACKET":30,"raw":"AA"}]})");
@@ -208,7 +208,7 @@ TEST(TelegramJson, KeepsTheFilling) {
   EXPECT_EQ(Json::parse(text), odd);
 }
 
-/// Found by the fuzzer: nothing but a header.
+/// Found by the fuzzer: a header only.
 TEST(TelegramJson, UnknownPacketWithoutContent) {
   const std::array<std::uint8_t, 3> bytes{0x5B, 0x00, 0x2E};
   std::string text;
@@ -244,7 +244,7 @@ std::string packet_answer(const char* text, const EncodeOptions& options = {}) {
   return encoded ? hex_of_bits(encoded->bytes, encoded->bits) : error_json(encoded.error());
 }
 
-/// "16" is sixteen to most readers and 22 in hexadecimal: only what a number of JSON cannot hold is a string.
+/// "16" could be read as sixteen or as hexadecimal 22: only values that a JSON number cannot hold are strings.
 TEST(TelegramJson, HexadecimalOnlyWhereNumbersEnd) {
   EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":"16"})"),
             R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"expected a number"}})");

@@ -63,7 +63,7 @@ train::Factor read_factor(const JsonPlace& place) {
   return train::Factor::of(number_or(place, 0.0, 1.0, train::Fault::correction_factor));
 }
 
-/// One factor for every confidence level, or one for each of M_NVEBCL 0..9.
+/// One factor for all confidence levels, or one for each of M_NVEBCL 0..9.
 DryFactors read_dry_factors(const JsonPlace& table) {
   return read_steps<DryFactors>(table, kKmh, kCorrection, [](const JsonPlace& row) {
     ConfidenceFactors factors{};
@@ -82,7 +82,7 @@ WetFactors read_wet_factors(const JsonPlace& table) {
 }
 
 /// Deceleration and factors on common steps (3.13.2.2.9.2): the union of their change points, each
-/// with the value that the three tables have in that step (a step includes its upper limit).
+/// with the values of the three tables in that step (a step includes its upper limit).
 train::EmergencySteps read_emergency_steps(const JsonPlace& model) {
   const JsonPlace table = model["A_brake_emergency"];
   const auto a = read_decelerations(table);
@@ -98,7 +98,7 @@ train::EmergencySteps read_emergency_steps(const JsonPlace& model) {
   from.erase(std::unique(from.begin(), from.end()), from.end());
   train::EmergencySteps steps;
   for (const Speed v : from) {
-    // `at` includes the lower limit: at the change point it gives the step that begins there.
+    // `at` includes the lower limit: at the change point it returns the step that begins there.
     train::EmergencyStep step;
     step.A_brake_emergency = a.at(v);
     step.Kwet_rst = kwet.empty() ? train::Factor::of(1.0) : kwet.at(v);
@@ -127,7 +127,7 @@ void add(InplaceVector<train::BuildUpTime, N>& times, const JsonPlace& model, co
   if (!place && !reaction) return;
   train::BuildUpTime time;
   time.T_brake = {model[key].number(0.0, 120.0, kTimes)};
-  time.T_brake_react = time.T_brake;  // not known: nothing of the time can be saved (A.3.12)
+  time.T_brake_react = time.T_brake;  // unknown: the time cannot be reduced (A.3.12)
   if (reaction) time.T_brake_react = {number_or(*reaction, 0.0, time.T_brake.si, train::Fault::build_up_time)};
   time.with = with;
   if (!times.push_back(time)) place->fail("at most " + std::to_string(N) + " build-up times");
@@ -163,7 +163,7 @@ void read_special_brakes(TrainData& data, const JsonPlace& brakes) {
   data.eddy_current = read_interface(brakes, "eddy current");
   data.magnetic_shoe = read_interface(brakes, "magnetic shoe");
   data.electro_pneumatic = read_interface(brakes, "ep");
-  // The table of 3.13.2.2.6 has no such cases.
+  // The table of 3.13.2.2.6 does not have these cases.
   for (const char* key : {"magnetic shoe", "ep"}) {
     const auto place = brakes.find(key);
     if (!place) continue;
@@ -270,7 +270,7 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
     data.brake_model = static_cast<train::BrakeModel>(p->one_of({"lambda", "gamma"}));
   if (const auto p = place.find("brake_position"))
     data.brake_position = static_cast<train::BrakePosition>(p->one_of({"PassengerP", "FreightP", "FreightG"}));
-  // What can be entered and sent; below 30 % the conversion model does not apply.
+  // The range that can be entered and sent; below 30 % the conversion model does not apply.
   if (const auto p = place.find("brake_percentage"))
     data.brake_percentage = number_or(*p, 10.0, 250.0, train::Fault::brake_percentage);
   read_models(data, place, 0);

@@ -13,27 +13,28 @@ struct Packet3;
 
 namespace evc::io {
 
-/// A train as a file describes it: what the on-board knows and what only the world knows.
+/// A train as described in a file: the train data of the on-board, and the data of the simulated
+/// world only.
 struct Train {
   std::string name = "passenger, 135 %";
   train::TrainData data;
   sim::Dynamics dynamics;
-  std::string document = R"({"schema":"etcs-train/1"})";  // the file's JSON on one line, for `config`
+  std::string document = R"({"schema":"etcs-train/1"})";  // the JSON of the file on one line, for `config`
 };
 
-/// Reads `etcs-train/1`; absent keys take the values of the standard train, unknown keys are errors.
+/// Reads `etcs-train/1`; absent keys have the values of the standard train, unknown keys are errors.
 Result<Train> read_train(std::string_view text, const std::string& file);
 
 /// The same from a place in a larger document (`train` of a curves input, `config`); throws ReadError. The key
-/// `schema` may be absent there. What `train::check` refuses is an error that names the key and the clause.
+/// `schema` may be absent there. A fault of `train::check` is an error that names the key and the clause.
 Train read_train(const JsonPlace& place);
-/// What the driver enters: the same, but data that cannot be supervised are for the on-board to refuse
+/// Train data entered by the driver: the same, but the on-board rejects data that cannot be supervised
 /// (`train::check`).
 Train read_entered_train(const JsonPlace& place);
 
 /// National values by their SRS names, speeds in km/h, distances in m; those left out keep the
-/// defaults of A.3.2. "infinity" where the standard has it. What `train::check` refuses is an error that names the key
-/// and the clause. Throws ReadError.
+/// defaults of A.3.2. "infinity" is allowed where the standard has it. A fault of `train::check` is an error that names
+/// the key and the clause. Throws ReadError.
 train::NationalValues read_national_values(const JsonPlace& place);
 /// The values as packet 3, in force at once and valid in the area of one NID_C; without the correction factors Kv_int,
 /// Kr_int, Kt_int. Rounded to the steps of the variables.

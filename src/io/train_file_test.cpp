@@ -111,7 +111,7 @@ TEST(TrainFile, ErrorsNameThePlace) {
   EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_percentage":1e999})"), "");
 }
 
-/// What the kernel would refuse is refused where it is read.
+/// Data that the kernel would reject are rejected by the reader.
 TEST(TrainFile, WhatTheConversionModelDoesNotCover) {
   EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","brake_percentage":20})"),
             "t.json: /brake_percentage: found 20, expected 30 to 250 % (SUBSET-026 3.13.3.2.1 b)");
@@ -215,7 +215,7 @@ std::vector<Json> shipped(const char* folder) {
 TEST(Ranges, WhatATrainCannotBeIsRefusedWithTheClause) {
   int numbers = 0;
   for (Json train : shipped("trains")) {
-    // Simulation and the categories of speed restrictions are no business of the braking curves.
+    // Braking curves do not use simulation data and categories of speed restrictions.
     train.erase("dynamics");
     train.erase("category");
     numbers += refused_with_clause(train, [](const Json& d) { return read_train(d.dump(), "t.json").error().text(); });

@@ -15,7 +15,7 @@ struct WorkbookInputs {
   Speed dV{1.0};  // the ceiling is MRSP + dV
   Acceleration A_safe{1.2};
   bool danger_point_in_first_row = true;
-  /// By distance along the line, in running direction.
+  /// Over the distance along the line, in running direction.
   StepFunction<Distance, Speed, 128> mrsp;
 };
 
