@@ -12,7 +12,7 @@ namespace {
 
 using io::Diagnostic;
 
-/// What stands before and behind `middle`.
+/// The text before and after `middle`.
 struct Parts {
   std::string before, behind;
 };
@@ -28,7 +28,7 @@ bool take_end(std::string& text, std::string_view end) {
   return true;
 }
 
-/// "600.000000": the zeros are of no interest.
+/// "600.000000" without the trailing zeros.
 std::string plain(std::string number) {
   if (number.find('.') == std::string::npos) return number;
   while (number.back() == '0') number.pop_back();
@@ -48,7 +48,7 @@ std::string names_of_commands(const CLI::App& app) {
   return names;
 }
 
-/// Of one option: what CLI11 says behind its name.
+/// Of one option: the text of CLI11 after its name.
 void explain_option(Diagnostic& d, std::string what) {
   if (const auto ours = split(what, ", expected "); ours && what.rfind("found ", 0) == 0) {
     d.found = ours->before.substr(6);
@@ -81,7 +81,7 @@ void explain_missing(Diagnostic& d, const CLI::App& command, const std::string& 
 }
 
 void explain_extra(Diagnostic& d, const std::string& words) {
-  // CLI11 gives them from the last to the first.
+  // CLI11 returns them from the last to the first.
   std::istringstream in(words);
   std::vector<std::string> extras;
   for (std::string word; in >> word;) extras.insert(extras.begin(), word);
@@ -128,7 +128,7 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
   const CLI::App* command = &app;
   std::string name = "evc";
   std::size_t used = 0;
-  // Commands stand first: `evc decode radio ...`.
+  // Commands are first: `evc decode radio ...`.
   for (; used < arguments.size(); ++used) {
     const auto commands = command->get_subcommands([](const CLI::App*) { return true; });
     const auto next = std::find_if(commands.begin(), commands.end(),
@@ -137,7 +137,7 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
     command = *next;
     name += " " + arguments[used];
   }
-  // A command is missing, or one is named that does not exist.
+  // A command is missing or does not exist.
   if (std::string(error.what()) == "A subcommand is required") {
     const bool named = used < arguments.size();
     return Diagnostic{name, "", named ? "\"" + arguments[used] + "\"" : "no command",

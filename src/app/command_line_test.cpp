@@ -69,7 +69,7 @@ TEST(StandardOutput, WhatIsLostIsAnError) {
 TEST(StandardOutput, OneThatIsClosedIsAnError) {
   for (const char* arguments : {"--help", "describe packets", "decode packet 41408E838352032020 --to-train"})
     EXPECT_EQ(ended(std::string(arguments) + " >&-").exit_code, 2) << arguments;
-  // No file gets its place.
+  // No file gets its number.
   const Folder folder("closed");
   const Ended run = ended("decode packet 41408E838352032020 --to-train -o '" + (folder / "out") + "' >&- <&-");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
@@ -77,7 +77,7 @@ TEST(StandardOutput, OneThatIsClosedIsAnError) {
   EXPECT_EQ(ended("decode packet - --to-train <&-").exit_code, 2);
 }
 
-/// A live stream has no end: nothing may grow with it.
+/// A live stream has no end: memory must not grow with it.
 TEST(OnBoard, KeepsCostsOnlyWhenAsked) {
   run::OnBoard dropped{kernel::Config{}};
   run::OnBoard kept{kernel::Config{}, run::OnBoard::Costs::kept};

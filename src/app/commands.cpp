@@ -19,7 +19,7 @@
 #include "run/replay.h"
 #include "run/run.h"
 
-// The command line: what `evc COMMAND --help` shows, in one place. What the commands do stands in their rooms.
+// The command line with the texts of `evc COMMAND --help`. The commands themselves are in their rooms.
 namespace evc::app {
 namespace {
 

@@ -31,7 +31,7 @@ int command(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are answers; anything else is a wrong command line: one line and exit status 2.
+    // Help and version are not errors; anything else is a wrong command line: one line and exit status 2.
     if (error.get_exit_code() == 0) return answer(app, error);
     std::fputs(evc::app::wrong_command_line(app, error, {argv + (argc > 0 ? 1 : 0), argv + argc}).c_str(), stderr);
     return 2;
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   try {
     exit_code = command(argc, argv);
   } catch (const std::exception& error) {
-    // What fmt throws when standard output takes no more; anything else is a failure of its own.
+    // fmt throws this when standard output cannot be written; anything else is a different failure.
     const auto* failed = dynamic_cast<const std::system_error*>(&error);
     if (failed != nullptr && std::ferror(stdout) != 0) {
       exit_code = 0;

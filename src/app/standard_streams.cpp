@@ -13,7 +13,7 @@ namespace evc::app {
 void take_closed_streams() {
   for (int stream = 0; stream <= 2; ++stream) {
     if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest number that is free. Standard output is opened for reading: a write to it is reported as failed.
+    // The lowest free number. Standard output is opened for reading: a write to it is reported as failed.
     (void)::open("/dev/null", stream == 1 ? O_RDONLY : O_WRONLY);
   }
 }

@@ -3,7 +3,8 @@
 
 #include "run/on_board.h"
 
-// The program's operator new counts, so that a run can show that a cycle allocates nothing.
+// Operator new of the program counts its calls, so that a run can show that a cycle allocates
+// nothing.
 namespace {
 std::size_t count = 0;
 
@@ -23,7 +24,7 @@ std::size_t evc::run::allocations() { return count; }
 
 void* operator new(std::size_t size) { return allocate_or_throw(size); }
 void* operator new[](std::size_t size) { return allocate_or_throw(size); }
-// std::stable_sort's buffer comes from here and is freed by the plain delete.
+// std::stable_sort allocates its buffer here and frees it by the plain delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }

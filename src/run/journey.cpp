@@ -57,7 +57,7 @@ void Journey::note_changes(const Outputs& o) {
   tco_ = o.tco;
   sb_ = o.sb;
   eb_ = o.eb;
-  // Before start of mission the level is the one of the last mission: the first entered is the first that counts.
+  // Before start of mission the level is that of the last mission: the first level entered is the first that counts.
   if (mode_ != o.mode) {
     if (o.mode == Mode::TR) ++interventions_.trip;
     if (o.mode != Mode::NP) modes_.emplace_back(name(o.mode));
@@ -69,7 +69,7 @@ void Journey::note_changes(const Outputs& o) {
   }
 }
 
-/// The truth against what the on-board believes, both measured from the group that it refers to.
+/// The true position compared with that of the on-board, both measured from its reference group.
 void Journey::note_position(const Outputs& o) {
   const auto reference = o.lrbg ? world_.reference(*o.lrbg) : std::nullopt;
   if (!reference) return;
@@ -78,7 +78,7 @@ void Journey::note_position(const Outputs& o) {
   };
   const double front = world_.front_m();
   max_position_error_ = std::max(max_position_error_, std::abs(on_line(o.est_front) - front));
-  // A millimetre for the rounding of the counters.
+  // A tolerance of a millimetre for the rounding of the counters.
   if (on_line(o.min_safe_front) > front + 1e-3 || on_line(o.max_safe_front) < front - 1e-3) ++violations_;
   const bool tripped = o.mode == Mode::TR || o.mode == Mode::PT;
   if (o.SvL)
@@ -97,7 +97,7 @@ void Journey::note_events(const Outputs& o) {
   }
 }
 
-/// The groups' own events.
+/// The events of balise groups.
 void Journey::count(const kernel::Event& e) {
   switch (e.what) {
     case What::linking_ok:
@@ -122,10 +122,10 @@ void Journey::count(const kernel::Event& e) {
 
 namespace {
 
-/// What became of a message or of an authority: a verdict on packet 12 is one on the authority that it brings.
+/// The result for a message or an authority: a result for packet 12 is one for the authority it contains.
 enum class Fate : std::uint8_t { unknown, accepted, refused, rejected };
 
-/// A message that waits in a transition buffer has passed the checks and filters.
+/// A message in a transition buffer has passed the checks and filters.
 std::optional<Fate> fate_of_message(What what) {
   switch (what) {
     case What::message_accepted:
@@ -150,8 +150,8 @@ bool is_verdict_on_packet(What what) {
 
 }  // namespace
 
-/// What became of the messages delivered in this cycle: each one's verdict is the first event of its
-/// number that is not another one's.
+/// The results for the messages delivered in this cycle: for each one, the first event of its number that does not
+/// belong to another one.
 void Journey::count_messages(const Outputs& outputs) {
   struct Verdict {
     std::int32_t NID_MESSAGE;
@@ -180,7 +180,7 @@ void Journey::count_messages(const Outputs& outputs) {
     ++counts_.authorities_received;
     if (fate == Fate::accepted && !authority_refused) ++counts_.authorities_accepted;
   }
-  // A buffered one that is released in a later cycle was counted when it came.
+  // A buffered one that is released in a later cycle was counted at reception.
   if (authority_by_balise == nullptr || !telegrams_in_cycle_) return;
   ++counts_.authorities_received;
   if ((authority_by_balise->what == What::packet_accepted && !authority_refused) ||

@@ -12,7 +12,7 @@
 
 namespace evc::run {
 
-/// What a chart shows of one cycle: speeds in km/h, NaN where not supervised.
+/// The values of one cycle for a chart: speeds in km/h, NaN where not supervised.
 struct Sample {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double t_s = 0.0, x_m = 0.0;
@@ -28,7 +28,7 @@ struct JourneyEvent {
   std::string text;
 };
 
-/// What a run measures of itself, cycle by cycle: everything in `summary.json` and the report.
+/// The measurements of a run, cycle by cycle: everything in `summary.json` and the report.
 class Journey {
  public:
   explicit Journey(const sim::World& world) : world_(world) {}
@@ -74,7 +74,7 @@ class Journey {
   std::optional<Mode> mode_;
   std::optional<Level> level_;
   std::optional<double> min_margin_, svl_overrun_;
-  std::optional<double> svl_m_;  // true place of the supervised location that holds
+  std::optional<double> svl_m_;  // true place of the current supervised location
   double max_position_error_ = 0.0;
   int violations_ = 0;
   std::size_t next_delivery_ = 0;

@@ -11,10 +11,10 @@ namespace evc::run {
 /// Heap allocations of the whole program so far.
 std::size_t allocations();
 
-/// The kernel with its state, and what its steps cost.
+/// The kernel with its state, and the cost of its steps.
 class OnBoard {
  public:
-  /// A live stream never ends: what each of its steps cost is not kept.
+  /// A live stream has no end: the costs of its steps are not kept.
   enum class Costs : std::uint8_t { dropped, kept };
   explicit OnBoard(const kernel::Config& config, Costs costs = Costs::dropped);
   ~OnBoard();
@@ -26,7 +26,7 @@ class OnBoard {
 
   static std::size_t state_bytes();
   std::size_t allocations_in_step() const { return allocations_; }
-  /// Seconds of every step so far; empty when they are dropped.
+  /// Seconds of every step so far; empty when they are not kept.
   const std::vector<float>& costs() const { return costs_; }
 
  private:

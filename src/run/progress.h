@@ -10,7 +10,7 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// `share` 0..1 done; redrawn when it changed visibly.
+  /// `share` 0..1 done; redrawn after a visible change.
   void show(double share, std::int64_t t_ms, double speed_kmh);
   void clear();
 

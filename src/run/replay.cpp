@@ -22,7 +22,7 @@ int complain(const io::Diagnostic& diagnostic) {
   return 2;
 }
 
-/// Lines of a file as they come: a live stream is answered cycle by cycle.
+/// Lines of a file in sequence: a live stream is answered cycle by cycle.
 class Lines {
  public:
   static io::Result<std::shared_ptr<Lines>> open(const std::string& file) {
@@ -47,7 +47,7 @@ class Lines {
     if (!line.empty() && line.back() == '\n') line.pop_back();
     return true;
   }
-  /// What ended the reading before the end of the file; 0: nothing did.
+  /// The errno that ended reading before the end of the file; 0: none.
   int error() const { return error_; }
 
  private:
@@ -58,7 +58,7 @@ class Lines {
   std::size_t capacity_ = 0;
 };
 
-/// Answers every cycle of the stream. On an error in it the outputs up to there are whole.
+/// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, const ReplayOptions& options) {
   constexpr std::size_t block = 1 << 16;
   OnBoard on_board(stream.configuration().for_kernel());

@@ -11,7 +11,7 @@ extern const char report_template[];
 
 namespace {
 
-constexpr double kTolerance_kmh = 0.15;  // what thinning may change in a curve
+constexpr double kTolerance_kmh = 0.15;  // maximum change of a curve by thinning
 constexpr double kTolerance_m = 1.0;
 constexpr std::size_t kLongestGap = 100;  // cycles
 
@@ -27,7 +27,7 @@ bool same_state(const Sample& a, const Sample& b) {
                      [&](auto curve) { return std::isnan(a.*curve) == std::isnan(b.*curve); });
 }
 
-/// Whether every sample between `first` and `last` lies on the straight lines between them.
+/// Whether every sample between `first` and `last` is on the straight lines between them.
 bool straight(const std::vector<Sample>& s, std::size_t first, std::size_t last) {
   const Sample& a = s[first];
   const Sample& b = s[last];
@@ -43,8 +43,8 @@ bool straight(const std::vector<Sample>& s, std::size_t first, std::size_t last)
   return true;
 }
 
-/// The samples that a chart needs: every change of state with the sample before it, and of the curves
-/// as few as show them within the tolerance.
+/// The samples that a chart needs: every change of state with the sample before it, and as few points of the curves as
+/// the tolerance allows.
 std::vector<std::size_t> thinned(const std::vector<Sample>& s) {
   std::vector<std::size_t> kept;
   if (s.empty()) return kept;
@@ -63,7 +63,7 @@ std::vector<std::size_t> thinned(const std::vector<Sample>& s) {
   return kept;
 }
 
-/// One decimal is what a chart can show.
+/// A chart can show one decimal.
 void append_tenths(std::string& out, double v) {
   if (std::isnan(v))
     out += "null";

@@ -35,7 +35,7 @@ using nlohmann::ordered_json;
 constexpr const char* kShippedLine = "lines/brunnental.json";
 constexpr const char* kDriverNames[] = {"perfect", "late", "reckless"};
 
-/// The files of a run as they are made, whole.
+/// The complete files of a run.
 struct Records {
   std::string inputs, outputs, trace = io::trace_header();
 };
@@ -166,7 +166,7 @@ io::Result<io::Train> load_train(const RunOptions& options) {
   return io::read_train(*text, options.train);
 }
 
-/// Drives to the end. `inputs.jsonl` begins with the configuration that the on-board gets.
+/// Drives to the end. `inputs.jsonl` begins with the configuration of the on-board.
 Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::Configuration& configuration) {
   Records records;
   io::InputWriter writer(configuration);
@@ -188,7 +188,7 @@ Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::
 io::Result<bool> write_records(const std::string& folder, const Records& records, const ordered_json& summary,
                                const std::string& page) {
   const std::string totals = summary.dump(2) + "\n";
-  // The summary last: a folder that has one has everything, and of one run.
+  // The summary is last: a folder with a summary has all files, and all of one run.
   const std::pair<const char*, const std::string*> texts[] = {{"inputs.jsonl", &records.inputs},
                                                               {"outputs.jsonl", &records.outputs},
                                                               {"trace.csv", &records.trace},
@@ -212,7 +212,7 @@ io::Result<bool> write_records(const std::string& folder, const Records& records
   return true;
 }
 
-/// Before the drive: hours of simulation are not lost to a folder that cannot be written.
+/// Before the run, so that a long simulation is not lost because the folder cannot be written.
 io::Result<bool> prepare_folder(const std::string& folder) {
   if (folder.empty()) return true;
   std::error_code error;
@@ -249,7 +249,7 @@ int run(const RunOptions& options) {
   const Records records = drive(*world, on_board, journey, configuration);
   const ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
   io::Result<bool> written = true;
-  // The files first: they do not depend on what standard output accepts.
+  // The files first: they do not depend on standard output.
   if (!options.output.empty())
     written = write_records(options.output, records, summary,
                             report_page(journey, *world, *line, train->name, options.driver, summary.dump()));

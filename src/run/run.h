@@ -12,8 +12,8 @@ struct RunOptions {
   std::uint64_t seed = 1;          ///< of odometer errors and delays
   int last_ma = -1;                ///< movement authorities with a higher seq are withheld; below 0: none are
 };
-/// `evc run`: drives a simulated train along a line under the on-board's supervision. Returns the exit status: 0, or 2
-/// with one line on standard error.
+/// `evc run`: drives a simulated train along a line, supervised by the on-board. Returns the exit status: 0, or 2 with
+/// one line on standard error.
 int run(const RunOptions& options);
 
 }  // namespace evc::run

@@ -17,7 +17,7 @@
 #include "lang/packets/packet_15.h"
 #include "run/sha256.h"
 
-// The program as its users see it.
+// The program as run by a user.
 namespace evc::run {
 namespace {
 
@@ -78,7 +78,7 @@ TEST(MakeLine, ErrorsNameThePlace) {
     "radio":[]})")
                 .find("/groups/0/orders/0"),
             std::string::npos);
-  // The profile has to reach the danger point and 100 m beyond.
+  // The profile must reach 100 m beyond the danger point.
   EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
     "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],
     "radio":[]})")
@@ -172,7 +172,7 @@ TEST(Sha256, OfTheStandard) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-/// A whole journey, and what the summary says of it.
+/// Checks the summary of a whole journey.
 void expect_clean_run(const json& s) {
   EXPECT_EQ(s["balise_groups"]["read"], s["balise_groups"]["on_line"]);
   EXPECT_EQ(s["balise_groups"]["missed"], 0);
@@ -200,7 +200,7 @@ TEST(Run, TheShippedLineAndItsReplay) {
   const Finished replay = evc("replay '" + (folder / "inputs.jsonl") + "' -o '" + (folder / "replayed.jsonl") + "'");
   ASSERT_EQ(replay.exit_code, 0) << replay.output;
   EXPECT_TRUE(text_of(folder / "replayed.jsonl") == outputs);
-  // The thinned streams are parts of the whole one.
+  // The thinned streams are parts of the full one.
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const Finished every = evc("replay --every 10 '" + (folder / "inputs.jsonl") + "'");
   EXPECT_EQ(lines(every.output), (lines(outputs) + 9) / 10);
@@ -240,7 +240,7 @@ TEST(Run, ARecklessDriverIsStoppedBeforeTheEndOfHisLastAuthority) {
     const json s = json::parse(text_of(folder / "summary.json"));
     EXPECT_EQ(s["confidence_interval_violations"], 0);
     EXPECT_EQ(s["interventions"]["trip"], 1) << choice;
-    // He creeps past at or below the release speed of 15 km/h: 1 s, and the way to stand still from there.
+    // The driver passes at or below the release speed of 15 km/h: 1 s, and the stopping distance from there.
     EXPECT_LT(s["svl_overrun_m"].get<double>(), 20.0) << choice;
   }
 }
@@ -265,7 +265,7 @@ TEST(Run, AnAuthorityWithoutGradientAndSpeedProfileIsRefused) {
   json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
   json& message = line["rbc_messages"][2];
   ASSERT_EQ(message["contains"][0], "15 Level 2/3 movement authority");
-  // The same authority, to 19 900 m from group 108 at 8 180 m, and nothing else (3.7.2.3, 4.8.3 [4]).
+  // Only the same authority, to 19 900 m from group 108 at 8 180 m (3.7.2.3, 4.8.3 [4]).
   lang::Message3 header;
   header.NID_LRBG.raw = 1000u << 14 | 108u;
   lang::Packet15 authority;
@@ -305,13 +305,13 @@ TEST(Run, WrongInputsAreToldAndLeaveNothing) {
   EXPECT_EQ(evc("--help").exit_code, 0);
 }
 
-/// An old summary never stands beside the files of another run.
+/// A folder never has an old summary with files of another run.
 TEST(Run, AFolderHoldsOneRunOrTheOther) {
   const Folder folder("one_run");
   const std::string old = "of the run before";
   for (const char* name : {"inputs.jsonl", "outputs.jsonl", "report.html", "summary.json"})
     ASSERT_TRUE(io::write_whole(folder / name, old));
-  // The third file cannot be written; reported after the drive, as a full disk is.
+  // The third file cannot be written; reported after the run, like a full disk.
   std::filesystem::create_directory(folder / "trace.csv");
   const Finished failed = evc("run -o '" + folder.path() + "'");
   EXPECT_EQ(failed.exit_code, 2);
@@ -322,7 +322,7 @@ TEST(Run, AFolderHoldsOneRunOrTheOther) {
   std::size_t entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++entries;
   EXPECT_EQ(entries, 5u) << "no temporary file stays";
-  // A folder of the name that a probe could have is no obstacle.
+  // A folder with the name of the test file is no obstacle.
   std::filesystem::remove(folder / "trace.csv");
   std::filesystem::create_directory(folder / "probe");
   const Finished run = evc("run -o '" + folder.path() + "'");
@@ -333,7 +333,7 @@ TEST(Run, AFolderHoldsOneRunOrTheOther) {
 TEST(Run, TheFilesAreThereWhateverBecomesOfTheSummary) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const Folder folder("lost");
-  // More than standard output keeps back: it fails in the middle.
+  // More than standard output buffers: it fails in the middle.
   ASSERT_TRUE(
       io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","name":")" + std::string(20000, 'x') + "\"}"));
   const Finished run =

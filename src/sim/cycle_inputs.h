@@ -10,8 +10,8 @@
 
 namespace evc::sim {
 
-/// The inputs of one cycle with the bytes that they refer to. `levels` keeps its value from cycle to
-/// cycle, `clear` takes away what belongs to one cycle only.
+/// The inputs of one cycle with the bytes they refer to. `levels` keeps its value from cycle to cycle, `clear` deletes
+/// what belongs to one cycle only.
 struct CycleInputs {
   struct Telegram {
     Bits bits;

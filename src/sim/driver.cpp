@@ -10,20 +10,20 @@ using port::Outputs;
 using port::Select;
 
 constexpr double kKmh = 3.6;
-constexpr double kWithoutSpeed = 40.0 / kKmh;  // where neither on-board nor line gives a speed
+constexpr double kWithoutSpeed = 40.0 / kKmh;  // if neither on-board nor line gives a speed
 constexpr double kBeforeLevel2 = 60.0 / kKmh;
 constexpr double kComfortable = 0.45;   // m/s2, braking ahead
 constexpr double kMargin = 3.0 / kKmh;  // below the permitted speed
 constexpr double kMarginLate = 0.5 / kKmh;
 constexpr double kStopShort = 12.0;             // metres before the end of authority
-constexpr std::int64_t kEntry_ms = 1000;        // from one entry to the next
+constexpr std::int64_t kEntry_ms = 1000;        // time between two entries
 constexpr std::uint32_t kDigits = 0x4711FFFFu;  // driver identity and train running number 4711, packed
 
 constexpr std::uint32_t bit(Select s) { return 1u << static_cast<unsigned>(s); }
 
-/// What the driver brakes with ahead of a place: comfortable, and well within what the train's brakes do.
+/// The deceleration with which the driver brakes for a place: comfortable, and well within the capacity of the brakes.
 double comfortable(const Motion& motion) { return std::min(kComfortable, 0.6 * motion.full_service_brake()); }
-/// How much earlier he begins because the brakes of a long train build up slowly: seconds and metres.
+/// How much earlier the driver begins because the brakes of a long train build up slowly: seconds and metres.
 double slowness_s(const Motion& motion) {
   return std::max(0.0, motion.brake_build_up_s() - Dynamics{}.build_up_s) / 2.0;
 }
@@ -45,7 +45,7 @@ void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
   acknowledge(seen, t_ms, inputs);
 }
 
-/// Start of mission (5.4.3): what is asked for is entered, then Start is chosen.
+/// Start of mission (5.4.3): the data asked for are entered, then Start is selected.
 void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
   if (seen.mode != Mode::SB || t_ms < next_entry_ms_) return;
   auto& driver = inputs.levels.driver;
@@ -68,7 +68,7 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
 }
 
 void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
-  // 5 s are allowed (T_ACK, A.3.1).
+  // The limit is 5 s (T_ACK, A.3.1).
   const std::int64_t delay = kind_ == DriverKind::late ? 3500 : 1000;
   for (std::size_t n = 0; n < asked_since_.size(); ++n) {
     if (!seen.requests.has(static_cast<Ack>(n))) {
@@ -98,12 +98,12 @@ bool Driver::must_stand(const Outputs& seen) const {
   }
 }
 
-/// The line's own speed under the train, with a comfortable braking to lower ones ahead.
+/// The speed of the line at the train, with comfortable braking for lower ones ahead.
 double Driver::speed_of_line(const Motion& motion) const {
   const double rear = motion.front() - train_.L_TRAIN.si;
   const double cap = level_2_entered_ ? 1000.0 : kBeforeLevel2;
   double allowed = cap;
-  double covered_to = rear;  // the front has to be on a segment, or there is no speed
+  double covered_to = rear;  // without a segment at the front end there is no speed
   for (const SpeedSegment& s : line_.ssp) {
     const double v = s.kmh / kKmh;
     if (s.end_m <= rear) continue;
@@ -119,18 +119,18 @@ double Driver::speed_of_line(const Motion& motion) const {
   return std::max(0.0, allowed - std::min(margin(), 0.1 * allowed));
 }
 
-/// The speed to hold so that no limit is ever exceeded.
+/// The speed at which no limit is ever exceeded.
 double Driver::permitted(const Outputs& seen, const Motion& motion) const {
   if (!seen.V_P) return speed_of_line(motion);
   double limit = seen.V_P->si;
   const bool to_stop = seen.V_target && seen.V_target->si == 0.0;
   if (to_stop && seen.V_release) limit = std::max(limit, seen.V_release->si);
   double wanted = limit - std::min(margin(), 0.12 * limit);
-  // From the indication on the permitted speed is going to fall.
+  // From the Indication limit on the Permitted speed falls.
   if (seen.monitoring == Monitoring::TSM && seen.V_target && motion.speed() > seen.V_target->si)
     wanted -= comfortable(motion) * slowness_s(motion);
   if (seen.V_target && seen.d_target) {
-    // To a stop the train aims short of the place, and creeps the last metres.
+    // For a stop the driver aims short of the place, and runs the last metres slowly.
     const double target = to_stop ? 0.0 : seen.V_target->si - std::min(margin(), 0.12 * seen.V_target->si);
     const double d = seen.d_target->si - (to_stop ? kStopShort : 0.0) - anticipation(motion);
     wanted = std::min(wanted, to_stop && d <= 0.0 ? 0.0 : braking_from(target, comfortable(motion), d));
@@ -138,14 +138,14 @@ double Driver::permitted(const Outputs& seen, const Motion& motion) const {
   return std::max(0.0, wanted);
 }
 
-/// As fast as the train goes; after an intervention before a stop it creeps below the release speed.
+/// As fast as the train can run; after an intervention before a stop it continues below the release speed.
 double Driver::reckless_speed(const Outputs& seen, const Motion& motion) {
   if (!seen.V_P) {
     creeping_ = false;
     return speed_of_line(motion);
   }
   const bool before_stop = seen.V_release && seen.V_target && seen.V_target->si == 0.0;
-  // Braked down to the release speed by the on-board, or standing.
+  // Braked to the release speed by the on-board, or at standstill.
   if (before_stop && (seen.eb || seen.sb || seen.tco) && motion.speed() <= seen.V_release->si) creeping_ = true;
   if (!before_stop) creeping_ = false;
   if (creeping_) return std::max(0.5, seen.V_release->si - 1.0 / kKmh);
@@ -162,7 +162,7 @@ Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) 
   }
   const bool reckless = kind_ == DriverKind::reckless;
   const double wanted = reckless ? reckless_speed(seen, motion) : permitted(seen, motion);
-  // A falling permitted speed is followed, not only corrected to; a step is corrected to.
+  // A falling Permitted speed is followed with its own deceleration; a step is corrected.
   double following = 0.0;
   if (last_wanted_ && std::abs(wanted - *last_wanted_) < 1.5 * step_s)
     following = std::clamp((wanted - *last_wanted_) / step_s, -1.2, 0.0);
@@ -171,7 +171,7 @@ Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) 
   double a = std::clamp(0.5 * gap + (gap < 1.0 ? following : 0.0), -1.3, 0.7);
   if (reckless && !creeping_ && gap > 10.0) a = 10.0;
   if (wanted == 0.0 && motion.speed() < 1.0) a = std::min(a, -0.4);
-  // Nobody pulls towards a target that asks for less.
+  // No traction when approaching a target with a lower speed.
   const bool approaching = seen.monitoring == Monitoring::TSM && seen.V_target;
   if (!reckless && approaching && motion.speed() > seen.V_target->si && motion.speed() > std::max(8.0, 0.8 * wanted))
     a = std::min(a, 0.0);

@@ -15,16 +15,16 @@
 
 namespace evc::sim {
 
-/// The driver: starts the mission, follows or ignores the permitted speed, acknowledges. Where the
-/// on-board gives no permitted speed he drives to the line's own speeds, 40 km/h where there are none
-/// and at most 60 km/h until level 2 is entered.
+/// The driver: starts the mission, follows or ignores the permitted speed, acknowledges. Where the on-board gives no
+/// Permitted speed, the driver uses the speeds of the line, 40 km/h where there are none, and at most 60 km/h until
+/// level 2 is entered.
 class Driver {
  public:
   Driver(DriverKind kind, const Line& line, const train::TrainData& train);
 
   /// The driver sees the outputs of the last cycle and acts in the inputs of this one.
   void act(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
-  /// Where the handle stands until the next cycle.
+  /// The position of the handle until the next cycle.
   Handle handle(const port::Outputs& seen, const Motion& motion, double step_s);
 
  private:

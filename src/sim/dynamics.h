@@ -5,10 +5,10 @@
 
 namespace evc::sim {
 
-/// What the simulated world knows of a train and the on-board does not (`dynamics` of etcs-train/1).
-/// The default is a unit of 200 t whose real brakes are at least as good as the standard train's data.
+/// Data of a train that only the simulated world has, not the on-board (`dynamics` of etcs-train/1). The default is a
+/// unit of 200 t whose real brakes are at least as good as the standard train's data.
 struct Dynamics {
-  using Table = std::vector<std::pair<double, double>>;  // (km/h, value), linear between, ends held
+  using Table = std::vector<std::pair<double, double>>;  // (km/h, value), linear between, constant beyond the ends
   double mass_t = 200.0;
   std::array<double, 3> davis{2400.0, 40.0, 6.5};  // running resistance: A [N] + B [N/(m/s)] v + C [N/(m/s)2] v2
   Table tractive_effort{{0, 200}, {50, 200}, {80, 125}, {120, 83}, {160, 62}, {200, 50}};  // kN

@@ -10,7 +10,7 @@
 
 namespace evc::sim {
 
-/// Bits as they are sent: left aligned, padded to a byte.
+/// Bits as sent: left aligned, padded to a byte.
 struct Bits {
   std::vector<std::uint8_t> bytes;
   std::size_t size = 0;
@@ -40,7 +40,7 @@ struct SpeedSegment {
   double start_m = 0.0, end_m = 0.0, kmh = 0.0;
 };
 
-/// What the trackside sends, where, and what the track is like (etcs-line/1).
+/// What trackside sends and where, and the data of the track (etcs-line/1).
 struct Line {
   std::string name;
   double length_m = 0.0;
@@ -51,7 +51,7 @@ struct Line {
   std::size_t groups = 0;
   std::vector<Balise> balises;            // in order of position
   std::vector<TracksideMessage> radio;    // in order of position
-  std::size_t absent_messages = 0;        // recorded without bits: neither sent nor invented
+  std::size_t absent_messages = 0;        // recorded without bits: not sent
   std::vector<GradientSegment> gradient;  // in order
   std::vector<SpeedSegment> ssp;          // in order
 };

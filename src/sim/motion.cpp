@@ -31,7 +31,7 @@ Heights::Heights(const std::vector<GradientSegment>& gradient) {
   double height = 0.0;
   double position = gradient.empty() ? 0.0 : gradient.front().start_m;
   for (const GradientSegment& g : gradient) {
-    // Where segments overlap the earlier one holds to its end; a gap between them is level.
+    // Where segments overlap, the earlier one applies to its end; a gap between them is level.
     if (g.start_m > position) {
       points_.push_back({position, height, 0.0});
       position = g.start_m;
@@ -69,7 +69,7 @@ double Motion::coasting() const {
   const double gravity = -mass_kg_ * kGravity * slope;
   if (v_ > 0.0) return (gravity - resistance) / inertia_kg_;
   if (v_ < 0.0) return (gravity + resistance) / inertia_kg_;
-  // Standing: the resistance holds against the slope as far as it reaches.
+  // At standstill the resistance holds the train on a slope up to its own force.
   if (std::abs(gravity) <= dynamics_.davis[0]) return 0.0;
   return (gravity > 0.0 ? gravity - dynamics_.davis[0] : gravity + dynamics_.davis[0]) / inertia_kg_;
 }
@@ -96,7 +96,7 @@ void Motion::move(const Handle& handle, double step_s) {
   const double free = coasting() + traction;
   const double before = v_;
   if (v_ == 0.0) {
-    // The brake holds a standing train and never pushes it.
+    // The brake can hold a train at standstill but never moves it.
     const double moving = std::abs(free) <= brake ? 0.0 : (free > 0.0 ? free - brake : free + brake);
     v_ = moving * step_s;
   } else {

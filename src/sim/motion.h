@@ -20,7 +20,7 @@ class Heights {
   std::vector<Point> points_;
 };
 
-/// What moves the train: the driver's handle and the on-board's commands.
+/// Control of the train: the driver's handle and the commands of the on-board.
 struct Handle {
   double traction = 0.0;  // 0..1 of the tractive effort
   double brake = 0.0;     // 0..1 of the service brake
@@ -34,7 +34,7 @@ class Motion {
   Motion(const Dynamics& dynamics, double length_m, double rotating_pct, const Heights& heights, double front_m,
          double adhesion_mps2);
 
-  /// Moves for `step_s`; the way made good is front() after minus before.
+  /// Moves for `step_s`; the distance run is front() after minus front() before.
   void move(const Handle& handle, double step_s);
 
   double front() const { return front_; }
@@ -45,7 +45,7 @@ class Motion {
   /// The acceleration that full traction adds, and the deceleration of the full service brake.
   double full_traction() const;
   double full_service_brake() const;
-  /// How long the brakes take from nothing to full.
+  /// The time of the brakes from no effort to full effort.
   double brake_build_up_s() const { return dynamics_.build_up_s; }
 
  private:
@@ -53,8 +53,9 @@ class Motion {
   double length_, mass_kg_, inertia_kg_;
   const Heights& heights_;
   double front_, v_ = 0.0, a_ = 0.0;
-  double service_level_ = 1.0, emergency_level_ = 0.0;  // 0..1; the train stands braked at the start
-  double traction_level_ = 0.0;                         // 0..1
+  double service_level_ = 1.0,
+         emergency_level_ = 0.0;  // 0..1; at the start the train is at standstill with brakes applied
+  double traction_level_ = 0.0;   // 0..1
   double adhesion_;
 };
 

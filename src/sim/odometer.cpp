@@ -7,7 +7,7 @@ namespace evc::sim {
 namespace {
 
 constexpr double kWanderEvery_s = 20.0;  // a new wandering share is drawn
-constexpr double kSpeedError = 0.25;     // m/s declared besides the share
+constexpr double kSpeedError = 0.25;     // m/s declared in addition to the share
 constexpr double kSmoothing_s = 1.0;     // of the acceleration
 double milli(double v) { return std::nearbyint(v * 1e3) / 1e3 + 0.0; }
 
@@ -37,7 +37,7 @@ void Odometer::accelerate(double a, double step_s) {
 
 port::Odometry Odometer::read(double v) const {
   port::Odometry o;
-  // Outwards, so that rounding cannot exclude the truth.
+  // Rounded outwards, so that the true value stays inside.
   o.nominal = {{milli(nominal_)}};
   o.min = {{std::floor(min_ * 1e3) / 1e3 + 0.0}};
   o.max = {{std::ceil(max_ * 1e3) / 1e3 + 0.0}};

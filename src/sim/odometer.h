@@ -5,15 +5,15 @@
 
 namespace evc::sim {
 
-/// A wheel sensor with a wrong wheel diameter and slip: the counted way differs from the true one by a
-/// constant share and a slowly wandering one. It declares a bound that is never exceeded: over any
-/// stretch the true way lies between the counted `min` and `max`.
+/// A wheel sensor with a wrong wheel diameter and slip: the measured distance differs from the true one by a constant
+/// share and a slowly changing one. It declares a bound that is never exceeded: over any stretch the true distance is
+/// between the counted `min` and `max`.
 class Odometer {
  public:
   struct Errors {
-    double declared = 0.01;   // share of the way that min and max allow for
-    double constant = 0.003;  // most the constant share can be
-    double wander = 0.002;    // most the wandering share can be
+    double declared = 0.01;   // share of the distance that min and max allow for
+    double constant = 0.003;  // maximum of the constant share
+    double wander = 0.002;    // maximum of the changing share
   };
   Odometer(const Errors& errors, Random& random);
 
@@ -21,9 +21,9 @@ class Odometer {
   void move(double way_m, double step_s);
   /// The true acceleration over the last `step_s`; the sensor smooths it.
   void accelerate(double a, double step_s);
-  /// Counters in whole millimetres; speed `v` and acceleration as the sensor sees them.
+  /// Counters in whole millimetres; speed `v` and acceleration as measured by the sensor.
   port::Odometry read(double v) const;
-  /// The nominal counter after a further true way of `way_m` (a balise between two readings).
+  /// The nominal counter after a further true distance of `way_m` (a balise between two readings).
   double nominal_after(double way_m) const { return nominal_ + way_m * (1.0 + error()); }
 
  private:

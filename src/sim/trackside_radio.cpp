@@ -10,8 +10,8 @@
 namespace evc::sim {
 namespace {
 
-constexpr std::int64_t kSilence_ms = 20000;  // then a general message keeps T_NVCONTACT from running out
-// Places of the headers' variables in bits (8.4.4.6, 8.4.4.7).
+constexpr std::int64_t kSilence_ms = 20000;  // after this time a general message prevents T_NVCONTACT from expiring
+// Bit positions of the header variables (8.4.4.6, 8.4.4.7).
 constexpr std::size_t kStampAt = 18;
 constexpr std::size_t kAfterTrainHeader = 8 + 10 + 32 + 24;
 

@@ -11,7 +11,7 @@
 
 namespace evc::sim {
 
-/// A message as it was delivered.
+/// A delivered message.
 struct Delivery {
   std::int64_t t_ms = 0;
   double front_m = 0.0;
@@ -19,21 +19,22 @@ struct Delivery {
   std::uint8_t NID_MESSAGE = 0;
 };
 
-/// The radio bearer and a simulated RBC: it answers the on-board's calls (session set-up and end, train
-/// data, start of mission), sends the line's messages when the front end reaches their places, re-stamped
-/// with the time of delivery, and a general message after 20 s of silence. It decides nothing else.
+/// The radio bearer and a simulated RBC: it answers the messages of the on-board (session set-up and end, train data,
+/// start of mission), sends the messages of the line when the front end reaches their places, stamped with the time of
+/// delivery, and a general message after 20 s without messages. It has no other functions.
 class TracksideRadio {
  public:
   /// `last_ma`: messages with a movement authority and a higher `seq` are withheld.
   TracksideRadio(const Line& line, std::optional<int> last_ma, Random& random);
 
-  /// What the on-board asked of the bearer and sent in the cycle at `t_ms`.
+  /// Takes the orders to the bearer and the messages that the on-board sent in the cycle at `t_ms`.
   void hear(const port::Outputs& outputs, std::int64_t t_ms);
-  /// Puts what arrives in the cycle at `t_ms` into its inputs.
+  /// Adds the messages that arrive in the cycle at `t_ms` to its inputs.
   void deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs);
 
   const std::vector<Delivery>& deliveries() const { return deliveries_; }
-  /// Messages of the line whose place was reached and that wait for a session or their delay.
+  /// Number of messages of the line whose place was reached and that wait for a session or their
+  /// delay.
   std::size_t waiting() const { return reached_.size(); }
   std::size_t withheld() const { return withheld_; }
   bool session() const { return session_; }

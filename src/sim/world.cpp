@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kStepsPerCycle = 10;
 constexpr double kStandardRotating = 6.0;           // % of the mass where the train data give none
-constexpr std::int64_t kStandsForGood_ms = 90'000;  // nothing to come and no movement
+constexpr std::int64_t kStandsForGood_ms = 90'000;  // no movement and nothing to come
 constexpr std::int64_t kLongest_ms = 6LL * 3600'000;
 
 double last_group(const Line& line) { return line.balises.empty() ? line.length_m : line.balises.back().position_m; }
@@ -29,7 +29,7 @@ World::World(const Line& line, const train::TrainData& train, const Dynamics& dy
       start_m_(line.start_front_m),
       end_m_(line.end_m.value_or(last_group(line) + train.L_TRAIN.si)) {
   stood_at_m_ = start_m_;
-  // The national systems that the train has: those of the start (levels NTC of the line announce theirs).
+  // The national systems of the train: those at the start, and those of the NTC levels of the line.
   inputs_.levels.national_system.available = line.start_nid_ntc < 64 ? std::uint64_t{1} << line.start_nid_ntc : 0;
 }
 

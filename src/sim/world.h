@@ -12,7 +12,7 @@
 
 namespace evc::sim {
 
-/// A balise group as it was passed: what ties the on-board's counter to the track.
+/// A balise group as passed: it relates the counter of the on-board to the track.
 struct Passing {
   std::uint16_t NID_C = 0, NID_BG = 0;
   double position_m = 0.0;  // of its balise N_PIG 0
@@ -20,9 +20,9 @@ struct Passing {
   std::size_t group = 0;
 };
 
-/// The world outside the on-board: the train moves along the line, its antenna reads balises, the
-/// radio delivers, the driver drives. One call of `advance` is one cycle; `observe` gives it what the
-/// on-board answered. Reproducible from the seed.
+/// The world outside the on-board: the train moves along the line, its antenna reads balises, the radio delivers
+/// messages, the driver drives. One call of `advance` is one cycle; `observe` passes it the outputs of the on-board.
+/// Reproducible from the seed.
 class World {
  public:
   struct Settings {
@@ -30,7 +30,7 @@ class World {
     std::optional<int> last_ma;
     std::uint64_t seed = 1;
     std::int64_t cycle_ms = 100;
-    double adhesion_mps2 = 1.5;  // the most deceleration that the rail gives
+    double adhesion_mps2 = 1.5;  // maximum deceleration that adhesion allows
     Odometer::Errors odometer;
   };
   /// `line` and `train` must outlive the world.
@@ -38,10 +38,11 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// The inputs of the next cycle; the first one is of t = 0, before anything moves.
+  /// The inputs of the next cycle; the first one is for t = 0, before anything moves.
   CycleInputs& advance();
   void observe(const port::Outputs& outputs);
-  /// The rear has passed the last group, or the front the end; or the train stands for good.
+  /// The rear end has passed the last group, the front end has passed the end of the line, or the
+  /// train has stopped and will not move again.
   bool finished() const;
 
   std::int64_t t_ms() const { return inputs_.t_ms; }
@@ -53,8 +54,8 @@ class World {
   /// Groups in the order they were passed, the last balise N_PIG 0 of each.
   const std::vector<Passing>& passings() const { return passings_; }
   std::size_t telegrams_read() const { return telegrams_read_; }
-  /// True way of the front end beyond the reference group `lrbg` since it was passed last, and the
-  /// nominal counter that the front end had when it stood at that reference; absent when never passed.
+  /// True distance of the front end beyond the reference group `lrbg` since it was last passed, and the nominal counter
+  /// when the front end was at that reference; absent if it was never passed.
   struct Reference {
     double position_m, nominal_m;
   };
@@ -77,7 +78,7 @@ class World {
   port::Outputs seen_;
   bool first_ = true;
   double start_m_, end_m_;
-  std::int64_t moved_at_ms_ = 0;  // when the train last was a metre away from where it stood
+  std::int64_t moved_at_ms_ = 0;  // last time when the train was a metre away from its place of rest
   double stood_at_m_ = 0.0;
   std::size_t telegrams_read_ = 0;
   std::vector<Passing> passings_;

@@ -64,7 +64,7 @@ TEST(World, RunsToTheEndReadsEveryBaliseAndStaysWithinTheOdometersBounds) {
   EXPECT_EQ(world.passings()[1].NID_BG, 2);
   const auto reference = world.reference({0, 1});
   ASSERT_TRUE(reference);
-  // The front stood at the group one antenna distance before the antenna did.
+  // The front end was at the group one antenna distance before the antenna.
   EXPECT_NEAR(reference->nominal_m, 550.0, 5.0);
   EXPECT_LE(fastest, 60.0);  // before level 2
   EXPECT_GT(fastest, 50.0);
@@ -142,7 +142,7 @@ TEST(Motion, GradientAlongTheTrain) {
   EXPECT_DOUBLE_EQ(heights.at(400), -1.0);
   Dynamics dynamics;
   dynamics.davis = {0, 0, 0};
-  // Half of the train on each slope: no force.
+  // Half of the train on each slope: the forces cancel.
   EXPECT_NEAR(Motion(dynamics, 200, 0, heights, 200, 1.5).coasting(), 0.0, 1e-12);
   EXPECT_NEAR(Motion(dynamics, 100, 0, heights, 300, 1.5).coasting(), 0.0981, 1e-12);
 }
@@ -230,11 +230,11 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   heard.clear();
   cycle(t += 100, saying({159}));
   for (const Bits& b : inputs.radio) heard.push_back(b.bytes[0]);
-  EXPECT_EQ(heard, (std::vector<std::uint8_t>{24}));  // the recorded one, at last
+  EXPECT_EQ(heard, (std::vector<std::uint8_t>{24}));  // the recorded one
   EXPECT_EQ(radio.deliveries().back().seq, 5);
   const std::uint32_t stamp = inputs.radio[0].number(18, 32);
   EXPECT_EQ(stamp, static_cast<std::uint32_t>((t + 100) / 10));
-  EXPECT_EQ(inputs.radio[0].number(0, 18), 24u << 10 | 10u);  // nothing else is changed
+  EXPECT_EQ(inputs.radio[0].number(0, 18), 24u << 10 | 10u);  // the rest is unchanged
   EXPECT_EQ(inputs.radio[0].number(50, 30), 0x00FFFFFFu);
   heard.clear();
   listen(t + 19500);
