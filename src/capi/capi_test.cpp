@@ -17,7 +17,7 @@ std::string file(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Memory as a host gives it, with a fence behind it that must not be touched.
+/// Memory of a host, followed by a fence that must not be written to.
 class Memory {
  public:
   explicit Memory(std::size_t size) : size_(size), bytes_(size + 2 * openevc_alignment(), 0xA5) {
@@ -103,7 +103,7 @@ TEST(CDecode, WhatIsNoArgument) {
   EXPECT_EQ(openevc_decode(&reading, kPacket65, 71, json, sizeof json, nullptr, nullptr, 0), OPENEVC_BAD_ARGUMENT);
 }
 
-/// A program that was compiled with a shorter struct: what it does not have is taken as zero.
+/// A program that was compiled with a shorter struct: members it does not have count as zero.
 TEST(CDecode, ShorterStruct) {
   openevc_reading reading = packet();
   reading.size = offsetof(openevc_reading, to_track);
@@ -187,7 +187,7 @@ TEST_F(CCurves, WhatIsRefused) {
   EXPECT_EQ(openevc_curves_at_position(curves, std::nan(""), &s), OPENEVC_BAD_ARGUMENT);
 }
 
-/// A longer struct of a newer program: nothing is written beyond what the library knows, its size stays.
+/// A longer struct of a newer program: nothing is written beyond the library's own struct, and its size is kept.
 TEST_F(CCurves, LongerStruct) {
   ASSERT_EQ(build(file("data/curves/passenger_eoa.json")), OPENEVC_OK) << why;
   struct {
@@ -291,7 +291,7 @@ TEST_F(CUnit, BrakeHasACause) {
   EXPECT_EQ(openevc_cause_name(64), nullptr);
 }
 
-/// A telegram that does not decode is the unit's to answer, not an argument to refuse.
+/// A telegram that cannot be decoded is handled by the unit, not rejected as an argument.
 TEST_F(CUnit, TelegramIsRead) {
   run(0, 80);
   std::uint8_t bytes[104] = {};
@@ -327,7 +327,7 @@ TEST_F(CUnit, SnapshotInOtherMemory) {
   EXPECT_EQ(openevc_restore(other.at(), other.size(), snapshot.data(), snapshot.size(), &woken, why, sizeof why),
             OPENEVC_REFUSED);
   EXPECT_STREQ(why, "damaged");
-  run(80, 81);  // the unit is as it was
+  run(80, 81);  // the unit is unchanged
 }
 
 TEST_F(CUnit, WhatIsRefused) {
@@ -357,7 +357,8 @@ TEST_F(CUnit, WhatIsRefused) {
   EXPECT_EQ(openevc_inputs_init(nullptr, sizeof in), OPENEVC_BAD_ARGUMENT);
 }
 
-/// A program with an older header: members it does not have keep their defaults, none of its outputs is written beyond.
+/// A program with an older header: members it does not have keep their defaults, and nothing is written beyond its
+/// outputs.
 TEST_F(CUnit, ShorterStructs) {
   run(0, 1);
   openevc_inputs in = at(1);

@@ -15,14 +15,15 @@ using evc::capi::kNone;
 using evc::capi::Why;
 namespace sdm = evc::sdm;
 
-/// What a document says and what follows from it, without pointers: it may be moved as bytes.
+/// The contents of a document and everything computed from it, without pointers: it may be moved as
+/// bytes.
 struct openevc_curves {
   static constexpr std::uint64_t kTag = 0x6F65766363757276;  // "oevccurv"
   std::uint64_t tag = 0;
   sdm::Inputs inputs;
   sdm::Derived derived;
   sdm::Target target;
-  Place target_location;  // distances count from here
+  Place target_location;  // reference of distances
   Speed V_ura{};
   Acceleration A_est{};
   std::optional<sdm::Motion> motion;
@@ -32,7 +33,7 @@ static_assert(alignof(openevc_curves) <= evc::capi::kAlignment);
 
 namespace {
 
-/// A curve gives a place out of all range for a speed that is nowhere allowed (A <= 0).
+/// For a speed that is allowed nowhere (A <= 0), a curve returns a place out of range.
 double before(const openevc_curves& c, std::optional<Place> place) {
   return place && place->from_origin.si > -1e8 ? (c.target_location - *place).si : kNone;
 }

@@ -9,12 +9,12 @@
 
 #include "openevc/openevc.h"
 
-// The door of the C interface: what comes in is checked, nothing is thrown out.
+// The boundary of the C interface: arguments are checked, and no exception leaves it.
 namespace evc::capi {
 
 inline constexpr std::size_t kAlignment = 64;
 
-/// Where a function that fails says why.
+/// The buffer for the reason of a failure.
 struct Why {
   char* text;
   std::size_t size;
@@ -31,7 +31,7 @@ struct Why {
   }
 };
 
-/// Runs the body; what it throws becomes a result. Only texts need the heap.
+/// Runs the body; an exception becomes a result. Only texts need the heap.
 template <class Body>
 openevc_result guarded(Why why, Body&& body) noexcept {
   try {
@@ -53,8 +53,8 @@ inline const char* refuse_memory(const void* memory, std::size_t memory_size, st
   return nullptr;
 }
 
-/// A struct as the library knows it, from one that may be shorter (of an older header) or longer: what the caller's
-/// does not have is zero. False: it has no size.
+/// The library's struct, from the caller's, which may be shorter (of an older header) or longer: members that the
+/// caller's does not have are zero. False: its size is not set.
 template <class Struct>
 bool take(Struct& ours, const Struct* theirs) {
   static_assert(std::is_trivially_copyable_v<Struct>);
@@ -63,7 +63,7 @@ bool take(Struct& ours, const Struct* theirs) {
   std::memcpy(&ours, theirs, theirs->size < sizeof ours ? theirs->size : sizeof ours);
   return true;
 }
-/// The way back: nothing beyond the caller's size is written, and that size stays.
+/// The opposite: nothing beyond the caller's size is written, and that size is kept.
 template <class Struct>
 bool give(Struct* theirs, const Struct& ours) {
   if (theirs == nullptr || theirs->size < sizeof theirs->size) return false;
@@ -73,7 +73,7 @@ bool give(Struct* theirs, const Struct& ours) {
   return true;
 }
 
-/// A text into the caller's buffer, with a zero at its end; its length is given also where it does not fit.
+/// Writes a text to the caller's buffer, with a zero at its end; its length is returned even if it does not fit.
 inline openevc_result give_text(std::string_view text, char* out, std::size_t size, std::size_t* length,
                                 Why why) noexcept {
   if (length != nullptr) *length = text.size();

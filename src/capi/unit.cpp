@@ -14,7 +14,7 @@ using evc::capi::kNone;
 using evc::capi::Why;
 namespace kernel = evc::kernel;
 
-/// The unit and room for what its port refers to, without pointers: it may be moved as bytes.
+/// The unit and memory for the data its port refers to, without pointers: it may be moved as bytes.
 struct openevc_unit {
   static constexpr std::uint64_t kTag = 0x6F6576635F756E69;  // "oevc_uni"
   std::uint64_t tag = 0;
@@ -47,7 +47,8 @@ bool usable(const openevc_unit* unit) {
 constexpr const char* kTrainData = "inputs.train_data";
 constexpr const char* kNoUnit = "unit: null or not powered up";
 
-/// Those of a program with an older header are shorter: what it does not have keeps its default.
+/// Inputs of a program with an older header are shorter: members it does not have keep their
+/// defaults.
 bool take_inputs(openevc_inputs& ours, const openevc_inputs* theirs) {
   openevc_inputs_init(&ours, sizeof ours);
   if (theirs == nullptr || theirs->size < sizeof theirs->size) return false;
@@ -112,7 +113,8 @@ const char* take_received(kernel::Inputs& out, Received& received, const openevc
 
 bool entered(const openevc_inputs& in, openevc_entry entry) { return ((in.entered >> entry) & 1u) != 0; }
 
-/// Null where everything is as it has to be; a train that cannot be read is refused with `why`.
+/// Null where everything is as it has to be; a train that cannot be read is rejected with the
+/// reason in `why`.
 const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in) {
   driver.selected = in.selected;
   driver.acknowledged = in.acknowledged;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kKmh = 3.6;
 
-/// One panel with its axes: dark, as the driver's display.
+/// One panel with its axes: dark, like the driver's display.
 struct Panel {
   double left, top, right, bottom;
   Axis x, y;
@@ -57,7 +57,7 @@ struct Drawn {
   const char* name;
   Value SpeedRow::*value;
   Stroke stroke;
-  double width_of_difference;  // SBI, W and P often differ by the same: one is seen below the other
+  double width_of_difference;  // SBI, W and P often have equal differences: the lines stay visible below each other
 };
 const Drawn kDrawn[] = {
     {"EBD", &SpeedRow::EBD, {colour::EBD, 1.7, ""}, 1.7},     {"SBD", &SpeedRow::SBD, {colour::SBD, 1.7, ""}, 1.7},
@@ -75,7 +75,7 @@ std::vector<std::pair<double, double>> of(const std::vector<SpeedRow>& rows, con
   return points;
 }
 
-/// A range with room around it.
+/// A range with a margin.
 std::pair<double, double> widened(double low, double high) {
   if (!(high > low)) return {low - 1.0, high + 1.0};
   const double room = 0.06 * (high - low);
@@ -98,7 +98,7 @@ std::string comparison_svg(const Comparison& c) {
     }
   const auto [d_low, d_high] = widened(low, high);
   const auto [x_low, x_high] = widened(nearest, farthest);
-  const double down = 18.0 * static_cast<double>(c.warnings.size());  // room for the warnings
+  const double down = 18.0 * static_cast<double>(c.warnings.size());  // space for the warnings
   const double top_px = 174 + down, bottom_px = 662 + down;
   const Panel left{
       78, top_px, 640, bottom_px, {x_high, x_low, 78, 640}, {0.0, std::max(top * 1.04, 1.0), bottom_px, top_px}};

@@ -25,7 +25,7 @@ TEST(CurvesCharts, EveryWorkbookColumnThroughTheCommand) {
   for (std::size_t i = 0; i < sheet["rows"].size(); ++i)
     for (std::size_t k = 0; k < sheet["columns"].size(); ++k)
       EXPECT_NEAR(result["rows"][i][k].get<double>(), sheet["rows"][i][k].get<double>(), 1e-9);
-  // The sheet's EBD is the standard's; its EBI is never above it (seed_excel_model: anchor and hold).
+  // The EBD of the sheet is that of the standard; its EBI is never above it (seed_excel_model: anchor and hold).
   for (std::size_t i = 1; i < sheet["rows"].size(); ++i) {
     EXPECT_NEAR(result["srs_rows"][i][1].get<double>(), sheet["rows"][i][2].get<double>(), 1e-6);
     EXPECT_LE(sheet["rows"][i][18].get<double>(), result["srs_rows"][i][2].get<double>() + 1e-6);
@@ -39,7 +39,7 @@ TEST(CurvesCharts, TheWorkbookModelStopsAtAnEndOfAuthority) {
   EXPECT_EQ(w.rows.front().MRSP, 0.0);
   EXPECT_EQ(w.SRS_EBD.front(), 0.0);
   EXPECT_NEAR(w.rows[1].MRSP * 3.6, 160.0, 1e-9);
-  // Its EBD is that of its one A_safe; it intervenes before the standard does.
+  // Its EBD uses one A_safe; it intervenes before the standard does.
   const std::size_t far = 100;  // 1000 m in rear of the stop
   EXPECT_NEAR(w.rows[far].Vc_EBD, std::sqrt(2.0 * w.inputs.A_safe.si * 1000.0), 1e-9);
   EXPECT_LE(w.rows[far].V0_EBI, w.SRS_EBI[far]);
@@ -68,7 +68,7 @@ TEST(CurvesCharts, ThePageOfAComparisonHoldsBothSides) {
     }
   }
   EXPECT_EQ(keys, (std::set<std::string>{"EBD", "SBD", "EBI", "SBI", "W", "P", "I"}));
-  EXPECT_EQ(page.find("http"), std::string::npos);  // nothing is loaded from elsewhere
+  EXPECT_EQ(page.find("http"), std::string::npos);  // nothing is loaded from other files
 }
 
 TEST(CurvesCharts, ComparesTwoInputs) {
@@ -107,7 +107,7 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   EXPECT_EQ(compared(a, b).differ,
             (Strings{"SRS version", "train", "national values", "fixed values", "state", "release speed"}));
   EXPECT_EQ(compared(a, b).warnings, Strings{});
-  // The same question elsewhere on the line.
+  // The same query at another place of the line.
   b = a;
   b["target"]["location_m"] = b["target"]["svl_location_m"] = 8000;
   b["track"]["gradient"] = {{0, 0}, {5000, -5}};
@@ -118,7 +118,7 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
   EXPECT_EQ(compared(a, b).warnings.back(),
             "the gradients on the way to the target differ: the difference is also that of the tracks");
-  // A gradient that no curve reaches is no difference; one that ends is.
+  // A gradient beyond the curves makes no difference; a gradient that ends does.
   b = a;
   b["track"]["gradient"] = {{0, 3}, {100, 0}, {4000, -5}};
   EXPECT_EQ(compared(a, b).differ, Strings{});
@@ -135,7 +135,7 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   EXPECT_EQ(other.warnings,
             (Strings{"the targets differ: A an end of authority with the SvL at its place, B a limit of "
                      "authority at 40 km/h; each one's distances count from its own target"}));
-  // In every form of the output.
+  // In every format of the output.
   const json shown = json::parse(comparison_text(other, Format::json));
   EXPECT_EQ(shown["warnings"][0], other.warnings[0]);
   EXPECT_EQ(shown["differ"], json(other.differ));
@@ -165,7 +165,8 @@ TEST(CurvesCharts, ChartsAreWholeAndSelfContained) {
     const std::size_t from = page.find("const D = ") + 10;
     const json data = json::parse(page.substr(from, page.find(";\n", from) - from));
     EXPECT_EQ(data["curves"][0]["v"].size(), data["x"].size());
-    // The status of a standing train in rear of everything, and of one far too fast at the target.
+    // The status of a train at standstill in rear of all limits, and of one far too fast at the
+    // target.
     const auto state = [&](std::size_t column, bool top) {
       const json& runs = data["map"]["columns"][column];
       return data["map"]["states"][runs[top ? runs.size() - 2 : 0].get<std::size_t>()];
@@ -217,7 +218,7 @@ TEST(CurvesCharts, ChartsShowWhereAdhesionIsReducedAndBrakesDoNotCount) {
   EXPECT_EQ(zones[1][2], 1);
   EXPECT_EQ(zones[1][3], "no magnetic shoe brake");
   EXPECT_NE(curves_svg(gamma).find(">no magnetic shoe brake<"), std::string::npos);
-  // The adhesion zone counts until the rear end has left it; the conversion model knows no special brakes.
+  // The adhesion zone counts until the rear end has left it; the conversion model has no special brakes.
   document["track"]["adhesion"] = {{2500, 3000}};
   document["train"] = {{"length_m", 75}};
   document["state"]["slippery_rail"] = true;

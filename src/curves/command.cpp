@@ -39,7 +39,7 @@ io::Result<Approached> load(const std::string& file) {
   return Approached(std::move(*input));
 }
 
-/// Whether outputs would take the place of an input or of each other; 0 when not.
+/// Checks whether outputs would overwrite an input or each other; 0 when not.
 int check_outputs(std::initializer_list<std::string> inputs, const std::string& output, const std::string& plot) {
   for (const std::string& input : inputs)
     for (const std::string& file : {output, plot})
@@ -49,7 +49,7 @@ int check_outputs(std::initializer_list<std::string> inputs, const std::string& 
   return 0;
 }
 
-/// Writes what was asked for; a plot alone leaves standard output empty.
+/// Writes the result; with only a plot, standard output stays empty.
 int deliver(const std::string& output, const std::string& text, const std::string& plot_file, const std::string& plot) {
   if (!plot_file.empty())
     if (const auto written = io::write_whole(plot_file, plot); !written) return complain(written.error());
@@ -81,7 +81,7 @@ int show(const Options& o) {
   std::string plot;
   if (!o.plot.empty()) plot = svg ? curves_svg(*approached) : curves_html(*approached);
   if (o.explain_kmh >= 0.0) {
-    // The page of --explain is asked for by itself: a plot beside it does not take its place.
+    // The page of --explain is requested separately: a plot does not replace it.
     if (!plot.empty())
       if (const auto written = io::write_whole(o.plot, plot); !written) return complain(written.error());
     return deliver(o.output, explain_text(*approached, o.explain_kmh), "", "");
@@ -101,7 +101,7 @@ int compare(const CompareOptions& o) {
   std::string plot;
   if (!o.plot.empty())
     plot = svg ? comparison_svg(compare_curves(*a, *b, drawn_speeds(comparison))) : comparison_html(*a, *b);
-  // CSV has no place for warnings, and a plot alone prints nothing.
+  // CSV has no field for warnings, and a plot alone prints nothing.
   if (o.format == "csv" || (!o.plot.empty() && o.output == "-"))
     for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);
   return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot, plot);

@@ -17,7 +17,7 @@ std::string refusal(const json& document) {
   return read ? "accepted" : read.error().text();
 }
 
-/// A case of the official tool as an input of the command, with all speeds that it has values for.
+/// A case of the official tool as an input of the command, with all speeds for which it has values.
 json as_input(const json& c) {
   json train = c["train"];
   train["brake_model"] = train["model"];
@@ -55,7 +55,7 @@ TEST(CommandCurves, AgreesWithTheOfficialToolThroughTheCommand) {
     for (const json& row : result["by_speed"]) rows[row["v_kmh"]] = row;
     int checked = 0;
     for (const json& e : c["expected"]) {
-      // The decelerations at a given distance are the library's test.
+      // The decelerations at a given distance are tested in the library.
       if (e.contains("skip") || e.contains("at_distance_m")) continue;
       const json& value = rows.at(e["v_kmh"])[e["q"].get<std::string>()];
       ASSERT_TRUE(value.is_number()) << e.dump();
@@ -97,7 +97,7 @@ TEST(CommandCurves, OutputsKeepApartFromInputsAndFromEachOther) {
 
 TEST(CommandCurves, ASpeedThatIsNowhereAllowedHasNoPlace) {
   json document = passenger();
-  document["national_values"]["Kv_int_passenger"] = {{0, 0, 0}};  // no safe deceleration at all
+  document["national_values"]["Kv_int_passenger"] = {{0, 0, 0}};  // no safe deceleration
   document["track"]["gradient"] = {{0, 0}};
   for (const char* srs : {"3.4.0", "3.6.0", "4.0.0"}) {
     document["srs"] = srs;
@@ -122,7 +122,8 @@ TEST(CommandCurves, ANoteSaysThatNoReleaseSpeedCanBeCalculated) {
   ASSERT_EQ(none.notes.size(), 1u);
   EXPECT_EQ(none.notes[0].rfind("no release speed can be calculated on board", 0), 0u);
   document["target"]["svl_location_m"] = 7400;
-  document["target"]["reference_m"] = 6800;  // the trip location lies 10 m and 10 % of the way from it beyond the EOA
+  document["target"]["reference_m"] =
+      6800;  // the trip location is beyond the EOA by 10 m and 10 % of the distance from here
   const CurvesResult some = curves_result(Approached(*io::read_curves(document.dump(), "a")));
   EXPECT_TRUE(some.scalars.V_release_kmh);
   EXPECT_EQ(some.notes.size(), 0u);
@@ -187,7 +188,7 @@ TEST(CommandCurves, SeparateLimitsOfEOAAndSvL) {
   ASSERT_TRUE(r.separate_EOA);
   EXPECT_FALSE(same.separate_EOA);
   const json row = json::parse(curves_text(r, Format::json))["by_speed"][10];
-  // The SvL's limits move by 100 m, the EOA's stay.
+  // The limits of the SvL move by 100 m, those of the EOA do not.
   EXPECT_NEAR(row["P_SvL"].get<double>(), *same.by_speed[10].P_SvL - 100.0, 1e-6);
   EXPECT_NEAR(row["P_EOA"].get<double>(), *same.by_speed[10].P_EOA, 1e-6);
   EXPECT_EQ(row["P"].get<double>(), std::max(row["P_EOA"].get<double>(), row["P_SvL"].get<double>()));

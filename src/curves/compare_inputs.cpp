@@ -5,7 +5,7 @@
 
 #include "curves/compare.h"
 
-// Whether two inputs ask the same question: distances of `compare` count from each one's own target.
+// Whether two inputs are the same query: `compare` measures distances from the target of each input.
 namespace evc::curves {
 namespace {
 
@@ -35,14 +35,14 @@ std::string target_text(const Approached& a) {
          " to " + kmh(t.V_target);
 }
 
-/// How far in rear of the target something counts for the curves compared.
+/// The distance in rear of the target up to which data affect the compared curves.
 double reach(const Comparison& c, const Approached& a, const Approached& b) {
   double far = 0.0;
   for (const auto* rows : {&c.rows_a, &c.rows_b})
     for (const SpeedRow& row : *rows) far = std::max(far, row.I.value_or(0.0));
   return far + std::max(a.input().inputs.train.L_TRAIN, b.input().inputs.train.L_TRAIN).si;
 }
-/// The places before each one's own target at which two step functions can differ, from `-far` to `beyond`.
+/// The places, relative to the target of each, at which two step functions can differ, from `-far` to `beyond`.
 template <class Function>
 std::vector<double> change_points(const Function& f, double origin, double far, double beyond) {
   std::vector<double> points{-far};

@@ -7,7 +7,7 @@
 #include "curves/svg.h"
 #include "io/number.h"
 
-// The interactive page of `evc curves compare`: both sides at every km/h, the page interpolates.
+// The interactive page of `evc curves compare`: both results at every km/h; the page interpolates.
 namespace evc::curves {
 
 extern const char compare_page_template[];
@@ -29,7 +29,7 @@ const Shown kShown[] = {
     {"P", &SpeedRow::P, colour::yellow, 2.2},      {"I", &SpeedRow::I, colour::white, 1.5},
 };
 
-/// Centimetres are more than a chart shows.
+/// More precise than a chart shows.
 void append_rounded(std::string& out, const Value& v) {
   if (v.has_value() && std::isfinite(*v))
     io::append_number(out, std::nearbyint(*v * 100.0) / 100.0 + 0.0);

@@ -8,7 +8,7 @@
 #include "curves/result.h"
 #include "io/program_test.h"
 
-// What the tests of `evc curves` share.
+// Common parts of the tests of `evc curves`.
 namespace evc::curves {
 
 inline const std::string kSource = EVC_SOURCE_DIR;
@@ -16,7 +16,7 @@ inline const std::string kSource = EVC_SOURCE_DIR;
 inline nlohmann::json load_json(const std::string& path) { return nlohmann::json::parse(text_of(path)); }
 inline nlohmann::json passenger() { return load_json(kSource + "/data/curves/passenger_eoa.json"); }
 
-/// Every input that ships.
+/// Every shipped input.
 inline std::vector<std::string> shipped() {
   std::vector<std::string> files;
   for (const auto& file : std::filesystem::directory_iterator(kSource + "/data/curves"))
@@ -24,12 +24,12 @@ inline std::vector<std::string> shipped() {
   return files;
 }
 inline Approached approached(const std::string& file) { return Approached(*io::read_curves(text_of(file), file)); }
-/// A document as if it stood beside the shipped ones.
+/// A document, read as if it were in the folder of the shipped ones.
 inline Approached approached(const nlohmann::json& document) {
   return Approached(*io::read_curves(document.dump(), kSource + "/data/curves/case.json"));
 }
 
-/// Runs `evc curves` itself.
+/// Runs `evc curves`.
 inline Ended run(const std::string& arguments) { return ended("curves " + arguments); }
 
 class Scratch {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kKmh = 3.6;
 
-/// Which clause asks for the EBD of a target.
+/// The clause that requires the EBD of a target.
 const char* EBD_clause(const sdm::Target& t) {
   if (t.kind == sdm::TargetKind::EOA_SvL) return "3.13.8.3.2";
   return t.kind == sdm::TargetKind::SR_end ? "3.13.8.3.3" : "3.13.8.3.1";
@@ -48,7 +48,8 @@ void location_on(ExplainPage& page, const std::string& symbol, sdm::CurveView cu
               result.from_origin.si, "m", clause);
 }
 
-/// Says so where a curve does not have a speed at any place: the train does not decelerate.
+/// Adds a note if a curve does not have a speed at any place, because the train does not
+/// decelerate.
 bool nowhere(ExplainPage& page, const char* speed, Place place) {
   if (is_somewhere(place)) return false;
   page.line(std::string(speed) +
@@ -81,7 +82,7 @@ void service_brake_times(ExplainPage& page, const sdm::Derived& d, const sdm::Ti
               t.T_indication.si, "s", "3.13.9.3.6.2");
 }
 
-/// Where the train is for the reduced times: at its place, else about to reach its first limit.
+/// The position of the train for the reduced times: as given, else about to reach its first limit.
 sdm::Fronts fronts_of(const sdm::Explanation& e) { return {e.est_front, e.min_safe_front}; }
 
 void times(ExplainPage& page, const Approached& a, const sdm::Explanation& e, const sdm::TargetTimes& both) {
@@ -133,7 +134,7 @@ void build_up(ExplainPage& page, const Approached& a, const sdm::Explanation& e)
             l.D_bec.si, "m", "3.13.9.3.2.10");
 }
 
-/// Where an EBD towards a target speed is anchored (3.13.8.3.1).
+/// The anchor of an EBD towards a target speed (3.13.8.3.1).
 void anchor(ExplainPage& page, const sdm::Target& target, const train::FixedValues& f) {
   if (target.kind != sdm::TargetKind::MRSP && target.kind != sdm::TargetKind::LOA) return;
   const Speed V = target.V_target;
@@ -199,7 +200,7 @@ void EBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& 
 void SBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& e, const sdm::Times& t) {
   const sdm::CurveView SBD = a.derived().view(a.target().SBD);
   page.heading("Limits from the service brake deceleration curve (SBD)");
-  // With another end than the EBD's the time is another one (A.3.12.2.4-5).
+  // If its end differs from that of the EBD, so does the time (A.3.12.2.4-5).
   if (a.derived().rules.reduced_build_up && a.target().d_EOA != a.target().d_target) {
     explain_T_bs_reduced(page, a, e, a.target().d_EOA, fronts_of(e).est, t.T_bs);
     service_brake_times(page, a.derived(), t);
@@ -231,7 +232,7 @@ void results(ExplainPage& page, const Approached& a, double v_kmh) {
   for (const std::string& note : a.notes()) page.line("note: " + note);
 }
 
-/// The times of both curves, as `sdm::explain` asks for them.
+/// The times of both curves, as in `sdm::explain`.
 sdm::TargetTimes times_of(const Approached& a, const sdm::Explanation& e) {
   const sdm::Derived& d = a.derived();
   sdm::TimesAsked asked;

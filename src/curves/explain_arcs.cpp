@@ -5,7 +5,7 @@
 
 #include "curves/explain_brakes.h"
 
-// Gradient, resulting decelerations, and the arcs that they make of a curve.
+// Gradient, resulting decelerations, and the arcs of a curve.
 namespace evc::curves {
 namespace {
 
@@ -13,7 +13,7 @@ constexpr double kKmh = 3.6;
 
 double m(Place x) { return x.from_origin.si; }
 
-/// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 stands for track that is not known.
+/// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 for track with unknown gradient.
 std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place front) {
   const sdm::KnownPart k = sdm::known_part(p);
   std::string all;
@@ -123,13 +123,13 @@ void explain_arcs(ExplainPage& page, const Approached& a, sdm::CurveKind kind, s
   bool capped = false;
   for (std::size_t k = 0; k <= curve.knot_at(V); ++k) {
     const sdm::Knot& knot = curve.knots[k];
-    if (!is_somewhere(knot.x)) break;  // level from the last one on
+    if (!is_somewhere(knot.x)) break;  // level from the last knot on
     const std::string start = fmt::format("  {:>12.3f} {:>9.3f}", m(knot.x), std::sqrt(knot.w.si) * kKmh);
     if (!(knot.A.si > 0.0)) {
       page.line(start + "   level: no deceleration here (A <= 0), or the curve falls upstream of here");
       continue;
     }
-    // A place and a speed inside the arc; the last arc goes on.
+    // A place and a speed inside the arc; the last arc continues.
     const bool last = k + 1 == curve.knots.size();
     const double half = last ? 1e-3 : (knot.x - curve.knots[k + 1].x).si / 2.0;
     const sdm::Segment& s = segments[sdm::segment_upstream_of(segments, knot.x - Distance{half})];

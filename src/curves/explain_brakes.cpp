@@ -13,7 +13,7 @@ constexpr double kOpen = 1e9;  // the last step has no upper limit
 
 double kmh(Speed V) { return V.si * kKmh; }
 
-/// The step that holds at `x` with its range in the outer unit.
+/// The step that applies at `x`, with its range in the unit of the page.
 struct Held {
   std::size_t index;
   double from, upto;
@@ -125,7 +125,7 @@ void gamma_emergency(ExplainPage& page, const io::CurvesInput& c, const sdm::Exp
   const Speed V = e.approach.V;
   const train::BrakeSet in_use = e.in_use_emergency;
   const train::EmergencyModel* model = train::emergency_model(t, in_use);
-  if (model == nullptr) return;  // such a train is refused
+  if (model == nullptr) return;  // such a train is rejected
   page.line("special brakes that count for the emergency brake: " + names_of(in_use) +
             (model->with == in_use ? "" : "; the train's model is that with: " + names_of(model->with)) +
             " (3.13.2.2.6)");
@@ -162,7 +162,7 @@ void service(ExplainPage& page, const io::CurvesInput& c, const sdm::Explanation
             e.A_brake_service.si, "m/s2", "3.13.2.2.3.1");
 }
 
-/// T_brake_basic of A.3.8 or A.3.9 and what a target speed makes of it. Which paragraph of each: by brake position.
+/// T_brake_basic of A.3.8 or A.3.9, with the effect of a target speed. The brake position selects the paragraph.
 Duration conversion_time(ExplainPage& page, const io::CurvesInput& c, bool emergency, bool target_is_zero) {
   const train::TrainData& t = c.inputs.train;
   const train::BasicBuildUpTime k = emergency ? train::basic_emergency_time(t.brake_position, t.L_TRAIN)

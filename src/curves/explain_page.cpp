@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSymbol = 18, kValue = 86;
 
-/// Further lines of a formula stand under the first one's text.
+/// Further lines of a formula are below the text of the first one.
 void append_lines(std::vector<std::string>& lines, const std::string& text) {
   for (std::size_t from = 0; from != std::string::npos;) {
     const std::size_t end = text.find('\n', from);
@@ -28,7 +28,7 @@ void ExplainPage::step(const std::string& symbol, const std::string& formula, co
   if (!with.empty()) append_lines(lines, with);
   lines.front() = fmt::format("{:<{}}", symbol, kSymbol) + lines.front();
   for (std::size_t i = 1; i < lines.size(); ++i) lines[i] = std::string(kSymbol, ' ') + lines[i];
-  // A long formula leaves its value to a line of its own.
+  // The value of a long formula is on a line of its own.
   if (lines.back().size() > kValue) lines.emplace_back();
   const std::string shown = unit == "m/s2" ? n5(value) : n4(value);
   lines.back() = fmt::format("{:<{}}= {:>11} {:<5} [{}]", lines.back(), kValue, shown, unit, clause);

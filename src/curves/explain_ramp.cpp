@@ -10,7 +10,7 @@
 namespace evc::curves {
 namespace {
 
-/// One brake's ramp with the names of its times: be or bs.
+/// The ramp of one brake with the suffix of its times: be or bs.
 struct Ramp {
   std::string be;
   double T, react, v0, V_target;
@@ -30,7 +30,7 @@ struct Ramp {
 
 bool stops(const sdm::Target& t) { return t.kind == sdm::TargetKind::EOA_SvL || t.kind == sdm::TargetKind::SR_end; }
 
-/// When the target speed is reached on the ramp (A.3.12.5).
+/// The time when the target speed is reached on the ramp (A.3.12.5).
 double time_enough(ExplainPage& page, const Ramp& r) {
   const std::string T_react = "T_" + r.be + "_react", react = n4(r.react);
   const double B = std::max(0.0, r.v0 - r.V_target) + r.A_est1 * r.t_max + r.A_est2 * (r.react - r.t_max);
@@ -54,7 +54,7 @@ double time_enough(ExplainPage& page, const Ramp& r) {
   return enough;
 }
 
-/// The way until then (A.3.12.6).
+/// The distance run until then (A.3.12.6).
 double distance_enough(ExplainPage& page, const Ramp& r, double enough) {
   const double ramp = enough - r.react;
   const double free = enough - r.t_max;
@@ -72,7 +72,7 @@ double distance_enough(ExplainPage& page, const Ramp& r, double enough) {
   return D;
 }
 
-/// After which time the step model has run the same way, with traction until T_traction_min (A.3.12.7.1).
+/// The time after which the step model has run the same distance, with traction until T_traction_min (A.3.12.7.1).
 double step_with_acceleration(ExplainPage& page, const Ramp& r, double D) {
   const std::string A1 = n5(r.A_est1), A2 = n5(r.A_est2), t_min = n4(r.t_min), A_max = n5(r.A_max);
   const double V1 = r.v0 + r.A_est1 * r.t_min;
@@ -117,7 +117,7 @@ void on_the_ramp(ExplainPage& page, const Ramp& r) {
             "A.3.12.8.1");
 }
 
-/// Of both brakes: the speeds before and after the ramp, what they decide, and the rest where they do not.
+/// For either brake: the speeds before and after the ramp, the result if they decide, else the remaining steps.
 void reduction(ExplainPage& page, const Ramp& r) {
   const bool emergency = r.emergency();
   const std::string T = "T_" + r.be, T_react = T + "_react";

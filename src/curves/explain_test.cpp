@@ -18,7 +18,7 @@ using nlohmann::json;
 
 const std::string kCurves = kSource + "/data/curves/";
 
-/// The pocket calculator: + - * / ^ min max and parentheses.
+/// A calculator: + - * / ^ min max and parentheses.
 class Calculator {
  public:
   explicit Calculator(const std::string& text) : text_(text) {}
@@ -98,7 +98,7 @@ class Calculator {
   std::size_t at_ = 0;
 };
 
-/// A formula with its values and what stands behind it.
+/// A formula with its values and the printed result.
 struct Computed {
   std::string numbers, unit;
   double value;
@@ -107,7 +107,7 @@ std::vector<Computed> computed(const std::string& page) {
   std::vector<Computed> all;
   static const std::regex kEnd(R"(^(.*?) *= +(-?[0-9.]+) (\S*) *\[[A0-9.]+\]$)");
   std::istringstream lines(page);
-  std::string open;  // a formula that goes on
+  std::string open;  // a formula continued on the next line
   for (std::string line; std::getline(lines, line);) {
     const bool begins = line.compare(0, 23, std::string(21, ' ') + "= ") == 0;
     if (!begins && (open.empty() || line.compare(0, 21, std::string(21, ' ')) != 0)) {
@@ -127,7 +127,7 @@ std::vector<Computed> computed(const std::string& page) {
   return all;
 }
 
-/// The value at the end of a symbol's step, the `nth` of that name.
+/// The value at the end of the `nth` step with this symbol.
 double value_of(const std::string& page, const std::string& symbol, int nth = 0) {
   std::size_t at = 0;
   for (int i = 0; i <= nth; ++i) {
@@ -139,7 +139,7 @@ double value_of(const std::string& page, const std::string& symbol, int nth = 0)
   return std::stod(page.substr(equals + 2));
 }
 
-/// Every step that is computed gives its value from the numbers printed, to what their decimals allow.
+/// Every computed step can be checked with the printed numbers, within the precision of their decimals.
 void check_by_calculator(const std::string& page) {
   const auto steps = computed(page);
   EXPECT_GE(steps.size(), 19u);
@@ -148,7 +148,7 @@ void check_by_calculator(const std::string& page) {
     EXPECT_NEAR(Calculator(c.numbers).value(), c.value, tolerance) << c.numbers << " [" << c.unit << "]";
   }
 }
-/// Every arc: its parts make its deceleration, and it leads to the place and speed where the next one begins.
+/// Every arc: its components add up to its deceleration, and it ends at the place and speed where the next one begins.
 void check_arcs(const std::string& page) {
   static const std::regex kRow(
       R"(^ +([0-9.-]+) +([0-9.]+) +([0-9.]+)(\*?) +(-?[0-9.]+) +([+-] [0-9.]+)( +[+-] [0-9.]+)? +(-?[0-9.]+)$)");
@@ -257,12 +257,12 @@ TEST(CurvesExplain, AGammaTrainByHand) {
   EXPECT_NE(page.find("GUI from its foot"), std::string::npos);
 }
 
-/// The lowest gradient under 400 m of train, with the rotating mass that is not known (3.13.4).
+/// The lowest gradient under 400 m of train, with unknown rotating mass (3.13.4).
 TEST(CurvesExplain, GradientsUnderTheTrain) {
   json document = load_json(kCurves + "passenger_eoa.json");
   document["track"]["gradient"] = {{0, -3}, {6300, 8}, {6600, 2}};
   const std::string page = explain_text(approached(document), 100);
-  // The EBD has 100 km/h near 6500 m: its train stands on 8 and, in rear, still on -3 per mille.
+  // The EBD has 100 km/h near 6500 m: the train is on 8 and, at its rear, still on -3 per mille.
   EXPECT_NE(page.find("= min(-3, 8)"), std::string::npos) << page;
   EXPECT_NEAR(value_of(page, "grad"), -3.0, 1e-9);
   EXPECT_NEAR(value_of(page, "M_rotating"), 2.0, 1e-9);
@@ -285,7 +285,7 @@ TEST(CurvesExplain, ReducedAdhesionAndTheDefaultGradient) {
   EXPECT_NEAR(value_of(unknown, "grad"), -5.0, 1e-9);
 }
 
-/// 4.0.0: every way through A.3.12, each step computed again.
+/// 4.0.0: every branch of A.3.12, each step computed again.
 TEST(CurvesExplain, ReducedBuildUpTimes) {
   json base = load_json(kCurves + "passenger_eoa.json");
   base["srs"] = "4.0.0";
@@ -317,7 +317,7 @@ TEST(CurvesExplain, ReducedBuildUpTimes) {
   EXPECT_NEAR(value_of(page, "D_enough"), 3.8861, 2e-4);     // 0.83333 * 6.465 - 1.0885 * 5.405^3 / 114.48
   EXPECT_NEAR(value_of(page, "t_step_dist"), 4.2628, 2e-4);  // 3.8861 / 0.83333 - 0.83333 / 2.08082
   EXPECT_NEAR(value_of(page, "T_bs_reduced"), 4.2628, 2e-4);
-  // With an EOA of its own the SBD has a time of its own.
+  // With a separate EOA the SBD has a separate time.
   base["target"]["svl_location_m"] = 7100;
   base["state"] = {{"est_front_m", 5000}};
   const std::string both = explain_text(approached(base), 8);
@@ -363,7 +363,7 @@ TEST(CurvesExplain, ExplainsWhatItComputed) {
     EXPECT_NE(text.find(fixed(v, 3) + " m before"), std::string::npos) << *v;
 }
 
-/// The clause that stands at the end of the first step of a symbol.
+/// The clause at the end of the first step of a symbol.
 std::string clause_of(const std::string& text, const std::string& symbol) {
   const std::size_t line = text.find("\n   " + symbol + " ");
   if (line == std::string::npos) return "no " + symbol;

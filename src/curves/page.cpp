@@ -7,7 +7,7 @@
 #include "curves/plot.h"
 #include "io/number.h"
 
-// The interactive page: everything it shows is computed here, on a grid; the page interpolates.
+// The interactive page: all values are computed here, on a grid; the page interpolates.
 namespace evc::curves {
 
 extern const char page_template[];
@@ -19,7 +19,7 @@ constexpr std::size_t kColumns = 320;
 constexpr double kRow_kmh = 1.0;
 constexpr double kLimit_kmh = 1.0;
 
-/// Two decimals are more than a chart shows.
+/// Two decimals are enough for a chart.
 void append_rounded(std::string& out, double v) {
   if (std::isfinite(v))
     io::append_number(out, std::nearbyint(v * 100.0) / 100.0 + 0.0);
@@ -98,7 +98,7 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
-/// The first cycle of supervision with the train there at that speed.
+/// The first cycle of supervision with the train at this place and speed.
 State state_at(const Approached& a, double x_m, double v_kmh) {
   sdm::Motion m;
   m.est_front = m.min_safe_front = m.max_safe_front = Place{{x_m}};

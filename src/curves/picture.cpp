@@ -19,7 +19,7 @@ struct LimitTable {
   const sdm::Target* target;
   std::vector<double> EBI, SBI, W, P, I;  // by kStep_kmh
 
-  /// km/h of the limit at `x`, interpolated: places fall with the speed.
+  /// km/h of the limit at `x`, interpolated: places decrease with increasing speed.
   static double speed_at(const std::vector<double>& places, double x) {
     const auto beyond = std::partition_point(places.begin(), places.end(), [x](double place) { return place > x; });
     if (beyond == places.begin()) return 0.0;
@@ -95,7 +95,7 @@ void add_braking_curves(Picture& p, const Approached& a) {
         lowest = v;
         governing = &t;
       }
-      // Where another target's curve takes over, a new line begins.
+      // Where the curve of another target becomes the lowest, a new line begins.
       if (before != nullptr && governing != before) lowest = kNaN;
       before = governing;
       any = any || !std::isnan(lowest);
@@ -126,7 +126,7 @@ void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& 
       const double ceiling = V_MRSP.si * kKmh + margin(V_MRSP);
       double lowest = kind.ceiling ? ceiling : kNaN;
       for (const LimitTable& t : tables) {
-        // The SBD of an EOA ends its limits there, an EBD at its target.
+        // The limits of an SBD end at the EOA, those of an EBD at its target.
         const bool EOA = t.target->kind == sdm::TargetKind::EOA_SvL && kind.places != &LimitTable::EBI;
         const double end = m(EOA ? t.target->d_EOA : t.target->d_target);
         if (x > end) {
@@ -177,7 +177,7 @@ void add_zones(Picture& p, const sdm::Inputs& in) {
   row("slippery rail", [&](auto put) {
     if (c.slippery_rail) put(p.from_m, p.to_m);
   });
-  // The conversion model knows no special brakes (3.13.2.2.6.3); an inhibition counts to the foot (3.13.5.1).
+  // The conversion model has no special brakes (3.13.2.2.6.3); an inhibition applies up to the foot (3.13.5.1).
   if (in.train.brake_model == train::BrakeModel::lambda) return;
   const auto from_on = [&](const char* name, const std::optional<Place>& from) {
     row(name, [&](auto put) {

@@ -14,7 +14,8 @@ struct PictureCurve {
   std::vector<double> v;
 };
 
-/// What both charts draw: every curve and limit over the line, the most restrictive of all targets.
+/// The contents of both charts: every curve and limit over the line, the most restrictive of all
+/// targets.
 struct Picture {
   double from_m = 0.0, to_m = 0.0, top_kmh = 0.0;
   std::vector<double> x_m;

@@ -17,7 +17,7 @@ constexpr double kStripHeight = 92.0;
 constexpr double kZoneRow = 16.0;
 constexpr double kLegend = 1072.0;
 
-/// Where the strip of gradients stands: below the rows of zones.
+/// The place of the strip of gradients: below the rows of zones.
 struct Strip {
   double top, bottom;
 };
@@ -50,7 +50,7 @@ void grid(Svg& svg, const Axis& x, const Axis& y, const Strip& strip, const Appr
 }
 
 void marks(Svg& svg, const Picture& p, const Axis& x, const Axis& y) {
-  double above = kTop + 16;  // names stand where no curve is: above on the right, below on the left
+  double above = kTop + 16;  // names are where no curve is: above on the right, below on the left
   double below = kBottom - 9;
   for (const Picture::Mark& mark : p.marks) {
     if (mark.x_m < p.from_m || mark.x_m > p.to_m) continue;
@@ -61,7 +61,7 @@ void marks(Svg& svg, const Picture& p, const Axis& x, const Axis& y) {
       svg.text(at + 5, below, mark.name, 11.5, colour::grey);
       below -= 15;
     } else if (at + width + 8.0 < kRight) {
-      // Beside its line on the far side: an SvL close to its EOA keeps apart from it.
+      // On the far side of its line: separate from an SvL close to its EOA.
       svg.text(at + 5, above, mark.name, 11.5, colour::grey);
       above += 15;
     } else {
@@ -76,7 +76,7 @@ void marks(Svg& svg, const Picture& p, const Axis& x, const Axis& y) {
   }
 }
 
-/// What holds on a stretch of the track, a bar with its name.
+/// Conditions on a stretch of the track: a bar with its name.
 void zones(Svg& svg, const Picture& p, const Axis& x) {
   for (const Picture::Zone& z : p.zones) {
     const double top = kBottom + 7.0 + kZoneRow * static_cast<double>(z.row);
@@ -92,7 +92,7 @@ void zones(Svg& svg, const Picture& p, const Axis& x) {
   }
 }
 
-/// Track and, lighter, what counts for the train.
+/// The gradient of the track and, lighter, the one that counts for the train.
 void gradient_strip(Svg& svg, const Picture& p, const Axis& x, const Strip& strip) {
   double steepest = 5.0;
   for (const auto& step : p.gradient) steepest = std::max(steepest, std::abs(step.value));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kKmh = 3.6;
 
-/// Without the noise of the way from km/h to m/s and back.
+/// Without the rounding noise of the conversion from km/h to m/s and back.
 double kmh(Speed V) { return std::nearbyint(V.si * kKmh * 1e9) / 1e9; }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::vector<QueryRow> PBD_rows(const Approached& a) {
 
 std::vector<QueryRow> LX_rows(const Approached& a) {
   const io::CurvesInput& c = a.input();
-  sdm::Motion motion;  // of a train whose place is exactly known
+  sdm::Motion motion;  // of a train whose position is exactly known
   motion.A_est = c.A_est;
   motion.V_ura = c.V_ura;
   if (c.motion) motion = *c.motion;

@@ -19,8 +19,8 @@ Value least(const std::optional<Place>& a, const std::optional<Place>& b, const 
   return is_somewhere(least) ? Value(approached.before_target(least)) : std::nullopt;
 }
 
-/// The official tool of 3.4.0 takes P and I above the MRSP from the MRSP and ends the EBI where release
-/// speed monitoring begins.
+/// The official tool of 3.4.0 replaces P and I above the MRSP by the MRSP, and ends the EBI where release speed
+/// monitoring begins.
 void draw_as_the_tool(SpeedRow& row, const Approached& a) {
   double ceiling = 0.0;  // the highest speed on the way to the target
   for (const auto& step : a.input().inputs.mrsp.steps)
@@ -238,7 +238,7 @@ SpeedRow speed_row(const Approached& a, double v_kmh) {
   row.EBD = distance(e.d_EBD);
   if (e.d_SBD) row.SBD = distance(*e.d_SBD);
   if (e.d_GUI) row.GUI = distance(*e.d_GUI);
-  row.EBI = distance(*e.EBD.d_EBI);  // null, as all that follows from it, for a speed that is nowhere allowed
+  row.EBI = distance(*e.EBD.d_EBI);  // null, like all values that depend on it, for a speed that is allowed nowhere
   row.SBI2 = distance(e.EBD.d_SBI);
   row.FLOI = distance(e.d_FLOI);
   row.W = distance(e.d_W);
@@ -266,7 +266,7 @@ CurvesResult curves_result(const Approached& a) {
   r.scalars.T_be_s = e.build_up.T_be.si;
   r.scalars.T_bs_s = e.build_up.T_bs.si;
   if (t.kind == sdm::TargetKind::EOA_SvL && d.release_speed.exists)
-    // Without the noise of the way from km/h to m/s and back.
+    // Without the rounding noise of the conversion from km/h to m/s and back.
     r.scalars.V_release_kmh = std::nearbyint(d.release_speed.V_release.si * kKmh * 1e9) / 1e9;
   if (const auto start = a.start_of_RSM(); start && is_somewhere(*start))
     r.scalars.d_start_RSM_m = a.before_target(*start);

@@ -10,7 +10,7 @@
 
 namespace evc::curves {
 
-/// A curves input with everything that follows from it; the curves of its target.
+/// A curves input with everything computed from it, and the curves of its target.
 class Approached {
  public:
   explicit Approached(io::CurvesInput input);
@@ -22,9 +22,9 @@ class Approached {
   sdm::Explanation explain(Speed V, const sdm::Target& target) const;
   /// Metres before the target location.
   double before_target(Place place) const { return (input_.target_location - place).si; }
-  /// Where release speed monitoring begins (3.13.9.4.9).
+  /// Start of release speed monitoring (3.13.9.4.9).
   std::optional<Place> start_of_RSM() const;
-  /// Remarks on what the standard does not foresee and on what did not fit.
+  /// Notes on cases that the standard does not cover and on data that did not fit.
   std::vector<std::string> notes() const;
 
  private:
@@ -35,7 +35,7 @@ class Approached {
 
 using Value = std::optional<double>;
 
-/// Curves give a place a thousand thousand kilometres away for a speed that is nowhere allowed (A <= 0).
+/// For a speed that is allowed nowhere (A <= 0), curves return a place a million kilometres away.
 constexpr bool is_somewhere(Place place) { return place.from_origin.si > -1e8; }
 
 /// Curves and limits at one speed: metres before the target location, decelerations in m/s2.
@@ -50,7 +50,7 @@ struct PositionRow {
   double position_m = 0.0;
   Value EBD, SBD, EBI, SBI, W, P, I;
 };
-/// What was asked beside speeds and places: names and values of one answer.
+/// The answer to a query other than speeds and places: names and values.
 using QueryRow = std::vector<std::pair<const char*, Value>>;
 struct Scalars {
   Value T_be_s, T_bs_s, V_release_kmh, d_start_RSM_m, d_preindication_m, d_perturbation_m;
@@ -64,7 +64,7 @@ struct CurvesResult {
   bool separate_EOA = false;  // EOA and SvL differ: the rows have the limits of both
 };
 
-/// A member of a row with the name it has outside.
+/// A member of a row with its name in outputs.
 template <class Row>
 struct Column {
   const char* name;
@@ -73,7 +73,7 @@ struct Column {
 const std::vector<Column<SpeedRow>>& speed_columns(bool separate_EOA);
 const std::vector<Column<PositionRow>>& position_columns();
 const std::vector<Column<Scalars>>& scalar_columns();
-/// Curves and limits alone, as they are drawn and compared.
+/// Curves and limits only, for charts and comparison.
 const std::vector<Column<SpeedRow>>& curve_columns();
 
 SpeedRow speed_row(const Approached& approached, double v_kmh);
@@ -81,15 +81,15 @@ CurvesResult curves_result(const Approached& approached);
 
 /// Speed restrictions of the permitted braking distances (3.11.11), km/h.
 std::vector<QueryRow> PBD_rows(const Approached& approached);
-/// Metres before each level crossing where its speed takes the place of the stop (3.13.9.3.5.11-12); `from_EOA`: 1
-/// where the SBD decides (against the estimated front end), 0 where the EBD does.
+/// Metres before each level crossing where its speed replaces the stop (3.13.9.3.5.11-12); `from_EOA`: 1 where the SBD
+/// decides (against the estimated front end), 0 where the EBD does.
 std::vector<QueryRow> LX_rows(const Approached& approached);
 void append_queries_json(std::string& out, const char* key, const std::vector<QueryRow>& rows);
 void append_queries_csv(std::string& out, const std::vector<QueryRow>& rows);
 void append_queries_table(std::string& out, const char* title, const std::vector<QueryRow>& rows);
 
 enum class Format { json, csv, table };
-/// `evc-curves-result/1` and its two readable forms.
+/// The result as `evc-curves-result/1`, CSV or a table.
 std::string curves_text(const CurvesResult& result, Format format);
 
 /// Right-aligned columns; "-" where a value does not exist.

@@ -5,8 +5,7 @@
 
 namespace evc::curves {
 
-/// The colours of the driver machine interface (ERA_ERTMS_015560 5.2.1.3), and those for what it does
-/// not show.
+/// The colours of the driver machine interface (ERA_ERTMS_015560 5.2.1.3), and those for curves it does not show.
 namespace colour {
 inline constexpr const char* white = "#FFFFFF";
 inline constexpr const char* grey = "#C3C3C3";
@@ -18,7 +17,7 @@ inline constexpr const char* orange = "#EA9100";
 inline constexpr const char* red = "#BF0002";
 inline constexpr const char* pasp_dark = "#21314A";
 inline constexpr const char* pasp_light = "#294A6B";
-// Not of the interface.
+// Not in the driver machine interface.
 inline constexpr const char* EBD = "#7FB4F0";
 inline constexpr const char* SBD = "#63CDA6";
 inline constexpr const char* GUI = "#C79BF2";
@@ -32,19 +31,19 @@ struct Stroke {
   const char* dash = "";
 };
 
-/// Writes one drawing; lengths in its own pixels.
+/// Writes one drawing; lengths in pixels of the drawing.
 class Svg {
  public:
   Svg(double width, double height, const std::string& title);
   void rect(double x, double y, double w, double h, const char* fill);
   void line(double x1, double y1, double x2, double y2, const Stroke& stroke);
-  /// Points that are not numbers break the line.
+  /// Points that are not numbers interrupt the line.
   void polyline(const std::vector<std::pair<double, double>>& points, const Stroke& stroke);
   /// `anchor`: start, middle or end.
   void text(double x, double y, const std::string& text, double size, const char* fill, const char* anchor = "start",
             bool bold = false);
   void vertical_text(double x, double y, const std::string& text, double size, const char* fill);
-  /// What follows is cut off at this rectangle, until `end_clip`.
+  /// Clips the following elements at this rectangle, until `end_clip`.
   void clip(double x, double y, double w, double h);
   void end_clip() { out_ += "</g>\n"; }
   std::string finish() { return std::move(out_) + "</svg>\n"; }
@@ -64,7 +63,7 @@ struct Axis {
 };
 /// At most `most` characters, with an ellipsis at the end of a longer text (UTF-8).
 std::string shortened(const std::string& text, std::size_t most);
-/// Without decimals that say nothing.
+/// Without trailing zeros.
 std::string label(double value);
 
 }  // namespace evc::curves

@@ -9,12 +9,12 @@
 namespace evc::curves {
 namespace {
 
-/// The constants of the workbook from the train: the highest speed on the way is taken.
+/// The constants of the workbook from the train, at the highest speed on the way.
 io::WorkbookInputs inputs_from(const Approached& a) {
   const io::CurvesInput& c = a.input();
   io::WorkbookInputs w;
   Speed V{0.0};
-  // The sheet knows targets as steps of its MRSP only: a stop or a limit of authority ends it.
+  // The sheet has targets as steps of its MRSP only: a stop or a limit of authority ends it.
   const sdm::Target& t = a.target();
   const bool authority = t.kind != sdm::TargetKind::MRSP;
   for (const auto& step : c.inputs.mrsp.steps) {
@@ -22,7 +22,7 @@ io::WorkbookInputs inputs_from(const Approached& a) {
     if (!w.mrsp.append(step.from.from_origin, step.value)) break;
     V = std::max(V, step.value);
   }
-  if (authority) (void)w.mrsp.append(t.d_target.from_origin, t.V_target);  // the input leaves room for one step
+  if (authority) (void)w.mrsp.append(t.d_target.from_origin, t.V_target);  // the input has room for one more step
   const sdm::Explanation e = a.explain(V);
   const sdm::BuildUpLoss& l = e.EBD.loss;
   w.DT = e.times.T_traction + e.times.T_berem;
@@ -34,7 +34,7 @@ io::WorkbookInputs inputs_from(const Approached& a) {
   return w;
 }
 
-/// The speed that a target allows at a place: its limit's, not below that of the target itself.
+/// The speed that a target allows at a place: that of its limit, not below that of the target.
 Speed allowed(Speed limit, Speed V_target, Speed margin) { return std::max(limit, V_target + margin); }
 
 void beside(Workbook& w, const Approached& a) {
@@ -108,7 +108,7 @@ Workbook workbook_of(const Approached& a) {
   Workbook w;
   w.name = a.input().name;
   w.inputs = a.input().workbook ? *a.input().workbook : inputs_from(a);
-  // A grid that an engineer can read; the quantum grows where the line is long.
+  // A grid of readable size: the quantum is larger for a long line.
   while (workbook_rows(w.inputs) > 10000) w.inputs.quantum = 2.0 * w.inputs.quantum;
   for (std::size_t i = 0; i < workbook_rows(w.inputs); ++i) {
     const WorkbookRow* before = w.rows.empty() ? nullptr : &w.rows.back();

@@ -7,15 +7,15 @@
 
 namespace evc::curves {
 
-/// The workbook model, row by row, and beside it what the standard gives at the same places.
+/// The workbook model, row by row, with the values of the standard at the same places.
 struct Workbook {
   std::string name;
   io::WorkbookInputs inputs;
   std::vector<WorkbookRow> rows;
   std::vector<double> SRS_EBD, SRS_EBI;  // m/s, by row
 };
-/// Constants that the input does not give are those of its train: DT = T_traction + T_berem, DV and DX
-/// from its acceleration, A_safe at its highest speed.
+/// Constants that are not in the input are computed from its train: DT = T_traction + T_berem, DV and DX from its
+/// acceleration, A_safe at its highest speed.
 Workbook workbook_of(const Approached& approached);
 /// `evc-workbook-result/1`: the sheet's columns; CSV and table.
 std::string workbook_text(const Workbook& workbook, Format format);

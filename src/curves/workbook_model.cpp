@@ -43,14 +43,15 @@ WorkbookRow workbook_row(const io::WorkbookInputs& in, std::size_t i, const Work
     r.Vc_EBD = std::min(std::sqrt(u.Vc_EBD * u.Vc_EBD + 2.0 * quantum * u.Asafe), I);
     r.Vc_prime =
         u.V0_EBI < u.MRSP_plus_dV ? std::sqrt(u.Vc_prime * u.Vc_prime + 2.0 * quantum * u.Asafe) : u.MRSP_plus_dV;
-    // A step up, seen away from the target, is a target: the lower speed at its own end.
+    // A rise of the speed, in the direction away from the target, is a target: the lower speed at
+    // its end.
     r.VT = r.MRSP > u.MRSP ? u.MRSP : u.VT;
     r.XT = i == 1 ? 0.0 : r.MRSP > u.MRSP ? r.position : u.XT;
   }
   r.TSM = r.Vc_EBD < I ? 1.0 : 0.0;
   r.b = 2.0 * (O + E * M);
   const double ahead = r.position - r.XT;
-  // The first two rows have the other sign; the ceiling hides it.
+  // The first two rows have the opposite sign; the ceiling hides it.
   r.c = O * O + 2.0 * E * (i < 2 ? N + ahead : N - ahead) - r.VT * r.VT;
   r.D = std::max(r.b * r.b - 4.0 * r.c, 0.0);
   const double root = std::sqrt(r.D) / 2.0 - O - E * M;

@@ -64,7 +64,7 @@ TEST(WorkbookModel, TheExampleOfTheSheet) {
   EXPECT_EQ(in.length.si - met_at, 330.0);
 }
 
-/// The sheet as it stands, by its letters: a cell from the row above it.
+/// The formulas of the sheet with its column letters: a cell from the row above it.
 struct SheetRow {
   double A, B, C, D, E, F, G, H, I, J, K, L, M, N, O, P, Q, R, S, T;
 };
@@ -124,7 +124,7 @@ TEST(WorkbookModel, AnySheetCellByCell) {
       from += in.quantum.si * dice.integer(1, 20);
     }
     if (i % 4 == 0) {
-      // From standstill in the third row on to a little speed in the first two: the rule of these two ends with them.
+      // Speed 0 from the third row on, a low speed in the first two: the rule of these two applies only to them.
       in.mrsp = {};
       ASSERT_TRUE(in.mrsp.append({0.0}, {0.0}));
       ASSERT_TRUE(in.mrsp.append(in.length - in.quantum, {1.0 * dice.integer(1, 3)}));
@@ -145,7 +145,7 @@ TEST(WorkbookModel, AnySheetCellByCell) {
             << "sheet " << i << " row " << k << " " << curves::kWorkbookColumnNames[c];
     }
   }
-  // Rows that the quantum divides in decimals only.
+  // Distances that are multiples of the quantum in decimals only.
   io::WorkbookInputs in;
   in.quantum = {0.1};
   in.length = {0.3};

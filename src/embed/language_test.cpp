@@ -33,7 +33,7 @@ TEST(Language, PacketWithItsDirection) {
 }
 
 TEST(Language, RadioMessageBothWays) {
-  // Message 24 with its time only: nothing else is in a general message.
+  // Message 24 with its time only: a general message has no other variables.
   const Writing writing{Form::radio, Direction::to_train, Version{2, 1}};
   const Bits bits = encode(R"({"NID_MESSAGE":24,"T_TRAIN":100,"M_ACK":0,"NID_LRBG":5,"packets":[]})", writing);
   ASSERT_FALSE(bits.error) << bits.error->why;

@@ -13,7 +13,7 @@ namespace {
 using airgap::Fault;
 using airgap::Format;
 
-/// The received telegram from b(n-1), as its encoder made it.
+/// The received telegram from b(n-1), as encoded.
 template <std::size_t N>
 Fault examine_received(std::span<const std::uint8_t> bytes, const airgap::Received& received) {
   airgap::Bits<N> bits = airgap::rotate(airgap::load<N>(bytes, received.start), received.rotation);
@@ -44,7 +44,7 @@ const char* format_name(Format format) { return format == Format::long_ ? "long"
 }  // namespace
 
 tl::expected<AirgapTelegram, io::TelegramError> read_airgap(std::span<const std::uint8_t> bytes, std::size_t bits) {
-  // One period; or, in as many bits as a long one, the short telegram three times.
+  // One period; or, in as many bits as a long one has, the short telegram three times.
   std::optional<Fault> as_period;
   for (const Format format : {Format::long_, Format::short_}) {
     if (!is_one_period(format, bits)) continue;
@@ -124,7 +124,7 @@ tl::expected<io::Bits, std::string> encode_airgap(std::span<const std::uint8_t> 
     if (i < bits ? airgap::bit(user, i) : wish.fill) filled[i / 8] |= static_cast<std::uint8_t>(0x80u >> i % 8);
 
   airgap::Outcome<airgap::Coded> coded = airgap::encode(filled, format, wish.from);
-  if (!coded) coded = airgap::encode(filled, format);  // none from there on: any other is as right
+  if (!coded) coded = airgap::encode(filled, format);  // no pair from there on: any other is equally valid
   if (!coded) return tl::unexpected(std::string(airgap::name(coded.fault)));
   const std::size_t n = airgap::coded_bits(format);
   io::Bits period{std::vector<std::uint8_t>(airgap::bytes_for(n)), n};
@@ -143,7 +143,7 @@ tl::expected<void, io::TelegramError> append_airgap_json(std::string& out, std::
   const std::size_t before = out.size();
   if (const auto done = io::append_balise_json(out, user, count, spare); !done) return tl::unexpected(done.error());
   std::string json = airgap_json(*telegram);
-  // Less than a byte of zeros behind packet 255 is not in the JSON of the user bits.
+  // Less than a byte of zeros after packet 255 is not in the JSON of the user bits.
   if (out.find("\"bits\":", before) == std::string::npos && !airgap::bit(user, count - 1)) {
     json.pop_back();
     json += ",\"fill\":0}";

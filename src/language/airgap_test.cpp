@@ -24,7 +24,7 @@ nlohmann::json vectors() {
 }
 std::size_t user_bits(const nlohmann::json& vector) { return vector.at("format") == 1023 ? 830 : 210; }
 
-/// A telegram of nothing but its header.
+/// A telegram with its header only.
 nlohmann::json described() {
   return nlohmann::json::parse(R"({"header":{"Q_UPDOWN":1,"M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":1,"M_DUP":0,
       "M_MCOUNT":255,"NID_C":426,"NID_BG":352,"Q_LINK":1},"packets":[]})");
@@ -92,7 +92,7 @@ TEST(CommandAirgap, FindsATelegramInAStream) {
     EXPECT_NE(airgap_json(*telegram).find("\"start\":"), std::string::npos);
     EXPECT_NE(explain_airgap(*telegram).find("of the stream"), std::string::npos);
     if (n == 341) {
-      // As many bits as a long telegram has, of a short one.
+      // A short telegram, in as many bits as a long one has.
       const auto three = read_airgap(std::span(stream).subspan(16), 1024);
       ASSERT_TRUE(three) << three.error().why;
       EXPECT_EQ(three->received.format, airgap::Format::short_);
@@ -115,7 +115,7 @@ TEST(CommandAirgap, NamesTheTestOfAWrongEncoder) {
     EXPECT_EQ(airgap::name(telegram->fails).substr(0, test.size()), test);
     EXPECT_NE(airgap_json(*telegram).find("\"fails\":\"" + test), std::string::npos);
     EXPECT_NE(explain_airgap(*telegram).find("fails the encoder's test: " + test), std::string::npos);
-    // Coded again it is a telegram that passes.
+    // Coded again, the telegram passes.
     const auto wish = airgap_wish(nlohmann::json::parse(airgap_json(*telegram)));
     ASSERT_TRUE(wish);
     const auto coded = encode_airgap(telegram->received.user_bytes(), 830, *wish);
@@ -139,7 +139,7 @@ TEST(CommandAirgap, RefusesAWishOutOfRange) {
     EXPECT_FALSE(airgap_wish(nlohmann::json::parse(wrong))) << wrong;
   const auto wish = airgap_wish(nlohmann::json::parse(R"({"format":"long","sb":4095,"esb":1023,"rotation":1022})"));
   ASSERT_TRUE(wish);
-  // No pair from there on: one from the start.
+  // No pair from there on: one from the beginning.
   const auto coded = encode_airgap(Bytes(104), 830, *wish);
   ASSERT_TRUE(coded);
   EXPECT_EQ(read_airgap(coded->bytes, 1024)->received.rotation, 1022);
@@ -159,7 +159,7 @@ TEST(CommandAirgap, JsonAndBackGivesTheSameBits) {
     EXPECT_EQ(again.at("header"), described().at("header"));
     EXPECT_EQ(again.at("airgap").at("rotation"), telegram["airgap"].value("rotation", 0));
     EXPECT_EQ(encode_airgap_json(again)->bytes, coded->bytes);
-    // The member is optional: without it there is the plain coding of the same telegram.
+    // The member is optional: without it the same telegram is coded with default options.
     auto plain = again;
     plain.erase("airgap");
     EXPECT_TRUE(encode_airgap_json(plain));
@@ -167,7 +167,7 @@ TEST(CommandAirgap, JsonAndBackGivesTheSameBits) {
 }
 
 TEST(CommandAirgap, FewZerosBehindPacket255ComeBack) {
-  // 210 user bits of which the last five are no packet: header (50), packet 44 as far as it reaches, 255, 00000.
+  // 210 user bits of which the last five are not in a packet: header (50), packet 44 up to packet 255, 00000.
   Bytes user(27);
   const auto put = [&](std::size_t at, std::size_t length, unsigned value) {
     for (std::size_t i = 0; i < length; ++i)
@@ -198,7 +198,7 @@ TEST(CommandAirgap, FewZerosBehindPacket255ComeBack) {
 TEST(CommandAirgap, JsonErrorsLeaveTheTextAlone) {
   std::string json = "kept";
   EXPECT_FALSE(append_airgap_json(json, Bytes(128, 0xA5), 1024));
-  const auto coded = encode_airgap(Bytes(104, 0), 830, {});  // sound in the air, no telegram of this language
+  const auto coded = encode_airgap(Bytes(104, 0), 830, {});  // valid coding, but not a telegram of the language
   const auto refused = append_airgap_json(json, coded->bytes, coded->bits);
   ASSERT_FALSE(refused);
   EXPECT_EQ(json, "kept");

@@ -26,17 +26,17 @@ using lang::Direction;
 
 using Done = tl::expected<void, io::TelegramError>;
 
-/// What one line of input becomes. The JSON object is appended to `out`.
+/// Decodes one line of input. The JSON object is appended to `out`.
 class Decoder {
  public:
   Decoder(const DecodeOptions& options, lang::SystemVersion sv) : options_(options), sv_(sv) {
     direction_ = options.to_track ? Direction::to_track : Direction::to_train;
-    // A single packet out of its telegram is looked at, not acted upon: spare codes are shown.
+    // A single packet without its telegram is only displayed: spare codes are shown.
     const bool accept = options.tolerant || (options.what == What::packet && !options.strict);
     spare_ = accept ? io::Spare::accept : io::Spare::refuse;
   }
 
-  /// What was accepted is also written to `file`, a capture for Wireshark.
+  /// Also writes accepted input to `file`, a capture for Wireshark.
   void trace(io::WholeFile& file) {
     file_ = &file;
     std::string head;
@@ -45,7 +45,7 @@ class Decoder {
     file.write(head);
   }
 
-  /// False: refused, and the error object appended. `number` is that of a line of a file or pipe, from 1.
+  /// False: rejected, and the error object is appended. `number` is the line of a file or pipe, from 1.
   bool line(std::string& out, std::string_view hex, std::uint64_t number = 0) {
     Done done;
     const auto bits = io::bits_of_hex(hex);
@@ -122,7 +122,7 @@ class Decoder {
   std::optional<io::Pcapng> pcapng_;
 };
 
-/// How far a long file is, on standard error if that is a terminal.
+/// Progress of a long file, on standard error if that is a terminal.
 class Share {
  public:
   explicit Share(std::uint64_t bytes) : bytes_(bytes), terminal_(bytes > 4'000'000 && ::isatty(2) != 0) {}
@@ -147,7 +147,7 @@ class Share {
   int shown_ = -1;
 };
 
-/// Lines of a file or pipe, answered as they come.
+/// Decodes the lines of a file or pipe in sequence.
 int decode_stream(int stream, const std::string& name, Decoder& decoder, io::WholeFile& out) {
   struct stat info {};
   const bool is_file = ::fstat(stream, &info) == 0 && S_ISREG(info.st_mode);
@@ -212,7 +212,7 @@ int decode_to(const DecodeOptions& options, Decoder& decoder, io::WholeFile& out
     ::close(stream);
     return code;
   }
-  // Not a file: the digits themselves; a name that holds none is a file that is missing.
+  // Not a file: the digits themselves; a name with "." or "/" is a missing file.
   if (options.input.find_first_of("./") != std::string::npos)
     return complain({options.input, "", std::strerror(errno), "a file that can be read"});
   std::string text;

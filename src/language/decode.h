@@ -10,13 +10,13 @@ struct DecodeOptions {
   std::string input;  ///< hexadecimal digits, a file with one telegram a line, or "-"
   std::string output = "-";
   std::string sv = "2.1";  ///< system version of the session, for messages and packets
-  std::string pcapng;      ///< a capture for Wireshark as well; empty: none
+  std::string pcapng;      ///< a capture for Wireshark in addition; empty: none
   bool explain = false;
   bool to_train = false, to_track = false;  ///< messages and packets need one of them
   bool strict = false, tolerant = false;
-  bool loop = false;  ///< user bits are of a Euroloop message
+  bool loop = false;  ///< the user bits are a Euroloop message
 };
-/// `evc decode` (docs/decode.md). Exit status: 0 all taken, 1 something was refused, 2 the input cannot be read.
+/// `evc decode` (docs/decode.md). Exit status: 0 everything accepted, 1 something rejected, 2 the input cannot be read.
 int decode(const DecodeOptions& options);
 
 }  // namespace evc::language

@@ -29,7 +29,7 @@ TEST(CommandDecode, AnswersALiveStreamAsItComes) {
   EXPECT_EQ(::pclose(pipe), 0);
 }
 
-/// The line as an editor counts it: comments and empty lines as well.
+/// The line number as in an editor: comments and empty lines count.
 TEST(CommandDecode, NamesTheLineThatIsBad) {
   const Folder folder("line");
   ASSERT_TRUE(io::write_whole(folder / "f", "# two\n\n" + kPacket + "\nXY\n" + kPacket + "\r\nZ"));
@@ -39,7 +39,7 @@ TEST(CommandDecode, NamesTheLineThatIsBad) {
             std::string::npos)
       << run.output;
   EXPECT_NE(run.output.find("{\"error\":{\"line\":6,"), std::string::npos) << run.output;
-  // Digits on the command line are no line of anything.
+  // Digits on the command line have no line number.
   EXPECT_EQ(ended("decode packet XY --to-train").output,
             "{\"error\":{\"bit\":0,\"why\":\"not a hexadecimal digit: X\"}}\n");
 }
@@ -83,15 +83,15 @@ TEST(CommandDecode, BothOutputsOrNeither) {
   const Folder folder("both");
   ASSERT_TRUE(io::write_whole(folder / "old", "old"));
   const std::string message = "decode radio 180014 --to-train --tolerant";
-  // The capture has no room.
+  // The device of the capture is full.
   const Ended full = ended(message + " -o '" + (folder / "old") + "' --pcapng /dev/full");
   EXPECT_EQ(full.exit_code, 2);
   EXPECT_EQ(text_of(folder / "old"), "old");
-  // The answers have none.
+  // The device of the answers is full.
   const Ended other = ended(message + " -o /dev/full --pcapng '" + (folder / "old") + "'");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(text_of(folder / "old"), "old");
-  // With room for both, both are written; the capture may be standard output when the answers are not.
+  // With space for both, both are written; the capture may be standard output when the answers are not.
   const Ended done = ended(message + " -o '" + (folder / "new") + "' --pcapng -");
   EXPECT_LT(done.exit_code, 2);
   EXPECT_EQ(done.output.substr(0, 4), "\x0A\x0D\x0D\x0A");

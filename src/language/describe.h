@@ -10,7 +10,7 @@ struct DescribeOptions {
   bool index = false;  ///< the index of the pages in docs/packets
 };
 /// `evc describe packets|variables|messages|schema`: the tables of the ETCS language (SUBSET-026-7, -8) on standard
-/// output. Exit status: 0, or 2 when there is no such packet, message or variable.
+/// output. Exit status: 0, or 2 when the packet, message or variable does not exist.
 int describe_packets(const DescribeOptions& options);
 int describe_variables(const DescribeOptions& options);
 int describe_messages(const DescribeOptions& options);

@@ -38,7 +38,7 @@ Encoded encode_one(const EncodeOptions& o, const io::EncodeOptions& how, const J
   return "";
 }
 
-/// Where the JSON value that begins at `from` ends: the brace or bracket that closes it.
+/// The end of the JSON value that begins at `from`: the brace or bracket that closes it.
 std::size_t end_of_value(std::string_view text, std::size_t from) {
   int depth = 0;
   bool in_string = false;

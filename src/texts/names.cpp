@@ -157,7 +157,7 @@ const char* text_of(Inform inform) {
       return "SH refused";
     case Inform::SH_request_failed:
       return "SH request failed";
-    default:  // a session that could not be opened is shown by ST04
+    default:  // ST04 shows that a session could not be opened
       return nullptr;
   }
 }

@@ -10,11 +10,10 @@
 #include "terms/what.h"
 #include "train/brake_model.h"
 
-// The texts and names of what goes into the kernel and comes out of it, for all that speaks with people or files. No
-// kernel room links them.
+// The texts and names of the kernel's inputs and outputs, for user interfaces and files. No kernel room links them.
 namespace evc::texts {
 
-/// What the numbers of an event are.
+/// The meaning of the numbers of an event.
 enum class Takes : std::uint8_t {
   nothing,
   id,       ///< `id` is printed as it is
@@ -29,8 +28,8 @@ struct EventText {
   What what;
   const char* subject;
   Takes takes;
-  const char* text;                    ///< null where what it takes says all
-  const char* after_clause = nullptr;  ///< within its brackets
+  const char* text;                    ///< null if the numbers are the whole text
+  const char* after_clause = nullptr;  ///< inside the brackets of the clause
 };
 const EventText& text_of(What what);
 
@@ -41,7 +40,7 @@ std::string text_of(Clause clause);
 extern const std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames;
 extern const std::array<const char*, 3> kDirectionNames;  ///< DirectionController
 
-/// What the driver selected or entered, in words of an event.
+/// The text of an event for what the driver selected or entered.
 const char* words_of(port::Select select);
 const char* words_of(port::Entered entered);
 /// "brake_percentage".
@@ -50,7 +49,7 @@ const char* name(train::Fault fault);
 const char* name(driver::Input input);
 const char* name(driver::Output output);
 
-/// The text of the DMI for what a procedure reports (015560 15); null for what a symbol shows.
+/// The DMI text for what a procedure reports (015560 15); null if a symbol shows it.
 const char* text_of(Inform inform);
 /// The text of a trip reason (015560).
 const char* text_of(driver::TripReason reason);

@@ -20,7 +20,7 @@ TEST(Texts, EveryEventSaysWhatHappened) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(What::count); ++i) {
     const EventText& row = text_of(static_cast<What>(i));
     EXPECT_STRNE(row.subject, "") << i;
-    // Without a text what the event takes says all.
+    // Without a text, the numbers of the event are the whole text.
     EXPECT_TRUE(row.text != nullptr || (row.takes != Takes::nothing && row.takes != Takes::id)) << i;
     const std::string line = std::string(row.subject) + "|" + (row.text == nullptr ? "" : row.text) + "|" +
                              std::to_string(static_cast<int>(row.takes));
@@ -37,7 +37,7 @@ TEST(Texts, NamesAreDifferent) {
     EXPECT_TRUE(inputs.insert(name(static_cast<driver::Input>(i))).second) << i;
   for (std::size_t i = 0; i < driver::kOutputs; ++i)
     EXPECT_TRUE(outputs.insert(name(static_cast<driver::Output>(i))).second) << i;
-  // The places of the names are those of the enumerators.
+  // The names are in the order of the enumerators.
   EXPECT_STREQ(name(train::Fault::A_NVMAXREDADH), "A_NVMAXREDADH");
   EXPECT_STREQ(name(train::Fault::correction_factor), "correction_factor");
   EXPECT_STREQ(kSelectNames[static_cast<std::size_t>(port::Select::adhesion_normal)], "adhesion_normal");
@@ -47,7 +47,7 @@ TEST(Texts, NamesAreDifferent) {
 
 TEST(Texts, TextsOfTheDriverMachineInterface) {
   EXPECT_STREQ(text_of(Inform::train_rejected), "Train is rejected");
-  EXPECT_EQ(text_of(Inform::session_failed), nullptr);  // a symbol says it: ST04
+  EXPECT_EQ(text_of(Inform::session_failed), nullptr);  // shown by a symbol: ST04
   EXPECT_STREQ(text_of(driver::TripReason::passing_of_EOA_or_LOA), "Unauthorized passing of EOA / LOA");
   EXPECT_STREQ(text_of(driver::TripReason::national_system_brake_demand), "National system brake demand");
 }
