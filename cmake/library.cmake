@@ -1,6 +1,6 @@
-# What others link (docs/embedding.md): openevc::kernel, openevc::curves, openevc::language, openevc::sim, and the C
-# interface openevc::c. The rooms' objects are put together into one archive for each of them; no object stands in two.
-# openevc::core is what they share; a host need not name it.
+# Libraries for hosts (docs/embedding.md): openevc::kernel, openevc::curves, openevc::language, openevc::sim, and the C
+# interface openevc::c. Each is one archive of the rooms' objects; no object is in two of them.
+# openevc::core is their common part; a host need not name it.
 
 # evc_library(name OBJECTS objects... DEPENDS public libraries...): openevc::<name>, libopenevc_<name>.a
 function(evc_library name)

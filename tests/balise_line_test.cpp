@@ -296,8 +296,8 @@ Happening balise_at(double place, int NID_BG, unsigned N_PIG, unsigned N_TOTAL, 
   return h;
 }
 
-// Whatever a line looks like: while odometer and balises are within their bounds and the linking is right, no
-// group is rejected, nothing reacts, and the train is inside its interval.
+// On any line: while odometer and balises are within their bounds and the linking is correct, no group is rejected,
+// there is no reaction, and the train is inside its interval.
 TEST(AnyLine, WithinItsBoundsNothingReacts) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);

@@ -127,7 +127,7 @@ def main():
     for sentence in wrong:
         print(f"coverage: {sentence}")
     if wrong:
-        print(f"coverage: floors stand in {FLOORS.relative_to(ROOT)}; tools/check_coverage.py --write-floors raises them")
+        print(f"coverage: floors are in {FLOORS.relative_to(ROOT)}; tools/check_coverage.py --write-floors raises them")
     return 1 if wrong or not figures else 0
 
 

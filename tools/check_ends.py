@@ -1,7 +1,7 @@
 #!/usr/bin/env -S python3 -B
 """Loose ends: fields that product code (not tests) only writes or only reads, and enumerators that it only produces or
-only asks for (tools/field_uses.py says how that is found out). Each has to be named in the table "Loose ends" of
-CAVEATS.md, with its clause and why; a row for one that is tied now fails too.
+only asks for (tools/field_uses.py defines this). Each has to be in the table "Loose ends" of
+CAVEATS.md, with its clause and the reason; a row that is no longer needed fails too.
 
 A row is `room::Struct::field` or `room::Enumeration::enumerator`, or `room::Name::*` for all of one. Where the struct of a row is no more
 it is taken by the field's name alone, so that a move does not need the table.

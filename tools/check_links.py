@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every relative link, image and anchor in the Markdown pages leads somewhere, and every page under docs/
+"""Every relative link, image and anchor in the Markdown pages has a target, and every page under docs/
 is reached from README.md. Usage: tools/check_links.py [ROOT]."""
 import pathlib
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the types must refuse: every tests/must_not_compile/*.cpp compiles as it stands and does not with -DMISTAKE; then
+"""Code that the types must reject: every tests/must_not_compile/*.cpp compiles unchanged and does not with -DMISTAKE; then
 the error has to be in the file's own part behind `#ifdef MISTAKE`, or be what its line `// expected: TEXT` says.
 Usage: tools/check_must_not_compile.py [--folder FOLDER] COMPILER..."""
 import argparse

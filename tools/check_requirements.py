@@ -393,10 +393,10 @@ def pages(root, clauses, seeds):
     statuses = [s for s in STATUSES if s in of_clause.values()]
     out = {}
     lines = ["# Requirements", "",
-             "Made by `tools/check_requirements.py --write` from [the register](../../requirements/README.md); what the columns",
-             "mean stands there. Counted are the clauses that chapter 9 of SUBSET-026 4.0.0 classifies as requirements on the",
-             "on-board, each with all of its rows: `part` where they differ, `wrong` where one is. The unit does 3.6.0; clauses that",
-             "4.0.0 added and that are not done are marked `4.0.0 only`.", "",
+             "Made by `tools/check_requirements.py --write` from [the register](../../requirements/README.md), which explains",
+             "the columns. The counts are of the clauses that chapter 9 of SUBSET-026 4.0.0 classifies as requirements on the",
+             "on-board, each with all of its rows: `part` where they differ, `wrong` where one is. The unit implements 3.6.0; clauses",
+             "that 4.0.0 added and that are not done are marked `4.0.0 only`.", "",
              "| page | on-board clauses | " + " | ".join(statuses) + " | without a row | rows |",
              "|---|--:|" + "--:|" * len(statuses) + "--:|--:|"]
 
@@ -512,7 +512,7 @@ def add_scenarios(root):
             row["method"] = "test"
         row["test"] = "; ".join(tests) or "-"
     (pathlib.Path(root) / CLAUSES).write_text(written(rows), encoding="utf-8")
-    print(f"{CLAUSES}: {added} scenarios stand in rows")
+    print(f"{CLAUSES}: {added} scenarios added to rows")
 
 
 def merged(places):

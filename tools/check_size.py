@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Size of functions and files in the kernel rooms: no function over 60 lines or 25 branches, no file of src/kernel over
-300 lines. What is larger stands in tools/sizes.txt with its figure of today: it may shrink (then the figure follows, or
-the line goes), never grow. Tables stand there with the word `table`: they may grow by rows. A branch is an if, for,
-while, case, ?, && or ||; lambdas count with the function that they stand in.
+300 lines. Larger ones are in tools/sizes.txt with their current figure: it may fall (then the figure is updated, or
+the line deleted), never rise. Tables are listed with the word `table`: they may grow by rows. A branch is an if, for,
+while, case, ?, && or ||; lambdas count with the function around them.
 Usage: tools/check_size.py [--root FOLDER] [--list]; prints FILE:LINE: reason, exit 1."""
 import argparse
 import pathlib

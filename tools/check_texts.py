@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The kernel holds no text: names and texts of what goes in and comes out stand in `terms` rows and in `texts`, which
+"""The kernel contains no text: names and texts of its inputs and outputs are in `terms` rows and in `texts`, which
 io, app and sim use. Reads the string literals out of the compiled kernel rooms. The tables of the language (lang) name
-packets and variables, airgap names what is wrong with a telegram. Usage: tools/check_texts.py [BUILD_FOLDER...]; prints ARCHIVE(OBJECT): "text", exit 1."""
+packets and variables, airgap names the faults of a telegram. Usage: tools/check_texts.py [BUILD_FOLDER...]; prints ARCHIVE(OBJECT): "text", exit 1."""
 import pathlib
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What must not stand in the tree: paths of somebody's machine, notes to self, large files, and executables
+"""What must not be in the tree: paths of somebody's machine, notes to self, large files, and executables
 that lost their mode bit. Usage: tools/check_tree.py [ROOT]; looks at the files git tracks."""
 import os
 import pathlib

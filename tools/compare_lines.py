@@ -3,8 +3,8 @@
 earlier one prints has to be printed by the later one, with the same bytes and in the same order. New fields are allowed.
 
 Of every seed: the line is made; a perfect and a reckless driver drive it with one of the shipped trains; the recorded
-inputs are replayed in the two other editions of the SRS, and once more disturbed: lost and repeated telegrams, damaged
-radio messages, a lost session, a driver who presses what comes to his mind, a national system, a safety fault.
+inputs are replayed in the two other editions of the SRS, and again with disturbances: lost and repeated telegrams, damaged
+radio messages, a lost session, a driver with random actions, a national system, a safety fault.
 
 The first difference of every comparison is printed; exit status 1 when there is one, or when the lines exercised too
 little to prove anything.
@@ -70,7 +70,7 @@ def members(text, where):
 
 
 def compare_objects(before, after, where):
-    """Every member of `before` stands in `after`, with the same bytes, in the same order."""
+    """Every member of `before` is in `after`, with the same bytes, in the same order."""
     old, new = members(before, where), members(after, where)
     values = dict(new)
     names = {key for key, _ in old}

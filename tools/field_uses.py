@@ -98,7 +98,7 @@ class Uses:
             self.visit(c, how, asked)
 
     def visit(self, c, how=R, asked=False):
-        """`how`: what is done with the value of this expression; `asked`: it stands in a comparison or a question."""
+        """`how`: what is done with the value of this expression; `asked`: it is part of a comparison or condition."""
         kind = c.kind
         handler = HANDLERS.get(kind)
         if handler:

@@ -71,7 +71,7 @@ KINDS = {"acceleration": "acceleration", "distance": "distance", "gradient": "gr
 
 def write_variable_table(variables, out):
     lines = ['#include "lang/variable_table.h"\n\n#include <array>\n\n#include "lang/variables.h"\n\n',
-             "// The meaning of every code, in our own words (SUBSET-026-7 7.5).\nnamespace evc::lang {\nnamespace {\n\n",
+             "// The meaning of every code (SUBSET-026-7 7.5), reworded.\nnamespace evc::lang {\nnamespace {\n\n",
              "template <std::size_t N>\nusing Meanings = std::array<Meaning, N>;\n",
              "template <std::size_t N>\nusing Numbers = std::array<CodeNumber, N>;\n\n"]
     rows = []

@@ -105,7 +105,7 @@ int main() {
       "which makes the transition, and its priority (p1 is the highest). %zu cells.\n\n",
       srs_4_6_2.size());
   print_matrix(srs_4_6_2, kModes, [](Mode m) { return name(m); });
-  std::printf("\n## Conditions (4.6.3)\nIn our words; the standard's own text is the one that counts.\n\n");
+  std::printf("\n## Conditions (4.6.3)\nShort descriptions; the text of the standard applies.\n\n");
   std::printf("| number | condition | kind | observed by |\n|---|---|---|---|\n");
   for (const Condition& row : srs_4_6_3)
     std::printf("| [%d] | %s | %s | %s |\n", row.number, row.meaning, nature(row.nature), origin(row.origin));

@@ -238,7 +238,7 @@ typedef struct openevc_outputs {
   /* Not a number where not supervised. */
   double V_P, V_W, V_SBI, V_EBI, V_MRSP, V_target, V_release;
   double d_target;
-  double EOA, SvL; /* nominal counter of the front end that stands there */
+  double EOA, SvL; /* nominal counter of a front end at that place */
   /* Commands: traction cut-off, service brake, emergency brake. */
   uint8_t tco, sb, eb;
   uint8_t start_offered; /* the driver may select OPENEVC_START */

@@ -158,7 +158,7 @@ static_assert(
         if (srs_4_6_3[i - 1].number >= srs_4_6_3[i].number) return false;
       return true;
     }(),
-    "the conditions stand in the order of the standard");
+    "the conditions are in the order of the standard");
 
 /// All conditions of one nature.
 constexpr Conditions conditions_of(Nature nature) {

@@ -143,7 +143,7 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
   fmt::print("interventions       {} traction cut-off, {} service brake, {} emergency brake, {} trip\n",
              number(i["tco"]), number(i["sb"]), number(i["eb"]), number(i["trip"]));
   fmt::print("margin to the EBI   {} km/h minimum\n", number(s["min_margin_to_EBI_kmh"]));
-  fmt::print("position error      {} m at the most, {} cycles outside the confidence interval\n",
+  fmt::print("position error      {} m at most, {} cycles outside the confidence interval\n",
              number(s["max_position_error_m"]), number(s["confidence_interval_violations"]));
   if (!s["svl_overrun_m"].is_null()) fmt::print("SvL overrun         {} m\n", number(s["svl_overrun_m"]));
   const auto& c = s["cycle_us"];

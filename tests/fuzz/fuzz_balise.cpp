@@ -1,5 +1,5 @@
-// Balise groups, linking and position: whatever is read, wherever the train runs, no crash, no interval that is
-// inside out, no group that is accepted with an error, and equal states answer equally.
+// Balise groups, linking and position: for any telegrams and movements there is no crash, no interval with min > max,
+// no group accepted with an error, and equal states give equal results.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>

@@ -1,5 +1,5 @@
-// Whatever stands in a stream of inputs: every line is consumed or refused with its number, and the kernel answers
-// every cycle up to there.
+// Any stream of inputs: every line is consumed or rejected with its number, and the kernel answers every cycle up to
+// there.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>

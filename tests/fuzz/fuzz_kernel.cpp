@@ -1,4 +1,4 @@
-// Whatever telegrams, messages, odometer readings and driver actions come: the kernel answers every cycle, its outputs
+// Any telegrams, messages, odometer readings and driver actions: the kernel answers every cycle, its outputs
 // are well formed, and the same inputs give the same outputs.
 #include <cstdlib>
 #include <cstring>

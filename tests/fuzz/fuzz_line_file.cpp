@@ -1,4 +1,4 @@
-// Whatever stands in a line file: it is read, or refused with a diagnostic that names the place.
+// Any line file is read, or rejected with a diagnostic that names the place.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

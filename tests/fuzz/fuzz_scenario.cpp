@@ -1,4 +1,4 @@
-// Whatever stands in a scenario: it is read, or refused with a diagnostic that names the place.
+// Any scenario is read, or rejected with a diagnostic that names the place.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

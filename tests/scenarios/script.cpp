@@ -173,7 +173,7 @@ class Reader {
     return line.size();
   }
 
-  /// `NAME = VALUE, NAME = VALUE`; a value is one word with its unit, a text, or what stands in brackets.
+  /// `NAME = VALUE, NAME = VALUE`; a value is one word with its unit, a text, or a part in brackets.
   static std::vector<Parameter> parameters(const Line& line, std::size_t from) {
     std::vector<Parameter> found;
     std::size_t i = from;

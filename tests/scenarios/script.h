@@ -8,7 +8,7 @@
 
 #include "io/diagnostic.h"
 
-// Scenarios as text (docs/scenarios.md): what stands in a file, read and checked, ready to be run.
+// Scenarios as text (docs/scenarios.md): the contents of a file, read and checked, ready to be run.
 namespace evc::scenario {
 
 using Json = nlohmann::json;

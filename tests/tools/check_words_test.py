@@ -36,9 +36,20 @@ class Words(unittest.TestCase):
     def test_every_phrase_can_be_found(self):
         examples = ["told", "that are none", "is no use", "has not its name", "never heard of", "goes first", "is gone", "What of it",
                     "passed over", "handed on", "held against", "go to standard error", "went wrong", "sent nonsense", "went in.", "mended",
-                    "says so in its name", "at the least", "takes it that", "by lot", "has the word"]
+                    "says so in its name", "at the least", "takes it that", "by lot", "has the word", "stands in the table", "as it stands",
+                    "knows no packet", "at the most", "for want of room", "in the place of", "found out", "in our own words",
+                    "leads somewhere", "monotonous", "handed over", "a defect of ours", "put right", "// Whatever is read",
+                    "worked out", "no business", "once more", "truly"]
         for pattern, _ in check_words.COMPILED:
             self.assertTrue(any(pattern.search(e) for e in examples), pattern.pattern)
+
+    def test_whatever_begins_no_sentence(self):
+        source = "// Whatever is sent.\n// Sent in order, whatever the mode.\n/// It ends. Whatever follows\nint whatever;\n"
+        self.assertEqual(self.found("src/a.cpp", source), ["1", "3"])
+
+    def test_a_train_may_stand(self):
+        source = "// The train stands at 300 m.\n// It stands in front of the EOA.\n"
+        self.assertEqual(self.found("src/a.cpp", source), ["2"])
 
     def test_a_tree(self):
         with tempfile.TemporaryDirectory() as name:

@@ -168,7 +168,7 @@ class Room:
                 for file in (root / room).rglob("*.*"):
                     if file.suffix in (".cpp", ".h", ".inc"):
                         write(copy / file.relative_to(root), file.read_text())
-        # "openevc/ROOM/x.h" is ROOM/x.h in a copy; what stands above the public rooms is the same in every one.
+        # "openevc/ROOM/x.h" is ROOM/x.h in a copy; headers above the public rooms are the same in every copy.
         for header in PUBLIC.glob("*.h"):
             write(SHARED / "src" / header.name, header.read_text())
         # What the build makes: no snapshot is exchanged here.

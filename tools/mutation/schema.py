@@ -6,7 +6,7 @@
     std::min(a)   ->  Min{7}(a)                      constexpr Row k[] = {{..}}  ->  const Table<Row> k = {{7, {..}}}
 
 constexpr is removed, so that nothing is computed before the mutant is known. Where a constant has to be one (array sizes,
-case labels), or where the changed operator does not exist, the copy does not compile; every change stands in a line of
+case labels), or where the changed operator does not exist, the copy does not compile; every change is on a line of
 its own with its mark, so that the compiler's message shows which. It is taken back and its mutants are built alone."""
 import re
 

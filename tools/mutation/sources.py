@@ -152,7 +152,7 @@ def deleted_statement(line, previous):
 
 
 def places(text, enums):
-    """(start, end, replacement, operator, what table it stands in a row of) of every mutant of a file:
+    """(start, end, replacement, operator, the kind of table of its row) of every mutant of a file:
     "array", "page" (made at compile time, checked by assertions) or "" (none)."""
     code = masked(text)
     in_table = ""
