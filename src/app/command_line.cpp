@@ -61,7 +61,7 @@ void explain_option(Diagnostic& d, std::string what) {
     d.found = range->before.substr(6);
     d.expected = "a number from " + (ends ? plain(ends->before) + " to " + plain(ends->behind) : range->behind);
   } else if (what.find(" required ") != std::string::npos && take_end(what, " missing")) {
-    d.found = "nothing behind it";
+    d.found = "nothing after it";
     d.expected = "a value";
   } else if (const auto often = split(what, "At Most 1 required but received "); often && often->before.empty()) {
     d.found = "it " + often->behind + " times";

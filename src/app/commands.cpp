@@ -33,9 +33,9 @@ std::optional<std::uint64_t> seed_of(const std::string& digits) {
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::RunOptions>();
   auto seed = std::make_shared<std::string>("1");
-  CLI::App* command = app.add_subcommand("run", "Drive a train along a line under the on-board's supervision");
-  command->add_option("line", options->line, "line file (etcs-line/1); the shipped line when not given");
-  command->add_option("--train", options->train, "train file (etcs-train/1); the standard train when not given");
+  CLI::App* command = app.add_subcommand("run", "Drive a simulated train along a line, supervised by the on-board");
+  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
   command->add_option("--driver", options->driver, "perfect, late or reckless")
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
@@ -53,11 +53,11 @@ void add_run(CLI::App& app, int& exit_code) {
 
 void add_replay(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::ReplayOptions>();
-  CLI::App* command = app.add_subcommand("replay", "Give a stream of inputs to the on-board and print its outputs");
+  CLI::App* command = app.add_subcommand("replay", "Run the on-board on a stream of inputs and print its outputs");
   CLI::Option* input = command->add_option("input", options->input, "JSON Lines of inputs; - for standard input");
   command->add_option("--config", options->config, "configuration, instead of the stream's first line");
-  command->add_option("-o,--output", options->output, "where the outputs go; standard output when not given");
-  command->add_option("--every", options->every, "print every Nth cycle only")->check(CLI::Range(1, 1000000000));
+  command->add_option("-o,--output", options->output, "file for the outputs; default: standard output");
+  command->add_option("--every", options->every, "print only every Nth cycle")->check(CLI::Range(1, 1000000000));
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
   auto compared = std::make_shared<std::vector<std::string>>();
@@ -73,16 +73,16 @@ void add_replay(CLI::App& app, int& exit_code) {
 void add_curves(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<curves::Options>();
   CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
-  command->add_option("input", options->input, "what is asked (evc-curves/1); a shipped example when not given");
+  command->add_option("input", options->input, "query (evc-curves/1); default: a shipped example");
   command->add_option("--format", options->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();
   command->add_option("--model", options->model, "srs, or workbook: an early spreadsheet model of the curves")
       ->check(CLI::IsMember({"srs", "workbook"}))
       ->capture_default_str();
-  command->add_option("--explain", options->explain_kmh, "the computation for this speed in km/h, step by step")
+  command->add_option("--explain", options->explain_kmh, "the computation for this speed (km/h), step by step")
       ->check(CLI::Range(0.0, 600.0));
-  command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html to work with");
+  command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html, interactive");
   command->add_option("-o,--output", options->output, "file to write to instead of standard output");
   command->callback([command, options, &exit_code] {
     if (command->get_subcommands().empty()) exit_code = curves::show(*options);
@@ -96,13 +96,13 @@ void add_curves(CLI::App& app, int& exit_code) {
   comparison->add_option("--format", two->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();
-  comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html to work with");
+  comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html, interactive");
   comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
   comparison->callback([two, &exit_code] { exit_code = curves::compare(*two); });
 }
 
 void add_decode(CLI::App& app, int& exit_code) {
-  CLI::App* decode = app.add_subcommand("decode", "Bits of balises and radio to JSON or a table");
+  CLI::App* decode = app.add_subcommand("decode", "Decode bits of balises and radio to JSON or a table");
   decode->require_subcommand(1);
   using language::What;
   struct Kind {
@@ -120,14 +120,14 @@ void add_decode(CLI::App& app, int& exit_code) {
     sub->add_option("INPUT", o->input, "Hexadecimal digits, a file with one telegram a line, or - for standard input")
         ->required();
     sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
-    sub->add_flag("--explain", o->explain, "A table for people: bit, variable, raw code, meaning");
-    CLI::Option* strict = sub->add_flag("--strict", o->strict, "Refuse spare codes (always done except for packets)");
-    sub->add_flag("--tolerant", o->tolerant, "Accept spare codes, wrong media and packets that stand twice")
+    sub->add_flag("--explain", o->explain, "A readable table: bit, variable, raw code, meaning");
+    CLI::Option* strict = sub->add_flag("--strict", o->strict, "Reject spare codes (the default except for packets)");
+    sub->add_flag("--tolerant", o->tolerant, "Accept spare codes, wrong media and packets that occur twice")
         ->excludes(strict);
     if (kind.what != What::packet)
       sub->add_option("--pcapng", o->pcapng,
                       "Also write what was accepted as a capture for Wireshark (etcs-wireshark)");
-    if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are of a Euroloop message");
+    if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "The bits are a Euroloop message");
     if (kind.what == What::radio || kind.what == What::packet) {
       CLI::Option* to_train = sub->add_flag("--to-train", o->to_train, "From track to train");
       CLI::Option* to_track = sub->add_flag("--to-track", o->to_track, "From train to track");
@@ -144,7 +144,7 @@ void add_decode(CLI::App& app, int& exit_code) {
 }
 
 void add_encode(CLI::App& app, int& exit_code) {
-  CLI::App* encode = app.add_subcommand("encode", "JSON as of `evc decode` to bits");
+  CLI::App* encode = app.add_subcommand("encode", "Encode the JSON of `evc decode` to bits");
   encode->require_subcommand(1);
   using language::What;
   struct Kind {
@@ -158,7 +158,7 @@ void add_encode(CLI::App& app, int& exit_code) {
     CLI::App* sub = encode->add_subcommand(kind.name, kind.help);
     const auto o = std::make_shared<language::EncodeOptions>();
     o->what = kind.what;
-    sub->add_option("INPUT", o->input, "A JSON object, a file of such, or - for standard input")->required();
+    sub->add_option("INPUT", o->input, "A JSON object, a file of JSON objects, or - for standard input")->required();
     sub->add_option("-o,--output", o->output, "File to write; standard output if absent");
     if (kind.what == What::balise) sub->add_flag("--loop", o->loop, "A Euroloop message");
     if (kind.what == What::radio || kind.what == What::packet) {
@@ -211,7 +211,7 @@ void add_make_line(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("make-line", "Encode a readable description of a line into telegrams and messages");
   command->add_option("description", *input, "description (evc-line-description/1); - for standard input")->required();
-  command->add_option("-o,--output", *output, "line file (etcs-line/1); standard output when not given");
+  command->add_option("-o,--output", *output, "line file (etcs-line/1); default: standard output");
   command->callback([input, output, &exit_code] { exit_code = make(*input, *output); });
 }
 

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
       exit_code = 0;
       write_error = failed->code().value();
     } else {
-      std::fprintf(stderr, "evc: found %s, expected to come to an end\n", error.what());
+      std::fprintf(stderr, "evc: found %s, expected no failure\n", error.what());
     }
   }
   return evc::app::with_all_written(exit_code, write_error);

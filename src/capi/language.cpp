@@ -15,7 +15,7 @@ openevc_result openevc_decode(const openevc_reading* reading, const uint8_t* byt
                               size_t json_size, size_t* length, char* why_text, size_t why_size) noexcept {
   const Why why{why_text, why_size};
   openevc_reading r;
-  if (!evc::capi::take(r, reading)) return why.because(OPENEVC_BAD_ARGUMENT, "reading: null or without its size");
+  if (!evc::capi::take(r, reading)) return why.because(OPENEVC_BAD_ARGUMENT, "reading: null, or its size is not set");
   if (bytes == nullptr) return why.because(OPENEVC_BAD_ARGUMENT, "bytes: null");
   if (r.form < OPENEVC_BALISE || r.form > OPENEVC_PACKET)
     return why.because(OPENEVC_BAD_ARGUMENT, "reading.form: not an openevc_form");

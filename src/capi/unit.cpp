@@ -254,9 +254,9 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
   const Why why{why_text, why_size};
   if (!usable(unit)) return why.because(OPENEVC_BAD_ARGUMENT, kNoUnit);
   openevc_inputs in;
-  if (!take_inputs(in, inputs)) return why.because(OPENEVC_BAD_ARGUMENT, "inputs: null or without its size");
+  if (!take_inputs(in, inputs)) return why.because(OPENEVC_BAD_ARGUMENT, "inputs: null, or its size is not set");
   if (outputs == nullptr || outputs->size < sizeof outputs->size)
-    return why.because(OPENEVC_BAD_ARGUMENT, "outputs: null or without its size");
+    return why.because(OPENEVC_BAD_ARGUMENT, "outputs: null, or its size is not set");
   return evc::capi::guarded(why, [&] {
     kernel::Inputs cycle;
     Received received;

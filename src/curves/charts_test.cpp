@@ -112,12 +112,12 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   b["target"]["location_m"] = b["target"]["svl_location_m"] = 8000;
   b["track"]["gradient"] = {{0, 0}, {5000, -5}};
   EXPECT_EQ(compared(a, b).differ, Strings{});
-  EXPECT_EQ(compared(a, b).warnings, (Strings{"the targets lie at different places: A 7000 m, B 8000 m; each one's "
-                                              "distances count from its own target"}));
+  EXPECT_EQ(compared(a, b).warnings, (Strings{"the targets are at different places: A 7000 m, B 8000 m; the distances "
+                                              "of each are from its own target"}));
   b["track"]["gradient"] = {{0, 0}, {4000, -5}};
   EXPECT_EQ(compared(a, b).differ, Strings{"gradients"});
   EXPECT_EQ(compared(a, b).warnings.back(),
-            "the gradients on the way to the target differ: the difference is also that of the tracks");
+            "the gradients on the way to the target differ: the tracks contribute to the difference");
   // A gradient beyond the curves makes no difference; a gradient that ends does.
   b = a;
   b["track"]["gradient"] = {{0, 3}, {100, 0}, {4000, -5}};
@@ -134,7 +134,7 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   const Comparison other = compared(a, b);
   EXPECT_EQ(other.warnings,
             (Strings{"the targets differ: A an end of authority with the SvL at its place, B a limit of "
-                     "authority at 40 km/h; each one's distances count from its own target"}));
+                     "authority at 40 km/h; the distances of each are from its own target"}));
   // In every format of the output.
   const json shown = json::parse(comparison_text(other, Format::json));
   EXPECT_EQ(shown["warnings"][0], other.warnings[0]);

@@ -123,19 +123,19 @@ void compare_inputs(Comparison& c, const Approached& a, const Approached& b) {
   differ(p.inputs.fixed == q.inputs.fixed, "fixed values");
   differ(same_state(p, q), "state");
   differ(same_release_speed(a, b), "release speed");
-  const std::string own = "; each one's distances count from its own target";
+  const std::string own = "; the distances of each are from its own target";
   const std::string target_a = target_text(a), target_b = target_text(b);
   if (differ(target_a == target_b, "target"))
     c.warnings.push_back("the targets differ: A " + target_a + ", B " + target_b + own);
   else if (std::abs(target_of(a) - target_of(b)) > kSame)
     c.warnings.push_back(
-        fmt::format("the targets lie at different places: A {:.6g} m, B {:.6g} m", target_of(a), target_of(b)) + own);
+        fmt::format("the targets are at different places: A {:.6g} m, B {:.6g} m", target_of(a), target_of(b)) + own);
   const double far = reach(c, a, b);
   const double beyond = std::max(m(a.target().foot) - target_of(a), m(b.target().foot) - target_of(b));
   if (differ(same_gradient(a, b, far, std::max(beyond, kSame)), "gradients"))
-    c.warnings.emplace_back("the gradients on the way to the target differ: the difference is also that of the tracks");
+    c.warnings.emplace_back("the gradients on the way to the target differ: the tracks contribute to the difference");
   if (differ(same_conditions(a, b), "track conditions"))
-    c.warnings.emplace_back("adhesion or track conditions differ: the difference is also that of the tracks");
+    c.warnings.emplace_back("adhesion or track conditions differ: the tracks contribute to the difference");
   differ(same_mrsp(a, b, far), "MRSP");
 }
 

@@ -53,7 +53,7 @@ void location_on(ExplainPage& page, const std::string& symbol, sdm::CurveView cu
 bool nowhere(ExplainPage& page, const char* speed, Place place) {
   if (is_somewhere(place)) return false;
   page.line(std::string(speed) +
-            " is nowhere allowed (A <= 0): the curve does not reach it, there are no limits for it");
+            " is allowed nowhere (A <= 0): the curve does not reach it, there are no limits for it");
   return true;
 }
 

@@ -330,7 +330,7 @@ TEST(CurvesExplain, ASpeedThatIsNowhereAllowed) {
   document["national_values"]["Kv_int_passenger"] = {{0, 0, 0}};
   document["track"]["gradient"] = {{0, 0}};
   const std::string page = explain_text(approached(document), 100);
-  EXPECT_NE(page.find("V_bec is nowhere allowed (A <= 0)"), std::string::npos) << page;
+  EXPECT_NE(page.find("V_bec is allowed nowhere (A <= 0)"), std::string::npos) << page;
   EXPECT_EQ(page.find("1000000"), std::string::npos) << page;
   EXPECT_NE(page.find("d_SBI1"), std::string::npos);
 }

@@ -136,7 +136,7 @@ std::string as_table(const CurvesResult& r) {
     out += table_of("m", &PositionRow::position_m, r.by_position, position_columns());
   }
   append_queries_table(out, "permitted braking distances", r.PBD);
-  append_queries_table(out, "level crossings: metres before them where their speed takes the place of the stop", r.LX);
+  append_queries_table(out, "level crossings: metres before them where their speed replaces the stop", r.LX);
   for (const std::string& note : r.notes) out += "note: " + note + "\n";
   return out;
 }
@@ -168,7 +168,7 @@ std::vector<std::string> Approached::notes() const {
         "in rear of the SvL (3.13.9.4.8)");
   if (target_->warnings.no_deceleration)
     notes.emplace_back("the train does not decelerate everywhere (A <= 0): the curve is level there, on the safe side");
-  if (derived_->truncated) notes.emplace_back("more elements than there is room for: answered on the safe side");
+  if (derived_->truncated) notes.emplace_back("more elements than fit: handled on the safe side");
   return notes;
 }
 

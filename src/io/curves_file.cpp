@@ -59,7 +59,8 @@ void read_fixed_values(train::FixedValues& f, const JsonPlace& place) {
     speed(dV_max, keys[1].c_str());
     speed(V_min, keys[2].c_str());
     speed(V_max, keys[3].c_str());
-    if (!(dV_min <= dV_max)) place.fail(keys[0] + " above " + keys[1], "it not above (SUBSET-026 A.3.1)");
+    if (!(dV_min <= dV_max))
+      place.fail(keys[0] + " above " + keys[1], "the minimum not above the maximum (SUBSET-026 A.3.1)");
     if (!(V_min < V_max)) place.fail(keys[2] + " not below " + keys[3], "it below (SUBSET-026 A.3.1)");
   };
   ceiling(f.dV_ebi_min, f.dV_ebi_max, f.V_ebi_min, f.V_ebi_max, "ebi");
@@ -248,7 +249,7 @@ void read_state(CurvesInput& out, const JsonPlace& state) {
   }
   const auto est = state.find("est_front_m");
   for (const char* key : {"max_safe_front_m", "min_safe_front_m"})
-    if (!est && state.find(key)) state[key].fail("est_front_m beside it");
+    if (!est && state.find(key)) state[key].fail("est_front_m as well");
   if (!est) return;
   sdm::Motion m;
   m.est_front = m.max_safe_front = m.min_safe_front = Place{{location(*est)}};

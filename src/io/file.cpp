@@ -109,7 +109,7 @@ Result<bool> WholeFile::finish() {
   }
   if (error_ == 0) return true;
   errno = error_;  // of the first operation that failed
-  return tl::unexpected(system_error_at(file_, "room to write the whole file"));
+  return tl::unexpected(system_error_at(file_, "space for the whole file"));
 }
 
 Result<bool> WholeFile::commit() {

@@ -211,7 +211,7 @@ void read_fault(CycleInputs& cycle, const JsonPlace& place) {
 void read_object(CycleInputs& cycle, InputStream::Radio& radio, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only(
       {"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "national_system", "fault"});
-  if (const auto p = place.find("config")) p->fail("it on the first line only");
+  if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);

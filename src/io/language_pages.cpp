@@ -452,7 +452,7 @@ std::string packet_page_name(std::uint8_t nid, Direction direction) {
 
 std::string packet_index_page() {
   std::string out =
-      "# The packets of the ETCS language\nOne page per packet, to be laid beside SUBSET-026-7. Made by "
+      "# The packets of the ETCS language\nOne page per packet, to be compared with SUBSET-026-7. Made by "
       "`tools/make_packet_pages`; a test keeps them up to date.\n";
   for (const Direction d : {Direction::to_train, Direction::to_track}) {
     out += d == Direction::to_train ? "\n## Track to train\n" : "\n## Train to track\n";

@@ -105,7 +105,7 @@ TEST(Explain, Tables) {
   EXPECT_NE(text.find("   73  NID_MN                              2114079  20421\n"), std::string::npos) << text;
   EXPECT_NE(text.find("packet 255  End of information"), std::string::npos);
   // A truncated telegram.
-  EXPECT_NE(explain_balise(bits->bytes, 90).find("! not sound"), std::string::npos);
+  EXPECT_NE(explain_balise(bits->bytes, 90).find("! not consistent"), std::string::npos);
   // An unknown packet, a text, a group, bits of an application.
   const auto packet = [](const char* json) {
     const auto encoded = encode_packet_json(nlohmann::json::parse(json));

@@ -204,7 +204,7 @@ class Encoder {
     for (const Step& s : profile)
       if (s.to_m > from && s.from_m < to) steps.push_back({std::max(s.from_m, from), std::min(s.to_m, to), s.value});
     if (steps.empty() || steps.front().from_m > from || steps.back().to_m < to)
-      root_.fail("a profile with a hole from " + std::to_string(std::lround(from)) + " m to " +
+      root_.fail("a profile with a gap from " + std::to_string(std::lround(from)) + " m to " +
                      std::to_string(std::lround(to)) + " m",
                  "gradient and ssp over the whole of every authority and 100 m beyond");
     return steps;

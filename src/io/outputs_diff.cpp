@@ -84,7 +84,7 @@ std::string text_of(const StreamDifference& d, const std::string& name_a, const 
   if (d.line > std::min(d.lines_a, d.lines_b))
     text += "  " + (d.lines_a < d.lines_b ? name_a : name_b) + " ends before it\n";
   else if (d.fields.empty())
-    text += "  the values are the same, only their spelling differs\n";
+    text += "  the values are the same, only their notation differs\n";
   for (const FieldDifference& f : d.fields)
     text += "  " + (f.pointer.empty() ? "the line" : f.pointer) + ": " + f.a + " | " + f.b + "\n";
   return text + std::to_string(d.differing) + " lines differ of " + std::to_string(d.lines_a) + " | " +

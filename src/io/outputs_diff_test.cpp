@@ -46,7 +46,7 @@ TEST(OutputsDiff, OneStreamEnds) {
 
 TEST(OutputsDiff, ASpellingIsADifferenceToo) {
   EXPECT_EQ(shown("{\"a\":1}\n", "{\"a\": 1}\n"),
-            "a and b differ first in line 1\n  the values are the same, only their spelling differs\n"
+            "a and b differ first in line 1\n  the values are the same, only their notation differs\n"
             "1 lines differ of 1 | 1\n");
 }
 

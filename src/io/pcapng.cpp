@@ -109,7 +109,8 @@ void Pcapng::append_version(std::string& out, lang::SystemVersion sv) {
   std::array<std::uint8_t, 16> room{};
   BitWriter bits(room);
   lang::encode_message(bits, message);
-  append(out, Port::radio, lang::Direction::to_train, bits.bytes(), "made: the system version of what follows");
+  append(out, Port::radio, lang::Direction::to_train, bits.bytes(),
+         "added: the system version of the following messages");
 }
 
 }  // namespace evc::io

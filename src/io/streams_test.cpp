@@ -327,7 +327,7 @@ TEST(WholeFile, BothOrNeither) {
     full->write("no room");
     const auto done = commit_together({&*a, &*full});
     ASSERT_FALSE(done);
-    EXPECT_EQ(done.error().text(), "/dev/full: found No space left on device, expected room to write the whole file");
+    EXPECT_EQ(done.error().text(), "/dev/full: found No space left on device, expected space for the whole file");
   }
   EXPECT_EQ(*read_text(folder / "a"), "old");
   EXPECT_EQ(folder.entries(), 1u);

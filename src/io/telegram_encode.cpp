@@ -175,7 +175,7 @@ class ObjectWriter {
       for (std::size_t i = first; i < steps.size(); ++i)
         if ((key == steps[i].name || key == steps[i].counter) && !present[i])
           refuse(key, "a member whose condition does not hold");
-    refuse("", "members that do not belong together");
+    refuse("", "members of different layouts");
   }
 
   BitWriter& out_;
@@ -218,7 +218,7 @@ void write_raw_packet(BitWriter& out, const Json& packet, std::uint64_t nid) {
   // A packet may consist of its header only.
   const auto raw = digits.empty() ? tl::expected<Bits, TelegramError>(Bits{}) : bits_of_hex(digits);
   if (!raw) refuse("raw", raw.error().why);
-  if ((length - header + 3) / 4 != raw->bits / 4) refuse("raw", "not as many digits as L_PACKET wants");
+  if ((length - header + 3) / 4 != raw->bits / 4) refuse("raw", "the number of digits does not match L_PACKET");
   BitReader in(raw->bytes, length - header);
   while (in.left() > 0) {
     const auto bits = static_cast<unsigned>(in.left() < 32 ? in.left() : 32);
@@ -319,7 +319,7 @@ void put_padding(BitWriter& out, const Json& padding, std::size_t bits) {
   if (!padding.is_string()) refuse("padding", "expected hexadecimal digits");
   const auto raw = bits_of_hex(padding.get_ref<const std::string&>());
   if (!raw) refuse("padding", raw.error().why);
-  if (raw->bits < bits) refuse("padding", "fewer bits than \"bits\" wants");
+  if (raw->bits < bits) refuse("padding", "fewer bits than \"bits\"");
   append(out, raw->bytes, bits);
 }
 

@@ -253,7 +253,7 @@ std::string explain_balise(std::span<const std::uint8_t> bytes, std::size_t bits
     at = next.faulty() ? 0 : explain_one(table, bytes, at, bits, Direction::to_train, sv);
     if (at == 0) break;
   }
-  table.title("! not sound from here on");
+  table.title("! not consistent from here on");
   return table.take();
 }
 
@@ -279,7 +279,7 @@ std::string explain_radio(std::span<const std::uint8_t> bytes, Direction directi
   while (!in.faulty() && bits - at >= 8) {
     at = explain_one(table, bytes, at, bits, direction, sv);
     if (at == 0) {
-      table.title("! not sound from here on");
+      table.title("! not consistent from here on");
       break;
     }
   }
@@ -292,7 +292,7 @@ std::string explain_packet(std::span<const std::uint8_t> bytes, std::size_t bits
   table.title(std::string("packet ") + (direction == Direction::to_train ? "to the train" : "to the track") +
               ", system version " + version_text(sv));
   table.title("  bit  variable                                raw  meaning");
-  if (explain_one(table, bytes, 0, bits, direction, sv) == 0) table.title("! not sound from here on");
+  if (explain_one(table, bytes, 0, bits, direction, sv) == 0) table.title("! not consistent from here on");
   return table.take();
 }
 

@@ -139,7 +139,7 @@ void read_models(TrainData& data, const JsonPlace& model, train::BrakeSet with) 
     model.fail("at most 4 models of the emergency brake");
   for (const char* key : {"Kdry_rst", "Kwet_rst"}) {
     const auto factors = model.find(key);
-    if (factors && !model.find("A_brake_emergency")) factors->fail("A_brake_emergency beside it");
+    if (factors && !model.find("A_brake_emergency")) factors->fail("A_brake_emergency in the same block");
   }
   if (const auto service = model.find("A_brake_service"))
     if (!data.service.push_back({read_decelerations(*service), with}))
@@ -280,7 +280,7 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
   if (const auto p = place.find("Kn_minus")) data.Kn_minus = read_kn(*p);
   if (data.brake_model == train::BrakeModel::lambda) return;
   for (const char* key : {"A_brake_emergency", "A_brake_service", "T_brake_emergency_s", "T_brake_service_s"})
-    if (!place.find(key)) place.fail("no key \"" + std::string(key) + "\"", "one: brake_model is gamma");
+    if (!place.find(key)) place.fail("no key \"" + std::string(key) + "\"", "this key: brake_model is gamma");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ const char* text_of(Fault fault) {
     case Fault::too_many_packets:
       return "more packets than can be held";
     case Fault::duplicate_packet:
-      return "packet stands twice for one direction";
+      return "packet occurs twice for one direction";
     case Fault::wrong_medium:
       return "packet not allowed on this medium";
     case Fault::wrong_direction:

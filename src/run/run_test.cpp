@@ -82,7 +82,7 @@ TEST(MakeLine, ErrorsNameThePlace) {
   EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
     "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],
     "radio":[]})")
-                .find("a profile with a hole from 0 m to 190 m"),
+                .find("a profile with a gap from 0 m to 190 m"),
             std::string::npos);
 }
 
@@ -338,7 +338,7 @@ TEST(Run, TheFilesAreThereWhateverBecomesOfTheSummary) {
       io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","name":")" + std::string(20000, 'x') + "\"}"));
   const Finished run =
       evc("run --train '" + (folder / "t.json") + "' -o '" + folder.path() + "' 2>&1 >/dev/full | cat");
-  EXPECT_EQ(run.output, "standard output: found No space left on device, expected room to write all of it\n");
+  EXPECT_EQ(run.output, "standard output: found No space left on device, expected space for all of it\n");
   EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
 }
 
