@@ -1,5 +1,5 @@
-// Braking curves and supervision limits with openevc::curves alone: one header, no heap but ours, no files.
-// The same case as data/curves/passenger_eoa.json.
+// Braking curves and supervision limits with openevc::curves alone: one header, no files; only this program uses the
+// heap. The same case as data/curves/passenger_eoa.json.
 #include <openevc/curves.h>
 
 #include <cstdio>
@@ -11,7 +11,7 @@ namespace train = evc::train;
 
 int main() {
   sdm::Inputs in;
-  in.revision = 1;  // changes whenever anything else in it changes
+  in.revision = 1;  // changed whenever another member changes
   in.srs = evc::SrsVersion::v3_6_0;
   in.train.brake_percentage = 150.0;  // the rest is the standard train: lambda, position P
   in.train.L_TRAIN = 400_m;

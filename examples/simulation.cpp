@@ -1,5 +1,5 @@
 // A train along a line under an on-board unit's supervision, with openevc::sim: `simulation LINE.json` (docs/line.md).
-// It prints where the mode changes and what the driver would see there.
+// It prints the place of each mode change and what is shown to the driver.
 #include <openevc/sim.h>
 
 #include <cstdio>

@@ -5,7 +5,7 @@
 
 static const double cycle_s = 0.1;
 
-/* What the driver does in cycle n. */
+/* Actions of the driver in cycle n. */
 static void drive(openevc_inputs* in, int n) {
   if (n == 10) {
     in->entered = 1u << OPENEVC_ENTRY_DRIVER_ID;
@@ -30,7 +30,7 @@ static void drive(openevc_inputs* in, int n) {
   if (n > 60) in->acknowledged = 1u << OPENEVC_ACK_UN;
 }
 
-/* The odometer of a train that stands for ten seconds, then gains 0.5 m/s every second; it is wrong by 1 % at most. */
+/* The odometer of a train that is at standstill for ten seconds, then gains 0.5 m/s every second; error at most 1 %. */
 static void count(openevc_inputs* in, int n) {
   const double t = n > 100 ? (n - 100) * cycle_s : 0.0;
   in->V_est = 0.5 * t;
@@ -83,7 +83,7 @@ int main(void) {
     if (n % 50 == 0)
       printf("%5.1f %4s %5s %8.3f %9.3f %6s\n", out->now, mode_name(out->mode), level_name(out->level),
              out->V_est * 3.6, out->est_front, out->eb ? "EB" : out->sb ? "SB" : "-");
-    if (n == 300) { /* what sleeps and wakes up goes on as before */
+    if (n == 300) { /* a restored unit continues from the snapshot */
       if (openevc_snapshot(unit, snapshot, openevc_snapshot_size()) != OPENEVC_OK) return 1;
       if (openevc_restore(memory, size, snapshot, openevc_snapshot_size(), &unit, why, sizeof why) != OPENEVC_OK)
         return 1;

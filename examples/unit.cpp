@@ -1,6 +1,6 @@
-// A minute of an on-board unit with openevc::kernel alone: the driver opens the desk, enters his data, chooses level 0
-// and starts; the train runs off. What the unit says is printed every five seconds, and its events as numbers are left
-// aside. examples/unit.c is the same in C and prints the same.
+// A minute of an on-board unit with openevc::kernel alone: the driver opens the desk, enters the data, selects level 0
+// and starts; the train departs. The outputs of the unit are printed every five seconds, without the numbers of its
+// events. examples/unit.c is the same in C and prints the same.
 #include <openevc/evc.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kCycle_s = 0.1;
 
-/// What the driver does in cycle n.
+/// Actions of the driver in cycle n.
 void drive(kernel::DriverActions& driver, const evc::train::TrainData& train, int n) {
   if (n == 10) driver.driver_id = 0x00001234;
   if (n == 20) driver.level = evc::Level::L0;
@@ -28,7 +28,7 @@ void drive(kernel::DriverActions& driver, const evc::train::TrainData& train, in
   if (n > 60) driver.acknowledged = 1u << static_cast<unsigned>(evc::Ack::UN);
 }
 
-/// The odometer of a train that stands for ten seconds, then gains 0.5 m/s every second; it is wrong by 1 % at most.
+/// The odometer of a train at standstill for ten seconds, then gaining 0.5 m/s every second; error at most 1 %.
 kernel::Odometry odometer(int n) {
   const double t = n > 100 ? (n - 100) * kCycle_s : 0.0;
   const double v = 0.5 * t;
@@ -57,7 +57,7 @@ int main() {
                   outputs->eb   ? "EB"
                   : outputs->sb ? "SB"
                                 : "-");
-    if (n == 300) {  // what sleeps and wakes up goes on as before
+    if (n == 300) {  // a restored unit continues from the snapshot
       std::vector<std::byte> snapshot(kernel::snapshot_size());
       if (!kernel::snapshot(*unit, snapshot)) return 1;
       auto woken = std::make_unique<kernel::Unit>();

@@ -1,4 +1,4 @@
-// Prints docs/modes.md from the tables that the unit runs on. tools/check_tables.py compiles and runs it.
+// Prints docs/modes.md from the tables that the unit uses. tools/check_tables.py compiles and runs it.
 #include <cstdio>
 #include <string>
 
@@ -99,10 +99,11 @@ const char* nature(Nature n) {
 int main() {
   std::printf(
       "# The mode table\n"
-      "Generated from `src/modes/` by `tools/check_tables.py --write`: what stands here is what the unit runs on.\n\n"
+      "Generated from `src/modes/` by `tools/check_tables.py --write` from the tables that the unit uses.\n\n"
       "## Transitions between modes (SUBSET-026-4 4.6.2, 3.3.0 to 3.6.0)\n"
-      "A row for each mode entered, a column for each mode left; a cell holds the numbers of the conditions, any of\n"
-      "which makes the transition, and its priority (p1 is the highest). %zu cells.\n\n",
+      "A row for each mode entered, a column for each mode left; a cell contains the numbers of the conditions, any "
+      "of\n"
+      "which leads to the transition, and its priority (p1 is the highest). %zu cells.\n\n",
       srs_4_6_2.size());
   print_matrix(srs_4_6_2, kModes, [](Mode m) { return name(m); });
   std::printf("\n## Conditions (4.6.3)\nShort descriptions; the text of the standard applies.\n\n");
@@ -110,11 +111,10 @@ int main() {
   for (const Condition& row : srs_4_6_3)
     std::printf("| [%d] | %s | %s | %s |\n", row.number, row.meaning, nature(row.nature), origin(row.origin));
   std::printf(
-      "\nTwo cells of equal priority never share a condition, which the compiler checks. Should both hold in one "
-      "cycle,\n"
-      "the cell of a level transition comes first, then that of an event, then the page's order.\n\n"
+      "\nTwo cells of equal priority have no condition in common; the compiler checks this. If two hold in one cycle,\n"
+      "a level transition comes first, then an event, then the order of the page.\n\n"
       "## The table of 4.0.0\n"
-      "As data, beside the other: the unit runs the 3.x table. %zu cells.\n\n",
+      "Data only: the unit uses the table of 3.x. %zu cells.\n\n",
       v400::srs_4_6_2.size());
   print_matrix(v400::srs_4_6_2, v400::kModes, [](v400::Mode m) { return v400::name(m); });
 }

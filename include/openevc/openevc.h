@@ -3,14 +3,13 @@
 /* The on-board unit, the braking curves and the ETCS language for programs in C and in languages that call C
  * (docs/embedding.md). Link libopenevc.so.0: `pkg-config --cflags --libs openevc`, or openevc::c of the CMake package.
  *
- * - Every object lies in memory that the caller gives: OBJECT_size() bytes, aligned to openevc_alignment(). The library
- *   allocates nothing for it, keeps no pointer to what it was given in a call, and has no state of its own: an object
- *   may be used from any thread, by one at a time; different objects at the same time. To be rid of an object, free
- *   its memory.
- * - Nothing is thrown. A function that can fail returns an `openevc_result` and, where `why` is not null, writes there
- *   what is wrong: text in UTF-8, ended by a zero, cut to `why_size` bytes.
+ * - Every object is in memory that the caller provides: OBJECT_size() bytes, aligned to openevc_alignment(). The
+ *   library allocates nothing for it, keeps no pointer to the arguments of a call, and has no global state: one object
+ *   is used by one thread at a time, different objects at the same time. To delete an object, free its memory.
+ * - No exception is thrown. A function that can fail returns an `openevc_result` and, if `why` is not null, writes the
+ *   error there: text in UTF-8, ended by a zero, cut to `why_size` bytes.
  * - The first member of a struct is its size, set by the caller (openevc_inputs_init, openevc_limits x = {sizeof x}):
- *   a program that was compiled with an older header goes on with a newer library, which neither reads nor writes
+ *   a program compiled with an older header continues to work with a newer library, which neither reads nor writes
  *   beyond that size.
  * - Units are metres, seconds, m/s, m/s2. A number that does not exist is not a number (isnan).
  * - Codes are those of SUBSET-026-7 where it has them (M_MODE, M_LEVEL, NID_C, ...).
@@ -37,16 +36,16 @@ extern "C" {
 
 typedef enum openevc_result {
   OPENEVC_OK = 0,
-  OPENEVC_BAD_ARGUMENT = 1, /* a null pointer, memory that is too small or not aligned, a struct without its size */
-  OPENEVC_TOO_SMALL = 2,    /* a buffer for an answer is too small; how much is needed is said */
-  OPENEVC_REFUSED = 3,      /* a text or bits that are not as they have to be, a snapshot that does not fit */
-  OPENEVC_NO_MEMORY = 4,    /* the heap gave nothing: only where texts are read or made */
+  OPENEVC_BAD_ARGUMENT = 1, /* a null pointer, memory too small or not aligned, a struct whose size is not set */
+  OPENEVC_TOO_SMALL = 2,    /* a buffer for a result is too small; the needed size is returned */
+  OPENEVC_REFUSED = 3,      /* invalid text or bits, or a snapshot that does not fit */
+  OPENEVC_NO_MEMORY = 4,    /* out of memory: only where texts are read or written */
   OPENEVC_DEFECT = 5        /* a defect of the library */
 } openevc_result;
 
-/* "0.2.0", of the library that runs. */
+/* "0.2.0", of the loaded library. */
 OPENEVC_API const char* openevc_version(void) OPENEVC_NOEXCEPT;
-/* Of every object's memory, in bytes. */
+/* Alignment of the memory of all objects, in bytes. */
 OPENEVC_API size_t openevc_alignment(void) OPENEVC_NOEXCEPT;
 
 /* ---- The on-board unit ------------------------------------------------------------------------------------------ */
@@ -55,8 +54,8 @@ typedef struct openevc_unit openevc_unit;
 
 OPENEVC_API size_t openevc_unit_size(void) OPENEVC_NOEXCEPT;
 /* `configuration`: the object `config` of docs/replay.md (cycle, SRS version, train, national values, levels), `length`
- * bytes; null or empty: the standard train. `*unit` is then the object in `memory`, powered up: the first step enters
- * SB. */
+ * bytes; null or empty: the standard train. `*unit` becomes the object in `memory`, powered up: the first step
+ * enters SB. */
 OPENEVC_API openevc_result openevc_power_up(void* memory, size_t memory_size, const char* configuration, size_t length,
                                             openevc_unit** unit, char* why, size_t why_size) OPENEVC_NOEXCEPT;
 
@@ -89,7 +88,7 @@ typedef enum openevc_mode {
   OPENEVC_RV = 16
 } openevc_mode;
 
-/* What the radio bearer reports of the connection to the RBC that was called last. */
+/* Report of the radio bearer on the connection to the last RBC called. */
 typedef enum openevc_link {
   OPENEVC_LINK_UNCHANGED = 0,
   OPENEVC_LINK_CONNECTED = 1,
@@ -112,7 +111,7 @@ typedef enum openevc_select {
   OPENEVC_TRACK_AHEAD_FREE = 10
 } openevc_select;
 
-/* What the driver acknowledges in this cycle, and what he is asked to: bit 1u << openevc_ack. */
+/* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
 typedef enum openevc_ack {
   OPENEVC_ACK_OS = 0,
   OPENEVC_ACK_LS = 1,
@@ -135,7 +134,7 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_RBC_CONTACT = 2,
   OPENEVC_ENTRY_TRAIN_DATA = 3,
   OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER = 4,
-  OPENEVC_ENTRY_SR_SPEED = 5,   /* only entered, never asked for */
+  OPENEVC_ENTRY_SR_SPEED = 5,   /* entered only, not asked for */
   OPENEVC_ENTRY_SR_DISTANCE = 6 /* the same */
 } openevc_entry;
 
@@ -151,8 +150,8 @@ typedef struct openevc_message {
   size_t size;
 } openevc_message;
 
-/* What goes into one cycle. Set it to its defaults with openevc_inputs_init, then fill in. Levels (odometer, signals of
- * the train, national system) have to be given in every cycle; the rest belongs to one cycle. */
+/* The inputs of one cycle. Set the defaults with openevc_inputs_init, then fill it in. States (odometer, signals of the
+ * train, national system) have to be given in every cycle; the other members are for one cycle. */
 typedef struct openevc_inputs {
   uint32_t size;
   int32_t link; /* openevc_link */
@@ -161,7 +160,7 @@ typedef struct openevc_inputs {
   double nominal, min, max;
   double V_est, V_min, V_max;
   double A_est;
-  /* What the trackside sends; read during the call only. */
+  /* Data from trackside; read during the call only. */
   const openevc_telegram* telegrams;
   size_t telegrams_count;
   const openevc_message* loops;
@@ -171,7 +170,7 @@ typedef struct openevc_inputs {
   /* The driver. */
   uint32_t selected;             /* bits of openevc_select */
   uint32_t acknowledged;         /* bits of openevc_ack */
-  uint32_t entered;              /* bits of openevc_entry: which of the following members count */
+  uint32_t entered;              /* bits of openevc_entry: which of the following members are valid */
   uint32_t driver_id;            /* 8 BCD digits */
   uint32_t train_running_number; /* 8 BCD digits */
   int32_t level;                 /* openevc_level */
@@ -190,7 +189,7 @@ typedef struct openevc_inputs {
   uint8_t additional_brake_active, safety_fault, national_trip;
   uint8_t reserved_2;
   double brake_pressure_kpa; /* of the main pipe; not a number: not measured */
-  uint64_t national_systems; /* bit n: the national system NID_NTC n is there */
+  uint64_t national_systems; /* bit n: the national system NID_NTC n is available */
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
@@ -202,7 +201,7 @@ OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t 
 
 typedef struct openevc_text {
   int32_t id;
-  int32_t Q_TEXT; /* of a fixed text; -1: a plain one */
+  int32_t Q_TEXT; /* of a fixed text; -1: plain text */
   uint8_t length;
   uint8_t characters[255]; /* ISO 8859-1 */
 } openevc_text;
@@ -220,10 +219,10 @@ typedef struct openevc_address {
 } openevc_address;
 
 typedef struct openevc_event {
-  char text[128]; /* as docs/replay.md has it: "mode SB->SR [8]", ended by a zero */
+  char text[128]; /* as in docs/replay.md: "mode SB->SR [8]", ended by a zero */
 } openevc_event;
 
-/* What comes out of one cycle; members after `size` are written by openevc_step. */
+/* The outputs of one cycle; members after `size` are written by openevc_step. */
 typedef struct openevc_outputs {
   uint32_t size;
   int32_t mode;  /* openevc_mode */
@@ -253,17 +252,17 @@ typedef struct openevc_outputs {
   openevc_event events[OPENEVC_EVENTS];
 } openevc_outputs;
 
-/* One cycle (docs/replay.md). OPENEVC_BAD_ARGUMENT and OPENEVC_REFUSED, `why` saying which member, leave the unit as it
- * was; what the track sends and what the odometer counts is never refused here: the unit answers it as the standard
- * says. The heap is used for `train_data` and for the texts of events alone. */
+/* One cycle (docs/replay.md). After OPENEVC_BAD_ARGUMENT and OPENEVC_REFUSED, with the member in `why`, the unit is
+ * unchanged. Data from trackside and odometer are never refused here: the unit handles them by the rules of the
+ * standard. The heap is used only for `train_data` and the texts of events. */
 OPENEVC_API openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, openevc_outputs* outputs,
                                         char* why, size_t why_size) OPENEVC_NOEXCEPT;
 
-/* "overspeed: SBI"; null where there is no cause of that number. */
+/* "overspeed: SBI"; null if there is no cause with this number. */
 OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
 
-/* A snapshot is all that a unit remembers, as bytes with a head that says what made it. One that another layout of the
- * unit has made, or that is damaged, is refused: OPENEVC_REFUSED, and the unit is as it was. */
+/* A snapshot is the whole state of a unit, as bytes with a header that identifies format and build. A snapshot of
+ * another layout of the unit, or a damaged one, is rejected: OPENEVC_REFUSED, and the unit is unchanged. */
 OPENEVC_API size_t openevc_snapshot_size(void) OPENEVC_NOEXCEPT;
 OPENEVC_API openevc_result openevc_snapshot(const openevc_unit* unit, void* snapshot, size_t size) OPENEVC_NOEXCEPT;
 /* `memory` as for openevc_power_up; it may be that of `*unit` itself. */
@@ -282,15 +281,15 @@ typedef enum openevc_form {
 typedef struct openevc_reading {
   uint32_t size;
   int32_t form;      /* openevc_form */
-  int32_t to_track;  /* of a message or packet: 1 from the train to the track, 0 the other way */
+  int32_t to_track;  /* of a message or packet: 1 from the train to the track, 0 to the train */
   uint8_t version_x; /* system version X.Y of the session, for a message or packet; 0.0: 2.1 */
   uint8_t version_y;
-  uint8_t tolerant; /* 1: spare codes are taken, too */
+  uint8_t tolerant; /* 1: spare codes are accepted too */
   uint8_t reserved;
 } openevc_reading;
 
-/* The JSON text (docs/decode.md) of the first `bits` bits of `bytes`, left aligned. Into `json` goes the text with a
- * zero at its end; into `length`, where not null, its length without it, also with OPENEVC_TOO_SMALL. */
+/* The JSON text (docs/decode.md) of the first `bits` bits of `bytes`, left aligned. `json` gets the text with a zero
+ * at its end; `length`, if not null, its length without the zero, also with OPENEVC_TOO_SMALL. */
 OPENEVC_API openevc_result openevc_decode(const openevc_reading* reading, const uint8_t* bytes, size_t bits, char* json,
                                           size_t json_size, size_t* length, char* why,
                                           size_t why_size) OPENEVC_NOEXCEPT;
@@ -300,9 +299,8 @@ OPENEVC_API openevc_result openevc_decode(const openevc_reading* reading, const 
 typedef struct openevc_curves openevc_curves;
 
 OPENEVC_API size_t openevc_curves_size(void) OPENEVC_NOEXCEPT;
-/* Traces the curves of a document `evc-curves/1` (docs/curves.md) of `length` bytes. `*curves` is then the object in
- * `memory`. Files that the document names are
- * read, from the working folder. */
+/* Traces the curves of a document `evc-curves/1` (docs/curves.md) of `length` bytes. `*curves` becomes the object in
+ * `memory`. Files named in the document are read from the working folder. */
 OPENEVC_API openevc_result openevc_curves_build(void* memory, size_t memory_size, const char* document, size_t length,
                                                 openevc_curves** curves, char* why, size_t why_size) OPENEVC_NOEXCEPT;
 
