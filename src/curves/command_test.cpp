@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "curves/curves_test.h"
 
@@ -219,7 +220,8 @@ TEST(CommandCurves, PermittedBrakingDistancesAndLevelCrossings) {
   ASSERT_EQ(result["PBD"].size(), 2u);
   const double EB = result["PBD"][0]["V_PBD_kmh"];
   const double SB = result["PBD"][1]["V_PBD_kmh"];
-  EXPECT_EQ(EB, sdm::permitted_braking_distance_speed(a.input().inputs, {800.0}, 0.0, true).si * 3.6);
+  const auto scratch = std::make_unique<sdm::Derived>();
+  EXPECT_EQ(EB, sdm::permitted_braking_distance_speed(a.input().inputs, {800.0}, 0.0, true, *scratch).si * 3.6);
   EXPECT_EQ(std::fmod(EB, 5.0), 0.0);
   EXPECT_GT(EB, SB);
   EXPECT_GT(SB, 0.0);

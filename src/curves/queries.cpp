@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 #include "curves/result.h"
 
@@ -17,8 +18,10 @@ double kmh(Speed V) { return std::nearbyint(V.si * kKmh * 1e9) / 1e9; }
 
 std::vector<QueryRow> PBD_rows(const Approached& a) {
   std::vector<QueryRow> rows;
+  const auto scratch = std::make_unique<sdm::Derived>();
   for (const io::PbdQuery& q : a.input().PBD) {
-    const Speed V = sdm::permitted_braking_distance_speed(a.input().inputs, q.D_PBD, q.G_PBDSR, !q.service_brake);
+    const Speed V =
+        sdm::permitted_braking_distance_speed(a.input().inputs, q.D_PBD, q.G_PBDSR, !q.service_brake, *scratch);
     rows.push_back({{"D_PBD", q.D_PBD.si},
                     {"G_PBDSR", q.G_PBDSR},
                     {"Q_PBDSR", q.service_brake ? 1.0 : 0.0},
@@ -34,8 +37,9 @@ std::vector<QueryRow> LX_rows(const Approached& a) {
   motion.V_ura = c.V_ura;
   if (c.motion) motion = *c.motion;
   std::vector<QueryRow> rows;
+  const auto scratch = std::make_unique<sdm::Derived>();
   for (const io::LxQuery& q : c.LX) {
-    const sdm::LxSubstitution lx = sdm::lx_substitution(c.inputs, a.derived(), q.D_LX, q.V_LX, motion);
+    const sdm::LxSubstitution lx = sdm::lx_substitution(c.inputs, a.derived(), q.D_LX, q.V_LX, motion, *scratch);
     rows.push_back({{"D_LX", q.D_LX.from_origin.si},
                     {"V_LX_kmh", kmh(q.V_LX)},
                     {"P", (q.D_LX - lx.d_P).si},

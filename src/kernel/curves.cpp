@@ -110,8 +110,8 @@ void add_limit(track::MrspQuery& query, Speed v) {
 void compute_PBD(const track::Description& d, Derived::Curves& curves) {
   curves.pbd_speeds.clear();
   for (const track::PermittedBrakingDistance& p : d.pbd) {
-    const Speed v = sdm::permitted_braking_distance_speed(curves.inputs, p.D_PBD,
-                                                          static_cast<double>(p.gradient_permille), !p.service_brake);
+    const Speed v = sdm::permitted_braking_distance_speed(
+        curves.inputs, p.D_PBD, static_cast<double>(p.gradient_permille), !p.service_brake, curves.sdm);
     // Steps of 5 km/h; sdm has rounded down. As many as are stored.
     (void)curves.pbd_speeds.push_back(static_cast<track::SpeedCode>(v.si * 3.6 / 5.0 + 0.5));
   }

@@ -33,86 +33,122 @@ train::BrakeSet brakes_off(const TrackConditions& c, const train::TrainData& t, 
 
 namespace {
 
-/// The profile with `unknown` where the gradient is not known: it starts far behind and has no end.
-struct Extended {
-  StepFunction<Place, double, kGradientSteps + 2> f;
-};
-Extended extended(const GradientProfile& p, double unknown) {
-  Extended e;
-  const KnownPart c = known_part(p);
-  // Room for two more steps than the profile can have is enough.
-  EVC_REQUIRE(e.f.append({{-kNowhere}}, unknown));
-  for (const auto& step : p.permille.steps) {
-    // A step that begins before the known part replaces the one before it.
-    const Place from = std::max(step.from, c.from);
-    if (from < c.to) EVC_REQUIRE(e.f.append(from, step.value));
+/// The profile with 0 where nothing is known: it starts far behind and never ends. Its steps are read where they are
+/// stored.
+class Extended {
+ public:
+  explicit Extended(const GradientProfile& p) : steps_(p.permille.steps), known_(known_part(p)) {
+    // What begins before the known part takes the place of the one before it.
+    while (first_ + 1 < steps_.size() && steps_[first_ + 1].from <= known_.from) ++first_;
+    std::size_t end = first_;
+    while (end < steps_.size() && std::max(steps_[end].from, known_.from) < known_.to) ++end;
+    count_ = end - first_;
+    before_ = count_ == 0 || known_.from.from_origin.si > -kNowhere ? 1 : 0;
+    after_ = known_.to.from_origin.si < kNowhere ? 1 : 0;
   }
-  if (c.to.from_origin.si < kNowhere) EVC_REQUIRE(e.f.append(c.to, unknown));
-  return e;
+  std::size_t size() const { return before_ + count_ + after_; }
+  Place from(std::size_t i) const {
+    if (i < before_) return {{-kNowhere}};
+    return i - before_ < count_ ? std::max(steps_[first_ + i - before_].from, known_.from) : known_.to;
+  }
+  double value(std::size_t i) const {
+    return i >= before_ && i - before_ < count_ ? steps_[first_ + i - before_].value : 0.0;
+  }
+
+ private:
+  const InplaceVector<GradientFunction::Step, kGradientSteps>& steps_;
+  KnownPart known_;
+  std::size_t first_ = 0, count_ = 0, before_ = 0, after_ = 0;
+};
+
+/// A segment to the right of all others; none where the gradient does not change.
+void append(Segments& segments, Place from, double grad) {
+  if (!segments.empty() && segments.back().grad == grad) return;
+  Segment* next = segments.grow();
+  EVC_REQUIRE(next != nullptr);
+  *next = {};
+  next->from = from;
+  next->grad = grad;
+}
+
+/// A segment begins at `from`, with the gradient that holds there.
+void split(Segments& segments, Place from) {
+  std::size_t i = segments.size();
+  while (i > 0 && segments[i - 1].from > from) --i;
+  if (i > 0 && segments[i - 1].from == from) return;
+  Segment next = segments[i > 0 ? i - 1 : 0];
+  next.from = from;
+  const bool room = segments.insert(i, next);
+  EVC_REQUIRE(room);
 }
 
 /// Lowest value under the train: a window of the train's length slides over the steps. A value holds
 /// from its start until the train's rear has left it, so the change points are the starts (going down)
 /// and the ends plus the train length (going up).
-template <class Steps>
-CompensatedGradient lowest_under_train(const Steps& f, Distance L) {
-  CompensatedGradient c;
+void lowest_under_train(Segments& out, const Extended& f, Distance L) {
   // A queue of steps with increasing values: its head is the minimum in the window.
   std::array<std::uint16_t, kGradientSteps + 2> queue{};
   std::size_t head = 0;
   std::size_t tail = 0;
   std::size_t next = 0;
-  Place front = f.steps[0].from;
+  Place front = f.from(0);
   for (;;) {
-    while (next < f.size() && f.steps[next].from <= front) {
-      while (tail > head && f.steps[queue[tail - 1]].value >= f.steps[next].value) --tail;
+    while (next < f.size() && f.from(next) <= front) {
+      while (tail > head && f.value(queue[tail - 1]) >= f.value(next)) --tail;
       queue[tail++] = static_cast<std::uint16_t>(next++);
     }
     // A step has left when its end plus the train length is reached by the front.
-    while (head + 1 < tail && f.steps[queue[head] + 1u].from + L <= front) ++head;
-    const bool room = c.permille.append(front, f.steps[queue[head]].value);
-    EVC_REQUIRE(room);
+    while (head + 1 < tail && f.from(queue[head] + 1u) + L <= front) ++head;
+    append(out, front, f.value(queue[head]));
     const bool more = next < f.size();
     const bool leaves = head + 1 < tail;
-    if (!more && !leaves) return c;
-    const Place entry = more ? f.steps[next].from : Place{{kNowhere}};
-    const Place leave = leaves ? f.steps[queue[head] + 1u].from + L : Place{{kNowhere}};
+    if (!more && !leaves) return;
+    const Place entry = more ? f.from(next) : Place{{kNowhere}};
+    const Place leave = leaves ? f.from(queue[head] + 1u) + L : Place{{kNowhere}};
     front = std::min(entry, leave);
   }
 }
 
-/// Change points of everything that separates segments, sorted and without duplicates.
-struct Borders {
-  InplaceVector<Place, kSegments> at;
-
-  void add(Place p) {
-    std::size_t i = at.size();
-    while (i > 0 && at[i - 1] > p) --i;
-    if (i > 0 && at[i - 1] == p) return;
-    const bool room = at.insert(i, p);
-    EVC_REQUIRE(room);
+/// 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length compensation; a known fall
+/// under the rest of the train is kept (safe side): only that is below 0 where the front is not covered.
+void put_default_gradient(Segments& segments, const GradientProfile& profile, double unknown) {
+  const KnownPart cover = known_part(profile);
+  split(segments, cover.from);
+  split(segments, cover.to);
+  std::size_t kept = 0;
+  for (Segment& s : segments) {
+    if (s.from < cover.from || s.from >= cover.to) s.grad = s.grad < 0.0 ? std::min(s.grad, unknown) : unknown;
+    if (kept == 0 || segments[kept - 1].grad != s.grad) segments[kept++] = s;
   }
-};
+  segments.erase(kept, segments.size());
+}
+
+/// Segments of the compensated gradient alone (3.13.4.2).
+void gradient_segments(Segments& out, const GradientProfile& profile, Distance L_TRAIN, bool target_due_to_TSR) {
+  out.clear();
+  lowest_under_train(out, Extended(profile), L_TRAIN);
+  if (target_due_to_TSR && profile.default_for_TSR.has_value())
+    put_default_gradient(out, profile, *profile.default_for_TSR);
+}
 
 template <class Steps>
-Bands bands_of(const Steps& steps, const train::MaxReducedAdhesion& cap) {
-  Bands bands;
+void bands_of(Bands& out, const Steps& steps, const train::MaxReducedAdhesion& cap) {
+  out.clear();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     Band b;
     const Acceleration A = steps.steps[i].value;
     b.A = {A, cap.no_maximum ? A : std::min(A, cap.A)};
     b.w_upto = {i + 1 < steps.size() ? steps.steps[i + 1].from.si * steps.steps[i + 1].from.si : kNoEnd};
-    const bool room = bands.push_back(b);
+    const bool room = out.push_back(b);
     EVC_REQUIRE(room);
   }
-  return bands;
 }
 
 /// A_brake_normal_service and Kn+-, merged by speed (3.13.6.4.3).
-Bands guidance_bands(const train::TrainData& t, Acceleration a0) {
+void guidance_bands(Bands& out, const train::TrainData& t, Acceleration a0) {
+  out.clear();
   const train::DecelerationSteps A = train::A_brake_normal_service(t, a0);
-  Bands bands;
-  if (A.empty()) return bands;
+  if (A.empty()) return;
   double from = 0.0;
   for (;;) {
     double upto = kNoEnd;
@@ -131,9 +167,9 @@ Bands guidance_bands(const train::TrainData& t, Acceleration a0) {
     if (!t.Kn_plus.empty()) b.Kn_plus = train::value_below(t.Kn_plus, inside);
     if (!t.Kn_minus.empty()) b.Kn_minus = train::value_below(t.Kn_minus, inside);
     b.w_upto = {upto * upto};
-    const bool room = bands.push_back(b);
+    const bool room = out.push_back(b);
     EVC_REQUIRE(room);
-    if (upto == kNoEnd) return bands;
+    if (upto == kNoEnd) return;
     from = upto;
   }
 }
@@ -143,23 +179,11 @@ constexpr train::MaxReducedAdhesion kNoCap{{}, true, {}};
 }  // namespace
 
 CompensatedGradient compensated_gradient(const GradientProfile& profile, Distance L_TRAIN, bool target_due_to_TSR) {
-  CompensatedGradient c = lowest_under_train(extended(profile, 0.0).f, L_TRAIN);
-  if (!target_due_to_TSR || !profile.default_for_TSR.has_value()) return c;
-  // 3.13.4.1.2-3: the default gradient applies at places that are not covered, without length compensation; a known
-  // fall under the rest of the train is kept (safe side): where the front is not covered, only such a fall is below 0.
-  const double unknown = *profile.default_for_TSR;
-  const KnownPart cover = known_part(profile);
-  Borders borders;
-  for (const auto& step : c.permille.steps) borders.add(step.from);
-  borders.add(cover.from);
-  borders.add(cover.to);
-  CompensatedGradient tsr;
-  for (const Place from : borders.at) {
-    const double value = c.permille.at(from);
-    const bool inside = from >= cover.from && from < cover.to;
-    EVC_REQUIRE(tsr.permille.append(from, inside ? value : value < 0.0 ? std::min(value, unknown) : unknown));
-  }
-  return tsr;
+  Segments segments;
+  gradient_segments(segments, profile, L_TRAIN, target_due_to_TSR);
+  CompensatedGradient c;
+  for (const Segment& s : segments) EVC_REQUIRE(c.permille.append(s.from, s.grad));
+  return c;
 }
 
 const Bands& Decelerations::bands(CurveKind kind, const Segment& s) const {
@@ -205,40 +229,57 @@ Acceleration Decelerations::at(CurveKind kind, Speed V, Place x, bool due_to_TSR
 
 namespace {
 
-/// Segments for one of the gradients (with or without the default for TSR).
-void build_segments(Segments& out, const CompensatedGradient& gradient, const TrackConditions& c,
-                    const train::TrainData& t, const train::FixedValues& fixed,
-                    const InplaceVector<train::BrakeSet, Decelerations::kStages>& emergency,
-                    const InplaceVector<train::BrakeSet, Decelerations::kStages>& service) {
-  Borders borders;
-  for (const auto& s : gradient.permille.steps) borders.add(s.from);
-  for (const Zone& z : c.reduced_adhesion) {
-    borders.add(z.from);
-    borders.add(z.to + t.L_TRAIN);  // 3.13.5.3
-  }
+/// The special brakes that do not count along the track (3.13.5.1), and the stages of brakes that follow from it.
+struct Inhibitions {
+  InplaceVector<Place, 5> starts;  // in order
+  InplaceVector<train::BrakeSet, Decelerations::kStages> emergency, service;
+};
+
+/// One stage for each set of brakes that are off; the sets only grow along the track, so one per start at most, and
+/// the conversion model knows none (3.13.2.2.6.3).
+Inhibitions inhibitions_of(const TrackConditions& c, const train::TrainData& t) {
+  Inhibitions off;
+  EVC_REQUIRE(off.emergency.push_back({}) && off.service.push_back({}));
+  if (t.brake_model == train::BrakeModel::lambda) return off;
   for (const auto& from :
        {c.regenerative_off, c.eddy_current_emergency_off, c.eddy_current_service_off, c.magnetic_shoe_off, c.powerless})
-    if (from.has_value()) borders.add(*from);
-  out.clear();
-  const auto index_of = [](const auto& stages, train::BrakeSet off) {
+    if (from.has_value()) {
+      std::size_t i = off.starts.size();
+      while (i > 0 && off.starts[i - 1] > *from) --i;
+      EVC_REQUIRE(off.starts.insert(i, *from));
+    }
+  for (const Place from : off.starts) {
+    const train::BrakeSet e = brakes_off(c, t, from, false);
+    const train::BrakeSet s = brakes_off(c, t, from, true);
+    // Regenerative, eddy current, magnetic shoe: at most four different sets on the way from none to all.
+    if (off.emergency.back() != e) EVC_REQUIRE(off.emergency.push_back(e));
+    if (off.service.back() != s) EVC_REQUIRE(off.service.push_back(s));
+  }
+  return off;
+}
+
+/// Segments of the compensated gradient become those of brakes and adhesion, too.
+void add_conditions(Segments& out, const TrackConditions& c, const Inhibitions& off, const train::TrainData& t,
+                    const train::FixedValues& fixed) {
+  for (const Zone& z : c.reduced_adhesion) {
+    split(out, z.from);
+    split(out, z.to + t.L_TRAIN);  // 3.13.5.3
+  }
+  for (const Place from : off.starts) split(out, from);
+  const auto index_of = [](const auto& stages, train::BrakeSet set) {
     std::uint8_t i = 0;
-    while (stages[i] != off) ++i;
+    while (stages[i] != set) ++i;
     return i;
   };
-  std::size_t g = 0;
-  for (const Place from : borders.at) {
-    while (g + 1 < gradient.permille.size() && gradient.permille.steps[g + 1].from <= from) ++g;
-    Segment s;
-    s.from = from;
-    s.grad = gradient.permille.steps[g].value;
+  for (Segment& s : out) {
     s.A_gradient = train::A_gradient(s.grad, t, fixed);
-    s.emergency = index_of(emergency, brakes_off(c, t, from, false));
-    s.service = index_of(service, brakes_off(c, t, from, true));
+    if (!off.starts.empty()) {
+      s.emergency = index_of(off.emergency, brakes_off(c, t, s.from, false));
+      s.service = index_of(off.service, brakes_off(c, t, s.from, true));
+    }
     s.reduced_adhesion = c.slippery_rail;
     for (const Zone& z : c.reduced_adhesion)
-      if (z.from <= from && from < z.to + t.L_TRAIN) s.reduced_adhesion = true;
-    const bool room = out.push_back(s);
-    EVC_REQUIRE(room);
+      if (z.from <= s.from && s.from < z.to + t.L_TRAIN) s.reduced_adhesion = true;
   }
 }
 
@@ -249,47 +290,46 @@ Acceleration highest(const std::array<Bands, Decelerations::kStages>& stages, st
   return A;
 }
 
+/// Speed bands of every stage.
+void determine_bands(Decelerations& out, const Inhibitions& off, const train::TrainData& t,
+                     const train::NationalValues& values, const train::BrakeStatus& status) {
+  const train::MaxReducedAdhesion cap = train::A_MAXREDADH(t, values, status);
+  for (std::size_t i = 0; i < off.emergency.size(); ++i)
+    bands_of(out.safe[i], train::A_brake_safe(t, values, train::in_use_emergency(t, status, off.emergency[i])), cap);
+  for (std::size_t i = 0; i < off.service.size(); ++i) {
+    const auto A = train::A_brake_service(t, train::in_use_service(t, status, off.service[i]));
+    bands_of(out.expected[i], A, kNoCap);
+    out.normal_service[i].clear();
+    if (values.Q_NVGUIPERM) guidance_bands(out.normal_service[i], t, A.steps.front().value);
+  }
+  out.highest_safe = highest(out.safe, off.emergency.size());
+  out.highest_expected = highest(out.expected, off.service.size());
+}
+
 }  // namespace
 
 void determine(Decelerations& out, const train::TrainData& t, const train::NationalValues& values,
                const train::FixedValues& fixed, const train::BrakeStatus& status, const GradientProfile& gradient,
                const TrackConditions& conditions) {
-  // Stages: the brakes that are off at the start of each zone. Along the track the set only grows, so there is at most
-  // one stage per zone start; the conversion model has none (3.13.2.2.6.3).
-  InplaceVector<train::BrakeSet, Decelerations::kStages> emergency, service;
-  TrackConditions c = conditions;
-  if (t.brake_model == train::BrakeModel::lambda) {
-    c = {};
-    c.reduced_adhesion = conditions.reduced_adhesion;
-    c.slippery_rail = conditions.slippery_rail;
-  }
-  Borders starts;
-  starts.add({{-kNowhere}});
-  for (const auto& from :
-       {c.regenerative_off, c.eddy_current_emergency_off, c.eddy_current_service_off, c.magnetic_shoe_off, c.powerless})
-    if (from.has_value()) starts.add(*from);
-  for (const Place from : starts.at) {
-    const train::BrakeSet e = brakes_off(c, t, from, false);
-    const train::BrakeSet s = brakes_off(c, t, from, true);
-    // Regenerative, eddy current, magnetic shoe: at most four different sets on the way from none to all.
-    if (emergency.empty() || emergency.back() != e) EVC_REQUIRE(emergency.push_back(e));
-    if (service.empty() || service.back() != s) EVC_REQUIRE(service.push_back(s));
-  }
-  const train::MaxReducedAdhesion cap = train::A_MAXREDADH(t, values, status);
-  for (std::size_t i = 0; i < emergency.size(); ++i)
-    out.safe[i] = bands_of(train::A_brake_safe(t, values, train::in_use_emergency(t, status, emergency[i])), cap);
-  for (std::size_t i = 0; i < service.size(); ++i) {
-    const auto A = train::A_brake_service(t, train::in_use_service(t, status, service[i]));
-    out.expected[i] = bands_of(A, kNoCap);
-    out.normal_service[i] = values.Q_NVGUIPERM ? guidance_bands(t, A.steps.front().value) : Bands{};
-  }
-  out.highest_safe = highest(out.safe, emergency.size());
-  out.highest_expected = highest(out.expected, service.size());
-  build_segments(out.segments, compensated_gradient(gradient, t.L_TRAIN, false), c, t, fixed, emergency, service);
+  const Inhibitions off = inhibitions_of(conditions, t);
+  determine_bands(out, off, t, values, status);
+  gradient_segments(out.segments, gradient, t.L_TRAIN, false);
+  add_conditions(out.segments, conditions, off, t, fixed);
   out.segments_for_TSR.clear();
-  if (gradient.default_for_TSR.has_value())
-    build_segments(out.segments_for_TSR, compensated_gradient(gradient, t.L_TRAIN, true), c, t, fixed, emergency,
-                   service);
+  if (!gradient.default_for_TSR.has_value()) return;
+  gradient_segments(out.segments_for_TSR, gradient, t.L_TRAIN, true);
+  add_conditions(out.segments_for_TSR, conditions, off, t, fixed);
+}
+
+void determine(Decelerations& out, const train::TrainData& t, const train::NationalValues& values,
+               const train::FixedValues& fixed, const train::BrakeStatus& status, double permille,
+               const TrackConditions& conditions) {
+  const Inhibitions off = inhibitions_of(conditions, t);
+  determine_bands(out, off, t, values, status);
+  out.segments.clear();
+  append(out.segments, {{-kNowhere}}, permille);
+  add_conditions(out.segments, conditions, off, t, fixed);
+  out.segments_for_TSR.clear();
 }
 
 namespace {

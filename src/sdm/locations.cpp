@@ -9,17 +9,41 @@ namespace {
 
 Speed top_speed(const Inputs& in) { return in.V_top.value_or(in.train.V_MAXTRAIN + Speed{100.0 / 3.6}); }
 
+/// Curves to a standstill at one place, one behind the other in `scratch`.
+class CurvesToStop {
+ public:
+  CurvesToStop(Derived& scratch, const Decelerations& A, Place stop, Speed top)
+      : d_(scratch), A_(A), stop_(stop), top_(top) {
+    d_.valid = false;
+  }
+
+  CurveView operator()(CurveKind kind) {
+    static_assert(3 * kMaxKnots <= kKnotPool);
+    const std::size_t first = used_;
+    // What does not fit is level, on the safe side.
+    (void)trace({d_.knots.data(), first + kMaxKnots}, used_, A_, kind, false, stop_, {}, {}, top_);
+    return {{d_.knots.data() + first, used_ - first}};
+  }
+
+ private:
+  Derived& d_;
+  const Decelerations& A_;
+  Place stop_;
+  Speed top_;
+  std::size_t used_ = 0;  // three curves at the most
+};
+
 }  // namespace
 
-LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_start, Speed V_LX, const Motion& m) {
+LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_start, Speed V_LX, const Motion& m,
+                               Derived& scratch) {
   LxSubstitution lx;
-  const Speed top = top_speed(in);
-  const Decelerations& A = d.decelerations;
-  const BrakingCurve EBD = trace(A, CurveKind::EBD, false, LX_start, {}, {}, top);
-  const BrakingCurve SBD = trace(A, CurveKind::SBD, false, LX_start, {}, {}, top);
-  BrakingCurve GUI;
-  if (d.guidance) GUI = trace(A, CurveKind::GUI, false, LX_start, {}, {}, top);
-  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: the current ones.
+  CurvesToStop curve(scratch, d.decelerations, LX_start, top_speed(in));
+  const CurveView EBD = curve(CurveKind::EBD);
+  const CurveView SBD = curve(CurveKind::SBD);
+  CurveView GUI;
+  if (d.guidance) GUI = curve(CurveKind::GUI);
+  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: those of the moment.
   Approach a{.V = V_LX, .V_delta0 = V_delta0_41(d, V_LX), .A_est1 = {}, .A_est2 = {}};
   if (d.rules.LX_with_current_motion) a = approach(V_LX, d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura, m.A_est, d.fixed);
   // The stop is both EOA and SvL; 4.0.0 reduces the build-up times for V_LX (A.3.12).
@@ -30,28 +54,25 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
   TimesAsked asked;
   if (d.rules.reduced_build_up) asked.reduced_from = Fronts{m.est_front, m.min_safe_front};
   const TargetTimes t = times_of(d, stop, a, asked);
-  lx.EBD = limits_of_EBD(EBD.view(), GUI.view(), a, t.EBD, Speed{0.0}, std::nullopt, d.fixed);
-  lx.SBD = limits_of_SBD(SBD.view(), GUI.view(), a, t.SBD, d.fixed);
+  lx.EBD = limits_of_EBD(EBD, GUI, a, t.EBD, Speed{0.0}, std::nullopt, d.fixed);
+  lx.SBD = limits_of_SBD(SBD, GUI, a, t.SBD, d.fixed);
   lx.from_SBD = lx.EBD.d_SBI - lx.SBD.d_SBI >= m.max_safe_front - m.est_front;
   lx.d_P = lx.from_SBD ? lx.SBD.d_P : lx.EBD.d_P;
   lx.passed = (lx.from_SBD ? m.est_front : m.max_safe_front) > lx.d_P;
   return lx;
 }
 
-Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake) {
-  // 3.11.11.4: only the gradient of the packet, no trackside adhesion, inhibition or powerless
-  // section; slippery rail selected by the driver counts. Traction cut-off and feedback as if not
-  // implemented.
-  GradientProfile gradient;
-  EVC_REQUIRE(gradient.permille.append({{-1e9}}, grad));
+Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
+                                       Derived& scratch) {
+  // 3.11.11.4: the own gradient only, no trackside adhesion, inhibition or powerless section; the
+  // driver's slippery rail counts. Traction cut-off and feedback as if not implemented.
   TrackConditions conditions;
   conditions.slippery_rail = in.conditions.slippery_rail;
-  Decelerations A;
-  determine(A, in.train, in.national_values, in.fixed, in.brakes, gradient, conditions);
-  const Place d_PBD{permitted};
+  determine(scratch.decelerations, in.train, in.national_values, in.fixed, in.brakes, grad, conditions);
   const Speed top = top_speed(in);
-  const BrakingCurve EBD = trace(A, CurveKind::EBD, false, d_PBD, {}, {}, top);
-  const BrakingCurve SBD = trace(A, CurveKind::SBD, false, d_PBD, {}, {}, top);
+  CurvesToStop curve(scratch, scratch.decelerations, {permitted}, top);
+  const CurveView EBD = curve(CurveKind::EBD);
+  const CurveView SBD = curve(CurveKind::SBD);
   TimeConfig config = time_config(in.train, in.national_values);
   config.traction_cut_off_interface = false;
   config.feedback_available = false;

@@ -195,4 +195,16 @@ inline Motion at(double x, double V) {
   return m;
 }
 
+/// Working storage of all cases: nothing that an earlier case left in it may count.
+inline Derived& scratch() {
+  static Derived used;
+  return used;
+}
+inline LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_start, Speed V_LX, const Motion& m) {
+  return lx_substitution(in, d, LX_start, V_LX, m, scratch());
+}
+inline Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake) {
+  return permitted_braking_distance_speed(in, permitted, grad, emergency_brake, scratch());
+}
+
 }  // namespace evc::sdm::test

@@ -119,6 +119,11 @@ void determine(Decelerations& out, const train::TrainData& train, const train::N
                const train::FixedValues& fixed, const train::BrakeStatus& status, const GradientProfile& gradient,
                const TrackConditions& conditions);
 
+/// The same with one gradient everywhere, per mille.
+void determine(Decelerations& out, const train::TrainData& train, const train::NationalValues& values,
+               const train::FixedValues& fixed, const train::BrakeStatus& status, double permille,
+               const TrackConditions& conditions);
+
 /// Traces the curve of `kind` that has speed `V_anchor` at `anchor`: downstream to its foot at `V_foot`
 /// (<= V_anchor), upstream to `V_top` (3.13.8.3-5). Where A <= 0 the curve falls upstream; the stored curve is the
 /// monotonic one below it. Appends to `out` at most `room` knots.

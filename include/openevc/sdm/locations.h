@@ -17,12 +17,15 @@ struct LxSubstitution {
   bool passed = false;
   Limits EBD{}, SBD{};
 };
-/// `LX_start`: the temporary EOA and SvL. This function traces curves.
+/// `LX_start`: the temporary EOA and SvL. Curves are traced in `scratch`, which is not `derived`: what was built in it
+/// is gone.
 LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place LX_start, Speed V_LX,
-                               const Motion& motion);
+                               const Motion& motion, Derived& scratch);
 
 /// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
-/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient received with it.
-Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake);
+/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient that came with it. Curves are traced in
+/// `scratch`: what was built in it is gone.
+Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
+                                       Derived& scratch);
 
 }  // namespace evc::sdm
