@@ -17,14 +17,15 @@ constexpr Speed kSpare{0.1};
 
 /// A target in this cycle. Plain numbers: members that are not used are not initialised.
 struct Seen {
-  unsigned beyond;  // bit per Limit
+  std::uint8_t beyond;  // bit per Limit
   bool beyond_I_EBD, beyond_I_SBD;
-  bool near;    // one of its limits can be exceeded; if not, its speeds are kFar
-  double to_I;  // distance to its Indication limit; a lower bound of it if not `near`
-  double V_P, V_P_EBD, V_P_SBD, V_W, V_SBI, V_EBI;
+  bool near;    // some limit of it can be exceeded; if not, its speeds are kFar
+  double to_I;  // distance to its Indication limit; where it is not near a lower bound of it
+  double V_P;
+  double V_P_beyond_I;  // the same, of EOA and SvL only the part whose Indication limit is exceeded
 };
 
-constexpr unsigned bit(Limit l) { return 1u << static_cast<unsigned>(l); }
+constexpr std::uint8_t bit(Limit l) { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(l)); }
 
 /// The part of the bounds of `earliest_indication` that is the same for all targets.
 struct Ahead {
@@ -48,8 +49,10 @@ struct Cycle {
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;
-  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest displayed ceiling
-  // If a release speed exists:
+  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
+  // The lowest of all targets that are near.
+  double V_W = kFar, V_SBI = kFar, V_EBI = kFar;
+  // Where a release speed exists:
   RsmStart rsm{};
   Place d_SvL{};
 };

@@ -11,11 +11,6 @@ bool concerned(const Cycle& c, const Seen& seen, const Target& t) {
   if (t.kind == TargetKind::EOA_SvL) return seen.beyond_I_EBD || seen.beyond_I_SBD;
   return seen.beyond_I_EBD && t.V_target < c.M && c.a.V >= t.V_target;
 }
-/// V_P of a concerned target: for EOA and SvL, only of the curves whose Indication limit is
-/// exceeded.
-double concerned_V_P(const Seen& s) {
-  return std::min(s.beyond_I_EBD ? s.V_P_EBD : kFar, s.beyond_I_SBD ? s.V_P_SBD : kFar);
-}
 
 /// 3.13.9.3.5.9: where the Permitted speed has fallen to the target speed; for the target distance and for masking.
 Place d_P_at_target_speed(const Cycle& c, const Target& t) {
@@ -40,32 +35,29 @@ std::size_t furthest_masked(const Cycle& c, const Seen* seen, std::size_t maskin
   const Target& MRDT = c.d.targets[masking];
   const Ahead ahead = ahead_of(c, MRDT.V_target);
   const Place d_P = d_P_at_target_speed(c, MRDT);
-  // Bounds first: only the few candidates that may be the furthest are evaluated exactly, the best one first.
-  struct Candidate {
-    std::size_t i;
-    double at_most;
-  };
-  InplaceVector<Candidate, kTargets> candidates;
+  // Bounds first: only the few that may be the furthest are looked at closely, the most promising one first.
+  InplaceVector<std::uint8_t, kTargets> candidates;
+  std::array<double, kTargets> at_most;  // of each candidate; 0 when it was looked at
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
     const Target& t = c.d.targets[i];
     if (i == masking || !(t.V_target < MRDT.V_target) || !concerned(c, seen[i], t)) continue;
     const Earliest I = earliest_indication(c, t, ahead, Speed{0.0});
-    double at_most = (d_P - I.EBD).si;
-    if (t.kind == TargetKind::EOA_SvL) at_most = std::max(at_most, (d_P - I.SBD).si);
-    if (at_most > 0.0) (void)candidates.push_back({i, at_most});
+    at_most[i] = (d_P - I.EBD).si;
+    if (t.kind == TargetKind::EOA_SvL) at_most[i] = std::max(at_most[i], (d_P - I.SBD).si);
+    if (at_most[i] > 0.0) (void)candidates.push_back(static_cast<std::uint8_t>(i));
   }
   std::size_t furthest = kTargets;
   double distance = 0.0;
   for (;;) {
-    Candidate* next = nullptr;
-    for (Candidate& k : candidates)
-      if (k.at_most >= distance && k.at_most > 0.0 && (next == nullptr || k.at_most > next->at_most)) next = &k;
-    if (next == nullptr) return furthest;
-    next->at_most = 0.0;
-    const double d = in_rear(c, c.d.targets[next->i], MRDT.V_target, d_P);
-    if (d > distance || (d == distance && next->i < furthest && furthest != kTargets)) {
+    std::size_t next = kTargets;
+    for (const std::uint8_t i : candidates)
+      if (at_most[i] >= distance && at_most[i] > 0.0 && (next == kTargets || at_most[i] > at_most[next])) next = i;
+    if (next == kTargets) return furthest;
+    at_most[next] = 0.0;
+    const double d = in_rear(c, c.d.targets[next], MRDT.V_target, d_P);
+    if (d > distance || (d == distance && next < furthest && furthest != kTargets)) {
       distance = d;
-      furthest = next->i;
+      furthest = next;
     }
   }
 }
@@ -75,10 +67,9 @@ std::size_t select_MRDT_masking(const Cycle& c, const Seen* seen) {
   double lowest = kFar;
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
     if (!concerned(c, seen[i], c.d.targets[i])) continue;
-    const double V_P = concerned_V_P(seen[i]);
-    if (best == kTargets || V_P < lowest) {
+    if (best == kTargets || seen[i].V_P_beyond_I < lowest) {
       best = i;
-      lowest = V_P;
+      lowest = seen[i].V_P_beyond_I;
     }
   }
   // Each step leads to a lower target speed: no target occurs twice.
@@ -122,14 +113,13 @@ void show_limits(const Cycle& c, const Seen* seen, Result& out) {
     return;
   }
   const std::size_t MRDT = c.s.has_MRDT ? index_of(c, c.s.MRDT) : kTargets;
-  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {
-    // The speeds of a target that is far away are far above all others. 3.4.0 displays those of the MRDT, which has the
-    // lowest one.
+  // The speeds of a target that is far away are far above all others. 3.4.0 shows the Permitted speed of the MRDT; it
+  // has the lowest one anyway.
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i)
     if (c.d.rules.masking || i == MRDT) out.V_P = std::min(out.V_P, Speed{seen[i].V_P});
-    out.V_W = std::min(out.V_W, Speed{seen[i].V_W});
-    out.V_SBI = std::min(out.V_SBI, Speed{seen[i].V_SBI});
-    out.V_EBI = std::min(out.V_EBI, Speed{seen[i].V_EBI});
-  }
+  out.V_W = std::min(out.V_W, Speed{c.V_W});
+  out.V_SBI = std::min(out.V_SBI, Speed{c.V_SBI});
+  out.V_EBI = std::min(out.V_EBI, Speed{c.V_EBI});
 }
 
 void show_target(const Cycle& c, std::size_t i, Result& out) {

@@ -63,7 +63,7 @@ Earliest earliest_indication(const Cycle& c, const Target& t, const Ahead& ahead
 
 void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   const Target& t = c.d.targets[i];
-  seen = Seen{0, false, false, false, kFar, kFar, kFar, kFar, kFar, kFar, kFar};
+  seen = Seen{0, false, false, false, kFar, kFar, kFar};
   if (far_away(c, t, seen.to_I)) {
     // A.3.13 depends on whether the build-up time of any target is reduced, including far ones.
     if (c.d.rules.reduced_build_up && !c.reduced && in_list(c, t) && !full_build_up(c, t))
@@ -84,22 +84,23 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   seen.beyond_I_EBD = c.m.max_safe_front > l.EBD.d_I;
   const LimitSpeeds e =
       speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, l.times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed);
-  seen.V_P_EBD = e.V_P.si;
   seen.V_P = e.V_P.si;
+  if (seen.beyond_I_EBD) seen.V_P_beyond_I = e.V_P.si;
   // 3.13.10.4.4: towards EOA and SvL never below the release speed.
   const double floor = t.kind == TargetKind::EOA_SvL && release(c).exists ? release(c).V_release.si : 0.0;
-  seen.V_W = std::max(e.V_W.si, floor);
-  seen.V_SBI = std::max(e.V_SBI.si, floor);
-  seen.V_EBI = std::max(e.V_EBI.si, floor);
+  const auto lower = [floor](double& lowest, Speed V) { lowest = std::min(lowest, std::max(V.si, floor)); };
+  lower(c.V_W, e.V_W);
+  lower(c.V_SBI, e.V_SBI);
+  lower(c.V_EBI, e.V_EBI);
   if (l.SBD.has_value()) {
     set_beyond(seen, *l.SBD, c.m.est_front, false);
     seen.beyond_I_SBD = c.m.est_front > l.SBD->d_I;
     const LimitSpeeds s =
         speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
-    seen.V_P_SBD = s.V_P.si;
     seen.V_P = std::min(seen.V_P, s.V_P.si);
-    seen.V_W = std::min(seen.V_W, std::max(s.V_W.si, floor));
-    seen.V_SBI = std::min(seen.V_SBI, std::max(s.V_SBI.si, floor));
+    if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s.V_P.si);
+    lower(c.V_W, s.V_W);
+    lower(c.V_SBI, s.V_SBI);
   }
   if (c.d.rules.pre_indication && c.a.V > c.M) {
     Approach at_M = c.a;
