@@ -88,10 +88,9 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   if (seen.beyond_I_EBD) seen.V_P_beyond_I = e.V_P.si;
   // 3.13.10.4.4: towards EOA and SvL never below the release speed.
   const double floor = t.kind == TargetKind::EOA_SvL && release(c).exists ? release(c).V_release.si : 0.0;
-  const auto lower = [floor](double& lowest, Speed V) { lowest = std::min(lowest, std::max(V.si, floor)); };
-  lower(c.V_W, e.V_W);
-  lower(c.V_SBI, e.V_SBI);
-  lower(c.V_EBI, e.V_EBI);
+  c.V_W = std::min(c.V_W, std::max(e.V_W.si, floor));
+  c.V_SBI = std::min(c.V_SBI, std::max(e.V_SBI.si, floor));
+  c.V_EBI = std::min(c.V_EBI, std::max(e.V_EBI.si, floor));
   if (l.SBD.has_value()) {
     set_beyond(seen, *l.SBD, c.m.est_front, false);
     seen.beyond_I_SBD = c.m.est_front > l.SBD->d_I;
@@ -99,8 +98,8 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
         speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
     seen.V_P = std::min(seen.V_P, s.V_P.si);
     if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s.V_P.si);
-    lower(c.V_W, s.V_W);
-    lower(c.V_SBI, s.V_SBI);
+    c.V_W = std::min(c.V_W, std::max(s.V_W.si, floor));
+    c.V_SBI = std::min(c.V_SBI, std::max(s.V_SBI.si, floor));
   }
   if (c.d.rules.pre_indication && c.a.V > c.M) {
     Approach at_M = c.a;

@@ -75,20 +75,22 @@ struct Fresh {
   InplaceVector<T, N> elements;
 };
 
-/// The contents of one message, already filtered (4.8) and in the track frame. They are evaluated together, in any
-/// order of the packets (8.4.1.3).
-struct Contents {
-  Medium medium = Medium::balise;
-  Duration time{};              ///< of the section timers: time stamp, or passage of the group's first balise
-  std::optional<Place> infill;  ///< infill location reference of packet 136; then all contents are infill
-
+/// The authority that one message brings, with what belongs to it.
+struct AuthorityContents {
   std::optional<MovementAuthority> ma;
   bool ma_is_shortening_request = false;  ///< message 9: the proposed MA is acceptable (3.8.6)
   std::optional<SpeedCode> V_MAIN;        ///< packet 12; 0 is a trip order
   std::optional<ModeProfile> mode_profile;
   std::optional<GroupList> sh_list;
-  bool sr_authorisation = false;                 ///< message 2: the list of balise groups for SR is replaced or deleted
-  std::optional<GroupList> sr_list;              ///< packet 63
+};
+
+/// What one message brings, already filtered (4.8) and in the track frame. All of it is evaluated together,
+/// whatever the order of its packets (8.4.1.3).
+struct Contents : AuthorityContents {
+  Medium medium = Medium::balise;
+  Duration time{};              ///< of the section timers: time stamp, or passage of the group's first balise
+  std::optional<Place> infill;  ///< infill location reference of packet 136; everything here is infill then
+
   std::optional<Distance> repositioned_section;  ///< packet 16, from the group that sent it
   Place reference{};                             ///< of that group
 

@@ -45,18 +45,18 @@ Section section_of(const P& p, lang::var::Q_SCALE scale, Place begin, Distance l
 
 /// Packets 12 and 15 have the same form, except for V_MAIN (3.8.3).
 template <class P>
-MovementAuthority authority_of(const P& p, const Contents& c, const Reference& r) {
-  MovementAuthority ma;
+MovementAuthority& take_authority(AuthorityContents& c, Duration time, const P& p, const Reference& r) {
+  MovementAuthority& ma = c.ma.emplace();
   Place at = r.place;
   for (const auto& s : p.sections) {
-    // 31 sections and the last one fit.
-    (void)ma.sections.push_back(section_of(s, p.Q_SCALE, at, metres(p.Q_SCALE, s.L_SECTION), c.time));
+    // 31 sections and the last one: there is room.
+    (void)ma.sections.push_back(section_of(s, p.Q_SCALE, at, metres(p.Q_SCALE, s.L_SECTION), time));
     at = ma.sections.back().end;
   }
-  (void)ma.sections.push_back(section_of(p, p.Q_SCALE, at, metres(p.Q_SCALE, p.L_ENDSECTION), c.time));
+  (void)ma.sections.push_back(section_of(p, p.Q_SCALE, at, metres(p.Q_SCALE, p.L_ENDSECTION), time));
   const Place end = ma.end();
   ma.V_LOA = speed_of(p.V_EMA.raw);
-  if (ma.limited()) ma.loa_timer = {lang::seconds(p.T_EMA), c.time, true};
+  if (ma.limited()) ma.loa_timer = {lang::seconds(p.T_EMA), time, true};
   if (p.Q_ENDTIMER.raw == 1)
     ma.end_section =
         EndSectionTimer{end - metres(p.Q_SCALE, p.D_ENDTIMERSTARTLOC), {lang::seconds(p.T_ENDTIMER), {}, false}};
@@ -70,12 +70,33 @@ MovementAuthority authority_of(const P& p, const Contents& c, const Reference& r
   return ma;
 }
 
-void take(Contents& c, const lang::Packet12& p, const Reference& r) {
-  c.ma = authority_of(p, c, r);
-  c.ma->level_1 = true;
+void take(AuthorityContents& c, Duration time, const lang::Packet12& p, const Reference& r) {
+  take_authority(c, time, p, r).level_1 = true;
   c.V_MAIN = p.V_MAIN.raw;
 }
-void take(Contents& c, const lang::Packet15& p, const Reference& r) { c.ma = authority_of(p, c, r); }
+void take(AuthorityContents& c, Duration time, const lang::Packet15& p, const Reference& r) {
+  (void)take_authority(c, time, p, r);
+}
+
+void take(AuthorityContents& c, Duration, const lang::Packet80& p, const Reference& r) {
+  ModeProfile& profile = c.mode_profile.emplace();
+  Place at = r.place;
+  const auto append = [&](const lang::Packet80_modes& m) {
+    at = at + metres(p.Q_SCALE, m.D_MAMODE);
+    ModeArea area;
+    area.from = at;
+    area.mode = mode_of_area(m.M_MAMODE.raw);
+    const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
+    // The length of a shunting area is not used: it is left by its own rules (3.12.4.2).
+    if (length && area.mode != Mode::SH) area.to = at + *length;
+    if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
+    area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);
+    area.also_SvL = m.Q_MAMODE.raw == 1;
+    (void)profile.push_back(area);
+  };
+  append(p.first_modes());
+  for (const auto& m : p.modes) append(m);
+}
 
 void take(Contents& c, const lang::Packet16& p, const Reference& r) {
   c.repositioned_section = metres(p.Q_SCALE, p.L_SECTION);
@@ -83,7 +104,7 @@ void take(Contents& c, const lang::Packet16& p, const Reference& r) {
 }
 
 void take(Contents& c, const lang::Packet21& p, const Reference& r) {
-  NewGradientProfile profile;
+  NewGradientProfile& profile = c.gradient.emplace();
   Place at = r.place;
   const auto append = [&](const lang::Packet21_steps& step) {
     at = at + metres(p.Q_SCALE, step.D_GRADIENT);
@@ -94,7 +115,6 @@ void take(Contents& c, const lang::Packet21& p, const Reference& r) {
   };
   append(p.first_steps());
   for (const auto& step : p.steps) append(step);
-  c.gradient = profile;
 }
 
 void limit_to(SpeedCode& stored, unsigned code) {
@@ -119,7 +139,7 @@ StaticSpeed element_of(const lang::Packet27_steps& step) {
 }
 
 void take(Contents& c, const lang::Packet27& p, const Reference& r) {
-  NewStaticSpeedProfile profile;
+  NewStaticSpeedProfile& profile = c.ssp.emplace();
   Place at = r.place;
   const auto append = [&](const lang::Packet27_steps& step) {
     at = at + metres(p.Q_SCALE, step.D_STATIC);
@@ -127,15 +147,13 @@ void take(Contents& c, const lang::Packet27& p, const Reference& r) {
   };
   append(p.first_steps());
   for (const auto& step : p.steps) append(step);
-  c.ssp = profile;
 }
 
 void take(Contents& c, const lang::Packet51& p, const Reference& r) {
-  Fresh<AxleLoadRestriction> fresh;
+  Fresh<AxleLoadRestriction>& fresh = c.asp.emplace();
   if (p.Q_TRACKINIT.raw == 1) {
     fresh.initial_state = true;
     fresh.from = r.place + metres(p.Q_SCALE, p.D_TRACKINIT);
-    c.asp = fresh;
     return;
   }
   Place at = r.place;
@@ -153,15 +171,13 @@ void take(Contents& c, const lang::Packet51& p, const Reference& r) {
   append(p.first_restrictions());
   fresh.from = at;
   for (const auto& e : p.restrictions) append(e);
-  c.asp = fresh;
 }
 
 void take(Contents& c, const lang::Packet52& p, const Reference& r) {
-  Fresh<PermittedBrakingDistance> fresh;
+  Fresh<PermittedBrakingDistance>& fresh = c.pbd.emplace();
   if (p.Q_TRACKINIT.raw == 1) {
     fresh.initial_state = true;
     fresh.from = r.place + metres(p.Q_SCALE, p.D_TRACKINIT);
-    c.pbd = fresh;
     return;
   }
   Place at = r.place;
@@ -178,7 +194,6 @@ void take(Contents& c, const lang::Packet52& p, const Reference& r) {
   append(p.first_restrictions());
   fresh.from = at;
   for (const auto& e : p.restrictions) append(e);
-  c.pbd = fresh;
 }
 
 void take(Contents& c, const lang::Packet65& p, const Reference& r) {
@@ -217,34 +232,22 @@ void take(Contents& c, const lang::Packet88& p, const Reference& r) {
   if (lx.unprotected) c.lose(packet::level_crossing, lx.from);
 }
 
-void take(Contents& c, const lang::Packet80& p, const Reference& r) {
-  ModeProfile profile;
-  Place at = r.place;
-  const auto append = [&](const lang::Packet80_modes& m) {
-    at = at + metres(p.Q_SCALE, m.D_MAMODE);
-    ModeArea area;
-    area.from = at;
-    area.mode = mode_of_area(m.M_MAMODE.raw);
-    const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
-    // The length of a shunting area is not used: SH is left by its own rules (3.12.4.2).
-    if (length && area.mode != Mode::SH) area.to = at + *length;
-    if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
-    area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);
-    area.also_SvL = m.Q_MAMODE.raw == 1;
-    (void)profile.push_back(area);
-  };
-  append(p.first_modes());
-  for (const auto& m : p.modes) append(m);
-  c.mode_profile = profile;
+Added added_if(Fault fault) {
+  return fault == Fault::none ? Added::added : fault == Fault::not_applicable ? Added::not_stored_here : Added::faulty;
 }
-
 template <class P>
 Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
   P packet;
-  if (const Fault fault = lang::decode(view, packet); fault != Fault::none)
-    return fault == Fault::not_applicable ? Added::not_stored_here : Added::faulty;
-  take(c, packet, r);
-  return Added::added;
+  const Fault fault = lang::decode(view, packet);
+  if (fault == Fault::none) take(c, packet, r);
+  return added_if(fault);
+}
+template <class P>
+Added decode_and_take(AuthorityContents& c, Duration time, const lang::PacketView& view, const Reference& r) {
+  P packet;
+  const Fault fault = lang::decode(view, packet);
+  if (fault == Fault::none) take(c, time, packet, r);
+  return added_if(fault);
 }
 
 }  // namespace
@@ -266,14 +269,31 @@ std::optional<Place> stop_location(const lang::Message15& message, const Referen
   return shifted(lrbg, metres(message.Q_SCALE, message.D_REF)).place + metres(message.Q_SCALE, message.D_EMERGENCYSTOP);
 }
 
+Added add(AuthorityContents& contents, Duration time, const lang::PacketView& view, const Reference& reference) {
+  if (!valid_direction(view.Q_DIR, reference.orientation)) return Added::other_direction;
+  switch (view.NID_PACKET) {
+    case packet::level_1_movement_authority:
+      return decode_and_take<lang::Packet12>(contents, time, view, reference);
+    case packet::level_2_3_movement_authority:
+      return decode_and_take<lang::Packet15>(contents, time, view, reference);
+    case packet::mode_profile:
+      return decode_and_take<lang::Packet80>(contents, time, view, reference);
+    case packet::balise_groups_for_sh_area:
+      return add_sh_list(contents, view, reference);
+    default:
+      return Added::not_stored_here;
+  }
+}
+
 Added add(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   if (!valid_direction(view.Q_DIR, reference.orientation)) return Added::other_direction;
   contents.medium = reference.medium;
   switch (view.NID_PACKET) {
     case packet::level_1_movement_authority:
-      return decode_and_take<lang::Packet12>(contents, view, reference);
     case packet::level_2_3_movement_authority:
-      return decode_and_take<lang::Packet15>(contents, view, reference);
+    case packet::mode_profile:
+    case packet::balise_groups_for_sh_area:
+      return add(contents, contents.time, view, reference);
     case packet::repositioning_information:
       return decode_and_take<lang::Packet16>(contents, view, reference);
     case packet::gradient_profile:
@@ -290,8 +310,6 @@ Added add(Contents& contents, const lang::PacketView& view, const Reference& ref
       return decode_and_take<lang::Packet65>(contents, view, reference);
     case packet::tsr_revocation:
       return decode_and_take<lang::Packet66>(contents, view, reference);
-    case packet::mode_profile:
-      return decode_and_take<lang::Packet80>(contents, view, reference);
     case packet::level_crossing:
       return decode_and_take<lang::Packet88>(contents, view, reference);
     case packet::default_gradient_for_tsr:

@@ -38,5 +38,10 @@ enum class Added : std::uint8_t {
 };
 /// Adds a packet to the contents of its message.
 Added add(Contents& contents, const lang::PacketView& view, const Reference& reference);
+/// The groups of packet 63, which message 2 brings (4.4.11.1.3.2 f); absent: for the other direction, or faulty.
+std::optional<GroupList> sr_list(const lang::PacketView& view, const Reference& reference);
+/// The same with an authority that is judged before it counts (4.8.3 [4], 3.8.6): packets 12, 15, 49 and 80 only.
+/// `time`: see Contents::time.
+Added add(AuthorityContents& contents, Duration time, const lang::PacketView& view, const Reference& reference);
 
 }  // namespace evc::track

@@ -20,8 +20,7 @@ using lang::metres;
 
 /// Profiles of areas: increments from start to start, each with its length (3.6.3.2.4).
 template <class T, class P, class E, class List, class Make>
-Fresh<T> areas_of(const P& p, const E& first, const List& further, Place reference, Make make) {
-  Fresh<T> fresh;
+void take_areas(Fresh<T>& fresh, const P& p, const E& first, const List& further, Place reference, Make make) {
   Place at = reference;
   const auto append = [&](const E& e) {
     at = at + metres(p.Q_SCALE, e.D_TRACKCOND);
@@ -33,22 +32,17 @@ Fresh<T> areas_of(const P& p, const E& first, const List& further, Place referen
   append(first);
   fresh.from = at;
   for (const E& e : further) append(e);
-  return fresh;
 }
 template <class T, class P>
-Fresh<T> initial_state_of(const P& p, Place reference) {
-  Fresh<T> fresh;
+void take_initial_state(Fresh<T>& fresh, const P& p, Place reference) {
   fresh.initial_state = true;
   fresh.from = reference + metres(p.Q_SCALE, p.D_TRACKINIT);
-  return fresh;
 }
 
 void take(Contents& c, const lang::Packet68& p, const Reference& r) {
-  if (p.Q_TRACKINIT.raw == 1) {
-    c.conditions = initial_state_of<TrackCondition>(p, r.place);
-    return;
-  }
-  c.conditions = areas_of<TrackCondition>(p, p.first_conditions(), p.conditions, r.place, [](const auto& e) {
+  Fresh<TrackCondition>& fresh = c.conditions.emplace();
+  if (p.Q_TRACKINIT.raw == 1) return take_initial_state(fresh, p, r.place);
+  take_areas(fresh, p, p.first_conditions(), p.conditions, r.place, [](const auto& e) {
     TrackCondition condition;
     // A spare code cannot occur here: the message was rejected (chapter 7). The same applies to Q_SUITABILITY.
     condition.kind = track_condition_of(e.M_TRACKCOND.raw).value_or(TrackConditionKind::non_stopping_area);
@@ -56,15 +50,12 @@ void take(Contents& c, const lang::Packet68& p, const Reference& r) {
   });
 }
 void take(Contents& c, const lang::Packet67& p, const Reference& r) {
-  c.big_metal =
-      areas_of<BigMetalMass>(p, p.first_areas(), p.areas, r.place, [](const auto&) { return BigMetalMass{}; });
+  take_areas(c.big_metal.emplace(), p, p.first_areas(), p.areas, r.place, [](const auto&) { return BigMetalMass{}; });
 }
 void take(Contents& c, const lang::Packet69& p, const Reference& r) {
-  if (p.Q_TRACKINIT.raw == 1) {
-    c.platforms = initial_state_of<Platform>(p, r.place);
-    return;
-  }
-  c.platforms = areas_of<Platform>(p, p.first_platforms(), p.platforms, r.place, [](const auto& e) {
+  Fresh<Platform>& fresh = c.platforms.emplace();
+  if (p.Q_TRACKINIT.raw == 1) return take_initial_state(fresh, p, r.place);
+  take_areas(fresh, p, p.first_platforms(), p.platforms, r.place, [](const auto& e) {
     Platform platform;
     platform.M_PLATFORM = e.M_PLATFORM.raw;
     platform.Q_PLATFORM = e.Q_PLATFORM.raw;
@@ -81,12 +72,8 @@ void take(Contents& c, const lang::Packet40& p, const Reference& r) {
 }
 
 void take(Contents& c, const lang::Packet70& p, const Reference& r) {
-  Fresh<RouteSuitability> fresh;
-  if (p.Q_TRACKINIT.raw == 1) {
-    fresh = initial_state_of<RouteSuitability>(p, r.place);
-    c.suitability = fresh;
-    return;
-  }
+  Fresh<RouteSuitability>& fresh = c.suitability.emplace();
+  if (p.Q_TRACKINIT.raw == 1) return take_initial_state(fresh, p, r.place);
   Place at = r.place;
   const auto append = [&](const lang::Packet70_points& e) {
     at = at + metres(p.Q_SCALE, e.D_SUITABILITY);
@@ -102,7 +89,6 @@ void take(Contents& c, const lang::Packet70& p, const Reference& r) {
   append(p.first_points());
   fresh.from = at;
   for (const auto& e : p.points) append(e);
-  c.suitability = fresh;
 }
 
 void take(Contents& c, const lang::Packet71& p, const Reference& r) {

@@ -32,11 +32,10 @@ GroupList groups_of(const List& list, const Reference& r) {
   }
   return groups;
 }
-void take(Contents& c, const lang::Packet49& p, const Reference& r) { c.sh_list = groups_of(p.groups, r); }
-void take(Contents& c, const lang::Packet63& p, const Reference& r) { c.sr_list = groups_of(p.groups, r); }
+void take(AuthorityContents& c, const lang::Packet49& p, const Reference& r) { c.sh_list = groups_of(p.groups, r); }
 
 void take(Contents& c, const lang::Packet79& p, const Reference& r) {
-  InplaceVector<GeoReference, 32> geo;
+  InplaceVector<GeoReference, 32>& geo = c.geo.emplace();
   std::uint16_t NID_C = r.group.NID_C;
   const auto append = [&](const lang::Packet79_references& e) {
     if (e.Q_NEWCOUNTRY.raw == 1) NID_C = e.NID_C.raw;
@@ -50,7 +49,6 @@ void take(Contents& c, const lang::Packet79& p, const Reference& r) {
   };
   append(p.first_references());
   for (const auto& e : p.references) append(e);
-  c.geo = geo;
 }
 
 void take(Contents& c, const lang::Packet90& p, const Reference& r) {
@@ -82,8 +80,8 @@ void take(Contents& c, const lang::Packet139& p, const Reference&) {
 }
 void take(Contents& c, const lang::Packet181&, const Reference&) { c.generic_ls_marker = true; }
 
-template <class P>
-Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
+template <class P, class C>
+Added decode_and_take(C& c, const lang::PacketView& view, const Reference& r) {
   P packet;
   if (lang::decode(view, packet) != Fault::none) return Added::faulty;
   take(c, packet, r);
@@ -92,12 +90,18 @@ Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference
 
 }  // namespace
 
+Added add_sh_list(AuthorityContents& contents, const lang::PacketView& view, const Reference& reference) {
+  return decode_and_take<lang::Packet49>(contents, view, reference);
+}
+
+std::optional<GroupList> sr_list(const lang::PacketView& view, const Reference& reference) {
+  lang::Packet63 p;
+  if (!valid_direction(view.Q_DIR, reference.orientation) || lang::decode(view, p) != Fault::none) return std::nullopt;
+  return groups_of(p.groups, reference);
+}
+
 Added add_order(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
-    case packet::balise_groups_for_sh_area:
-      return decode_and_take<lang::Packet49>(contents, view, reference);
-    case packet::balise_groups_in_sr_authority:
-      return decode_and_take<lang::Packet63>(contents, view, reference);
     case packet::geographical_position:
       return decode_and_take<lang::Packet79>(contents, view, reference);
     case packet::track_ahead_free_to_level_2_3:

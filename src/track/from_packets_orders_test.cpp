@@ -154,7 +154,23 @@ TEST(FromPackets, ListsOfGroups) {
   EXPECT_EQ(list[0], (GroupId{426, 1}));
   EXPECT_EQ(list[1], (GroupId{12, 2}));
   EXPECT_EQ(list[2], (GroupId{12, 3})) << "as the group before";
-  EXPECT_TRUE(contents_of(lang::Packet63{}).sr_list->empty());
+}
+
+TEST(FromPackets, ListForStaffResponsible) {
+  lang::Packet63 p;
+  p.Q_DIR.raw = 1;
+  EXPECT_TRUE(sr_list(Written(p).view, reference())->empty());
+  lang::Packet63_groups g;
+  g.NID_BG.raw = 5;
+  ASSERT_TRUE(p.groups.push_back(g));
+  EXPECT_EQ((*sr_list(Written(p).view, reference()))[0], (GroupId{426, 5}));
+  Contents c;
+  EXPECT_EQ(add(c, Written(p).view, reference()), Added::not_stored_here) << "it comes with message 2 only";
+  Written broken(p);
+  broken.view.bytes = std::span<const std::uint8_t>(broken.bytes).first(4);
+  EXPECT_FALSE(sr_list(broken.view, reference()));
+  p.Q_DIR.raw = 0;
+  EXPECT_FALSE(sr_list(Written(p).view, reference())) << "3.6.3.1.3";
 }
 
 TEST(FromPackets, GeographicalPosition) {

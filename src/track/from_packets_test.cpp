@@ -66,6 +66,32 @@ TEST(FromPackets, OthersAndBrokenOnes) {
   }
 }
 
+TEST(FromPackets, AuthorityAlone) {  // 4.8.3 [4], 3.8.6: judged before it counts
+  auto p = packet_in_metres<lang::Packet12>();
+  p.Q_DIR.raw = 1;
+  p.V_MAIN.raw = 12;
+  p.L_ENDSECTION.raw = 700;
+  p.Q_SECTIONTIMER.raw = 1;
+  p.T_SECTIONTIMER.raw = 40;
+  auto modes = packet_in_metres<lang::Packet80>();
+  modes.Q_DIR.raw = 1;
+  AuthorityContents alone;
+  EXPECT_EQ(add(alone, Duration{90}, Written(p).view, reference()), Added::added);
+  EXPECT_EQ(add(alone, Duration{90}, Written(modes).view, reference()), Added::added);
+  EXPECT_EQ(alone.ma, contents_of(p).ma) << "as with all the others";
+  EXPECT_EQ(alone.ma->sections[0].timer.started, Duration{90});
+  EXPECT_EQ(alone.V_MAIN, 12);
+  EXPECT_EQ(alone.mode_profile, contents_of(modes).mode_profile);
+  EXPECT_FALSE(alone.sh_list);
+  lang::Packet66 other;
+  other.Q_DIR.raw = 1;
+  EXPECT_EQ(add(alone, Duration{90}, Written(other).view, reference()), Added::not_stored_here);
+  p.Q_DIR.raw = 0;
+  AuthorityContents against;
+  EXPECT_EQ(add(against, Duration{90}, Written(p).view, reference()), Added::other_direction);
+  EXPECT_FALSE(against.ma);
+}
+
 TEST(FromPackets, MovementAuthorityLevel2) {
   auto p = packet_in_metres<lang::Packet15>();
   p.V_EMA.raw = 4;

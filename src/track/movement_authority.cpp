@@ -2,12 +2,16 @@
 
 namespace evc::track {
 
-std::optional<Place> MovementAuthority::SvL() const {
-  if (fixed_SvL) return fixed_SvL;
-  if (limited()) return std::nullopt;
+Place MovementAuthority::SvL_without_LOA() const {
+  if (fixed_SvL) return *fixed_SvL;
   if (overlap) return overlap->end;
   if (danger_point) return danger_point->at;
   return end();
+}
+
+std::optional<Place> MovementAuthority::SvL() const {
+  if (limited() && !fixed_SvL) return std::nullopt;
+  return SvL_without_LOA();
 }
 
 Place MovementAuthority::far_end() const {

@@ -72,8 +72,8 @@ void lower_by_areas(Mrsp& f, const Areas& areas, Distance delay, SpeedOf speed) 
 
 }  // namespace
 
-Mrsp mrsp(const Description& d, const MrspQuery& query) {
-  Mrsp f;
+void mrsp(Mrsp& f, const Description& d, const MrspQuery& query) {
+  f.steps.clear();
   (void)f.append(query.from, kNoLimit);
   for (const Limit& limit : query.limits)
     lower(f, limit.from ? *limit.from : query.from, limit.to ? *limit.to : kFar, limit.V);
@@ -93,11 +93,10 @@ Mrsp mrsp(const Description& d, const MrspQuery& query) {
   if (counts.signalling && d.signalling)
     lower(f, d.signalling->from, d.signalling->to ? *d.signalling->to : kFar, speed_of(d.signalling->V_MAIN));
   join_equal(f);
-  return f;
 }
 
-GradientFunction gradient(const Description& d, Place from, double unknown) {
-  GradientFunction f;
+void gradient(GradientFunction& f, const Description& d, Place from, double unknown) {
+  f.steps.clear();
   const auto& steps = d.gradient.steps;
   std::size_t i = 0;
   while (i + 1 < steps.size() && steps[i + 1].from <= from) ++i;
@@ -107,7 +106,6 @@ GradientFunction gradient(const Description& d, Place from, double unknown) {
     // There is one step too many only if the profile begins beyond `from`: keep the lower one.
     if (!f.append(steps[i].from, value) && value < f.steps.back().value) f.steps.back().value = value;
   }
-  return f;
 }
 
 }  // namespace evc::track

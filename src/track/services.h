@@ -37,12 +37,14 @@ inline constexpr Speed kNoLimit = speed_of(120);
 
 /// The most restrictive speed profile (3.13.7): the lowest of SSP, ASP, TSR, PBD, LX, signalling speed and `limits`,
 /// with the train length delay of SSP, ASP and TSR. The speed in force is the lowest between min and max safe front
-/// end. If there are more changes than fit, the lower neighbour is kept: the profile is never too high.
-Mrsp mrsp(const Description& d, const MrspQuery& query);
+/// end. Where there are more changes than there is room for, the lower neighbour is kept: never higher than due.
+/// Written into `out`: it is large.
+void mrsp(Mrsp& out, const Description& d, const MrspQuery& query);
 
 /// The stored gradient, not compensated for the train length. Where it is unknown: `unknown` per mille (0, or for
 /// targets of a TSR the default gradient; 3.13.4.1.2-3). Never empty: it starts at or before `from`.
-GradientFunction gradient(const Description& d, Place from, double unknown = 0.0);
+/// Written into `out`: it is large.
+void gradient(GradientFunction& out, const Description& d, Place from, double unknown = 0.0);
 
 /// EOA, SvL, LOA and release speed to supervise now. `mode` is the current one: the start of an area of this mode is no
 /// longer a stop; in SH, SR and other modes there is no authority.

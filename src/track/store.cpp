@@ -39,9 +39,9 @@ void replace(const Filing& f, std::uint8_t packet, Profile<Value, N>& stored, co
 
 /// Data that restrict and do not fit end the authority at their place; other data are only noted.
 template <class Lists>
-void store_areas(const Filing& f, const Lists& lists) {
+void store_areas(const Filing& f, const Contents& c, const Lists& lists) {
   each_list(lists, [&](const auto& list) {
-    const auto& fresh = f.c.*list.fresh;
+    const auto& fresh = c.*list.fresh;
     if (!fresh) return;
     if (list.restricts)
       replace(f, list.packet, f.d.*list.kept, *fresh);
@@ -52,18 +52,18 @@ void store_areas(const Filing& f, const Lists& lists) {
 
 // --- speed restrictions
 
-void store_tsr(const Filing& f) {
+void store_tsr(const Filing& f, const Contents& c) {
   Description& d = f.d;
-  for (const std::uint8_t id : f.c.revoked_tsr) {
-    // 255 is the identity of every restriction that cannot be revoked (3.11.5.9).
+  for (const std::uint8_t id : c.revoked_tsr) {
+    // 255 names every restriction that cannot be revoked (3.11.5.9).
     if (id != 255) d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == id; });
     f.note(66, Note::What::stored, {});
   }
-  if (f.c.inhibit_revocable_tsr) {
+  if (c.inhibit_revocable_tsr) {
     d.revocable_tsr_inhibited = true;
     f.note(64, Note::What::stored, {});
   }
-  for (const TemporarySpeedRestriction& tsr : f.c.tsr) {
+  for (const TemporarySpeedRestriction& tsr : c.tsr) {
     if (tsr.NID_TSR != 255 && !tsr.from_rbc && d.revocable_tsr_inhibited) {
       f.note(65, Note::What::refused, "3.11.5.12"_srs);
       continue;
@@ -74,15 +74,15 @@ void store_tsr(const Filing& f) {
     if (!room) cover(d.tsr.back(), tsr);
     f.stored(65, room, "3.11.5"_srs);
   }
-  if (f.c.default_gradient) {
-    d.default_gradient = f.c.default_gradient;
+  if (c.default_gradient) {
+    d.default_gradient = c.default_gradient;
     f.note(141, Note::What::stored, {});
   }
 }
 
-void store_level_crossings(const Filing& f) {
+void store_level_crossings(const Filing& f, const Contents& c) {
   Description& d = f.d;
-  for (LevelCrossing lx : f.c.lx) {
+  for (LevelCrossing lx : c.lx) {
     for (const LevelCrossing& old : d.lx)
       if (old.NID_LX == lx.NID_LX && old.substituted && lx.unprotected) {
         // Received again while its speed already applies: it continues to apply.
@@ -98,22 +98,21 @@ void store_level_crossings(const Filing& f) {
   }
 }
 
-void store_profiles(const Filing& f) {
-  const Contents& c = f.c;
+void store_profiles(const Filing& f, const Contents& c) {
   Description& d = f.d;
   if (c.ssp) replace(f, 27, d.ssp, *c.ssp);
   if (c.gradient) replace(f, 21, d.gradient, *c.gradient);
-  store_areas(f, kSpeedAreas);
-  store_tsr(f);
-  store_level_crossings(f);
+  store_areas(f, c, kSpeedAreas);
+  store_tsr(f, c);
+  store_level_crossings(f, c);
 }
 
 // --- conditions, suitability, adhesion
 
-void store_suitability(const Filing& f) {
-  if (!f.c.suitability) return;
+void store_suitability(const Filing& f, const Contents& c) {
+  if (!c.suitability) return;
   Description& d = f.d;
-  const Fresh<RouteSuitability>& fresh = *f.c.suitability;
+  const Fresh<RouteSuitability>& fresh = *c.suitability;
   if (fresh.initial_state) {
     d.suitability.erase_if([&](const RouteSuitability& old) { return old.at >= fresh.from; });
     return f.note(70, Note::What::stored, {});
@@ -131,19 +130,18 @@ void store_suitability(const Filing& f) {
   f.note(70, Note::What::stored, {});
 }
 
-void store_adhesion(const Filing& f) {
-  if (!f.c.adhesion) return;
+void store_adhesion(const Filing& f, const Contents& c) {
+  if (!c.adhesion) return;
   Fresh<AdhesionArea> fresh;
-  fresh.from = f.c.adhesion->from;
-  // An area that is not slippery only deletes (3.7.3.1 l).
-  if (f.c.adhesion->slippery) (void)fresh.elements.push_back(*f.c.adhesion);
+  fresh.from = c.adhesion->from;
+  // An area that is not slippery only clears (3.7.3.1 l).
+  if (c.adhesion->slippery) (void)fresh.elements.push_back(*c.adhesion);
   replace(f, 71, f.d.adhesion, fresh);
 }
 
-void store_conditions(const Filing& f) {
-  const Contents& c = f.c;
+void store_conditions(const Filing& f, const Contents& c) {
   Description& d = f.d;
-  store_areas(f, kConditionAreas);
+  store_areas(f, c, kConditionAreas);
   if (c.traction) {
     d.traction = c.traction;
     f.note(39, Note::What::stored, {});
@@ -152,13 +150,13 @@ void store_conditions(const Filing& f) {
     d.current = c.current;
     f.note(40, Note::What::stored, {});
   }
-  store_suitability(f);
-  store_adhesion(f);
+  store_suitability(f, c);
+  store_adhesion(f, c);
 }
 
-void store_texts(const Filing& f) {
+void store_texts(const Filing& f, const Contents& c) {
   Description& d = f.d;
-  for (Text text : f.c.texts) {
+  for (Text text : c.texts) {
     const std::uint8_t packet = text.Q_TEXT ? 76 : 72;
     bool repeated = false;
     for (const Text& old : d.texts)
@@ -174,8 +172,14 @@ void store_texts(const Filing& f) {
   }
 }
 
-void store_orders(const Filing& f) {
-  const Contents& c = f.c;
+bool holds_limited_supervision(const AuthorityContents& c) {
+  if (c.mode_profile)
+    for (const ModeArea& area : *c.mode_profile)
+      if (area.mode == Mode::LS) return true;
+  return false;
+}
+
+void store_orders(const Filing& f, const Contents& c) {
   Description& d = f.d;
   if (c.rbc_transition) {
     d.rbc_transition = c.rbc_transition;
@@ -195,7 +199,6 @@ void store_orders(const Filing& f) {
     f.note(139, Note::What::stored, {});
   }
   if (c.sh_list && !c.ma) d.sh_list = c.sh_list;
-  if (c.sr_authorisation) d.sr_list = c.sr_list;
   if (c.geo) {
     // A reference that already applies continues until another becomes applicable (3.6.6.3).
     d.geo.erase_if([&](const GeoReference& old) { return !old.applies_from || *old.applies_from > f.here.est_front; });
@@ -204,37 +207,47 @@ void store_orders(const Filing& f) {
     f.stored(79, room, "3.6.6"_srs);
   }
   d.stop_shunting_on_desk_opening = d.stop_shunting_on_desk_opening || c.stop_shunting_on_desk_opening;
-  bool limited_supervision = false;
-  if (c.mode_profile)
-    for (const ModeArea& area : *c.mode_profile) limited_supervision = limited_supervision || area.mode == Mode::LS;
   if (c.generic_ls_marker)
     d.generic_ls_marker = true;
-  else if (limited_supervision)
+  else if (holds_limited_supervision(c))
     d.generic_ls_marker = false;
 }
 
+bool has_authority(const AuthorityContents& c) { return c.ma && !c.ma->sections.empty(); }
+
+bool matters_to_monitoring(const AuthorityContents& c) { return c.ma || c.V_MAIN || c.mode_profile; }
 bool matters_to_monitoring(const Contents& c) {
   bool areas = false;
   each_list([&](const auto& list) { areas = areas || (list.restricts && (c.*list.fresh).has_value()); });
-  return areas || c.ma || c.V_MAIN || c.mode_profile || c.repositioned_section || c.ssp || c.gradient ||
-         !c.tsr.empty() || !c.revoked_tsr.empty() || c.default_gradient || !c.lx.empty() || c.suitability ||
-         c.adhesion || c.traction || c.reversing_area || c.reversing_supervision;
+  return areas || matters_to_monitoring(static_cast<const AuthorityContents&>(c)) || c.repositioned_section || c.ssp ||
+         c.gradient || !c.tsr.empty() || !c.revoked_tsr.empty() || c.default_gradient || !c.lx.empty() ||
+         c.suitability || c.adhesion || c.traction || c.reversing_area || c.reversing_supervision;
 }
 
 }  // namespace
 
 Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma) {
   Stored report;
-  const Filing f{d, c, here, report};
+  const Filing f{d, here, report};
   for (const std::uint8_t packet : c.lost) f.note(packet, Note::What::full, "3.7.3.1"_srs);
   report.lost_from = c.lost_from;
-  store_authority(f, refuse_ma);
-  store_signalling_speed(f);
-  reposition(f);
-  store_profiles(f);
-  store_conditions(f);
-  store_texts(f);
-  store_orders(f);
+  store_authority(f, c, c.infill, !has_authority(c) || complete(d, c, *c.ma, here), refuse_ma);
+  store_signalling_speed(f, c);
+  reposition(f, c);
+  store_profiles(f, c);
+  store_conditions(f, c);
+  store_texts(f, c);
+  store_orders(f, c);
+  if (report.lost_from) end_before(d, *report.lost_from, here);
+  if (matters_to_monitoring(c)) ++d.revision;
+  return report;
+}
+
+Stored store(Description& d, const AuthorityContents& c, const Here& here) {
+  Stored report;
+  const Filing f{d, here, report};
+  store_authority(f, c, std::nullopt, !has_authority(c) || complete(d, *c.ma, here), {});
+  if (holds_limited_supervision(c)) d.generic_ls_marker = false;
   if (report.lost_from) end_before(d, *report.lost_from, here);
   if (matters_to_monitoring(c)) ++d.revision;
   return report;

@@ -22,10 +22,13 @@ struct Stored {
   InplaceVector<Note, 40> notes;
 };
 
-/// Whether SSP and gradient, stored or in the same message, reach without a hole from the estimated front end (or the
-/// infill reference) to the SvL of the MA, for an LOA to the LOA (3.7.2.3).
-bool complete(const Description& d, const Contents& c, const Here& here);
-/// The same for stored data: whether the stored MA is still covered.
+/// Whether SSP and gradient, stored or in the same message, reach without hole from the estimated front end (or the
+/// infill reference) to the SvL of the MA, for an LOA to the LOA (3.7.2.3). `ma` need not be that of `c`; it has a
+/// section.
+bool complete(const Description& d, const Contents& c, const MovementAuthority& ma, const Here& here);
+/// The same with what is stored alone.
+bool complete(const Description& d, const MovementAuthority& ma, const Here& here);
+/// Whether the MA that is stored is still covered; true without one.
 bool complete(const Description& d, const Here& here);
 
 /// Stores the contents of a message: shortening first, then the MA if it is complete, then each packet by its rule of
@@ -33,5 +36,7 @@ bool complete(const Description& d, const Here& here);
 /// [3] train data not acknowledged), or none. Data that do not fit are noted; if they restrict the train, authority and
 /// track description end there (Stored::lost_from).
 Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_ma = {});
+/// The same for an authority alone: the one that a request to shorten brings (3.8.6).
+Stored store(Description& d, const AuthorityContents& c, const Here& here);
 
 }  // namespace evc::track

@@ -1,3 +1,4 @@
+#include "base/set.h"
 #include "track/store_parts.h"
 #include "track/withdraw.h"
 
@@ -6,11 +7,11 @@ namespace {
 
 constexpr Clause kIncomplete = "3.7.2.3"_srs;
 
-/// Whether the end section or overlap timer of the new MA continues the running one: yes, if its start is already
-/// behind the max safe front end; a timer that does not run then counts as expired (3.8.4.1.3-4, 3.8.4.4.4-5).
-void carry_timer(Timer& fresh, const Timer* old, Place start, const Here& here, bool& expired) {
+/// Whether the end-section or overlap timer of the new MA takes over the running one: it does where the new start is
+/// already behind the max safe front end; a timer that does not run counts as expired then (3.8.4.1.3-4, 3.8.4.4.4-5).
+void carry_timer(Timer& fresh, const std::optional<Timer>& old, Place start, const Here& here, bool& expired) {
   if (start >= here.max_safe_front) return;
-  if (old != nullptr && old->running) {
+  if (old && old->running) {
     fresh.running = true;
     fresh.started = old->started;
     expired = fresh.expired_at(here.now);
@@ -31,15 +32,28 @@ void end_at_front(MovementAuthority& ma, const Here& here) {
   ma.fixed_release = Release{};
 }
 
-void carry_timers(MovementAuthority& ma, const std::optional<MovementAuthority>& old, const Here& here) {
+/// What of the MA before counts for the new one.
+struct Before {
+  bool existed = false;
+  std::optional<Timer> end_section, overlap;
+  std::optional<Place> SvL;
+};
+Before before_of(const std::optional<MovementAuthority>& old) {
+  Before before;
+  if (!old) return before;
+  before.existed = true;
+  if (old->end_section) before.end_section = old->end_section->timer;
+  if (old->overlap) before.overlap = old->overlap->timer;
+  before.SvL = old->SvL();
+  return before;
+}
+
+void carry_timers(MovementAuthority& ma, const Before& old, const Here& here) {
   bool end_section_over = false;
   bool overlap_over = false;
   if (ma.end_section)
-    carry_timer(ma.end_section->timer, old && old->end_section ? &old->end_section->timer : nullptr,
-                ma.end_section->start, here, end_section_over);
-  if (ma.overlap)
-    carry_timer(ma.overlap->timer, old && old->overlap ? &old->overlap->timer : nullptr, ma.overlap->start, here,
-                overlap_over);
+    carry_timer(ma.end_section->timer, old.end_section, ma.end_section->start, here, end_section_over);
+  if (ma.overlap) carry_timer(ma.overlap->timer, old.overlap, ma.overlap->start, here, overlap_over);
   if (overlap_over) {
     ma.overlap.reset();
     ma.V_LOA = {};
@@ -47,50 +61,46 @@ void carry_timers(MovementAuthority& ma, const std::optional<MovementAuthority>&
   if (end_section_over) end_at_front(ma, here);
 }
 
-/// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section at the reference ends
-/// there; so does the last section if the old authority ends in rear of it. False when there is no room.
-bool join(MovementAuthority& ma, const MovementAuthority& old, Place infill) {
-  MovementAuthority joined = ma;
-  joined.sections.clear();
-  bool room = true;
-  for (const Section& section : old.sections)
-    if (section.begin < infill) room = joined.sections.push_back(section) && room;
-  if (!joined.sections.empty()) joined.sections.back().end = infill;
-  for (const Section& section : ma.sections) room = joined.sections.push_back(section) && room;
-  if (room) ma = joined;
-  return room;
+/// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section that runs there ends
+/// at the reference, and so does the last one when the old authority ends in rear of it. False when there is no room:
+/// the old one stays.
+bool join(MovementAuthority& stored, const MovementAuthority& ma, Place infill) {
+  auto sections = stored.sections;
+  sections.erase_if([&](const Section& section) { return section.begin >= infill; });
+  if (!sections.empty()) sections.back().end = infill;
+  for (const Section& section : ma.sections)
+    if (!sections.push_back(section)) return false;
+  stored = ma;
+  stored.sections = sections;
+  return true;
 }
 
 /// A new MA is a shortening when its SvL is nearer than the old one, or when it defines an SvL where an LOA was
 /// supervised (3.8.5.1.3-4); a new LOA never is.
-bool is_shortening(const MovementAuthority& ma, const std::optional<MovementAuthority>& old) {
+bool is_shortening(const MovementAuthority& ma, const Before& old) {
   const std::optional<Place> SvL = ma.SvL();
-  if (!old || !SvL) return false;
-  const std::optional<Place> old_SvL = old->SvL();
-  return !old_SvL || *SvL < *old_SvL;
+  return old.existed && SvL && (!old.SvL || *SvL < *old.SvL);
 }
 
-/// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7).
-bool accepted_before(const ModeProfile& old, const ModeArea& area, const Here& here) {
+/// In an area that was accepted, the same area in a new MA asks for no new acknowledgement (5.9.2.7).
+bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here) {
   if (here.est_front < area.ack_from && here.max_safe_front < area.from) return false;
-  for (const ModeArea& o : old)
-    if (o.accepted && o.mode == area.mode) return true;
-  return false;
+  return accepted.has(area.mode);
 }
 
-void store_mode_profile(const Filing& f) {
-  const Contents& c = f.c;
+void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill) {
   Description& d = f.d;
-  const ModeProfile old = d.mode_profile;
-  if (c.infill)
-    d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *c.infill; });
+  Set<Mode> accepted;
+  for (const ModeArea& area : d.mode_profile) accepted.add(area.mode, area.accepted);
+  if (infill)
+    d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *infill; });
   else
     d.mode_profile.clear();
   if (!c.mode_profile) return;
   bool shunting = false;
   std::optional<Place> lost;
   for (ModeArea area : *c.mode_profile) {
-    area.accepted = accepted_before(old, area, f.here);
+    area.accepted = accepted_before(accepted, area, f.here);
     if (!d.mode_profile.push_back(area) && !lost) lost = area.from;
     shunting = shunting || area.mode == Mode::SH;
   }
@@ -102,76 +112,79 @@ void store_mode_profile(const Filing& f) {
   if (shunting) d.sh_list = c.sh_list;
 }
 
-/// Without a clause: no room.
-void refuse_authority(const Filing& f, Clause clause) {
+/// Without a clause: for want of room.
+void refuse_authority(const Filing& f, const AuthorityContents& c, Clause clause) {
   f.report.ma_refused = true;
-  f.note(f.c.V_MAIN ? 12 : 15, Note::What::refused, clause);
-  if (f.c.mode_profile) f.note(80, Note::What::refused, clause);
-  if (f.c.sh_list) f.note(49, Note::What::refused, clause);
+  f.note(c.V_MAIN ? 12 : 15, Note::What::refused, clause);
+  if (c.mode_profile) f.note(80, Note::What::refused, clause);
+  if (c.sh_list) f.note(49, Note::What::refused, clause);
 }
 
 }  // namespace
 
-bool complete(const Description& d, const Contents& c, const Here& here) {
-  if (!c.ma || c.ma->sections.empty()) return true;
+bool complete(const Description& d, const Contents& c, const MovementAuthority& ma, const Here& here) {
   const Place from = c.infill ? *c.infill : here.est_front;
-  const Place to = c.ma->far_end();
-  const NewStaticSpeedProfile ssp = c.ssp ? *c.ssp : NewStaticSpeedProfile{};
-  const NewGradientProfile gradient = c.gradient ? *c.gradient : NewGradientProfile{};
-  // Data that do not fit would be a hole as well.
-  return d.ssp.has_room_for(ssp) && d.gradient.has_room_for(gradient) && covers_together(d.ssp, ssp, from, to) &&
-         covers_together(d.gradient, gradient, from, to);
+  const Place to = ma.far_end();
+  const auto covered = [&](const auto& stored, const auto& fresh) {
+    // What there is no room for would be a hole as well.
+    return fresh ? stored.has_room_for(*fresh) && covers_together(stored, *fresh, from, to) : stored.covers(from, to);
+  };
+  return covered(d.ssp, c.ssp) && covered(d.gradient, c.gradient);
 }
 
-bool complete(const Description& d, const Here& here) {
-  if (!d.ma) return true;
-  const Place to = d.ma->far_end();
+bool complete(const Description& d, const MovementAuthority& ma, const Here& here) {
+  const Place to = ma.far_end();
   return d.ssp.covers(here.est_front, to) && d.gradient.covers(here.est_front, to);
 }
 
-void store_authority(const Filing& f, Clause refuse_ma) {
-  const Contents& c = f.c;
+bool complete(const Description& d, const Here& here) { return !d.ma || complete(d, *d.ma, here); }
+
+void store_authority(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill, bool described,
+                     Clause refuse_ma) {
   Description& d = f.d;
   if (!c.ma || c.ma->sections.empty()) return;
-  if (refuse_ma) return refuse_authority(f, refuse_ma);
-  // Infill extends an authority: without a stored authority it is refused (3.8.5.1 b).
-  if (c.infill && !d.ma) return refuse_authority(f, "3.8.5.1"_srs);
-  if (!complete(d, c, f.here)) return refuse_authority(f, kIncomplete);
-  MovementAuthority ma = *c.ma;
-  if (c.infill && !join(ma, *d.ma, *c.infill)) return refuse_authority(f, {});
-  carry_timers(ma, d.ma, f.here);
-  if (c.ma_is_shortening_request || is_shortening(ma, d.ma)) {
-    // The deletion applies to data stored before this message (3.8.5.1.5 of 4.0.0; earlier issues do not say).
+  if (refuse_ma) return refuse_authority(f, c, refuse_ma);
+  // Infill extends an authority: without one there is nothing it could begin at (3.8.5.1 b).
+  if (infill && !d.ma) return refuse_authority(f, c, "3.8.5.1"_srs);
+  if (!described) return refuse_authority(f, c, kIncomplete);
+  const Before before = before_of(d.ma);
+  if (!infill)
+    d.ma = c.ma;
+  else if (!join(*d.ma, *c.ma, *infill))
+    return refuse_authority(f, c, {});
+  MovementAuthority& ma = *d.ma;
+  carry_timers(ma, before, f.here);
+  if (c.ma_is_shortening_request || is_shortening(ma, before)) {
+    // The deletion concerns what was stored before this message (3.8.5.1.5 of 4.0.0; silent before).
     f.report.shortened = true;
     f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6"_srs : "3.8.5.1.3"_srs);
     (void)shorten(d, c.ma_is_shortening_request ? Situation::f_shortening_granted : Situation::b_shortened_ma,
                   ma.far_end(), f.here);
   }
-  d.ma = ma;
   f.report.ma_accepted = true;
   f.note(ma.level_1 ? 12 : 15, Note::What::stored, {});
-  store_mode_profile(f);
-  // An MA of level 2/3 deletes the signalling related restriction of level 1 (3.11.6.3.1).
+  store_mode_profile(f, c, infill);
+  // An MA of level 2/3 ends the signalling related restriction of level 1 (3.11.6.3.1).
   if (!ma.level_1) d.signalling.reset();
 }
 
-void store_signalling_speed(const Filing& f) {
-  if (!f.c.V_MAIN) return;
-  if (*f.c.V_MAIN == 0) {
+void store_signalling_speed(const Filing& f, const Contents& c) {
+  if (!c.V_MAIN) return;
+  if (*c.V_MAIN == 0) {
     // A trip order, not a speed; in infill it has no effect (3.11.6.2, 3.11.6.5).
-    f.report.trip_order = !f.c.infill;
+    f.report.trip_order = !c.infill;
     return;
   }
-  f.d.signalling = SignallingSpeed{f.c.infill ? *f.c.infill : f.here.min_safe_rear, *f.c.V_MAIN, std::nullopt};
+  f.d.signalling = SignallingSpeed{c.infill ? *c.infill : f.here.min_safe_rear, *c.V_MAIN, std::nullopt};
 }
 
-/// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).
-void reposition(const Filing& f) {
-  if (!f.c.repositioned_section || !f.d.ma) return;
+/// Packet 16: a new length for the section in which the front end is, the following ones move along (3.8.5.2).
+void reposition(const Filing& f, const Contents& c) {
+  if (!c.repositioned_section || !f.d.ma) return;
   MovementAuthority& ma = *f.d.ma;
   std::size_t k = 0;
   while (k + 1 < ma.sections.size() && ma.sections[k].end <= f.here.est_front) ++k;
-  const Distance shift = f.c.reference + *f.c.repositioned_section - ma.sections[k].end;
+  const Distance shift = c.reference + *c.repositioned_section - ma.sections[k].end;
   ma.sections[k].end = ma.sections[k].end + shift;
   if (ma.sections[k].begin > ma.sections[k].end) ma.sections[k].begin = ma.sections[k].end;
   for (std::size_t i = k + 1; i < ma.sections.size(); ++i) {

@@ -38,6 +38,46 @@ TEST(Store, AnMaWithSspAndGradientIsAccepted) {
   EXPECT_TRUE(complete(Description{}, front_at(100)));
 }
 
+TEST(Store, AnAuthorityIsJudgedBeforeItIsOneOfTheContents) {  // 4.8.3 [4]
+  Contents c = whole(2000);
+  c.ma.reset();
+  EXPECT_TRUE(complete(Description{}, c, authority_to(2000), front_at(100)));
+  EXPECT_FALSE(complete(Description{}, c, authority_to(2001), front_at(100)));
+  EXPECT_FALSE(complete(Description{}, authority_to(2000), front_at(100))) << "nothing is stored";
+  Description d;
+  store(d, whole(1000), front_at(100));
+  EXPECT_TRUE(complete(d, authority_to(1000), front_at(100)));
+  EXPECT_FALSE(complete(d, authority_to(1001), front_at(100)));
+}
+
+TEST(Store, AGrantedShorteningIsStoredAsContentsWithNothingElse) {  // 3.8.6
+  Contents c;
+  c.ma = authority_to(600);
+  c.ma_is_shortening_request = true;
+  c.mode_profile = ModeProfile{};
+  ModeArea ls;
+  ls.mode = Mode::LS;
+  ls.from = at(500);
+  ASSERT_TRUE(c.mode_profile->push_back(ls));
+  Description with_all, alone;
+  for (Description* d : {&with_all, &alone}) {
+    store(*d, whole(1000), front_at(100));
+    d->generic_ls_marker = true;
+  }
+  const Stored a = store(with_all, c, front_at(100));
+  const Stored b = store(alone, static_cast<const AuthorityContents&>(c), front_at(100));
+  for (const auto& [stored, d] : {std::pair{&a, &with_all}, std::pair{&b, &alone}}) {
+    EXPECT_TRUE(stored->ma_accepted && stored->shortened);
+    ASSERT_EQ(stored->notes.size(), 3u);
+    EXPECT_EQ(stored->notes[0].clause, "3.8.6"_srs);
+    EXPECT_EQ(d->ma, c.ma);
+    EXPECT_EQ(d->mode_profile, c.mode_profile);
+    EXPECT_EQ(d->ssp.steps.back().from, at(600)) << "A.3.4 f";
+    EXPECT_FALSE(d->generic_ls_marker);
+    EXPECT_EQ(d->revision, 3u);
+  }
+}
+
 TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
   struct Case {
     const char* name;
@@ -161,7 +201,7 @@ TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
   c.V_MAIN = 20;
   c.ssp = ssp({{1500, 80}, {3000, kEnd}});
   c.gradient = slopes({{1500, 0}, {3000, Gradient::kUnknown}});
-  EXPECT_TRUE(complete(d, c, front_at(100)));
+  EXPECT_TRUE(complete(d, c, *c.ma, front_at(100)));
   EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
   ASSERT_EQ(d.ma->sections.size(), 2u);
   EXPECT_EQ(d.ma->sections[0].end, at(1500)) << "the section running there is cut";

@@ -7,7 +7,6 @@ namespace evc::track {
 /// One message while it is stored.
 struct Filing {
   Description& d;
-  const Contents& c;
   const Here& here;
   Stored& report;
 
@@ -29,11 +28,13 @@ struct Filing {
   }
 };
 
-/// The MA with its mode profile and list for SH: shortening, completeness, timers (3.8).
-void store_authority(const Filing& filing, Clause refuse_ma);
+/// The MA with its mode profile and list for SH: shortening, timers (3.8). `infill`: see Contents. `described`: SSP and
+/// gradient cover it (3.7.2.3).
+void store_authority(const Filing& filing, const AuthorityContents& c, const std::optional<Place>& infill,
+                     bool described, Clause refuse_ma);
 /// V_MAIN (3.11.6).
-void store_signalling_speed(const Filing& filing);
+void store_signalling_speed(const Filing& filing, const Contents& c);
 /// Packet 16 (3.8.5.2).
-void reposition(const Filing& filing);
+void reposition(const Filing& filing, const Contents& c);
 
 }  // namespace evc::track

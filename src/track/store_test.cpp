@@ -297,8 +297,6 @@ TEST(Store, EveryOtherKind) {
   c.reversing_area = ReversingArea{at(60), at(70)};
   c.reversing_supervision = ReversingSupervision{Distance{100}, 8};
   c.sh_list = GroupList{};
-  c.sr_authorisation = true;
-  c.sr_list = GroupList{};
   c.stop_shunting_on_desk_opening = true;
   c.generic_ls_marker = true;
   c.geo = InplaceVector<GeoReference, 32>{};
@@ -312,13 +310,12 @@ TEST(Store, EveryOtherKind) {
   EXPECT_EQ(d.platforms.size(), 1u);
   EXPECT_TRUE(d.traction && d.current && d.rbc_transition && d.radio_infill);
   EXPECT_EQ(d.reversing_reference, at(70));
-  EXPECT_TRUE(d.reversing_supervision && d.sh_list && d.sr_list);
+  EXPECT_TRUE(d.reversing_supervision && d.sh_list);
   EXPECT_TRUE(d.stop_shunting_on_desk_opening && d.generic_ls_marker);
   EXPECT_EQ(d.geo.size(), 1u);
   EXPECT_EQ(d.texts[0].id, 1);
   Contents less;
   less.adhesion = AdhesionArea{at(45), at(50), false};
-  less.sr_authorisation = true;
   less.mode_profile = ModeProfile{};
   ModeArea ls;
   ls.mode = Mode::LS;
@@ -326,7 +323,6 @@ TEST(Store, EveryOtherKind) {
   store(d, less, front_at(0));
   ASSERT_EQ(d.adhesion.size(), 1u);
   EXPECT_EQ(d.adhesion[0].to, at(45)) << "not slippery clears from its start";
-  EXPECT_FALSE(d.sr_list);
   EXPECT_FALSE(d.generic_ls_marker) << "an LS profile without the marker";
 }
 

@@ -65,4 +65,15 @@ inline Contents whole(double end, double kmh = 100.0) {
   return c;
 }
 
+inline Mrsp mrsp(const Description& d, const MrspQuery& query) {
+  Mrsp f;
+  mrsp(f, d, query);
+  return f;
+}
+inline GradientFunction gradient(const Description& d, Place from, double unknown = 0.0) {
+  GradientFunction f;
+  gradient(f, d, from, unknown);
+  return f;
+}
+
 }  // namespace evc::track::testing

@@ -17,14 +17,14 @@ struct LxSubstitution {
   bool passed = false;
   Limits EBD{}, SBD{};
 };
-/// `LX_start`: the temporary EOA and SvL. Curves are traced in `scratch`, which is not `derived`: what was built in it
-/// is gone.
+/// `LX_start`: the temporary EOA and SvL. Curves are traced in `scratch`, which is not `derived`, and not valid
+/// afterwards.
 LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place LX_start, Speed V_LX,
                                const Motion& motion, Derived& scratch);
 
 /// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
 /// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient that came with it. Curves are traced in
-/// `scratch`: what was built in it is gone.
+/// `scratch`, which is not valid afterwards.
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
                                        Derived& scratch);
 
