@@ -30,13 +30,9 @@ bool too_far(const OpenGroup& open, const OdometerReading& counter) {
 
 /// Finishes the open group. A group of which only telegrams of too new a version were read is not evaluated.
 void close(State& state, const Situation& situation, Outcome& outcome) {
-  if (state.open->identified && state.open->telegrams.empty() && !state.open->undecoded) {
-    state.open.reset();
-    return;
-  }
-  OpenGroup open = *state.open;
+  const bool empty = state.open->identified && state.open->telegrams.empty() && !state.open->undecoded;
+  if (!empty) judge_message(state.linking, *state.open, situation, outcome);
   state.open.reset();
-  judge_message(state.linking, open, situation, outcome);
 }
 
 bool seen(const OpenGroup& open, std::uint8_t N_PIG) { return ((open.seen >> N_PIG) & 1u) != 0; }
@@ -63,7 +59,7 @@ OpenGroup& group_of(State& state, const Header& header, const Reading& reading, 
                     Outcome& outcome) {
   if (state.open && (!continues(*state.open, header) || too_far(*state.open, reading.counter)))
     close(state, situation, outcome);
-  if (!state.open) state.open = OpenGroup{};
+  if (!state.open) state.open.emplace();
   OpenGroup& open = *state.open;
   if (!open.identified) {
     open.identified = true;
@@ -118,7 +114,7 @@ bool dropped(State& state, const Header& header, const Reading& reading, const S
 void note_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
   if (situation.against_permitted_movement) return;  // 3.14.3.6
   if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
-  if (!state.open) state.open = OpenGroup{};
+  if (!state.open) state.open.emplace();
   tell(outcome, What::telegram_not_decoded, state.open->id, "3.16.1.1"_srs);
   state.open->undecoded = true;
   state.open->last = reading.counter;
@@ -135,12 +131,12 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   if (state.open && same_passage(*state.open, header, reading)) return;
 
   OpenGroup& open = group_of(state, header, reading, situation, outcome);
-  Telegram telegram = look_into(reading.bytes, reading.bits, header);
-  telegram.counter = reading.counter;
-  telegram.antenna = reading.antenna;
-  if (telegram.faulty) tell(outcome, What::telegram_not_decoded, header.id, "3.16.1.1"_srs);
-  const bool room = open.telegrams.push_back(telegram);
-  EVC_REQUIRE(room);  // at most one for each N_PIG
+  Telegram* telegram = open.telegrams.grow();
+  EVC_REQUIRE(telegram != nullptr);  // at most one for each N_PIG
+  look_into(*telegram, reading.bytes, reading.bits, header);
+  telegram->counter = reading.counter;
+  telegram->antenna = reading.antenna;
+  if (telegram->faulty) tell(outcome, What::telegram_not_decoded, header.id, "3.16.1.1"_srs);
 
   const Link* next = expected(state.linking);
   if (next != nullptr && next->id == header.id) state.linking.detected = true;

@@ -232,14 +232,13 @@ Direction against_counter(const OpenGroup& open, Direction crossing, const Situa
   return situation.counter_rises ? crossing : opposite(crossing);
 }
 
-Group described(OpenGroup& open, const Telegram* reference) {
-  Group group;
+void describe(Group& group, const OpenGroup& open, const Telegram* reference) {
+  group = {};
   group.id = open.id;
   group.identified = open.identified;
   group.linked = open.identified && open.Q_LINK;
   group.counter = reference != nullptr ? reference->counter : open.last;
   if (reference != nullptr) group.antenna = reference->antenna;
-  return group;
 }
 
 void finish(Group& group, const OpenGroup& open) {
@@ -307,7 +306,10 @@ void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Ex
 void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   using Verdict = Judgement::Verdict;
   const Examined found = examine(open);
-  Group group = described(open, location_reference(open));
+  Group* out = outcome.groups.grow();
+  EVC_REQUIRE(out != nullptr);
+  Group& group = *out;
+  describe(group, open, location_reference(open));
   complete_judgement(linking, open, situation, outcome);
   const Verdict verdict = open.judgement.verdict;
   group.linking_used = verdict != Verdict::not_used && verdict != Verdict::unlinked;
@@ -317,7 +319,6 @@ void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situ
   finish(group, open);
   if (group.accepted && !group.announced)
     note(outcome, {What::group_accepted, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.1"_srs});
-  EVC_REQUIRE(outcome.groups.push_back(group));
 }
 
 }  // namespace evc::balise

@@ -56,8 +56,8 @@ Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits) {
   return header;
 }
 
-Telegram look_into(std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header) {
-  Telegram telegram;
+void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header) {
+  telegram = {};
   telegram.N_PIG = header.N_PIG;
   telegram.M_DUP = header.M_DUP;
   telegram.M_MCOUNT = header.M_MCOUNT;
@@ -70,9 +70,8 @@ Telegram look_into(std::span<const std::uint8_t> bytes, std::size_t bits, const 
 
   const lang::TelegramView view = lang::scan_telegram(telegram.span(), bits);
   telegram.faulty = too_long || view.fault != lang::Fault::none || header.M_DUP == 3 || header.N_PIG > header.N_TOTAL;
-  if (view.fault != lang::Fault::none) return telegram;
+  if (view.fault != lang::Fault::none) return;
   for (const lang::PacketView& packet : view.packets) look_at(packet, telegram);
-  return telegram;
 }
 
 }  // namespace evc::balise

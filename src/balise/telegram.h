@@ -23,8 +23,8 @@ struct Header {
 
 Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits);
 
-/// Stores the bits and evaluates the packets. More bits than a telegram can have are a fault
+/// Keeps the bits and looks at the packets; place and counter are not set. More bits than a telegram has are faulty
 /// (3.16.1.1).
-Telegram look_into(std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header);
+void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header);
 
 }  // namespace evc::balise
