@@ -72,22 +72,21 @@ void mark_TSR_steps(const State& s, sdm::Inputs& in) {
     }
 }
 
-/// The gradient from the train's rear on, and where it is known (3.13.4.1.2). A hole between known parts counts as
-/// level.
-sdm::GradientProfile gradient_of(const track::Description& d, Place from) {
-  sdm::GradientProfile g;
+/// The gradient from the train's rear on, and where it is known (3.13.4.1.2). A hole in between counts as level.
+void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place from) {
+  g.permille.steps.clear();
+  g.known_from = g.known_to = std::nullopt;
   const auto& steps = d.gradient.steps;
   std::size_t first = 0;
   while (first < steps.size() && !steps[first].value.known()) ++first;
   std::size_t end = steps.size();
   while (end > first && !steps[end - 1].value.known()) --end;
   if (first < end) {
-    g.permille = track::gradient(d, from);
+    track::gradient(g.permille, d, from);
     if (steps[first].from > from) g.known_from = steps[first].from;
     if (end < steps.size()) g.known_to = steps[end].from;
   }
-  if (d.default_gradient) g.default_for_TSR = static_cast<double>(*d.default_gradient);
-  return g;
+  g.default_for_TSR = d.default_gradient;
 }
 
 /// What the MRSP is made of in the mode in force (4.5.2).
@@ -148,12 +147,12 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   if (counts(modes::Function::mrsp_train)) add_limit(query, s.train.V_MAXTRAIN);
   if (counts(modes::Function::mrsp_mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
   if (counts(modes::Function::mrsp_override) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
-  in.mrsp = track::mrsp(s.track, query);
+  track::mrsp(in.mrsp, s.track, query);
   mark_TSR_steps(s, in);
   in.supervise_targets = !supervises(s, modes::Supervision::ceiling);
   in.authority = supervises(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
   in.SR_end = supervises(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
-  in.gradient = gradient_of(s.track, basis.min_safe_rear);
+  take_gradient(in.gradient, s.track, basis.min_safe_rear);
   curves.sdm.valid = false;
   (void)sdm::rebuild(curves.sdm, in);
 }

@@ -320,11 +320,11 @@ TEST_F(Unit, asks_whether_the_train_can_stop_without_touching_what_is_in_force) 
   for (int i = 0; i < 10; ++i) cycle(8.0);
   ASSERT_EQ(out.mode, Mode::FS);
   ASSERT_TRUE(state->track.ma.has_value());
-  track::Contents far, near;
+  track::AuthorityContents far, near;
   far.ma = near.ma = state->track.ma;
   near.ma->sections.back().stop = near.ma->sections.back().end =
       state->track.ma->sections.back().end - Distance{1950.0};
-  const auto question = [&](const track::Contents& proposal) {
+  const auto question = [&](const track::AuthorityContents& proposal) {
     return can_stop_before(*state, derived->scratch.curves, in.train, here(*state), proposal);
   };
   const State state_before = *state;

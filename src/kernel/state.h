@@ -170,7 +170,7 @@ struct Derived {
   /// it is.
   struct Scratch {
     track::Contents contents;                            ///< of the message that is evaluated
-    track::Contents proposal;                            ///< of the authority that is judged (4.8.3 [4], 3.8.6)
+    track::AuthorityContents proposal;                   ///< of the authority that is judged (4.8.3 [4], 3.8.6)
     Curves curves;                                       ///< of the authority that is asked about (3.8.6)
     InplaceVector<BufferedSet, kBufferedSets> released;  ///< from the transition buffer
   };

@@ -58,23 +58,19 @@ void evaluate_authority(Evaluation& e) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (route_of(view).turn != Turn::authority || !judged(e, i)) continue;
-    // Judged in its place; refused, it gives way to what was there before.
-    std::optional<track::MovementAuthority>& before = e.r.scratch.proposal.ma;
-    before.reset();
-    if (c.ma) before = c.ma;
-    const std::optional<track::SpeedCode> V_MAIN_before = c.V_MAIN;
-    if (track::add(c, view, e.reference) != track::Added::added) continue;
-    e.context.described_over_whole_ma = track::complete(e.r.state.track, c, e.r.out.here);
-    const bool stop = view.NID_PACKET == packet::level_1_movement_authority && c.V_MAIN && *c.V_MAIN == 0 && !c.infill;
-    const bool trip_order = stop && judge_trip_order(e);
-    if (judge_packet(e, i) == Verdict::accepted) {
-      add_with_authority(e);
+    track::AuthorityContents& offered = e.r.scratch.proposal;
+    offered = {};
+    if (track::add(offered, c.time, view, e.reference) != track::Added::added) continue;
+    e.context.described_over_whole_ma = track::complete(e.r.state.track, c, *offered.ma, e.r.out.here);
+    const bool stop = offered.V_MAIN && *offered.V_MAIN == 0 && !c.infill;
+    if (stop && judge_trip_order(e)) c.V_MAIN = offered.V_MAIN;
+    if (judge_packet(e, i) != Verdict::accepted) {
+      if ((e.waiting.packets >> i & 1u) != 0) wait_with_authority(e);
       continue;
     }
-    c.ma.reset();
-    if (before) c.ma = before;
-    if (!trip_order) c.V_MAIN = V_MAIN_before;
-    if ((e.waiting.packets >> i & 1u) != 0) wait_with_authority(e);
+    c.ma = offered.ma;
+    if (offered.V_MAIN) c.V_MAIN = offered.V_MAIN;
+    add_with_authority(e);
   }
 }
 

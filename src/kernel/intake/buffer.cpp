@@ -56,8 +56,7 @@ Waiting evaluate_group(Reception& r, const BufferedSet& set) {
 
 BufferedSet& keep(State& state, const Information& information, const Waiting& waiting) {
   make_room(state);
-  (void)state.buffer.push_back({});  // there is room now
-  BufferedSet& set = state.buffer.back();
+  BufferedSet& set = *state.buffer.grow();  // there is room now
   set.medium = information.medium;
   set.group = information.group;
   set.reference = information.reference;
@@ -67,6 +66,8 @@ BufferedSet& keep(State& state, const Information& information, const Waiting& w
   set.waiting = waiting.packets;
   set.message_waits = waiting.message;
   set.M_VERSION = state.radio.session.M_VERSION;
+  set.telegram_bits.clear();
+  set.size = 0;
   return set;
 }
 

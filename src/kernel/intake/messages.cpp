@@ -68,8 +68,7 @@ Clause take_SR_authorisation(Evaluation& e, const lang::MessageToTrainView& view
   s.track.sr_list.reset();
   for (const lang::PacketView& p : e.information.packets) {
     if (p.NID_PACKET != packet::balise_groups_in_sr_authority) continue;
-    track::Contents& list = empty(e.r.scratch.proposal);
-    if (track::add(list, p, e.reference) == track::Added::added) s.track.sr_list = list.sr_list;
+    if (const std::optional<track::GroupList> list = track::sr_list(p, e.reference)) s.track.sr_list = list;
   }
   return {};
 }

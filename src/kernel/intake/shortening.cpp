@@ -11,22 +11,19 @@ namespace evc::kernel {
 namespace {
 
 /// The authority that message 9 proposes.
-track::Contents& proposal(Evaluation& e) {
-  track::Contents& proposed = empty(e.r.scratch.proposal);
-  proposed.medium = e.reference.medium;
-  proposed.time = e.information.time;
-  proposed.reference = e.information.reference;
+const track::AuthorityContents& proposal(Evaluation& e) {
+  track::AuthorityContents& proposed = e.r.scratch.proposal;
+  proposed = {};
   for (const lang::PacketView& p : e.information.packets)
-    if (p.NID_PACKET == packet::level_2_3_movement_authority || p.NID_PACKET == packet::mode_profile ||
-        p.NID_PACKET == packet::balise_groups_for_sh_area)
-      (void)track::add(proposed, p, e.reference);
+    if (p.NID_PACKET != packet::level_1_movement_authority)
+      (void)track::add(proposed, e.information.time, p, e.reference);
   return proposed;
 }
 
 }  // namespace
 
 bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
-                     const track::Contents& proposal) {
+                     const track::AuthorityContents& proposal) {
   if (!supervises(s, modes::Supervision::full) || !proposal.ma) return false;
   const track::MovementAuthority& proposed = *proposal.ma;
   track::Authority a;
@@ -51,20 +48,19 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
 }
 
 bool proposal_is_described(Evaluation& e) {
-  const track::Contents& proposed = proposal(e);
-  return proposed.ma && track::complete(e.r.state.track, proposed, e.r.out.here);
+  const track::AuthorityContents& proposed = proposal(e);
+  return proposed.ma && track::complete(e.r.state.track, *proposed.ma, e.r.out.here);
 }
 
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
-  track::Contents& proposed = proposal(e);
+  const track::AuthorityContents& proposed = proposal(e);
   const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
-                       track::complete(s.track, proposed, e.r.out.here) &&
+                       track::complete(s.track, *proposed.ma, e.r.out.here) &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
   e.r.log.note({.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});
   if (!granted) return "3.8.6.2"_srs;
-  proposed.ma_is_shortening_request = true;
   (void)track::store(s.track, proposed, e.r.out.here);
   cut_beyond(s, proposed.ma->far_end());
   return {};

@@ -12,6 +12,6 @@ Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view);
 /// Whether the train is in rear of the Indication limits of the proposed authority (3.8.6.2). A question: only `curves`
 /// is written.
 bool can_stop_before(const State& state, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
-                     const track::Contents& proposal);
+                     const track::AuthorityContents& proposal);
 
 }  // namespace evc::kernel

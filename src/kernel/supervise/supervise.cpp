@@ -26,14 +26,13 @@ protection::Way way_of(DirectionController controller) {
 
 /// 5.16.2: the stop in rear of an unprotected level crossing gives way to the LX speed: with an order to stop once the
 /// train stands in its stopping area, else once it has passed the place that 3.13.9.3.5.11 defines.
-void pass_level_crossings(State& s, const Derived::Curves& in_force, const track::Here& here, const sdm::Motion& motion,
-                          Log log) {
+void pass_level_crossings(State& s, Derived& d, const track::Here& here, const sdm::Motion& motion, Log log) {
   for (const track::LevelCrossing& lx : s.track.lx) {
     if (!lx.unprotected || lx.substituted || here.est_front > lx.from) continue;
-    const bool over =
-        lx.stop_required
-            ? here.standstill && here.est_front >= lx.from - lx.L_STOPLX
-            : sdm::lx_substitution(in_force.inputs, in_force.sdm, lx.from, track::speed_of(lx.V_LX), motion).passed;
+    const bool over = lx.stop_required ? here.standstill && here.est_front >= lx.from - lx.L_STOPLX
+                                       : sdm::lx_substitution(d.in_force.inputs, d.in_force.sdm, lx.from,
+                                                              track::speed_of(lx.V_LX), motion, d.scratch.curves.sdm)
+                                             .passed;
     if (!over) continue;
     track::substitute_level_crossing(s.track, lx.NID_LX, here.est_front);
     log.note({.what = What::level_crossing_speed, .id = lx.NID_LX, .clause = "5.16.2"_srs});
@@ -42,15 +41,15 @@ void pass_level_crossings(State& s, const Derived::Curves& in_force, const track
 }
 
 /// One cycle of 3.13.10.
-void supervise_speed(State& s, const Derived::Curves& in_force, const TrainSignals& train, const track::Here& here,
-                     Supervised& out, Log log) {
+void supervise_speed(State& s, Derived& d, const TrainSignals& train, const track::Here& here, Supervised& out,
+                     Log log) {
   if (!supervises_speed(s.mode)) {
     s.supervision = {};
     return;
   }
   const sdm::Motion motion = motion_of(s, here, train);
-  pass_level_crossings(s, in_force, here, motion, log);
-  const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, in_force.sdm, motion));
+  pass_level_crossings(s, d, here, motion, log);
+  const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, d.in_force.sdm, motion));
   out.asked.add(brakes::Cause::overspeed_traction, r.tco);
   out.asked.add(brakes::Cause::overspeed_service, r.sb);
   out.asked.add(brakes::Cause::overspeed_emergency, r.eb);
@@ -83,7 +82,7 @@ Supervised supervise(State& state, Derived& derived, const TrainSignals& train, 
                      bool basis_renewed, bool brake_acknowledged, Log log) {
   Supervised out;
   refresh(state, derived, train, here, basis_renewed, log);
-  supervise_speed(state, derived.in_force, train, here, out, log);
+  supervise_speed(state, derived, train, here, out, log);
   guard_movement(state, train, here, brake_acknowledged, out);
   return out;
 }
