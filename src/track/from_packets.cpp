@@ -1,5 +1,7 @@
 #include "track/from_packets.h"
 
+#include <new>
+
 #include "lang/decode.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_141.h"
@@ -267,6 +269,14 @@ Reference shifted(const Reference& reference, Distance D_REF) {
 std::optional<Place> stop_location(const lang::Message15& message, const Reference& lrbg) {
   if (!valid_direction(message.Q_DIR.raw, lrbg.orientation)) return std::nullopt;
   return shifted(lrbg, metres(message.Q_SCALE, message.D_REF)).place + metres(message.Q_SCALE, message.D_EMERGENCYSTOP);
+}
+
+void begin(Contents& contents, const Reference& reference, Duration time, const std::optional<Place>& infill) {
+  new (&contents) Contents;
+  contents.medium = reference.medium;
+  contents.time = time;
+  contents.infill = infill;
+  contents.reference = reference.place;
 }
 
 Added add(AuthorityContents& contents, Duration time, const lang::PacketView& view, const Reference& reference) {

@@ -30,6 +30,11 @@ Reference shifted(const Reference& reference, Distance D_REF);
 /// The stop location of a conditional emergency stop (message 15); absent when its direction is not the train's.
 std::optional<Place> stop_location(const lang::Message15& message, const Reference& lrbg);
 
+/// Empties `contents` for the next message, or for its infill part (3.6.2.3.1) from the place `infill` on. In place: it
+/// is too large for a stack. `time`: see Contents::time.
+void begin(Contents& contents, const Reference& reference, Duration time,
+           const std::optional<Place>& infill = std::nullopt);
+
 enum class Added : std::uint8_t {
   added,
   other_direction,  ///< 3.6.3.1.3

@@ -66,6 +66,26 @@ TEST(FromPackets, OthersAndBrokenOnes) {
   }
 }
 
+TEST(FromPackets, ContentsBeginEmpty) {
+  auto p = packet_in_metres<lang::Packet65>();
+  p.Q_DIR.raw = 1;
+  Contents c;
+  begin(c, reference(), Duration{90});
+  EXPECT_EQ(c.medium, Medium::rbc);
+  EXPECT_EQ(c.time, Duration{90});
+  EXPECT_EQ(c.reference, at(1000));
+  EXPECT_FALSE(c.infill);
+  EXPECT_EQ(add(c, Written(p).view, reference()), Added::added);
+  c.ma = authority_to(1000);
+  c.generic_ls_marker = true;
+  c.lose(65, at(5));
+  begin(c, reference(2000), Duration{91}, at(2000));
+  EXPECT_EQ(c.reference, at(2000));
+  EXPECT_EQ(c.infill, at(2000));
+  EXPECT_TRUE(c.tsr.empty() && c.lost.empty());
+  EXPECT_FALSE(c.ma || c.generic_ls_marker || c.lost_from);
+}
+
 TEST(FromPackets, AuthorityAlone) {  // 4.8.3 [4], 3.8.6: judged before it counts
   auto p = packet_in_metres<lang::Packet12>();
   p.Q_DIR.raw = 1;

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <new>
 
 #include "kernel/intake/message.h"
 #include "kernel/intake/reception.h"
@@ -24,9 +23,6 @@ struct Evaluation {
 };
 
 constexpr bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }
-
-/// Empty contents in a room of the scratch: made in their place, for they are too large for the stack.
-inline track::Contents& empty(track::Contents& room) { return *new (&room) track::Contents; }
 
 /// Something of the message was refused because of the clause.
 constexpr void refuse(Evaluation& e, Clause clause) {

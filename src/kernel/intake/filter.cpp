@@ -57,14 +57,6 @@ void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a) {
   if (a.verdict == Verdict::rejected) refuse(e, a.clause);
 }
 
-/// The contents of a message, or of what stands behind packet 136 in it, before anything was accepted.
-void begin(track::Contents& contents, const Information& information, Place reference) {
-  empty(contents);
-  contents.medium = information.medium;
-  contents.time = information.time;
-  contents.reference = reference;
-}
-
 bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i) == Verdict::accepted; }
 
 // --- Level transition orders come first (4.8.1.3)
@@ -202,8 +194,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
   e.context.infill = true;
   e.reference.place = *place;
   e.reference.group = infill.group;
-  begin(e.contents, e.information, *place);
-  e.contents.infill = *place;
+  track::begin(e.contents, e.reference, e.information.time, *place);
   evaluate_part(e);
   store_contents(e);
 }
@@ -226,7 +217,7 @@ Waiting evaluate(Reception& r, const Information& information) {
   const track::Reference reference{information.reference, information.orientation, information.group,
                                    information.medium, r.state.now};
   Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, 0, {}};
-  begin(e.contents, information, information.reference);
+  track::begin(e.contents, e.reference, information.time);
   const std::optional<Infill> infill = find_infill(information);
   // Packets before packet 136; bit n stands for the n-th packet.
   const std::uint64_t before = infill ? (std::uint64_t{1} << infill->at) - 1u : ~std::uint64_t{0};
