@@ -42,15 +42,15 @@ std::uint8_t brake_bits(const TrainSignals& t) {
                                    (t.additional_brake_active ? 16 : 0));
 }
 
-/// Level 1 at the end of the authority: now, or by an order that is executed in rear of it (3.13.9.4.8.2).
+/// Level 1 at the end of the authority: now, or by an order that will be executed in rear of it (3.13.9.4.8.2).
 bool level_1_at(const State& s, const std::optional<Place>& EOA) {
   const auto& pending = s.level_transition.pending;
   if (pending && EOA && pending->border <= *EOA) return pending->to.level == Level::L1;
   return s.level.level == Level::L1;
 }
 
-/// What the release speed calculated on board depends on beside the data, in steps of 5 m and 0.5 m/s: curves are not
-/// built anew for every millimetre (3.13.9.4.8.2).
+/// The inputs of the release speed calculated on board other than stored data, in steps of 5 m and 0.5 m/s, so that
+/// curves are not built again for every millimetre (3.13.9.4.8.2).
 std::uint32_t inaccuracy(const State& s, const track::Here& here) {
   if (s.basis.authority.release.kind != track::Release::Kind::on_board) return 0;
   const double interval = (here.max_safe_front - here.min_safe_front).si / 5.0;

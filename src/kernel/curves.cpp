@@ -12,8 +12,7 @@ namespace {
 sdm::Authority authority_of(const SupervisionBasis& basis) {
   const track::Authority& a = basis.authority;
   sdm::Authority out;
-  // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA takes its place
-  // (3.13.1.5).
+  // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA replaces it (3.13.1.5).
   if (a.LOA && (!a.EOA || *a.EOA > *a.LOA)) {
     out.kind = sdm::Authority::Kind::LOA;
     out.EOA = *a.LOA;
@@ -61,7 +60,7 @@ sdm::TrackConditions conditions_of(const State& s, Place min_safe_rear) {
   return c;
 }
 
-/// Steps of the MRSP that a TSR holds down: their targets use the default gradient (3.13.4.1.3).
+/// Steps of the MRSP limited by a TSR: their targets use the default gradient (3.13.4.1.3).
 void mark_TSR_steps(const State& s, sdm::Inputs& in) {
   in.mrsp_due_to_TSR = {};
   for (std::size_t i = 0; i < in.mrsp.steps.size(); ++i)
@@ -72,7 +71,8 @@ void mark_TSR_steps(const State& s, sdm::Inputs& in) {
     }
 }
 
-/// The gradient from the train's rear on, and where it is known (3.13.4.1.2). A hole in between counts as level.
+/// The gradient from the train's rear end on, and the part where it is known (3.13.4.1.2). A gap in between counts as
+/// level.
 void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place from) {
   g.permille.steps.clear();
   g.known_from = g.known_to = std::nullopt;
@@ -89,7 +89,7 @@ void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place f
   g.default_for_TSR = d.default_gradient;
 }
 
-/// What the MRSP is made of in the mode in force (4.5.2).
+/// The elements of the MRSP in the current mode (4.5.2).
 track::MrspElements elements_in(Mode mode) {
   using modes::Function;
   return {.ssp = modes::active(Function::mrsp_ssp, mode),
@@ -101,11 +101,11 @@ track::MrspElements elements_in(Mode mode) {
 }
 
 void add_limit(track::MrspQuery& query, Speed v) {
-  // Three limits at the most: there is room for eight.
+  // At most three limits; eight fit.
   (void)query.limits.push_back({std::nullopt, std::nullopt, v});
 }
 
-/// Speeds of the permitted braking distances (3.11.11): with the brakes of now.
+/// Speeds of the permitted braking distances (3.11.11), with the current brakes.
 void compute_PBD(const track::Description& d, Derived::Curves& curves) {
   curves.pbd_speeds.clear();
   for (const track::PermittedBrakingDistance& p : d.pbd) {
@@ -136,7 +136,7 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   in.national_values = s.national_values;
   in.brakes = brake_status(train);
   in.conditions = conditions_of(s, basis.min_safe_rear);
-  compute_PBD(s.track, curves);  // with the rail as it is now (3.11.11.4)
+  compute_PBD(s.track, curves);  // with the current rail condition (3.11.11.4)
   track::MrspQuery query;
   query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;

@@ -6,10 +6,10 @@
 // From the track description to the curves of 3.13.
 namespace evc::kernel {
 
-/// Curves and limits, from the stored data and `basis`; of the train interface only the special brakes are asked for.
+/// Curves and limits, from the stored data and `basis`; only the special brakes are used of the train interface.
 void build(Derived::Curves& curves, const State& state, const TrainSignals& train, const SupervisionBasis& basis);
 
-/// How the train moves, for 3.13.10.
+/// The movement of the train, for 3.13.10.
 sdm::Motion motion_of(const State& state, const track::Here& here, const TrainSignals& train);
 
 }  // namespace evc::kernel

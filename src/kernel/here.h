@@ -2,13 +2,14 @@
 #include "kernel/state.h"
 #include "track/services.h"
 
-// The train as the stages see it: where it is, and how fast it runs.
+// The position and speed of the train, for the stages.
 namespace evc::kernel {
 
 /// The train in the track frame now.
 track::Here here(const State& state);
 
-/// How fast the train runs, whichever way. `V_ura`: by how much it may be faster (3.13.9.3.2.1). `A` grows the speed.
+/// The speed of the train in either direction. `V_ura`: speed under-reading amount (3.13.9.3.2.1). A positive `A`
+/// increases the speed.
 struct Run {
   Speed V{}, V_ura{};
   Acceleration A{};

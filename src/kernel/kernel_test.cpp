@@ -51,7 +51,7 @@ Telegram telegram(std::uint16_t NID_BG, std::uint8_t N_PIG, std::uint8_t N_TOTAL
   return t;
 }
 
-/// A unit with a train that is driven by hand.
+/// A unit with a train driven by the test.
 class Unit : public ::testing::Test {
  protected:
   Unit() { power_up(*state, *derived, config); }
@@ -202,7 +202,7 @@ TEST_F(Unit, starts_a_mission_in_level_1_in_SR) {
   EXPECT_NEAR(out.V_P->si * 3.6, 40.0, 1e-9);
 }
 
-/// A restriction of every kind in force at the train, each of its own speed.
+/// A restriction of every kind in force at the train, each with a different speed.
 void restrict_by_everything(State& s) {
   track::Description& d = s.track;
   const Place from{{-1000.0}};
@@ -220,7 +220,7 @@ void restrict_by_everything(State& s) {
 }
 
 TEST_F(Unit, the_MRSP_is_made_of_what_counts_in_the_mode) {
-  // 4.5.2: UN and SR know temporary restrictions, the train's speed and the mode's, SH its own speed only.
+  // 4.5.2: UN and SR have temporary restrictions, the maximum train speed and the mode's speed, SH only its own speed.
   start_of_mission(Level::L0, 0, Ack::UN);
   restrict_by_everything(*state);
   EXPECT_NEAR(cycle().V_MRSP->si * 3.6, 25.0, 1e-9);
@@ -241,7 +241,7 @@ TEST_F(Unit, supervises_standstill_in_stand_by) {
   EXPECT_TRUE(out.eb);
 }
 
-/// MA of `length` m with SSP and level gradient, as a level 1 group gives it.
+/// MA of `length` m with SSP and level gradient, as sent by a level 1 group.
 struct LevelOne {
   lang::Packet12 ma;
   lang::Packet21 gradient;
@@ -296,7 +296,7 @@ TEST_F(Unit, enters_FS_on_an_MA_of_level_1_and_stops_the_train_before_its_end) {
   ASSERT_TRUE(out.EOA.has_value());
   const double antenna = config.train.L_antenna_front.si;
   EXPECT_NEAR(out.EOA->from_origin.si, at - antenna + 2000.0, 1.0);
-  // Faster and faster towards the EOA: the unit brakes in time.
+  // Accelerating towards the EOA: the unit brakes in time.
   double v = 8.0;
   bool braked = false;
   for (int i = 0; i < 3000 && !(braked && v <= 0.0); ++i) {
@@ -429,12 +429,13 @@ TEST_P(AnyEdition, a_group_at_the_EOA_trips_in_release_speed_monitoring_of_4_0_0
   const double group_101 = front - 3.0 + 2006.0;
   for (int i = 0; i < 10; ++i) cycle(8.0);
   ASSERT_EQ(out.mode, Mode::FS);
-  state->level.level = Level::L2;  // as after a transition that keeps the authority
+  state->level.level = Level::L2;  // as after a transition that does not delete the authority
   while (front < group_101 - 1.0) cycle(8.0);
   ASSERT_EQ(out.monitoring, Monitoring::RSM);
   ASSERT_EQ(out.mode, Mode::FS) << "the min safe front end is in rear of the EOA";
   const std::optional<OdometerPlace> EOA = out.EOA;
-  // Of the two balises one is read: no message, no new position. The group's place alone says where the train is.
+  // Only one of the two balises is read: no message, no new position. Only the place of the group gives the train's
+  // position.
   front = group_101;
   const Telegram first = telegram(101, 0, 1, true);
   const std::array<BaliseTelegram, 1> read{BaliseTelegram{first.bytes, first.bits, {{front}}}};
@@ -464,11 +465,12 @@ TEST_P(AnyEdition, derived_data_follow_from_the_state_alone) {
   double v = 8.0;
   bool second = false;
   for (int i = 0; i < 1500 && !HasFailure(); ++i) {
-    // The same cycle with everything derived thrown away gives the same outputs.
+    // The same cycle without the derived data gives the same outputs.
     auto other_state = std::make_unique<State>(*state);
     auto other_derived = std::make_unique<Derived>();
     auto other_out = std::make_unique<Outputs>();
-    // Towards the target, over it until the unit brakes, slowly on: all monitorings and statuses.
+    // Towards the target, too fast until the unit brakes, then slowly: all types of monitoring and
+    // statuses.
     v = out.sb || out.eb || out.tco ? (v > 3.0 ? v - 0.1 : v) : v < 24.0 ? v + 0.03 : v;
     const Telegram first = telegram(101, 0, 1, true);
     const Telegram last = telegram(101, 1, 1, true);
@@ -669,7 +671,7 @@ TEST_F(Unit, an_unprotected_crossing_is_supervised_in_rear_of_an_LOA) {
   EXPECT_EQ(out.mode, Mode::FS);
 }
 
-/// The driver stops in the stopping area: the crossing may be passed at its speed then (5.16.2).
+/// The driver stops in the stopping area: then the crossing may be passed at its speed (5.16.2).
 TEST_F(Unit, a_stop_in_the_stopping_area_lifts_the_stop_at_a_crossing) {
   start_of_mission(Level::L1, 0, Ack::SR);
   for (int i = 0; i < 50; ++i) cycle(8.0);

@@ -3,11 +3,11 @@
 
 namespace evc::kernel {
 
-/// Where the stages log what happens in a cycle.
+/// The log of the events of a cycle.
 struct Log {
   decltype(Outputs::events)& events;
 
-  /// Adds an event; when there is no room the last one says so.
+  /// Adds an event; when there is no room, the last one becomes `events_lost`.
   void note(const Event& event) const {
     if (events.push_back(event)) return;
     events.back() = Event{.what = What::events_lost};

@@ -29,7 +29,7 @@
 #include "track/description.h"
 #include "track/services.h"
 
-// What the unit remembers (State) and what follows from it (Derived).
+// The memory of the unit (State) and the data computed from it (Derived).
 namespace evc::kernel {
 
 /// National values that wait for their place (3.18.2.9).
@@ -39,7 +39,7 @@ struct PendingNationalValues {
   InplaceVector<std::uint16_t, 32> areas;
 };
 
-/// One set of information in the transition buffer (4.8.5): the bits as received and what of them waits.
+/// One set of information in the transition buffer (4.8.5): the bits as received, and the packets that are buffered.
 struct BufferedSet {
   Medium medium = Medium::balise;
   GroupId group;
@@ -51,7 +51,7 @@ struct BufferedSet {
   bool message_waits = false;                     // the information of the radio message itself
   std::uint8_t M_VERSION = 0;                     // of the RBC session
   InplaceVector<std::uint16_t, 8> telegram_bits;  // of each telegram, in order of reading
-  std::array<std::uint8_t, 1024> bytes{};         // telegrams one behind the other, or one message
+  std::array<std::uint8_t, 1024> bytes{};         // consecutive telegrams, or one message
   std::uint16_t size = 0;
 };
 /// 4.8.5.1: three sets of information.
@@ -67,18 +67,19 @@ struct DriverData {
   std::uint32_t train_running_number = 0xFFFFFFFF;  // NID_OPERATIONAL, unknown
 };
 
-/// The distance that may be run in SR, and what the driver entered (4.4.11).
+/// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
   std::optional<Place> end;  // absent: infinite
-  bool by_rbc = false;       // given with an SR authorisation, also an infinite one
+  bool by_rbc = false;       // given by an SR authorisation, even if infinite
   std::optional<Speed> V;
 };
 
-/// What the curves in force were built from, beside the stored data: built anew they are the same (3.13.2, 3.13.9.4.8).
+/// The inputs of the curves in force other than stored data: curves built again from them are the same (3.13.2,
+/// 3.13.9.4.8).
 struct SupervisionBasis {
-  /// The curves are built anew when one of these changes.
+  /// The curves are built again when one of these changes.
   struct Key {
-    Mode mode{};                  ///< what counts for the MRSP and what is supervised depends on it (4.5.2)
+    Mode mode{};                  ///< the MRSP and the supervision depend on it (4.5.2)
     std::uint32_t track = 0;      ///< track::Description::revision
     std::uint32_t revision = 0;   ///< State::revision
     std::uint8_t brakes = 0;      ///< special brakes reported active (3.13.2.2.6), one bit each
@@ -89,7 +90,7 @@ struct SupervisionBasis {
     friend constexpr bool operator==(const Key&, const Key&) = default;
   };
   Key key;
-  std::uint32_t number = 0;  ///< grows with every change of the key; 0: never built
+  std::uint32_t number = 0;  ///< increases with every change of the key; 0: never built
   // At that moment:
   Place min_safe_rear{};
   Distance confidence_interval{};
@@ -99,7 +100,7 @@ struct SupervisionBasis {
   track::Authority authority;  ///< supervised from then on
 };
 
-/// All that the unit remembers. Trivially copyable: a snapshot is a memcpy.
+/// The whole memory of the unit. Trivially copyable.
 struct State {
   Duration cycle{0.1};
   Duration now{};
@@ -132,10 +133,10 @@ struct State {
   procedures::override_::State override_;
   procedures::shunting::State shunting;
   Set<Ack> requested;  // acknowledgements shown in the cycle before
-  Set<Offer> offers;   // what the procedures let the driver choose, and
-  Set<Entry> entries;  // enter, in the cycle before
+  Set<Offer> offers;   // choices offered by the procedures, and
+  Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
-  bool slippery_rail = false;  // chosen by the driver
+  bool slippery_rail = false;  // selected by the driver
   bool ma_with_trip_order = false;
 
   protection::EmergencyStops emergency_stops;
@@ -148,7 +149,7 @@ struct State {
 
   sdm::Supervision supervision;
   SupervisionBasis basis;
-  std::uint32_t revision = 0;  // grows when train data, national values, mode or level change what is supervised
+  std::uint32_t revision = 0;  // increases when train data, national values, mode or level change the supervision
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
   bool powered = false;
@@ -157,21 +158,20 @@ struct State {
 static_assert(std::is_trivially_copyable_v<State>);
 static_assert(sizeof(State) <= 64 * 1024);
 
-/// What can be computed anew from State at any time: curves and merged profiles. Never in a snapshot; with a State that
-/// is put back goes a Derived{}.
+/// Data that can be computed again from State at any time: curves and merged profiles. Not part of a snapshot; a
+/// restored State is used with a Derived{}.
 struct Derived {
-  /// Curves of one authority, with what they were built from.
+  /// Curves of one authority, with their inputs.
   struct Curves {
     sdm::Inputs inputs;
     sdm::Derived sdm;
     InplaceVector<track::SpeedCode, 40> pbd_speeds;  ///< of the permitted braking distances stored (3.11.11)
   };
-  /// Room to work in: nothing is read from it in another call than the one that wrote it, and what is in force stays as
-  /// it is.
+  /// Scratch memory: it is read only in the call that wrote it, and the data in force do not change.
   struct Scratch {
-    track::Contents contents;                            ///< of the message that is evaluated
-    track::AuthorityContents proposal;                   ///< of the authority that is judged (4.8.3 [4], 3.8.6)
-    Curves curves;                                       ///< of the authority that is asked about (3.8.6)
+    track::Contents contents;                            ///< of the evaluated message
+    track::AuthorityContents proposal;                   ///< of the evaluated authority (4.8.3 [4], 3.8.6)
+    Curves curves;                                       ///< of the proposed authority (3.8.6)
     InplaceVector<BufferedSet, kBufferedSets> released;  ///< from the transition buffer
   };
   std::uint32_t built = 0;  ///< SupervisionBasis::number `in_force` was built from; 0: from none

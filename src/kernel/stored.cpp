@@ -14,7 +14,7 @@ void remove_stops(State& s, bool conditional) {
       [conditional](const protection::EmergencyStop& e) { return e.conditional == conditional; });
 }
 
-/// Deletes or resets what is kept outside the track description.
+/// Deletes or resets data stored outside the track description.
 void clear_other(State& s, Stored stored) {
   using enum Stored;
   switch (stored) {

@@ -3,20 +3,20 @@
 #include "modes/stored_information.h"
 #include "track/withdraw.h"
 
-// What becomes of stored data with a mode, a level or the authority (4.9, 4.10, A.3.4).
+// Changes of stored data with a mode, a level or the authority (4.9, 4.10, A.3.4).
 namespace evc::kernel {
 
 /// 4.10: mode `to` is entered from `from`.
 void keep_for_mode(State& state, Mode to, Mode from);
 /// 4.9: the level is entered.
 void keep_for_level(State& state, Level to);
-/// A.3.4 k: the desk is closed while start of mission goes on.
+/// A.3.4 k: the desk is closed during start of mission.
 void keep_for_closed_desk(State& state);
 
 /// Linking and pending national values beyond a place are deleted (A.3.4).
 void cut_beyond(State& state, Place beyond);
 /// A.3.4, a situation that shortens the track description to `beyond`: linking and pending national values as well. An
-/// MA request says so until a new MA comes (3.8.2.7.3).
+/// MA request reports this until a new MA is received (3.8.2.7.3).
 void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here);
 
 }  // namespace evc::kernel

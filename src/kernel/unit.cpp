@@ -8,7 +8,7 @@
 namespace evc::kernel {
 namespace {
 
-/// What a Unit's memory holds.
+/// The contents of a Unit's memory.
 struct Content {
   State state;
   Derived derived;
@@ -28,7 +28,7 @@ struct SnapshotHead {
 };
 static_assert(sizeof(SnapshotHead) == 32 && std::is_trivially_copyable_v<SnapshotHead>);
 
-/// FNV-1a, eight bytes at a time: finds what storage and transport damage, not what somebody forges.
+/// FNV-1a, eight bytes at a time: detects damage by storage and transport, not forgery.
 std::uint64_t checksum_of(std::span<const std::byte> bytes) {
   std::uint64_t sum = 0xCBF29CE484222325;
   for (std::size_t i = 0; i < bytes.size(); i += 8) {
@@ -41,7 +41,7 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-/// The only way to what a Unit holds.
+/// The only access to the contents of a Unit.
 struct UnitAccess {
   static Content& of(Unit& unit) { return *std::launder(reinterpret_cast<Content*>(unit.memory_)); }
   static const Content& of(const Unit& unit) { return *std::launder(reinterpret_cast<const Content*>(unit.memory_)); }
@@ -84,7 +84,7 @@ SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept 
   if (checksum_of(state) != head.checksum) return SnapshotFault::damaged;
   Content& c = UnitAccess::of(unit);
   std::memcpy(&c.state, state.data(), sizeof(State));
-  new (&c.derived) Derived;  // built anew in the next cycle; too large for the stack
+  new (&c.derived) Derived;  // built again in the next cycle; too large for the stack
   return SnapshotFault::none;
 }
 

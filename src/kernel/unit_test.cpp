@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// What of the outputs distinguishes two units.
+/// The outputs that distinguish two units.
 struct Seen {
   int mode = 0, level = 0;
   double est_front = 0.0, max_safe_front = 0.0;
@@ -84,7 +84,7 @@ TEST(UnitInMemory, GoesThroughStartOfMission) {
   EXPECT_GE(modes.size(), 2u) << "the unit leaves SB";
 }
 
-/// At every moment of the start and of the run the unit that wakes up goes on as the one that slept.
+/// At every moment of the start and of the run a restored unit continues like the original.
 TEST(UnitSnapshot, GoesOnFromAnyMoment) {
   Drive whole;
   const std::vector<Seen> expected = whole.cycles(0, 150);
@@ -92,7 +92,7 @@ TEST(UnitSnapshot, GoesOnFromAnyMoment) {
   for (int at = 0; at < 150; at += 7) {
     const Bytes bytes = snapshot_of(*first.unit);
     Drive other;
-    other.cycles(0, 60);  // whatever it did before
+    other.cycles(0, 60);  // any cycles before
     ASSERT_EQ(restore(*other.unit, bytes), SnapshotFault::none);
     const int to = std::min(150, at + 30);
     const std::vector<Seen> seen = other.cycles(at, to);
@@ -118,7 +118,7 @@ class Refused : public testing::Test {
     other.cycles(0, 40);
     before = snapshot_of(*other.unit);
   }
-  /// Refused for this, and the unit is as it was.
+  /// Rejected with this fault, and the unit is unchanged.
   void expect(const Bytes& bytes, SnapshotFault fault) {
     EXPECT_EQ(restore(*other.unit, bytes), fault);
     EXPECT_EQ(snapshot_of(*other.unit), before);
@@ -137,7 +137,7 @@ TEST_F(Refused, TooShort) {
     expect(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)), SnapshotFault::too_short);
 }
 
-/// The head: magic, format, size of the State, layout, checksum. Every bit counts.
+/// The header: magic, format, size of the State, layout, checksum. Every bit counts.
 TEST_F(Refused, EveryBitOfTheHead) {
   for (std::size_t at = 0; at < 32; ++at)
     for (unsigned bit = 0; bit < 8; ++bit)

@@ -12,7 +12,7 @@
 namespace evc::kernel {
 namespace {
 
-/// Facts of 4.6.3 that came in, or are read off the train interface, the position and the track description.
+/// Facts of 4.6.3 from the inputs, the train interface, the position and the track description.
 procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) {
   procedures::Facts f;
   f.isolated = in.train.isolated || in.driver.has(Select::isolate);
@@ -56,7 +56,7 @@ procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) 
   return f;
 }
 
-/// [12], [16], [69]: with the authority that is in force after everything this cycle received.
+/// [12], [16], [69]: with the authority in force after all inputs of this cycle.
 void observe_authority(const State& s, const track::Here& here, procedures::Facts& f) {
   const track::Authority& a = s.basis.authority;
   f.min_safe_antenna_beyond_eoa = protection::passes_end_level_1(a, here);

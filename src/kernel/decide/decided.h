@@ -8,13 +8,14 @@
 
 namespace evc::kernel {
 
-/// What the procedures, the mode transition and the texts want of the driver, the brakes and the radio in this cycle.
+/// The results of the procedures, the mode transition and the texts for the driver, the brakes and the radio in this
+/// cycle.
 struct Decided {
-  track::Here here;             ///< the train, after start of mission said what its position is worth
+  track::Here here;             ///< the train, after start of mission set the status of its position
   procedures::Effects effects;  ///< of all procedures
   brakes::CauseSet asked;
   bool mode_changed = false;
-  bool basis_renewed = false;                      ///< State::basis is another one than in the cycle before
+  bool basis_renewed = false;                      ///< State::basis differs from that of the cycle before
   bool start_selected = false;                     ///< an MA is requested for it (3.8.2.3 a)
   bool reversing_possible = false;                 ///< shown to the driver (5.13)
   bool track_ahead_free_granted = false;           ///< message 149 is due

@@ -7,11 +7,11 @@ namespace evc::kernel {
 void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log) {
   const Mode from = s.mode;
   log.note(Event::mode_changed(from, to, number));
-  // The area that was entered is no end of authority any more; before 4.10 deletes the profile (SH).
+  // The start of the entered area is no longer an end of authority; before 4.10 deletes the profile (SH).
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, here);
   keep_for_mode(s, to, from);
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
-  // A group that is only partly read is not continued after the power was off.
+  // A group that is only partly read is not continued after power off.
   if (to == Mode::NP) balise::abandon(s.balise);
   s.mode = to;
   ++s.revision;

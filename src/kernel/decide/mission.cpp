@@ -43,7 +43,7 @@ Duration request_cycle(const State& s) {
   return s.radio.ma_request && s.radio.ma_request->T_CYCRQST ? *s.radio.ma_request->T_CYCRQST : Duration{60.0};
 }
 
-/// 5.4.3.3: what start of mission makes of the status of data.
+/// 5.4.3.3: the status of data set by start of mission.
 void change_statuses(State& s, Set<procedures::Status> status) {
   using procedures::Status;
   if (status.has(Status::position_unknown))

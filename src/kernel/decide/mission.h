@@ -7,10 +7,10 @@
 #include "kernel/state.h"
 #include "procedures/observe.h"
 
-// The procedures of chapter 5, one function each: from State and what came in to the facts of 4.6.3 and what they want.
+// The procedures of chapter 5, one function each: from State and the inputs to the facts of 4.6.3 and their effects.
 namespace evc::kernel {
 
-/// Gives the mode of the area of the mode profile in which the max safe front end is.
+/// Returns the mode of the area of the mode profile in which the max safe front end is.
 std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out);
 void run_start_of_mission(State& s, const Inputs& in, const Received& received, std::optional<Mode> profile_at_front,
                           Decided& out);

@@ -11,7 +11,8 @@ namespace {
 
 using modes::Verdict;
 
-/// The signalling related speed restriction "0" is a row of its own: a trip order (3.11.6.2). Gives whether it counts.
+/// The signalling related speed restriction "0" has a row of its own: a trip order (3.11.6.2). Returns whether it
+/// counts.
 bool judge_trip_order(Evaluation& e) {
   if (modes::accept(evc::Information::signalling_speed, e.context).verdict != Verdict::accepted) return false;
   e.r.out.trip_order = true;
@@ -19,14 +20,14 @@ bool judge_trip_order(Evaluation& e) {
   return true;
 }
 
-/// What belongs to the authority waits with it.
+/// Packets that belong to the authority are buffered with it.
 void wait_with_authority(Evaluation& e) {
   for (std::size_t k = 0; k < e.information.packets.size(); ++k)
     if (route_of(e.information.packets[k]).turn == Turn::with_authority && judged(e, k))
       e.waiting.packets |= std::uint64_t{1} << k;
 }
 
-/// Of the same part: what stands behind packet 136 belongs to the infill authority.
+/// Of the same part: packets after packet 136 belong to the infill authority.
 void add_with_authority(Evaluation& e) {
   for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
     const lang::PacketView& view = e.information.packets[k];
@@ -82,7 +83,7 @@ void store_contents(Evaluation& e) {
   tell_stored(e, stored);
   if (stored.trip_order) out.trip_order = true;
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
-    // Linking and national values of this very message were stored already; those of the old MA go (3.8.5.1.3).
+    // Linking and national values of this message were stored before; those of the old MA are deleted (3.8.5.1.3).
     cut_beyond(s, s.track.ma->far_end());
   }
   if (stored.lost_from) {

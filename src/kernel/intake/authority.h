@@ -3,9 +3,10 @@
 
 namespace evc::kernel {
 
-/// The movement authority of the part is judged last: whether SSP and gradient cover it shows only then (4.8.3 [4]).
+/// The movement authority of the part is judged last: only then is it known whether SSP and gradient cover it (4.8.3
+/// [4]).
 void evaluate_authority(Evaluation& e);
-/// Stores what was accepted with the track description (3.7), with what follows from it.
+/// Stores accepted data in the track description (3.7), with the consequences.
 void store_contents(Evaluation& e);
 
 }  // namespace evc::kernel

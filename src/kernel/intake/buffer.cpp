@@ -82,7 +82,7 @@ void add_telegram(BufferedSet& set, std::span<const std::uint8_t> bytes, std::ui
 
 void release_buffer(Reception& r) {
   State& s = r.state;
-  // Taken out first: a set that has to wait again waits behind.
+  // The sets are removed first: a set that is buffered again is queued last.
   InplaceVector<BufferedSet, kBufferedSets>& sets = r.scratch.released;
   sets = s.buffer;
   s.buffer.clear();

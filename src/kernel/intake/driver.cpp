@@ -9,7 +9,7 @@
 namespace evc::kernel {
 namespace {
 
-/// What decides which inputs of the driver are enabled now (4.7.2).
+/// The conditions of the enabled inputs of the driver (4.7.2).
 driver::ActionContext action_context(const Reception& r) {
   const State& s = r.state;
   driver::ActionContext c;
@@ -31,13 +31,13 @@ driver::ActionContext action_context(const Reception& r) {
   c.driver_id_while_running = s.national_values.M_NVDERUN;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   c.offers = s.offers;
-  // What start of mission asks for is offered too (S12).
+  // Data that start of mission asks for are offered too (S12).
   c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
   c.requests = s.requested;
   return c;
 }
 
-/// Whether the driver may do it now; an action that is not enabled has no effect, and the event says so.
+/// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
   if (driver::enabled(action_context(r)).has(input)) return true;
   r.log.note(otherwise);
@@ -48,7 +48,7 @@ bool may_enter(Reception& r, driver::Input input, Entered entered) {
              {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
 }
 
-/// Selections that are enabled; the others are dropped.
+/// The enabled selections; the others are ignored.
 Set<Select> enabled_selections(Reception& r) {
   struct Row {
     Select select;
@@ -74,7 +74,7 @@ Set<Select> enabled_selections(Reception& r) {
   return selected;
 }
 
-/// 3.18.3.7: the authority was given for another train.
+/// 3.18.3.7: the authority was received for other train data.
 void forget_authority_of_old_train(Reception& r) {
   State& s = r.state;
   if (s.track.ma) {
@@ -84,7 +84,7 @@ void forget_authority_of_old_train(Reception& r) {
   s.buffer.clear();
 }
 
-/// Whether the data were taken.
+/// Whether the data were accepted.
 bool enter_train_data(Reception& r, const train::TrainData& data) {
   State& s = r.state;
   if (const train::Fault fault = train::check(data); fault != train::Fault::none) {

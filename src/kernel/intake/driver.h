@@ -6,10 +6,10 @@
 
 namespace evc::kernel {
 
-/// What the driver entered, acknowledged and selected in this cycle (4.7, 5.4). What is not enabled is logged and has
-/// no effect.
+/// Entries, acknowledgements and selections of the driver in this cycle (4.7, 5.4). An action that is not enabled is
+/// logged and has no effect.
 void receive_driver(Reception& r);
-/// The level that the driver chose in this cycle, where it may be chosen (5.10.1.7).
+/// The level selected by the driver in this cycle, if it may be selected (5.10.1.7).
 std::optional<modes::OrderedLevel> driver_level(Reception& r);
 
 }  // namespace evc::kernel

@@ -9,22 +9,22 @@
 
 namespace evc::kernel {
 
-/// One message on its way through the filters of 4.8 into the stores.
+/// One message while it is filtered (4.8) and stored.
 struct Evaluation {
   Reception& r;
   const Information& information;
-  modes::AcceptanceContext context;  ///< what the exceptions of the tables ask for
-  track::Contents& contents;         ///< what is accepted and will be stored
-  track::Reference reference;        ///< of the part that is judged: the message, or what stands behind packet 136
+  modes::AcceptanceContext context;  ///< facts for the exceptions of the tables
+  track::Contents& contents;         ///< accepted contents, to be stored
+  track::Reference reference;        ///< of the evaluated part: the message, or the packets after packet 136
   std::uint64_t judge = 0;           ///< bit n: the n-th packet belongs to that part
   Waiting waiting;
   std::uint8_t refused = 0;
-  Clause refused_because;  ///< of the last one; none for want of room
+  Clause refused_because;  ///< of the last one; none: no room
 };
 
 constexpr bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }
 
-/// Something of the message was refused because of the clause.
+/// Part of the message was refused because of the clause.
 constexpr void refuse(Evaluation& e, Clause clause) {
   ++e.refused;
   e.refused_because = clause;

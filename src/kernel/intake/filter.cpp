@@ -59,7 +59,7 @@ void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a) {
 
 bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i) == Verdict::accepted; }
 
-// --- Level transition orders come first (4.8.1.3)
+// --- Level transition orders first (4.8.1.3)
 
 void evaluate_level_orders(Evaluation& e) {
   bool along = false;
@@ -83,7 +83,7 @@ void evaluate_level_orders(Evaluation& e) {
   }
 }
 
-// --- Linking goes before other location data (4.8.1.6)
+// --- Linking before other location data (4.8.1.6)
 
 void evaluate_linking(Evaluation& e, bool infill) {
   State& s = e.r.state;
@@ -103,7 +103,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
       current = balise::CurrentLrbg{lrbg->id, lrbg->place};
     const balise::Stored stored = balise::store(s.balise.linking, balise::linking_list(p), reference,
                                                 position::antenna(s.position, s.train.L_antenna_front), current);
-    // The list holds the LRBG: its distance by linking counts, and everything in the message with it (3.6.4.3).
+    // The list holds the LRBG: its distance by linking is used, for all data of the message (3.6.4.3).
     e.reference.place = stored.reference;
     if (!stored.complete) e.r.log.note({.what = What::linking_capacity});
   }
@@ -128,7 +128,7 @@ void evaluate_rest(Evaluation& e) {
   }
 }
 
-/// The information of the radio message itself, beside its packets.
+/// The information of the radio message itself, without its packets.
 void evaluate_message(Evaluation& e) {
   const lang::MessageToTrainView& message = *e.information.message;
   if (!e.information.judge_message || message.NID_MESSAGE == message::movement_authority ||
@@ -145,7 +145,8 @@ void evaluate_message(Evaluation& e) {
   if (const Clause clause = take_message(e, message)) refuse(e, clause);
 }
 
-/// Everything behind packet 136 is infill (3.6.2.3.1, 7.4.2.32): it counts from another group, which linking names.
+/// All packets after packet 136 are infill (3.6.2.3.1, 7.4.2.32): their reference is another group, announced by
+/// linking.
 struct Infill {
   std::size_t at = 0;  // index of packet 136
   GroupId group;
@@ -182,7 +183,7 @@ void evaluate_part(Evaluation& e) {
 
 /// The infill part, after the rest of the message (4.8.1.5).
 void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
-  // Linking of this very message also gives the place of the group.
+  // Linking of the same message also gives the place of the group.
   std::optional<Place> place;
   for (const balise::Link& link : e.r.state.balise.linking.links)
     if (link.id == infill.group) place = link.place;

@@ -3,11 +3,12 @@
 
 namespace evc::kernel {
 
-/// Evaluates a message (4.8): level orders first, then linking, then the rest together; stores what is accepted and
-/// acts on what is not stored. Events name everything that was accepted, refused or left to wait. Gives what waits.
+/// Evaluates a message (4.8): level orders first, then linking, then the rest together; stores accepted data and
+/// executes orders that are not stored. Events name everything that was accepted, refused or buffered. Returns what is
+/// buffered.
 Waiting evaluate(Reception& r, const Information& information);
 
-/// Judges packet `i` by the rows of its route (4.8.3, 4.8.4), logs it, and leaves it to wait when the filter says so.
+/// Judges packet `i` by the rows of its route (4.8.3, 4.8.4), logs it, and buffers it if the filter requires it.
 modes::Verdict judge_packet(Evaluation& e, std::size_t i);
 
 }  // namespace evc::kernel

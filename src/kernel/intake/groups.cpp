@@ -20,7 +20,7 @@ bool brakes_on_message_error(Mode mode) {
          mode != Mode::NL && mode != Mode::RV && mode != Mode::PS;
 }
 
-/// 3.14.3.6: what is read during a movement that reverse movement protection forbids is ignored. In PT and RV the
+/// 3.14.3.6: telegrams read during a movement that reverse movement protection forbids are ignored. In PT and RV the
 /// permitted direction is backward.
 bool moves_against_permission(const State& s) {
   if (!modes::active(modes::Function::reverse_movement, s.mode)) return false;
@@ -65,7 +65,7 @@ void react(Reception& r, const balise::Outcome& outcome) {
   if (outcome.version_too_high) r.out.telegram_version_too_high = true;
 }
 
-/// The group becomes the LRBG, or at least the reference of its own information.
+/// The group becomes the LRBG, or only the reference of its own information.
 const position::Reference* locate(Reception& r, const balise::Group& group) {
   State& s = r.state;
   position::Passage passage;
@@ -78,7 +78,7 @@ const position::Reference* locate(Reception& r, const balise::Group& group) {
   passage.single = group.single;
   if (group.lrbg_compliant) {
     (void)position::relocate(s.position, passage);
-    // The release speed calculated on board counts with the accuracy of the LRBG (3.13.9.4.8.2).
+    // The release speed calculated on board depends on the accuracy of the LRBG (3.13.9.4.8.2).
     if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
     r.out.new_lrbg = true;
     return position::lrbg(s.position);
@@ -103,8 +103,8 @@ void check_lists(Reception& r, GroupId id) {
   if (s.mode == Mode::SH && s.track.sh_list && !named(*s.track.sh_list)) r.out.group_passed_not_in_SH_list = true;
 }
 
-/// A group whose telegrams hold more packets together than the unit takes is treated as one whose message is not
-/// consistent (3.16.2.4.4): nothing of it is used.
+/// A group whose telegrams contain more packets than the unit can hold is treated as a group with an inconsistent
+/// message (3.16.2.4.4): none of it is used.
 void refuse_group(Reception& r, GroupId id) {
   State& s = r.state;
   r.log.note({.what = What::group_too_many_packets, .id = id.NID_BG, .clause = "3.16.2.4.4"_srs});

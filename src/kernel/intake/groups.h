@@ -3,10 +3,10 @@
 
 namespace evc::kernel {
 
-/// The balise telegrams of this cycle into groups, linking and position, and the information of the groups that are
-/// complete (3.4, 3.16.2).
+/// Processes the balise telegrams of this cycle to groups, linking and position, and the information of complete groups
+/// (3.4, 3.16.2).
 void receive_balises(Reception& r);
-/// Loop messages: the unit takes none of their information yet, and says so.
+/// Loop messages: the unit does not use their information yet, and logs this.
 void receive_loops(Reception& r);
 
 }  // namespace evc::kernel

@@ -18,12 +18,12 @@ position::Odometry odometry_of(const Odometry& in) {
   return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
 }
 
-/// Beyond these no train is: 30 years, a million kilometres, 1000 m/s. Not a number is never within.
+/// Bounds of valid inputs: 30 years, a million kilometres, 1000 m/s. Not-a-number is never within them.
 constexpr double kLongest = 1e9;
 constexpr double kFastest = 1e3;
 bool within(double v, double limit) { return v >= -limit && v <= limit; }
 
-/// Whether the cycle's time and places can be worked with: within bounds, in order, no way back in time.
+/// Whether the time and places of the cycle are valid: within bounds, in order, not earlier than before.
 bool sound(const State& s, const Inputs& in) {
   const Odometry& o = in.odometry;
   for (const BaliseTelegram& t : in.balise_telegrams)
@@ -34,7 +34,7 @@ bool sound(const State& s, const Inputs& in) {
          within(o.A_est.si, kFastest);
 }
 
-/// Timers of the authority, data whose function is over, and what a reaction shortens once the train stands
+/// Timers of the authority, data no longer needed, and data shortened by a reaction when the train is at standstill
 /// (3.8.4, A.3.4, A.3.6).
 void advance_track(Reception& r) {
   State& s = r.state;
@@ -58,7 +58,7 @@ void advance_track(Reception& r) {
 Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log) {
   Received out;
   Reception r{s, scratch, in, outbox, log, out, {}};
-  // 4.4.5: without a sound odometer or configuration nothing can be supervised. The last place stays.
+  // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   out.safety_fault = !can_go_on || s.configuration_refused || in.safety_fault;

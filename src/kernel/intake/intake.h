@@ -4,12 +4,12 @@
 #include "kernel/state.h"
 #include "radio/messages.h"
 
-// First stage: everything that comes in, in the order in which it counts, up to the level in which it is judged.
+// First stage: all inputs, in the order in which they take effect, and the level in which they are evaluated.
 namespace evc::kernel {
 
 /// The odometer, the driver, telegrams and messages of this cycle, timers of stored data, and the level transition with
-/// the release of the transition buffer. What is stored goes into `state`, answers to the RBC into `outbox`; of
-/// `scratch` nothing is kept.
+/// the release of the transition buffer. Data are stored in `state`, answers to the RBC in `outbox`; nothing is kept in
+/// `scratch`.
 Received intake(State& state, Derived::Scratch& scratch, const Inputs& inputs, radio::Outbox& outbox, Log log);
 
 }  // namespace evc::kernel

@@ -14,7 +14,7 @@ namespace {
 
 using modes::OrderEffect;
 
-/// Packet 46 has no place and so no length in rear of it.
+/// Packet 46 has no place, hence no length in rear of it.
 Distance L_ack(const lang::Packet41& p, const lang::Packet41_levels& e) {
   return lang::metres(p.Q_SCALE, e.L_ACKLEVELTR);
 }
@@ -25,7 +25,7 @@ modes::LevelTable table_of(const P& p) {
   modes::LevelTable table;
   const auto entry = [&p](const auto& e) {
     modes::OrderedLevel level;
-    level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was refused before
+    level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was rejected before
     level.nid_ntc = level.level == Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
     level.L_ack = L_ack(p, e);
     return level;
@@ -79,8 +79,8 @@ modes::OrderDecision give_order(Reception& r, const procedures::level_transition
   s.level_table = order.table;
   const modes::OrderDecision decision =
       modes::judge(order.kind, order.table, s.level, s.mode, available_levels(s, r.in.national_system));
-  // The procedure looks at one order a cycle, the last one; an earlier one of the same cycle is replaced
-  // (5.10.1.6), but never an order that is to be executed by one that is not.
+  // The procedure evaluates one order per cycle, the last one; an earlier one of the same cycle is replaced (5.10.1.6),
+  // but an order to be executed is never replaced by one that is not.
   if (decision.effect == OrderEffect::execute || !executes_order(r)) r.order = {order, decision};
   return decision;
 }

@@ -13,16 +13,16 @@ namespace evc::kernel {
 std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view,
                                                             const track::Reference& reference);
 
-/// The levels that this unit can run in now (5.10.2.4).
+/// The levels available to this unit now (5.10.2.4).
 modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system);
 
-/// A level transition order passed the filters: stores its table, judges it and keeps it for the level transition of
+/// A level transition order passed the filters: stores its table, judges it and stores it for the level transition of
 /// this cycle. Returns the decision, so that the rest of the message can be judged for the new level (4.8.1.3).
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order);
 /// Whether an order of this cycle changes the level in this cycle.
 bool executes_order(const Reception& r);
 
-/// The level transition of this cycle, with what follows from it: 4.9, and the release of the transition buffer.
+/// The level transition of this cycle with its consequences: 4.9, and the release of the transition buffer.
 void run_level_transition(Reception& r);
 
 }  // namespace evc::kernel

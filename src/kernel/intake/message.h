@@ -10,36 +10,36 @@
 // One consistent message, from a balise group or by radio.
 namespace evc::kernel {
 
-/// A message whose bits were found right, with what its distances count from.
+/// A message whose bits are correct, with the reference of its distances.
 struct Information {
   Medium medium = Medium::balise;
   GroupId group;                               // the group passed, or the LRBG of the radio message
   Place reference{};                           // of it, D_REF included
-  Direction orientation = Direction::unknown;  // of the train against it (in SL, PS, SH: crossing direction)
+  Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
   Duration time{};  // time stamp, or passage of the group's first balise
   lang::SystemVersion sv;
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
-  // The packets to judge: all, or of a set released from the transition buffer those that were buffered.
+  // The packets to judge: all, or the buffered ones of a set released from the transition buffer.
   std::uint64_t judge_packets = ~std::uint64_t{0};
   bool judge_message = true;
 };
 
-/// What the filters left to wait in the transition buffer.
+/// The part of a message that is buffered (4.8.5).
 struct Waiting {
   std::uint64_t packets = 0;
   bool message = false;
   bool any() const { return packets != 0 || message; }
 };
 
-/// The version that an RBC with this M_VERSION speaks; 2.1 before it sent its own (0).
+/// The version of an RBC with this M_VERSION; 2.1 before it sent its own (0).
 lang::SystemVersion session_version(std::uint8_t M_VERSION);
 
-/// Adds the packets that count for the train's direction, in the order of reading; the bytes behind them must outlive
-/// them. False when there are more than there is room for.
+/// Adds the packets that count for the train's direction, in the order of reading; their bytes must outlive them. False
+/// when there are more than fit.
 bool gather(Information& information, const lang::PacketViews& packets);
-/// Packets of version 1.0 that others of the same message stand in for are ignored (6.6.3.2.3 [9], [11], [13]).
+/// Packets of version 1.0 that others of the same message replace are ignored (6.6.3.2.3 [9], [11], [13]).
 void drop_superseded(Information& information);
 
 }  // namespace evc::kernel

@@ -105,7 +105,7 @@ Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& vie
   return position::assign_orientation(e.r.state.position, e.information.group, nominal) ? Clause{} : "3.4.2.3.3.8"_srs;
 }
 
-/// The fact alone counts.
+/// Only the fact counts.
 template <bool Received::*kFact>
 Clause take_fact(Evaluation& e, const lang::MessageToTrainView&) {
   e.r.out.*kFact = true;
@@ -113,8 +113,8 @@ Clause take_fact(Evaluation& e, const lang::MessageToTrainView&) {
 }
 
 using TakeMessage = Clause (*)(Evaluation&, const lang::MessageToTrainView&);
-/// The way of a radio message itself, beside its packets: its row of 4.8.3 and 4.8.4, and what is done when it is
-/// accepted; nothing where its packets or the session (radio/) hold all that it says.
+/// The route of a radio message itself, without its packets: its row of 4.8.3 and 4.8.4, and the function that executes
+/// it; none where its packets or the session (radio/) have all of its contents.
 struct MessageRoute {
   message::ToTrain number;
   evc::Information row;

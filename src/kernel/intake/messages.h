@@ -4,8 +4,8 @@
 
 namespace evc::kernel {
 
-/// Carries out the information of a radio message itself (not its packets). The clause when it is refused, none when it
-/// is not.
+/// Executes the information of a radio message itself (not its packets). Returns the clause of a refusal, none
+/// otherwise.
 Clause take_message(Evaluation& e, const lang::MessageToTrainView& message);
 
 }  // namespace evc::kernel

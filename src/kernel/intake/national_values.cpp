@@ -6,10 +6,10 @@
 namespace evc::kernel {
 namespace {
 
-/// D_NVROLL 32767: farther than any train rolls.
+/// D_NVROLL 32767: unlimited.
 constexpr Distance kInfinite{1e9};
 
-/// V_NV...: 126 and 127 are spare there; the default stands in for them, the codec has refused them before.
+/// V_NV...: 126 and 127 are spare; the codec has rejected them before, here they give the default.
 template <class V>
 void take(Speed& to, V v) {
   if (const auto speed = lang::speed(v)) to = *speed;

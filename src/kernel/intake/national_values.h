@@ -10,23 +10,23 @@
 
 namespace evc::kernel {
 
-/// National values as packet 3 brings them (3.18.2): the values, the areas they are for, and the
-/// place from which they hold, D_VALIDNV after the reference; absent: at once.
+/// National values of packet 3 (3.18.2): the values, their areas, and the place from which they are
+/// valid, D_VALIDNV after the reference; absent: at once.
 struct ReceivedNationalValues {
   train::NationalValues values;
   InplaceVector<std::uint16_t, 32> areas;  // NID_C
   std::optional<Distance> D_VALIDNV;
 };
 
-/// Packet 3 in SI. Correction factors that it does not carry (Q_NVKINT = 0, or no set for the train's
-/// brakes) take the defaults of A.3.2.
+/// Packet 3 in SI. Correction factors that it does not contain (Q_NVKINT = 0, or no set for the train's brakes) have
+/// the defaults of A.3.2.
 ReceivedNationalValues read(const lang::Packet3& packet);
 
 /// National values come into force (3.18.2.4).
 void use_national_values(State& state, const train::NationalValues& values,
                          const InplaceVector<std::uint16_t, 32>& areas);
-/// Each cycle: pending values come into force where the estimated front end passes their place (3.18.2.3); values
-/// received for other areas than the country of the group just passed give way to the defaults (3.18.2.9 c).
+/// Each cycle: pending values come into force where the estimated front end passes their place (3.18.2.3); values that
+/// are not valid in the country of the group just passed are replaced by the defaults (3.18.2.9 c).
 void advance_national_values(Reception& r);
 void leave_area(Reception& r, std::uint16_t NID_C);
 

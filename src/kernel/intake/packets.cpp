@@ -17,7 +17,7 @@ namespace {
 
 using modes::Verdict;
 
-/// Kept with the track description.
+/// Stored in the track description.
 void store_with_track(Evaluation& e, const lang::PacketView& view, Verdict) {
   (void)track::add(e.contents, view, e.reference);
 }
@@ -62,7 +62,7 @@ void take_report_parameters(Evaluation& e, const lang::PacketView& view, Verdict
   r.D_CYCLOC = lang::metres(p.Q_SCALE, p.D_CYCLOC);
   r.M_LOC = p.M_LOC.raw;
   for (const auto& at : p.locations) {
-    // 31 places at the most: there is room.
+    // At most 31 places: they fit.
     (void)r.at.push_back({e.reference.place + lang::metres(p.Q_SCALE, at.D_LOC), at.Q_LGTLOC.raw == 1});
   }
   State& s = e.r.state;
@@ -85,7 +85,7 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
 
 evc::Information row_of_track_condition(const lang::PacketView& view) {
   lang::Packet68 p;
-  // The return to the initial state is of the row that every mode accepts which accepts any condition.
+  // The return to the initial state uses the row that is accepted in every mode that accepts any condition.
   if (lang::decode(view, p) != lang::Fault::none || p.Q_TRACKINIT.raw == 1)
     return evc::Information::track_conditions_horn_stopping;
   const auto kind = track_condition_of(p.M_TRACKCOND.raw);
@@ -100,7 +100,7 @@ evc::Information row_of_lssma(const lang::PacketView& view) {
 }
 
 // clang-format off
-/// The way of each packet of the trackside (7.4.2) through the kernel.
+/// The route of each packet from trackside (7.4.2) through the kernel.
 constexpr auto kPacketRoutes = [] {
   using enum evc::Information;
   return std::to_array<PacketRoute>({
@@ -164,7 +164,7 @@ constexpr auto kPacketRoutes = [] {
 }();
 // clang-format on
 
-/// Where the route of each number stands; kPacketRoutes.size() for a number that this unit does not know.
+/// The index of the route of each number; kPacketRoutes.size() for an unknown number.
 constexpr auto kPlaceOfRoute = [] {
   std::array<std::uint8_t, 256> place{};
   place.fill(static_cast<std::uint8_t>(kPacketRoutes.size()));

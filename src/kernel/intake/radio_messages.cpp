@@ -10,11 +10,11 @@
 namespace evc::kernel {
 namespace {
 
-/// Reference and orientation of a radio message: its NID_LRBG among those remembered (3.6.2.2.2 c).
+/// Reference and orientation of a radio message: its NID_LRBG, if it is remembered (3.6.2.2.2 c).
 bool refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
   const auto id = lang::group(view.NID_LRBG);
   if (!id) {
-    // LRBG unknown (3.6.2.2.2.3): only what needs no place can be used; distances count from the front end.
+    // LRBG unknown (3.6.2.2.2.3): only information without a place can be used; distances are from the front end.
     information.reference = position::front(state.position).est;
     information.orientation = Direction::unknown;
     return true;
@@ -27,7 +27,7 @@ bool refer(Information& information, const State& state, const lang::MessageToTr
   return true;
 }
 
-/// Message 33 counts from a point D_REF away from the LRBG (3.6.3.2.5).
+/// The reference of message 33 is D_REF away from the LRBG (3.6.3.2.5).
 void shift_reference(Information& information, const lang::MessageToTrainView& view) {
   if (view.NID_MESSAGE != message::movement_authority_shifted) return;
   lang::Message33 m;
@@ -52,7 +52,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
     return;
   }
   shift_reference(information, view);
-  (void)gather(information, view.packets);  // a message has no more than there is room for
+  (void)gather(information, view.packets);  // all packets of a message fit
   drop_superseded(information);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
@@ -72,7 +72,7 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
     return;
   }
   radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
-  // 40 and 41 of an old RBC may carry any LRBG (6.6.3.3.2).
+  // 40 and 41 of an RBC of version 1 may contain any LRBG (6.6.3.3.2).
   if (view.sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
     header.NID_LRBG = radio::kUnknownLrbg;
   const radio::Rejected rejected = radio::receive(s.radio, header, s.now, r.outbox);

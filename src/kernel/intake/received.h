@@ -10,15 +10,15 @@
 
 namespace evc::kernel {
 
-/// What came in during this cycle from the driver, the track and the radio and is no stored data: events for the
-/// decisions, brakes asked for.
+/// Inputs of this cycle from the driver, the track and the radio that are not stored: events for the decisions, brakes
+/// asked for.
 struct Received {
   track::Here here;           ///< the train after relocation
   bool safety_fault = false;  ///< 4.4.5: nothing can be supervised
   brakes::CauseSet asked;
 
   // The driver
-  Set<Select> selected;  ///< selections that are enabled (4.7.2)
+  Set<Select> selected;  ///< enabled selections (4.7.2)
   Set<Ack> acknowledged;
   bool train_data_entered = false;
 
@@ -31,11 +31,11 @@ struct Received {
   bool group_passed_not_in_SH_list = false;
   bool group_at_EOA_in_RSM = false;
 
-  // What messages brought
+  // From messages
   bool new_radio_message = false;
   bool ma_accepted = false;
   bool ma_from_rbc = false;
-  bool balise_proceed = false;  ///< an authority by balises that is no trip order
+  bool balise_proceed = false;  ///< an authority by balises that is not a trip order
   bool trip_order = false;
   bool stop_if_in_SR = false, stop_if_in_SH = false;
   bool ues_accepted = false, ues_received = false;
@@ -47,7 +47,7 @@ struct Received {
   std::optional<std::uint32_t> NID_LTRBG;  ///< an MA is requested: track ahead free up to it (packet 90)
 
   // Level transition
-  procedures::Effects level;               ///< what it asks of the driver
+  procedures::Effects level;               ///< its requests to the driver
   std::optional<Level> level_switched_to;  ///< executed in this cycle
   bool level_changed_by_driver = false;
   bool national_system_only = false;  ///< from one national system to another

@@ -9,7 +9,7 @@
 
 namespace evc::kernel {
 
-/// What the parts of the first stage work on. It ends with the stage.
+/// The data of the first stage; valid only during the stage.
 struct Reception {
   State& state;
   Derived::Scratch& scratch;

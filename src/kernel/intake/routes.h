@@ -8,23 +8,25 @@
 #include "terms/information.h"
 #include "terms/packet_numbers.h"
 
-// The way of each packet and message through the unit: its turn, its rows of the acceptance tables, what takes it.
+// The route of each packet and message through the unit: its turn, its rows of the acceptance tables, the function that
+// uses it.
 namespace evc::kernel {
 
 /// When a packet is evaluated (4.8.1).
 enum class Turn : std::uint8_t {
-  before,         ///< it acts before the filters (4.8.2.2), or begins the infill part
+  before,         ///< it is evaluated before the filters (4.8.2.2), or begins the infill part
   level_order,    ///< first (4.8.1.3)
   linking,        ///< before other location data (4.8.1.6)
   rest,           ///< then
   authority,      ///< last: SSP and gradient have to cover it (4.8.3 [4])
-  with_authority  ///< belongs to the MA, SR or SH authorisation that it comes with
+  with_authority  ///< belongs to the MA, SR or SH authorisation it is sent with
 };
 
-/// What is done with a packet that was accepted. The verdict is `accepted` or `only_contact_stored`.
+/// The function that uses an accepted packet. The verdict is `accepted` or `only_contact_stored`.
 using TakePacket = void (*)(Evaluation&, const lang::PacketView&, modes::Verdict);
 
-/// The rows of the acceptance tables 4.8.3 and 4.8.4 that a packet fills; or, where its contents say which one, how.
+/// The rows of the acceptance tables 4.8.3 and 4.8.4 to which a packet belongs; or, if this depends on its contents,
+/// how it is selected.
 struct Rows {
   using OfContents = evc::Information (*)(const lang::PacketView&);
   evc::Information first{}, second{};
@@ -41,21 +43,21 @@ struct PacketRoute {
   packet::ToTrain number;
   Turn turn;
   Rows rows;
-  /// None where another step reads the packet, or this unit has no use for what it says (CAVEATS).
+  /// None where another step reads the packet, or this unit does not use its contents (CAVEATS).
   TakePacket take = nullptr;
 };
 
-/// A number that the unit does not know has neither row nor taker.
+/// An unknown number has neither a row nor a function.
 const PacketRoute& route_of(const lang::PacketView& view);
 
 using InformationRows = InplaceVector<evc::Information, 2>;
-/// The rows of a packet of the direction track to train. Empty where the packet is no row of its own: 49, 63 and 80
-/// belong to the MA, SR or SH authorisation that they come with; 0, 145 and 255 act before the tables (4.8.2.2); or it
-/// is not known.
+/// The rows of a packet of the direction track to train. Empty where the packet has no row: 49, 63 and 80 belong to the
+/// MA, SR or SH authorisation they are sent with; 0, 145 and 255 are evaluated before the tables (4.8.2.2); or the
+/// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
-/// The row of radio message NID_MESSAGE itself, without its packets; none for those that hold packets only (24, 37) and
-/// those that are not known. 3 and 33 are the movement authority.
+/// The row of radio message NID_MESSAGE itself, without its packets; none for messages with packets only (24, 37) and
+/// unknown ones. 3 and 33 are the movement authority.
 std::optional<evc::Information> row_of_message(std::uint8_t NID_MESSAGE);
 
 }  // namespace evc::kernel

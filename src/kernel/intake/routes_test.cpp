@@ -13,7 +13,7 @@
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_68.h"
 
-// The ways of packets and messages against the reference data.
+// The routes of packets and messages compared with the reference data.
 namespace evc::kernel {
 namespace {
 
@@ -50,7 +50,7 @@ InformationRows rows_of_lssma(std::uint8_t Q_LSSMA) {
   return rows_of_contents(p);
 }
 
-/// One row of the reference stands for several where the two tables cut differently.
+/// One row of the reference is several rows here where the two tables divide differently.
 std::vector<std::string> informations(const std::string& id) {
   if (id == "track_conditions_no_bmm") return {"track_conditions_general", "track_conditions_horn_stopping"};
   if (id == "level_transition_orders") return {"level_transition_order", "conditional_level_transition_order"};

@@ -10,7 +10,7 @@
 namespace evc::kernel {
 namespace {
 
-/// The authority that message 9 proposes.
+/// The authority proposed by message 9.
 const track::AuthorityContents& proposal(Evaluation& e) {
   track::AuthorityContents& proposed = e.r.scratch.proposal;
   proposed = {};
@@ -34,7 +34,7 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
     a.EOA = proposed.end();
     a.SvL = proposed.SvL();
   }
-  // The start of an area of its mode profile would be an end as well (3.12.4), on the safe side with the SvL there.
+  // The start of an area of its mode profile would also be an end (3.12.4), with the SvL there on the safe side.
   if (proposal.mode_profile)
     for (const track::ModeArea& area : *proposal.mode_profile) {
       if (a.EOA && area.from >= *a.EOA) continue;

@@ -9,8 +9,8 @@ bool proposal_is_described(Evaluation& e);
 /// Granted only when the authority is described and the train would not have to brake for it (3.8.6.2).
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view);
 
-/// Whether the train is in rear of the Indication limits of the proposed authority (3.8.6.2). A question: only `curves`
-/// is written.
+/// Whether the train is in rear of the Indication limits of the proposed authority (3.8.6.2). Without side effects:
+/// only `curves` is written.
 bool can_stop_before(const State& state, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
                      const track::AuthorityContents& proposal);
 

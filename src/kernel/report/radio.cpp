@@ -18,7 +18,7 @@ radio::TrainDataReport train_report(const State& s) {
   const track::TrainCategory category = category_of(t);
   r.NC_CDTRAIN = category.NC_CDTRAIN;
   r.NC_TRAIN = category.NC_TRAIN;
-  // The RBC must not believe the train shorter or slower than it is: rounded up.
+  // The reported length and speed must not be too small: rounded up.
   const auto whole = static_cast<std::uint16_t>(t.L_TRAIN.si);
   r.L_TRAIN = static_cast<double>(whole) < t.L_TRAIN.si ? static_cast<std::uint16_t>(whole + 1) : whole;
   const double steps = t.V_MAXTRAIN.si * 3.6 / 5.0;
@@ -59,7 +59,7 @@ bool in_radio_hole(const State& s, const track::Here& here) {
   return false;
 }
 
-/// What the procedures ask to send; MA requests and reports go with the conditions of the radio room.
+/// Messages that the procedures require; MA requests and reports follow the conditions of the room `radio`.
 void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   using procedures::Send;
   for (const std::uint8_t id : decided.texts_to_report) radio::report_text_acknowledged(id, outbox);
@@ -78,7 +78,7 @@ void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
 }
 
-/// The events of this cycle that are to be reported in the mode in force (4.5.2).
+/// The events of this cycle that are reported in the current mode (4.5.2).
 position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided) {
   position::ReportEvents e;
   const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
@@ -180,7 +180,7 @@ void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& o
     OutgoingMessage message;
     for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
     if (n == 0) continue;
-    (void)out.radio_out.push_back(message);  // as many as the outbox holds
+    (void)out.radio_out.push_back(message);  // as many as fit in the outbox
     position_sent = position_sent || radio::reports_position(intent.NID_MESSAGE);
   }
   if (position_sent) position::note_reported(s.position, report);

@@ -7,14 +7,14 @@
 
 namespace evc::kernel {
 
-/// What the radio wants of brakes and driver in this cycle.
+/// The results of radio for brakes and driver in this cycle.
 struct RadioResult {
   procedures::Effects effects;
   brakes::CauseSet asked;
 };
 
 /// Session, MA requests and position reports (3.5, 3.6.5, 3.8.2, 3.16.3.4). `request_before_perturbation`: the
-/// perturbation location less T_MAR is passed (3.13.11.8).
+/// perturbation location minus T_MAR is passed (3.13.11.8).
 RadioResult run_radio(State& state, RadioLink link, const Received& received, const Decided& decided,
                       bool request_before_perturbation, radio::Outbox& outbox, Log log);
 

@@ -10,7 +10,7 @@ namespace {
 
 RbcAddress address(const radio::Rbc& rbc) { return {rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO}; }
 
-/// All causes of this cycle into brake commands (3.14.1). Gives whether a release waits for the driver.
+/// Brake commands from all causes of this cycle (3.14.1). Returns whether a release waits for the driver.
 bool command_brakes(State& s, const Received& received, const Decided& decided, brakes::CauseSet asked, Outputs& out) {
   asked.add(brakes::Cause::trip, s.mode == Mode::TR);
   asked.add(brakes::Cause::no_power_or_failure, s.mode == Mode::NP || s.mode == Mode::SF || received.safety_fault);
@@ -79,7 +79,7 @@ void show_texts(const track::Description& d, const track::TextDisplay& texts, Ou
     shown.Q_TEXT = text->Q_TEXT;
     shown.length = text->length;
     shown.characters = text->characters;
-    (void)out.texts.push_back(shown);  // six at the most
+    (void)out.texts.push_back(shown);  // at most six
   }
 }
 
@@ -114,7 +114,7 @@ template <class T>
 void reset(T& field) {
   field = T{};
 }
-/// What the elements hold is not read before they are written: 7 KB need not be touched each cycle.
+/// Elements are not read before they are written: 7 KB need not be cleared in each cycle.
 template <class T, std::size_t N>
 void reset(InplaceVector<T, N>& list) {
   list.clear();
@@ -127,7 +127,7 @@ void reset_all(Fields&... fields) {
 }  // namespace
 
 void reset(Outputs& out) {
-  // All members by name: one that is added and not named here does not compile.
+  // All members by name: a new member that is not named here does not compile.
   auto& [now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
          V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests, entries,
          start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events] = out;

@@ -7,7 +7,7 @@
 namespace evc::kernel {
 namespace {
 
-/// Builds the curves in force anew when their basis is another one than they were built from.
+/// Builds the curves in force again if their basis has changed.
 void refresh(State& s, Derived& d, const TrainSignals& train, const track::Here& here, bool renewed, Log log) {
   if (renew_basis(s, train, here)) renewed = true;
   if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
@@ -24,8 +24,8 @@ protection::Way way_of(DirectionController controller) {
                                                        : protection::Way::none;
 }
 
-/// 5.16.2: the stop in rear of an unprotected level crossing gives way to the LX speed: with an order to stop once the
-/// train stands in its stopping area, else once it has passed the place that 3.13.9.3.5.11 defines.
+/// 5.16.2: the stop in rear of an unprotected level crossing is replaced by the LX speed: with an order to stop, when
+/// the train is at standstill in the stopping area; otherwise when it has passed the place defined in 3.13.9.3.5.11.
 void pass_level_crossings(State& s, Derived& d, const track::Here& here, const sdm::Motion& motion, Log log) {
   for (const track::LevelCrossing& lx : s.track.lx) {
     if (!lx.unprotected || lx.substituted || here.est_front > lx.from) continue;
@@ -36,7 +36,7 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
     if (!over) continue;
     track::substitute_level_crossing(s.track, lx.NID_LX, here.est_front);
     log.note({.what = What::level_crossing_speed, .id = lx.NID_LX, .clause = "5.16.2"_srs});
-    return;  // the others are looked at with the curves built anew
+    return;  // the others are evaluated with the new curves
   }
 }
 
