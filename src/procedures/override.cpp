@@ -68,8 +68,7 @@ Result step(State& state, const Inputs& in) {
 }
 
 void on_mode_change(State& state, Mode from, Mode to) {
-  // 5.8.4.1 i: TR, LS, OS and SH end it. The other modes have no override (4.5.2): SB, FS, NL, ... end it with the
-  // mission or authority.
+  // 5.8.4.1 i: TR, LS, OS and SH end it. The other modes have no override (4.5.2): entering SB, FS, NL, ... ends it.
   if (to != Mode::SR && to != Mode::UN && to != Mode::SN) state.active = false;
   if (from == Mode::SR) state.former_eoa.reset();
 }

@@ -25,7 +25,7 @@ struct Inputs {
   Mode mode = Mode::SB;
   Level level = Level::L0;
   bool selected = false;  // by the driver, in this cycle; enabled by 5.8.2.1 (driver/driver.h)
-  // National values; an infinite distance is no value, a T_NVOVTRP is never infinite.
+  // National values; nullopt: infinite distance. T_NVOVTRP is never infinite.
   Duration T_NVOVTRP{60.0};
   std::optional<Distance> D_NVOVTRP{Distance{200.0}};
   // Position
@@ -49,7 +49,8 @@ struct Result {
   Clause ended_by;                 // a bullet of 5.8.4.1 when it ends in this cycle
 };
 
-/// One cycle, before the mode transition. The override distance is run on the nominal odometer.
+/// One cycle, before the mode transition. The override distance is measured with the nominal
+/// odometer.
 Result step(State& state, const Inputs& inputs);
 
 /// To be called at every mode transition: TR, LS, OS, SH end override (5.8.4.1 i); leaving SR deletes the former EOA.

@@ -19,8 +19,8 @@ constexpr Speed kSpare{0.1};
 struct Seen {
   std::uint8_t beyond;  // bit per Limit
   bool beyond_I_EBD, beyond_I_SBD;
-  bool near;    // some limit of it can be exceeded; if not, its speeds are kFar
-  double to_I;  // distance to its Indication limit; where it is not near a lower bound of it
+  bool near;    // one of its limits can be exceeded; if not, its speeds are kFar
+  double to_I;  // distance to its Indication limit; a lower bound of it if not `near`
   double V_P;
   double V_P_beyond_I;  // the same, of EOA and SvL only the part whose Indication limit is exceeded
 };
@@ -49,10 +49,10 @@ struct Cycle {
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;
-  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest ceiling shown
+  Speed M_ebi{};  // V_MRSP + dV_ebi: the highest displayed ceiling
   // The lowest of all targets that are near.
   double V_W = kFar, V_SBI = kFar, V_EBI = kFar;
-  // Where a release speed exists:
+  // If a release speed exists:
   RsmStart rsm{};
   Place d_SvL{};
 };

@@ -38,7 +38,7 @@ namespace {
 class Extended {
  public:
   explicit Extended(const GradientProfile& p) : steps_(p.permille.steps), known_(known_part(p)) {
-    // What begins before the known part takes the place of the one before it.
+    // A step that begins before the known part replaces the one before it.
     while (first_ + 1 < steps_.size() && steps_[first_ + 1].from <= known_.from) ++first_;
     std::size_t end = first_;
     while (end < steps_.size() && std::max(steps_[end].from, known_.from) < known_.to) ++end;
@@ -109,8 +109,8 @@ void lowest_under_train(Segments& out, const Extended& f, Distance L) {
   }
 }
 
-/// 3.13.4.1.2-3: the default gradient holds at places that are not covered, without length compensation; a known fall
-/// under the rest of the train is kept (safe side): only that is below 0 where the front is not covered.
+/// 3.13.4.1.2-3: the default gradient applies at places that are not covered, without length compensation; a known fall
+/// under the rest of the train is kept (safe side): where the front is not covered, only such a fall is below 0.
 void put_default_gradient(Segments& segments, const GradientProfile& profile, double unknown) {
   const KnownPart cover = known_part(profile);
   split(segments, cover.from);

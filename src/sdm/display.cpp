@@ -35,7 +35,7 @@ std::size_t furthest_masked(const Cycle& c, const Seen* seen, std::size_t maskin
   const Target& MRDT = c.d.targets[masking];
   const Ahead ahead = ahead_of(c, MRDT.V_target);
   const Place d_P = d_P_at_target_speed(c, MRDT);
-  // Bounds first: only the few that may be the furthest are looked at closely, the most promising one first.
+  // Bounds first: only the few candidates that may be the furthest are evaluated exactly, the best one first.
   InplaceVector<std::uint8_t, kTargets> candidates;
   std::array<double, kTargets> at_most;  // of each candidate; 0 when it was looked at
   for (std::size_t i = c.first; i < c.d.targets.size(); ++i) {

@@ -30,7 +30,7 @@ class CurvesToStop {
   const Decelerations& A_;
   Place stop_;
   Speed top_;
-  std::size_t used_ = 0;  // three curves at the most
+  std::size_t used_ = 0;  // at most three curves
 };
 
 }  // namespace
@@ -43,7 +43,7 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
   const CurveView SBD = curve(CurveKind::SBD);
   CurveView GUI;
   if (d.guidance) GUI = curve(CurveKind::GUI);
-  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: those of the moment.
+  // 3.4.0: no acceleration and f41(V_LX); 4.0.0: the current ones.
   Approach a{.V = V_LX, .V_delta0 = V_delta0_41(d, V_LX), .A_est1 = {}, .A_est2 = {}};
   if (d.rules.LX_with_current_motion) a = approach(V_LX, d.Q_NVINHSMICPERM ? Speed{0.0} : m.V_ura, m.A_est, d.fixed);
   // The stop is both EOA and SvL; 4.0.0 reduces the build-up times for V_LX (A.3.12).
@@ -64,8 +64,9 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
 
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
                                        Derived& scratch) {
-  // 3.11.11.4: the own gradient only, no trackside adhesion, inhibition or powerless section; the
-  // driver's slippery rail counts. Traction cut-off and feedback as if not implemented.
+  // 3.11.11.4: only the gradient of the packet, no trackside adhesion, inhibition or powerless
+  // section; slippery rail selected by the driver counts. Traction cut-off and feedback as if not
+  // implemented.
   TrackConditions conditions;
   conditions.slippery_rail = in.conditions.slippery_rail;
   determine(scratch.decelerations, in.train, in.national_values, in.fixed, in.brakes, grad, conditions);

@@ -84,12 +84,12 @@ struct AuthorityContents {
   std::optional<GroupList> sh_list;
 };
 
-/// What one message brings, already filtered (4.8) and in the track frame. All of it is evaluated together,
-/// whatever the order of its packets (8.4.1.3).
+/// The contents of one message, already filtered (4.8) and in the track frame. They are evaluated together, in any
+/// order of the packets (8.4.1.3).
 struct Contents : AuthorityContents {
   Medium medium = Medium::balise;
   Duration time{};              ///< of the section timers: time stamp, or passage of the group's first balise
-  std::optional<Place> infill;  ///< infill location reference of packet 136; everything here is infill then
+  std::optional<Place> infill;  ///< infill location reference of packet 136; then all contents are infill
 
   std::optional<Distance> repositioned_section;  ///< packet 16, from the group that sent it
   Place reference{};                             ///< of that group

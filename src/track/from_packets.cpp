@@ -51,7 +51,7 @@ MovementAuthority& take_authority(AuthorityContents& c, Duration time, const P& 
   MovementAuthority& ma = c.ma.emplace();
   Place at = r.place;
   for (const auto& s : p.sections) {
-    // 31 sections and the last one: there is room.
+    // 31 sections and the last one fit.
     (void)ma.sections.push_back(section_of(s, p.Q_SCALE, at, metres(p.Q_SCALE, s.L_SECTION), time));
     at = ma.sections.back().end;
   }
@@ -89,7 +89,7 @@ void take(AuthorityContents& c, Duration, const lang::Packet80& p, const Referen
     area.from = at;
     area.mode = mode_of_area(m.M_MAMODE.raw);
     const std::optional<Distance> length = metres(p.Q_SCALE, m.L_MAMODE);
-    // The length of a shunting area is not used: it is left by its own rules (3.12.4.2).
+    // The length of a shunting area is not used: SH is left by its own rules (3.12.4.2).
     if (length && area.mode != Mode::SH) area.to = at + *length;
     if (m.V_MAMODE.raw <= 120) area.V_MAMODE = m.V_MAMODE.raw;
     area.ack_from = at - metres(p.Q_SCALE, m.L_ACKMAMODE);

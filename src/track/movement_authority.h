@@ -69,7 +69,8 @@ struct MovementAuthority {
   std::optional<Place> SvL() const;
   /// The same if the LOA were an EOA; needs a section.
   Place SvL_without_LOA() const;
-  /// How far SSP and gradient have to reach (3.7.2.3): the SvL, of a limited authority the LOA; needs a section.
+  /// The place up to which SSP and gradient are required (3.7.2.3): the SvL, or the LOA of a limited authority;
+  /// requires a section.
   Place far_end() const;
   /// The release speed of the EOA (3.13.9.4.4).
   Release release() const;

@@ -45,7 +45,8 @@ Authority authority(const Description& d, const TrainInterfaces& train, Mode mod
     if (area.also_SvL) {
       nearest(SvL, area.from);
     } else if (ma.limited()) {
-      // Beyond an area's start there is no LOA; the overlap or danger point would count without it, else the end.
+      // With a stop at an area's start there is no LOA; without the LOA the overlap or danger point would count, else
+      // the end.
       nearest(SvL, ma.end() < area.from ? area.from : ma.SvL_without_LOA());
     }
   }

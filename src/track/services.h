@@ -37,8 +37,8 @@ inline constexpr Speed kNoLimit = speed_of(120);
 
 /// The most restrictive speed profile (3.13.7): the lowest of SSP, ASP, TSR, PBD, LX, signalling speed and `limits`,
 /// with the train length delay of SSP, ASP and TSR. The speed in force is the lowest between min and max safe front
-/// end. Where there are more changes than there is room for, the lower neighbour is kept: never higher than due.
-/// Written into `out`: it is large.
+/// end. If there are more changes than fit, the lower neighbour is kept: the profile is never too high. Written into
+/// `out`: it is large.
 void mrsp(Mrsp& out, const Description& d, const MrspQuery& query);
 
 /// The stored gradient, not compensated for the train length. Where it is unknown: `unknown` per mille (0, or for

@@ -55,7 +55,7 @@ void store_areas(const Filing& f, const Contents& c, const Lists& lists) {
 void store_tsr(const Filing& f, const Contents& c) {
   Description& d = f.d;
   for (const std::uint8_t id : c.revoked_tsr) {
-    // 255 names every restriction that cannot be revoked (3.11.5.9).
+    // 255 is the identity of every restriction that cannot be revoked (3.11.5.9).
     if (id != 255) d.tsr.erase_if([&](const TemporarySpeedRestriction& t) { return t.NID_TSR == id; });
     f.note(66, Note::What::stored, {});
   }
@@ -134,7 +134,7 @@ void store_adhesion(const Filing& f, const Contents& c) {
   if (!c.adhesion) return;
   Fresh<AdhesionArea> fresh;
   fresh.from = c.adhesion->from;
-  // An area that is not slippery only clears (3.7.3.1 l).
+  // An area that is not slippery only deletes (3.7.3.1 l).
   if (c.adhesion->slippery) (void)fresh.elements.push_back(*c.adhesion);
   replace(f, 71, f.d.adhesion, fresh);
 }

@@ -22,7 +22,7 @@ struct Stored {
   InplaceVector<Note, 40> notes;
 };
 
-/// Whether SSP and gradient, stored or in the same message, reach without hole from the estimated front end (or the
+/// Whether SSP and gradient, stored or in the same message, reach without a hole from the estimated front end (or the
 /// infill reference) to the SvL of the MA, for an LOA to the LOA (3.7.2.3). `ma` need not be that of `c`; it has a
 /// section.
 bool complete(const Description& d, const Contents& c, const MovementAuthority& ma, const Here& here);

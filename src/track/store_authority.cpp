@@ -7,8 +7,8 @@ namespace {
 
 constexpr Clause kIncomplete = "3.7.2.3"_srs;
 
-/// Whether the end-section or overlap timer of the new MA takes over the running one: it does where the new start is
-/// already behind the max safe front end; a timer that does not run counts as expired then (3.8.4.1.3-4, 3.8.4.4.4-5).
+/// Whether the end section or overlap timer of the new MA continues the running one: yes, if its start is already
+/// behind the max safe front end; a timer that does not run then counts as expired (3.8.4.1.3-4, 3.8.4.4.4-5).
 void carry_timer(Timer& fresh, const std::optional<Timer>& old, Place start, const Here& here, bool& expired) {
   if (start >= here.max_safe_front) return;
   if (old && old->running) {
@@ -82,7 +82,7 @@ bool is_shortening(const MovementAuthority& ma, const Before& old) {
   return old.existed && SvL && (!old.SvL || *SvL < *old.SvL);
 }
 
-/// In an area that was accepted, the same area in a new MA asks for no new acknowledgement (5.9.2.7).
+/// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7).
 bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here) {
   if (here.est_front < area.ack_from && here.max_safe_front < area.from) return false;
   return accepted.has(area.mode);
@@ -112,7 +112,7 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
   if (shunting) d.sh_list = c.sh_list;
 }
 
-/// Without a clause: for want of room.
+/// Without a clause: no room.
 void refuse_authority(const Filing& f, const AuthorityContents& c, Clause clause) {
   f.report.ma_refused = true;
   f.note(c.V_MAIN ? 12 : 15, Note::What::refused, clause);
@@ -126,7 +126,7 @@ bool complete(const Description& d, const Contents& c, const MovementAuthority& 
   const Place from = c.infill ? *c.infill : here.est_front;
   const Place to = ma.far_end();
   const auto covered = [&](const auto& stored, const auto& fresh) {
-    // What there is no room for would be a hole as well.
+    // Data that do not fit would be a hole as well.
     return fresh ? stored.has_room_for(*fresh) && covers_together(stored, *fresh, from, to) : stored.covers(from, to);
   };
   return covered(d.ssp, c.ssp) && covered(d.gradient, c.gradient);
@@ -144,7 +144,7 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   Description& d = f.d;
   if (!c.ma || c.ma->sections.empty()) return;
   if (refuse_ma) return refuse_authority(f, c, refuse_ma);
-  // Infill extends an authority: without one there is nothing it could begin at (3.8.5.1 b).
+  // Infill extends an authority: without a stored authority it is refused (3.8.5.1 b).
   if (infill && !d.ma) return refuse_authority(f, c, "3.8.5.1"_srs);
   if (!described) return refuse_authority(f, c, kIncomplete);
   const Before before = before_of(d.ma);
@@ -155,7 +155,7 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   MovementAuthority& ma = *d.ma;
   carry_timers(ma, before, f.here);
   if (c.ma_is_shortening_request || is_shortening(ma, before)) {
-    // The deletion concerns what was stored before this message (3.8.5.1.5 of 4.0.0; silent before).
+    // The deletion applies to data stored before this message (3.8.5.1.5 of 4.0.0; earlier issues do not say).
     f.report.shortened = true;
     f.note(15, Note::What::shortened, c.ma_is_shortening_request ? "3.8.6"_srs : "3.8.5.1.3"_srs);
     (void)shorten(d, c.ma_is_shortening_request ? Situation::f_shortening_granted : Situation::b_shortened_ma,
@@ -164,7 +164,7 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   f.report.ma_accepted = true;
   f.note(ma.level_1 ? 12 : 15, Note::What::stored, {});
   store_mode_profile(f, c, infill);
-  // An MA of level 2/3 ends the signalling related restriction of level 1 (3.11.6.3.1).
+  // An MA of level 2/3 deletes the signalling related restriction of level 1 (3.11.6.3.1).
   if (!ma.level_1) d.signalling.reset();
 }
 
@@ -178,7 +178,7 @@ void store_signalling_speed(const Filing& f, const Contents& c) {
   f.d.signalling = SignallingSpeed{c.infill ? *c.infill : f.here.min_safe_rear, *c.V_MAIN, std::nullopt};
 }
 
-/// Packet 16: a new length for the section in which the front end is, the following ones move along (3.8.5.2).
+/// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).
 void reposition(const Filing& f, const Contents& c) {
   if (!c.repositioned_section || !f.d.ma) return;
   MovementAuthority& ma = *f.d.ma;

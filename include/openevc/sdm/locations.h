@@ -23,7 +23,7 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place L
                                const Motion& motion, Derived& scratch);
 
 /// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
-/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient that came with it. Curves are traced in
+/// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient received with it. Curves are traced in
 /// `scratch`, which is not valid afterwards.
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
                                        Derived& scratch);
