@@ -1,11 +1,11 @@
-# The house's front door. Each target does all its set-up: packages, configuration, build.
-#   make run      an on-board unit drives the line that ships with the program; report in out/run/
+# The main targets. Each one does its whole set-up: packages, configuration, build.
+#   make run      drives the shipped line with the on-board unit; report in out/run/
 #   make test     all tests
 #   make bench    benchmarks and instruction counts
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
 # Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-properties, make campaign-mutants
-# LINE=file.json RUN_ARGS="--driver reckless" go to `evc run`.
+# LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`.
 
 SHELL := /bin/bash
 JOBS ?= $(shell nproc)
@@ -41,7 +41,7 @@ fuzz:
 	@tools/setup build fuzz
 	@tools/check_fuzz $(or $(SECONDS_EACH),60)
 
-# Each fuzz target until it has seen RUNS inputs.
+# Each fuzz target with RUNS inputs.
 campaign-fuzz:
 	@tools/setup build fuzz
 	@RUNS=$(or $(RUNS),20000000) tools/check_fuzz 0
@@ -56,7 +56,7 @@ campaign-properties:
 	@tools/build dev sdm_test
 	EVC_CASES=$(or $(CASES),100000) build/dev/src/sdm/sdm_test --gtest_filter='Properties.*'
 
-# Are the tests of a ROOM able to fail? MUTANTS="--rows" or "--sample 500" instead of all.
+# Mutation test of a ROOM. MUTANTS="--rows" or "--sample 500" instead of all.
 campaign-mutants:
 	@tools/setup build test
 	@tools/mutate.py $(or $(ROOM),sdm) $(MUTANTS)

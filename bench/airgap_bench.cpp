@@ -42,7 +42,7 @@ void airgap_read(benchmark::State& state) {
 }
 BENCHMARK(airgap_read)->Arg(1023)->Arg(341);
 
-/// The on-board receiver, both formats at once, the least number of bits (n + r).
+/// The on-board receiver, both formats at once, the minimum number of bits (n + r).
 void airgap_receive(benchmark::State& state) {
   const Format format = state.range(0) == 1023 ? Format::long_ : Format::short_;
   const std::size_t bits = format == Format::long_ ? 1100 : 462;
@@ -52,7 +52,7 @@ void airgap_receive(benchmark::State& state) {
 }
 BENCHMARK(airgap_receive)->Arg(1023)->Arg(341);
 
-/// The receiver on noise: the longest it can take, per 10 000 bits.
+/// The receiver on noise: its longest time, per 10 000 bits.
 void airgap_receive_noise(benchmark::State& state) {
   std::mt19937_64 random(36);
   std::vector<std::uint8_t> noise(1250);
@@ -61,8 +61,8 @@ void airgap_receive_noise(benchmark::State& state) {
 }
 BENCHMARK(airgap_receive_noise);
 
-/// Random user bits to the first telegram that passes all tests; the reported time is the mean, `median` and `worst`
-/// are those of 2 000 telegrams.
+/// Coding random user bits to the first telegram that passes all tests; the reported time is the mean, `median` and
+/// `worst` are those of 2 000 telegrams.
 void airgap_encode(benchmark::State& state) {
   const Format format = state.range(0) == 1023 ? Format::long_ : Format::short_;
   std::mt19937_64 random(36);

@@ -4,7 +4,7 @@
 #include "openevc/curves.h"
 #include "sdm/evaluate.h"
 
-// What the benchmarks of speed and distance monitoring work on.
+// The data of the benchmarks of speed and distance monitoring.
 namespace evc::bench {
 
 using namespace evc::sdm;
@@ -80,7 +80,7 @@ inline Inputs gamma_target() {
   in.train = gamma_train();
   return in;
 }
-/// From them to all curves and the limits of one speed.
+/// Computes all curves and the limits of one speed from them.
 inline auto gamma_from_raw(Derived& d, Inputs& in) {
   ++in.revision;
   rebuild(d, in);

@@ -1,5 +1,5 @@
-// What callgrind counts (tools/count_instructions.py): one scenario, collecting inside what matters only. Prints how
-// often that was. Usage: instructions busy|change|telegram|gamma|journey [INPUT.jsonl]
+// Counted by callgrind (tools/count_instructions.py): one scenario, counted only in the relevant part. Prints the
+// number of repetitions. Usage: instructions busy|change|telegram|gamma|journey [INPUT.jsonl]
 #include <valgrind/callgrind.h>
 
 #include <cstdio>

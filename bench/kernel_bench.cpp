@@ -18,7 +18,7 @@ namespace {
 using evc::bench::Ride;
 using Clock = std::chrono::steady_clock;
 
-/// Microseconds of single cycles, and what is said of them.
+/// Microseconds of single cycles, and their statistics.
 class Costs {
  public:
   template <class F>

@@ -1,4 +1,4 @@
-// The language: what the on-board pays for a telegram, and for a packet 5 with 17 links.
+// The language: cost of a telegram, and of a packet 5 with 17 links.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-// A train driven by hand through a level 1 line whose groups bring as much as a busy line does: an authority of
-// 10 km, 20 gradient steps, 10 steps of the static speed profile and two temporary restrictions, which make 8 targets.
+// A train driven by the test through a level 1 line whose groups send as much as a busy line: an authority of 10 km, 20
+// gradient steps, 10 steps of the static speed profile and two temporary restrictions, which make 8 targets.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -54,7 +54,7 @@ inline lang::Packet12 authority() {
   return p;
 }
 
-/// 20 steps, falls of up to 10 per mille among them, to beyond the end of the authority.
+/// 20 steps, with falls of up to 10 per mille, to beyond the end of the authority.
 inline lang::Packet21 gradients() {
   constexpr std::array<int, 20> permille{0, 3, -2, 5, -8, 0, 10, -10, 4, -4, 6, -6, 2, -1, 8, -5, 0, 7, -7, 1};
   lang::Packet21 p;
@@ -98,7 +98,7 @@ inline lang::Packet65 restriction(std::uint8_t NID_TSR, unsigned D_TSR, unsigned
   return p;
 }
 
-/// The telegrams of a group that sends everything again.
+/// The telegrams of a group that sends all data again.
 using Group = std::array<Telegram, 3>;
 inline Group group(std::uint16_t NID_BG) {
   return {telegram(NID_BG, 0, 2, authority(), restriction(1, 4300, 90), restriction(2, 6000, 70)),
@@ -112,7 +112,7 @@ class Ride {
   const kernel::Outputs& outputs() const { return *outputs_; }
   kernel::Inputs& inputs() { return inputs_; }
 
-  /// Moves the train 100 ms at `v` m/s and makes the inputs of that cycle; step() is the caller's to measure.
+  /// Moves the train 100 ms at `v` m/s and makes the inputs of that cycle; the caller measures step().
   void prepare(double v) {
     const double dx = (v + speed_) / 2.0 * 0.1;
     inputs_.odometry.A_est = {(v - speed_) / 0.1};

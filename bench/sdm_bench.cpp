@@ -59,7 +59,7 @@ void rebuild_all(benchmark::State& state) {
 }
 BENCHMARK(rebuild_all)->Arg(2)->Arg(8)->Arg(16)->Arg(32)->Arg(48);
 
-/// Rebuilt, and every target's limits evaluated in a cycle.
+/// A rebuild, and the limits of every target evaluated in a cycle.
 void rebuild_and_supervise(benchmark::State& state) {
   Inputs in = busy(static_cast<int>(state.range(0)));
   auto d = std::make_unique<Derived>();

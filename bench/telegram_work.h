@@ -10,7 +10,7 @@
 #include "lang/packets/packet_5.h"
 #include "lang/telegram.h"
 
-// What the benchmarks of the language work on.
+// The data of the benchmarks of the language.
 namespace evc::bench {
 
 using namespace evc::lang;
@@ -70,7 +70,7 @@ struct BusyTelegram {
   }
 };
 
-/// A place for each packet of that telegram.
+/// Memory for each packet of that telegram.
 struct Decoded {
   Packet5 p5;
   Packet12 p12;
@@ -78,7 +78,7 @@ struct Decoded {
   Packet27 p27;
   Packet41 p41;
 };
-/// From bits to structs. False when the telegram is not sound.
+/// From bits to structs. False if the telegram is not consistent.
 inline bool read(const BusyTelegram& t, Decoded& out) {
   const TelegramView view = scan_telegram(t.bytes, 830);
   for (const PacketView& p : view.packets) {

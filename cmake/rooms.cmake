@@ -4,8 +4,8 @@
 
 include(GNUInstallDirs)
 
-# What everybody needs who compiles our headers, a host program too: C++20, the headers and the same bits from every
-# compiler and level (docs/architecture.md), for the headers compute as well. No contraction; never fast-math.
+# Required by everything that compiles our headers, host programs included: C++20, the headers, and the same bits from
+# every compiler and level (docs/architecture.md), because the headers contain computations. No contraction, no fast-math.
 add_library(openevc_headers INTERFACE)
 add_library(openevc::headers ALIAS openevc_headers)
 set_target_properties(openevc_headers PROPERTIES EXPORT_NAME headers)
@@ -14,7 +14,7 @@ target_compile_options(openevc_headers INTERFACE -ffp-contract=off)
 target_include_directories(openevc_headers INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                                 $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-# What is ours alone: the rooms' headers, and warnings. It never reaches a host program.
+# Internal: the rooms' headers, and warnings. It does not apply to a host program.
 add_library(evc_private INTERFACE)
 target_link_libraries(evc_private INTERFACE openevc_headers)
 target_include_directories(evc_private INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include/openevc)
@@ -25,7 +25,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 # Under -fsanitize (the Debug build) g++ 12 has false positives: sign conversions of promoted unsigned shifts.
 target_compile_options(evc_private INTERFACE $<$<CONFIG:Debug>:-Wno-sign-conversion>)
-# g++ 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651), at -O2 and above.
+# g++ 12 reports false overlaps in std::string's operator+ (GCC bug 105651), at -O2 and above.
 target_compile_options(evc_private INTERFACE
                        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<CONFIG:RelWithDebInfo>>>:-Wno-restrict>)
 if(EVC_COVERAGE)
@@ -37,8 +37,8 @@ set(EVC_TEST_OPTIONS "" CACHE STRING "Further options for the sources of tests, 
 
 set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
 
-# evc_tell_paths(files...): the paths that tests need, for those that ask for them by name or by a header that does, so
-# that a compiler cache serves the others in every clone.
+# evc_tell_paths(files...): the paths for tests, only for the files that use them, directly or through a header, so
+# that a compiler cache works for the others in every clone.
 function(evc_tell_paths)
   foreach(file IN LISTS ARGN)
     file(STRINGS ${file} uses REGEX "EVC_SOURCE_DIR|EVC_PROGRAM|(curves|program|bit_by_bit)_test\\.h" LIMIT_COUNT 1)
@@ -94,7 +94,7 @@ function(evc_room name)
 endfunction()
 
 # evc_embed(room FILES... [PARTS files...]): pages are part of the program. The text of page.html becomes the string
-# literal page_template, in pieces that every compiler takes; PARTS are files that several pages share.
+# literal page_template, in pieces that every compiler accepts; PARTS are files used by several pages.
 function(evc_embed room)
   cmake_parse_arguments(EMBED "" "" "PARTS" ${ARGN})
   set(parts ${EMBED_PARTS})
@@ -113,7 +113,7 @@ function(evc_embed room)
 endfunction()
 
 # evc_link_rooms(target): links every room that exists, for tests, benchmarks and fuzz targets that
-# look at the whole.
+# concern the whole program.
 function(evc_link_rooms target)
   foreach(room IN ITEMS sim io texts kernel driver procedures protection sdm radio track balise brakes modes position
                         train airgap lang port terms base)

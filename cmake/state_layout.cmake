@@ -1,6 +1,6 @@
-# cmake -DROOT=... -DOUTPUT=... -P state_layout.cmake: writes a header with a number that is another one whenever a
-# header changes that the unit's State is made of (comments and blanks apart). A snapshot carries it, so that one that
-# was made by a build whose State may be laid out differently is refused.
+# cmake -DROOT=... -DOUTPUT=... -P state_layout.cmake: writes a header with a number that changes whenever a
+# header changes that declares part of the unit's State (except comments and blanks). A snapshot contains it, so that a
+# snapshot of a build whose State may have another layout is rejected.
 cmake_minimum_required(VERSION 3.25)
 set(queue kernel/state.h)
 set(seen "")

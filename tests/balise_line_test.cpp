@@ -1,5 +1,5 @@
-// The recorded passage Amsterdam - Utrecht: every telegram of its 103 groups and every linking packet of its
-// radio messages, read by a train whose odometer errs, through balise groups, linking and relocation.
+// The recorded run Amsterdam - Utrecht: every telegram of its 103 groups and every linking packet of its radio
+// messages, read by a train with odometer errors, through balise groups, linking and relocation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> bytes_of(const std::string& hex) {
   return out;
 }
 
-/// Something that happens when the true front end is at `front`.
+/// An event when the true front end is at `front`.
 struct Happening {
   double front = 0;
   bool is_balise = false;
@@ -63,7 +63,7 @@ std::vector<Happening> happenings(const json& line) {
   return all;
 }
 
-/// The two rooms together, as one cycle of the kernel uses them.
+/// The two rooms together, as used in one cycle of the kernel.
 struct Unit {
   position::State position;
   balise::State balise;
@@ -152,7 +152,7 @@ struct RecordedLine : testing::Test {
     line = json::parse(file);
     all = happenings(line);
   }
-  /// 108 km/h, a cycle of 0.1 s; `after` looks at the unit behind every happening.
+  /// 108 km/h, a cycle of 0.1 s; `after` checks the unit after every event.
   template <class After>
   static void drive(Unit& unit, const std::vector<Happening>& happenings, After after) {
     double t = 0, front = -50;
@@ -178,7 +178,7 @@ struct RecordedLine : testing::Test {
     drive(unit, happenings, [](double) {});
     return unit;
   }
-  /// The announced groups to which no linking packet refers: without one of those the rest of the line is unaffected.
+  /// The announced groups to which no linking packet refers: a missing one does not affect the rest of the line.
   std::vector<int> announced() const {
     std::vector<int> out;
     for (const json& group : line["balise_groups"]) {
@@ -200,7 +200,7 @@ TEST_F(RecordedLine, AllGroupsAreAcceptedAndAllAnnouncedOnesFound) {
     SCOPED_TRACE(error);
     Unit unit(error);
     drive(unit, all, [&](double front) {
-      // The places of the file from group 354 on are sums of D_LINK: the true front must lie in the interval.
+      // The places of the file from group 354 on are sums of D_LINK: the true front end must be in the interval.
       if (unit.linked_ok == 0) return;
       const PlaceInterval f = position::front(unit.position);
       const position::Reference& lrbg = *position::lrbg(unit.position);
@@ -218,7 +218,7 @@ TEST_F(RecordedLine, AllGroupsAreAcceptedAndAllAnnouncedOnesFound) {
     EXPECT_EQ(unit.lrbg_changes, 101);  // all but the two marked unlinked
     EXPECT_EQ(unit.linked_ok, 99);      // all but 352, 353, 354 before the first linking and the unlinked 979
     EXPECT_EQ(unit.log, "");
-    // What the odometer erred between two groups, the farthest of them 874 m apart.
+    // Odometer error between two groups, which are at most 874 m apart.
     EXPECT_LE(unit.largest_shift, 874 * (error < 0 ? -error : error) + 1e-6);
   }
 }
@@ -231,12 +231,12 @@ TEST_F(RecordedLine, ASilentGroupTripsAndTheRestIsFound) {
     std::vector<Happening> left = all;
     std::erase_if(left, [=](const Happening& h) { return h.NID_BG == silent; });
     const Unit unit = driven(left);
-    // Groups close behind one another: the next one may be read while the window of the silent one is open.
+    // Groups close to each other: the next one may be read while the window of the missing one is open.
     const std::string id = std::to_string(silent);
     EXPECT_TRUE(unit.log == "not found in its window " + id + "; " ||
                 unit.log == "a later group found in its window " + id + "; ")
         << unit.log;
-    EXPECT_EQ(unit.worst, Reaction::trip);  // what this line's linking asks for
+    EXPECT_EQ(unit.worst, Reaction::trip);  // the linking reaction of this line
     EXPECT_EQ(unit.accepted, 102);
     EXPECT_EQ(unit.rejected, 0);
   }
@@ -274,7 +274,7 @@ TEST_F(RecordedLine, AGroupCrossedInTheOtherDirectionTrips) {
   }
 }
 
-/// A balise of a line that is made up.
+/// A balise of an invented line.
 Happening balise_at(double place, int NID_BG, unsigned N_PIG, unsigned N_TOTAL, unsigned M_DUP) {
   Happening h;
   h.front = place + kAntenna.si;
@@ -306,7 +306,7 @@ TEST(AnyLine, WithinItsBoundsNothingReacts) {
       return a + (b - a) * (static_cast<double>(random()) / 4294967295.0);
     };
     struct Planned {
-      double place;     // as the trackside has it
+      double place;     // according to trackside
       double accuracy;  // whole metres
       bool nominal, single;
       double off;  // of its true place
@@ -344,7 +344,8 @@ TEST(AnyLine, WithinItsBoundsNothingReacts) {
       const PlaceInterval f = position::front(unit.position);
       ASSERT_LE((f.min - lrbg.place).si, unit.true_front - g.place + 1e-6);
       ASSERT_GE((f.max - lrbg.place).si, unit.true_front - g.place - 1e-6);
-      // New linking now and then, in time, from this group or from one before; the first list from the first group.
+      // New linking from time to time, early enough, from this group or one before; the first list from the first
+      // group.
       if (i > 0 && g.place + 1 < linked_to && random() % 3 != 0) continue;
       std::size_t from = i;
       while (from > 0 && i - from < 5 && random() % 2 == 0) --from;

@@ -1,5 +1,5 @@
-// A whole journey of the shipped line, looked at from outside the kernel: what `evc run` writes, and what has to
-// hold of State, Derived and replays in every cycle of it.
+// A whole journey of the shipped line, checked from outside the kernel: the files of `evc run`, and properties of
+// State, Derived and replays in every cycle.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -71,7 +71,7 @@ class Journey : public ::testing::Test {
   }
 };
 
-/// The unit with its memory, driven by a stream.
+/// The unit with its state, driven by a stream.
 struct Unit {
   std::unique_ptr<State> state = std::make_unique<State>();
   std::unique_ptr<Derived> derived = std::make_unique<Derived>();
@@ -97,7 +97,7 @@ TEST_F(Journey, GivesTheSameOutputsWhenReplayed) {
   EXPECT_TRUE(replayed == outputs());
 }
 
-// Derived holds nothing that State does not: thrown away before every single step it changes no output.
+// Derived contains nothing that is not in State: discarding it before every step changes no output.
 TEST_F(Journey, NeedsNoDerivedFromTheCycleBefore) {
   auto stream = evc::io::InputStream::open("inputs.jsonl", evc::io::lines_of(inputs()));
   ASSERT_TRUE(stream);
@@ -113,7 +113,7 @@ TEST_F(Journey, NeedsNoDerivedFromTheCycleBefore) {
   }
 }
 
-// A snapshot is a memcpy: a unit restored from the bytes of another behaves as the other does.
+// A snapshot is a memcpy: a unit restored from the bytes of another one behaves like it.
 TEST_F(Journey, GoesOnFromASnapshot) {
   auto stream = evc::io::InputStream::open("inputs.jsonl", evc::io::lines_of(inputs()));
   ASSERT_TRUE(stream);
@@ -154,7 +154,8 @@ std::string damaged(const std::string& inputs, unsigned seed, unsigned every) {
   return out;
 }
 
-// Nonsense from the track never stops the unit: every cycle is answered, and what was not understood is logged.
+// Wrong bits from trackside never stop the unit: every cycle is answered, and information that cannot be decoded is
+// logged.
 TEST_F(Journey, AnswersEveryCycleWhateverTheTrackSends) {
   const auto cycles = std::count(outputs().begin(), outputs().end(), '\n');
   std::size_t different = 0;
@@ -177,7 +178,7 @@ TEST_F(Journey, LeavesWholeRecords) {
     EXPECT_GT(std::filesystem::file_size(folder() / name), 100u) << name;
   const std::string page = read(folder() / "report.html");
   EXPECT_NE(page.find("</html>"), std::string::npos);
-  // Self-contained: nothing is fetched.
+  // Self-contained: nothing is loaded from other files.
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "fetch(", "XMLHttpRequest"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
 }
@@ -190,7 +191,8 @@ TEST_F(Journey, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_FALSE(read(other / "inputs.jsonl") == inputs());
 }
 
-// The stream of docs/replay.md: what steps back in time or does not parse ends the replay with exit 2 and the line.
+// The stream of docs/replay.md: a line with an earlier time or one that does not parse ends the replay with exit 2 and
+// the line number.
 TEST_F(Journey, ReplayEndsAtABrokenLine) {
   std::istringstream in(inputs());
   std::string line, head;

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The binary interface of libopenevc.so is the one that src/capi/abi.txt lists: the symbols that it gives, and of
-include/openevc/openevc.h every struct's size, every member's place and every constant. A program that was compiled
-before goes on with the library while lines are only added: members at the end of a struct, functions, constants.
-Usage: tools/check_abi.py LIBRARY [--write]   --write brings the list up to date."""
+"""The binary interface of libopenevc.so is the one that src/capi/abi.txt lists: its exported symbols, and of
+include/openevc/openevc.h the size of every struct, the offset of every member and every constant. A program compiled
+earlier works with the library as long as lines are only added: members at the end of a struct, functions, constants.
+Usage: tools/check_abi.py LIBRARY [--write]   --write updates the list."""
 import pathlib
 import re
 import subprocess

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Line coverage of the kernel rooms by unit tests and scenarios (gcov), as the run of tools/check_sanitizers left it in
-build/asan; without one that is made first. Each room has a floor in tests/gates/coverage.txt: less than that fails, and
-so does a floor that stayed 1 % behind or that is lower than in CI_BASE (default: the commit before). The lines that no
-test reaches go to build/asan/uncovered.txt.
+"""Line coverage of the kernel rooms by unit tests and scenarios (gcov), from the run of tools/check_sanitizers in
+build/asan, which is made first if missing. Each room has a floor in tests/gates/coverage.txt: a lower figure fails, and
+so does a floor that is 1 % too low or lower than in CI_BASE (default: the commit before). Lines that no
+test reaches are listed in build/asan/uncovered.txt.
 
 Usage: tools/check_coverage.py [--build FOLDER] [--write-floors]
   --write-floors  raises the floors to today's figures (none falls)"""

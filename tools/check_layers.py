@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Layering: who may include whom (docs/architecture.md), and what a kernel room may take from the
+"""Layering: which room may include which (docs/architecture.md), and what a kernel room may use of the
 standard library. Usage: tools/check_layers.py [SOURCE_ROOT]; prints FILE:LINE: reason, exit 1."""
 import pathlib
 import re
@@ -19,10 +19,10 @@ MAY_INCLUDE = {
     "protection": {"base", "terms", "lang", "track", "position"},
     "procedures": {"base", "terms", "modes"},
     "driver": {"base", "terms", "modes"},
-    # What goes into the kernel and comes out of it: who speaks with the kernel needs no more of it.
+    # The inputs and outputs of the kernel: clients of the kernel need only this.
     "port": {"base", "terms", "train", "modes"},
     "kernel": BELOW_KERNEL,
-    # The texts of all that: no kernel room may include them.
+    # Their texts: no kernel room may include them.
     "texts": {"base", "terms", "train", "modes", "driver", "port"},
     "sim": BELOW_KERNEL | {"texts"},
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
@@ -31,7 +31,7 @@ MAY_INCLUDE = {
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "app": {"curves", "run", "language", "io"},
-    # What hosts in C++ and in C are given beside the kernel and the curves.
+    # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},
 }
@@ -40,7 +40,7 @@ MAY_INCLUDE = {
 # share, and of the stages before it the result alone. What they share sees no stage; step.cpp joins them.
 STAGES = {"intake": "received.h", "decide": "decided.h", "supervise": "supervised.h", "report": None}
 
-# Public headers (docs/embedding.md): those of a room stand in include/openevc/ROOM, these above them are a room's too.
+# Public headers (docs/embedding.md): those of a room are in include/openevc/ROOM; these in the folder above belong to a room too.
 PUBLIC = pathlib.PurePath("include/openevc")
 PUBLIC_ROOM = {"evc.h": "kernel", "curves.h": "sdm", "language.h": "embed", "sim.h": "embed", "openevc.h": "capi"}
 

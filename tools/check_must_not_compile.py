@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Code that the types must reject: every tests/must_not_compile/*.cpp compiles unchanged and does not with -DMISTAKE; then
-the error has to be in the file's own part behind `#ifdef MISTAKE`, or be what its line `// expected: TEXT` says.
+the error has to be in the file's own part behind `#ifdef MISTAKE`, or contain the text of its line `// expected: TEXT`.
 Usage: tools/check_must_not_compile.py [--folder FOLDER] COMPILER..."""
 import argparse
 import concurrent.futures

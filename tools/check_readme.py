@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Runs the examples of README.md and of the pages under docs/ as they are written.
+"""Runs the examples of README.md and of the pages under docs/ exactly as written.
 
-Every line `$ COMMAND` of a ```console block is run by bash; what follows, up to the next `$ ` line, is what
-it must print (standard output and error together; empty lines at the end do not count). A line `...` stands for any number of lines, `[...]`
-inside a line for any text. The commands of one page share a scratch folder in which data/, docs/ and
-examples/ of the project are at hand and `evc` is in the PATH.
+Every line `$ COMMAND` of a ```console block is run by bash; the lines up to the next `$ ` line are the expected
+output (standard output and error together; empty lines at the end do not count). A line `...` matches any number of lines, `[...]`
+inside a line any text. The commands of one page share a scratch folder in which data/, docs/ and
+examples/ of the project are available and `evc` is in the PATH.
 
 Usage: tools/check_readme.py [--command build/dev/evc] [--update] [PAGE...]
---update writes what is printed into the pages, in those examples that show all of it (no wildcards)."""
+--update writes the actual output into the pages, in examples without wildcards."""
 import argparse
 import os
 import pathlib

@@ -2,10 +2,10 @@
 """The register of requirements (requirements/README.md) against the tree, without a build.
 
 Usage: tools/check_requirements.py [--write | --fix-places | --add-scenarios | --missing] [--root ROOT]
-  (nothing)      every fault of the register, one a line; exit 1 if there is one
-  --write        docs/requirements/, include/openevc/terms/clauses.inc and requirements/without_row.txt, made anew
-  --fix-places   code places whose function moved to another file follow it
-  --add-scenarios  the rows that are done or in part name the scenarios that name their clause, and no others
+  (nothing)      every fault of the register, one per line; exit 1 if there is one
+  --write        docs/requirements/, include/openevc/terms/clauses.inc and requirements/without_row.txt, generated again
+  --fix-places   updates the places of functions that moved to another file
+  --add-scenarios  adds to the rows `done` and `part` exactly the scenarios that name their clause
   --missing      the on-board clauses of SUBSET-026-9 without a row, one a line
 """
 import argparse

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """`make run` on the shipped line, the same with every shipped train, and `evc run` on the recorded line (where
-OPENEVC_SHARED, default ../shared, has it), judged by summary.json: everything read, nothing refused, no intervention,
+OPENEVC_SHARED, default ../shared, has it), checked by summary.json: everything read, nothing refused, no intervention,
 no allocation in a step, the train always inside the confidence interval, and the replay of inputs.jsonl equal to
 outputs.jsonl. Usage: tools/check_run.py"""
 import hashlib

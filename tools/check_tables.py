@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The generated pages are what the program's own tables print, and where the recorded line is at hand no test was
-skipped in the last test run (build/ci/cases, where it is there).
-Usage: tools/check_tables.py [--write]   --write brings the pages up to date."""
+"""The generated pages equal the tables of the program, and if the recorded line is available no test was
+skipped in the last test run (build/ci/cases, if it exists).
+Usage: tools/check_tables.py [--write]   --write updates the pages."""
 import argparse
 import os
 import pathlib

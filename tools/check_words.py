@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Phrases that may not stand in pages, comments and messages: plain technical English, one name for one thing
-(docs/glossary.md). Looked at are the files git tracks: of pages the text outside of examples, of C++ and Python the
-comments and strings, of scripts and CMake the comments. Usage: tools/check_words.py [ROOT]"""
+"""Phrases not allowed in pages, comments and messages: plain technical English, one name for one thing
+(docs/glossary.md). Checked are the files that git tracks: in pages the text outside of examples, in C++ and Python the
+comments and strings, in scripts and CMake the comments. Usage: tools/check_words.py [ROOT]"""
 import io
 import pathlib
 import re
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tokenize
 
-# Pattern and what to write instead. Every row names a phrase that readers stumbled over.
+# Pattern and replacement. Every row is a phrase that readers did not understand at once.
 PHRASES = [
     (r"\b(?:tells?|told|telling)\b", "log, return, show, report, give; tell apart: distinguish"),
     (r"\b(?:that|which|who) (?:is|are) none\b", "say what it is not, or leave it out"),
@@ -54,7 +54,7 @@ PHRASES = [
 COMPILED = [(re.compile(pattern, re.IGNORECASE), instead) for pattern, instead in PHRASES]
 C_LIKE = {".h", ".cpp", ".c", ".js", ".css"}
 HASHED = {".cmake", ".txt", ".sh", ""}
-# The list itself and its test, and pages made from other people's words.
+# The list itself and its test, and pages with texts of others.
 LEFT_OUT = ("tools/check_words.py", "tests/tools/check_words_test.py", "docs/packets/", "LICENSE")
 C_TOKENS = re.compile(r"//[^\n]*|/\*.*?\*/|R\"(?P<mark>\w*)\(.*?\)(?P=mark)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])+'", re.S)
 

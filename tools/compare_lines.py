@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Does a program behave as another one did? Both drive random lines (tools/random_line.py), and every field that the
+"""Compares the behaviour of two builds. Both drive random lines (tools/random_line.py), and every field that the
 earlier one prints has to be printed by the later one, with the same bytes and in the same order. New fields are allowed.
 
-Of every seed: the line is made; a perfect and a reckless driver drive it with one of the shipped trains; the recorded
+For every seed: the line is made; a perfect and a reckless driver drive it with one of the shipped trains; the recorded
 inputs are replayed in the two other editions of the SRS, and again with disturbances: lost and repeated telegrams, damaged
 radio messages, a lost session, a driver with random actions, a national system, a safety fault.
 

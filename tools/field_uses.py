@@ -1,9 +1,9 @@
 """Which fields and enumerators product code reads, writes, produces and asks for, found with libclang in every source.
-Looked at are all structs and enumerations of the kernel rooms, those of the language and the air gap apart (bits in,
-bits out). Who reads and writes: all rooms, also io, sim and app; tests do not count.
+Checked are all structs and enumerations of the kernel rooms, except those of the language and the air gap (bits in,
+bits out). Uses count in all rooms, including io, sim and app, but not in tests.
 
 A field is written by an assignment, an initialiser with its name or in its place, a member function that changes; it is
-read by everything else. What only carries a field on to itself (`a.x |= b.x`), a comparison that is defaulted and a
+read by everything else. An update of a field from the same field (`a.x |= b.x`), a comparison that is defaulted and a
 default value are neither. An enumerator is asked for by a comparison, a case, a row of a constant table or a membership
 question, and produced by everything else; a cast from a number produces all of an enumeration, a cast to a number asks
 for all. What a source does is kept in EVC_ENDS_CACHE (default: ~/.cache/openevc-ends) while nothing that it is made of

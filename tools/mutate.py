@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Mutation testing of one room: are its tests able to fail? Every rule of src/ROOM is changed in one place at a
+"""Mutation testing of one room. Every rule of src/ROOM is changed in one place at a
 time (a mutant), and the room's tests are run with it. A mutant that no test notices is a survivor: a test is
-missing, or the mutant means the same (then it is listed, with the reason, in docs/ROOM-mutants.md).
+missing, or the mutant is equivalent (then docs/ROOM-mutants.md lists it with the reason).
 
 Operators: row (drops a row of a table), cell (another enumerator), word (of a row of text another one), compare (< <= and so on), logic (&& ||), negate
 (a condition), sign (+ -), factor (* /), minmax, number (a constant), truth (true false), delete (a statement).
-All mutants are in one build, an instrumented copy of the room in which an environment variable selects the one that is on
-(tools/mutation/schema.py); the few that cannot be there are built alone. Only tests in which the mutant makes a
+All mutants are in one build, an instrumented copy of the room in which an environment variable selects the active one
+(tools/mutation/schema.py); the few that cannot be in it are built alone. Only tests in which the mutant makes a
 difference run (a comparison that never meets its boundary makes none), quick ones first; the first one that fails is
-enough, and a mutant that takes ten times the time is killed by that. Lines that trap the impossible
-(EVC_REQUIRE) are left alone. Nothing is written outside build/mutants.
+enough, and a mutant that takes ten times the time is killed by that. Lines with EVC_REQUIRE
+are not changed. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]
                             [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list]

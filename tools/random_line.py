@@ -3,7 +3,7 @@
 every version of Python.
 
 A line starts in level 0, 1 or NTC and changes its level up to four times; level 1 has signals with infill, level 2 a
-radio block centre that extends, shortens and withdraws authorities. On it lie gradients, speed profiles, temporary speed
+radio block centre that extends, shortens and withdraws authorities. It has gradients, speed profiles, temporary speed
 restrictions, mode profiles (OS, LS, SH), track conditions, texts, emergency messages and rarer packets, some of which
 the on-board has to reject. Usage: tools/random_line.py --seed N"""
 import argparse

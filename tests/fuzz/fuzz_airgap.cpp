@@ -1,5 +1,5 @@
-// Air-gap coding: no bytes make the receiver crash, hang or read past them; what it accepts, the encoder's rules and
-// the other entrance agree on; and what the encoder makes comes back.
+// Air-gap coding: no bytes make the receiver crash, hang or read past them; accepted telegrams pass the encoder's tests
+// and agree with `read`; and telegrams of the encoder are received.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t shift = static_cast<std::size_t>(data[1]) << 8 | data[2];
   const std::span<const std::uint8_t> bytes(data + 3, size - 3);
   const Format format = (kind & 1) != 0 ? Format::long_ : Format::short_;
-  // Coding takes long under the sanitizers: one input in 1024, selected by a hash of its bytes.
+  // Coding is slow under the sanitizers: one input in 1024, selected by a hash of its bytes.
   std::uint32_t hash = 2166136261;
   for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 16777619;
   if (hash >> 22 == 0) {

@@ -85,7 +85,7 @@ balise::Reading reading(const Unit& unit, std::span<const std::uint8_t> bytes, s
   return {bytes, bits, unit.counter, position::antenna(unit.position, Distance{2})};
 }
 
-/// A telegram with a header that leads on, packets as they come.
+/// A telegram with a plausible header and arbitrary packets.
 void read(Unit& unit, Script& script, balise::Outcome& outcome) {
   std::uint8_t bytes[27];
   std::memset(bytes, 0xFF, sizeof bytes);

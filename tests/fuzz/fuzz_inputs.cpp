@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   evc::kernel::power_up(*state, *derived, stream->configuration().for_kernel());
   evc::sim::CycleInputs cycle;
   std::string line;
-  // A time far away makes many cycles: some are enough.
+  // A distant time would give many cycles: some are enough.
   for (int n = 0; n < 300; ++n) {
     const auto more = stream->next(cycle);
     if (!more && more.error().text().find("line ") == std::string::npos) std::abort();

@@ -110,7 +110,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check(unit.out->min_safe_front <= unit.out->est_front && unit.out->est_front <= unit.out->max_safe_front);
     check(static_cast<std::size_t>(unit.out->mode) < kModes);
     if (cycle % 16 == 0) {
-      // A snapshot taken before the cycle gives the same cycle, with everything derived computed again.
+      // A snapshot taken before the cycle gives the same cycle, with all derived data computed again.
       Unit other;
       other.state = std::move(twin);
       kernel::step(*other.state, *other.derived, in, *other.out);

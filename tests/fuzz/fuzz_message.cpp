@@ -1,8 +1,8 @@
 #include "lang/telegram.h"
 #include "language.h"
 
-// The first byte chooses direction and version, the others are the message. A second look is taken
-// with L_MESSAGE made right, so that the fuzzer gets past it.
+// The first byte chooses direction and version, the others are the message. The message is read a
+// second time with the correct L_MESSAGE, so that the fuzzer gets past this check.
 namespace {
 
 template <class View>

@@ -14,15 +14,15 @@
 #include "lang/packets.h"
 #include "lang/walk.h"
 
-// What every reader of the language must hold for any bits: no crash, reading and writing come back to
-// the same, the fast reader and the bit-by-bit one agree.
+// Properties of every reader of the language for any bits: no crash, reading and writing give the same bits, the fast
+// reader and the bit-by-bit one agree.
 namespace evc::fuzz {
 
 inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Reading is looked at for every input. The JSON form and the page of --explain take fifty times as long: one input in
+/// Reading is checked for every input. The JSON form and the page of --explain take fifty times as long: one input in
 /// 16, selected by a hash of its bytes so that the same input is always checked in the same way.
 inline bool is_selected(std::span<const std::uint8_t> bytes) {
   std::uint32_t hash = 2166136261;
@@ -30,7 +30,7 @@ inline bool is_selected(std::span<const std::uint8_t> bytes) {
   return hash >> 28 == 0;
 }
 
-/// What the bit-by-bit reader has to say of a packet's inside.
+/// The verdict of the bit-by-bit reader on the contents of a packet.
 struct SpareFinder {
   bool spare = false;
   void field(const lang::Step& step, std::uint64_t code, std::size_t) {
@@ -62,8 +62,8 @@ template <class P>
   std::array<std::uint8_t, 1100> room{};
   BitWriter out(room);
   lang::encode(out, packet);
-  if (!own) {  // translated from an older layout: the same comes back in the newest one
-    if (out.faulty()) return require(nid_of(view) == 44);  // the longest packet 44 has no form in X = 2
+  if (!own) {  // translated from an older layout: it is the same in the newest one
+    if (out.faulty()) return require(nid_of(view) == 44);  // the longest packet 44 cannot be expressed in X = 2
     const lang::PacketView newest{P::info.NID_PACKET,
                                   static_cast<std::uint16_t>(out.position()),
                                   0,
@@ -90,7 +90,7 @@ void refuse(const lang::PacketView& view) {
   require(lang::decode(view, packet) == lang::Fault::not_a_packet_of_this_kind);
 }
 
-/// A packet that was found at its place; `sound`: its inside was found right.
+/// A packet found at its place; `sound`: its contents are consistent.
 inline void check_view(const lang::PacketView& view, bool sound) {
   BitReader in(view.bytes, view.bit + view.L_PACKET, view.bit);
   const auto nid = static_cast<std::uint8_t>(in.read_bit_by_bit(8));

@@ -1,4 +1,4 @@
-// That a sequence was full is not overlooked.
+// The result "full" of a sequence must not be ignored.
 #include "base/inplace_vector.h"
 
 using namespace evc;

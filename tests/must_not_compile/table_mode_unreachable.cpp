@@ -1,5 +1,4 @@
-// A mode that no cell enters does not pass (4.6.2).
-// expected: static
+// Every mode must be entered by a cell (4.6.2). expected: static
 #include "modes/mode_table.h"
 
 using namespace evc;

@@ -1,4 +1,4 @@
-// A speed is not taken from an acceleration.
+// A speed is not subtracted from an acceleration.
 #include "base/units.h"
 
 using namespace evc;

@@ -1,4 +1,4 @@
-// A length does not become a number by itself.
+// A length is not converted to a number implicitly.
 #include "base/units.h"
 
 using namespace evc;

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kRoot = EVC_SOURCE_DIR;
 
-/// `KIND NAME  rest` of each line that is no comment.
+/// `KIND NAME rest` of each line that is not a comment.
 std::vector<Required> rows_of(const std::string& path) {
   std::vector<Required> rows;
   std::ifstream in(path);

@@ -6,15 +6,15 @@
 
 #include "script.h"
 
-// Which scenario shows which message, procedure, row of the table of stored information and brake cause.
+// Which scenarios cover each message, procedure, row of the table of stored information and brake cause.
 namespace evc::scenario {
 
 struct Required {
   std::string kind, name, about;
 };
-/// What has to be shown: from the language, the reference table of 4.10 and required.txt.
+/// What has to be covered: from the language, the reference table of 4.10 and required.txt.
 std::vector<Required> required();
-/// The rows of missing.txt: "kind name" -> reason why no scenario shows it yet.
+/// The rows of missing.txt: "kind name" -> reason why no scenario covers it yet.
 std::map<std::string, std::string> missing();
 
 struct Shown {

@@ -16,19 +16,19 @@
 namespace evc::scenario {
 namespace {
 
-/// No scenario runs longer: 30 minutes of the unit's time.
+/// Maximum time of a scenario: 30 minutes of the unit's time.
 constexpr std::int64_t kLongestMs = 30 * 60 * 1000;
 
 struct Failure {
   const Statement* at;
   std::string expected, found;
-  bool of_the_unit = true;  ///< false: the scenario itself cannot go on
+  bool of_the_unit = true;  ///< false: the scenario itself cannot continue
 };
 
 struct Cycle {
   std::int64_t t_ms = 0;
   std::string line;
-  /// The line, read when somebody asks for it: most cycles of a drive are not looked at.
+  /// The line, read on demand: most cycles of a run are not checked.
   const Json& output() const {
     if (read_.is_null()) read_ = Json::parse(line);
     return read_;
@@ -59,7 +59,7 @@ bool matches(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
-/// The named members are as named; every element of a named list is in the list.
+/// The given members are equal; every element of a given list is in the list.
 bool holds(const Json& wanted, const Json& found) {
   if (wanted.is_array())
     return found.is_array() && std::all_of(wanted.begin(), wanted.end(), [&](const Json& item) {
@@ -74,7 +74,8 @@ bool holds(const Json& wanted, const Json& found) {
   return true;
 }
 
-/// What the unit sent, as JSON of `evc decode radio`; a text that says why when it cannot be read.
+/// The messages of the unit as JSON of `evc decode radio`; a text with the reason if one cannot be
+/// read.
 Json decoded(const std::string& hex) {
   const auto bits = io::bits_of_hex(hex);
   if (!bits) return "no hexadecimal digits";
@@ -177,7 +178,7 @@ class Run {
       case What::odometer:
         if (a.error) error_ = *a.error;
         if (!a.reads) break;
-        offset_ += (reads_ - *a.reads) * front_;  // the counter goes on from where it is
+        offset_ += (reads_ - *a.reads) * front_;  // the counter continues from its value
         reads_ = *a.reads;
         break;
     }
@@ -196,7 +197,8 @@ class Run {
     kernel::power_up(unit_->state, unit_->derived, c.for_kernel());
   }
 
-  /// The stream reads one line ahead: behind the lines of a cycle stands an empty one of the next.
+  /// The stream reads one line ahead: the lines of a cycle are followed by an empty one of the
+  /// next.
   bool next_line(std::string& line) {
     if (waiting_.empty()) {
       line = Json{{"t_ms", placeholder_ms_}}.dump();
@@ -270,7 +272,7 @@ class Run {
       from = group->second;
     }
     for (std::size_t i = 0; i < n; ++i) {
-      // Along the way the train goes: the one with the greatest N_PIG first where the group lies reversed.
+      // In running direction: the one with the greatest N_PIG first if the group is reversed.
       const std::size_t k = a.reversed ? n - 1 - i : i;
       const double at = from + way * (a.ahead_m + 3.0 * static_cast<double>(i));
       if (i == 0) {
@@ -411,7 +413,7 @@ class Run {
     if (!found.empty()) fail("", found);
   }
 
-  /// What speaks against a condition in the last cycle; of events and messages since `from`.
+  /// Why a condition does not hold in the last cycle; for events and messages, since `from`.
   std::string difference(const Condition& c, std::size_t from) const {
     using What = Condition::What;
     switch (c.what) {

@@ -6,11 +6,11 @@
 namespace evc::scenario {
 
 /// Runs a scenario on a unit of its own, cycle by cycle, through the stream of inputs and the output lines of `evc
-/// replay`. Nothing when it went as it has to; else what did not: place, statement, expected, found, the last outputs.
-/// A scenario that is open has to fail at a `then` of its own.
+/// replay`. Nothing if it passed; otherwise the failure: place, statement, expected, found, the last outputs. An open
+/// scenario has to fail at a `then` of its own.
 std::string run(const Scenario& scenario);
 
-/// The inputs of a run as `evc replay` reads them, one line each; for a scenario that has to be looked at closely.
+/// The inputs of a run as `evc replay` reads them, one line each; to investigate a scenario.
 std::string inputs_of(const Scenario& scenario);
 
 }  // namespace evc::scenario

@@ -11,8 +11,8 @@
 namespace evc::scenario {
 namespace {
 
-/// Names of the outputs (`evc replay`, docs/replay.md) that a condition may name. Those that are lists are looked into
-/// with `has` and `lacks`.
+/// Names of the outputs (`evc replay`, docs/replay.md) that a condition may name. Lists are tested with `has` and
+/// `lacks`.
 constexpr std::array<const char*, 63> kOutputs{"t_ms",
                                                "mode",
                                                "level",
@@ -80,7 +80,7 @@ constexpr std::array<const char*, 63> kOutputs{"t_ms",
 constexpr std::array<const char*, 18> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
                                              "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};
-/// A mode profile of 9 or a brake cause is looked up elsewhere: here only the kinds of what is covered.
+/// The kinds of `covers`; their names are checked elsewhere.
 constexpr std::array<const char*, 4> kCovers{"message", "procedure", "stored", "brake"};
 
 template <std::size_t N>
@@ -140,7 +140,7 @@ class Reader {
   }
 
  private:
-  /// Packets and balises on lines of their own belong to the line before.
+  /// Packets and balises on separate lines belong to the line before.
   static std::vector<Line> joined_lines(const std::vector<Line>& lines) {
     std::vector<Line> out;
     for (const Line& line : lines) {
@@ -210,7 +210,7 @@ class Reader {
       throw ReadError{head[0].line, "block " + block.name + " again", "each name once"};
     if (end < head.size()) block.parameters = parameters(head, end + 1);
     block.body = body;
-    // Checked where it stands, with the values it has by itself.
+    // Checked at its place, with its own values.
     (void)expand(block, {}, "");
     out_.blocks.push_back(std::move(block));
   }
@@ -245,7 +245,7 @@ class Reader {
     try {
       statements = read_statements(body);
     } catch (const ReadError& e) {
-      // What is wrong in a block of another file is reported with the place where it is used, too.
+      // An error in a block of another file is also reported with the place of its use.
       file_ = own;
       if (from.empty() || block.at.file == own) throw;
       throw ReadError{line_of(from), "in " + block.at.file + " line " + std::to_string(e.line) + ": " + e.found,
@@ -472,7 +472,7 @@ class Reader {
         break;
       default: {
         Json entered = plain_json(words.object());
-        // A level is a name, also where it is a number.
+        // A level is a name, even if it is a number.
         if (const auto level = entered.find("level"); level != entered.end() && level->is_number())
           *level = std::to_string(level->get<int>());
         a = input("driver", {{"enter", entered}});
@@ -480,7 +480,7 @@ class Reader {
     }
   }
 
-  /// X and Y of `version 1.1`; 2.1 when it is not said.
+  /// X and Y of `version 1.1`; default 2.1.
   static void read_version(Words& words, int& X, int& Y) {
     if (!words.take("version")) return;
     const std::string version = words.word("1.0, 1.1, 2.0 or 2.1");
@@ -530,7 +530,7 @@ class Reader {
     if (!packets.empty()) to["packets"] = packets;
   }
 
-  /// The header of a telegram or loop message with what a scenario does not say.
+  /// The header of a telegram or loop message with the defaults.
   static Json telegram(const Value& members, bool loop) {
     Json header = loop ? Json{{"Q_UPDOWN", 1}, {"M_VERSION", 33}, {"Q_MEDIA", 1}, {"NID_C", 1}, {"NID_LOOP", 0}}
                        : Json{{"Q_UPDOWN", 1}, {"M_VERSION", 33}, {"Q_MEDIA", 0}, {"N_PIG", 0},  {"N_TOTAL", 1},

@@ -13,7 +13,7 @@ namespace evc::scenario {
 
 using Json = nlohmann::json;
 
-/// Where a statement stands. `called_from` is the statement that uses the block it belongs to.
+/// The place of a statement. `called_from` is the statement that uses its block.
 struct Place {
   std::string file;
   int line = 0;
@@ -21,7 +21,8 @@ struct Place {
   std::string text() const;
 };
 
-/// A set of alternatives of one value: a number with tolerance, a word, a text; what a cycle's output is compared with.
+/// A set of alternatives of one value: a number with tolerance, a word, a text; the output of a cycle is compared with
+/// it.
 struct Wanted {
   enum class How : std::uint8_t { equal, above, below, between, has, lacks, absent };
   How how = How::equal;
@@ -32,14 +33,14 @@ struct Wanted {
   bool from_front = false;                 ///< a place counted from the estimated front end
 };
 
-/// A message or packets that the on-board sends: the members that are named must be as named.
+/// A message or packets that the on-board sends: the given members must be equal.
 struct WantedMessage {
   int NID_MESSAGE = 0;
   Json members;               ///< name -> code
-  std::vector<Json> packets;  ///< each with NID_PACKET and the members that are named
+  std::vector<Json> packets;  ///< each with NID_PACKET and the given members
 };
 
-/// One thing that is to hold in a cycle.
+/// One condition on a cycle.
 struct Condition {
   enum class What : std::uint8_t { output, event, message, call, hang_up, brakes };
   What what = What::output;
@@ -48,23 +49,23 @@ struct Condition {
   Wanted wanted;
   std::string pattern;    ///< event: with * for any characters
   WantedMessage message;  ///< message
-  Json address;           ///< call, hang_up: the members that are named
+  Json address;           ///< call, hang_up: the given members
   bool tco = false, sb = false, eb = false;
   std::vector<std::string> reasons;  ///< brakes: causes that have to be among those reported
 };
 
 struct Balise {
-  Json telegram;  ///< as `evc encode balise` takes it
+  Json telegram;  ///< in the form of `evc encode balise`
   bool missing = false;
 };
 
-/// What a `given` or `when` does.
+/// The action of a `given` or `when`.
 struct Action {
   enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer };
   What what = What::wait;
-  Json json;                    ///< configure, input: members; message, loop: as `evc encode` takes it
-  bool T_TRAIN = false;         ///< message: T_TRAIN is the time when it is given
-  bool NID_LRBG = false;        ///< message: NID_LRBG is the one that the unit reported last
+  Json json;                    ///< configure, input: members; message, loop: in the form of `evc encode`
+  bool T_TRAIN = false;         ///< message: T_TRAIN is the time of sending
+  bool NID_LRBG = false;        ///< message: NID_LRBG is the one last reported by the unit
   int answers = 0;              ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
   std::int64_t NID_BG = 0;      ///< pass, lay
   std::vector<Balise> balises;  ///< pass, lay: in the order of N_PIG
@@ -77,8 +78,8 @@ struct Action {
   std::optional<double> for_m;             ///< drive
   std::optional<Condition> until;
   double within_s = 60.0;       ///< with `until`
-  std::optional<double> error;  ///< odometer: half the interval a metre
-  std::optional<double> reads;  ///< odometer: metres counted a metre
+  std::optional<double> error;  ///< odometer: half of the interval per metre
+  std::optional<double> reads;  ///< odometer: metres counted per metre
 };
 
 struct Statement {
@@ -94,7 +95,7 @@ struct Statement {
   bool in_block = false;
 };
 
-/// What a scenario shows: one `covers` entry.
+/// One `covers` entry of a scenario.
 struct Cover {
   std::string kind;  ///< "message", "procedure", "stored", "brake"
   std::string name;

@@ -4,7 +4,8 @@
 
 #include "run.h"
 
-// The reader refuses what is misspelt and says where; the runner says what did not hold, and where.
+// The reader rejects misspelt words with their place; the runner reports the failed statement and
+// its place.
 namespace evc::scenario {
 namespace {
 

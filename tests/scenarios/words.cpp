@@ -30,7 +30,7 @@ constexpr std::array<Unit, 10> kUnits{{{"m", 1.0, 'm'},
                                        {"m/s2", 1.0, 'a'},
                                        {"%", 0.01, '%'}}};
 
-/// Where no member says otherwise a variable is 0, but for these.
+/// A variable that is not given is 0, except these.
 struct Default {
   const char* name;
   std::uint64_t code;
@@ -119,7 +119,7 @@ std::uint64_t around(const Scope* scope, std::string_view variable) {
   return 0;
 }
 
-/// Every member that the layout wants; one that it has not is an error that lists those it has.
+/// Writes every member of the layout; an unknown member is an error that lists the known ones.
 void fill(Json& out, std::span<const lang::Step> steps, const Value* given, std::uint64_t& Q_SCALE, const Scope* up,
           const std::string& where, int line) {
   std::vector<std::uint64_t> codes(steps.size());
@@ -439,7 +439,7 @@ Json message_json(std::uint8_t NID_MESSAGE, const Value* members, int line, int 
 }
 
 namespace {
-/// The variable behind a member of what the on-board sends; null when nothing it sends has one of this name.
+/// The variable of a member of a message of the on-board; null if no message or packet has one of this name.
 const lang::VariableInfo* find_sent(std::span<const lang::Step> steps, std::string_view name) {
   for (const lang::Step& step : steps) {
     if (step.kind == lang::Step::Kind::field && name == step.name) return lang::find_variable(step.variable);
@@ -448,7 +448,7 @@ const lang::VariableInfo* find_sent(std::span<const lang::Step> steps, std::stri
   }
   return nullptr;
 }
-/// Whether it sends a list of this name.
+/// Whether a message of the on-board has a list of this name.
 bool is_sent_list(std::string_view name) {
   for (const lang::PacketLayout& layout : lang::packet_layouts())
     for (const lang::Step& step : layout.steps)

@@ -4,10 +4,10 @@
 
 #include "script.h"
 
-// Words of a scenario and how they become codes of the ETCS language.
+// Words of a scenario and their conversion to codes of the ETCS language.
 namespace evc::scenario {
 
-/// Thrown inside the reader and turned into a Result at its door.
+/// Thrown inside the reader, which turns it into a Result.
 struct ReadError {
   int line;
   std::string found, expected;
@@ -19,14 +19,14 @@ struct Value {
   Kind kind = Kind::word;
   int line = 0;
   double number = 0.0;
-  std::string text;  ///< the word or text; of a number, as written
+  std::string text;  ///< the word or text; for a number, as written
   std::string unit;
-  std::string name;  ///< of a member of an object
+  std::string name;  ///< for a member of an object
   std::vector<Value> members;
   std::vector<Value> items;
 };
 
-/// Cuts a text into lines of words; what follows `#` is comment. A line goes on while a brace or bracket is open.
+/// Cuts a text into lines of words; text after `#` is a comment. A line continues while a brace or bracket is open.
 std::vector<Line> cut(std::string_view text);
 
 /// The words of one statement, taken from left to right.
@@ -38,7 +38,7 @@ class Words {
   /// The next word, "" at the end; `ahead` words further on.
   const std::string& peek(std::size_t ahead = 0) const;
   bool next_is_text() const { return at_ < line_.size() && line_[at_].kind == Token::Kind::text; }
-  /// Takes the next word when it is this one.
+  /// Consumes the next word if it is this one.
   bool take(std::string_view word);
   void require(std::string_view word);
   std::string word(const char* expected);
@@ -60,19 +60,19 @@ class Words {
   std::size_t at_ = 0;
 };
 
-/// The number of a word; nothing when it is none.
+/// The number of a word; nothing if it is not a number.
 std::optional<double> number_of(const std::string& word);
-/// Of a unit: SI units in one of it, and what it measures ('m', 's', 'v', 'g' gradient in per mille, 'a'); 0: no unit.
+/// Of a unit: its value in SI units, and its quantity ('m', 's', 'v', 'g' gradient in per mille, 'a'); 0: no unit.
 double unit_factor(const std::string& unit, char& kind);
 
 /// As JSON of the files and streams: words are texts, numbers without their unit, `true`, `false`, `null`.
 Json plain_json(const Value& value);
 
-/// A packet to the train with every variable that is not named filled with its default (docs/scenarios.md).
+/// A packet to the train with defaults for all variables not given (docs/scenarios.md).
 Json packet_json(std::uint8_t NID_PACKET, const Value* members, int line, int X, int Y);
 /// The variables of a message to the train, without its packets.
 Json message_json(std::uint8_t NID_MESSAGE, const Value* members, int line, int X, int Y);
-/// Of what the on-board sends: the named members as codes. `Q_SCALE` counts for distances.
+/// The given members of a message of the on-board, as codes. `Q_SCALE` applies to distances.
 Json sent_members(const Value& members);
 
 }  // namespace evc::scenario
