@@ -10,7 +10,7 @@ header of the product is thus looked at once. The first lines of the list name t
 
 Usage: tools/check_tidy.py [--write] [--all] [--list] [FILE...]
   --write  records what was found clean, after each source, so that a run that was stopped goes on where it ended;
-           what is gone from the tree leaves the list
+           sources that do not exist any more leave the list
   --all    also what is known to be clean;  FILE: these sources, or the owners of these headers, known or not
   --list   prints each source with its headers, and looks at nothing"""
 import argparse

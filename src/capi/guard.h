@@ -19,7 +19,7 @@ struct Why {
   char* text;
   std::size_t size;
 
-  /// `to` may be null: then no reason is written.
+  /// `to` may be null: nobody wants to know.
   Why(char* to, std::size_t room) noexcept : text(to), size(room) {}
   openevc_result because(openevc_result result, std::string_view reason) const noexcept {
     if (text != nullptr && size > 0) {
