@@ -3,7 +3,7 @@
 ///
 ///     auto unit = std::make_unique<evc::kernel::Unit>();   // or anywhere else: it is plain memory
 ///     evc::kernel::power_up(*unit, config);
-///     for (;;) {                                            // every config.cycle
+///     for (;;) {                                            // every cycle, of 100 ms for instance
 ///       evc::kernel::step(*unit, inputs, outputs);
 ///     }
 ///

@@ -108,7 +108,8 @@ typedef enum openevc_select {
   OPENEVC_SLIPPERY_RAIL = 7,
   OPENEVC_ADHESION_NORMAL = 8,
   OPENEVC_ISOLATE = 9,
-  OPENEVC_TRACK_AHEAD_FREE = 10
+  OPENEVC_TRACK_AHEAD_FREE = 10,
+  OPENEVC_MAIN = 11 /* a button of the main window: ends some status texts */
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
@@ -198,6 +199,7 @@ OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t 
 #define OPENEVC_TEXTS 6
 #define OPENEVC_RADIO_OUT 24
 #define OPENEVC_EVENTS 96
+#define OPENEVC_SESSIONS 2
 
 typedef struct openevc_text {
   int32_t id;
@@ -222,7 +224,12 @@ typedef struct openevc_event {
   char text[128]; /* as in docs/replay.md: "mode SB->SR [8]", ended by a zero */
 } openevc_event;
 
-/* The outputs of one cycle; members after `size` are written by openevc_step. */
+typedef struct openevc_session {
+  uint16_t NID_C, NID_RBC;
+  int32_t phase; /* 1 connecting, 2 version check, 3 open, 4 lost, 5 terminating */
+} openevc_session;
+
+/* What comes out of one cycle; members after `size` are written by openevc_step. */
 typedef struct openevc_outputs {
   uint32_t size;
   int32_t mode;  /* openevc_mode */
@@ -250,6 +257,23 @@ typedef struct openevc_outputs {
   openevc_address connect, disconnect;
   openevc_radio_out radio_out[OPENEVC_RADIO_OUT];
   openevc_event events[OPENEVC_EVENTS];
+  /* Not a number where there is none. */
+  double V_I;
+  double TTI; /* seconds */
+  double LSSMA;
+  double d_indication;
+  double geo;     /* geographical position of the front end, metres */
+  double rv_left; /* metres */
+  uint8_t MRDT_changed;
+  uint8_t level_valid;
+  uint8_t levels_allowed; /* bit 1u << openevc_level */
+  uint8_t reserved;
+  int32_t memo_status; /* 0 Null, 1 P, 2 W, 3 SB, 4 EB, 5 Trip; -1 where speed is not supervised */
+  int32_t trip_reason; /* openevc_status_text_name(trip_reason); -1: none */
+  uint32_t sessions_count;
+  uint64_t status_texts; /* bit n: openevc_status_text_name(n) is shown */
+  uint64_t enabled;      /* bit n: openevc_input_name(n) is enabled */
+  openevc_session sessions[OPENEVC_SESSIONS];
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). After OPENEVC_BAD_ARGUMENT and OPENEVC_REFUSED, with the member in `why`, the unit is
@@ -261,8 +285,13 @@ OPENEVC_API openevc_result openevc_step(openevc_unit* unit, const openevc_inputs
 /* "overspeed: SBI"; null if there is no cause with this number. */
 OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
 
-/* A snapshot is the whole state of a unit, as bytes with a header that identifies format and build. A snapshot of
- * another layout of the unit, or a damaged one, is rejected: OPENEVC_REFUSED, and the unit is unchanged. */
+/* "SR distance exceeded" and "rbc_contact" (the inputs of SUBSET-026-4 4.7.2); null where there is none of that number.
+ */
+OPENEVC_API const char* openevc_status_text_name(int32_t text) OPENEVC_NOEXCEPT;
+OPENEVC_API const char* openevc_input_name(int32_t input) OPENEVC_NOEXCEPT;
+
+/* A snapshot is all that a unit remembers, as bytes with a head that says what made it. One that another layout of the
+ * unit has made, or that is damaged, is refused: OPENEVC_REFUSED, and the unit is as it was. */
 OPENEVC_API size_t openevc_snapshot_size(void) OPENEVC_NOEXCEPT;
 OPENEVC_API openevc_result openevc_snapshot(const openevc_unit* unit, void* snapshot, size_t size) OPENEVC_NOEXCEPT;
 /* `memory` as for openevc_power_up; it may be that of `*unit` itself. */

@@ -97,6 +97,10 @@ bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
 
 Command command(State& state, CauseSet asked, const Context& c) {
   Command out;
+  if (asked.empty() && state.active.empty()) {  // the usual cycle
+    state.asked_before = {};
+    return out;
+  }
   const std::optional<std::size_t> acknowledged = acknowledged_clause(state, c);
   for (std::size_t i = 0; i < srs_3_14_1.size(); ++i) {
     const CauseRow& r = srs_3_14_1[i];

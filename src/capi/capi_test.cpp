@@ -289,6 +289,12 @@ TEST_F(CUnit, BrakeHasACause) {
   EXPECT_NE(causes.find("standstill;"), std::string::npos) << causes;
   EXPECT_EQ(openevc_cause_name(-1), nullptr);
   EXPECT_EQ(openevc_cause_name(64), nullptr);
+  EXPECT_STREQ(openevc_status_text_name(0), "Balise read error");
+  EXPECT_EQ(openevc_status_text_name(-1), nullptr);
+  EXPECT_EQ(openevc_status_text_name(64), nullptr);
+  EXPECT_STREQ(openevc_input_name(0), "train_data");
+  EXPECT_EQ(openevc_input_name(-1), nullptr);
+  EXPECT_EQ(openevc_input_name(64), nullptr);
 }
 
 /// A telegram that cannot be decoded is handled by the unit, not rejected as an argument.

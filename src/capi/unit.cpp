@@ -27,11 +27,12 @@ static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
 // The numbers of openevc.h are those of the kernel's enumerations.
 static_assert(int(evc::Mode::NP) == OPENEVC_NP && int(evc::Mode::FS) == OPENEVC_FS && int(evc::Mode::RV) == OPENEVC_RV);
 static_assert(int(evc::Level::L0) == OPENEVC_L0 && int(evc::Level::L3) == OPENEVC_L3);
-static_assert(int(kernel::Select::count) == OPENEVC_TRACK_AHEAD_FREE + 1 &&
-              int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
+static_assert(int(kernel::Select::count) == OPENEVC_MAIN + 1 && int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
 static_assert(int(evc::Ack::count) == OPENEVC_ACK_TRAIN_DATA + 1 && int(evc::Ack::trip) == OPENEVC_ACK_TRIP);
 static_assert(int(evc::Entry::count) == OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER + 1);
 static_assert(int(evc::RadioLink::refused) == OPENEVC_LINK_REFUSED);
+static_assert(int(evc::SessionPhase::terminating) == 5 && int(evc::MemoStatus::Trip) == 5 &&
+              decltype(kernel::Outputs::sessions)::capacity() == OPENEVC_SESSIONS);
 static_assert(int(evc::Monitoring::RSM) == 3 && int(evc::Status::Intervention) == 5);
 static_assert(decltype(kernel::Outputs::symbols)::capacity() == OPENEVC_SYMBOLS &&
               decltype(kernel::Outputs::texts)::capacity() == OPENEVC_TEXTS &&
@@ -176,6 +177,36 @@ void give_lists(openevc_outputs& to, const kernel::Outputs& o) {
   }
 }
 
+/// The elements of a set as bits.
+template <class E>
+std::uint64_t bits_of(evc::Set<E> set) {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < int(E::count); ++i)
+    if (set.has(static_cast<E>(i))) bits |= std::uint64_t{1} << i;
+  return bits;
+}
+
+/// What the driver is shown beside symbols and texts.
+void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
+  to.V_I = of(o.V_I);
+  to.TTI = o.TTI ? o.TTI->si : kNone;
+  to.LSSMA = of(o.LSSMA);
+  to.d_indication = of(o.d_indication);
+  to.geo = of(o.geo);
+  to.rv_left = of(o.rv_left);
+  to.MRDT_changed = o.MRDT_changed;
+  to.level_valid = o.level_valid;
+  for (std::size_t level = 0; level < evc::kLevels; ++level)
+    if (o.levels_allowed.has(static_cast<evc::Level>(level)))
+      to.levels_allowed = static_cast<std::uint8_t>(to.levels_allowed | 1u << level);
+  to.memo_status = o.memo_status ? static_cast<std::int32_t>(*o.memo_status) : -1;
+  to.trip_reason = o.trip_reason ? static_cast<std::int32_t>(*o.trip_reason) : -1;
+  for (const kernel::ShownStatus& shown : o.status_texts) to.status_texts |= std::uint64_t{1} << int(shown.text);
+  to.enabled = bits_of(o.enabled);
+  for (const kernel::RbcSession& session : o.sessions)
+    to.sessions[to.sessions_count++] = {session.NID_C, session.NID_RBC, static_cast<std::int32_t>(session.phase)};
+}
+
 void give_outputs(openevc_outputs& to, const kernel::Outputs& o) {
   to.mode = static_cast<std::int32_t>(o.mode);
   to.level = static_cast<std::int32_t>(o.level);
@@ -205,11 +236,11 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) {
   to.start_offered = o.start_offered;
   to.requests = o.requests.bits();
   to.entries = o.entries.bits();
-  for (int cause = 0; cause < int(evc::Cause::count); ++cause)
-    if (o.brake_reasons.has(static_cast<evc::Cause>(cause))) to.brake_causes |= std::uint64_t{1} << cause;
+  to.brake_causes = bits_of(o.brake_reasons);
   to.connect = of(o.radio_connect);
   to.disconnect = of(o.radio_disconnect);
   give_lists(to, o);
+  give_second_edition(to, o);
 }
 
 }  // namespace
@@ -287,6 +318,16 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
 const char* openevc_cause_name(int32_t cause) noexcept {
   if (cause < 0 || cause >= int(evc::Cause::count)) return nullptr;
   return evc::name(static_cast<evc::Cause>(cause));
+}
+
+const char* openevc_status_text_name(int32_t text) noexcept {
+  if (text < 0 || text >= int(evc::StatusText::count)) return nullptr;
+  return evc::name(static_cast<evc::StatusText>(text));
+}
+
+const char* openevc_input_name(int32_t input) noexcept {
+  if (input < 0 || input >= int(evc::DriverInput::count)) return nullptr;
+  return evc::name(static_cast<evc::DriverInput>(input));
 }
 
 size_t openevc_snapshot_size(void) noexcept { return kernel::snapshot_size(); }

@@ -83,64 +83,59 @@ std::optional<Ack> acknowledged_by(Input input) {
   }
 }
 
-/// The further conditions of an input that the mode marks as available (windows Main, Override, Special, Settings).
-bool further_conditions(Input input, const ActionContext& c) {
-  if (const std::optional<Ack> ack = acknowledged_by(input)) return c.requests.has(*ack);
+/// The inputs that each mode allows, further conditions left aside.
+constexpr std::array<Set<Input>, kModes> kAllowed = [] {
+  std::array<Set<Input>, kModes> out{};
+  for (std::size_t m = 0; m < kModes; ++m)
+    for (std::size_t i = 0; i < kInputs; ++i)
+      if (allowed(static_cast<Input>(i), static_cast<Mode>(m))) out[m].add(static_cast<Input>(i));
+  return out;
+}();
+
+/// The acknowledgements that are asked for.
+Set<Input> acknowledgements(Set<Ack> requests) {
+  Set<Input> out;
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    const std::optional<Ack> ack = acknowledged_by(static_cast<Input>(i));
+    if (ack.has_value() && requests.has(*ack)) out.add(static_cast<Input>(i));
+  }
+  return out;
+}
+
+/// What is open beside acknowledgements, the mode left aside (windows Main, Override, Special, Settings).
+Set<Input> choices(const ActionContext& c) {
   const bool level = c.level.has_value();
   const bool in_standby = c.mode == Mode::SB;
-  switch (input) {
-    case Input::start:
-      return level && start_possible(c);
-    case Input::shunting:
-      return level && shunting_possible(c);
-    case Input::override_:
-      return override_possible(c);
-    case Input::driver_id:
-      return in_standby ? c.standstill : c.standstill || c.driver_id_while_running;
-    case Input::train_data:
-      return c.standstill && c.driver_id_valid && level && (!in_standby || c.offers.has(Offer::train_data));
-    case Input::level:
-      return c.standstill && c.driver_id_valid;
-    case Input::train_running_number:
-      return !in_standby || (c.standstill && c.driver_id_valid);
-    case Input::rbc_contact:
-    case Input::radio_network_id:
-      return c.standstill && c.driver_id_valid;
-    case Input::non_leading:
-      return c.standstill && c.driver_id_valid && level && c.non_leading_signal;
-    case Input::continue_shunting:
-      return c.passive_shunting_signal;
-    case Input::adhesion:
-      return c.driver_may_change_adhesion && (!in_standby || c.standstill);
-    case Input::sr_speed_distance:
-    case Input::exit_shunting:
-    case Input::vbc:
-      return c.standstill;
-    case Input::integrity_confirmation:
-      return c.standstill && c.driver_id_valid && c.train_data_valid && level;
-    case Input::track_ahead_free:
-      return c.track_ahead_free_asked;
-    default:  // language, isolation
-      return true;
-  }
+  const bool entry = c.standstill && c.driver_id_valid;
+  Set<Input> out{Input::language};
+  out.add(Input::start, level && start_possible(c));
+  out.add(Input::shunting, level && shunting_possible(c));
+  out.add(Input::override_, override_possible(c));
+  out.add(Input::driver_id, c.standstill || (!in_standby && c.driver_id_while_running));
+  out.add(Input::train_data, entry && level && (!in_standby || c.offers.has(Offer::train_data)));
+  out.add(Input::level, entry);
+  out.add(Input::train_running_number, !in_standby || entry);
+  out.add(Input::rbc_contact, entry);
+  out.add(Input::radio_network_id, entry);
+  out.add(Input::non_leading, entry && level && c.non_leading_signal);
+  out.add(Input::continue_shunting, c.passive_shunting_signal);
+  out.add(Input::adhesion, c.driver_may_change_adhesion && (!in_standby || c.standstill));
+  out.add(Input::sr_speed_distance, c.standstill);
+  out.add(Input::exit_shunting, c.standstill);
+  out.add(Input::vbc, c.standstill);
+  out.add(Input::integrity_confirmation, entry && c.train_data_valid && level);
+  out.add(Input::track_ahead_free, c.track_ahead_free_asked);
+  return out;
 }
 
 }  // namespace
 
 Set<Input> enabled(const ActionContext& context) {
   Set<Input> out;
-  for (std::size_t i = 0; i < kInputs; ++i) {
-    const Input input = static_cast<Input>(i);
-    if (!allowed(input, context.mode)) continue;
-    if (input != Input::isolation) {
-      if (!context.desk_open) continue;
-      // 015560 5.4: the menus are closed while an acknowledgement is asked for.
-      if (!context.requests.empty() && !acknowledged_by(input).has_value()) continue;
-      if (!further_conditions(input, context)) continue;
-    }
-    out.add(input);
-  }
-  return out;
+  // 015560 5.4: the menus are closed while an acknowledgement is asked for.
+  if (context.desk_open) out = context.requests.empty() ? choices(context) : acknowledgements(context.requests);
+  out.add(Input::isolation);
+  return out & kAllowed[static_cast<std::size_t>(context.mode)];
 }
 
 namespace {
@@ -236,39 +231,39 @@ Symbol announcement_symbol(Level level, bool acknowledgement) {
   return (acknowledgement ? yellow : grey)[static_cast<std::size_t>(level)];
 }
 
-std::optional<TripReason> trip_reason(int condition) {
+std::optional<StatusText> trip_reason(int condition) {
   switch (condition) {
     case 17:
     case 66:
-      return TripReason::balise_read_error;
+      return StatusText::balise_read_error;
     case 41:
-      return TripReason::communication_error;
+      return StatusText::communication_error;
     case 35:
-      return TripReason::SH_refused;
+      return StatusText::SH_refused;
     case 65:
-      return TripReason::trackside_not_compatible;
+      return StatusText::trackside_not_compatible;
     case 12:
     case 16:
     case 18:
     case 43:
-      return TripReason::passing_of_EOA_or_LOA;
+      return StatusText::passing_of_EOA_or_LOA;
     case 39:
     case 67:
-      return TripReason::no_MA_at_level_transition;
+      return StatusText::no_MA_at_level_transition;
     case 42:
-      return TripReason::SR_distance_exceeded;
+      return StatusText::SR_distance_exceeded;
     case 49:
     case 52:
-      return TripReason::SH_stop_order;
+      return StatusText::SH_stop_order;
     case 36:
     case 54:
-      return TripReason::SR_stop_order;
+      return StatusText::SR_stop_order;
     case 20:
-      return TripReason::emergency_stop;
+      return StatusText::emergency_stop;
     case 69:
-      return TripReason::no_track_description;
+      return StatusText::no_track_description;
     case 38:
-      return TripReason::national_system_brake_demand;
+      return StatusText::national_system_brake_demand;
     default:
       return std::nullopt;
   }

@@ -8,6 +8,7 @@
 #include "terms/level.h"
 #include "terms/mode.h"
 #include "terms/requests.h"
+#include "terms/status_text.h"
 #include "terms/symbol.h"
 
 // What the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
@@ -25,14 +26,11 @@ struct ActionContext {
   bool train_running_number_valid = false;
   bool session_open = false;
   bool train_data_acknowledged = false;  // by the RBC
-  bool emergency_stop_pending = false;
-  bool exit_from_trip_recognised = false;
   bool non_leading_signal = false;
   bool passive_shunting_signal = false;
   bool slow_enough_for_override = false;    // V_est <= V_NVALLOWOVTRP
   bool driver_may_change_adhesion = false;  // Q_NVDRIVER_ADHES
   bool driver_id_while_running = false;     // M_NVDERUN
-  bool reversing_possible = false;
   bool track_ahead_free_asked = false;
   Set<Offer> offers;  // choices offered by start of mission and train trip
   Set<Ack> requests;  // acknowledgements asked for
@@ -79,23 +77,7 @@ Symbol symbol(Level level);
 /// up to 3.6.0, for a transition from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are used instead.
 Symbol announcement_symbol(Level level, bool acknowledgement);
 
-/// The reason of a trip as shown to the driver (015560).
-enum class TripReason : std::uint8_t {
-  balise_read_error,
-  communication_error,
-  SH_refused,
-  trackside_not_compatible,
-  passing_of_EOA_or_LOA,
-  no_MA_at_level_transition,
-  SR_distance_exceeded,
-  SH_stop_order,
-  SR_stop_order,
-  emergency_stop,
-  no_track_description,
-  national_system_brake_demand,
-  count
-};
-/// The trip reason for the condition of 4.6.3 that led to TR; none for a condition without one.
-std::optional<TripReason> trip_reason(int condition);
+/// The trip reason for the condition of 4.6.3 that led to TR, none for one that has none.
+std::optional<StatusText> trip_reason(int condition);
 
 }  // namespace evc::driver

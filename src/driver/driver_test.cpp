@@ -67,9 +67,9 @@ ActionContext everything(Mode mode, Level level) {
   c.mode = mode;
   c.level = level;
   c.desk_open = c.standstill = c.driver_id_valid = c.train_data_valid = c.train_running_number_valid = true;
-  c.session_open = c.train_data_acknowledged = c.exit_from_trip_recognised = c.non_leading_signal = true;
+  c.session_open = c.train_data_acknowledged = c.non_leading_signal = true;
   c.passive_shunting_signal = c.slow_enough_for_override = c.driver_may_change_adhesion = true;
-  c.driver_id_while_running = c.reversing_possible = c.track_ahead_free_asked = true;
+  c.driver_id_while_running = c.track_ahead_free_asked = true;
   c.offers = Set<Offer>::of_bits(~0u);
   return c;
 }
@@ -242,14 +242,12 @@ TEST(Driver, Status_symbols_appear_in_the_modes_that_have_them) {
   EXPECT_EQ(std::count(in_ls.begin(), in_ls.end(), "LS01"), 1);
 }
 
-TEST(Driver, Texts_of_procedures_and_trips) {
-  std::set<std::string> texts;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Inform::count); ++i)
-    if (const char* t = texts::text_of(static_cast<Inform>(i))) texts.insert(t);
-  EXPECT_EQ(texts.size(), 4u);
+TEST(Driver, Trip_reasons) {
   for (const int n : {12, 16, 17, 18, 20, 35, 36, 38, 39, 41, 42, 43, 49, 52, 54, 65, 66, 67, 69})
     EXPECT_TRUE(trip_reason(n).has_value()) << n;
   EXPECT_FALSE(trip_reason(28).has_value());
+  EXPECT_EQ(trip_reason(12), StatusText::passing_of_EOA_or_LOA);
+  EXPECT_STREQ(name(StatusText::passing_of_EOA_or_LOA), "Unauthorized passing of EOA / LOA");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "modes/page.h"
+#include "terms/driver_input.h"
 #include "terms/mode.h"
 
 // SUBSET-026-4 4.7.2: the inputs and outputs of the driver interface in each mode, of 3.6.0.
@@ -33,46 +34,7 @@ constexpr std::array<Mark, kModes> marks(std::string_view row) {
   return out;
 }
 
-/// 4.7.2: the inputs of the driver.
-enum class Input : std::uint8_t {
-  train_data,
-  language,
-  driver_id,
-  train_running_number,
-  level,
-  adhesion,
-  rbc_contact,
-  integrity_confirmation,
-  start,
-  override_,
-  shunting,
-  continue_shunting,
-  exit_shunting,
-  non_leading,
-  ack_fixed_text,
-  ack_plain_text,
-  ack_level,
-  ack_LS,
-  ack_OS,
-  ack_SH,
-  ack_SR,
-  ack_UN,
-  ack_RV,
-  ack_SN,
-  ack_trip,
-  ack_roll_away,
-  ack_reverse_movement,
-  ack_standstill,
-  ack_pt_distance,
-  ack_train_data_change,
-  ack_rv_distance,
-  track_ahead_free,
-  sr_speed_distance,
-  vbc,
-  isolation,
-  radio_network_id,
-  count
-};
+using Input = DriverInput;
 inline constexpr std::size_t kInputs = static_cast<std::size_t>(Input::count);
 
 /// Whether there is one row for each, in the order of the enumeration.
@@ -91,7 +53,7 @@ struct InputRow {
 
 // clang-format off
 inline constexpr auto srs_4_7_2_inputs = [] {
-  using enum Input;
+  using enum DriverInput;
   return std::to_array<InputRow>({
     //                         NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV
     {train_data,             "-  A  -  -  A  A  A  A  -  -  A  -  -  NA NA A  -"},

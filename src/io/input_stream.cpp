@@ -226,7 +226,6 @@ void read_object(CycleInputs& cycle, InputStream::Radio& radio, std::optional<Tr
 
 kernel::Config Configuration::for_kernel() const {
   kernel::Config config;
-  config.cycle = {static_cast<double>(cycle_ms) / 1000.0};
   config.srs = srs;
   config.train = train.data;
   config.national_values = national_values;

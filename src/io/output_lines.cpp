@@ -85,6 +85,19 @@ class Row {
     }
     out_ += json_ ? "]" : "\"";
   }
+  /// A JSON array of objects.
+  template <class List, class Append>
+  void objects(const char* name, const List& items, Append append) {
+    key(name);
+    out_ += '[';
+    bool first = true;
+    for (const auto& item : items) {
+      if (!first) out_ += ',';
+      first = false;
+      append(out_, item);
+    }
+    out_ += ']';
+  }
   void open(const char* name) {
     key(name);
     if (!json_) return;
@@ -173,11 +186,11 @@ void append_shown_text(std::string& out, const kernel::ShownText& text) {
   }
 }
 
-bool same_shown(const InplaceVector<kernel::ShownText, 6>& a, const InplaceVector<kernel::ShownText, 6>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].id != b[i].id) return false;
-  return true;
+/// Whether two lists are alike by what `of` takes of their elements.
+template <class List, class Of>
+bool alike(const List& a, const List& b, Of of) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&of](const auto& x, const auto& y) { return of(x) == of(y); });
 }
 
 void append_text(std::string& out, const char* text) { out += text; }
@@ -232,6 +245,94 @@ void append_speeds(Row& row, const Outputs& o) {
   row.place("SvL_m", o.SvL);
 }
 
+/// Single values of the second edition; distances, times and speeds are null without a value.
+void append_second_values(Row& row, const Outputs& o) {
+  const auto micro = [&row](const char* name, std::optional<double> value) {
+    row.key(name);
+    if (value)
+      append_micro(row.out(), *value);
+    else
+      row.absent();
+  };
+  const auto metres = [](const std::optional<Distance>& d) { return d ? std::optional<double>(d->si) : std::nullopt; };
+  row.speed("V_I", o.V_I);
+  micro("tti_s", o.TTI ? std::optional<double>(o.TTI->si) : std::nullopt);
+  row.speed("lssma_kmh", o.LSSMA);
+  row.flag("mrdt_changed", o.MRDT_changed);
+  micro("d_indication_m", metres(o.d_indication));
+  row.text("memo_status", o.memo_status ? terms::kNames<kMemoStatusRows>[terms::index(*o.memo_status)] : nullptr);
+  row.flag("level_valid", o.level_valid);
+  row.text("trip_reason", o.trip_reason ? name(*o.trip_reason) : nullptr);
+  micro("geo_m", metres(o.geo));
+  micro("rv_left_m", metres(o.rv_left));
+}
+
+/// The keys of `select` and `enter` that are enabled, in the order of 4.7.2.
+std::vector<const char*> enabled_keys(const Outputs& o) {
+  std::vector<const char*> keys;
+  for (std::size_t i = 0; i < terms::index(DriverInput::count); ++i)
+    if (o.enabled.has(static_cast<DriverInput>(i)))
+      for (const char* key : texts::keys_of(static_cast<DriverInput>(i)))
+        if (key != nullptr) keys.push_back(key);
+  return keys;
+}
+
+/// One element of `messages`.
+struct Message {
+  int id;
+  const char* kind;
+  std::string text;
+  bool important, acknowledge;
+  Duration since;
+};
+/// Status texts have the numbers from here on: those of the trackside are below (an octet).
+constexpr int kFirstStatusId = 256;
+
+void append_message(std::string& out, const Message& m) {
+  out += "{\"id\":";
+  append_number(out, static_cast<std::int64_t>(m.id));
+  out += ",\"kind\":\"";
+  out += m.kind;
+  out += "\",\"text\":";
+  append_string(out, m.text);
+  out += m.important ? ",\"class\":\"important\"" : ",\"class\":\"auxiliary\"";
+  out += m.acknowledge ? ",\"ack\":true" : ",\"ack\":false";
+  out += ",\"since_ms\":";
+  append_micro(out, m.since.si * 1000.0);
+  out += '}';
+}
+
+/// The texts of the trackside, then those of the unit.
+std::vector<Message> messages_of(const Outputs& o) {
+  std::vector<Message> messages;
+  for (const kernel::ShownText& text : o.texts) {
+    messages.push_back({text.id, text.Q_TEXT ? "fixed" : "plain", {}, text.important, text.acknowledge, text.since});
+    append_shown_text(messages.back().text, text);
+  }
+  for (const kernel::ShownStatus& s : o.status_texts)
+    messages.push_back({kFirstStatusId + static_cast<int>(s.text), "status", name(s.text), true, false, s.since});
+  return messages;
+}
+
+/// What CSV has no room for.
+void append_second_lists(Row& row, const Outputs& o) {
+  std::vector<const char*> levels;
+  for (const auto& level : kLevelRows)
+    if (o.levels_allowed.has(level.value)) levels.push_back(level.name);
+  row.list("levels_allowed", levels, append_text);
+  row.list("enabled", enabled_keys(o), append_text);
+  row.objects("messages", messages_of(o), append_message);
+  row.objects("sessions", o.sessions, [](std::string& out, const kernel::RbcSession& s) {
+    out += "{\"NID_C\":";
+    append_number(out, std::int64_t{s.NID_C});
+    out += ",\"NID_RBC\":";
+    append_number(out, std::int64_t{s.NID_RBC});
+    out += ",\"state\":\"";
+    out += terms::kNames<kSessionPhaseRows>[terms::index(s.phase)];
+    out += "\"}";
+  });
+}
+
 void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
@@ -253,6 +354,8 @@ void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   append_radio_address(row, "radio_connect", o.radio_connect);
   append_radio_address(row, "radio_disconnect", o.radio_disconnect);
   row.list("events", o.events, append_event);
+  append_second_values(row, o);
+  if (row.json()) append_second_lists(row, o);
 }
 
 void append_change(std::string& out, const char* from, const char* to) {
@@ -321,8 +424,23 @@ std::string trace_header() {
   return "t_ms,mode,level,lrbg.NID_C,lrbg.NID_BG,est_front_m,min_safe_front_m,max_safe_front_m,v_kmh,monitoring,status,"
          "V_P,V_W,V_SBI,V_EBI,V_MRSP,V_target,d_target_m,V_release,EOA_m,SvL_m,tco,sb,eb,brake_reasons,driver.requests,"
          "driver.texts,driver.symbols,radio_out,radio_connect.NID_C,radio_connect.NID_RBC,radio_connect.NID_RADIO,"
-         "radio_disconnect.NID_C,radio_disconnect.NID_RBC,radio_disconnect.NID_RADIO,events\n";
+         "radio_disconnect.NID_C,radio_disconnect.NID_RBC,radio_disconnect.NID_RADIO,events,V_I,tti_s,"
+         "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m\n";
 }
+
+namespace {
+
+bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
+  const bool values = a.LSSMA == b.LSSMA && a.MRDT_changed == b.MRDT_changed && a.memo_status == b.memo_status &&
+                      a.level_valid == b.level_valid && a.trip_reason == b.trip_reason;
+  const bool lists = a.levels_allowed == b.levels_allowed && a.enabled == b.enabled &&
+                     alike(a.texts, b.texts, [](const auto& t) { return t.acknowledge; }) &&
+                     alike(a.status_texts, b.status_texts, [](const auto& s) { return s.text; }) &&
+                     std::equal(a.sessions.begin(), a.sessions.end(), b.sessions.begin(), b.sessions.end());
+  return !values || !lists;
+}
+
+}  // namespace
 
 bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
   if (!b.radio_out.empty() || b.radio_connect || b.radio_disconnect || !b.events.empty()) return true;
@@ -330,10 +448,11 @@ bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
   const bool same = a.mode == b.mode && a.level == b.level && a.lrbg == b.lrbg && a.monitoring == b.monitoring &&
                     a.status == b.status && a.V_MRSP == b.V_MRSP && a.V_target == b.V_target &&
                     a.V_release == b.V_release && a.EOA == b.EOA && a.SvL == b.SvL && a.tco == b.tco && a.sb == b.sb &&
-                    a.eb == b.eb && same_shown(a.texts, b.texts);
+                    a.eb == b.eb && alike(a.texts, b.texts, [](const auto& t) { return t.id; });
   return !same || a.brake_reasons != b.brake_reasons || a.requests != b.requests || a.entries != b.entries ||
          a.start_offered != b.start_offered ||
-         !std::equal(a.symbols.begin(), a.symbols.end(), b.symbols.begin(), b.symbols.end());
+         !std::equal(a.symbols.begin(), a.symbols.end(), b.symbols.begin(), b.symbols.end()) ||
+         differ_in_second_edition(a, b);
 }
 
 }  // namespace evc::io

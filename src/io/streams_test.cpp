@@ -248,8 +248,59 @@ TEST(OutputLines, Json) {
       "\"brake_reasons\":[\"overspeed: SBI\"],\"driver\":{\"requests\":[\"OS\"],\"texts\":[],\"symbols\":[\"MO07\"]},"
       "\"radio_out\":[\"9B\"],\"radio_connect\":{\"NID_C\":426,\"NID_RBC\":1,\"NID_RADIO\":\"0031840880150FFF\"},"
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
-      "[4.8.3]\"]}\n");
+      "[4.8.3]\"],\"V_I\":null,\"tti_s\":null,\"lssma_kmh\":null,\"mrdt_changed\":false,\"d_indication_m\":null,"
+      "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,"
+      "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[]}\n");
   EXPECT_TRUE(Json::accept(line));
+}
+
+/// One value in each field of the second edition.
+kernel::Outputs second_edition() {
+  kernel::Outputs o;
+  o.V_I = 36_km_h;
+  o.TTI = Duration{12.5};
+  o.LSSMA = 72_km_h;
+  o.MRDT_changed = true;
+  o.d_indication = 250.5_m;
+  o.memo_status = MemoStatus::SB;
+  o.level_valid = true;
+  o.trip_reason = StatusText::SH_stop_order;
+  o.geo = Distance{25000.0};
+  o.rv_left = 80_m;
+  o.levels_allowed = {Level::L0, Level::L2};
+  o.enabled = {DriverInput::adhesion, DriverInput::ack_OS, DriverInput::isolation};
+  kernel::ShownText text;
+  text.id = 3;
+  text.important = text.acknowledge = true;
+  text.since = Duration{1.5};
+  text.length = 2;
+  text.characters[0] = 'O';
+  text.characters[1] = 'K';
+  (void)o.texts.push_back(text);
+  (void)o.status_texts.push_back({StatusText::balise_read_error, Duration{2.0}});
+  (void)o.sessions.push_back({426, 1, SessionPhase::waiting_version});
+  return o;
+}
+
+TEST(OutputLines, SecondEdition) {
+  std::string line;
+  append_output(line, 0, second_edition());
+  EXPECT_TRUE(Json::accept(line));
+  const std::string expected =
+      "\"V_I\":36,\"tti_s\":12.5,\"lssma_kmh\":72,\"mrdt_changed\":true,\"d_indication_m\":250.5,"
+      "\"memo_status\":\"SB\",\"level_valid\":true,\"trip_reason\":\"SH stop order\",\"geo_m\":25000,"
+      "\"rv_left_m\":80,\"levels_allowed\":[\"0\",\"2\"],"
+      "\"enabled\":[\"slippery_rail\",\"adhesion_normal\",\"isolate\"],\"messages\":["
+      "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
+      "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
+      "\"since_ms\":2000}],\"sessions\":[{\"NID_C\":426,\"NID_RBC\":1,\"state\":\"version check\"}]}\n";
+  ASSERT_GE(line.size(), expected.size());
+  EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
+  std::string row;
+  append_trace(row, 0, second_edition());
+  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80\n";
+  ASSERT_GE(row.size(), end.size());
+  EXPECT_EQ(row.substr(row.size() - end.size()), end);
 }
 
 TEST(OutputLines, CsvHasOneFieldPerColumn) {
@@ -262,7 +313,7 @@ TEST(OutputLines, CsvHasOneFieldPerColumn) {
     }
     return n;
   };
-  for (const auto& outputs : {some_outputs(), kernel::Outputs{}}) {
+  for (const auto& outputs : {some_outputs(), second_edition(), kernel::Outputs{}}) {
     std::string row;
     append_trace(row, 12300, outputs);
     EXPECT_EQ(fields(row), fields(trace_header())) << row;
@@ -278,6 +329,28 @@ TEST(OutputLines, ChangesAreWhatIsNotMotion) {
   b.tco = true;
   EXPECT_TRUE(differ_beyond_motion(a, b));
   EXPECT_TRUE(differ_beyond_motion(a, some_outputs()));
+}
+
+TEST(OutputLines, ChangesOfTheSecondEdition) {
+  const kernel::Outputs before;
+  const auto changed = [&before](auto change) {
+    kernel::Outputs after;
+    change(after);
+    return differ_beyond_motion(before, after);
+  };
+  using Out = kernel::Outputs;
+  EXPECT_FALSE(changed([](Out& o) { o.V_I = 36_km_h; }));
+  EXPECT_FALSE(changed([](Out& o) { o.TTI = Duration{1.0}; }));
+  EXPECT_FALSE(changed([](Out& o) { o.d_indication = o.geo = o.rv_left = 1_m; }));
+  EXPECT_TRUE(changed([](Out& o) { o.LSSMA = 72_km_h; }));
+  EXPECT_TRUE(changed([](Out& o) { o.MRDT_changed = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.memo_status = MemoStatus::P; }));
+  EXPECT_TRUE(changed([](Out& o) { o.level_valid = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.trip_reason = StatusText::emergency_stop; }));
+  EXPECT_TRUE(changed([](Out& o) { o.levels_allowed.add(Level::L1); }));
+  EXPECT_TRUE(changed([](Out& o) { o.enabled.add(DriverInput::start); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.status_texts.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.sessions.push_back({}); }));
 }
 
 TEST(WholeFile, AppearsOnlyWhenWhole) {

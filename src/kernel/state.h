@@ -8,6 +8,7 @@
 #include "base/inplace_vector.h"
 #include "base/units.h"
 #include "brakes/brakes.h"
+#include "driver/status_texts.h"
 #include "kernel/evc.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
@@ -102,7 +103,6 @@ struct SupervisionBasis {
 
 /// The whole memory of the unit. Trivially copyable.
 struct State {
-  Duration cycle{0.1};
   Duration now{};
   SrsVersion srs = SrsVersion::v3_6_0;
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
@@ -146,14 +146,14 @@ struct State {
   bool shorten_at_standstill = false;                   // after a linking or consistency reaction (A.3.4 g, h, l, m)
   bool track_description_deleted = false;               // reason of the MA request until a new MA (3.8.2.7.3)
   InplaceVector<std::uint8_t, 6> texts_to_acknowledge;  // ids, the first is acknowledged first
+  driver::StatusTexts status_texts;
 
   sdm::Supervision supervision;
   SupervisionBasis basis;
   std::uint32_t revision = 0;  // increases when train data, national values, mode or level change the supervision
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
-  bool powered = false;
-  bool configuration_refused = false;  // train data or national values out of their range at power-up
+  bool configuration_refused = false;               // train data or national values out of their range at power-up
 };
 static_assert(std::is_trivially_copyable_v<State>);
 static_assert(sizeof(State) <= 64 * 1024);

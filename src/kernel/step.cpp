@@ -9,7 +9,6 @@ namespace evc::kernel {
 void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state = State{};
   derived.built = 0;
-  state.cycle = config.cycle;
   state.srs = config.srs;
   state.fitted_levels = config.levels;
   state.train = config.train;

@@ -51,4 +51,18 @@ bool driver_may_select(const OrderedLevel& level, const LevelTable* trackside_ta
   return false;
 }
 
+Set<Level> levels_allowed(const LevelTable* trackside_table, const AvailableLevels& available) {
+  Set<Level> levels;
+  if (trackside_table != nullptr && !trackside_table->empty()) {
+    for (const OrderedLevel& entry : *trackside_table) levels.add(entry.level, available.has(entry));
+    return levels;
+  }
+  bool national = false;
+  for (const std::uint64_t systems : available.national_systems) national = national || systems != 0;
+  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3})
+    levels.add(level, available.has({.level = level}));
+  levels.add(Level::NTC, national && available.fitted[static_cast<std::size_t>(Level::NTC)]);
+  return levels;
+}
+
 }  // namespace evc::modes

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/set.h"
 #include "base/units.h"
 #include "modes/acceptance.h"
 #include "terms/level.h"
@@ -112,7 +113,10 @@ OrderDecision judge(OrderKind kind, const LevelTable& table, const OrderedLevel&
 /// the unit.
 bool driver_may_select(const OrderedLevel& level, const LevelTable* trackside_table, const AvailableLevels& available);
 
-/// Whether a pending transition is shown to the driver (4.7.2, symbols LE06 ..): not when the level will not change.
+/// The levels among these (NTC: with one of its national systems).
+Set<Level> levels_allowed(const LevelTable* trackside_table, const AvailableLevels& available);
+
+/// What the driver is shown of a pending transition (4.7.2, symbols LE06 ..): nothing when the level will not change.
 constexpr bool announced_to_driver(const PendingTransition& pending, const OrderedLevel& current) {
   return !pending.to.same_level(current);
 }

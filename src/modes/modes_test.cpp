@@ -324,6 +324,23 @@ TEST(Levels, What_the_driver_may_choose) {
   EXPECT_TRUE(driver_may_select(at(Level::L0), &none, unit));
 }
 
+TEST(Levels, Those_that_are_allowed) {  // 5.10.2.8
+  AvailableLevels unit;
+  unit.fitted[static_cast<std::size_t>(Level::L3)] = false;
+  const Set<Level> own{Level::L0, Level::L1, Level::L2};
+  EXPECT_EQ(levels_allowed(nullptr, unit), own) << "no national system is there";
+  const LevelTable none;
+  EXPECT_EQ(levels_allowed(&none, unit), own);
+  unit.national_systems[0] = 1u << 7;
+  EXPECT_TRUE(levels_allowed(nullptr, unit).has(Level::NTC));
+  OrderedLevel national = at(Level::NTC);
+  national.nid_ntc = 6;
+  const LevelTable trackside = table({at(Level::L3), national, at(Level::L1)});
+  EXPECT_EQ(levels_allowed(&trackside, unit), Set<Level>{Level::L1});
+  unit.national_systems[0] = 1u << 6;
+  EXPECT_EQ(levels_allowed(&trackside, unit), (Set<Level>{Level::L1, Level::NTC}));
+}
+
 TEST(Names, Levels) {
   EXPECT_STREQ(name(Level::NTC), "NTC");
   EXPECT_STREQ(name(Mode::RV), "RV");

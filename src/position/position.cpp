@@ -62,7 +62,6 @@ Reference reference_for(const State& state, const Passage& passage, Place place)
   reference.id = passage.id;
   reference.counter = passage.counter;
   reference.place = place;
-  reference.L_antenna = passage.L_antenna;
   reference.Q_LOCACC = passage.Q_LOCACC;
   reference.single = passage.single;
   reference.orientation = state.sense > 0 ? passage.counter_against_group : opposite(passage.counter_against_group);

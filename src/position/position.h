@@ -45,7 +45,6 @@ struct Reference {
   GroupId id;
   OdometerReading counter;                     // when the antenna was over the reference balise
   Place place;                                 // of the reference balise
-  Distance L_antenna;                          // antenna to front end when it was read
   Distance Q_LOCACC;                           // frozen when the group was read (3.6.4.2.3)
   Direction orientation = Direction::unknown;  // of the train (active cab) against the group (3.6.1.6)
   bool single = false;                         // gives no orientation of its own (3.4.2.3)

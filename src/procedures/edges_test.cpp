@@ -34,7 +34,6 @@ TEST(Effects, All_sets_are_joined) {
   EXPECT_EQ(a.send, b.send);
   EXPECT_EQ(a.inform, b.inform);
   EXPECT_EQ(a.status, b.status);
-  EXPECT_FALSE(a.service_brake);
 }
 
 // ---- Override, 5.8 ------------------------------------------------------------------------------------------------
@@ -45,8 +44,6 @@ struct Overriding {
   Overriding(Mode mode, Level level = Level::L1) {
     in.mode = mode;
     in.level = level;
-    in.train_data_valid = true;
-    in.V_NVALLOWOVTRP = Speed{5.0};
     in.eoa_or_loa = at(100.0);
     in.est_front = at(95.0);
     in.min_safe_antenna = at(85.0);
@@ -102,13 +99,6 @@ TEST(Override, Borders_and_levels_of_its_ends) {
   sr.select();
   sr.in.est_front = at(120.0);
   EXPECT_EQ(sr.cycle().ended_by, Clause{});
-  Overriding slow(Mode::FS);
-  slow.in.V_est = slow.in.V_NVALLOWOVTRP;
-  EXPECT_TRUE(override_::selectable(slow.in));
-  for (std::size_t l = 0; l < kLevels; ++l) {
-    const Level level = static_cast<Level>(l);
-    EXPECT_EQ(override_::selectable(Overriding(Mode::SB, level).in), level == Level::L2 || level == Level::L3);
-  }
 }
 
 TEST(Override, What_is_not_active_does_not_end_and_what_starts_does_not_end_in_the_same_cycle) {
@@ -158,7 +148,9 @@ struct Transition {
                                 std::uint8_t ntc = 1) {
     order = {kind, at(border), {}};
     EXPECT_TRUE(order.table.push_back({level, level == Level::NTC ? ntc : std::uint8_t{0}, Distance{300.0}}));
-    in.order = &order;
+    const level_transition::JudgedOrder judged{
+        order, modes::judge(order.kind, order.table, in.current, in.mode, in.available)};
+    in.order = &judged;
     return cycle(front);
   }
   level_transition::Result acknowledge(double front = 0.0) {
@@ -238,7 +230,7 @@ TEST(LevelTransition, The_driver_leaves_a_level_that_he_has_not_acknowledged) {
   Transition t(Level::L2, Mode::UN);
   EXPECT_EQ(t.give(OrderKind::immediate, Level::L0).effects.requests, Set<Ack>{Ack::level});
   EXPECT_TRUE(t.driver_chooses(Level::L1).effects.requests.empty());
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(t.cycle().effects.service_brake);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(t.cycle().overdue.has_value());
 }
 
 // 4.12 of 4.0.0, "change to level ... not acknowledged". UN, SN, FS, LS, SR and OS are entered by the level transition
@@ -273,7 +265,6 @@ struct Ahead {
   Ahead(Mode mode, Mode area) {
     areas.push_back({area, at(1000.0), at(2000.0), Speed{10.0}, Distance{200.0}});
     in.mode = mode;
-    in.level = Level::L2;
   }
   mode_profile::Result cycle(double front, double interval = 0.0) {
     in.now += Duration{1.0};
@@ -329,7 +320,7 @@ TEST(ModeProfile, A_mode_change_ends_what_was_asked) {
   EXPECT_EQ(a.cycle(1000.0).effects.requests, Set<Ack>{Ack::OS});
   mode_profile::on_mode_change(a.state, Mode::TR, 20, a.in.now);
   a.in.mode = Mode::TR;
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(a.cycle(1001.0).effects.service_brake);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(a.cycle(1001.0).overdue.has_value());
 }
 
 // ---- Reversing, 5.13 ----------------------------------------------------------------------------------------------
@@ -338,7 +329,7 @@ TEST(Reversing, In_which_modes_and_where) {
   reversing::Inputs in;
   in.standstill = true;
   EXPECT_FALSE(reversing::step(in).possible);  // nothing is stored
-  in.stored = reversing::Reversing{at(0.0), at(100.0), at(100.0), std::nullopt, Speed{}};
+  in.stored = reversing::Area{at(0.0), at(100.0)};
   for (std::size_t m = 0; m < kModes; ++m) {
     in.mode = static_cast<Mode>(m);
     const bool possible = in.mode == Mode::FS || in.mode == Mode::LS || in.mode == Mode::OS;

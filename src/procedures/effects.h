@@ -42,7 +42,6 @@ struct Effects {
   Set<Send> send;
   Set<Inform> inform;
   Set<Status> status;
-  bool service_brake = false;  // an acknowledgement is overdue (T_ACK)
 
   constexpr Effects& operator|=(const Effects& b) {
     requests |= b.requests;
@@ -51,7 +50,6 @@ struct Effects {
     send |= b.send;
     inform |= b.inform;
     status |= b.status;
-    service_brake = service_brake || b.service_brake;
     return *this;
   }
 };

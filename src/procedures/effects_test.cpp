@@ -11,9 +11,8 @@ TEST(Effects, Are_joined) {
   Effects a, b;
   a.requests.add(Ack::OS);
   b.send.add(Send::ma_request);
-  b.service_brake = true;
   a |= b;
-  EXPECT_TRUE(a.requests.has(Ack::OS) && a.send.has(Send::ma_request) && a.service_brake);
+  EXPECT_TRUE(a.requests.has(Ack::OS) && a.send.has(Send::ma_request));
   EXPECT_EQ(Set<Ack>::of_bits(0b101), (Set<Ack>{Ack::OS, Ack::SH}));
   EXPECT_EQ((Set<Ack>{Ack::OS, Ack::SH}).bits(), 0b101u);
   EXPECT_EQ(Set<Ack>::of_bits(~0u).bits(), (1u << 12) - 1u);

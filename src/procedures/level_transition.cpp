@@ -57,7 +57,6 @@ void ask(State& state, const Inputs& in, const OrderedLevel& current, Result& ou
   out.effects.requests.add(Ack::level, state.shown);
   if (state.unacknowledged && in.now >= state.deadline) {
     out.overdue = state.unacknowledged_level;
-    out.effects.service_brake = true;
   }
 }
 

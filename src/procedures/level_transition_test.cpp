@@ -77,7 +77,7 @@ TEST(LevelTransition, Acknowledged_ahead) {
   const auto r = b.cycle(1010.0);
   EXPECT_TRUE(r.switch_to.has_value());
   EXPECT_TRUE(r.effects.requests.empty());
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(b.cycle(1020.0).effects.service_brake);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(b.cycle(1020.0).overdue.has_value());
 }
 
 TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
@@ -88,13 +88,13 @@ TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
   EXPECT_EQ(r.effects.requests, Set<Ack>{Ack::level});
   level_transition::on_mode_change(b.state, Mode::FS, Mode::UN);
   b.in.mode = Mode::UN;
-  for (int i = 0; i < 4; ++i) EXPECT_FALSE(b.cycle(10.0).effects.service_brake);
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(b.cycle(10.0).overdue.has_value());
   r = b.cycle(10.0);
-  EXPECT_TRUE(r.effects.service_brake);
+  EXPECT_TRUE(r.overdue.has_value());
   EXPECT_EQ(r.overdue, Level::L0);
   b.in.acknowledged = true;
   r = b.cycle(10.0);
-  EXPECT_FALSE(r.effects.service_brake);
+  EXPECT_FALSE(r.overdue.has_value());
   EXPECT_TRUE(r.effects.requests.empty());
 }
 

@@ -81,7 +81,6 @@ Result step(State& state, const Inputs& in) {
   if (state.unacknowledged || state.shown) out.effects.requests.add(acknowledgement(state.asked));
   if (state.unacknowledged && in.now >= state.deadline) {
     out.overdue = state.asked;
-    out.effects.service_brake = true;
   }
   return out;
 }

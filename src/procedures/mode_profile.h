@@ -5,7 +5,6 @@
 
 #include "base/units.h"
 #include "procedures/effects.h"
-#include "terms/level.h"
 #include "terms/mode.h"
 #include "terms/srs_version.h"
 
@@ -31,8 +30,7 @@ struct State {
 struct Inputs {
   Duration now{};
   Mode mode = Mode::SB;
-  Level level = Level::L0;
-  std::span<const Area> areas;  // in use; in levels 0 and NTC stored for the level transition
+  std::span<const Area> areas;  // in use; in levels 0 and NTC kept for the level transition
   Place min_safe_front{}, est_front{}, max_safe_front{};
   Speed V_est{};
   Set<Ack> acknowledged;  // in this cycle
@@ -44,7 +42,7 @@ struct Result {
   bool demands_OS = false, demands_LS = false, demands_SH = false;  // by the area in which the train is
   bool in_force = false;                                            // Facts::profile_in_force
   bool front_in_OS_ack_area = false, front_in_LS_ack_area = false;  // by the estimated front end
-  std::optional<Mode> overdue;   // entered and not acknowledged within T_ACK: the cause of Effects::service_brake
+  std::optional<Mode> overdue;                                      // entered and not acknowledged for T_ACK: it brakes
   std::optional<Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
 };
 

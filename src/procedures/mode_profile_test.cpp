@@ -18,7 +18,6 @@ struct Profile {
   Profile(Mode mode, std::optional<Place> end = at(2000.0)) {
     areas.push_back({mode, at(1000.0), end, Speed{10.0}, Distance{200.0}});
     in.mode = Mode::FS;
-    in.level = Level::L2;
     in.V_est = Speed{9.0};
   }
   /// The estimated front end at `front`, the confidence interval 10 m on either side.
@@ -131,13 +130,13 @@ TEST(ModeProfile, An_entry_without_acknowledgement_brakes_after_5_s) {
       for (int i = 0; i < 4; ++i) {
         const auto r = p.cycle(1100.0);
         EXPECT_EQ(r.effects.requests, Set<Ack>{e.ack});
-        EXPECT_FALSE(r.effects.service_brake);
+        EXPECT_FALSE(r.overdue.has_value());
       }
       auto r = p.cycle(1100.0);
-      EXPECT_TRUE(r.effects.service_brake) << n;
+      EXPECT_TRUE(r.overdue.has_value()) << n;
       EXPECT_EQ(r.overdue, e.to);
       r = p.cycle(1100.0, {e.ack});
-      EXPECT_FALSE(r.effects.service_brake);
+      EXPECT_FALSE(r.overdue.has_value());
       EXPECT_TRUE(r.effects.requests.empty());
     }
 }

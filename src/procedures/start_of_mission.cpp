@@ -54,10 +54,7 @@ Step after_level(const Inputs& in, Effects& out) {
 
 /// D31, D32, A32 to A34: the attempt to open the session has ended.
 Step after_session(const Inputs& in, Effects& out) {
-  if (in.session != Session::open) {
-    out.inform.add(Inform::session_failed);
-    return Step::S10;
-  }
+  if (in.session != Session::open) return Step::S10;  // the driver sees it by the radio indication (ST04)
   out.status.add(Status::rbc_contact_valid);
   out.send.add(Send::start_of_mission_report);
   return valid(in.position) ? Step::S10 : Step::D33;

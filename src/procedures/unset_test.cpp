@@ -137,15 +137,9 @@ TEST(Unset, Shunting) {
 }
 
 TEST(Unset, Override) {
-  EXPECT_FALSE(override_::selectable({}));  // no train data
   override_::Inputs in;
-  in.mode = Mode::FS;
-  EXPECT_FALSE(override_::selectable(in));
   in.mode = Mode::SB;
-  in.train_data_valid = true;
-  EXPECT_FALSE(override_::selectable(in));  // in SB only in levels 2 and 3
   in.level = Level::L2;
-  EXPECT_TRUE(override_::selectable(in));
   override_::State state;
   override_::Result r = override_::step(state, in);
   EXPECT_FALSE(r.selected || r.started || r.active || r.former_eoa_passed || r.ended_by);
@@ -161,13 +155,13 @@ TEST(Unset, Override) {
 
 TEST(Unset, Reversing) {
   reversing::Inputs in;
-  in.stored = reversing::Reversing{at(0.0), at(100.0), at(100.0), std::nullopt, Speed{}};
+  in.stored = reversing::Area{at(0.0), at(100.0)};
   in.est_front = at(50.0);
   reversing::Result r = reversing::step(in);
-  EXPECT_FALSE(r.possible || r.distance_passed);
+  EXPECT_FALSE(r.possible);
   in.standstill = true;
   r = reversing::step(in);
-  EXPECT_TRUE(r.possible && !r.distance_passed);
+  EXPECT_TRUE(r.possible);
   EXPECT_TRUE(r.effects.requests.empty());
 }
 
@@ -204,14 +198,16 @@ TEST(Unset, Level_transition) {
   level_transition::State state;
   const level_transition::Result r = level_transition::step(state, {});
   EXPECT_FALSE(r.switch_to.has_value() || r.by_driver || r.overdue.has_value() || r.announced || r.cancelled);
-  EXPECT_TRUE(r.effects.requests.empty() && !r.effects.service_brake);
+  EXPECT_TRUE(r.effects.requests.empty());
   EXPECT_FALSE(state.shown || state.kept || state.acknowledged || state.unacknowledged);
   // An immediate order in SB, without an acknowledgement; the edition is 3.6.0, in which NTC to 1 asks for one.
   level_transition::Inputs in;
-  level_transition::Order order;
+  level_transition::JudgedOrder judged;
+  level_transition::Order& order = judged.order;
   ASSERT_TRUE(order.table.push_back({Level::L1, 0, Distance{}}));
   in.current.level = Level::NTC;
-  in.order = &order;
+  judged.decision = modes::judge(order.kind, order.table, in.current, in.mode, in.available);
+  in.order = &judged;
   EXPECT_EQ(level_transition::step(state, in).effects.requests, Set<Ack>{Ack::level});
   in.current.level = Level::L1;
   in.order = nullptr;
@@ -223,7 +219,7 @@ TEST(Unset, Mode_profile) {
   const mode_profile::Result r = mode_profile::step(state, {});
   EXPECT_FALSE(r.demands_OS || r.demands_LS || r.demands_SH || r.in_force || r.front_in_OS_ack_area ||
                r.front_in_LS_ack_area || r.overdue.has_value() || r.at_front.has_value());
-  EXPECT_TRUE(r.effects.requests.empty() && !r.effects.service_brake);
+  EXPECT_TRUE(r.effects.requests.empty());
   EXPECT_FALSE(state.shown || state.unacknowledged);
 }
 

@@ -69,9 +69,6 @@ Commands guard(MovementGuards& g, const GuardSelection& selection, const Movemen
   if (selection.roll_away) supervise(g.roll_away, against_controller(m), m);
   if (selection.reverse_movement) {
     supervise(g.reverse_movement, against_permitted, m);
-    const Distance forward = moved(m, *g.reverse_movement.reference, Way::forward);
-    c.against_permitted =
-        (forward > Distance{} && against_permitted.forward) || (forward < Distance{} && against_permitted.backward);
   }
   if (selection.standstill) supervise(g.standstill, {true, true}, m);
   if (selection.post_trip) {

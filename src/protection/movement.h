@@ -54,7 +54,6 @@ struct Commands {
   bool roll_away = false, reverse_movement = false, standstill = false;  ///< emergency brake
   bool post_trip = false;                                                ///< service brake (4.4.14.1.3)
   bool reversing = false;                                                ///< emergency brake (3.15.4.8)
-  bool against_permitted = false;  ///< moving against the permitted direction: balise data are ignored (3.14.3.6)
   bool any() const { return roll_away || reverse_movement || standstill || post_trip || reversing; }
 };
 Commands guard(MovementGuards& guards, const GuardSelection& selection, const Movement& movement);

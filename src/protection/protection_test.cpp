@@ -123,7 +123,6 @@ TEST(ReverseMovement, BeyondTheNationalDistance) {
   Train t(FS);
   EXPECT_FALSE(t.to(100).any());
   EXPECT_FALSE(t.to(98).any()) << "exactly the distance";
-  EXPECT_TRUE(t.to(98).against_permitted);
   EXPECT_TRUE(t.to(97.9).reverse_movement);
   EXPECT_TRUE(t.to(120).reverse_movement) << "kept";
   EXPECT_TRUE(t.stop(false).reverse_movement) << "standstill alone does not release";

@@ -74,10 +74,9 @@ struct Outbox {
   static constexpr std::size_t kMessages = 24;
   InplaceVector<Intent, kMessages> messages;
   std::optional<Rbc> connect, disconnect;
-  bool inform_no_connection = false;  ///< start of mission: all tries failed (5.4.3.2 A32)
-  bool inform_no_version = false;     ///< message 154 was sent (3.5.3.8)
-  bool lost = false;                  ///< there were more messages than fit
-  /// When there is no room, an answer to an emergency stop (147) replaces the last message of another kind.
+  bool inform_no_version = false;  ///< message 154 was sent: the driver is informed (3.5.3.7 d)
+  bool lost = false;               ///< there were more messages than room
+  /// When there is no room an answer to an emergency stop (147) takes the place of the last message that is not one.
   void send(const Intent& intent) {
     if (messages.push_back(intent)) return;
     lost = true;

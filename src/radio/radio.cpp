@@ -17,7 +17,6 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
     s.contact_brake_released = false;
     report_error(s, 5);
   }
-  if (in.contact.M_NVCONTACT != Reaction::none) result.contact_lost = true;
   if (in.contact.M_NVCONTACT == Reaction::trip) result.trip = true;
   if (in.contact.M_NVCONTACT == Reaction::service_brake && !s.contact_brake_released) {
     result.service_brake = !in.standstill;

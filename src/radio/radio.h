@@ -111,9 +111,8 @@ struct Inputs {
 struct Result {
   bool session_established = false, session_lost = false;
   bool trip = false;           ///< condition [41], as long as it holds
-  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1; until standstill or a new message
-  bool contact_lost = false;   ///< for the driver: no message in due time
-  bool shorten = false;        ///< standstill under this brake without a message: A.3.4 i, once
+  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
+  bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
 };
 /// One cycle: session, contact supervision, train data, position reports, MA requests, repetitions. Afterwards every
 /// message of the outbox has its own time stamp; messages without a connection are removed (3.5.4.5).

@@ -62,7 +62,6 @@ void connected(Session& s, Duration now, Outbox& out) {
 void attempt_failed(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
   s.request_connection = false;
   if (s.phase == Phase::connecting && s.cause == Cause::start_of_mission && s.tries >= kConnectionTries) {
-    out.inform_no_connection = true;
     go_idle(s, now, out);
     if (s.phase == Phase::idle) s.indication = Indication::failed;
     return;

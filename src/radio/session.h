@@ -19,7 +19,7 @@ inline constexpr Duration kVersionWait{15.0};
 inline constexpr Duration kContactExtra{60.0};
 inline constexpr Duration kConnectionStatus{45.0};
 
-enum class Phase : std::uint8_t { idle, connecting, waiting_version, up, lost, terminating };
+using Phase = SessionPhase;
 /// Safe radio connection indication (3.5.7).
 enum class Indication : std::uint8_t { none, failed, up };
 /// Why a session is to be established (3.5.3.4).

@@ -46,6 +46,7 @@ struct Cycle {
   Times longest_cm0{}, longest_cmt{};        // upper bounds of the times of all targets, reduced (4.0.0) or not
   Speed full_below_cm0{}, full_below_cmt{};  // 4.0.0: towards lower target speeds no build-up time is reduced
   Feedback feedback{};
+  double V_I = kFar;     // the lowest V_I of the targets looked at closely
   bool reduced = false;  // some build-up time is reduced
   bool list_updated = false;
   bool V_MRSP_updated = false;

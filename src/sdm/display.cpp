@@ -105,6 +105,8 @@ void show_limits(const Cycle& c, const Seen* seen, Result& out) {
   out.V_W = at(b, Bound::M_w);
   out.V_SBI = at(b, Bound::M_sbi);
   out.V_EBI = at(b, Bound::M_ebi);
+  // No target that is far away has an Indication limit below V_MRSP here.
+  if (c.s.monitoring != Monitoring::RSM) out.V_I = std::min(c.M, Speed{c.V_I});
   if (c.s.monitoring == Monitoring::CSM) return;
   if (c.s.monitoring == Monitoring::RSM) {
     out.V_W = out.V_SBI = out.V_EBI = release(c).V_release;

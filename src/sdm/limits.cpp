@@ -132,12 +132,16 @@ LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const
   };
   // From the most downstream place to the most upstream one.
   LimitSpeeds s{};
+  s.V_I = speed(t.T_bs2 + f.T_driver + t.T_indication, V_target);
   s.V_P = speed(t.T_bs2 + f.T_driver, V_target);
   s.V_W = speed(t.T_bs2 + f.T_warning, V_target + dV_warning(V_target, f));
   s.V_SBI = speed(t.T_bs2, V_target + dV_sbi(V_target, f));
   s.V_EBI = speed({0.0}, V_target + dV_ebi(V_target, f));
   // 3.13.9.3.5.8: beyond the foot of the guidance curve the target speed is permitted.
-  if (GUI.exists()) s.V_P = std::max(std::min(s.V_P, GUI.speed_at(front)), V_target);
+  if (GUI.exists()) {
+    s.V_P = std::max(std::min(s.V_P, GUI.speed_at(front)), V_target);
+    s.V_I = std::max(std::min(s.V_I, GUI.speed_at(front + a.V * t.T_indication)), V_target);
+  }
   return s;
 }
 
@@ -149,10 +153,14 @@ LimitSpeeds speeds_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const
     return x >= d_EOA ? Speed{0.0} : SBD.next_speed_at(x, knot);
   };
   LimitSpeeds s{};
+  s.V_I = speed(t.T_bs1 + f.T_driver + t.T_indication);
   s.V_P = speed(t.T_bs1 + f.T_driver);
   s.V_W = speed(t.T_bs1 + f.T_warning);
   s.V_SBI = speed(t.T_bs1);
-  if (GUI.exists()) s.V_P = std::min(s.V_P, GUI.speed_at(front));
+  if (GUI.exists()) {
+    s.V_P = std::min(s.V_P, GUI.speed_at(front));
+    s.V_I = std::min(s.V_I, GUI.speed_at(front + a.V * t.T_indication));
+  }
   return s;
 }
 

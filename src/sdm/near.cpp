@@ -84,6 +84,7 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
   seen.beyond_I_EBD = c.m.max_safe_front > l.EBD.d_I;
   const LimitSpeeds e =
       speeds_of_EBD(c.d.view(t.EBD), c.d.view(t.GUI), c.a, l.times.EBD, t.V_target, c.m.max_safe_front, c.d.fixed);
+  c.V_I = std::min(c.V_I, e.V_I.si);
   seen.V_P = e.V_P.si;
   if (seen.beyond_I_EBD) seen.V_P_beyond_I = e.V_P.si;
   // 3.13.10.4.4: towards EOA and SvL never below the release speed.
@@ -96,6 +97,7 @@ void evaluate(Cycle& c, std::size_t i, Seen& seen) {
     seen.beyond_I_SBD = c.m.est_front > l.SBD->d_I;
     const LimitSpeeds s =
         speeds_of_SBD(c.d.view(t.SBD), c.d.view(t.GUI_EOA), c.a, l.times.SBD, t.d_EOA, c.m.est_front, c.d.fixed);
+    c.V_I = std::min(c.V_I, s.V_I.si);
     seen.V_P = std::min(seen.V_P, s.V_P.si);
     if (seen.beyond_I_SBD) seen.V_P_beyond_I = std::min(seen.V_P_beyond_I, s.V_P.si);
     c.V_W = std::min(c.V_W, std::max(s.V_W.si, floor));

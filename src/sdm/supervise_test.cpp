@@ -130,8 +130,11 @@ TEST(TSM, ATrainThatDoesNotBrake) {
   // 30 m/s, no acceleration: EBD limits I 3830, P 4100, W 4160, SBI2 4220, EBI 4310 (SvL 5000); SBD
   // limits I 3857.5, P 4127.5, W 4187.5, SBI1 4247.5 (EOA 4900).
   Unit u = approaching_EOA();
-  EXPECT_EQ(u.cycle(3830, kM).monitoring, Monitoring::CSM);  // at the limit, it is not exceeded
+  EXPECT_EQ(u.cycle(3700, kM).V_I, Speed{kM}) << "at most V_MRSP";
+  EXPECT_EQ(u.cycle(3830, kM).monitoring, Monitoring::CSM);  // at the limit it is not passed
+  EXPECT_NEAR(u.r.V_I->si, kM, 1e-9);
   EXPECT_EQ(u.cycle(3830.1, kM).monitoring, Monitoring::TSM);
+  EXPECT_LT(u.r.V_I->si, kM);
   EXPECT_TRUE(u.r.monitoring_changed);
   EXPECT_EQ(u.r.status, Status::Indication);
   EXPECT_TRUE(u.r.MRDT_changed);

@@ -30,43 +30,6 @@ constexpr std::array<const char*, static_cast<std::size_t>(train::Fault::count)>
                                                                                              "M_NVEBCL",
                                                                                              "A_NVMAXREDADH"};
 
-constexpr std::array<const char*, driver::kInputs> kInputNames{"train_data",
-                                                               "language",
-                                                               "driver_id",
-                                                               "train_running_number",
-                                                               "level",
-                                                               "adhesion",
-                                                               "rbc_contact",
-                                                               "integrity_confirmation",
-                                                               "start",
-                                                               "override",
-                                                               "shunting",
-                                                               "continue_shunting",
-                                                               "exit_shunting",
-                                                               "non_leading",
-                                                               "ack_fixed_text",
-                                                               "ack_plain_text",
-                                                               "ack_level",
-                                                               "ack_LS",
-                                                               "ack_OS",
-                                                               "ack_SH",
-                                                               "ack_SR",
-                                                               "ack_UN",
-                                                               "ack_RV",
-                                                               "ack_SN",
-                                                               "ack_trip",
-                                                               "ack_roll_away",
-                                                               "ack_reverse_movement",
-                                                               "ack_standstill",
-                                                               "ack_pt_distance",
-                                                               "ack_train_data_change",
-                                                               "ack_rv_distance",
-                                                               "track_ahead_free",
-                                                               "sr_speed_distance",
-                                                               "vbc",
-                                                               "isolation",
-                                                               "radio_network_id"};
-
 constexpr std::array<const char*, driver::kOutputs> kOutputNames{"mode",
                                                                  "level",
                                                                  "train_speed",
@@ -120,45 +83,42 @@ constexpr std::array<const char*, driver::kOutputs> kOutputNames{"mode",
                                                                  "ntc_data_need",
                                                                  "ntc_failed"};
 
-constexpr std::array<const char*, static_cast<std::size_t>(driver::TripReason::count)> kTripReasons{
-    "Balise read error",
-    "Communication error",
-    "SH refused",
-    "Trackside not compatible",
-    "Unauthorized passing of EOA / LOA",
-    "No MA received at level transition",
-    "SR distance exceeded",
-    "SH stop order",
-    "SR stop order",
-    "Emergency stop",
-    "No track description",
-    "National system brake demand"};
-
 }  // namespace
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames{
-    "start",      "override",      "shunting",        "exit_shunting", "non_leading",     "maintain_shunting",
-    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free"};
+    "start",      "override",      "shunting",        "exit_shunting", "non_leading",      "maintain_shunting",
+    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free", "main"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 
-const char* text_of(driver::TripReason reason) { return kTripReasons[static_cast<std::size_t>(reason)]; }
-
 const char* name(train::Fault fault) { return kFaultNames[static_cast<std::size_t>(fault)]; }
-const char* name(driver::Input input) { return kInputNames[static_cast<std::size_t>(input)]; }
 const char* name(driver::Output output) { return kOutputNames[static_cast<std::size_t>(output)]; }
 
-const char* text_of(Inform inform) {
-  switch (inform) {
-    case Inform::network_registration_failed:
-      return "Radio network registration failed";
-    case Inform::train_rejected:
-      return "Train is rejected";
-    case Inform::SH_refused:
-      return "SH refused";
-    case Inform::SH_request_failed:
-      return "SH request failed";
-    default:  // ST04 shows that a session could not be opened
-      return nullptr;
+InputKeys keys_of(DriverInput input) {
+  using enum DriverInput;
+  switch (input) {
+    case override_:
+    case shunting:
+    case exit_shunting:
+    case non_leading:
+    case start:
+    case track_ahead_free:
+    case driver_id:
+    case train_running_number:
+    case train_data:
+    case level:
+      return {name(input), nullptr};
+    case continue_shunting:
+      return {"maintain_shunting", nullptr};
+    case adhesion:
+      return {"slippery_rail", "adhesion_normal"};
+    case isolation:
+      return {"isolate", nullptr};
+    case rbc_contact:
+      return {"rbc", nullptr};
+    case sr_speed_distance:
+      return {"V_sr_kmh", "D_sr_m"};
+    default:
+      return {nullptr, nullptr};
   }
 }
 

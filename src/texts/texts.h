@@ -45,13 +45,12 @@ const char* words_of(port::Select select);
 const char* words_of(port::Entered entered);
 /// "brake_percentage".
 const char* name(train::Fault fault);
-/// Inputs and outputs of 4.7.2: "train_data".
-const char* name(driver::Input input);
+/// Outputs of 4.7.2: "trip_reason".
 const char* name(driver::Output output);
 
-/// The DMI text for what a procedure reports (015560 15); null if a symbol shows it.
-const char* text_of(Inform inform);
-/// The text of a trip reason (015560).
-const char* text_of(driver::TripReason reason);
+/// The keys of `select` and `enter` that stand for an input of 4.7.2; null where there is none (acknowledgements stand
+/// in `driver.requests`) or only one.
+using InputKeys = std::array<const char*, 2>;
+InputKeys keys_of(DriverInput input);
 
 }  // namespace evc::texts

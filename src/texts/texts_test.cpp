@@ -29,12 +29,10 @@ TEST(Texts, EveryEventSaysWhatHappened) {
 }
 
 TEST(Texts, NamesAreDifferent) {
-  std::set<std::string> faults, selects, inputs, outputs;
+  std::set<std::string> faults, selects, outputs;
   for (std::size_t i = 0; i < static_cast<std::size_t>(train::Fault::count); ++i)
     EXPECT_TRUE(faults.insert(name(static_cast<train::Fault>(i))).second) << i;
   for (const char* n : kSelectNames) EXPECT_TRUE(selects.insert(n).second) << n;
-  for (std::size_t i = 0; i < driver::kInputs; ++i)
-    EXPECT_TRUE(inputs.insert(name(static_cast<driver::Input>(i))).second) << i;
   for (std::size_t i = 0; i < driver::kOutputs; ++i)
     EXPECT_TRUE(outputs.insert(name(static_cast<driver::Output>(i))).second) << i;
   // The names are in the order of the enumerators.
@@ -45,11 +43,19 @@ TEST(Texts, NamesAreDifferent) {
   EXPECT_STREQ(words_of(port::Entered::SR_speed_distance), "SR speed and distance");
 }
 
-TEST(Texts, TextsOfTheDriverMachineInterface) {
-  EXPECT_STREQ(text_of(Inform::train_rejected), "Train is rejected");
-  EXPECT_EQ(text_of(Inform::session_failed), nullptr);  // shown by a symbol: ST04
-  EXPECT_STREQ(text_of(driver::TripReason::passing_of_EOA_or_LOA), "Unauthorized passing of EOA / LOA");
-  EXPECT_STREQ(text_of(driver::TripReason::national_system_brake_demand), "National system brake demand");
+TEST(Texts, KeysOfTheDriversInputs) {
+  EXPECT_STREQ(keys_of(DriverInput::continue_shunting)[0], "maintain_shunting");
+  EXPECT_STREQ(keys_of(DriverInput::adhesion)[1], "adhesion_normal");
+  EXPECT_EQ(keys_of(DriverInput::ack_OS)[0], nullptr);
+  // Every choice of `select` but the request to enter train data and a button of the main window is one of 4.7.2.
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(DriverInput::count); ++i)
+    for (const char* key : keys_of(static_cast<DriverInput>(i)))
+      if (key != nullptr) {
+        EXPECT_TRUE(keys.insert(key).second) << key;
+      }
+  keys.insert("main");
+  for (const char* select : kSelectNames) EXPECT_EQ(keys.count(select), 1u) << select;
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ TEST(Store, Nothing_is_set_in_a_new_description) {
   EXPECT_FALSE(d.stop_shunting_on_desk_opening || d.generic_ls_marker || d.revocable_tsr_inhibited);
   const Contents c;
   EXPECT_EQ(c.medium, Medium::balise);
-  EXPECT_FALSE(c.sr_authorisation || c.stop_shunting_on_desk_opening || c.generic_ls_marker);
+  EXPECT_FALSE(c.stop_shunting_on_desk_opening || c.generic_ls_marker);
   EXPECT_EQ(Note{}.packet, 0);
   Description after;
   store(after, c, front_at(0));

@@ -70,9 +70,9 @@ struct Profile {
   /// Whether the profile has a known value at every place of [from, to).
   constexpr bool covers(Place from, Place to) const {
     if (steps.empty() || steps.front().from > from) return false;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size() && steps[i].from < to; ++i) {
       const bool behind = i + 1 < steps.size() && steps[i + 1].from <= from;
-      if (!steps[i].value.known() && !behind && steps[i].from < to) return false;
+      if (!steps[i].value.known() && !behind) return false;
     }
     return true;
   }

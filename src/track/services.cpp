@@ -131,6 +131,21 @@ std::optional<Duration> time_to_timeout(const Description& d, Duration now) {
   return shortest;
 }
 
+Set<Suitability> unsuitability(const Description& d, const TrainInterfaces& train) {
+  Set<Suitability> kinds;
+  for (const RouteSuitability& item : d.suitability) kinds.add(item.kind, unsuitable(item, train));
+  return kinds;
+}
+
+bool described_under_train(const Description& d, const Here& here) {
+  return d.ssp.covers(here.min_safe_rear, here.est_front) && d.gradient.covers(here.min_safe_rear, here.est_front);
+}
+
+std::optional<Distance> reversing_left(const Description& d, const Here& here) {
+  if (!d.reversing_reference || !d.reversing_supervision || !d.reversing_supervision->D_REVERSE) return std::nullopt;
+  return here.est_front - (*d.reversing_reference - *d.reversing_supervision->D_REVERSE);
+}
+
 std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here) {
   const GeoReference* running = nullptr;
   for (const GeoReference& reference : d.geo)

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "base/set.h"
 #include "track/description.h"
 
 // Queries and updates of the track description by other rooms.
@@ -65,8 +66,16 @@ bool before_track_description(const Description& d, const Here& here);
 /// The nearest place from which the route does not suit the train (3.12.2.7).
 std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces& train);
 
-/// Marks the level crossing as substituted: V_LX applies instead of the stop, from `from` on
-/// (5.16).
+/// In what the route ahead does not suit the train (3.12.2.3).
+Set<Suitability> unsuitability(const Description& d, const TrainInterfaces& train);
+
+/// Whether SSP and gradient are known for the whole length of the train (4.4.9.1.4).
+bool described_under_train(const Description& d, const Here& here);
+
+/// What is left of the distance that may be run in RV, below 0 beyond it (3.15.4); absent: it is infinite or unknown.
+std::optional<Distance> reversing_left(const Description& d, const Here& here);
+
+/// Marks the level crossing as substituted: V_LX instead of the stop, from `from` on (5.16).
 void substitute_level_crossing(Description& d, std::uint8_t NID_LX, Place from);
 
 /// The shortest time until a section timer or the LOA speed timer of the stored MA expires, for the MA request (3.8.2.3

@@ -173,6 +173,37 @@ TEST(TrackDescription, FrontInRearOfIt) {  // [69]
 
 TEST(Timeout, NoneWithoutAnMa) { EXPECT_FALSE(time_to_timeout(Description{}, Duration{0})); }
 
+TEST(Suitability, KindsOfWhatIsStored) {  // 3.12.2.3
+  Description d;
+  EXPECT_TRUE(unsuitability(d, {}).empty());
+  RouteSuitability gauge;
+  gauge.kind = Suitability::gauge;
+  gauge.M_LINEGAUGE = 0b0010;
+  RouteSuitability axle_load;
+  axle_load.kind = Suitability::axle_load;
+  axle_load.M_AXLELOADCAT = 3;
+  ASSERT_TRUE(d.suitability.push_back(gauge) && d.suitability.push_back(axle_load));
+  TrainInterfaces train;
+  train.M_LOADINGGAUGE = 2;
+  train.M_AXLELOADCAT = 4;
+  EXPECT_EQ(unsuitability(d, train), Set<Suitability>{Suitability::axle_load});
+  train.M_LOADINGGAUGE = 4;
+  EXPECT_EQ(unsuitability(d, train), (Set<Suitability>{Suitability::axle_load, Suitability::gauge}));
+}
+
+TEST(Reversing, WhatIsLeftOfTheDistance) {  // 3.15.4: from the end of the area, backwards
+  Description d;
+  EXPECT_FALSE(reversing_left(d, front_at(100)));
+  d.reversing_reference = at(300);
+  EXPECT_FALSE(reversing_left(d, front_at(100)));
+  d.reversing_supervision = ReversingSupervision{};
+  EXPECT_FALSE(reversing_left(d, front_at(100))) << "infinite";
+  d.reversing_supervision->D_REVERSE = Distance{500};
+  EXPECT_EQ(reversing_left(d, front_at(300)), Distance{500});
+  EXPECT_EQ(reversing_left(d, front_at(-200)), Distance{0});
+  EXPECT_EQ(reversing_left(d, front_at(-201)), Distance{-1});
+}
+
 TEST(GeographicalPosition, CountsFromTheOffset) {  // 3.6.6
   Description d;
   EXPECT_FALSE(geographical_position(d, front_at(0)));

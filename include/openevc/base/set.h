@@ -29,6 +29,12 @@ class Set {
     bits_ |= b.bits_;
     return *this;
   }
+  constexpr Set& operator&=(Set b) {
+    bits_ &= b.bits_;
+    return *this;
+  }
+  /// Those in both.
+  friend constexpr Set operator&(Set a, Set b) { return a &= b; }
   friend constexpr bool operator==(Set, Set) = default;
 
  private:

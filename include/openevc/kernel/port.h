@@ -23,7 +23,9 @@ using port::OutgoingMessage;
 using port::Outputs;
 using port::RadioMessage;
 using port::RbcAddress;
+using port::RbcSession;
 using port::Select;
+using port::ShownStatus;
 using port::ShownText;
 using port::TrainSignals;
 

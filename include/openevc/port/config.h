@@ -11,7 +11,6 @@ namespace evc::port {
 
 /// The configuration, given once at power-up.
 struct Config {
-  Duration cycle{0.1};
   SrsVersion srs = SrsVersion::v3_6_0;
   train::TrainData train;
   train::NationalValues national_values;                           // valid until packet 3 gives others (3.18.2)

@@ -44,6 +44,7 @@ enum class Select : std::uint8_t {
   adhesion_normal,
   isolate,
   track_ahead_free,
+  main,  // a button of the main window: ends some status texts (015560 15)
   count
 };
 struct DriverActions {

@@ -8,10 +8,13 @@
 #include "openevc/base/units.h"
 #include "openevc/port/event.h"
 #include "openevc/terms/cause.h"
+#include "openevc/terms/driver_input.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/mode.h"
 #include "openevc/terms/monitoring.h"
+#include "openevc/terms/radio_link.h"
 #include "openevc/terms/requests.h"
+#include "openevc/terms/status_text.h"
 #include "openevc/terms/symbol.h"
 
 // The outputs of one cycle of the kernel: enumerations and numbers. Their names and texts for people and JSON are in
@@ -24,12 +27,29 @@ struct NidLrbg {
   friend constexpr bool operator==(const NidLrbg&, const NidLrbg&) = default;
 };
 
-/// A text on the driver interface (3.12.3).
+/// A text of the trackside on the driver interface (3.12.3).
 struct ShownText {
   std::uint8_t id = 0;                 // given on board
+  bool important = false;              // Q_TEXTCLASS
+  bool acknowledge = false;            // the driver is asked to acknowledge it
+  Duration since{};                    // when its display began
   std::optional<std::uint8_t> Q_TEXT;  // a fixed text; absent: plain text
   std::uint8_t length = 0;
   std::array<char, 255> characters{};  // ISO 8859-1, not terminated
+};
+
+/// A system status message on the driver interface.
+struct ShownStatus {
+  StatusText text{};
+  Duration since{};  // when its display began
+};
+
+/// A communication session with an RBC.
+struct RbcSession {
+  std::uint16_t NID_C = 0;
+  std::uint16_t NID_RBC = 0;
+  SessionPhase phase = SessionPhase::idle;
+  friend constexpr bool operator==(const RbcSession&, const RbcSession&) = default;
 };
 
 struct OutgoingMessage {
@@ -67,6 +87,23 @@ struct Outputs {
   InplaceVector<OutgoingMessage, 24> radio_out;
   std::optional<RbcAddress> radio_connect, radio_disconnect;
   InplaceVector<Event, 96> events;
+
+  // Absent where not supervised. `V_I`: the speed above which an Indication limit is passed, at most V_MRSP; none in
+  // release speed monitoring (3.13.9.3.6).
+  std::optional<Speed> V_I;
+  std::optional<Duration> TTI;            // time to Indication, while it is to be shown (3.13.10.3.10)
+  std::optional<Speed> LSSMA;             // lowest supervised speed within the MA, while it is to be shown (4.4.19.1.4)
+  bool MRDT_changed = false;              // the most relevant displayed target is another one (3.13.10.4.5)
+  std::optional<Distance> d_indication;   // from the front end to the first Indication location (3.13.10.3.8)
+  std::optional<MemoStatus> memo_status;  // where speed is supervised
+  bool level_valid = false;               // the stored level has the status valid (5.4.3.3)
+  Set<Level> levels_allowed;              // that the driver may choose (5.10.2.8)
+  std::optional<StatusText> trip_reason;  // in TR and PT (4.4.13.1.3)
+  std::optional<Distance> geo;            // geographical position of the estimated front end (3.6.6)
+  std::optional<Distance> rv_left;        // in RV: what is left of the distance to run (3.15.4); absent: infinite
+  Set<DriverInput> enabled;               // what the driver may do in the next cycle (4.7.2)
+  InplaceVector<ShownStatus, 20> status_texts;  // shown now; trackside texts are `texts`
+  InplaceVector<RbcSession, 2> sessions;        // not those that are idle
 };
 
 }  // namespace evc::port

@@ -80,9 +80,9 @@ Limits limits_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const Time
                      const std::optional<Place>& d_target, const train::FixedValues& fixed);
 Limits limits_of_SBD(CurveView SBD, CurveView GUI, const Approach& a, const Times& t, const train::FixedValues& fixed);
 
-/// Speeds at the train's place (3.13.9.3.3.7-8, 3.13.9.3.5.5-8), for display.
+/// Speeds at the train's place (3.13.9.3.3.7-8, 3.13.9.3.5.5-8), for display; V_I by T_indication more (3.13.9.3.6).
 struct LimitSpeeds {
-  Speed V_EBI, V_SBI, V_W, V_P;
+  Speed V_EBI, V_SBI, V_W, V_P, V_I;
 };
 LimitSpeeds speeds_of_EBD(CurveView EBD, CurveView GUI, const Approach& a, const Times& t, Speed V_target,
                           Place d_maxsafefront, const train::FixedValues& fixed);

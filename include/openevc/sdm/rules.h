@@ -9,7 +9,6 @@ namespace evc::sdm {
 struct Rules {
   bool indication_includes_T_driver;    // T_indication + T_driver (3.13.9.3.6.2)
   bool pre_indication;                  // CSM -> TSM by pre-indication location, Normal status in TSM
-  bool statuses_at_release_speed;       // t0-t2 of the EOA/SvL table
   bool ceiling_rows_need_indication;    // t6, t9, t12, t15 only beyond the Indication limit
   bool all_lower_elements_are_targets;  // every MRSP element below V_MRSP, else only decreases
   bool reduced_build_up;                // A.3.12
@@ -28,7 +27,6 @@ constexpr Rules rules_of(SrsVersion version) {
   return {
       .indication_includes_T_driver = v360,
       .pre_indication = !v360,
-      .statuses_at_release_speed = v400,
       .ceiling_rows_need_indication = v360 && !v400,
       .all_lower_elements_are_targets = v400,
       .reduced_build_up = v400,

@@ -150,6 +150,8 @@ struct Result {
   bool MRDT_changed = false;  // the driver is informed
   // Limits at the train's place, for display and traces.
   Speed V_MRSP, V_P, V_W, V_SBI, V_EBI;
+  // The Indication limit as a speed, found as 3.13.9.3.5.5 finds V_P, at most V_MRSP; none in RSM.
+  std::optional<Speed> V_I;
   bool show_SBI = false;  // Overspeed, Warning, Intervention
   // The most relevant displayed target; in CSM only with target information asked for by A_NVMAXREDADH.
   std::optional<Speed> V_target;
@@ -168,10 +170,8 @@ Result supervise(Supervision& state, const Derived& derived, const Motion& motio
 /// V_MRSP: the lowest speed between min and max safe front end (3.13.7.2).
 Speed V_MRSP(const Mrsp& mrsp, Place min_safe_front, Place max_safe_front);
 
-/// The six statuses, first match wins.
-enum class MemoStatus : std::uint8_t { Null, P, W, SB, EB, Trip };
-/// `trip`: a train trip is due (EOA passed, timer elapsed). An estimated speed above the EBI in force
-/// is EB, as in the standard.
+/// The highest of the six statuses that holds. `trip`: a train trip is due (EOA passed, timer elapsed). An estimated
+/// speed above the EBI in force is EB, as the standard has it.
 MemoStatus memo_status(const Result& result, Speed V_est, bool trip);
 
 }  // namespace evc::sdm

@@ -27,4 +27,17 @@ inline constexpr auto kStatusRows = std::to_array<terms::Row<Status>>({
 });
 static_assert(terms::in_order(kStatusRows));
 
+/// What a comparison of speed and limits comes to, trip and brakes included: the highest that holds.
+enum class MemoStatus : std::uint8_t { Null, P, W, SB, EB, Trip };
+
+inline constexpr auto kMemoStatusRows = std::to_array<terms::Row<MemoStatus>>({
+    {MemoStatus::Null, "Null"},
+    {MemoStatus::P, "P"},
+    {MemoStatus::W, "W"},
+    {MemoStatus::SB, "SB"},
+    {MemoStatus::EB, "EB"},
+    {MemoStatus::Trip, "Trip"},
+});
+static_assert(terms::in_order(kMemoStatusRows));
+
 }  // namespace evc

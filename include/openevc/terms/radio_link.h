@@ -14,4 +14,24 @@ inline constexpr auto kRadioLinkRows = std::to_array<terms::Row<RadioLink>>({
 });
 static_assert(terms::in_order(kRadioLinkRows));
 
+/// How far a communication session is (3.5.3 to 3.5.5).
+enum class SessionPhase : std::uint8_t {
+  idle,
+  connecting,       ///< a connection is asked for
+  waiting_version,  ///< message 155 was sent, message 32 is awaited
+  up,
+  lost,        ///< the connection is lost, the session is kept (3.5.4.1)
+  terminating  ///< message 156 was sent, message 39 is awaited
+};
+
+inline constexpr auto kSessionPhaseRows = std::to_array<terms::Row<SessionPhase>>({
+    {SessionPhase::idle, "none"},
+    {SessionPhase::connecting, "connecting"},
+    {SessionPhase::waiting_version, "version check"},
+    {SessionPhase::up, "open"},
+    {SessionPhase::lost, "lost"},
+    {SessionPhase::terminating, "terminating"},
+});
+static_assert(terms::in_order(kSessionPhaseRows));
+
 }  // namespace evc

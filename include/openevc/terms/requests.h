@@ -48,13 +48,14 @@ enum class Offer : std::uint8_t {
   count
 };
 
-/// What the driver is informed of; the texts are those of the DMI.
+/// What happened that the driver is informed of by a text (terms/status_text.h).
 enum class Inform : std::uint8_t {
-  network_registration_failed,
-  session_failed,
-  train_rejected,
-  SH_refused,
-  SH_request_failed,
+  network_registration_failed,  ///< 5.4.3.2 A29
+  train_rejected,               ///< 5.4.3.2 A40
+  SH_refused,                   ///< 5.6.2 A220
+  SH_request_failed,            ///< 5.6.4.1.2
+  trackside_not_compatible,     ///< 3.5.3.7 d
+  trackside_malfunction,        ///< 3.16.2.4.9
   count
 };
 

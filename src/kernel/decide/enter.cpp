@@ -21,6 +21,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   if (!s.level_transition.pending) s.buffer.clear();
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, to, from);
+  if (to == Mode::TR) driver::enter_trip(s.status_texts, number);
   protection::enter_mode(s.guards, protection::guards_of(to), s.position.now.counter.nominal);
   if (to == Mode::SR) {
     // 4.4.11.1.3.1: the national distance from the estimated front end, unless the RBC gave one with its authorisation.

@@ -63,7 +63,6 @@ std::optional<Mode> run_mode_profile(State& s, const Received& received, procedu
   procedures::mode_profile::Inputs in;
   in.now = s.now;
   in.mode = s.mode;
-  in.level = s.level.level;
   in.areas = areas_of(s, areas);
   in.min_safe_front = out.here.min_safe_front;
   in.est_front = out.here.est_front;
@@ -183,15 +182,8 @@ void run_reversing(const State& s, DirectionController controller, Decided& out)
   in.standstill = out.here.standstill;
   in.controller_backward = controller == DirectionController::backward;
   in.est_front = out.here.est_front;
-  if (s.track.reversing_area && s.track.reversing_supervision && s.track.reversing_reference) {
-    procedures::reversing::Reversing r;
-    r.start = s.track.reversing_area->from;
-    r.end = s.track.reversing_area->to;
-    r.reference = *s.track.reversing_reference;
-    r.D_REVERSE = s.track.reversing_supervision->D_REVERSE;
-    r.V_REVERSE = track::speed_of(s.track.reversing_supervision->V_REVERSE);
-    in.stored = r;
-  }
+  if (s.track.reversing_area && s.track.reversing_supervision && s.track.reversing_reference)
+    in.stored = procedures::reversing::Area{s.track.reversing_area->from, s.track.reversing_area->to};
   const auto r = procedures::reversing::step(in);
   out.effects |= r.effects;
   out.reversing_possible = r.possible;

@@ -1,45 +1,17 @@
 #include "kernel/intake/driver.h"
 
 #include "driver/driver.h"
+#include "kernel/driver_inputs.h"
 #include "kernel/here.h"
-#include "kernel/intake/levels.h"
 #include "kernel/stored.h"
 #include "track/withdraw.h"
 
 namespace evc::kernel {
 namespace {
 
-/// The conditions of the enabled inputs of the driver (4.7.2).
-driver::ActionContext action_context(const Reception& r) {
-  const State& s = r.state;
-  driver::ActionContext c;
-  c.mode = s.mode;
-  if (valid(s.data.level_status)) c.level = s.level.level;
-  c.desk_open = r.in.train.desk_open;
-  c.standstill = r.out.here.standstill;
-  c.driver_id_valid = valid(s.data.driver_id_status);
-  c.train_data_valid = valid(s.data.train_data_status);
-  c.train_running_number_valid = valid(s.data.train_running_number_status);
-  c.session_open = s.radio.session.established();
-  c.train_data_acknowledged = s.radio.train_data_acknowledged;
-  c.emergency_stop_pending = s.emergency_stops.any();
-  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
-  c.non_leading_signal = r.in.train.non_leading;
-  c.passive_shunting_signal = r.in.train.passive_shunting;
-  c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
-  c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
-  c.driver_id_while_running = s.national_values.M_NVDERUN;
-  c.track_ahead_free_asked = s.track_ahead_free.asking;
-  c.offers = s.offers;
-  // Data that start of mission asks for are offered too (S12).
-  c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
-  c.requests = s.requested;
-  return c;
-}
-
 /// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
-  if (driver::enabled(action_context(r)).has(input)) return true;
+  if (driver::enabled(action_context(r.state, r.in.train, r.out.here)).has(input)) return true;
   r.log.note(otherwise);
   return false;
 }

@@ -134,6 +134,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   r.out.here = here(s);
   balise::keep_covers_of(s.balise, group.id.NID_C);
   track::note_group(s.track, group.id, reference->place);
+  if (group.default_information) r.out.default_information = true;
   check_lists(r, group.id);
   r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
 

@@ -1,5 +1,6 @@
 #include "kernel/intake/levels.h"
 
+#include "kernel/driver_inputs.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
 #include "kernel/stored.h"
@@ -65,13 +66,6 @@ std::optional<procedures::level_transition::Order> order_of(const lang::PacketVi
   if (D_LEVELTR) order.border = reference.place + *D_LEVELTR;
   order.table = table_of(p);
   return order;
-}
-
-modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system) {
-  modes::AvailableLevels available;
-  available.fitted = state.fitted_levels;
-  available.national_systems[0] = national_system.available;
-  return available;
 }
 
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order) {

@@ -30,6 +30,7 @@ struct Received {
   bool group_passed_in_SR_list = false, group_passed_not_in_SR_list = false;
   bool group_passed_not_in_SH_list = false;
   bool group_at_EOA_in_RSM = false;
+  bool default_information = false;  ///< the trackside is at fault (3.16.2.4.9)
 
   // From messages
   bool new_radio_message = false;

@@ -3,6 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/here.h"
 #include "kernel/report/radio.h"
+#include "kernel/report/texts.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -29,7 +30,8 @@ bool command_brakes(State& s, const Received& received, const Decided& decided, 
   return command.acknowledgement_wanted;
 }
 
-void show_limits(const sdm::Result& r, Outputs& out) {
+void show_limits(const State& s, const Supervised& supervised, Outputs& out) {
+  const sdm::Result& r = *supervised.limits;
   out.monitoring = r.monitoring;
   out.status = r.status;
   out.V_P = r.V_P;
@@ -40,10 +42,16 @@ void show_limits(const sdm::Result& r, Outputs& out) {
   out.V_target = r.V_target;
   out.d_target = r.d_target;
   out.V_release = r.V_release;
+  out.V_I = r.V_I;
+  out.TTI = r.TTI;
+  out.LSSMA = supervised.LSSMA;
+  out.MRDT_changed = r.MRDT_changed;
+  out.d_indication = r.first_indication;
+  out.memo_status = sdm::memo_status(r, run_of(s.position.now).V, s.mode == Mode::TR);
 }
 
 driver::ShowContext show_context(const State& s, bool desk_open, const Decided& decided, Set<Ack> requests,
-                                 bool brake_commanded) {
+                                 bool brake_commanded, bool LSSMA) {
   const track::Here& here = decided.here;
   driver::ShowContext c;
   c.mode = s.mode;
@@ -57,6 +65,7 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   c.radio = s.radio.session.indication == radio::Indication::up       ? driver::RadioStatus::up
             : s.radio.session.indication == radio::Indication::failed ? driver::RadioStatus::lost
                                                                       : driver::RadioStatus::none;
+  c.lssma = LSSMA;
   c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
   c.reversing_possible = decided.reversing_possible;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
@@ -66,21 +75,6 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   for (const track::LevelCrossing& lx : s.track.lx)
     if (lx.unprotected && here.est_front <= lx.to) c.lx_not_protected = true;
   return c;
-}
-
-void show_texts(const track::Description& d, const track::TextDisplay& texts, Outputs& out) {
-  for (const std::uint8_t id : texts.shown) {
-    const track::Text* text = nullptr;
-    for (const track::Text& t : d.texts)
-      if (t.id == id) text = &t;
-    if (text == nullptr) continue;
-    ShownText shown;
-    shown.id = id;
-    shown.Q_TEXT = text->Q_TEXT;
-    shown.length = text->length;
-    shown.characters = text->characters;
-    (void)out.texts.push_back(shown);  // at most six
-  }
 }
 
 /// Position, authority, symbols, requests and texts (4.7).
@@ -99,12 +93,12 @@ void show(State& s, bool desk_open, const Decided& decided, const procedures::Ef
   if (a.EOA) out.EOA = position::counter_of(s.position, *a.EOA);
   if (a.LOA) out.EOA = position::counter_of(s.position, *a.LOA);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
-  const driver::Show shown = driver::show(show_context(s, desk_open, decided, effects.requests, out.sb || out.eb));
+  const driver::Show shown =
+      driver::show(show_context(s, desk_open, decided, effects.requests, out.sb || out.eb, out.LSSMA.has_value()));
   out.symbols = shown.symbols;
   out.requests = effects.requests;
   out.entries = effects.entries;
   out.start_offered = effects.offers.has(Offer::start);
-  show_texts(s.track, decided.texts, out);
   s.requested = effects.requests;
   s.offers = effects.offers;
   s.entries = effects.entries;
@@ -130,15 +124,19 @@ void reset(Outputs& out) {
   // All members by name: a new member that is not named here does not compile.
   auto& [now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
          V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests, entries,
-         start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events] = out;
+         start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
+         MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
+         status_texts, sessions] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
-            entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events);
+            entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
+            MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
+            status_texts, sessions);
 }
 
 void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,
             radio::Outbox& outbox, Log log, Outputs& out) {
-  if (supervised.limits) show_limits(*supervised.limits, out);
+  if (supervised.limits) show_limits(s, supervised, out);
   const bool before_perturbation = supervised.limits && supervised.limits->MA_request;
   RadioResult radio = run_radio(s, in.radio_link, received, decided, before_perturbation, outbox, log);
   compose_messages(s, outbox, log, out);
@@ -150,6 +148,11 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   asked |= radio.asked;
   radio.effects.requests.add(Ack::brake, command_brakes(s, received, decided, asked, out));
   show(s, in.train.desk_open, decided, radio.effects, out);
+  Set<Inform> inform = radio.effects.inform;
+  inform.add(Inform::trackside_malfunction, received.default_information);
+  inform.add(Inform::trackside_not_compatible, outbox.inform_no_version);
+  show_texts(s, in, decided, inform, out);
+  show_enabled(s, in, decided.here, out);
 }
 
 }  // namespace evc::kernel

@@ -3,6 +3,7 @@
 #include "kernel/basis.h"
 #include "kernel/curves.h"
 #include "sdm/locations.h"
+#include "track/services.h"
 
 namespace evc::kernel {
 namespace {
@@ -40,6 +41,20 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
   }
 }
 
+/// 4.4.19.1.4: the lowest of the MRSP up to the end of the authority and of the target speed there. Without a generic
+/// LS marker it is shown when the end is slower than the mode and it is below the speed of the train (4.4.19.1.4.7).
+std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const track::Here& here) {
+  const track::Authority& a = s.basis.authority;
+  if (s.mode != Mode::LS || s.track.generic_ls_marker || (!a.EOA && !a.LOA)) return std::nullopt;
+  const bool limited = a.LOA && (!a.EOA || *a.EOA > *a.LOA);
+  const Speed at_end = limited ? a.V_LOA : Speed{};
+  if (s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
+  const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, limited ? *a.LOA : *a.EOA);
+  const Speed LSSMA = lowest < at_end ? lowest : at_end;
+  if (LSSMA >= s.train.V_MAXTRAIN) return std::nullopt;
+  return LSSMA;
+}
+
 /// One cycle of 3.13.10.
 void supervise_speed(State& s, Derived& d, const TrainSignals& train, const track::Here& here, Supervised& out,
                      Log log) {
@@ -50,6 +65,7 @@ void supervise_speed(State& s, Derived& d, const TrainSignals& train, const trac
   const sdm::Motion motion = motion_of(s, here, train);
   pass_level_crossings(s, d, here, motion, log);
   const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, d.in_force.sdm, motion));
+  out.LSSMA = LSSMA(s, d.in_force.sdm, here);
   out.asked.add(brakes::Cause::overspeed_traction, r.tco);
   out.asked.add(brakes::Cause::overspeed_service, r.sb);
   out.asked.add(brakes::Cause::overspeed_emergency, r.eb);
@@ -64,9 +80,7 @@ void guard_movement(State& s, const TrainSignals& train, const track::Here& here
   m.permitted = s.mode == Mode::PT || s.mode == Mode::RV ? protection::Way::backward : protection::Way::forward;
   m.D_NVROLL = s.national_values.D_NVROLL;
   m.D_NVPOTRP = s.national_values.D_NVPOTRP;
-  if (s.mode == Mode::RV && s.track.reversing_reference && s.track.reversing_supervision &&
-      s.track.reversing_supervision->D_REVERSE)
-    m.reversing_left = here.est_front - (*s.track.reversing_reference - *s.track.reversing_supervision->D_REVERSE);
+  if (s.mode == Mode::RV) m.reversing_left = track::reversing_left(s.track, here);
   m.acknowledged = acknowledged;
   const protection::Commands c = protection::guard(s.guards, protection::guards_of(s.mode), m);
   out.asked.add(brakes::Cause::roll_away, c.roll_away);

@@ -1,0 +1,68 @@
+#pragma once
+#include "openevc/terms/row.h"
+
+namespace evc {
+
+/// The system status messages that the driver is shown (ERA_ERTMS_015560 15, Table 68): trip reasons, brake reasons and
+/// what procedures and radio report.
+enum class StatusText : std::uint8_t {
+  balise_read_error,
+  trackside_malfunction,
+  communication_error,
+  entering_FS,
+  entering_OS,
+  runaway_movement,
+  SH_refused,
+  SH_request_failed,
+  trackside_not_compatible,
+  train_is_rejected,
+  passing_of_EOA_or_LOA,
+  no_MA_at_level_transition,
+  SR_distance_exceeded,
+  SH_stop_order,
+  SR_stop_order,
+  emergency_stop,
+  RV_distance_exceeded,
+  PT_distance_exceeded,
+  no_track_description,
+  national_system_brake_demand,
+  route_unsuitable_gauge,
+  route_unsuitable_traction,
+  route_unsuitable_axle_load,
+  network_registration_failed,
+  count
+};
+
+/// The texts, spelt as in Table 68; that of condition [38] has the name of the national system there.
+inline constexpr auto kStatusTextRows = std::to_array<terms::Row<StatusText>>({
+    {StatusText::balise_read_error, "Balise read error"},
+    {StatusText::trackside_malfunction, "Trackside malfunction"},
+    {StatusText::communication_error, "Communication error"},
+    {StatusText::entering_FS, "Entering FS"},
+    {StatusText::entering_OS, "Entering OS"},
+    {StatusText::runaway_movement, "Runaway movement"},
+    {StatusText::SH_refused, "SH refused"},
+    {StatusText::SH_request_failed, "SH request failed"},
+    {StatusText::trackside_not_compatible, "Trackside not compatible"},
+    {StatusText::train_is_rejected, "Train is rejected"},
+    {StatusText::passing_of_EOA_or_LOA, "Unauthorized passing of EOA / LOA"},
+    {StatusText::no_MA_at_level_transition, "No MA received at level transition"},
+    {StatusText::SR_distance_exceeded, "SR distance exceeded"},
+    {StatusText::SH_stop_order, "SH stop order"},
+    {StatusText::SR_stop_order, "SR stop order"},
+    {StatusText::emergency_stop, "Emergency stop"},
+    {StatusText::RV_distance_exceeded, "RV distance exceeded"},
+    {StatusText::PT_distance_exceeded, "PT distance exceeded"},
+    {StatusText::no_track_description, "No track description"},
+    {StatusText::national_system_brake_demand, "National system brake demand"},
+    {StatusText::route_unsuitable_gauge, "Route unsuitable – loading gauge"},
+    {StatusText::route_unsuitable_traction, "Route unsuitable – traction system"},
+    {StatusText::route_unsuitable_axle_load, "Route unsuitable – axle load category"},
+    {StatusText::network_registration_failed, "Radio network registration failed"},
+});
+static_assert(terms::in_order(kStatusTextRows) && kStatusTextRows.size() == terms::index(StatusText::count));
+
+/// "Unauthorized passing of EOA / LOA".
+constexpr const char* name(StatusText text) { return terms::kNames<kStatusTextRows>[terms::index(text)]; }
+
+}  // namespace evc

@@ -1,0 +1,183 @@
+#include "driver/status_texts.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "driver/driver.h"
+
+// The start and end conditions are those of ERA_ERTMS_015560 15, Table 68.
+namespace evc::driver {
+namespace {
+
+struct Cab {
+  StatusTexts texts;
+  StatusFacts facts;
+  explicit Cab(Mode mode) { facts.mode = mode; }
+  /// One cycle `after` the one before.
+  void cycle(Duration after = Duration{0.1}) {
+    facts.now = facts.now + after;
+    step(texts, facts);
+    facts.inform = {};
+    facts.main_window_selection = false;
+  }
+  bool shows(StatusText text) const { return texts.shown.has(text); }
+};
+
+TEST(StatusTexts, TheReasonOfATripIsToldUntilTripAndPostTripAreLeft) {
+  Cab cab(Mode::TR);
+  enter_trip(cab.texts, 42);
+  cab.cycle();
+  EXPECT_EQ(cab.texts.trip_reason, StatusText::SR_distance_exceeded);
+  EXPECT_TRUE(cab.shows(StatusText::SR_distance_exceeded));
+  cab.facts.mode = Mode::PT;
+  cab.cycle(Duration{100.0});
+  EXPECT_TRUE(cab.shows(StatusText::SR_distance_exceeded));
+  EXPECT_EQ(cab.texts.since[static_cast<std::size_t>(StatusText::SR_distance_exceeded)], Duration{0.1});
+  cab.facts.mode = Mode::SR;
+  cab.cycle();
+  EXPECT_TRUE(cab.texts.idle());
+}
+
+TEST(StatusTexts, ABaliseReadErrorStays30sAfterTheBrakeIsReleased) {
+  for (const Cause cause : {Cause::linking, Cause::balise_group_consistency, Cause::two_groups_missed}) {
+    Cab cab(Mode::FS);
+    cab.facts.brakes = {cause};
+    cab.cycle();
+    cab.cycle(Duration{60.0});
+    cab.facts.brakes = {};
+    cab.cycle(Duration{29.5});
+    EXPECT_TRUE(cab.shows(StatusText::balise_read_error));
+    cab.cycle(Duration{1.0});
+    EXPECT_FALSE(cab.shows(StatusText::balise_read_error));
+  }
+}
+
+TEST(StatusTexts, ACommunicationErrorIsToldFor30sAndAsLongAsItBrakes) {
+  Cab cab(Mode::FS);
+  cab.facts.brakes = {Cause::T_NVCONTACT};
+  cab.cycle();
+  cab.facts.brakes = {};
+  cab.cycle(Duration{29.5});
+  EXPECT_TRUE(cab.shows(StatusText::communication_error));
+  cab.cycle(Duration{1.0});
+  EXPECT_FALSE(cab.shows(StatusText::communication_error));
+  cab.facts.brakes = {Cause::T_NVCONTACT};
+  cab.cycle();
+  cab.cycle(Duration{60.0});
+  EXPECT_TRUE(cab.shows(StatusText::communication_error));
+  cab.facts.brakes = {};
+  cab.cycle();
+  EXPECT_FALSE(cab.shows(StatusText::communication_error));
+}
+
+TEST(StatusTexts, WhatIsToldOnceStays30s) {
+  for (const Inform inform : {Inform::trackside_not_compatible, Inform::trackside_malfunction}) {
+    Cab cab(Mode::FS);
+    cab.facts.inform = {inform};
+    cab.cycle();
+    cab.cycle(Duration{29.5});
+    EXPECT_FALSE(cab.texts.shown.empty());
+    cab.cycle(Duration{1.0});
+    EXPECT_TRUE(cab.texts.shown.empty());
+  }
+}
+
+TEST(StatusTexts, AnAnswerIsToldUntilAButtonOfTheMainWindowIsSelected) {
+  for (const Inform inform :
+       {Inform::SH_refused, Inform::SH_request_failed, Inform::train_rejected, Inform::network_registration_failed}) {
+    Cab cab(Mode::SB);
+    cab.facts.inform = {inform};
+    cab.cycle();
+    cab.cycle(Duration{1000.0});
+    EXPECT_FALSE(cab.texts.shown.empty()) << static_cast<int>(inform);
+    cab.facts.main_window_selection = true;
+    cab.cycle();
+    EXPECT_TRUE(cab.texts.shown.empty()) << static_cast<int>(inform);
+  }
+}
+
+TEST(StatusTexts, AnAnswerToTheSelectionOfThisCycleIsTold) {
+  Cab cab(Mode::SB);
+  cab.facts.inform = {Inform::network_registration_failed};
+  cab.facts.main_window_selection = true;
+  cab.cycle();
+  EXPECT_TRUE(cab.shows(StatusText::network_registration_failed));
+}
+
+TEST(StatusTexts, EnteringFullSupervisionIsToldUntilTheTrackUnderTheTrainIsKnown) {
+  Cab cab(Mode::FS);
+  cab.facts.described_under_train = false;
+  cab.cycle();
+  EXPECT_TRUE(cab.shows(StatusText::entering_FS));
+  EXPECT_FALSE(cab.shows(StatusText::entering_OS));
+  cab.facts.mode = Mode::OS;
+  cab.cycle();
+  EXPECT_FALSE(cab.shows(StatusText::entering_FS));
+  EXPECT_TRUE(cab.shows(StatusText::entering_OS));
+  cab.facts.described_under_train = true;
+  cab.cycle();
+  EXPECT_TRUE(cab.texts.shown.empty());
+}
+
+TEST(StatusTexts, RunawayMovementIsToldUntilTheDriverHasReleasedTheBrake) {
+  for (const Cause cause : {Cause::roll_away, Cause::reverse_movement, Cause::movement_while_entering_SR_data}) {
+    Cab cab(Mode::SR);
+    cab.facts.brakes = {cause};
+    cab.cycle();
+    EXPECT_TRUE(cab.shows(StatusText::runaway_movement));
+    cab.facts.brakes = {};
+    cab.cycle();
+    EXPECT_FALSE(cab.shows(StatusText::runaway_movement));
+  }
+}
+
+TEST(StatusTexts, AModeThatDoesNotShowItEndsIt) {  // 15.1.1.2
+  Cab cab(Mode::SB);
+  cab.facts.inform = {Inform::train_rejected};
+  cab.cycle();
+  EXPECT_TRUE(cab.shows(StatusText::train_is_rejected));
+  cab.facts.mode = Mode::SR;
+  cab.cycle();
+  cab.facts.mode = Mode::SB;
+  cab.cycle();
+  EXPECT_FALSE(cab.shows(StatusText::train_is_rejected));
+}
+
+TEST(StatusTexts, OneTextStandsForAllItsReasons) {  // 15.1.1.7
+  Cab cab(Mode::PT);
+  enter_trip(cab.texts, 17);
+  cab.facts.brakes = {Cause::linking};
+  cab.cycle();
+  cab.facts.brakes = {};
+  cab.cycle(Duration{100.0});
+  EXPECT_EQ(cab.texts.shown, Set<StatusText>{StatusText::balise_read_error});
+}
+
+TEST(StatusTexts, RoutesThatDoNotSuitTheTrain) {
+  Cab cab(Mode::FS);
+  cab.facts.unsuitable = {Suitability::gauge, Suitability::axle_load};
+  cab.cycle();
+  EXPECT_EQ(cab.texts.shown,
+            (Set<StatusText>{StatusText::route_unsuitable_gauge, StatusText::route_unsuitable_axle_load}));
+  cab.facts.unsuitable = {};
+  cab.cycle();
+  EXPECT_TRUE(cab.texts.shown.empty());
+}
+
+TEST(StatusTexts, EveryTextHasAStart) {
+  std::set<StatusText> started;
+  for (const StatusRow& row : srs_status_texts) {
+    EXPECT_EQ(int{!row.brakes.empty()} + row.inform.has_value() + row.unsuitable.has_value() + row.entering.has_value(),
+              1)
+        << name(row.text);
+    started.insert(row.text);
+  }
+  for (int n = 1; n < 100; ++n)
+    if (const auto reason = trip_reason(n)) started.insert(*reason);
+  EXPECT_EQ(started.size(), static_cast<std::size_t>(StatusText::count));
+}
+
+}  // namespace
+}  // namespace evc::driver

@@ -1,0 +1,38 @@
+#include "kernel/driver_inputs.h"
+
+#include "kernel/here.h"
+
+namespace evc::kernel {
+
+driver::ActionContext action_context(const State& s, const TrainSignals& train, const track::Here& here) {
+  driver::ActionContext c;
+  c.mode = s.mode;
+  if (valid(s.data.level_status)) c.level = s.level.level;
+  c.desk_open = train.desk_open;
+  c.standstill = here.standstill;
+  c.driver_id_valid = valid(s.data.driver_id_status);
+  c.train_data_valid = valid(s.data.train_data_status);
+  c.train_running_number_valid = valid(s.data.train_running_number_status);
+  c.session_open = s.radio.session.established();
+  c.train_data_acknowledged = s.radio.train_data_acknowledged;
+  c.non_leading_signal = train.non_leading;
+  c.passive_shunting_signal = train.passive_shunting;
+  c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
+  c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
+  c.driver_id_while_running = s.national_values.M_NVDERUN;
+  c.track_ahead_free_asked = s.track_ahead_free.asking;
+  c.offers = s.offers;
+  // What start of mission asks for is offered too (S12).
+  c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
+  c.requests = s.requested;
+  return c;
+}
+
+modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system) {
+  modes::AvailableLevels available;
+  available.fitted = state.fitted_levels;
+  available.national_systems[0] = national_system.available;
+  return available;
+}
+
+}  // namespace evc::kernel
