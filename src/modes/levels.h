@@ -121,26 +121,4 @@ constexpr bool announced_to_driver(const PendingTransition& pending, const Order
   return !pending.to.same_level(current);
 }
 
-// clang-format off
-/// 5.10.3 with 4.6.2: the mode after a level change, by rows "from modes -> to level". The mode table makes the
-/// transition; this is the same by level, for pages and tests.
-struct ModeConsequence { Mode from; Level to; Mode becomes; int number; };
-inline constexpr auto srs_5_10_3 = [] {
-  using enum Mode;
-  using enum Level;
-  return std::to_array<ModeConsequence>({
-    {FS, L0,  UN, 21}, {LS, L0,  UN, 21}, {SR, L0,  UN, 21}, {OS, L0,  UN, 21}, {SN, L0, UN, 21},
-    {FS, NTC, SN, 56}, {LS, NTC, SN, 56}, {SR, NTC, SN, 56}, {OS, NTC, SN, 56}, {UN, NTC, SN, 56},
-    {UN, L1,  FS, 25}, {UN, L2,  FS, 25}, {UN, L3,  FS, 25}, {SN, L1,  FS, 25}, {SN, L2, FS, 25}, {SN, L3, FS, 25},
-    {UN, L1,  TR, 39}, {UN, L2,  TR, 39}, {UN, L3,  TR, 39}, {SN, L1,  TR, 39}, {SN, L2, TR, 39}, {SN, L3, TR, 39},
-    {UN, L1,  LS, 71}, {UN, L2,  LS, 71}, {UN, L3,  LS, 71}, {SN, L1,  LS, 71}, {SN, L2, LS, 71}, {SN, L3, LS, 71},
-    {UN, L1,  OS, 34}, {UN, L2,  OS, 34}, {UN, L3,  OS, 34}, {SN, L1,  OS, 34}, {SN, L2, OS, 34}, {SN, L3, OS, 34},
-    {UN, L1,  SH, 61}, {UN, L2,  SH, 61}, {UN, L3,  SH, 61}, {SN, L1,  SH, 61}, {SN, L2, SH, 61}, {SN, L3, SH, 61},
-    {UN, L1,  SR, 44}, {UN, L2,  SR, 45}, {UN, L3,  SR, 45}, {SN, L1,  SR, 44}, {SN, L2, SR, 45}, {SN, L3, SR, 45},
-    {UN, L1,  TR, 67}, {SN, L1,  TR, 67},
-    {SN, L0,  TR, 38}, {SN, L1,  TR, 38}, {SN, L2,  TR, 38}, {SN, L3,  TR, 38},
-  });
-}();
-// clang-format on
-
 }  // namespace evc::modes

@@ -288,6 +288,28 @@ TEST(Levels, Acknowledgement_is_5_10_4) {
     }
 }
 
+// clang-format off
+/// 5.10.3 with 4.6.2: what becomes of the mode when the level is switched, by rows "from modes -> to level". The mode
+/// table does the work; this is the same by level.
+struct ModeConsequence { Mode from; Level to; Mode becomes; int number; };
+constexpr auto srs_5_10_3 = [] {
+  using enum Mode;
+  using enum Level;
+  return std::to_array<ModeConsequence>({
+    {FS, L0,  UN, 21}, {LS, L0,  UN, 21}, {SR, L0,  UN, 21}, {OS, L0,  UN, 21}, {SN, L0, UN, 21},
+    {FS, NTC, SN, 56}, {LS, NTC, SN, 56}, {SR, NTC, SN, 56}, {OS, NTC, SN, 56}, {UN, NTC, SN, 56},
+    {UN, L1,  FS, 25}, {UN, L2,  FS, 25}, {UN, L3,  FS, 25}, {SN, L1,  FS, 25}, {SN, L2, FS, 25}, {SN, L3, FS, 25},
+    {UN, L1,  TR, 39}, {UN, L2,  TR, 39}, {UN, L3,  TR, 39}, {SN, L1,  TR, 39}, {SN, L2, TR, 39}, {SN, L3, TR, 39},
+    {UN, L1,  LS, 71}, {UN, L2,  LS, 71}, {UN, L3,  LS, 71}, {SN, L1,  LS, 71}, {SN, L2, LS, 71}, {SN, L3, LS, 71},
+    {UN, L1,  OS, 34}, {UN, L2,  OS, 34}, {UN, L3,  OS, 34}, {SN, L1,  OS, 34}, {SN, L2, OS, 34}, {SN, L3, OS, 34},
+    {UN, L1,  SH, 61}, {UN, L2,  SH, 61}, {UN, L3,  SH, 61}, {SN, L1,  SH, 61}, {SN, L2, SH, 61}, {SN, L3, SH, 61},
+    {UN, L1,  SR, 44}, {UN, L2,  SR, 45}, {UN, L3,  SR, 45}, {SN, L1,  SR, 44}, {SN, L2, SR, 45}, {SN, L3, SR, 45},
+    {UN, L1,  TR, 67}, {SN, L1,  TR, 67},
+    {SN, L0,  TR, 38}, {SN, L1,  TR, 38}, {SN, L2,  TR, 38}, {SN, L3,  TR, 38},
+  });
+}();
+// clang-format on
+
 TEST(Levels, The_mode_table_does_what_5_10_3_says) {
   for (const ModeConsequence& row : srs_5_10_3) {
     const auto went = next_mode(row.from, Conditions{row.number});

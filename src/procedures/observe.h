@@ -8,13 +8,9 @@
 
 namespace evc::procedures {
 
-/// State of a list of balise groups (SR: packet 63, SH: packet 49): an empty list allows none, no list allows all
-/// (4.4.8.1.1, 4.4.11.1.3).
-enum class GroupList : std::uint8_t { none, empty, some };
-
-/// Every fact that the conditions of 4.6.3 need, in this cycle. An event is true only in the cycle in which it happens;
-/// the kernel passes each event exactly once. Override means its status before the end conditions of this cycle
-/// (5.8.4.1 d and g take effect after the group is evaluated).
+/// The vocabulary of 4.6.3: every fact that its conditions ask for, in this cycle. What is an event holds in the cycle
+/// only in which it happens; the kernel hands over each event exactly once. Override means its status before the end
+/// conditions of this cycle (5.8.4.1 d and g take effect after the group is evaluated).
 struct Facts {
   // train interface, platform
   bool isolated = false;   // [1] state of the isolation device

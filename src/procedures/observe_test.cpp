@@ -196,16 +196,12 @@ TEST(Observe, From_one_national_system_to_another_SN_stays) {
   EXPECT_FALSE(modes::next_mode(Mode::SN, observe(f)).has_value());
 }
 
-TEST(StaffResponsible, Distance_and_lists) {
+TEST(StaffResponsible, Distance) {
   using namespace staff_responsible;
   const Place end{Distance{100.0}};
   EXPECT_FALSE(distance_passed(std::nullopt, end));
   EXPECT_FALSE(distance_passed(end, end));
   EXPECT_TRUE(distance_passed(end, Place{Distance{100.1}}));
-  EXPECT_TRUE(allowed(GroupList::none, false));
-  EXPECT_FALSE(allowed(GroupList::empty, false));
-  EXPECT_FALSE(allowed(GroupList::some, false));
-  EXPECT_TRUE(allowed(GroupList::some, true));
 }
 
 }  // namespace

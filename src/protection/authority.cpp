@@ -19,22 +19,17 @@ bool group_trips(const track::Authority& authority, Place first_possible, Distan
 }
 void request(TrackAheadFree& state, Place from, Place to) { state = TrackAheadFree{from, to, false}; }
 
-TafResult ask(TrackAheadFree& state, Place est_front, bool acknowledged) {
-  TafResult result;
-  if (!state.from) return result;
+bool ask(TrackAheadFree& state, Place est_front, bool acknowledged) {
+  if (!state.from) return false;
   if (state.to && est_front > *state.to) {
     state = {};
-    return result;
+    return false;
   }
   // Once shown, the request stays, even when the train rolls back (A.3.5).
   state.asking = state.asking || est_front >= *state.from;
-  if (state.asking && acknowledged) {
-    state = {};
-    result.granted = true;
-    return result;
-  }
-  result.asking = state.asking;
-  return result;
+  if (!state.asking || !acknowledged) return false;
+  state = {};
+  return true;
 }
 
 }  // namespace evc::protection

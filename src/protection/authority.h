@@ -20,10 +20,7 @@ struct TrackAheadFree {
   bool asking = false;
 };
 void request(TrackAheadFree& state, Place from, Place to);
-/// Whether the driver is asked now. An acknowledgement ends the request: `granted` is true and message 149 is due.
-struct TafResult {
-  bool asking = false, granted = false;
-};
-TafResult ask(TrackAheadFree& state, Place est_front, bool acknowledged);
+/// Whether the driver is asked now stands in the state; an acknowledgement ends it: true, message 149 is due.
+bool ask(TrackAheadFree& state, Place est_front, bool acknowledged);
 
 }  // namespace evc::protection

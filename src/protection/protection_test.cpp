@@ -252,16 +252,19 @@ TEST(Authority, AGroupAtTheEndTripsFromTheAntennaOn) {
 
 TEST(TrackAheadFree, AskedOnceGrantedOnce) {  // 3.15.5
   TrackAheadFree taf;
-  EXPECT_FALSE(ask(taf, at(0), true).granted);
+  EXPECT_FALSE(ask(taf, at(0), true));
   request(taf, at(100), at(200));
-  EXPECT_FALSE(ask(taf, at(99), true).granted);
-  EXPECT_TRUE(ask(taf, at(100), false).asking);
-  EXPECT_TRUE(ask(taf, at(90), false).asking) << "rolling back does not undo it";
-  EXPECT_TRUE(ask(taf, at(110), true).granted);
-  EXPECT_FALSE(ask(taf, at(110), true).granted);
+  EXPECT_FALSE(ask(taf, at(99), true));
+  EXPECT_FALSE(ask(taf, at(100), false));
+  EXPECT_TRUE(taf.asking);
+  EXPECT_FALSE(ask(taf, at(90), false));
+  EXPECT_TRUE(taf.asking) << "rolling back does not undo it";
+  EXPECT_TRUE(ask(taf, at(110), true));
+  EXPECT_FALSE(ask(taf, at(110), true));
   request(taf, at(100), at(200));
-  EXPECT_FALSE(ask(taf, at(201), true).granted);
-  EXPECT_FALSE(ask(taf, at(150), false).asking) << "its length is over";
+  EXPECT_FALSE(ask(taf, at(201), true));
+  EXPECT_FALSE(ask(taf, at(150), false));
+  EXPECT_FALSE(taf.asking) << "its length is over";
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   run_end_of_mission(s, received, out.effects);
   run_texts(s, received.acknowledged.has(Ack::text), out);
   out.track_ahead_free_granted =
-      protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free)).granted;
+      protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free));
   return out;
 }
 
