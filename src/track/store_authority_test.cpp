@@ -78,6 +78,32 @@ TEST(Store, AGrantedShorteningIsStoredAsContentsWithNothingElse) {  // 3.8.6
   }
 }
 
+TEST(Store, AnInfillAuthorityWithoutRoomIsRefused) {  // 3.8.5.1 b
+  Description d;
+  Contents first = whole(3200);
+  first.ma->sections.clear();
+  for (int i = 0; i < 32; ++i) {
+    Section section;
+    section.begin = at(100.0 * i);
+    section.end = at(100.0 * i + 100.0);
+    ASSERT_TRUE(first.ma->sections.push_back(section));
+  }
+  ASSERT_TRUE(store(d, first, front_at(50)).ma_accepted);
+  Contents c = whole(4000);
+  c.infill = at(3150);
+  c.ma = authority_to(4000, 3150);
+  const Stored refused = store(d, c, front_at(50));
+  EXPECT_TRUE(refused.ma_refused && !refused.ma_accepted);
+  EXPECT_EQ(refused.notes[0].what, Note::What::refused);
+  EXPECT_FALSE(refused.notes[0].clause) << "for want of room";
+  EXPECT_EQ(d.ma, first.ma) << "the old one stays";
+  c.infill = at(3050);
+  c.ma = authority_to(4000, 3050);
+  EXPECT_TRUE(store(d, c, front_at(50)).ma_accepted);
+  EXPECT_EQ(d.ma->sections.size(), 32u);
+  EXPECT_EQ(d.ma->end(), at(4000));
+}
+
 TEST(Store, RefusesWhatIsNotCovered) {  // 3.7.2.3
   struct Case {
     const char* name;
