@@ -95,7 +95,7 @@ TEST(Store, AnInfillAuthorityWithoutRoomIsRefused) {  // 3.8.5.1 b
   const Stored refused = store(d, c, front_at(50));
   EXPECT_TRUE(refused.ma_refused && !refused.ma_accepted);
   EXPECT_EQ(refused.notes[0].what, Note::What::refused);
-  EXPECT_FALSE(refused.notes[0].clause) << "for want of room";
+  EXPECT_FALSE(refused.notes[0].clause) << "no room";
   EXPECT_EQ(d.ma, first.ma) << "the old one stays";
   c.infill = at(3050);
   c.ma = authority_to(4000, 3050);
