@@ -1,43 +1,136 @@
 #!/usr/bin/env python3
-"""Rows and cells of tables that changed since CI_BASE (default: the commit before) are changed one at a time; a test of
-their room has to notice each (tools/mutate.py). A survivor that docs/ROOM-mutants.md does not list fails. Where more
-changed than LARGEST, that many are taken at random, so that the time is bounded.
-Usage: tools/check_table_mutants.py"""
+"""Tables of the kernel rooms: each row is dropped and each cell of it changed, one at a time, and a test of the room has
+to notice (tools/mutate.py). tests/gates/table_rows.txt holds the rows of which that has been seen, as hashes; rows that are
+not in it are new or changed, and are looked at. Where these are more than LARGEST mutants of a room, that many are
+taken at random, so that the time is bounded. A survivor that docs/ROOM-mutants.md does not give the reason of fails.
+
+Usage: tools/check_table_mutants.py [--write] [ROOM...]
+  --write  looks at all mutants of the new rows, and records the rows that have no survivor without a reason;
+           rows that do not exist any more leave the list"""
+import argparse
+import concurrent.futures
+import hashlib
 import os
-import subprocess
+import random
+import re
+import resource
 import sys
 
 import check_layers
-from mutation.sources import ROOT, SRC, changed_lines, mutants_of_room
+from mutate import MEMORY, listed
+from mutation.room import Room
+from mutation.sources import ROOT, SRC, mutants_of_room
 
 LARGEST = 60  # mutants of a room
+NOT_YET = {"brakes"}  # the tests of these rooms do not notice each change of a cell
+TABLE_HEAD = re.compile(r"\bconstexpr [\w:<>, ]+ (\w+)(?:\[\])? = ")
+LIST = ROOT / "tests/gates/table_rows.txt"
+HEAD = """\
+# Rows of tables of which a test notices when they are dropped, and when one of their cells is changed: file, hashes of rows.
+# Written by tools/check_table_mutants.py --write.
+"""
 
 
-def changed_rows(lines):
-    """{room: number of mutants in changed rows} of the kernel rooms."""
+def hashes_of_rows(mutants):
+    """{id of a mutant: (file, hash of the row that it changes)}: the table's name and what stands in the line, its blanks
+    and comment apart."""
+    rows = {}  # of a file: line -> hash
     found = {}
-    rooms = [room for room in check_layers.KERNEL_ROOMS if (SRC / room).is_dir()]
-    for room in rooms:
-        if not any(name.startswith(f"src/{room}/") for name in lines):
-            continue
-        rows = [m for m in mutants_of_room(SRC / room, [SRC / other for other in rooms if other != room])
-                if m.row and m.line in lines.get(f"src/{room}/{m.path.name}", ())]
-        if rows:
-            found[room] = len(rows)
+    for m in mutants:
+        if m.path not in rows:
+            table, rows[m.path] = "", {}
+            for number, line in enumerate(m.path.read_text(encoding="utf-8").split("\n"), 1):
+                head = TABLE_HEAD.search(line)
+                table = head[1] if head else table
+                row = " ".join([table, *re.sub(r"//.*", "", line).split()])
+                rows[m.path][number] = hashlib.sha256(row.encode()).hexdigest()[:8]
+        found[m.id] = (m.name, rows[m.path][m.line])
     return found
 
 
-def main():
-    base = os.environ.get("CI_BASE", "HEAD~1")
-    rooms = changed_rows(changed_lines(base))
-    failed = []
-    for room, number in rooms.items():
-        words = ["--sample", str(LARGEST)] if number > LARGEST else []
-        print(f"table mutants: {room}: {number} in rows that changed since {base}", flush=True)
-        done = subprocess.run([ROOT / "tools/mutate.py", room, "--rows", "--changed", base, *words])
-        if done.returncode:
-            failed.append(room)
-    print(f"table mutants: {len(rooms)} rooms with changed tables, {len(failed)} with survivors {' '.join(failed)}")
+def read(text):
+    """{file: set of hashes} of the list."""
+    rows = {}
+    for line in text.splitlines():
+        if line and not line.startswith("#"):
+            name, *hashes = line.split()
+            rows.setdefault(name, set()).update(hashes)
+    return rows
+
+
+def written(rows):
+    text = HEAD
+    for name, hashes in sorted(rows.items()):
+        hashes = sorted(hashes)
+        for i in range(0, len(hashes), 10):
+            text += " ".join([name, *hashes[i:i + 10]]) + "\n"
+    return text
+
+
+def rooms_with_tests():
+    return [room for room in check_layers.KERNEL_ROOMS if room not in NOT_YET and any((SRC / room).glob("*_test.cpp"))]
+
+
+def survivors(name, wanted, jobs, largest=None):
+    """The mutants of these rows that no test notices and the document does not account for; of `largest` at the most."""
+    room = Room(name, jobs)
+    known = listed(name)
+    of = hashes_of_rows(m for m in room.mutants if m.row)
+    mutants = [m for m in room.mutants if m.row and of[m.id] in wanted]
+    if largest and len(mutants) > largest:
+        print(f"table mutants: {name}: {largest} of {len(mutants)}, at random", flush=True)
+        mutants = random.Random(1).sample(mutants, largest)
+    # A mutant may ask for memory without end, and it may crash often.
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    room.wanted = mutants  # few: what else could be changed need not be in the build
+    room.prepare()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        verdicts = list(zip(mutants, pool.map(room.judge, mutants)))
+    left = [m for m, verdict in verdicts if verdict == "survived" and (m.name, m.what) not in known]
+    print(f"table mutants: {name}: {len(verdicts)} mutants in {len(wanted)} new rows, {len(left)} survived", flush=True)
+    for m in left:
+        print(f"survived: {m}", flush=True)
+    return left
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("rooms", nargs="*")
+    options = parser.parse_args(arguments)
+    rooms = rooms_with_tests()
+    unknown = set(options.rooms) - set(rooms)
+    if unknown:
+        sys.exit(f"table mutants: no room with tests: {' '.join(sorted(unknown))}")
+    jobs = int(os.environ.get("JOBS", os.cpu_count()))
+    seen = read(LIST.read_text(encoding="utf-8")) if LIST.exists() else {}
+    there = {}
+    total = new = failed = 0
+    for name in rooms:
+        mutants = mutants_of_room(SRC / name, [SRC / other for other in rooms if other != name])
+        of = hashes_of_rows(m for m in mutants if m.row)
+        rows = set(of.values())
+        total += len(rows)
+        for file, row in rows:
+            there.setdefault(file, set()).add(row)
+        wanted = {(file, row) for file, row in rows if row not in seen.get(file, ())}
+        if not wanted or options.rooms and name not in options.rooms:
+            continue
+        new += len(wanted)
+        left = survivors(name, wanted, jobs, None if options.write else LARGEST)
+        failed += len(left)
+        bad = {hashes_of_rows([m])[m.id] for m in left}
+        if options.write:
+            for file, row in wanted - bad:
+                seen.setdefault(file, set()).add(row)
+            LIST.write_text(written(seen), encoding="utf-8")
+    if options.write:
+        kept = {file: hashes & there.get(file, set()) for file, hashes in seen.items()}
+        LIST.write_text(written({file: hashes for file, hashes in kept.items() if hashes}), encoding="utf-8")
+    print(f"table mutants: {total} rows, {new} of them new or changed, {failed} mutants survived")
+    if new and not failed and not options.write:
+        print("table mutants: tools/check_table_mutants.py --write records the rows, so that they are not looked at again")
     return 1 if failed else 0
 
 

@@ -12,13 +12,14 @@ enough, and a mutant that takes ten times the time is killed by that. Lines with
 are not changed. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]
-                            [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list]
+                            [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list] [--page]
   --rows       all rows of the constexpr tables and nothing else (operators row, cell, word, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
   --sample N   N random mutants;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --changed    only in lines that changed since COMMIT
   --survivors  those of the last run again
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
+  --page       writes docs/ROOM-mutants.md from this run; the reasons that stand in it are kept
   --check      builds each mutant alone as well and prints where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
 import argparse
@@ -30,6 +31,7 @@ import resource
 import sys
 import time
 
+from mutation.page import NO_REASON, reasons, write_page
 from mutation.room import Room
 from mutation.sources import ROOT, changed_lines, in_order
 
@@ -39,13 +41,8 @@ MEMORY = 2 << 30
 def listed(room):
     """What docs/ROOM-mutants.md accounts for: keys without line numbers."""
     document = ROOT / "docs" / f"{room}-mutants.md"
-    known = set()
-    if document.exists():
-        for line in document.read_text().splitlines():
-            cells = [c.strip() for c in line.replace("\\|", "\0").strip("|").split("|")]
-            if line.startswith("|") and len(cells) >= 3:
-                known.add((cells[0].split(":")[0], cells[1].replace("\0", "|")))
-    return known
+    known = reasons(document.read_text(encoding="utf-8")) if document.exists() else {}
+    return {key for key, why in known.items() if why != NO_REASON}
 
 
 def results_file(room, options):
@@ -127,6 +124,7 @@ def main():
     parser.add_argument("--build")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--page", action="store_true")
     options = parser.parse_args()
     room = Room(options.room, options.jobs, options.build)
     mutants = choose(room, options)
@@ -146,7 +144,14 @@ def main():
     slow = ", ".join(f"{names[0]} {seconds:.1f} s" for names, seconds in room.steps[1:])
     print(f"mutate {room.name}: {len(mutants)} mutants, {alone} of them built alone; {len(room.steps[0][0])} quick tests "
           f"{room.steps[0][1]:.1f} s; {slow}", file=sys.stderr, flush=True)
-    return check(room, mutants) if options.check else judge_all(room, mutants, options)
+    if options.check:
+        return check(room, mutants)
+    status = judge_all(room, mutants, options)
+    if options.page:
+        results = [json.loads(line) for line in results_file(room, options).read_text().splitlines()]
+        how = f" (a sample: --sample {options.sample} --seed {options.seed})" if options.sample else ""
+        print(f"mutate: {write_page(room.name, results, len(room.mutants), how).relative_to(ROOT)}")
+    return status
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
+import mutation.page  # noqa: E402
 from mutation import schema, sources  # noqa: E402
 from mutation.room import CXX, HERE  # noqa: E402
 
@@ -131,6 +132,74 @@ class Mutation(unittest.TestCase):
                 self.assertEqual(self.says(binary, m.id), unchanged, str(m))
         missed = {m.what for m in self.mutants if m.id in written - seen}
         self.assertIn("`<` -> `<=` in `for (int i = 0; i < 4 && half < 2.25; ++i) half += 0.5;` (2)", missed)
+
+    def test_pages_of_the_standard(self):
+        """Rows of text and of enumerators that stand without their enumeration; assertions are no product."""
+        page = """\
+#include <array>
+#include <cstdio>
+enum class Mode { NP, SB, SH };
+struct Row {
+  Mode mode;
+  const char* cells;
+};
+constexpr bool good(int n) { return n < 3; }
+inline constexpr auto page = [] {
+  using enum Mode;
+  return std::to_array<Row>({
+    {NP, "D[1]  U  NR"},
+    {SB, "U     U  D[1]"},
+  });
+}();
+static_assert([] {
+  for (std::size_t i = 0; i < page.size(); ++i)
+    if (static_cast<std::size_t>(page[i].mode) != i) return false;
+  return true;
+}());
+int main() {
+  for (const Row& row : page) std::printf("%d %s\\n", static_cast<int>(row.mode), row.cells);
+}
+"""
+        path = self.tree / "page.cpp"
+        path.write_text(page, encoding="utf-8")
+        mutants = sources.mutants_of(path, {"Mode": ["NP", "SB", "SH"]})
+        for number, mutant in enumerate(mutants, 1):
+            mutant.id = number
+        rows = [m for m in mutants if m.row == "page"]
+        self.assertEqual([m.operator for m in rows], ["row", "word", "word", "word", "cell"] * 2)
+        self.assertEqual([m.what.split(" in ")[0] for m in rows if m.operator == "cell"], ["`NP` -> `SB`", "`SB` -> `SH`"])
+        self.assertEqual({m.line for m in mutants} & set(range(16, 21)), set())
+        text, written = schema.instrumented(page, mutants, set(), "page.cpp")
+        self.assertEqual({m.id for m in rows} - written, {m.id for m in rows if m.operator == "row"})
+        binary, messages = self.build(text, ["-include", str(HERE / "schema.h"), str(HERE / "schema.cpp")])
+        self.assertTrue(binary, messages)
+        unchanged = "0 D[1]  U  NR\n1 U     U  D[1]\n"
+        self.assertEqual(self.says(binary), unchanged)
+        said = {self.says(binary, m.id) for m in rows if m.operator != "row"}
+        self.assertEqual(len(said - {unchanged}), 8)
+        self.assertIn("0 NR  U  NR\n1 U     U  D[1]\n", said)
+        self.assertIn("1 D[1]  U  NR\n1 U     U  D[1]\n", said)
+
+    def test_the_page_keeps_its_reasons(self):
+        killed = {"file": "src/modes/a.h", "line": 3, "what": "`<` -> `<=` in `a < b`", "verdict": "killed: test"}
+        left = {"file": "src/modes/a.h", "line": 5, "what": "`||` -> `&&` in `a || b`", "verdict": "survived"}
+        text = mutation.page.page("modes", "", [killed, left], 10, "")
+        self.assertIn("2 of 10 mutants", text)
+        self.assertIn("| a.h | 2 | 1 | 1 | 0 |\n| all | 2 | 1 | 1 | 0 |", text)
+        self.assertIn("| src/modes/a.h:5 | `\\|\\|` -> `&&` in `a \\|\\| b` | **no reason yet** |", text)
+        key = ("src/modes/a.h", left["what"])
+        self.assertEqual(mutation.page.reasons(text)[key], mutation.page.NO_REASON)
+        text = "Words of ours.\n\n" + text[text.index("## Figures"):].replace("**no reason yet**", "equal \\| same")
+        again = mutation.page.page("modes", text, [{**left, "line": 7}], 10, " (a sample)")
+        self.assertTrue(again.startswith("Words of ours."))
+        self.assertIn("| src/modes/a.h:7 | `\\|\\|` -> `&&` in `a \\|\\| b` | equal \\| same |", again)
+        self.assertIn("1 of 10 mutants (a sample)", again)
+        self.assertIn("## Survivors\nNone.", mutation.page.page("modes", "", [killed], 1, ""))
+
+    def test_of_two_enumerations_with_one_name_what_both_have(self):
+        (self.tree / "one.h").write_text("enum class Mode { NP, SB, SH };\n", encoding="utf-8")
+        (self.tree / "two.h").write_text("enum class Mode { NP, SB, SM, SH };\n", encoding="utf-8")
+        self.assertEqual(sources.enumerators([self.tree])["Mode"], ["NP", "SB", "SH"])
 
     def test_comments_and_literals_are_left_alone(self):
         text = 'f("a && b");  // x && y\n'

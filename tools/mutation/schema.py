@@ -4,10 +4,12 @@
     if (a)        ->  if ((on(7) != bool(a)))        a();    ->  if (on(7)) {} else a();
     a && b || c   ->  (on(7) ? bool(a || b || c) : on(8) ? bool(a && b && c) : bool(a && b || c))
     std::min(a)   ->  Min{7}(a)                      constexpr Row k[] = {{..}}  ->  const Table<Row> k = {{7, {..}}}
+    "A  R  NR"    ->  text("A  R  NR", {{7, "R  R  NR"}, {8, "A  A  NR"}, ...})
 
-constexpr is removed, so that nothing is computed before the mutant is known. Where a constant has to be one (array sizes,
-case labels), or where the changed operator does not exist, the copy does not compile; every change is on a line of
-its own with its mark, so that the compiler's message shows which. It is taken back and its mutants are built alone."""
+constexpr is removed, so that nothing is computed before the mutant is known, and static_assert checks nothing (schema.h).
+Where a constant has to be one (array sizes, case labels), or where the changed operator does not exist, the copy does not
+compile; every change stands in a line of its own with its mark, so that the compiler's message shows which. It is taken
+back and its mutants are built alone. So are rows that a page loses, for its size is a type."""
 import re
 
 from mutation.sources import TABLE, closing, masked, without_comments
@@ -98,7 +100,7 @@ def simple_edit(code, m):
         start -= len("std::")
         text = f"evc_mutant::{old.capitalize()}{{{m.id}}}"
     elif m.operator == "cell":
-        scope = re.search(r"(?:\w+::)+$", code[:start]).group()
+        scope = re.search(r"(?:\w+::)*$", code[:start]).group()
         start -= len(scope)
         text = f"evc_mutant::pick({m.id}, {scope}{old}, {scope}{m.new})"
     elif m.operator in ("number", "truth"):
@@ -106,6 +108,21 @@ def simple_edit(code, m):
     else:
         text = f"{old} evc_mutant::{NAMES[old]}<{m.id}>{{}} {old}"
     return Edit(start, m.end, [m.id], lambda inner: own_line(m.id, text))
+
+
+def text_edits(code, mutants):
+    """One edit for each row of text: the texts side by side."""
+    groups = {}
+    for m in mutants:
+        begin = code.rindex('"', 0, m.start)
+        groups.setdefault((begin, code.index('"', m.end) + 1), []).append(m)
+
+    def edit(begin, end, group):
+        others = ", ".join(f"{{{m.id}, {code[begin:m.start]}{m.new}{code[m.end:end]}}}" for m in group)
+        text = own_line(group[0].id, f"evc_mutant::text({code[begin:end]}, {{{others}}})")
+        return Edit(begin, end, [m.id for m in group], lambda inner: text)
+
+    return [edit(begin, end, group) for (begin, end), group in groups.items()]
 
 
 def table_edits(code, name, mutants, dropped):
@@ -151,12 +168,10 @@ def runtime_edits(code, name, dropped):
 def instrumented(text, mutants, dropped, name="file"):
     """The instrumented text, and the numbers of the mutants in it. `dropped`: marks of changes that do not compile."""
     code = without_comments(text)
-    # Pages are made at compile time: each of their mutants is built alone.
-    mutants = [m for m in mutants if str(m.id) not in dropped and m.row != "page"]
-    if not mutants:
-        return code, set()
+    mutants = [m for m in mutants if str(m.id) not in dropped and (m.operator, m.row) != ("row", "page")]
     edits = logic_edits(masked(text), [m for m in mutants if m.operator == "logic"])
-    edits += [simple_edit(code, m) for m in mutants if m.operator not in ("logic", "row")]
+    edits += text_edits(code, [m for m in mutants if m.operator == "word"])
+    edits += [simple_edit(code, m) for m in mutants if m.operator not in ("logic", "row", "word")]
     edits += table_edits(code, name, mutants, dropped)
     heads = {e.start for e in edits}
     edits += [e for e in runtime_edits(code, name, dropped)

@@ -35,6 +35,14 @@ def masked(text):
     return re.sub(COMMENTS + "|" + LITERALS, lambda m: re.sub(r"[^\n]", " ", m.group()), text, flags=re.S)
 
 
+def without_assertions(code):
+    """The (masked) text with what static_assert checks made blank: a check, not what is checked."""
+    for m in re.finditer(r"\bstatic_assert\(", code):
+        end = closing(code, m.end() - 1)
+        code = code[:m.end()] + re.sub(r"[^\n]", " ", code[m.end():end]) + code[end:]
+    return code
+
+
 def closing(text, at):
     """Where the bracket that opens at `at` is closed; -1: nowhere."""
     pairs = {"(": ")", "[": "]", "{": "}"}
@@ -103,6 +111,16 @@ def changed_number(literal):
     return "1.0" if value == 0.0 else repr(value * 1.1)
 
 
+def named_alone(line, names, enums):
+    """(start, end, replacement) of the enumerators of a row that stand there without their enumeration (`using enum`)."""
+    for m in re.finditer(r"(?<![\w.:])[A-Za-z_]\w*\b(?!\s*[:(])", line):
+        for name in names:
+            values = enums.get(name, [])
+            if m.group() in values and len(values) > 1:
+                yield m.start(), m.end(), values[(values.index(m.group()) + 1) % len(values)]
+                break
+
+
 def inside_line(line, enums):
     """(start, end, replacement, operator) of what one line of code holds."""
     for m in re.finditer(r"\b(\w+)::(\w+)\b", line):
@@ -154,12 +172,17 @@ def deleted_statement(line, previous):
 def places(text, enums):
     """(start, end, replacement, operator, the kind of table of its row) of every mutant of a file:
     "array", "page" (made at compile time, checked by assertions) or "" (none)."""
-    code = masked(text)
+    code = without_assertions(masked(text))
     in_table = ""
+    used = []  # enumerations whose values the table names alone
     previous = ";"
     start = 0
     for line in code.split("\n"):
         stripped = line.strip()
+        if stripped.endswith("= [] {"):
+            used = []
+        elif m := re.match(r"using enum (?:\w+::)*(\w+);$", stripped):
+            used.append(m.group(1))
         if TABLE.search(stripped):
             in_table, previous = "array", "{"
         elif TO_ARRAY.search(stripped):
@@ -174,6 +197,8 @@ def places(text, enums):
                 yield start, start + len(line), "", "row", row
                 for first, last, new in words_of_rows(text[start:start + len(line)]):
                     yield start + first, start + last, new, "word", row
+                for first, last, new in named_alone(line, used, enums):
+                    yield start + first, start + last, new, "cell", row
             for first, last, new, operator in inside_line(line, enums):
                 yield start + first, start + last, new, operator, row
             for m in re.finditer(r"\b(?:if|while) \(", line):

@@ -72,7 +72,8 @@ void show_texts(State& s, const Inputs& in, const Decided& decided, Set<Inform> 
 
 void show_enabled(const State& s, const Inputs& in, const track::Here& here, Outputs& out) {
   out.level_valid = s.data.level_status == DataStatus::valid;
-  out.levels_allowed = modes::levels_allowed(s.level_table ? &*s.level_table : nullptr, available_levels(s, in.national_system));
+  out.levels_allowed =
+      modes::levels_allowed(s.level_table ? &*s.level_table : nullptr, available_levels(s, in.national_system));
   if (modes::active(modes::Function::geo_position, s.mode))
     if (const auto geo = track::geographical_position(s.track, here)) out.geo = Distance{static_cast<double>(*geo)};
   if (s.mode == Mode::RV) out.rv_left = track::reversing_left(s.track, here);
