@@ -32,7 +32,7 @@ HEAD = """\
 
 
 def hashes_of_rows(mutants):
-    """{id of a mutant: (file, hash of the row that it changes)}: the table's name and what stands in the line, its blanks
+    """{id of a mutant: (file, hash of the row that it changes)}: the table's name and what is in the line, its blanks
     and comment apart."""
     rows = {}  # of a file: line -> hash
     found = {}
@@ -72,7 +72,7 @@ def rooms_with_tests():
 
 
 def survivors(name, wanted, jobs, largest=None):
-    """The mutants of these rows that no test notices and the document does not account for; of `largest` at the most."""
+    """The mutants of these rows that no test notices and the document does not account for; at most of `largest`."""
     room = Room(name, jobs)
     known = listed(name)
     of = hashes_of_rows(m for m in room.mutants if m.row)

@@ -4,7 +4,7 @@
 A source is known to be clean when tests/gates/tidy.txt holds it with the hash of its own text and of its own headers:
 those beside it (x.h of x.cpp, in src/ROOM and in include/openevc/ROOM), and headers without a source beside them,
 each of which belongs to the one source through which it is looked at (see `owners`). A header that no product source
-includes stands in the list by itself. Findings count where they stand in the source or in one of its own headers: every
+includes is in the list by itself. Findings count where they are in the source or in one of its own headers: every
 header of the product is thus looked at once. The first lines of the list name the tool's version and the hash of
 .clang-tidy: with others of them nothing is known.
 

@@ -19,7 +19,7 @@ Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files P
   --changed    only in lines that changed since COMMIT
   --survivors  those of the last run again
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
-  --page       writes docs/ROOM-mutants.md from this run; the reasons that stand in it are kept
+  --page       writes docs/ROOM-mutants.md from this run; the reasons that are in it are kept
   --check      builds each mutant alone as well and prints where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
 import argparse

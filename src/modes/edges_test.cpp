@@ -2,7 +2,6 @@
 
 #include "modes/acceptance.h"
 #include "modes/conditions.h"
-#include "modes/information.h"
 
 // What a context that nobody filled in says, what stands next to a special case, and sets beyond the first 64 bits.
 namespace evc::modes {

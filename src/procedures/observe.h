@@ -9,7 +9,7 @@
 namespace evc::procedures {
 
 /// The vocabulary of 4.6.3: every fact that its conditions ask for, in this cycle. What is an event holds in the cycle
-/// only in which it happens; the kernel hands over each event exactly once. Override means its status before the end
+/// only in which it happens; the kernel passes each event exactly once. Override means its status before the end
 /// conditions of this cycle (5.8.4.1 d and g take effect after the group is evaluated).
 struct Facts {
   // train interface, platform

@@ -20,7 +20,7 @@ struct TrackAheadFree {
   bool asking = false;
 };
 void request(TrackAheadFree& state, Place from, Place to);
-/// Whether the driver is asked now stands in the state; an acknowledgement ends it: true, message 149 is due.
+/// The state says whether the driver is asked now; an acknowledgement ends it: true, message 149 is due.
 bool ask(TrackAheadFree& state, Place est_front, bool acknowledged);
 
 }  // namespace evc::protection

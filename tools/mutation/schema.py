@@ -8,7 +8,7 @@
 
 constexpr is removed, so that nothing is computed before the mutant is known, and static_assert checks nothing (schema.h).
 Where a constant has to be one (array sizes, case labels), or where the changed operator does not exist, the copy does not
-compile; every change stands in a line of its own with its mark, so that the compiler's message shows which. It is taken
+compile; every change is in a line of its own with its mark, so that the compiler's message shows which. It is taken
 back and its mutants are built alone. So are rows that a page loses, for its size is a type."""
 import re
 

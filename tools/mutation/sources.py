@@ -112,7 +112,7 @@ def changed_number(literal):
 
 
 def named_alone(line, names, enums):
-    """(start, end, replacement) of the enumerators of a row that stand there without their enumeration (`using enum`)."""
+    """(start, end, replacement) of the enumerators of a row that are there without their enumeration (`using enum`)."""
     for m in re.finditer(r"(?<![\w.:])[A-Za-z_]\w*\b(?!\s*[:(])", line):
         for name in names:
             values = enums.get(name, [])

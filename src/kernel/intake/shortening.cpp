@@ -11,7 +11,7 @@ namespace evc::kernel {
 namespace {
 
 /// The authority proposed by message 9.
-const track::AuthorityContents& proposal(Evaluation& e) {
+track::AuthorityContents& proposal(Evaluation& e) {
   track::AuthorityContents& proposed = e.r.scratch.proposal;
   proposed = {};
   for (const lang::PacketView& p : e.information.packets)
@@ -54,13 +54,14 @@ bool proposal_is_described(Evaluation& e) {
 
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
-  const track::AuthorityContents& proposed = proposal(e);
+  track::AuthorityContents& proposed = proposal(e);
   const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
                        track::complete(s.track, *proposed.ma, e.r.out.here) &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
   e.r.log.note({.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});
   if (!granted) return "3.8.6.2"_srs;
+  proposed.ma_is_shortening_request = true;
   (void)track::store(s.track, proposed, e.r.out.here);
   cut_beyond(s, proposed.ma->far_end());
   return {};

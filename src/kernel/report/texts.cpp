@@ -21,7 +21,7 @@ void show_trackside_texts(const State& s, const track::TextDisplay& display, Out
       shown.Q_TEXT = text.Q_TEXT;
       shown.length = text.length;
       shown.characters = text.characters;
-      (void)out.texts.push_back(shown);  // six at the most
+      (void)out.texts.push_back(shown);  // at most six
     }
 }
 
