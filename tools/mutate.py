@@ -11,11 +11,11 @@ difference run (a comparison that never meets its boundary makes none), quick on
 enough, and a mutant that takes ten times the time is killed by that. Lines with EVC_REQUIRE
 are not changed. Nothing is written outside build/mutants.
 
-Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N [--seed S]] [--files PATTERNS] [--survivors] [--behaviour]
+Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N] [--alone N] [--seed S] [--files PATTERNS] [--survivors] [--behaviour]
                             [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list] [--page]
   --rows       all rows of the constexpr tables and nothing else (operators row, cell, word, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
-  --sample N   N random mutants;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
+  --sample N   N random mutants;  --alone N: N random ones of those that have to be built alone, the others are not run;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --changed    only in lines that changed since COMMIT
   --survivors  those of the last run again
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
@@ -116,6 +116,7 @@ def main():
     parser.add_argument("--rest", action="store_true")
     parser.add_argument("--sample", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--alone", type=int)
     parser.add_argument("--files")
     parser.add_argument("--changed", metavar="COMMIT")
     parser.add_argument("--behaviour", action="store_true")
@@ -141,6 +142,12 @@ def main():
     room.prepare()
     mutants.sort(key=lambda m: m.id not in room.in_schema)  # those that take long come last
     alone = sum(m.id not in room.in_schema for m in mutants)
+    left_out = []
+    if options.alone is not None and alone > options.alone:
+        together = mutants[:len(mutants) - alone]
+        taken = random.Random(options.seed).sample(mutants[len(together):], options.alone)
+        left_out = [m for m in mutants[len(together):] if m not in taken]
+        mutants, alone = together + taken, len(taken)
     slow = ", ".join(f"{names[0]} {seconds:.1f} s" for names, seconds in room.steps[1:])
     print(f"mutate {room.name}: {len(mutants)} mutants, {alone} of them built alone; {len(room.steps[0][0])} quick tests "
           f"{room.steps[0][1]:.1f} s; {slow}", file=sys.stderr, flush=True)
@@ -149,7 +156,10 @@ def main():
     status = judge_all(room, mutants, options)
     if options.page:
         results = [json.loads(line) for line in results_file(room, options).read_text().splitlines()]
+        results += [{"file": m.name, "verdict": "not run"} for m in left_out]
         how = f" (a sample: --sample {options.sample} --seed {options.seed})" if options.sample else ""
+        if left_out:
+            how += f"; of {alone + len(left_out)} that have to be built alone a sample (--alone {alone} --seed {options.seed})"
         print(f"mutate: {write_page(room.name, results, len(room.mutants), how).relative_to(ROOT)}")
     return status
 

@@ -183,9 +183,10 @@ int main() {
     def test_the_page_keeps_its_reasons(self):
         killed = {"file": "src/modes/a.h", "line": 3, "what": "`<` -> `<=` in `a < b`", "verdict": "killed: test"}
         left = {"file": "src/modes/a.h", "line": 5, "what": "`||` -> `&&` in `a || b`", "verdict": "survived"}
-        text = mutation.page.page("modes", "", [killed, left], 10, "")
+        not_run = {"file": "src/modes/a.h", "verdict": "not run"}
+        text = mutation.page.page("modes", "", [killed, left, not_run], 10, "")
         self.assertIn("2 of 10 mutants", text)
-        self.assertIn("| a.h | 2 | 1 | 1 | 0 |\n| all | 2 | 1 | 1 | 0 |", text)
+        self.assertIn("| a.h | 3 | 1 | 1 | 0 | 1 |\n| all | 3 | 1 | 1 | 0 | 1 |", text)
         self.assertIn("| src/modes/a.h:5 | `\\|\\|` -> `&&` in `a \\|\\| b` | **no reason yet** |", text)
         key = ("src/modes/a.h", left["what"])
         self.assertEqual(mutation.page.reasons(text)[key], mutation.page.NO_REASON)

@@ -78,6 +78,10 @@ class TableMutants(unittest.TestCase):
         self.assertEqual(self.run_gate(TABLES)[0], 1)
         self.assertEqual(self.looked_at, [("track", 1, gate.LARGEST)])
 
+    def test_rows_that_were_there_before_the_gate(self):
+        self.assertEqual(self.run_gate(TABLES, "--write", "--unseen")[0], 0)
+        self.assertEqual((self.looked_at, self.rows()), ([], 3))
+
     def test_rows_that_do_not_exist_any_more_leave_the_list(self):
         self.run_gate(TABLES, "--write")
         self.run_gate(TABLES.replace("    {2, Kind::b},\n", ""), "--write")

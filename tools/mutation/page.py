@@ -37,12 +37,13 @@ def page(room, before, results, number, how):
     for r in results:
         verdict = r["verdict"].split(":")[0]
         counts[r["file"].rsplit("/", 1)[1]][verdict] += 1
-    lines = [(name, c.total(), c["killed"], c["survived"], c["does not compile"]) for name, c in sorted(counts.items())]
-    lines.append(("all", *(sum(line[i] for line in lines) for i in range(1, 5))))
+    verdicts = ["killed", "survived", "does not compile", "not run"]
+    lines = [(name, c.total(), *(c[v] for v in verdicts)) for name, c in sorted(counts.items())]
+    lines.append(("all", *(sum(line[i] for line in lines) for i in range(1, 6))))
     survived = sorted((r["file"], r["line"], r["what"]) for r in results if r["verdict"] == "survived")
-    run = f"{len(results)} of {number} mutants{how}, g++ 12, {datetime.date.today():%Y-%m}."
+    run = f"{sum(r['verdict'] != 'not run' for r in results)} of {number} mutants{how}, g++ 12, {datetime.date.today():%Y-%m}."
     text = head + f"## Figures\n{run} What does not compile is refused by a type or an assertion.\n\n"
-    text += table([("file", "mutants", "killed", "survived", "do not compile"), ("---",) * 5, *lines])
+    text += table([("file", "mutants", "killed", "survived", "do not compile", "not run"), ("---",) * 6, *lines])
     text += "\n## Survivors\n"
     text += table([("where", "mutation", "why"), ("---",) * 3,
                    *((f"{file}:{line}", what, known.get((file, what), NO_REASON)) for file, line, what in survived)])

@@ -299,9 +299,20 @@ class Room:
         if mutant.id in self.in_schema:
             verdict = self.tests(self.binary, mutant.id, without)
             # Of a page an assertion may see what no test does.
-            if verdict != "survived" or mutant.row != "page":
-                return verdict
+            refused = verdict == "survived" and mutant.row == "page" and not self.compiles(mutant)
+            return "does not compile" if refused else verdict
         return self.judge_alone(mutant, without)
+
+    def compiles(self, mutant):
+        """Whether the mutated file, as it stands, is accepted by the compiler."""
+        text = mutant.path.read_text()
+        with tempfile.TemporaryDirectory(dir=self.out) as folder:
+            tree = pathlib.Path(folder)
+            (tree / "openevc").symlink_to(".")
+            changed = tree / self.name / mutant.path.name
+            write(changed, text[:mutant.start] + mutant.new + text[mutant.end:])
+            command = self.plain.command(changed, [tree]) + ["-fsyntax-only", "-x", "c++", str(changed)]
+            return subprocess.run(command, capture_output=True).returncode == 0
 
     def plain_objects(self):
         """Of the unchanged room; made when the first mutant has to be built alone."""
