@@ -119,6 +119,17 @@ class Mutation(unittest.TestCase):
         # A dead instrument would show here: most mutants of this program change what it says.
         self.assertGreater(sum(said != unchanged for said in together.values()), len(together) * 3 // 4)
 
+    def test_few_mutants_of_a_table(self):
+        """The gate of tables asks for those of one row: the others stay."""
+        row = next(m for m in self.mutants if m.operator == "row" and "Kind::b" in m.what)
+        text, written = schema.instrumented(SOURCE, [row], set(), "source.cpp")
+        self.assertEqual(written, {row.id})
+        binary, messages = self.build(text, ["-include", str(HERE / "schema.h"), str(HERE / "schema.cpp")])
+        self.assertTrue(binary, messages)
+        unchanged, without_row = self.says(binary), self.says(binary, row.id)
+        self.assertEqual(unchanged, self.says(self.build(SOURCE)[0]))
+        self.assertEqual(without_row, self.says(self.build(SOURCE[:row.start] + SOURCE[row.end:])[0]))
+
     def test_what_makes_no_difference_need_not_run(self):
         binary, written = self.instrumented()
         unchanged = self.says(binary)

@@ -147,7 +147,7 @@ class Table {
  public:
   Table(std::initializer_list<Row<T>> all) {
     for (const Row<T>& r : all)
-      if (!on(r.id)) rows_.push_back(r.row);
+      if (r.id < 0 || !on(r.id)) rows_.push_back(r.row);
   }
   const T* begin() const { return rows_.data(); }
   const T* end() const { return rows_.data() + rows_.size(); }

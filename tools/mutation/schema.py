@@ -136,11 +136,14 @@ def table_edits(code, name, mutants, dropped):
             continue
         text = own_line(mark, f"const evc_mutant::Table<{head.group(1)}> {head.group(2)} =")
         edits.append(Edit(head.start(), head.end() - 1, [], lambda inner, text=text: text))
-        for m in rows:
-            begin = m.start + code[m.start:].index("{")
+        wanted = {code.index("{", m.start): m.id for m in rows}
+        begin = code.find("{", head.end(), end)
+        while begin > 0:
             last = closing(code, begin) + 1
-            edits.append(Edit(begin, last, [m.id], lambda inner, m=m, begin=begin, last=last, mark=mark:
-                              own_line(mark, f"{{{m.id},") + inner(begin, last) + "}"))
+            number = wanted.get(begin, -1)  # -1: a row that stays
+            edits.append(Edit(begin, last, [number] * (number > 0), lambda inner, begin=begin, last=last, number=number,
+                              mark=mark: own_line(mark, f"{{{number},") + inner(begin, last) + "}"))
+            begin = code.find("{", last, end)
     return edits
 
 
