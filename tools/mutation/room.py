@@ -108,6 +108,9 @@ class Room:
         self.name, self.jobs = name, jobs
         self.rooms = []
         self._depend(name)
+        for linked in re.findall(rf"target_link_libraries\({name}_test [^)]*\)", (SRC / name / "CMakeLists.txt").read_text()):
+            for other in re.findall(r"\bevc_(\w+)", linked):
+                self._depend(other)
         self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
