@@ -31,6 +31,13 @@ TEST(AcceptanceEdges, What_nobody_set_is_absent) {
   EXPECT_EQ(accept_by_mode(Information::stm_max_speed, sb).clause, "4.8.4 [2]"_srs);
   sb.desk_open = true;
   EXPECT_EQ(accept_by_mode(Information::stm_max_speed, sb).verdict, Verdict::accepted);
+  // 4.8.4 [3]: in PS and SH an order to establish a session is one only where it says so.
+  for (const Mode mode : {Mode::PS, Mode::SH}) {
+    AcceptanceContext c = in(mode, Level::L2, Medium::balise);
+    EXPECT_EQ(accept_by_mode(Information::session_management, c).verdict, Verdict::accepted);
+    c.orders_establishment = true;
+    EXPECT_EQ(accept_by_mode(Information::session_management, c).verdict, Verdict::only_contact_stored);
+  }
 }
 
 /// Flags of the context of which each information of the row and mode depends on one: without it the exception holds.
@@ -45,6 +52,8 @@ TEST(AcceptanceEdges, Each_fact_that_lets_an_information_pass_is_absent_unless_i
       {&AcceptanceContext::emergency_stop_pending, false, "4.8.3 [5]"_srs},
       {&AcceptanceContext::revocable_and_inhibited, false, "4.8.3 [8]"_srs},
       {&AcceptanceContext::other_previous_lrbg, false, "4.8.3 [10]"_srs},
+      {&AcceptanceContext::level_order_along_or_announced, false, "4.8.3 [11]"_srs},
+      {&AcceptanceContext::names_rbc_of_transition, false, "4.8.3 [14]"_srs},
       {&AcceptanceContext::text_awaits_acknowledgement, false, "4.8.3 [12]"_srs},
       {&AcceptanceContext::train_data_valid, true, "4.8.4 [4]"_srs},
       {&AcceptanceContext::override_active, false, "4.8.4 [6]"_srs},
@@ -136,6 +145,7 @@ TEST(Conditions, Numbers_beyond_64_are_as_good_as_the_others) {
     EXPECT_TRUE(one.any_of({n, 5}));
     EXPECT_FALSE(one.any_of({n == 127 ? 126 : n + 1}));
     EXPECT_EQ((one | Conditions{5}), (Conditions{5, n}));
+    EXPECT_EQ((Conditions{5} | one), (Conditions{5, n}));
     EXPECT_EQ((Conditions{5, 70, n} & one), one);
     EXPECT_TRUE((Conditions{5} & Conditions{70}).none());
     Conditions cleared = one;
