@@ -431,7 +431,7 @@ TEST(StoreAuthority, Areas_accepted_before_stay_accepted_where_the_train_is_in_t
     int noted = 0;
     for (const Note& n : report.notes) noted += n.packet == 80 && n.what == Note::What::stored;
     EXPECT_EQ(noted, 1);
-    EXPECT_EQ(d.mode_profile.size(), 1u) << "the old profile goes with the old MA";
+    EXPECT_EQ(d.mode_profile.size(), 1u) << "the old profile is deleted with the old MA";
     return d.mode_profile[0].accepted;
   };
   EXPECT_TRUE(accepted(0.0, Mode::OS, true));
