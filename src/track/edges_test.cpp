@@ -168,6 +168,40 @@ TEST(Store, What_restricts_and_finds_no_room_ends_the_authority_and_the_rest_doe
   EXPECT_FALSE(full(&Description::platforms, &Contents::platforms));
 }
 
+TEST(Store, Route_suitability_without_room_ends_the_authority_at_the_nearest_point) {
+  Description d;
+  store(d, whole(5000), front_at(0));
+  RouteSuitability item;
+  item.kind = Suitability::axle_load;
+  while (d.suitability.push_back(item)) continue;
+  Contents c;
+  c.suitability.emplace();
+  item.kind = Suitability::gauge;
+  for (const double place : {2000.0, 1000.0, 3000.0}) {
+    item.at = at(place);
+    ASSERT_TRUE(c.suitability->elements.push_back(item));
+  }
+  const Stored report = store(d, c, front_at(0));
+  EXPECT_EQ(report.lost_from, at(1000));
+  EXPECT_EQ(report.notes.back().packet, 70);
+  EXPECT_EQ(d.ma->end(), at(1000));
+}
+
+TEST(Store, While_revocable_restrictions_are_inhibited_those_of_balises_with_an_identity_are_refused) {  // 3.11.5.12
+  for (const std::uint8_t id : {std::uint8_t{7}, std::uint8_t{255}})
+    for (const bool from_rbc : {false, true}) {
+      Description d;
+      d.revocable_tsr_inhibited = true;
+      Contents c;
+      TemporarySpeedRestriction tsr;
+      tsr.NID_TSR = id;
+      tsr.from_rbc = from_rbc;
+      ASSERT_TRUE(c.tsr.push_back(tsr));
+      store(d, c, front_at(0));
+      EXPECT_EQ(d.tsr.size(), id == 7 && !from_rbc ? 0u : 1u);
+    }
+}
+
 TEST(Store, Areas_from_the_new_start_on_are_replaced) {  // 3.7.3.1 c
   Description d;
   Contents c;
@@ -331,6 +365,19 @@ TEST(Authority, A_temporary_end_at_the_end_itself_takes_the_release_speed_away) 
   EXPECT_EQ(at_SvL.release.kind, Release{}.kind) << "the SvL is that of the level crossing";
   d.lx[0].from = at(1050.1);
   EXPECT_EQ(authority(d, {}, Mode::FS).release.kind, Release::Kind::given);
+}
+
+TEST(Authority, A_mode_area_at_the_end_takes_the_release_speed_away) {  // 3.12.4.5
+  for (const double from : {1000.0, 1000.1}) {
+    Description d;
+    store(d, whole(1000), front_at(0));
+    d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{5}}};
+    ModeArea area;
+    area.from = at(from);
+    area.also_SvL = false;
+    ASSERT_TRUE(d.mode_profile.push_back(area));
+    EXPECT_EQ(authority(d, {}, Mode::FS).release.kind, from == 1000.0 ? Release{}.kind : Release::Kind::given);
+  }
 }
 
 TEST(Services, Of_two_mode_areas_from_one_place_on_the_later_one_is_due) {

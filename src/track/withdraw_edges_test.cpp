@@ -437,6 +437,20 @@ TEST(StoreAuthority, Areas_accepted_before_stay_accepted_where_the_train_is_in_t
   EXPECT_TRUE(accepted(0.0, Mode::OS, true));
   EXPECT_TRUE(accepted(105.0, Mode::OS, true));
   EXPECT_FALSE(accepted(105.1, Mode::OS, true));
+  // With the window at the estimated front end the train is in it.
+  Description window;
+  store(window, whole(3000), front_at(100));
+  ModeArea area;
+  area.accepted = true;
+  ASSERT_TRUE(window.mode_profile.push_back(area));
+  Contents c = whole(3000);
+  c.mode_profile.emplace();
+  area.accepted = false;
+  area.from = at(500);
+  area.ack_from = at(100);
+  ASSERT_TRUE(c.mode_profile->push_back(area));
+  store(window, c, front_at(100));
+  EXPECT_TRUE(window.mode_profile[0].accepted);
   EXPECT_FALSE(accepted(0.0, Mode::LS, true));
   EXPECT_FALSE(accepted(0.0, Mode::OS, false));
 }
@@ -498,6 +512,111 @@ TEST(StoreAuthority, A_list_for_SH_comes_with_the_SH_area_of_its_MA) {  // 3.12.
     store(d, c, front_at(0));
     EXPECT_EQ(d.sh_list.has_value(), mode == Mode::SH);
   }
+}
+
+TEST(StoreAuthority, An_overlap_that_is_over_takes_the_LOA_along) {  // 3.8.4.4.3
+  Description d;
+  Contents c = whole(3100);
+  c.ma = authority_to(3000);
+  c.ma->V_LOA = Speed{3};
+  c.ma->overlap = Overlap{at(1000), at(3100), {Duration{20}, {}, false}, {}};
+  store(d, c, front_at(1500));
+  EXPECT_FALSE(d.ma->overlap || d.ma->limited());
+  Description running = with_everything();
+  running.ma->V_LOA = Speed{3};
+  running.ma->loa_timer = {};
+  running.ma->overlap->timer = {Duration{20}, Duration{}, true};
+  Here here = front_at(2500);
+  here.now = Duration{21};
+  EXPECT_TRUE(advance(running, here).overlap_timeout);
+  EXPECT_FALSE(running.ma->limited());
+}
+
+TEST(StoreAuthority, An_MA_to_the_same_place_is_no_shortening_and_an_empty_one_is_none) {  // 3.8.5.1.3
+  Description d;
+  store(d, whole(3000), front_at(0));
+  EXPECT_FALSE(store(d, whole(3000), front_at(0)).shortened);
+  EXPECT_TRUE(store(d, whole(2999), front_at(0)).shortened);
+  Contents empty;
+  empty.ma.emplace();
+  const Stored report = store(d, empty, front_at(0));
+  EXPECT_FALSE(report.ma_accepted || report.ma_refused);
+  EXPECT_TRUE(complete(Description{}, empty, front_at(0)));
+  d.gradient.steps.clear();
+  EXPECT_FALSE(complete(d, front_at(0))) << "the SSP alone does not cover it";
+}
+
+TEST(StoreAuthority, Infill_replaces_areas_from_its_reference_on_and_needs_room) {  // 3.8.5.1 b
+  const auto infill = [](std::size_t sections) {
+    Contents c = whole(5000);
+    c.infill = at(2000);
+    c.ma->sections.clear();
+    for (std::size_t i = 0; i < sections; ++i) {
+      Section s;
+      s.begin = at(2000.0 + 10.0 * static_cast<double>(i));
+      s.end = at(2010.0 + 10.0 * static_cast<double>(i));
+      EXPECT_TRUE(c.ma->sections.push_back(s));
+    }
+    c.ma->sections.back().end = at(5000);
+    return c;
+  };
+  const auto before = [] {
+    Description d = with_everything();
+    d.ma->end_section.reset();
+    d.ma->danger_point.reset();
+    d.ma->overlap.reset();
+    ModeArea area;
+    for (const double from : {1999.9, 2000.0, 2500.0}) {
+      area.from = at(from);
+      EXPECT_TRUE(d.mode_profile.push_back(area));
+    }
+    return d;
+  };
+  Description d = before();
+  EXPECT_TRUE(store(d, infill(1), front_at(0)).ma_accepted);
+  EXPECT_EQ(d.mode_profile.size(), 1u);
+  EXPECT_EQ(d.ma->sections.size(), 3u) << "two of the old one up to the reference, and the new one";
+  EXPECT_EQ(d.ma->sections[1].end, at(2000));
+  EXPECT_EQ(d.ma->end(), at(5000));
+  Description room = before();
+  EXPECT_TRUE(store(room, infill(30), front_at(0)).ma_accepted);
+  Description no_room = before();
+  EXPECT_TRUE(store(no_room, infill(31), front_at(0)).ma_refused);
+  EXPECT_EQ(no_room.ma->end(), at(3000));
+}
+
+TEST(StoreAuthority, A_mode_profile_without_room_ends_the_authority) {
+  Description d;
+  store(d, whole(5000), front_at(0));
+  ModeArea area;
+  area.from = at(10);
+  while (d.mode_profile.push_back(area)) continue;
+  Contents c = whole(5000);
+  c.infill = at(100);
+  c.mode_profile.emplace();
+  area.from = at(1000);
+  ASSERT_TRUE(c.mode_profile->push_back(area));
+  area.from = at(2000);
+  ASSERT_TRUE(c.mode_profile->push_back(area));
+  const Stored report = store(d, c, front_at(0));
+  EXPECT_EQ(report.lost_from, at(1000));
+  int full = 0;
+  for (const Note& note : report.notes) full += note.packet == 80 && note.what == Note::What::full;
+  EXPECT_EQ(full, 1);
+  EXPECT_EQ(d.ma->end(), at(1000));
+}
+
+TEST(Withdraw, Two_areas_left_in_one_cycle_are_one_change_and_a_text_that_ended_is_forgotten_also_alone) {
+  Description d;
+  ModeArea area;
+  area.to = at(100);
+  ASSERT_TRUE(d.mode_profile.push_back(area) && d.mode_profile.push_back(area));
+  Text text;
+  text.state = Text::State::ended;
+  ASSERT_TRUE(d.texts.push_back(text));
+  (void)advance(d, front_at(1000));
+  EXPECT_TRUE(d.mode_profile.empty() && d.texts.empty());
+  EXPECT_EQ(d.revision, 1u);
 }
 
 TEST(Forget, Track_conditions_take_traction_and_current_along) {
