@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tables of the kernel rooms: each row is dropped and each cell of it changed, one at a time, and a test of the room has
 to notice (tools/mutate.py). tests/gates/table_rows.txt holds, as hashes, the rows of which that has been seen, and those
-that were there before this gate (what was seen of them stands in docs/ROOM-mutants.md). Rows that are not in it are new
+that were there before this gate (what was seen of them is in docs/ROOM-mutants.md). Rows that are not in it are new
 or changed, and are looked at. Where these are more than LARGEST mutants of a room, that many are taken at random, so
 that the time is bounded. A survivor that docs/ROOM-mutants.md does not give the reason of fails.
 

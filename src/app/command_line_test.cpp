@@ -19,7 +19,7 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("run --driver x"), "evc run: --driver: found x, expected one of perfect, late, reckless\n");
   EXPECT_EQ(refused("run --last-ma abc"), "evc run: --last-ma: found abc, expected a number from 0 to 1000000\n");
   EXPECT_EQ(refused("curves --explain 900"), "evc curves: --explain: found 900, expected a number from 0 to 600\n");
-  EXPECT_EQ(refused("run --train"), "evc run: --train: found nothing behind it, expected a value\n");
+  EXPECT_EQ(refused("run --train"), "evc run: --train: found nothing after it, expected a value\n");
   EXPECT_EQ(refused("run --seed 1 --seed 2"), "evc run: --seed: found it 2 times, expected it once\n");
   EXPECT_EQ(refused("run --foo"), "evc run: found --foo, expected an option that `evc run --help` lists\n");
   EXPECT_EQ(refused("run a b c"), "evc run: found \"b\", expected no further argument\n");
@@ -60,7 +60,7 @@ TEST(StandardOutput, WhatIsLostIsAnError) {
         "make-line '" EVC_SOURCE_DIR "/data/lines/brunnental.description.json'", "curves", "run"}) {
     const Ended run = ended(std::string(arguments) + " >/dev/full");
     EXPECT_EQ(run.exit_code, 2) << arguments;
-    EXPECT_NE(run.errors.find("found No space left on device, expected room to write"), std::string::npos)
+    EXPECT_NE(run.errors.find("found No space left on device, expected space for the whole file"), std::string::npos)
         << arguments << ": " << run.errors;
     EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
   }

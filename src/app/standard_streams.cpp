@@ -25,7 +25,7 @@ int with_all_written(int exit_code, int error) {
   if (exit_code == 2) return 2;
   if (error == 0) error = errno;
   const io::Diagnostic lost{"standard output", "", error != 0 ? std::strerror(error) : "a write that failed",
-                            "space for all of it"};
+                            "space for the whole file"};
   std::fputs((lost.text() + "\n").c_str(), stderr);
   return 2;
 }

@@ -67,7 +67,7 @@ TEST(Pcapng, VersionComesFirst) {
   const lang::MessageToTrainView view = lang::scan_message_to_train(message, {1, 0});
   EXPECT_EQ(view.fault, lang::Fault::none);
   EXPECT_EQ(view.NID_MESSAGE, 32);
-  EXPECT_NE(out.find("made: the system version"), std::string::npos);
+  EXPECT_NE(out.find("added: the system version"), std::string::npos);
   trace.append(out, Pcapng::Port::radio, lang::Direction::to_track, message);
   // The second frame is in the other direction, a millisecond later.
   const std::size_t second = 48 + little(out, 48 + 4);

@@ -338,7 +338,7 @@ TEST(Run, TheFilesAreThereWhateverBecomesOfTheSummary) {
       io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","name":")" + std::string(20000, 'x') + "\"}"));
   const Finished run =
       evc("run --train '" + (folder / "t.json") + "' -o '" + folder.path() + "' 2>&1 >/dev/full | cat");
-  EXPECT_EQ(run.output, "standard output: found No space left on device, expected space for all of it\n");
+  EXPECT_EQ(run.output, "standard output: found No space left on device, expected space for the whole file\n");
   EXPECT_EQ(json::parse(text_of(folder / "summary.json"))["output_hash"], sha256(text_of(folder / "outputs.jsonl")));
 }
 

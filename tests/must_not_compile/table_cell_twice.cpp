@@ -1,4 +1,5 @@
-// A table has each cell only once (4.6.2). expected: static
+// A table has each cell only once (4.6.2).
+// expected: static
 #include "modes/mode_table.h"
 
 using namespace evc;

@@ -1,4 +1,5 @@
-// Every mode must be entered by a cell (4.6.2). expected: static
+// Every mode must be entered by a cell (4.6.2).
+// expected: static
 #include "modes/mode_table.h"
 
 using namespace evc;
