@@ -307,7 +307,7 @@ class Room:
         return self.judge_alone(mutant, without)
 
     def compiles(self, mutant):
-        """Whether the mutated file, unchanged, is accepted by the compiler."""
+        """Whether the mutated file, as it is, is accepted by the compiler."""
         text = mutant.path.read_text()
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             tree = pathlib.Path(folder)
