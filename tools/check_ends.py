@@ -3,8 +3,7 @@
 only asks for (tools/field_uses.py defines this). Each has to be in the table "Loose ends" of
 CAVEATS.md, with its clause and the reason; a row that is no longer needed fails too.
 
-A row is `room::Struct::field` or `room::Enumeration::enumerator`, or `room::Name::*` for all of one. Where the struct of a row is no more
-it is taken by the field's name alone, so that a move does not need the table.
+A row is `room::Struct::field` or `room::Enumeration::enumerator`, or `room::Name::*` for all of one.
 
 Usage: tools/check_ends.py [--list]   --list prints what is loose, as rows for CAVEATS.md"""
 import argparse
@@ -22,13 +21,11 @@ def rows(text):
     return re.findall(r"^\| `([\w:*]+)` \|", section[1], re.M) if section else []
 
 
-def faults(loose, named, owners):
-    """What does not fit. `loose`: {name: what is missing}; `named`: the rows; `owners`: all structs and enumerations."""
+def faults(loose, named):
+    """What does not fit. `loose`: {name: what is missing}; `named`: the rows."""
     sentences, used = [], set()
     for name, what in sorted(loose.items()):
-        owner, _, member = name.rpartition("::")
-        fits = [row for row in named if row == name or row == f"{owner}::*" or
-                row.rpartition("::")[0] not in owners and row.rpartition("::")[2] == member]
+        fits = [row for row in named if row == name or row == f"{name.rpartition('::')[0]}::*"]
         used.update(fits)
         if not fits:
             sentences.append(f"{name} is {what}, and CAVEATS.md does not name it")
@@ -41,14 +38,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
-    found, owners, looked_at = loose_ends()
+    found, looked_at = loose_ends()
     loose = {name: what for _, name, what in found}
     if options.list:
         for name, what in sorted(loose.items()):
             print(f"| `{name}` | | {what} |")
         return 0
     named = rows(CAVEATS.read_text(encoding="utf-8"))
-    wrong = faults(loose, named, owners)
+    wrong = faults(loose, named)
     for sentence in wrong:
         print(f"ends: {sentence}")
     print(f"ends: {looked_at} fields and enumerators, {len(loose)} loose, {len(named)} rows in CAVEATS.md, {len(wrong)} faults")

@@ -446,8 +446,7 @@ def declared(unit):
 
 
 def loose_ends():
-    """Sorted rows (room, name, what) of all that is loose, the names of all structs and enumerations, and how many fields
-    and enumerators were looked at."""
+    """Sorted rows (room, name, what) of all that is loose, and how many fields and enumerators were looked at."""
     # The build makes this one (src/kernel/CMakeLists.txt); its number does not matter here.
     layout = CACHE / "generated/kernel/state_layout.h"
     layout.parent.mkdir(parents=True, exist_ok=True)
@@ -481,4 +480,4 @@ def loose_ends():
                 continue
         if how in words:
             rows.append((room, name, words[how]))
-    return sorted(rows), {name.rpartition("::")[0] for _, name, _, _ in known.values()}, len(known)
+    return sorted(rows), len(known)

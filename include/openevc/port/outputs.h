@@ -61,7 +61,7 @@ struct RbcAddress {
   std::uint64_t NID_RADIO = 0;  // BCD, as on the wire
 };
 
-struct Outputs {
+struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
   Duration now{};
   Mode mode = Mode::NP;
   Level level = Level::L0;

@@ -13,9 +13,6 @@ namespace evc::kernel {
 std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view,
                                                             const track::Reference& reference);
 
-/// The levels available to this unit now (5.10.2.4).
-modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system);
-
 /// A level transition order passed the filters: stores its table, judges it and stores it for the level transition of
 /// this cycle. Returns the decision, so that the rest of the message can be judged for the new level (4.8.1.3).
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order);
