@@ -2,6 +2,9 @@
 
 #include "modes/acceptance.h"
 #include "modes/conditions.h"
+#include "modes/information.h"
+#include "modes/levels.h"
+#include "modes/mode_properties.h"
 
 // What a context that nobody filled in says, what stands next to a special case, and sets beyond the first 64 bits.
 namespace evc::modes {
@@ -134,6 +137,64 @@ TEST(AcceptanceEdges, What_only_a_national_system_sends_is_not_accepted_by_level
     const Acceptance a = accept_by_level(information, in(Mode::FS, Level::NTC, Medium::balise));
     EXPECT_EQ(a.verdict, Verdict::rejected);
     EXPECT_EQ(a.clause, "4.8.3"_srs);
+  }
+}
+
+/// 4.6.3: the level to which the condition of a level transition leads.
+bool leads_to(int condition, Level to) {
+  const bool to_1_2_3 = to == Level::L1 || to == Level::L2 || to == Level::L3;
+  switch (condition) {
+    case 21:
+      return to == Level::L0;
+    case 56:
+      return to == Level::NTC;
+    case 38:
+      return to == Level::L0 || to_1_2_3;
+    case 44:
+    case 67:
+      return to == Level::L1;
+    case 45:
+      return to == Level::L2 || to == Level::L3;
+    default:  // 25, 34, 39, 61, 71
+      return to_1_2_3;
+  }
+}
+
+TEST(LevelConsequences, Every_level_that_a_condition_leads_to_has_one_row) {  // 5.10.3 with 4.6.2
+  for (const int condition : {21, 25, 34, 38, 39, 44, 45, 56, 61, 67, 71})
+    for (std::size_t m = 0; m < kModes; ++m)
+      for (std::size_t l = 0; l < kLevels; ++l) {
+        const Mode from = static_cast<Mode>(m);
+        const Level to = static_cast<Level>(l);
+        const bool in_levels_1_2_3 = from == Mode::FS || from == Mode::LS || from == Mode::SR || from == Mode::OS;
+        const bool leaves = condition == 21   ? in_levels_1_2_3 || from == Mode::SN
+                            : condition == 56 ? in_levels_1_2_3 || from == Mode::UN
+                            : condition == 38 ? from == Mode::SN
+                                              : from == Mode::UN || from == Mode::SN;
+        int rows = 0;
+        for (const ModeConsequence& row : srs_5_10_3)
+          rows += row.from == from && row.to == to && row.number == condition;
+        EXPECT_EQ(rows, leaves && leads_to(condition, to) ? 1 : 0) << condition << " " << name(from) << " " << l;
+      }
+}
+
+TEST(ModeProperties, Speed_limit_and_desk) {  // 4.4.3 to 4.4.20, the national values of A.3.2
+  for (std::size_t m = 0; m < kModes; ++m) {
+    const Mode mode = static_cast<Mode>(m);
+    SpeedLimit limit = SpeedLimit::no_limit;
+    if (mode == Mode::SB) limit = SpeedLimit::standstill;
+    if (mode == Mode::SH) limit = SpeedLimit::V_NVSHUNT;
+    if (mode == Mode::FS) limit = SpeedLimit::profile_only;
+    if (mode == Mode::LS) limit = SpeedLimit::V_NVLIMSUPERV;
+    if (mode == Mode::SR) limit = SpeedLimit::V_NVSTFF;
+    if (mode == Mode::OS) limit = SpeedLimit::V_NVONSIGHT;
+    if (mode == Mode::UN) limit = SpeedLimit::V_NVUNFIT;
+    if (mode == Mode::SN) limit = SpeedLimit::national;
+    if (mode == Mode::RV) limit = SpeedLimit::V_REVERSE;
+    EXPECT_EQ(properties(mode).speed_limit, limit) << name(mode);
+    const bool nobody_drives = mode == Mode::NP || mode == Mode::SB || mode == Mode::PS || mode == Mode::SL ||
+                               mode == Mode::TR || mode == Mode::SF || mode == Mode::IS;
+    EXPECT_EQ(properties(mode).desk_needed, !nobody_drives) << name(mode);
   }
 }
 
