@@ -178,6 +178,26 @@ TEST(LevelConsequences, Every_level_that_a_condition_leads_to_has_one_row) {  //
       }
 }
 
+TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_systems) {
+  AvailableLevels unit;
+  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3}) EXPECT_TRUE(unit.has({level, 0, {}}));
+  for (const unsigned n : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 255u}) {
+    AvailableLevels one;
+    one.national_systems[n / 64] = std::uint64_t{1} << (n % 64);
+    for (unsigned id = 0; id < 256; ++id)
+      EXPECT_EQ(one.has({Level::NTC, static_cast<std::uint8_t>(id), {}}), id == n) << n << " " << id;
+  }
+}
+
+TEST(Information, Level_orders_and_conditions_by_their_code) {
+  EXPECT_EQ(information_of_packet(41)[0], Information::level_transition_order);
+  EXPECT_EQ(information_of_packet(46)[0], Information::conditional_level_transition_order);
+  for (int code = 0; code < 16; ++code)  // M_TRACKCOND 0 and 1 stopping areas, 2 sound horn (7.5.1.76)
+    EXPECT_EQ(information_of_packet(68, code)[0],
+              code <= 2 ? Information::track_conditions_horn_stopping : Information::track_conditions_general);
+  EXPECT_EQ(information_of_packet(180)[0], Information::lssma_toggle_off);
+}
+
 TEST(ModeProperties, Speed_limit_and_desk) {  // 4.4.3 to 4.4.20, the national values of A.3.2
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode mode = static_cast<Mode>(m);
