@@ -380,6 +380,19 @@ TEST(Authority, A_mode_area_at_the_end_takes_the_release_speed_away) {  // 3.12.
   }
 }
 
+TEST(Texts, One_that_ended_is_marked_as_such) {
+  Description d;
+  Text text;
+  text.state = Text::State::shown;
+  text.end_at = at(50);
+  ASSERT_TRUE(d.texts.push_back(text));
+  InplaceVector<std::uint8_t, 6> reports;
+  EXPECT_TRUE(show_texts(d, front_at(100), Mode::FS, Level::L2, 0, 0, reports).shown.empty());
+  EXPECT_EQ(d.texts[0].state, Text::State::ended);
+}
+
+TEST(Services, The_highest_speed_of_the_language_is_no_limit) { EXPECT_EQ(kNoLimit, Speed{600 / 3.6}); }
+
 TEST(Services, Of_two_mode_areas_from_one_place_on_the_later_one_is_due) {
   Description d;
   ModeArea area;

@@ -618,6 +618,17 @@ TEST(Withdraw, Two_areas_left_in_one_cycle_are_one_change_and_a_text_that_ended_
   EXPECT_EQ(d.revision, 1u);
 }
 
+TEST(StoreAuthority, A_granted_shortening_leaves_the_description_up_to_the_new_end) {  // 3.8.6, A.3.4 f
+  Description d;
+  store(d, whole(3000), front_at(0));
+  Contents c;
+  c.ma = authority_to(2000);
+  c.ma_is_shortening_request = true;
+  EXPECT_TRUE(store(d, c, front_at(0)).ma_accepted);
+  EXPECT_TRUE(complete(d, front_at(0)));
+  EXPECT_FALSE(d.ssp.covers(at(0), at(2000.1)));
+}
+
 TEST(Forget, Track_conditions_take_traction_and_current_along) {
   Description d;
   d.traction = TractionChange{};
