@@ -2,7 +2,6 @@
 
 #include "modes/acceptance.h"
 #include "modes/conditions.h"
-#include "modes/information.h"
 #include "modes/levels.h"
 #include "modes/mode_properties.h"
 
