@@ -119,7 +119,7 @@ class Room:
         self.tree = self.out / "instrumented"
         self.all = Build(self.out / "all", [self.tree, self.src, SHARED / "src"], ["-O1"], [HERE / "schema.h"])
         self.plain = Build(self.out / "plain", [self.src, SHARED / "src"], ["-O0"], [])
-        self.other = Build(SHARED / "objects", [SHARED / "src"], [], [])
+        self.other = Build(SHARED / "objects", [SHARED / "src", self.src], [], [])
         self.others = self.out / "others.a"
         self.in_schema = set()  # numbers of the mutants that the one build holds
         self.objects = None  # of the plain build: source -> (object, what it was made of)
@@ -150,7 +150,7 @@ class Room:
         """The build with all mutants, and what the unchanged room needs of time."""
         self.all.prepare_common()
         others = self.each(lambda s: self.other.made(s, f"{s.parent.name}_{s.stem}.o"),
-                           [s for room in self.rooms[1:] for s in sorted((SHARED / "src" / room).glob("*.cpp"))
+                           [s for room in self.rooms[1:] for s in sorted((SHARED / "src" / room).rglob("*.cpp"))
                             if not is_test(s)])
         # The linker takes of other rooms what it needs.
         self.others.unlink(missing_ok=True)
@@ -187,7 +187,7 @@ class Room:
                 (tree / "openevc").symlink_to(".")
 
     def sources(self):
-        return sorted((self.src / self.name).glob("*.cpp"), key=lambda s: (not is_test(s), s.name))
+        return sorted((self.src / self.name).rglob("*.cpp"), key=lambda s: (not is_test(s), s.name))
 
     def instrumented(self, source):
         changed = self.tree / self.name / source.name
@@ -296,7 +296,7 @@ class Room:
         """`behaviour_only`: without the tests that include the changed header themselves."""
         without = set()
         if behaviour_only and mutant.path.suffix == ".h":
-            for source in (self.src / self.name).glob("*_test.cpp"):
+            for source in (self.src / self.name).rglob("*_test.cpp"):
                 if f'#include "{self.name}/{mutant.path.name}"' in source.read_text():
                     without |= self.tests_of.get(source.name, set())
         if mutant.id in self.in_schema:
