@@ -188,6 +188,27 @@ TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_sy
   }
 }
 
+TEST(Information, Level_orders_and_conditions_by_their_code) {
+  EXPECT_EQ(information_of_packet(41)[0], Information::level_transition_order);
+  EXPECT_EQ(information_of_packet(46)[0], Information::conditional_level_transition_order);
+  for (int code = 0; code < 16; ++code)  // M_TRACKCOND 0 and 1 stopping areas, 2 sound horn (7.5.1.76)
+    EXPECT_EQ(information_of_packet(68, code)[0],
+              code <= 2 ? Information::track_conditions_horn_stopping : Information::track_conditions_general);
+  EXPECT_EQ(information_of_packet(180)[0], Information::lssma_toggle_off);
+}
+
+TEST(AvailableLevels, What_is_not_fitted_is_not_available_and_what_4_0_0_does_not_ask_for) {
+  AvailableLevels unit;
+  unit.national_systems[0] = 1;
+  unit.fitted[static_cast<std::size_t>(Level::NTC)] = false;
+  EXPECT_FALSE(unit.has({Level::NTC, 0, {}}));
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    const Level to = static_cast<Level>(l);
+    const bool needed = acknowledgement_needed({Level::NTC, 1, {}}, {to, 2, {}}, Mode::SN, SrsVersion::v4_0_0);
+    EXPECT_EQ(needed, to != Level::L1 && to != Level::L2) << l;
+  }
+}
+
 TEST(ModeProperties, Speed_limit_and_desk) {  // 4.4.3 to 4.4.20, the national values of A.3.2
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode mode = static_cast<Mode>(m);
