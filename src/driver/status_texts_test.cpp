@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string>
 
@@ -24,6 +25,57 @@ struct Cab {
   }
   bool shows(StatusText text) const { return texts.shown.has(text); }
 };
+
+TEST(StatusTexts, RowsAreThoseOfTable68) {
+  using enum StatusText;
+  using enum TextEnd;
+  const Set<Cause> runaway{Cause::roll_away, Cause::reverse_movement, Cause::standstill,
+                           Cause::movement_while_entering_train_data, Cause::movement_while_entering_SR_data};
+  const Set<Cause> balise{Cause::linking, Cause::balise_group_consistency, Cause::two_groups_missed};
+  const auto caused = [](StatusText text, TextEnd end, Set<Cause> by) {
+    return StatusRow{text, Output::brake_reason, end, by, {}, {}, {}};
+  };
+  const auto informed = [](StatusText text, Output output, TextEnd end, Inform by) {
+    return StatusRow{text, output, end, {}, by, {}, {}};
+  };
+  const auto entered = [](StatusText text, Output output, Mode mode) {
+    return StatusRow{text, output, with_its_reason, {}, {}, {}, mode};
+  };
+  const auto route = [](StatusText text, Suitability in) {
+    return StatusRow{text, Output::route_unsuitability, with_its_reason, {}, {}, in, {}};
+  };
+  const std::array expected{
+      caused(balise_read_error, s30_after_its_reason, balise),
+      informed(StatusText::trackside_malfunction, Output::trackside_malfunction, s30, Inform::trackside_malfunction),
+      caused(communication_error, s30_and_its_reason, {Cause::T_NVCONTACT}),
+      entered(entering_FS, Output::entry_fs, Mode::FS),
+      entered(entering_OS, Output::entry_os, Mode::OS),
+      caused(runaway_movement, with_its_reason, runaway),
+      informed(StatusText::SH_refused, Output::sh_refused, main_window, Inform::SH_refused),
+      informed(StatusText::SH_request_failed, Output::sh_no_answer, main_window, Inform::SH_request_failed),
+      informed(StatusText::trackside_not_compatible, Output::trackside_incompatible, s30,
+               Inform::trackside_not_compatible),
+      informed(train_is_rejected, Output::train_rejected, main_window, Inform::train_rejected),
+      caused(RV_distance_exceeded, with_its_reason, {Cause::reversing_distance}),
+      caused(PT_distance_exceeded, with_its_reason, {Cause::post_trip_distance}),
+      route(route_unsuitable_gauge, Suitability::gauge),
+      route(route_unsuitable_traction, Suitability::traction),
+      route(route_unsuitable_axle_load, Suitability::axle_load),
+      informed(StatusText::network_registration_failed, Output::network_registration_failed, main_window,
+               Inform::network_registration_failed),
+  };
+  ASSERT_EQ(expected.size(), srs_status_texts.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const StatusRow& row = srs_status_texts[i];
+    EXPECT_EQ(row.text, expected[i].text) << i;
+    EXPECT_EQ(row.output, expected[i].output) << i;
+    EXPECT_EQ(row.end, expected[i].end) << i;
+    EXPECT_EQ(row.brakes, expected[i].brakes) << i;
+    EXPECT_EQ(row.inform, expected[i].inform) << i;
+    EXPECT_EQ(row.unsuitable, expected[i].unsuitable) << i;
+    EXPECT_EQ(row.entering, expected[i].entering) << i;
+  }
+}
 
 TEST(StatusTexts, TheReasonOfATripIsToldUntilTripAndPostTripAreLeft) {
   Cab cab(Mode::TR);

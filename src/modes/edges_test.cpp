@@ -139,44 +139,6 @@ TEST(AcceptanceEdges, What_only_a_national_system_sends_is_not_accepted_by_level
   }
 }
 
-/// 4.6.3: the level to which the condition of a level transition leads.
-bool leads_to(int condition, Level to) {
-  const bool to_1_2_3 = to == Level::L1 || to == Level::L2 || to == Level::L3;
-  switch (condition) {
-    case 21:
-      return to == Level::L0;
-    case 56:
-      return to == Level::NTC;
-    case 38:
-      return to == Level::L0 || to_1_2_3;
-    case 44:
-    case 67:
-      return to == Level::L1;
-    case 45:
-      return to == Level::L2 || to == Level::L3;
-    default:  // 25, 34, 39, 61, 71
-      return to_1_2_3;
-  }
-}
-
-TEST(LevelConsequences, Every_level_that_a_condition_leads_to_has_one_row) {  // 5.10.3 with 4.6.2
-  for (const int condition : {21, 25, 34, 38, 39, 44, 45, 56, 61, 67, 71})
-    for (std::size_t m = 0; m < kModes; ++m)
-      for (std::size_t l = 0; l < kLevels; ++l) {
-        const Mode from = static_cast<Mode>(m);
-        const Level to = static_cast<Level>(l);
-        const bool in_levels_1_2_3 = from == Mode::FS || from == Mode::LS || from == Mode::SR || from == Mode::OS;
-        const bool leaves = condition == 21   ? in_levels_1_2_3 || from == Mode::SN
-                            : condition == 56 ? in_levels_1_2_3 || from == Mode::UN
-                            : condition == 38 ? from == Mode::SN
-                                              : from == Mode::UN || from == Mode::SN;
-        int rows = 0;
-        for (const ModeConsequence& row : srs_5_10_3)
-          rows += row.from == from && row.to == to && row.number == condition;
-        EXPECT_EQ(rows, leaves && leads_to(condition, to) ? 1 : 0) << condition << " " << name(from) << " " << l;
-      }
-}
-
 TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_systems) {
   AvailableLevels unit;
   for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3}) EXPECT_TRUE(unit.has({level, 0, {}}));
@@ -186,15 +148,6 @@ TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_sy
     for (unsigned id = 0; id < 256; ++id)
       EXPECT_EQ(one.has({Level::NTC, static_cast<std::uint8_t>(id), {}}), id == n) << n << " " << id;
   }
-}
-
-TEST(Information, Level_orders_and_conditions_by_their_code) {
-  EXPECT_EQ(information_of_packet(41)[0], Information::level_transition_order);
-  EXPECT_EQ(information_of_packet(46)[0], Information::conditional_level_transition_order);
-  for (int code = 0; code < 16; ++code)  // M_TRACKCOND 0 and 1 stopping areas, 2 sound horn (7.5.1.76)
-    EXPECT_EQ(information_of_packet(68, code)[0],
-              code <= 2 ? Information::track_conditions_horn_stopping : Information::track_conditions_general);
-  EXPECT_EQ(information_of_packet(180)[0], Information::lssma_toggle_off);
 }
 
 TEST(AvailableLevels, What_is_not_fitted_is_not_available_and_what_4_0_0_does_not_ask_for) {
