@@ -71,9 +71,13 @@ class Tidy(unittest.TestCase):
         def hashes():
             return {s: check_tidy.fingerprint(s, headers) for s, headers in self.owners().items()}
         before = hashes()
-        self.write("src/track/profile.h", FINE["src/track/profile.h"] + "// more\n")
+        self.write("src/track/profile.h", FINE["src/track/profile.h"] + "int more;\n")
         after = hashes()
         self.assertEqual([s for s in before if before[s] != after[s]], ["src/track/store.cpp"])
+
+    def test_a_comment_changes_no_hash_but_NOLINT_does(self):
+        self.assertEqual(check_tidy.code_of("int a;  // why\n  int b;\n"), check_tidy.code_of("int a;\nint b;\n// more\n"))
+        self.assertNotEqual(check_tidy.code_of("int a;  // NOLINT\n"), check_tidy.code_of("int a;\n"))
 
     def test_another_tool_or_other_checks_and_nothing_is_known(self):
         now = {"clang-tidy": "14.0.6", ".clang-tidy": "abc"}
