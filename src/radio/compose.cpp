@@ -217,6 +217,27 @@ void put_answer(const Composer& c) {
   put_position(c);
 }
 
+void put_acknowledgement(const Composer& c) {
+  auto m = message_of<lang::TrainMessage146>(c);
+  m.T_TRAIN_REF.raw = c.intent.T_TRAIN_REF;
+  lang::begin_message(c.out, m);
+}
+
+void put_start_of_mission_report(const Composer& c) {
+  auto m = message_of<lang::TrainMessage157>(c);
+  m.Q_STATUS.raw = c.intent.Q_STATUS;
+  lang::begin_message(c.out, m);
+  put_position(c);
+  put_error_and_number(c);
+}
+
+void put_text_acknowledged(const Composer& c) {
+  auto m = message_of<lang::TrainMessage158>(c);
+  m.NID_TEXTMESSAGE.raw = c.intent.NID_TEXTMESSAGE;
+  lang::begin_message(c.out, m);
+  put_position(c);
+}
+
 /// The whole message except length and padding. False: this message is not sent to this version.
 bool put(const Composer& c) {
   switch (c.intent.NID_MESSAGE) {
@@ -240,12 +261,9 @@ bool put(const Composer& c) {
     case message::shortening_rejected:
       put_answer<lang::TrainMessage138>(c);
       return true;
-    case message::acknowledgement: {
-      auto m = message_of<lang::TrainMessage146>(c);
-      m.T_TRAIN_REF.raw = c.intent.T_TRAIN_REF;
-      lang::begin_message(c.out, m);
+    case message::acknowledgement:
+      put_acknowledgement(c);
       return true;
-    }
     case message::emergency_stop_acknowledged:
       put_emergency_answer(c);
       return true;
@@ -264,22 +282,13 @@ bool put(const Composer& c) {
     case message::session_terminated:
       put_without_position<lang::TrainMessage156>(c);
       return true;
-    case message::som_position_report: {
-      auto m = message_of<lang::TrainMessage157>(c);
-      m.Q_STATUS.raw = c.intent.Q_STATUS;
-      lang::begin_message(c.out, m);
-      put_position(c);
-      put_error_and_number(c);
+    case message::som_position_report:
+      put_start_of_mission_report(c);
       return true;
-    }
-    case message::text_acknowledged: {
+    case message::text_acknowledged:
       if (c.version_1) return false;
-      auto m = message_of<lang::TrainMessage158>(c);
-      m.NID_TEXTMESSAGE.raw = c.intent.NID_TEXTMESSAGE;
-      lang::begin_message(c.out, m);
-      put_position(c);
+      put_text_acknowledged(c);
       return true;
-    }
     case message::session_established:
       put_established(c);
       return true;
