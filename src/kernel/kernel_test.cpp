@@ -124,6 +124,27 @@ TEST_F(Unit, powers_up_into_stand_by) {
   EXPECT_TRUE(happened(What::mode_changed));
 }
 
+TEST_F(Unit, keeps_its_place_when_a_group_has_none) {  // 4.4.5
+  for (const double v : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    power_up(*state, *derived, config);
+    t = 0.0;
+    cycle();
+    cycle();
+    ASSERT_EQ(out.mode, Mode::SB);
+    const double before = out.est_front.from_origin.si;
+    const Telegram first = telegram(100, 0, 1, true), second = telegram(100, 1, 1, true);
+    const std::array<BaliseTelegram, 2> read{BaliseTelegram{first.bytes, first.bits, {{v}}},
+                                             BaliseTelegram{second.bytes, second.bits, {{v}}}};
+    in.balise_telegrams = read;
+    step(*state, *derived, in, out);
+    EXPECT_EQ(out.mode, Mode::SF);
+    in.balise_telegrams = {};
+    step(*state, *derived, in, out);
+    EXPECT_FALSE(out.lrbg.has_value());
+    EXPECT_EQ(out.est_front.from_origin.si, before);
+  }
+}
+
 TEST_F(Unit, fails_safe_on_odometry_that_is_not_sound) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();

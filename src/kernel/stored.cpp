@@ -130,6 +130,10 @@ void keep_for_closed_desk(State& state) {
   apply_all(state, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
 }
 
+void limit_SR_distance(State& state, const track::Here& here) {
+  if (state.national_values.D_NVSTFF) state.staff_responsible.end = here.est_front + *state.national_values.D_NVSTFF;
+}
+
 void cut_beyond(State& state, Place beyond) {
   balise::clear_beyond(state.balise.linking, beyond);
   if (state.pending_national_values && state.pending_national_values->from > beyond)

@@ -13,6 +13,9 @@ void keep_for_level(State& state, Level to);
 /// A.3.4 k: the desk is closed during start of mission.
 void keep_for_closed_desk(State& state);
 
+/// The national distance for SR from the estimated front end, where there is one (4.4.11.1.3.1).
+void limit_SR_distance(State& state, const track::Here& here);
+
 /// Linking and pending national values beyond a place are deleted (A.3.4).
 void cut_beyond(State& state, Place beyond);
 /// A.3.4, a situation that shortens the track description to `beyond`: linking and pending national values as well. An

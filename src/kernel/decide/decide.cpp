@@ -15,7 +15,7 @@ namespace {
 /// Facts of 4.6.3 from the inputs, the train interface, the position and the track description.
 procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) {
   procedures::Facts f;
-  f.isolated = in.train.isolated || in.driver.has(Select::isolate);
+  f.isolated = in.train.isolated || r.selected.has(Select::isolate);
   f.powered = in.train.powered;
   f.desk_open = in.train.desk_open;
   f.standstill = r.here.standstill;
@@ -32,7 +32,7 @@ procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) 
   f.selects_NL = r.selected.has(Select::non_leading);
   f.train_data_valid = valid(s.data.train_data_status);
   f.ma_ssp_gradient_stored = s.track.ma.has_value() && track::complete(s.track, r.here);
-  f.ma_accepted = r.ma_accepted || s.track.ma.has_value();
+  f.ma_accepted = s.track.ma.has_value();
   f.ma_with_trip_order = s.ma_with_trip_order;
   f.mode_is_OS = s.mode == Mode::OS;
   f.mode_is_LS = s.mode == Mode::LS;
@@ -93,7 +93,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   procedures::Facts facts = facts_of(s, in, received);
   std::optional<Mode> profile_at_front = run_mode_profile(s, received, facts, out);
   if (!facts.ma_ssp_gradient_stored) profile_at_front.reset();
-  run_start_of_mission(s, in, received, profile_at_front, out);
+  run_start_of_mission(s, in.train.desk_open, received, profile_at_front, out);
   out.basis_renewed = renew_basis(s, in.train, out.here);
   run_override(s, received, out.here, facts, log);
   run_shunting(s, received, out.here, facts, out.effects);

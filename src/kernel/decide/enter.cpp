@@ -23,11 +23,8 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   brakes::on_mode_entry(s.brakes, to, from);
   if (to == Mode::TR) driver::enter_trip(s.status_texts, number);
   protection::enter_mode(s.guards, protection::guards_of(to), s.position.now.counter.nominal);
-  if (to == Mode::SR) {
-    // 4.4.11.1.3.1: the national distance from the estimated front end, unless the RBC gave one with its authorisation.
-    if (!s.staff_responsible.by_rbc && s.national_values.D_NVSTFF)
-      s.staff_responsible.end = here.est_front + *s.national_values.D_NVSTFF;
-  }
+  // 4.4.11.1.3.1: unless the RBC gave a distance with its authorisation.
+  if (to == Mode::SR && !s.staff_responsible.by_rbc) limit_SR_distance(s, here);
 }
 
 }  // namespace evc::kernel

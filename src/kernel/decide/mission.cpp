@@ -16,12 +16,6 @@ procedures::start_of_mission::Session session_of(const State& s) {
              : Session::none;
 }
 
-DataStatus position_status(const State& s) {
-  return s.position.status == DataStatus::valid     ? DataStatus::valid
-         : s.position.status == DataStatus::invalid ? DataStatus::invalid
-                                                    : DataStatus::unknown;
-}
-
 std::span<const procedures::mode_profile::Area> areas_of(const State& s,
                                                          InplaceVector<procedures::mode_profile::Area, 32>& areas) {
   for (const track::ModeArea& a : s.track.mode_profile) {
@@ -85,24 +79,24 @@ std::optional<Mode> run_mode_profile(State& s, const Received& received, procedu
   return r.at_front;
 }
 
-void run_start_of_mission(State& s, const Inputs& in, const Received& received, std::optional<Mode> profile_at_front,
+void run_start_of_mission(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                           Decided& out) {
   procedures::start_of_mission::Inputs som;
   som.now = s.now;
   som.mode = s.mode;
   som.level = s.level.level;
-  som.desk_open = in.train.desk_open;
+  som.desk_open = desk_open;
   som.session = session_of(s);
   som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)];
   som.T_CYCRQST = request_cycle(s);
   som.driver_id = s.data.driver_id_status;
   som.train_running_number = s.data.train_running_number_status;
-  som.position = position_status(s);
+  som.position = s.position.status;
   som.level_status = s.data.level_status;
   som.train_data = s.data.train_data_status;
-  som.enters_level = in.driver.level.has_value() && valid(s.data.level_status);
-  som.enters_rbc_contact = in.driver.rbc_contact.has_value();
-  som.enters_train_data = received.train_data_entered;
+  som.enters_level = received.entered.has(Entered::level);
+  som.enters_rbc_contact = received.entered.has(Entered::rbc_contact);
+  som.enters_train_data = received.entered.has(Entered::train_data);
   som.selects_start = received.selected.has(Select::start);
   som.train_data_acknowledged = s.radio.train_data_acknowledged;
   som.position_confirmed = received.position_confirmed;
@@ -117,7 +111,7 @@ void run_start_of_mission(State& s, const Inputs& in, const Received& received, 
     change_statuses(s, effects.status);
     out.here = here(s);
   }
-  if (was_running && s.mode == Mode::SB && !in.train.desk_open) {
+  if (was_running && s.mode == Mode::SB && !desk_open) {
     keep_for_closed_desk(s);
     ++s.revision;
   }
@@ -150,7 +144,7 @@ void run_override(State& s, const Received& received, const track::Here& here, p
   facts.former_eoa_passed = r.former_eoa_passed;
   if (r.started) {
     s.staff_responsible = {};
-    if (s.national_values.D_NVSTFF) s.staff_responsible.end = here.est_front + *s.national_values.D_NVSTFF;
+    limit_SR_distance(s, here);
     log.note({.what = What::override_active, .clause = "5.8.3"_srs});
   }
   if (r.ended_by) log.note({.what = What::override_ended, .clause = r.ended_by});

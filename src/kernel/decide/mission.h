@@ -12,7 +12,7 @@ namespace evc::kernel {
 
 /// Returns the mode of the area of the mode profile in which the max safe front end is.
 std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out);
-void run_start_of_mission(State& s, const Inputs& in, const Received& received, std::optional<Mode> profile_at_front,
+void run_start_of_mission(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                           Decided& out);
 void run_override(State& s, const Received& received, const track::Here& here, procedures::Facts& facts, Log log);
 void run_shunting(State& s, const Received& received, const track::Here& here, procedures::Facts& facts,

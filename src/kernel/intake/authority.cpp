@@ -91,8 +91,8 @@ void store_contents(Evaluation& e) {
     e.r.log.note({.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
   }
   if (stored.ma_accepted) {
+    s.track_description_deleted = false;  // 3.8.2.7.3
     s.ma_with_trip_order = out.trip_order;
-    out.ma_accepted = true;
     if (e.information.medium == Medium::rbc)
       out.ma_from_rbc = true;
     else if (!out.trip_order)

@@ -102,7 +102,12 @@ std::optional<modes::OrderedLevel> driver_level(Reception& r) {
   level.level = *r.in.driver.level;
   if (level.level == Level::NTC) level.nid_ntc = r.in.driver.nid_ntc;
   const modes::LevelTable* table = s.level_table ? &*s.level_table : nullptr;
-  if (!modes::driver_may_select(level, table, available_levels(s, r.in.national_system))) return {};
+  if (!modes::driver_may_select(level, table, available_levels(s, r.in.national_system))) {
+    r.log.note(
+        {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(Entered::level), .clause = "5.10.1.7"_srs});
+    return {};
+  }
+  r.out.entered.add(Entered::level);
   return level;
 }
 
@@ -114,22 +119,26 @@ void receive_driver(Reception& r) {
   if (driver.driver_id && may_enter(r, driver::Input::driver_id, Entered::driver_id)) {
     s.data.driver_id = *driver.driver_id;
     s.data.driver_id_status = DataStatus::valid;
+    r.out.entered.add(Entered::driver_id);
   }
   if (driver.train_running_number && may_enter(r, driver::Input::train_running_number, Entered::train_running_number)) {
     s.data.train_running_number = *driver.train_running_number;
     s.data.train_running_number_status = DataStatus::valid;
+    r.out.entered.add(Entered::train_running_number);
   }
   if (driver.train_data != nullptr) {
     if (may_enter(r, driver::Input::train_data, Entered::train_data))
-      r.out.train_data_entered = enter_train_data(r, *driver.train_data);
+      r.out.entered.add(Entered::train_data, enter_train_data(r, *driver.train_data));
   } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown &&
              may_enter(r, driver::Input::train_data, Entered::train_data)) {
     s.data.train_data_status = DataStatus::valid;
     radio::send_train_data(s.radio);
-    r.out.train_data_entered = true;
+    r.out.entered.add(Entered::train_data);
   }
-  if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact))
+  if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact)) {
     s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
+    r.out.entered.add(Entered::rbc_contact);
+  }
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;
     ++s.revision;

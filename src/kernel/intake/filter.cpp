@@ -131,9 +131,7 @@ void evaluate_rest(Evaluation& e) {
 /// The information of the radio message itself, without its packets.
 void evaluate_message(Evaluation& e) {
   const lang::MessageToTrainView& message = *e.information.message;
-  if (!e.information.judge_message || message.NID_MESSAGE == message::movement_authority ||
-      message.NID_MESSAGE == message::movement_authority_shifted)
-    return;
+  if (!e.information.judge_message) return;
   if (message.NID_MESSAGE == message::request_to_shorten_ma)
     e.context.described_over_whole_ma = proposal_is_described(e);
   const std::optional<evc::Information> row = row_of_message(message.NID_MESSAGE);

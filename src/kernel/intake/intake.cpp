@@ -50,7 +50,6 @@ void advance_track(Reception& r) {
     shorten(s, track::Situation::h_linking_reaction, r.out.here.max_safe_front, r.out.here);
     r.log.note({.what = What::track_description_shortened, .clause = "A.3.4"_srs});
   }
-  if (r.out.ma_accepted) s.track_description_deleted = false;
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   }
   out.here = here(s);
   receive_driver(r);
-  receive_balises(r);
+  if (can_go_on) receive_balises(r);  // their places may be no numbers
   receive_loops(r);
   receive_radio(r);
   out.here = here(s);

@@ -105,10 +105,25 @@ Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& vie
   return position::assign_orientation(e.r.state.position, e.information.group, nominal) ? Clause{} : "3.4.2.3.3.8"_srs;
 }
 
-/// Only the fact counts.
-template <bool Received::*kFact>
-Clause take_fact(Evaluation& e, const lang::MessageToTrainView&) {
-  e.r.out.*kFact = true;
+// Only the fact is used.
+Clause take_SH_refused(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.SH_refused = true;
+  return {};
+}
+Clause take_SH_authorised(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.SH_authorised = true;
+  return {};
+}
+Clause take_train_rejected(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.train_rejected = true;
+  return {};
+}
+Clause take_train_accepted(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.train_accepted = true;
+  return {};
+}
+Clause take_position_confirmed(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.position_confirmed = true;
   return {};
 }
 
@@ -122,28 +137,26 @@ struct MessageRoute {
 };
 
 // clang-format off
-/// 8.4.4. The general message (24) and the infill authority (37) have no row.
+/// 8.4.4. The general message (24) and the authorities (3, 33, 37) have no row of their own: their packets have.
 constexpr auto kMessageRoutes = [] {
   using enum evc::Information;
   return std::to_array<MessageRoute>({
     {message::sr_authorisation,                 sr_authorisation,             take_SR_authorisation},
-    {message::movement_authority,               movement_authority,           nullptr},
     {message::exit_from_trip_recognised,        exit_trip_recognition,        take_exit_from_trip},
     {message::train_data_acknowledged,          train_data_ack,               take_train_data_acknowledgement},
     {message::request_to_shorten_ma,            ma_shortening_request,        take_shortening},
     {message::conditional_emergency_stop,       conditional_emergency_stop,   take_conditional_stop},
     {message::unconditional_emergency_stop,     unconditional_emergency_stop, take_unconditional_stop},
     {message::emergency_stop_revoked,           emergency_stop_revocation,    take_revocation},
-    {message::sh_refused,                       sh_refused,                   take_fact<&Received::SH_refused>},
-    {message::sh_authorised,                    sh_authorised,                take_fact<&Received::SH_authorised>},
+    {message::sh_refused,                       sh_refused,                   take_SH_refused},
+    {message::sh_authorised,                    sh_authorised,                take_SH_authorised},
     {message::trackside_system_version,         trackside_system_version,     nullptr},
-    {message::movement_authority_shifted,       movement_authority,           nullptr},
     {message::track_ahead_free_request,         track_ahead_free_request,     take_track_ahead_free},
     {message::session_initiated_by_rbc,         session_initiation,           nullptr},
     {message::session_termination_acknowledged, session_termination_ack,      nullptr},
-    {message::train_rejected,                   train_rejected,               take_fact<&Received::train_rejected>},
-    {message::train_accepted,                   train_accepted,               take_fact<&Received::train_accepted>},
-    {message::som_position_confirmed,           som_position_confirmed,       take_fact<&Received::position_confirmed>},
+    {message::train_rejected,                   train_rejected,               take_train_rejected},
+    {message::train_accepted,                   train_accepted,               take_train_accepted},
+    {message::som_position_confirmed,           som_position_confirmed,       take_position_confirmed},
     {message::coordinate_system_assigned,       coordinate_system_assignment, take_coordinate_system},
   });
 }();

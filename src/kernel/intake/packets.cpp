@@ -87,7 +87,7 @@ evc::Information row_of_track_condition(const lang::PacketView& view) {
   lang::Packet68 p;
   // The return to the initial state uses the row that is accepted in every mode that accepts any condition.
   if (lang::decode(view, p) != lang::Fault::none || p.Q_TRACKINIT.raw == 1)
-    return evc::Information::track_conditions_horn_stopping;
+    return evc::Information::track_conditions_general;
   const auto kind = track_condition_of(p.M_TRACKCOND.raw);
   return kind && horn_or_stopping(*kind) ? evc::Information::track_conditions_horn_stopping
                                          : evc::Information::track_conditions_general;
@@ -110,9 +110,9 @@ constexpr auto kPacketRoutes = [] {
     {packet::national_values,                         Turn::rest,           {national_values},                       take_national_values},
     {packet::linking,                                 Turn::linking,        {linking},                               nullptr},
     {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             take_cover},
-    {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  store_with_track},
+    {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  nullptr},
     {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      nullptr},
-    {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    store_with_track},
+    {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    nullptr},
     {packet::repositioning_information,               Turn::rest,           {repositioning},                         store_with_track},
     {packet::gradient_profile,                        Turn::rest,           {gradient},                              store_with_track},
     {packet::static_speed_profile,                    Turn::rest,           {ssp},                                   store_with_track},
@@ -123,12 +123,12 @@ constexpr auto kPacketRoutes = [] {
     {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr},
     {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr},
     {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr},
-    {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      store_with_track},
+    {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr},
     {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   store_with_track},
     {packet::permitted_braking_distance,              Turn::rest,           {permitted_braking_distance},            store_with_track},
     {packet::ma_request_parameters,                   Turn::rest,           {ma_request_params},                     take_ma_request_parameters},
     {packet::position_report_parameters,              Turn::rest,           {position_report_params},                take_report_parameters},
-    {packet::balise_groups_in_sr_authority,           Turn::with_authority, {},                                      store_with_track},
+    {packet::balise_groups_in_sr_authority,           Turn::with_authority, {},                                      nullptr},
     {packet::inhibition_of_revocable_tsr,             Turn::rest,           {inhibit_revocable_tsr},                 store_with_track},
     {packet::temporary_speed_restriction,             Turn::rest,           {tsr},                                   store_with_track},
     {packet::tsr_revocation,                          Turn::rest,           {tsr_revocation},                        store_with_track},
@@ -140,7 +140,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::plain_text,                              Turn::rest,           {plain_text},                            store_with_track},
     {packet::fixed_text,                              Turn::rest,           {fixed_text},                            store_with_track},
     {packet::geographical_position,                   Turn::rest,           {geo_position},                          store_with_track},
-    {packet::mode_profile,                            Turn::with_authority, {},                                      store_with_track},
+    {packet::mode_profile,                            Turn::with_authority, {},                                      nullptr},
     {packet::level_crossing,                          Turn::rest,           {level_crossing},                        store_with_track},
     {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         store_with_track},
     {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  store_with_track},
@@ -163,6 +163,14 @@ constexpr auto kPacketRoutes = [] {
   });
 }();
 // clang-format on
+
+static_assert(
+    [] {
+      for (const PacketRoute& route : kPacketRoutes)
+        if (route.take != nullptr && route.turn != Turn::rest) return false;
+      return true;
+    }(),
+    "the other turns are steps of their own");
 
 /// The index of the route of each number; kPacketRoutes.size() for an unknown number.
 constexpr auto kPlaceOfRoute = [] {

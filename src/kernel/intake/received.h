@@ -20,7 +20,7 @@ struct Received {
   // The driver
   Set<Select> selected;  ///< enabled selections (4.7.2)
   Set<Ack> acknowledged;
-  bool train_data_entered = false;
+  Set<Entered> entered;  ///< data that the driver entered and that were accepted
 
   // Balise groups
   bool new_lrbg = false;
@@ -34,7 +34,6 @@ struct Received {
 
   // From messages
   bool new_radio_message = false;
-  bool ma_accepted = false;
   bool ma_from_rbc = false;
   bool balise_proceed = false;  ///< an authority by balises that is not a trip order
   bool trip_order = false;

@@ -43,7 +43,8 @@ struct PacketRoute {
   packet::ToTrain number;
   Turn turn;
   Rows rows;
-  /// None where another step reads the packet, or this unit does not use its contents (CAVEATS).
+  /// Of turn `rest` alone: the other turns are steps of their own (filter.cpp, authority.cpp, messages.cpp). None where
+  /// this unit does not use its contents (CAVEATS).
   TakePacket take = nullptr;
 };
 
@@ -56,8 +57,8 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
-/// The row of radio message NID_MESSAGE itself, without its packets; none for messages with packets only (24, 37) and
-/// unknown ones. 3 and 33 are the movement authority.
+/// The row of radio message NID_MESSAGE itself, without its packets; none for messages that are their packets (3, 24,
+/// 33, 37) and unknown ones.
 std::optional<evc::Information> row_of_message(std::uint8_t NID_MESSAGE);
 
 }  // namespace evc::kernel

@@ -78,7 +78,7 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
 }
 
 /// Position, authority, symbols, requests and texts (4.7).
-void show(State& s, bool desk_open, const Decided& decided, const procedures::Effects& effects, Outputs& out) {
+void show(const State& s, bool desk_open, const Decided& decided, const procedures::Effects& effects, Outputs& out) {
   const track::Here& here = decided.here;
   out.now = s.now;
   out.mode = s.mode;
@@ -99,6 +99,10 @@ void show(State& s, bool desk_open, const Decided& decided, const procedures::Ef
   out.requests = effects.requests;
   out.entries = effects.entries;
   out.start_offered = effects.offers.has(Offer::start);
+}
+
+/// What the driver may answer in the next cycle.
+void remember(State& s, const procedures::Effects& effects) {
   s.requested = effects.requests;
   s.offers = effects.offers;
   s.entries = effects.entries;
@@ -148,10 +152,11 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   asked |= radio.asked;
   radio.effects.requests.add(Ack::brake, command_brakes(s, received, decided, asked, out));
   show(s, in.train.desk_open, decided, radio.effects, out);
+  remember(s, radio.effects);
   Set<Inform> inform = radio.effects.inform;
   inform.add(Inform::trackside_malfunction, received.default_information);
   inform.add(Inform::trackside_not_compatible, outbox.inform_no_version);
-  show_texts(s, in, decided, inform, out);
+  show_texts(s, in.train.desk_open, received, decided, inform, out);
   show_enabled(s, in, decided.here, out);
 }
 

@@ -49,25 +49,21 @@ void show_status_texts(State& s, const driver::StatusFacts& facts, bool desk_ope
   }
 }
 
-/// Whether the driver selected a button of the main window in this cycle, or what it leads to (015560 11.2.1).
-bool selects_in_main_window(const DriverActions& driver) {
-  constexpr std::uint32_t buttons = [] {
-    std::uint32_t bits = 0;
-    for (const Select button : {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading,
-                                Select::maintain_shunting, Select::train_data, Select::main})
-      bits |= 1u << static_cast<unsigned>(button);
-    return bits;
-  }();
-  return (driver.selected & buttons) != 0 || driver.driver_id || driver.level || driver.train_running_number ||
-         driver.rbc_contact || driver.train_data != nullptr;
+/// Whether the driver selected an enabled button of the main window in this cycle, or entered what it leads to
+/// (015560 11.2.1).
+bool selects_in_main_window(const Received& received) {
+  for (const Select button : {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading,
+                              Select::maintain_shunting, Select::train_data, Select::main})
+    if (received.selected.has(button)) return true;
+  return !received.entered.empty();
 }
 
 }  // namespace
 
-void show_texts(State& s, const Inputs& in, const Decided& decided, Set<Inform> inform, Outputs& out) {
+void show_texts(State& s, bool desk_open, const Received& received, const Decided& decided, Set<Inform> inform,
+                Outputs& out) {
   show_trackside_texts(s, decided.texts, out);
-  show_status_texts(s, facts_of(s, decided.here, inform, selects_in_main_window(in.driver), out), in.train.desk_open,
-                    out);
+  show_status_texts(s, facts_of(s, decided.here, inform, selects_in_main_window(received), out), desk_open, out);
 }
 
 void show_enabled(const State& s, const Inputs& in, const track::Here& here, Outputs& out) {

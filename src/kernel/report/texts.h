@@ -1,5 +1,6 @@
 #pragma once
 #include "kernel/decide/decided.h"
+#include "kernel/intake/received.h"
 #include "kernel/port.h"
 #include "kernel/state.h"
 
@@ -7,7 +8,8 @@ namespace evc::kernel {
 
 /// The texts of the trackside, the status texts and the trip reason. `inform`: what happened in this cycle. The causes
 /// of the brake commands are in `out` already.
-void show_texts(State& state, const Inputs& inputs, const Decided& decided, Set<Inform> inform, Outputs& out);
+void show_texts(State& state, bool desk_open, const Received& received, const Decided& decided, Set<Inform> inform,
+                Outputs& out);
 
 /// Inputs and levels that are enabled, geographical position, reversing distance, sessions. What the procedures offer
 /// is in the state already.
