@@ -425,14 +425,19 @@ def uses_of(source):
 def declared(unit):
     """{USR: (kind, name, room)} of the fields and enumerators that are looked at."""
     found = {}
-    folders = {str(ROOT / folder / room) for folder in ("src", "include/openevc") for room in ROOMS}
+    rooms = {str(ROOT / folder / room): room for folder in ("src", "include/openevc") for room in ROOMS}
+
+    def room_declaring(name):
+        """The room whose folder, or a folder of it, holds the header; None for others."""
+        folder = os.path.dirname(name)
+        return rooms.get(folder) or rooms.get(os.path.dirname(folder))
 
     def look(c, path):
         for x in c.get_children():
             file = x.location.file
-            if file is None or x.kind != K.NAMESPACE and os.path.dirname(file.name) not in folders:
+            room = room_declaring(file.name) if file else None
+            if file is None or x.kind != K.NAMESPACE and room is None:
                 continue
-            room = os.path.basename(os.path.dirname(file.name))
             if x.kind in (K.NAMESPACE, K.STRUCT_DECL, K.CLASS_DECL):
                 look(x, path + [x.spelling] if x.spelling not in ("", "evc") else path)
             elif x.kind == K.FIELD_DECL and c.kind == K.STRUCT_DECL and x.spelling:
