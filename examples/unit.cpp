@@ -41,7 +41,7 @@ kernel::Odometry odometer(int n) {
 int main() {
   auto unit = std::make_unique<kernel::Unit>();  // plain memory, large: not on the stack
   const auto outputs = std::make_unique<kernel::Outputs>();
-  const kernel::Config config;  // 100 ms, SRS 3.6.0, the standard train
+  const kernel::Config config;  // SRS 3.6.0, the standard train
   kernel::power_up(*unit, config);
   std::printf("%5s %4s %5s %8s %9s %6s\n", "s", "mode", "level", "km/h", "m", "brakes");
   for (int n = 0; n <= 600; ++n) {
