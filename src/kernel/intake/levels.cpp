@@ -36,6 +36,16 @@ modes::LevelTable table_of(const P& p) {
   return table;
 }
 
+/// 4.8.5.4 a: information that waits for a transition is deleted with the order for it, before anything that comes
+/// with the new order is stored there (4.8.1.3.1).
+void delete_waiting_of_replaced(Reception& r, const modes::OrderDecision& decision) {
+  if (!decision.cancels_pending) return;
+  const auto& pending = r.state.level_transition.pending;
+  const bool ordered_now = r.order && r.order->decision.effect == OrderEffect::announce;
+  if (ordered_now ? !r.order->decision.to.same_level(decision.to) : pending && !pending->to.same_level(decision.to))
+    r.state.buffer.clear();
+}
+
 /// 4.9; the release of the transition buffer is the caller's next step.
 void enter_level(Reception& r, const modes::OrderedLevel& to, bool by_driver) {
   State& s = r.state;
@@ -75,7 +85,10 @@ modes::OrderDecision give_order(Reception& r, const procedures::level_transition
       modes::judge(order.kind, order.table, s.level, s.mode, available_levels(s, r.in.national_system));
   // The procedure evaluates one order per cycle, the last one; an earlier one of the same cycle is replaced (5.10.1.6),
   // but an order to be executed is never replaced by one that is not.
-  if (decision.effect == OrderEffect::execute || !executes_order(r)) r.order = {order, decision};
+  if (decision.effect == OrderEffect::execute || !executes_order(r)) {
+    delete_waiting_of_replaced(r, decision);
+    r.order = {order, decision};
+  }
   return decision;
 }
 
@@ -100,7 +113,8 @@ void run_level_transition(Reception& r) {
   if (result.overdue)
     r.out.asked.add(*result.overdue == Level::NTC ? brakes::Cause::level_NTC_unacknowledged
                                                   : brakes::Cause::level_0_unacknowledged);
-  if (result.cancelled) s.buffer.clear();
+  // An order of this cycle did this when it was received (give_order).
+  if (result.cancelled && (result.by_driver || !r.order)) s.buffer.clear();
   if (!result.switch_to) return;
   const Level from = s.level.level;
   enter_level(r, *result.switch_to, result.by_driver);
