@@ -367,6 +367,14 @@ TEST_F(Unit, refuses_an_MA_without_gradient) {
   EXPECT_FALSE(out.EOA.has_value());
 }
 
+TEST(Outputs, sessions_differ_by_their_RBC_and_their_phase) {
+  const port::RbcSession one{1, 2, SessionPhase::idle};
+  EXPECT_EQ(one, (port::RbcSession{1, 2, SessionPhase::idle}));
+  EXPECT_FALSE(one == (port::RbcSession{2, 2, SessionPhase::idle}));
+  EXPECT_FALSE(one == (port::RbcSession{1, 3, SessionPhase::idle}));
+  EXPECT_FALSE(one == (port::RbcSession{1, 2, SessionPhase::connecting}));
+}
+
 /// Every output, as far as a cycle can differ in it.
 void expect_same(const Outputs& a, const Outputs& b) {
   EXPECT_EQ(a.now.si, b.now.si);
