@@ -8,20 +8,6 @@
 #include "track/store.h"
 
 namespace evc::kernel {
-namespace {
-
-/// The authority proposed by message 9.
-track::AuthorityContents& proposal(Evaluation& e) {
-  track::AuthorityContents& proposed = e.r.scratch.proposal;
-  proposed = {};
-  for (const lang::PacketView& p : e.information.packets)
-    if (p.NID_PACKET != packet::level_1_movement_authority)
-      (void)track::add(proposed, e.information.time, p, e.reference);
-  return proposed;
-}
-
-}  // namespace
-
 bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
                      const track::AuthorityContents& proposal) {
   if (!supervises(s, modes::Supervision::full) || !proposal.ma) return false;
@@ -48,15 +34,18 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
 }
 
 bool proposal_is_described(Evaluation& e) {
-  const track::AuthorityContents& proposed = proposal(e);
+  track::AuthorityContents& proposed = e.r.scratch.proposal;
+  proposed = {};
+  for (const lang::PacketView& p : e.information.packets)
+    if (p.NID_PACKET != packet::level_1_movement_authority)
+      (void)track::add(proposed, e.information.time, p, e.reference);
   return proposed.ma && track::complete(e.r.state.track, *proposed.ma, e.r.out.here);
 }
 
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
-  track::AuthorityContents& proposed = proposal(e);
-  const bool granted = proposed.ma && !proposed.ma->sections.empty() &&
-                       track::complete(s.track, *proposed.ma, e.r.out.here) &&
+  track::AuthorityContents& proposed = e.r.scratch.proposal;
+  const bool granted = e.context.described_over_whole_ma && !proposed.ma->sections.empty() &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
   e.r.log.note({.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});

@@ -4,7 +4,8 @@
 // Message 9, the request to shorten the movement authority (3.8.6).
 namespace evc::kernel {
 
-/// Whether SSP and gradient cover the authority that the message proposes (4.8.3 [4]).
+/// Decodes the authority that the message proposes, for take_shortening too. Whether SSP and gradient cover the
+/// authority that the message proposes (4.8.3 [4]).
 bool proposal_is_described(Evaluation& e);
 /// Granted only when the authority is described and the train would not have to brake for it (3.8.6.2).
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view);
