@@ -12,8 +12,7 @@ namespace {
 sdm::Authority authority_of(const SupervisionBasis& basis) {
   const track::Authority& a = basis.authority;
   sdm::Authority out;
-  // A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA replaces it (3.13.1.5).
-  if (a.LOA && (!a.EOA || *a.EOA > *a.LOA)) {
+  if (a.ends_at_LOA()) {
     out.kind = sdm::Authority::Kind::LOA;
     out.EOA = *a.LOA;
     out.V_LOA = a.V_LOA;

@@ -84,6 +84,9 @@ struct Authority {
   std::optional<Place> LOA;
   Speed V_LOA{};
   Release release{};
+  /// The LOA is supervised. A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA
+  /// replaces it (3.13.1.5).
+  constexpr bool ends_at_LOA() const { return LOA && (!EOA || *EOA > *LOA); }
   friend constexpr bool operator==(const Authority&, const Authority&) = default;
 };
 

@@ -46,7 +46,7 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
 std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const track::Here& here) {
   const track::Authority& a = s.basis.authority;
   if (s.mode != Mode::LS || s.track.generic_ls_marker || (!a.EOA && !a.LOA)) return std::nullopt;
-  const bool limited = a.LOA && (!a.EOA || *a.EOA > *a.LOA);
+  const bool limited = a.ends_at_LOA();
   const Speed at_end = limited ? a.V_LOA : Speed{};
   if (s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
   const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, limited ? *a.LOA : *a.EOA);
