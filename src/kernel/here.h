@@ -22,5 +22,9 @@ constexpr Run run_of(const position::Odometry& now) {
 }
 
 constexpr bool valid(DataStatus status) { return status == DataStatus::valid; }
+/// What was valid is to be validated again; what was unknown stays so.
+constexpr void invalidate(DataStatus& status) {
+  if (valid(status)) status = DataStatus::invalid;
+}
 
 }  // namespace evc::kernel

@@ -1,5 +1,6 @@
 #include "kernel/stored.h"
 
+#include "kernel/here.h"
 #include "track/withdraw.h"
 
 namespace evc::kernel {
@@ -69,10 +70,6 @@ void clear_other(State& s, Stored stored) {
     default:
       return;  // national values, versions, covers and language are never deleted (4.10)
   }
-}
-
-void invalidate(DataStatus& status) {
-  if (status == DataStatus::valid) status = DataStatus::invalid;
 }
 
 void revalidate(State& s, Stored stored) {

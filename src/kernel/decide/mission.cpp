@@ -44,9 +44,9 @@ void change_statuses(State& s, Set<procedures::Status> status) {
     position::forget(s.position);
   else if (status.has(Status::position_valid))
     position::validate(s.position);
-  if (status.has(Status::level_invalid) && valid(s.data.level_status)) s.data.level_status = DataStatus::invalid;
+  if (status.has(Status::level_invalid)) invalidate(s.data.level_status);
   if (status.has(Status::level_valid)) s.data.level_status = DataStatus::valid;
-  if (status.has(Status::rbc_contact_invalid) && valid(s.contact_status)) s.contact_status = DataStatus::invalid;
+  if (status.has(Status::rbc_contact_invalid)) invalidate(s.contact_status);
   if (status.has(Status::rbc_contact_valid)) s.contact_status = DataStatus::valid;
 }
 

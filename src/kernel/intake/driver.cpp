@@ -68,7 +68,7 @@ bool enter_train_data(Reception& r, const train::TrainData& data) {
                              s.train.other_categories != data.other_categories || s.train.axle_load != data.axle_load ||
                              s.train.loading_gauge != data.loading_gauge ||
                              !(s.train.traction_systems == data.traction_systems);
-  if (route_matters && s.data.train_data_status == DataStatus::valid) forget_authority_of_old_train(r);
+  if (route_matters && valid(s.data.train_data_status)) forget_authority_of_old_train(r);
   s.train = data;
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;

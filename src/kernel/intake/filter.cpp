@@ -1,5 +1,6 @@
 #include "kernel/intake/filter.h"
 
+#include "kernel/here.h"
 #include "kernel/intake/authority.h"
 #include "kernel/intake/levels.h"
 #include "kernel/intake/messages.h"
@@ -30,7 +31,7 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
-  c.train_data_valid = s.data.train_data_status == DataStatus::valid;
+  c.train_data_valid = valid(s.data.train_data_status);
   c.override_active = s.override_.active;
   c.srs = s.srs;
   return c;

@@ -67,7 +67,7 @@ void show_texts(State& s, bool desk_open, const Received& received, const Decide
 }
 
 void show_enabled(const State& s, const Inputs& in, const track::Here& here, Outputs& out) {
-  out.level_valid = s.data.level_status == DataStatus::valid;
+  out.level_valid = valid(s.data.level_status);
   out.levels_allowed =
       modes::levels_allowed(s.level_table ? &*s.level_table : nullptr, available_levels(s, in.national_system));
   if (modes::active(modes::Function::geo_position, s.mode))
