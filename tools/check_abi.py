@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The binary interface of libopenevc.so is the one that src/capi/abi.txt lists: its exported symbols, and of
-include/openevc/openevc.h the size of every struct, the offset of every member and every constant. A program compiled
+include/openevc/openevc.h the prototype of every function, the size of every struct, the offset of every member and every
+constant. A program compiled
 earlier works with the library as long as lines are only added: members at the end of a struct, functions, constants.
 Usage: tools/check_abi.py LIBRARY [--write]   --write updates the list."""
 import pathlib
@@ -43,6 +44,17 @@ def layout_program(header):
     return "\n".join(out + ["  return 0;", "}"]) + "\n"
 
 
+def prototypes(header):
+    """What a caller was compiled with; names of parameters do not count."""
+    text = re.sub(r"/\*.*?\*/", "", header, flags=re.S)
+    found = []
+    for result, name, parameters in re.findall(r"OPENEVC_API\s+([\w\s*]+?)\s*\b(openevc_\w+)\((.*?)\)\s*OPENEVC_NOEXCEPT", text, re.S):
+        types = [re.sub(r"(?<=[\s*])\w+$", "", " ".join(p.split())).replace(" *", "*").strip() if p.strip() != "void" else "void"
+                 for p in parameters.split(",")]
+        found.append(f"function {' '.join(result.split())} {name}({', '.join(types)})")
+    return sorted(found)
+
+
 def layout():
     with tempfile.TemporaryDirectory() as folder:
         source, program = pathlib.Path(folder) / "layout.c", pathlib.Path(folder) / "layout"
@@ -55,7 +67,7 @@ def main():
     words = [w for w in sys.argv[1:] if w != "--write"]
     if len(words) != 1:
         sys.exit(__doc__)
-    found = symbols(words[0]) + layout()
+    found = symbols(words[0]) + prototypes(HEADER.read_text(encoding="utf-8")) + layout()
     if "--write" in sys.argv:
         LIST.write_text("\n".join(found) + "\n", encoding="utf-8")
     listed = LIST.read_text(encoding="utf-8").splitlines() if LIST.exists() else []

@@ -72,7 +72,8 @@ def measure(root):
     """{(kind, path, name): (figures, line)} of what is over the limits."""
     over = {}
     for room in check_layers.KERNEL_ROOMS:
-        for path in sorted((root / "src" / room).rglob("*")):
+        folders = (root / "src" / room, root / "include/openevc" / room)
+        for path in sorted(path for folder in folders for path in folder.rglob("*")):
             if path.suffix not in (".h", ".cpp") or check_layers.is_test(path):
                 continue
             name = path.relative_to(root).as_posix()

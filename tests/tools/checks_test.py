@@ -7,6 +7,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
+import check_abi  # noqa: E402
 import check_layers  # noqa: E402
 import check_links  # noqa: E402
 import check_readme  # noqa: E402
@@ -123,6 +124,23 @@ enum class E { a, b };
 const int table[] = {1, 2};
 """
         self.assertEqual([(f[0], f[3]) for f in check_size.functions(text)], [("A", 1), ("operator()", 1), ("f", 2)])
+
+
+class Prototypes(unittest.TestCase):
+    HEADER = "/* OPENEVC_API int openevc_gone(void) OPENEVC_NOEXCEPT; */\nOPENEVC_API const char* openevc_name(void) OPENEVC_NOEXCEPT;\n" \
+             "OPENEVC_API openevc_result openevc_read(const uint8_t* bytes, size_t n,\n    char** why) OPENEVC_NOEXCEPT;\n"
+
+    def test_types_of_parameters_without_their_names(self):
+        self.assertEqual(check_abi.prototypes(self.HEADER),
+                         ["function const char* openevc_name(void)",
+                          "function openevc_result openevc_read(const uint8_t*, size_t, char**)"])
+
+    def test_every_function_of_the_header_and_the_list(self):
+        header = check_abi.HEADER.read_text(encoding="utf-8")
+        found = check_abi.prototypes(header)
+        self.assertEqual(len(found), header.count("OPENEVC_API ") - header.count("define OPENEVC_API "))
+        listed = check_abi.LIST.read_text(encoding="utf-8").splitlines()
+        self.assertEqual([line for line in listed if line.startswith("function ")], found)
 
 
 class Links(Tree):

@@ -75,6 +75,12 @@ class Stack(unittest.TestCase):
         self.assertIn("root calls puts", self.refused(
             "int puts(const char*);\nint root() { return 1 + puts(\"x\"); }"))
 
+    def test_the_bound_follows_the_figure(self):
+        self.assertIsNone(check_stack.judged(17500, 17520, 24576))
+        self.assertIn("more than the committed 17520", check_stack.judged(17521, 17520, 24576))
+        self.assertIn("2 % above 17000", check_stack.judged(17000, 17520, 24576))
+        self.assertIn("more than 24576", check_stack.judged(24577, 24577, 24576))
+
 
 if __name__ == "__main__":
     unittest.main()
