@@ -65,8 +65,9 @@ constexpr const char* name(SnapshotFault fault) {
       "damaged"};
   return kNames[static_cast<std::size_t>(fault)];
 }
-/// The unit continues from the moment of the snapshot; with any fault it stays unchanged. Detects damage by storage and
-/// transport, not forgery.
+/// Whether a unit of this build can be restored from it. Detects damage by storage and transport, not forgery.
+[[nodiscard]] SnapshotFault fault_of(std::span<const std::byte> snapshot) noexcept;
+/// The unit continues from the moment of the snapshot; with any fault it stays unchanged.
 [[nodiscard]] SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept;
 
 }  // namespace evc::kernel

@@ -344,10 +344,12 @@ openevc_result openevc_restore(void* memory, size_t memory_size, const void* sna
   if (const char* refused = evc::capi::refuse_memory(memory, memory_size, sizeof(openevc_unit)))
     return why.because(OPENEVC_BAD_ARGUMENT, refused);
   if (snapshot == nullptr) return why.because(OPENEVC_BAD_ARGUMENT, "snapshot: null");
-  auto* u = static_cast<openevc_unit*>(memory);
-  if (!usable(u)) u = new (memory) openevc_unit;
-  const kernel::SnapshotFault fault = kernel::restore(u->unit, {static_cast<const std::byte*>(snapshot), size});
+  const std::span bytes(static_cast<const std::byte*>(snapshot), size);
+  const kernel::SnapshotFault fault = kernel::fault_of(bytes);
   if (fault != kernel::SnapshotFault::none) return why.because(OPENEVC_REFUSED, kernel::name(fault));
+  // Nothing is read in memory that may never have held a unit.
+  auto* const u = new (memory) openevc_unit;
+  static_cast<void>(kernel::restore(u->unit, bytes));  // without a fault, as asked above
   u->tag = openevc_unit::kTag;
   *unit = u;
   return OPENEVC_OK;

@@ -39,6 +39,10 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) {
   return sum;
 }
 
+std::span<const std::byte> state_in(std::span<const std::byte> snapshot) {
+  return snapshot.subspan(sizeof(SnapshotHead), sizeof(State));
+}
+
 }  // namespace
 
 /// The only access to the contents of a Unit.
@@ -71,7 +75,7 @@ bool snapshot(const Unit& unit, std::span<std::byte> out) noexcept {
   return true;
 }
 
-SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept {
+SnapshotFault fault_of(std::span<const std::byte> snapshot) noexcept {
   const SnapshotHead ours;
   SnapshotHead head;
   if (snapshot.size() < sizeof head) return SnapshotFault::too_short;
@@ -80,10 +84,14 @@ SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept 
   if (head.format != ours.format) return SnapshotFault::other_format;
   if (head.layout != ours.layout || head.state_bytes != ours.state_bytes) return SnapshotFault::other_layout;
   if (snapshot.size() < snapshot_size()) return SnapshotFault::too_short;
-  const std::span<const std::byte> state = snapshot.subspan(sizeof head, sizeof(State));
-  if (checksum_of(state) != head.checksum) return SnapshotFault::damaged;
+  return checksum_of(state_in(snapshot)) == head.checksum ? SnapshotFault::none : SnapshotFault::damaged;
+}
+
+SnapshotFault restore(Unit& unit, std::span<const std::byte> snapshot) noexcept {
+  const SnapshotFault fault = fault_of(snapshot);
+  if (fault != SnapshotFault::none) return fault;
   Content& c = UnitAccess::of(unit);
-  std::memcpy(&c.state, state.data(), sizeof(State));
+  std::memcpy(&c.state, state_in(snapshot).data(), sizeof(State));
   new (&c.derived) Derived;  // built again in the next cycle; too large for the stack
   return SnapshotFault::none;
 }
