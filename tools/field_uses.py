@@ -3,8 +3,8 @@ Checked are all structs and enumerations of the kernel rooms, except those of th
 bits out). Uses count in all rooms, including io, sim and app, but not in tests.
 
 A field is written by an assignment, an initialiser with its name or in its place, a member function that changes; it is
-read by everything else. An update of a field from the same field (`a.x |= b.x`), a comparison that is defaulted and a
-default value are neither. An enumerator is asked for by a comparison, a case, a row of a constant table or a membership
+read by everything else; `auto& [a, b] = x` only writes. An update of a field from the same field (`a.x |= b.x`), a
+comparison that is defaulted and a default value are neither. An enumerator is asked for by a comparison, a case, a row of a constant table or a membership
 question, and produced by everything else; a cast from a number produces all of an enumeration, a cast to a number asks
 for all. What a source does is kept in EVC_ENDS_CACHE (default: ~/.cache/openevc-ends) while nothing that it is made of
 changes. Used by tools/check_ends.py."""
@@ -195,7 +195,7 @@ class Uses:
         if name in COMPARING:
             if re.search(r"=\s*default\s*$", text_of(function.extent.start, function.extent.end)):
                 for argument in children:
-                    self._read_all(argument.type)
+                    self._note_all(argument.type, R)
             return self.all(children, R, True)
         if function.kind == K.CONSTRUCTOR:
             return self.all(children, R, asked)
@@ -286,12 +286,12 @@ class Uses:
         for x in (variable, children[-1]):
             self.all(x.get_children()) if x is variable else self.visit(x)
 
-    def bindings(self, c):
+    def bindings(self, c, how=R):
         """auto [a, b] = x reads all fields of x."""
         for x in c.walk_preorder():
-            self._read_all(x.type)
+            self._note_all(x.type, how)
 
-    def _read_all(self, type_):
+    def _note_all(self, type_, how):
         t = type_.get_canonical()
         if t.kind in (cindex.TypeKind.LVALUEREFERENCE, cindex.TypeKind.RVALUEREFERENCE):
             t = t.get_pointee()
@@ -299,12 +299,14 @@ class Uses:
         if declaration.kind == K.STRUCT_DECL:
             for f in declaration.get_children():
                 if f.kind == K.FIELD_DECL:
-                    self.note_field(f, R)
+                    self.note_field(f, how)
 
     def statement(self, c, how, asked):
         for x in c.get_children():
-            if x.kind in (K.UNEXPOSED_DECL, K.VAR_DECL) and re.match(r"[\w\s]*\bauto\b[\s&]*\[", text_of(x.extent.start, x.extent.end)):
-                self.bindings(x)
+            bound = re.match(r"([\w\s]*)\bauto\b([\s&]*)\[", text_of(x.extent.start, x.extent.end))
+            if x.kind in (K.UNEXPOSED_DECL, K.VAR_DECL) and bound:
+                # What is bound by name to be changed is no reader: the function that resets all members.
+                self.bindings(x, W if "&" in bound[2] and "const" not in bound[1] else R)
             self.visit(x)
 
     def case(self, c, how, asked):
@@ -386,7 +388,7 @@ def sources():
     return [p for p in sorted((ROOT / "src").rglob("*/*.cpp")) if is_product(p) and room_of(p, "src") not in LEFT_OUT]
 
 
-RULES = "4"  # a new number where what is found in a source changes
+RULES = "5"  # a new number where what is found in a source changes
 FLAGS = ["-std=c++20", *(f"-I{ROOT / folder}" for folder in FOLDERS),
          f"-I{CACHE / 'generated'}", "-w", "-ffp-contract=off", '-DEVC_DATA_DIR=""', '-DEVC_VERSION=""']
 
@@ -423,7 +425,7 @@ def uses_of(source):
 
 
 def declared(unit):
-    """{USR: (kind, name, room)} of the fields and enumerators that are looked at."""
+    """{USR: (kind, name, room, enumeration, header)} of the fields and enumerators that are looked at."""
     found = {}
     rooms = {str(ROOT / folder / room): room for folder in ("src", "include/openevc") for room in ROOMS}
 
@@ -441,13 +443,30 @@ def declared(unit):
             if x.kind in (K.NAMESPACE, K.STRUCT_DECL, K.CLASS_DECL):
                 look(x, path + [x.spelling] if x.spelling not in ("", "evc") else path)
             elif x.kind == K.FIELD_DECL and c.kind == K.STRUCT_DECL and x.spelling:
-                found[x.get_usr()] = ("field", "::".join(path + [x.spelling]), room, None)
+                found[x.get_usr()] = ("field", "::".join(path + [x.spelling]), room, None, file.name)
             elif x.kind == K.ENUM_DECL:
                 for e in x.get_children():
                     if e.kind == K.ENUM_CONSTANT_DECL:
-                        found[e.get_usr()] = ("enumerator", "::".join(path + [x.spelling, e.spelling]), room, x.get_usr())
+                        found[e.get_usr()] = ("enumerator", "::".join(path + [x.spelling, e.spelling]), room, x.get_usr(),
+                                              file.name)
     look(unit.cursor, [])
     return found
+
+
+def in_kernel_rooms(path):
+    folder = "src" if (ROOT / "src") in path.parents else "include/openevc"
+    return room_of(path, folder) in ROOMS
+
+
+def of_field(key, name, header, inside, outside):
+    """What is done with a field. Nobody but the kernel reads an input, and the kernel reads no output: the reader, the
+    writer and the recorder of input streams count as what they are."""
+    within, without = (uses.fields.get(key, 0) | uses.by_name.get(name.split("::")[-1], 0) for uses in (inside, outside))
+    if header.endswith("port/inputs.h"):
+        return within | without & W
+    if header.endswith("port/outputs.h"):
+        return within & W | without
+    return within | without
 
 
 def loose_ends():
@@ -458,28 +477,32 @@ def loose_ends():
     layout.write_text("#pragma once\n#define EVC_STATE_LAYOUT 0u\n", encoding="utf-8")
     with tempfile.TemporaryDirectory() as name, \
             concurrent.futures.ProcessPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        parts = pool.map(uses_of, sources(), chunksize=2)
+        files = sources()
+        parts = pool.map(uses_of, files, chunksize=2)
         whole = pathlib.Path(name) / "all.h"
         lines = "".join(f'#include "{h}"\n' for h in headers())
         whole.write_text(lines, encoding="utf-8")
         unit = parsed(whole, ["-x", "c++-header"])
         known = declared(unit)
-        merged = Uses()
-        merged.all(own_declarations(unit, {str(h) for h in headers()}))
-        maps = (merged.fields, merged.enumerators, merged.enums, merged.by_name)
-        for part in parts:
-            for whole_map, found in zip(maps, part):
+        inside, outside = Uses(), Uses()  # of the kernel rooms
+        for uses, kernel in ((inside, True), (outside, False)):
+            uses.all(own_declarations(unit, {str(h) for h in headers() if in_kernel_rooms(h) == kernel}))
+        for file, part in zip(files, parts):
+            uses = inside if in_kernel_rooms(file) else outside
+            for whole_map, found in zip((uses.fields, uses.enumerators, uses.enums, uses.by_name), part):
                 for key, how in found.items():
                     whole_map[key] = whole_map.get(key, 0) | how
     rows = []
-    for key, (kind, name, room, enum) in known.items():
+    for key, (kind, name, room, enum, header) in known.items():
         if kind == "field":
-            how = merged.fields.get(key, 0) | merged.by_name.get(name.split("::")[-1], 0)
+            how = of_field(key, name, header, inside, outside)
             words = {0: "never used", R: "only read", W: "only written"}
             if name.rpartition("::")[0] in CONSTANTS:
                 continue
         else:
-            how = merged.enumerators.get(key, 0) | merged.enums.get(enum, 0)
+            how = 0
+            for uses in (inside, outside):
+                how |= uses.enumerators.get(key, 0) | uses.enums.get(enum, 0)
             words = {0: "never used", R: "only asked for", W: "only produced"}
             if name.rpartition("::")[2] in NEUTRAL or name.startswith(NUMBERS):
                 continue

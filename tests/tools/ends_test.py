@@ -55,6 +55,14 @@ void use(const Set&); void change(Set&); void ask(Cause); int sink(int);
         self.assertEqual(self.fields("Facts f() { return {.x = 1}; }"), {"x": W})
         self.assertEqual(self.fields("Facts f() { return Facts{3, true}; }"), {"x": W, "y": W})
 
+    def test_bindings(self):
+        for how, body in ((R, "int f(const Facts& g) { const auto& [x, y, s, c] = g; return x; }"),
+                          (R, "int f(const Facts& g) { auto [x, y, s, c] = g; return x; }"),
+                          (W, "void f(Facts& g) { auto& [x, y, s, c] = g; x = 0; }")):
+            found = self.fields(body)
+            self.assertEqual({name: found[name] for name in ("x", "y", "set", "cause")},
+                             {name: how for name in ("x", "y", "set", "cause")})
+
     def test_enumerators(self):
         self.assertEqual(self.uses("bool f(Cause c) { return c == Cause::b; }")[1], {"b": R})
         self.assertEqual(self.uses("int f(Cause c) { switch (c) { case Cause::c: return 1; default: return 0; } }")[1],
