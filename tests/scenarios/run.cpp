@@ -104,7 +104,11 @@ class Run {
 
   std::string whole() {
     try {
-      for (const Statement& s : scenario_.statements) step(s);
+      const std::vector<Statement>& all = scenario_.statements;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        shares_cycle_ = i + 1 < all.size() && all[i + 1].action.same_cycle;
+        step(all[i]);
+      }
     } catch (const Failure& f) {
       const bool expected =
           !scenario_.open.empty() && f.of_the_unit && !f.at->in_block && f.at->kind == Statement::Kind::then;
@@ -146,11 +150,11 @@ class Run {
         break;
       case What::message:
         give_message(a);
-        cycle();
+        if (!shares_cycle_) cycle();
         break;
       case What::loop:
         give_bits("loop", io::encode_loop_json(a.json));
-        cycle();
+        if (!shares_cycle_) cycle();
         break;
       case What::pass:
         pass(a);
@@ -173,7 +177,7 @@ class Run {
         break;
       case What::input:
         give_input(a.json);
-        cycle();
+        if (!shares_cycle_) cycle();
         break;
       case What::odometer:
         if (a.error) error_ = *a.error;
@@ -237,7 +241,8 @@ class Run {
   void give_message(const Action& a) {
     start();
     Json message = a.json;
-    if (a.T_TRAIN) message["T_TRAIN"] = next_ms() / 10;
+    // Messages of one cycle have increasing time stamps (3.16.3.3.2).
+    if (a.T_TRAIN) message["T_TRAIN"] = next_ms() / 10 + static_cast<std::int64_t>(queued_.size());
     if (a.NID_LRBG) message["NID_LRBG"] = last_lrbg();
     if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers);
     give_bits("radio", io::encode_radio_json(message, {lang::Direction::to_train, {}}));
@@ -595,6 +600,7 @@ class Run {
   std::vector<Cycle> cycles_;
   std::size_t window_ = 0;
   bool after_then_ = false, when_before_ = false;
+  bool shares_cycle_ = false;  // the next step is in the same cycle as this one
   double antenna_m_ = 0.0;
   double front_ = 0.0, v_ = 0.0, doubt_ = 0.0, target_v_ = std::nan("");
   double error_ = 0.0, reads_ = 1.0, offset_ = 0.0;

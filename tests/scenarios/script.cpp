@@ -324,7 +324,7 @@ class Reader {
           if (out.size() > 2000) throw ReadError{line[0].line, "more than 2000 steps", "fewer"};
           continue;
         }
-        read_action(words, s.action);
+        read_step(words, out, s);
       }
       if (!words.end()) words.fail("the end of the statement");
       out.push_back(std::move(s));
@@ -347,6 +347,24 @@ class Reader {
   }
 
   // --- given and when ---------------------------------------------------------------------------------------------
+
+  /// Whether the step only gives inputs to one cycle, so that another step can share the cycle.
+  static bool gives_inputs(const Action& a) {
+    using What = Action::What;
+    return a.what == What::message || a.what == What::loop || a.what == What::input;
+  }
+
+  void read_step(Words& words, const std::vector<Statement>& before, Statement& s) {
+    const bool same_cycle = words.take("in");
+    if (same_cycle)
+      for (const char* word : {"the", "same", "cycle"}) words.require(word);
+    read_action(words, s.action);
+    s.action.same_cycle = same_cycle;
+    if (!same_cycle) return;
+    const bool shared = !before.empty() && before.back().kind != Statement::Kind::then &&
+                        gives_inputs(before.back().action) && gives_inputs(s.action);
+    if (!shared) words.fail("a message, a loop message or an input after another of them");
+  }
 
   void read_action(Words& words, Action& a) {
     using What = Action::What;

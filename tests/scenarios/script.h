@@ -63,6 +63,7 @@ struct Balise {
 struct Action {
   enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer };
   What what = What::wait;
+  bool same_cycle = false;      ///< message, loop, input: in the cycle of the step before
   Json json;                    ///< configure, input: members; message, loop: in the form of `evc encode`
   bool T_TRAIN = false;         ///< message: T_TRAIN is the time of sending
   bool NID_LRBG = false;        ///< message: NID_LRBG is the one last reported by the unit

@@ -57,6 +57,8 @@ TEST(Script, refuses_what_is_misspelt_and_says_where) {
       {"block b with v = 1 km/h\n  given drives at $v\nscenario a\n  given b with w = 3 km/h\n",
        "line 4: found \"w\", expected a parameter of b"},
       {"scenario a\n  then mode SB [4.6.3]\nscenario a\n", "line 3: found scenario a again"},
+      {"scenario a\n  when waits 1 s\n  and in the same cycle message 6\n",
+       "line 3: found the end of the statement, expected a message, a loop message or an input after another of them"},
       {"something\n", "line 1: found \"something\", expected scenario or block"},
       {"scenario a\n  when input { t \"unclosed }\n", "line 2: found the end of the line, expected \" that closes"},
   };
@@ -77,6 +79,18 @@ TEST(Script, the_same_packet_is_written_with_codes_or_units) {
 
 TEST(Runner, goes_through_with_what_holds) {
   EXPECT_EQ(failure_of("scenario a\n  when desk opened\n  then mode SB [4.6.3(4)]\n  and brakes none [4.4.7.1]\n"), "");
+}
+
+TEST(Runner, messages_of_the_same_cycle_come_in_their_order) {
+  const auto file = read(
+      "scenario a\n  when message 24 { T_TRAIN 8 }\n  and in the same cycle message 24 { T_TRAIN 7 }\n"
+      "  then mode SB [4.6.3]\n",
+      "x.scenario");
+  ASSERT_TRUE(file);
+  const std::string inputs = inputs_of(file->scenarios.at(0));
+  const std::size_t first = inputs.find("\"message\"");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(inputs.find("odometer", first), std::string::npos) << "no cycle begins between them: " << inputs;
 }
 
 TEST(Runner, the_odometer_counts_and_is_as_accurate_as_said) {
