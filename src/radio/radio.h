@@ -57,8 +57,7 @@ struct State {
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and still apply
   std::optional<Duration> requested_at;
-  InplaceVector<std::uint8_t, 4> errors;        ///< M_ERROR to report (3.16.4)
-  std::optional<std::uint32_t> exit_from_trip;  ///< T_TRAIN of message 6 (4.8.4 [1])
+  InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report (3.16.4)
 };
 
 /// Why a message was rejected as a whole (3.16.3.1.1).

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "kernel/intake/message.h"
 #include "kernel/intake/reception.h"
@@ -13,10 +14,11 @@ namespace evc::kernel {
 struct Evaluation {
   Reception& r;
   const Information& information;
-  modes::AcceptanceContext context;  ///< facts for the exceptions of the tables
-  track::Contents& contents;         ///< accepted contents, to be stored
-  track::Reference reference;        ///< of the evaluated part: the message, or the packets after packet 136
-  std::uint64_t judge = 0;           ///< bit n: the n-th packet belongs to that part
+  modes::AcceptanceContext context;        ///< facts for the exceptions of the tables
+  track::Contents& contents;               ///< accepted contents, to be stored
+  track::Reference reference;              ///< of the evaluated part: the message, or the packets after packet 136
+  std::uint64_t judge = 0;                 ///< bit n: the n-th packet belongs to that part
+  std::optional<std::size_t> level_order;  ///< the last packet of that part that announces a level transition
   Waiting waiting;
   std::uint8_t refused = 0;
   Clause refused_because;  ///< of the last one; none: no room

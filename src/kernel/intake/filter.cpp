@@ -24,12 +24,10 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.mode = s.mode;
   c.level = s.level.level;
   c.medium = information.medium;
-  if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
-    c.announced = s.level_transition.pending->to.level;
-  if (executes_order(r)) c.announced = r.order->decision.to.level;
+  if (const auto to = ordered_level(r)) c.announced = to->level;
   c.train_data_unacknowledged = s.radio.train_data_stamp.has_value();
   c.emergency_stop_pending = s.emergency_stops.any();
-  c.exit_from_trip_recognised = procedures::train_trip::exit_recognised(s.train_trip);
+  c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
   c.train_data_valid = valid(s.data.train_data_status);
   c.override_active = s.override_.active;
@@ -63,22 +61,22 @@ bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i) == Verdi
 // --- Level transition orders first (4.8.1.3)
 
 void evaluate_level_orders(Evaluation& e) {
+  e.level_order.reset();
   bool along = false;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i)
     along = along || e.information.packets[i].NID_PACKET == packet::level_transition_order;
-  e.context.level_order_along_or_announced = along || e.r.state.level_transition.pending.has_value();
+  e.context.level_order_along_or_announced = along || (ordered_level(e.r) && !executes_order(e.r));
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (route_of(view).turn != Turn::level_order || !judged(e, i)) continue;
-    const auto order = order_of(view, e.reference);
+    const auto order = order_of(view);
     if (!order) continue;
     e.context.order = order->kind;
     if (!accepted(e, i)) continue;
     const modes::OrderDecision decision = give_order(e.r, *order);
-    if (decision.effect == modes::OrderEffect::execute || decision.effect == modes::OrderEffect::announce)
-      e.context.announced = decision.to.level;
-    else if (decision.cancels_pending)
-      e.context.announced.reset();
+    if (decision.effect == modes::OrderEffect::announce) e.level_order = i;
+    const std::optional<modes::OrderedLevel> to = ordered_level(e.r);
+    e.context.announced = to ? std::optional(to->level) : std::nullopt;
     e.context.immediate_order_to_1_2_3 =
         decision.effect == modes::OrderEffect::execute && level_1_2_3(decision.to.level);
   }
@@ -176,6 +174,8 @@ void tell_message(Evaluation& e) {
 void evaluate_part(Evaluation& e) {
   evaluate_level_orders(e);
   evaluate_linking(e, e.contents.infill.has_value());
+  // The order is judged first (4.8.1.3); its border is a location, placed after linking (4.8.1.6).
+  if (e.level_order) place_border(e.r, e.information.packets[*e.level_order], e.reference);
   evaluate_rest(e);
   evaluate_authority(e);
 }
@@ -216,7 +216,7 @@ Verdict judge_packet(Evaluation& e, std::size_t i) {
 Waiting evaluate(Reception& r, const Information& information) {
   const track::Reference reference{information.reference, information.orientation, information.group,
                                    information.medium, r.state.now};
-  Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, 0, {}};
+  Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, {}, 0, {}};
   track::begin(e.contents, e.reference, information.time);
   const std::optional<Infill> infill = find_infill(information);
   // Packets before packet 136; bit n stands for the n-th packet.

@@ -40,10 +40,8 @@ modes::LevelTable table_of(const P& p) {
 /// with the new order is stored there (4.8.1.3.1).
 void delete_waiting_of_replaced(Reception& r, const modes::OrderDecision& decision) {
   if (!decision.cancels_pending) return;
-  const auto& pending = r.state.level_transition.pending;
-  const bool ordered_now = r.order && r.order->decision.effect == OrderEffect::announce;
-  if (ordered_now ? !r.order->decision.to.same_level(decision.to) : pending && !pending->to.same_level(decision.to))
-    r.state.buffer.clear();
+  const std::optional<modes::OrderedLevel> replaced = ordered_level(r);
+  if (replaced && !replaced->same_level(decision.to)) r.state.buffer.clear();
 }
 
 /// 4.9; the release of the transition buffer is the caller's next step.
@@ -59,8 +57,7 @@ void enter_level(Reception& r, const modes::OrderedLevel& to, bool by_driver) {
 
 }  // namespace
 
-std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view,
-                                                            const track::Reference& reference) {
+std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view) {
   procedures::level_transition::Order order;
   if (view.NID_PACKET == packet::conditional_level_transition_order) {
     lang::Packet46 p;
@@ -71,9 +68,7 @@ std::optional<procedures::level_transition::Order> order_of(const lang::PacketVi
   }
   lang::Packet41 p;
   if (lang::decode(view, p) != lang::Fault::none) return {};
-  const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
-  order.kind = D_LEVELTR ? modes::OrderKind::announcement : modes::OrderKind::immediate;
-  if (D_LEVELTR) order.border = reference.place + *D_LEVELTR;
+  order.kind = lang::metres(p.Q_SCALE, p.D_LEVELTR) ? modes::OrderKind::announcement : modes::OrderKind::immediate;
   order.table = table_of(p);
   return order;
 }
@@ -92,7 +87,29 @@ modes::OrderDecision give_order(Reception& r, const procedures::level_transition
   return decision;
 }
 
+void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference) {
+  lang::Packet41 p;
+  if (!r.order || r.order->decision.effect != OrderEffect::announce || lang::decode(packet, p) != lang::Fault::none)
+    return;
+  if (const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR))
+    r.order->order.border = reference.place + *D_LEVELTR;
+}
+
 bool executes_order(const Reception& r) { return r.order && r.order->decision.effect == OrderEffect::execute; }
+
+std::optional<modes::OrderedLevel> ordered_level(const Reception& r) {
+  std::optional<modes::OrderedLevel> to;
+  if (r.state.level_transition.pending) to = r.state.level_transition.pending->to;
+  if (r.order) {
+    const modes::OrderDecision& decision = r.order->decision;
+    if (decision.effect == OrderEffect::announce || decision.effect == OrderEffect::execute)
+      to = decision.to;
+    else if (decision.cancels_pending)
+      to.reset();
+  }
+  if (to && to->same_level(r.state.level)) to.reset();
+  return to;
+}
 
 void run_level_transition(Reception& r) {
   State& s = r.state;

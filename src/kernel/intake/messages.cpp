@@ -92,12 +92,6 @@ Clause take_train_data_acknowledgement(Evaluation& e, const lang::MessageToTrain
   return {};
 }
 
-Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView& view) {
-  e.r.out.exit_from_trip = true;
-  e.r.state.radio.exit_from_trip = view.T_TRAIN.raw;
-  return {};
-}
-
 Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& view) {
   lang::Message45 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
@@ -106,6 +100,11 @@ Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& vie
 }
 
 // Only the fact is used.
+/// 4.8.4 [1]: information of the RBC that is received later has a later time stamp (3.16.3.3.3).
+Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.exit_from_trip = true;
+  return {};
+}
 Clause take_SH_refused(Evaluation& e, const lang::MessageToTrainView&) {
   e.r.out.SH_refused = true;
   return {};
