@@ -12,7 +12,7 @@ namespace {
 sdm::Authority authority_of(const SupervisionBasis& basis) {
   const track::Authority& a = basis.authority;
   sdm::Authority out;
-  if (a.ends_at_LOA()) {
+  if (a.LOA) {
     out.kind = sdm::Authority::Kind::LOA;
     out.EOA = *a.LOA;
     out.V_LOA = a.V_LOA;

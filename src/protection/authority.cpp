@@ -3,7 +3,10 @@
 namespace evc::protection {
 namespace {
 
-bool beyond_end(const track::Authority& a, Place at) { return (a.EOA && at > *a.EOA) || (a.LOA && at > *a.LOA); }
+bool beyond_end(const track::Authority& a, Place at) {
+  const std::optional<Place> end = a.EOA_or_LOA();
+  return end && at > *end;
+}
 
 }  // namespace
 

@@ -77,16 +77,15 @@ struct MovementAuthority {
   friend constexpr bool operator==(const MovementAuthority&, const MovementAuthority&) = default;
 };
 
-/// What is supervised at the end of the authority: the nearest of the MA's own locations and the temporary ones of mode
-/// profile, route suitability and level crossings (3.12).
+/// What is supervised at the end of the authority: an LOA, or an EOA with its SvL; nothing without an authority. A
+/// temporary EOA (area of a mode profile, unsuitable route, level crossing; 3.12) replaces an EOA or LOA in advance of
+/// it.
 struct Authority {
   std::optional<Place> EOA, SvL;
-  std::optional<Place> LOA;
+  std::optional<Place> LOA;  ///< never together with an EOA
   Speed V_LOA{};
   Release release{};
-  /// The LOA is supervised. A temporary EOA (area of a mode profile, unsuitable route, level crossing) up to the LOA
-  /// replaces it (3.13.1.5).
-  constexpr bool ends_at_LOA() const { return LOA && (!EOA || *EOA > *LOA); }
+  constexpr std::optional<Place> EOA_or_LOA() const { return LOA ? LOA : EOA; }
   friend constexpr bool operator==(const Authority&, const Authority&) = default;
 };
 

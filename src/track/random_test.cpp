@@ -110,7 +110,7 @@ void expect_sound(const Description& d, const Here& here, Dice& dice) {
     for (std::size_t i = 1; i < d.ma->sections.size(); ++i)
       ASSERT_EQ(d.ma->sections[i - 1].end, d.ma->sections[i].begin);
     const Authority a = authority(d, {}, dice.one_in(2) ? Mode::FS : Mode::OS);
-    ASSERT_TRUE(a.EOA || a.LOA);
+    ASSERT_NE(a.EOA.has_value(), a.LOA.has_value());
     if (a.EOA) {
       ASSERT_LE(*a.EOA, d.ma->end() > *a.EOA ? d.ma->end() : *a.EOA);
       ASSERT_TRUE(a.SvL) << "whoever has to stop has a supervised location";

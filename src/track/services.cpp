@@ -9,6 +9,59 @@ void nearest(std::optional<Place>& best, Place at) {
   if (!best || at < *best) best = at;
 }
 
+/// The nearest temporary EOA and SvL: areas of a mode profile, unsuitable route, level crossings (3.12).
+struct Temporary {
+  std::optional<Place> EOA, SvL;
+  void stop_at(Place at) {
+    nearest(EOA, at);
+    nearest(SvL, at);
+  }
+};
+
+/// Those of the areas that are not entered yet.
+Temporary temporary_of(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode) {
+  Temporary t;
+  for (const ModeArea& area : profile) {
+    if (area.accepted || area.mode == mode) continue;
+    nearest(t.EOA, area.from);
+    if (area.also_SvL) {
+      nearest(t.SvL, area.from);
+    } else if (ma.limited()) {
+      // With a stop at an area's start there is no LOA: the overlap or danger point counts, else the end.
+      nearest(t.SvL, ma.SvL_without_LOA());
+    }
+  }
+  return t;
+}
+
+/// The authority of `ma` with what replaces its own end. A temporary EOA up to an LOA replaces it; one beyond does not
+/// count.
+Authority with(const Temporary& t, const MovementAuthority& ma) {
+  Authority a;
+  if (ma.limited()) {
+    if (t.EOA && *t.EOA <= ma.end()) {
+      a.EOA = t.EOA;
+      a.SvL = t.SvL;
+    } else {
+      a.LOA = ma.end();
+      a.V_LOA = ma.V_LOA;
+    }
+    return a;
+  }
+  a.EOA = ma.end();
+  a.SvL = ma.SvL();
+  a.release = ma.release();
+  if (t.EOA && *t.EOA <= *a.EOA) {
+    a.EOA = t.EOA;
+    a.release = {};
+  }
+  if (t.SvL && a.SvL && *t.SvL <= *a.SvL) {
+    a.SvL = t.SvL;
+    a.release = {};
+  }
+  return a;
+}
+
 }  // namespace
 
 bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train) {
@@ -34,50 +87,17 @@ std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces
   return first;
 }
 
+Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode) {
+  return with(temporary_of(ma, profile, mode), ma);
+}
+
 Authority authority(const Description& d, const TrainInterfaces& train, Mode mode) {
-  Authority a;
-  if (!d.ma || !supervises_authority(mode)) return a;
-  const MovementAuthority& ma = *d.ma;
-  std::optional<Place> EOA, SvL;  // temporary ones
-  for (const ModeArea& area : d.mode_profile) {
-    if (area.accepted || area.mode == mode) continue;
-    nearest(EOA, area.from);
-    if (area.also_SvL) {
-      nearest(SvL, area.from);
-    } else if (ma.limited()) {
-      // With a stop at an area's start there is no LOA; without the LOA the overlap or danger point would count, else
-      // the end.
-      nearest(SvL, ma.end() < area.from ? area.from : ma.SvL_without_LOA());
-    }
-  }
-  if (const std::optional<Place> closed = unsuitable_from(d, train)) {
-    nearest(EOA, *closed);
-    nearest(SvL, *closed);
-  }
+  if (!d.ma || !supervises_authority(mode)) return {};
+  Temporary temporary = temporary_of(*d.ma, {d.mode_profile.begin(), d.mode_profile.size()}, mode);
+  if (const std::optional<Place> closed = unsuitable_from(d, train)) temporary.stop_at(*closed);
   for (const LevelCrossing& lx : d.lx)
-    if (lx.unprotected && !lx.substituted) {
-      nearest(EOA, lx.from);
-      nearest(SvL, lx.from);
-    }
-  if (ma.limited()) {
-    a.LOA = ma.end();
-    a.V_LOA = ma.V_LOA;
-    a.EOA = EOA;
-    a.SvL = SvL;
-    return a;
-  }
-  a.EOA = ma.end();
-  a.SvL = ma.SvL();
-  a.release = ma.release();
-  if (EOA && *EOA <= *a.EOA) {
-    a.EOA = EOA;
-    a.release = {};
-  }
-  if (SvL && a.SvL && *SvL <= *a.SvL) {
-    a.SvL = SvL;
-    a.release = {};
-  }
-  return a;
+    if (lx.unprotected && !lx.substituted) temporary.stop_at(lx.from);
+  return with(temporary, *d.ma);
 }
 
 std::optional<ModeArea> area_due(const Description& d, const Here& here) {

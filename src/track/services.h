@@ -50,6 +50,8 @@ void gradient(GradientFunction& out, const Description& d, Place from, double un
 /// EOA, SvL, LOA and release speed to supervise now. `mode` is the current one: the start of an area of this mode is no
 /// longer a stop; in SH, SR and other modes there is no authority.
 Authority authority(const Description& d, const TrainInterfaces& train, Mode mode);
+/// The same of an authority with its mode profile alone: the one that a request to shorten brings (3.8.6.1).
+Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode);
 
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
 /// end; the farthest such area. Absent: none (3.12.4.5-6).

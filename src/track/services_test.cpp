@@ -67,8 +67,14 @@ TEST(Authority, WithAnLoa) {
   a = authority(d, {}, FS);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1000)) << "as if there were no LOA";
+  EXPECT_FALSE(a.LOA);
+  EXPECT_EQ(a.EOA_or_LOA(), at(600));
+  d.mode_profile[0].from = at(1000);
+  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000)) << "at the LOA";
   d.mode_profile[0].from = at(1200);
-  EXPECT_EQ(authority(d, {}, FS).SvL, at(1200)) << "the LOA lies in rear of the area";
+  a = authority(d, {}, FS);
+  EXPECT_FALSE(a.EOA || a.SvL) << "the LOA lies in rear of the area";
+  EXPECT_EQ(a.EOA_or_LOA(), at(1000));
 }
 
 TEST(Authority, UnsuitableRouteAndLevelCrossing) {  // 3.12.2, 3.12.5

@@ -31,6 +31,9 @@ bool complete(const Description& d, const MovementAuthority& ma, const Here& her
 /// Whether the MA that is stored is still covered; true without one.
 bool complete(const Description& d, const Here& here);
 
+/// Of a new mode profile: areas that were entered by the stored one are accepted still (5.9.2.7).
+void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here);
+
 /// Stores the contents of a message: shortening first, then the MA if it is complete, then each packet by its rule of
 /// 3.7.3. `refuse_ma`: the clause because of which an MA cannot be accepted now (3.10.2.4 pending emergency stop, 4.8.3
 /// [3] train data not acknowledged), or none. Data that do not fit are noted; if they restrict the train, authority and

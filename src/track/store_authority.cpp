@@ -82,6 +82,12 @@ bool is_shortening(const MovementAuthority& ma, const Before& old) {
   return old.existed && SvL && (!old.SvL || *SvL < *old.SvL);
 }
 
+Set<Mode> accepted_modes(const ModeProfile& profile) {
+  Set<Mode> accepted;
+  for (const ModeArea& area : profile) accepted.add(area.mode, area.accepted);
+  return accepted;
+}
+
 /// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7).
 bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here) {
   if (here.est_front < area.ack_from && here.max_safe_front < area.from) return false;
@@ -90,8 +96,7 @@ bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here)
 
 void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill) {
   Description& d = f.d;
-  Set<Mode> accepted;
-  for (const ModeArea& area : d.mode_profile) accepted.add(area.mode, area.accepted);
+  const Set<Mode> accepted = accepted_modes(d.mode_profile);
   if (infill)
     d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *infill; });
   else
@@ -138,6 +143,11 @@ bool complete(const Description& d, const MovementAuthority& ma, const Here& her
 }
 
 bool complete(const Description& d, const Here& here) { return !d.ma || complete(d, *d.ma, here); }
+
+void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here) {
+  const Set<Mode> accepted = accepted_modes(stored.mode_profile);
+  for (ModeArea& area : fresh) area.accepted = accepted_before(accepted, area, here);
+}
 
 void store_authority(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill, bool described,
                      Clause refuse_ma) {

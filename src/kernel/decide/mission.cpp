@@ -129,8 +129,7 @@ void run_override(State& s, const Received& received, const track::Here& here, p
   in.D_NVOVTRP = s.national_values.D_NVOVTRP;
   in.est_front = here.est_front;
   in.min_safe_antenna = here.min_safe_antenna;
-  const track::Authority& a = s.basis.authority;
-  in.eoa_or_loa = a.EOA ? a.EOA : a.LOA;
+  in.eoa_or_loa = s.basis.authority.EOA_or_LOA();
   if (s.mode == Mode::SR) in.sr_distance_end = s.staff_responsible.end;
   in.stop_if_in_SR = received.stop_if_in_SR;
   in.stop_if_in_SH = received.stop_if_in_SH;

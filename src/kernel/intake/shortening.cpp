@@ -1,5 +1,7 @@
 #include "kernel/intake/shortening.h"
 
+#include <span>
+
 #include "kernel/basis.h"
 #include "kernel/curves.h"
 #include "kernel/stored.h"
@@ -11,22 +13,10 @@ namespace evc::kernel {
 bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals& train, const track::Here& here,
                      const track::AuthorityContents& proposal) {
   if (!supervises(s, modes::Supervision::full) || !proposal.ma) return false;
-  const track::MovementAuthority& proposed = *proposal.ma;
-  track::Authority a;
-  if (proposed.limited()) {
-    a.LOA = proposed.end();
-    a.V_LOA = proposed.V_LOA;
-  } else {
-    a.EOA = proposed.end();
-    a.SvL = proposed.SvL();
-  }
-  // The start of an area of its mode profile would also be an end (3.12.4), with the SvL there on the safe side.
-  if (proposal.mode_profile)
-    for (const track::ModeArea& area : *proposal.mode_profile) {
-      if (a.EOA && area.from >= *a.EOA) continue;
-      a.EOA = area.from;
-      a.SvL = area.from;
-    }
+  // The start of an area of its mode profile that is not entered yet would also be an end (3.12.4).
+  std::span<const track::ModeArea> areas;
+  if (proposal.mode_profile) areas = {proposal.mode_profile->begin(), proposal.mode_profile->size()};
+  const track::Authority a = track::authority(*proposal.ma, areas, s.mode);
   build(curves, s, train, basis_of(s, here, s.basis.key, a));
   sdm::Supervision fresh;
   const sdm::Result limits = sdm::supervise(fresh, curves.sdm, motion_of(s, here, train));
@@ -45,6 +35,7 @@ bool proposal_is_described(Evaluation& e) {
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
   track::AuthorityContents& proposed = e.r.scratch.proposal;
+  if (proposed.mode_profile) track::carry_acceptance(*proposed.mode_profile, s.track, e.r.out.here);
   const bool granted = e.context.described_over_whole_ma && !proposed.ma->sections.empty() &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);

@@ -90,8 +90,7 @@ void show(const State& s, bool desk_open, const Decided& decided, const procedur
   out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
   out.v = s.position.now.V_est;
   const track::Authority& a = s.basis.authority;
-  if (a.EOA) out.EOA = position::counter_of(s.position, *a.EOA);
-  if (a.LOA) out.EOA = position::counter_of(s.position, *a.LOA);
+  if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
   const driver::Show shown =
       driver::show(show_context(s, desk_open, decided, effects.requests, out.sb || out.eb, out.LSSMA.has_value()));

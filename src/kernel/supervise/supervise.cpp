@@ -45,11 +45,11 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
 /// LS marker it is shown when the end is slower than the mode and it is below the speed of the train (4.4.19.1.4.7).
 std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const track::Here& here) {
   const track::Authority& a = s.basis.authority;
-  if (s.mode != Mode::LS || s.track.generic_ls_marker || (!a.EOA && !a.LOA)) return std::nullopt;
-  const bool limited = a.ends_at_LOA();
-  const Speed at_end = limited ? a.V_LOA : Speed{};
+  const std::optional<Place> end = a.EOA_or_LOA();
+  if (s.mode != Mode::LS || s.track.generic_ls_marker || !end) return std::nullopt;
+  const Speed at_end = a.LOA ? a.V_LOA : Speed{};
   if (s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
-  const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, limited ? *a.LOA : *a.EOA);
+  const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, *end);
   const Speed LSSMA = lowest < at_end ? lowest : at_end;
   if (LSSMA >= s.train.V_MAXTRAIN) return std::nullopt;
   return LSSMA;
