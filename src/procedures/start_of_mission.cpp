@@ -5,6 +5,7 @@ namespace {
 
 bool valid(DataStatus status) { return status == DataStatus::valid; }
 
+bool no_session(const Inputs& in) { return in.session == Session::none || in.session == Session::terminating; }
 bool session_lost(const Inputs& in) { return level_2_or_3(in.level) && in.session != Session::open; }
 
 /// S10, S20: Start leads to the acknowledgement of the level's mode, or to the RBC. In level 2/3 without a session the
@@ -71,12 +72,18 @@ Step after_validation(const Inputs& in, Effects& out) {
     return Step::S10;
   }
   if (in.train_rejected) {
-    out.status.add(Status::position_unknown);  // A39, A40
+    out.status.add(Status::position_unknown);  // A39
     out.send.add(Send::terminate_session);
-    out.inform.add(Inform::train_rejected);
-    return Step::S10;
+    return Step::A40;
   }
   return in.session == Session::open ? Step::D33 : Step::S10;
+}
+
+/// A40: the driver is informed once the session is terminated.
+Step after_rejection(const Inputs& in, Effects& out) {
+  if (in.session == Session::open || in.session == Session::terminating) return Step::A40;
+  out.inform.add(Inform::train_rejected);
+  return Step::S10;
 }
 
 /// D10, D11: train data and running number are valid.
@@ -110,7 +117,7 @@ Step choose(State& state, const Inputs& in, Effects& out) {
   return state.step;
 }
 
-/// S22 to S24: the acknowledgement is asked for while the level does not change. Loss of the session leads back
+/// S22 to S25: the acknowledgement is asked for while the level does not change. Loss of the session leads back
 /// (5.4.5.1), except after a start without a session.
 Step while_acknowledging(const State& state, const Inputs& in) {
   switch (state.step) {
@@ -118,6 +125,9 @@ Step while_acknowledging(const State& state, const Inputs& in) {
       return in.level == Level::NTC ? Step::S22 : Step::S20;
     case Step::S23:
       return in.level == Level::L0 ? Step::S23 : Step::S20;
+    case Step::S25:  // the RBC sent the mode profile
+      if (!level_2_or_3(in.level)) return Step::S20;
+      return session_lost(in) ? Step::S10 : Step::S25;
     default:
       if (!level_2_or_3(in.level)) return in.level == Level::L1 ? Step::S24 : Step::S20;
       return session_lost(in) && !state.without_session ? Step::S10 : Step::S24;
@@ -127,7 +137,7 @@ Step while_acknowledging(const State& state, const Inputs& in) {
 Step next(State& state, const Inputs& in, Effects& out) {
   switch (state.step) {
     case Step::S0:
-      return in.session == Session::none ? Step::S1 : Step::S0;
+      return no_session(in) ? Step::S1 : Step::S0;
     case Step::S1:
       return valid(in.driver_id) ? after_driver_id(in, out) : Step::S1;
     case Step::S2:
@@ -140,6 +150,8 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return in.session == Session::establishing ? Step::D31 : after_session(in, out);
     case Step::D33:
       return after_validation(in, out);
+    case Step::A40:
+      return after_rejection(in, out);
     case Step::S10:
     case Step::S20:
       return choose(state, in, out);
@@ -153,9 +165,6 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return in.train_data_acknowledged ? Step::S20 : Step::S11;
     case Step::S21:
       return after_ma_request(state, in);
-    case Step::S25:  // the RBC sent the mode profile
-      if (!level_2_or_3(in.level)) return Step::S20;
-      return session_lost(in) ? Step::S10 : Step::S25;
     default:
       return while_acknowledging(state, in);
   }

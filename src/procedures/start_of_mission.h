@@ -10,7 +10,7 @@
 // Start of mission, SUBSET-026-5 5.4. The steps have the standard's names.
 namespace evc::procedures::start_of_mission {
 
-enum class Session : std::uint8_t { none, establishing, open };
+enum class Session : std::uint8_t { none, establishing, open, terminating };
 
 /// The steps in which the procedure waits; decisions and actions between them take no time.
 enum class Step : std::uint8_t {
@@ -20,6 +20,7 @@ enum class Step : std::uint8_t {
   S3,   // RBC contact
   D31,  // the session is being opened
   D33,  // the RBC validates the position or decides (D33, D22)
+  A40,  // the train is rejected: the session is being terminated
   S10,  // shunting, non leading or train data
   S12,  // train data
   S13,  // train running number

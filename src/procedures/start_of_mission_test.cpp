@@ -182,6 +182,12 @@ TEST(StartOfMission, The_RBC_answers_the_position) {
   cab.in.train_rejected = true;
   cab.cycle();
   EXPECT_TRUE(cab.last.send.has(Send::terminate_session));
+  EXPECT_FALSE(cab.last.inform.has(Inform::train_rejected)) << "A40: once the session is terminated";
+  cab.in.session = Session::terminating;
+  EXPECT_TRUE(cab.cycle().inform.empty());
+  EXPECT_EQ(cab.state.step, Step::A40);
+  cab.in.session = Session::none;
+  cab.cycle();
   EXPECT_TRUE(cab.last.inform.has(Inform::train_rejected));
   EXPECT_EQ(cab.state.step, Step::S10);
   cab = waiting;

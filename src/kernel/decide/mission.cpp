@@ -10,10 +10,19 @@ namespace {
 
 procedures::start_of_mission::Session session_of(const State& s) {
   using procedures::start_of_mission::Session;
-  if (s.radio.session.established()) return Session::open;
-  return s.radio.session.phase == radio::Phase::connecting || s.radio.session.phase == radio::Phase::waiting_version
-             ? Session::establishing
-             : Session::none;
+  switch (s.radio.session.phase) {
+    case radio::Phase::connecting:
+    case radio::Phase::waiting_version:
+      return Session::establishing;
+    case radio::Phase::up:
+    case radio::Phase::lost:
+      return Session::open;
+    case radio::Phase::terminating:
+      return Session::terminating;
+    case radio::Phase::idle:
+      break;
+  }
+  return Session::none;
 }
 
 std::span<const procedures::mode_profile::Area> areas_of(const State& s,
