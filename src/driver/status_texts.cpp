@@ -30,12 +30,13 @@ bool over(const StatusTexts::Row& state, const StatusRow& row, bool reason, cons
 }
 
 void run(StatusTexts::Row& state, const StatusRow& row, const StatusFacts& facts) {
-  // 15.1.1.2, 15.1.1.6: a mode that does not show it ends it; one that does not revoke the reason starts it anew.
+  // 15.1.1.2: a mode that does not show it ends it; while its reason holds, the next mode that shows it starts it anew.
   if (!allowed(row.output, facts.mode)) {
     state.on = false;
     return;
   }
   const bool reason = holds(row, facts);
+  if (!(facts.revoked & row.brakes).empty() && row.end != TextEnd::s30_and_its_reason) state.on = false;
   if (reason && (!state.on || row.end != TextEnd::s30_and_its_reason)) state.until = facts.now + kShownFor;
   state.on = reason || (state.on && !over(state, row, reason, facts));
 }

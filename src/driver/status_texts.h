@@ -21,13 +21,16 @@ struct StatusFacts {
   Duration now{};
   Mode mode = Mode::NP;
   Set<Cause> brakes;                   ///< that command a brake
+  Set<Cause> revoked;                  ///< by the entry of a mode in this cycle (4.12)
   Set<Inform> inform;                  ///< what happened in this cycle
   Set<Suitability> unsuitable;         ///< in what the route ahead does not suit the train (3.12.2.3)
   bool described_under_train = true;   ///< SSP and gradient are known for the whole length of the train (4.4.9.1.4)
   bool main_window_selection = false;  ///< a button of the main window was selected
 };
 
-/// How a text ends, beside a mode in which 4.7.2 does not show it.
+/// How a text ends, beside a mode in which 4.7.2 does not show it (15.1.1.2) and one whose entry revokes the brake
+/// command of the text (15.1.1.6). Table 68 has its own rule for "Communication error", s30_and_its_reason: after a
+/// revocation too it is shown for 30 s.
 enum class TextEnd : std::uint8_t {
   with_its_reason,       ///< it is shown as long as its reason holds
   s30_after_its_reason,  ///< 30 s after its reason held last

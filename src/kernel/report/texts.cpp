@@ -1,5 +1,6 @@
 #include "kernel/report/texts.h"
 
+#include "brakes/brakes.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
 #include "kernel/train_category.h"
@@ -25,16 +26,26 @@ void show_trackside_texts(const State& s, const track::TextDisplay& display, Out
     }
 }
 
-driver::StatusFacts facts_of(const State& s, const track::Here& here, Set<Inform> inform, bool main_window_selection,
+/// The causes whose brake commands the mode entry of this cycle revokes (4.12).
+Set<Cause> revoked_causes(Mode to, Mode from) {
+  Set<Cause> revoked;
+  for (const brakes::CauseRow& row : brakes::srs_3_14_1)
+    revoked.add(row.cause, brakes::revoked_on_mode_entry(row.cause, to, from));
+  return revoked;
+}
+
+driver::StatusFacts facts_of(const State& s, const Decided& decided, Set<Inform> inform, bool main_window_selection,
                              const Outputs& out) {
   driver::StatusFacts f;
   f.now = s.now;
   f.mode = s.mode;
   f.brakes = out.brake_reasons;
+  if (decided.mode_changed) f.revoked = revoked_causes(s.mode, s.previous_mode);
   f.inform = inform;
   f.main_window_selection = main_window_selection;
   if (!s.track.suitability.empty()) f.unsuitable = track::unsuitability(s.track, interfaces_of(s.train));
-  if (s.mode == Mode::FS || s.mode == Mode::OS) f.described_under_train = track::described_under_train(s.track, here);
+  if (s.mode == Mode::FS || s.mode == Mode::OS)
+    f.described_under_train = track::described_under_train(s.track, decided.here);
   return f;
 }
 
@@ -63,7 +74,7 @@ bool selects_in_main_window(const Received& received) {
 void show_texts(State& s, bool desk_open, const Received& received, const Decided& decided, Set<Inform> inform,
                 Outputs& out) {
   show_trackside_texts(s, decided.texts, out);
-  show_status_texts(s, facts_of(s, decided.here, inform, selects_in_main_window(received), out), desk_open, out);
+  show_status_texts(s, facts_of(s, decided, inform, selects_in_main_window(received), out), desk_open, out);
 }
 
 void show_enabled(const State& s, const Inputs& in, const track::Here& here, Outputs& out) {
