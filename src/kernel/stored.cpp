@@ -127,6 +127,11 @@ void keep_for_closed_desk(State& state) {
   apply_all(state, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
 }
 
+void delete_with_session(State& s) {
+  s.buffer.erase_if([](const BufferedSet& set) { return set.medium == Medium::rbc; });
+  s.track.revocable_tsr_inhibited = false;
+}
+
 void limit_SR_distance(State& state, const track::Here& here) {
   if (state.national_values.D_NVSTFF) state.staff_responsible.end = here.est_front + *state.national_values.D_NVSTFF;
 }

@@ -50,6 +50,8 @@ struct Session {
 
   /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
   bool established() const { return phase == Phase::up || phase == Phase::lost; }
+  /// From then until its termination has ended (3.5.5).
+  bool ongoing() const { return established() || phase == Phase::terminating; }
 };
 
 struct Outbox;

@@ -69,7 +69,9 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   receive_driver(r);
   if (can_go_on) receive_balises(r);  // their places may be no numbers
   receive_loops(r);
+  const bool session = s.radio.session.ongoing();
   receive_radio(r);
+  if (session && !s.radio.session.ongoing()) delete_with_session(s);
   out.here = here(s);
   advance_track(r);
   run_level_transition(r);

@@ -131,6 +131,7 @@ std::uint8_t request_reasons(const State& s, const Received& received, const Dec
 RadioResult run_radio(State& s, RadioLink link, const Received& received, const Decided& decided,
                       bool request_before_perturbation, radio::Outbox& outbox, Log log) {
   RadioResult out;
+  const bool session = s.radio.session.ongoing();
   out.effects = decided.effects;
   const track::Here& here = decided.here;
   send_wishes(s, decided, outbox);
@@ -155,6 +156,7 @@ RadioResult run_radio(State& s, RadioLink link, const Received& received, const 
   in.NID_LTRBG = received.NID_LTRBG;
   const radio::Result r = radio::supervise(s.radio, in, outbox);
   s.contact_trip = r.trip;
+  if (session && !s.radio.session.ongoing()) delete_with_session(s);
   if (r.session_established) log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
   if (r.session_lost) log.note({.what = What::session_lost, .clause = "3.5.4"_srs});
   out.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
