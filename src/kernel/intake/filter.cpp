@@ -203,11 +203,13 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
 
 Verdict judge_packet(Evaluation& e, std::size_t i) {
   const lang::PacketView& view = e.information.packets[i];
+  const PacketRoute& route = route_of(view);
   Acceptance worst{Verdict::accepted, {}};
-  for (const evc::Information row : rows_of(route_of(view), view)) {
+  for (const evc::Information row : rows_of(route, view)) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }
+  if (!e.information.located && has_place(route, view)) worst = {Verdict::rejected, "3.6.2.2.2"_srs};
   tell_packet(e, view.NID_PACKET, worst);
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
   return worst.verdict;

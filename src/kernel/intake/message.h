@@ -13,8 +13,9 @@ namespace evc::kernel {
 /// A message whose bits are correct, with the reference of its distances.
 struct Information {
   Medium medium = Medium::balise;
-  GroupId group;                               // the group passed, or the LRBG of the radio message
-  Place reference{};                           // of it, D_REF included
+  GroupId group;        // the group passed, or the LRBG of the radio message
+  Place reference{};    // of it, D_REF included
+  bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
   Duration time{};  // time stamp, or passage of the group's first balise

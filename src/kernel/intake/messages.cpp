@@ -169,6 +169,20 @@ constexpr const MessageRoute* route_of(std::uint8_t NID_MESSAGE) {
 
 }  // namespace
 
+bool has_place(std::uint8_t NID_MESSAGE) {
+  switch (NID_MESSAGE) {
+    case message::movement_authority:
+    case message::movement_authority_shifted:
+    case message::infill_movement_authority:
+    case message::request_to_shorten_ma:
+    case message::conditional_emergency_stop:
+    case message::track_ahead_free_request:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::optional<evc::Information> row_of_message(std::uint8_t NID_MESSAGE) {
   const MessageRoute* const route = route_of(NID_MESSAGE);
   return route != nullptr ? std::optional(route->row) : std::nullopt;

@@ -3,11 +3,14 @@
 #include "lang/decode.h"
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_41.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_57.h"
 #include "lang/packets/packet_58.h"
 #include "lang/packets/packet_6.h"
 #include "lang/packets/packet_68.h"
+#include "lang/packets/packet_72.h"
+#include "lang/packets/packet_76.h"
 #include "lang/si.h"
 #include "radio/from_packets.h"
 #include "terms/track_condition.h"
@@ -99,67 +102,89 @@ evc::Information row_of_lssma(const lang::PacketView& view) {
   return on ? evc::Information::lssma_toggle_on : evc::Information::lssma_toggle_off;
 }
 
+// --- Whether the contents have a place, which needs the reference of the message
+
+bool always(const lang::PacketView&) { return true; }
+bool from_a_place(const lang::PacketView& view) {
+  lang::Packet3 p;
+  return lang::decode(view, p) != lang::Fault::none || lang::metres(p.Q_SCALE, p.D_VALIDNV).has_value();
+}
+bool at_a_border(const lang::PacketView& view) {
+  lang::Packet41 p;
+  return lang::decode(view, p) != lang::Fault::none || lang::metres(p.Q_SCALE, p.D_LEVELTR).has_value();
+}
+bool reports_at_places(const lang::PacketView& view) {
+  lang::Packet58 p;
+  return lang::decode(view, p) != lang::Fault::none || !p.locations.empty();
+}
+template <class Text>
+bool shown_at_a_place(const lang::PacketView& view) {
+  Text p;
+  return lang::decode(view, p) != lang::Fault::none || lang::metres(p.Q_SCALE, p.D_TEXTDISPLAY).has_value() ||
+         lang::metres(p.Q_SCALE, p.L_TEXTDISPLAY).has_value();
+}
+
 // clang-format off
 /// The route of each packet from trackside (7.4.2) through the kernel.
 constexpr auto kPacketRoutes = [] {
   using enum evc::Information;
   return std::to_array<PacketRoute>({
-    // packet                                         turn                  rows of 4.8.3 and 4.8.4                  taken by
-    {packet::virtual_balise_cover_marker,             Turn::before,         {},                                      nullptr},
-    {packet::system_version_order,                    Turn::rest,           {system_version_order},                  nullptr},
-    {packet::national_values,                         Turn::rest,           {national_values},                       take_national_values},
-    {packet::linking,                                 Turn::linking,        {linking},                               nullptr},
-    {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             take_cover},
-    {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  nullptr},
-    {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      nullptr},
-    {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    nullptr},
-    {packet::repositioning_information,               Turn::rest,           {repositioning},                         store_with_track},
-    {packet::gradient_profile,                        Turn::rest,           {gradient},                              store_with_track},
-    {packet::static_speed_profile,                    Turn::rest,           {ssp},                                   store_with_track},
-    {packet::traction_system_change,                  Turn::rest,           {track_conditions_general},              store_with_track},
-    {packet::permitted_current_change,                Turn::rest,           {track_conditions_general},              store_with_track},
-    {packet::level_transition_order,                  Turn::level_order,    {level_transition_order},                nullptr},
-    {packet::session_management,                      Turn::rest,           {session_management},                    take_session_order},
-    {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr},
-    {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr},
-    {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr},
-    {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr},
-    {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   store_with_track},
-    {packet::permitted_braking_distance,              Turn::rest,           {permitted_braking_distance},            store_with_track},
-    {packet::ma_request_parameters,                   Turn::rest,           {ma_request_params},                     take_ma_request_parameters},
-    {packet::position_report_parameters,              Turn::rest,           {position_report_params},                take_report_parameters},
-    {packet::balise_groups_in_sr_authority,           Turn::with_authority, {},                                      nullptr},
-    {packet::inhibition_of_revocable_tsr,             Turn::rest,           {inhibit_revocable_tsr},                 store_with_track},
-    {packet::temporary_speed_restriction,             Turn::rest,           {tsr},                                   store_with_track},
-    {packet::tsr_revocation,                          Turn::rest,           {tsr_revocation},                        store_with_track},
-    {packet::big_metal_masses,                        Turn::rest,           {track_condition_bmm},                   store_with_track},
-    {packet::track_condition,                         Turn::rest,           row_of_track_condition,                  store_with_track},
-    {packet::station_platforms,                       Turn::rest,           {track_conditions_general},              store_with_track},
-    {packet::route_suitability,                       Turn::rest,           {route_suitability},                     store_with_track},
-    {packet::adhesion_factor,                         Turn::rest,           {adhesion},                              store_with_track},
-    {packet::plain_text,                              Turn::rest,           {plain_text},                            store_with_track},
-    {packet::fixed_text,                              Turn::rest,           {fixed_text},                            store_with_track},
-    {packet::geographical_position,                   Turn::rest,           {geo_position},                          store_with_track},
-    {packet::mode_profile,                            Turn::with_authority, {},                                      nullptr},
-    {packet::level_crossing,                          Turn::rest,           {level_crossing},                        store_with_track},
-    {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         store_with_track},
-    {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  store_with_track},
-    {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         store_with_track},
-    {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     nullptr},
-    {packet::eolm,                                    Turn::rest,           {eolm},                                  nullptr},
-    {packet::stop_shunting_on_desk_opening,           Turn::rest,           {stop_sh_on_desk_opening},               store_with_track},
-    {packet::infill_location_reference,               Turn::before,         {infill_location_reference},             nullptr},
-    {packet::stop_if_in_sr,                           Turn::rest,           {stop_if_in_sr},                         store_with_track},
-    {packet::reversing_area,                          Turn::rest,           {reversing_area},                        store_with_track},
-    {packet::reversing_supervision,                   Turn::rest,           {reversing_supervision},                 store_with_track},
-    {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr},
-    {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  store_with_track},
-    {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr},
-    {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr},
-    {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr},
-    {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     store_with_track},
-    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr},
-    {packet::end_of_information,                      Turn::before,         {},                                      nullptr},
+    // packet                                         turn                  rows of 4.8.3 and 4.8.4                  place                   taken by
+    {packet::virtual_balise_cover_marker,             Turn::before,         {},                                      nullptr,                nullptr},
+    {packet::system_version_order,                    Turn::rest,           {system_version_order},                  nullptr,                nullptr},
+    {packet::national_values,                         Turn::rest,           {national_values},                       from_a_place,           take_national_values},
+    {packet::linking,                                 Turn::linking,        {linking},                               always,                 nullptr},
+    {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             nullptr,                take_cover},
+    {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  always,                 nullptr},
+    {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      always,                 nullptr},
+    {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    always,                 nullptr},
+    {packet::repositioning_information,               Turn::rest,           {repositioning},                         always,                 store_with_track},
+    {packet::gradient_profile,                        Turn::rest,           {gradient},                              always,                 store_with_track},
+    {packet::static_speed_profile,                    Turn::rest,           {ssp},                                   always,                 store_with_track},
+    {packet::traction_system_change,                  Turn::rest,           {track_conditions_general},              always,                 store_with_track},
+    {packet::permitted_current_change,                Turn::rest,           {track_conditions_general},              always,                 store_with_track},
+    {packet::level_transition_order,                  Turn::level_order,    {level_transition_order},                at_a_border,            nullptr},
+    {packet::session_management,                      Turn::rest,           {session_management},                    nullptr,                take_session_order},
+    {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr,                nullptr},
+    {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr,                nullptr},
+    {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr,                nullptr},
+    {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr,                nullptr},
+    {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   always,                 store_with_track},
+    {packet::permitted_braking_distance,              Turn::rest,           {permitted_braking_distance},            always,                 store_with_track},
+    {packet::ma_request_parameters,                   Turn::rest,           {ma_request_params},                     nullptr,                take_ma_request_parameters},
+    {packet::position_report_parameters,              Turn::rest,           {position_report_params},                reports_at_places,      take_report_parameters},
+    {packet::balise_groups_in_sr_authority,           Turn::with_authority, {},                                      nullptr,                nullptr},
+    {packet::inhibition_of_revocable_tsr,             Turn::rest,           {inhibit_revocable_tsr},                 nullptr,                store_with_track},
+    {packet::temporary_speed_restriction,             Turn::rest,           {tsr},                                   always,                 store_with_track},
+    {packet::tsr_revocation,                          Turn::rest,           {tsr_revocation},                        nullptr,                store_with_track},
+    {packet::big_metal_masses,                        Turn::rest,           {track_condition_bmm},                   always,                 store_with_track},
+    {packet::track_condition,                         Turn::rest,           row_of_track_condition,                  always,                 store_with_track},
+    {packet::station_platforms,                       Turn::rest,           {track_conditions_general},              always,                 store_with_track},
+    {packet::route_suitability,                       Turn::rest,           {route_suitability},                     always,                 store_with_track},
+    {packet::adhesion_factor,                         Turn::rest,           {adhesion},                              always,                 store_with_track},
+    {packet::plain_text,                              Turn::rest,           {plain_text},                            shown_at_a_place<lang::Packet72>, store_with_track},
+    {packet::fixed_text,                              Turn::rest,           {fixed_text},                            shown_at_a_place<lang::Packet76>, store_with_track},
+    {packet::geographical_position,                   Turn::rest,           {geo_position},                          always,                 store_with_track},
+    {packet::mode_profile,                            Turn::with_authority, {},                                      nullptr,                nullptr},
+    {packet::level_crossing,                          Turn::rest,           {level_crossing},                        always,                 store_with_track},
+    {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         always,                 store_with_track},
+    {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  always,                 store_with_track},
+    {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         nullptr,                store_with_track},
+    {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     always,                 nullptr},
+    {packet::eolm,                                    Turn::rest,           {eolm},                                  always,                 nullptr},
+    {packet::stop_shunting_on_desk_opening,           Turn::rest,           {stop_sh_on_desk_opening},               nullptr,                store_with_track},
+    {packet::infill_location_reference,               Turn::before,         {infill_location_reference},             nullptr,                nullptr},
+    {packet::stop_if_in_sr,                           Turn::rest,           {stop_if_in_sr},                         nullptr,                store_with_track},
+    {packet::reversing_area,                          Turn::rest,           {reversing_area},                        always,                 store_with_track},
+    {packet::reversing_supervision,                   Turn::rest,           {reversing_supervision},                 always,                 store_with_track},
+    {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr,                nullptr},
+    {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  nullptr,                store_with_track},
+    {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr,                nullptr},
+    {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr,                nullptr},
+    {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                nullptr},
+    {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     nullptr,                store_with_track},
+    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                nullptr},
+    {packet::end_of_information,                      Turn::before,         {},                                      nullptr,                nullptr},
   });
 }();
 // clang-format on
@@ -187,7 +212,7 @@ constexpr auto kPlaceOfRoute = [] {
 }  // namespace
 
 const PacketRoute& route_of(const lang::PacketView& view) {
-  static constexpr PacketRoute kNone{packet::end_of_information, Turn::rest, {}, nullptr};
+  static constexpr PacketRoute kNone{packet::end_of_information, Turn::rest, {}, nullptr, nullptr};
   const std::uint8_t i = kPlaceOfRoute[view.NID_PACKET & 0xFFu];
   return i < kPacketRoutes.size() ? kPacketRoutes[i] : kNone;
 }

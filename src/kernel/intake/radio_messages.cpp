@@ -2,6 +2,7 @@
 
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
+#include "kernel/intake/routes.h"
 #include "lang/decode.h"
 #include "lang/instances.h"
 #include "lang/messages.h"
@@ -10,21 +11,20 @@
 namespace evc::kernel {
 namespace {
 
-/// Reference and orientation of a radio message: its NID_LRBG, if it is remembered (3.6.2.2.2 c).
-bool refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
+/// Reference and orientation of a radio message: its NID_LRBG, if it is remembered (3.6.2.2.2 c). With an LRBG that is
+/// unknown (3.6.2.2.2.3) or not remembered only information without a place can be used, such as an unconditional
+/// emergency stop.
+void refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
+  information.located = false;
+  information.reference = position::front(state.position).est;
   const auto id = lang::group(view.NID_LRBG);
-  if (!id) {
-    // LRBG unknown (3.6.2.2.2.3): only information without a place can be used; distances are from the front end.
-    information.reference = position::front(state.position).est;
-    information.orientation = Direction::unknown;
-    return true;
-  }
+  if (!id) return;
   information.group = {id->NID_C, id->NID_BG};
   const position::Reference* reference = position::find(state.position, information.group);
-  if (reference == nullptr) return false;
+  if (reference == nullptr) return;
+  information.located = true;
   information.reference = reference->place;
   information.orientation = reference->orientation;
-  return true;
 }
 
 /// The reference of message 33 is D_REF away from the LRBG (3.6.3.2.5).
@@ -47,7 +47,8 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.time = s.now;
   // 3.8.4.2.1: timers count from the time stamp of the message.
   if (lang::seconds(view.T_TRAIN)) information.time = radio::time_of(view.T_TRAIN.raw, s.now);
-  if (!refer(information, s, view)) {
+  refer(information, s, view);
+  if (!information.located && has_place(view.NID_MESSAGE)) {
     r.log.note({.what = What::message_refused, .id = view.NID_MESSAGE, .clause = "3.6.2.2.2"_srs});
     return;
   }

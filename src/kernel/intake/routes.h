@@ -39,10 +39,14 @@ struct Rows {
   constexpr Rows(OfContents f) : count(1), of_contents(f) {}
 };
 
+/// Whether a packet has places: distances from the reference of its message.
+using HasPlace = bool (*)(const lang::PacketView&);
+
 struct PacketRoute {
   packet::ToTrain number;
   Turn turn;
   Rows rows;
+  HasPlace place = nullptr;  ///< none: it never has
   /// Of turn `rest` alone: the other turns are steps of their own (filter.cpp, authority.cpp, messages.cpp). None where
   /// this unit does not use its contents (CAVEATS).
   TakePacket take = nullptr;
@@ -56,6 +60,13 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// MA, SR or SH authorisation they are sent with; 0, 145 and 255 are evaluated before the tables (4.8.2.2); or the
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
+
+inline bool has_place(const PacketRoute& route, const lang::PacketView& view) {
+  return route.place != nullptr && route.place(view);
+}
+/// Whether radio message NID_MESSAGE has a place itself, without its packets, or is an authority: without a reference
+/// it has no use.
+bool has_place(std::uint8_t NID_MESSAGE);
 
 /// The row of radio message NID_MESSAGE itself, without its packets; none for messages that are their packets (3, 24,
 /// 33, 37) and unknown ones.

@@ -5,13 +5,20 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "kernel/intake/routes.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_180.h"
+#include "lang/packets/packet_3.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_57.h"
+#include "lang/packets/packet_58.h"
+#include "lang/packets/packet_65.h"
 #include "lang/packets/packet_68.h"
+#include "lang/packets/packet_76.h"
 
 // The routes of packets and messages compared with the reference data.
 namespace evc::kernel {
@@ -25,9 +32,9 @@ InformationRows rows_of_number(int NID_PACKET) {
   return rows_of(route_of(view), view);
 }
 
+/// The packet as it is received; `bytes` holds its bits.
 template <class P>
-InformationRows rows_of_contents(P packet) {
-  std::array<std::uint8_t, 64> bytes{};
+lang::PacketView view_of(const P& packet, std::span<std::uint8_t> bytes) {
   BitWriter out(bytes);
   lang::encode(out, packet);
   lang::PacketView view;
@@ -35,7 +42,21 @@ InformationRows rows_of_contents(P packet) {
   view.L_PACKET = static_cast<std::uint16_t>(out.position());
   view.sv = {2, 1};
   view.bytes = bytes;
+  return view;
+}
+
+template <class P>
+InformationRows rows_of_contents(const P& packet) {
+  std::array<std::uint8_t, 64> bytes{};
+  const lang::PacketView view = view_of(packet, bytes);
   return rows_of(route_of(view), view);
+}
+
+template <class P>
+bool placed(const P& packet) {
+  std::array<std::uint8_t, 256> bytes{};
+  const lang::PacketView view = view_of(packet, bytes);
+  return has_place(route_of(view), view);
 }
 
 InformationRows rows_of_condition(std::uint8_t M_TRACKCOND) {
@@ -118,6 +139,38 @@ TEST(Routes,
 TEST(Routes, LssmaIsSwitchedOnAndOff) {  // 7.4.2.38
   EXPECT_EQ(names(rows_of_lssma(0)), std::set<std::string>{"lssma_toggle_off"});
   EXPECT_EQ(names(rows_of_lssma(1)), std::set<std::string>{"lssma_toggle_on"});
+}
+
+TEST(Routes, SomePacketsHaveAPlaceByTheirContents) {
+  constexpr std::uint32_t kNow = 32767;  // D_VALIDNV, D_LEVELTR, D_TEXTDISPLAY; L_TEXTDISPLAY: not limited
+  lang::Packet3 values;
+  EXPECT_TRUE(placed(values));
+  values.D_VALIDNV.raw = kNow;
+  EXPECT_FALSE(placed(values));
+  lang::Packet41 order;
+  EXPECT_TRUE(placed(order));
+  order.D_LEVELTR.raw = kNow;
+  EXPECT_FALSE(placed(order));
+  lang::Packet58 reports;
+  EXPECT_FALSE(placed(reports));
+  ASSERT_TRUE(reports.locations.push_back({}));
+  EXPECT_TRUE(placed(reports));
+  lang::Packet76 text;
+  text.D_TEXTDISPLAY.raw = kNow;
+  EXPECT_TRUE(placed(text));
+  text.L_TEXTDISPLAY.raw = kNow;
+  EXPECT_FALSE(placed(text));
+  text.D_TEXTDISPLAY.raw = 0;
+  EXPECT_TRUE(placed(text));
+  EXPECT_TRUE(placed(lang::Packet65{}));
+  EXPECT_FALSE(placed(lang::Packet57{}));
+}
+
+TEST(Routes, MessagesThatAreNothingWithoutAPlace) {
+  for (int NID_MESSAGE = 0; NID_MESSAGE < 128; ++NID_MESSAGE) {
+    const bool place = std::set<int>{3, 9, 15, 33, 34, 37}.count(NID_MESSAGE) != 0;
+    EXPECT_EQ(has_place(static_cast<std::uint8_t>(NID_MESSAGE)), place) << NID_MESSAGE;
+  }
 }
 
 }  // namespace
