@@ -72,13 +72,16 @@ void evaluate_level_orders(Evaluation& e) {
     const auto order = order_of(view);
     if (!order) continue;
     e.context.order = order->kind;
-    if (!accepted(e, i)) continue;
+    const Verdict verdict = judge_packet(e, i);
+    if (verdict != Verdict::accepted && verdict != Verdict::order_stored) continue;
     const modes::OrderDecision decision = give_order(e.r, *order);
     if (decision.effect == modes::OrderEffect::announce) e.level_order = i;
     const std::optional<modes::OrderedLevel> to = ordered_level(e.r);
     e.context.announced = to ? std::optional(to->level) : std::nullopt;
-    e.context.immediate_order_to_1_2_3 =
-        decision.effect == modes::OrderEffect::execute && level_1_2_3(decision.to.level);
+    // In SH the order that comes with "danger for shunting" is kept (4.4.8.1.5); what counts is that it came.
+    e.context.immediate_order_to_1_2_3 = (decision.effect == modes::OrderEffect::execute ||
+                                          decision.effect == modes::OrderEffect::keep_until_mode_left) &&
+                                         level_1_2_3(decision.to.level);
   }
 }
 
