@@ -42,6 +42,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::packet_buffered, "packet", Takes::id, "buffered"},
     {What::packet_refused, "packet", Takes::id, "refused"},
     {What::packet_refused_no_room, "packet", Takes::id, "refused [capacity]"},
+    {What::buffer_full, "transition buffer", Takes::nothing, "full: the oldest set is deleted"},
     {What::packet_kept, "packet", Takes::id, "kept"},
     {What::packet_contact_stored, "packet", Takes::id, "contact stored"},
     {What::packet_no_room, "packet", Takes::id, "no room"},

@@ -42,6 +42,7 @@ enum class What : std::uint8_t {
   packet_buffered,
   packet_refused,
   packet_refused_no_room,
+  buffer_full,            ///< the newest set in place of the oldest of three (4.8.5.3)
   packet_kept,            ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
   packet_contact_stored,  ///< the rest of the packet is not used (4.8.4 [3], [8])
   packet_no_room,

@@ -6,8 +6,11 @@
 namespace evc::kernel {
 namespace {
 
-void make_room(State& state) {
-  if (state.buffer.full()) state.buffer.erase(0);
+/// 4.8.5.3: the newest set takes the place of the oldest.
+void make_room(State& state, const Log& log) {
+  if (!state.buffer.full()) return;
+  state.buffer.erase(0);
+  log.note({.what = What::buffer_full, .clause = "4.8.5.3"_srs});
 }
 
 Information information_of(const BufferedSet& set) {
@@ -54,8 +57,9 @@ Waiting evaluate_group(Reception& r, const BufferedSet& set) {
 
 }  // namespace
 
-BufferedSet& keep(State& state, const Information& information, const Waiting& waiting) {
-  make_room(state);
+BufferedSet& keep(Reception& r, const Information& information, const Waiting& waiting) {
+  State& state = r.state;
+  make_room(state, r.log);
   BufferedSet& set = *state.buffer.grow();  // there is room now
   set.medium = information.medium;
   set.group = information.group;
@@ -89,7 +93,7 @@ void release_buffer(Reception& r) {
   for (const BufferedSet& set : sets) {
     const Waiting waiting = set.medium == Medium::rbc ? evaluate_message(r, set) : evaluate_group(r, set);
     if (!waiting.any()) continue;
-    make_room(s);
+    make_room(s, r.log);
     (void)s.buffer.push_back(set);  // there is room now
     s.buffer.back().waiting = waiting.packets;
     s.buffer.back().message_waits = waiting.message;

@@ -154,7 +154,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   drop_superseded(information);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
-  BufferedSet& set = keep(s, information, waiting);
+  BufferedSet& set = keep(r, information, waiting);
   for (const balise::Telegram& t : group.telegrams)
     if (t.used) add_telegram(set, t.span(), t.bits);
 }

@@ -57,7 +57,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   drop_superseded(information);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
-  add_bits(keep(s, information, waiting), bytes);
+  add_bits(keep(r, information, waiting), bytes);
 }
 
 void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
