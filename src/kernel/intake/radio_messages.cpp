@@ -60,6 +60,20 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   add_bits(keep(r, information, waiting), bytes);
 }
 
+/// Message 37 is sent by a radio infill unit (8.7.15), and the unit has sessions with RBCs only: it is judged by its
+/// row of 4.8.3, and where that accepts it (level 1) no session with its sender is there (3.9.3.4). It says nothing
+/// about the contact with the RBC and is not acknowledged.
+void refuse_radio_infill(Reception& r) {
+  modes::AcceptanceContext context;
+  context.level = r.state.level.level;
+  context.medium = Medium::riu;
+  context.srs = r.state.srs;
+  const modes::Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, context);
+  r.log.note({.what = What::message_refused,
+              .id = message::infill_movement_authority,
+              .clause = a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause});
+}
+
 void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
   State& s = r.state;
   const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s.radio.session.M_VERSION));
@@ -72,6 +86,7 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
     return;
   }
+  if (view.NID_MESSAGE == message::infill_movement_authority) return refuse_radio_infill(r);
   radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
   // 40 and 41 of an RBC of version 1 may contain any LRBG (6.6.3.3.2).
   if (view.sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
