@@ -139,6 +139,9 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_SR_DISTANCE = 6 /* the same */
 } openevc_entry;
 
+/* Entry windows that are open: bit 1u << openevc_window. The train may not move (3.18.3.3.1, 4.4.11.1.5.1). */
+typedef enum openevc_window { OPENEVC_WINDOW_TRAIN_DATA = 0, OPENEVC_WINDOW_SR_DATA = 1 } openevc_window;
+
 typedef struct openevc_telegram {
   const uint8_t* bytes; /* user bits, left aligned */
   uint32_t bits;
@@ -191,6 +194,10 @@ typedef struct openevc_inputs {
   uint8_t reserved_2;
   double brake_pressure_kpa; /* of the main pipe; not a number: not measured */
   uint64_t national_systems; /* bit n: the national system NID_NTC n is available */
+  uint32_t open_windows;     /* bits of openevc_window: a state */
+  /* 0 or 1: alarm of the balise antenna (3.15.7), brakes ordered by the national system (3.14.1.7.7). */
+  uint8_t antenna_alarm, national_service_brake, national_emergency_brake;
+  uint8_t reserved_3;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;

@@ -255,6 +255,37 @@ class CUnit : public testing::Test {
   char why[256] = "";
 };
 
+TEST_F(CUnit, WindowsAlarmsAndBrakesOfTheNationalSystem) {
+  run(0, 80);
+  ASSERT_EQ(out->mode, OPENEVC_UN);
+  const auto brakes_for = [&](const char* name) {
+    for (int32_t cause = 0; openevc_cause_name(cause) != nullptr; ++cause)
+      if (((out->brake_causes >> cause) & 1u) != 0 && std::strcmp(openevc_cause_name(cause), name) == 0) return true;
+    return false;
+  };
+  openevc_inputs in = at(80);
+  in.national_service_brake = in.national_emergency_brake = 1;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_TRUE(brakes_for("national system"));
+  EXPECT_TRUE(out->sb != 0 && out->eb != 0);
+  in = at(81);
+  in.open_windows = 1u << OPENEVC_WINDOW_TRAIN_DATA;
+  in.nominal = in.min = in.max = 1.0;
+  in.V_est = in.V_min = in.V_max = 5.0;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_TRUE(brakes_for("movement while entering train data"));
+  in = at(82);
+  in.nominal = in.min = in.max = 302.0;
+  in.V_est = in.V_min = in.V_max = 5.0;
+  in.antenna_alarm = 1;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_FALSE(brakes_for("balise antenna"));
+  in.now = 8.3;
+  in.nominal = in.min = in.max = 603.0;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_TRUE(brakes_for("balise antenna"));
+}
+
 TEST_F(CUnit, StartOfMissionInLevel0) {
   run(0, 1);
   EXPECT_EQ(out->mode, OPENEVC_SB);

@@ -30,6 +30,7 @@ static_assert(int(evc::Level::L0) == OPENEVC_L0 && int(evc::Level::L3) == OPENEV
 static_assert(int(kernel::Select::count) == OPENEVC_MAIN + 1 && int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
 static_assert(int(evc::Ack::count) == OPENEVC_ACK_TRAIN_DATA + 1 && int(evc::Ack::trip) == OPENEVC_ACK_TRIP);
 static_assert(int(evc::Entry::count) == OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER + 1);
+static_assert(int(kernel::Window::count) == OPENEVC_WINDOW_SR_DATA + 1);
 static_assert(int(evc::RadioLink::refused) == OPENEVC_LINK_REFUSED);
 static_assert(int(evc::SessionPhase::terminating) == 5 && int(evc::MemoStatus::Trip) == 5 &&
               decltype(kernel::Outputs::sessions)::capacity() == OPENEVC_SESSIONS);
@@ -83,6 +84,7 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.magnetic_shoe_brake_active = in.magnetic_shoe_brake_active != 0;
   s.ep_brake_active = in.ep_brake_active != 0;
   s.additional_brake_active = in.additional_brake_active != 0;
+  s.antenna_alarm = in.antenna_alarm != 0;
   return nullptr;
 }
 
@@ -303,9 +305,11 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
       received.train = std::move(*train);
       cycle.driver.train_data = &received.train->data;
     }
+    cycle.windows = evc::Set<kernel::Window>::of_bits(in.open_windows);
     cycle.now = {in.now};
     cycle.odometry = {{{in.nominal}}, {{in.min}}, {{in.max}}, {in.V_est}, {in.V_min}, {in.V_max}, {in.A_est}};
-    cycle.national_system = {in.national_systems, in.national_trip != 0};
+    cycle.national_system = {in.national_systems, in.national_trip != 0, in.national_service_brake != 0,
+                             in.national_emergency_brake != 0};
     cycle.safety_fault = in.safety_fault != 0;
     kernel::step(unit->unit, cycle, unit->outputs);
     openevc_outputs out{};

@@ -155,20 +155,29 @@ std::uint32_t read_names(const JsonPlace& place, std::span<const char* const> na
   return bits;
 }
 
+/// An entry window that opens or closes.
+void read_window(Set<kernel::Window>& windows, const JsonPlace& place) {
+  place.know_only({"opened", "closed"});
+  const auto of = [](const JsonPlace& name) { return static_cast<kernel::Window>(name.one_of(texts::kWindowNames)); };
+  if (const auto p = place.find("closed")) windows.remove(of(*p));
+  if (const auto p = place.find("opened")) windows.add(of(*p));
+}
+
 void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
-  place.know_only({"select", "ack", "enter"});
+  place.know_only({"select", "ack", "enter", "window"});
   auto& driver = cycle.levels.driver;
   if (const auto p = place.find("select")) driver.selected |= read_names(*p, texts::kSelectNames);
   if (const auto p = place.find("ack"))
     driver.acknowledged |= read_names(*p, std::span<const char* const>(terms::kNames<kAckRows>));
   if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
+  if (const auto p = place.find("window")) read_window(cycle.levels.windows, *p);
 }
 
 void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
                    "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
                    "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
-                   "additional_brake_active"});
+                   "additional_brake_active", "antenna_alarm"});
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
@@ -185,6 +194,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.magnetic_shoe_brake_active, "magnetic_shoe_brake_active");
   flag(t.ep_brake_active, "ep_brake_active");
   flag(t.additional_brake_active, "additional_brake_active");
+  flag(t.antenna_alarm, "antenna_alarm");
   if (const auto p = place.find("direction_controller"))
     t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {
@@ -194,13 +204,15 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
 }
 
 void read_national_system(CycleInputs& cycle, const JsonPlace& place) {
-  place.know_only({"available", "trip_active"});
+  place.know_only({"available", "trip_active", "service_brake", "emergency_brake"});
   auto& national = cycle.levels.national_system;
   if (const auto p = place.find("available")) {
     national.available = 0;
     for (std::size_t i = 0; i < p->size(); ++i) national.available |= std::uint64_t{1} << (*p)[i].integer(0, 63);
   }
   if (const auto p = place.find("trip_active")) national.trip_active = p->boolean();
+  if (const auto p = place.find("service_brake")) national.service_brake = p->boolean();
+  if (const auto p = place.find("emergency_brake")) national.emergency_brake = p->boolean();
 }
 
 void read_fault(CycleInputs& cycle, const JsonPlace& place) {

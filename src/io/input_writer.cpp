@@ -51,6 +51,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
   flag("magnetic_shoe_brake_active", &S::magnetic_shoe_brake_active);
   flag("ep_brake_active", &S::ep_brake_active);
   flag("additional_brake_active", &S::additional_brake_active);
+  flag("antenna_alarm", &S::antenna_alarm);
   if (before.direction_controller != now.direction_controller) {
     fields += fields.empty() ? "" : ",";
     fields += "\"direction_controller\":\"";
@@ -70,7 +71,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
 }
 
 void append_national(std::string& out, kernel::NationalSystem& before, const kernel::NationalSystem& now) {
-  if (before.available == now.available && before.trip_active == now.trip_active) return;
+  if (before == now) return;
   before = now;
   out += ",\"national_system\":{\"available\":[";
   bool first = true;
@@ -80,7 +81,20 @@ void append_national(std::string& out, kernel::NationalSystem& before, const ker
     first = false;
     append_number(out, static_cast<std::int64_t>(n));
   }
-  out += now.trip_active ? "],\"trip_active\":true}" : "],\"trip_active\":false}";
+  out += now.trip_active ? "],\"trip_active\":true" : "],\"trip_active\":false";
+  out += now.service_brake ? ",\"service_brake\":true" : ",\"service_brake\":false";
+  out += now.emergency_brake ? ",\"emergency_brake\":true}" : ",\"emergency_brake\":false}";
+}
+
+/// The windows that opened or closed.
+void append_windows(std::string& out, std::int64_t t_ms, Set<kernel::Window>& before, Set<kernel::Window> now) {
+  for (std::size_t n = 0; n < texts::kWindowNames.size(); ++n) {
+    const auto window = static_cast<kernel::Window>(n);
+    if (before.has(window) == now.has(window)) continue;
+    out += opened(t_ms) + ",\"driver\":{\"window\":{\"" + (now.has(window) ? "opened" : "closed") + "\":\"" +
+           texts::kWindowNames[n] + "\"}}}\n";
+  }
+  before = now;
 }
 
 /// The digits of a packed number, without the padding.
@@ -179,6 +193,7 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
            terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + "\"}}\n";
   for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message);
   append_driver(out, cycle, train_document_);
+  append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
 }
 
 std::string configuration_document(const Configuration& c) {

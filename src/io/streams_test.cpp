@@ -143,6 +143,48 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
+TEST(InputStream, WindowsAndBrakesOfTheNationalSystemLastUntilChanged) {
+  auto stream = open(R"({"t_ms":0,"driver":{"window":{"opened":"train_data"}},"national_system":{"service_brake":true}}
+{"t_ms":100,"driver":{"window":{"opened":"sr_data"}},"national_system":{"emergency_brake":true}}
+{"t_ms":200,"driver":{"window":{"closed":"train_data"}},"national_system":{"service_brake":false}}
+{"t_ms":300,"driver":{"window":{"closed":"sr_data","opened":"train_data"}}}
+)");
+  using Windows = Set<kernel::Window>;
+  const Windows windows[] = {{kernel::Window::train_data},
+                             {kernel::Window::train_data, kernel::Window::SR_data},
+                             {kernel::Window::SR_data},
+                             {kernel::Window::train_data}};
+  const bool service[] = {true, true, false, false};
+  const bool emergency[] = {false, true, true, true};
+  sim::CycleInputs cycle;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_TRUE(*stream.next(cycle));
+    EXPECT_EQ(cycle.view().windows, windows[i]) << i;
+    EXPECT_EQ(cycle.view().national_system.service_brake, service[i]) << i;
+    EXPECT_EQ(cycle.view().national_system.emergency_brake, emergency[i]) << i;
+  }
+}
+
+TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
+  const auto error = [](const char* inputs) {
+    const std::string text = error_in(std::string("{\"t_ms\":0,") + inputs + "}");
+    const std::string place = "in.jsonl: line 1 ";
+    return text.starts_with(place) ? text.substr(place.size()) : text;
+  };
+  EXPECT_EQ(error(R"("driver":{"window":{"opened":"level"}})"),
+            "/driver/window/opened: found \"level\", expected one of train_data, sr_data");
+  EXPECT_EQ(error(R"("driver":{"window":{"closed":1}})"),
+            "/driver/window/closed: found 1, expected one of train_data, sr_data");
+  EXPECT_EQ(error(R"("driver":{"window":"train_data"})"), "/driver/window: found \"train_data\", expected an object");
+  EXPECT_EQ(error(R"("driver":{"window":{"open":"train_data"}})"),
+            "/driver/window/open: found an unknown key, expected one of opened, closed");
+  EXPECT_EQ(error(R"("train":{"antenna_alarm":1})"), "/train/antenna_alarm: found 1, expected true or false");
+  EXPECT_EQ(error(R"("national_system":{"service_brake":1})"),
+            "/national_system/service_brake: found 1, expected true or false");
+  EXPECT_EQ(error(R"("national_system":{"emergency_brake":null})"),
+            "/national_system/emergency_brake: found null, expected true or false");
+}
+
 /// Everything that a cycle can contain is written and read back unchanged.
 TEST(InputWriter, RoundTrip) {
   Configuration configuration;
@@ -154,6 +196,9 @@ TEST(InputWriter, RoundTrip) {
   first.levels.train.direction_controller = kernel::DirectionController::backward;
   first.levels.train.brake_pressure_kpa = 480.5;
   first.levels.national_system.available = 2;
+  first.levels.national_system.service_brake = first.levels.national_system.emergency_brake = true;
+  first.levels.train.antenna_alarm = true;
+  first.levels.windows = {kernel::Window::SR_data};
   first.levels.radio_link = RadioLink::connected;
   auto& d = first.levels.driver;
   d.selected = 5;
@@ -176,6 +221,8 @@ TEST(InputWriter, RoundTrip) {
   second.levels.train = first.levels.train;
   second.levels.odometry = {{{1.25}}, {{1.0}}, {{1.5}}, {2.0}, {1.9}, {2.1}, {-0.5}};
   second.levels.safety_fault = true;
+  second.levels.windows = {kernel::Window::train_data};
+  second.levels.national_system.service_brake = true;
   writer.append(text, second);
 
   auto stream = open(text);
@@ -195,7 +242,9 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(read.levels.radio_link, RadioLink::connected);
   EXPECT_EQ(read.levels.train.brake_pressure_kpa, 480.5);
   EXPECT_EQ(read.levels.train.direction_controller, kernel::DirectionController::backward);
-  EXPECT_EQ(read.levels.national_system.available, 2u);
+  EXPECT_EQ(read.levels.national_system, first.levels.national_system);
+  EXPECT_TRUE(read.levels.train.antenna_alarm);
+  EXPECT_EQ(read.levels.windows, first.levels.windows);
   ASSERT_EQ(read.balises.size(), 2u);
   EXPECT_EQ(read.balises[0].bits.size, 830u);
   EXPECT_EQ(read.balises[0].bits.bytes, first.balises[0].bits.bytes);

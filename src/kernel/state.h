@@ -22,6 +22,7 @@
 #include "procedures/shunting.h"
 #include "procedures/start_of_mission.h"
 #include "procedures/train_trip.h"
+#include "protection/antenna.h"
 #include "protection/authority.h"
 #include "protection/emergency_stops.h"
 #include "protection/movement.h"
@@ -141,6 +142,7 @@ struct State {
 
   protection::EmergencyStops emergency_stops;
   protection::MovementGuards guards;
+  protection::AntennaAlarm antenna_alarm;
   protection::TrackAheadFree track_ahead_free;
   brakes::State brakes;
   bool shorten_at_standstill = false;                   // after a linking or consistency reaction (A.3.4 g, h, l, m)

@@ -89,6 +89,7 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
     "start",      "override",      "shunting",        "exit_shunting", "non_leading",      "maintain_shunting",
     "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free", "main"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
+constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
 
 const char* name(train::Fault fault) { return kFaultNames[static_cast<std::size_t>(fault)]; }
 const char* name(driver::Output output) { return kOutputNames[static_cast<std::size_t>(output)]; }

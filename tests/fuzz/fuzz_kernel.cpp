@@ -98,12 +98,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if ((entry & 64) != 0) in.driver.rbc_contact = kernel::DriverActions::RbcContact{1, 1, 1};
         break;
       }
-      default:
-        in.radio_link = static_cast<RadioLink>(bytes.next() % 4u);
+      default: {
+        const std::uint8_t more = bytes.next();
+        in.radio_link = static_cast<RadioLink>(more % 4u);
+        in.windows = Set<kernel::Window>::of_bits((more >> 2) & 3u);
+        in.train.antenna_alarm = (more & 16) != 0;
+        in.national_system.service_brake = (more & 32) != 0;
+        in.national_system.emergency_brake = (what & 128) != 0;
         in.train.sleeping = (what & 8) != 0;
         in.train.non_leading = (what & 16) != 0;
         in.train.desk_open = (what & 32) == 0;
         break;
+      }
     }
     auto twin = std::make_unique<kernel::State>(*unit.state);
     kernel::step(*unit.state, *unit.derived, in, *unit.out);

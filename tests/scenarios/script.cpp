@@ -481,12 +481,18 @@ class Reader {
   }
 
   static void read_driver(Words& words, Action& a) {
-    switch (words.one_of({"selects", "acknowledges", "enters"})) {
+    switch (words.one_of({"selects", "acknowledges", "opens", "closes", "enters"})) {
       case 0:
         a = input("driver", {{"select", words.word("what is selected")}});
         break;
       case 1:
         a = input("driver", {{"ack", words.word("what is acknowledged")}});
+        break;
+      case 2:
+        a = input("driver", {{"window", {{"opened", words.word("an entry window")}}}});
+        break;
+      case 3:
+        a = input("driver", {{"window", {{"closed", words.word("an entry window")}}}});
         break;
       default: {
         Json entered = plain_json(words.object());

@@ -28,5 +28,6 @@ using port::Select;
 using port::ShownStatus;
 using port::ShownText;
 using port::TrainSignals;
+using port::Window;
 
 }  // namespace evc::kernel

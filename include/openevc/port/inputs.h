@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "openevc/base/set.h"
 #include "openevc/base/units.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/radio_link.h"
@@ -68,6 +69,13 @@ struct DriverActions {
   std::optional<Distance> D_sr;
 };
 
+/// The windows in which the driver enters data and the train may not move.
+enum class Window : std::uint8_t {
+  train_data,  ///< entry, change or revalidation of train data (3.18.3.3.1)
+  SR_data,     ///< entry of SR speed and distance (4.4.11.1.5.1)
+  count
+};
+
 enum class DirectionController : std::uint8_t { neutral, forward, backward };
 
 /// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
@@ -85,6 +93,7 @@ struct TrainSignals {
   bool regenerative_brake_active = true, eddy_current_brake_active = true, magnetic_shoe_brake_active = true,
        ep_brake_active = true;
   bool additional_brake_active = false;
+  bool antenna_alarm = false;  ///< the on-board reports a failure of the balise transmission (3.15.7)
 };
 
 /// The STM interface, as states: bit n of `available` is NID_NTC n (NID_NTC > 63 is not stored
@@ -92,6 +101,8 @@ struct TrainSignals {
 struct NationalSystem {
   std::uint64_t available = 0;
   bool trip_active = false;
+  bool service_brake = false, emergency_brake = false;  ///< ordered by the national system (3.14.1.7.7)
+  friend constexpr bool operator==(const NationalSystem&, const NationalSystem&) = default;
 };
 
 struct Inputs {
@@ -102,6 +113,7 @@ struct Inputs {
   std::span<const RadioMessage> radio_messages;
   RadioLink radio_link = RadioLink::unchanged;
   DriverActions driver;
+  Set<Window> windows;  ///< open now
   TrainSignals train;
   NationalSystem national_system;
   bool safety_fault = false;

@@ -77,11 +77,26 @@ bool enter_train_data(Reception& r, const train::TrainData& data) {
   return true;
 }
 
+/// 3.18.3.3.1, 4.4.11.1.5.1: movement while the driver enters, changes or revalidates data. An entry that arrives
+/// counts as one whose window is open.
+void watch_entries(Reception& r) {
+  if (r.out.here.standstill) return;
+  const State& s = r.state;
+  const DriverActions& driver = r.in.driver;
+  const bool train_data =
+      r.in.windows.has(Window::train_data) || driver.train_data != nullptr || driver.has(Ack::train_data);
+  const bool SR_data = r.in.windows.has(Window::SR_data) || driver.V_sr || driver.D_sr;
+  // After the start of mission: in SB any movement brakes (4.4.7.1.5).
+  r.out.asked.add(brakes::Cause::movement_while_entering_train_data,
+                  train_data && s.mode != Mode::SB && driver::allowed(driver::Input::train_data, s.mode));
+  r.out.asked.add(brakes::Cause::movement_while_entering_SR_data,
+                  SR_data && driver::allowed(driver::Input::sr_speed_distance, s.mode));
+}
+
 /// Entry of SR speed and distance (4.4.11.1.5): only in SR, the distance from the front end at the entry.
 void enter_SR_data(Reception& r) {
   State& s = r.state;
   if (!r.in.driver.V_sr && !r.in.driver.D_sr) return;
-  if (s.mode == Mode::SR && !r.out.here.standstill) r.out.asked.add(brakes::Cause::movement_while_entering_SR_data);
   if (!may_enter(r, driver::Input::sr_speed_distance, Entered::SR_speed_distance)) return;
   // A speed up to 600 km/h, a distance up to the greatest that packets give.
   const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
@@ -147,6 +162,7 @@ void receive_driver(Reception& r) {
     s.slippery_rail = false;
     ++s.revision;
   }
+  watch_entries(r);
   enter_SR_data(r);
 }
 

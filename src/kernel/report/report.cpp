@@ -11,6 +11,22 @@ namespace {
 
 RbcAddress address(const radio::Rbc& rbc) { return {rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO}; }
 
+/// Brakes ordered by the national system (3.14.1.7.7), in the modes in which the unit handles brake commands of others
+/// than the train's power and failure (4.12).
+void ask_for_national_system(Mode mode, const NationalSystem& national_system, brakes::CauseSet& asked) {
+  switch (mode) {
+    case Mode::NP:
+    case Mode::PS:
+    case Mode::SL:
+    case Mode::NL:
+    case Mode::IS:
+      return;
+    default:
+      asked.add(brakes::Cause::national_system_service, national_system.service_brake);
+      asked.add(brakes::Cause::national_system_emergency, national_system.emergency_brake);
+  }
+}
+
 /// Brake commands from all causes of this cycle (3.14.1). Returns whether a release waits for the driver.
 bool command_brakes(State& s, const Received& received, const Decided& decided, brakes::CauseSet asked, Outputs& out) {
   asked.add(brakes::Cause::trip, s.mode == Mode::TR);
@@ -149,6 +165,7 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   asked |= decided.asked;
   asked |= supervised.asked;
   asked |= radio.asked;
+  ask_for_national_system(s.mode, in.national_system, asked);
   radio.effects.requests.add(Ack::brake, command_brakes(s, received, decided, asked, out));
   show(s, in.train.desk_open, decided, radio.effects, out);
   remember(s, radio.effects);

@@ -90,6 +90,19 @@ void guard_movement(State& s, const TrainSignals& train, const track::Here& here
   out.asked.add(brakes::Cause::reversing_distance, c.reversing);
 }
 
+/// The alarm of the balise antenna (3.15.7).
+void guard_antenna(State& s, bool alarm, const track::Here& here, Supervised& out) {
+  protection::AntennaSituation now;
+  now.alarm = alarm;
+  now.mode = s.mode;
+  now.level = s.level.level;
+  now.srs = s.srs;
+  now.counter = s.position.now.counter;
+  now.min_safe_antenna = here.min_safe_antenna;
+  now.max_safe_antenna = here.max_safe_front - s.train.L_antenna_front;
+  out.asked.add(brakes::Cause::balise_antenna, protection::asks_for_brake(s.antenna_alarm, now, s.track));
+}
+
 }  // namespace
 
 Supervised supervise(State& state, Derived& derived, const TrainSignals& train, const track::Here& here,
@@ -98,6 +111,7 @@ Supervised supervise(State& state, Derived& derived, const TrainSignals& train, 
   refresh(state, derived, train, here, basis_renewed, log);
   supervise_speed(state, derived, train, here, out, log);
   guard_movement(state, train, here, brake_acknowledged, out);
+  guard_antenna(state, train.antenna_alarm, here, out);
   return out;
 }
 
