@@ -197,7 +197,10 @@ typedef struct openevc_inputs {
   uint32_t open_windows;     /* bits of openevc_window: a state */
   /* 0 or 1: alarm of the balise antenna (3.15.7), brakes ordered by the national system (3.14.1.7.7). */
   uint8_t antenna_alarm, national_service_brake, national_emergency_brake;
-  uint8_t reserved_3;
+  uint8_t external_data_trusted; /* 1: the driver does not validate external_train_data (5.17.2.2 D0) */
+  /* Train data changed by another source than the driver, for one cycle: docs/train.md; null: none. */
+  const char* external_train_data;
+  size_t external_train_data_length;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;

@@ -255,7 +255,7 @@ class CUnit : public testing::Test {
   char why[256] = "";
 };
 
-TEST_F(CUnit, WindowsAlarmsAndBrakesOfTheNationalSystem) {
+TEST_F(CUnit, WindowsAlarmsAndTrainDataOfAnotherSource) {
   run(0, 80);
   ASSERT_EQ(out->mode, OPENEVC_UN);
   const auto brakes_for = [&](const char* name) {
@@ -282,8 +282,18 @@ TEST_F(CUnit, WindowsAlarmsAndBrakesOfTheNationalSystem) {
   EXPECT_FALSE(brakes_for("balise antenna"));
   in.now = 8.3;
   in.nominal = in.min = in.max = 603.0;
+  in.external_train_data = kTrain;
+  in.external_train_data_length = 1;
+  EXPECT_EQ(step(in), OPENEVC_REFUSED);
+  EXPECT_NE(std::strstr(why, "inputs.external_train_data"), nullptr) << why;
+  in.external_train_data = R"({"schema":"etcs-train/1","length_m":250})";
+  in.external_train_data_length = std::strlen(in.external_train_data);
+  in.external_data_trusted = 1;
   ASSERT_EQ(step(in), OPENEVC_OK) << why;
   EXPECT_TRUE(brakes_for("balise antenna"));
+  EXPECT_FALSE(brakes_for("train data changed"));
+  EXPECT_TRUE(has_event("train data changed by an external source [5.17.2.2]")) << out->events[0].text;
+  EXPECT_TRUE(has_event("train data valid [3.18.3]"));
 }
 
 TEST_F(CUnit, StartOfMissionInLevel0) {

@@ -47,6 +47,7 @@ bool usable(const openevc_unit* unit) {
   return unit != nullptr && evc::capi::aligned(unit) && unit->tag == openevc_unit::kTag;
 }
 constexpr const char* kTrainData = "inputs.train_data";
+constexpr const char* kExternalTrainData = "inputs.external_train_data";
 constexpr const char* kNoUnit = "unit: null or not powered up";
 
 /// Inputs of a program with an older header are shorter: members it does not have keep their
@@ -63,8 +64,16 @@ struct Received {
   std::vector<kernel::BaliseTelegram> telegrams;
   std::vector<kernel::LoopMessage> loops;
   std::vector<kernel::RadioMessage> radio;
-  std::optional<evc::io::Train> train;
+  std::optional<evc::io::Train> train, external_train;
 };
+
+/// A block of docs/train.md, not checked.
+evc::io::Result<evc::io::Train> read_train_data(const char* text, std::size_t length, const char* name) {
+  return evc::io::guarded([&] {
+    const evc::io::Json document = evc::io::parse_json({text, length}, name);
+    return evc::io::read_entered_train(evc::io::JsonPlace(document, name));
+  });
+}
 
 const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.powered = in.powered != 0;
@@ -297,13 +306,16 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
          {take_received(cycle, received, in), take_signals(cycle.train, in), take_driver(cycle.driver, in)})
       if (refused != nullptr) return why.because(OPENEVC_BAD_ARGUMENT, refused);
     if (entered(in, OPENEVC_ENTRY_TRAIN_DATA)) {
-      auto train = evc::io::guarded([&] {
-        const evc::io::Json document = evc::io::parse_json({in.train_data, in.train_data_length}, kTrainData);
-        return evc::io::read_entered_train(evc::io::JsonPlace(document, kTrainData));
-      });
+      auto train = read_train_data(in.train_data, in.train_data_length, kTrainData);
       if (!train) return why.because(OPENEVC_REFUSED, train.error().text());
       received.train = std::move(*train);
       cycle.driver.train_data = &received.train->data;
+    }
+    if (in.external_train_data != nullptr) {
+      auto train = read_train_data(in.external_train_data, in.external_train_data_length, kExternalTrainData);
+      if (!train) return why.because(OPENEVC_REFUSED, train.error().text());
+      received.external_train = std::move(*train);
+      cycle.external_train_data = {&received.external_train->data, in.external_data_trusted == 0};
     }
     cycle.windows = evc::Set<kernel::Window>::of_bits(in.open_windows);
     cycle.now = {in.now};

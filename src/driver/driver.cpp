@@ -70,12 +70,11 @@ std::optional<Ack> acknowledged_by(Input input) {
     case Input::ack_fixed_text:
     case Input::ack_plain_text:
       return Ack::text;
-    case Input::ack_train_data_change:
-      return Ack::train_data;
     case Input::ack_roll_away:
     case Input::ack_reverse_movement:
     case Input::ack_standstill:
     case Input::ack_pt_distance:
+    case Input::ack_train_data_change:
     case Input::ack_rv_distance:
       return Ack::brake;
     default:

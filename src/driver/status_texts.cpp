@@ -24,6 +24,7 @@ bool over(const StatusTexts::Row& state, const StatusRow& row, bool reason, cons
     case TextEnd::s30_after_its_reason:
     case TextEnd::s30_and_its_reason:
     case TextEnd::s30:
+    case TextEnd::s30_of_movement:
       return !reason && facts.now >= state.until;
   }
   return true;
@@ -37,7 +38,10 @@ void run(StatusTexts::Row& state, const StatusRow& row, const StatusFacts& facts
   }
   const bool reason = holds(row, facts);
   if (!(facts.revoked & row.brakes).empty() && row.end != TextEnd::s30_and_its_reason) state.on = false;
-  if (reason && (!state.on || row.end != TextEnd::s30_and_its_reason)) state.until = facts.now + kShownFor;
+  const bool waits_for_movement = state.on && row.end == TextEnd::s30_of_movement && !state.moved;
+  if ((reason && (!state.on || row.end != TextEnd::s30_and_its_reason)) || waits_for_movement)
+    state.until = facts.now + kShownFor;
+  state.moved = facts.moving || (state.moved && !reason);
   state.on = reason || (state.on && !over(state, row, reason, facts));
 }
 

@@ -26,6 +26,7 @@ struct StatusFacts {
   Set<Suitability> unsuitable;         ///< in what the route ahead does not suit the train (3.12.2.3)
   bool described_under_train = true;   ///< SSP and gradient are known for the whole length of the train (4.4.9.1.4)
   bool main_window_selection = false;  ///< a button of the main window was selected
+  bool moving = false;                 ///< a train movement is detected
 };
 
 /// How a text ends, beside a mode in which 4.7.2 does not show it (15.1.1.2) and one whose entry revokes the brake
@@ -36,6 +37,7 @@ enum class TextEnd : std::uint8_t {
   s30_after_its_reason,  ///< 30 s after its reason held last
   s30_and_its_reason,    ///< after 30 s, and not before its reason has ended
   s30,                   ///< after 30 s
+  s30_of_movement,       ///< 30 s after the train moved first
   main_window            ///< with the next selection in the main window
 };
 
@@ -70,6 +72,8 @@ inline constexpr auto srs_status_texts = [] {
       {route_unsuitable_gauge,      Output::route_unsuitability,         with_its_reason,      {}, {}, Suitability::gauge},
       {route_unsuitable_traction,   Output::route_unsuitability,         with_its_reason,      {}, {}, Suitability::traction},
       {route_unsuitable_axle_load,  Output::route_unsuitability,         with_its_reason,      {}, {}, Suitability::axle_load},
+      {StatusText::train_data_changed, Output::train_data_changed,       s30_of_movement,      {}, Inform::train_data_changed},
+      {StatusText::train_data_changed, Output::brake_reason,             with_its_reason,      {Cause::train_data_changed}},
       {network_registration_failed, Output::network_registration_failed, main_window,          {}, Inform::network_registration_failed},
   });
 }();
@@ -80,7 +84,8 @@ struct StatusTexts {
   /// One row of the table.
   struct Row {
     bool on = false;
-    Duration until{};  ///< it ends then at the earliest
+    Duration until{};    ///< it ends then at the earliest
+    bool moved = false;  ///< the train has moved since its reason
   };
   std::array<Row, srs_status_texts.size()> rows{};
   std::optional<StatusText> trip_reason;  ///< in TR and PT

@@ -61,6 +61,8 @@ TEST(StatusTexts, RowsAreThoseOfTable68) {
       route(route_unsuitable_gauge, Suitability::gauge),
       route(route_unsuitable_traction, Suitability::traction),
       route(route_unsuitable_axle_load, Suitability::axle_load),
+      informed(StatusText::train_data_changed, Output::train_data_changed, s30_of_movement, Inform::train_data_changed),
+      caused(StatusText::train_data_changed, with_its_reason, {Cause::train_data_changed}),
       informed(StatusText::network_registration_failed, Output::network_registration_failed, main_window,
                Inform::network_registration_failed),
   };
@@ -134,6 +136,44 @@ TEST(StatusTexts, WhatIsToldOnceStays30s) {
     cab.cycle(Duration{1.0});
     EXPECT_TRUE(cab.texts.shown.empty());
   }
+}
+
+TEST(StatusTexts, ChangedTrainDataAreShownUntil30sAfterTheTrainMoved) {
+  Cab cab(Mode::SR);
+  cab.facts.inform = {Inform::train_data_changed};
+  cab.cycle();
+  cab.cycle(Duration{100.0});
+  EXPECT_TRUE(cab.shows(StatusText::train_data_changed));
+  cab.facts.moving = true;
+  cab.cycle();
+  cab.facts.moving = false;  // it stops again
+  cab.cycle(Duration{29.5});
+  EXPECT_TRUE(cab.shows(StatusText::train_data_changed));
+  cab.cycle(Duration{1.0});
+  EXPECT_FALSE(cab.shows(StatusText::train_data_changed));
+  // Shown in motion, and shown anew.
+  cab.facts.moving = true;
+  cab.facts.inform = {Inform::train_data_changed};
+  cab.cycle();
+  cab.cycle(Duration{20.0});
+  cab.facts.inform = {Inform::train_data_changed};
+  cab.cycle();
+  cab.cycle(Duration{29.5});
+  EXPECT_TRUE(cab.shows(StatusText::train_data_changed));
+  cab.cycle(Duration{1.0});
+  EXPECT_FALSE(cab.shows(StatusText::train_data_changed));
+}
+
+TEST(StatusTexts, ChangedTrainDataThatBrakeAreShownUntilTheDriverHasReleasedTheBrake) {
+  Cab cab(Mode::FS);
+  cab.facts.moving = true;
+  cab.facts.brakes = {Cause::train_data_changed};
+  cab.cycle();
+  cab.cycle(Duration{100.0});
+  EXPECT_TRUE(cab.shows(StatusText::train_data_changed));
+  cab.facts.brakes = {};
+  cab.cycle();
+  EXPECT_FALSE(cab.shows(StatusText::train_data_changed));
 }
 
 TEST(StatusTexts, AnAnswerIsToldUntilAButtonOfTheMainWindowIsSelected) {

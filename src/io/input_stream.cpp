@@ -173,11 +173,21 @@ void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPl
   if (const auto p = place.find("window")) read_window(cycle.levels.windows, *p);
 }
 
+/// Train data of another source than the driver (5.17).
+void read_external_train_data(CycleInputs& cycle, const JsonPlace& place) {
+  const auto data = place.find("data");
+  const auto validation = place.find("data_validation");
+  if (validation && !data) validation->fail("data, which it belongs to");
+  if (!data) return;
+  cycle.external_train_data = read_entered_train(*data).data;
+  cycle.levels.external_train_data.driver_validates = !validation || validation->boolean();
+}
+
 void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
                    "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
                    "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
-                   "additional_brake_active", "antenna_alarm"});
+                   "additional_brake_active", "antenna_alarm", "data", "data_validation"});
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
@@ -195,6 +205,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.ep_brake_active, "ep_brake_active");
   flag(t.additional_brake_active, "additional_brake_active");
   flag(t.antenna_alarm, "antenna_alarm");
+  read_external_train_data(cycle, place);
   if (const auto p = place.find("direction_controller"))
     t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {

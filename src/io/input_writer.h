@@ -6,7 +6,8 @@
 
 namespace evc::io {
 
-/// Writes the inputs made by a simulated world as a stream for `InputStream`: replaying it gives the same outputs.
+/// Writes the inputs made by a simulated world as a stream for `InputStream`: replaying it gives the same outputs. Such
+/// a world has no source of train data but its driver.
 class InputWriter {
  public:
   explicit InputWriter(const Configuration& configuration) : train_document_(configuration.train.document) {

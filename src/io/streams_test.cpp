@@ -143,6 +143,26 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
+TEST(InputStream, TrainDataOfAnotherSourceAreForOneCycle) {
+  auto stream = open(R"({"t_ms":0,"train":{"data":{"length_m":300}}}
+{"t_ms":100,"train":{"antenna_alarm":true}}
+{"t_ms":200,"train":{"data":{"length_m":310},"data_validation":false}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  ASSERT_NE(cycle.view().external_train_data.data, nullptr);
+  EXPECT_EQ(cycle.view().external_train_data.data->L_TRAIN, 300_m);
+  EXPECT_TRUE(cycle.view().external_train_data.driver_validates);
+  EXPECT_FALSE(cycle.view().train.antenna_alarm);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.view().external_train_data.data, nullptr);
+  EXPECT_TRUE(cycle.view().train.antenna_alarm);
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.view().external_train_data.data->L_TRAIN, 310_m);
+  EXPECT_FALSE(cycle.view().external_train_data.driver_validates);
+  EXPECT_TRUE(cycle.view().train.antenna_alarm);
+}
+
 TEST(InputStream, WindowsAndBrakesOfTheNationalSystemLastUntilChanged) {
   auto stream = open(R"({"t_ms":0,"driver":{"window":{"opened":"train_data"}},"national_system":{"service_brake":true}}
 {"t_ms":100,"driver":{"window":{"opened":"sr_data"}},"national_system":{"emergency_brake":true}}
@@ -179,13 +199,20 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
   EXPECT_EQ(error(R"("driver":{"window":{"open":"train_data"}})"),
             "/driver/window/open: found an unknown key, expected one of opened, closed");
   EXPECT_EQ(error(R"("train":{"antenna_alarm":1})"), "/train/antenna_alarm: found 1, expected true or false");
+  EXPECT_EQ(error(R"("train":{"data":true})"), "/train/data: found true, expected an object");
+  EXPECT_EQ(error(R"("train":{"data":{"length_m":0.5}})"),
+            "/train/data/length_m: found 0.5, expected 1 to 4095 m (SUBSET-026 A.3.11)");
+  EXPECT_EQ(error(R"("train":{"data":{},"data_validation":"driver"})"),
+            "/train/data_validation: found \"driver\", expected true or false");
+  EXPECT_EQ(error(R"("train":{"data_validation":true})"),
+            "/train/data_validation: found true, expected data, which it belongs to");
   EXPECT_EQ(error(R"("national_system":{"service_brake":1})"),
             "/national_system/service_brake: found 1, expected true or false");
   EXPECT_EQ(error(R"("national_system":{"emergency_brake":null})"),
             "/national_system/emergency_brake: found null, expected true or false");
 }
 
-/// Everything that a cycle can contain is written and read back unchanged.
+/// Everything that a cycle of a simulated world can contain is written and read back unchanged.
 TEST(InputWriter, RoundTrip) {
   Configuration configuration;
   configuration.train.document = R"({"schema":"etcs-train/1","length_m":123})";

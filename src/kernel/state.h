@@ -21,6 +21,7 @@
 #include "procedures/override.h"
 #include "procedures/shunting.h"
 #include "procedures/start_of_mission.h"
+#include "procedures/train_data_change.h"
 #include "procedures/train_trip.h"
 #include "protection/antenna.h"
 #include "protection/authority.h"
@@ -67,6 +68,13 @@ struct DriverData {
   DataStatus level_status = DataStatus::unknown;
   std::uint32_t driver_id = 0;
   std::uint32_t train_running_number = 0xFFFFFFFF;  // NID_OPERATIONAL, unknown
+};
+
+/// A change of train data by another source than the driver (5.17).
+struct TrainDataChange {
+  std::optional<train::TrainData> pending;  ///< the changed data; absent: no change is pending
+  bool driver_validates = false;
+  procedures::train_data_change::State procedure;
 };
 
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
@@ -133,6 +141,7 @@ struct State {
   procedures::leaving_rbc::State leaving_rbc;
   procedures::override_::State override_;
   procedures::shunting::State shunting;
+  TrainDataChange train_data_change;
   Set<Ack> requested;  // acknowledgements shown in the cycle before
   Set<Offer> offers;   // choices offered by the procedures, and
   Set<Entry> entries;  // entries, in the cycle before

@@ -7,6 +7,8 @@ void CycleInputs::clear() {
   loops.clear();
   radio.clear();
   train_data.reset();
+  external_train_data.reset();
+  levels.external_train_data = {};
   levels.radio_link = RadioLink::unchanged;
   levels.driver = {};
 }
@@ -23,6 +25,7 @@ const port::Inputs& CycleInputs::view() {
   levels.loop_messages = loop_views_;
   levels.radio_messages = radio_views_;
   levels.driver.train_data = train_data ? &*train_data : nullptr;
+  levels.external_train_data.data = external_train_data ? &*external_train_data : nullptr;
   return levels;
 }
 

@@ -22,7 +22,8 @@ struct CycleInputs {
   std::vector<Telegram> balises;
   std::vector<Bits> loops;
   std::vector<Bits> radio;
-  std::optional<train::TrainData> train_data;  // entered in this cycle
+  std::optional<train::TrainData> train_data;           // entered in this cycle
+  std::optional<train::TrainData> external_train_data;  // from another source than the driver, in this cycle
 
   void clear();
   /// The kernel's view; valid until this object is changed.

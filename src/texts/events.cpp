@@ -88,6 +88,8 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::train_data_valid, "train data", Takes::nothing, "valid"},
     {What::train_data_refused, "train data", Takes::fault, nullptr},
     {What::SR_data_out_of_range, "SR speed and distance", Takes::nothing, "refused: out of range"},
+    {What::train_data_changed_by_source, "train data", Takes::nothing, "changed by an external source"},
+    {What::train_data_to_be_validated, "train data", Takes::nothing, "to be validated"},
 });
 // clang-format on
 

@@ -46,6 +46,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   Unit unit;
   kernel::Config config;
+  train::TrainData changed = config.train;  // by another source than the driver
+  changed.axle_load = config.train.axle_load == train::AxleLoad::A ? train::AxleLoad::B1 : train::AxleLoad::A;
   kernel::power_up(*unit.state, *unit.derived, config);
   kernel::Inputs in;
   in.train.desk_open = true;
@@ -62,6 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     in.now = {t};
     in.odometry = {{{place}}, {{place - doubt}}, {{place + doubt}}, {v}, {v > 0.5 ? v - 0.5 : 0.0}, {v + 0.5}, {0.0}};
     in.driver = {};
+    in.external_train_data = {};
     in.radio_link = RadioLink::unchanged;
     kernel::BaliseTelegram telegram;
     kernel::RadioMessage message;
@@ -105,6 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         in.train.antenna_alarm = (more & 16) != 0;
         in.national_system.service_brake = (more & 32) != 0;
         in.national_system.emergency_brake = (what & 128) != 0;
+        if ((more & 64) != 0) in.external_train_data = {&changed, (more & 128) != 0};
         in.train.sleeping = (what & 8) != 0;
         in.train.non_leading = (what & 16) != 0;
         in.train.desk_open = (what & 32) == 0;

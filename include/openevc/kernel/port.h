@@ -14,6 +14,7 @@ using port::DirectionController;
 using port::DriverActions;
 using port::Entered;
 using port::Event;
+using port::ExternalTrainData;
 using port::Inputs;
 using port::LoopMessage;
 using port::NationalSystem;

@@ -76,6 +76,12 @@ enum class Window : std::uint8_t {
   count
 };
 
+/// Train data changed by another source than the driver, in this cycle (3.18.3.6, 5.17).
+struct ExternalTrainData {
+  const train::TrainData* data = nullptr;  ///< the whole block; none: nothing changed
+  bool driver_validates = true;            ///< 5.17.2.2 D0: the driver has to validate them
+};
+
 enum class DirectionController : std::uint8_t { neutral, forward, backward };
 
 /// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
@@ -115,6 +121,7 @@ struct Inputs {
   DriverActions driver;
   Set<Window> windows;  ///< open now
   TrainSignals train;
+  ExternalTrainData external_train_data;
   NationalSystem national_system;
   bool safety_fault = false;
 };

@@ -56,6 +56,7 @@ enum class Inform : std::uint8_t {
   SH_request_failed,            ///< 5.6.4.1.2
   trackside_not_compatible,     ///< 3.5.3.7 d
   trackside_malfunction,        ///< 3.16.2.4.9
+  train_data_changed,           ///< 5.17.2.2 A1
   count
 };
 

@@ -30,6 +30,7 @@ enum class StatusText : std::uint8_t {
   route_unsuitable_traction,
   route_unsuitable_axle_load,
   network_registration_failed,
+  train_data_changed,
   count
 };
 
@@ -59,6 +60,7 @@ inline constexpr auto kStatusTextRows = std::to_array<terms::Row<StatusText>>({
     {StatusText::route_unsuitable_traction, "Route unsuitable – traction system"},
     {StatusText::route_unsuitable_axle_load, "Route unsuitable – axle load category"},
     {StatusText::network_registration_failed, "Radio network registration failed"},
+    {StatusText::train_data_changed, "Train data changed"},
 });
 static_assert(terms::in_order(kStatusTextRows) && kStatusTextRows.size() == terms::index(StatusText::count));
 

@@ -88,6 +88,8 @@ enum class What : std::uint8_t {
   train_data_valid,
   train_data_refused,  ///< `id` is a train::Fault
   SR_data_out_of_range,
+  train_data_changed_by_source,  ///< by another source than the driver
+  train_data_to_be_validated,
   count
 };
 

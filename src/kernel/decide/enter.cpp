@@ -11,8 +11,12 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, here);
   keep_for_mode(s, to, from);
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
-  // A group that is only partly read is not continued after power off.
-  if (to == Mode::NP) balise::abandon(s.balise);
+  // A group that is only partly read is not continued after power off, nor a change of deleted train data.
+  if (to == Mode::NP) {
+    balise::abandon(s.balise);
+    s.train_data_change.pending.reset();
+    s.train_data_change.procedure = {};
+  }
   s.mode = to;
   ++s.revision;
   procedures::level_transition::on_mode_change(s.level_transition, from, to);

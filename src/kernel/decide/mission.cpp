@@ -2,6 +2,7 @@
 
 #include "kernel/here.h"
 #include "kernel/stored.h"
+#include "kernel/train_data.h"
 #include "procedures/reversing.h"
 #include "track/services.h"
 
@@ -209,6 +210,43 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
   trip.profile_at_front = profile_at_front;
   out.effects |= procedures::train_trip::step(s.train_trip, trip);
   if (s.train_trip.step == procedures::train_trip::Step::S150) out.start_selected = true;
+}
+
+void run_train_data_change(State& s, const Received& received, Decided& out, Log log) {
+  TrainDataChange& change = s.train_data_change;
+  if (!change.pending) return;
+  procedures::train_data_change::Inputs in;
+  in.mode = s.mode;
+  in.pending = true;
+  in.driver_validates = change.driver_validates;
+  in.route_matters = route_matters(s.train, *change.pending);
+  in.train_data_valid = valid(s.data.train_data_status);
+  in.standstill = out.here.standstill;
+  // Any information of the RBC that waits counts (D5): which packets it has is known when it is released.
+  for (const BufferedSet& set : s.buffer) in.authority_waits = in.authority_waits || set.medium == Medium::rbc;
+  in.brake_commanded = s.brakes.active.has(brakes::Cause::train_data_changed);
+  in.driver_validated = received.entered.has(Entered::train_data);
+  const auto r = procedures::train_data_change::step(change.procedure, in);
+  out.effects |= r.effects;
+  out.asked.add(brakes::Cause::train_data_changed, r.brake);
+  using procedures::train_data_change::Fate;
+  switch (r.data) {
+    case Fate::kept:
+      return;
+    case Fate::in_force:
+      change_train_data(s, *change.pending, out.here, log);
+      break;
+    case Fate::to_validate:
+      if (train::check(*change.pending) == train::Fault::none) s.train = *change.pending;
+      s.data.train_data_status = DataStatus::invalid;
+      ++s.revision;
+      log.note({.what = What::train_data_to_be_validated, .clause = "5.17.2.2"_srs});
+      break;
+    case Fate::by_the_driver:
+      break;
+  }
+  change.pending.reset();
+  change.procedure = {};
 }
 
 void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects) {

@@ -21,6 +21,8 @@ void run_reversing(const State& s, DirectionController controller, Decided& out)
 /// After the mode transition.
 void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                     Decided& out);
+/// 5.17, after the mode transition.
+void run_train_data_change(State& s, const Received& received, Decided& out, Log log);
 void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects);
 
 }  // namespace evc::kernel

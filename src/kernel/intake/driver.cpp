@@ -3,8 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
-#include "kernel/stored.h"
-#include "track/withdraw.h"
+#include "kernel/train_data.h"
 
 namespace evc::kernel {
 namespace {
@@ -46,35 +45,24 @@ Set<Select> enabled_selections(Reception& r) {
   return selected;
 }
 
-/// 3.18.3.7: the authority was received for other train data.
-void forget_authority_of_old_train(Reception& r) {
-  State& s = r.state;
-  if (s.track.ma) {
-    shorten(s, track::Situation::j_train_data_changed, r.out.here.max_safe_front, r.out.here);
-    r.log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
-  }
-  s.buffer.clear();
-}
-
 /// Whether the data were accepted.
 bool enter_train_data(Reception& r, const train::TrainData& data) {
-  State& s = r.state;
-  if (const train::Fault fault = train::check(data); fault != train::Fault::none) {
-    r.log.note(
-        {.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = train::clause(fault)});
-    return false;
-  }
-  const bool route_matters = s.train.cant_deficiency_mm != data.cant_deficiency_mm ||
-                             s.train.other_categories != data.other_categories || s.train.axle_load != data.axle_load ||
-                             s.train.loading_gauge != data.loading_gauge ||
-                             !(s.train.traction_systems == data.traction_systems);
-  if (route_matters && valid(s.data.train_data_status)) forget_authority_of_old_train(r);
-  s.train = data;
-  s.data.train_data_status = DataStatus::valid;
-  ++s.revision;
-  radio::send_train_data(s.radio);
-  r.log.note({.what = What::train_data_valid, .clause = "3.18.3"_srs});
+  if (!acceptable(data, r.log)) return false;
+  change_train_data(r.state, data, r.out.here, r.log);
   return true;
+}
+
+/// Train data entered, or those stored or changed by another source (5.17.2.2 S6) revalidated.
+void receive_train_data(Reception& r) {
+  const State& s = r.state;
+  const DriverActions& driver = r.in.driver;
+  const bool revalidated = driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown;
+  if ((driver.train_data == nullptr && !revalidated) || !may_enter(r, driver::Input::train_data, Entered::train_data))
+    return;
+  const train::TrainData& data = driver.train_data != nullptr  ? *driver.train_data
+                                 : s.train_data_change.pending ? *s.train_data_change.pending
+                                                               : s.train;
+  r.out.entered.add(Entered::train_data, enter_train_data(r, data));
 }
 
 /// 3.18.3.3.1, 4.4.11.1.5.1: movement while the driver enters, changes or revalidates data. An entry that arrives
@@ -83,8 +71,9 @@ void watch_entries(Reception& r) {
   if (r.out.here.standstill) return;
   const State& s = r.state;
   const DriverActions& driver = r.in.driver;
-  const bool train_data =
-      r.in.windows.has(Window::train_data) || driver.train_data != nullptr || driver.has(Ack::train_data);
+  const bool train_data = r.in.windows.has(Window::train_data) || driver.train_data != nullptr ||
+                          driver.has(Ack::train_data) ||
+                          s.train_data_change.procedure.step == procedures::train_data_change::Step::S6;
   const bool SR_data = r.in.windows.has(Window::SR_data) || driver.V_sr || driver.D_sr;
   // After the start of mission: in SB any movement brakes (4.4.7.1.5).
   r.out.asked.add(brakes::Cause::movement_while_entering_train_data,
@@ -141,15 +130,7 @@ void receive_driver(Reception& r) {
     s.data.train_running_number_status = DataStatus::valid;
     r.out.entered.add(Entered::train_running_number);
   }
-  if (driver.train_data != nullptr) {
-    if (may_enter(r, driver::Input::train_data, Entered::train_data))
-      r.out.entered.add(Entered::train_data, enter_train_data(r, *driver.train_data));
-  } else if (driver.has(Ack::train_data) && s.data.train_data_status != DataStatus::unknown &&
-             may_enter(r, driver::Input::train_data, Entered::train_data)) {
-    s.data.train_data_status = DataStatus::valid;
-    radio::send_train_data(s.radio);
-    r.out.entered.add(Entered::train_data);
-  }
+  receive_train_data(r);
   if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact)) {
     s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
     r.out.entered.add(Entered::rbc_contact);
@@ -164,6 +145,19 @@ void receive_driver(Reception& r) {
   }
   watch_entries(r);
   enter_SR_data(r);
+}
+
+void receive_external_train_data(Reception& r) {
+  const ExternalTrainData& received = r.in.external_train_data;
+  TrainDataChange& change = r.state.train_data_change;
+  if (received.data == nullptr || !r.in.train.powered || (!change.pending && *received.data == r.state.train)) return;
+  // A train that cannot be supervised: the driver has to enter other data.
+  const bool supervisable = acceptable(*received.data, r.log);
+  // What the driver entered in this cycle is older: the procedure begins anew.
+  if (r.out.entered.has(Entered::train_data)) change.procedure = {};
+  change.driver_validates = received.driver_validates || !supervisable || (change.pending && change.driver_validates);
+  change.pending = *received.data;
+  r.log.note({.what = What::train_data_changed_by_source, .clause = "5.17.2.2"_srs});
 }
 
 }  // namespace evc::kernel

@@ -67,6 +67,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   }
   out.here = here(s);
   receive_driver(r);
+  receive_external_train_data(r);
   if (can_go_on) receive_balises(r);  // their places may be no numbers
   receive_loops(r);
   const bool session = s.radio.session.ongoing();

@@ -43,6 +43,7 @@ driver::StatusFacts facts_of(const State& s, const Decided& decided, Set<Inform>
   if (decided.mode_changed) f.revoked = revoked_causes(s.mode, s.previous_mode);
   f.inform = inform;
   f.main_window_selection = main_window_selection;
+  f.moving = !decided.here.standstill;
   if (!s.track.suitability.empty()) f.unsuitable = track::unsuitability(s.track, interfaces_of(s.train));
   if (s.mode == Mode::FS || s.mode == Mode::OS)
     f.described_under_train = track::described_under_train(s.track, decided.here);

@@ -1,0 +1,44 @@
+#include "kernel/train_data.h"
+
+#include "kernel/here.h"
+#include "kernel/stored.h"
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+/// 3.18.3.7: the authority was received for other train data.
+void forget_authority_of_old_train(State& s, const track::Here& here, Log log) {
+  if (s.track.ma) {
+    shorten(s, track::Situation::j_train_data_changed, here.max_safe_front, here);
+    log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
+  }
+  s.buffer.clear();
+}
+
+}  // namespace
+
+bool acceptable(const train::TrainData& data, Log log) {
+  const train::Fault fault = train::check(data);
+  if (fault == train::Fault::none) return true;
+  log.note({.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = train::clause(fault)});
+  return false;
+}
+
+bool route_matters(const train::TrainData& before, const train::TrainData& after) {
+  return before.cant_deficiency_mm != after.cant_deficiency_mm || before.other_categories != after.other_categories ||
+         before.axle_load != after.axle_load || before.loading_gauge != after.loading_gauge ||
+         !(before.traction_systems == after.traction_systems);
+}
+
+void change_train_data(State& s, const train::TrainData& data, const track::Here& here, Log log) {
+  if (here.standstill && valid(s.data.train_data_status) && route_matters(s.train, data))
+    forget_authority_of_old_train(s, here, log);
+  s.train = data;
+  s.data.train_data_status = DataStatus::valid;
+  ++s.revision;
+  radio::send_train_data(s.radio);
+  log.note({.what = What::train_data_valid, .clause = "3.18.3"_srs});
+}
+
+}  // namespace evc::kernel
