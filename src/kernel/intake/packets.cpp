@@ -64,9 +64,11 @@ void take_report_parameters(Evaluation& e, const lang::PacketView& view, Verdict
   r.T_CYCLOC = lang::seconds(p.T_CYCLOC);
   r.D_CYCLOC = lang::metres(p.Q_SCALE, p.D_CYCLOC);
   r.M_LOC = p.M_LOC.raw;
+  Place place = e.reference.place;
   for (const auto& at : p.locations) {
+    place = place + lang::metres(p.Q_SCALE, at.D_LOC);  // from the location before (7.5.1.11)
     // At most 31 places: they fit.
-    (void)r.at.push_back({e.reference.place + lang::metres(p.Q_SCALE, at.D_LOC), at.Q_LGTLOC.raw == 1});
+    (void)r.at.push_back({place, at.Q_LGTLOC.raw == 1});
   }
   State& s = e.r.state;
   position::set_parameters(s.reports, s.position, r);
