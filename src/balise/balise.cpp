@@ -54,13 +54,17 @@ bool continues(const OpenGroup& open, const Header& header) {
   return (header.N_PIG > open.telegrams.back().N_PIG) == rising;
 }
 
+OpenGroup& opened(State& state, const Situation& situation) {
+  if (!state.open) state.open.emplace().first_passed = situation.now;
+  return *state.open;
+}
+
 /// The group to which the telegram belongs; closes a different open group first.
 OpenGroup& group_of(State& state, const Header& header, const Reading& reading, const Situation& situation,
                     Outcome& outcome) {
   if (state.open && (!continues(*state.open, header) || too_far(*state.open, reading.counter)))
     close(state, situation, outcome);
-  if (!state.open) state.open.emplace();
-  OpenGroup& open = *state.open;
+  OpenGroup& open = opened(state, situation);
   if (!open.identified) {
     open.identified = true;
     open.id = header.id;
@@ -114,11 +118,11 @@ bool dropped(State& state, const Header& header, const Reading& reading, const S
 void note_undecodable(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
   if (situation.against_permitted_movement) return;  // 3.14.3.6
   if (state.open && too_far(*state.open, reading.counter)) close(state, situation, outcome);
-  if (!state.open) state.open.emplace();
-  tell(outcome, What::telegram_not_decoded, state.open->id, "3.16.1.1"_srs);
-  state.open->undecoded = true;
-  state.open->last = reading.counter;
-  state.open->last_antenna = reading.antenna;
+  OpenGroup& open = opened(state, situation);
+  tell(outcome, What::telegram_not_decoded, open.id, "3.16.1.1"_srs);
+  open.undecoded = true;
+  open.last = reading.counter;
+  open.last_antenna = reading.antenna;
 }
 
 }  // namespace

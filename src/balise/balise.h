@@ -55,6 +55,7 @@ struct OpenGroup {
   bool undecoded = false;        // a balise was detected but not decoded
   bool header_mismatch = false;  // N_TOTAL or Q_LINK differ within the group
   Judgement judgement;           // of its reference balise by linking
+  Duration first_passed{};       // when its first balise was encountered
   OdometerReading last;          // its last balise
   PlaceInterval last_antenna;
   std::uint8_t seen = 0;  // bit n: N_PIG n was read, used or not

@@ -86,6 +86,7 @@ struct Group {
   /// Where the reference balise (N_PIG 0, or its duplicate when only that one was read) is.
   OdometerReading counter;
   PlaceInterval antenna;
+  Duration first_passed{};           // when its first balise was encountered (3.8.4.2.1 b)
   std::optional<Place> link_place;   // by linking (3.6.4.3)
   std::optional<Distance> Q_LOCACC;  // by linking (3.6.4.2.3)
   /// In the order of reading. Only those with `used` count.

@@ -238,6 +238,7 @@ void describe(Group& group, const OpenGroup& open, const Telegram* reference) {
   group.identified = open.identified;
   group.linked = open.identified && open.Q_LINK;
   group.counter = reference != nullptr ? reference->counter : open.last;
+  group.first_passed = open.first_passed;
   if (reference != nullptr) group.antenna = reference->antenna;
 }
 

@@ -236,7 +236,7 @@ void restrict_by_everything(State& s) {
   tsr.to = to;
   tsr.V_TSR = 5;
   ASSERT_TRUE(d.tsr.push_back(tsr));
-  d.signalling = track::SignallingSpeed{from, 1, to};
+  (void)d.signalling.push_back(track::SignallingSpeed{from, 1, to});
   ++d.revision;
 }
 

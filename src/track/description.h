@@ -29,7 +29,7 @@ struct Here {
 struct Description {
   // 3.8
   std::optional<MovementAuthority> ma;
-  std::optional<SignallingSpeed> signalling;
+  InplaceVector<SignallingSpeed, 4> signalling;  ///< the one in force, and those from infill locations ahead
   ModeProfile mode_profile;
   // 3.11
   StaticSpeedProfile ssp;

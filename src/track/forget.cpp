@@ -23,7 +23,7 @@ constexpr auto kRows = std::to_array<Row>({
     {evc::Stored::tsr,                        [](Description& d) { d.tsr.clear(); }},
     {evc::Stored::inhibit_revocable_tsr,      [](Description& d) { d.revocable_tsr_inhibited = false; }},
     {evc::Stored::default_gradient_tsr,       [](Description& d) { d.default_gradient.reset(); }},
-    {evc::Stored::signalling_speed,           [](Description& d) { d.signalling.reset(); }},
+    {evc::Stored::signalling_speed,           [](Description& d) { d.signalling.clear(); }},
     {evc::Stored::route_suitability,          [](Description& d) { d.suitability.clear(); }},
     {evc::Stored::adhesion_trackside,         [](Description& d) { d.adhesion.clear(); }},
     {evc::Stored::plain_text,                 [](Description& d) { d.texts.erase_if([](const Text& t) { return !t.Q_TEXT; }); }},

@@ -90,8 +90,8 @@ void mrsp(Mrsp& f, const Description& d, const MrspQuery& query) {
   if (counts.lx)
     for (const LevelCrossing& lx : d.lx)
       if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));
-  if (counts.signalling && d.signalling)
-    lower(f, d.signalling->from, d.signalling->to ? *d.signalling->to : kFar, speed_of(d.signalling->V_MAIN));
+  if (counts.signalling)
+    for (const SignallingSpeed& s : d.signalling) lower(f, s.from, s.to ? *s.to : kFar, speed_of(s.V_MAIN));
   join_equal(f);
 }
 

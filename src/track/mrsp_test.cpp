@@ -92,7 +92,7 @@ TEST(Mrsp, LowestOfAllKinds) {
   lx.from = at(5000);
   lx.to = at(5010);
   ASSERT_TRUE(d.lx.push_back(lx));
-  d.signalling = SignallingSpeed{at(6000), 6, at(6500)};
+  (void)d.signalling.push_back({at(6000), 6, at(6500)});
   MrspQuery q = query(100);
   const std::array<SpeedCode, 2> pbd_speeds{kNoSpeed, 10};
   q.pbd_speeds = pbd_speeds;
@@ -143,7 +143,7 @@ TEST(Mrsp, IsMadeOfWhatIsAskedFor) {
   lx.V_LX = 4;
   lx.V_LX_from = at(0);
   ASSERT_TRUE(d.lx.push_back(lx));
-  d.signalling = SignallingSpeed{at(0), 2, at(900)};
+  (void)d.signalling.push_back({at(0), 2, at(900)});
   const std::array<bool MrspElements::*, 6> elements{&MrspElements::ssp, &MrspElements::asp, &MrspElements::tsr,
                                                      &MrspElements::pbd, &MrspElements::lx,  &MrspElements::signalling};
   for (std::size_t i = 0; i < elements.size(); ++i) {

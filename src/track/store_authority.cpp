@@ -175,7 +175,7 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   f.note(ma.level_1 ? 12 : 15, Note::What::stored, {});
   store_mode_profile(f, c, infill);
   // An MA of level 2/3 deletes the signalling related restriction of level 1 (3.11.6.3.1).
-  if (!ma.level_1) d.signalling.reset();
+  if (!ma.level_1) d.signalling.clear();
 }
 
 void store_signalling_speed(const Filing& f, const Contents& c) {
@@ -185,7 +185,14 @@ void store_signalling_speed(const Filing& f, const Contents& c) {
     f.report.trip_order = !c.infill;
     return;
   }
-  f.d.signalling = SignallingSpeed{c.infill ? *c.infill : f.here.min_safe_rear, *c.V_MAIN, std::nullopt};
+  if (!c.infill) {
+    f.d.signalling.clear();  // the new one counts from now on (3.11.6.2, 3.11.6.3)
+    (void)f.d.signalling.push_back({f.here.min_safe_rear, *c.V_MAIN, std::nullopt});
+    return;
+  }
+  // Those in rear of the infill location reference go on up to it (3.8.5.1 b, 3.11.6.2).
+  end_signalling_speed(f.d, *c.infill);
+  if (!f.d.signalling.push_back({*c.infill, *c.V_MAIN, std::nullopt})) f.lost(12, *c.infill, "3.11.6.2"_srs);
 }
 
 /// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).

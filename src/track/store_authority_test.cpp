@@ -234,9 +234,54 @@ TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
   EXPECT_EQ(d.ma->end(), at(3000));
   ASSERT_EQ(d.mode_profile.size(), 1u);
   EXPECT_EQ(d.mode_profile[0].from, at(500));
-  EXPECT_EQ(d.signalling->from, at(1500));
+  EXPECT_EQ(d.signalling.back().from, at(1500));
   c.V_MAIN = 0;
   EXPECT_FALSE(store(d, c, front_at(100)).trip_order) << "3.11.6.5: no trip order from infill";
+}
+
+TEST(Store, InfillSpeedCountsFromItsReference) {  // 3.11.6.2, 3.8.5.1 b
+  Description d;
+  Contents c = whole(3000);
+  c.ma->level_1 = true;
+  c.V_MAIN = 12;
+  store(d, c, front_at(100));
+  const auto infill = [&](double place, SpeedCode V_MAIN) {
+    Contents next = whole(3000);
+    next.ma->level_1 = true;
+    next.infill = at(place);
+    next.V_MAIN = V_MAIN;
+    return store(d, next, front_at(100));
+  };
+  infill(2000, 24);
+  infill(1500, 16);  // replaces what lies beyond
+  ASSERT_EQ(d.signalling.size(), 2u);
+  EXPECT_EQ(d.signalling[0].to, at(1500));
+  EXPECT_EQ(d.signalling[1].from, at(1500));
+  EXPECT_EQ(d.signalling[1].V_MAIN, 16);
+  EXPECT_FALSE(d.signalling[1].to);
+  infill(1600, 20);
+  infill(1700, 18);
+  ASSERT_EQ(d.signalling.size(), 4u);
+  EXPECT_FALSE(infill(1600, 22).lost_from) << "takes the place of two";
+  EXPECT_EQ(d.signalling.size(), 3u);
+  infill(1700, 18);
+  EXPECT_EQ(infill(1800, 18).lost_from, at(1800)) << "no room: data are missing from there on (3.7.2.3)";
+  EXPECT_EQ(d.signalling.back().to, at(1800));
+  c.V_MAIN = 6;
+  store(d, c, front_at(100));
+  ASSERT_EQ(d.signalling.size(), 1u) << "3.11.6.3: until a new one";
+  EXPECT_FALSE(d.signalling[0].to);
+}
+
+TEST(Store, PassedSignallingSpeedsAreForgotten) {
+  Description d;
+  (void)d.signalling.push_back({at(0), 12, at(1000)});
+  (void)d.signalling.push_back({at(1000), 16, std::nullopt});
+  (void)advance(d, front_at(1400));
+  EXPECT_EQ(d.signalling.size(), 2u) << "the train is still on it, or within 300 m of it";
+  (void)advance(d, front_at(2400));
+  ASSERT_EQ(d.signalling.size(), 1u);
+  EXPECT_EQ(d.signalling[0].V_MAIN, 16);
 }
 
 TEST(Store, InfillWithoutAnMaIsRefused) {
@@ -253,12 +298,12 @@ TEST(Store, SignallingSpeed) {  // 3.11.6
   c.ma->level_1 = true;
   c.V_MAIN = 8;
   EXPECT_FALSE(store(d, c, front_at(100)).trip_order);
-  EXPECT_EQ(d.signalling->V_MAIN, 8);
+  EXPECT_EQ(d.signalling.back().V_MAIN, 8);
   c.V_MAIN = 0;
   EXPECT_TRUE(store(d, c, front_at(100)).trip_order);
-  EXPECT_EQ(d.signalling->V_MAIN, 8) << "a trip order is not stored";
+  EXPECT_EQ(d.signalling.back().V_MAIN, 8) << "a trip order is not stored";
   store(d, whole(1500), front_at(100));
-  EXPECT_FALSE(d.signalling) << "an MA of level 2 ends it";
+  EXPECT_TRUE(d.signalling.empty()) << "an MA of level 2 ends it";
 }
 
 TEST(Store, Repositioning) {  // 3.8.5.2

@@ -64,8 +64,7 @@ bool cut_description(Description& d, Place at) {
   if (d.radio_infill && d.radio_infill->at >= at) d.radio_infill.reset();
   if (d.reversing_area && d.reversing_area->from >= at) d.reversing_area.reset();
   if (d.reversing_area && d.reversing_area->to > at) d.reversing_area->to = at;
-  if (d.signalling && d.signalling->from >= at) d.signalling.reset();
-  if (d.signalling && (!d.signalling->to || *d.signalling->to > at)) d.signalling->to = at;
+  end_signalling_speed(d, at);
   return deleted;
 }
 
@@ -191,6 +190,7 @@ void forget_passed(Description& d, const Here& here) {
   d.gradient.forget_before(limit);
   each_list([&](const auto& list) { forget_areas(d.*list.kept, limit); });
   forget_areas(d.tsr, limit);
+  d.signalling.erase_if([&](const SignallingSpeed& s) { return s.to && *s.to < limit; });
   forget_areas(d.lx, limit);
   forget_areas(d.adhesion, limit);
   if (d.ma)
@@ -212,6 +212,12 @@ void forget_passed(Description& d, const Here& here) {
 }
 
 }  // namespace
+
+void end_signalling_speed(Description& d, Place at) {
+  d.signalling.erase_if([&](const SignallingSpeed& s) { return s.from >= at; });
+  for (SignallingSpeed& s : d.signalling)
+    if (!s.to || *s.to > at) s.to = at;
+}
 
 bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting) {
   ++d.revision;

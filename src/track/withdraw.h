@@ -30,6 +30,9 @@ enum class Situation : std::uint8_t {
 /// description was deleted in a situation after which an MA is requested (3.8.2.7.3).
 bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting = false);
 
+/// Signalling related speed restrictions end at a place: those beyond it are deleted, one across it is cut.
+void end_signalling_speed(Description& d, Place at);
+
 /// Applies a conditional emergency stop to the MA (3.10.2.2). Returns Q_EMERGENCYSTOP for message 147, 0: EOA or LOA
 /// changed, 1: not changed. The caller has checked that the stop is not passed. Deletes data by A.3.4 a.
 std::uint8_t stop_at(Description& d, Place stop, const Here& here);

@@ -83,9 +83,9 @@ std::vector<Kind> kinds() {
        [](const D& d) { return d.reversing_area.has_value(); }, false},
       {"signalling speed",
        [](D& d, double x) {
-         d.signalling = SignallingSpeed{at(x), 10, std::nullopt};
+         (void)d.signalling.push_back({at(x), 10, std::nullopt});
        },
-       [](const D& d) { return d.signalling.has_value(); }, false},
+       [](const D& d) { return !d.signalling.empty(); }, false},
       {"mode profile",
        [](D& d, double x) {
          ModeArea area;
@@ -121,13 +121,13 @@ TEST(Shorten, What_lies_across_the_place_ends_there_and_counts_as_deleted) {
   EXPECT_EQ(d.asp[0].to, at(1000));
   EXPECT_FALSE(shorten(d, Situation::c_section_timeout, at(1000), front_at(0))) << "it ends there already";
   d.reversing_area = ReversingArea{at(950), at(1050)};
-  d.signalling = SignallingSpeed{at(0), 10, at(1050)};
+  (void)d.signalling.push_back({at(0), 10, at(1050)});
   (void)shorten(d, Situation::c_section_timeout, at(1000), front_at(0));
   EXPECT_EQ(d.reversing_area->to, at(1000));
-  EXPECT_EQ(d.signalling->to, at(1000));
+  EXPECT_EQ(d.signalling.back().to, at(1000));
   (void)shorten(d, Situation::c_section_timeout, at(1500), front_at(0));
   EXPECT_EQ(d.reversing_area->to, at(1000));
-  EXPECT_EQ(d.signalling->to, at(1000));
+  EXPECT_EQ(d.signalling.back().to, at(1000));
   // More than one kind at a time: one that counts is enough, whatever its order.
   Description two;
   EXPECT_TRUE(two.ssp.replace_from(ssp({{1200, 80}})));
@@ -469,12 +469,12 @@ TEST(StoreAuthority, Packets_of_level_1_are_named_as_such) {
   Stored report = store(d, c, front_at(0));
   EXPECT_EQ(what(report, 12), int(Note::What::stored));
   EXPECT_EQ(what(report, 15), -1);
-  EXPECT_TRUE(d.signalling) << "only an MA of level 2/3 ends it (3.11.6.3.1)";
+  EXPECT_FALSE(d.signalling.empty()) << "only an MA of level 2/3 ends it (3.11.6.3.1)";
   report = store(d, c, front_at(0), "3.10.2.4"_srs);
   EXPECT_EQ(what(report, 12), int(Note::What::refused));
   EXPECT_EQ(what(report, 80), int(Note::What::refused));
   store(d, whole(3000), front_at(0));
-  EXPECT_FALSE(d.signalling);
+  EXPECT_TRUE(d.signalling.empty());
   EXPECT_TRUE(complete(Description{}, front_at(0)));
 }
 

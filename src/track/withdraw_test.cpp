@@ -87,7 +87,7 @@ Description full() {
   const Stored stored = store(d, c, front_at(100));
   if (!room || !stored.ma_accepted) __builtin_trap();
   d.sh_list = GroupList{};
-  d.signalling = SignallingSpeed{at(0), 20, std::nullopt};
+  (void)d.signalling.push_back({at(0), 20, std::nullopt});
   return d;
 }
 
@@ -109,7 +109,7 @@ TEST(Shorten, AheadOfThePointEverythingOfTheTrackDescriptionGoes) {
   EXPECT_FALSE(d.traction || d.current || d.rbc_transition || d.radio_infill || d.sh_list);
   EXPECT_EQ(d.reversing_area->to, at(2000));
   EXPECT_EQ(d.reversing_reference, at(2500)) << "cutting does not move the reference";
-  EXPECT_EQ(d.signalling->to, at(2000));
+  EXPECT_EQ(d.signalling.back().to, at(2000));
   EXPECT_EQ(d.texts.size(), 1u) << "only texts that start beyond";
   EXPECT_EQ(d.tsr.size(), 1u);
   EXPECT_EQ(d.lx.size(), 1u);
@@ -152,7 +152,7 @@ TEST(Shorten, DeskClosedDuringStart) {
   Description d = full();
   const std::uint32_t revision = d.revision;
   shorten(d, Situation::k_desk_closed_during_start, at(0), front_at(100));
-  EXPECT_FALSE(d.ma || d.signalling || d.default_gradient);
+  EXPECT_FALSE(d.ma || !d.signalling.empty() || d.default_gradient);
   EXPECT_TRUE(d.ssp.empty() && d.tsr.empty() && d.lx.empty() && d.texts.empty() && d.adhesion.empty());
   EXPECT_TRUE(d.generic_ls_marker && d.stop_shunting_on_desk_opening);
   EXPECT_EQ(d.geo.size(), 1u);
@@ -321,7 +321,7 @@ TEST(Forget, EachRow) {  // 4.10.1.3
         {tsr, d.tsr.empty()},
         {inhibit_revocable_tsr, !d.revocable_tsr_inhibited},
         {default_gradient_tsr, !d.default_gradient},
-        {signalling_speed, !d.signalling},
+        {signalling_speed, d.signalling.empty()},
         {route_suitability, d.suitability.empty()},
         {adhesion_trackside, d.adhesion.empty()},
         {plain_text, d.texts.size() == 1 && d.texts[0].Q_TEXT},

@@ -144,7 +144,8 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.reference = reference->place;
   information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference->orientation;
   information.min_safe_front = r.out.here.min_safe_front;
-  information.time = s.now;
+  information.time = group.first_passed;
+  information.repositioning = group.repositioning;
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);

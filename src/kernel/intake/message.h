@@ -18,7 +18,8 @@ struct Information {
   bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
-  Duration time{};  // time stamp, or passage of the group's first balise
+  Duration time{};             // time stamp, or passage of the group's first balise
+  bool repositioning = false;  // sent by the group that linking announced with unknown identity (3.8.5.2.2)
   lang::SystemVersion sv;
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio

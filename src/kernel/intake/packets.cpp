@@ -25,6 +25,14 @@ void store_with_track(Evaluation& e, const lang::PacketView& view, Verdict) {
   (void)track::add(e.contents, view, e.reference);
 }
 
+/// The section changes its length only by the group that was announced for it (3.8.5.2.2).
+void take_repositioning(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
+  if (e.information.repositioning) return store_with_track(e, view, verdict);
+  constexpr Clause kNotAnnounced = "3.8.5.2.2"_srs;
+  e.r.log.note({.what = What::packet_refused, .id = view.NID_PACKET, .clause = kNotAnnounced});
+  refuse(e, kNotAnnounced);
+}
+
 void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) {
   State& s = e.r.state;
   lang::Packet3 p;
@@ -140,7 +148,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  always,                 nullptr},
     {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      always,                 nullptr},
     {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    always,                 nullptr},
-    {packet::repositioning_information,               Turn::rest,           {repositioning},                         always,                 store_with_track},
+    {packet::repositioning_information,               Turn::rest,           {repositioning},                         always,                 take_repositioning},
     {packet::gradient_profile,                        Turn::rest,           {gradient},                              always,                 store_with_track},
     {packet::static_speed_profile,                    Turn::rest,           {ssp},                                   always,                 store_with_track},
     {packet::traction_system_change,                  Turn::rest,           {track_conditions_general},              always,                 store_with_track},
