@@ -79,8 +79,9 @@ struct TrainDataChange {
 
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
-  std::optional<Place> end;  // absent: infinite
-  bool by_rbc = false;       // given by an SR authorisation, even if infinite
+  std::optional<Place> end;            // absent: infinite
+  std::optional<Place> national_from;  // the start of D_NVSTFF; absent: the distance is the RBC's or the driver's
+  bool by_rbc = false;                 // given by an SR authorisation, even if infinite
   std::optional<Speed> V;
 };
 

@@ -133,7 +133,22 @@ void delete_with_session(State& s) {
 }
 
 void limit_SR_distance(State& state, const track::Here& here) {
-  if (state.national_values.D_NVSTFF) state.staff_responsible.end = here.est_front + *state.national_values.D_NVSTFF;
+  state.staff_responsible.national_from = here.est_front;
+  follow_national_SR_distance(state);
+}
+
+void follow_national_SR_distance(State& state) {
+  StaffResponsible& sr = state.staff_responsible;
+  if (!sr.national_from) return;
+  sr.end.reset();
+  if (state.national_values.D_NVSTFF) sr.end = *sr.national_from + *state.national_values.D_NVSTFF;
+}
+
+void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D) {
+  StaffResponsible& sr = state.staff_responsible;
+  sr.national_from.reset();
+  sr.end.reset();
+  if (D) sr.end = here.est_front + *D;
 }
 
 void cut_beyond(State& state, Place beyond) {

@@ -19,6 +19,10 @@ void delete_with_session(State& state);
 
 /// The national distance for SR from the estimated front end, where there is one (4.4.11.1.3.1).
 void limit_SR_distance(State& state, const track::Here& here);
+/// New national values: their distance counts from the same start (3.18.2.11).
+void follow_national_SR_distance(State& state);
+/// The distance for SR of the RBC or the driver, from the estimated front end; absent: infinite (4.4.11.1.3.2, .3).
+void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D);
 
 /// Linking and pending national values beyond a place are deleted (A.3.4).
 void cut_beyond(State& state, Place beyond);

@@ -6,7 +6,7 @@ namespace {
 /// Starts or restarts the supervision of override (5.8.3.1).
 void start(State& state, const Inputs& in) {
   state.active = true;
-  state.until = in.now + in.T_NVOVTRP;
+  state.since = in.now;
   state.start = in.odometer;
   state.sr_distance_end = in.mode == Mode::SR ? in.sr_distance_end : std::nullopt;
   switch (in.mode) {
@@ -29,7 +29,8 @@ void start(State& state, const Inputs& in) {
 /// 5.8.4.1: the end condition that is met, or none. In UN and SN only a and b are evaluated; in SH there is no SR
 /// distance and no former EOA.
 Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
-  if (in.now >= state.until) return "5.8.4.1 a"_srs;
+  // By the national values of now: a running supervision goes on from the same start (3.18.2.11).
+  if (in.now >= state.since + in.T_NVOVTRP) return "5.8.4.1 a"_srs;
   if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
   if (in.D_NVOVTRP.has_value() && state.start - in.odometer > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
   if (in.mode == Mode::UN || in.mode == Mode::SN) return {};

@@ -12,7 +12,7 @@ namespace evc::procedures::override_ {
 
 struct State {
   bool active = false;
-  Duration until{};                 // a: T_NVOVTRP after the selection
+  Duration since{};                 // a: time of the selection
   OdometerPlace start{};            // b: place of the selection
   std::optional<Place> former_eoa;  // c and [43]; stored beyond the end of override, deleted when SR is left
   bool former_eoa_passed = false;

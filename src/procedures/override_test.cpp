@@ -34,6 +34,19 @@ struct Driver {
   }
 };
 
+TEST(Override, TheTimeOfTheNationalValuesOfNow) {  // 3.18.2.11
+  Driver d;
+  d.select();
+  d.cycle(29.0);
+  d.in.T_NVOVTRP = Duration{30.0};
+  EXPECT_EQ(d.cycle().ended_by, "5.8.4.1 a"_srs) << "30 s after the selection";
+  Driver longer;
+  longer.select();
+  longer.in.T_NVOVTRP = Duration{90.0};
+  EXPECT_FALSE(longer.cycle(89.0).ended_by);
+  EXPECT_EQ(longer.cycle().ended_by, "5.8.4.1 a"_srs);
+}
+
 TEST(Override, Every_end_condition_ends_it_and_is_named) {
   const auto ended_by = [](auto&& change, double seconds = 1.0) {
     Driver d;

@@ -3,6 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
+#include "kernel/stored.h"
 #include "kernel/train_data.h"
 
 namespace evc::kernel {
@@ -93,7 +94,7 @@ void enter_SR_data(Reception& r) {
       (r.in.driver.D_sr && !in_range(r.in.driver.D_sr->si, 327670.0)))
     return r.log.note({.what = What::SR_data_out_of_range, .clause = "4.4.11"_srs});
   if (r.in.driver.V_sr) s.staff_responsible.V = r.in.driver.V_sr;
-  if (r.in.driver.D_sr) s.staff_responsible.end = r.out.here.est_front + *r.in.driver.D_sr;
+  if (r.in.driver.D_sr) set_SR_distance(s, r.out.here, r.in.driver.D_sr);
   ++s.revision;
 }
 

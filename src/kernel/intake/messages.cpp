@@ -60,11 +60,9 @@ Clause take_SR_authorisation(Evaluation& e, const lang::MessageToTrainView& view
   lang::Message2 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
   e.r.out.SR_authorised = true;
-  const std::optional<Distance> D_SR = lang::metres(m.Q_SCALE, m.D_SR);
-  s.staff_responsible.end.reset();
+  set_SR_distance(s, e.r.out.here, lang::metres(m.Q_SCALE, m.D_SR));
   s.staff_responsible.by_rbc = true;
   ++s.revision;
-  if (D_SR) s.staff_responsible.end = e.r.out.here.est_front + *D_SR;
   s.track.sr_list.reset();
   for (const lang::PacketView& p : e.information.packets) {
     if (p.NID_PACKET != packet::balise_groups_in_sr_authority) continue;

@@ -1,5 +1,6 @@
 #include "kernel/intake/national_values.h"
 
+#include "kernel/stored.h"
 #include "lang/packets/packet_3.h"
 #include "lang/si.h"
 
@@ -121,6 +122,7 @@ void use_national_values(State& state, const train::NationalValues& values,
                          const InplaceVector<std::uint16_t, 32>& areas) {
   state.national_values = values;
   state.national_areas = areas;
+  follow_national_SR_distance(state);
   ++state.revision;
 }
 
