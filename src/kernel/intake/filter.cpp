@@ -145,23 +145,41 @@ void evaluate_message(Evaluation& e) {
   if (const Clause clause = take_message(e, message)) refuse(e, clause);
 }
 
-/// All packets after packet 136 are infill (3.6.2.3.1, 7.4.2.32): their reference is another group, announced by
-/// linking.
+/// The packets after packet 136 in its telegram or message are infill (3.6.2.3.1, 7.4.2.32, 8.4.1.4.4): their
+/// reference is another group, announced by linking.
 struct Infill {
-  std::size_t at = 0;  // index of packet 136
+  std::uint64_t packets = 0;  // bit n: the n-th packet
   GroupId group;
 };
-std::optional<Infill> find_infill(const Information& information) {
+using Infills = InplaceVector<Infill, balise::kBalises>;  // at most one in each telegram of a group
+
+GroupId infill_group(const Information& information, const lang::PacketView& view) {
+  lang::Packet136 p;
+  if (lang::decode(view, p) != lang::Fault::none) return {};
+  return {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
+}
+
+/// Telegrams of one group with the same reference make one part: their packets are evaluated together.
+Infill& infill_of(Infills& infills, GroupId group) {
+  for (Infill& infill : infills)
+    if (infill.group == group) return infill;
+  (void)infills.push_back({0, group});
+  return infills.back();
+}
+
+Infills find_infills(const Information& information) {
+  Infills infills;
+  Infill* infill = nullptr;  // of the present telegram
+  const std::uint8_t* telegram = nullptr;
   for (std::size_t i = 0; i < information.packets.size(); ++i) {
-    if (information.packets[i].NID_PACKET != packet::infill_location_reference) continue;
-    Infill infill;
-    infill.at = i;
-    lang::Packet136 p;
-    if (lang::decode(information.packets[i], p) != lang::Fault::none) return infill;
-    infill.group = {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
-    return infill;
+    const lang::PacketView& view = information.packets[i];
+    if (view.bytes.data() != telegram) infill = nullptr;
+    telegram = view.bytes.data();
+    if (infill == nullptr && view.NID_PACKET == packet::infill_location_reference)
+      infill = &infill_of(infills, infill_group(information, view));
+    if (infill != nullptr) infill->packets |= std::uint64_t{1} << i;
   }
-  return std::nullopt;
+  return infills;
 }
 
 void tell_message(Evaluation& e) {
@@ -183,8 +201,8 @@ void evaluate_part(Evaluation& e) {
   evaluate_authority(e);
 }
 
-/// The infill part, after the rest of the message (4.8.1.5).
-void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
+/// An infill part, after the rest of the message (4.8.1.5).
+void evaluate_infill(Evaluation& e, const Infill& infill) {
   // Linking of the same message also gives the place of the group.
   std::optional<Place> place;
   for (const balise::Link& link : e.r.state.balise.linking.links)
@@ -193,7 +211,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill, std::uint64_t judge) {
     e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = "3.6.2.3.1"_srs});
     return;
   }
-  e.judge = judge;
+  e.judge = e.information.judge_packets & infill.packets;
   e.context.infill = true;
   e.reference.place = *place;
   e.reference.group = infill.group;
@@ -223,14 +241,13 @@ Waiting evaluate(Reception& r, const Information& information) {
                                    information.medium, r.state.now};
   Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, {}, 0, {}};
   track::begin(e.contents, e.reference, information.time);
-  const std::optional<Infill> infill = find_infill(information);
-  // Packets before packet 136; bit n stands for the n-th packet.
-  const std::uint64_t before = infill ? (std::uint64_t{1} << infill->at) - 1u : ~std::uint64_t{0};
-  e.judge = information.judge_packets & before;
+  const Infills infills = find_infills(information);
+  e.judge = information.judge_packets;
+  for (const Infill& infill : infills) e.judge &= ~infill.packets;
   evaluate_part(e);
   if (information.message != nullptr) evaluate_message(e);
   store_contents(e);
-  if (infill) evaluate_infill(e, *infill, information.judge_packets & ~before);
+  for (const Infill& infill : infills) evaluate_infill(e, infill);
   if (information.message != nullptr) tell_message(e);
   return e.waiting;
 }
