@@ -330,7 +330,7 @@ def main():
             print(f"stack: frame {deepest:8} {name}")
     if options.write:
         ceiling = limit()[1] if LIMIT.exists() else 24576
-        LIMIT.write_text(f"limit {size}\ngoal {ceiling}\n", encoding="utf-8")
+        LIMIT.write_text(f"limit {size}\nceiling {ceiling}\n", encoding="utf-8")
     allowed, ceiling = limit()
     if fault := judged(size, allowed, ceiling):
         print(f"stack: {fault}")
