@@ -12,12 +12,12 @@ enough, and a mutant that takes ten times the time is killed by that. Lines with
 are not changed. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N] [--alone N] [--seed S] [--files PATTERNS] [--survivors] [--behaviour]
-                            [--changed COMMIT] [--jobs N] [--build NAME] [--check] [--list] [--page]
+                            [--changed COMMIT] [--resume] [--jobs N] [--build NAME] [--check] [--list] [--page]
   --rows       all rows of the constexpr tables and nothing else (operators row, cell, word, number, truth there);  --rest: all but these
   --behaviour  without the tests that include the changed header themselves
   --sample N   N random mutants;  --alone N: N random ones of those that have to be built alone, the others are not run;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --changed    only in lines that changed since COMMIT
-  --survivors  those of the last run again
+  --survivors  those of the last run again;  --resume: goes on where the last run was stopped
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
   --page       writes docs/ROOM-mutants.md from this run; the reasons that are in it are kept
   --check      builds each mutant alone as well and prints where the verdicts differ
@@ -49,16 +49,19 @@ def results_file(room, options):
     return room.out / ("results-rows.jsonl" if options.rows else "results.jsonl")
 
 
+def read_results(room, options):
+    return [json.loads(line) for line in results_file(room, options).read_text().splitlines()]
+
+
 def choose(room, options):
     mutants = [m for m in room.mutants if (m.row if options.rows else not (m.row and options.rest))]
     if options.files:
         mutants = in_order(mutants, options.files.split(","))
     if options.changed:
         lines = changed_lines(options.changed)
-        mutants = [m for m in mutants if m.line in lines.get(f"src/{room.name}/{m.path.name}", ())]
+        mutants = [m for m in mutants if m.line in lines.get(f"src/{m.file}", ())]
     if options.survivors:
-        last = {r["key"] for r in map(json.loads, results_file(room, options).read_text().splitlines())
-                if r["verdict"] == "survived"}
+        last = {r["key"] for r in read_results(room, options) if r["verdict"] == "survived"}
         mutants = [m for m in mutants if m.key() in last]
     if options.sample and options.sample < len(mutants):
         mutants = random.Random(options.seed).sample(mutants, options.sample)
@@ -84,7 +87,10 @@ def judge_all(room, mutants, options):
     counts = {}
     unknown = 0
     begin = time.monotonic()
-    with open(results_file(room, options), "w", encoding="utf-8") as results, \
+    if options.resume:
+        done = {(r["key"], r["line"]) for r in read_results(room, options)}
+        mutants = [m for m in mutants if (m.key(), m.line) not in done]
+    with open(results_file(room, options), "a" if options.resume else "w", encoding="utf-8") as results, \
             concurrent.futures.ThreadPoolExecutor(room.jobs) as pool:
         verdicts = pool.map(lambda m: room.judge(m, options.behaviour), mutants)
         for number, (m, verdict) in enumerate(zip(mutants, verdicts), 1):
@@ -121,6 +127,7 @@ def main():
     parser.add_argument("--changed", metavar="COMMIT")
     parser.add_argument("--behaviour", action="store_true")
     parser.add_argument("--survivors", action="store_true")
+    parser.add_argument("--resume", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build")
     parser.add_argument("--check", action="store_true")
@@ -155,7 +162,7 @@ def main():
         return check(room, mutants)
     status = judge_all(room, mutants, options)
     if options.page:
-        results = [json.loads(line) for line in results_file(room, options).read_text().splitlines()]
+        results = read_results(room, options)
         results += [{"file": m.name, "verdict": "not run"} for m in left_out]
         how = f" (a sample: --sample {options.sample} --seed {options.seed})" if options.sample else ""
         if left_out:

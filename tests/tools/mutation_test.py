@@ -6,12 +6,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
 import mutation.page  # noqa: E402
 from mutation import schema, sources  # noqa: E402
-from mutation.room import CXX, HERE  # noqa: E402
+from mutation.room import CXX, HERE, Room, rooms_in  # noqa: E402
 
 SOURCE = """\
 #include <algorithm>
@@ -217,6 +218,57 @@ int main() {
         text = 'f("a && b");  // x && y\n'
         self.assertEqual(list(sources.places(text, {}))[1:], [])
         self.assertEqual(re.sub(r"\s", "", schema.instrumented(text, [], set())[0]), 'f("a&&b");')
+
+
+class NestedFolders(unittest.TestCase):
+    """A room whose files are in folders of stages: two of them may have one name."""
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.src = pathlib.Path(folder.name) / "src"
+        self.tree = pathlib.Path(folder.name) / "instrumented"
+        self.put("room/state.h", "enum class Mode { FS, OS };\n")
+        self.put("room/intake/order.h", "enum class Turn { first, last };\ninline Turn turn() { return Turn::first; }\n")
+        self.put("room/intake/seen.h", "inline int seen() { return 1; }\n")  # only a test includes it
+        self.put("room/intake/step.cpp", '#include "room/intake/order.h"\nint a(int x) { return x + 1; }\n')
+        self.put("room/report/step.cpp", "bool b(Mode m) { return m == Mode::FS; }\n")
+        self.put("room/report/step_test.cpp", '#include "room/intake/seen.h"\nint c() { return 2; }\n')
+        with unittest.mock.patch.object(sources, "SRC", self.src):
+            self.mutants = sources.mutants_of_room(self.src / "room", [])
+
+    def put(self, name, text):
+        (self.src / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.src / name).write_text(text, encoding="utf-8")
+
+    def test_mutants_of_all_folders(self):
+        self.assertEqual({(m.name, m.what.split(" in ")[0]) for m in self.mutants},
+                         {("src/room/intake/order.h", "`first` -> `last`"), ("src/room/intake/step.cpp", "`+` -> `-`"),
+                          ("src/room/intake/step.cpp", "`1` -> `2`"), ("src/room/report/step.cpp", "`==` -> `!=`"),
+                          ("src/room/report/step.cpp", "`FS` -> `OS`")})
+
+    def test_the_instrumented_copy_has_the_same_folders(self):
+        room = Room.__new__(Room)
+        room.name, room.src, room.tree, room.wanted, room.scenarios = "room", self.src, self.tree, self.mutants, False
+        (self.tree / "room/intake").mkdir(parents=True)
+        (self.tree / "room/intake/gone.h").write_text("", encoding="utf-8")
+        room.write_tree(set())
+        self.assertEqual(room.in_schema, {m.id for m in self.mutants})
+        for name, mutant in (("intake", "Plus<"), ("report", "Equal<")):
+            self.assertIn(mutant, (self.tree / "room" / name / "step.cpp").read_text(encoding="utf-8"))
+            self.assertEqual(room.instrumented(self.src / "room" / name / "step.cpp"), self.tree / "room" / name / "step.cpp")
+        self.assertFalse((self.tree / "room/intake/gone.h").exists())
+        objects = [room.object_name(source) for source in room.sources()]
+        self.assertEqual(sorted(objects), ["room_intake_step.o", "room_report_step.o", "room_report_step_test.o"])
+
+    def test_the_page_names_the_folder(self):
+        results = [{"file": m.name, "line": m.line, "what": m.what, "verdict": "killed: test"} for m in self.mutants]
+        text = mutation.page.page("room", "", results, len(results), "")
+        self.assertIn("| intake/step.cpp | 2 | 2 | 0 | 0 | 0 |", text)
+        self.assertIn("| report/step.cpp | 2 | 2 | 0 | 0 | 0 |", text)
+
+    def test_rooms_that_a_target_links(self):
+        text = "add_library(evc_tries STATIC a.cpp)\ntarget_link_libraries(evc_tries PUBLIC evc_private evc_io\n evc_sim)\n"
+        self.assertEqual(rooms_in(text, "evc_tries"), ["io", "sim"])
 
 
 class Pages(unittest.TestCase):

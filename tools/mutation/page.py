@@ -36,7 +36,7 @@ def page(room, before, results, number, how):
     counts = collections.defaultdict(collections.Counter)
     for r in results:
         verdict = r["verdict"].split(":")[0]
-        counts[r["file"].rsplit("/", 1)[1]][verdict] += 1
+        counts[r["file"].split(f"{room}/", 1)[1]][verdict] += 1
     verdicts = ["killed", "survived", "does not compile", "not run"]
     lines = [(name, c.total(), *(c[v] for v in verdicts)) for name, c in sorted(counts.items())]
     lines.append(("all", *(sum(line[i] for line in lines) for i in range(1, 6))))

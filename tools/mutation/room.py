@@ -20,8 +20,12 @@ from mutation.sources import PUBLIC, ROOT, SRC, mutants_of_room
 HERE = pathlib.Path(__file__).resolve().parent
 SHARED = ROOT / "build" / "mutants" / "shared"  # what no mutant changes: other rooms, the test library
 CXX = shlex.split(os.environ.get("CXX", "g++"))
-FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOURCE_DIR="{ROOT}"']
-ROOM_FLAGS = ["-O1", "-fno-exceptions", "-fno-rtti"]
+FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOURCE_DIR="{ROOT}"',
+         f'-DEVC_DATA_DIR="{ROOT}/data"']
+ROOM_FLAGS = ["-O1"]
+KERNEL_FLAGS = ["-fno-exceptions", "-fno-rtti"]
+SCENARIOS = ROOT / "tests/scenarios"
+WITH_SCENARIOS = {"kernel"}  # rooms whose tests are the scenarios too
 SLOW_TEST = 0.05  # seconds
 TIME_FACTOR, TIME_MORE = 10, 2  # a mutant has this many times the time of the unchanged room, and seconds more
 WAITED = 20  # times that: a mutant that sleeps
@@ -29,6 +33,12 @@ WAITED = 20  # times that: a mutant that sleeps
 
 def is_test(source):
     return source.name.endswith("_test.cpp")
+
+
+def rooms_in(text, target):
+    """The rooms that a target of a CMakeLists.txt links."""
+    linked = re.findall(rf"target_link_libraries\({target} ([^)]*)\)", text)
+    return [room for words in linked for room in re.findall(r"\bevc_(\w+)", words) if room != "private"]
 
 
 def verdict_of(result):
@@ -59,15 +69,22 @@ def finish(part, out):
 
 
 class Build:
-    """One way to compile everything: folders that are searched first, flags, and a folder for what is made."""
-    def __init__(self, out, trees, test_flags, include):
-        self.out, self.trees, self.test_flags = out, trees, test_flags
+    """One way to compile everything: folders that are searched first, flags, and a folder for what is made. `kernel`:
+    rooms that need neither exceptions nor run-time types."""
+    def __init__(self, out, trees, kernel, test_flags, include):
+        self.out, self.trees, self.kernel, self.test_flags = out, trees, kernel, test_flags
         self.common = SHARED / out.name / "common.h"  # what every test includes, compiled once
         self.include = include
         out.mkdir(parents=True, exist_ok=True)
 
+    def flags(self, source, trees):
+        if is_test(source):
+            return self.test_flags
+        room = next((source.relative_to(t).parts[0] for t in trees if source.is_relative_to(t)), None)
+        return ROOM_FLAGS + (KERNEL_FLAGS if room in self.kernel else [])
+
     def command(self, source, trees=()):
-        flags = CXX + FLAGS + (self.test_flags if is_test(source) else ROOM_FLAGS)
+        flags = CXX + FLAGS + self.flags(source, (*trees, *self.trees))
         first = [self.common] if is_test(source) else self.include
         flags += [word for header in first for word in ("-include", str(header))]
         return flags + [f"-I{tree}" for tree in (*trees, *self.trees)]
@@ -106,20 +123,22 @@ class Build:
 class Room:
     def __init__(self, name, jobs=1, build=None):
         self.name, self.jobs = name, jobs
-        self.rooms = []
-        self._depend(name)
-        for linked in re.findall(rf"target_link_libraries\({name}_test [^)]*\)", (SRC / name / "CMakeLists.txt").read_text()):
-            for other in re.findall(r"\bevc_(\w+)", linked):
-                self._depend(other)
+        self.rooms, self.kernel = [], set()
+        self.scenarios = name in WITH_SCENARIOS
+        others = rooms_in((SRC / name / "CMakeLists.txt").read_text(), f"{name}_test")
+        if self.scenarios:
+            others += rooms_in((SCENARIOS / "CMakeLists.txt").read_text(), "evc_scenarios")
+        for other in (name, *others):
+            self._depend(other)
         self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
         self.mutants = mutants_of_room(self.src / name, [SHARED / "src" / room for room in self.rooms[1:]])
         self.wanted = self.mutants  # those that the one build is made for
         self.tree = self.out / "instrumented"
-        self.all = Build(self.out / "all", [self.tree, self.src, SHARED / "src"], ["-O1"], [HERE / "schema.h"])
-        self.plain = Build(self.out / "plain", [self.src, SHARED / "src"], ["-O0"], [])
-        self.other = Build(SHARED / "objects", [SHARED / "src", self.src], [], [])
+        self.all = Build(self.out / "all", [self.tree, self.src, SHARED / "src"], self.kernel, ["-O1"], [HERE / "schema.h"])
+        self.plain = Build(self.out / "plain", [self.src, SHARED / "src"], self.kernel, ["-O0"], [])
+        self.other = Build(SHARED / "objects", [SHARED / "src", self.src], self.kernel, [], [])
         self.others = self.out / "others.a"
         self.in_schema = set()  # numbers of the mutants that the one build holds
         self.objects = None  # of the plain build: source -> (object, what it was made of)
@@ -134,11 +153,18 @@ class Room:
             return
         self.rooms.append(name)
         words = re.search(r"evc_room\((.*?)\)", (SRC / name / "CMakeLists.txt").read_text(), re.S).group(1).split()
+        if "KERNEL" in words:
+            self.kernel.add(name)
         if "DEPENDS" in words:
             for word in words[words.index("DEPENDS") + 1:]:
                 if word == "LIBRARIES":
                     break
                 self._depend(word)
+
+    def object_name(self, source):
+        """Of a source in one of the trees: folders too, for files of two folders may have one name."""
+        tree = next(t for t in (self.tree, self.src, SHARED / "src") if source.is_relative_to(t))
+        return "_".join(source.relative_to(tree).with_suffix(".o").parts)
 
     def each(self, work, items):
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
@@ -149,7 +175,7 @@ class Room:
     def prepare(self):
         """The build with all mutants, and what the unchanged room needs of time."""
         self.all.prepare_common()
-        others = self.each(lambda s: self.other.made(s, f"{s.parent.name}_{s.stem}.o"),
+        others = self.each(lambda s: self.other.made(s, self.object_name(s)),
                            [s for room in self.rooms[1:] for s in sorted((SHARED / "src" / room).rglob("*.cpp"))
                             if not is_test(s)])
         # The linker takes of other rooms what it needs.
@@ -157,7 +183,7 @@ class Room:
         subprocess.run(["ar", "rcs", str(self.others)] + [str(o) for o in others], check=True)
         self.instrument()
         sources = [self.instrumented(s) for s in self.sources()]
-        objects = self.each(lambda s: self.all.made(s, s.stem + ".o"), sources)
+        objects = self.each(lambda s: self.all.made(s, self.object_name(s)), sources)
         self.binary = self.out / "all_test"
         objects.append(self.all.made(HERE / "schema.cpp", "schema.o"))
         if not self.link(self.binary, objects):
@@ -176,6 +202,10 @@ class Room:
                 for file in (root / room).rglob("*.*"):
                     if file.suffix in (".cpp", ".h", ".inc"):
                         write(copy / file.relative_to(root), file.read_text())
+        if self.scenarios:
+            for file in SCENARIOS.iterdir():
+                if file.suffix in (".cpp", ".h"):
+                    write(self.src / SCENARIOS.name / file.name, file.read_text())
         # "openevc/ROOM/x.h" is ROOM/x.h in a copy; headers above the public rooms are the same in every copy.
         for header in PUBLIC.glob("*.h"):
             write(SHARED / "src" / header.name, header.read_text())
@@ -187,25 +217,27 @@ class Room:
                 (tree / "openevc").symlink_to(".")
 
     def sources(self):
-        return sorted((self.src / self.name).rglob("*.cpp"), key=lambda s: (not is_test(s), s.name))
+        """Of the room and its tests; with the scenarios these and what runs them."""
+        folders = [self.src / self.name] + [self.src / SCENARIOS.name] * self.scenarios
+        return sorted((s for f in folders for s in f.rglob("*.cpp")), key=lambda s: (not is_test(s), s.name))
 
     def instrumented(self, source):
-        changed = self.tree / self.name / source.name
+        changed = self.tree / source.relative_to(self.src)
         return changed if changed.exists() else source
 
     def write_tree(self, dropped):
         # Files without a mutant too: what uses a table as a constant must not any more.
-        files = {path: [] for path in (self.src / self.name).glob("*.*")
+        files = {path: [] for path in (self.src / self.name).rglob("*.*")
                  if path.suffix in (".cpp", ".h") and not is_test(path) and not path.stem.startswith("test_")}
         for m in self.wanted:
             files.setdefault(m.path, []).append(m)
-        for old in self.tree.glob("*/*.*"):
-            if self.src / self.name / old.name not in files:
+        for old in (self.tree / self.name).rglob("*.*"):
+            if self.src / old.relative_to(self.tree) not in files:
                 old.unlink()
         self.in_schema = set()
         for path, mutants in files.items():
             text, written = schema.instrumented(path.read_text(), mutants, dropped, path.name)
-            write(self.tree / self.name / path.name, text)
+            write(self.tree / path.relative_to(self.src), text)
             self.in_schema |= written
 
     def instrument(self):
@@ -216,7 +248,7 @@ class Room:
         known = set(json.loads(memory.read_text())) if memory.exists() else set()
         dropped = {mark for mark in keys if keys[mark] in known} | known
         self.write_tree(dropped)
-        stale = [s for s in self.sources() if includes(self.all.out / (s.stem + ".o")) is None]
+        stale = [s for s in self.sources() if includes(self.all.out / self.object_name(s)) is None]
         failing = [s for s in stale if not is_test(s)] or stale  # the room shows most, and sooner than its tests
         while failing:
             messages = self.each(lambda s: self.all.errors(self.instrumented(s)), failing)
@@ -244,7 +276,10 @@ class Room:
             for test in suite["testsuite"]:
                 name = suite["name"] + "." + test["name"]
                 seconds[name] = float(test["time"].rstrip("s"))
-                self.tests_of.setdefault(pathlib.Path(test["file"]).name, set()).add(name)
+                source = pathlib.Path(test["file"])
+                if source.suffix == ".scenario":
+                    source = SCENARIOS / "scenarios_test.cpp"  # it reads them
+                self.tests_of.setdefault(source.name, set()).add(name)
         quick = [name for name in seconds if seconds[name] < SLOW_TEST]
         slow = sorted((seconds[name], name) for name in seconds if seconds[name] >= SLOW_TEST)
         self.steps = [(quick, sum(seconds[name] for name in quick))] + [([name], time) for time, name in slow]
@@ -283,10 +318,11 @@ class Room:
 
     def tests(self, binary, number, without=frozenset()):
         """The verdict of the tests, the quick ones first; without those in which the mutant makes no difference."""
-        for names, seconds in self.steps:
+        for names, _ in self.steps:
             names = [name for name in names if name not in without and (number == 0 or number in self.reached[name])]
             if not names:
                 continue
+            seconds = sum(self.seconds[name] for name in names)
             result = self.run(binary, number, names, seconds * TIME_FACTOR + TIME_MORE)
             if result != 0:
                 return verdict_of(result)
@@ -296,8 +332,8 @@ class Room:
         """`behaviour_only`: without the tests that include the changed header themselves."""
         without = set()
         if behaviour_only and mutant.path.suffix == ".h":
-            for source in (self.src / self.name).rglob("*_test.cpp"):
-                if f'#include "{self.name}/{mutant.path.name}"' in source.read_text():
+            for source in filter(is_test, self.sources()):
+                if f'#include "{mutant.file}"' in source.read_text():
                     without |= self.tests_of.get(source.name, set())
         if mutant.id in self.in_schema:
             verdict = self.tests(self.binary, mutant.id, without)
@@ -312,7 +348,7 @@ class Room:
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             tree = pathlib.Path(folder)
             (tree / "openevc").symlink_to(".")
-            changed = tree / self.name / mutant.path.name
+            changed = tree / mutant.path.relative_to(self.src)
             write(changed, text[:mutant.start] + mutant.new + text[mutant.end:])
             command = self.plain.command(changed, [tree]) + ["-fsyntax-only", "-x", "c++", str(changed)]
             return subprocess.run(command, capture_output=True).returncode == 0
@@ -323,25 +359,29 @@ class Room:
             if self.objects is None:
                 self.plain.prepare_common()
                 sources = self.sources()
-                made = self.each(lambda s: self.plain.made(s, s.stem + ".o"), sources)
+                made = self.each(lambda s: self.plain.made(s, self.object_name(s)), sources)
                 self.objects = {s: (o, includes(o)) for s, o in zip(sources, made)}
         return self.objects
 
     def judge_alone(self, mutant, without=frozenset()):
         """The mutated file lies in a folder of its own that is searched first. What includes it is compiled again:
-        the room, then one source of tests after the other until a test fails."""
+        the room, then one source of tests after the other until a test fails. Tests that do not include it are one
+        program, which runs first."""
         objects = self.plain_objects()
-        original = self.src / self.name / mutant.path.name
+        original = mutant.path
         text = original.read_text()
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             tree = pathlib.Path(folder)
             (tree / "openevc").symlink_to(".")
-            changed = tree / self.name / mutant.path.name
+            changed = tree / mutant.path.relative_to(self.src)
             write(changed, text[:mutant.start] + mutant.new + text[mutant.end:])
 
+            def as_before(source):
+                return source != original and original not in objects[source][1]
+
             def made(source):
-                out, of = objects[source]
-                if source != original and original not in of:
+                out = objects[source][0]
+                if as_before(source):
                     return out
                 out = tree / out.name
                 failed = self.plain.compile(changed if source == original else source, out, [tree]).returncode
@@ -350,15 +390,16 @@ class Room:
             room = [made(s) for s in objects if not is_test(s)]
             if None in room:
                 return "does not compile"
-            named = re.compile(rf'#include "(openevc/)?{self.name}/{re.escape(original.name)}"')
+            named = re.compile(rf'#include "(openevc/)?{re.escape(str(original.relative_to(self.src)))}"')
             tests = [s for s in objects if is_test(s)]
-            for source in sorted(tests, key=lambda s: not named.search(s.read_text())):
-                names = self.tests_of.get(source.name, set()) - without
+            changed_tests = sorted((s for s in tests if not as_before(s)), key=lambda s: not named.search(s.read_text()))
+            for sources in [[s for s in tests if as_before(s)], *([s] for s in changed_tests)]:
+                names = set().union(*(self.tests_of.get(s.name, set()) for s in sources)) - without
                 if not names:
                     continue
-                test = made(source)
+                made_tests = [made(s) for s in sources]
                 binary = tree / "mutant_test"
-                if test is None or not self.link(binary, [*room, test]):
+                if None in made_tests or not self.link(binary, [*room, *made_tests]):
                     return "does not compile"
                 seconds = sum(self.seconds[name] for name in names)
                 result = self.run(binary, 0, names if without else None, seconds * TIME_FACTOR + TIME_MORE)

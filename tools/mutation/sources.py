@@ -65,12 +65,12 @@ class Mutant:
     operator: str
     row: str  # "array" or "page": in a row of such a table; "" elsewhere
     what: str
+    file: str  # room, folders in it and name: kernel/intake/routes.h
     id: int = 0
 
     @property
     def name(self):
-        file = f"{self.path.parent.name}/{self.path.name}"
-        return f"include/openevc/{file}" if (PUBLIC / file).exists() else f"src/{file}"
+        return f"include/openevc/{self.file}" if (PUBLIC / self.file).exists() else f"src/{self.file}"
 
     def key(self):
         return self.name + " " + self.operator + " " + self.what
@@ -96,7 +96,7 @@ def enumerators(folders):
     only what both have: the text does not show which of them is meant."""
     found = {}
     for folder in folders:
-        for header in folder.glob("*.h"):
+        for header in folder.rglob("*.h"):
             for name, body in re.findall(r"enum class (\w+)[^{;]*\{([^}]*)\}", masked(header.read_text())):
                 values = [v.split("=")[0].strip() for v in body.split(",")]
                 values = [v for v in values if v and v != "count"]
@@ -213,10 +213,12 @@ def places(text, enums):
         start += len(line) + 1
 
 
-def mutants_of(path, enums):
+def mutants_of(path, enums, root=None):
+    """`root`: the folder of the rooms, that of the room's folder unless told."""
     text = path.read_text()
+    file = str(path.relative_to(root or path.parent.parent))
     return [Mutant(path, text.count("\n", 0, start) + 1, start, end, new, operator, row,
-                   described(text, start, end, new, operator))
+                   described(text, start, end, new, operator), file)
             for start, end, new, operator, row in places(text, enums)]
 
 
@@ -230,15 +232,15 @@ def mutants_of_room(folder, others):
     the folders of the rooms that it uses."""
     name = folder.name
     included = set()
-    for source in [*SRC.glob("*/*"), *PUBLIC.rglob("*")]:
+    for source in [*SRC.rglob("*"), *PUBLIC.rglob("*")]:
         if source.suffix in (".cpp", ".h") and not is_test(source):
-            included.update(re.findall(rf'^#include "(?:openevc/)?{name}/(\w+\.h)"', source.read_text(), re.M))
-    tests_only = {h.name for h in folder.glob("*.h")} - included
+            included.update(re.findall(rf'^#include "(?:openevc/)?{name}/([\w/]+\.h)"', source.read_text(), re.M))
+    tests_only = {str(h.relative_to(folder)) for h in folder.rglob("*.h")} - included
     enums = enumerators([folder, *others])
     found = []
-    for path in sorted(folder.iterdir()):
-        if path.suffix in (".cpp", ".h") and not is_test(path) and path.name not in tests_only:
-            found += mutants_of(path, enums)
+    for path in sorted(folder.rglob("*")):
+        if path.suffix in (".cpp", ".h") and not is_test(path) and str(path.relative_to(folder)) not in tests_only:
+            found += mutants_of(path, enums, folder.parent)
     for number, mutant in enumerate(found, 1):
         mutant.id = number
     return found
