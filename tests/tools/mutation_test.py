@@ -22,6 +22,7 @@ enum class Kind { a, b, c };
 struct Row {
   int id;
   Kind kind;
+  int rank = 0;
 };
 inline constexpr Row kRows[] = {
     {1, Kind::a},  // a comment { with a bracket
@@ -30,8 +31,12 @@ inline constexpr Row kRows[] = {
 std::span<const Row> rows() { return kRows; }
 constexpr double kFactor = 2.5;
 constexpr double scaled(double x) { return kFactor * x - 1.0; }
+struct Scale {
+  static constexpr Row kOne{3, Kind::a};
+};
 int at(int a, int b, int c) {
-  int n = std::min(a, b);
+  static constexpr Row kNone{0, Kind::b};  // its default cannot be a constant any more
+  int n = std::min(a, b) + kNone.id + kNone.rank + (kNone.kind != Scale::kOne.kind ? 0 : Scale::kOne.id);
   if (a < b && b < c || a == c)  // mixed on purpose
     n += c - a;
   else
@@ -98,7 +103,7 @@ class Mutation(unittest.TestCase):
         for m in self.mutants:
             found[m.operator] = found.get(m.operator, 0) + 1
         self.assertEqual(found["row"], 2)
-        self.assertEqual(found["cell"], 3)
+        self.assertEqual(found["cell"], 5)
         self.assertEqual(found["logic"], 4)
         self.assertEqual(found["negate"], 3)
         self.assertEqual(found["delete"], 5)
@@ -213,6 +218,10 @@ int main() {
         (self.tree / "one.h").write_text("enum class Mode { NP, SB, SH };\n", encoding="utf-8")
         (self.tree / "two.h").write_text("enum class Mode { NP, SB, SM, SH };\n", encoding="utf-8")
         self.assertEqual(sources.enumerators([self.tree])["Mode"], ["NP", "SB", "SH"])
+
+    def test_the_end_of_an_expression_is_no_statement(self):
+        text = "  const bool over = a ? b\n                      : f(a, b)\n                            .passed;\n"
+        self.assertEqual(list(sources.places(text, {})), [])
 
     def test_comments_and_literals_are_left_alone(self):
         text = 'f("a && b");  // x && y\n'

@@ -147,6 +147,18 @@ def table_edits(code, name, mutants, dropped):
     return edits
 
 
+def in_function(code, at):
+    """Whether the innermost brackets around `at` are those of a block of statements, not of a class or namespace."""
+    depth = 0
+    while at > 0:
+        at -= 1
+        depth += (code[at] == "}") - (code[at] == "{")
+        if depth < 0:
+            head = re.split(r"[;{}]", code[:at])[-1]
+            return re.search(r"\b(?:class|struct|namespace|enum|union)\b", head) is None
+    return False
+
+
 def runtime_edits(code, name, dropped):
     """constexpr -> const for what is a value, inline for what is a function."""
     for m in re.finditer(r"\b(static |inline |friend )?constexpr (?!\()", code):
@@ -162,7 +174,7 @@ def runtime_edits(code, name, dropped):
         if function:
             text = before or "inline "
         elif before == "static ":
-            text = "static inline const "
+            text = "static const " if in_function(code, m.start()) else "static inline const "
         else:
             text = before + "const "
         yield Edit(m.start(), m.end(), [], lambda inner, mark=mark, text=text: own_line(mark, text))

@@ -165,7 +165,7 @@ def deleted_statement(line, previous):
         return end + 2 if end > 0 and line[end + 1:].strip() not in ("", ";") else None
     if stripped.startswith("else "):
         return begin + 5
-    acts = re.match(r"(?:\+\+|--)?[\w.:>\[\]-]+(?:\(| [-+*/|&]?= |;|\+\+|--)", stripped)
+    acts = re.match(r"(?:\+\+|--)?\w[\w.:>\[\]-]*(?:\(| [-+*/|&]?= |;|\+\+|--)", stripped)
     return begin if acts else None
 
 
