@@ -24,9 +24,10 @@ FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOUR
          f'-DEVC_DATA_DIR="{ROOT}/data"']
 ROOM_FLAGS = ["-O1"]
 KERNEL_FLAGS = ["-fno-exceptions", "-fno-rtti"]
+HOST_FLAGS = ["-O2", "-DNDEBUG"]  # a scenario is mostly reading and writing of JSON
 SCENARIOS = ROOT / "tests/scenarios"
 WITH_SCENARIOS = {"kernel"}  # rooms whose tests are the scenarios too
-SLOW_TEST = 0.05  # seconds
+SLOW_TEST = 0.25  # seconds
 TIME_FACTOR, TIME_MORE = 10, 2  # a mutant has this many times the time of the unchanged room, and seconds more
 WAITED = 20  # times that: a mutant that sleeps
 
@@ -81,7 +82,7 @@ class Build:
         if is_test(source):
             return self.test_flags
         room = next((source.relative_to(t).parts[0] for t in trees if source.is_relative_to(t)), None)
-        return ROOM_FLAGS + (KERNEL_FLAGS if room in self.kernel else [])
+        return ROOM_FLAGS + (KERNEL_FLAGS if room in self.kernel else HOST_FLAGS)
 
     def command(self, source, trees=()):
         flags = CXX + FLAGS + self.flags(source, (*trees, *self.trees))

@@ -30,6 +30,169 @@ TEST(NationalValues, MoreStepsThanThereIsRoomForGiveTheLowestEverywhere) {  // 3
   }
 }
 
+/// Packet 3 with every value other than the default and than every other one.
+lang::Packet3 with_all_values() {
+  lang::Packet3 p;
+  p.Q_SCALE.raw = 1;
+  p.D_VALIDNV.raw = 500;
+  p.NID_C.raw = 11;
+  EXPECT_TRUE(p.areas.push_back({lang::var::NID_C{12}}));
+  EXPECT_TRUE(p.areas.push_back({lang::var::NID_C{13}}));
+  p.V_NVSHUNT.raw = 1;
+  p.V_NVSTFF.raw = 2;
+  p.V_NVONSIGHT.raw = 3;
+  p.V_NVLIMSUPERV.raw = 4;
+  p.V_NVUNFIT.raw = 5;
+  p.V_NVREL.raw = 6;
+  p.V_NVALLOWOVTRP.raw = 7;
+  p.V_NVSUPOVTRP.raw = 8;
+  p.D_NVROLL.raw = 21;
+  p.D_NVOVTRP.raw = 22;
+  p.D_NVPOTRP.raw = 23;
+  p.D_NVSTFF.raw = 24;
+  p.T_NVOVTRP.raw = 31;
+  p.T_NVCONTACT.raw = 32;
+  p.Q_NVLOCACC.raw = 33;
+  p.M_NVCONTACT.raw = 1;
+  p.A_NVMAXREDADH1.raw = 10;
+  p.A_NVMAXREDADH2.raw = 11;
+  p.A_NVMAXREDADH3.raw = 12;
+  p.M_NVAVADH.raw = 13;
+  p.M_NVEBCL.raw = 4;
+  return p;
+}
+
+TEST(NationalValues, AreTheValuesOfThePacket) {  // 7.4.2.1, 7.5.1
+  const ReceivedNationalValues r = read(with_all_values());
+  const train::NationalValues& nv = r.values;
+  const auto kmh = [](double v) { return Speed{v / 3.6}; };
+  EXPECT_EQ(nv.V_NVSHUNT, kmh(5.0));
+  EXPECT_EQ(nv.V_NVSTFF, kmh(10.0));
+  EXPECT_EQ(nv.V_NVONSIGHT, kmh(15.0));
+  EXPECT_EQ(nv.V_NVLIMSUPERV, kmh(20.0));
+  EXPECT_EQ(nv.V_NVUNFIT, kmh(25.0));
+  EXPECT_EQ(nv.V_NVREL, kmh(30.0));
+  EXPECT_EQ(nv.V_NVALLOWOVTRP, kmh(35.0));
+  EXPECT_EQ(nv.V_NVSUPOVTRP, kmh(40.0));
+  EXPECT_EQ(nv.D_NVROLL, Distance{21.0});
+  EXPECT_EQ(nv.D_NVOVTRP, Distance{22.0});
+  EXPECT_EQ(nv.D_NVPOTRP, Distance{23.0});
+  EXPECT_EQ(nv.D_NVSTFF, Distance{24.0});
+  EXPECT_EQ(nv.T_NVOVTRP, Duration{31.0});
+  EXPECT_EQ(nv.T_NVCONTACT, Duration{32.0});
+  EXPECT_EQ(nv.Q_NVLOCACC, Distance{33.0});
+  EXPECT_EQ(nv.M_NVCONTACT, Reaction::service_brake);
+  EXPECT_EQ(nv.A_NVMAXREDADH1, train::MaxReducedAdhesion::at_most({0.5}));
+  EXPECT_EQ(nv.A_NVMAXREDADH2, train::MaxReducedAdhesion::at_most({0.55}));
+  EXPECT_EQ(nv.A_NVMAXREDADH3, train::MaxReducedAdhesion::at_most({0.6}));
+  EXPECT_DOUBLE_EQ(nv.M_NVAVADH, 0.65);
+  EXPECT_EQ(nv.M_NVEBCL, 4);
+  EXPECT_EQ(r.D_VALIDNV, Distance{500.0});
+  ASSERT_EQ(r.areas.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(r.areas[i], 11 + i);
+}
+
+TEST(NationalValues, InfiniteDistancesAndTimes) {  // 7.5.1.17, 7.5.1.18, 7.5.1.29, 7.5.1.147
+  lang::Packet3 p = with_all_values();
+  p.D_VALIDNV.raw = 32767;
+  p.D_NVROLL.raw = 32767;
+  p.D_NVSTFF.raw = 32767;
+  p.T_NVCONTACT.raw = 255;
+  const ReceivedNationalValues r = read(p);
+  EXPECT_EQ(r.D_VALIDNV, std::nullopt);
+  EXPECT_GE(r.values.D_NVROLL, Distance{1e9});
+  EXPECT_EQ(r.values.D_NVSTFF, std::nullopt);
+  EXPECT_EQ(r.values.T_NVCONTACT, std::nullopt);
+}
+
+TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
+  lang::Packet3 off = with_all_values();
+  using NV = train::NationalValues;
+  using P = lang::Packet3;
+  const auto check = [&](auto variable, bool NV::* value) {
+    P on = off;
+    (on.*variable).raw = 1;
+    for (bool NV::* each : {&NV::M_NVDERUN, &NV::Q_NVDRIVER_ADHES, &NV::Q_NVSBTSMPERM, &NV::Q_NVEMRRLS,
+                            &NV::Q_NVGUIPERM, &NV::Q_NVSBFBPERM, &NV::Q_NVINHSMICPERM}) {
+      EXPECT_FALSE(read(off).values.*each);
+      EXPECT_EQ(read(on).values.*each, each == value);
+    }
+  };
+  check(&P::M_NVDERUN, &NV::M_NVDERUN);
+  check(&P::Q_NVDRIVER_ADHES, &NV::Q_NVDRIVER_ADHES);
+  check(&P::Q_NVSBTSMPERM, &NV::Q_NVSBTSMPERM);
+  check(&P::Q_NVEMRRLS, &NV::Q_NVEMRRLS);
+  check(&P::Q_NVGUIPERM, &NV::Q_NVGUIPERM);
+  check(&P::Q_NVSBFBPERM, &NV::Q_NVSBFBPERM);
+  check(&P::Q_NVINHSMICPERM, &NV::Q_NVINHSMICPERM);
+}
+
+TEST(NationalValues, MaximumDecelerationsThatAreNone) {  // 7.5.1.2
+  using train::MaxReducedAdhesion;
+  lang::Packet3 p;
+  p.A_NVMAXREDADH1.raw = 61;
+  p.A_NVMAXREDADH2.raw = 62;
+  p.A_NVMAXREDADH3.raw = 63;
+  const train::NationalValues nv = read(p).values;
+  EXPECT_EQ(nv.A_NVMAXREDADH1, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::target_information));
+  EXPECT_EQ(nv.A_NVMAXREDADH2, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::time_to_indication));
+  EXPECT_EQ(nv.A_NVMAXREDADH3, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::none));
+  p.A_NVMAXREDADH1.raw = 60;
+  EXPECT_EQ(read(p).values.A_NVMAXREDADH1, MaxReducedAdhesion::at_most({3.0}));
+}
+
+TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1.50, 7.5.1.75
+  lang::Packet3 p;
+  p.Q_NVKINT.raw = 1;
+  p.Q_NVKVINTSET.raw = 1;  // conventional passenger trains
+  p.A_NVP12.raw = 10;
+  p.A_NVP23.raw = 20;
+  p.M_NVKVINT_A.raw = 40;
+  p.M_NVKVINT_B.raw = 35;
+  lang::Packet3_kv_steps step;
+  step.V_NVKVINT.raw = 20;
+  step.M_NVKVINT_A.raw = 30;
+  step.M_NVKVINT_B.raw = 25;
+  ASSERT_TRUE(p.kv_steps.push_back(step));
+  lang::Packet3_kv_sets freight;
+  freight.Q_NVKVINTSET.raw = 0;
+  freight.A_NVP12.raw = 1;
+  freight.A_NVP23.raw = 2;
+  freight.M_NVKVINT_A.raw = 45;
+  step.V_NVKVINT.raw = 16;
+  step.M_NVKVINT_A.raw = 20;
+  ASSERT_TRUE(freight.kv_steps.push_back(step));
+  ASSERT_TRUE(p.kv_sets.push_back(freight));
+  p.M_NVKRINT.raw = 18;
+  p.M_NVKTINT.raw = 24;
+  const train::NationalValues nv = read(p).values;
+  EXPECT_EQ(nv.A_NVP12, Acceleration{0.5});
+  EXPECT_EQ(nv.A_NVP23, Acceleration{1.0});
+  ASSERT_EQ(nv.Kv_int_passenger.size(), 2u);
+  EXPECT_EQ(nv.Kv_int_passenger.steps[0].from, Speed{});
+  EXPECT_EQ(nv.Kv_int_passenger.steps[0].value, (train::KvPair{0.8, 0.7}));
+  EXPECT_EQ(nv.Kv_int_passenger.steps[1].from, Speed{100.0 / 3.6});
+  EXPECT_EQ(nv.Kv_int_passenger.steps[1].value, (train::KvPair{0.6, 0.5}));
+  ASSERT_EQ(nv.Kv_int_freight.size(), 2u);
+  EXPECT_DOUBLE_EQ(nv.Kv_int_freight.steps[0].value, 0.9);
+  EXPECT_EQ(nv.Kv_int_freight.steps[1].from, Speed{80.0 / 3.6});
+  EXPECT_DOUBLE_EQ(nv.Kv_int_freight.steps[1].value, 0.4);
+  EXPECT_DOUBLE_EQ(nv.Kr_int.at({}), 0.9);
+  EXPECT_DOUBLE_EQ(nv.Kt_int, 1.2);
+}
+
+TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  // A.3.2
+  lang::Packet3 p = with_all_values();
+  p.Q_NVKVINTSET.raw = 1;
+  p.M_NVKVINT_A.raw = 40;
+  p.M_NVKRINT.raw = 10;
+  const train::NationalValues nv = read(p).values;
+  const train::NationalValues defaults;
+  EXPECT_EQ(nv.Kv_int_passenger, defaults.Kv_int_passenger);
+  EXPECT_EQ(nv.Kr_int, defaults.Kr_int);
+  EXPECT_EQ(nv.Kt_int, defaults.Kt_int);
+}
+
 TEST(NationalValues, StepsThatFindRoomStayAsTheyAre) {
   lang::Packet3 p = with_seven_steps(2);
   while (p.kr_steps.size() > 4) p.kr_steps.pop_back();
