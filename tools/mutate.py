@@ -17,12 +17,13 @@ Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N] [--alone N] [--seed S
   --behaviour  without the tests that include the changed header themselves
   --sample N   N random mutants;  --alone N: N random ones of those that have to be built alone, the others are not run;  --files: only files whose name matches one of PATTERNS (a,b*), in this order
   --changed    only in lines that changed since COMMIT
-  --survivors  those of the last run again;  --resume: goes on where the last run was stopped
+  --survivors  those of the last run again;  --resume: goes on where the last run was stopped. The other results stay
   --build      builds and results in build/mutants/NAME instead of build/mutants/ROOM, for two runs at a time
   --page       writes docs/ROOM-mutants.md from this run; the reasons that are in it are kept
   --check      builds each mutant alone as well and prints where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
 import argparse
+import collections
 import concurrent.futures
 import json
 import os
@@ -82,16 +83,29 @@ def check(room, mutants):
     return 1 if different else 0
 
 
+def still_to_judge(room, mutants, options):
+    """The mutants that have no verdict yet, and the results of the last run that stay (--resume, --survivors)."""
+    if not (options.resume or options.survivors):
+        return mutants, []
+    last = read_results(room, options)
+    if options.survivors:
+        again = {m.key() for m in mutants}
+        return mutants, [r for r in last if r["key"] not in again]
+    there = {(m.key(), m.line) for m in room.mutants}
+    kept = [r for r in last if (r["key"], r["line"]) in there]  # of sources that have not changed
+    done = {(r["key"], r["line"]) for r in kept}
+    return [m for m in mutants if (m.key(), m.line) not in done], kept
+
+
 def judge_all(room, mutants, options):
     known = listed(room.name)
     counts = {}
     unknown = 0
     begin = time.monotonic()
-    if options.resume:
-        done = {(r["key"], r["line"]) for r in read_results(room, options)}
-        mutants = [m for m in mutants if (m.key(), m.line) not in done]
-    with open(results_file(room, options), "a" if options.resume else "w", encoding="utf-8") as results, \
+    mutants, kept = still_to_judge(room, mutants, options)
+    with open(results_file(room, options), "w", encoding="utf-8") as results, \
             concurrent.futures.ThreadPoolExecutor(room.jobs) as pool:
+        results.writelines(json.dumps(r) + "\n" for r in kept)
         verdicts = pool.map(lambda m: room.judge(m, options.behaviour), mutants)
         for number, (m, verdict) in enumerate(zip(mutants, verdicts), 1):
             counts[verdict] = counts.get(verdict, 0) + 1
@@ -106,8 +120,10 @@ def judge_all(room, mutants, options):
                     print(f"survived: {m}", flush=True)
             if number % 100 == 0:
                 print(f"mutate: {number} of {len(mutants)}, {time.monotonic() - begin:.0f} s", file=sys.stderr, flush=True)
+    unknown += sum(r["verdict"] == "survived" and (r["file"], r["what"]) not in known for r in kept)
+    counts.update(collections.Counter(counts) + collections.Counter(r["verdict"] for r in kept))
     killed = sum(n for verdict, n in counts.items() if verdict.startswith("killed"))
-    print(f"mutate {room.name}: {len(mutants)} mutants, {counts.get('does not compile', 0)} do not compile, "
+    print(f"mutate {room.name}: {len(mutants) + len(kept)} mutants, {counts.get('does not compile', 0)} do not compile, "
           f"{killed} killed, {counts.get('survived', 0)} survived, {unknown} of them not accounted for, "
           f"{time.monotonic() - begin:.0f} s")
     for verdict in sorted(counts):
@@ -163,6 +179,8 @@ def main():
     status = judge_all(room, mutants, options)
     if options.page:
         results = read_results(room, options)
+        done = {(r["key"], r["line"]) for r in results}  # by the run that this one resumed
+        left_out = [m for m in left_out if (m.key(), m.line) not in done]
         results += [{"file": m.name, "verdict": "not run"} for m in left_out]
         how = f" (a sample: --sample {options.sample} --seed {options.seed})" if options.sample else ""
         if left_out:
