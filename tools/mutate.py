@@ -8,7 +8,7 @@ Operators: row (drops a row of a table), cell (another enumerator), word (of a r
 All mutants are in one build, an instrumented copy of the room in which an environment variable selects the active one
 (tools/mutation/schema.py); the few that cannot be in it are built alone. Only tests in which the mutant makes a
 difference run (a comparison that never meets its boundary makes none), quick ones first; the first one that fails is
-enough, and a mutant that takes ten times the time is killed by that. Lines with EVC_REQUIRE
+enough, and a mutant that takes four times the time is killed by that. Lines with EVC_REQUIRE
 are not changed. Nothing is written outside build/mutants.
 
 Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N] [--alone N] [--seed S] [--files PATTERNS] [--survivors] [--behaviour]

@@ -28,7 +28,7 @@ HOST_FLAGS = ["-O2", "-DNDEBUG"]  # a scenario is mostly reading and writing of 
 SCENARIOS = ROOT / "tests/scenarios"
 WITH_SCENARIOS = {"kernel"}  # rooms whose tests are the scenarios too
 SLOW_TEST = 0.25  # seconds
-TIME_FACTOR, TIME_MORE = 10, 2  # a mutant has this many times the time of the unchanged room, and seconds more
+TIME_FACTOR, TIME_MORE = 4, 1  # a mutant has this many times the processor time of the unchanged room, and seconds more
 WAITED = 20  # times that: a mutant that sleeps
 
 

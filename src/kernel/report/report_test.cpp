@@ -1,0 +1,222 @@
+#include "kernel/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "kernel/report/radio.h"
+
+// The outputs of a cycle from what the stages found (4.7, 3.13.10).
+namespace evc::kernel {
+namespace {
+
+Speed kmh(double v) { return Speed{v / 3.6}; }
+constexpr Place at(double x) { return Place{{x}}; }
+
+class Report : public ::testing::Test {
+ protected:
+  Report() {
+    state.mode = Mode::FS;
+    state.previous_mode = Mode::FS;
+    state.level.level = Level::L2;
+    state.data.level_status = DataStatus::valid;
+    in.train.desk_open = true;
+    in.train.powered = true;
+  }
+  const Outputs& report_now() {
+    out = {};
+    radio::Outbox outbox;
+    kernel::report(state, in, received, decided, supervised, outbox, Log{out.events}, out);
+    return out;
+  }
+  bool shows(Symbol symbol) {
+    for (const Symbol s : report_now().symbols)
+      if (s == symbol) return true;
+    return false;
+  }
+  sdm::Result& limits() {
+    if (!supervised.limits) supervised.limits.emplace();
+    return *supervised.limits;
+  }
+
+  std::unique_ptr<State> memory = std::make_unique<State>();
+  State& state = *memory;
+  Inputs in;
+  Received received;
+  Decided decided;
+  Supervised supervised;
+  std::unique_ptr<Outputs> outputs = std::make_unique<Outputs>();
+  Outputs& out = *outputs;
+};
+
+TEST_F(Report, HasTheLimitsOfSupervision) {  // 3.13.10
+  sdm::Result& r = limits();
+  r.monitoring = Monitoring::TSM;
+  r.status = Status::Overspeed;
+  r.V_P = kmh(81.0);
+  r.V_W = kmh(82.0);
+  r.V_SBI = kmh(83.0);
+  r.V_EBI = kmh(84.0);
+  r.V_MRSP = kmh(85.0);
+  r.V_target = kmh(31.0);
+  r.d_target = Distance{400.0};
+  r.V_release = kmh(20.0);
+  r.V_I = kmh(79.0);
+  r.TTI = Duration{7.0};
+  r.MRDT_changed = true;
+  r.first_indication = Distance{55.0};
+  supervised.LSSMA = kmh(45.0);
+  state.position.now.V_est = kmh(82.5);
+  const Outputs& o = report_now();
+  EXPECT_EQ(o.monitoring, Monitoring::TSM);
+  EXPECT_EQ(o.status, Status::Overspeed);
+  EXPECT_EQ(o.V_P, kmh(81.0));
+  EXPECT_EQ(o.V_W, kmh(82.0));
+  EXPECT_EQ(o.V_SBI, kmh(83.0));
+  EXPECT_EQ(o.V_EBI, kmh(84.0));
+  EXPECT_EQ(o.V_MRSP, kmh(85.0));
+  EXPECT_EQ(o.V_target, kmh(31.0));
+  EXPECT_EQ(o.d_target, Distance{400.0});
+  EXPECT_EQ(o.V_release, kmh(20.0));
+  EXPECT_EQ(o.V_I, kmh(79.0));
+  EXPECT_EQ(o.TTI, Duration{7.0});
+  EXPECT_EQ(o.LSSMA, kmh(45.0));
+  EXPECT_TRUE(o.MRDT_changed);
+  EXPECT_EQ(o.d_indication, Distance{55.0});
+  EXPECT_TRUE(o.memo_status.has_value());
+}
+
+TEST_F(Report, HasNoLimitsWhereSpeedIsNotSupervised) {  // 4.5.2
+  const Outputs& o = report_now();
+  EXPECT_EQ(o.monitoring, Monitoring::none);
+  EXPECT_EQ(o.V_P, std::nullopt);
+  EXPECT_EQ(o.memo_status, std::nullopt);
+}
+
+TEST_F(Report, HasTheStateOfTheUnit) {  // 4.7.2
+  state.now = {12.5};
+  state.level.level = Level::NTC;
+  state.level.nid_ntc = 9;
+  state.position.now.V_est = {3.0};
+  position::Reference lrbg;
+  lrbg.id = {5, 77};
+  ASSERT_TRUE(state.position.references.push_back(lrbg));
+  decided.here.est_front = at(1000.0);
+  decided.here.min_safe_front = at(990.0);
+  decided.here.max_safe_front = at(1010.0);
+  state.basis.authority.EOA = at(3000.0);
+  state.basis.authority.SvL = at(3050.0);
+  const Outputs& o = report_now();
+  EXPECT_EQ(o.now, Duration{12.5});
+  EXPECT_EQ(o.mode, Mode::FS);
+  EXPECT_EQ(o.level, Level::NTC);
+  EXPECT_EQ(o.nid_ntc, 9);
+  EXPECT_EQ(o.v, Speed{3.0});
+  EXPECT_EQ(o.lrbg, (NidLrbg{5, 77}));
+  EXPECT_EQ(o.est_front.from_origin, Distance{1000.0});
+  EXPECT_EQ(o.min_safe_front.from_origin, Distance{990.0});
+  EXPECT_EQ(o.max_safe_front.from_origin, Distance{1010.0});
+  ASSERT_TRUE(o.EOA && o.SvL);
+  EXPECT_EQ(o.EOA->from_origin, Distance{3000.0});
+  EXPECT_EQ(o.SvL->from_origin, Distance{3050.0});
+  EXPECT_TRUE(o.level_valid);
+}
+
+TEST_F(Report, HasTheLimitOfAuthorityAsItsEnd) {  // 3.8.4.3
+  EXPECT_EQ(report_now().EOA, std::nullopt);
+  EXPECT_EQ(report_now().SvL, std::nullopt);
+  state.basis.authority.LOA = at(2500.0);
+  ASSERT_TRUE(report_now().EOA.has_value());
+  EXPECT_EQ(out.EOA->from_origin, Distance{2500.0});
+}
+
+TEST_F(Report, ShowsTheSymbolsOfWhatHolds) {  // 4.7.2, 015560
+  const auto only_when = [&](Symbol symbol, auto&& set) {
+    EXPECT_FALSE(shows(symbol));
+    set();
+    EXPECT_TRUE(shows(symbol));
+  };
+  EXPECT_TRUE(shows(Symbol::LE04));
+  only_when(Symbol::ST01, [&] { decided.asked.add(brakes::Cause::T_NVCONTACT); });
+  only_when(Symbol::ST02, [&] { state.slippery_rail = true; });
+  only_when(Symbol::ST06, [&] { decided.reversing_possible = true; });
+  only_when(Symbol::ST03, [&] { state.radio.session.indication = radio::Indication::up; });
+  only_when(Symbol::ST04, [&] { state.radio.session.indication = radio::Indication::failed; });
+  state.mode = Mode::SR;
+  only_when(Symbol::MO03, [&] { state.override_.active = true; });
+  only_when(Symbol::DR02, [&] { state.track_ahead_free.asking = true; });
+}
+
+TEST_F(Report, ShowsSlipperyRailOfTheTrackside) {  // 3.13.5.3
+  state.train.L_TRAIN = {200.0};
+  ASSERT_TRUE(state.track.adhesion.push_back({at(1000.0), at(1100.0), true}));
+  decided.here.est_front = at(999.0);
+  EXPECT_FALSE(shows(Symbol::ST02));
+  decided.here.est_front = at(1290.0);
+  EXPECT_TRUE(shows(Symbol::ST02));
+  decided.here.est_front = at(1310.0);
+  EXPECT_FALSE(shows(Symbol::ST02));
+}
+
+TEST_F(Report, ShowsAnUnprotectedCrossingUntilItIsPassed) {  // 5.16
+  track::LevelCrossing lx;
+  lx.unprotected = true;
+  lx.from = at(1000.0);
+  lx.to = at(1010.0);
+  ASSERT_TRUE(state.track.lx.push_back(lx));
+  decided.here.est_front = at(1010.0);
+  EXPECT_TRUE(shows(Symbol::LX01));
+  decided.here.est_front = at(1010.5);
+  EXPECT_FALSE(shows(Symbol::LX01));
+  decided.here.est_front = at(900.0);
+  state.track.lx[0].unprotected = false;
+  EXPECT_FALSE(shows(Symbol::LX01));
+}
+
+TEST_F(Report, CommandsTheBrakesOfTheMode) {  // 4.4
+  EXPECT_FALSE(report_now().eb);
+  for (const Mode mode : {Mode::TR, Mode::NP, Mode::SF}) {
+    state.brakes = {};
+    state.mode = mode;
+    EXPECT_TRUE(report_now().eb);
+    EXPECT_EQ(out.brake_reasons.has(Cause::trip), mode == Mode::TR);
+    EXPECT_EQ(out.brake_reasons.has(Cause::no_power_or_failure), mode != Mode::TR);
+  }
+  state.brakes = {};
+  state.mode = Mode::FS;
+  received.safety_fault = true;
+  EXPECT_TRUE(report_now().eb);
+  state.mode = Mode::IS;
+  EXPECT_FALSE(report_now().eb) << "isolated from the brakes (4.4.3)";
+}
+
+TEST_F(Report, CommandsTheBrakesOfAllStages) {  // 3.14.1
+  for (brakes::CauseSet* asked : {&received.asked, &decided.asked, &supervised.asked}) {
+    state.brakes = {};
+    asked->add(brakes::Cause::overspeed_emergency);
+    EXPECT_TRUE(report_now().eb);
+    *asked = {};
+  }
+}
+
+TEST_F(Report, RemembersWhatTheDriverMayAnswer) {  // 4.7.2
+  decided.effects.requests.add(Ack::OS);
+  decided.effects.entries.add(Entry::train_data);
+  decided.effects.offers.add(Offer::start);
+  report_now();
+  EXPECT_TRUE(out.requests.has(Ack::OS));
+  EXPECT_TRUE(out.entries.has(Entry::train_data));
+  EXPECT_TRUE(out.start_offered);
+  EXPECT_TRUE(state.requested.has(Ack::OS));
+  EXPECT_TRUE(state.entries.has(Entry::train_data));
+  EXPECT_TRUE(state.offers.has(Offer::start));
+  decided.effects = {};
+  report_now();
+  EXPECT_FALSE(out.start_offered);
+  EXPECT_FALSE(state.requested.has(Ack::OS));
+  EXPECT_FALSE(state.entries.has(Entry::train_data));
+  EXPECT_FALSE(state.offers.has(Offer::start));
+}
+
+}  // namespace
+}  // namespace evc::kernel
