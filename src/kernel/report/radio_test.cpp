@@ -1,0 +1,273 @@
+#include "kernel/report/radio.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "radio/compose.h"
+#include "radio/messages.h"
+
+// What the unit reports to the RBC, and when it asks for an authority (3.5, 3.6.5, 3.8.2).
+namespace evc::kernel {
+namespace {
+
+constexpr Place at(double x) { return Place{{x}}; }
+
+class RadioReport : public ::testing::Test {
+ protected:
+  RadioReport() {
+    state.mode = Mode::FS;
+    state.level.level = Level::L2;
+    state.radio.session.phase = radio::Phase::up;
+    state.radio.session.M_VERSION = 33;
+    state.now = {100.0};
+  }
+  /// The messages of one cycle.
+  std::vector<radio::Intent> run(bool before_perturbation = false) {
+    radio::Outbox outbox;
+    result = run_radio(state, RadioLink::unchanged, received, decided, before_perturbation, outbox, Log{out.events});
+    return {outbox.messages.begin(), outbox.messages.end()};
+  }
+  /// Q_MARQSTREASON of the request of this cycle, 0: none.
+  std::uint8_t reasons(bool before_perturbation = false) {
+    state.radio.reasons = 0;
+    state.radio.requested_at.reset();
+    for (const radio::Intent& m : run(before_perturbation))
+      if (m.NID_MESSAGE == 132) return m.Q_MARQSTREASON;
+    return 0;
+  }
+  bool sends(std::uint8_t NID_MESSAGE) {
+    for (const radio::Intent& m : run())
+      if (m.NID_MESSAGE == NID_MESSAGE) return true;
+    return false;
+  }
+  std::vector<std::uint8_t> composed(std::uint8_t NID_MESSAGE) {
+    out.radio_out.clear();
+    radio::Outbox outbox;
+    outbox.send(NID_MESSAGE);
+    compose_messages(state, outbox, Log{out.events}, out);
+    EXPECT_EQ(out.radio_out.size(), 1u);
+    return {out.radio_out[0].bytes.begin(), out.radio_out[0].bytes.end()};
+  }
+  std::vector<std::uint8_t> expected(std::uint8_t NID_MESSAGE, const radio::PositionReport& position,
+                                     const radio::TrainDataReport& train) const {
+    radio::Intent intent;
+    intent.NID_MESSAGE = NID_MESSAGE;
+    std::vector<std::uint8_t> bytes(192);
+    bytes.resize(radio::compose(intent, position, train, {}, 33, bytes));
+    return bytes;
+  }
+
+  std::unique_ptr<State> memory = std::make_unique<State>();
+  State& state = *memory;
+  Received received;
+  Decided decided;
+  RadioResult result;
+  std::unique_ptr<Outputs> outputs = std::make_unique<Outputs>();
+  Outputs& out = *outputs;
+};
+
+TEST_F(RadioReport, HasTheTrainData) {  // 7.4.3.5, 7.5.1
+  train::TrainData& t = state.train;
+  t.L_TRAIN = {307.2};
+  t.V_MAXTRAIN = {142.0 / 3.6};
+  t.cant_deficiency_mm = 150;
+  t.other_categories = train::kFreightP | train::kPassenger;
+  t.axle_load = train::AxleLoad::C4;
+  t.loading_gauge = train::LoadingGauge::GB;
+  t.airtight = true;
+  ASSERT_TRUE(t.traction_systems.push_back({300, 1}));
+  ASSERT_TRUE(t.traction_systems.push_back({0, 0}));
+  radio::PositionReport p;
+  p.M_MODE = 0;   // FS
+  p.M_LEVEL = 3;  // level 2
+  radio::TrainDataReport r;
+  r.NC_CDTRAIN = 3;
+  r.NC_TRAIN = 5;
+  r.L_TRAIN = 308;    // not too small
+  r.V_MAXTRAIN = 29;  // 145 km/h
+  r.M_LOADINGGAUGE = 3;
+  r.M_AXLELOADCAT = 6;
+  r.M_AIRTIGHT = 1;
+  ASSERT_TRUE(r.tractions.push_back({1, 300}));
+  ASSERT_TRUE(r.tractions.push_back({0, 0}));
+  EXPECT_EQ(composed(129), expected(129, p, r));
+  t.L_TRAIN = {307.0};
+  t.V_MAXTRAIN = {145.0 / 3.6};
+  t.airtight = false;
+  r.L_TRAIN = 307;
+  r.M_AIRTIGHT = 0;
+  EXPECT_EQ(composed(129), expected(129, p, r));
+}
+
+TEST_F(RadioReport, HasThePosition) {  // 7.4.3.1
+  state.mode = Mode::SN;
+  state.level.level = Level::NTC;
+  state.level.nid_ntc = 22;
+  position::Odometry& now = state.position.now;
+  now.counter = {{{1000.0}}, {{990.0}}, {{1015.0}}};
+  now.V_est = now.V_min = now.V_max = {12.0};
+  position::Reference lrbg;
+  lrbg.id = {5, 77};
+  lrbg.counter = {{{800.0}}, {{800.0}}, {{800.0}}};
+  lrbg.place = at(795.0);
+  lrbg.Q_LOCACC = {4.0};
+  lrbg.orientation = Direction::nominal;
+  state.position.status = DataStatus::valid;
+  ASSERT_TRUE(state.position.references.push_back(lrbg));
+  const position::Report from = position::report(state.position, {});
+  // The values differ from each other and from the defaults, so that none can take another's place.
+  ASSERT_NE(from.D_LRBG, 32767);
+  ASSERT_NE(from.L_DOUBTOVER, from.L_DOUBTUNDER);
+  ASSERT_NE(from.V_TRAIN, 0);
+  radio::PositionReport p;
+  p.Q_SCALE = from.Q_SCALE;
+  p.NID_LRBG = (5u << 14) | 77u;
+  p.D_LRBG = from.D_LRBG;
+  p.Q_DIRLRBG = from.Q_DIRLRBG;
+  p.Q_DLRBG = from.Q_DLRBG;
+  p.L_DOUBTOVER = from.L_DOUBTOVER;
+  p.L_DOUBTUNDER = from.L_DOUBTUNDER;
+  p.Q_LENGTH = from.Q_LENGTH;
+  p.V_TRAIN = from.V_TRAIN;
+  p.Q_DIRTRAIN = from.Q_DIRTRAIN;
+  p.M_MODE = 13;
+  p.M_LEVEL = 1;
+  p.NID_NTC = 22;
+  EXPECT_EQ(composed(136), expected(136, p, {}));
+  EXPECT_TRUE(state.position.references[0].reported);
+}
+
+TEST_F(RadioReport, NotesOnlyAPositionThatWasSent) {  // 3.6.2.2.2 c
+  ASSERT_TRUE(state.position.references.push_back({}));
+  composed(146);
+  EXPECT_FALSE(state.position.references[0].reported);
+}
+
+TEST_F(RadioReport, AsksForAnAuthorityForEachReason) {  // 3.8.2.3, 7.5.1.118.3
+  EXPECT_EQ(reasons(), 0);
+  decided.start_selected = true;
+  EXPECT_EQ(reasons(), radio::kStartSelected);
+  decided.start_selected = false;
+  received.NID_LTRBG = 0x4001;
+  EXPECT_EQ(reasons(), radio::kTrackAheadFree);
+  received.NID_LTRBG.reset();
+  state.track_description_deleted = true;
+  EXPECT_EQ(reasons(), radio::kTrackDescriptionDeleted);
+  state.mode = Mode::SH;
+  EXPECT_EQ(reasons(), 0) << "not in SH (4.5.2)";
+  state.mode = Mode::FS;
+  state.level.level = Level::L1;
+  EXPECT_EQ(reasons(), 0) << "not in level 1 (3.8.2.7)";
+}
+
+TEST_F(RadioReport, AsksForAnAuthorityBeforeThePerturbationOnlyWithT_MAR) {  // 3.8.2.3 b
+  EXPECT_EQ(reasons(true), 0) << "no parameters";
+  state.radio.ma_request.emplace();
+  EXPECT_EQ(reasons(true), 0) << "T_MAR is infinite";
+  state.radio.ma_request->T_MAR = Duration{20.0};
+  EXPECT_EQ(reasons(true), radio::kBeforePerturbation);
+  EXPECT_EQ(reasons(false), 0);
+  state.level.level = Level::L1;
+  EXPECT_EQ(reasons(true), 0);
+}
+
+TEST_F(RadioReport, AsksForAnAuthorityBeforeATimerEnds) {  // 3.8.2.3 c
+  track::MovementAuthority ma;
+  track::Section section{at(0.0), at(3000.0)};
+  section.timed = true;
+  section.timer = {Duration{50.0}, Duration{80.0}, true};  // until 130 s
+  section.stop = at(3000.0);
+  ASSERT_TRUE(ma.sections.push_back(section));
+  state.track.ma = ma;
+  state.radio.ma_request.emplace();
+  EXPECT_EQ(reasons(), 0) << "T_TIMEOUTRQST is infinite";
+  state.radio.ma_request->T_TIMEOUTRQST = Duration{29.0};
+  EXPECT_EQ(reasons(), 0);
+  state.radio.ma_request->T_TIMEOUTRQST = Duration{30.0};
+  EXPECT_EQ(reasons(), radio::kBeforeTimeout);
+}
+
+TEST_F(RadioReport, SendsWhatTheProceduresRequire) {  // chapter 5
+  using procedures::Send;
+  const std::pair<Send, int> wishes[] = {{Send::shunting_request, 130}, {Send::end_of_mission, 150}};
+  for (const auto& [wish, number] : wishes) {
+    decided.effects.send = {};
+    EXPECT_FALSE(sends(static_cast<std::uint8_t>(number)));
+    decided.effects.send.add(wish);
+    EXPECT_TRUE(sends(static_cast<std::uint8_t>(number)));
+  }
+  decided.effects.send = {};
+  EXPECT_FALSE(sends(149));
+  decided.track_ahead_free_granted = true;
+  EXPECT_TRUE(sends(149));
+  EXPECT_FALSE(sends(158));
+  ASSERT_TRUE(decided.texts_to_report.push_back(7));
+  EXPECT_TRUE(sends(158));
+}
+
+TEST_F(RadioReport, ReportsTheModeOnlyToAnRBC) {  // 3.6.5.1.4 b
+  decided.mode_changed = true;
+  EXPECT_TRUE(sends(136));
+  state.level.level = Level::L1;
+  EXPECT_FALSE(sends(136));
+  decided.mode_changed = false;
+  state.level.level = Level::L2;
+  EXPECT_FALSE(sends(136));
+}
+
+TEST_F(RadioReport, ReportsANewLevel) {  // 3.6.5.1.4 g
+  EXPECT_FALSE(sends(136));
+  received.level_switched_to = Level::L2;
+  EXPECT_TRUE(sends(136));
+  received.level_changed_by_driver = true;
+  EXPECT_TRUE(sends(136));
+}
+
+TEST_F(RadioReport, ReportsAnError) {  // 3.6.5.1.4 l, 3.16.4
+  EXPECT_FALSE(sends(136));
+  ASSERT_TRUE(state.radio.errors.push_back(1));
+  EXPECT_TRUE(sends(136));
+}
+
+TEST_F(RadioReport, ShortensWhatIsStoredWhenTheContactIsLost) {  // 3.16.3.4.5, A.3.4 i
+  state.national_values.T_NVCONTACT = Duration{10.0};
+  state.national_values.M_NVCONTACT = Reaction::service_brake;
+  state.radio.contact_reference = Duration{89.0};
+  state.radio.was_level_2_or_3 = true;
+  run();
+  EXPECT_FALSE(result.asked.empty());
+  EXPECT_FALSE(state.contact_trip);
+  state.radio.contact_lost = false;
+  state.national_values.M_NVCONTACT = Reaction::trip;
+  run();
+  EXPECT_TRUE(state.contact_trip);
+}
+
+TEST_F(RadioReport, SupervisesTheContactOutsideARadioHole) {  // 3.16.3.4.1, 3.12.1.3
+  state.national_values.T_NVCONTACT = Duration{10.0};
+  state.national_values.M_NVCONTACT = Reaction::trip;
+  state.radio.was_level_2_or_3 = true;
+  const auto trips_at = [&](TrackConditionKind kind, double est_front, double max_safe_front) {
+    state.track.conditions.clear();
+    EXPECT_TRUE(state.track.conditions.push_back({at(1000.0), at(2000.0), kind}));
+    decided.here.est_front = at(est_front);
+    decided.here.max_safe_front = at(max_safe_front);
+    state.radio.contact_lost = false;
+    state.radio.was_in_hole = false;
+    state.radio.contact_reference = Duration{80.0};
+    run();
+    return state.contact_trip;
+  };
+  using Kind = TrackConditionKind;
+  EXPECT_TRUE(trips_at(Kind::radio_hole, 990.0, 999.0));
+  EXPECT_FALSE(trips_at(Kind::radio_hole, 990.0, 1000.0));
+  EXPECT_FALSE(trips_at(Kind::radio_hole, 1500.0, 1510.0));
+  EXPECT_FALSE(trips_at(Kind::radio_hole, 2000.0, 2010.0));
+  EXPECT_TRUE(trips_at(Kind::radio_hole, 2001.0, 2011.0));
+  EXPECT_TRUE(trips_at(Kind::air_tightness, 1500.0, 1510.0));
+}
+
+}  // namespace
+}  // namespace evc::kernel
