@@ -1,0 +1,193 @@
+#include "kernel/intake/authority.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/intake/test_message.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_132.h"
+#include "lang/packets/packet_137.h"
+#include "lang/packets/packet_15.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_80.h"
+#include "lang/packets/packet_90.h"
+
+// What an authority needs, brings and ends (3.8, 4.8.3 [4]).
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Authority : public test::OneMessage {
+ protected:
+  template <class P>
+  static P authority(std::uint16_t length) {
+    P p;
+    p.Q_SCALE.raw = 1;
+    p.L_ENDSECTION.raw = length;
+    return p;
+  }
+  static lang::Packet12 level_1(std::uint8_t V_MAIN = 32) {
+    lang::Packet12 p = authority<lang::Packet12>(2000);
+    p.V_MAIN.raw = V_MAIN;
+    return p;
+  }
+  void describe_track() {
+    EXPECT_TRUE(state.track.gradient.append(at(0.0), {0}));
+    EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+  }
+  void by_balise(Level level = Level::L1) {
+    state.level.level = level;
+    information.medium = Medium::balise;
+  }
+};
+
+TEST_F(Authority, NeedsSpeedProfileAndGradientOverItsWholeLength) {  // 4.8.3 [4], 3.7.2.3
+  add(authority<lang::Packet15>(2000));
+  evaluate_now();
+  expect(15, What::packet_refused, "4.8.3 [4]"_srs);
+  EXPECT_FALSE(state.track.ma.has_value());
+  describe_track();
+  evaluate_now();
+  expect(15, What::packet_accepted);
+  EXPECT_TRUE(happened(What::authority_accepted));
+  ASSERT_TRUE(state.track.ma.has_value());
+  EXPECT_EQ(state.track.ma->end(), at(2950.0));
+}
+
+TEST_F(Authority, OfTheRBCIsNoProceedByBalises) {  // 5.8.4.1
+  describe_track();
+  add(authority<lang::Packet15>(2000));
+  evaluate_now();
+  EXPECT_TRUE(received.ma_from_rbc);
+  EXPECT_FALSE(received.balise_proceed);
+  EXPECT_FALSE(received.trip_order);
+}
+
+TEST_F(Authority, OfABaliseIsAProceed) {  // 5.8.4.1
+  describe_track();
+  by_balise();
+  add(level_1());
+  evaluate_now();
+  EXPECT_FALSE(received.ma_from_rbc);
+  EXPECT_TRUE(received.balise_proceed);
+  EXPECT_FALSE(received.trip_order);
+  EXPECT_FALSE(state.ma_with_trip_order);
+}
+
+TEST_F(Authority, WithSignallingSpeed0IsATripOrder) {  // 3.11.6.2
+  describe_track();
+  by_balise();
+  add(level_1(0));
+  evaluate_now();
+  EXPECT_TRUE(happened(What::trip_ordered));
+  EXPECT_TRUE(received.trip_order);
+  EXPECT_FALSE(received.balise_proceed);
+  EXPECT_EQ(state.ma_with_trip_order, state.track.ma.has_value());
+}
+
+TEST_F(Authority, TripsEvenWhereTheAuthorityIsRefused) {  // 3.11.6.2: the speed has a row of its own
+  by_balise();
+  add(level_1(0));
+  evaluate_now();
+  EXPECT_FALSE(state.track.ma.has_value());
+  EXPECT_TRUE(received.trip_order);
+}
+
+TEST_F(Authority, DoesNotTripWhereTheSpeedIsRefused) {  // 4.8.3: signalling speed in level 2
+  describe_track();
+  by_balise(Level::L2);
+  add(level_1(0));
+  evaluate_now();
+  EXPECT_FALSE(happened(What::trip_ordered));
+  EXPECT_FALSE(received.trip_order);
+}
+
+TEST_F(Authority, IsBufferedWithWhatBelongsToIt) {  // 4.8.5, 4.8.3 [1]
+  describe_track();
+  by_balise(Level::L2);
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  add(lang::Packet21{});
+  add(level_1());
+  add(lang::Packet80{});
+  const Waiting waiting = evaluate_now();
+  EXPECT_EQ(waiting.packets, 7u);
+  EXPECT_FALSE(state.track.ma.has_value());
+}
+
+TEST_F(Authority, OnlyWhatWaitsIsBufferedAgain) {  // 4.8.5
+  describe_track();
+  by_balise(Level::L2);
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  add(lang::Packet80{});
+  add(level_1());
+  add(lang::Packet80{});
+  information.judge_packets = 6;
+  EXPECT_EQ(evaluate_now().packets, 6u);
+  information.judge_packets = 3;
+  EXPECT_EQ(evaluate_now().packets, 3u);
+}
+
+TEST_F(Authority, EndsTheReasonOfARequest) {  // 3.8.2.7.3
+  describe_track();
+  state.track_description_deleted = true;
+  add(authority<lang::Packet15>(2000));
+  evaluate_now();
+  EXPECT_FALSE(state.track_description_deleted);
+}
+
+TEST_F(Authority, ThatEndsEarlierDeletesWhatIsBeyond) {  // 3.8.5.1.3, A.3.4
+  describe_track();
+  add(authority<lang::Packet15>(3000));
+  evaluate_now();
+  ASSERT_TRUE(happened(What::authority_accepted));
+  balise::Link near, far;
+  near.place = at(1500.0);
+  far.place = at(3500.0);
+  ASSERT_TRUE(state.balise.linking.links.push_back(near));
+  ASSERT_TRUE(state.balise.linking.links.push_back(far));
+  state.pending_national_values.emplace().from = at(3500.0);
+  information.packets.clear();
+  add(authority<lang::Packet15>(1000));
+  evaluate_now();
+  ASSERT_TRUE(happened(What::authority_accepted));
+  EXPECT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_FALSE(state.pending_national_values.has_value());
+}
+
+TEST_F(Authority, StopsOfShuntingAndStaffResponsible) {  // 4.4.8, 4.4.11
+  by_balise();
+  lang::Packet137 sr;
+  lang::Packet132 sh;
+  const auto received_with = [&](std::uint8_t Q_SRSTOP, std::uint8_t Q_ASPECT) {
+    received.stop_if_in_SR = received.stop_if_in_SH = false;
+    information.packets.clear();
+    sr.Q_SRSTOP.raw = Q_SRSTOP;
+    sh.Q_ASPECT.raw = Q_ASPECT;
+    state.mode = Mode::SR;
+    add(sr);
+    evaluate_now();
+    information.packets.clear();
+    state.mode = Mode::SH;
+    add(sh);
+    evaluate_now();
+    return std::pair(received.stop_if_in_SR, received.stop_if_in_SH);
+  };
+  EXPECT_EQ(received_with(0, 0), std::pair(true, true));
+  EXPECT_EQ(received_with(1, 0), std::pair(false, true));
+  EXPECT_EQ(received_with(0, 1), std::pair(true, false));
+  EXPECT_EQ(received_with(1, 1), std::pair(false, false));
+}
+
+TEST_F(Authority, NamesTheBorderUpToWhichTheTrackIsFree) {  // 7.4.2.20, 3.8.2.3
+  by_balise();
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  lang::Packet90 p;
+  p.NID_BG.raw = 77;
+  add(p);
+  evaluate_now();
+  EXPECT_EQ(received.NID_LTRBG, (1u << 14) | 77u);
+}
+
+}  // namespace
+}  // namespace evc::kernel

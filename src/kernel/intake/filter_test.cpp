@@ -1,0 +1,282 @@
+#include "kernel/intake/filter.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/intake/test_message.h"
+#include "lang/packets/packet_13.h"
+#include "lang/packets/packet_132.h"
+#include "lang/packets/packet_15.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_46.h"
+#include "lang/packets/packet_5.h"
+#include "lang/packets/packet_58.h"
+
+// The facts that the unit gives to the filters of level and mode (4.8), and the order in which a message is evaluated.
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Filter : public test::OneMessage {
+ protected:
+  static lang::Packet41 order_to(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
+    lang::Packet41 p;
+    p.Q_SCALE.raw = 1;
+    p.D_LEVELTR.raw = D_LEVELTR;
+    p.M_LEVELTR.raw = M_LEVELTR;
+    return p;
+  }
+};
+
+constexpr std::uint16_t kNow = 32767;  // D_LEVELTR: at once
+
+TEST_F(Filter, RefusesTrackDataUntilTheTrainDataAreAcknowledged) {  // 4.8.3 [3]
+  add(lang::Packet21{});
+  evaluate_now();
+  expect(21, What::packet_accepted);
+  state.radio.train_data_stamp = 17;
+  evaluate_now();
+  expect(21, What::packet_refused, "4.8.3 [3]"_srs);
+}
+
+TEST_F(Filter, RefusesAnAuthorityDuringAnEmergencyStop) {  // 4.8.3 [5]
+  lang::Packet15 p;
+  p.L_ENDSECTION.raw = 500;
+  add(p);
+  ASSERT_TRUE(state.emergency_stops.pending.push_back({1, true, at(3000.0)}));
+  ASSERT_TRUE(state.track.gradient.append(at(0.0), {0}));
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+  evaluate_now();
+  expect(15, What::packet_refused, "4.8.3 [5]"_srs);
+}
+
+TEST_F(Filter, RefusesTheDistanceOfALoopDuringAnOverride) {  // 4.8.4 [6]
+  state.mode = Mode::SR;
+  state.level.level = Level::L1;
+  information.medium = Medium::loop;
+  add(lang::Packet13{});
+  evaluate_now();
+  expect(13, What::packet_accepted);
+  state.override_.active = true;
+  evaluate_now();
+  expect(13, What::packet_refused, "4.8.4 [6]"_srs);
+}
+
+TEST_F(Filter, JudgesByTheEditionOfTheUnit) {  // 4.8.3: message 38 is not in 3.6.0
+  lang::MessageToTrainView view;
+  view.NID_MESSAGE = 38;
+  information.message = &view;
+  evaluate_now();
+  const auto refused = [&] {
+    for (const Event& e : out.events)
+      if (e.what == What::message_refused && e.id == 38) return true;
+    return false;
+  };
+  EXPECT_TRUE(refused());
+  state.srs = SrsVersion::v3_4_0;
+  evaluate_now();
+  EXPECT_FALSE(refused());
+}
+
+TEST_F(Filter, BuffersForAnAnnouncedLevel) {  // 4.8.3 [2]
+  state.level.level = Level::L1;
+  add(lang::Packet21{});
+  EXPECT_FALSE(evaluate_now().any());
+  expect(21, What::packet_refused);
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  EXPECT_TRUE(evaluate_now().any());
+  expect(21, What::packet_buffered, "4.8.3 [2]"_srs);
+}
+
+TEST_F(Filter, BuffersForALevelOrderedInAnEarlierMessageOfTheCycle) {  // 4.8.1.3.1
+  state.level.level = Level::L1;
+  information.medium = Medium::balise;
+  add(order_to(3, kNow));
+  evaluate_now();
+  expect(41, What::packet_accepted);
+  information.packets.clear();
+  information.medium = Medium::rbc;
+  add(lang::Packet21{});
+  evaluate_now();
+  expect(21, What::packet_buffered, "4.8.3 [2]"_srs);
+}
+
+TEST_F(Filter, BuffersForALevelOrderedInTheMessageItself) {  // 4.8.1.3.1
+  for (const std::uint16_t D_LEVELTR : {kNow, std::uint16_t{500}}) {
+    reception.order.reset();
+    information.packets.clear();
+    information.medium = Medium::balise;
+    add(lang::Packet21{});
+    add(order_to(2, D_LEVELTR));
+    evaluate_now();
+    expect(41, What::packet_accepted);
+    expect(21, What::packet_buffered, "4.8.3 [1]"_srs);
+  }
+}
+
+TEST_F(Filter, NoLongerBuffersForALevelThatIsNoLongerOrdered) {  // 4.8.3 [1], 5.10.1.6
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  information.medium = Medium::balise;
+  add(lang::Packet21{});
+  evaluate_now();
+  expect(21, What::packet_buffered);
+  information.packets.clear();
+  add(order_to(3, 500));
+  add(lang::Packet21{});
+  evaluate_now();
+  expect(41, What::packet_accepted);
+  expect(21, What::packet_refused, "4.8.3"_srs);
+}
+
+TEST_F(Filter, RefusesAConditionalOrderBesideAnother) {  // 4.8.3 [11]
+  information.medium = Medium::balise;
+  lang::Packet46 conditional;
+  conditional.M_LEVELTR.raw = 2;
+  add(conditional);
+  add(lang::Packet21{});
+  evaluate_now();
+  EXPECT_NE(told(46).what, What::packet_refused);
+  reception.order.reset();
+  add(order_to(2, 500));
+  evaluate_now();
+  expect(46, What::packet_refused, "4.8.3 [11]"_srs);
+  expect(41, What::packet_accepted);
+  information.packets.clear();
+  add(conditional);
+  reception.order.reset();
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  evaluate_now();
+  expect(46, What::packet_refused, "4.8.3 [11]"_srs);
+}
+
+TEST_F(Filter, KnowsTheKindOfAnOrderInSH) {  // 4.8.4 [7]
+  state.mode = Mode::SH;
+  information.medium = Medium::balise;
+  add(order_to(2, 500));
+  evaluate_now();
+  expect(41, What::packet_refused, "4.8.4 [7]"_srs);
+  information.packets.clear();
+  add(order_to(2, kNow));
+  evaluate_now();
+  expect(41, What::packet_kept, "4.8.4 [7]"_srs);
+}
+
+TEST_F(Filter, TakesDangerForShuntingInLevel0OnlyWithAnOrderToLevel1To3) {  // 4.8.3 [13]
+  state.mode = Mode::SH;
+  const auto judged_with = [&](std::optional<lang::Packet41> order, Level level) {
+    state.level.level = level;
+    information.medium = Medium::balise;
+    information.packets.clear();
+    reception.order.reset();
+    add(lang::Packet132{});
+    if (order) add(*order);
+    evaluate_now();
+    return told(132);
+  };
+  EXPECT_EQ(judged_with({}, Level::L0).clause, "4.8.3 [13]"_srs);
+  EXPECT_EQ(judged_with({}, Level::L1).what, What::packet_accepted);
+  state.mode = Mode::UN;
+  EXPECT_EQ(judged_with(order_to(2, 500), Level::L0).clause, "4.8.3 [13]"_srs) << "not at once";
+  EXPECT_NE(judged_with(order_to(2, kNow), Level::L0).clause, "4.8.3 [13]"_srs);
+  EXPECT_EQ(judged_with(order_to(1, kNow), Level::L0).clause, "4.8.3 [13]"_srs) << "to level NTC";
+}
+
+TEST_F(Filter, StoresOnlyTheContactOfAnOrderForASessionInSH) {  // 4.8.4 [3]
+  state.mode = Mode::SH;
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  add(p);
+  evaluate_now();
+  expect(42, What::packet_contact_stored, "4.8.4 [3]"_srs);
+  p.Q_RBC.raw = 0;
+  information.packets.clear();
+  add(p);
+  evaluate_now();
+  expect(42, What::packet_accepted);
+}
+
+TEST_F(Filter, OtherPacketsDoNotSayWhetherASessionIsOrdered) {  // 4.8.4 [3]
+  state.mode = Mode::SH;
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  add(p);
+  add(lang::Packet58{});
+  add(p);
+  evaluate_now();
+  EXPECT_EQ(told(42).times, 2);
+  EXPECT_EQ(told(42).what, What::packet_contact_stored);
+}
+
+TEST_F(Filter, JudgesEachPacketOnce) {  // 4.8.1
+  information.medium = Medium::balise;
+  state.level.level = Level::L1;
+  add(order_to(2, kNow));
+  add(lang::Packet5{});
+  add(lang::Packet21{});
+  add(lang::Packet27{});
+  evaluate_now();
+  for (const int packet : {41, 5, 21, 27}) EXPECT_EQ(told(packet).times, 1) << packet;
+}
+
+TEST_F(Filter, JudgesOnlyThePacketsThatWait) {  // 4.8.5
+  information.medium = Medium::balise;
+  state.level.level = Level::L1;
+  add(order_to(2, kNow));
+  add(lang::Packet5{});
+  add(lang::Packet21{});
+  for (std::uint64_t wanted = 0; wanted < 8; ++wanted) {
+    information.judge_packets = wanted;
+    evaluate_now();
+    EXPECT_EQ(told(41).times, (wanted & 1u) != 0 ? 1 : 0);
+    EXPECT_EQ(told(5).times, (wanted & 2u) != 0 ? 1 : 0);
+    EXPECT_EQ(told(21).times, (wanted & 4u) != 0 ? 1 : 0);
+  }
+}
+
+TEST_F(Filter, StoresNoLinkingThatIsRefused) {  // 4.8.3 [3]
+  lang::Packet5 p;
+  p.Q_SCALE.raw = 1;
+  p.D_LINK.raw = 500;
+  p.NID_BG.raw = 101;
+  add(p);
+  state.radio.train_data_stamp = 17;
+  evaluate_now();
+  EXPECT_TRUE(state.balise.linking.links.empty());
+  state.radio.train_data_stamp.reset();
+  evaluate_now();
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_EQ(state.balise.linking.links[0].place, at(1450.0));
+  EXPECT_EQ(state.balise.linking.links[0].id, (GroupId{1, 101}));
+}
+
+TEST_F(Filter, MeasuresFromTheLRBGThatTheListHolds) {  // 3.6.4.3
+  // The message refers to group 99 at 700 m; its list holds the LRBG, 250 m on, which lies at 960 m.
+  information.group = {1, 99};
+  information.reference = at(700.0);
+  position::Reference lrbg;
+  lrbg.id = {1, 100};
+  lrbg.place = at(960.0);
+  ASSERT_TRUE(state.position.references.push_back(lrbg));
+  lang::Packet5 p;
+  p.Q_SCALE.raw = 1;
+  p.D_LINK.raw = 250;
+  p.NID_BG.raw = 100;
+  lang::Packet5_links next;
+  next.D_LINK.raw = 500;
+  next.NID_BG.raw = 101;
+  ASSERT_TRUE(p.links.push_back(next));
+  add(p);
+  lang::Packet21 gradient;
+  gradient.Q_SCALE.raw = 1;
+  gradient.D_GRADIENT.raw = 400;
+  add(gradient);
+  evaluate_now();
+  ASSERT_FALSE(state.track.gradient.empty());
+  EXPECT_EQ(state.track.gradient.steps[0].from, at(710.0 + 400.0));
+}
+
+}  // namespace
+}  // namespace evc::kernel
