@@ -1,0 +1,151 @@
+#include "kernel/intake/levels.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/intake/test_message.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_46.h"
+
+// Level transition orders as they are read, and what waits for a level (5.10, 4.8.5).
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Levels : public test::OneMessage {
+ protected:
+  Levels() { information.medium = Medium::balise; }
+  static lang::Packet41 order_to(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
+    lang::Packet41 p;
+    p.Q_SCALE.raw = 1;
+    p.D_LEVELTR.raw = D_LEVELTR;
+    p.M_LEVELTR.raw = M_LEVELTR;
+    return p;
+  }
+  template <class P>
+  procedures::level_transition::Order read(P p) {
+    information.packets.clear();
+    add(p);
+    const auto order =
+        order_of(information.packets[0], {at(950.0), Direction::nominal, {1, 100}, Medium::balise, {}});
+    EXPECT_TRUE(order.has_value());
+    return order.value_or(procedures::level_transition::Order{});
+  }
+  void receive(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
+    information.packets.clear();
+    add(order_to(M_LEVELTR, D_LEVELTR));
+    evaluate_now();
+  }
+  void fill_buffer() {
+    state.buffer.clear();
+    EXPECT_NE(state.buffer.grow(), nullptr);
+  }
+};
+
+TEST_F(Levels, AnOrderHasItsPlaceLevelsAndAcknowledgementLengths) {  // 7.4.2.9, 5.10.2
+  lang::Packet41 p = order_to(2, 500);
+  p.L_ACKLEVELTR.raw = 100;
+  lang::Packet41_levels ntc;
+  ntc.M_LEVELTR.raw = 1;
+  ntc.NID_NTC.raw = 9;
+  ntc.L_ACKLEVELTR.raw = 200;
+  ASSERT_TRUE(p.levels.push_back(ntc));
+  const auto order = read(p);
+  EXPECT_EQ(order.kind, modes::OrderKind::announcement);
+  EXPECT_EQ(order.border, at(1450.0));
+  ASSERT_EQ(order.table.size(), 2u);
+  EXPECT_EQ(order.table[0].level, Level::L1);
+  EXPECT_EQ(order.table[0].nid_ntc, 0);
+  EXPECT_EQ(order.table[0].L_ack, Distance{100.0});
+  EXPECT_EQ(order.table[1].level, Level::NTC);
+  EXPECT_EQ(order.table[1].nid_ntc, 9);
+  EXPECT_EQ(order.table[1].L_ack, Distance{200.0});
+  EXPECT_EQ(read(order_to(2, 32767)).kind, modes::OrderKind::immediate);
+}
+
+TEST_F(Levels, AConditionalOrderHasNoPlace) {  // 7.4.2.9.2
+  lang::Packet46 p;
+  p.M_LEVELTR.raw = 3;
+  const auto order = read(p);
+  EXPECT_EQ(order.kind, modes::OrderKind::conditional);
+  ASSERT_EQ(order.table.size(), 1u);
+  EXPECT_EQ(order.table[0].level, Level::L2);
+  EXPECT_EQ(order.table[0].L_ack, Distance{});
+}
+
+TEST_F(Levels, WhatWaitsGoesWithTheOrderItWaitsFor) {  // 4.8.5.4 a
+  state.level.level = Level::L2;
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  fill_buffer();
+  receive(2, 500);  // level 1 as before
+  EXPECT_EQ(state.buffer.size(), 1u);
+  reception.order.reset();
+  receive(0, 500);
+  EXPECT_TRUE(state.buffer.empty());
+}
+
+TEST_F(Levels, WhatWaitsForAnOrderOfThisCycleGoesWithIt) {  // 4.8.5.4 a, 5.10.1.6
+  state.level.level = Level::L2;
+  receive(2, 500);
+  fill_buffer();
+  receive(2, 600);
+  EXPECT_EQ(state.buffer.size(), 1u);
+  receive(0, 500);
+  EXPECT_TRUE(state.buffer.empty());
+}
+
+TEST_F(Levels, AnOrderToBeExecutedIsNotReplacedByOneThatIsNot) {  // 5.10.1.6
+  state.level.level = Level::L1;
+  receive(3, 32767);
+  EXPECT_TRUE(executes_order(reception));
+  receive(0, 500);
+  ASSERT_TRUE(executes_order(reception));
+  EXPECT_EQ(reception.order->decision.to.level, Level::L2);
+  receive(0, 32767);
+  EXPECT_EQ(reception.order->decision.to.level, Level::L0);
+}
+
+TEST_F(Levels, ANewLevelIsValidAndLogged) {  // 5.10.1, 5.4.3.3
+  state.level.level = Level::L1;
+  state.data.level_status = DataStatus::invalid;
+  const std::uint32_t revision = state.revision;
+  receive(3, 32767);
+  run_level_transition(reception);
+  EXPECT_EQ(state.level.level, Level::L2);
+  EXPECT_EQ(received.level_switched_to, Level::L2);
+  EXPECT_FALSE(received.level_changed_by_driver);
+  EXPECT_EQ(state.data.level_status, DataStatus::valid);
+  EXPECT_NE(state.revision, revision);
+  EXPECT_TRUE(happened(What::level_changed));
+  EXPECT_FALSE(received.national_system_only);
+}
+
+TEST_F(Levels, TheRearReportsTheBorderOfAnRBCArea) {  // 3.6.5.1.4 e
+  state.level.level = Level::L2;
+  receive(2, 32767);
+  run_level_transition(reception);
+  ASSERT_EQ(state.level.level, Level::L1);
+  EXPECT_EQ(state.reports.rear_border, at(1000.0));
+  state.reports.rear_border.reset();
+  reception.order.reset();
+  receive(3, 32767);
+  run_level_transition(reception);
+  ASSERT_EQ(state.level.level, Level::L2);
+  EXPECT_EQ(state.reports.rear_border, std::nullopt);
+}
+
+TEST_F(Levels, ReleaseWhatWaitedForThem) {  // 4.8.5.2
+  state.level.level = Level::L1;
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  information.medium = Medium::rbc;
+  information.packets.clear();
+  fill_buffer();
+  receive(3, 32767);
+  run_level_transition(reception);
+  EXPECT_EQ(state.level.level, Level::L2);
+  EXPECT_TRUE(state.buffer.empty());
+}
+
+}  // namespace
+}  // namespace evc::kernel
