@@ -90,19 +90,19 @@ TEST_F(Basis, NumberZeroIsForNoCurves) {
 
 TEST_F(Basis, IsRenewedWithEachSpecialBrake) {  // 3.13.2.2.6
   using T = TrainSignals;
-  bool T::* const brakes[] = {&T::regenerative_brake_active, &T::eddy_current_brake_active,
-                              &T::magnetic_shoe_brake_active, &T::ep_brake_active, &T::additional_brake_active};
-  const auto only = [&](bool T::* brake) {
-    for (bool T::* each : brakes) train.*each = each == brake;
+  bool T::*const brakes[] = {&T::regenerative_brake_active, &T::eddy_current_brake_active,
+                             &T::magnetic_shoe_brake_active, &T::ep_brake_active, &T::additional_brake_active};
+  const auto only = [&](bool T::*brake) {
+    for (bool T::*each : brakes) train.*each = each == brake;
     settle();
     return state.basis.key.brakes;
   };
   const std::uint8_t none = only(nullptr);
   std::set<std::uint8_t> different{none};
-  for (bool T::* one : brakes) different.insert(only(one));
+  for (bool T::*one : brakes) different.insert(only(one));
   EXPECT_EQ(different.size(), 6u);
   // All together are another one than any of them.
-  for (bool T::* each : brakes) train.*each = true;
+  for (bool T::*each : brakes) train.*each = true;
   EXPECT_TRUE(renewed());
 }
 
@@ -219,8 +219,8 @@ TEST_F(Basis, HasTheSpeedOfTheAreaOfTheMode) {  // 3.12.4.6, 3.11.7.1
 TEST(SupervisesSpeed, InTheModesOfTheTable) {  // 4.5.2
   for (const Mode mode : {Mode::FS, Mode::OS, Mode::LS, Mode::SR, Mode::SH, Mode::UN, Mode::RV})
     EXPECT_TRUE(supervises_speed(mode));
-  for (const Mode mode : {Mode::NP, Mode::SB, Mode::PS, Mode::SL, Mode::NL, Mode::TR, Mode::PT, Mode::SF, Mode::IS,
-                          Mode::SN})
+  for (const Mode mode :
+       {Mode::NP, Mode::SB, Mode::PS, Mode::SL, Mode::NL, Mode::TR, Mode::PT, Mode::SF, Mode::IS, Mode::SN})
     EXPECT_FALSE(supervises_speed(mode));
 }
 

@@ -214,7 +214,7 @@ def places(text, enums):
 
 
 def mutants_of(path, enums, root=None):
-    """`root`: the folder of the rooms, that of the room's folder unless told."""
+    """`root`: the folder of the rooms; by default that of the room's folder."""
     text = path.read_text()
     file = str(path.relative_to(root or path.parent.parent))
     return [Mutant(path, text.count("\n", 0, start) + 1, start, end, new, operator, row,

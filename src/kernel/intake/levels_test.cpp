@@ -27,8 +27,7 @@ class Levels : public test::OneMessage {
   procedures::level_transition::Order read(P p) {
     information.packets.clear();
     add(p);
-    const auto order =
-        order_of(information.packets[0], {at(950.0), Direction::nominal, {1, 100}, Medium::balise, {}});
+    const auto order = order_of(information.packets[0], {at(950.0), Direction::nominal, {1, 100}, Medium::balise, {}});
     EXPECT_TRUE(order.has_value());
     return order.value_or(procedures::level_transition::Order{});
   }

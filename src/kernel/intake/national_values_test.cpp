@@ -109,11 +109,11 @@ TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
   lang::Packet3 off = with_all_values();
   using NV = train::NationalValues;
   using P = lang::Packet3;
-  const auto check = [&](auto variable, bool NV::* value) {
+  const auto check = [&](auto variable, bool NV::*value) {
     P on = off;
     (on.*variable).raw = 1;
-    for (bool NV::* each : {&NV::M_NVDERUN, &NV::Q_NVDRIVER_ADHES, &NV::Q_NVSBTSMPERM, &NV::Q_NVEMRRLS,
-                            &NV::Q_NVGUIPERM, &NV::Q_NVSBFBPERM, &NV::Q_NVINHSMICPERM}) {
+    for (bool NV::*each : {&NV::M_NVDERUN, &NV::Q_NVDRIVER_ADHES, &NV::Q_NVSBTSMPERM, &NV::Q_NVEMRRLS, &NV::Q_NVGUIPERM,
+                           &NV::Q_NVSBFBPERM, &NV::Q_NVINHSMICPERM}) {
       EXPECT_FALSE(read(off).values.*each);
       EXPECT_EQ(read(on).values.*each, each == value);
     }

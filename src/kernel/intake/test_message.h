@@ -57,9 +57,9 @@ class OneMessage : public ::testing::Test {
   Told told(int NID_PACKET) const {
     Told found;
     for (const Event& e : out.events)
-      if (e.id == NID_PACKET && (e.what == What::packet_accepted || e.what == What::packet_refused ||
-                                 e.what == What::packet_buffered || e.what == What::packet_kept ||
-                                 e.what == What::packet_contact_stored)) {
+      if (e.id == NID_PACKET &&
+          (e.what == What::packet_accepted || e.what == What::packet_refused || e.what == What::packet_buffered ||
+           e.what == What::packet_kept || e.what == What::packet_contact_stored)) {
         ++found.times;
         found.what = e.what;
         found.clause = e.clause;
@@ -85,7 +85,8 @@ class OneMessage : public ::testing::Test {
     m.NID_LRBG.raw = (1u << 14) | 100u;
     BitWriter writer(message_bytes);
     lang::encode_message(writer, m);
-    message = lang::scan_message_to_train({message_bytes.data(), writer.position() / 8}, {2, 1}, lang::Check::structure);
+    message =
+        lang::scan_message_to_train({message_bytes.data(), writer.position() / 8}, {2, 1}, lang::Check::structure);
     ASSERT_EQ(message.fault, lang::Fault::none);
     information.message = &message;
   }
