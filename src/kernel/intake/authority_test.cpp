@@ -5,6 +5,7 @@
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_132.h"
+#include "lang/packets/packet_136.h"
 #include "lang/packets/packet_137.h"
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
@@ -187,6 +188,37 @@ TEST_F(Authority, NamesTheBorderUpToWhichTheTrackIsFree) {  // 7.4.2.20, 3.8.2.3
   add(p);
   evaluate_now();
   EXPECT_EQ(received.NID_LTRBG, (1u << 14) | 77u);
+}
+
+TEST_F(Authority, HasTheModeProfileOfItsMessageInAnyPlace) {  // 3.12.4, 8.4.1.3
+  describe_track();
+  lang::Packet80 profile;
+  profile.Q_SCALE.raw = 1;
+  profile.D_MAMODE.raw = 500;
+  profile.L_MAMODE.raw = 300;
+  add(profile);
+  add(authority<lang::Packet15>(2000));
+  evaluate_now();
+  ASSERT_TRUE(happened(What::authority_accepted));
+  ASSERT_EQ(state.track.mode_profile.size(), 1u);
+  EXPECT_EQ(state.track.mode_profile[0].from, at(1450.0));
+}
+
+TEST_F(Authority, WithTheSpeed0IsNoOrderBeyondAnInfillReference) {  // 3.11.6.2
+  describe_track();
+  by_balise();
+  balise::Link link;
+  link.id = {1, 101};
+  link.place = at(1450.0);
+  ASSERT_TRUE(state.balise.linking.links.push_back(link));
+  lang::Packet136 reference;
+  reference.NID_BG.raw = 101;
+  add(reference);
+  add(level_1(0));
+  evaluate_now();
+  EXPECT_FALSE(happened(What::infill_refused));
+  EXPECT_FALSE(happened(What::trip_ordered));
+  EXPECT_FALSE(received.trip_order);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_13.h"
 #include "lang/packets/packet_132.h"
+#include "lang/packets/packet_136.h"
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
@@ -28,6 +29,10 @@ class Filter : public test::OneMessage {
     p.D_LEVELTR.raw = D_LEVELTR;
     p.M_LEVELTR.raw = M_LEVELTR;
     return p;
+  }
+  void take_SR_authorisation() {
+    set_message(lang::Message2{});
+    evaluate_now();
   }
 };
 
@@ -276,6 +281,134 @@ TEST_F(Filter, MeasuresFromTheLRBGThatTheListHolds) {  // 3.6.4.3
   evaluate_now();
   ASSERT_FALSE(state.track.gradient.empty());
   EXPECT_EQ(state.track.gradient.steps[0].from, at(710.0 + 400.0));
+}
+
+TEST_F(Filter, AMessageThatIsRefusedHasNoEffect) {  // 4.8.4
+  take_SR_authorisation();
+  EXPECT_TRUE(happened(What::message_refused)) << "not in FS";
+  EXPECT_FALSE(received.SR_authorised);
+  state.mode = Mode::SB;
+  state.data.train_data_status = DataStatus::valid;
+  take_SR_authorisation();
+  EXPECT_TRUE(happened(What::message_accepted));
+  EXPECT_TRUE(received.SR_authorised);
+  // It was executed before; only its packets wait.
+  received.SR_authorised = false;
+  information.judge_message = false;
+  take_SR_authorisation();
+  EXPECT_FALSE(received.SR_authorised);
+}
+
+TEST_F(Filter, BuffersAnEmergencyStopForLevel2) {  // 4.8.3 [2]
+  state.level.level = Level::L1;
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  lang::Message16 m;
+  m.NID_EM.raw = 3;
+  set_message(m);
+  EXPECT_TRUE(evaluate_now().message);
+  EXPECT_TRUE(happened(What::message_buffered));
+  EXPECT_FALSE(state.emergency_stops.any());
+}
+
+TEST_F(Filter, TellsOfAMessageWhetherAllOfItWasAccepted) {  // 4.8.3, 4.8.4
+  set_message(lang::Message24{});
+  add(lang::Packet21{});
+  add(lang::Packet58{});
+  evaluate_now();
+  EXPECT_TRUE(happened(What::message_accepted));
+  EXPECT_FALSE(happened(What::message_refused));
+  state.radio.train_data_stamp = 17;
+  evaluate_now();
+  EXPECT_TRUE(happened(What::message_refused));
+  EXPECT_FALSE(happened(What::message_accepted));
+}
+
+TEST_F(Filter, FindsTheOrderAlongInAnyPlace) {  // 4.8.3 [11]
+  information.medium = Medium::balise;
+  add(order_to(2, 500));
+  lang::Packet46 conditional;
+  conditional.M_LEVELTR.raw = 2;
+  add(conditional);
+  evaluate_now();
+  expect(46, What::packet_refused, "4.8.3 [11]"_srs);
+}
+
+TEST_F(Filter, LinkingWithoutAnOrientationIsOfNone) {  // 3.4.4.4
+  lang::Packet5 p;
+  p.Q_SCALE.raw = 1;
+  p.D_LINK.raw = 500;
+  p.NID_BG.raw = 101;
+  p.Q_LINKORIENTATION.raw = 1;
+  add(p);
+  evaluate_now();
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  const balise::Link known = state.balise.linking.links[0];
+  information.orientation = Direction::unknown;
+  evaluate_now();
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_FALSE(state.balise.linking.links[0] == known);
+}
+
+/// An announced group 101 at 1450 m, and packets behind packet 136 that count from there.
+class InfillPart : public Filter {
+ protected:
+  InfillPart() {
+    state.level.level = Level::L1;
+    information.medium = Medium::balise;
+    EXPECT_TRUE(state.track.gradient.append(at(0.0), {0}));
+    EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+    balise::Link link;
+    link.id = {1, 101};
+    link.place = at(1450.0);
+    EXPECT_TRUE(state.balise.linking.links.push_back(link));
+  }
+  void receive_infill(lang::Packet136 reference) {
+    information.packets.clear();
+    add(lang::Packet58{});
+    add(reference);
+    lang::Packet5 linking;
+    linking.Q_SCALE.raw = 1;
+    linking.D_LINK.raw = 1000;
+    linking.NID_BG.raw = 102;
+    add(linking);
+    evaluate_now();
+  }
+};
+
+TEST_F(InfillPart, CountsFromTheAnnouncedGroupAndKeepsWhatIsInRearOfIt) {  // 3.6.2.3.1, 3.7.3.1 n
+  lang::Packet136 p;
+  p.NID_BG.raw = 101;
+  receive_infill(p);
+  expect(5, What::packet_accepted);
+  ASSERT_EQ(state.balise.linking.links.size(), 2u);
+  EXPECT_EQ(state.balise.linking.links[0].id, (GroupId{1, 101}));
+  EXPECT_EQ(state.balise.linking.links[1].place, at(2450.0));
+}
+
+TEST_F(InfillPart, OfAnotherCountryIsOfThatCountry) {  // 7.4.2.32
+  lang::Packet136 p;
+  p.Q_NEWCOUNTRY.raw = 1;
+  p.NID_C.raw = 9;
+  p.NID_BG.raw = 101;
+  receive_infill(p);
+  EXPECT_TRUE(happened(What::infill_refused));
+  EXPECT_EQ(told(5).times, 0);
+  state.balise.linking.links[0].id = {9, 101};
+  receive_infill(p);
+  EXPECT_FALSE(happened(What::infill_refused));
+  expect(5, What::packet_accepted);
+}
+
+TEST_F(InfillPart, IsRefusedInOtherModesThanFSAndLS) {  // 4.8.4
+  lang::Packet136 p;
+  p.NID_BG.raw = 101;
+  state.mode = Mode::OS;
+  receive_infill(p);
+  expect(5, What::packet_refused, "4.8.4 infill"_srs);
+  expect(58, What::packet_refused);
+  state.mode = Mode::LS;
+  receive_infill(p);
+  expect(5, What::packet_accepted);
 }
 
 }  // namespace

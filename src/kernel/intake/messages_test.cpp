@@ -96,16 +96,13 @@ TEST_F(RadioMessage, StopsAreAnsweredInTheCodesOfTheVersion) {  // 7.5.1.107, 6.
   EXPECT_TRUE(received.ues_accepted);
   EXPECT_TRUE(received.ues_received);
   EXPECT_EQ(answer(5), 2);
+  take(conditional(10));
+  EXPECT_EQ(answer(4), 3);
   information.sv = {1, 1};
-  for (const int number : {15, 16}) {
-    state.emergency_stops = {};
-    if (number == 15)
-      take(conditional(1550));
-    else
-      take(unconditional());
-    const std::uint8_t of_version_2 = number == 15 ? 0 : 2;
-    EXPECT_EQ(answer(number == 15 ? 4 : 5), protection::Q_EMERGENCYSTOP_for_version_1(of_version_2));
-  }
+  take(unconditional());
+  EXPECT_EQ(answer(5), 2);
+  take(conditional(10));
+  EXPECT_EQ(answer(4), 1) << "not considered, the place is passed";
 }
 
 TEST_F(RadioMessage, AnAuthorisationForSRBeginsAnew) {  // 4.4.11.1.3.2
