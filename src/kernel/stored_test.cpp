@@ -143,6 +143,16 @@ TEST(StoredData, BeyondAPlaceAreDeleted) {  // A.3.4
   EXPECT_FALSE(state->pending_national_values.has_value());
 }
 
+TEST(StoredData, ThatAreShortenedEndThere) {  // A.3.4
+  const auto state = std::make_unique<State>();
+  fill(*state);
+  track::MovementAuthority ma;
+  ASSERT_TRUE(ma.sections.push_back({at(0.0), at(3000.0)}));
+  state->track.ma = ma;
+  shorten(*state, track::Situation::h_linking_reaction, at(400.0), {});
+  EXPECT_FALSE(state->pending_national_values.has_value());
+}
+
 TEST(StoredData, TheNationalDistanceInSRIsFromTheEstimatedFrontEnd) {  // 4.4.11.1.3.1
   const auto state = std::make_unique<State>();
   track::Here here;

@@ -169,9 +169,9 @@ TEST_F(Driver, SelectsTheAdhesion) {  // 3.18.4.6
 }
 
 TEST_F(Driver, EachSelectionIsIgnoredWhereItIsNotEnabled) {  // 4.7.2
-  for (const Select what : {Select::start, Select::override_, Select::shunting, Select::exit_shunting,
-                            Select::non_leading, Select::maintain_shunting, Select::slippery_rail,
-                            Select::adhesion_normal, Select::track_ahead_free}) {
+  for (const Select what :
+       {Select::start, Select::override_, Select::shunting, Select::exit_shunting, Select::non_leading,
+        Select::maintain_shunting, Select::slippery_rail, Select::adhesion_normal, Select::track_ahead_free}) {
     in.driver.selected = 1u << static_cast<unsigned>(what);
     disable();
     state.mode = Mode::NP;
@@ -282,6 +282,33 @@ TEST_F(Driver, SelectsANationalSystemByItsNumber) {  // 5.10.1.7
   in.driver.level = Level::L1;
   ASSERT_TRUE(driver_level(reception).has_value());
   EXPECT_EQ(driver_level(reception)->nid_ntc, 0);
+}
+
+TEST_F(Driver, TheLogNamesWhatWasNotEnabled) {  // 4.7.2
+  disable();
+  state.mode = Mode::NP;
+  const train::TrainData data = state.train;
+  const auto named = [&](auto&& enter) {
+    in.driver = {};
+    enter(in.driver);
+    act();
+    (void)driver_level(reception);
+    EXPECT_EQ(out.events.size(), 1u);
+    return out.events.empty() ? -1 : out.events[0].id;
+  };
+  EXPECT_EQ(named([&](DriverActions& d) { d.driver_id = 1; }), static_cast<int>(Entered::driver_id));
+  EXPECT_EQ(named([&](DriverActions& d) { d.train_running_number = 1; }),
+            static_cast<int>(Entered::train_running_number));
+  EXPECT_EQ(named([&](DriverActions& d) { d.train_data = &data; }), static_cast<int>(Entered::train_data));
+  state.data.train_data_status = DataStatus::invalid;
+  EXPECT_EQ(named([&](DriverActions& d) { d.acknowledged = 1u << static_cast<unsigned>(Ack::train_data); }),
+            static_cast<int>(Entered::train_data));
+  EXPECT_EQ(named([&](DriverActions& d) {
+              d.rbc_contact = DriverActions::RbcContact{1, 1, 1};
+            }),
+            static_cast<int>(Entered::rbc_contact));
+  EXPECT_EQ(named([&](DriverActions& d) { d.level = Level::L1; }), static_cast<int>(Entered::level));
+  EXPECT_EQ(named([&](DriverActions& d) { d.V_sr = kmh(30.0); }), static_cast<int>(Entered::SR_speed_distance));
 }
 
 }  // namespace
