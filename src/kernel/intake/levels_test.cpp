@@ -27,7 +27,7 @@ class Levels : public test::OneMessage {
   procedures::level_transition::Order read(P p) {
     information.packets.clear();
     add(p);
-    const auto order = order_of(information.packets[0], {at(950.0), Direction::nominal, {1, 100}, Medium::balise, {}});
+    const auto order = order_of(information.packets[0]);
     EXPECT_TRUE(order.has_value());
     return order.value_or(procedures::level_transition::Order{});
   }
@@ -52,7 +52,6 @@ TEST_F(Levels, AnOrderHasItsPlaceLevelsAndAcknowledgementLengths) {  // 7.4.2.9,
   ASSERT_TRUE(p.levels.push_back(ntc));
   const auto order = read(p);
   EXPECT_EQ(order.kind, modes::OrderKind::announcement);
-  EXPECT_EQ(order.border, at(1450.0));
   ASSERT_EQ(order.table.size(), 2u);
   EXPECT_EQ(order.table[0].level, Level::L1);
   EXPECT_EQ(order.table[0].nid_ntc, 0);
@@ -61,6 +60,13 @@ TEST_F(Levels, AnOrderHasItsPlaceLevelsAndAcknowledgementLengths) {  // 7.4.2.9,
   EXPECT_EQ(order.table[1].nid_ntc, 9);
   EXPECT_EQ(order.table[1].L_ack, Distance{200.0});
   EXPECT_EQ(read(order_to(2, 32767)).kind, modes::OrderKind::immediate);
+}
+
+TEST_F(Levels, AnAnnouncedBorderIsPlacedFromTheReference) {  // 4.8.1.6
+  receive(2, 500);
+  ASSERT_TRUE(reception.order.has_value());
+  EXPECT_EQ(reception.order->decision.effect, modes::OrderEffect::announce);
+  EXPECT_EQ(reception.order->order.border, at(1450.0));
 }
 
 TEST_F(Levels, AConditionalOrderHasNoPlace) {  // 7.4.2.9.2
