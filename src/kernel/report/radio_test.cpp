@@ -141,8 +141,11 @@ TEST_F(RadioReport, HasThePosition) {  // 7.4.3.1
 
 TEST_F(RadioReport, NotesOnlyAPositionThatWasSent) {  // 3.6.2.2.2 c
   ASSERT_TRUE(state.position.references.push_back({}));
+  state.position.status = DataStatus::valid;
   composed(146);
   EXPECT_FALSE(state.position.references[0].reported);
+  composed(136);
+  EXPECT_TRUE(state.position.references[0].reported);
 }
 
 TEST_F(RadioReport, AsksForAnAuthorityForEachReason) {  // 3.8.2.3, 7.5.1.118.3
