@@ -19,7 +19,9 @@ void fill(State& s) {
   EXPECT_TRUE(s.balise.linking.links.push_back({}));
   s.radio.ma_request.emplace();
   s.reports.parameters.emplace();
-  s.staff_responsible = {at(800.0), true, Speed{5.0}};
+  s.staff_responsible.end = at(800.0);
+  s.staff_responsible.by_rbc = true;
+  s.staff_responsible.V = Speed{5.0};
   s.slippery_rail = true;
   EXPECT_TRUE(s.emergency_stops.pending.push_back({1, false, {}}));
   EXPECT_TRUE(s.emergency_stops.pending.push_back({2, true, at(900.0)}));
