@@ -3,7 +3,6 @@
 
 #include <array>
 #include <memory>
-#include <vector>
 
 #include "kernel/intake/filter.h"
 #include "kernel/intake/reception.h"
@@ -31,17 +30,16 @@ class OneMessage : public ::testing::Test {
   }
   template <class P>
   void add(P packet) {
-    auto& bytes = *memory_of_packets.emplace_back(std::make_unique<std::array<std::uint8_t, 256>>());
     packet.Q_DIR.raw = 1;
-    BitWriter writer(bytes);
-    lang::encode(writer, packet);
     lang::PacketView view;
+    view.bit = static_cast<std::uint32_t>(packets.position());
+    lang::encode(packets, packet);
     view.NID_PACKET = P::info.NID_PACKET;
-    view.L_PACKET = static_cast<std::uint16_t>(writer.position());
+    view.L_PACKET = static_cast<std::uint16_t>(packets.position() - view.bit);
     view.Q_DIR = 1;
     view.sv = {2, 1};
     view.known = true;
-    view.bytes = bytes;
+    view.bytes = packet_bytes;
     ASSERT_TRUE(information.packets.push_back(view));
   }
   Waiting evaluate_now() {
@@ -101,7 +99,8 @@ class OneMessage : public ::testing::Test {
   Received received;
   Reception reception{state, *scratch, in, outbox, Log{out.events}, received, {}};
   Information information;
-  std::vector<std::unique_ptr<std::array<std::uint8_t, 256>>> memory_of_packets;
+  std::array<std::uint8_t, 2048> packet_bytes{};
+  BitWriter packets{packet_bytes};  // as if all were of one telegram
   std::array<std::uint8_t, 64> message_bytes{};
   lang::MessageToTrainView message;
 };
