@@ -38,8 +38,8 @@ evc_library(curves OBJECTS ${curves_objects} DEPENDS core)
 evc_library(kernel OBJECTS ${kernel_objects} DEPENDS core curves)
 
 if(NOT EVC_KERNEL_ONLY)
-  # Of io the JSON of telegrams is the language's; the rest reads lines, trains and inputs.
-  set(language "/(telegram_(decode|encode|text)|language)[.]cpp")
+  # Of io the JSON of telegrams, its parser and its errors are the language's; the rest reads lines, trains and inputs.
+  set(language "/(telegram_(decode|encode|text)|language|json_parser|diagnostic)[.]cpp")
   set(io_objects $<TARGET_OBJECTS:evc_io> $<TARGET_OBJECTS:evc_embed>)
   evc_library(language OBJECTS $<FILTER:${io_objects},INCLUDE,${language}> DEPENDS core)
   evc_library(sim OBJECTS $<TARGET_OBJECTS:evc_sim> $<TARGET_OBJECTS:evc_texts> $<FILTER:${io_objects},EXCLUDE,${language}> DEPENDS kernel language)

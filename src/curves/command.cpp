@@ -15,13 +15,10 @@
 namespace evc::curves {
 namespace {
 
+using io::complain;
+
 constexpr const char* kShippedInput = "curves/passenger_eoa.json";
 constexpr const char* kShippedWorkbook = "curves/workbook.json";
-
-int complain(const io::Diagnostic& diagnostic) {
-  fmt::print(stderr, "{}\n", diagnostic.text());
-  return 2;
-}
 
 Format format_of(const std::string& name) {
   return name == "csv" ? Format::csv : name == "table" ? Format::table : Format::json;

@@ -1,8 +1,8 @@
 #include "openevc/language.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/json.h"
 #include "io/telegram_json.h"
 
 namespace evc::language {
@@ -55,8 +55,9 @@ Text decode(std::span<const std::uint8_t> bytes, std::size_t bits, const Reading
 }
 
 Bits encode(std::string_view json, const Writing& writing) {
-  const nlohmann::json object = nlohmann::json::parse(json, nullptr, false);
-  if (object.is_discarded()) return {{}, 0, because("not a JSON text")};
+  const auto read = io::guarded([&] { return io::parse_json(json, "JSON"); });
+  if (!read) return {{}, 0, because(read.error().text())};
+  const io::Json& object = *read;
   if (writing.version && !known(*writing.version)) return {{}, 0, because(kVersions)};
   io::EncodeOptions options;
   if (writing.direction) options.direction = of(*writing.direction);

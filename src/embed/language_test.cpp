@@ -60,7 +60,9 @@ TEST(Language, WhatCannotBeIsRefused) {
   EXPECT_EQ(decode({&byte, 1}, 9, {}).error->why, "more bits than the bytes hold");
   EXPECT_TRUE(decode({&byte, 1}, 8, {Form::radio, Direction::to_train, {7, 0}}).error);
   EXPECT_TRUE(decode({}, 0, {}).error);
-  EXPECT_EQ(encode("{", {}).error->why, "not a JSON text");
+  EXPECT_EQ(encode("{", {}).error->why, "JSON: line 1 column 2: found the end of the text, expected JSON");
+  EXPECT_EQ(encode(R"({"NID_PACKET":1,"NID_PACKET":2})", {}).error->why,
+            "JSON: /NID_PACKET: found a key given twice, expected each key once");
   EXPECT_TRUE(encode("[]", {}).error);
   EXPECT_TRUE(encode("{}", {Form::packet}).error);
   EXPECT_TRUE(encode("{}", {Form::packet, {}, Version{9, 9}}).error);

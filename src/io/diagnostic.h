@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 
 namespace evc::io {
 
@@ -15,7 +16,25 @@ struct Diagnostic {
   std::string text() const;
 };
 
+/// Prints an error on standard error, in one line. Returns the exit status, 2.
+int complain(const Diagnostic& diagnostic);
+
 template <class T>
 using Result = tl::expected<T, Diagnostic>;
+
+/// Thrown inside the readers of io only; `guarded` turns it into a Result.
+struct ReadError {
+  Diagnostic diagnostic;
+};
+
+/// Runs a reader; an exception becomes the error of the Result.
+template <class F>
+auto guarded(F&& read) -> Result<decltype(read())> {
+  try {
+    return read();
+  } catch (ReadError& e) {
+    return tl::unexpected(std::move(e.diagnostic));
+  }
+}
 
 }  // namespace evc::io

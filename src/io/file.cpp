@@ -4,7 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -17,25 +21,77 @@ Diagnostic system_error_at(const std::string& file, const char* expected) {
   return {file, "", std::strerror(errno), expected};
 }
 
+/// Names of the files that are not complete: a signal handler can ask nobody else. Further ones stay after a signal.
+std::array<std::atomic<char*>, 64> unfinished{};
+static_assert(std::atomic<char*>::is_always_lock_free);
+
+void note_unfinished(const std::string& name) {
+  char* const copy = ::strdup(name.c_str());
+  for (auto& slot : unfinished) {
+    char* free = nullptr;
+    if (slot.compare_exchange_strong(free, copy)) return;
+  }
+  std::free(copy);
+}
+
+void forget_unfinished(const std::string& name) {
+  for (auto& slot : unfinished) {
+    char* noted = slot.load();
+    if (noted == nullptr || name != noted) continue;
+    if (slot.compare_exchange_strong(noted, nullptr)) std::free(noted);
+    return;
+  }
+}
+
+/// Holds back the signals that end the program while a file has a name that is not noted.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&ending, signal);
+    (void)::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~SignalsHeld() { (void)::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 /// Creates a new file next to `file` with a new name: no existing file or link is written to. Below 0: the reason is in
 /// errno.
 int open_beside(const std::string& file, std::string& name) {
+  const SignalsHeld held;
   int descriptor = -1;
   for (int attempt = 0; descriptor < 0 && attempt < 100; ++attempt) {
     name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part";
     descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) break;
   }
+  if (descriptor >= 0) note_unfinished(name);
   return descriptor;
+}
+
+/// Deletes a file of `open_beside`.
+void discard(const std::string& name) {
+  std::remove(name.c_str());
+  forget_unfinished(name);
 }
 
 bool status_of(const std::string& file, struct stat& status) {
   return (file == "-" ? ::fstat(1, &status) : ::stat(file.c_str(), &status)) == 0;
 }
 
+/// For more than `most` bytes.
+Diagnostic too_large(const std::string& file, std::string where, const char* what, std::size_t most) {
+  return {file, std::move(where), what + std::to_string(most) + " bytes", "at most " + std::to_string(most)};
+}
+
 }  // namespace
 
-Result<std::string> read_text(const std::string& file) {
+Result<std::string> read_text(const std::string& file, std::size_t most) {
   const bool standard = file == "-";
   std::error_code ignored;
   if (!standard && std::filesystem::is_directory(file, ignored))
@@ -44,11 +100,45 @@ Result<std::string> read_text(const std::string& file) {
   if (stream == nullptr) return tl::unexpected(system_error_at(file, "a file that can be read"));
   std::string text;
   char block[65536];
-  for (std::size_t n = 0; (n = std::fread(block, 1, sizeof block, stream)) > 0;) text.append(block, n);
+  for (std::size_t n = 0; text.size() <= most && (n = std::fread(block, 1, sizeof block, stream)) > 0;)
+    text.append(block, n);
+  const bool whole = text.size() <= most;
   Result<std::string> read = std::move(text);
+  if (!whole) read = tl::unexpected(too_large(file, "", "more than ", most));
   if (std::ferror(stream) != 0) read = tl::unexpected(system_error_at(file, "a file that can be read"));
   if (!standard) std::fclose(stream);
   return read;
+}
+
+Diagnostic line_too_long(const std::string& file, std::size_t number) {
+  return too_large(file, "line " + std::to_string(number), "a line of more than ", kLongestLine);
+}
+
+Lines::Lines(std::string file)
+    : file_(std::move(file)), stream_(file_ == "-" ? stdin : std::fopen(file_.c_str(), "rb")), error_(errno) {}
+
+Lines::~Lines() {
+  if (stream_ != nullptr && stream_ != stdin) (void)std::fclose(stream_);
+}
+
+bool Lines::next(std::string& line) {
+  const auto cannot_be_read = [&] { return ReadError{{file_, "", std::strerror(error_), "a file that can be read"}}; };
+  if (stream_ == nullptr) throw cannot_be_read();
+  ++number_;
+  line.clear();
+  for (int c = 0; (c = ::getc_unlocked(stream_)) != EOF;) {
+    if (c == '\n') return true;
+    if (line.size() == kLongestLine) throw ReadError{line_too_long(file_, number_)};
+    line += static_cast<char>(c);
+  }
+  error_ = errno;
+  if (std::ferror(stream_) != 0) throw cannot_be_read();
+  return !line.empty();
+}
+
+void delete_unfinished_files() noexcept {
+  for (auto& slot : unfinished)
+    if (const char* name = slot.load(); name != nullptr) (void)::unlink(name);
 }
 
 WholeFile::WholeFile(std::string file, std::string temporary, std::FILE* stream)
@@ -80,7 +170,7 @@ Result<WholeFile> WholeFile::create(const std::string& file) {
   if (stream == nullptr) {
     auto failure = tl::unexpected(system_error_at(file, "a file that can be written"));
     ::close(descriptor);
-    std::remove(temporary.c_str());
+    discard(temporary);
     return failure;
   }
   return WholeFile(file, temporary, stream);
@@ -91,7 +181,7 @@ WholeFile::~WholeFile() {
     std::fflush(stdout);
   else if (stream_ != nullptr)
     std::fclose(stream_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (!temporary_.empty()) discard(temporary_);
 }
 
 void WholeFile::write(std::string_view text) {
@@ -117,6 +207,7 @@ Result<bool> WholeFile::commit() {
   if (temporary_.empty()) return true;
   if (std::rename(temporary_.c_str(), file_.c_str()) != 0)
     return tl::unexpected(system_error_at(file_, "a file that can be written"));
+  forget_unfinished(temporary_);
   temporary_.clear();
   return true;
 }
@@ -158,7 +249,7 @@ Result<bool> can_be_written_in(const std::string& folder) {
   const int descriptor = open_beside(folder + "/.openevc", name);
   if (descriptor < 0) return tl::unexpected(system_error_at(folder, "a folder that can be written"));
   ::close(descriptor);
-  std::remove(name.c_str());
+  discard(name);
   return true;
 }
 

@@ -8,8 +8,39 @@
 
 namespace evc::io {
 
-/// The whole text of a file, or of standard input for "-".
-Result<std::string> read_text(const std::string& file);
+/// Limits of what is read into memory, in bytes: a document (a line, a train, a query), a file of telegrams or outputs,
+/// a line of such a file. A document of this size takes about a gigabyte when it is parsed.
+inline constexpr std::size_t kLargestDocument = std::size_t{64} << 20;
+inline constexpr std::size_t kLargestStream = std::size_t{4} << 30;
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+/// The whole text of a file, or of standard input for "-"; an error when it has more than `most` bytes.
+Result<std::string> read_text(const std::string& file, std::size_t most = kLargestDocument);
+
+/// The error for line `number` of a file when it is longer than kLongestLine.
+Diagnostic line_too_long(const std::string& file, std::size_t number);
+
+/// Lines of a file in sequence, "-" for standard input: a live stream is answered line by line.
+class Lines {
+ public:
+  explicit Lines(std::string file);
+  ~Lines();
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+  /// Stores the next line, without its end; false at the end of the file. Throws ReadError for a file that cannot be
+  /// read and for a line beyond kLongestLine.
+  bool next(std::string& line);
+
+ private:
+  std::string file_;
+  std::FILE* stream_;
+  int error_;  // errno of opening
+  std::size_t number_ = 0;
+};
+
+/// Deletes the temporary files of every WholeFile that is not complete. Only for a signal handler that ends the
+/// program.
+void delete_unfinished_files() noexcept;
 
 /// A file that gets its name only when it is complete: written next to it under a temporary name
 /// and renamed by `commit`. Without `commit` nothing remains. "-" is standard output.

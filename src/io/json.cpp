@@ -23,37 +23,6 @@ int hex_digit(char c) {
 
 }  // namespace
 
-std::string reference_token(std::string_view key) {
-  std::string out;
-  for (const char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
-
-Json parse_json(std::string_view text, const std::string& file, const std::string& where) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& e) {
-    const std::size_t at = std::min(e.byte == 0 ? 0 : e.byte - 1, text.size());
-    const std::string_view before = text.substr(0, at);
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-    const std::string column = "column " + std::to_string(at - start + 1);
-    const std::string place = where.empty() ? "line " + std::to_string(line) + " " + column : where + " " + column;
-    const std::string found = at < text.size() ? "\"" + std::string(text.substr(at, 20)) + "\"" : "the end of the text";
-    throw ReadError{{file, place, found, "JSON"}};
-  } catch (const Json::exception&) {
-    // A number beyond the range of a double.
-    throw ReadError{{file, where, "a number out of range", "JSON"}};
-  }
-}
-
 std::string JsonPlace::pointer() const {
   if (prefix_.empty()) return pointer_.empty() ? "/" : pointer_;
   return pointer_.empty() ? prefix_ : prefix_ + " " + pointer_;

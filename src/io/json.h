@@ -17,22 +17,11 @@ namespace evc::io {
 
 using Json = nlohmann::json;
 
-/// Thrown inside the readers of io only; `guarded` turns it into a Result.
-struct ReadError {
-  Diagnostic diagnostic;
-};
+/// Arrays and objects in one another, at most: more than any file of the program needs.
+inline constexpr std::size_t kDeepestJson = 64;
 
-/// Runs a reader; an exception becomes the error of the Result.
-template <class F>
-auto guarded(F&& read) -> Result<decltype(read())> {
-  try {
-    return read();
-  } catch (ReadError& e) {
-    return tl::unexpected(std::move(e.diagnostic));
-  }
-}
-
-/// Parses a JSON text. Errors name line and column. Throws ReadError.
+/// Parses a JSON text. A key given twice in one object and nesting beyond kDeepestJson are errors. Errors name line and
+/// column, or the JSON pointer. Throws ReadError.
 Json parse_json(std::string_view text, const std::string& file, const std::string& where = "");
 
 /// A place in a JSON document, with the pointer that leads there. Every accessor throws ReadError

@@ -22,6 +22,7 @@
 namespace evc::language {
 namespace {
 
+using io::complain;
 using lang::Direction;
 
 using Done = tl::expected<void, io::TelegramError>;
@@ -157,8 +158,11 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
   bool all_taken = true;
   std::uint64_t done = 0;
   std::uint64_t lines = 0, telegrams = 0;
+  std::optional<std::uint64_t> too_long;
   const auto answer = [&](std::string_view line) {
     ++lines;
+    if (line.size() > io::kLongestLine && !too_long) too_long = lines;
+    if (too_long) return;
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') return;
     ++telegrams;
@@ -168,8 +172,7 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
     const ::ssize_t n = ::read(stream, chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
-      fmt::print(stderr, "{}: found {}, expected a file that can be read\n", name, std::strerror(errno));
-      return 2;
+      return complain({name, "", std::strerror(errno), "a file that can be read"});
     }
     if (n == 0) break;
     done += static_cast<std::uint64_t>(n);
@@ -187,21 +190,17 @@ int decode_stream(int stream, const std::string& name, Decoder& decoder, io::Who
     pending.append(rest);
     out.write(answers);
     answers.clear();
+    if (pending.size() > io::kLongestLine && !too_long) too_long = lines + 1;
+    if (too_long) return complain(io::line_too_long(name, *too_long));
     if (!is_file) out.flush();
     share.reach(done, lines);
   }
   answer(pending);
   if (telegrams == 0) {
-    fmt::print(stderr, "{}: found nothing, expected a line of hexadecimal digits\n", name);
-    return 2;
+    return complain({name, "", "nothing", "a line of hexadecimal digits"});
   }
   out.write(answers);
   return all_taken ? 0 : 1;
-}
-
-int complain(const io::Diagnostic& diagnostic) {
-  fmt::print(stderr, "{}\n", diagnostic.text());
-  return 2;
 }
 
 int decode_to(const DecodeOptions& options, Decoder& decoder, io::WholeFile& out) {

@@ -14,12 +14,11 @@ namespace {
 
 int print(const std::string& text, const std::string& what, const std::string& id) {
   if (text.empty()) {
-    fmt::print(stderr, "evc describe {0}: found {1}, expected one that `evc describe {0}` lists\n", what, id);
-    return 2;
+    const std::string command = "evc describe " + what;
+    return io::complain({command, "", id, "one that `" + command + "` lists"});
   }
   const auto written = io::write_whole("-", text);
-  if (!written) fmt::print(stderr, "{}\n", written.error().text());
-  return written ? 0 : 2;
+  return written ? 0 : io::complain(written.error());
 }
 
 int number_of(const std::string& id) {

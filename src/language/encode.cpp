@@ -1,21 +1,22 @@
 #include "language/encode.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/file.h"
+#include "io/json.h"
 #include "io/telegram_json.h"
 #include "language/airgap.h"
 
 namespace evc::language {
 namespace {
 
-using Json = nlohmann::json;
+using io::complain;
+using io::Json;
 
 using Encoded = tl::expected<std::string, io::TelegramError>;
 
@@ -57,6 +58,29 @@ std::size_t end_of_value(std::string_view text, std::size_t from) {
   return text.size();
 }
 
+/// The value `text` of a file, which begins in line `line`. Throws io::ReadError.
+Json parse_value(const std::string& name, std::string_view text, std::size_t line) {
+  if (text.find('\n') == std::string_view::npos) return io::parse_json(text, name, "line " + std::to_string(line));
+  auto json = io::guarded([&] { return io::parse_json(text, name); });
+  // Of several lines: read again with the lines before it, for the right line of the error.
+  if (!json) return io::parse_json(std::string(line - 1, '\n') + std::string(text), name);
+  return *std::move(json);
+}
+
+/// The objects of one value: itself, or those of an array. Throws io::ReadError.
+std::vector<Json> objects_of(const std::string& name, std::string_view text, std::size_t line) {
+  const std::string where = "line " + std::to_string(line);
+  if (text.front() != '{' && text.front() != '[')
+    throw io::ReadError{{name, where, "no JSON object", "one, or an array of them"}};
+  Json value = parse_value(name, text, line);
+  if (value.is_object()) return {std::move(value)};
+  const io::JsonPlace array(value, name, where);
+  if (array.size() == 0) array.fail("an empty array", "at least one JSON object");
+  for (std::size_t i = 0; i < array.size(); ++i)
+    if (!array[i].is_object()) array[i].fail("a JSON object");
+  return std::move(value.get_ref<Json::array_t&>());
+}
+
 int encode_text(const EncodeOptions& o, const std::string& name, std::string_view text, io::WholeFile& out) {
   io::EncodeOptions how;
   if (o.to_train) how.direction = lang::Direction::to_train;
@@ -64,14 +88,11 @@ int encode_text(const EncodeOptions& o, const std::string& name, std::string_vie
   if (!o.sv.empty()) {
     how.sv = io::parse_version(o.sv);
     if (!how.sv || lang::known_version(*how.sv) == 0) {
-      fmt::print(stderr, "--sv: found {}, expected a system version 1.Y or 2.Y\n", o.sv);
-      return 2;
+      return complain({"--sv", "", o.sv, "a system version 1.Y or 2.Y"});
     }
   }
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    fmt::print(stderr, "{}: found nothing, expected a JSON object\n", name);
-    return 2;
-  }
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return complain({name, "", "nothing", "a JSON object"});
   bool all_taken = true;
   std::string answers;
   const auto answer = [&](const Json& json) {
@@ -80,20 +101,17 @@ int encode_text(const EncodeOptions& o, const std::string& name, std::string_vie
     answers += '\n';
     all_taken = all_taken && encoded.has_value();
   };
+  std::size_t line = 1, counted = 0;  // lines up to `counted`
   for (std::size_t at = 0;;) {
     at = text.find_first_not_of(" \t\r\n", at);
     if (at == std::string_view::npos) break;
+    const std::string_view before = text.substr(counted, at - counted);
+    line += static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    counted = at;
     const std::size_t end = end_of_value(text, at);
-    const Json json = Json::parse(text.substr(at, end - at), nullptr, false);
-    if (json.is_discarded()) {
-      const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-      fmt::print(stderr, "{}: line {}: found no JSON object, expected one\n", name, line);
-      return 2;
-    }
-    if (json.is_array())
-      for (const Json& one : json) answer(one);
-    else
-      answer(json);
+    const auto objects = io::guarded([&] { return objects_of(name, text.substr(at, end - at), line); });
+    if (!objects) return complain(objects.error());
+    for (const Json& one : *objects) answer(one);
     if (answers.size() > (1u << 16)) {
       out.write(answers);
       answers.clear();
@@ -108,30 +126,21 @@ int encode_text(const EncodeOptions& o, const std::string& name, std::string_vie
 
 int encode(const EncodeOptions& o) {
   auto out = io::WholeFile::create(o.output);
-  if (!out) {
-    fmt::print(stderr, "{}\n", out.error().text());
-    return 2;
-  }
+  if (!out) return complain(out.error());
   std::string text;
   std::string name = "JSON";
   if (!o.input.empty() && (o.input.front() == '{' || o.input.front() == '[')) {
     text = o.input;
   } else {
-    auto read = io::read_text(o.input);
-    if (!read) {
-      fmt::print(stderr, "{}\n", read.error().text());
-      return 2;
-    }
+    auto read = io::read_text(o.input, io::kLargestStream);
+    if (!read) return complain(read.error());
     text = std::move(*read);
     name = o.input;
   }
   const int code = encode_text(o, name, text, *out);
   if (code == 2) return code;
-  if (const auto done = out->commit(); !done) {
-    fmt::print(stderr, "{}\n", done.error().text());
-    return 2;
-  }
-  return code;
+  const auto done = out->commit();
+  return done ? code : complain(done.error());
 }
 
 }  // namespace evc::language

@@ -2,9 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <string>
 
@@ -17,46 +15,7 @@
 namespace evc::run {
 namespace {
 
-int complain(const io::Diagnostic& diagnostic) {
-  fmt::print(stderr, "{}\n", diagnostic.text());
-  return 2;
-}
-
-/// Lines of a file in sequence: a live stream is answered cycle by cycle.
-class Lines {
- public:
-  static io::Result<std::shared_ptr<Lines>> open(const std::string& file) {
-    std::FILE* stream = file == "-" ? stdin : std::fopen(file.c_str(), "rb");
-    if (stream == nullptr)
-      return tl::unexpected(io::Diagnostic{file, "", std::strerror(errno), "a file that can be read"});
-    return std::shared_ptr<Lines>(new Lines(stream));
-  }
-  ~Lines() {
-    if (stream_ != stdin) (void)std::fclose(stream_);
-    std::free(buffer_);
-  }
-  Lines(const Lines&) = delete;
-  Lines& operator=(const Lines&) = delete;
-  bool next(std::string& line) {
-    const auto length = ::getline(&buffer_, &capacity_, stream_);
-    if (length < 0) {
-      if (std::ferror(stream_) != 0) error_ = errno;
-      return false;
-    }
-    line.assign(buffer_, static_cast<std::size_t>(length));
-    if (!line.empty() && line.back() == '\n') line.pop_back();
-    return true;
-  }
-  /// The errno that ended reading before the end of the file; 0: none.
-  int error() const { return error_; }
-
- private:
-  explicit Lines(std::FILE* stream) : stream_(stream) {}
-  std::FILE* stream_;
-  int error_ = 0;
-  char* buffer_ = nullptr;
-  std::size_t capacity_ = 0;
-};
+using io::complain;
 
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, const ReplayOptions& options) {
@@ -96,28 +55,23 @@ int replay(const ReplayOptions& options) {
     if (!configuration) return complain(configuration.error());
     given = *std::move(configuration);
   }
-  const auto lines = Lines::open(options.input);
-  if (!lines) return complain(lines.error());
+  const auto lines = std::make_shared<io::Lines>(options.input);
   auto stream = io::InputStream::open(
-      options.input, [source = *lines](std::string& line) { return source->next(line); }, std::move(given));
-  const auto cut_off = [&] {
-    return io::Diagnostic{options.input, "", std::strerror((*lines)->error()), "a file that can be read"};
-  };
-  if (!stream) return complain((*lines)->error() != 0 ? cut_off() : stream.error());
+      options.input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
+  if (!stream) return complain(stream.error());
   auto out = io::WholeFile::create(options.output);
   if (!out) return complain(out.error());
   const auto replayed = replay_stream(*stream, *out, options);
   const auto written = out->commit();
   if (!replayed) return complain(replayed.error());
-  if ((*lines)->error() != 0) return complain(cut_off());
   if (!written) return complain(written.error());
   return 0;
 }
 
 int diff(const std::string& a, const std::string& b) {
-  const auto text_a = io::read_text(a);
+  const auto text_a = io::read_text(a, io::kLargestStream);
   if (!text_a) return complain(text_a.error());
-  const auto text_b = io::read_text(b);
+  const auto text_b = io::read_text(b, io::kLargestStream);
   if (!text_b) return complain(text_b.error());
   const auto found = io::difference(*text_a, a, *text_b, b);
   if (!found) return complain(found.error());

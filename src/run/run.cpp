@@ -30,6 +30,7 @@
 namespace evc::run {
 namespace {
 
+using io::complain;
 using nlohmann::ordered_json;
 
 constexpr const char* kShippedLine = "lines/brunnental.json";
@@ -219,11 +220,6 @@ io::Result<bool> prepare_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) return tl::unexpected(io::Diagnostic{folder, "", error.message(), "a folder that can be written"});
   return io::can_be_written_in(folder);
-}
-
-int complain(const io::Diagnostic& diagnostic) {
-  fmt::print(stderr, "{}\n", diagnostic.text());
-  return 2;
 }
 
 }  // namespace
