@@ -72,6 +72,7 @@ void explain_option(Diagnostic& d, std::string what) {
   } else {
     d.where += (d.where.empty() ? "" : ": ") + what;
   }
+  if (d.found.empty() && !d.expected.empty()) d.found = "an empty argument";
 }
 
 void explain_missing(Diagnostic& d, const CLI::App& command, const std::string& name) {

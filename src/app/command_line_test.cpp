@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "io/program_test.h"
 #include "run/on_board.h"
 
@@ -50,6 +52,154 @@ TEST(CommandLine, ASeedIsAWholeNumberThatFits) {
   for (const char* seed : {"0", "18446744073709551615"})
     EXPECT_EQ(refused(std::string("run /nonexistent.json --seed ") + seed),
               "/nonexistent.json: found No such file or directory, expected a file that can be read\n");
+}
+
+/// What a shell makes of an unset variable in quotation marks is no absent argument.
+TEST(CommandLine, AnEmptyArgumentIsAnError) {
+  const char* const inputs[] = {"run ''",
+                                "replay ''",
+                                "curves ''",
+                                "curves compare '' b",
+                                "curves compare a ''",
+                                "make-line ''",
+                                "decode balise ''",
+                                "decode airgap ''",
+                                "decode radio '' --to-train",
+                                "decode packet '' --to-train",
+                                "encode balise ''",
+                                "encode airgap ''",
+                                "encode radio ''",
+                                "encode packet ''",
+                                "describe packets ''",
+                                "describe variables ''",
+                                "describe messages ''",
+                                "replay --diff '' b",
+                                "replay --diff a ''"};
+  const char* const options[] = {"run --train ''",
+                                 "run --driver ''",
+                                 "run --last-ma ''",
+                                 "run --seed ''",
+                                 "run -o ''",
+                                 "replay in --config ''",
+                                 "replay in -o ''",
+                                 "replay in --every ''",
+                                 "curves --format ''",
+                                 "curves --model ''",
+                                 "curves --explain ''",
+                                 "curves --plot ''",
+                                 "curves -o ''",
+                                 "curves compare a b --format ''",
+                                 "curves compare a b --plot ''",
+                                 "curves compare a b -o ''",
+                                 "decode balise 00 -o ''",
+                                 "decode balise 00 --pcapng ''",
+                                 "decode radio 00 --to-train --sv ''",
+                                 "encode balise '{}' -o ''",
+                                 "encode radio '{}' --sv ''",
+                                 "make-line in -o ''"};
+  const auto expect_refused = [](const char* arguments) {
+    const std::string errors = refused(arguments);
+    EXPECT_NE(errors.find("found an empty argument, expected "), std::string::npos) << arguments << ": " << errors;
+    EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+  };
+  for (const char* arguments : inputs) expect_refused(arguments);
+  for (const char* arguments : options) expect_refused(arguments);
+  EXPECT_EQ(refused("run --train="), "evc run: --train: found nothing after it, expected a value\n");
+}
+
+TEST(CommandLine, ASpeedIsAFiniteNumber) {
+  for (const char* speed : {"nan", "-nan", "NAN", "inf", "-5", "1e9"})
+    EXPECT_EQ(refused(std::string("curves --explain=") + speed),
+              std::string("evc curves: --explain: found ") + speed + ", expected a number from 0 to 600\n");
+  for (const char* option : {"replay in --every=nan", "run --last-ma=nan"})
+    EXPECT_NE(refused(option).find("found nan, expected a number from "), std::string::npos) << option;
+}
+
+/// Bytes of the input that are no text do not reach standard error.
+TEST(CommandLine, ErrorsAreUtf8WhateverTheInput) {
+  const Folder folder("bytes");
+  ASSERT_TRUE(io::write_whole(folder / "f", "{\"a\":\xff\xfe"));
+  const std::string file = "'" + (folder / "f") + "'";
+  for (const std::string& arguments :
+       {"run " + file, "run --train " + file, "replay " + file, "replay --diff " + file + " /dev/null",
+        "curves " + file, "make-line " + file, "encode packet " + file, std::string("run $(printf '\\377')"),
+        std::string("describe variables $(printf '\\377')"), std::string("decode balise $(printf '\\377.')"),
+        std::string("encode packet $(printf '\\377')"),
+        std::string("decode radio 00 --to-train --sv $(printf '\\377')"),
+        std::string("encode radio '{}' --sv $(printf '\\377')"), std::string("$(printf '\\377')"),
+        std::string("run --$(printf '\\377')")}) {
+    const Ended run = ended(arguments);
+    EXPECT_NE(run.exit_code, 0) << arguments;
+    EXPECT_EQ((run.errors + run.output).find('\xff'), std::string::npos) << arguments;
+  }
+}
+
+/// A file that grew for ever, or a line of it, ends with an error before memory does.
+TEST(CommandLine, InputWithoutAnEndIsAnError) {
+  for (const char* arguments : {"run /dev/zero", "curves /dev/zero", "make-line /dev/zero", "replay /dev/zero",
+                                "replay - < /dev/zero", "decode balise - < /dev/zero"}) {
+    const Ended run = ended(arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_NE(run.errors.find("expected at most "), std::string::npos) << arguments << ": " << run.errors;
+  }
+}
+
+/// What is not an object is no telegram: one error, not one for each character.
+TEST(CommandLine, EncodeTakesObjectsAndArraysOfThem) {
+  const Folder folder("encode");
+  const std::string file = folder / "f";
+  const auto error_of = [&](const std::string& text) {
+    EXPECT_TRUE(io::write_whole(file, text));
+    std::string errors = refused("encode packet '" + file + "'");
+    return errors.substr(std::min(errors.size(), file.size()));
+  };
+  const std::string expected = "found no JSON object, expected one, or an array of them\n";
+  EXPECT_EQ(error_of("111"), ": line 1: " + expected);
+  EXPECT_EQ(error_of("\n\ntrue"), ": line 3: " + expected);
+  EXPECT_EQ(error_of("[]"), ": line 1: found an empty array, expected at least one JSON object\n");
+  EXPECT_EQ(error_of("[{\"NID_PACKET\":255},1]"), ": line 1 /1: found 1, expected a JSON object\n");
+  EXPECT_EQ(error_of("{}\n{\"a\":1,\"a\":2}"), ": line 2 /a: found a key given twice, expected each key once\n");
+  EXPECT_EQ(error_of("{}\n{\n\"a\" 1}"), ": line 3 column 5: found \"1}\", expected JSON\n");
+  EXPECT_NE(error_of(std::string(1 << 20, '[')).find("expected at most 64"), std::string::npos);
+  const Ended both = ended("encode packet '[{\"NID_PACKET\":255},{\"NID_PACKET\":255}]'");
+  EXPECT_EQ(both.exit_code, 0);
+  EXPECT_EQ(both.output, "FF\nFF\n");
+}
+
+/// A signal that ends the program in the middle of a file leaves no part of it.
+TEST(Signals, LeaveNoPartOfAFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Folder folder("signal");
+    const Folder out("signal_out");
+    int feed[2];
+    ASSERT_EQ(::pipe(feed), 0);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      // A test in the background ignores SIGINT.
+      (void)::signal(signal, SIG_DFL);
+      ::dup2(feed[0], 0);
+      ::close(feed[0]);
+      ::close(feed[1]);
+      const std::string file = out / "telegrams.jsonl", trace = out / "trace.pcapng";
+      ::execl(EVC_PROGRAM, "evc", "decode", "radio", "-", "--to-train", "-o", file.c_str(), "--pcapng", trace.c_str(),
+              static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    ::close(feed[0]);
+    const auto files = [&] {
+      return std::distance(std::filesystem::directory_iterator(out.path()), std::filesystem::directory_iterator{});
+    };
+    // Until both files are begun; a child that has ended instead fails below.
+    while (files() < 2 && ::waitpid(child, nullptr, WNOHANG) == 0) ::usleep(1000);
+    EXPECT_EQ(files(), 2);
+    ::kill(child, signal);
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_EQ(files(), 0) << signal;
+    ::close(feed[1]);
+  }
 }
 
 TEST(StandardOutput, WhatIsLostIsAnError) {

@@ -30,6 +30,28 @@ std::optional<std::uint64_t> seed_of(const std::string& digits) {
   return error == std::errc{} && stop == end ? std::optional(seed) : std::nullopt;
 }
 
+/// A number in a range. CLI::Range takes "nan" for one.
+CLI::Validator number_between(double least, double most) {
+  const CLI::Range range(least, most);
+  return CLI::Validator(
+      [range, least, most](std::string& given) {
+        double number = 0.0;
+        if (range(given).empty() && CLI::detail::lexical_cast(given, number) && number >= least && number <= most)
+          return std::string();
+        return fmt::format("found {}, expected a number from {} to {}", given, least, most);
+      },
+      "");
+}
+
+/// An empty argument is what a shell makes of an unset variable: it is not taken for an absent one.
+void refuse_empty_arguments(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_items_expected_max() > 0; }))
+    option->check([](const std::string& given) {
+      return given.empty() ? std::string("found an empty argument, expected a value") : std::string();
+    });
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_arguments(*command);
+}
+
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::RunOptions>();
   auto seed = std::make_shared<std::string>("1");
@@ -39,7 +61,7 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("--driver", options->driver, "perfect, late or reckless")
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
-      ->check(CLI::Range(0, 1000000));
+      ->check(number_between(0, 1000000));
   command->add_option("--seed", *seed, "seed of odometer errors and delays")->check([](const std::string& given) {
     return seed_of(given) ? std::string()
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
@@ -57,7 +79,7 @@ void add_replay(CLI::App& app, int& exit_code) {
   CLI::Option* input = command->add_option("input", options->input, "JSON Lines of inputs; - for standard input");
   command->add_option("--config", options->config, "configuration, instead of the stream's first line");
   command->add_option("-o,--output", options->output, "file for the outputs; default: standard output");
-  command->add_option("--every", options->every, "print only every Nth cycle")->check(CLI::Range(1, 1000000000));
+  command->add_option("--every", options->every, "print only every Nth cycle")->check(number_between(1, 1000000000));
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
   auto compared = std::make_shared<std::vector<std::string>>();
@@ -81,7 +103,7 @@ void add_curves(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"srs", "workbook"}))
       ->capture_default_str();
   command->add_option("--explain", options->explain_kmh, "the computation for this speed (km/h), step by step")
-      ->check(CLI::Range(0.0, 600.0));
+      ->check(number_between(0.0, 600.0));
   command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html, interactive");
   command->add_option("-o,--output", options->output, "file to write to instead of standard output");
   command->callback([command, options, &exit_code] {
@@ -192,10 +214,7 @@ void add_describe(CLI::App& app, int& exit_code) {
 }
 
 int make(const std::string& input, const std::string& output) {
-  const auto complain = [](const io::Diagnostic& diagnostic) {
-    fmt::print(stderr, "{}\n", diagnostic.text());
-    return 2;
-  };
+  using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
   const auto text = io::read_text(input);
   if (!text) return complain(text.error());
@@ -225,6 +244,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_encode(app, exit_code);
   add_describe(app, exit_code);
   add_make_line(app, exit_code);
+  refuse_empty_arguments(app);
 }
 
 }  // namespace evc::app

@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <sstream>
 #include <string>
 #include <system_error>
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/signals.h"
 #include "app/standard_streams.h"
 #include "io/file.h"
 
@@ -18,8 +20,7 @@ int answer(const CLI::App& app, const CLI::ParseError& asked) {
   std::ostringstream text;
   app.exit(asked, text, text);
   const auto written = evc::io::write_whole("-", text.str());
-  if (!written) std::fputs((written.error().text() + "\n").c_str(), stderr);
-  return written ? 0 : 2;
+  return written ? 0 : evc::io::complain(written.error());
 }
 
 int command(int argc, char** argv) {
@@ -43,10 +44,13 @@ int command(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   evc::app::take_closed_streams();
+  evc::app::leave_no_parts_of_files();
   int exit_code = 2;
   int write_error = 0;
   try {
     exit_code = command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("evc: found not enough memory, expected enough for the input\n", stderr);
   } catch (const std::exception& error) {
     // fmt throws this when standard output cannot be written; anything else is a different failure.
     const auto* failed = dynamic_cast<const std::system_error*>(&error);

@@ -1,0 +1,29 @@
+#include "app/signals.h"
+
+#include <csignal>
+
+#include "io/file.h"
+
+namespace evc::app {
+namespace {
+
+/// The default action is in force again (SA_RESETHAND): the caller sees that the signal ended the program.
+extern "C" void delete_and_end(int signal) {
+  io::delete_unfinished_files();
+  (void)::raise(signal);
+}
+
+}  // namespace
+
+void leave_no_parts_of_files() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = delete_and_end;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigemptyset(&action.sa_mask);
+    (void)::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace evc::app
