@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "io/rbc_contact.h"
 #include "texts/texts.h"
 
 namespace evc::io {
@@ -122,13 +123,7 @@ std::uint32_t packed_digits(const JsonPlace& place) {
 
 kernel::DriverActions::RbcContact read_contact(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
-  kernel::DriverActions::RbcContact contact{};
-  contact.NID_C = static_cast<std::uint16_t>(place["NID_C"].integer(0, 1023));
-  contact.NID_RBC = static_cast<std::uint16_t>(place["NID_RBC"].integer(0, 16383));
-  const JsonPlace radio = place["NID_RADIO"];
-  if (radio.string().size() != 16) radio.fail("16 hexadecimal digits");
-  for (const std::uint8_t b : radio.hex()) contact.NID_RADIO = contact.NID_RADIO << 8 | b;
-  return contact;
+  return read_rbc_contact(place);
 }
 
 void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {

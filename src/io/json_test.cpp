@@ -38,8 +38,9 @@ TEST(Json, ReadsEveryKindOfValue) {
                       "f.json");
   });
   ASSERT_TRUE(read) << read.error().text();
-  EXPECT_EQ(read->dump(), "{\"a\":[1,[2],{}],\"f\":0.5,\"i\":-5,\"n\":null,\"s\":\"x\xc3\xa9\",\"t\":true,"
-                          "\"u\":18446744073709551615}");
+  EXPECT_EQ(read->dump(),
+            "{\"a\":[1,[2],{}],\"f\":0.5,\"i\":-5,\"n\":null,\"s\":\"x\xc3\xa9\",\"t\":true,"
+            "\"u\":18446744073709551615}");
 }
 
 TEST(Json, ErrorsNameLineAndColumn) {

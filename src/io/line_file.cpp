@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/json.h"
+#include "io/rbc_contact.h"
 #include "terms/level.h"
 
 namespace evc::io {
@@ -83,26 +83,37 @@ std::vector<Segment> read_segments(const JsonPlace& track, const char* key, cons
   return segments;
 }
 
-void read_start(sim::Line& line, const JsonPlace& root, const std::optional<JsonPlace>& track) {
-  const auto start = root.find("start");
-  if (start)
-    if (const auto front = start->find("front_m")) line.start_front_m = front->number(-kFar, kFar);
-  // A transition before the start gives the level at the start.
-  const auto transitions = track ? track->find("level_transitions") : std::nullopt;
+/// The level of the last transition that is not beyond the start.
+void read_level_before_start(sim::Line& line, const JsonPlace& track) {
+  const auto transitions = track.find("level_transitions");
   for (std::size_t i = 0; transitions && i < transitions->size(); ++i) {
     const JsonPlace transition = (*transitions)[i];
-    if (transition["position_m"].number(-kFar, kFar) > line.start_front_m) continue;
+    const double at = transition["position_m"].number(-kFar, kFar);
     const JsonPlace levels = transition["levels"];
-    if (levels.size() > 0) line.start_level = level_of(static_cast<std::uint64_t>(levels[0].integer(0, 4))).value();
+    const bool counts = levels.size() > 0 && at <= line.start_front_m;
+    const auto level = levels.size() > 0 ? level_of(static_cast<std::uint64_t>(levels[0].integer(0, 4))) : std::nullopt;
+    if (counts) line.start_level = level.value();
   }
-  if (!start) return;
-  if (const auto level = start->find("level")) line.start_level = level->term<kLevelRows>();
-  if (const auto mode = start->find("mode"); mode && mode->string() != "SB")
-    mode->fail("\"SB\": the on-board is powered up at the start");
-  if (const auto nid = start->find("nid_ntc")) line.start_nid_ntc = static_cast<std::uint8_t>(nid->integer(0, 255));
 }
 
 }  // namespace
+
+LineStart read_line_start(const JsonPlace& place) {
+  LineStart start;
+  if (const auto front = place.find("front_m")) start.front_m = front->number(-kFar, kFar);
+  if (const auto level = place.find("level")) start.level = level->term<kLevelRows>();
+  if (const auto mode = place.find("mode"); mode && mode->string() != "SB")
+    mode->fail("\"SB\": the on-board is powered up at the start");
+  if (const auto nid = place.find("nid_ntc")) start.nid_ntc = static_cast<std::uint8_t>(nid->integer(0, 255));
+  return start;
+}
+
+sim::Rbc read_rbc(const JsonPlace& place) {
+  sim::Rbc rbc;
+  rbc.contact = read_rbc_contact(place);
+  if (const auto shunting = place.find("shunting")) rbc.grants_shunting = shunting->one_of({"refuse", "grant"}) == 1;
+  return rbc;
+}
 
 Result<sim::Line> read_line(std::string_view text, const std::string& file) {
   return guarded([&] {
@@ -115,12 +126,19 @@ Result<sim::Line> read_line(std::string_view text, const std::string& file) {
     if (const auto end = root.find("end_m")) line.end_m = end->number(-kFar, kFar);
     read_groups(line, root);
     read_messages(line, root);
-    const auto track = root.find("physical_track");
-    if (track && track->is_object()) {
+    const auto start = root.find("start");
+    const LineStart given = start ? read_line_start(*start) : LineStart{};
+    line.start_front_m = given.front_m.value_or(line.start_front_m);
+    if (const auto track = root.find("physical_track")) {
       line.gradient = read_segments<sim::GradientSegment>(*track, "gradient", "gradient_permille", -200.0, 200.0);
       line.ssp = read_segments<sim::SpeedSegment>(*track, "ssp", "v_kmh", 0.0, 600.0);
+      read_level_before_start(line, *track);
     }
-    read_start(line, root, track && track->is_object() ? track : std::nullopt);
+    line.start_level = given.level.value_or(line.start_level);
+    line.start_nid_ntc = given.nid_ntc.value_or(line.start_nid_ntc);
+    // NID_C of the telegrams' header (8.4.2.1).
+    line.rbc.contact.NID_C = static_cast<std::uint16_t>(line.balises.front().telegram.number(25, 10));
+    if (const auto rbc = root.find("rbc")) line.rbc = read_rbc(*rbc);
     return line;
   });
 }

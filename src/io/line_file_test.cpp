@@ -53,6 +53,52 @@ TEST(LineFile, ErrorsNameTheJsonPointer) {
             std::string::npos);
 }
 
+TEST(LineFile, EveryKeyHasItsType) {
+  const auto with = [](const std::string& more) {
+    return error_of((R"({"schema":"etcs-line/1","name":"x","length_m":1,
+      "balise_groups":[{"balises":[{"position_m":0,"telegram_hex":"90"}]}],)" +
+                     more + "}")
+                        .c_str());
+  };
+  EXPECT_EQ(with(R"("physical_track":{})"), "");
+  for (const std::string wrong : {"\"gradient -30\"", "1", "true", "[]", "null"}) {
+    EXPECT_NE(with("\"physical_track\":" + wrong).find("/physical_track: found "), std::string::npos) << wrong;
+    EXPECT_NE(with("\"start\":" + wrong).find("/start: found "), std::string::npos) << wrong;
+    EXPECT_NE(with("\"rbc\":" + wrong).find("/rbc: found "), std::string::npos) << wrong;
+    const bool list = wrong == "[]";
+    EXPECT_EQ(with("\"rbc_messages\":" + wrong).find("/rbc_messages: found ") == std::string::npos, list) << wrong;
+    EXPECT_NE(with("\"rbc_messages\":[" + wrong + "]").find("/rbc_messages/0: found "), std::string::npos) << wrong;
+    for (const std::string key : {"gradient", "ssp", "level_transitions"}) {
+      EXPECT_EQ(with("\"physical_track\":{\"" + key + "\":" + wrong + "}").find("/" + key) == std::string::npos, list)
+          << key << wrong;
+      EXPECT_NE(with("\"physical_track\":{\"" + key + "\":[" + wrong + "]}").find("/physical_track/" + key + "/0"),
+                std::string::npos);
+    }
+  }
+}
+
+/// The contact that the driver enters and what the RBC answers to a request for shunting (contract line.md).
+TEST(LineFile, TheRbc) {
+  const auto line = [](const std::string& more) {
+    return read_line(R"({"schema":"etcs-line/1","name":"x","length_m":1,"start":{"level":"2"},)" + more +
+                         R"("balise_groups":[{"balises":[{"position_m":0,"telegram_hex":"A10000802015"}]}]})",
+                     "l.json");
+  };
+  const auto given = line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":"0041790000000001","shunting":"grant"},)");
+  ASSERT_TRUE(given) << given.error().text();
+  EXPECT_EQ(given->rbc.contact.NID_C, 3);
+  EXPECT_EQ(given->rbc.contact.NID_RBC, 4);
+  EXPECT_EQ(given->rbc.contact.NID_RADIO, 0x0041790000000001u);
+  EXPECT_TRUE(given->rbc.grants_shunting);
+  // Without one the country is that of the first balise.
+  const auto absent = line("");
+  ASSERT_TRUE(absent) << absent.error().text();
+  EXPECT_EQ(absent->rbc.contact.NID_C, absent->balises[0].telegram.number(25, 10));
+  EXPECT_FALSE(absent->rbc.grants_shunting);
+  EXPECT_NE(line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":"1"},)").error().text().find("16 hexadecimal digits"),
+            std::string::npos);
+}
+
 TEST(LineFile, WithoutBitsIsRefused) {
   const std::string error = error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,
     "balise_groups":[{"balises":[{"position_m":0}]},{"balises":[]}]})");

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "io/json.h"
+#include "io/line_file.h"
 #include "io/number.h"
+#include "io/rbc_contact.h"
 #include "io/telegram_json.h"
 #include "io/train_file.h"
 #include "lang/encode.h"
@@ -59,8 +61,28 @@ P nominal() {
   return p;
 }
 
+constexpr double kFarthest = 32766.0;  // metres that a distance of 15 bits can hold; 32767 is special in some
+
+/// The speed at `place`, which must have a code: V_STATIC and the others count in 5 km/h.
+double speed(const JsonPlace& place, double least, double most) {
+  const double kmh = place.number(least, most);
+  if (kmh != 5.0 * std::round(kmh / 5.0)) place.fail("a multiple of 5 km/h");
+  return kmh;
+}
 std::uint8_t codes_of_5_kmh(double kmh) { return static_cast<std::uint8_t>(std::lround(kmh / 5.0)); }
 std::uint16_t whole(double v) { return static_cast<std::uint16_t>(std::lround(v)); }
+
+constexpr const char* kOrders =
+    "authority, national_values, session, level_transition, temporary_speed_restriction, "
+    "revoke_temporary_speed_restriction, mode_profile, text, ma_requests, position_reports, packet or, in a group, "
+    "infill";
+
+/// An object with one key. A second order in it would be lost.
+void require_one_order(const JsonPlace& order) {
+  if (!order.is_object()) order.fail("an object");
+  if (order.value().size() != 1)
+    order.fail(std::to_string(order.value().size()) + " keys", std::string("one order: ") + kOrders);
+}
 
 /// Number and name of a packet that the JSON encoder has accepted.
 std::string title(const JsonPlace& packet) {
@@ -74,16 +96,21 @@ std::string title(const JsonPlace& packet) {
 /// Distances in metres between consecutive places, without accumulating rounding errors.
 class Increments {
  public:
-  explicit Increments(double reference_m) : reference_(reference_m) {}
+  Increments(double reference_m, const JsonPlace& root) : reference_(reference_m), root_(root) {}
+  /// An error beyond 15 bits.
   std::uint16_t to(double place_m) {
     const long now = std::lround(place_m - reference_);
     const long step = now - last_;
+    if (step > 32767)
+      root_.fail(std::to_string(step) + " m to " + std::to_string(std::lround(place_m)) + " m",
+                 "at most 32767 m between two groups or two steps of a profile");
     last_ = now;
     return static_cast<std::uint16_t>(step);
   }
 
  private:
   double reference_;
+  const JsonPlace& root_;
   long last_ = 0;
 };
 
@@ -109,10 +136,7 @@ class Encoder {
     if (const auto p = is("ma_requests")) return ma_requests(out, *p);
     if (const auto p = is("position_reports")) return position_reports(out, *p);
     if (const auto p = is("packet")) return packet(out, *p);
-    order.fail("an unknown order",
-               "authority, national_values, session, level_transition, temporary_speed_restriction, "
-               "revoke_temporary_speed_restriction, mode_profile, text, ma_requests, position_reports, packet or, in a "
-               "group, infill");
+    order.fail("an unknown order", kOrders);
   }
   /// Packet 136: the group of the main signal is the reference of the orders after it in this
   /// telegram.
@@ -153,7 +177,7 @@ class Encoder {
       packet.L_ENDSECTION.raw = whole(to - reference.position_m);
       packet.Q_DANGERPOINT.raw = danger ? 1 : 0;
       packet.D_DP.raw = whole(danger_m - to);
-      packet.V_RELEASEDP.raw = release ? codes_of_5_kmh(release->number(0.0, 100.0)) : std::uint8_t{127};
+      packet.V_RELEASEDP.raw = release ? codes_of_5_kmh(speed(*release, 0.0, 100.0)) : std::uint8_t{127};
       return packet;
     };
     if (by_radio) {
@@ -171,7 +195,7 @@ class Encoder {
   /// The groups on the way to `to` and the one after.
   void linking(BitWriter& out, const Group& reference, double to) {
     auto packet = nominal<lang::Packet5>();
-    Increments metres(reference.position_m);
+    Increments metres(reference.position_m, root_);
     std::size_t n = 0;
     double last_m = reference.position_m;
     for (const Group& g : groups_) {
@@ -198,6 +222,12 @@ class Encoder {
     if (n > 0) add(out, packet);
   }
 
+  /// The first step is in the packet, up to 31 follow (N_ITER has 5 bits).
+  template <class List, class Step>
+  void follow(List& list, const Step& step) const {
+    if (!list.push_back(step)) root_.fail("more steps in one authority", "at most 32 steps of gradient, 32 of ssp");
+  }
+
   /// The steps of a profile from the reference to `to`, the first one beginning at the reference.
   std::vector<Step> part(const std::vector<Step>& profile, double from, double to) const {
     std::vector<Step> steps;
@@ -212,7 +242,7 @@ class Encoder {
 
   void gradient_profile(BitWriter& out, const Group& reference, double to) {
     auto packet = nominal<lang::Packet21>();
-    Increments metres(reference.position_m);
+    Increments metres(reference.position_m, root_);
     bool first = true;
     const auto append = [&](double from, bool uphill, std::uint8_t G_A) {
       lang::Packet21_steps step;
@@ -224,19 +254,20 @@ class Encoder {
         packet.Q_GDIR = step.Q_GDIR;
         packet.G_A = step.G_A;
       } else {
-        (void)packet.steps.push_back(step);
+        follow(packet.steps, step);
       }
       first = false;
     };
+    // G_A is in whole permille (7.5.1.37): further downhill is the safe side.
     for (const Step& s : part(gradient_, reference.position_m, to))
-      append(s.from_m, s.value >= 0.0, static_cast<std::uint8_t>(std::lround(std::abs(s.value))));
+      append(s.from_m, s.value >= 0.0, static_cast<std::uint8_t>(std::abs(std::floor(s.value))));
     append(to, false, 255);
     add(out, packet);
   }
 
   void speed_profile(BitWriter& out, const Group& reference, double to) {
     auto packet = nominal<lang::Packet27>();
-    Increments metres(reference.position_m);
+    Increments metres(reference.position_m, root_);
     bool first = true;
     const auto append = [&](double from, std::uint8_t V_STATIC) {
       lang::Packet27_steps step;
@@ -246,7 +277,7 @@ class Encoder {
         packet.D_STATIC = step.D_STATIC;
         packet.V_STATIC = step.V_STATIC;
       } else {
-        (void)packet.steps.push_back(step);
+        follow(packet.steps, step);
       }
       first = false;
     };
@@ -256,7 +287,11 @@ class Encoder {
   }
 
   void national_values(BitWriter& out, const JsonPlace& p) {
-    add(out, io::packet_3(io::read_national_values(p), NID_C_));
+    const auto values = io::read_national_values(p);
+    for (const char* key : {"V_NVSHUNT", "V_NVSTFF", "V_NVONSIGHT", "V_NVLIMSUPERV", "V_NVUNFIT", "V_NVREL",
+                            "V_NVALLOWOVTRP", "V_NVSUPOVTRP"})
+      if (const auto v = p.find(key)) (void)speed(*v, 0.0, 600.0);
+    add(out, io::packet_3(values, NID_C_));
   }
 
   void session(BitWriter& out, const JsonPlace& p) {
@@ -266,16 +301,19 @@ class Encoder {
     packet.Q_RBC.raw = p["establish"].boolean() ? 1 : 0;
     packet.NID_C.raw = NID_C_;
     packet.NID_RBC.raw = static_cast<std::uint16_t>(p["NID_RBC"].integer(0, 16383));
-    const JsonPlace number = p["NID_RADIO"];
-    if (number.string().size() != 16) number.fail("16 hexadecimal digits");
-    for (const std::uint8_t byte : number.hex()) packet.NID_RADIO.raw = packet.NID_RADIO.raw << 8 | byte;
+    packet.NID_RADIO.raw = read_NID_RADIO(p["NID_RADIO"]);
     add(out, packet);
+  }
+
+  /// A place that a distance from the reference can hold.
+  static double ahead(const JsonPlace& place, const Group& reference) {
+    return place.number(reference.position_m, reference.position_m + kFarthest);
   }
 
   void level_transition(BitWriter& out, const JsonPlace& p, const Group& reference) {
     p.know_only({"at_m", "level", "nid_ntc", "acknowledge_m"});
     auto packet = nominal<lang::Packet41>();
-    packet.D_LEVELTR.raw = whole(p["at_m"].number(reference.position_m, 1e6) - reference.position_m);
+    packet.D_LEVELTR.raw = whole(ahead(p["at_m"], reference) - reference.position_m);
     packet.M_LEVELTR.raw = M_LEVEL(p["level"].term<kLevelRows>());
     if (const auto nid = p.find("nid_ntc")) packet.NID_NTC.raw = static_cast<std::uint8_t>(nid->integer(0, 255));
     packet.L_ACKLEVELTR.raw = whole(p["acknowledge_m"].number(0.0, 5000.0));
@@ -286,10 +324,10 @@ class Encoder {
     p.know_only({"NID_TSR", "from_m", "to_m", "kmh"});
     auto packet = nominal<lang::Packet65>();
     packet.NID_TSR.raw = static_cast<std::uint8_t>(p["NID_TSR"].integer(0, 254));
-    const double from = p["from_m"].number(reference.position_m, 1e6);
+    const double from = ahead(p["from_m"], reference);
     packet.D_TSR.raw = whole(from - reference.position_m);
     packet.L_TSR.raw = whole(p["to_m"].number(from, from + 30000.0) - from);
-    packet.V_TSR.raw = codes_of_5_kmh(p["kmh"].number(5.0, 500.0));
+    packet.V_TSR.raw = codes_of_5_kmh(speed(p["kmh"], 5.0, 500.0));
     add(out, packet);
   }
 
@@ -303,11 +341,11 @@ class Encoder {
   void mode_profile(BitWriter& out, const JsonPlace& p, const Group& reference) {
     p.know_only({"mode", "from_m", "to_m", "kmh", "acknowledge_m"});
     auto packet = nominal<lang::Packet80>();
-    const double from = p["from_m"].number(reference.position_m, 1e6);
+    const double from = ahead(p["from_m"], reference);
     packet.D_MAMODE.raw = whole(from - reference.position_m);
     packet.M_MAMODE.raw = static_cast<std::uint8_t>(p["mode"].one_of({"OS", "SH", "LS"}));
     const auto kmh = p.find("kmh");
-    packet.V_MAMODE.raw = kmh ? codes_of_5_kmh(kmh->number(5.0, 500.0)) : std::uint8_t{127};
+    packet.V_MAMODE.raw = kmh ? codes_of_5_kmh(speed(*kmh, 5.0, 500.0)) : std::uint8_t{127};
     packet.L_MAMODE.raw = whole(p["to_m"].number(from, from + 30000.0) - from);
     packet.L_ACKMAMODE.raw = whole(p["acknowledge_m"].number(0.0, 5000.0));
     add(out, packet);
@@ -325,7 +363,8 @@ class Encoder {
       if (u < 0x20 || u > 0x7e) p["text"].fail("printable ASCII");
       lang::Packet72_text character;
       character.X_TEXT.raw = u;
-      (void)packet.text.push_back(character);
+      if (!packet.text.push_back(character))
+        p["text"].fail(std::to_string(p["text"].string().size()) + " characters", "at most 255 characters");
     }
     add(out, packet);
   }
@@ -403,6 +442,7 @@ class Orders {
 
  private:
   void put(const JsonPlace& order, BitWriter& out, ordered_json& contains) {
+    require_one_order(order);
     if (const auto main = order.find("infill")) {
       (void)encoder_.infill(out, *main, group_, contains);
       infill_ = main;
@@ -482,7 +522,10 @@ EncodedMessage whole_message(const Encoder& encoder, const JsonPlace& place, con
 EncodedMessage message_of_orders(Encoder& encoder, const JsonPlace& orders, const Group& reference) {
   EncodedMessage encoded;
   bool authority = false;
-  for (std::size_t i = 0; i < orders.size(); ++i) authority = authority || orders[i].find("authority").has_value();
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    require_one_order(orders[i]);
+    authority = authority || orders[i].find("authority").has_value();
+  }
   std::array<std::uint8_t, 512> bytes{};
   BitWriter out(bytes);
   const auto begin = [&](auto message) {
@@ -524,13 +567,14 @@ ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
           {"message_hex", hex(encoded.bytes)}};
 }
 
-std::vector<Step> read_profile(const JsonPlace& list, double least, double most) {
+template <class ReadValue>
+std::vector<Step> read_profile(const JsonPlace& list, ReadValue read_value) {
   std::vector<Step> steps;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace row = list[i];
     if (row.size() != 3) row.fail("[from_m, to_m, value]");
     const double from = row[0].number(-1e5, 1e6);
-    steps.push_back({from, row[1].number(from, 1e6), row[2].number(least, most)});
+    steps.push_back({from, row[1].number(from, 1e6), read_value(row[2])});
   }
   return steps;
 }
@@ -545,16 +589,20 @@ ordered_json physical_track(const std::vector<Step>& gradient, const std::vector
 
 ordered_json line_of(const JsonPlace& root) {
   root.require_schema("evc-line-description/1");
-  root.know_only({"schema", "name", "about", "NID_C", "length_m", "start", "gradient", "ssp", "groups", "radio"});
-  const auto gradient = read_profile(root["gradient"], -50.0, 50.0);
-  const auto ssp = read_profile(root["ssp"], 5.0, 500.0);
+  root.know_only(
+      {"schema", "name", "about", "NID_C", "length_m", "start", "rbc", "gradient", "ssp", "groups", "radio"});
+  const auto gradient = read_profile(root["gradient"], [](const JsonPlace& p) { return p.number(-50.0, 50.0); });
+  const auto ssp = read_profile(root["ssp"], [](const JsonPlace& p) { return speed(p, 5.0, 500.0); });
   const JsonPlace list = root["groups"];
   std::vector<Group> groups;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].know_only({"NID_BG", "at_m", "balises", "orders", "note"});
     const double at = list[i]["at_m"].number(-1e5, 1e6);
     if (!groups.empty() && at <= groups.back().position_m) list[i]["at_m"].fail("a place beyond the group before");
-    groups.push_back({static_cast<std::uint16_t>(list[i]["NID_BG"].integer(0, 16382)), at});
+    const auto NID_BG = static_cast<std::uint16_t>(list[i]["NID_BG"].integer(0, 16382));
+    if (std::any_of(groups.begin(), groups.end(), [&](const Group& g) { return g.NID_BG == NID_BG; }))
+      list[i]["NID_BG"].fail("a NID_BG of no other group");
+    groups.push_back({NID_BG, at});
   }
   Encoder encoder(root, groups, gradient, ssp, static_cast<std::uint16_t>(root["NID_C"].integer(0, 1023)));
   ordered_json line = {{"schema", "etcs-line/1"},
@@ -562,7 +610,14 @@ ordered_json line_of(const JsonPlace& root) {
                        {"length_m", root["length_m"].number(0.0, 1e6)},
                        {"system_version", "2.1"},
                        {"source", "made by evc make-line from " + root.file().substr(root.file().rfind('/') + 1)}};
+  root["start"].know_only({"front_m", "level", "mode", "nid_ntc"});
+  (void)read_line_start(root["start"]);
   line["start"] = ordered_json::parse(root["start"].value().dump());
+  if (const auto rbc = root.find("rbc")) {
+    rbc->know_only({"NID_C", "NID_RBC", "NID_RADIO", "shunting"});
+    (void)read_rbc(*rbc);
+    line["rbc"] = ordered_json::parse(rbc->value().dump());
+  }
   line["balise_groups"] = ordered_json::array();
   for (std::size_t i = 0; i < groups.size(); ++i) {
     line["balise_groups"].push_back({{"seq", i},

@@ -168,6 +168,119 @@ TEST(MakeLine, WrongPacketsAndMessagesNameThePlace) {
   EXPECT_NE(both.find("/radio/0: found orders and a message"), std::string::npos) << both;
 }
 
+/// What cannot be encoded as it is written is an error, not something else.
+TEST(MakeLine, NothingIsLostSilently) {
+  const auto refused = [](const std::string& first_group, const std::string& radio = "") {
+    const json line = line_with(first_group, radio);
+    return line.is_string() ? line.get<std::string>() : "made";
+  };
+  const auto order = [&](const std::string& text) { return refused("\"orders\":[" + text + "]"); };
+  const std::string one = ", expected one order: authority, ";
+  const std::string TSR = R"("temporary_speed_restriction":{"NID_TSR":1,"from_m":500,"to_m":900,"kmh":30})";
+  EXPECT_NE(order(R"({"authority":{"to_m":800},)" + TSR + "}").find("/groups/0/orders/0: found 2 keys" + one),
+            std::string::npos)
+      << order(R"({"authority":{"to_m":800},)" + TSR + "}");
+  EXPECT_NE(order("{" + TSR + R"(,"authorty":{}})").find("found 2 keys" + one), std::string::npos);
+  EXPECT_NE(order(R"({"infill":8,)" + TSR + "}").find("found 2 keys" + one), std::string::npos);
+  EXPECT_NE(order("{}").find("found 0 keys" + one), std::string::npos);
+  EXPECT_NE(order("[]").find("/groups/0/orders/0: found an array of 0, expected an object"), std::string::npos);
+  EXPECT_NE(refused(R"("orders":[])", R"({"at_m":300,"lrbg":7,"orders":[{)" + TSR + R"(,"text":{}}]})")
+                .find("/radio/0/orders/0: found 2 keys" + one),
+            std::string::npos);
+  // A speed that has no code, a place that L_ or D_ cannot hold (15 bits), more steps than N_ITER counts (5 bits).
+  EXPECT_NE(order(R"({"temporary_speed_restriction":{"NID_TSR":1,"from_m":500,"to_m":900,"kmh":33}})")
+                .find("/temporary_speed_restriction/kmh: found 33, expected a multiple of 5 km/h"),
+            std::string::npos);
+  EXPECT_NE(order(R"({"authority":{"to_m":800,"danger_point_m":850,"release_kmh":12}})").find("a multiple of 5 km/h"),
+            std::string::npos);
+  EXPECT_NE(order(R"({"national_values":{"V_NVREL":23}})").find("/V_NVREL: found 23, expected a multiple of 5 km/h"),
+            std::string::npos);
+  for (const char* beyond : {R"({"temporary_speed_restriction":{"NID_TSR":1,"from_m":70000,"to_m":70100,"kmh":30}})",
+                             R"({"level_transition":{"at_m":70000,"level":"1","acknowledge_m":100}})",
+                             R"({"mode_profile":{"mode":"OS","from_m":70000,"to_m":70100,"acknowledge_m":100}})"})
+    EXPECT_NE(order(beyond).find("found 70000, expected a number from 100.0 to 32866.0"), std::string::npos) << beyond;
+  EXPECT_NE(order(R"({"text":{"text":")" + std::string(256, 'x') + R"(","for_s":9}})").find("at most 255 characters"),
+            std::string::npos);
+  EXPECT_EQ(refused(R"("orders":[])"), "made");
+}
+
+/// `line_with`, with these profiles and groups.
+std::string made_of(const std::string& profiles, const std::string& groups) {
+  const auto made =
+      io::make_line(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"start":{},)" + profiles +
+                        R"(,"groups":[)" + groups + R"(],"radio":[]})",
+                    "d.json");
+  return made ? *made : made.error().text();
+}
+
+TEST(MakeLine, ProfilesThatDoNotFitAreErrors) {
+  std::string steps;
+  for (int i = 0; i < 40; ++i)
+    steps += (i == 0 ? "[" : ",[") + std::to_string(100 * i) + "," + std::to_string(100 * i + 100) + "," +
+             std::to_string(i % 2) + "]";
+  const std::string authority = R"({"NID_BG":7,"at_m":100,"orders":[{"authority":{"to_m":3500}}]})";
+  EXPECT_NE(made_of(R"("gradient":[)" + steps + R"(],"ssp":[[0,4000,80]])", authority).find("at most 32 steps"),
+            std::string::npos);
+  EXPECT_NE(made_of(R"("gradient":[[0,4000,0]],"ssp":[[0,4000,82]])", authority)
+                .find("/ssp/0/2: found 82, expected a multiple of 5 km/h"),
+            std::string::npos);
+  // From one step to the next, and from one group to the next, at most 32 767 m (15 bits).
+  EXPECT_NE(made_of(R"("gradient":[[0,90000,0]],"ssp":[[0,90000,80]])",
+                    R"({"NID_BG":7,"at_m":100,"orders":[{"authority":{"to_m":32100,"danger_point_m":36000}}]})")
+                .find("at most 32767 m"),
+            std::string::npos);
+  EXPECT_NE(made_of(R"("gradient":[[0,90000,0]],"ssp":[[0,90000,80]])",
+                    R"({"NID_BG":7,"at_m":100,"orders":[{"authority":{"to_m":1000}}]},{"NID_BG":8,"at_m":80000})")
+                .find("at most 32767 m"),
+            std::string::npos);
+  EXPECT_NE(
+      made_of(R"("gradient":[[0,4000,0]],"ssp":[[0,4000,80]])", R"({"NID_BG":7,"at_m":100},{"NID_BG":7,"at_m":200})")
+          .find("/groups/1/NID_BG: found 7, expected a NID_BG of no other group"),
+      std::string::npos);
+}
+
+/// G_A is in whole permille (7.5.1.37): a gradient between two codes is sent as the one further downhill.
+TEST(MakeLine, AGradientIsRoundedDownhill) {
+  const auto made = io::make_line(
+      R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"start":{},
+      "gradient":[[0,300,3.6],[300,600,-3.4],[600,3000,0.5]],"ssp":[[0,3000,80]],
+      "groups":[{"NID_BG":7,"at_m":100,"orders":[{"authority":{"to_m":800}}]}],"radio":[]})",
+      "d.json");
+  ASSERT_TRUE(made) << made.error().text();
+  const json packets = packets_in(json::parse(*made), 0);
+  const json& gradient = packets[1]["NID_PACKET"] == 21 ? packets[1] : packets[2];
+  EXPECT_EQ(gradient["Q_GDIR"], 1);
+  EXPECT_EQ(gradient["G_A"], 3);
+  EXPECT_EQ(gradient["steps"][0]["Q_GDIR"], 0);
+  EXPECT_EQ(gradient["steps"][0]["G_A"], 4);
+  EXPECT_EQ(gradient["steps"][1]["Q_GDIR"], 1);
+  EXPECT_EQ(gradient["steps"][1]["G_A"], 0);
+  EXPECT_EQ(json::parse(*made)["physical_track"]["gradient"][0]["gradient_permille"], 3.6);
+}
+
+TEST(MakeLine, TheStartAndTheRbcAreChecked) {
+  const auto with = [](const std::string& start) {
+    const auto made = io::make_line(
+        R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":900,"gradient":[[0,3000,0]],
+        "ssp":[[0,3000,80]],"groups":[{"NID_BG":7,"at_m":100}],"radio":[],)" +
+            start + "}",
+        "d.json");
+    return made ? *made : made.error().text();
+  };
+  EXPECT_EQ(with(R"("start":{"front_m":"x"})"), "d.json: /start/front_m: found \"x\", expected a number");
+  EXPECT_EQ(with(R"("start":{"level":7})"), "d.json: /start/level: found 7, expected one of 0, NTC, 1, 2, 3");
+  EXPECT_EQ(with(R"("start":{"zzz":1})"),
+            "d.json: /start/zzz: found an unknown key, expected one of front_m, level, mode, nid_ntc");
+  EXPECT_EQ(with(R"("start":[])"), "d.json: /start: found an array of 0, expected an object");
+  EXPECT_EQ(with(R"("start":{"nid_ntc":256})"), "d.json: /start/nid_ntc: found 256, expected an integer from 0 to 255");
+  EXPECT_EQ(with(R"("start":{},"rbc":{"NID_C":1,"NID_RBC":2})"),
+            "d.json: /rbc: found no key \"NID_RADIO\", expected one");
+  const json line = json::parse(with(
+      R"("start":{"front_m":-20,"level":"2"},"rbc":{"NID_C":1,"NID_RBC":2,"NID_RADIO":"0041790000000001","shunting":"grant"})"));
+  EXPECT_EQ(line["start"], json::parse(R"({"front_m":-20,"level":"2"})"));
+  EXPECT_EQ(line["rbc"]["shunting"], "grant");
+}
+
 TEST(Sha256, OfTheStandard) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }

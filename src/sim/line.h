@@ -40,6 +40,13 @@ struct SpeedSegment {
   double start_m = 0.0, end_m = 0.0, kmh = 0.0;
 };
 
+/// The RBC of a line: what the driver enters where the mission starts in level 2 or 3, and how it answers a request for
+/// shunting.
+struct Rbc {
+  port::DriverActions::RbcContact contact{0, 1, 1};
+  bool grants_shunting = false;
+};
+
 /// What trackside sends and where, and the data of the track (etcs-line/1).
 struct Line {
   std::string name;
@@ -48,6 +55,7 @@ struct Line {
   std::optional<double> end_m;
   Level start_level = Level::NTC;
   std::uint8_t start_nid_ntc = 1;
+  Rbc rbc;
   std::size_t groups = 0;
   std::vector<Balise> balises;            // in order of position
   std::vector<TracksideMessage> radio;    // in order of position
