@@ -101,7 +101,8 @@ ordered_json summary_of(const Journey& journey, const sim::World& world, const s
                          {"refused", counts.messages_refused},
                          {"rejected", counts.messages_rejected},
                          {"absent", line.absent_messages},
-                         {"withheld", world.radio().withheld()}};
+                         {"withheld", world.radio().withheld()},
+                         {"undelivered", world.radio().undelivered()}};
   s["movement_authorities"] = {{"received", counts.authorities_received}, {"accepted", counts.authorities_accepted}};
   s["interventions"] = {
       {"tco", interventions.tco}, {"sb", interventions.sb}, {"eb", interventions.eb}, {"trip", interventions.trip}};
@@ -135,9 +136,9 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
              number(g["read"]), number(g["on_line"]), number(g["linked_ok"]), number(g["missed"]),
              number(g["rejected"]), number(s["telegrams"]["decoded"]), number(s["telegrams"]["rejected"]));
   const auto& m = s["radio_messages"];
-  fmt::print("radio messages      {} received: {} accepted, {} refused; {} absent, {} withheld\n",
+  fmt::print("radio messages      {} received: {} accepted, {} refused; {} absent, {} withheld{}\n",
              number(m["received"]), number(m["accepted"]), number(m["refused"]), number(m["absent"]),
-             number(m["withheld"]));
+             number(m["withheld"]), m["undelivered"] == 0 ? "" : ", " + number(m["undelivered"]) + " undelivered");
   fmt::print("authorities         {} received, {} accepted\n", number(s["movement_authorities"]["received"]),
              number(s["movement_authorities"]["accepted"]));
   const auto& i = s["interventions"];
@@ -213,6 +214,19 @@ io::Result<bool> write_records(const std::string& folder, const Records& records
   return true;
 }
 
+/// 1, with the reason, for a journey that did not take place: the train never moved, or found no end in time.
+int verdict(const std::string& line, const sim::World& world, const Journey& journey) {
+  using Ending = sim::World::Ending;
+  const bool too_long = world.ending() == Ending::too_long;
+  if (world.ending() == Ending::end_of_line || (world.has_moved() && !too_long)) return 0;
+  const Sample& last = journey.samples().back();
+  const auto now = fmt::format("mode {}, level {}, {} radio messages undelivered", name(static_cast<Mode>(last.mode)),
+                               name(static_cast<Level>(last.level)), world.radio().undelivered());
+  (void)complain(too_long ? io::Diagnostic{line, "", "a run without an end, " + now, "one within 6 h"}
+                          : io::Diagnostic{line, "", "a train that never moved, " + now, "a mission that begins"});
+  return 1;
+}
+
 /// Before the run, so that a long simulation is not lost because the folder cannot be written.
 io::Result<bool> prepare_folder(const std::string& folder) {
   if (folder.empty()) return true;
@@ -251,12 +265,11 @@ int run(const RunOptions& options) {
                             report_page(journey, *world, *line, train->name, options.driver, summary.dump()));
   print_summary(summary, train->name, options.driver);
   if (!written) return complain(written.error());
-  if (options.output.empty()) {
+  if (options.output.empty())
     fmt::print("(-o DIR writes report.html, trace.csv, inputs.jsonl, outputs.jsonl and summary.json)\n");
-    return 0;
-  }
-  fmt::print("report              {}/report.html\n", options.output);
-  return 0;
+  else
+    fmt::print("report              {}/report.html\n", options.output);
+  return verdict(options.line.empty() ? kShippedLine : options.line, *world, journey);
 }
 
 }  // namespace evc::run

@@ -373,6 +373,66 @@ TEST(Run, ATelegramThatDoesNotDecodeIsCountedAndTheRunGoesOn) {
   EXPECT_NE(text_of(folder / "outputs.jsonl").find("BG 117 message inconsistent [3.16.2.4.1]"), std::string::npos);
 }
 
+/// A description of a line in level 2 from its start: the second group gives the first authority.
+std::string level_2_from_the_start(const std::string& level, const std::string& rbc, double first_authority_m) {
+  std::string groups;
+  for (int i = 0; i < 8; ++i)
+    groups += (i == 0 ? "{\"NID_BG\":" : ",{\"NID_BG\":") + std::to_string(101 + i) +
+              ",\"at_m\":" + std::to_string(80 + 500 * i) + "}";
+  return R"({"schema":"evc-line-description/1","name":"level 2","NID_C":1000,"length_m":4000,
+    "start":{"front_m":-20,"level":")" +
+         level + R"("},)" + rbc + R"("gradient":[[-500,9000,0]],"ssp":[[-500,9000,80]],"groups":[)" + groups +
+         R"(],"radio":[{"at_m":)" + std::to_string(first_authority_m) +
+         R"(,"lrbg":101,"orders":[{"authority":{"to_m":3000,"danger_point_m":3100,"release_kmh":20}}]},
+         {"at_m":1800,"lrbg":104,"orders":[{"authority":{"to_m":8000,"danger_point_m":8100,"release_kmh":20}}]}]})";
+}
+
+json driven(const Folder& folder, const std::string& description) {
+  const auto made = io::make_line(description, "d.json");
+  EXPECT_TRUE(made) << made.error().text();
+  EXPECT_TRUE(io::write_whole(folder / "line.json", made.value_or("")));
+  const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return json::parse(text_of(folder / "summary.json"));
+}
+
+/// Start of mission in level 2 and 3 (5.4): contact entered, session, train data, authority or SR authorisation.
+TEST(Run, AMissionStartsInLevel2) {
+  const Folder folder("level_2");
+  const char* rbc = R"("rbc":{"NID_C":1000,"NID_RBC":9,"NID_RADIO":"0041790000000001"},)";
+  for (const char* level : {"2", "3"}) {
+    const json s = driven(folder, level_2_from_the_start(level, rbc, 120.0));
+    EXPECT_EQ(s["levels"], json({level}));
+    // Without a place the RBC gives SR; the authority follows behind the first group.
+    EXPECT_EQ(s["modes"], json({"SB", "SR", "FS"}));
+    EXPECT_EQ(s["balise_groups"]["read"], 8);
+    EXPECT_EQ(s["radio_messages"]["received"], 2);
+    EXPECT_EQ(s["radio_messages"]["accepted"], 2);
+    EXPECT_EQ(s["interventions"]["trip"], 0);
+    EXPECT_NE(text_of(folder / "inputs.jsonl").find("\"rbc\":{\"NID_C\":1000,\"NID_RBC\":9"), std::string::npos);
+  }
+  // Without a contact in the file there is one all the same.
+  EXPECT_EQ(driven(folder, level_2_from_the_start("2", "", 120.0))["modes"], json({"SB", "SR", "FS"}));
+}
+
+/// A mission that does not begin ends the run soon, and is told.
+TEST(Run, AMissionThatCannotStartIsTold) {
+  const Folder folder("no_start");
+  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  // The message of a session that is never set up.
+  line["start"] = {{"front_m", 24500.0}, {"level", "1"}};
+  ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
+  ASSERT_TRUE(
+      io::write_whole(folder / "t.json", R"({"schema":"etcs-train/1","dynamics":{"tractive_effort":[[0,0]]}})"));
+  const Finished run =
+      evc("run '" + (folder / "line.json") + "' --train '" + (folder / "t.json") + "' -o '" + folder.path() + "'");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("found a train that never moved, mode SR, level 1, "), std::string::npos) << run.output;
+  const json s = json::parse(text_of(folder / "summary.json"));
+  EXPECT_LT(s["duration_s"].get<double>(), 200.0);
+  EXPECT_GT(s["radio_messages"]["undelivered"].get<int>(), 0);
+}
+
 TEST(Run, AnAuthorityWithoutGradientAndSpeedProfileIsRefused) {
   const Folder folder("no_profile");
   json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));

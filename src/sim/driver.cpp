@@ -55,6 +55,8 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
   } else if (seen.entries.has(Entry::level)) {
     driver.level = line_.start_level;
     driver.nid_ntc = line_.start_nid_ntc;
+  } else if (seen.entries.has(Entry::rbc_contact)) {
+    driver.rbc_contact = line_.rbc.contact;
   } else if (seen.entries.has(Entry::train_data)) {
     inputs.train_data = train_;
     data_entered_ = true;

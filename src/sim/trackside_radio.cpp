@@ -14,6 +14,9 @@ constexpr std::int64_t kSilence_ms = 20000;  // after this time a general messag
 // Bit positions of the header variables (8.4.4.6, 8.4.4.7).
 constexpr std::size_t kStampAt = 18;
 constexpr std::size_t kAfterTrainHeader = 8 + 10 + 32 + 24;
+// Bits of Q_MARQSTREASON (7.5.1.118.3): Start selected, track description deleted.
+constexpr std::uint32_t kHasNoAuthority = 1u | 8u;
+constexpr std::uint16_t kNoLimit = 32767;  // of D_SR (7.5.1.25)
 
 template <class M, class... P>
 Bits message_of(const M& message, const P&... packets) {
@@ -64,8 +67,10 @@ void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t
   const std::uint32_t NID_MESSAGE = bits.number(0, 8);
   const std::uint32_t T_TRAIN = bits.number(kStampAt, 32);
   // Position packets 0 and 1 begin with NID_PACKET, L_PACKET, Q_SCALE, NID_LRBG.
-  if (NID_MESSAGE == message::validated_train_data || NID_MESSAGE == message::position_report)
+  if (NID_MESSAGE == message::validated_train_data || NID_MESSAGE == message::position_report ||
+      NID_MESSAGE == message::request_for_shunting)
     NID_LRBG_ = bits.number(kAfterTrainHeader + 23, 24);
+  if (NID_MESSAGE == message::ma_request) NID_LRBG_ = bits.number(kAfterTrainHeader + 5 + 23, 24);
   if (NID_MESSAGE == message::som_position_report) NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
   switch (NID_MESSAGE) {
     case message::session_initiated: {
@@ -95,11 +100,15 @@ void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t
     }
     case message::request_for_shunting: {
       lang::Message27 refused;
-      refused.NID_LRBG.raw = NID_LRBG_;
-      refused.T_TRAIN_REF.raw = T_TRAIN;
-      reply(t_ms, message_of(refused));
+      lang::Message28 authorised;
+      refused.NID_LRBG.raw = authorised.NID_LRBG.raw = NID_LRBG_;
+      refused.T_TRAIN_REF.raw = authorised.T_TRAIN_REF.raw = T_TRAIN;
+      reply(t_ms, line_.rbc.grants_shunting ? message_of(authorised) : message_of(refused));
       break;
     }
+    case message::ma_request:
+      answer_ma_request(bits.number(kAfterTrainHeader, 5), t_ms);
+      break;
     case message::som_position_report: {
       // Q_STATUS 1: the position is valid (7.5.1.143).
       const bool valid = bits.number(kAfterTrainHeader, 2) == 1;
@@ -112,6 +121,29 @@ void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t
     default:
       break;
   }
+}
+
+bool TracksideRadio::is_withheld(const TracksideMessage& message) const {
+  return last_ma_ && message.seq > *last_ma_ && has_movement_authority(message.message);
+}
+
+/// A train without an authority gets the latest one whose place it has reached, else an SR authorisation. For one that
+/// asks because its authority ends there is nothing newer: the next one comes at its place.
+void TracksideRadio::answer_ma_request(std::uint32_t Q_MARQSTREASON, std::int64_t t_ms) {
+  if ((Q_MARQSTREASON & kHasNoAuthority) == 0) return;
+  for (std::size_t i = next_; i-- > 0;) {
+    const TracksideMessage& message = line_.radio[i];
+    if (!has_movement_authority(message.message) || is_withheld(message)) continue;
+    const bool comes_by_itself =
+        std::any_of(reached_.begin(), reached_.end(), [i](const Reached& r) { return r.message == i; });
+    if (!comes_by_itself) reply(t_ms, message.message);
+    return;
+  }
+  lang::Message2 authorisation;
+  authorisation.NID_LRBG.raw = NID_LRBG_;
+  authorisation.Q_SCALE.raw = 1;
+  authorisation.D_SR.raw = kNoLimit;
+  reply(t_ms, message_of(authorisation));
 }
 
 void TracksideRadio::reply(std::int64_t t_ms, Bits message) {
@@ -135,7 +167,7 @@ void TracksideRadio::send(Bits message, int seq, std::int64_t t_ms, double front
 void TracksideRadio::deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs) {
   for (; next_ < line_.radio.size() && line_.radio[next_].position_m <= front_m; ++next_) {
     const TracksideMessage& message = line_.radio[next_];
-    if (last_ma_ && message.seq > *last_ma_ && has_movement_authority(message.message)) {
+    if (is_withheld(message)) {
       ++withheld_;
       continue;
     }

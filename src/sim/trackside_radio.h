@@ -20,8 +20,9 @@ struct Delivery {
 };
 
 /// The radio bearer and a simulated RBC: it answers the messages of the on-board (session set-up and end, train data,
-/// start of mission), sends the messages of the line when the front end reaches their places, stamped with the time of
-/// delivery, and a general message after 20 s without messages. It has no other functions.
+/// start of mission, requests for an authority and for shunting), sends the messages of the line when the front end
+/// reaches their places, stamped with the time of delivery, and a general message after 20 s without messages. It has
+/// no other functions.
 class TracksideRadio {
  public:
   /// `last_ma`: messages with a movement authority and a higher `seq` are withheld.
@@ -33,9 +34,10 @@ class TracksideRadio {
   void deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs);
 
   const std::vector<Delivery>& deliveries() const { return deliveries_; }
-  /// Number of messages of the line whose place was reached and that wait for a session or their
-  /// delay.
-  std::size_t waiting() const { return reached_.size(); }
+  /// Number of messages of the line whose place was reached and that are not delivered.
+  std::size_t undelivered() const { return reached_.size(); }
+  /// Those of them that arrive by themselves, after their delay; without a session none does.
+  std::size_t waiting() const { return session_ ? reached_.size() : 0; }
   std::size_t withheld() const { return withheld_; }
   bool session() const { return session_; }
 
@@ -49,6 +51,8 @@ class TracksideRadio {
     std::size_t message = 0;  // index in the line
   };
   void answer(const port::OutgoingMessage& message, std::int64_t t_ms);
+  void answer_ma_request(std::uint32_t Q_MARQSTREASON, std::int64_t t_ms);
+  bool is_withheld(const TracksideMessage& message) const;
   void reply(std::int64_t t_ms, Bits message);
   void send(Bits message, int seq, std::int64_t t_ms, double front_m, CycleInputs& inputs);
 

@@ -102,10 +102,11 @@ void World::observe(const port::Outputs& outputs) {
   radio_.hear(outputs, inputs_.t_ms);
 }
 
-bool World::finished() const {
-  if (motion_.front() >= end_m_) return true;
-  if (inputs_.t_ms >= kLongest_ms) return true;
-  return inputs_.t_ms - moved_at_ms_ > kStandsForGood_ms && radio_.waiting() == 0;
+std::optional<World::Ending> World::ending() const {
+  if (motion_.front() >= end_m_) return Ending::end_of_line;
+  if (inputs_.t_ms >= kLongest_ms) return Ending::too_long;
+  if (inputs_.t_ms - moved_at_ms_ > kStandsForGood_ms && radio_.waiting() == 0) return Ending::stands_for_good;
+  return std::nullopt;
 }
 
 std::optional<World::Reference> World::reference(const port::NidLrbg& lrbg) const {

@@ -43,7 +43,12 @@ class World {
   void observe(const port::Outputs& outputs);
   /// The rear end has passed the last group, the front end has passed the end of the line, or the
   /// train has stopped and will not move again.
-  bool finished() const;
+  bool finished() const { return ending().has_value(); }
+  /// How the run has ended, absent while it goes on.
+  enum class Ending : std::uint8_t { end_of_line, stands_for_good, too_long };
+  std::optional<Ending> ending() const;
+  /// The train has left its start.
+  bool has_moved() const { return moved_at_ms_ > 0; }
 
   std::int64_t t_ms() const { return inputs_.t_ms; }
   double front_m() const { return motion_.front(); }

@@ -210,7 +210,8 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   };
   cycle(0, {});
   EXPECT_EQ(radio.withheld(), 1u);
-  EXPECT_EQ(radio.waiting(), 1u);
+  EXPECT_EQ(radio.undelivered(), 1u);
+  EXPECT_EQ(radio.waiting(), 0u);
   port::Outputs call;
   call.radio_connect = port::RbcAddress{1, 2, 3};
   cycle(100, call);
@@ -250,6 +251,123 @@ TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   cycle(t += 100, saying({156}));
   listen(t + 30000);
   EXPECT_EQ(heard, (std::vector<std::uint8_t>{39}));
+}
+
+/// A session of the simulated RBC at `front_m`, from the call on.
+class Session {
+ public:
+  Session(const Line& line, std::optional<int> last_ma, double front_m)
+      : random_(1), radio_(line, last_ma, random_), front_m_(front_m) {
+    cycle({});
+    port::Outputs call;
+    call.radio_connect = port::RbcAddress{1, 2, 3};
+    cycle(call);
+    while (inputs_.levels.radio_link != RadioLink::connected && t_ms_ < 10000) cycle({});
+  }
+  /// What the RBC sends within a second after it heard the message.
+  std::vector<Bits> answers(const port::Outputs& said) {
+    std::vector<Bits> heard;
+    for (int n = 0; n < 10; ++n) {
+      cycle(n == 0 ? said : port::Outputs{});
+      heard.insert(heard.end(), inputs_.radio.begin(), inputs_.radio.end());
+    }
+    return heard;
+  }
+  TracksideRadio& radio() { return radio_; }
+
+ private:
+  void cycle(const port::Outputs& outputs) {
+    radio_.hear(outputs, t_ms_);
+    inputs_.clear();
+    t_ms_ += 100;
+    radio_.deliver(t_ms_, front_m_, inputs_);
+  }
+  Random random_;
+  TracksideRadio radio_;
+  CycleInputs inputs_;
+  double front_m_;
+  std::int64_t t_ms_ = 0;
+};
+
+/// An MA request for this reason (8.6.2): header, Q_MARQSTREASON.
+port::Outputs requesting(std::uint8_t Q_MARQSTREASON) {
+  // The 74 bits of the header end in byte 9.
+  return saying({132, 5, 0, 0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(Q_MARQSTREASON << 1)});
+}
+
+/// To 132 the latest authority whose place is reached, else an SR authorisation (docs/line.md, rbc).
+TEST(TracksideRadio, AnswersARequestBecauseStartWasSelected) {
+  Line line = plain_line();
+  const auto authority = [](int seq, double at) {
+    TracksideMessage m;
+    m.seq = seq;
+    m.position_m = at;
+    m.message = {{3, 2, 0x80, 0, 0, 0, 0, 0xFF, 0xFF, static_cast<std::uint8_t>(seq)}, 80};
+    return m;
+  };
+  line.radio = {authority(1, -60.0), authority(2, 10.0), authority(3, 500.0)};
+  constexpr std::uint8_t start = 1, before_perturbation = 2;
+  {
+    Session none(line, std::nullopt, -100.0);
+    (void)none.answers(saying({159}));
+    const auto heard = none.answers(requesting(start));
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].number(0, 8), 2u);
+    EXPECT_EQ(heard[0].number(51, 24), 0u);      // NID_LRBG as reported
+    EXPECT_EQ(heard[0].number(77, 15), 32767u);  // D_SR: no limit
+    EXPECT_EQ(none.radio().deliveries().back().seq, -1);
+  }
+  {
+    // Delivered when the session was there, and again because of the request; that one is not counted.
+    Session second(line, std::nullopt, 100.0);
+    EXPECT_EQ(second.answers(saying({159})).size(), 2u);
+    const auto heard = second.answers(requesting(start));
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].number(0, 8), 3u);
+    EXPECT_EQ(heard[0].number(72, 8), 2u);
+    EXPECT_EQ(second.radio().deliveries().back().seq, -1);
+    // There is nothing new for a train that has it.
+    EXPECT_TRUE(second.answers(requesting(before_perturbation)).empty());
+  }
+  {
+    Session withheld(line, 1, 100.0);
+    (void)withheld.answers(saying({159}));
+    const auto heard = withheld.answers(requesting(start));
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].number(72, 8), 1u);
+  }
+}
+
+TEST(TracksideRadio, GrantsShuntingWhereTheLineSaysSo) {
+  for (const bool granted : {false, true}) {
+    Line line = plain_line();
+    line.rbc.grants_shunting = granted;
+    Session session(line, std::nullopt, 0.0);
+    (void)session.answers(saying({159}));
+    const auto heard = session.answers(saying({130}));
+    ASSERT_EQ(heard.size(), 1u);
+    EXPECT_EQ(heard[0].number(0, 8), granted ? 28u : 27u);
+  }
+}
+
+/// A message whose place is reached does not keep a standing train waiting for a session that nobody sets up.
+TEST(World, AStandingTrainWithoutASessionEndsTheRun) {
+  Line line = plain_line();
+  TracksideMessage message;
+  message.position_m = line.start_front_m;
+  message.message = {{24, 2, 0x80, 0, 0, 0, 0, 0xFF, 0xFF, 0xFF}, 80};
+  line.radio.push_back(message);
+  const train::TrainData train;
+  World world(line, train, Dynamics{}, {});
+  std::size_t cycles = 0;
+  while (!world.finished() && ++cycles < 100000) {
+    (void)world.advance();
+    port::Outputs stands;
+    stands.mode = Mode::SB;
+    world.observe(stands);
+  }
+  EXPECT_LT(cycles, 1000u);
+  EXPECT_EQ(world.radio().undelivered(), 1u);
 }
 
 }  // namespace
