@@ -69,6 +69,10 @@ std::string airgap_json(const AirgapTelegram& telegram) {
   return json + "}";
 }
 
+std::string user_hex(const AirgapTelegram& telegram) {
+  return io::hex_of_bits(telegram.received.user_bytes(), airgap::user_bits(telegram.received.format));
+}
+
 std::string explain_airgap(const AirgapTelegram& telegram) {
   const airgap::Received& r = telegram.received;
   std::string text = fmt::format("air gap    {} format, {} bits for {} user bits\n", format_name(r.format),

@@ -29,6 +29,8 @@ tl::expected<AirgapTelegram, io::TelegramError> read_airgap(std::span<const std:
 
 /// The value of the member "airgap" in the JSON of the telegram, on one line.
 std::string airgap_json(const AirgapTelegram& telegram);
+/// The user bits, 830 or 210, as hexadecimal digits.
+std::string user_hex(const AirgapTelegram& telegram);
 /// The same as readable text, a few lines, each ended by a line feed.
 std::string explain_airgap(const AirgapTelegram& telegram);
 

@@ -54,7 +54,7 @@ class Decoder {
       done = options_.explain ? explain(out, *bits) : json(out, *bits);
     else
       done = tl::unexpected(bits.error());
-    if (!done) out += io::error_json(done.error(), number);
+    if (!done) out += refusal(done.error(), number, bits ? &*bits : nullptr);
     if (done && pcapng_) frame(*bits);
     if (!done || !options_.explain) out += '\n';
     return done.has_value();
@@ -74,6 +74,19 @@ class Decoder {
         return io::append_packet_json(out, bits.bytes, bits.bits, direction_, sv_, spare_);
     }
     return {};
+  }
+  /// The error object. Where the language rejects what the air gap gave, with that.
+  std::string refusal(const io::TelegramError& error, std::uint64_t number, const io::Bits* bits) const {
+    std::string object = io::error_json(error, number);
+    if (options_.what != What::airgap || bits == nullptr) return object;
+    const auto coded = read_airgap(bits->bytes, bits->bits);
+    if (!coded) return object;
+    const std::string user = user_hex(*coded);
+    if (options_.explain) return explain_airgap(*coded) + "user bits  " + user + "\n" + object;
+    std::string airgap = airgap_json(*coded);
+    airgap.pop_back();
+    object.pop_back();
+    return object + ",\"airgap\":" + airgap + ",\"user_bits\":\"" + user + "\"}}";
   }
   /// The table, after the same checks as for JSON.
   Done explain(std::string& out, const io::Bits& bits) const {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "io/program_test.h"
@@ -96,6 +97,45 @@ TEST(CommandDecode, BothOutputsOrNeither) {
   EXPECT_LT(done.exit_code, 2);
   EXPECT_EQ(done.output.substr(0, 4), "\x0A\x0D\x0D\x0A");
   EXPECT_NE(text_of(folder / "new"), "");
+}
+
+/// What the air gap gave is told even where the language then rejects it.
+TEST(CommandDecode, ShowsTheUserBitsThatTheLanguageRejects) {
+  // Packet 65 with a spare code of V_TSR.
+  const std::string telegram =
+      R"('{"header":{"Q_UPDOWN":1,"M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":1,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,)"
+      R"("NID_BG":42,"Q_LINK":1},"packets":[{"NID_PACKET":65,"Q_DIR":1,"Q_SCALE":1,"NID_TSR":7,"D_TSR":850,"L_TSR":400,)"
+      R"("Q_FRONT":0,"V_TSR":127}]}')";
+  const auto encoded = [&](const std::string& form) {
+    const Ended run = ended("encode " + form + " " + telegram);
+    EXPECT_EQ(run.exit_code, 0) << run.errors << run.output;
+    return run.output.substr(0, run.output.find('\n'));
+  };
+  const std::string user = encoded("balise"), coded = encoded("airgap");
+  const Ended run = ended("decode airgap " + coded);
+  EXPECT_EQ(run.exit_code, 1);
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json.at("error").at("variable"), "V_TSR");
+  const auto& airgap = json.at("airgap");
+  EXPECT_EQ(airgap.at("format"), "short");
+  EXPECT_EQ(airgap.at("rotation"), 0);
+  EXPECT_EQ(airgap.at("inverted"), false);
+  const std::string bits = airgap.at("user_bits");
+  EXPECT_EQ(bits.size(), 53u);  // 210 bits
+  // The last digit of the telegram is filled up.
+  EXPECT_EQ(bits.substr(0, user.size() - 1), user.substr(0, user.size() - 1));
+  // The bits are those of the accepted telegram.
+  const Ended tolerant = ended("decode balise " + bits + " --tolerant");
+  EXPECT_EQ(tolerant.exit_code, 0);
+  const Ended explained = ended("decode airgap " + coded + " --explain");
+  EXPECT_EQ(explained.exit_code, 1);
+  EXPECT_NE(explained.output.find("air gap    short format"), std::string::npos) << explained.output;
+  EXPECT_NE(explained.output.find("user bits  " + bits), std::string::npos) << explained.output;
+  EXPECT_NE(explained.output.find("{\"error\":"), std::string::npos) << explained.output;
+  // Where the air gap itself gave nothing there is no member.
+  const Ended none = ended("decode airgap " + std::string(86, '0'));
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_FALSE(nlohmann::json::parse(none.output).contains("airgap"));
 }
 
 }  // namespace

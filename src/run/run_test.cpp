@@ -387,13 +387,18 @@ std::string level_2_from_the_start(const std::string& level, const std::string& 
          {"at_m":1800,"lrbg":104,"orders":[{"authority":{"to_m":8000,"danger_point_m":8100,"release_kmh":20}}]}]})";
 }
 
-json driven(const Folder& folder, const std::string& description) {
-  const auto made = io::make_line(description, "d.json");
-  EXPECT_TRUE(made) << made.error().text();
-  EXPECT_TRUE(io::write_whole(folder / "line.json", made.value_or("")));
+/// The summary of a run.
+json driven_along(const Folder& folder, const std::string& line) {
+  EXPECT_TRUE(io::write_whole(folder / "line.json", line));
   const Finished run = evc("run '" + (folder / "line.json") + "' -o '" + folder.path() + "'");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   return json::parse(text_of(folder / "summary.json"));
+}
+
+json driven(const Folder& folder, const std::string& description) {
+  const auto made = io::make_line(description, "d.json");
+  EXPECT_TRUE(made) << made.error().text();
+  return driven_along(folder, made.value_or(""));
 }
 
 /// Start of mission in level 2 and 3 (5.4): contact entered, session, train data, authority or SR authorisation.
@@ -411,6 +416,12 @@ TEST(Run, AMissionStartsInLevel2) {
     EXPECT_EQ(s["interventions"]["trip"], 0);
     EXPECT_NE(text_of(folder / "inputs.jsonl").find("\"rbc\":{\"NID_C\":1000,\"NID_RBC\":9"), std::string::npos);
   }
+  // An authority that is there before the train knows a group waits for one (3.6.2.2.2).
+  json line = json::parse(text_of(folder / "line.json"));
+  line["rbc_messages"][0]["trigger"]["position_m"] = -100;
+  const json early = driven_along(folder, line.dump());
+  EXPECT_EQ(early["modes"], json({"SB", "SR", "FS"}));
+  EXPECT_EQ(early["radio_messages"]["accepted"], 2);
   // Without a contact in the file there is one all the same.
   EXPECT_EQ(driven(folder, level_2_from_the_start("2", "", 120.0))["modes"], json({"SB", "SR", "FS"}));
 }

@@ -16,7 +16,8 @@ constexpr std::size_t kStampAt = 18;
 constexpr std::size_t kAfterTrainHeader = 8 + 10 + 32 + 24;
 // Bits of Q_MARQSTREASON (7.5.1.118.3): Start selected, track description deleted.
 constexpr std::uint32_t kHasNoAuthority = 1u | 8u;
-constexpr std::uint16_t kNoLimit = 32767;  // of D_SR (7.5.1.25)
+constexpr std::uint32_t kUnknown = 0xFFFFFF;  // NID_LRBG (7.5.1.88)
+constexpr std::uint16_t kNoLimit = 32767;     // of D_SR (7.5.1.25)
 
 template <class M, class... P>
 Bits message_of(const M& message, const P&... packets) {
@@ -71,18 +72,22 @@ void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t
       NID_MESSAGE == message::request_for_shunting)
     NID_LRBG_ = bits.number(kAfterTrainHeader + 23, 24);
   if (NID_MESSAGE == message::ma_request) NID_LRBG_ = bits.number(kAfterTrainHeader + 5 + 23, 24);
-  if (NID_MESSAGE == message::som_position_report) NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
+  if (NID_MESSAGE == message::som_position_report) {
+    NID_LRBG_ = bits.number(kAfterTrainHeader + 2 + 23, 24);
+    position_unknown_ = NID_LRBG_ == kUnknown;
+  }
+  position_unknown_ = position_unknown_ && NID_LRBG_ == kUnknown;
   switch (NID_MESSAGE) {
     case message::session_initiated: {
       lang::Message32 version;
       version.M_VERSION.raw = M_VERSION_;
-      version.NID_LRBG.raw = 0xFFFFFF;
+      version.NID_LRBG.raw = kUnknown;
       reply(t_ms, message_of(version));
       break;
     }
     case message::session_terminated: {
       lang::Message39 end;
-      end.NID_LRBG.raw = 0xFFFFFF;
+      end.NID_LRBG.raw = kUnknown;
       session_ = false;
       reply(t_ms, message_of(end));
       break;
@@ -127,11 +132,22 @@ bool TracksideRadio::is_withheld(const TracksideMessage& message) const {
   return last_ma_ && message.seq > *last_ma_ && has_movement_authority(message.message);
 }
 
+/// An authority refers to a group that the train knows (3.6.2.2.2).
+bool TracksideRadio::needs_a_group(const TracksideMessage& message) const {
+  return position_unknown_ && has_movement_authority(message.message);
+}
+
+std::size_t TracksideRadio::waiting() const {
+  if (!session_) return 0;
+  return static_cast<std::size_t>(std::count_if(
+      reached_.begin(), reached_.end(), [this](const Reached& r) { return !needs_a_group(line_.radio[r.message]); }));
+}
+
 /// A train without an authority gets the latest one whose place it has reached, else an SR authorisation. For one that
 /// asks because its authority ends there is nothing newer: the next one comes at its place.
 void TracksideRadio::answer_ma_request(std::uint32_t Q_MARQSTREASON, std::int64_t t_ms) {
   if ((Q_MARQSTREASON & kHasNoAuthority) == 0) return;
-  for (std::size_t i = next_; i-- > 0;) {
+  for (std::size_t i = position_unknown_ ? 0 : next_; i-- > 0;) {
     const TracksideMessage& message = line_.radio[i];
     if (!has_movement_authority(message.message) || is_withheld(message)) continue;
     const bool comes_by_itself =
@@ -185,11 +201,11 @@ void TracksideRadio::deliver(std::int64_t t_ms, double front_m, CycleInputs& inp
   }
   if (!session_) return;
   for (std::size_t i = 0; i < reached_.size();) {
-    if (reached_[i].due_ms > t_ms) {
+    const TracksideMessage& message = line_.radio[reached_[i].message];
+    if (reached_[i].due_ms > t_ms || needs_a_group(message)) {
       ++i;
       continue;
     }
-    const TracksideMessage& message = line_.radio[reached_[i].message];
     send(message.message, message.seq, t_ms, front_m, inputs);
     reached_.erase(reached_.begin() + static_cast<std::ptrdiff_t>(i));
   }

@@ -37,7 +37,7 @@ class TracksideRadio {
   /// Number of messages of the line whose place was reached and that are not delivered.
   std::size_t undelivered() const { return reached_.size(); }
   /// Those of them that arrive by themselves, after their delay; without a session none does.
-  std::size_t waiting() const { return session_ ? reached_.size() : 0; }
+  std::size_t waiting() const;
   std::size_t withheld() const { return withheld_; }
   bool session() const { return session_; }
 
@@ -53,6 +53,7 @@ class TracksideRadio {
   void answer(const port::OutgoingMessage& message, std::int64_t t_ms);
   void answer_ma_request(std::uint32_t Q_MARQSTREASON, std::int64_t t_ms);
   bool is_withheld(const TracksideMessage& message) const;
+  bool needs_a_group(const TracksideMessage& message) const;
   void reply(std::int64_t t_ms, Bits message);
   void send(Bits message, int seq, std::int64_t t_ms, double front_m, CycleInputs& inputs);
 
@@ -63,6 +64,7 @@ class TracksideRadio {
   std::optional<std::int64_t> connected_at_ms_;
   bool bearer_ = false, session_ = false;
   std::uint32_t NID_LRBG_ = 0xFFFFFF;  // as last reported
+  bool position_unknown_ = false;      // reported at start of mission, and no group since
   std::optional<std::uint32_t> last_stamp_;
   std::int64_t last_sent_ms_ = 0;
   std::size_t next_ = 0;

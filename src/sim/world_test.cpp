@@ -338,6 +338,38 @@ TEST(TracksideRadio, AnswersARequestBecauseStartWasSelected) {
   }
 }
 
+/// An authority refers to a group (3.6.2.2.2): none for a train that has reported an unknown position.
+TEST(TracksideRadio, ATrainWithoutAGroupGetsNoAuthority) {
+  Line line = plain_line();
+  TracksideMessage authority;
+  authority.position_m = -60.0;
+  authority.message = {{3, 2, 0x80, 0, 0, 0, 0, 0xFF, 0xFF, 0xFF}, 80};
+  line.radio.push_back(authority);
+  Session session(line, std::nullopt, 0.0);
+  // Q_STATUS 2, packet 0 with NID_LRBG unknown: bits 74 and 99 to 122.
+  const auto reporting = [](std::uint8_t NID_MESSAGE, std::size_t NID_LRBG_at, std::uint32_t NID_LRBG) {
+    port::Outputs o = saying({NID_MESSAGE});
+    auto& bytes = o.radio_out[0].bytes;
+    for (std::size_t i = 0; i < 24; ++i)
+      if ((NID_LRBG >> (23 - i)) & 1u)
+        bytes[(NID_LRBG_at + i) / 8] =
+            static_cast<std::uint8_t>(bytes[(NID_LRBG_at + i) / 8] | (0x80u >> ((NID_LRBG_at + i) % 8)));
+    return o;
+  };
+  (void)session.answers(reporting(157, 74 + 2 + 23, 0xFFFFFF));
+  EXPECT_TRUE(session.answers(saying({159})).empty());
+  EXPECT_EQ(session.radio().undelivered(), 1u);
+  EXPECT_EQ(session.radio().waiting(), 0u) << "it does not come by itself";
+  port::Outputs request = reporting(132, 74 + 5 + 23, 0xFFFFFF);
+  request.radio_out[0].bytes[9] = 1 << 1;
+  const auto heard = session.answers(request);
+  ASSERT_EQ(heard.size(), 1u);
+  EXPECT_EQ(heard[0].number(0, 8), 2u);
+  const auto then = session.answers(reporting(136, 74 + 23, 1));
+  ASSERT_EQ(then.size(), 1u);
+  EXPECT_EQ(then[0].number(0, 8), 3u);
+}
+
 TEST(TracksideRadio, GrantsShuntingWhereTheLineSaysSo) {
   for (const bool granted : {false, true}) {
     Line line = plain_line();
