@@ -134,6 +134,28 @@ TEST(CommandLine, ErrorsAreUtf8WhateverTheInput) {
   }
 }
 
+/// A name in a file does not reach the terminal as an order to it.
+TEST(CommandLine, NamesAreShownOnly) {
+  const Folder folder("names");
+  const std::string name = "\"name\":\"a\\u001b[2J\\u009b\\n\"";
+  ASSERT_TRUE(io::write_whole(folder / "t", "{\"schema\":\"etcs-train/1\"," + name + "}"));
+  ASSERT_TRUE(io::write_whole(folder / "l", "{\"schema\":\"etcs-line/1\",\"length_m\":1,\"end_m\":-49," + name +
+                                                ",\"balise_groups\":[{\"balises\":[{\"position_m\":0,"
+                                                "\"telegram_hex\":\"90\"}]}]}"));
+  ASSERT_TRUE(io::write_whole(folder / "q", "{\"schema\":\"evc-curves/1\"," + name +
+                                                ",\"train\":\"t\",\"target\":{\"type\":\"EOA_SvL\","
+                                                "\"location_m\":5000}}"));
+  for (const std::string& arguments :
+       {"run '" + (folder / "l") + "' --train '" + (folder / "t") + "'", "curves '" + (folder / "q") + "' --explain 30",
+        "curves '" + (folder / "q") + "' --format table",
+        "curves compare --format table '" + (folder / "q") + "' '" + (folder / "q") + "'"}) {
+    const Ended run = ended(arguments);
+    EXPECT_EQ(run.exit_code, 0) << arguments << run.errors;
+    EXPECT_EQ(run.output.find('\x1b'), std::string::npos) << arguments;
+    EXPECT_EQ(run.output.find("\xc2\x9b"), std::string::npos) << arguments;
+  }
+}
+
 /// A file that grew for ever, or a line of it, ends with an error before memory does.
 TEST(CommandLine, InputWithoutAnEndIsAnError) {
   for (const char* arguments : {"run /dev/zero", "curves /dev/zero", "make-line /dev/zero", "replay /dev/zero",

@@ -59,7 +59,7 @@ std::string as_csv(const Comparison& c) {
 }
 
 std::string as_table(const Comparison& c) {
-  std::string out = fmt::format("A  {}\nB  {}\n{}\n", c.name_a, c.name_b, differ_text(c));
+  std::string out = fmt::format("A  {}\nB  {}\n{}\n", io::printable(c.name_a), io::printable(c.name_b), differ_text(c));
   for (const std::string& warning : c.warnings) out += "warning: " + warning + "\n";
   out += '\n';
   TextTable scalars({"", "A", "B", "B - A"});

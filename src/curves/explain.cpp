@@ -246,8 +246,8 @@ std::string explain_text(const Approached& a, double v_kmh) {
   const sdm::Target& target = a.target();
   const io::CurvesInput& c = a.input();
   const sdm::Explanation e = a.explain(Speed{v_kmh / kKmh});
-  std::string head = fmt::format("{}\nSUBSET-026 {}, train \"{}\", towards {}\n", c.name, name(c.inputs.srs),
-                                 c.train_name, target_name(target));
+  std::string head = fmt::format("{}\nSUBSET-026 {}, train \"{}\", towards {}\n", io::printable(c.name),
+                                 name(c.inputs.srs), io::printable(c.train_name), target_name(target));
   head += fmt::format("V = {:g} km/h = {:.4f} m/s; V_target = {:g} km/h; target at {:.3f} m", v_kmh, v_kmh / kKmh,
                       target.V_target.si * kKmh, c.target_location.from_origin.si);
   if (e.SBD && target.d_EOA != target.d_target)

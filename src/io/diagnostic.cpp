@@ -24,10 +24,11 @@ std::size_t character(std::string_view text) {
   return overlong || surrogate || too_far || control ? 0 : length;
 }
 
-/// One line of UTF-8 for any input: control characters become spaces, bytes that are no character are written as
-/// \xNN, long texts are cut.
-std::string one_line(std::string_view text) {
-  constexpr std::size_t longest = 200;
+std::string one_line(const std::string& text) { return printable(text, 200); }
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t longest) {
   constexpr char digits[] = "0123456789ABCDEF";
   std::string line;
   while (!text.empty()) {
@@ -44,8 +45,6 @@ std::string one_line(std::string_view text) {
   }
   return line;
 }
-
-}  // namespace
 
 std::string Diagnostic::text() const {
   std::string line = one_line(file);

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <utility>
 
@@ -15,6 +17,10 @@ struct Diagnostic {
   /// `FILE: WHERE: found X, expected Y`.
   std::string text() const;
 };
+
+/// A text from outside as one line of UTF-8 that a terminal only shows: control characters become spaces, bytes that
+/// are no character are written as \xNN, and what is longer than `longest` bytes is cut.
+std::string printable(std::string_view text, std::size_t longest = std::string_view::npos);
 
 /// Prints an error on standard error, in one line. Returns the exit status, 2.
 int complain(const Diagnostic& diagnostic);

@@ -29,7 +29,7 @@ TEST(Json, IsAsDeepAsTheLimitAndNotDeeper) {
       << refused;
   std::string objects;
   for (std::size_t i = 0; i <= kDeepestJson; ++i) objects += "{\"a\":";
-  EXPECT_NE(error_of(objects).find("expected at most 64"), std::string::npos) << "told before the end of the text";
+  EXPECT_NE(error_of(objects).find("expected at most 64"), std::string::npos) << "reported before the end of the text";
 }
 
 TEST(Json, ReadsEveryKindOfValue) {

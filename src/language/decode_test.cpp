@@ -99,7 +99,7 @@ TEST(CommandDecode, BothOutputsOrNeither) {
   EXPECT_NE(text_of(folder / "new"), "");
 }
 
-/// What the air gap gave is told even where the language then rejects it.
+/// What the air gap gave is shown even where the language then rejects it.
 TEST(CommandDecode, ShowsTheUserBitsThatTheLanguageRejects) {
   // Packet 65 with a spare code of V_TSR.
   const std::string telegram =

@@ -125,8 +125,8 @@ std::string joined(const std::vector<std::string>& names) { return fmt::format("
 void print_summary(const ordered_json& s, const std::string& train, const std::string& driver) {
   const auto number = [](const ordered_json& v) { return v.is_null() ? std::string("-") : v.dump(); };
   const double t = s["duration_s"].get<double>();
-  fmt::print("line                {}\n", s["line"].get<std::string>());
-  fmt::print("train, driver       {}, {}\n", train, driver);
+  fmt::print("line                {}\n", io::printable(s["line"].get<std::string>()));
+  fmt::print("train, driver       {}, {}\n", io::printable(train), driver);
   fmt::print("distance, time      {:.2f} km, {:.0f} min {:02.0f} s\n", s["distance_m"].get<double>() / 1000.0,
              std::floor(t / 60.0), t - 60.0 * std::floor(t / 60.0));
   fmt::print("modes               {}\n", joined(s["modes"].get<std::vector<std::string>>()));

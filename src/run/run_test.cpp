@@ -426,8 +426,8 @@ TEST(Run, AMissionStartsInLevel2) {
   EXPECT_EQ(driven(folder, level_2_from_the_start("2", "", 120.0))["modes"], json({"SB", "SR", "FS"}));
 }
 
-/// A mission that does not begin ends the run soon, and is told.
-TEST(Run, AMissionThatCannotStartIsTold) {
+/// A mission that does not begin ends the run soon, and is reported.
+TEST(Run, AMissionThatCannotStartIsReported) {
   const Folder folder("no_start");
   json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
   // The message of a session that is never set up.
