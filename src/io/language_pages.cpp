@@ -417,7 +417,8 @@ std::string telegram_schema() {
       "{\"type\": \"integer\", \"minimum\": 0}, \"packet\": " +
       Schema::number(8) +
       ", \"variable\": {\"type\": \"string\"}, \"value\": {\"type\": \"integer\"}, \"why\": {\"type\": \"string\"}}, "
-      "\"required\": [\"bit\", \"why\"]}}, \"required\": [\"error\"], \"additionalProperties\": false},\n";
+      "\"required\": [\"bit\", \"why\"]}, \"airgap\": {\"type\": \"object\"}}, "
+      "\"required\": [\"error\"], \"additionalProperties\": false},\n";
   out += "\"message\": {\"anyOf\": [";
   bool first = true;
   for (const lang::MessageLayout& m : lang::message_layouts()) {

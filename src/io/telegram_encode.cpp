@@ -329,11 +329,24 @@ Bits finish(std::vector<std::uint8_t>& room, const BitWriter& out) {
   return {std::move(room), out.position()};
 }
 
+void check_schema(const Json& object) {
+  if (const auto it = object.find("schema"); it != object.end() && *it != "evc-telegram/1")
+    refuse("schema", "expected evc-telegram/1");
+}
+
+/// The member "system_version", if there is one.
+std::optional<SystemVersion> given_version(const Json& object) {
+  const auto it = object.find("system_version");
+  if (it == object.end()) return {};
+  const auto sv = it->is_string() ? parse_version(it->get_ref<const std::string&>()) : std::nullopt;
+  if (!sv) refuse("system_version", "expected X.Y");
+  return sv;
+}
+
 Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, std::size_t most_bits) {
   if (!telegram.is_object()) refuse("", "expected an object");
   know_only(telegram, {"schema", "system_version", "header", "packets", "bits", "padding", "airgap"});
-  if (const auto it = telegram.find("schema"); it != telegram.end() && *it != "evc-telegram/1")
-    refuse("schema", "expected evc-telegram/1");
+  check_schema(telegram);
   const auto it = telegram.find("header");
   if (it == telegram.end() || !it->is_object()) refuse("header", "missing");
   for (const auto& [key, value] : it->items())
@@ -351,6 +364,8 @@ Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, s
   }
   const SystemVersion sv = lang::system_version(M_VERSION);
   if (lang::known_version(sv) == 0) refuse("M_VERSION", "unknown system version");
+  if (const auto given = given_version(telegram); given && *given != sv)
+    refuse("system_version", "not that of M_VERSION");
   for (const Json& packet : packets_of(telegram)) write_packet(out, packet, {Direction::to_train, sv});
   out.write(255, 8);
   if (out.position() > most_bits)
@@ -361,6 +376,8 @@ Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, s
     if (const auto padding = telegram.find("padding"); padding != telegram.end())
       put_padding(out, *padding, n - out.position());
     while (out.position() < n) out.write(1, 1);
+  } else if (telegram.contains("padding")) {
+    refuse("padding", "without \"bits\"");
   }
   return finish(room, out);
 }
@@ -392,10 +409,8 @@ tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const E
     const auto nid = static_cast<std::uint8_t>(code_of(*it, "NID_MESSAGE", 8));
     Wish wish{options.direction, options.sv};
     if (!wish.direction) wish.direction = nid >= 128 ? Direction::to_track : Direction::to_train;
-    if (const auto sv = message.find("system_version"); !wish.sv && sv != message.end()) {
-      if (sv->is_string()) wish.sv = parse_version(sv->get_ref<const std::string&>());
-      if (!wish.sv) refuse("system_version", "expected X.Y");
-    }
+    check_schema(message);
+    if (const auto given = given_version(message); !wish.sv) wish.sv = given;
     std::optional<Refused> first, wrong_length;
     for (const lang::MessageLayout& layout : lang::message_layouts()) {
       if (layout.info->NID_MESSAGE != nid || layout.info->direction != *wish.direction) continue;

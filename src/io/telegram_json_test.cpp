@@ -245,6 +245,31 @@ std::string packet_answer(const char* text, const EncodeOptions& options = {}) {
 }
 
 /// "16" could be read as sixteen or as hexadecimal 22: only values that a JSON number cannot hold are strings.
+/// What the bits cannot show must not contradict them.
+TEST(TelegramJson, RefusesWhatItWouldIgnore) {
+  const std::string header =
+      R"("header":{"Q_UPDOWN":1,"M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":1,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,)"
+      R"("NID_BG":42,"Q_LINK":1},"packets":[])";
+  const auto telegram = [&](const std::string& more) {
+    const auto bits = encode_balise_json(nlohmann::json::parse("{" + more + header + "}"));
+    return bits ? "" : bits.error().variable + ": " + bits.error().why;
+  };
+  EXPECT_EQ(telegram(R"("schema":"evc-telegram/1","system_version":"2.1",)"), "");
+  EXPECT_EQ(telegram(R"("system_version":"1.0",)"), "system_version: not that of M_VERSION");
+  EXPECT_EQ(telegram(R"("system_version":21,)"), "system_version: expected X.Y");
+  EXPECT_EQ(telegram(R"("padding":"FF",)"), "padding: without \"bits\"");
+  const auto message = [](const std::string& more, const EncodeOptions& options = {}) {
+    const auto bits = encode_radio_json(
+        nlohmann::json::parse("{" + more + R"("NID_MESSAGE":24,"T_TRAIN":1,"M_ACK":0,"NID_LRBG":1,"packets":[]})"),
+        options);
+    return bits ? "" : bits.error().variable + ": " + bits.error().why;
+  };
+  EXPECT_EQ(message(R"("schema":"evc-telegram/1","system_version":"2.1",)"), "");
+  EXPECT_EQ(message(R"("schema":"x/1",)"), "schema: expected evc-telegram/1");
+  EXPECT_EQ(message(R"("system_version":[1],)", {lang::Direction::to_train, lang::SystemVersion{2, 1}}),
+            "system_version: expected X.Y");
+}
+
 TEST(TelegramJson, HexadecimalOnlyWhereNumbersEnd) {
   EXPECT_EQ(packet_answer(R"({"NID_PACKET":66,"Q_DIR":1,"NID_TSR":"16"})"),
             R"({"error":{"bit":0,"packet":66,"variable":"NID_TSR","why":"expected a number"}})");

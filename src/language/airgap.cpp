@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -98,6 +100,16 @@ tl::expected<AirgapWish, std::string> airgap_wish(const nlohmann::json& airgap) 
     wrong = fmt::format("airgap/{}: expected a number from 0 to {}", member, end - 1);
     return 0;
   };
+  // The last three describe what was received: nothing is made of them, but their form is checked.
+  constexpr const char* known[] = {"format", "sb", "esb", "rotation", "inverted", "fill", "start", "end", "fails"};
+  for (const auto& [key, value] : airgap.items())
+    if (std::none_of(std::begin(known), std::end(known), [&key = key](const char* k) { return key == k; }))
+      return tl::unexpected("airgap: unknown member " + key);
+  constexpr auto any_bit = std::int64_t{1} << 53;
+  (void)number("start", any_bit);
+  (void)number("end", any_bit);
+  if (const auto fails = airgap.find("fails"); fails != airgap.end() && !fails->is_string())
+    wrong = "airgap/fails: expected a text";
   const auto format = airgap.find("format");
   if (format != airgap.end()) {
     if (*format != "long" && *format != "short")

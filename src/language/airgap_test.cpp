@@ -135,7 +135,8 @@ TEST(CommandAirgap, SaysWhyNot) {
 TEST(CommandAirgap, RefusesAWishOutOfRange) {
   for (const char* wrong :
        {R"([])", R"({"format":"medium"})", R"({"sb":4096})", R"({"esb":-1})", R"({"esb":"a"})",
-        R"({"format":"short","rotation":341})", R"({"rotation":1023})", R"({"inverted":1})", R"({"fill":2})"})
+        R"({"format":"short","rotation":341})", R"({"rotation":1023})", R"({"inverted":1})", R"({"fill":2})",
+        R"({"rotationn":5})", R"({"start":"x"})", R"({"fails":1})", R"({"user_bits":"FF"})"})
     EXPECT_FALSE(airgap_wish(nlohmann::json::parse(wrong))) << wrong;
   const auto wish = airgap_wish(nlohmann::json::parse(R"({"format":"long","sb":4095,"esb":1023,"rotation":1022})"));
   ASSERT_TRUE(wish);
