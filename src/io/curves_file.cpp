@@ -24,6 +24,7 @@ class Referred {
   Referred(const JsonPlace& place, const char* what) : place_(place) {
     if (!place.is_string()) return;
     const auto beside = std::filesystem::path(place.file()).parent_path() / place.string();
+    if (beside == "-") place.fail(what);
     const auto text = read_text(beside.string());
     if (!text) place.fail(what);
     document_ = parse_json(*text, beside.string());

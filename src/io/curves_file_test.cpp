@@ -23,6 +23,14 @@ TEST(CurvesFile, TheEndOfTheDistanceToRunInSRIsATarget) {
             std::string::npos);
 }
 
+/// A document names files, not the standard input of the command.
+TEST(CurvesFile, TheTrainOfAQueryIsAFile) {
+  for (const char* name : {"", "-", "/nonexistent"})
+    EXPECT_EQ(error_of(R"({"schema":"evc-curves/1","train":")" + std::string(name) +
+                       R"(","target":{"type":"EOA_SvL","location_m":7000}})"),
+              "c.json: /train: found \"" + std::string(name) + "\", expected a train, or the name of a train file");
+}
+
 TEST(CurvesFile, TheWeakerSubsetOfKvWithoutTheDecelerationsThatDecide) {
   const std::string target = R"({"type":"EOA_SvL","location_m":7000})";
   const auto Kv = [&](const char* national_values) {

@@ -594,6 +594,7 @@ ordered_json line_of(const JsonPlace& root) {
   const auto gradient = read_profile(root["gradient"], [](const JsonPlace& p) { return p.number(-50.0, 50.0); });
   const auto ssp = read_profile(root["ssp"], [](const JsonPlace& p) { return speed(p, 5.0, 500.0); });
   const JsonPlace list = root["groups"];
+  if (list.size() == 0) list.fail("at least one group");
   std::vector<Group> groups;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].know_only({"NID_BG", "at_m", "balises", "orders", "note"});

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/line_file.h"
 #include "io/make_line.h"
 #include "io/number.h"
 #include "io/program_test.h"
@@ -237,6 +238,14 @@ TEST(MakeLine, ProfilesThatDoNotFitAreErrors) {
       made_of(R"("gradient":[[0,4000,0]],"ssp":[[0,4000,80]])", R"({"NID_BG":7,"at_m":100},{"NID_BG":7,"at_m":200})")
           .find("/groups/1/NID_BG: found 7, expected a NID_BG of no other group"),
       std::string::npos);
+}
+
+/// What make-line accepts, the reader of lines accepts.
+TEST(MakeLine, ALineThatCannotBeDrivenIsNotMade) {
+  const std::string profiles = R"("gradient":[[0,4000,0]],"ssp":[[0,4000,80]])";
+  EXPECT_NE(made_of(profiles, "").find("/groups: found an array of 0, expected at least one group"), std::string::npos);
+  const std::string made = made_of(profiles, R"({"NID_BG":7,"at_m":100})");
+  EXPECT_TRUE(io::read_line(made, "made.json")) << made;
 }
 
 /// G_A is in whole permille (7.5.1.37): a gradient between two codes is sent as the one further downhill.
