@@ -9,7 +9,7 @@
 namespace evc::io {
 
 /// Limits of what is read into memory, in bytes: a document (a line, a train, a query), a file of telegrams or outputs,
-/// a line of such a file. A document of this size takes about a gigabyte when it is parsed.
+/// a line of such a file. A document of this size takes up to 1.5 GB when it is parsed.
 inline constexpr std::size_t kLargestDocument = std::size_t{64} << 20;
 inline constexpr std::size_t kLargestStream = std::size_t{4} << 30;
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
