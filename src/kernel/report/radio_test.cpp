@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "modes/active_functions.h"
 #include "radio/compose.h"
 #include "radio/messages.h"
 
@@ -16,17 +17,23 @@ constexpr Place at(double x) { return Place{{x}}; }
 
 class RadioReport : public ::testing::Test {
  protected:
-  RadioReport() {
-    state.mode = Mode::FS;
+  RadioReport() { restart(Mode::FS); }
+  /// A unit without memory, with a session in level 2.
+  void restart(Mode mode) {
+    state = State{};
+    received = {};
+    decided = {};
+    state.mode = mode;
     state.level.level = Level::L2;
     state.radio.session.phase = radio::Phase::up;
     state.radio.session.M_VERSION = 33;
     state.now = {100.0};
   }
   /// The messages of one cycle.
-  std::vector<radio::Intent> run(bool before_perturbation = false) {
+  std::vector<radio::Intent> run(bool before_perturbation = false, RadioLink link = RadioLink::unchanged) {
     radio::Outbox outbox;
-    result = run_radio(state, RadioLink::unchanged, received, decided, before_perturbation, outbox, Log{out.events});
+    out = {};
+    result = run_radio(state, link, received, decided, before_perturbation, outbox, Log{out.events});
     return {outbox.messages.begin(), outbox.messages.end()};
   }
   /// Q_MARQSTREASON of the request of this cycle, 0: none.
@@ -41,6 +48,32 @@ class RadioReport : public ::testing::Test {
     for (const radio::Intent& m : run())
       if (m.NID_MESSAGE == NID_MESSAGE) return true;
     return false;
+  }
+  bool happened(What what) const {
+    for (const Event& e : out.events)
+      if (e.what == what) return true;
+    return false;
+  }
+  /// What `set` sets up is reported in the modes of the row of 4.5.2 and in no other one.
+  template <class Set>
+  void expect_in_modes(modes::Function row, Set set) {
+    for (std::size_t i = 0; i < kModes; ++i) {
+      const Mode mode = static_cast<Mode>(i);
+      restart(mode);
+      EXPECT_FALSE(sends(136)) << i;
+      set();
+      EXPECT_EQ(sends(136), modes::active(row, mode)) << i;
+    }
+  }
+  /// The rear end leaves level 2 with this report, in level 1 and with a session.
+  void leave_level_2() {
+    state.level.level = Level::L1;
+    state.reports.rear_border = at(-1000.0);
+    EXPECT_TRUE(sends(136));
+  }
+  bool sends_after(double seconds) {
+    state.now += Duration{seconds};
+    return sends(136);
   }
   std::vector<std::uint8_t> composed(std::uint8_t NID_MESSAGE) {
     out.radio_out.clear();
@@ -96,6 +129,8 @@ TEST_F(RadioReport, HasTheTrainData) {  // 7.4.3.5, 7.5.1
   t.L_TRAIN = {307.0};
   t.V_MAXTRAIN = {145.0 / 3.6};
   t.airtight = false;
+  state.data.train_running_number = 0x4711;
+  state.data.train_running_number_status = DataStatus::invalid;
   r.L_TRAIN = 307;
   r.M_AIRTIGHT = 0;
   EXPECT_EQ(composed(129), expected(129, p, r));
@@ -234,6 +269,130 @@ TEST_F(RadioReport, ReportsAnError) {  // 3.6.5.1.4 l, 3.16.4
   EXPECT_TRUE(sends(136));
 }
 
+using modes::Function;
+
+TEST_F(RadioReport, ReportsEachEventInItsModes) {  // 3.6.5.1.4, 4.5.2
+  expect_in_modes(Function::report_mode_change, [&] { decided.mode_changed = true; });
+  for (const bool by_driver : {false, true})
+    expect_in_modes(by_driver ? Function::report_level_change_driver : Function::report_level_change_trackside, [&] {
+      received.level_changed_by_driver = by_driver;
+      received.level_switched_to = Level::L2;
+    });
+}
+
+TEST_F(RadioReport, ReportsByParametersInTheirModes) {  // 3.6.5.1.4, 4.5.2
+  expect_in_modes(Function::report_rbc_requested, [&] {
+    position::ReportParameters now;
+    now.M_LOC = 0;
+    position::set_parameters(state.reports, state.position, now);
+  });
+}
+
+TEST_F(RadioReport, ReportsStandstillInItsModes) {  // 3.6.5.1.4 a, 4.5.2
+  expect_in_modes(Function::report_standstill, [&] {
+    position::update(state.position, {}, {90.0});
+    position::update(state.position, {}, {99.0});
+    ASSERT_TRUE(position::at_standstill(state.position));
+  });
+}
+
+TEST_F(RadioReport, ReportsTheLevelBorderInItsModes) {  // 3.6.5.1.4 f, 4.5.2
+  expect_in_modes(Function::report_level_border_rear, [&] { state.reports.rear_border = at(-1000.0); });
+}
+
+TEST_F(RadioReport, RepeatsTheReportOfTheBorderAndEndsTheSession) {  // 3.5.5.1 e, 5.10.3.3.5
+  leave_level_2();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(sends_after(14.9));
+    EXPECT_TRUE(sends_after(0.1)) << i;
+  }
+  EXPECT_TRUE(state.radio.session.established());
+  EXPECT_FALSE(sends_after(15.0));
+  EXPECT_FALSE(state.radio.session.established());
+}
+
+TEST_F(RadioReport, RepeatsNoReportWithoutABorder) {  // 3.5.5.1 e
+  state.level.level = Level::L1;
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(sends_after(15.0));
+  EXPECT_TRUE(state.radio.session.established());
+}
+
+TEST_F(RadioReport, RepeatsTheReportOfTheBorderUntilTheRBCAnswers) {  // 3.5.5.1 e
+  leave_level_2();
+  received.termination_ordered = true;
+  EXPECT_FALSE(sends_after(1.0));
+  received.termination_ordered = false;
+  EXPECT_FALSE(sends_after(15.0));
+}
+
+TEST_F(RadioReport, RepeatsNoReportOfABorderInLevel2) {  // 5.10.3.3.5
+  leave_level_2();
+  state.level.level = Level::L2;
+  EXPECT_FALSE(sends_after(15.0));
+}
+
+TEST_F(RadioReport, RepeatsNoReportWithoutASession) {  // 3.5.5.1 e
+  leave_level_2();
+  const radio::Session session = state.radio.session;
+  state.radio.session = {};
+  EXPECT_FALSE(sends_after(1.0));
+  state.radio.session = session;
+  EXPECT_FALSE(sends_after(15.0));
+}
+
+TEST_F(RadioReport, SendsTrainDataOfTheEngineThatLeads) {  // 3.18.3.4, 4.4.6, 4.4.15
+  for (std::size_t i = 0; i < kModes; ++i) {
+    restart(static_cast<Mode>(i));
+    decided.effects.send.add(procedures::Send::train_data);
+    EXPECT_FALSE(sends(129)) << i;
+    state.data.train_data_status = DataStatus::valid;
+    EXPECT_EQ(sends(129), state.mode != Mode::SL && state.mode != Mode::NL) << i;
+  }
+}
+
+TEST_F(RadioReport, SupervisesTheContactInItsModesAndLevels) {  // 3.16.3.4.1, 4.5.2
+  const auto trips_in = [&](Mode mode, Level level) {
+    restart(mode);
+    state.level.level = level;
+    state.national_values.T_NVCONTACT = Duration{10.0};
+    state.national_values.M_NVCONTACT = Reaction::trip;
+    state.radio.contact_reference = Duration{80.0};
+    state.radio.was_level_2_or_3 = true;
+    run();
+    return state.contact_trip;
+  };
+  for (std::size_t i = 0; i < kModes; ++i) {
+    const Mode mode = static_cast<Mode>(i);
+    EXPECT_EQ(trips_in(mode, Level::L2), modes::active(Function::safe_radio_supervision, mode)) << i;
+    EXPECT_FALSE(trips_in(mode, Level::L1)) << i;
+  }
+}
+
+TEST_F(RadioReport, LogsTheLossOfTheSession) {  // 3.5.4
+  run(false, RadioLink::lost);
+  EXPECT_FALSE(happened(What::session_lost)) << "the connection may come back";
+  state.now += Duration{301.0};
+  run();
+  EXPECT_TRUE(happened(What::session_lost));
+}
+
+TEST_F(RadioReport, LogsMessagesThatCouldNotBeSent) {
+  radio::Outbox outbox;
+  outbox.send(136);
+  compose_messages(state, outbox, Log{out.events}, out);
+  EXPECT_FALSE(happened(What::message_not_sent));
+  outbox.lost = true;
+  compose_messages(state, outbox, Log{out.events}, out);
+  EXPECT_TRUE(happened(What::message_not_sent));
+}
+
+TEST_F(RadioReport, SendsNoMessageThatTheVersionDoesNotHave) {  // 6.6.3.4
+  radio::Outbox outbox;
+  outbox.send(0);
+  compose_messages(state, outbox, Log{out.events}, out);
+  EXPECT_TRUE(out.radio_out.empty());
+}
+
 TEST_F(RadioReport, ShortensWhatIsStoredWhenTheContactIsLost) {  // 3.16.3.4.5, A.3.4 i
   state.national_values.T_NVCONTACT = Duration{10.0};
   state.national_values.M_NVCONTACT = Reaction::service_brake;
@@ -242,6 +401,9 @@ TEST_F(RadioReport, ShortensWhatIsStoredWhenTheContactIsLost) {  // 3.16.3.4.5, 
   run();
   EXPECT_FALSE(result.asked.empty());
   EXPECT_FALSE(state.contact_trip);
+  decided.here.standstill = true;
+  run();
+  EXPECT_TRUE(happened(What::track_description_shortened));
   state.radio.contact_lost = false;
   state.national_values.M_NVCONTACT = Reaction::trip;
   run();

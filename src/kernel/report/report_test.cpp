@@ -199,6 +199,48 @@ TEST_F(Report, CommandsTheBrakesOfAllStages) {  // 3.14.1
   }
 }
 
+TEST_F(Report, CommandsTheBrakesThatAreFitted) {  // 3.13.2.2.8, 3.14.1.2
+  const auto commanded = [&](bool service_brake, bool traction_cut_off) {
+    state.brakes = {};
+    state.train.service_brake_interface = service_brake;
+    state.train.traction_cut_off_interface = traction_cut_off;
+    received.asked.add(brakes::Cause::T_NVCONTACT);
+    supervised.asked.add(brakes::Cause::overspeed_traction);
+    return report_now();
+  };
+  const Outputs fitted = commanded(true, true);
+  EXPECT_TRUE(fitted.sb);
+  EXPECT_TRUE(fitted.tco);
+  EXPECT_FALSE(fitted.eb);
+  EXPECT_TRUE(commanded(false, true).eb) << "in place of the service brake (3.14.1.2)";
+  EXPECT_FALSE(commanded(true, false).tco);
+}
+
+TEST_F(Report, HasTheStatusOfATripInTripModeOnly) {  // 3.13.10
+  limits();
+  EXPECT_EQ(report_now().memo_status, MemoStatus::Null);
+  state.mode = Mode::TR;
+  EXPECT_EQ(report_now().memo_status, MemoStatus::Trip);
+}
+
+TEST_F(Report, ShowsWhatTheDriverHasToAcknowledge) {  // 4.7.2, 015560
+  EXPECT_FALSE(shows(Symbol::MO08));
+  decided.effects.requests.add(Ack::OS);
+  EXPECT_TRUE(shows(Symbol::MO08));
+}
+
+TEST_F(Report, ShowsATunnelStoppingAreaFromItsStartToItsEnd) {  // 3.12.1.2, 015560
+  ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), TrackConditionKind::tunnel_stopping_area}));
+  const auto inside = [&](double est_front) {
+    decided.here.est_front = at(est_front);
+    return shows(Symbol::TC36);
+  };
+  EXPECT_FALSE(inside(999.0));
+  EXPECT_TRUE(inside(1000.0));
+  EXPECT_TRUE(inside(1100.0));
+  EXPECT_FALSE(inside(1101.0));
+}
+
 TEST_F(Report, RemembersWhatTheDriverMayAnswer) {  // 4.7.2
   decided.effects.requests.add(Ack::OS);
   decided.effects.entries.add(Entry::train_data);
