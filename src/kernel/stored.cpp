@@ -43,17 +43,8 @@ void clear_other(State& s, Stored stored) {
     case conditional_stops:
       remove_stops(s, true);
       return;
-    case train_position:
-      position::forget(s.position);
-      return;
     case train_data:
       s.data.train_data_status = DataStatus::unknown;
-      return;
-    case level:
-      s.data.level_status = DataStatus::unknown;
-      return;
-    case trackside_level_table:
-      s.level_table.reset();
       return;
     case driver_id:
       s.data.driver_id_status = DataStatus::unknown;
@@ -68,7 +59,7 @@ void clear_other(State& s, Stored stored) {
       s.track_ahead_free = {};
       return;
     default:
-      return;  // national values, versions, covers and language are never deleted (4.10)
+      return;  // position, level, its table, national values, versions, covers and language are never deleted (4.10)
   }
 }
 

@@ -12,10 +12,9 @@ namespace {
 using modes::Verdict;
 
 /// The signalling related speed restriction "0" has a row of its own: a trip order (3.11.6.2). Returns whether it
-/// counts.
+/// counts; then it is stored, even if the authority is refused (store_contents).
 bool judge_trip_order(Evaluation& e) {
   if (modes::accept(evc::Information::signalling_speed, e.context).verdict != Verdict::accepted) return false;
-  e.r.out.trip_order = true;
   e.r.log.note({.what = What::trip_ordered, .clause = "3.11.6.2"_srs});
   return true;
 }

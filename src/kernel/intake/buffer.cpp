@@ -30,7 +30,6 @@ Waiting evaluate_message(Reception& r, const BufferedSet& set) {
   Information information = information_of(set);
   const lang::MessageToTrainView view =
       lang::scan_message_to_train({set.bytes.data(), set.size}, session_version(set.M_VERSION), lang::Check::structure);
-  information.sv = view.sv;
   information.message = &view;
   (void)gather(information, view.packets);  // as many as when it was received
   drop_superseded(information);
@@ -42,7 +41,6 @@ void gather_telegrams(Information& information, const BufferedSet& set) {
   for (const std::uint16_t bits : set.telegram_bits) {
     const std::size_t length = (bits + 7u) / 8u;
     const lang::TelegramView view = lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
-    information.sv = view.sv;
     (void)gather(information, view.packets);
     at += length;
   }

@@ -66,7 +66,7 @@ void react(Reception& r, const balise::Outcome& outcome) {
 }
 
 /// The group becomes the LRBG, or only the reference of its own information.
-const position::Reference* locate(Reception& r, const balise::Group& group) {
+const position::Reference& locate(Reception& r, const balise::Group& group) {
   State& s = r.state;
   position::Passage passage;
   passage.id = group.id;
@@ -81,10 +81,10 @@ const position::Reference* locate(Reception& r, const balise::Group& group) {
     // The release speed calculated on board depends on the accuracy of the LRBG (3.13.9.4.8.2).
     if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
     r.out.new_lrbg = true;
-    return position::lrbg(s.position);
+    return s.position.references.back();
   }
   (void)position::refer_to_unlinked(s.position, passage);
-  return s.position.unlinked ? &*s.position.unlinked : nullptr;
+  return *s.position.unlinked;
 }
 
 void check_lists(Reception& r, GroupId id) {
@@ -129,11 +129,10 @@ void receive_group(Reception& r, const balise::Group& group) {
   if (!group.accepted) return;
   // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
   leave_area(r, group.id.NID_C);
-  const position::Reference* reference = locate(r, group);
-  if (reference == nullptr) return;
+  const position::Reference& reference = locate(r, group);
   r.out.here = here(s);
   balise::keep_covers_of(s.balise, group.id.NID_C);
-  track::note_group(s.track, group.id, reference->place);
+  track::note_group(s.track, group.id, reference.place);
   if (group.default_information) r.out.default_information = true;
   check_lists(r, group.id);
   r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
@@ -141,15 +140,14 @@ void receive_group(Reception& r, const balise::Group& group) {
   Information information;
   information.medium = Medium::balise;
   information.group = group.id;
-  information.reference = reference->place;
-  information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference->orientation;
+  information.reference = reference.place;
+  information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference.orientation;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = group.first_passed;
   information.repositioning = group.repositioning;
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
-    information.sv = view.sv;
     if (!gather(information, view.packets)) return refuse_group(r, group.id);
   }
   drop_superseded(information);

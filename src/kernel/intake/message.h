@@ -20,7 +20,6 @@ struct Information {
   Place min_safe_front{};
   Duration time{};             // time stamp, or passage of the group's first balise
   bool repositioning = false;  // sent by the group that linking announced with unknown identity (3.8.5.2.2)
-  lang::SystemVersion sv;
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
   // The packets to judge: all, or the buffered ones of a set released from the transition buffer.

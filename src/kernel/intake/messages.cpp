@@ -23,7 +23,7 @@ Clause take_conditional_stop(Evaluation& e, const lang::MessageToTrainView& view
            : protection::Answer{.clause = "3.6.3.1.3"_srs};
   std::uint8_t Q = answer.Q_EMERGENCYSTOP;
   if (answer.accepted) cut_beyond(s, *stop);
-  if (e.information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
+  if (view.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
   radio::answer_emergency_stop(m.NID_EM.raw, Q, e.r.outbox);
   e.r.log.note({.what = answer.accepted ? What::emergency_stop_accepted
                         : stop          ? What::emergency_stop_place_passed
@@ -37,9 +37,8 @@ Clause take_unconditional_stop(Evaluation& e, const lang::MessageToTrainView& vi
   lang::Message16 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
   const protection::Answer answer = protection::accept_unconditional(e.r.state.emergency_stops, m.NID_EM.raw);
-  std::uint8_t Q = answer.Q_EMERGENCYSTOP;
-  if (e.information.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);
-  radio::answer_emergency_stop(m.NID_EM.raw, Q, e.r.outbox);
+  // Of this answer the code is the same in version 1 (7.5.1.107).
+  radio::answer_emergency_stop(m.NID_EM.raw, answer.Q_EMERGENCYSTOP, e.r.outbox);
   e.r.out.ues_accepted = answer.accepted;
   e.r.out.ues_received = true;
   e.r.log.note({.what = What::emergency_stop_unconditional, .id = m.NID_EM.raw, .clause = "3.10.2.3"_srs});

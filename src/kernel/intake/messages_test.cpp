@@ -20,8 +20,8 @@ class RadioMessage : public test::OneMessage {
     state.data.train_data_status = DataStatus::valid;  // 4.8.4 [4]
   }
   template <class M>
-  void take(M m) {
-    set_message(m);
+  void take(M m, lang::SystemVersion sv = {2, 1}) {
+    set_message(m, sv);
     outbox.messages.clear();
     evaluate_now();
   }
@@ -98,10 +98,9 @@ TEST_F(RadioMessage, StopsAreAnsweredInTheCodesOfTheVersion) {  // 7.5.1.107, 6.
   EXPECT_EQ(answer(5), 2);
   take(conditional(10));
   EXPECT_EQ(answer(4), 3);
-  information.sv = {1, 1};
-  take(unconditional());
+  take(unconditional(), {1, 1});
   EXPECT_EQ(answer(5), 2);
-  take(conditional(10));
+  take(conditional(10), {1, 1});
   EXPECT_EQ(answer(4), 1) << "not considered, the place is passed";
 }
 

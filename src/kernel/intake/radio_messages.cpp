@@ -41,7 +41,6 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   State& s = r.state;
   Information information;
   information.medium = Medium::rbc;
-  information.sv = view.sv;
   information.message = &view;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = s.now;

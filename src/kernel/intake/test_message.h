@@ -26,7 +26,6 @@ class OneMessage : public ::testing::Test {
     information.group = {1, 100};
     information.reference = at(950.0);
     information.orientation = Direction::nominal;
-    information.sv = {2, 1};
   }
   template <class P>
   void add(P packet) {
@@ -79,12 +78,13 @@ class OneMessage : public ::testing::Test {
   }
   /// The message becomes a radio message.
   template <class M>
-  void set_message(M m) {
+  void set_message(M m, lang::SystemVersion sv = {2, 1}) {
     m.NID_LRBG.raw = (1u << 14) | 100u;
     BitWriter writer(message_bytes);
     lang::encode_message(writer, m);
     message =
         lang::scan_message_to_train({message_bytes.data(), writer.position() / 8}, {2, 1}, lang::Check::structure);
+    message.sv = sv;
     ASSERT_EQ(message.fault, lang::Fault::none);
     information.message = &message;
   }
