@@ -10,6 +10,7 @@
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
+#include "lang/packets/packet_65.h"
 #include "lang/packets/packet_80.h"
 #include "lang/packets/packet_90.h"
 
@@ -154,6 +155,7 @@ TEST_F(Authority, ThatEndsEarlierDeletesWhatIsBeyond) {  // 3.8.5.1.3, A.3.4
   ASSERT_TRUE(happened(What::authority_accepted));
   EXPECT_EQ(state.balise.linking.links.size(), 1u);
   EXPECT_FALSE(state.pending_national_values.has_value());
+  EXPECT_TRUE(happened(What::packet_shortened));
 }
 
 TEST_F(Authority, StopsOfShuntingAndStaffResponsible) {  // 4.4.8, 4.4.11
@@ -219,6 +221,51 @@ TEST_F(Authority, WithTheSpeed0IsNoOrderBeyondAnInfillReference) {  // 3.11.6.2
   EXPECT_FALSE(happened(What::infill_refused));
   EXPECT_FALSE(happened(What::trip_ordered));
   EXPECT_FALSE(received.trip_order);
+}
+
+TEST_F(Authority, ThatIsNoShorteningDeletesNothingBeyond) {  // 3.8.5.1
+  describe_track();
+  balise::Link far;
+  far.place = at(3500.0);
+  ASSERT_TRUE(state.balise.linking.links.push_back(far));
+  add(authority<lang::Packet15>(1000));
+  evaluate_now();
+  ASSERT_TRUE(happened(What::authority_accepted));
+  EXPECT_FALSE(happened(What::packet_shortened));
+  EXPECT_EQ(state.balise.linking.links.size(), 1u);
+  expect(15, What::packet_accepted);
+}
+
+TEST_F(Authority, HasTheSignallingSpeedOfItsPacketOnly) {  // 3.11.6.2
+  describe_track();
+  by_balise();
+  add(level_1());
+  evaluate_now();
+  EXPECT_EQ(state.track.signalling.size(), 1u);
+  information.packets.clear();
+  add(level_1(0));
+  evaluate_now();
+  EXPECT_TRUE(received.trip_order);
+  received.trip_order = false;
+  state.level.level = Level::L2;
+  information.medium = Medium::rbc;
+  information.packets.clear();
+  add(authority<lang::Packet15>(2000));
+  evaluate_now();
+  EXPECT_TRUE(happened(What::authority_accepted));
+  EXPECT_FALSE(received.trip_order);
+}
+
+TEST_F(Authority, TheLogNamesWhatFoundNoRoom) {  // 3.7.3.1
+  describe_track();
+  lang::Packet65 restriction;
+  restriction.L_TSR.raw = 10;
+  for (std::uint8_t i = 0; i < lang::kPacketsMax; ++i) {
+    restriction.NID_TSR.raw = i;
+    add(restriction);
+  }
+  evaluate_now();
+  EXPECT_TRUE(happened(What::packet_no_room));
 }
 
 }  // namespace

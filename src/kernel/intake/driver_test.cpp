@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/intake/levels.h"
 #include "kernel/intake/test_message.h"
 
 // What the driver enters and selects, where it is enabled and where it is not (4.7, 5.4).
@@ -270,6 +271,32 @@ TEST_F(Driver, SelectsALevelThatMayBeSelected) {  // 5.10.1.7, 5.10.2.8
   state.level_table.reset();
   disable();
   EXPECT_EQ(driver_level(reception), std::nullopt);
+}
+
+TEST_F(Driver, ChangesTheLevelAtOnce) {  // 5.10.1.7, 4.8.5.4
+  state.srs = SrsVersion::v4_0_0;
+  modes::PendingTransition& pending = state.level_transition.pending.emplace();
+  pending.to.level = Level::L3;
+  pending.border = at(5000.0);
+  state.data.level_status = DataStatus::invalid;
+  ASSERT_NE(state.buffer.grow(), nullptr);
+  state.level.level = Level::L2;
+  state.reports.rear_border = at(500.0);
+  in.driver.level = Level::L1;
+  run_level_transition(reception);
+  EXPECT_EQ(state.level.level, Level::L1);
+  EXPECT_TRUE(received.level_changed_by_driver);
+  EXPECT_EQ(state.data.level_status, DataStatus::valid);
+  EXPECT_TRUE(state.buffer.empty());
+  EXPECT_EQ(state.reports.rear_border, std::nullopt) << "there is no border to pass";
+}
+
+TEST_F(Driver, ConfirmsTheLevelThatIs) {  // 5.4.4, S2
+  state.data.level_status = DataStatus::invalid;
+  in.driver.level = Level::L1;
+  run_level_transition(reception);
+  EXPECT_EQ(received.level_switched_to, std::nullopt);
+  EXPECT_EQ(state.data.level_status, DataStatus::valid);
 }
 
 TEST_F(Driver, SelectsANationalSystemByItsNumber) {  // 5.10.1.7

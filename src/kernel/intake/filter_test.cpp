@@ -399,6 +399,25 @@ TEST_F(InfillPart, OfAnotherCountryIsOfThatCountry) {  // 7.4.2.32
   expect(5, What::packet_accepted);
 }
 
+TEST_F(InfillPart, WithMoreLinkingThanFindsRoomIsLogged) {  // 3.4.4.1
+  lang::Packet136 p;
+  p.NID_BG.raw = 101;
+  receive_infill(p);
+  EXPECT_FALSE(happened(What::linking_capacity));
+  balise::Link near = state.balise.linking.links[0];
+  state.balise.linking.links.clear();
+  near.id = {1, 77};
+  for (std::size_t i = 0; i + 1 < balise::kLinks; ++i) {
+    near.place = at(1100.0 + static_cast<double>(i));
+    ASSERT_TRUE(state.balise.linking.links.push_back(near));
+  }
+  near.id = {1, 101};
+  near.place = at(1450.0);
+  ASSERT_TRUE(state.balise.linking.links.push_back(near));
+  receive_infill(p);
+  EXPECT_TRUE(happened(What::linking_capacity));
+}
+
 TEST_F(InfillPart, IsRefusedInOtherModesThanFSAndLS) {  // 4.8.4
   lang::Packet136 p;
   p.NID_BG.raw = 101;

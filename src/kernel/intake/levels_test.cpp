@@ -152,5 +152,34 @@ TEST_F(Levels, ReleaseWhatWaitedForThem) {  // 4.8.5.2
   EXPECT_TRUE(state.buffer.empty());
 }
 
+TEST_F(Levels, OutsideAnRBCAreaHaveNoBorderToReport) {  // 3.6.5.1.4 e
+  state.level.level = Level::L1;
+  receive(0, 32767);
+  run_level_transition(reception);
+  ASSERT_EQ(state.level.level, Level::L0);
+  EXPECT_EQ(state.reports.rear_border, std::nullopt);
+}
+
+TEST_F(Levels, FromOneNationalSystemToAnother) {  // 4.6.3 [56]
+  const auto only_the_system = [&](Level from) {
+    state.level = {};
+    state.level.level = from;
+    state.level.nid_ntc = from == Level::NTC ? 9 : 0;
+    received.level_switched_to.reset();
+    reception.order.reset();
+    information.packets.clear();
+    in.national_system.available = std::uint64_t{1} << 8 | std::uint64_t{1} << 9;
+    lang::Packet41 p = order_to(1, 32767);
+    p.NID_NTC.raw = 8;
+    add(p);
+    evaluate_now();
+    run_level_transition(reception);
+    EXPECT_EQ(received.level_switched_to, Level::NTC);
+    return received.national_system_only;
+  };
+  EXPECT_TRUE(only_the_system(Level::NTC));
+  EXPECT_FALSE(only_the_system(Level::L1));
+}
+
 }  // namespace
 }  // namespace evc::kernel

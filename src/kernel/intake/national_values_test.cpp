@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/intake/test_message.h"
 #include "lang/packets/packet_3.h"
 
 namespace evc::kernel {
@@ -200,6 +201,24 @@ TEST(NationalValues, StepsThatFindRoomStayAsTheyAre) {
   ASSERT_EQ(nv.Kr_int.size(), 5u);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[0].value, 1.0);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[2].value, 0.5);
+}
+
+class NationalValuesAhead : public test::OneMessage {};
+
+TEST_F(NationalValuesAhead, AreInForceFromTheirPlaceOn) {  // 3.18.2.9
+  PendingNationalValues& pending = state.pending_national_values.emplace();
+  pending.values.V_NVSTFF = Speed{7.0};
+  pending.from = test::at(1000.5);
+  const std::uint32_t revision = state.revision;
+  advance_national_values(reception);
+  EXPECT_FALSE(happened(What::national_values_in_force));
+  EXPECT_EQ(state.revision, revision);
+  pending.from = received.here.est_front;
+  advance_national_values(reception);
+  EXPECT_TRUE(happened(What::national_values_in_force));
+  EXPECT_EQ(state.national_values.V_NVSTFF, Speed{7.0});
+  EXPECT_NE(state.revision, revision) << "the curves are built again";
+  EXPECT_FALSE(state.pending_national_values.has_value());
 }
 
 }  // namespace
