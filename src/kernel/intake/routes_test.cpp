@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
@@ -120,6 +121,24 @@ TEST(Routes, PacketsAndMessagesFindTheRowsOfTheReference) {
   for (const int none : {0, 49, 63, 80, 145, 255, 199}) EXPECT_TRUE(rows_of_number(none).empty()) << none;
   for (const std::uint8_t none : std::array<std::uint8_t, 5>{3, 24, 33, 37, 200})
     EXPECT_FALSE(row_of_message(none)) << none;
+}
+
+TEST(Routes, EachPacketHasItsTurn) {  // 4.8.1.3, 4.8.1.6, 4.8.2.2, 4.8.3 [4]
+  const std::map<int, Turn> turns{{0, Turn::before},          {136, Turn::before},        {145, Turn::before},
+                                  {255, Turn::before},        {41, Turn::level_order},    {46, Turn::level_order},
+                                  {5, Turn::linking},         {12, Turn::authority},      {15, Turn::authority},
+                                  {49, Turn::with_authority}, {63, Turn::with_authority}, {80, Turn::with_authority}};
+  for (int NID_PACKET = 0; NID_PACKET < 256; ++NID_PACKET) {
+    lang::PacketView view;
+    view.NID_PACKET = static_cast<std::uint16_t>(NID_PACKET);
+    const PacketRoute& route = route_of(view);
+    const auto special = turns.find(NID_PACKET);
+    if (special != turns.end()) {
+      EXPECT_EQ(static_cast<int>(route.number), NID_PACKET);
+    }
+    if (static_cast<int>(route.number) != NID_PACKET) continue;  // no packet
+    EXPECT_EQ(route.turn, special != turns.end() ? special->second : Turn::rest) << NID_PACKET;
+  }
 }
 
 TEST(Routes, TheRowOfATrackConditionIsThatOfItsKind) {  // 4.8.3, 4.8.4
