@@ -224,5 +224,29 @@ TEST(SupervisesSpeed, InTheModesOfTheTable) {  // 4.5.2
     EXPECT_FALSE(supervises_speed(mode));
 }
 
+TEST_F(Basis, EachCombinationOfSpecialBrakesHasCurvesOfItsOwn) {  // 3.13.2.2.6
+  std::set<std::uint8_t> keys;
+  for (unsigned bits = 0; bits < 32; ++bits) {
+    train.regenerative_brake_active = (bits & 1u) != 0;
+    train.eddy_current_brake_active = (bits & 2u) != 0;
+    train.magnetic_shoe_brake_active = (bits & 4u) != 0;
+    train.ep_brake_active = (bits & 8u) != 0;
+    train.additional_brake_active = (bits & 16u) != 0;
+    settle();
+    keys.insert(state.basis.key.brakes);
+  }
+  EXPECT_EQ(keys.size(), 32u);
+}
+
+TEST_F(Basis, ItsNumberIsNeverThatOfNone) {
+  state.basis.number = 0xFFFFFFFE;
+  ++state.revision;
+  EXPECT_TRUE(renew());
+  EXPECT_EQ(state.basis.number, 0xFFFFFFFFu);
+  ++state.revision;
+  EXPECT_TRUE(renew());
+  EXPECT_EQ(state.basis.number, 1u) << "0: never built";
+}
+
 }  // namespace
 }  // namespace evc::kernel

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "kernel/basis.h"
+#include "sdm/locations.h"
 
 // What of the stored data goes into the curves (3.13.2 to 3.13.9).
 namespace evc::kernel {
@@ -259,6 +260,31 @@ TEST_F(CurveInputs, HaveTheMovement) {  // 3.13.10.2
   state.radio.ma_request.emplace().T_MAR = Duration{20.0};
   m = motion_of(state, here, train);
   EXPECT_EQ(m.T_MAR, Duration{20.0});
+}
+
+TEST_F(CurveInputs, MarkTheStepsOfTheRestrictionsInForce) {  // 3.13.4.1.3
+  track::TemporarySpeedRestriction t;
+  t.from = at(790.0);  // from the first step on
+  t.to = at(1200.0);
+  t.V_TSR = 8;
+  t.Q_FRONT = true;
+  ASSERT_TRUE(state.track.tsr.push_back(t));
+  EXPECT_EQ(inputs().mrsp.steps[0].value, kmh(40.0));
+  EXPECT_TRUE(curves->inputs.mrsp_due_to_TSR[0]);
+  state.track.tsr.clear();
+  EXPECT_FALSE(inputs().mrsp_due_to_TSR[0]) << "revoked";
+}
+
+TEST_F(CurveInputs, HaveTheSpeedOfAPermittedBrakingDistance) {  // 3.11.11
+  ASSERT_TRUE(state.track.gradient.append(at(0.0), {0}));
+  ASSERT_TRUE(state.track.pbd.push_back({.D_PBD = Distance{500.0}}));
+  inputs();
+  ASSERT_EQ(curves->pbd_speeds.size(), 1u);
+  const Speed v = sdm::permitted_braking_distance_speed(curves->inputs, Distance{500.0}, 0.0, true, curves->sdm);
+  EXPECT_GT(v, Speed{});
+  EXPECT_EQ(track::speed_of(curves->pbd_speeds[0]), v);
+  inputs();
+  EXPECT_EQ(curves->pbd_speeds.size(), 1u) << "built again";
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+#include "kernel/decide/decide.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+// From what the unit knows in a cycle to its mode (4.6.3): facts that no other test shows by themselves.
+namespace evc::kernel {
+namespace {
+
+constexpr Place at(double x) { return Place{{x}}; }
+
+/// A unit at 1000 m with an authority and the track described, powered, its desk open.
+class Decide : public ::testing::Test {
+ protected:
+  Decide() { restart(Mode::FS, Level::L1); }
+  void restart(Mode mode, Level level) {
+    state = State{};
+    received = Received{};
+    state.mode = mode;
+    state.level.level = level;
+    state.data.level_status = state.data.train_data_status = DataStatus::valid;
+    track::MovementAuthority ma;
+    EXPECT_TRUE(ma.sections.push_back({at(0.0), at(3000.0)}));
+    state.track.ma = ma;
+    EXPECT_TRUE(state.track.gradient.append(at(0.0), {0}));
+    EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+    in.train.powered = in.train.desk_open = true;
+    received.here.est_front = received.here.min_safe_front = received.here.max_safe_front = at(1000.0);
+    received.here.min_safe_antenna = at(995.0);
+    received.here.min_safe_rear = at(800.0);
+  }
+  Mode mode_after() {
+    decided = decide(state, in, received, Log{outputs->events});
+    return state.mode;
+  }
+
+  std::unique_ptr<State> memory = std::make_unique<State>();
+  State& state = *memory;
+  Inputs in;
+  Received received;
+  Decided decided;
+  std::unique_ptr<Outputs> outputs = std::make_unique<Outputs>();
+};
+
+TEST_F(Decide, AnAuthorityWithoutAProfileGivesFS) {  // [32]
+  for (const Mode mode : {Mode::FS, Mode::OS, Mode::LS}) {
+    restart(mode, Level::L1);
+    EXPECT_EQ(mode_after(), Mode::FS);
+  }
+}
+
+TEST_F(Decide, EachCauseOfATripTrips) {  // 4.6.3 [17], [18], [20], [65], [66]
+  for (bool Received::*cause : {&Received::linking_reaction_trip, &Received::trip_order, &Received::ues_accepted,
+                                &Received::telegram_version_too_high, &Received::linked_group_wrong_direction}) {
+    restart(Mode::FS, Level::L1);
+    received.*cause = true;
+    EXPECT_EQ(mode_after(), Mode::TR);
+  }
+}
+
+TEST_F(Decide, ATrainInRearOfItsTrackDescriptionTrips) {  // [69]
+  state.track.gradient = {};
+  state.track.ssp = {};
+  EXPECT_TRUE(state.track.gradient.append(at(1500.0), {0}));
+  EXPECT_TRUE(state.track.ssp.append(at(1500.0), {.V_STATIC = 20}));
+  EXPECT_EQ(mode_after(), Mode::TR);
+}
+
+TEST_F(Decide, AnAuthorityThatCameWithATripOrderIsNoProceed) {  // [32]
+  restart(Mode::SR, Level::L1);
+  state.ma_with_trip_order = true;
+  EXPECT_EQ(mode_after(), Mode::SR);
+  state.ma_with_trip_order = false;
+  EXPECT_EQ(mode_after(), Mode::FS);
+}
+
+TEST_F(Decide, AnotherNationalSystemIsNoNewLevel) {  // [56]
+  const auto after = [&](bool national_system_only) {
+    restart(Mode::UN, Level::NTC);
+    received.level_switched_to = Level::NTC;
+    received.national_system_only = national_system_only;
+    return mode_after();
+  };
+  EXPECT_EQ(after(false), Mode::SN);
+  EXPECT_EQ(after(true), Mode::UN);
+}
+
+TEST_F(Decide, AnEmergencyStopEndsTheEntryToSRByOverride) {  // [45]
+  const auto after = [&](bool received_now, bool pending) {
+    restart(Mode::UN, Level::L2);
+    state.track.ma.reset();
+    state.override_.active = true;
+    received.level_switched_to = Level::L2;
+    received.ues_received = received_now;
+    if (pending) (void)state.emergency_stops.pending.push_back({1, false, {}});
+    return mode_after();
+  };
+  EXPECT_EQ(after(false, false), Mode::SR);
+  EXPECT_NE(after(true, false), Mode::SR);
+  EXPECT_NE(after(false, true), Mode::SR);
+}
+
+TEST_F(Decide, TheCurvesOfTheNewModeAreBuiltAtOnce) {  // 4.5.2, 3.13
+  ASSERT_EQ(mode_after(), Mode::FS);
+  ASSERT_EQ(mode_after(), Mode::FS);
+  EXPECT_FALSE(decided.basis_renewed);
+  in.train.isolated = true;
+  EXPECT_EQ(mode_after(), Mode::IS);
+  EXPECT_TRUE(decided.basis_renewed);
+  EXPECT_EQ(state.basis.key.mode, Mode::IS);
+}
+
+}  // namespace
+}  // namespace evc::kernel
