@@ -287,5 +287,24 @@ TEST_F(CurveInputs, HaveTheSpeedOfAPermittedBrakingDistance) {  // 3.11.11
   EXPECT_EQ(curves->pbd_speeds.size(), 1u) << "built again";
 }
 
+TEST_F(CurveInputs, BeginAtTheRearEndAndGoOnWithTheTrainLength) {  // 3.11.3.1.3, 3.13.4.1.2
+  state.train.L_TRAIN = {300.0};
+  state.track.ssp = {};
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 10}));
+  ASSERT_TRUE(state.track.ssp.append(at(1500.0), {.V_STATIC = 20}));
+  const auto& steps = inputs().mrsp.steps;
+  ASSERT_GE(steps.size(), 2u);
+  EXPECT_EQ(steps[0].from, at(790.0));
+  EXPECT_EQ(steps[1].from, at(1800.0));
+}
+
+TEST_F(CurveInputs, TheGradientIsKnownAnewWithEachProfile) {  // 3.13.4.1.2
+  ASSERT_TRUE(state.track.gradient.append(at(1500.0), {0}));
+  EXPECT_EQ(inputs().gradient.known_from, at(1500.0));
+  state.track.gradient = {};
+  ASSERT_TRUE(state.track.gradient.append(at(0.0), {0}));
+  EXPECT_EQ(inputs().gradient.known_from, std::nullopt);
+}
+
 }  // namespace
 }  // namespace evc::kernel

@@ -181,5 +181,43 @@ TEST_F(Levels, FromOneNationalSystemToAnother) {  // 4.6.3 [56]
   EXPECT_FALSE(only_the_system(Level::L1));
 }
 
+TEST_F(Levels, AreAcknowledgedByModeAndEdition) {  // 5.10.4, 4.4.15, 5.10.4.2 of 4.0.0
+  const auto asks = [&](Level from, std::uint8_t M_LEVELTR, Mode mode, SrsVersion srs) {
+    state.level = {};
+    state.level.level = from;
+    state.level_transition = {};
+    state.mode = mode;
+    state.srs = srs;
+    reception.order.reset();
+    receive(M_LEVELTR, 32767);
+    run_level_transition(reception);
+    return received.level.requests.has(Ack::level);
+  };
+  EXPECT_TRUE(asks(Level::L1, 0, Mode::FS, SrsVersion::v3_6_0));
+  EXPECT_FALSE(asks(Level::L1, 0, Mode::NL, SrsVersion::v3_6_0));
+  EXPECT_TRUE(asks(Level::NTC, 2, Mode::SN, SrsVersion::v3_6_0));
+  EXPECT_FALSE(asks(Level::NTC, 2, Mode::SN, SrsVersion::v4_0_0));
+}
+
+TEST_F(Levels, AnOrderKeptInSHIsJudgedByWhatIsAvailableWhenItEnds) {  // 4.4.8.1.5, 5.10.2.4
+  const auto level_after = [&](std::uint64_t available) {
+    state.level = {};
+    state.level.level = Level::L1;
+    state.level_transition = {};
+    state.level_transition.kept = true;
+    modes::OrderedLevel ntc, other;
+    ntc.level = Level::NTC;
+    ntc.nid_ntc = 8;
+    other.level = Level::L0;
+    EXPECT_TRUE(state.level_transition.kept_order.table.push_back(ntc));
+    EXPECT_TRUE(state.level_transition.kept_order.table.push_back(other));
+    in.national_system.available = available;
+    run_level_transition(reception);
+    return state.level.level;
+  };
+  EXPECT_EQ(level_after(std::uint64_t{1} << 8), Level::NTC);
+  EXPECT_EQ(level_after(0), Level::L0);
+}
+
 }  // namespace
 }  // namespace evc::kernel
