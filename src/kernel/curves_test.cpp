@@ -269,8 +269,13 @@ TEST_F(CurveInputs, MarkTheStepsOfTheRestrictionsInForce) {  // 3.13.4.1.3
   t.V_TSR = 8;
   t.Q_FRONT = true;
   ASSERT_TRUE(state.track.tsr.push_back(t));
-  EXPECT_EQ(inputs().mrsp.steps[0].value, kmh(40.0));
+  state.track.ssp = {};
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+  ASSERT_TRUE(state.track.ssp.append(at(2000.0), {.V_STATIC = 8}));
+  ASSERT_EQ(inputs().mrsp.steps.size(), 3u);
   EXPECT_TRUE(curves->inputs.mrsp_due_to_TSR[0]);
+  EXPECT_FALSE(curves->inputs.mrsp_due_to_TSR[1]);
+  EXPECT_FALSE(curves->inputs.mrsp_due_to_TSR[2]) << "the same speed, by the SSP";
   state.track.tsr.clear();
   EXPECT_FALSE(inputs().mrsp_due_to_TSR[0]) << "revoked";
 }

@@ -75,6 +75,23 @@ TEST_F(Decide, AnAuthorityThatCameWithATripOrderIsNoProceed) {  // [32]
   EXPECT_EQ(mode_after(), Mode::FS);
 }
 
+TEST_F(Decide, AheadOfAnAcknowledgedAreaItsModeStays) {  // [32]; [75] and [76] of 4.0.0
+  const auto after = [&](Mode mode, Mode area) {
+    restart(mode, Level::L1);
+    track::ModeArea a;
+    a.mode = area;
+    a.ack_from = at(950.0);
+    a.from = at(1100.0);
+    a.to = at(2000.0);
+    EXPECT_TRUE(state.track.mode_profile.push_back(a));
+    return mode_after();
+  };
+  EXPECT_EQ(after(Mode::OS, Mode::OS), Mode::OS);
+  EXPECT_EQ(after(Mode::LS, Mode::LS), Mode::LS);
+  EXPECT_EQ(after(Mode::OS, Mode::LS), Mode::FS);
+  EXPECT_EQ(after(Mode::LS, Mode::OS), Mode::FS);
+}
+
 TEST_F(Decide, AnotherNationalSystemIsNoNewLevel) {  // [56]
   const auto after = [&](bool national_system_only) {
     restart(Mode::UN, Level::NTC);
