@@ -376,6 +376,23 @@ TEST_F(RadioReport, LogsTheLossOfTheSession) {  // 3.5.4
   EXPECT_TRUE(happened(What::session_lost));
 }
 
+TEST_F(RadioReport, HasTheTrainRunningNumberWhereItIsValid) {  // 7.4.3.4
+  const auto message = [&](DataStatus status, std::uint32_t number) {
+    state.data.train_running_number = number;
+    state.data.train_running_number_status = status;
+    radio::Intent intent;
+    intent.NID_MESSAGE = 136;
+    intent.running_number = true;
+    radio::Outbox outbox;
+    outbox.send(intent);
+    out = {};
+    compose_messages(state, outbox, Log{out.events}, out);
+    return std::vector<std::uint8_t>(out.radio_out[0].bytes.begin(), out.radio_out[0].bytes.end());
+  };
+  EXPECT_NE(message(DataStatus::valid, 0x4711), message(DataStatus::valid, 0x4712));
+  EXPECT_EQ(message(DataStatus::invalid, 0x4711), message(DataStatus::invalid, 0x4712));
+}
+
 TEST_F(RadioReport, LogsMessagesThatCouldNotBeSent) {
   radio::Outbox outbox;
   outbox.send(136);
