@@ -165,6 +165,13 @@ TEST(StoredData, TheNationalDistanceInSRIsFromTheEstimatedFrontEnd) {  // 4.4.11
   state->national_values.D_NVSTFF = Distance{300.0};
   limit_SR_distance(*state, here);
   EXPECT_EQ(state->staff_responsible.end, at(1300.0));
+  state->national_values.D_NVSTFF.reset();
+  follow_national_SR_distance(*state);
+  EXPECT_EQ(state->staff_responsible.end, std::nullopt);
+  set_SR_distance(*state, here, Distance{500.0});
+  state->national_values.D_NVSTFF = Distance{300.0};
+  follow_national_SR_distance(*state);
+  EXPECT_EQ(state->staff_responsible.end, at(1500.0)) << "that of the RBC or the driver";
 }
 
 }  // namespace

@@ -369,11 +369,14 @@ TEST_F(RadioReport, SupervisesTheContactInItsModesAndLevels) {  // 3.16.3.4.1, 4
 }
 
 TEST_F(RadioReport, LogsTheLossOfTheSession) {  // 3.5.4
+  ASSERT_NE(state.buffer.grow(), nullptr);
+  state.buffer[0].medium = Medium::rbc;
   run(false, RadioLink::lost);
   EXPECT_FALSE(happened(What::session_lost)) << "the connection may come back";
   state.now += Duration{301.0};
   run();
   EXPECT_TRUE(happened(What::session_lost));
+  EXPECT_TRUE(state.buffer.empty()) << "what waited came from this session (4.8.5.4 c)";
 }
 
 TEST_F(RadioReport, HasTheTrainRunningNumberWhereItIsValid) {  // 7.4.3.4
