@@ -147,6 +147,7 @@ struct State {
   Set<Offer> offers;   // choices offered by the procedures, and
   Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
+  bool start_in_SR = false;    // selected by the driver: an MA is requested (4.4.11.1.6)
   bool slippery_rail = false;  // selected by the driver
   bool ma_with_trip_order = false;
 

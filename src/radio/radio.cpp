@@ -75,6 +75,7 @@ void stamp(State& s, Duration now, Outbox& out) {
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
     if (intent.NID_MESSAGE == message::validated_train_data) s.train_data_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp = T_TRAIN;
   }
 }
 
@@ -156,7 +157,8 @@ bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Dura
     rbc = *s.contact;
   }
   if (!o.establish) {
-    if (s.session.phase == Phase::idle || !s.session.rbc.same_id(rbc)) return false;
+    const bool idle = s.session.phase == Phase::idle && !s.session.after_hole;
+    if (idle || !s.session.rbc.same_id(rbc)) return false;
     terminate(s.session, now, out);
     return true;
   }

@@ -50,9 +50,10 @@ struct State {
   bool reconnected = false;             ///< the connection was set up again 60 s later
   bool was_in_hole = false, was_level_2_or_3 = false;
   // 3.18.3.4
-  bool train_data_pending = false;                ///< has to be sent
-  std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
-  bool train_data_acknowledged = false;           ///< in this session
+  bool train_data_pending = false;                      ///< has to be sent
+  std::optional<std::uint32_t> train_data_stamp;        ///< of the 129 that is not acknowledged yet
+  std::optional<std::uint32_t> shunting_request_stamp;  ///< of the last 130
+  bool train_data_acknowledged = false;                 ///< in this session
   // 3.8.2
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and still apply

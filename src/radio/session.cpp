@@ -28,6 +28,7 @@ void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& o
   s.tries = 0;
   s.M_VERSION = 0;
   s.last_T_TRAIN.reset();
+  s.after_hole.reset();
   enter(s, Phase::connecting, now);
   request(s, now, out);
 }
@@ -124,6 +125,7 @@ void establish(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& ou
 }
 
 void terminate(Session& s, Duration now, Outbox& out) {
+  s.after_hole.reset();
   switch (s.phase) {
     case Phase::idle:
     case Phase::terminating:
@@ -163,6 +165,7 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
     case Phase::lost:
       if (now - s.since > kSessionKept) {
         release(s, now, out);
+        if (in_radio_hole && s.phase == Phase::idle) s.after_hole = s.rbc;
         return true;
       }
       if (!s.request_connection && !in_radio_hole) request(s, now, out);
@@ -171,6 +174,8 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
       repeat_termination(s, now, out);
       break;
     case Phase::idle:
+      if (s.after_hole && !in_radio_hole) connect_to(s, Rbc{*s.after_hole}, Cause::radio_hole_end, now, out);
+      break;
     case Phase::up:
       break;
   }

@@ -96,10 +96,15 @@ struct TextDisplay {
   InplaceVector<std::uint8_t, 6> to_acknowledge;
   bool service_brake = false, emergency_brake = false;
 };
+/// The acknowledgement of a text is to be reported (message 158) to the RBC that it names (3.12.3.5).
+struct TextReport {
+  std::uint8_t NID_TEXTMESSAGE = 0;
+  std::uint16_t NID_C = 0, NID_RBC = 0;
+};
+using TextReports = InplaceVector<TextReport, 6>;
 /// Updates the texts, once per cycle. `NID_NTC` is used in level NTC. `acknowledged`: id of the
-/// text that the driver acknowledged now, 0 none. `reports`: NID_TEXTMESSAGE of messages 158 that
-/// are due.
+/// text that the driver acknowledged now, 0 none. `reports`: those that are due now are added.
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
-                       std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports);
+                       std::uint8_t acknowledged, TextReports& reports);
 
 }  // namespace evc::track

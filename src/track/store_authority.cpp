@@ -101,8 +101,12 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
     d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *infill; });
   else
     d.mode_profile.clear();
-  if (!c.mode_profile) return;
   bool shunting = false;
+  for (const ModeArea& area : d.mode_profile) shunting = shunting || area.mode == Mode::SH;
+  // The list of a stored SH area is replaced together with the area (3.12.4.4).
+  if (!shunting) d.sh_list.reset();
+  if (!c.mode_profile) return;
+  shunting = false;
   std::optional<Place> lost;
   for (ModeArea area : *c.mode_profile) {
     area.accepted = accepted_before(accepted, area, f.here);
@@ -113,7 +117,6 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
     f.lost(80, *lost, "3.12.4"_srs);
   else
     f.note(80, Note::What::stored, {});
-  // The list of a stored SH area is replaced together with the area (3.12.4.4).
   if (shunting) d.sh_list = c.sh_list;
 }
 

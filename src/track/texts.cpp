@@ -35,12 +35,20 @@ bool starts(const Text& t, const Situation& s) {
   return parts.used == 0 || parts.fulfilled();
 }
 
+/// The end by a mode or level is the transition from it (3.12.3.4.3), before the start too.
+void note_transitions(Text& t, const Situation& s) {
+  const bool in_mode = t.end_mode && *t.end_mode == s.mode;
+  const bool in_level = t.end_level && level_is(*t.end_level, t.end_NTC, s);
+  t.end_mode_left = t.end_mode_left || (t.in_end_mode && !in_mode);
+  t.end_level_left = t.end_level_left || (t.in_end_level && !in_level);
+  t.in_end_mode = in_mode;
+  t.in_end_level = in_level;
+}
+
 /// Each part of the end is latched separately (3.12.3.4.3.1.2 of 4.0.0).
 bool ends(Text& t, const Situation& s) {
   t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
   t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
-  t.end_mode_left = t.end_mode_left || (t.end_mode && *t.end_mode != s.mode);
-  t.end_level_left = t.end_level_left || (t.end_level && !level_is(*t.end_level, t.end_NTC, s));
   Parts parts{t.all_parts};
   parts.part(t.end_at.has_value(), t.end_place_passed);
   parts.part(t.T_TEXTDISPLAY.has_value(), t.end_time_over);
@@ -52,19 +60,22 @@ bool ends(Text& t, const Situation& s) {
 }  // namespace
 
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
-                       std::uint8_t acknowledged, InplaceVector<std::uint8_t, 6>& reports) {
+                       std::uint8_t acknowledged, TextReports& reports) {
   const Situation s{here.est_front, here.now, mode, level, NID_NTC};
   TextDisplay display;
   for (Text& t : d.texts) {
+    note_transitions(t, s);
     if (t.state == Text::State::waiting && starts(t, s)) {
-      t.state = Text::State::shown;
       t.shown_since = s.now;
+      // What has ended already is not shown, to be acknowledged or not (3.12.3.4.4).
+      t.state = ends(t, s) ? Text::State::ended : Text::State::shown;
     }
     if (t.state != Text::State::shown) continue;
     const bool confirm = t.Q_TEXTCONFIRM != 0;
     if (confirm && acknowledged == t.id && !t.acknowledged) {
       t.acknowledged = true;
-      if (t.report) (void)reports.push_back(t.NID_TEXTMESSAGE);  // at most one per stored text: it fits
+      if (t.report)
+        (void)reports.push_back({t.NID_TEXTMESSAGE, t.NID_C, t.NID_RBC});  // at most one per stored text: it fits
     }
     const bool end = ends(t, s);
     const bool waits = confirm && !t.acknowledged;

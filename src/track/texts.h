@@ -33,6 +33,7 @@ struct Text {
   enum class State : std::uint8_t { waiting, shown, ended };
   State state = State::waiting;
   bool acknowledged = false;
+  bool in_end_mode = false, in_end_level = false;  ///< since it was received: leaving them is an end
   bool end_place_passed = false, end_time_over = false, end_mode_left = false, end_level_left = false;  ///< latched
   Duration shown_since{};
   std::uint8_t id = 0;  ///< assigned on board, to identify the text at the driver interface

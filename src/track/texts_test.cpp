@@ -9,7 +9,7 @@ using namespace testing;
 
 struct Display {
   Description d;
-  InplaceVector<std::uint8_t, 6> reports;
+  TextReports reports;
   explicit Display(Text t) {
     t.id = 7;
     if (!d.texts.push_back(t)) __builtin_trap();
@@ -91,6 +91,33 @@ TEST(Texts, AlreadyEndedIsNeverShown) {
   Text t;
   t.end_at = at(50);
   EXPECT_FALSE(Display{t}.shown(60, 0));
+  t.Q_TEXTCONFIRM = 3;
+  Display x{t};
+  EXPECT_FALSE(x.shown(60, 0)) << "nor to be acknowledged (3.12.3.4.4)";
+  EXPECT_FALSE(x.run(60, 1).emergency_brake);
+}
+
+TEST(Texts, EndsByATransitionFromItsModeOrLevel) {  // 3.12.3.4.3
+  Text t;
+  t.end_mode = Mode::SR;
+  t.end_level = Level::L1;
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 0)) << "not in the mode is not: has left it";
+    EXPECT_TRUE(x.shown(0, 1, Mode::SR));
+    EXPECT_FALSE(x.shown(0, 2, Mode::FS));
+  }
+  {
+    Display x{t};
+    EXPECT_TRUE(x.shown(0, 0));
+    EXPECT_TRUE(x.shown(0, 1, Mode::FS, Level::L1));
+    EXPECT_FALSE(x.shown(0, 2));
+  }
+  t.start_at = at(100);
+  Display x{t};
+  EXPECT_FALSE(x.shown(0, 0, Mode::SR));
+  EXPECT_FALSE(x.shown(0, 1, Mode::FS)) << "the mode is left before the start";
+  EXPECT_FALSE(x.shown(100, 2, Mode::FS));
 }
 
 TEST(Texts, Acknowledgement) {  // 3.12.3.4.7
@@ -100,6 +127,8 @@ TEST(Texts, Acknowledgement) {  // 3.12.3.4.7
     t.Q_TEXTCONFIRM = confirm;
     t.report = true;
     t.NID_TEXTMESSAGE = 42;
+    t.NID_C = 3;
+    t.NID_RBC = 4;
     Display x{t};
     TextDisplay shown = x.run(0, 0);
     ASSERT_EQ(shown.to_acknowledge.size(), 1u);
@@ -115,7 +144,9 @@ TEST(Texts, Acknowledgement) {  // 3.12.3.4.7
     EXPECT_TRUE(shown.shown.empty());
     EXPECT_FALSE(shown.service_brake || shown.emergency_brake);
     ASSERT_EQ(x.reports.size(), 1u);
-    EXPECT_EQ(x.reports[0], 42);
+    EXPECT_EQ(x.reports[0].NID_TEXTMESSAGE, 42);
+    EXPECT_EQ(x.reports[0].NID_C, 3);
+    EXPECT_EQ(x.reports[0].NID_RBC, 4);
   }
 }
 

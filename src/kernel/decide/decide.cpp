@@ -101,6 +101,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   observe_authority(s, out.here, facts);
   change_mode(s, in.train, facts, out, log);
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
+  run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
   run_end_of_mission(s, received, out.effects);
   run_texts(s, received.acknowledged.has(Ack::text), out);

@@ -15,12 +15,12 @@ struct Decided {
   procedures::Effects effects;  ///< of all procedures
   brakes::CauseSet asked;
   bool mode_changed = false;
-  bool basis_renewed = false;                      ///< State::basis differs from that of the cycle before
-  bool start_selected = false;                     ///< an MA is requested for it (3.8.2.3 a)
-  bool reversing_possible = false;                 ///< shown to the driver (5.13)
-  bool track_ahead_free_granted = false;           ///< message 149 is due
-  track::TextDisplay texts;                        ///< shown now
-  InplaceVector<std::uint8_t, 6> texts_to_report;  ///< acknowledged: messages 158 are due
+  bool basis_renewed = false;             ///< State::basis differs from that of the cycle before
+  bool start_selected = false;            ///< an MA is requested for it (3.8.2.3 a)
+  bool reversing_possible = false;        ///< shown to the driver (5.13)
+  bool track_ahead_free_granted = false;  ///< message 149 is due
+  track::TextDisplay texts;               ///< shown now
+  track::TextReports texts_to_report;     ///< acknowledged: messages 158 are due
 };
 
 }  // namespace evc::kernel

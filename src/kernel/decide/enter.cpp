@@ -9,6 +9,8 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   log.note(Event::mode_changed(from, to, number));
   // The start of the entered area is no longer an end of authority; before 4.10 deletes the profile (SH).
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, here);
+  // By the driver's selection in levels 0, NTC and 1 there is no list; that of an area ahead is another one's.
+  if (to == Mode::SH && number == 5) s.track.sh_list.reset();
   keep_for_mode(s, to, from);
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
   // A group that is only partly read is not continued after power off, nor a change of deleted train data.

@@ -249,6 +249,13 @@ void run_train_data_change(State& s, const Received& received, Decided& out, Log
   change.procedure = {};
 }
 
+void run_start_in_SR(State& s, const Received& received, Decided& out) {
+  const bool possible = s.mode == Mode::SR && level_2_or_3(s.level.level) && s.radio.session.established();
+  if (received.selected.has(Select::start)) s.start_in_SR = true;
+  if (!possible || received.ma_from_rbc || received.SR_authorised) s.start_in_SR = false;
+  if (s.start_in_SR) out.start_selected = true;
+}
+
 void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects) {
   procedures::end_of_mission::Inputs end;
   end.now = s.now;

@@ -21,6 +21,8 @@ void run_reversing(const State& s, DirectionController controller, Decided& out)
 /// After the mode transition.
 void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                     Decided& out);
+/// Start in SR asks the RBC for an authority until it answers with one, or SR is left (4.4.11.1.6).
+void run_start_in_SR(State& s, const Received& received, Decided& out);
 /// 5.17, after the mode transition.
 void run_train_data_change(State& s, const Received& received, Decided& out, Log log);
 void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects);

@@ -102,12 +102,29 @@ Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView&) {
   e.r.out.exit_from_trip = true;
   return {};
 }
-Clause take_SH_refused(Evaluation& e, const lang::MessageToTrainView&) {
+/// The answer names the request that waits for one (4.6.3 [6]): others come too late, or are another train's.
+bool answers_SH_request(const State& s, const lang::var::T_TRAIN& T_TRAIN_REF) {
+  return s.shunting.waits_for_answer && s.radio.shunting_request_stamp == T_TRAIN_REF.raw;
+}
+Clause take_SH_refused(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message27 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (!answers_SH_request(e.r.state, m.T_TRAIN_REF)) return "4.6.3"_srs;
   e.r.out.SH_refused = true;
   return {};
 }
-Clause take_SH_authorised(Evaluation& e, const lang::MessageToTrainView&) {
+/// The list of packet 49 takes the place of a stored one; without it there is none (5.6.2.2 E090).
+Clause take_SH_authorised(Evaluation& e, const lang::MessageToTrainView& view) {
+  State& s = e.r.state;
+  lang::Message28 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (!answers_SH_request(s, m.T_TRAIN_REF) || !e.r.out.here.standstill) return "4.6.3"_srs;
   e.r.out.SH_authorised = true;
+  track::AuthorityContents& area = e.r.scratch.proposal;
+  area = {};
+  for (const lang::PacketView& p : e.information.packets)
+    if (p.NID_PACKET == packet::balise_groups_for_sh_area) (void)track::add(area, e.information.time, p, e.reference);
+  s.track.sh_list = area.sh_list;
   return {};
 }
 Clause take_train_rejected(Evaluation& e, const lang::MessageToTrainView&) {

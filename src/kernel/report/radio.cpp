@@ -62,7 +62,9 @@ bool in_radio_hole(const State& s, const track::Here& here) {
 /// Messages that the procedures require; MA requests and reports follow the conditions of the room `radio`.
 void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   using procedures::Send;
-  for (const std::uint8_t id : decided.texts_to_report) radio::report_text_acknowledged(id, outbox);
+  for (const track::TextReport& text : decided.texts_to_report)
+    if (s.radio.session.rbc.same_id({text.NID_C, text.NID_RBC}))  // 3.12.3.5.2
+      radio::report_text_acknowledged(text.NID_TEXTMESSAGE, outbox);
   const auto& wishes = decided.effects.send;
   if (wishes.has(Send::open_session) && s.radio.contact) {
     radio::SessionOrder order;

@@ -241,7 +241,10 @@ TEST_F(RadioReport, SendsWhatTheProceduresRequire) {  // chapter 5
   decided.track_ahead_free_granted = true;
   EXPECT_TRUE(sends(149));
   EXPECT_FALSE(sends(158));
-  ASSERT_TRUE(decided.texts_to_report.push_back(7));
+  state.radio.session.rbc = {1, 2, 0};
+  ASSERT_TRUE(decided.texts_to_report.push_back({7, 1, 3}));
+  EXPECT_FALSE(sends(158)) << "another RBC is named (3.12.3.5.2)";
+  ASSERT_TRUE(decided.texts_to_report.push_back({7, 1, 2}));
   EXPECT_TRUE(sends(158));
 }
 
