@@ -16,7 +16,7 @@ extern "C" void delete_and_end(int signal) {
 }  // namespace
 
 void leave_no_parts_of_files() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+  for (const int signal : io::kEndingSignals) {
     struct sigaction action {};
     if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
     action.sa_handler = delete_and_end;

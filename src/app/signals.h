@@ -2,7 +2,7 @@
 
 namespace evc::app {
 
-/// From now on a signal that ends the program (SIGINT, SIGTERM, SIGHUP, SIGPIPE) first deletes the files that are not
+/// From now on a signal that ends the program (io::kEndingSignals) first deletes the files that are not
 /// complete; one that the caller ignores stays ignored.
 void leave_no_parts_of_files();
 

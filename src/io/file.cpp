@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -49,7 +48,7 @@ class SignalsHeld {
   SignalsHeld() {
     sigset_t ending;
     sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&ending, signal);
+    for (const int signal : kEndingSignals) sigaddset(&ending, signal);
     (void)::pthread_sigmask(SIG_BLOCK, &ending, &before_);
   }
   ~SignalsHeld() { (void)::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <csignal>
 #include <cstdio>
 #include <initializer_list>
 #include <string>
@@ -38,6 +39,8 @@ class Lines {
   std::size_t number_ = 0;
 };
 
+/// The signals that end the program before its files are complete.
+inline constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 /// Deletes the temporary files of every WholeFile that is not complete. Only for a signal handler that ends the
 /// program.
 void delete_unfinished_files() noexcept;

@@ -28,7 +28,7 @@ void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& o
   s.tries = 0;
   s.M_VERSION = 0;
   s.last_T_TRAIN.reset();
-  s.after_hole.reset();
+  s.after_hole = false;
   enter(s, Phase::connecting, now);
   request(s, now, out);
 }
@@ -125,7 +125,7 @@ void establish(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& ou
 }
 
 void terminate(Session& s, Duration now, Outbox& out) {
-  s.after_hole.reset();
+  s.after_hole = false;
   switch (s.phase) {
     case Phase::idle:
     case Phase::terminating:
@@ -165,7 +165,7 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
     case Phase::lost:
       if (now - s.since > kSessionKept) {
         release(s, now, out);
-        if (in_radio_hole && s.phase == Phase::idle) s.after_hole = s.rbc;
+        s.after_hole = in_radio_hole && s.phase == Phase::idle;
         return true;
       }
       if (!s.request_connection && !in_radio_hole) request(s, now, out);
@@ -174,7 +174,7 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
       repeat_termination(s, now, out);
       break;
     case Phase::idle:
-      if (s.after_hole && !in_radio_hole) connect_to(s, Rbc{*s.after_hole}, Cause::radio_hole_end, now, out);
+      if (s.after_hole && !in_radio_hole) connect_to(s, s.rbc, Cause::radio_hole_end, now, out);
       break;
     case Phase::up:
       break;

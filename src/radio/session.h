@@ -47,7 +47,7 @@ struct Session {
   bool request_connection = false;            ///< a request was made that the bearer has not answered yet
   std::optional<Rbc> remembered;              ///< ordered during termination; set up afterwards
   Cause remembered_cause = Cause::trackside_order;
-  std::optional<Rbc> after_hole;  ///< the session was lost for good in a radio hole: set up at its end (3.5.3.4 e)
+  bool after_hole = false;  ///< the session was lost for good in a radio hole: set up again at its end (3.5.3.4 e)
 
   /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
   bool established() const { return phase == Phase::up || phase == Phase::lost; }

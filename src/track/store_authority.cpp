@@ -94,6 +94,12 @@ bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here)
   return accepted.has(area.mode);
 }
 
+bool has_shunting(const ModeProfile& profile) {
+  for (const ModeArea& area : profile)
+    if (area.mode == Mode::SH) return true;
+  return false;
+}
+
 void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill) {
   Description& d = f.d;
   const Set<Mode> accepted = accepted_modes(d.mode_profile);
@@ -101,23 +107,19 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
     d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *infill; });
   else
     d.mode_profile.clear();
-  bool shunting = false;
-  for (const ModeArea& area : d.mode_profile) shunting = shunting || area.mode == Mode::SH;
-  // The list of a stored SH area is replaced together with the area (3.12.4.4).
-  if (!shunting) d.sh_list.reset();
+  // The list of a stored SH area is deleted and replaced together with the area (3.12.4.4).
+  if (!has_shunting(d.mode_profile)) d.sh_list.reset();
   if (!c.mode_profile) return;
-  shunting = false;
+  if (has_shunting(*c.mode_profile)) d.sh_list = c.sh_list;
   std::optional<Place> lost;
   for (ModeArea area : *c.mode_profile) {
     area.accepted = accepted_before(accepted, area, f.here);
     if (!d.mode_profile.push_back(area) && !lost) lost = area.from;
-    shunting = shunting || area.mode == Mode::SH;
   }
   if (lost)
     f.lost(80, *lost, "3.12.4"_srs);
   else
     f.note(80, Note::What::stored, {});
-  if (shunting) d.sh_list = c.sh_list;
 }
 
 /// Without a clause: no room.

@@ -23,13 +23,6 @@ using test::at;
 
 class Filter : public test::OneMessage {
  protected:
-  static lang::Packet41 order_to(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
-    lang::Packet41 p;
-    p.Q_SCALE.raw = 1;
-    p.D_LEVELTR.raw = D_LEVELTR;
-    p.M_LEVELTR.raw = M_LEVELTR;
-    return p;
-  }
   void take_SR_authorisation() {
     set_message(lang::Message2{});
     evaluate_now();

@@ -16,13 +16,6 @@ using test::at;
 class Levels : public test::OneMessage {
  protected:
   Levels() { information.medium = Medium::balise; }
-  static lang::Packet41 order_to(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
-    lang::Packet41 p;
-    p.Q_SCALE.raw = 1;
-    p.D_LEVELTR.raw = D_LEVELTR;
-    p.M_LEVELTR.raw = M_LEVELTR;
-    return p;
-  }
   template <class P>
   procedures::level_transition::Order read(P p) {
     information.packets.clear();

@@ -96,12 +96,6 @@ Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& vie
   return position::assign_orientation(e.r.state.position, e.information.group, nominal) ? Clause{} : "3.4.2.3.3.8"_srs;
 }
 
-// Only the fact is used.
-/// 4.8.4 [1]: information of the RBC that is received later has a later time stamp (3.16.3.3.3).
-Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView&) {
-  e.r.out.exit_from_trip = true;
-  return {};
-}
 /// The answer names the request that waits for one (4.6.3 [6]): others come too late, or are another train's.
 bool answers_SH_request(const State& s, const lang::var::T_TRAIN& T_TRAIN_REF) {
   return s.shunting.waits_for_answer && s.radio.shunting_request_stamp == T_TRAIN_REF.raw;
@@ -125,6 +119,13 @@ Clause take_SH_authorised(Evaluation& e, const lang::MessageToTrainView& view) {
   for (const lang::PacketView& p : e.information.packets)
     if (p.NID_PACKET == packet::balise_groups_for_sh_area) (void)track::add(area, e.information.time, p, e.reference);
   s.track.sh_list = area.sh_list;
+  return {};
+}
+
+// Only the fact is used.
+/// 4.8.4 [1]: information of the RBC that is received later has a later time stamp (3.16.3.3.3).
+Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView&) {
+  e.r.out.exit_from_trip = true;
   return {};
 }
 Clause take_train_rejected(Evaluation& e, const lang::MessageToTrainView&) {

@@ -15,7 +15,6 @@ using test::at;
 class RadioMessage : public test::OneMessage {
  protected:
   RadioMessage() {
-    received.here.est_front = received.here.min_safe_front = received.here.max_safe_front = at(1000.0);
     information.min_safe_front = at(1000.0);
     state.data.train_data_status = DataStatus::valid;  // 4.8.4 [4]
   }

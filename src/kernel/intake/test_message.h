@@ -8,6 +8,7 @@
 #include "kernel/intake/reception.h"
 #include "lang/encode.h"
 #include "lang/messages.h"
+#include "lang/packets/packet_41.h"
 
 // For tests: one message, made of packets, evaluated by a unit in any state.
 namespace evc::kernel::test {
@@ -40,6 +41,14 @@ class OneMessage : public ::testing::Test {
     view.known = true;
     view.bytes = packet_bytes;
     ASSERT_TRUE(information.packets.push_back(view));
+  }
+  /// Packet 41; `D_LEVELTR` in metres, 32767: at once.
+  static lang::Packet41 order_to(std::uint8_t M_LEVELTR, std::uint16_t D_LEVELTR) {
+    lang::Packet41 p;
+    p.Q_SCALE.raw = 1;
+    p.D_LEVELTR.raw = D_LEVELTR;
+    p.M_LEVELTR.raw = M_LEVELTR;
+    return p;
   }
   Waiting evaluate_now() {
     out = {};
