@@ -1,6 +1,6 @@
-# Flags and the shape of a room: evc_room(name [KERNEL] [MAIN file] [PROGRAM_TESTS] [DEPENDS rooms...] [LIBRARIES targets...])
-# makes the library evc_<name> from src/<name>/*.cpp (without MAIN) and the test <name>_test from *_test.cpp; with
-# PROGRAM_TESTS these run the program `evc`.
+# Flags and the shape of a room: evc_room(name [KERNEL] [MAIN file] [PROGRAM_TESTS] [DEPENDS rooms...] [LIBRARIES targets...]
+# [TEST_LIBRARIES targets...]) makes the library evc_<name> from src/<name>/*.cpp (without MAIN) and the test <name>_test
+# from *_test.cpp; with PROGRAM_TESTS these run the program `evc`.
 
 include(GNUInstallDirs)
 
@@ -36,6 +36,7 @@ endif()
 set(EVC_TEST_OPTIONS "" CACHE STRING "Further options for the sources of tests, such as -O0: they are half of the build")
 
 set_property(GLOBAL PROPERTY EVC_KERNEL_ROOMS "")
+include(cmake/precompiled.cmake)
 
 # evc_tell_paths(files...): the paths for tests, only for the files that use them, directly or through a header, so
 # that a compiler cache works for the others in every clone.
@@ -50,7 +51,7 @@ function(evc_tell_paths)
 endfunction()
 
 function(evc_room name)
-  cmake_parse_arguments(ROOM "KERNEL;PROGRAM_TESTS" "MAIN" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "KERNEL;PROGRAM_TESTS" "MAIN" "DEPENDS;LIBRARIES;TEST_LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*/*.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
@@ -59,6 +60,11 @@ function(evc_room name)
     list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${ROOM_MAIN})
   endif()
   set(library evc_${name})
+  # With the room io its JSON library comes along.
+  set(json "")
+  if("io" IN_LIST ROOM_DEPENDS OR "${ROOM_LIBRARIES};${ROOM_TEST_LIBRARIES}" MATCHES "nlohmann_json")
+    set(json JSON)
+  endif()
   if(sources)
     add_library(${library} STATIC ${sources})
     set(scope PUBLIC)
@@ -69,6 +75,8 @@ function(evc_room name)
                                                 # clang would ask for bcmp where memcmp is written
                                                 $<$<CXX_COMPILER_ID:Clang>:-fno-builtin-bcmp>)
       set_property(GLOBAL APPEND PROPERTY EVC_KERNEL_ROOMS ${library})
+    elseif(json)  # a kernel room's own sources have other options, and no JSON
+      evc_precompiled(${library} JSON)
     endif()
   else()
     add_library(${library} INTERFACE)
@@ -83,8 +91,9 @@ function(evc_room name)
   endif()
   if(tests AND EVC_TESTS)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
+    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main ${ROOM_TEST_LIBRARIES})
     target_compile_options(${name}_test PRIVATE ${EVC_TEST_OPTIONS})
+    evc_precompiled(${name}_test TEST ${json})
     evc_tell_paths(${tests})
     if(ROOM_PROGRAM_TESTS)
       add_dependencies(${name}_test evc)

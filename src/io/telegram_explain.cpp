@@ -185,6 +185,13 @@ std::size_t explain_one(Table& table, std::span<const std::uint8_t> bytes, std::
 
 std::string version_text(SystemVersion sv) { return std::to_string(sv.x) + "." + std::to_string(sv.y); }
 
+std::string heading(std::string text, Direction direction, SystemVersion sv) {
+  text += direction == Direction::to_train ? " to the train" : " to the track";
+  text += ", system version ";
+  text += version_text(sv);
+  return text;
+}
+
 }  // namespace
 
 std::string meaning_of(const VariableInfo& v, std::uint64_t code, std::uint64_t Q_SCALE) {
@@ -262,8 +269,7 @@ std::string explain_radio(std::span<const std::uint8_t> bytes, Direction directi
   BitReader in(bytes);
   const auto nid = static_cast<std::uint8_t>(in.read(8));
   const lang::MessageLayout* layout = lang::find_message_layout(direction, sv, nid);
-  table.title(std::string("radio message ") + (direction == Direction::to_train ? "to the train" : "to the track") +
-              ", system version " + version_text(sv));
+  table.title(heading("radio message", direction, sv));
   table.title("  bit  variable                                raw  meaning");
   if (layout == nullptr) {
     table.title("! unknown message " + std::to_string(nid));
@@ -289,8 +295,7 @@ std::string explain_radio(std::span<const std::uint8_t> bytes, Direction directi
 std::string explain_packet(std::span<const std::uint8_t> bytes, std::size_t bits, Direction direction,
                            SystemVersion sv) {
   Table table;
-  table.title(std::string("packet ") + (direction == Direction::to_train ? "to the train" : "to the track") +
-              ", system version " + version_text(sv));
+  table.title(heading("packet", direction, sv));
   table.title("  bit  variable                                raw  meaning");
   if (explain_one(table, bytes, 0, bits, direction, sv) == 0) table.title("! not consistent from here on");
   return table.take();

@@ -32,16 +32,19 @@ class Tidy(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name).resolve()
-        for module, names in ((check_tidy, {"ROOT": "", "LIST": "tests/gates/tidy.txt", "BUILD": "build/dev",
-                                            "GENERATED": "build/tidy"}), (included, {"ROOT": ""})):
+        for module, names in ((check_tidy, {"ROOT": "", "LIST": "tests/gates/tidy.txt", "BUILD": "build/tidy",
+                                            "GENERATED": "build/tidy/generated"}), (included, {"ROOT": ""})):
             patch = mock.patch.multiple(module, **{name: self.root / path for name, path in names.items()})
             patch.start()
             self.addCleanup(patch.stop)
+        configured = mock.patch.object(check_tidy, "configure")
+        configured.start()
+        self.addCleanup(configured.stop)
         for name, text in FINE.items():
             self.write(name, text)
         self.write(".clang-tidy", "Checks: '-*,cppcoreguidelines-init-variables'\n")
         self.write("tests/gates/tidy.txt", "")
-        self.write("build/dev/compile_commands.json", json.dumps(
+        self.write("build/tidy/compile_commands.json", json.dumps(
             [{"directory": str(self.root), "file": str(self.root / name), "command": f"c++ -Isrc -std=c++20 -c {name}"}
              for name in FINE if name.endswith(".cpp")]))
 
