@@ -569,6 +569,26 @@ TEST(ReleaseSpeed, EveryTargetHasItsOwnTimesWithFeedback) {
             rsm_start(*with, end, {5.0}, {{5000.0}}, false, longer).d_SBI2);
 }
 
+TEST(ReleaseSpeed, ATargetSpeedAboveItDoesNotBeginItsMonitoringEarlier) {
+  // 3.13.9.4.7: the limits of the targets between trip location and SvL at the release speed, here below 20 m/s.
+  Inputs in = simple_inputs();
+  set_EOA(in, 4900.0, 5200.0);
+  in.authority.release_speed = ReleaseSpeedChoice::on_board;
+  in.authority.Q_LOCACC_reference = {5.0};
+  in.authority.reference = {{4000.0}};
+  in.authority.confidence_interval = {50.0};
+  const ReleaseSpeed without = built(in)->release_speed;
+  ASSERT_TRUE(without.exists);
+  ASSERT_LT(without.V_release.si, 20.0);
+  ASSERT_TRUE(in.mrsp.append({{5100.0}}, {20.0}));
+  ++in.revision;
+  const auto d = built(in);
+  ASSERT_EQ(d->targets[0].kind, TargetKind::MRSP);
+  ASSERT_LT(d->release_speed.d_trip, d->targets[0].d_target);
+  EXPECT_EQ(d->release_speed.V_release, without.V_release);
+  EXPECT_EQ(d->release_speed.d_SBI2, without.d_SBI2);
+}
+
 TEST(Perturbation, WhereTheIndicationLimitCutsTheMRSP) {
   Inputs in = simple_inputs();
   set_EOA(in, 4900.0, 5000.0);

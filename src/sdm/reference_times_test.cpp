@@ -808,7 +808,9 @@ TEST(ReferenceLocations, StartOfReleaseSpeedMonitoring) {
     double SBI2 = model_of(EOA_SvL).EBD().SBI;
     int counted = 0;
     for (const Target& t : d->targets)
-      if (on_board && t.kind == TargetKind::MRSP && t.d_target >= d_trip && t.d_target <= EOA_SvL.d_target) {
+      // A target speed above the release speed cannot be exceeded.
+      if (on_board && t.kind == TargetKind::MRSP && t.V_target.si <= V && t.d_target >= d_trip &&
+          t.d_target <= EOA_SvL.d_target) {
         SBI2 = std::min(SBI2, model_of(t).EBD().SBI);
         ++counted;
       }
