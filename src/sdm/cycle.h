@@ -58,7 +58,9 @@ struct Cycle {
   Place d_SvL{};
 };
 
-inline TargetId id_of(const Target& t) { return {t.kind, t.d_target, t.V_target}; }
+inline TargetId id_of(const Target& t) {
+  return {t.kind, t.kind == TargetKind::EOA_SvL ? t.d_EOA : t.d_target, t.V_target};
+}
 
 inline const ReleaseSpeed& release(const Cycle& c) { return c.d.release_speed; }
 

@@ -28,7 +28,7 @@ struct Sight {
   bool SBI() const { return S_SBI || E_SBI; }
   bool I_M() const { return S_I_M || E_I_M; }
   Speed V_P() const { return is_EOA() ? std::min(V_S.V_P, V_E.V_P) : V_S.V_P; }
-  TargetId id() const { return {t.kind, t.d_target, t.V_target}; }
+  TargetId id() const { return {t.kind, is_EOA() ? t.d_EOA : t.d_target, t.V_target}; }
 };
 
 /// Triggering conditions that are met. The condition of the highest status is reported, that of an emergency brake if

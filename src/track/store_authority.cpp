@@ -20,18 +20,6 @@ void carry_timer(Timer& fresh, const std::optional<Timer>& old, Place start, con
   }
 }
 
-/// A.3.4 situation e for a new MA whose end section timer counts as expired.
-void end_at_front(MovementAuthority& ma, const Here& here) {
-  while (ma.sections.size() > 1 && ma.sections.back().begin >= here.est_front) ma.sections.pop_back();
-  ma.sections.back().end = here.est_front;
-  ma.V_LOA = {};
-  ma.end_section.reset();
-  ma.overlap.reset();
-  ma.danger_point.reset();
-  ma.fixed_SvL = here.max_safe_front;
-  ma.fixed_release = Release{};
-}
-
 /// What of the MA before counts for the new one.
 struct Before {
   bool existed = false;
@@ -58,7 +46,7 @@ void carry_timers(MovementAuthority& ma, const Before& old, const Here& here) {
     ma.overlap.reset();
     ma.V_LOA = {};
   }
-  if (end_section_over) end_at_front(ma, here);
+  if (end_section_over) end_at_train(ma, here);  // A.3.4 e
 }
 
 /// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section that runs there ends

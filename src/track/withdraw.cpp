@@ -1,5 +1,7 @@
 #include "track/withdraw.h"
 
+#include <algorithm>
+
 #include "track/areas.h"
 #include "track/services.h"
 
@@ -108,12 +110,6 @@ void end_at(MovementAuthority& ma, Place end) {
   ma.fixed_release = Release{};
 }
 
-void end_at_train(Description& d, const Here& here) {
-  if (!d.ma) return;
-  end_at(*d.ma, here.est_front);
-  d.ma->fixed_SvL = here.max_safe_front;
-}
-
 // --- timers of the MA
 
 void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
@@ -219,6 +215,12 @@ void end_signalling_speed(Description& d, Place at) {
     if (!s.to || *s.to > at) s.to = at;
 }
 
+void end_at_train(MovementAuthority& ma, const Here& here) {
+  const Place SvL = std::min(ma.far_end(), here.max_safe_front);
+  end_at(ma, std::min(ma.end(), here.est_front));
+  ma.fixed_SvL = SvL;
+}
+
 bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting) {
   ++d.revision;
   if (situation == Situation::k_desk_closed_during_start) {
@@ -228,7 +230,7 @@ bool shorten(Description& d, Situation situation, Place cut, const Here& here, b
   const bool at_train = cuts_at_train(situation);
   if (at_train) {
     cut = here.max_safe_front;
-    end_at_train(d, here);
+    if (d.ma) end_at_train(*d.ma, here);
   }
   const bool deleted = cut_description(d, cut);
   cut_mode_profile(d, cut);

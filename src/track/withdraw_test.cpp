@@ -144,6 +144,12 @@ TEST(Shorten, AtTheTrain) {  // A.3.4 [10], [11]
   Description d = full();
   EXPECT_TRUE(shorten(d, Situation::h_linking_reaction, at(0), front_at(1200), true));
   EXPECT_TRUE(d.sh_list) << "in SH its list stays";
+  // No place beyond the end that was there: the train has passed the EOA, its max safe front end the SvL.
+  const Place EOA = full().ma->end(), SvL = *full().ma->SvL();
+  d = full();
+  EXPECT_TRUE(shorten(d, Situation::h_linking_reaction, at(0), front_at((SvL - at(0)).si + 1.0)));
+  EXPECT_EQ(d.ma->end(), EOA);
+  EXPECT_EQ(d.ma->SvL(), SvL);
   Description without_ma;
   EXPECT_FALSE(shorten(without_ma, Situation::h_linking_reaction, at(0), front_at(1200)));
 }

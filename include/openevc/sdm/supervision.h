@@ -110,7 +110,7 @@ struct Motion {
 /// The target of a displayed value: kind, place and speed identify it across rebuilds.
 struct TargetId {
   TargetKind kind = TargetKind::MRSP;
-  Place d_target{};
+  Place d_target{};  // EOA for EOA_SvL: an SvL that comes nearer, as at the end of an overlap, ends no target
   Speed V_target{};
   friend constexpr bool operator==(const TargetId&, const TargetId&) = default;
 };
