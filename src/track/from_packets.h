@@ -16,9 +16,15 @@ struct Reference {
   Place place{};
   /// Of the train relative to the group (in SL, PS, SH: the direction in which the group was crossed, 3.6.3.1.3).
   Direction orientation = Direction::unknown;
-  GroupId group{};  ///< its NID_C applies where a packet says "same country"
+  /// The sender, or the LRBG of a radio message: the first group of a packet is of its country unless the packet says
+  /// otherwise, in an infill too (7.5.1.121).
+  GroupId group{};
   Medium medium = Medium::balise;
   Duration now{};
+  std::optional<GroupId> infill;  ///< the infill location reference
+
+  /// The group at `place`.
+  constexpr GroupId origin() const { return infill ? *infill : group; }
 };
 
 /// Whether information with this Q_DIR counts for the orientation; with an unknown orientation only "both" counts

@@ -44,7 +44,7 @@ void take(Contents& c, const lang::Packet79& p, const Reference& r) {
     reference.D_POSOFF = metres(p.Q_SCALE, e.D_POSOFF);
     reference.counts_up = (e.Q_MPOSITION.raw == 1) == (r.orientation != Direction::reverse);
     if (e.M_POSITION.raw <= lang::var::M_POSITION::max) reference.M_POSITION = e.M_POSITION.raw;
-    if (reference.group == r.group) reference.applies_from = r.place + reference.D_POSOFF;
+    if (reference.group == r.origin()) reference.applies_from = r.place + reference.D_POSOFF;
     (void)geo.push_back(reference);
   };
   append(p.first_references());

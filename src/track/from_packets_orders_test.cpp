@@ -193,6 +193,23 @@ TEST(FromPackets, GeographicalPosition) {
   EXPECT_FALSE(geo[1].M_POSITION || geo[1].applies_from);
 }
 
+TEST(FromPackets, PlacesOfAnInfillCountFromItsReferenceAndCountriesFromTheSender) {  // 3.6.2.3.1, 7.5.1.121
+  auto p = packet_in_metres<lang::Packet79>();
+  p.Q_DIR.raw = 1;
+  p.NID_BG.raw = 8;
+  p.D_POSOFF.raw = 20;
+  Reference r = reference();
+  const std::uint16_t NID_C = r.group.NID_C;
+  r.infill = GroupId{NID_C, 8};
+  Contents c;
+  ASSERT_EQ(add(c, Written(p).view, r), Added::added);
+  EXPECT_EQ((*c.geo)[0].applies_from, at(1020));
+  r.infill = GroupId{static_cast<std::uint16_t>(NID_C + 1), 8};
+  ASSERT_EQ(add(c, Written(p).view, r), Added::added);
+  EXPECT_EQ((*c.geo)[0].group, (GroupId{NID_C, 8}));
+  EXPECT_FALSE((*c.geo)[0].applies_from) << "another group";
+}
+
 TEST(FromPackets, OrdersThatActAtOnce) {
   lang::Packet137 sr;
   EXPECT_EQ(contents_of(sr).stop_if_in_sr, true);

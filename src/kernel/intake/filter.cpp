@@ -95,7 +95,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
     lang::Packet5 p;
     if (!accepted(e, i) || lang::decode(view, p) != lang::Fault::none) continue;
     balise::LinkingReference reference;
-    reference.id = e.reference.group;
+    reference.id = e.reference.origin();
     reference.place = e.reference.place;
     reference.NID_C = e.information.group.NID_C;
     reference.orientation_known = e.information.orientation != Direction::unknown;
@@ -214,7 +214,7 @@ void evaluate_infill(Evaluation& e, const Infill& infill) {
   e.judge = e.information.judge_packets & infill.packets;
   e.context.infill = true;
   e.reference.place = *place;
-  e.reference.group = infill.group;
+  e.reference.infill = infill.group;
   track::begin(e.contents, e.reference, e.information.time, *place);
   evaluate_part(e);
   store_contents(e);
@@ -237,8 +237,8 @@ Verdict judge_packet(Evaluation& e, std::size_t i) {
 }
 
 Waiting evaluate(Reception& r, const Information& information) {
-  const track::Reference reference{information.reference, information.orientation, information.group,
-                                   information.medium, r.state.now};
+  const track::Reference reference{
+      information.reference, information.orientation, information.group, information.medium, r.state.now, {}};
   Evaluation e{r, information, context_of(r, information), r.scratch.contents, reference, 0, {}, {}, 0, {}};
   track::begin(e.contents, e.reference, information.time);
   const Infills infills = find_infills(information);

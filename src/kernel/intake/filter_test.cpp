@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/intake/test_message.h"
+#include "lang/packets/packet_12.h"
 #include "lang/packets/packet_13.h"
 #include "lang/packets/packet_132.h"
 #include "lang/packets/packet_136.h"
@@ -12,8 +13,11 @@
 #include "lang/packets/packet_41.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_46.h"
+#include "lang/packets/packet_49.h"
 #include "lang/packets/packet_5.h"
 #include "lang/packets/packet_58.h"
+#include "lang/packets/packet_79.h"
+#include "lang/packets/packet_80.h"
 
 // The facts that the unit gives to the filters of level and mode (4.8), and the order in which a message is evaluated.
 namespace evc::kernel {
@@ -276,6 +280,21 @@ TEST_F(Filter, MeasuresFromTheLRBGThatTheListHolds) {  // 3.6.4.3
   EXPECT_EQ(state.track.gradient.steps[0].from, at(710.0 + 400.0));
 }
 
+TEST_F(Filter, TheReferenceAnnouncedAgainIsAnotherPassage) {  // 3.4.4.3: a loop of track
+  position::Reference lrbg;
+  lrbg.id = {1, 100};
+  lrbg.place = at(950.0);
+  ASSERT_TRUE(state.position.references.push_back(lrbg));
+  lang::Packet5 p;
+  p.Q_SCALE.raw = 1;
+  p.D_LINK.raw = 90;
+  p.NID_BG.raw = 100;
+  add(p);
+  evaluate_now();
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_EQ(state.balise.linking.links[0].place, at(1040.0));
+}
+
 TEST_F(Filter, AMessageThatIsRefusedHasNoEffect) {  // 4.8.4
   take_SR_authorisation();
   EXPECT_TRUE(happened(What::message_refused)) << "not in FS";
@@ -390,6 +409,49 @@ TEST_F(InfillPart, OfAnotherCountryIsOfThatCountry) {  // 7.4.2.32
   receive_infill(p);
   EXPECT_FALSE(happened(What::infill_refused));
   expect(5, What::packet_accepted);
+}
+
+TEST_F(InfillPart, GroupsOfTheSendersCountry) {  // 7.5.1.121
+  track::MovementAuthority& ma = state.track.ma.emplace();
+  ASSERT_TRUE(ma.sections.push_back({at(0.0), at(1450.0)}));
+  state.balise.linking.links[0].id = {9, 101};
+  lang::Packet136 reference;
+  reference.Q_NEWCOUNTRY.raw = 1;
+  reference.NID_C.raw = 9;
+  reference.NID_BG.raw = 101;
+  add(reference);
+  lang::Packet12 authority;
+  authority.Q_SCALE.raw = 1;
+  authority.V_MAIN.raw = 32;
+  authority.L_ENDSECTION.raw = 1000;
+  add(authority);
+  lang::Packet49 groups;
+  lang::Packet49_groups group;
+  group.NID_BG.raw = 500;
+  ASSERT_TRUE(groups.groups.push_back(group));
+  add(groups);
+  lang::Packet80 shunting;
+  shunting.Q_SCALE.raw = 1;
+  shunting.M_MAMODE.raw = 1;
+  add(shunting);
+  evaluate_now();
+  ASSERT_TRUE(happened(What::authority_accepted));
+  ASSERT_TRUE(state.track.sh_list.has_value());
+  EXPECT_EQ((*state.track.sh_list)[0], (GroupId{1, 500}));
+}
+
+TEST_F(InfillPart, AGeographicalPositionIsThatOfTheAnnouncedGroup) {  // 7.4.2.25, 7.4.2.32
+  lang::Packet136 reference;
+  reference.NID_BG.raw = 101;
+  add(reference);
+  lang::Packet79 p;
+  p.Q_SCALE.raw = 1;
+  p.NID_BG.raw = 101;
+  p.D_POSOFF.raw = 20;
+  add(p);
+  evaluate_now();
+  ASSERT_EQ(state.track.geo.size(), 1u);
+  EXPECT_EQ(state.track.geo[0].applies_from, at(1470.0));
 }
 
 TEST_F(InfillPart, WithMoreLinkingThanFindsRoomIsLogged) {  // 3.4.4.1
