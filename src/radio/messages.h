@@ -38,7 +38,6 @@ struct Header {
   std::uint8_t NID_MESSAGE = 0;
   std::uint32_t T_TRAIN = kUnknownTime;
   bool M_ACK = false;
-  std::uint32_t NID_LRBG = kUnknownLrbg;
 };
 
 /// A message to send to the RBC; `compose` makes the bits.

@@ -14,7 +14,7 @@ TEST(Messages, OrderOfTimeStamps) {  // 3.16.3.3
   Unit u;
   u.up();
   const auto stamped = [&](std::uint32_t T_TRAIN) {
-    return receive(u.s, {24, T_TRAIN, false, kUnknownLrbg}, Duration{u.now}, u.out);
+    return receive(u.s, {24, T_TRAIN, false}, Duration{u.now}, u.out);
   };
   const std::uint32_t base = *u.s.session.last_T_TRAIN;
   EXPECT_EQ(stamped(base), Rejected::time_stamp) << "equal";
@@ -41,7 +41,7 @@ TEST(Messages, AcknowledgementWhenAsked) {  // 3.16.3.5
   EXPECT_EQ(u.message(3, true), Rejected::time_stamp);
   EXPECT_TRUE(u.out.messages.empty()) << "a rejected message is not acknowledged";
   State idle;
-  EXPECT_EQ(receive(idle, {24, 5, true, 0}, Duration{0}, u.out), Rejected::no_session);
+  EXPECT_EQ(receive(idle, {24, 5, true}, Duration{0}, u.out), Rejected::no_session);
   for (const Rejected r : {Rejected::no_session, Rejected::terminating, Rejected::time_stamp})
     EXPECT_TRUE(static_cast<bool>(clause(r)));
   EXPECT_FALSE(static_cast<bool>(clause(Rejected::no)));
@@ -141,10 +141,10 @@ TEST(Contact, TheStampCountsNotTheArrival) {
   u.in.contact = {Duration{35}, Reaction::trip};
   u.in.contact_supervised = true;
   u.run(30);
-  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now - 20}), false, 0}, Duration{u.now}, u.out), Rejected::no);
+  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now - 20}), false}, Duration{u.now}, u.out), Rejected::no);
   u.run(15.2);
   EXPECT_TRUE(u.cycle().trip);
-  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now + 50}), false, 0}, Duration{u.now}, u.out), Rejected::no);
+  ASSERT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now + 50}), false}, Duration{u.now}, u.out), Rejected::no);
   u.run(35.2);
   EXPECT_TRUE(u.cycle().trip) << "a stamp from the future does not prolong";
 }

@@ -47,7 +47,7 @@ struct Unit {
     return ids;
   }
   Rejected message(std::uint8_t NID_MESSAGE, bool M_ACK = false) {
-    return receive(s, {NID_MESSAGE, T_TRAIN_of(Duration{now}), M_ACK, kUnknownLrbg}, Duration{now}, out);
+    return receive(s, {NID_MESSAGE, T_TRAIN_of(Duration{now}), M_ACK}, Duration{now}, out);
   }
   void order_session(const Rbc& rbc = kRbc, bool establish = true) {
     ASSERT_TRUE(order(s, {establish, rbc, false, Cause::trackside_order}, false, false, Duration{now}, out));

@@ -16,7 +16,6 @@ namespace {
 /// emergency stop.
 void refer(Information& information, const State& state, const lang::MessageToTrainView& view) {
   information.located = false;
-  information.reference = position::front(state.position).est;
   const auto id = lang::group(view.NID_LRBG);
   if (!id) return;
   information.group = {id->NID_C, id->NID_BG};
@@ -43,9 +42,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.medium = Medium::rbc;
   information.message = &view;
   information.min_safe_front = r.out.here.min_safe_front;
-  information.time = s.now;
-  // 3.8.4.2.1: timers count from the time stamp of the message.
-  if (lang::seconds(view.T_TRAIN)) information.time = radio::time_of(view.T_TRAIN.raw, s.now);
+  information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
   if (!information.located && has_place(view.NID_MESSAGE)) {
     r.log.note({.what = What::message_refused, .id = view.NID_MESSAGE, .clause = "3.6.2.2.2"_srs});
@@ -66,7 +63,6 @@ void refuse_radio_infill(Reception& r) {
   modes::AcceptanceContext context;
   context.level = r.state.level.level;
   context.medium = Medium::riu;
-  context.srs = r.state.srs;
   const modes::Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, context);
   r.log.note({.what = What::message_refused,
               .id = message::infill_movement_authority,
@@ -80,16 +76,13 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
     r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
     return;
   }
-  if (view.fault != lang::Fault::none || bytes.size() > 1024) {
+  if (view.fault != lang::Fault::none) {
     radio::receive_inconsistent(s.radio);
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
     return;
   }
   if (view.NID_MESSAGE == message::infill_movement_authority) return refuse_radio_infill(r);
-  radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1, view.NID_LRBG.raw};
-  // 40 and 41 of an RBC of version 1 may contain any LRBG (6.6.3.3.2).
-  if (view.sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
-    header.NID_LRBG = radio::kUnknownLrbg;
+  const radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1};
   const radio::Rejected rejected = radio::receive(s.radio, header, s.now, r.outbox);
   if (rejected != radio::Rejected::no) {
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
