@@ -238,6 +238,21 @@ TEST_F(CurveInputs, HaveTheSpeedsOfTrainModeAndOverride) {  // 3.11.7, 3.11.8, 5
   EXPECT_EQ(inputs().mrsp.at(at(1000.0)), kmh(25.0));
 }
 
+TEST_F(CurveInputs, HaveTheAxleLoadProfileInItsModesOnly) {  // 4.5.2
+  state.track.ssp = {};
+  state.train.V_MAXTRAIN = kmh(155.0);
+  track::AxleLoadRestriction restriction;
+  restriction.from = at(0.0);
+  restriction.to = at(3000.0);
+  restriction.V_AXLELOAD.fill(10);
+  ASSERT_TRUE(state.track.asp.push_back(restriction));
+  for (const Mode mode : {Mode::FS, Mode::LS, Mode::OS, Mode::SR, Mode::UN}) {
+    state.mode = mode;
+    const bool counts = mode != Mode::SR && mode != Mode::UN;
+    EXPECT_EQ(inputs().mrsp.at(at(1000.0)), counts ? kmh(50.0) : kmh(155.0)) << static_cast<int>(mode);
+  }
+}
+
 TEST_F(CurveInputs, HaveTheMovement) {  // 3.13.10.2
   state.position.now.V_est = {10.0};
   state.position.now.V_min = {9.0};

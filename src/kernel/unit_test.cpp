@@ -147,6 +147,15 @@ TEST_F(Refused, EveryBitOfTheHead) {
                                                                         : SnapshotFault::damaged);
 }
 
+/// Snapshots of the first format stay readable as such: docs/embedding.md.
+TEST_F(Refused, TheHeadIsThatOfTheFirstFormat) {
+  std::uint32_t format = 0, state_bytes = 0;
+  std::memcpy(&format, good.data() + 8, sizeof format);
+  std::memcpy(&state_bytes, good.data() + 12, sizeof state_bytes);
+  EXPECT_EQ(format, 1u);
+  EXPECT_EQ(state_bytes, good.size() - 32);
+}
+
 TEST_F(Refused, AnyByteOfTheContent) {
   for (std::size_t at = 32; at < good.size(); at += 131) expect(with(at, 0x10), SnapshotFault::damaged);
   expect(with(good.size() - 1, 0x01), SnapshotFault::damaged);

@@ -12,6 +12,7 @@
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_65.h"
 #include "lang/packets/packet_80.h"
+#include "lang/packets/packet_88.h"
 #include "lang/packets/packet_90.h"
 
 // What an authority needs, brings and ends (3.8, 4.8.3 [4]).
@@ -254,6 +255,92 @@ TEST_F(Authority, HasTheSignallingSpeedOfItsPacketOnly) {  // 3.11.6.2
   evaluate_now();
   EXPECT_TRUE(happened(What::authority_accepted));
   EXPECT_FALSE(received.trip_order);
+}
+
+TEST_F(Authority, AMessageOfWhichNothingWasRefusedIsAccepted) {  // 3.8.5.1.3: a shortening is no refusal
+  describe_track();
+  set_message(lang::Message3{});
+  add(authority<lang::Packet15>(3000));
+  evaluate_now();
+  EXPECT_TRUE(happened(What::message_accepted));
+  information.packets.clear();
+  add(authority<lang::Packet15>(1000));
+  evaluate_now();
+  EXPECT_TRUE(happened(What::packet_shortened));
+  EXPECT_TRUE(happened(What::message_accepted));
+  EXPECT_FALSE(happened(What::authority_refused));
+}
+
+/// An infill authority for group 101, which lies at 1450 m.
+class InfillAuthority : public Authority {
+ protected:
+  InfillAuthority() {
+    describe_track();
+    by_balise();
+    balise::Link link;
+    link.id = {1, 101};
+    link.place = at(1450.0);
+    EXPECT_TRUE(state.balise.linking.links.push_back(link));
+    set_message(lang::Message37{});
+  }
+  void receive_infill() {
+    lang::Packet136 reference;
+    reference.NID_BG.raw = 101;
+    add(reference);
+    add(level_1());
+    evaluate_now();
+  }
+};
+
+TEST_F(InfillAuthority, IsRefusedWithoutAnAuthority) {  // 3.8.5.1 b
+  receive_infill();
+  EXPECT_TRUE(happened(What::authority_refused));
+  EXPECT_TRUE(happened(What::packet_refused));
+  EXPECT_TRUE(happened(What::message_refused));
+  EXPECT_FALSE(state.track.ma.has_value());
+}
+
+TEST_F(InfillAuthority, IsRefusedWithoutRoomForItsSections) {  // 3.8.5.1 b: the old one stays
+  track::MovementAuthority& ma = state.track.ma.emplace();
+  for (double x = 0.0; !ma.sections.full(); x += 10.0) ASSERT_TRUE(ma.sections.push_back({at(x), at(x + 10.0)}));
+  const Place end = ma.end();
+  receive_infill();
+  EXPECT_TRUE(happened(What::packet_refused_no_room));
+  EXPECT_TRUE(happened(What::message_refused_no_room));
+  EXPECT_FALSE(happened(What::message_refused));
+  EXPECT_EQ(state.track.ma->end(), end);
+}
+
+TEST_F(Authority, WithoutOneNoneIsRefused) {  // 3.7.2.3
+  add(lang::Packet21{});
+  evaluate_now();
+  EXPECT_FALSE(happened(What::authority_refused));
+  EXPECT_FALSE(happened(What::authority_accepted));
+}
+
+TEST_F(Authority, WhatLiesBeyondARestrictionThatFoundNoRoomIsDeleted) {  // 3.7.2.3, A.3.4
+  describe_track();
+  for (std::uint8_t i = 0; !state.track.lx.full(); ++i) {
+    track::LevelCrossing lx;
+    lx.NID_LX = i;
+    lx.from = at(1200.0);
+    ASSERT_TRUE(state.track.lx.push_back(lx));
+  }
+  for (const double place : {1500.0, 2500.0}) {
+    balise::Link link;
+    link.place = at(place);
+    ASSERT_TRUE(state.balise.linking.links.push_back(link));
+  }
+  lang::Packet88 crossing;
+  crossing.Q_SCALE.raw = 1;
+  crossing.NID_LX.raw = 99;
+  crossing.D_LX.raw = 1000;  // at 1950 m
+  crossing.Q_LXSTATUS.raw = 1;
+  add(crossing);
+  evaluate_now();
+  EXPECT_TRUE(happened(What::track_description_ended));
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_EQ(state.balise.linking.links[0].place, at(1500.0));
 }
 
 TEST_F(Authority, TheLogNamesWhatFoundNoRoom) {  // 3.7.3.1

@@ -83,6 +83,31 @@ TEST_F(Levels, WhatWaitsGoesWithTheOrderItWaitsFor) {  // 4.8.5.4 a
   EXPECT_TRUE(state.buffer.empty());
 }
 
+TEST_F(Levels, AnOrderThatReplacesNoneLeavesWhatWaits) {  // 4.8.5.4 a, 5.10.2.5
+  state.level.level = Level::L2;
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  fill_buffer();
+  information.packets.clear();
+  lang::Packet46 conditional;
+  conditional.M_LEVELTR.raw = 3;  // level 2
+  add(conditional);
+  reception.order.reset();
+  (void)give_order(reception, *order_of(information.packets[0]));
+  EXPECT_EQ(state.buffer.size(), 1u);
+}
+
+TEST_F(Levels, WhatWaitsGoesWithAnOrderThatTheKeptOneReplaces) {  // 4.8.5.4 a, 4.4.8.1.5
+  state.level.level = Level::L1;
+  state.level_transition.pending = modes::PendingTransition{{.level = Level::L2}, at(1500.0)};
+  state.level_transition.kept = true;
+  state.level_transition.kept_order.kind = modes::OrderKind::announcement;
+  state.level_transition.kept_order.border = at(1500.0);
+  ASSERT_TRUE(state.level_transition.kept_order.table.push_back({.level = Level::L0}));
+  fill_buffer();
+  run_level_transition(reception);
+  EXPECT_TRUE(state.buffer.empty());
+}
+
 TEST_F(Levels, WhatWaitsForAnOrderOfThisCycleGoesWithIt) {  // 4.8.5.4 a, 5.10.1.6
   state.level.level = Level::L2;
   receive(2, 500);

@@ -1,0 +1,181 @@
+#include "kernel/intake/buffer.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "kernel/intake/test_message.h"
+#include "lang/packets/packet_12.h"
+#include "lang/packets/packet_21.h"
+#include "lang/packets/packet_27.h"
+#include "lang/packets/packet_3.h"
+
+// The transition buffer: what waits for a level is judged again as it was received (4.8.5).
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Buffer : public test::OneMessage {
+ protected:
+  Buffer() {
+    state.level.level = Level::L1;
+    state.now = {100.0};
+    information.medium = Medium::balise;
+    information.reference = at(900.0);
+    information.min_safe_front = at(880.0);
+    information.time = {90.0};
+  }
+  /// The bits of a telegram of group 100; `bits` 210 or 830.
+  template <class... P>
+  std::vector<std::uint8_t> telegram(std::size_t bits, const P&... contents) {
+    std::vector<std::uint8_t> bytes(104);
+    BitWriter writer(bytes);
+    lang::TelegramHeader header;
+    header.NID_C.raw = 1;
+    header.NID_BG.raw = 100;
+    lang::begin_telegram(writer, header);
+    (lang::encode(writer, contents), ...);
+    lang::end_telegram(writer, bits);
+    EXPECT_FALSE(writer.faulty());
+    bytes.resize((bits + 7) / 8);
+    return bytes;
+  }
+  BufferedSet& keep_packets(std::uint64_t waiting) { return keep(reception, information, {waiting, false}); }
+  template <class M>
+  void keep_message(M m, bool message_waits = true) {
+    m.NID_LRBG.raw = (1u << 14) | 100u;
+    std::array<std::uint8_t, 64> bytes{};
+    BitWriter writer(bytes);
+    lang::encode_message(writer, m);
+    information.medium = Medium::rbc;
+    add_bits(keep(reception, information, {0, message_waits}), {bytes.data(), writer.position() / 8});
+  }
+  void release() {
+    out = {};
+    release_buffer(reception);
+  }
+};
+
+/// An authority with its track in two telegrams of different length; all but the profile of the second one wait.
+TEST_F(Buffer, AGroupIsJudgedAsItWasRead) {  // 4.8.5.2, 4.8.5.7, 3.8.4.2.1 b
+  lang::Packet12 authority;
+  authority.Q_SCALE.raw = 1;
+  authority.V_MAIN.raw = 32;
+  authority.L_ENDSECTION.raw = 1000;
+  authority.Q_SECTIONTIMER.raw = 1;
+  authority.T_SECTIONTIMER.raw = 500;
+  authority.D_SECTIONTIMERSTOPLOC.raw = 1000;
+  lang::Packet21 gradient;
+  lang::Packet27 speeds, ignored;
+  speeds.V_STATIC.raw = 20;
+  ignored.V_STATIC.raw = 10;
+  lang::Packet3 other_direction;
+  other_direction.Q_DIR.raw = 1;
+  information.orientation = Direction::reverse;  // Q_DIR 0 counts
+  BufferedSet& set = keep_packets(7);
+  add_telegram(set, telegram(210, gradient, speeds), 210);
+  add_telegram(set, telegram(830, other_direction, authority, ignored), 830);
+  EXPECT_EQ(set.size, 27 + 104);
+  release();
+  EXPECT_TRUE(state.buffer.empty());
+  ASSERT_TRUE(state.track.ma.has_value());
+  EXPECT_EQ(state.track.ma->end(), at(1900.0)) << "from the reference as it was";
+  EXPECT_EQ(state.track.ma->sections[0].timer.started, Duration{90.0});
+  EXPECT_EQ(told(3).times, 0) << "for the other direction";
+  EXPECT_EQ(told(27).times, 1) << "the second one did not wait";
+  EXPECT_TRUE(received.balise_proceed) << "it is no authority of an RBC";
+}
+
+TEST_F(Buffer, AMessageIsJudgedWithItsPlaceOfReception) {  // 4.8.5.7
+  state.level.level = Level::L2;
+  track::MovementAuthority& ma = state.track.ma.emplace();
+  ASSERT_TRUE(ma.sections.push_back({at(0.0), at(3000.0)}));
+  lang::Message15 stop;
+  stop.NID_EM.raw = 4;
+  stop.Q_SCALE.raw = 1;
+  stop.Q_DIR.raw = 1;
+  stop.D_EMERGENCYSTOP.raw = 50;  // at 950 m; the front end was at 880 m and is at 1000 m
+  keep_message(stop);
+  release();
+  EXPECT_TRUE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, OfAMessageOnlyWhatWaitsIsJudged) {  // 4.8.5.2
+  state.level.level = Level::L2;
+  keep_message(lang::Message16{}, false);
+  release();
+  EXPECT_FALSE(state.emergency_stops.any());
+  keep_message(lang::Message16{});
+  release();
+  EXPECT_TRUE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, AMessageHasTheVersionOfItsSession) {  // 6.6.3.4
+  state.level.level = Level::L2;
+  track::MovementAuthority& ma = state.track.ma.emplace();
+  ASSERT_TRUE(ma.sections.push_back({at(0.0), at(3000.0)}));
+  lang::Message15_v1_0 stop;
+  stop.NID_EM.raw = 4;
+  stop.Q_SCALE.raw = 1;
+  stop.Q_DIR.raw = 1;
+  stop.D_EMERGENCYSTOP.raw = 500;
+  state.radio.session.M_VERSION = 17;
+  keep_message(stop);
+  state.radio.session.M_VERSION = 33;
+  release();
+  ASSERT_EQ(state.emergency_stops.pending.size(), 1u);
+  EXPECT_EQ(state.emergency_stops.pending[0].at, at(1400.0));
+}
+
+TEST_F(Buffer, WhatStillWaitsIsKept) {  // 4.8.5.2
+  state.level.level = Level::L1;
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  keep_message(lang::Message16{});
+  const BufferedSet before = state.buffer[0];
+  release();
+  ASSERT_EQ(state.buffer.size(), 1u);
+  EXPECT_TRUE(state.buffer[0].message_waits);
+  EXPECT_EQ(state.buffer[0].waiting, 0u);
+  EXPECT_EQ(state.buffer[0].size, before.size);
+  EXPECT_FALSE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, HoldsTheNewestThreeSets) {  // 4.8.5.1, 4.8.5.3
+  for (std::uint64_t n = 1; n <= 3; ++n) keep_packets(n);
+  EXPECT_FALSE(happened(What::buffer_full));
+  keep_packets(4);
+  EXPECT_TRUE(happened(What::buffer_full));
+  ASSERT_EQ(state.buffer.size(), 3u);
+  EXPECT_EQ(state.buffer[0].waiting, 2u);
+  EXPECT_EQ(state.buffer[2].waiting, 4u);
+}
+
+TEST_F(Buffer, ASetHoldsWhatIsGivenToIt) {  // 4.8.5.1
+  information.orientation = Direction::reverse;
+  state.radio.session.M_VERSION = 17;
+  BufferedSet& set = keep(reception, information, {5, true});
+  EXPECT_EQ(set.medium, Medium::balise);
+  EXPECT_EQ(set.group, (GroupId{1, 100}));
+  EXPECT_EQ(set.reference, at(900.0));
+  EXPECT_EQ(set.orientation, Direction::reverse);
+  EXPECT_EQ(set.min_safe_front, at(880.0));
+  EXPECT_EQ(set.received, Duration{90.0});
+  EXPECT_EQ(set.waiting, 5u);
+  EXPECT_TRUE(set.message_waits);
+  EXPECT_EQ(set.M_VERSION, 17);
+  EXPECT_EQ(set.size, 0);
+  std::vector<std::uint8_t> bytes(set.bytes.size() + 1, 0xA5);
+  add_telegram(set, bytes, 830);
+  EXPECT_EQ(set.size, set.bytes.size()) << "no more than fits";
+  EXPECT_EQ(set.bytes.back(), 0xA5);
+  // The next one in the same place begins empty.
+  state.buffer.clear();
+  BufferedSet& next = keep(reception, information, {1, false});
+  EXPECT_EQ(next.size, 0);
+  EXPECT_TRUE(next.telegram_bits.empty());
+  EXPECT_FALSE(next.message_waits);
+}
+
+}  // namespace
+}  // namespace evc::kernel

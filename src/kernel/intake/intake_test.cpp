@@ -1,0 +1,172 @@
+#include "kernel/intake/intake.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "kernel/intake/test_message.h"
+
+// The inputs of a cycle as a whole: which of them are valid, and what time and standstill do to stored data.
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Cycle : public test::OneMessage {
+ protected:
+  Cycle() {
+    state.now = {50.0};
+    in.now = {50.1};
+    state.data.level_status = DataStatus::valid;
+  }
+  const Received& run() {
+    out = {};
+    received = intake(state, *scratch, in, outbox, Log{out.events});
+    return received;
+  }
+  /// Whether a cycle is valid with this change of its inputs.
+  bool valid_with(const std::function<void()>& change) {
+    const State before = state;
+    in.odometry = {};
+    in.balise_telegrams = {};
+    in.now = {50.1};
+    change();
+    const bool valid = !run().safety_fault;
+    EXPECT_EQ(happened(What::odometry_not_sound), !valid);
+    state = before;
+    in.balise_telegrams = {};
+    return valid;
+  }
+};
+
+TEST_F(Cycle, IsValidWithinTheBoundsOfItsInputs) {  // 4.4.5
+  Odometry& o = in.odometry;
+  const double far = 1e9, fast = 1e3, more = 1.0001;
+  const auto both = [](double bound, double factor) { return std::pair(bound * factor, -bound * factor); };
+  for (const double factor : {1.0, more}) {
+    const bool valid = factor == 1.0;
+    const auto [high, low] = both(far, factor);
+    const auto [quick, back] = both(fast, factor);
+    EXPECT_EQ(valid_with([&] { o.max.from_origin.si = high; }), valid);
+    EXPECT_EQ(valid_with([&] { o.min.from_origin.si = low; }), valid);
+    EXPECT_EQ(valid_with([&] { o.V_max.si = quick; }), valid);
+    EXPECT_EQ(valid_with([&] { o.V_min.si = back; }), valid);
+    EXPECT_EQ(valid_with([&] { o.A_est.si = quick; }), valid);
+    EXPECT_EQ(valid_with([&] { o.A_est.si = back; }), valid);
+    EXPECT_EQ(valid_with([&] { in.now = {high}; }), valid);
+    for (const double place : {high, low})
+      EXPECT_EQ(valid_with([&] {
+                  static BaliseTelegram telegram;
+                  telegram.at.from_origin.si = place;
+                  in.balise_telegrams = {&telegram, 1};
+                }),
+                valid);
+  }
+}
+
+TEST_F(Cycle, IsValidWithItsInputsInOrder) {  // 4.4.5
+  Odometry& o = in.odometry;
+  EXPECT_TRUE(valid_with([] {})) << "all are equal";
+  EXPECT_FALSE(valid_with([&] { o.min.from_origin.si = 0.1; }));
+  EXPECT_FALSE(valid_with([&] { o.max.from_origin.si = -0.1; }));
+  EXPECT_FALSE(valid_with([&] { o.V_min.si = 0.1; }));
+  EXPECT_FALSE(valid_with([&] { o.V_max.si = -0.1; }));
+  EXPECT_TRUE(valid_with([&] { in.now = {50.0}; })) << "the same moment";
+  EXPECT_FALSE(valid_with([&] { in.now = {49.9}; }));
+}
+
+TEST_F(Cycle, HasTheFaultsOfPlatformAndConfiguration) {  // 4.4.5
+  EXPECT_FALSE(run().safety_fault);
+  in.safety_fault = true;
+  EXPECT_TRUE(run().safety_fault);
+  in.safety_fault = false;
+  state.configuration_refused = true;
+  EXPECT_TRUE(run().safety_fault);
+}
+
+TEST_F(Cycle, KeepsTimeAndPlaceOfTheLastValidOne) {  // 4.4.5
+  run();
+  ASSERT_EQ(state.now, Duration{50.1});
+  in.now = {60.0};
+  in.odometry.V_min.si = 1.0;
+  run();
+  EXPECT_EQ(state.now, Duration{50.1});
+}
+
+TEST_F(Cycle, HasTheOdometerOfItsInputs) {  // 3.6.4
+  Odometry& o = in.odometry;
+  o = {{{10.0}}, {{9.0}}, {{12.0}}, {2.0}, {1.5}, {2.75}, {0.5}};
+  run();
+  const position::Odometry& now = state.position.now;
+  EXPECT_EQ(now.counter.nominal, o.nominal);
+  EXPECT_EQ(now.counter.min, o.min);
+  EXPECT_EQ(now.counter.max, o.max);
+  EXPECT_EQ(now.V_est, o.V_est);
+  EXPECT_EQ(now.V_min, o.V_min);
+  EXPECT_EQ(now.V_max, o.V_max);
+  EXPECT_EQ(now.A_est, o.A_est);
+}
+
+/// An authority to 2000 m with an end section that is timed out, and linking up to 3000 m.
+class Elapsing : public Cycle {
+ protected:
+  Elapsing() {
+    track::MovementAuthority& ma = state.track.ma.emplace();
+    track::Section first, second;
+    first.end = second.begin = at(1000.0);
+    second.end = at(2000.0);
+    second.timed = true;
+    second.stop = at(1000.0);
+    second.timer = {Duration{10.0}, Duration{45.0}, true};
+    EXPECT_TRUE(ma.sections.push_back(first));
+    EXPECT_TRUE(ma.sections.push_back(second));
+    EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+    EXPECT_TRUE(state.track.ssp.append(at(1500.0), {.V_STATIC = 10}));
+    EXPECT_TRUE(state.track.gradient.append(at(0.0), {0}));
+    for (const double place : {500.0, 1500.0, 2500.0}) {
+      balise::Link link;
+      link.place = at(place);
+      EXPECT_TRUE(state.balise.linking.links.push_back(link));
+    }
+  }
+};
+
+TEST_F(Elapsing, ATimerOfTheAuthorityEndsItsSection) {  // 3.8.4.2, A.3.4 c
+  run();
+  EXPECT_FALSE(happened(What::authority_timer_elapsed));
+  EXPECT_EQ(state.balise.linking.links.size(), 3u);
+  EXPECT_FALSE(state.track_description_deleted);
+  in.now = {55.2};
+  run();
+  EXPECT_TRUE(happened(What::authority_timer_elapsed));
+  ASSERT_TRUE(state.track.ma.has_value());
+  EXPECT_EQ(state.track.ma->end(), at(1000.0));
+  EXPECT_EQ(state.balise.linking.links.size(), 1u) << "linking beyond is deleted";
+  EXPECT_TRUE(state.track_description_deleted);
+}
+
+TEST_F(Elapsing, AReactionShortensAtStandstill) {  // A.3.4 h
+  state.track.ma->sections[1].timed = false;
+  state.track.ma->sections[1].timer = {};
+  state.shorten_at_standstill = true;
+  in.odometry.V_est = in.odometry.V_max = {5.0};
+  run();
+  EXPECT_FALSE(happened(What::track_description_shortened)) << "the train moves";
+  EXPECT_EQ(state.balise.linking.links.size(), 3u);
+  EXPECT_TRUE(state.shorten_at_standstill);
+  in.odometry.V_est = in.odometry.V_max = {0.0};
+  for (int i = 0; i < 40; ++i) {
+    in.now += Duration{0.1};
+    run();
+    if (happened(What::track_description_shortened)) break;
+  }
+  EXPECT_TRUE(happened(What::track_description_shortened));
+  EXPECT_TRUE(state.balise.linking.links.empty());
+  EXPECT_FALSE(state.shorten_at_standstill);
+  in.now += Duration{0.1};
+  run();
+  EXPECT_FALSE(happened(What::track_description_shortened)) << "once";
+}
+
+}  // namespace
+}  // namespace evc::kernel

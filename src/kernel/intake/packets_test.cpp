@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include "kernel/intake/test_message.h"
+#include "lang/packets/packet_16.h"
+#include "lang/packets/packet_3.h"
+#include "lang/packets/packet_42.h"
+#include "lang/packets/packet_57.h"
+#include "lang/packets/packet_58.h"
+#include "lang/packets/packet_6.h"
+
+// What the packets do that are not stored with the track description (7.4.2).
+namespace evc::kernel {
+namespace {
+
+using test::at;
+
+class Taken : public test::OneMessage {
+ protected:
+  template <class P>
+  void receive(P packet) {
+    information.packets.clear();
+    add(packet);
+    evaluate_now();
+  }
+};
+
+TEST_F(Taken, RepositioningOfAnAnnouncedGroupOnly) {  // 3.8.5.2.2
+  state.level.level = Level::L1;
+  information.medium = Medium::balise;
+  ASSERT_TRUE(state.track.ma.emplace().sections.push_back({at(950.0), at(3000.0)}));
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+  ASSERT_TRUE(state.track.gradient.append(at(0.0), {0}));
+  lang::Packet16 p;
+  p.Q_SCALE.raw = 1;
+  p.L_SECTION.raw = 1500;
+  receive(p);
+  EXPECT_EQ(state.track.ma->end(), at(3000.0));
+  EXPECT_EQ(told(16).what, What::packet_refused);
+  EXPECT_EQ(told(16).clause, "3.8.5.2.2"_srs);
+  information.repositioning = true;
+  receive(p);
+  EXPECT_EQ(state.track.ma->end(), at(2450.0));
+  EXPECT_EQ(told(16).what, What::packet_accepted);
+}
+
+TEST_F(Taken, NationalValuesAtOnceOrFromAPlaceOn) {  // 3.18.2.3, 3.18.2.9
+  lang::Packet3 p;
+  p.Q_SCALE.raw = 1;
+  p.V_NVSHUNT.raw = 5;
+  p.D_VALIDNV.raw = 500;
+  receive(p);
+  ASSERT_TRUE(state.pending_national_values.has_value());
+  EXPECT_EQ(state.pending_national_values->from, at(1450.0));
+  EXPECT_EQ(state.pending_national_values->values.V_NVSHUNT, Speed{25.0 / 3.6});
+  EXPECT_FALSE(happened(What::national_values_in_force));
+  EXPECT_NE(state.national_values.V_NVSHUNT, Speed{25.0 / 3.6});
+  p.D_VALIDNV.raw = 32767;
+  receive(p);
+  EXPECT_TRUE(happened(What::national_values_in_force));
+  EXPECT_EQ(state.national_values.V_NVSHUNT, Speed{25.0 / 3.6});
+  EXPECT_FALSE(state.pending_national_values.has_value()) << "those of an older message";
+}
+
+TEST_F(Taken, OrdersForASession) {  // 3.5.3.5
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  p.NID_C.raw = 3;
+  p.NID_RBC.raw = 77;
+  const auto ordered = [&](Mode mode, std::uint8_t Q_SLEEPSESSION) {
+    state.mode = mode;
+    state.radio = {};
+    outbox = {};
+    received.termination_ordered = false;
+    p.Q_SLEEPSESSION.raw = Q_SLEEPSESSION;
+    receive(p);
+    EXPECT_EQ(happened(What::session_ordered), state.radio.session.phase == radio::Phase::connecting);
+    return happened(What::session_ordered);
+  };
+  EXPECT_TRUE(ordered(Mode::FS, 0));
+  EXPECT_FALSE(received.termination_ordered);
+  ASSERT_TRUE(outbox.connect.has_value());
+  EXPECT_EQ(outbox.connect->NID_RBC, 77);
+  EXPECT_FALSE(ordered(Mode::SL, 0)) << "not for a sleeping engine";
+  EXPECT_TRUE(ordered(Mode::SL, 1));
+}
+
+TEST_F(Taken, InSHOnlyTheContactIsStored) {  // 4.8.4 [3]
+  state.mode = Mode::SH;
+  lang::Packet42 p;
+  p.Q_RBC.raw = 1;
+  p.NID_RBC.raw = 77;
+  receive(p);
+  EXPECT_EQ(told(42).what, What::packet_contact_stored);
+  ASSERT_TRUE(state.radio.contact.has_value());
+  EXPECT_EQ(state.radio.contact->NID_RBC, 77);
+  EXPECT_EQ(state.radio.session.phase, radio::Phase::idle);
+}
+
+TEST_F(Taken, TheOrderToEndTheSession) {  // 3.5.5.1
+  state.radio.session.phase = radio::Phase::up;
+  state.radio.session.rbc = {1, 77, 0};
+  lang::Packet42 p;
+  p.NID_C.raw = 1;
+  p.NID_RBC.raw = 77;
+  receive(p);
+  EXPECT_TRUE(received.termination_ordered);
+  EXPECT_TRUE(happened(What::session_termination_ordered));
+  EXPECT_FALSE(happened(What::session_ordered));
+  EXPECT_EQ(state.radio.session.phase, radio::Phase::terminating);
+}
+
+TEST_F(Taken, ParametersOfTheRequest) {  // 3.8.2.3, 7.4.2.12
+  lang::Packet57 p;
+  p.T_MAR.raw = 20;
+  p.T_TIMEOUTRQST.raw = 30;
+  p.T_CYCRQST.raw = 255;
+  receive(p);
+  EXPECT_EQ(state.radio.ma_request, (radio::MaRequestParameters{Duration{20.0}, Duration{30.0}, std::nullopt}));
+}
+
+TEST_F(Taken, ParametersOfThePositionReport) {  // 3.6.5.1.5, 7.4.2.13, 7.5.1.11
+  lang::Packet58 p;
+  p.Q_SCALE.raw = 1;
+  p.T_CYCLOC.raw = 15;
+  p.D_CYCLOC.raw = 400;
+  p.M_LOC.raw = 1;
+  for (const std::uint8_t Q_LGTLOC : {std::uint8_t{1}, std::uint8_t{0}}) {
+    lang::Packet58_locations location;
+    location.D_LOC.raw = 600;
+    location.Q_LGTLOC.raw = Q_LGTLOC;
+    ASSERT_TRUE(p.locations.push_back(location));
+  }
+  receive(p);
+  ASSERT_TRUE(state.reports.parameters.has_value());
+  const position::ReportParameters& r = *state.reports.parameters;
+  EXPECT_EQ(r.T_CYCLOC, Duration{15.0});
+  EXPECT_EQ(r.D_CYCLOC, Distance{400.0});
+  EXPECT_EQ(r.M_LOC, 1);
+  ASSERT_EQ(r.at.size(), 2u);
+  EXPECT_EQ(r.at[0].place, at(1550.0));
+  EXPECT_TRUE(r.at[0].front);
+  EXPECT_EQ(r.at[1].place, at(2150.0));
+  EXPECT_FALSE(r.at[1].front);
+}
+
+TEST_F(Taken, CoversOfVirtualBalises) {  // 3.15.9, 7.5.1.155.1
+  information.medium = Medium::balise;
+  state.now = {50.0};
+  lang::Packet6 p;
+  p.Q_VBCO.raw = 1;
+  p.NID_VBCMK.raw = 7;
+  p.NID_C.raw = 1;
+  p.T_VBC.raw = 2;
+  receive(p);
+  ASSERT_EQ(state.balise.covers.size(), 1u);
+  EXPECT_EQ(state.balise.covers[0].NID_VBCMK, 7);
+  EXPECT_EQ(state.balise.covers[0].until, Duration{50.0 + 2.0 * 86400.0});
+  EXPECT_FALSE(happened(What::cover_capacity));
+  p.Q_VBCO.raw = 0;
+  receive(p);
+  EXPECT_TRUE(state.balise.covers.empty());
+  p.Q_VBCO.raw = 1;
+  for (std::uint8_t i = 0; i < balise::kCovers; ++i) {
+    p.NID_VBCMK.raw = i;
+    receive(p);
+    EXPECT_FALSE(happened(What::cover_capacity));
+  }
+  p.NID_VBCMK.raw = balise::kCovers;
+  receive(p);
+  EXPECT_TRUE(happened(What::cover_capacity));
+}
+
+}  // namespace
+}  // namespace evc::kernel
