@@ -26,6 +26,22 @@ struct PlaceInterval {
   friend constexpr PlaceInterval operator-(PlaceInterval a, Distance d) { return {a.min - d, a.est - d, a.max - d}; }
 };
 
+/// What a stored place hangs on: how it moves when the position is related to another group (3.6.4.2.5 of 4.0.0).
+enum class Anchor : std::uint8_t {
+  lrbg,      ///< linking or the RBC: fixed in the track frame
+  received,  ///< an unlinked group, while its message is stored
+  unlinked,  ///< an unlinked group, until the next LRBG
+  travelled  ///< an LRBG, by the distance travelled to it from an unlinked group, until linking leads to another one
+};
+
+/// How stored places move in the track frame: all by `shift`; to keep the safe side, what restricts begins `nearer` and
+/// ends `farther` besides, neither below 0.
+struct Relocation {
+  Distance shift{}, nearer{}, farther{};
+  constexpr bool any() const { return shift.si != 0.0 || nearer.si > 0.0 || farther.si > 0.0; }
+  friend constexpr bool operator==(const Relocation&, const Relocation&) = default;
+};
+
 /// A direction relative to the co-ordinate system of a balise group; the codes are those of
 /// Q_DIRLRBG, Q_DLRBG and Q_DIRTRAIN.
 enum class Direction : std::uint8_t { reverse = 0, nominal = 1, unknown = 2 };

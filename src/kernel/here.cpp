@@ -3,8 +3,7 @@
 namespace evc::kernel {
 
 track::Here here(const State& state) {
-  // Data may refer to the LRBG or to an unlinked group: the wider interval is valid for both (3.6.4.7).
-  const PlaceInterval front = position::widest_front(state.position);
+  const PlaceInterval front = position::front(state.position);
   const PlaceInterval rear = front - state.train.L_TRAIN;
   const PlaceInterval antenna = front - state.train.L_antenna_front;
   track::Here h;

@@ -38,6 +38,7 @@ namespace evc::kernel {
 /// National values that wait for their place (3.18.2.9).
 struct PendingNationalValues {
   Place from{};
+  Anchor anchor{};
   train::NationalValues values;
   InplaceVector<std::uint16_t, 32> areas;
 };
@@ -47,6 +48,8 @@ struct BufferedSet {
   Medium medium = Medium::balise;
   GroupId group;
   Place reference{};
+  Anchor anchor{};      // what the reference hangs on
+  Relocation widening;  // of what was unlinked, up to now
   Direction orientation = Direction::unknown;
   Place min_safe_front{};  // at reception: a conditional emergency stop is judged with it (4.8.5.7)
   Duration received{};
@@ -128,6 +131,7 @@ struct State {
   DriverData data;
 
   position::State position;
+  Set<Anchor> anchors;  // of stored data; those of the LRBG do not count
   position::ReportState reports;
   balise::State balise;
   track::Description track;

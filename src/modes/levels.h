@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/set.h"
 #include "base/units.h"
 #include "modes/acceptance.h"
@@ -76,6 +77,7 @@ bool acknowledgement_needed(const OrderedLevel& from, const OrderedLevel& to, Mo
 struct PendingTransition {
   OrderedLevel to;
   Place border;
+  Anchor anchor{};  ///< of the border
   friend constexpr bool operator==(const PendingTransition&, const PendingTransition&) = default;
 };
 

@@ -1,15 +1,11 @@
 #include "position/position.h"
 
+#include "position/parts.h"
+
 namespace evc::position {
 namespace {
 
 constexpr Distance magnitude(Distance d) { return d.si < 0 ? -d : d; }
-constexpr Distance at_least_zero(Distance d) { return d.si > 0 ? d : Distance{0}; }
-
-/// The place of the counter in the track frame.
-Place in_track(const State& state, OdometerPlace counter) {
-  return Place{state.sense * counter.from_origin + state.offset};
-}
 
 /// The bounds at `at`, at a distance from a reading: the increments may be wrong by kOdometerError.
 OdometerReading away_from(const OdometerReading& reading, OdometerPlace at) {
@@ -25,6 +21,17 @@ Reference since_power_up(const State& state) {
   return origin;
 }
 
+void mirror(Reference& reference) {
+  reference.place = Place{-reference.place.from_origin};
+  reference.orientation = opposite(reference.orientation);
+  reference.pair_orientation = opposite(reference.pair_orientation);
+  reference.reported_orientation = opposite(reference.reported_orientation);
+}
+
+constexpr Motion turned(Motion m) { return m == Motion::forward ? Motion::backward : Motion::forward; }
+
+}  // namespace
+
 PlaceInterval interval(const State& state, const Reference& reference, const OdometerReading& counter) {
   const bool grows = state.sense > 0;
   const OdometerReading& from = reference.counter;
@@ -38,17 +45,9 @@ PlaceInterval interval(const State& state, const Reference& reference, const Odo
   return {est - over, est, est + under};
 }
 
-/// Room for one more reference: the oldest one that was not reported is deleted first, because the RBC does not know
-/// it; the last one, the LRBG, is kept.
-void make_room(State& state) {
-  auto& references = state.references;
-  if (!references.full()) return;
-  for (std::size_t i = 0; i + 1 < references.size(); ++i) {
-    if (references[i].reported) continue;
-    references.erase(i);
-    return;
-  }
-  references.erase(0);
+Reference reference_of(const State& state) {
+  if (!state.references.empty()) return state.references.back();
+  return state.unlinked ? *state.unlinked : since_power_up(state);
 }
 
 std::optional<std::size_t> index_of(const State& state, GroupId id) {
@@ -56,52 +55,6 @@ std::optional<std::size_t> index_of(const State& state, GroupId id) {
     if (state.references[i].id == id) return i;
   return std::nullopt;
 }
-
-Reference reference_for(const State& state, const Passage& passage, Place place) {
-  Reference reference;
-  reference.id = passage.id;
-  reference.counter = passage.counter;
-  reference.place = place;
-  reference.Q_LOCACC = passage.Q_LOCACC;
-  reference.single = passage.single;
-  reference.orientation = state.sense > 0 ? passage.counter_against_group : opposite(passage.counter_against_group);
-  reference.counter_rising = counter_rises(state);
-  return reference;
-}
-
-/// A group passed before: its data from reports and assignment are kept.
-void take_over(Reference& reference, const Reference& earlier) {
-  reference.reported = earlier.reported;
-  reference.reported_with = earlier.reported_with;
-  reference.reported_orientation = earlier.reported_orientation;
-  reference.reported_ambiguously = earlier.reported_ambiguously;
-  if (reference.orientation == Direction::unknown) reference.orientation = earlier.orientation;
-}
-
-/// 3.4.2.3.3: the pair with which a single group without orientation is reported.
-void pair_up(const State& state, Reference& reference) {
-  if (reference.orientation != Direction::unknown || state.references.empty()) return;
-  const Reference& last = state.references.back();
-  if (last.id == reference.id) {  // 3.4.2.3.3.5: read again, the pair is kept
-    reference.previous = last.previous;
-    reference.pair_orientation = last.pair_orientation;
-    return;
-  }
-  if (last.counter_rising != reference.counter_rising) return;  // 3.4.2.3.3.4
-  reference.previous = last.id;
-  reference.pair_orientation = state.last_motion == Motion::forward ? Direction::nominal : Direction::reverse;
-}
-
-void mirror(Reference& reference) {
-  reference.place = Place{-reference.place.from_origin};
-  reference.orientation = opposite(reference.orientation);
-  reference.pair_orientation = opposite(reference.pair_orientation);
-  reference.reported_orientation = opposite(reference.reported_orientation);
-}
-
-constexpr Motion turned(Motion m) { return m == Motion::forward ? Motion::backward : Motion::forward; }
-
-}  // namespace
 
 void update(State& state, const Odometry& odometry, Duration now) {
   const OdometerPlace at = odometry.counter.nominal;
@@ -146,49 +99,13 @@ OdometerReading reading_at(const State& state, OdometerPlace at) {
   return away_from(magnitude(at - b.nominal) < magnitude(part) ? b : a, at);
 }
 
-Distance relocate(State& state, const Passage& passage) {
-  const Place estimated = in_track(state, passage.counter.nominal) - passage.L_antenna;
-  const Place place = passage.link_place ? *passage.link_place : estimated;
-  const Distance shift = place - estimated;
-  state.offset += shift;
-  Reference reference = reference_for(state, passage, place);
-  const std::optional<std::size_t> known = index_of(state, passage.id);
-  if (known) take_over(reference, state.references[*known]);
-  pair_up(state, reference);
-  if (known) state.references.erase(*known);
-  make_room(state);
-  EVC_REQUIRE(state.references.push_back(reference));
-  state.unlinked.reset();
-  state.status = DataStatus::valid;
-  return shift;
-}
-
-Place refer_to_unlinked(State& state, const Passage& passage) {
-  const Place place = in_track(state, passage.counter.nominal) - passage.L_antenna;
-  state.unlinked = reference_for(state, passage, place);
-  return place;
-}
-
 const Reference* lrbg(const State& state) { return state.references.empty() ? nullptr : &state.references.back(); }
 
 PlaceInterval front(const State& state) { return front_at(state, state.now.counter); }
 
-PlaceInterval front(const State& state, const Reference& reference) {
-  return interval(state, reference, state.now.counter);
-}
-
-PlaceInterval widest_front(const State& state) {
-  PlaceInterval hull = front(state);
-  if (!state.unlinked) return hull;
-  const PlaceInterval other = front(state, *state.unlinked);
-  if (other.min < hull.min) hull.min = other.min;
-  if (other.max > hull.max) hull.max = other.max;
-  return hull;
-}
-
 PlaceInterval front_at(const State& state, const OdometerReading& counter) {
   const Reference* reference = lrbg(state);
-  return reference ? interval(state, *reference, counter) : interval(state, since_power_up(state), counter);
+  return reference ? interval(state, *reference, counter) : interval(state, reference_of(state), counter);
 }
 
 Distance L_DOUBTOVER(const State& state) {
@@ -257,6 +174,7 @@ void change_cab(State& state, Distance L_engine) {
   state.offset = -state.offset + L_engine;
   for (Reference& reference : state.references) mirror(reference);
   if (state.unlinked) mirror(*state.unlinked);
+  state.surplus = {state.surplus.under, state.surplus.over};
   state.last_motion = turned(state.last_motion);
 }
 
@@ -271,6 +189,7 @@ void validate(State& state) {
 void forget(State& state) {
   state.references.clear();
   state.unlinked.reset();
+  state.surplus = {};
   state.status = DataStatus::unknown;
 }
 

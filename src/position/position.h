@@ -14,6 +14,7 @@
 // end of the active cab. Track data are stored in the track frame, which is fixed to the balise groups. One offset (and
 // one sense, inverted by a change of cab) converts between them. When the train relocates to a group whose distance was
 // given by trackside, the offset absorbs the odometer error; the stored track data do not change (3.6.4.3).
+// Data of an unlinked group are the exception: linking does not know that group, so that they move with the train.
 namespace evc::position {
 
 /// LRBGs remembered: at least the 8 last reported ones must be known (3.6.2.2.2 c).
@@ -61,6 +62,11 @@ struct Reference {
   bool reported_ambiguously = false;
 };
 
+/// An interval without its place: from the estimated front end to the min safe one, and to the max safe one.
+struct Doubts {
+  Distance over{}, under{};
+};
+
 struct State {
   Odometry now, before;  // this cycle and the one before
   Duration time{};
@@ -69,6 +75,8 @@ struct State {
   DataStatus status = DataStatus::unknown;
   InplaceVector<Reference, kReferences> references;  // oldest first; the last one is the LRBG
   std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
+  /// How much the interval of the LRBG is wider, on either side, than that of each unlinked group passed since.
+  Doubts surplus;
   OdometerPlace extreme;                             // farthest counter in the current direction
   Motion last_motion = Motion::forward;              // never `standstill`
   OdometerPlace rest;                                // counter when the train came to rest
@@ -96,24 +104,31 @@ void update(State& state, const Odometry& odometry, Duration now);
 /// <= `max` need not hold.
 OdometerReading reading_at(const State& state, OdometerPlace at);
 
+/// How data that do not refer to an LRBG move when the position refers to another group.
+struct Relocated {
+  Relocation unlinked;      ///< data of Anchor::unlinked
+  Relocation travelled;     ///< data of Anchor::travelled
+  bool by_linking = false;  ///< those of Anchor::travelled hang on the LRBG from now on
+};
 /// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the offset between the frames is
-/// computed again. Returns how far the estimated front end moved in the track frame (0 without linking).
-Distance relocate(State& state, const Passage& passage);
-/// An unlinked group was accepted: data that refer to it have an interval of their own (3.6.4.7).
-/// Returns its place in the track frame.
-Place refer_to_unlinked(State& state, const Passage& passage);
+/// computed again. Data of an unlinked group keep their distance to the train, and the safe side of the interval that
+/// they had (3.6.4.3; 3.6.4.2.5 c of 4.0.0); they hang on this LRBG now (Anchor::travelled). When linking leads from it
+/// to the next one, twice the accuracy of the former counts besides (3.6.4.2.5 b of 4.0.0).
+Relocated relocate(State& state, const Passage& passage);
+/// An unlinked group was accepted: data that refer to it have an interval of their own (3.6.4.7). Without an LRBG it is
+/// the reference of the position, and data of the unlinked group before it move as returned.
+Relocated refer_to_unlinked(State& state, const Passage& passage);
+/// How places of the last unlinked group move to be supervised with the interval of the LRBG: the wider one of the two
+/// counts for them.
+Relocation from_unlinked(const State& state);
 
-// --- Where the train is. Defined in every state; without an LRBG the interval starts at power-up.
+// --- Where the train is. Defined in every state; without an LRBG the interval starts at the last unlinked group, and
+// --- without one at power-up.
 
 /// The LRBG, if any.
 const Reference* lrbg(const State& state);
 /// Front end now: min safe, estimated, max safe (3.6.4.2, 3.6.4.4).
 PlaceInterval front(const State& state);
-/// Front end now with the interval of another reference (3.6.4.7).
-PlaceInterval front(const State& state, const Reference& reference);
-/// The smallest interval that contains the one of the LRBG and, if present, that of the last unlinked group: on the
-/// safe side for data of either (3.6.4.7).
-PlaceInterval widest_front(const State& state);
 /// Front end when the counters stood at `counter`.
 PlaceInterval front_at(const State& state, const OdometerReading& counter);
 /// Rear end; `min` is safe only while the integrity of the train is known (3.6.4.4.1). In SL, NL, PS

@@ -72,7 +72,7 @@ TEST(Position, LinkingTakesThePlaceOfTheMeasuredDistance) {
   Passage p = passage(2, spread(1012, 50, 50));
   p.link_place = Place{998_m};  // D_LINK 1000 from -2; the odometer says 1010
   p.Q_LOCACC = 10_m;
-  EXPECT_EQ(relocate(s, p).si, -12);
+  EXPECT_EQ(relocate(s, p).unlinked.shift.si, -12);
   EXPECT_EQ(front(s).est.from_origin.si, 1000);
   EXPECT_EQ(L_DOUBTOVER(s).si, 10);  // the interval restarts
   EXPECT_EQ(L_DOUBTUNDER(s).si, 10);
@@ -89,7 +89,7 @@ TEST(Position, WithoutLinkingTheEstimatedDistanceIsTaken) {
   update(s, moving(exact(0)), 0_s);
   relocate(s, passage(1, exact(0)));
   update(s, moving(spread(1012, 50, 50)), 60_s);
-  EXPECT_EQ(relocate(s, passage(2, spread(1012, 50, 50))).si, 0);
+  EXPECT_EQ(relocate(s, passage(2, spread(1012, 50, 50))).unlinked.shift.si, 0);
   EXPECT_EQ(lrbg(s)->place.from_origin.si, 1010);
   EXPECT_EQ(front(s).est.from_origin.si, 1012);
   EXPECT_EQ(L_DOUBTOVER(s).si, 12);
@@ -203,30 +203,76 @@ TEST(Position, ChangeOfCabKeepsTheTrainWhereItIs) {
   EXPECT_EQ(front(s).est.from_origin.si, 60);
 }
 
-TEST(Position, AnUnlinkedGroupHasItsOwnIntervalUntilTheNextLrbg) {
+/// A group with the odometer's doubts at that moment.
+Passage with_doubts(std::uint16_t id, double counter, double doubt, double accuracy) {
+  Passage p = passage(id, spread(counter, doubt, doubt));
+  p.Q_LOCACC = Distance{accuracy};
+  return p;
+}
+
+// 3.6.4.7: the interval of the train stays that of the LRBG; the data of the unlinked group take the wider one.
+TEST(Position, AnUnlinkedGroupWidensOnlyItsOwnData) {
   State s;
   update(s, moving(exact(0)), 0_s);
-  relocate(s, passage(1, exact(0)));
-  update(s, moving(spread(400, 20, 20)), 1_s);
-  EXPECT_EQ(refer_to_unlinked(s, passage(9, spread(400, 20, 20))).from_origin.si, 398);
-  ASSERT_TRUE(s.unlinked);
+  EXPECT_FALSE(from_unlinked(s).any());
+  relocate(s, with_doubts(1, 0, 0, 1));
+  update(s, moving(spread(100, 5, 4)), 1_s);
+  EXPECT_FALSE(refer_to_unlinked(s, with_doubts(9, 100, 4.5, 12)).unlinked.any());
   EXPECT_EQ(lrbg(s)->id.NID_BG, 1);
-  update(s, moving(spread(500, 25, 24)), 2_s);
-  EXPECT_EQ((front(s).est - front(s).min).si, 36);
-  EXPECT_EQ((front(s).est - front(s, *s.unlinked).min).si, 16);
-  EXPECT_EQ(widest_front(s), front(s));
-  State close = s;  // an LRBG just passed, known to 1 m, and an unlinked group known to 12 m
-  Passage exact_one = passage(3, spread(500, 25, 24));
-  exact_one.Q_LOCACC = 1_m;
-  relocate(close, exact_one);
-  EXPECT_EQ(widest_front(close), front(close));
-  refer_to_unlinked(close, passage(9, spread(500, 25, 24)));
-  EXPECT_EQ((front(close).max - front(close).min).si, 2);
-  EXPECT_EQ((widest_front(close).max - widest_front(close).min).si, 24);
+  update(s, moving(spread(200, 10, 8)), 2_s);
+  EXPECT_EQ((front(s).est - front(s).min).si, 9);
+  EXPECT_EQ((front(s).max - front(s).est).si, 11);
+  // Against the unlinked group: 12 + 8 - 4.5 m behind, 12 + 10 - 4.5 m ahead of the estimated front end.
+  EXPECT_EQ(from_unlinked(s), (Relocation{{}, 6.5_m, 6.5_m}));
   change_cab(s, 0_m);
-  EXPECT_EQ(s.unlinked->place.from_origin.si, -398);
-  relocate(s, passage(2, spread(500, 25, 24)));
+  EXPECT_TRUE(s.unlinked);
+  relocate(s, with_doubts(2, 200, 9, 5));
   EXPECT_FALSE(s.unlinked);
+  EXPECT_FALSE(from_unlinked(s).any());
+}
+
+// 3.6.4.3, 3.6.4.2.5 c of 4.0.0: the odometer counted 10 m too much since the LRBG. Linking corrects that; data of the
+// unlinked group go with the train, and keep what the interval against that group was wider.
+TEST(Position, DataOfAnUnlinkedGroupAreRelocatedByTheDistanceTravelled) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  relocate(s, with_doubts(1, 0, 0, 5));
+  update(s, moving(spread(900, 30, 30)), 1_s);
+  refer_to_unlinked(s, with_doubts(9, 900, 30, 12));
+  EXPECT_FALSE(from_unlinked(s).any());  // 12 m against the group, 35 m against the LRBG
+  update(s, moving(spread(1010, 34, 33)), 2_s);
+  Passage next = with_doubts(2, 1010, 33.5, 5);
+  next.link_place = Place{998_m};  // 1000 m behind the LRBG at -2
+  const Relocated moved = relocate(s, next);
+  EXPECT_TRUE(moved.by_linking);
+  EXPECT_EQ(moved.unlinked.shift.si, -10);
+  EXPECT_EQ(moved.unlinked.nearer.si, (12 + 34 - 30) - (5 + 0.5));  // max safe front end: group, then new LRBG
+  EXPECT_EQ(moved.unlinked.farther.si, (12 + 33 - 30) - (5 + 0));   // min safe front end
+  // 3.6.4.2.5 b: from one LRBG to the next by linking, twice the accuracy of the former.
+  update(s, moving(spread(1500, 50, 50)), 3_s);
+  Passage third = with_doubts(3, 1500, 50, 5);
+  third.link_place = Place{1480_m};
+  EXPECT_EQ(relocate(s, third).travelled, (Relocation{{}, 10_m, 10_m}));
+  // 3.6.4.2.5 c: without linking the doubt of the way is kept, and the next way by linking is as above.
+  update(s, moving(spread(2000, 75, 75)), 4_s);
+  const Relocated unknown = relocate(s, with_doubts(4, 2000, 75, 12));
+  EXPECT_FALSE(unknown.by_linking);
+  EXPECT_EQ(unknown.travelled, (Relocation{{}, 18_m, 18_m}));
+}
+
+// 3.6.4.7: without an LRBG the unlinked group is what the position refers to, not the moment of power-up; data of the
+// unlinked group before it keep the interval that they had.
+TEST(Position, WithoutAnLrbgTheUnlinkedGroupIsTheReference) {
+  State s;
+  update(s, moving(exact(0)), 0_s);
+  update(s, moving(spread(20000, 1000, 1000)), 1_s);
+  EXPECT_EQ((front(s).max - front(s).est).si, 1000);
+  EXPECT_EQ(refer_to_unlinked(s, with_doubts(8, 20000, 1000, 12)).unlinked, (Relocation{{}, 988_m, 988_m}));
+  EXPECT_EQ((front(s).max - front(s).est).si, 12);
+  EXPECT_FALSE(from_unlinked(s).any());
+  update(s, moving(spread(20100, 1005, 1005)), 2_s);
+  EXPECT_EQ(refer_to_unlinked(s, with_doubts(9, 20100, 1005, 12)).unlinked, (Relocation{{}, 5_m, 5_m}));
+  EXPECT_EQ(lrbg(s), nullptr);
 }
 
 TEST(Position, ReportedGroupsAreForgottenLast) {

@@ -35,7 +35,7 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
     if (!same) state.acknowledged = false;
   }
   if (decision.effect == OrderEffect::announce)
-    state.pending = modes::PendingTransition{decision.to, order.border};
+    state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
   else if (decision.effect == OrderEffect::execute)
     execute(state, in, decision.to, out);
 }

@@ -14,6 +14,7 @@ namespace evc::procedures::level_transition {
 struct Order {
   modes::OrderKind kind = modes::OrderKind::immediate;
   Place border{};  // of an announcement
+  Anchor anchor{};
   modes::LevelTable table;
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 #include "terms/track_condition.h"
 
@@ -12,26 +13,31 @@ namespace evc::track {
 struct TrackCondition {
   Place from{}, to{};
   TrackConditionKind kind = TrackConditionKind::non_stopping_area;
+  Anchor anchor{};
   friend constexpr bool operator==(const TrackCondition&, const TrackCondition&) = default;
 };
 struct BigMetalMass {
   Place from{}, to{};
+  Anchor anchor{};
   friend constexpr bool operator==(const BigMetalMass&, const BigMetalMass&) = default;
 };
 struct Platform {
   Place from{}, to{};
   std::uint8_t M_PLATFORM = 0, Q_PLATFORM = 0;
+  Anchor anchor{};
   friend constexpr bool operator==(const Platform&, const Platform&) = default;
 };
 struct TractionChange {
   Place at{};
   std::uint8_t M_VOLTAGE = 0;
   std::uint16_t NID_CTRACTION = 0;
+  Anchor anchor{};
   friend constexpr bool operator==(const TractionChange&, const TractionChange&) = default;
 };
 struct CurrentChange {
   Place at{};
   std::optional<std::uint16_t> amperes;  ///< absent: no restriction
+  Anchor anchor{};
   friend constexpr bool operator==(const CurrentChange&, const CurrentChange&) = default;
 };
 
@@ -42,6 +48,7 @@ struct RouteSuitability {
   std::uint8_t M_AXLELOADCAT = 0;
   std::uint8_t M_VOLTAGE = 0;
   std::uint16_t NID_CTRACTION = 0;
+  Anchor anchor{};
   friend constexpr bool operator==(const RouteSuitability&, const RouteSuitability&) = default;
 };
 
@@ -62,6 +69,7 @@ bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train);
 struct AdhesionArea {
   Place from{}, to{};
   bool slippery = false;  ///< M_ADHESION = 0
+  Anchor anchor{};
   friend constexpr bool operator==(const AdhesionArea&, const AdhesionArea&) = default;
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 #include "terms/mode.h"
 #include "track/speed_restrictions.h"
@@ -18,6 +19,7 @@ struct ModeArea {
   Place ack_from{};               ///< start of the acknowledgement window
   bool also_SvL = true;           ///< Q_MAMODE: the start is the supervised location too
   bool accepted = false;          ///< the mode was entered for this area
+  Anchor anchor{};
   friend constexpr bool operator==(const ModeArea&, const ModeArea&) = default;
 };
 using ModeProfile = InplaceVector<ModeArea, 32>;

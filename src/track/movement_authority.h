@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 
 namespace evc::track {
@@ -61,6 +62,7 @@ struct MovementAuthority {
   std::optional<Place> fixed_SvL;        ///< set when the MA was shortened (3.8.4.1.2, 3.10.2.2, A.3.4 [11])
   std::optional<Release> fixed_release;  ///< set when the MA was shortened: V_NVREL or none
   bool level_1 = false;
+  Anchor anchor{};
 
   bool limited() const { return V_LOA > Speed{}; }        ///< ends with an LOA
   Place start() const { return sections.front().begin; }  ///< needs a section

@@ -19,6 +19,7 @@ struct RbcTransition {
   std::uint16_t NID_C = 0, NID_RBC = 0;
   std::uint64_t NID_RADIO = 0;
   bool sleeping_too = false;  ///< Q_SLEEPSESSION
+  Anchor anchor{};
   friend constexpr bool operator==(const RbcTransition&, const RbcTransition&) = default;
 };
 
@@ -28,12 +29,14 @@ struct RadioInfillArea {
   std::uint16_t NID_C = 0, NID_RIU = 0;
   std::uint64_t NID_RADIO = 0;
   GroupId next_main_signal{};
+  Anchor anchor{};
   friend constexpr bool operator==(const RadioInfillArea&, const RadioInfillArea&) = default;
 };
 
 /// Reversing area (packet 138) and the distance and speed in it (packet 139); 3.15.4.
 struct ReversingArea {
   Place from{}, to{};
+  Anchor anchor{};
   friend constexpr bool operator==(const ReversingArea&, const ReversingArea&) = default;
 };
 struct ReversingSupervision {
@@ -49,6 +52,7 @@ struct GeoReference {
   bool counts_up = true;                    ///< Q_MPOSITION
   std::optional<std::uint32_t> M_POSITION;  ///< metres; absent: the geographical position ends
   std::optional<Place> applies_from;        ///< known once the group was passed
+  Anchor anchor{};
   friend constexpr bool operator==(const GeoReference&, const GeoReference&) = default;
 };
 

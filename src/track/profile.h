@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 
 namespace evc::track {
@@ -16,6 +17,7 @@ struct Profile {
   struct Step {
     Place from{};
     Value value{};
+    Anchor anchor{};
     friend constexpr bool operator==(const Step&, const Step&) = default;
   };
   InplaceVector<Step, N> steps;
@@ -24,9 +26,9 @@ struct Profile {
 
   /// Appends at the far end. When full, the profile ends at its last step: an MA that needs more is
   /// refused (3.7.2.3). False in that case, or when `from` is before the last step.
-  constexpr bool append(Place from, const Value& value) {
+  constexpr bool append(Place from, const Value& value, Anchor anchor = {}) {
     if (!steps.empty() && from < steps.back().from) return false;
-    if (steps.push_back({from, value})) return true;
+    if (steps.push_back({from, value, anchor})) return true;
     steps.back().value = Value::unknown();
     return false;
   }
@@ -37,7 +39,7 @@ struct Profile {
     const Place start = fresh.steps.front().from;
     while (!steps.empty() && steps.back().from >= start) steps.pop_back();
     bool all = true;
-    for (const auto& step : fresh.steps) all = append(step.from, step.value) && all;
+    for (const auto& step : fresh.steps) all = append(step.from, step.value, step.anchor) && all;
     return all;
   }
   /// Whether there is room for replace_from(fresh).

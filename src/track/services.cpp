@@ -180,9 +180,12 @@ std::optional<std::uint32_t> geographical_position(const Description& d, const H
   return static_cast<std::uint32_t>(value + 0.5);  // NOLINT(bugprone-incorrect-roundings): the kernel has no libm
 }
 
-void note_group(Description& d, GroupId group, Place at) {
-  for (GeoReference& reference : d.geo)
-    if (reference.group == group) reference.applies_from = at + reference.D_POSOFF;
+void note_group(Description& d, GroupId group, Place at, Anchor anchor) {
+  for (GeoReference& reference : d.geo) {
+    if (!(reference.group == group)) continue;
+    reference.applies_from = at + reference.D_POSOFF;
+    reference.anchor = anchor;
+  }
 }
 
 }  // namespace evc::track

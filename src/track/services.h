@@ -86,8 +86,9 @@ std::optional<Duration> time_to_timeout(const Description& d, Duration now);
 
 /// Geographical position of the estimated front end in metres (3.6.6); absent when none applies.
 std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here);
-/// A balise group was passed at `at`: references to it become applicable after their offset.
-void note_group(Description& d, GroupId group, Place at);
+/// A balise group was passed at `at`, an unlinked one where `anchor` says so: references to it become applicable after
+/// their offset.
+void note_group(Description& d, GroupId group, Place at, Anchor anchor = {});
 
 /// Text display (3.12.3): the brake members are true while a text waits for its acknowledgement
 /// beyond its end.

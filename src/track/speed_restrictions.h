@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 #include "track/profile.h"
 
@@ -62,6 +63,7 @@ struct AxleLoadRestriction {
                                        kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
   /// The lowest speed of the categories up to that of the train (3.11.4.3 up to 3.6.0); absent when none applies.
   SpeedCode speed_for(const TrainCategory& train) const;
+  Anchor anchor{};
   friend constexpr bool operator==(const AxleLoadRestriction&, const AxleLoadRestriction&) = default;
 };
 
@@ -72,6 +74,7 @@ struct TemporarySpeedRestriction {
   bool Q_FRONT = false;
   SpeedCode V_TSR = 0;
   bool from_rbc = false;
+  Anchor anchor{};
   friend constexpr bool operator==(const TemporarySpeedRestriction&, const TemporarySpeedRestriction&) = default;
 };
 
@@ -85,6 +88,7 @@ struct PermittedBrakingDistance {
   Distance D_PBD{};
   std::int16_t gradient_permille = 0;
   bool service_brake = false;  ///< Q_PBDSR: false emergency brake, true service brake
+  Anchor anchor{};
   friend constexpr bool operator==(const PermittedBrakingDistance&, const PermittedBrakingDistance&) = default;
 };
 
@@ -98,6 +102,7 @@ struct LevelCrossing {
   Distance L_STOPLX{};         ///< stopping area in rear of the crossing
   bool substituted = false;    ///< V_LX applies instead of the stop (5.16), from `V_LX_from`
   Place V_LX_from{};
+  Anchor anchor{};
   friend constexpr bool operator==(const LevelCrossing&, const LevelCrossing&) = default;
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/location.h"
 #include "base/units.h"
 #include "terms/level.h"
 #include "terms/mode.h"
@@ -37,6 +38,7 @@ struct Text {
   bool end_place_passed = false, end_time_over = false, end_mode_left = false, end_level_left = false;  ///< latched
   Duration shown_since{};
   std::uint8_t id = 0;  ///< assigned on board, to identify the text at the driver interface
+  Anchor anchor{};
   friend constexpr bool operator==(const Text&, const Text&) = default;
 };
 

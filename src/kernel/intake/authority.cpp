@@ -4,6 +4,7 @@
 #include "kernel/intake/routes.h"
 #include "kernel/stored.h"
 #include "terms/message_numbers.h"
+#include "track/relocate.h"
 #include "track/store.h"
 
 namespace evc::kernel {
@@ -78,7 +79,10 @@ void store_contents(Evaluation& e) {
   Received& out = e.r.out;
   State& s = e.r.state;
   const bool authority = e.contents.ma.has_value();
+  const Anchor anchor = anchor_of(e);
+  if (anchor != Anchor::lrbg) track::hang_on_unlinked(e.contents);
   const track::Stored stored = track::store(s.track, e.contents, out.here);
+  if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);
   tell_stored(e, stored);
   if (stored.trip_order) out.trip_order = true;
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {

@@ -18,6 +18,8 @@ Information information_of(const BufferedSet& set) {
   information.medium = set.medium;
   information.group = set.group;
   information.reference = set.reference;
+  information.anchor = set.anchor;
+  information.widening = set.widening;
   information.orientation = set.orientation;
   information.min_safe_front = set.min_safe_front;
   information.time = set.received;
@@ -62,6 +64,8 @@ BufferedSet& keep(Reception& r, const Information& information, const Waiting& w
   set.medium = information.medium;
   set.group = information.group;
   set.reference = information.reference;
+  set.anchor = information.anchor;
+  set.widening = information.widening;
   set.orientation = information.orientation;
   set.min_safe_front = information.min_safe_front;
   set.received = information.time;

@@ -196,7 +196,7 @@ void evaluate_part(Evaluation& e) {
   evaluate_level_orders(e);
   evaluate_linking(e, e.contents.infill.has_value());
   // The order is judged first (4.8.1.3); its border is a location, placed after linking (4.8.1.6).
-  if (e.level_order) place_border(e.r, e.information.packets[*e.level_order], e.reference);
+  if (e.level_order) place_border(e.r, e.information.packets[*e.level_order], e.reference, anchor_of(e));
   evaluate_rest(e);
   evaluate_authority(e);
 }

@@ -6,6 +6,7 @@
 #include "kernel/intake/national_values.h"
 #include "modes/active_functions.h"
 #include "protection/authority.h"
+#include "track/relocate.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -65,6 +66,29 @@ void react(Reception& r, const balise::Outcome& outcome) {
   if (outcome.version_too_high) r.out.telegram_version_too_high = true;
 }
 
+/// Stored data that hang on `of` move and hang on `then` from now on.
+void relocate_stored(State& s, Anchor of, Anchor then, const Relocation& by) {
+  if (!s.anchors.has(of)) return;
+  track::relocate(s.track, of, then, by);
+  if (auto& pending = s.level_transition.pending; pending && pending->anchor == of) {
+    pending->border = pending->border + by.shift;
+    pending->anchor = then;
+  }
+  if (auto& pending = s.pending_national_values; pending && pending->anchor == of) {
+    pending->from = pending->from + by.shift;
+    pending->anchor = then;
+  }
+  for (BufferedSet& set : s.buffer) {
+    if (set.anchor != of) continue;
+    set.reference = set.reference + by.shift;
+    set.widening.nearer = set.widening.nearer + by.nearer;
+    set.widening.farther = set.widening.farther + by.farther;
+    set.anchor = then;
+  }
+  s.anchors.remove(of);
+  s.anchors.add(then, then != Anchor::lrbg);
+}
+
 /// The group becomes the LRBG, or only the reference of its own information.
 const position::Reference& locate(Reception& r, const balise::Group& group) {
   State& s = r.state;
@@ -77,13 +101,17 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
   passage.counter_against_group = group.counter_against_group;
   passage.single = group.single;
   if (group.lrbg_compliant) {
-    (void)position::relocate(s.position, passage);
+    const position::Relocated by = position::relocate(s.position, passage);
+    relocate_stored(s, Anchor::travelled, by.by_linking ? Anchor::lrbg : Anchor::travelled, by.travelled);
+    relocate_stored(s, Anchor::unlinked, Anchor::travelled, by.unlinked);
     // The release speed calculated on board depends on the accuracy of the LRBG (3.13.9.4.8.2).
     if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
     r.out.new_lrbg = true;
     return s.position.references.back();
   }
-  (void)position::refer_to_unlinked(s.position, passage);
+  // Data of the unlinked group before it move only where it is the reference of the position.
+  const position::Relocated by = position::refer_to_unlinked(s.position, passage);
+  relocate_stored(s, Anchor::unlinked, Anchor::unlinked, by.unlinked);
   return *s.position.unlinked;
 }
 
@@ -132,7 +160,9 @@ void receive_group(Reception& r, const balise::Group& group) {
   const position::Reference& reference = locate(r, group);
   r.out.here = here(s);
   balise::keep_covers_of(s.balise, group.id.NID_C);
-  track::note_group(s.track, group.id, reference.place);
+  const Anchor anchor = group.lrbg_compliant ? Anchor::lrbg : Anchor::unlinked;
+  s.anchors.add(anchor, anchor != Anchor::lrbg);
+  track::note_group(s.track, group.id, reference.place, anchor);
   if (group.default_information) r.out.default_information = true;
   check_lists(r, group.id);
   r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
@@ -141,6 +171,8 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.medium = Medium::balise;
   information.group = group.id;
   information.reference = reference.place;
+  information.anchor = anchor;
+  if (anchor != Anchor::lrbg) information.widening = position::from_unlinked(s.position);
   information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference.orientation;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = group.first_passed;

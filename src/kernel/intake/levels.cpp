@@ -87,12 +87,14 @@ modes::OrderDecision give_order(Reception& r, const procedures::level_transition
   return decision;
 }
 
-void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference) {
+void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference, Anchor anchor) {
   lang::Packet41 p;
   if (!r.order || r.order->decision.effect != OrderEffect::announce || lang::decode(packet, p) != lang::Fault::none)
     return;
-  if (const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR))
-    r.order->order.border = reference.place + *D_LEVELTR;
+  const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
+  if (!D_LEVELTR) return;
+  r.order->order.border = reference.place + *D_LEVELTR;
+  r.order->order.anchor = anchor;
 }
 
 bool executes_order(const Reception& r) { return r.order && r.order->decision.effect == OrderEffect::execute; }

@@ -16,8 +16,8 @@ std::optional<procedures::level_transition::Order> order_of(const lang::PacketVi
 /// this cycle. Returns the decision, so that the rest of the message can be judged for the new level (4.8.1.3).
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order);
 /// Places the border of the order of this cycle, if it announces a transition: D_LEVELTR from the reference. `packet`
-/// is the packet of that order.
-void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference);
+/// is the packet of that order. `anchor`: of the reference.
+void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference, Anchor anchor);
 
 /// Whether an order of this cycle changes the level in this cycle.
 bool executes_order(const Reception& r);

@@ -15,6 +15,8 @@ struct Information {
   Medium medium = Medium::balise;
   GroupId group;        // the group passed, or the LRBG of the radio message
   Place reference{};    // of it, D_REF included
+  Anchor anchor{};        // what it hangs on, and how its places move because of that
+  Relocation widening;
   bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};

@@ -45,7 +45,7 @@ void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) 
     return;
   }
   s.pending_national_values =
-      PendingNationalValues{e.reference.place + *received.D_VALIDNV, received.values, received.areas};
+      PendingNationalValues{e.reference.place + *received.D_VALIDNV, anchor_of(e), received.values, received.areas};
 }
 
 void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict verdict) {

@@ -1,0 +1,257 @@
+#include "track/relocate.h"
+
+#include "track/areas.h"
+
+namespace evc::track {
+namespace {
+
+/// Each overload moves the places of one kind of data, as Table 2a of 4.0.0 has them.
+class Mover {
+ public:
+  Mover(Anchor of, Anchor then, const Relocation& by) : of_(of), then_(then), by_(by) {}
+
+  bool moved() const { return moved_; }
+
+  template <class T>
+  void item(T& data) {
+    if (data.anchor != of_) return;
+    data.anchor = then_;
+    moved_ = true;
+    move(data);
+  }
+  template <class T>
+  void item(std::optional<T>& data) {
+    if (data) item(*data);
+  }
+  template <class T, std::size_t N>
+  void items(InplaceVector<T, N>& list) {
+    for (T& data : list) item(data);
+  }
+  template <class Value, std::size_t N>
+  void profile(Profile<Value, N>& stored);
+
+ private:
+  Place start(Place at) const { return at + (by_.shift - by_.nearer); }
+  Place end(Place at) const { return at + (by_.shift + by_.farther); }
+  Place estimated(Place at) const { return at + by_.shift; }
+  Place nearest(Place at) const { return at + (by_.shift - (by_.nearer > by_.farther ? by_.nearer : by_.farther)); }
+  void estimated(std::optional<Place>& at) const {
+    if (at) at = estimated(*at);
+  }
+
+  template <class Area>
+  void move(Area& area) const {
+    area.from = start(area.from);
+    area.to = end(area.to);
+  }
+  void move(TrackCondition& condition) const;
+  void move(LevelCrossing& lx) const {
+    lx.from = nearest(lx.from);
+    lx.to = end(lx.to);
+    lx.V_LX_from = nearest(lx.V_LX_from);
+  }
+  void move(ModeArea& area) const {
+    area.from = nearest(area.from);
+    area.ack_from = nearest(area.ack_from);
+    if (area.to) area.to = end(*area.to);
+  }
+  void move(TractionChange& change) const { change.at = nearest(change.at); }
+  void move(CurrentChange& change) const { change.at = nearest(change.at); }
+  void move(RouteSuitability& item) const { item.at = nearest(item.at); }
+  void move(RbcTransition& order) const { order.at = estimated(order.at); }
+  void move(RadioInfillArea& area) const { area.at = estimated(area.at); }
+  void move(ReversingArea& area) const {
+    area.from = estimated(area.from);
+    area.to = estimated(area.to);
+  }
+  void move(GeoReference& reference) const { estimated(reference.applies_from); }
+  void move(Text& text) const {
+    estimated(text.start_at);
+    estimated(text.end_at);
+  }
+  void move(MovementAuthority& ma) const;
+
+  template <class P, class Step>
+  void append(P& profile, const Step& step) const;
+
+  Anchor of_, then_;
+  Relocation by_;
+  bool moved_ = false;
+};
+
+void Mover::move(TrackCondition& condition) const {
+  using enum TrackConditionKind;
+  const bool by_estimate =
+      condition.kind == radio_hole || condition.kind == tunnel_stopping_area || condition.kind == sound_horn;
+  condition.from = by_estimate ? estimated(condition.from) : start(condition.from);
+  condition.to = by_estimate ? estimated(condition.to) : end(condition.to);
+}
+
+void Mover::move(MovementAuthority& ma) const {
+  for (Section& section : ma.sections) {
+    section.begin = nearest(section.begin);
+    section.end = nearest(section.end);
+    section.stop = nearest(section.stop);
+  }
+  if (ma.end_section) ma.end_section->start = nearest(ma.end_section->start);
+  if (ma.danger_point) ma.danger_point->at = nearest(ma.danger_point->at);
+  if (ma.overlap) {
+    ma.overlap->start = nearest(ma.overlap->start);
+    ma.overlap->end = nearest(ma.overlap->end);
+  }
+  if (ma.fixed_SvL) ma.fixed_SvL = nearest(*ma.fixed_SvL);
+}
+
+// --- Continuous profiles
+
+enum class Change : std::uint8_t { none, lower, higher, mixed };
+
+SpeedCode lowest_of(const StaticSpeed& element) {
+  SpeedCode V = element.V_STATIC;
+  for (const SpeedCode other : element.cd) V = other < V ? other : V;
+  for (const SpeedCode other : element.other) V = other < V ? other : V;
+  return V;
+}
+SpeedCode highest_of(const StaticSpeed& element) {
+  SpeedCode V = element.V_STATIC;
+  const auto raise = [&V](SpeedCode other) {
+    if (other != kNoSpeed && other > V) V = other;
+  };
+  for (const SpeedCode other : element.cd) raise(other);
+  for (const SpeedCode other : element.other) raise(other);
+  return V;
+}
+
+Change change(const StaticSpeed& from, const StaticSpeed& to) {
+  if (from == to) return Change::none;
+  if (highest_of(to) <= lowest_of(from)) return Change::lower;
+  return lowest_of(to) >= highest_of(from) ? Change::higher : Change::mixed;
+}
+Change change(const Gradient& from, const Gradient& to) {
+  if (from == to) return Change::none;
+  return to.permille < from.permille ? Change::lower : Change::higher;
+}
+
+/// Not above either of two elements, for any train.
+StaticSpeed below(const StaticSpeed& a, const StaticSpeed& b) {
+  StaticSpeed element;
+  element.V_STATIC = lowest_of(a) < lowest_of(b) ? lowest_of(a) : lowest_of(b);
+  return element;
+}
+Gradient below(const Gradient& a, const Gradient& b) { return a.permille < b.permille ? a : b; }
+
+/// A step at `from`, or at the one before it where that is farther.
+template <class P, class Value>
+void append_not_before(P& profile, Place from, const Value& value, Anchor anchor) {
+  if (!profile.empty() && profile.steps.back().from > from) from = profile.steps.back().from;
+  (void)profile.append(from, value, anchor);  // without room the profile ends there: never less restrictive
+}
+
+template <class P, class Step>
+void Mover::append(P& profile, const Step& step) const {
+  const Place nearer = start(step.from);
+  // Higher parts that the lower one overtakes are dropped (3.6.4.2.6 of 4.0.0).
+  while (!profile.empty() && profile.steps.back().from > nearer && profile.steps.back().value.known() &&
+         step.value.known() && change(profile.steps.back().value, step.value) == Change::lower)
+    profile.steps.pop_back();
+  if (profile.empty()) return append_not_before(profile, nearer, step.value, then_);
+  const auto before = profile.steps.back().value;
+  if (!step.value.known()) return append_not_before(profile, estimated(step.from), step.value, then_);
+  const Change how = before.known() ? change(before, step.value) : Change::lower;
+  if (how == Change::mixed) append_not_before(profile, nearer, below(before, step.value), then_);
+  const bool farther = how == Change::higher || how == Change::mixed;
+  append_not_before(profile, farther ? end(step.from) : nearer, step.value, then_);
+}
+
+template <class Value, std::size_t N>
+void Mover::profile(Profile<Value, N>& stored) {
+  bool any = false;
+  for (const auto& step : stored.steps) any = any || step.anchor == of_;
+  if (!any) return;
+  moved_ = true;
+  const Profile<Value, N> old = stored;
+  stored.steps.clear();
+  for (const auto& step : old.steps) {
+    if (step.anchor == of_) {
+      append(stored, step);
+      continue;
+    }
+    // What does not move replaces from its place on what moved beyond it (3.7.3.1 a, b).
+    while (!stored.empty() && stored.steps.back().from > step.from) stored.steps.pop_back();
+    (void)stored.append(step.from, step.value, step.anchor);
+  }
+}
+
+// --- What is marked
+
+struct Marker {
+  template <class T>
+  void item(T& data) const {
+    data.anchor = Anchor::received;
+  }
+  template <class T>
+  void item(std::optional<T>& data) const {
+    if (data) item(*data);
+  }
+  template <class T, std::size_t N>
+  void items(InplaceVector<T, N>& list) const {
+    for (T& data : list) item(data);
+  }
+  template <class T>
+  void items(std::optional<Fresh<T>>& fresh) const {
+    if (fresh) items(fresh->elements);
+  }
+  template <class Value, std::size_t N>
+  void profile(std::optional<Profile<Value, N>>& fresh) const {
+    if (fresh) items(fresh->steps);
+  }
+};
+
+}  // namespace
+
+void hang_on_unlinked(Contents& c) {
+  const Marker mark;
+  mark.item(c.ma);
+  if (c.mode_profile) mark.items(*c.mode_profile);
+  mark.profile(c.ssp);
+  mark.profile(c.gradient);
+  each_list([&](const auto& list) { mark.items(c.*list.fresh); });
+  mark.items(c.tsr);
+  mark.items(c.lx);
+  mark.items(c.suitability);
+  mark.item(c.adhesion);
+  mark.item(c.traction);
+  mark.item(c.current);
+  mark.items(c.texts);
+  mark.item(c.rbc_transition);
+  mark.item(c.radio_infill);
+  mark.item(c.reversing_area);
+  if (!c.geo) return;
+  for (GeoReference& reference : *c.geo)
+    if (reference.applies_from) mark.item(reference);  // those of groups not yet passed have no place
+}
+
+void relocate(Description& d, Anchor of, Anchor then, const Relocation& by) {
+  Mover mover(of, then, by);
+  const bool reversing = d.reversing_area && d.reversing_area->anchor == of;
+  if (reversing && d.reversing_reference) d.reversing_reference = *d.reversing_reference + by.shift;
+  mover.item(d.ma);
+  mover.items(d.mode_profile);
+  mover.profile(d.ssp);
+  mover.profile(d.gradient);
+  each_list([&](const auto& list) { mover.items(d.*list.kept); });
+  mover.items(d.tsr);
+  mover.items(d.lx);
+  mover.items(d.suitability);
+  mover.items(d.adhesion);
+  mover.item(d.traction);
+  mover.item(d.current);
+  mover.items(d.texts);
+  mover.item(d.rbc_transition);
+  mover.item(d.radio_infill);
+  mover.item(d.reversing_area);
+  mover.items(d.geo);
+  if (mover.moved()) ++d.revision;
+}
+
+}  // namespace evc::track
