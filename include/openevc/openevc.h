@@ -109,7 +109,8 @@ typedef enum openevc_select {
   OPENEVC_ADHESION_NORMAL = 8,
   OPENEVC_ISOLATE = 9,
   OPENEVC_TRACK_AHEAD_FREE = 10,
-  OPENEVC_MAIN = 11 /* a button of the main window: ends some status texts */
+  OPENEVC_MAIN = 11, /* a button of the main window: ends some status texts */
+  OPENEVC_INTEGRITY_CONFIRMED = 12
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
@@ -138,6 +139,13 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_SR_SPEED = 5,   /* entered only, not asked for */
   OPENEVC_ENTRY_SR_DISTANCE = 6 /* the same */
 } openevc_entry;
+
+/* What an external source says of the completeness of the train. */
+typedef enum openevc_integrity {
+  OPENEVC_INTEGRITY_UNKNOWN = 0,
+  OPENEVC_INTEGRITY_OK = 1,
+  OPENEVC_INTEGRITY_LOST = 2
+} openevc_integrity;
 
 /* Entry windows that are open: bit 1u << openevc_window. The train may not move (3.18.3.3.1, 4.4.11.1.5.1). */
 typedef enum openevc_window { OPENEVC_WINDOW_TRAIN_DATA = 0, OPENEVC_WINDOW_SR_DATA = 1 } openevc_window;
@@ -201,6 +209,10 @@ typedef struct openevc_inputs {
   /* Train data changed by another source than the driver, for one cycle: docs/train.md; null: none. */
   const char* external_train_data;
   size_t external_train_data_length;
+  /* Train integrity by an external source (3.6.5.2), a state; the length of the train with it, not a number: not told. */
+  int32_t integrity; /* openevc_integrity */
+  uint32_t reserved_3;
+  double length_confirmed;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;

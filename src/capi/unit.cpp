@@ -27,7 +27,7 @@ static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
 // The numbers of openevc.h are those of the kernel's enumerations.
 static_assert(int(evc::Mode::NP) == OPENEVC_NP && int(evc::Mode::FS) == OPENEVC_FS && int(evc::Mode::RV) == OPENEVC_RV);
 static_assert(int(evc::Level::L0) == OPENEVC_L0 && int(evc::Level::L3) == OPENEVC_L3);
-static_assert(int(kernel::Select::count) == OPENEVC_MAIN + 1 && int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
+static_assert(int(kernel::Select::count) == OPENEVC_INTEGRITY_CONFIRMED + 1 && int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
 static_assert(int(evc::Ack::count) == OPENEVC_ACK_TRAIN_DATA + 1 && int(evc::Ack::trip) == OPENEVC_ACK_TRIP);
 static_assert(int(evc::Entry::count) == OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER + 1);
 static_assert(int(kernel::Window::count) == OPENEVC_WINDOW_SR_DATA + 1);
@@ -94,6 +94,10 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.ep_brake_active = in.ep_brake_active != 0;
   s.additional_brake_active = in.additional_brake_active != 0;
   s.antenna_alarm = in.antenna_alarm != 0;
+  if (in.integrity < OPENEVC_INTEGRITY_UNKNOWN || in.integrity > OPENEVC_INTEGRITY_LOST)
+    return "inputs.integrity: not an openevc_integrity";
+  s.integrity = static_cast<evc::TrainIntegrity>(in.integrity);
+  if (!std::isnan(in.length_confirmed)) s.length_confirmed = {in.length_confirmed};
   return nullptr;
 }
 
@@ -285,7 +289,7 @@ openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) noexce
   in.powered = signals.powered;
   in.direction = 1;
   in.regenerative_brake_active = in.eddy_current_brake_active = in.magnetic_shoe_brake_active = in.ep_brake_active = 1;
-  in.brake_pressure_kpa = kNone;
+  in.brake_pressure_kpa = in.length_confirmed = kNone;
   in.size = size;
   std::memcpy(inputs, &in, size < sizeof in ? size : sizeof in);
   return OPENEVC_OK;

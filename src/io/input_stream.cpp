@@ -16,12 +16,13 @@ constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
-  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values"});
+  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
   if (const auto p = place.find("train")) c.train = read_train(*p);
   if (const auto p = place.find("national_values")) c.national_values = read_national_values(*p);
+  if (const auto p = place.find("engine_length_m")) c.L_engine = {p->number(1.0, 1000.0)};
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
     for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
@@ -178,11 +179,23 @@ void read_external_train_data(CycleInputs& cycle, const JsonPlace& place) {
   cycle.levels.external_train_data.driver_validates = !validation || validation->boolean();
 }
 
+/// Of an external source (3.6.5.2); without its length the train data count alone.
+void read_integrity(kernel::TrainSignals& t, const JsonPlace& place) {
+  const auto length = place.find("train_length_m");
+  if (const auto p = place.find("integrity")) {
+    t.integrity = p->term<kTrainIntegrityRows>();
+    t.length_confirmed.reset();
+  } else if (length) {
+    length->fail("integrity, which it belongs to");
+  }
+  if (length && !length->is_null()) t.length_confirmed = {length->number(0.0, 4095.0)};
+}
+
 void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
                    "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
                    "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
-                   "additional_brake_active", "antenna_alarm", "data", "data_validation"});
+                   "additional_brake_active", "antenna_alarm", "data", "data_validation", "integrity", "train_length_m"});
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
@@ -201,6 +214,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.additional_brake_active, "additional_brake_active");
   flag(t.antenna_alarm, "antenna_alarm");
   read_external_train_data(cycle, place);
+  read_integrity(t, place);
   if (const auto p = place.find("direction_controller"))
     t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {
@@ -247,6 +261,7 @@ kernel::Config Configuration::for_kernel() const {
   config.srs = srs;
   config.train = train.data;
   config.national_values = national_values;
+  config.L_engine = L_engine;
   config.levels = levels;
   return config;
 }

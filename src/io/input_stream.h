@@ -21,6 +21,7 @@ struct Configuration {
   Train train;
   train::NationalValues national_values;
   std::array<bool, kLevels> levels{true, true, true, true, true};
+  Distance L_engine = kernel::Config{}.L_engine;
   std::string document = "{}";  // as read, on one line
 
   kernel::Config for_kernel() const;

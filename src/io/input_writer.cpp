@@ -29,6 +29,15 @@ void append_odometer(std::string& out, const kernel::Odometry& o) {
   out += '}';
 }
 
+void append_integrity(std::string& fields, const kernel::TrainSignals& before, const kernel::TrainSignals& now) {
+  if (before.integrity == now.integrity && before.length_confirmed == now.length_confirmed) return;
+  fields += fields.empty() ? "" : ",";
+  fields += std::string("\"integrity\":\"") + terms::kNames<kTrainIntegrityRows>[terms::index(now.integrity)] + '"';
+  if (!now.length_confirmed) return;
+  fields += ",\"train_length_m\":";
+  append_number(fields, now.length_confirmed->si);
+}
+
 /// Appends what changed in the signals as `,"train":{...}`.
 void append_signals(std::string& out, kernel::TrainSignals& before, const kernel::TrainSignals& now) {
   std::string fields;
@@ -66,6 +75,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
     else
       fields += "null";
   }
+  append_integrity(fields, before, now);
   before = now;
   if (!fields.empty()) out += ",\"train\":{" + fields + "}";
 }

@@ -143,6 +143,20 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
+TEST(InputStream, TrainIntegrityIsKeptUntilChanged) {
+  auto stream = open(R"({"config":{"engine_length_m":17.5},"t_ms":0,"train":{"integrity":"confirmed","train_length_m":200}}
+{"t_ms":100,"train":{"desk_open":true}}
+{"t_ms":200,"train":{"integrity":"confirmed"}}
+)");
+  EXPECT_EQ(stream.configuration().for_kernel().L_engine, 17.5_m);
+  sim::CycleInputs cycle;
+  for (const bool length : {true, true, false}) {
+    ASSERT_TRUE(*stream.next(cycle));
+    EXPECT_EQ(cycle.view().train.integrity, TrainIntegrity::confirmed);
+    EXPECT_EQ(cycle.view().train.length_confirmed, length ? std::optional(200_m) : std::nullopt);
+  }
+}
+
 TEST(InputStream, TrainDataOfAnotherSourceAreForOneCycle) {
   auto stream = open(R"({"t_ms":0,"train":{"data":{"length_m":300}}}
 {"t_ms":100,"train":{"antenna_alarm":true}}
@@ -199,6 +213,10 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
   EXPECT_EQ(error(R"("driver":{"window":{"open":"train_data"}})"),
             "/driver/window/open: found an unknown key, expected one of opened, closed");
   EXPECT_EQ(error(R"("train":{"antenna_alarm":1})"), "/train/antenna_alarm: found 1, expected true or false");
+  EXPECT_EQ(error(R"("train":{"integrity":"yes"})"),
+            "/train/integrity: found \"yes\", expected one of unknown, confirmed, lost");
+  EXPECT_EQ(error(R"("train":{"train_length_m":100})"),
+            "/train/train_length_m: found 100, expected integrity, which it belongs to");
   EXPECT_EQ(error(R"("train":{"data":true})"), "/train/data: found true, expected an object");
   EXPECT_EQ(error(R"("train":{"data":{"length_m":0.5}})"),
             "/train/data/length_m: found 0.5, expected 1 to 4095 m (SUBSET-026 A.3.11)");
@@ -225,6 +243,8 @@ TEST(InputWriter, RoundTrip) {
   first.levels.national_system.available = 2;
   first.levels.national_system.service_brake = first.levels.national_system.emergency_brake = true;
   first.levels.train.antenna_alarm = true;
+  first.levels.train.integrity = TrainIntegrity::confirmed;
+  first.levels.train.length_confirmed = 123.5_m;
   first.levels.windows = {kernel::Window::SR_data};
   first.levels.radio_link = RadioLink::connected;
   auto& d = first.levels.driver;
@@ -271,6 +291,8 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(read.levels.train.direction_controller, kernel::DirectionController::backward);
   EXPECT_EQ(read.levels.national_system, first.levels.national_system);
   EXPECT_TRUE(read.levels.train.antenna_alarm);
+  EXPECT_EQ(read.levels.train.integrity, TrainIntegrity::confirmed);
+  EXPECT_EQ(read.levels.train.length_confirmed, 123.5_m);
   EXPECT_EQ(read.levels.windows, first.levels.windows);
   ASSERT_EQ(read.balises.size(), 2u);
   EXPECT_EQ(read.balises[0].bits.size, 830u);

@@ -2,9 +2,15 @@
 
 namespace evc::kernel {
 
+Distance length_of(const State& s) {
+  const bool engine = s.mode == Mode::SH || s.mode == Mode::SL || s.mode == Mode::NL || s.mode == Mode::PS ||
+                      (s.mode == Mode::SB && !valid(s.data.train_data_status));
+  return engine ? s.L_engine : s.train.L_TRAIN;
+}
+
 track::Here here(const State& state) {
   const PlaceInterval front = position::front(state.position);
-  const PlaceInterval rear = front - state.train.L_TRAIN;
+  const PlaceInterval rear = front - length_of(state);
   const PlaceInterval antenna = front - state.train.L_antenna_front;
   track::Here h;
   h.est_front = front.est;

@@ -5,6 +5,9 @@
 // The position and speed of the train, for the stages.
 namespace evc::kernel {
 
+/// The length behind the front end: that of the engine where no train data count, in SH, SL, NL, PS and before their
+/// entry (4.4.6.1.4, 4.4.7.1.6, 4.4.8.1.3, 4.4.15.1.3, 4.4.20.1.4).
+Distance length_of(const State& state);
 /// The train in the track frame now.
 track::Here here(const State& state);
 

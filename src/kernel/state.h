@@ -125,6 +125,7 @@ struct State {
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 
   train::TrainData train;
+  Distance L_engine{};
   train::NationalValues national_values;
   InplaceVector<std::uint16_t, 32> national_areas;
   std::optional<PendingNationalValues> pending_national_values;
@@ -133,6 +134,7 @@ struct State {
   position::State position;
   Set<Anchor> anchors;  // of stored data; those of the LRBG do not count
   position::ReportState reports;
+  position::IntegrityStatus integrity;
   balise::State balise;
   track::Description track;
   radio::State radio;

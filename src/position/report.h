@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "position/integrity.h"
 #include "position/position.h"
 
 // Position reports: packets 0 and 1 (3.6.5, 7.4.3.1-2) as raw codes, and when to send one.
@@ -12,8 +13,6 @@ namespace evc::position {
 inline constexpr std::uint32_t kUnknownGroup = 16777215;
 /// D_LRBG and L_DOUBT* "unknown".
 inline constexpr std::uint16_t kUnknownLength = 32767;
-
-enum class Integrity : std::uint8_t { none = 0, by_device = 1, by_driver = 2, lost = 3 };  // codes of Q_LENGTH
 
 /// The codes of packet 0, or of packet 1 when NID_PRVLRBG is present (3.4.2.3.3.1). M_MODE, M_LEVEL and
 /// NID_NTC are the caller's.
@@ -30,12 +29,6 @@ struct Report {
   std::optional<std::uint16_t> L_TRAININT;  // with Q_LENGTH 1 or 2
   std::uint8_t V_TRAIN = 0;
   std::uint8_t Q_DIRTRAIN = 2;
-};
-
-/// The min safe rear end when integrity was last confirmed (3.6.5.2.4).
-struct IntegrityStatus {
-  Integrity integrity = Integrity::none;
-  Place min_safe_rear;
 };
 
 /// The report of the current position. D_LRBG is rounded to the nearest step of the finest scale that fits; the

@@ -121,13 +121,13 @@ TEST(Report, SpeedIsRoundedUpAndLimited) {
 
 TEST(Report, IntegrityCountsFromTheLastTimeItWasConfirmed) {
   State s = after(500);
-  Report r = report(s, {Integrity::by_device, Place{99.5_m}});
+  Report r = report(s, {Integrity::by_device, Place{99.5_m}, {}});
   EXPECT_EQ(r.Q_LENGTH, 1);
   EXPECT_EQ(r.L_TRAININT, 401);  // 500 - 99.5 up
-  r = report(s, {Integrity::lost, Place{99.5_m}});
+  r = report(s, {Integrity::lost, Place{99.5_m}, {}});
   EXPECT_EQ(r.Q_LENGTH, 3);
   EXPECT_FALSE(r.L_TRAININT);
-  EXPECT_EQ(report(s, {Integrity::by_driver, Place{99.5_m}}).L_TRAININT, 401);
+  EXPECT_EQ(report(s, {Integrity::by_driver, Place{99.5_m}, {}}).L_TRAININT, 401);
 }
 
 // 3.4.2.3.3: single balise groups.

@@ -8,6 +8,7 @@
 #include "terms/mode.h"
 #include "terms/monitoring.h"
 #include "terms/radio_link.h"
+#include "terms/train_integrity.h"
 #include "terms/reaction.h"
 #include "terms/requests.h"
 #include "terms/srs_version.h"
@@ -97,6 +98,7 @@ TEST(Terms, NoNameTwice) {
   expect_distinct_names(kDataStatusRows);
   expect_distinct_names(kReactionRows);
   expect_distinct_names(kRadioLinkRows);
+  expect_distinct_names(kTrainIntegrityRows);
   expect_distinct_names(kMonitoringRows);
   expect_distinct_names(kStatusRows);
   expect_distinct_names(kAckRows);

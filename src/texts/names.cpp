@@ -87,7 +87,8 @@ constexpr std::array<const char*, driver::kOutputs> kOutputNames{"mode",
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames{
     "start",      "override",      "shunting",        "exit_shunting", "non_leading",      "maintain_shunting",
-    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free", "main"};
+    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free", "main",
+    "integrity_confirmed"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
 
@@ -118,6 +119,8 @@ InputKeys keys_of(DriverInput input) {
       return {"rbc", nullptr};
     case sr_speed_distance:
       return {"V_sr_kmh", "D_sr_m"};
+    case integrity_confirmation:
+      return {"integrity_confirmed", nullptr};
     default:
       return {nullptr, nullptr};
   }

@@ -110,6 +110,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         in.national_system.emergency_brake = (what & 128) != 0;
         if ((more & 64) != 0) in.external_train_data = {&changed, (more & 128) != 0};
         in.train.sleeping = (what & 8) != 0;
+        in.train.integrity = static_cast<TrainIntegrity>((more >> 5) % 3u);
         in.train.non_leading = (what & 16) != 0;
         in.train.desk_open = (what & 32) == 0;
         break;

@@ -8,6 +8,7 @@
 #include "openevc/terms/level.h"
 #include "openevc/terms/radio_link.h"
 #include "openevc/terms/requests.h"
+#include "openevc/terms/train_integrity.h"
 #include "openevc/train/train_data.h"
 
 // The inputs of one cycle of the kernel.
@@ -45,7 +46,8 @@ enum class Select : std::uint8_t {
   adhesion_normal,
   isolate,
   track_ahead_free,
-  main,  // a button of the main window: ends some status texts (015560 15)
+  main,                 // a button of the main window: ends some status texts (015560 15)
+  integrity_confirmed,  // the driver confirms that the train is complete (3.6.5.2)
   count
 };
 struct DriverActions {
@@ -100,6 +102,8 @@ struct TrainSignals {
        ep_brake_active = true;
   bool additional_brake_active = false;
   bool antenna_alarm = false;  ///< the on-board reports a failure of the balise transmission (3.15.7)
+  TrainIntegrity integrity = TrainIntegrity::unknown;  ///< says an external source (3.6.5.2)
+  std::optional<Distance> length_confirmed;            ///< of the train, with TrainIntegrity::confirmed
 };
 
 /// The STM interface, as states: bit n of `available` is NID_NTC n (NID_NTC > 63 is not stored

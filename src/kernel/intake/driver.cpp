@@ -26,7 +26,7 @@ Set<Select> enabled_selections(Reception& r) {
     Select select;
     driver::Input input;
   };
-  constexpr std::array<Row, 9> rows{{
+  constexpr std::array<Row, 10> rows{{
       {Select::start, driver::Input::start},
       {Select::override_, driver::Input::override_},
       {Select::shunting, driver::Input::shunting},
@@ -36,6 +36,7 @@ Set<Select> enabled_selections(Reception& r) {
       {Select::slippery_rail, driver::Input::adhesion},
       {Select::adhesion_normal, driver::Input::adhesion},
       {Select::track_ahead_free, driver::Input::track_ahead_free},
+      {Select::integrity_confirmed, driver::Input::integrity_confirmation},
   }};
   Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
   for (const Row& row : rows)

@@ -52,6 +52,12 @@ void advance_track(Reception& r) {
   }
 }
 
+/// A source that knows of a longer train than the train data confirms nothing (3.6.5.2.5 [3] of 4.0.0).
+TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
+  const bool longer = train.length_confirmed && !(*train.length_confirmed <= L_TRAIN);
+  return train.integrity == TrainIntegrity::confirmed && longer ? TrainIntegrity::unknown : train.integrity;
+}
+
 }  // namespace
 
 Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log) {
@@ -66,6 +72,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
     position::update(s.position, odometry_of(in.odometry), in.now);
   }
   out.here = here(s);
+  out.integrity = integrity_of(in.train, s.train.L_TRAIN);
   receive_driver(r);
   receive_external_train_data(r);
   if (can_go_on) receive_balises(r);  // their places may be no numbers

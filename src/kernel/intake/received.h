@@ -22,6 +22,7 @@ struct Received {
   Set<Ack> acknowledged;
   Set<Entered> entered;  ///< data that the driver entered and that were accepted
 
+  TrainIntegrity integrity{};  ///< says an external source
   // Balise groups
   bool new_lrbg = false;
   bool linking_reaction_trip = false;

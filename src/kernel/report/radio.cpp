@@ -80,11 +80,25 @@ void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
 }
 
+position::IntegrityEvents supervise_integrity(State& s, const Received& received) {
+  position::IntegrityFacts facts;
+  facts.device = received.integrity;
+  facts.driver_confirms = received.selected.has(Select::integrity_confirmed);
+  facts.train_data_valid = valid(s.data.train_data_status);
+  facts.length_acknowledged = s.radio.train_data_acknowledged && !s.train_data_change.pending;
+  facts.session_established = s.radio.established_now;
+  facts.L_TRAIN = s.train.L_TRAIN;
+  return position::supervise(s.integrity, s.position, facts);
+}
+
 /// The events of this cycle that are reported in the current mode (4.5.2).
-position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided) {
+position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided,
+                                        const position::IntegrityEvents& integrity) {
   position::ReportEvents e;
   const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
   e.mode_change = decided.mode_changed && level_2_or_3(s.level.level) && in_mode(Function::report_mode_change);
+  e.integrity_confirmed = integrity.confirmed_by_driver && in_mode(Function::report_integrity_confirmed);
+  e.integrity_lost = integrity.lost && in_mode(Function::report_integrity_lost);
   e.new_lrbg = received.new_lrbg;
   e.level_change =
       received.level_switched_to && in_mode(received.level_changed_by_driver ? Function::report_level_change_driver
@@ -147,8 +161,9 @@ RadioResult run_radio(State& s, RadioLink link, const Received& received, const 
   in.train_data_valid = valid(s.data.train_data_status) && s.mode != Mode::SL && s.mode != Mode::NL;
   in.contact.T_NVCONTACT = s.national_values.T_NVCONTACT;
   in.contact.M_NVCONTACT = s.national_values.M_NVCONTACT;
+  const position::IntegrityEvents integrity = supervise_integrity(s, received);
   const std::uint16_t due =
-      position::due(s.reports, s.position, events_to_report(s, received, decided), s.train.L_TRAIN);
+      position::due(s.reports, s.position, events_to_report(s, received, decided, integrity), length_of(s));
   leave_rbc(s, (due & static_cast<std::uint16_t>(position::Due::border)) != 0, received.termination_ordered,
             out.effects, outbox);
   in.report_due = due != 0 || out.effects.send.has(procedures::Send::position_report);
@@ -173,7 +188,7 @@ void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& o
   static_assert(decltype(Outputs::radio_out)::capacity() == radio::Outbox::kMessages);
   if (outbox.messages.empty()) return;
   if (outbox.lost) log.note({.what = What::message_not_sent});
-  const position::Report report = position::report(s.position, {});
+  const position::Report report = position::report(s.position, s.integrity);
   const radio::PositionReport p = position_report(s, report);
   const radio::TrainDataReport t = train_report(s);
   const radio::OnBoard unit{};
@@ -187,7 +202,9 @@ void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& o
     (void)out.radio_out.push_back(message);  // as many as fit in the outbox
     position_sent = position_sent || radio::reports_position(intent.NID_MESSAGE);
   }
-  if (position_sent) position::note_reported(s.position, report);
+  if (!position_sent) return;
+  position::note_reported(s.position, report);
+  position::note_reported(s.integrity);
 }
 
 }  // namespace evc::kernel

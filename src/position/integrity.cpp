@@ -1,0 +1,74 @@
+#include "position/integrity.h"
+
+namespace evc::position {
+namespace {
+
+/// The range of L_TRAININT (7.5.1.58).
+constexpr Distance kLongestReported{32766.0};
+
+/// 3.6.5.2.7: without a valid position against an LRBG, or without a length, nothing can be confirmed.
+bool can_confirm(const State& state, const IntegrityFacts& facts) {
+  return facts.train_data_valid && facts.length_acknowledged && state.status == DataStatus::valid &&
+         lrbg(state) != nullptr;
+}
+
+void confirm(IntegrityStatus& status, Integrity by, const State& state, const IntegrityFacts& facts) {
+  status = {by, rear(state, facts.L_TRAIN).min, facts.L_TRAIN};
+}
+
+/// Conditions 7, 8, 9 of Table 2c.
+bool outdated(const IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
+  return !facts.train_data_valid || !facts.length_acknowledged || facts.L_TRAIN != status.L_TRAIN ||
+         motion(state) == Motion::backward || front(state).est - status.min_safe_rear > kLongestReported;
+}
+
+}  // namespace
+
+IntegrityEvents supervise(IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
+  if (facts.session_established) status = {};
+  const Integrity before = status.integrity;
+  const bool by_driver = facts.driver_confirms && can_confirm(state, facts);  // 2
+  const bool by_device = facts.device == TrainIntegrity::confirmed && can_confirm(state, facts) &&
+                         motion(state) != Motion::backward;  // 3
+  const bool lost = facts.device == TrainIntegrity::lost && facts.train_data_valid;  // 4
+  switch (before) {
+    case Integrity::none:
+      if (by_driver)
+        confirm(status, Integrity::by_driver, state, facts);
+      else if (lost)
+        status.integrity = Integrity::lost;
+      else if (by_device)
+        confirm(status, Integrity::by_device, state, facts);
+      break;
+    case Integrity::by_driver:
+      break;  // until it is reported
+    case Integrity::by_device:
+      if (lost)
+        status.integrity = Integrity::lost;
+      else if (by_driver)
+        confirm(status, Integrity::by_driver, state, facts);
+      else if (by_device)
+        confirm(status, Integrity::by_device, state, facts);
+      else if (outdated(status, state, facts))
+        status = {};
+      break;
+    case Integrity::lost:
+      if (by_driver)
+        confirm(status, Integrity::by_driver, state, facts);
+      else if (by_device)
+        confirm(status, Integrity::by_device, state, facts);
+      else if (!facts.train_data_valid || facts.device == TrainIntegrity::unknown)  // 1, 6
+        status = {};
+      break;
+  }
+  IntegrityEvents events;
+  events.confirmed_by_driver = by_driver && status.integrity == Integrity::by_driver;
+  events.lost = status.integrity == Integrity::lost && before != Integrity::lost;
+  return events;
+}
+
+void note_reported(IntegrityStatus& status) {
+  if (status.integrity == Integrity::by_driver || status.integrity == Integrity::by_device) status = {};
+}
+
+}  // namespace evc::position
