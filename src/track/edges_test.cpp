@@ -304,6 +304,7 @@ TEST(Store, Lists_for_SH_come_with_an_MA_by_its_own_way_and_geographical_referen
   for (const std::optional<Place> applies : {std::optional<Place>{}, std::optional{at(0)}, std::optional{at(0.1)}}) {
     GeoReference reference;
     reference.applies_from = applies;
+    reference.applicable = applies && *applies <= at(0);
     ASSERT_TRUE(d.geo.push_back(reference));
   }
   Contents c;
@@ -460,8 +461,9 @@ TEST(Services, Geographical_position_at_its_limits) {  // 3.6.6, M_POSITION 0..9
     Description d;
     GeoReference reference;
     reference.M_POSITION = M_POSITION;
-    reference.counts_up = counts_up;
+    reference.counts_up_ahead = counts_up;
     reference.applies_from = at(0);
+    reference.applicable = true;
     EXPECT_TRUE(d.geo.push_back(reference));
     return geographical_position(d, front_at(run));
   };
@@ -477,6 +479,7 @@ TEST(Services, Geographical_position_at_its_limits) {  // 3.6.6, M_POSITION 0..9
   GeoReference reference;
   reference.M_POSITION = 100;
   reference.applies_from = at(0);
+  reference.applicable = true;
   ASSERT_TRUE(d.geo.push_back(reference));
   reference.M_POSITION = 700;
   ASSERT_TRUE(d.geo.push_back(reference));

@@ -14,6 +14,7 @@
 #include "lang/si.h"
 #include "terms/packet_numbers.h"
 #include "track/from_packets_parts.h"
+#include "track/services.h"
 
 namespace evc::track {
 namespace {
@@ -42,9 +43,9 @@ void take(Contents& c, const lang::Packet79& p, const Reference& r) {
     GeoReference reference;
     reference.group = {NID_C, e.NID_BG.raw};
     reference.D_POSOFF = metres(p.Q_SCALE, e.D_POSOFF);
-    reference.counts_up = (e.Q_MPOSITION.raw == 1) == (r.orientation != Direction::reverse);
+    reference.counts_up = e.Q_MPOSITION.raw == 1;
     if (e.M_POSITION.raw <= lang::var::M_POSITION::max) reference.M_POSITION = e.M_POSITION.raw;
-    if (reference.group == r.origin()) reference.applies_from = r.place + reference.D_POSOFF;
+    if (reference.group == r.origin()) place(reference, r.place, r.orientation);
     (void)geo.push_back(reference);
   };
   append(p.first_references());

@@ -49,9 +49,11 @@ struct ReversingSupervision {
 struct GeoReference {
   GroupId group{};
   Distance D_POSOFF{};
-  bool counts_up = true;                    ///< Q_MPOSITION
+  bool counts_up = true;                    ///< Q_MPOSITION, in the nominal direction of the group
   std::optional<std::uint32_t> M_POSITION;  ///< metres; absent: the geographical position ends
   std::optional<Place> applies_from;        ///< known once the group was passed
+  bool counts_up_ahead = true;              ///< then: in the train's orientation
+  bool applicable = false;                  ///< D_POSOFF was travelled (3.6.6.4.2)
   Anchor anchor{};
   friend constexpr bool operator==(const GeoReference&, const GeoReference&) = default;
 };

@@ -166,26 +166,53 @@ std::optional<Distance> reversing_left(const Description& d, const Here& here) {
   return here.est_front - (*d.reversing_reference - *d.reversing_supervision->D_REVERSE);
 }
 
-std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here) {
-  const GeoReference* running = nullptr;
+namespace {
+
+/// The value at the estimated front end; below 0 there is none (3.6.6.9 c).
+double position_from(const GeoReference& reference, const Here& here) {
+  const double run = (here.est_front - *reference.applies_from).si;
+  const double origin = static_cast<double>(*reference.M_POSITION);
+  return reference.counts_up_ahead ? origin + run : origin - run;
+}
+
+/// The one that became applicable last.
+const GeoReference* applicable(const Description& d) {
+  const GeoReference* last = nullptr;
   for (const GeoReference& reference : d.geo)
-    if (reference.applies_from && *reference.applies_from <= here.est_front &&
-        (running == nullptr || *reference.applies_from >= *running->applies_from))
-      running = &reference;
-  if (running == nullptr || !running->M_POSITION) return std::nullopt;
-  const double run = (here.est_front - *running->applies_from).si;
-  const double origin = static_cast<double>(*running->M_POSITION);
-  const double value = running->counts_up ? origin + run : origin - run;
+    if (reference.applicable && (last == nullptr || *reference.applies_from >= *last->applies_from)) last = &reference;
+  return last;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here) {
+  const GeoReference* reference = applicable(d);
+  if (reference == nullptr || !reference->M_POSITION) return std::nullopt;
+  const double value = position_from(*reference, here);
   if (value < 0.0 || value > 9'999'999.0) return std::nullopt;
   return static_cast<std::uint32_t>(value + 0.5);  // NOLINT(bugprone-incorrect-roundings): the kernel has no libm
 }
 
-void note_group(Description& d, GroupId group, Place at, Anchor anchor) {
-  for (GeoReference& reference : d.geo) {
-    if (!(reference.group == group)) continue;
-    reference.applies_from = at + reference.D_POSOFF;
-    reference.anchor = anchor;
-  }
+void place(GeoReference& reference, Place at, Direction orientation, Anchor anchor) {
+  if (orientation == Direction::unknown) return;
+  reference.applies_from = at + reference.D_POSOFF;
+  reference.counts_up_ahead = reference.counts_up == (orientation == Direction::nominal);
+  reference.anchor = anchor;
+}
+
+void note_group(Description& d, GroupId group, Place at, Direction orientation, Anchor anchor) {
+  for (GeoReference& reference : d.geo)
+    if (reference.group == group && !reference.applicable) place(reference, at, orientation, anchor);
+}
+
+void advance_geographical_position(Description& d, const Here& here) {
+  for (GeoReference& reference : d.geo)
+    if (reference.applies_from && *reference.applies_from <= here.est_front) reference.applicable = true;
+  const GeoReference* last = applicable(d);
+  if (last == nullptr) return;
+  const bool over = !last->M_POSITION || position_from(*last, here) < 0.0;
+  const Place from = *last->applies_from;
+  d.geo.erase_if([&](const GeoReference& r) { return r.applicable && (over || *r.applies_from < from); });
 }
 
 }  // namespace evc::track

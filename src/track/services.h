@@ -86,9 +86,13 @@ std::optional<Duration> time_to_timeout(const Description& d, Duration now);
 
 /// Geographical position of the estimated front end in metres (3.6.6); absent when none applies.
 std::optional<std::uint32_t> geographical_position(const Description& d, const Here& here);
-/// A balise group was passed at `at`, an unlinked one where `anchor` says so: references to it become applicable after
-/// their offset.
-void note_group(Description& d, GroupId group, Place at, Anchor anchor = {});
+/// The group of the reference is at `at`: it becomes applicable after its offset. `orientation`: of the train against
+/// the group; unknown: the reference is not used (3.6.6.7).
+void place(GeoReference& reference, Place at, Direction orientation, Anchor anchor = {});
+/// The same for the references to a group that is passed.
+void note_group(Description& d, GroupId group, Place at, Direction orientation, Anchor anchor = {});
+/// Once a cycle: references become applicable; those that are not any more are deleted (3.6.6.4.2, 3.6.6.9).
+void advance_geographical_position(Description& d, const Here& here);
 
 /// Text display (3.12.3): the brake members are true while a text waits for its acknowledgement
 /// beyond its end.

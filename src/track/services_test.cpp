@@ -225,16 +225,40 @@ TEST(GeographicalPosition, CountsFromTheOffset) {  // 3.6.6
   stop.group = {1, 12};
   stop.M_POSITION.reset();
   ASSERT_TRUE(d.geo.push_back(up) && d.geo.push_back(down) && d.geo.push_back(stop));
-  EXPECT_FALSE(geographical_position(d, front_at(500))) << "its group was not passed yet";
-  note_group(d, {1, 10}, at(100));
-  EXPECT_FALSE(geographical_position(d, front_at(149)));
-  EXPECT_EQ(geographical_position(d, front_at(150)), 12000u);
-  EXPECT_EQ(geographical_position(d, front_at(250.4)), 12100u);
-  note_group(d, {1, 11}, at(400));
-  EXPECT_EQ(geographical_position(d, front_at(460)), 20u);
-  EXPECT_FALSE(geographical_position(d, front_at(490))) << "below zero";
-  note_group(d, {1, 12}, at(600));
-  EXPECT_FALSE(geographical_position(d, front_at(700))) << "ordered to stop";
+  const auto position = [&d](double est) {
+    advance_geographical_position(d, front_at(est));
+    return geographical_position(d, front_at(est));
+  };
+  EXPECT_FALSE(position(500)) << "its group was not passed yet";
+  note_group(d, {1, 10}, at(100), Direction::nominal);
+  EXPECT_FALSE(position(149));
+  EXPECT_EQ(position(150), 12000u);
+  EXPECT_EQ(position(250.4), 12100u);
+  EXPECT_EQ(position(140), 11990u) << "it remains applicable (3.6.6.9)";
+  note_group(d, {1, 11}, at(400), Direction::nominal);
+  EXPECT_EQ(position(460), 20u);
+  EXPECT_EQ(d.geo.size(), 2u) << "the first one is deleted (3.6.6.9.1)";
+  EXPECT_FALSE(position(490)) << "below zero";
+  EXPECT_FALSE(position(460)) << "and deleted with that";
+  note_group(d, {1, 12}, at(600), Direction::nominal);
+  EXPECT_FALSE(position(700)) << "ordered to stop";
+  EXPECT_TRUE(d.geo.empty());
+}
+
+// 3.6.6.10: the counting direction is that of the reference group, not of the group that sent the packet.
+TEST(GeographicalPosition, CountsInTheDirectionOfItsGroup) {
+  for (const bool nominal : {true, false}) {
+    Description d;
+    GeoReference reference;
+    reference.group = {1, 10};
+    reference.M_POSITION = 12000;
+    ASSERT_TRUE(d.geo.push_back(reference));
+    note_group(d, {1, 10}, at(100), Direction::unknown);  // a single group (3.6.6.7)
+    EXPECT_FALSE(d.geo[0].applies_from);
+    note_group(d, {1, 10}, at(100), nominal ? Direction::nominal : Direction::reverse);
+    advance_geographical_position(d, front_at(200));
+    EXPECT_EQ(geographical_position(d, front_at(200)), nominal ? 12100u : 11900u);
+  }
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ void store_orders(const Filing& f, const Contents& c) {
   if (c.sh_list && !c.ma) d.sh_list = c.sh_list;
   if (c.geo) {
     // A reference that already applies continues until another becomes applicable (3.6.6.3).
-    d.geo.erase_if([&](const GeoReference& old) { return !old.applies_from || *old.applies_from > f.here.est_front; });
+    d.geo.erase_if([](const GeoReference& old) { return !old.applicable; });
     bool room = true;
     for (const GeoReference& reference : *c.geo) room = d.geo.push_back(reference) && room;
     f.stored(79, room, "3.6.6"_srs);

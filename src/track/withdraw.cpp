@@ -199,6 +199,7 @@ void forget_passed(Description& d, const Here& here) {
       ++d.revision;
       break;
     }
+  if (!d.geo.empty()) advance_geographical_position(d, here);
   const auto ended = [](const Text& text) { return text.state == Text::State::ended; };
   for (const Text& text : d.texts)
     if (ended(text)) {

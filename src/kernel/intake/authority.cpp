@@ -50,6 +50,20 @@ void tell_stored(Evaluation& e, const track::Stored& stored) {
   }
 }
 
+/// 3.6.6.4.1: of groups passed before, the one reported last counts.
+void place_geo_references(const position::State& position, InplaceVector<track::GeoReference, 32>& geo) {
+  for (std::size_t i = position.references.size(); i-- > 0;) {
+    const position::Reference& group = position.references[i];
+    bool named = false;
+    for (track::GeoReference& reference : geo) {
+      if (!group.reported || !(reference.group == group.id)) continue;
+      track::place(reference, group.place, group.orientation);
+      named = true;
+    }
+    if (named) return;
+  }
+}
+
 }  // namespace
 
 void evaluate_authority(Evaluation& e) {
@@ -80,6 +94,7 @@ void store_contents(Evaluation& e) {
   State& s = e.r.state;
   const bool authority = e.contents.ma.has_value();
   const Anchor anchor = anchor_of(e);
+  if (e.information.medium == Medium::rbc && e.contents.geo) place_geo_references(s.position, *e.contents.geo);
   if (anchor != Anchor::lrbg) track::hang_on_unlinked(e.contents);
   const track::Stored stored = track::store(s.track, e.contents, out.here);
   if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);

@@ -162,7 +162,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   balise::keep_covers_of(s.balise, group.id.NID_C);
   const Anchor anchor = group.lrbg_compliant ? Anchor::lrbg : Anchor::unlinked;
   s.anchors.add(anchor, anchor != Anchor::lrbg);
-  track::note_group(s.track, group.id, reference.place, anchor);
+  track::note_group(s.track, group.id, reference.place, reference.orientation, anchor);
   if (group.default_information) r.out.default_information = true;
   check_lists(r, group.id);
   r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
