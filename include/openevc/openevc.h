@@ -209,7 +209,8 @@ typedef struct openevc_inputs {
   /* Train data changed by another source than the driver, for one cycle: docs/train.md; null: none. */
   const char* external_train_data;
   size_t external_train_data_length;
-  /* Train integrity by an external source (3.6.5.2), a state; the length of the train with it, not a number: not told. */
+  /* Train integrity by an external source (3.6.5.2), a state; the length of the train with it, not a number: not given.
+   */
   int32_t integrity; /* openevc_integrity */
   uint32_t reserved_3;
   double length_confirmed;

@@ -289,6 +289,11 @@ TEST_F(CUnit, WindowsAlarmsAndTrainDataOfAnotherSource) {
   in.external_train_data = R"({"schema":"etcs-train/1","length_m":250})";
   in.external_train_data_length = std::strlen(in.external_train_data);
   in.external_data_trusted = 1;
+  in.integrity = OPENEVC_INTEGRITY_LOST + 1;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  EXPECT_NE(std::strstr(why, "inputs.integrity"), nullptr) << why;
+  in.integrity = OPENEVC_INTEGRITY_OK;
+  in.length_confirmed = 200.0;
   ASSERT_EQ(step(in), OPENEVC_OK) << why;
   EXPECT_TRUE(brakes_for("balise antenna"));
   EXPECT_FALSE(brakes_for("train data changed"));

@@ -27,7 +27,8 @@ static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
 // The numbers of openevc.h are those of the kernel's enumerations.
 static_assert(int(evc::Mode::NP) == OPENEVC_NP && int(evc::Mode::FS) == OPENEVC_FS && int(evc::Mode::RV) == OPENEVC_RV);
 static_assert(int(evc::Level::L0) == OPENEVC_L0 && int(evc::Level::L3) == OPENEVC_L3);
-static_assert(int(kernel::Select::count) == OPENEVC_INTEGRITY_CONFIRMED + 1 && int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
+static_assert(int(kernel::Select::count) == OPENEVC_INTEGRITY_CONFIRMED + 1 &&
+              int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
 static_assert(int(evc::Ack::count) == OPENEVC_ACK_TRAIN_DATA + 1 && int(evc::Ack::trip) == OPENEVC_ACK_TRIP);
 static_assert(int(evc::Entry::count) == OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER + 1);
 static_assert(int(kernel::Window::count) == OPENEVC_WINDOW_SR_DATA + 1);

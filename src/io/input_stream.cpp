@@ -31,8 +31,18 @@ Configuration read_configuration(const JsonPlace& place) {
   return c;
 }
 
-void read_odometer(CycleInputs& cycle, const JsonPlace& place) {
-  place.know_only({"nominal_m", "min_m", "max_m", "speed_mps", "speed_min_mps", "speed_max_mps", "accel_mps2"});
+/// `at_ms`, not after the line's own time.
+std::optional<Duration> read_time(const JsonPlace& place, std::int64_t t_ms) {
+  const auto p = place.find("at_ms");
+  if (!p) return std::nullopt;
+  const double at_ms = p->number(0.0, 1e15);
+  if (at_ms > static_cast<double>(t_ms)) p->fail("a time not after t_ms, " + std::to_string(t_ms));
+  return Duration{at_ms / 1000.0};
+}
+
+void read_odometer(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place) {
+  place.know_only(
+      {"at_ms", "nominal_m", "min_m", "max_m", "speed_mps", "speed_min_mps", "speed_max_mps", "accel_mps2"});
   kernel::Odometry o;
   const auto metres = [&](const char* key) { return OdometerPlace{{place[key].number(-kFarMetres, kFarMetres)}}; };
   const auto speed = [&](const char* key) { return Speed{place[key].number(-300.0, 300.0)}; };
@@ -43,6 +53,7 @@ void read_odometer(CycleInputs& cycle, const JsonPlace& place) {
   o.V_min = place.find("speed_min_mps") ? speed("speed_min_mps") : o.V_est;
   o.V_max = place.find("speed_max_mps") ? speed("speed_max_mps") : o.V_est;
   if (const auto p = place.find("accel_mps2")) o.A_est = {p->number(-50.0, 50.0)};
+  o.measured = read_time(place, t_ms).value_or(Duration{static_cast<double>(t_ms) / 1000.0});
   if (o.min > o.nominal || o.nominal > o.max) place.fail("min_m <= nominal_m <= max_m");
   if (o.V_min > o.V_est || o.V_est > o.V_max) place.fail("speed_min_mps <= speed_mps <= speed_max_mps");
   cycle.levels.odometry = o;
@@ -55,15 +66,17 @@ std::size_t user_bits(const JsonPlace& place, std::size_t digits) {
   return bits == 832 ? 830u : bits == 216 ? 210u : static_cast<std::size_t>(bits);
 }
 
-void read_balise(CycleInputs& cycle, const JsonPlace& place) {
-  place.know_only({"telegram", "at_m", "bits"});
+void read_balise(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place) {
+  place.know_only({"telegram", "at_m", "at_ms", "bits"});
   CycleInputs::Telegram t;
   const JsonPlace hex = place["telegram"];
   t.bits.bytes = hex.hex();
   t.bits.size = user_bits(place, hex.string().size());
   if (t.bits.size > 830) hex.fail(std::to_string(t.bits.size) + " bits", "at most 830");
   t.bits.bytes.resize((t.bits.size + 7) / 8);
-  t.at = {{place["at_m"].number(-kFarMetres, kFarMetres)}};
+  t.passed = read_time(place, t_ms);
+  if (t.passed && place.find("at_m")) place["at_m"].fail("either at_m or at_ms");
+  if (!t.passed) t.at = {{place["at_m"].number(-kFarMetres, kFarMetres)}};
   cycle.balises.push_back(std::move(t));
 }
 
@@ -195,12 +208,14 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
                    "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
                    "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
-                   "additional_brake_active", "antenna_alarm", "data", "data_validation", "integrity", "train_length_m"});
+                   "additional_brake_active", "antenna_alarm", "data", "data_validation", "integrity",
+                   "train_length_m"});
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
   };
   flag(t.powered, "powered");
+  if (place.find("powered")) cycle.levels.moved.reset();
   flag(t.isolated, "isolated");
   flag(t.desk_open, "desk_open");
   flag(t.sleeping, "sleeping");
@@ -223,6 +238,21 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   }
 }
 
+/// Power off, or on with what cold movement detection says (3.15.8).
+void read_power(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"off", "on", "moved"});
+  const auto off = place.find("off");
+  const auto on = place.find("on");
+  if (off && on) place.fail("either off or on");
+  const JsonPlace what = off ? *off : place["on"];
+  if (!what.boolean()) what.fail("true");
+  const auto moved = place.find("moved");
+  if (moved && off) moved->fail("on, which it belongs to");
+  cycle.levels.train.powered = !off;
+  cycle.levels.moved.reset();
+  if (moved && !moved->is_null()) cycle.levels.moved = moved->boolean();
+}
+
 void read_national_system(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"available", "trip_active", "service_brake", "emergency_brake"});
   auto& national = cycle.levels.national_system;
@@ -240,16 +270,18 @@ void read_fault(CycleInputs& cycle, const JsonPlace& place) {
   if (const auto p = place.find("safety")) cycle.levels.safety_fault = p->boolean();
 }
 
-void read_object(CycleInputs& cycle, InputStream::Radio& radio, std::optional<Train>& entered, const JsonPlace& place) {
-  place.know_only(
-      {"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "national_system", "fault"});
+void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
+                 const JsonPlace& place) {
+  place.know_only({"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "power",
+                   "national_system", "fault"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
-  if (const auto p = place.find("odometer")) read_odometer(cycle, *p);
-  if (const auto p = place.find("balise")) read_balise(cycle, *p);
+  if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
+  if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);
   if (const auto p = place.find("radio")) read_radio(radio, *p);
   if (const auto p = place.find("driver")) read_driver(cycle, entered, *p);
   if (const auto p = place.find("train")) read_signals(cycle, *p);
+  if (const auto p = place.find("power")) read_power(cycle, *p);
   if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
   if (const auto p = place.find("fault")) read_fault(cycle, *p);
 }
@@ -317,7 +349,7 @@ Result<bool> InputStream::next(sim::CycleInputs& cycle) {
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
     while (pending_ && pending_->t_ms <= cycle.t_ms) {
-      read_object(cycle, radio_, entered_, JsonPlace(pending_->object, file_, place_of_line()));
+      read_object(cycle, pending_->t_ms, radio_, entered_, JsonPlace(pending_->object, file_, place_of_line()));
       read_ahead();
     }
     deliver_radio(cycle, radio_);

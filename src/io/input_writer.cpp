@@ -14,7 +14,14 @@ std::string opened(std::int64_t t_ms) {
   return line;
 }
 
-void append_odometer(std::string& out, const kernel::Odometry& o) {
+/// Milliseconds, where they are not those of the line.
+void append_time(std::string& out, const std::optional<Duration>& at, std::int64_t t_ms, const char* key) {
+  if (!at || at->si == static_cast<double>(t_ms) / 1000.0) return;
+  out += key;
+  append_number(out, at->si * 1000.0);
+}
+
+void append_odometer(std::string& out, const kernel::Odometry& o, std::int64_t t_ms) {
   const auto field = [&](const char* key, double value) {
     out += key;
     append_number(out, value);
@@ -26,6 +33,7 @@ void append_odometer(std::string& out, const kernel::Odometry& o) {
   field(",\"speed_min_mps\":", o.V_min.si);
   field(",\"speed_max_mps\":", o.V_max.si);
   field(",\"accel_mps2\":", o.A_est.si);
+  append_time(out, o.measured, t_ms, ",\"at_ms\":");
   out += '}';
 }
 
@@ -78,6 +86,13 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
   append_integrity(fields, before, now);
   before = now;
   if (!fields.empty()) out += ",\"train\":{" + fields + "}";
+}
+
+void append_moved(std::string& out, std::optional<bool>& before, const kernel::Inputs& now) {
+  if (before == now.moved) return;
+  before = now.moved;
+  if (!now.moved || !now.train.powered) return;
+  out += *now.moved ? ",\"power\":{\"on\":true,\"moved\":true}" : ",\"power\":{\"on\":true,\"moved\":false}";
 }
 
 void append_national(std::string& out, kernel::NationalSystem& before, const kernel::NationalSystem& now) {
@@ -178,8 +193,9 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   out += config_line_;
   config_line_.clear();
   out += opened(cycle.t_ms);
-  append_odometer(out, cycle.levels.odometry);
+  append_odometer(out, cycle.levels.odometry, cycle.t_ms);
   append_signals(out, signals_, cycle.levels.train);
+  append_moved(out, moved_, cycle.levels);
   append_national(out, national_, cycle.levels.national_system);
   if (safety_fault_ != cycle.levels.safety_fault)
     out += cycle.levels.safety_fault ? ",\"fault\":{\"safety\":true}" : ",\"fault\":{\"safety\":false}";
@@ -188,8 +204,14 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   for (const auto& t : cycle.balises) {
     out += opened(cycle.t_ms) + ",\"balise\":{\"telegram\":\"";
     append_hex(out, t.bits.bytes);
-    out += "\",\"at_m\":";
-    append_number(out, t.at.from_origin.si);
+    out += '"';
+    if (t.passed) {
+      out += ",\"at_ms\":";
+      append_number(out, t.passed->si * 1000.0);
+    } else {
+      out += ",\"at_m\":";
+      append_number(out, t.at.from_origin.si);
+    }
     // 830 and 210 bits follow from the number of digits (the reader's user_bits).
     if (t.bits.size != 830 && t.bits.size != 210) {
       out += ",\"bits\":";

@@ -143,8 +143,29 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
+TEST(InputStream, TimesOfMeasurement) {
+  auto stream = open(R"({"t_ms":50,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3}}
+{"t_ms":150,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3,"at_ms":120.5},"balise":{"telegram":"9002","at_ms":110}}
+{"t_ms":250,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3,"at_ms":251}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.view().odometry.measured, Duration{0.05});
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_EQ(cycle.view().odometry.measured, Duration{0.1205});
+  ASSERT_EQ(cycle.view().balise_telegrams.size(), 1u);
+  EXPECT_EQ(cycle.view().balise_telegrams[0].passed, Duration{0.11});
+  const auto later = stream.next(cycle);
+  ASSERT_FALSE(later);
+  EXPECT_NE(later.error().text().find("/odometer/at_ms: found 251, expected a time not after t_ms, 250"),
+            std::string::npos)
+      << later.error().text();
+}
+
 TEST(InputStream, TrainIntegrityIsKeptUntilChanged) {
-  auto stream = open(R"({"config":{"engine_length_m":17.5},"t_ms":0,"train":{"integrity":"confirmed","train_length_m":200}}
+  auto stream =
+      open(R"({"config":{"engine_length_m":17.5},"t_ms":0,"train":{"integrity":"confirmed","train_length_m":200}}
 {"t_ms":100,"train":{"desk_open":true}}
 {"t_ms":200,"train":{"integrity":"confirmed"}}
 )");
@@ -259,6 +280,7 @@ TEST(InputWriter, RoundTrip) {
   first.train_data = train::TrainData{};
   first.balises.push_back({{std::vector<std::uint8_t>(104, 0xAB), 830}, {{12.345}}});
   first.balises.push_back({{{0x90, 0x02}, 13}, {{13.5}}});
+  first.balises.push_back({{{0x90, 0x02}, 13}, {}, Duration{0.0}});
   first.radio.push_back({{0x18, 0x00, 0x14}, 24});
   first.loops.push_back({{0x01}, 8});
   std::string text;
@@ -267,6 +289,7 @@ TEST(InputWriter, RoundTrip) {
   second.t_ms = 100;
   second.levels.train = first.levels.train;
   second.levels.odometry = {{{1.25}}, {{1.0}}, {{1.5}}, {2.0}, {1.9}, {2.1}, {-0.5}};
+  second.levels.odometry.measured = Duration{0.09};
   second.levels.safety_fault = true;
   second.levels.windows = {kernel::Window::train_data};
   second.levels.national_system.service_brake = true;
@@ -294,7 +317,9 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(read.levels.train.integrity, TrainIntegrity::confirmed);
   EXPECT_EQ(read.levels.train.length_confirmed, 123.5_m);
   EXPECT_EQ(read.levels.windows, first.levels.windows);
-  ASSERT_EQ(read.balises.size(), 2u);
+  ASSERT_EQ(read.balises.size(), 3u);
+  EXPECT_FALSE(read.balises[1].passed);
+  EXPECT_EQ(read.balises[2].passed, Duration{0.0});
   EXPECT_EQ(read.balises[0].bits.size, 830u);
   EXPECT_EQ(read.balises[0].bits.bytes, first.balises[0].bits.bytes);
   EXPECT_EQ(read.balises[1].bits.size, 13u);
@@ -303,6 +328,7 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(read.loops[0].bytes, first.loops[0].bytes);
   ASSERT_TRUE(*stream.next(read));
   EXPECT_EQ(read.levels.odometry.A_est.si, -0.5);
+  EXPECT_EQ(read.levels.odometry.measured, Duration{0.09});
   EXPECT_EQ(read.levels.odometry.min.from_origin.si, 1.0);
   EXPECT_TRUE(read.levels.safety_fault);
   EXPECT_FALSE(*stream.next(read));

@@ -14,9 +14,9 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;
-  state.configuration_refused =
-      train::check(config.train) != train::Fault::none || train::check(config.national_values) != train::Fault::none ||
-      !(config.L_engine.si > 0.0 && config.L_engine.si <= 1000.0);
+  state.configuration_refused = train::check(config.train) != train::Fault::none ||
+                                train::check(config.national_values) != train::Fault::none ||
+                                !(config.L_engine.si > 0.0 && config.L_engine.si <= 1000.0);
 }
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.

@@ -110,6 +110,18 @@ void keep_for_mode(State& state, Mode to, Mode from) {
   apply_all(state, [&](Stored stored) { return modes::on_entry(to, from, stored, state.srs); });
 }
 
+void revalidate_after_power_off(State& state, const std::optional<bool>& moved) {
+  const auto movement = moved == false ? modes::ColdMovement::none : modes::ColdMovement::moved_or_unknown;
+  const auto becomes = [movement](Stored stored) { return modes::on_exit_np(movement, stored); };
+  const auto revalidate = [&](Stored stored, DataStatus& status) {
+    if (status == DataStatus::invalid) status = becomes(stored);
+  };
+  if (valid(becomes(Stored::train_position))) position::validate(state.position);
+  revalidate(Stored::level, state.data.level_status);
+  revalidate(Stored::rbc_id_phone, state.contact_status);
+  if (becomes(Stored::trackside_level_table) == DataStatus::unknown) state.level_table.reset();
+}
+
 void keep_for_level(State& state, Level to) {
   apply_all(state, [to](Stored stored) { return modes::on_level_entry(to, stored); });
 }

@@ -6,7 +6,7 @@ namespace {
 /// The range of L_TRAININT (7.5.1.58).
 constexpr Distance kLongestReported{32766.0};
 
-/// 3.6.5.2.7: without a valid position against an LRBG, or without a length, nothing can be confirmed.
+/// 3.6.5.2.4: without a valid position against an LRBG, or without a length, nothing can be confirmed.
 bool can_confirm(const State& state, const IntegrityFacts& facts) {
   return facts.train_data_valid && facts.length_acknowledged && state.status == DataStatus::valid &&
          lrbg(state) != nullptr;
@@ -28,9 +28,9 @@ IntegrityEvents supervise(IntegrityStatus& status, const State& state, const Int
   if (facts.session_established) status = {};
   const Integrity before = status.integrity;
   const bool by_driver = facts.driver_confirms && can_confirm(state, facts);  // 2
-  const bool by_device = facts.device == TrainIntegrity::confirmed && can_confirm(state, facts) &&
-                         motion(state) != Motion::backward;  // 3
-  const bool lost = facts.device == TrainIntegrity::lost && facts.train_data_valid;  // 4
+  const bool by_device =
+      facts.device == TrainIntegrity::confirmed && can_confirm(state, facts) && motion(state) != Motion::backward;  // 3
+  const bool lost = facts.device == TrainIntegrity::lost && facts.train_data_valid;                                 // 4
   switch (before) {
     case Integrity::none:
       if (by_driver)

@@ -17,11 +17,11 @@ struct IntegrityStatus {
 };
 
 struct IntegrityFacts {
-  TrainIntegrity device{};             ///< says the external source now
-  bool driver_confirms = false;        ///< at standstill (3.6.5.2.2)
+  TrainIntegrity device{};       ///< says the external source now
+  bool driver_confirms = false;  ///< at standstill (3.6.5.2.2)
   bool train_data_valid = false;
-  bool length_acknowledged = false;    ///< by the RBC, and no other length waits for the driver
-  bool session_established = false;    ///< in this cycle (3.6.5.2.6)
+  bool length_acknowledged = false;  ///< by the RBC, and no other length waits for the driver
+  bool session_established = false;  ///< in this cycle (3.6.5.2.6)
   Distance L_TRAIN{};
 };
 

@@ -7,6 +7,7 @@
 // What the files of this room share.
 namespace evc::position {
 
+constexpr Distance magnitude(Distance d) { return d.si < 0 ? -d : d; }
 constexpr Distance at_least_zero(Distance d) { return d.si > 0 ? d : Distance{0}; }
 
 /// The place of the counter in the track frame.

@@ -5,8 +5,6 @@
 namespace evc::position {
 namespace {
 
-constexpr Distance magnitude(Distance d) { return d.si < 0 ? -d : d; }
-
 /// The bounds at `at`, at a distance from a reading: the increments may be wrong by kOdometerError.
 OdometerReading away_from(const OdometerReading& reading, OdometerPlace at) {
   const Distance d = at - reading.nominal;
@@ -56,7 +54,15 @@ std::optional<std::size_t> index_of(const State& state, GroupId id) {
   return std::nullopt;
 }
 
-void update(State& state, const Odometry& odometry, Duration now) {
+Odometry extrapolated(const Odometry& odometry, Duration age) {
+  Odometry out = odometry;
+  out.counter.nominal = out.counter.nominal + odometry.V_est * age;
+  out.counter.min = out.counter.min + odometry.V_min * age;
+  out.counter.max = out.counter.max + odometry.V_max * age;
+  return out;
+}
+
+void update(State& state, const Odometry& odometry, Duration now, bool estimated) {
   const OdometerPlace at = odometry.counter.nominal;
   if (!state.started) {
     state.started = true;
@@ -69,7 +75,12 @@ void update(State& state, const Odometry& odometry, Duration now) {
     state.before = state.now;
   }
   state.now = odometry;
+  state.time_before = state.time;
   state.time = now;
+  if (estimated) {  // it shows movement: one that shows standstill is not extrapolated
+    state.rest_since = now;
+    return;
+  }
 
   const double ahead = state.last_motion == Motion::forward ? state.sense : -state.sense;
   const Distance gained = ahead * (at - state.extreme);
@@ -83,6 +94,14 @@ void update(State& state, const Odometry& odometry, Duration now) {
     state.rest = at;
     state.rest_since = now;
   }
+}
+
+OdometerPlace counter_at(const State& state, Duration time) {
+  const Duration cycle = state.time - state.time_before;
+  const Duration since = time - state.time_before;
+  if (since.si < 0.0 || !(cycle.si > 0.0)) return state.before.counter.nominal + state.before.V_est * since;
+  const Distance run = state.now.counter.nominal - state.before.counter.nominal;
+  return state.before.counter.nominal + (since.si / cycle.si) * run;
 }
 
 OdometerReading reading_at(const State& state, OdometerPlace at) {

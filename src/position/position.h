@@ -29,8 +29,9 @@ inline constexpr Distance kStandstillDistance{0.05};
 /// The counter has to run back by this distance before the train counts as turned.
 inline constexpr Distance kTurnDistance{0.1};
 /// Relative odometer error over a distance (SUBSET-041 5.3.1.1), used where no reading bounds the
-/// distance.
+/// distance; with kOdometerOffset the error that the odometer may have between two groups.
 inline constexpr double kOdometerError = 0.05;
+inline constexpr Distance kOdometerOffset{5.0};
 
 /// One reading of the odometer.
 struct Odometry {
@@ -69,7 +70,7 @@ struct Doubts {
 
 struct State {
   Odometry now, before;  // this cycle and the one before
-  Duration time{};
+  Duration time{}, time_before{};
   double sense = 1.0;  // +1: the counter grows when the active cab leads; -1 after a change of cab
   Distance offset{};   // Place of the front end = sense * counter + offset
   DataStatus status = DataStatus::unknown;
@@ -77,9 +78,9 @@ struct State {
   std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
   /// How much the interval of the LRBG is wider, on either side, than that of each unlinked group passed since.
   Doubts surplus;
-  OdometerPlace extreme;                             // farthest counter in the current direction
-  Motion last_motion = Motion::forward;              // never `standstill`
-  OdometerPlace rest;                                // counter when the train came to rest
+  OdometerPlace extreme;                 // farthest counter in the current direction
+  Motion last_motion = Motion::forward;  // never `standstill`
+  OdometerPlace rest;                    // counter when the train came to rest
   Duration rest_since{};
   OdometerReading origin;  // the first reading: the reference while there is no LRBG
   bool started = false;    // an odometer reading was received
@@ -96,8 +97,13 @@ struct Passage {
   bool single = false;
 };
 
-/// Stores a reading of the odometer; `now` is the time since power-up. Detects direction and standstill.
-void update(State& state, const Odometry& odometry, Duration now);
+/// A reading that was measured `age` ago, at its present value: increased by the speeds.
+Odometry extrapolated(const Odometry& odometry, Duration age);
+/// Stores a reading of the odometer; `now` is the time since power-up. Detects direction and standstill; a reading that
+/// was not measured (`estimated`) does not show that the train turned.
+void update(State& state, const Odometry& odometry, Duration now, bool estimated = false);
+/// The nominal counter at a time: between the last two readings interpolated, before them by the speed.
+OdometerPlace counter_at(const State& state, Duration time);
 
 /// The three counters when the nominal one was `at`: interpolated between the last two readings; outside them 5 % of
 /// the distance to the nearer one is added. Only increments of the bounds are meaningful: here alone `min` <= `nominal`
@@ -109,6 +115,9 @@ struct Relocated {
   Relocation unlinked;      ///< data of Anchor::unlinked
   Relocation travelled;     ///< data of Anchor::travelled
   bool by_linking = false;  ///< those of Anchor::travelled hang on the LRBG from now on
+  /// The distance by linking and the counter differ by more than the odometer may err (SUBSET-041 5.3.1.1) and the
+  /// accuracy of both groups explains.
+  bool out_of_tolerance = false;
 };
 /// The group becomes the LRBG (3.6.1.4): the confidence interval restarts there, the offset between the frames is
 /// computed again. Data of an unlinked group keep their distance to the train, and the safe side of the interval that

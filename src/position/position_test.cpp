@@ -275,6 +275,43 @@ TEST(Position, WithoutAnLrbgTheUnlinkedGroupIsTheReference) {
   EXPECT_EQ(lrbg(s), nullptr);
 }
 
+// SUBSET-041 5.3.1.1: 5 m + 5 % of 1000 m, and the accuracy of both groups.
+TEST(Position, AnOdometerOutOfToleranceIsSeenBetweenTwoGroups) {
+  for (const bool beyond : {false, true})
+    for (const double sign : {-1.0, 1.0}) {
+      State s;
+      update(s, moving(exact(0)), 0_s);
+      EXPECT_FALSE(relocate(s, with_doubts(1, 0, 0, 3)).out_of_tolerance);
+      update(s, moving(spread(1000, 100, 100)), 60_s);
+      Passage next = with_doubts(2, 1000, 100, 4);
+      next.link_place = Place{Distance{998.0 + sign * (5 + 50 + 3 + 4 + (beyond ? 0.01 : -0.01))}};
+      EXPECT_EQ(relocate(s, next).out_of_tolerance, beyond);
+    }
+}
+
+// A train runs some 2000 km a day: after years without a power-off a double still holds the place to a micrometre.
+TEST(Position, CountersOfMillionsOfKilometres) {
+  for (const double start : {0.0, 1e7, 2.5e7, 1e9}) {
+    State s;
+    update(s, moving(exact(start)), 0_s);
+    Passage p = passage(1, exact(start));
+    p.Q_LOCACC = 5_m;
+    (void)relocate(s, p);
+    for (int i = 1; i <= 1000; ++i) {
+      const double run = i * 10.1;
+      const OdometerPlace at{Distance{start + run}};
+      update(s, moving({at, at - Distance{0.05 * run}, at + Distance{0.02 * run}}), Duration{i * 1.0});
+    }
+    EXPECT_NEAR((front(s).est - lrbg(s)->place).si, 10100.0 + 2.0, 1e-6);
+    EXPECT_NEAR(L_DOUBTOVER(s).si, 5 + 505.0, 1e-6);
+    EXPECT_NEAR(L_DOUBTUNDER(s).si, 5 + 202.0, 1e-6);
+    Passage next = passage(2, s.now.counter);
+    next.link_place = lrbg(s)->place + 10000_m;
+    EXPECT_NEAR(relocate(s, next).unlinked.shift.si, -100.0, 1e-6);
+    EXPECT_NEAR((front(s).est - lrbg(s)->place).si, 2.0, 1e-6);
+  }
+}
+
 TEST(Position, ReportedGroupsAreForgottenLast) {
   State s;
   update(s, moving(exact(0)), 0_s);

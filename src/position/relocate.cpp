@@ -85,10 +85,12 @@ Relocated relocate(State& state, const Passage& passage) {
   const Doubts after = doubts(state, reference);
   Relocated out;
   out.by_linking = passage.link_place.has_value();
-  out.unlinked =
-      travelled(shift, {before.over - state.surplus.over, before.under - state.surplus.under}, after);
-  out.travelled = out.by_linking ? Relocation{{}, 2.0 * former.Q_LOCACC, 2.0 * former.Q_LOCACC}
-                                 : travelled(shift, before, after);
+  const Distance run = magnitude(passage.counter.nominal - former.counter.nominal);
+  const Distance explained = kOdometerOffset + kOdometerError * run + former.Q_LOCACC + passage.Q_LOCACC;
+  out.out_of_tolerance = out.by_linking && magnitude(shift) > explained;
+  out.unlinked = travelled(shift, {before.over - state.surplus.over, before.under - state.surplus.under}, after);
+  out.travelled =
+      out.by_linking ? Relocation{{}, 2.0 * former.Q_LOCACC, 2.0 * former.Q_LOCACC} : travelled(shift, before, after);
   state.unlinked.reset();
   state.surplus = {};
   state.status = DataStatus::valid;

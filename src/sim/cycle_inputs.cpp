@@ -17,7 +17,7 @@ const port::Inputs& CycleInputs::view() {
   balise_views_.clear();
   loop_views_.clear();
   radio_views_.clear();
-  for (const Telegram& t : balises) balise_views_.push_back({t.bits.bytes, t.bits.size, t.at});
+  for (const Telegram& t : balises) balise_views_.push_back({t.bits.bytes, t.bits.size, t.at, t.passed});
   for (const Bits& l : loops) loop_views_.push_back({l.bytes});
   for (const Bits& r : radio) radio_views_.push_back({r.bytes});
   levels.now = {static_cast<double>(t_ms) / 1000.0};

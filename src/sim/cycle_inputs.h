@@ -16,6 +16,7 @@ struct CycleInputs {
   struct Telegram {
     Bits bits;
     OdometerPlace at;
+    std::optional<Duration> passed = {};  // the time instead
   };
   std::int64_t t_ms = 0;
   port::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()

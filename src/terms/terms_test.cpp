@@ -8,12 +8,12 @@
 #include "terms/mode.h"
 #include "terms/monitoring.h"
 #include "terms/radio_link.h"
-#include "terms/train_integrity.h"
 #include "terms/reaction.h"
 #include "terms/requests.h"
 #include "terms/srs_version.h"
 #include "terms/stored.h"
 #include "terms/track_condition.h"
+#include "terms/train_integrity.h"
 
 namespace evc {
 namespace {

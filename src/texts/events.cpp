@@ -90,6 +90,8 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::SR_data_out_of_range, "SR speed and distance", Takes::nothing, "refused: out of range"},
     {What::train_data_changed_by_source, "train data", Takes::nothing, "changed by an external source"},
     {What::train_data_to_be_validated, "train data", Takes::nothing, "to be validated"},
+
+    {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
 });
 // clang-format on
 
@@ -102,9 +104,8 @@ static_assert(
     "one row for each, in order");
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectWords{
-    "start",      "override",      "shunting", "exit of shunting", "non leading",      "maintain shunting",
-    "train data", "slippery rail", "adhesion", "isolation",        "track ahead free", "main window",
-    "train integrity"};
+    "start",         "override", "shunting",  "exit of shunting", "non leading", "maintain shunting", "train data",
+    "slippery rail", "adhesion", "isolation", "track ahead free", "main window", "train integrity"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
     "driver identity", "train running number", "train data", "RBC contact", "level", "SR speed and distance"};
 

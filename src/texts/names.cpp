@@ -85,10 +85,19 @@ constexpr std::array<const char*, driver::kOutputs> kOutputNames{"mode",
 
 }  // namespace
 
-constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames{
-    "start",      "override",      "shunting",        "exit_shunting", "non_leading",      "maintain_shunting",
-    "train_data", "slippery_rail", "adhesion_normal", "isolate",       "track_ahead_free", "main",
-    "integrity_confirmed"};
+constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames{"start",
+                                                                                              "override",
+                                                                                              "shunting",
+                                                                                              "exit_shunting",
+                                                                                              "non_leading",
+                                                                                              "maintain_shunting",
+                                                                                              "train_data",
+                                                                                              "slippery_rail",
+                                                                                              "adhesion_normal",
+                                                                                              "isolate",
+                                                                                              "track_ahead_free",
+                                                                                              "main",
+                                                                                              "integrity_confirmed"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
 

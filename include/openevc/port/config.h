@@ -13,7 +13,7 @@ namespace evc::port {
 struct Config {
   SrsVersion srs = SrsVersion::v3_6_0;
   train::TrainData train;
-  train::NationalValues national_values;                           // valid until packet 3 gives others (3.18.2)
+  train::NationalValues national_values;  // valid until packet 3 gives others (3.18.2)
   Distance L_engine{20};  // where no train data count: SH, SL, NL, PS, before their entry (4.4.6.1.4 and others)
   std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
 };

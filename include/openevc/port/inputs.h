@@ -19,6 +19,9 @@ struct Odometry {
   OdometerPlace nominal, min, max;
   Speed V_est, V_min, V_max;
   Acceleration A_est;
+  /// When they were measured; absent: at `Inputs::now`. The unit extrapolates them by the speeds; older than 1 s while
+  /// they show movement they count as failed, a standstill holds until the next reading.
+  std::optional<Duration> measured = {};
 };
 
 /// The user bits of one balise telegram and the nominal counter when its centre was passed by the antenna.
@@ -26,6 +29,7 @@ struct BaliseTelegram {
   std::span<const std::uint8_t> bytes;  // left aligned
   std::size_t bits = 0;
   OdometerPlace at;
+  std::optional<Duration> passed = {};  // the time instead: the unit finds the counter
 };
 struct LoopMessage {
   std::span<const std::uint8_t> bytes;
@@ -128,6 +132,9 @@ struct Inputs {
   ExternalTrainData external_train_data;
   NationalSystem national_system;
   bool safety_fault = false;
+  /// Whether the engine was moved while the power was off, says cold movement detection; absent: not known (3.15.8).
+  /// It counts in the cycle in which No Power is left.
+  std::optional<bool> moved = {};
 };
 
 }  // namespace evc::port

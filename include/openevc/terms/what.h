@@ -90,6 +90,8 @@ enum class What : std::uint8_t {
   SR_data_out_of_range,
   train_data_changed_by_source,  ///< by another source than the driver
   train_data_to_be_validated,
+
+  odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
   count
 };
 

@@ -4,6 +4,7 @@
 #include "kernel/decide/enter.h"
 #include "kernel/decide/mission.h"
 #include "kernel/here.h"
+#include "kernel/stored.h"
 #include "modes/srs_4_6_2.h"
 #include "procedures/staff_responsible.h"
 #include "protection/authority.h"
@@ -64,13 +65,14 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
   f.front_in_rear_of_track_description = track::before_track_description(s.track, here);
 }
 
-void change_mode(State& s, const TrainSignals& train, const procedures::Facts& facts, Decided& out, Log log) {
+void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Decided& out, Log log) {
   s.previous_mode = s.mode;
   const auto transition = modes::next_mode(s.mode, procedures::observe(facts));
   if (!transition) return;
   enter_mode(s, transition->to, transition->number, out.here, log);
+  if (s.previous_mode == Mode::NP) revalidate_after_power_off(s, in.moved);
   out.mode_changed = true;
-  out.basis_renewed = renew_basis(s, train, out.here) || out.basis_renewed;
+  out.basis_renewed = renew_basis(s, in.train, out.here) || out.basis_renewed;
 }
 
 /// Texts of packets 72 and 76 (3.12.3).
@@ -99,7 +101,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   run_shunting(s, received, out.here, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
-  change_mode(s, in.train, facts, out, log);
+  change_mode(s, in, facts, out, log);
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);

@@ -27,9 +27,7 @@ struct Evaluation {
 constexpr bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }
 
 /// What the places of the evaluated part hang on: linking knows an infill location reference.
-constexpr Anchor anchor_of(const Evaluation& e) {
-  return e.contents.infill ? Anchor::lrbg : e.information.anchor;
-}
+constexpr Anchor anchor_of(const Evaluation& e) { return e.contents.infill ? Anchor::lrbg : e.information.anchor; }
 
 /// Part of the message was refused because of the clause.
 constexpr void refuse(Evaluation& e, Clause clause) {

@@ -102,6 +102,7 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
   passage.single = group.single;
   if (group.lrbg_compliant) {
     const position::Relocated by = position::relocate(s.position, passage);
+    if (by.out_of_tolerance) r.log.note({.what = What::odometer_out_of_tolerance, .id = group.id.NID_BG});
     relocate_stored(s, Anchor::travelled, by.by_linking ? Anchor::lrbg : Anchor::travelled, by.travelled);
     relocate_stored(s, Anchor::unlinked, Anchor::travelled, by.unlinked);
     // The release speed calculated on board depends on the accuracy of the LRBG (3.13.9.4.8.2).
@@ -204,7 +205,7 @@ void receive_balises(Reception& r) {
     balise::Reading reading;
     reading.bytes = t.bytes;
     reading.bits = t.bits;
-    reading.counter = position::reading_at(s.position, t.at);
+    reading.counter = position::reading_at(s.position, t.passed ? position::counter_at(s.position, *t.passed) : t.at);
     reading.antenna = position::antenna_at(s.position, reading.counter, s.train.L_antenna_front);
     balise::read(s.balise, reading, situation_of(r), outcome);
     take(r, outcome);

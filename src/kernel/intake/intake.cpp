@@ -23,15 +23,33 @@ constexpr double kLongest = 1e9;
 constexpr double kFastest = 1e3;
 bool within(double v, double limit) { return v >= -limit && v <= limit; }
 
+/// Readings that are older than this say nothing about a moving train.
+constexpr Duration kOldestReading{1.0};
+bool fresh(const Odometry& o, Duration now) {
+  if (!o.measured) return true;
+  const Duration age = now - *o.measured;
+  return age.si >= 0.0 && (age <= kOldestReading || (o.V_est.si == 0.0 && within(age.si, kLongest)));
+}
+
 /// Whether the time and places of the cycle are valid: within bounds, in order, not earlier than before.
 bool sound(const State& s, const Inputs& in) {
   const Odometry& o = in.odometry;
   for (const BaliseTelegram& t : in.balise_telegrams)
-    if (!within(t.at.from_origin.si, kLongest)) return false;
+    if (!within(t.at.from_origin.si, kLongest) || (t.passed && !(*t.passed <= in.now && t.passed->si >= 0.0)))
+      return false;
   return in.now >= s.now && within(in.now.si, kLongest) && within(o.min.from_origin.si, kLongest) &&
          within(o.max.from_origin.si, kLongest) && o.min <= o.nominal && o.nominal <= o.max &&
          within(o.V_min.si, kFastest) && within(o.V_max.si, kFastest) && o.V_min <= o.V_est && o.V_est <= o.V_max &&
-         within(o.A_est.si, kFastest);
+         within(o.A_est.si, kFastest) && fresh(o, in.now);
+}
+
+/// Stores the reading of the odometer as of now.
+void update_position(State& s, const Inputs& in) {
+  const position::Odometry odometry = odometry_of(in.odometry);
+  const Duration age = in.odometry.measured ? in.now - *in.odometry.measured : Duration{};
+  const bool estimated = age.si > 0.0 && odometry.V_est.si != 0.0;
+  s.now = in.now;
+  position::update(s.position, estimated ? position::extrapolated(odometry, age) : odometry, in.now, estimated);
 }
 
 /// Timers of the authority, data no longer needed, and data shortened by a reaction when the train is at standstill
@@ -52,7 +70,7 @@ void advance_track(Reception& r) {
   }
 }
 
-/// A source that knows of a longer train than the train data confirms nothing (3.6.5.2.5 [3] of 4.0.0).
+/// A source that gives a longer train than the train data confirms nothing (3.6.5.2.5 [3] of 4.0.0).
 TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
   const bool longer = train.length_confirmed && !(*train.length_confirmed <= L_TRAIN);
   return train.integrity == TrainIntegrity::confirmed && longer ? TrainIntegrity::unknown : train.integrity;
@@ -67,10 +85,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   out.safety_fault = !can_go_on || s.configuration_refused || in.safety_fault;
-  if (can_go_on) {
-    s.now = in.now;
-    position::update(s.position, odometry_of(in.odometry), in.now);
-  }
+  if (can_go_on) update_position(s, in);
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);
   receive_driver(r);
