@@ -143,6 +143,24 @@ TEST(InputStream, ErrorsNameTheLine) {
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }
 
+TEST(InputStream, PowerAndColdMovement) {
+  auto stream = open(R"({"t_ms":0,"power":{"off":true}}
+{"t_ms":100,"power":{"on":true,"moved":false}}
+{"t_ms":200,"power":{"on":true,"moved":null}}
+{"t_ms":300,"power":{"on":true,"moved":true}}
+{"t_ms":400,"train":{"powered":true}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_FALSE(cycle.view().train.powered);
+  for (const std::optional<bool> moved :
+       {std::optional(false), std::optional<bool>{}, std::optional(true), std::optional<bool>{}}) {
+    ASSERT_TRUE(*stream.next(cycle));
+    EXPECT_TRUE(cycle.view().train.powered);
+    EXPECT_EQ(cycle.view().moved, moved);
+  }
+}
+
 TEST(InputStream, TimesOfMeasurement) {
   auto stream = open(R"({"t_ms":50,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3}}
 {"t_ms":150,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3,"at_ms":120.5},"balise":{"telegram":"9002","at_ms":110}}
@@ -234,6 +252,11 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
   EXPECT_EQ(error(R"("driver":{"window":{"open":"train_data"}})"),
             "/driver/window/open: found an unknown key, expected one of opened, closed");
   EXPECT_EQ(error(R"("train":{"antenna_alarm":1})"), "/train/antenna_alarm: found 1, expected true or false");
+  EXPECT_EQ(error(R"("power":{"off":false})"), "/power/off: found false, expected true");
+  EXPECT_EQ(error(R"("power":{"off":true,"moved":true})"),
+            "/power/moved: found true, expected on, which it belongs to");
+  EXPECT_EQ(error(R"("balise":{"telegram":"9002","at_m":1,"at_ms":0})"),
+            "/balise/at_m: found 1, expected either at_m or at_ms");
   EXPECT_EQ(error(R"("train":{"integrity":"yes"})"),
             "/train/integrity: found \"yes\", expected one of unknown, confirmed, lost");
   EXPECT_EQ(error(R"("train":{"train_length_m":100})"),
@@ -291,6 +314,7 @@ TEST(InputWriter, RoundTrip) {
   second.levels.odometry = {{{1.25}}, {{1.0}}, {{1.5}}, {2.0}, {1.9}, {2.1}, {-0.5}};
   second.levels.odometry.measured = Duration{0.09};
   second.levels.safety_fault = true;
+  second.levels.moved = false;
   second.levels.windows = {kernel::Window::train_data};
   second.levels.national_system.service_brake = true;
   writer.append(text, second);
@@ -329,6 +353,7 @@ TEST(InputWriter, RoundTrip) {
   ASSERT_TRUE(*stream.next(read));
   EXPECT_EQ(read.levels.odometry.A_est.si, -0.5);
   EXPECT_EQ(read.levels.odometry.measured, Duration{0.09});
+  EXPECT_EQ(read.levels.moved, false);
   EXPECT_EQ(read.levels.odometry.min.from_origin.si, 1.0);
   EXPECT_TRUE(read.levels.safety_fault);
   EXPECT_FALSE(*stream.next(read));
