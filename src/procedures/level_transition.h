@@ -14,8 +14,8 @@ namespace evc::procedures::level_transition {
 struct Order {
   modes::OrderKind kind = modes::OrderKind::immediate;
   Place border{};  // of an announcement
-  Anchor anchor{};
   modes::LevelTable table;
+  Anchor anchor{};  // of the border
 };
 
 /// An order and what to do with it (modes::judge).
