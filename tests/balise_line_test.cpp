@@ -100,7 +100,8 @@ struct Unit {
       if (!group.lrbg_compliant) continue;
       const Distance shift =
           position::relocate(position, {group.id, group.counter, kAntenna, group.link_place,
-                                        group.Q_LOCACC.value_or(12_m), group.counter_against_group, group.single});
+                                        group.Q_LOCACC.value_or(12_m), group.counter_against_group, group.single})
+              .unlinked.shift;
       largest_shift = std::max(largest_shift, shift.si < 0 ? -shift.si : shift.si);
       ++lrbg_changes;
     }
