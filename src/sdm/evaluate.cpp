@@ -147,8 +147,7 @@ RsmStart rsm_start(const Derived& d, const Target& EOA_SvL, Speed V_release, Pla
   if (!on_board) return start;
   // 3.13.9.4.7: the limits at the release speed. A target speed above it cannot be exceeded: it has no limit there.
   for (const Target& t : d.targets)
-    if (t.kind == TargetKind::MRSP && t.V_target <= V_release && t.d_target >= d_trip &&
-        t.d_target <= EOA_SvL.d_target)
+    if (t.kind == TargetKind::MRSP && t.V_target <= V_release && t.d_target >= d_trip && t.d_target <= EOA_SvL.d_target)
       start.d_SBI2 = std::min(start.d_SBI2, limits_of(d, t, a, asked(t)).EBD.d_SBI);
   return start;
 }
