@@ -440,6 +440,17 @@ TEST_F(InfillPart, GroupsOfTheSendersCountry) {  // 7.5.1.121
   EXPECT_EQ((*state.track.sh_list)[0], (GroupId{1, 500}));
 }
 
+TEST_F(InfillPart, LeavesTheBorderOfTheMessageWhereItIs) {  // 4.8.1.5, 4.8.1.6
+  add(order_to(3, 700));
+  lang::Packet136 reference;
+  reference.NID_BG.raw = 101;
+  add(reference);
+  add(lang::Packet5{});
+  evaluate_now();
+  ASSERT_TRUE(reception.order.has_value());
+  EXPECT_EQ(reception.order->order.border, at(1650.0));
+}
+
 TEST_F(InfillPart, AGeographicalPositionIsThatOfTheAnnouncedGroup) {  // 7.4.2.25, 7.4.2.32
   lang::Packet136 reference;
   reference.NID_BG.raw = 101;

@@ -208,16 +208,23 @@ TEST_F(Supervision, CurvesAreBuiltAgainForAnotherBasis) {  // 3.13.2
   EXPECT_NE(derived->built, built);
 }
 
-TEST_F(Supervision, TargetsThatFoundNoRoomAreLoggedOnce) {
-  state.track.ssp = {};
-  track::SpeedCode V = 28;
-  for (double x = 0.0; state.track.ssp.append(at(x), {.V_STATIC = V}); x += 40.0) V = V == 28 ? 27 : 28;
+TEST_F(Supervision, ABrakeThatDoesNotDecelerateIsLoggedWithItsBasis) {  // 3.13.6.2
   (void)run();
-  const bool lost = derived->in_force.sdm.truncated;
-  EXPECT_EQ(happened(What::targets_lost), lost);
+  EXPECT_FALSE(happened(What::no_deceleration));
+  state.track.gradient = {};
+  ASSERT_TRUE(state.track.gradient.append(at(0.0), {-250}));
+  ++state.track.revision;
+  (void)run();
+  EXPECT_TRUE(happened(What::no_deceleration));
+  (void)run();
+  EXPECT_FALSE(happened(What::no_deceleration)) << "once";
   *derived = Derived{};
   (void)run();
-  EXPECT_FALSE(happened(What::targets_lost)) << "the curves of a restored unit are those of before";
+  EXPECT_FALSE(happened(What::no_deceleration)) << "the curves of a restored unit are those of before";
+  *derived = Derived{};
+  outputs->events.clear();
+  (void)supervise(state, *derived, train, here, true, acknowledged, Log{outputs->events});
+  EXPECT_TRUE(happened(What::no_deceleration)) << "the basis was renewed in this cycle";
 }
 
 // --- 5.16
