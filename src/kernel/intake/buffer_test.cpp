@@ -7,8 +7,10 @@
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_21.h"
+#include "lang/packets/packet_239.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_39.h"
 
 // The transition buffer: what waits for a level is judged again as it was received (4.8.5).
 namespace evc::kernel {
@@ -139,6 +141,64 @@ TEST_F(Buffer, WhatStillWaitsIsKept) {  // 4.8.5.2
   EXPECT_EQ(state.buffer[0].waiting, 0u);
   EXPECT_EQ(state.buffer[0].size, before.size);
   EXPECT_FALSE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, OfASetThatWaitsAgainOnlyWhatIsThere) {  // 4.8.5.2
+  state.level.level = Level::L2;
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  lang::Packet21 gradient;
+  gradient.Q_DIR.raw = 1;
+  add_telegram(keep_packets(3), telegram(210, gradient), 210);
+  release();
+  ASSERT_EQ(state.buffer.size(), 1u);
+  EXPECT_EQ(state.buffer[0].waiting, 1u);
+}
+
+TEST_F(Buffer, AMessageThatIsExecutedNoLongerWaits) {  // 4.8.5.2
+  state.level_transition.pending.emplace().to.level = Level::L2;
+  lang::Packet21 gradient;
+  gradient.Q_DIR.raw = 1;
+  lang::Message8 m;
+  m.NID_LRBG.raw = (1u << 14) | 100u;
+  std::array<std::uint8_t, 64> bytes{};
+  BitWriter writer(bytes);
+  lang::encode_message(writer, m, gradient);
+  information.medium = Medium::rbc;
+  add_bits(keep(reception, information, {1, true}), {bytes.data(), writer.position() / 8});
+  release();
+  ASSERT_EQ(state.buffer.size(), 1u);
+  EXPECT_FALSE(state.buffer[0].message_waits);
+  EXPECT_EQ(state.buffer[0].waiting, 1u);
+}
+
+TEST_F(Buffer, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13]
+  const lang::Packet39_v1_0 older{{1}, {1}, {100}, {1}};
+  lang::Packet239 newer;
+  newer.Q_DIR.raw = 1;
+  newer.Q_SCALE.raw = 1;
+  newer.M_VOLTAGE.raw = 1;
+  newer.NID_CTRACTION.raw = 7;
+  const auto taken = [&] {
+    const auto NID_CTRACTION = state.track.traction ? state.track.traction->NID_CTRACTION : 0;
+    state.track.traction.reset();
+    return NID_CTRACTION;
+  };
+  std::vector<std::uint8_t> bytes = telegram(830, older, newer);
+  bytes[0] = static_cast<std::uint8_t>((bytes[0] & 0x80) | 17);  // M_VERSION
+  add_telegram(keep_packets(1), bytes, 830);
+  release();
+  EXPECT_EQ(taken(), 7);
+  lang::Message24 m;
+  m.NID_LRBG.raw = (1u << 14) | 100u;
+  bytes.assign(64, 0);
+  BitWriter writer(bytes);
+  lang::encode_message(writer, m, older, newer);
+  information.medium = Medium::rbc;
+  state.level.level = Level::L2;
+  state.radio.session.M_VERSION = 17;
+  add_bits(keep_packets(1), {bytes.data(), writer.position() / 8});
+  release();
+  EXPECT_EQ(taken(), 7);
 }
 
 TEST_F(Buffer, HoldsTheNewestThreeSets) {  // 4.8.5.1, 4.8.5.3

@@ -107,6 +107,13 @@ TEST_F(Cycle, HasTheOdometerOfItsInputs) {  // 3.6.4
   EXPECT_EQ(now.A_est, o.A_est);
 }
 
+TEST_F(Cycle, ALoopMessageIsLogged) {  // 3.9: its information is not used (CAVEATS)
+  const LoopMessage loop;
+  in.loop_messages = {&loop, 1};
+  run();
+  EXPECT_TRUE(happened(What::loop_message_not_used));
+}
+
 /// An authority to 2000 m with an end section that is timed out, and linking up to 3000 m.
 class Elapsing : public Cycle {
  protected:
