@@ -38,8 +38,8 @@ def is_test(source):
 
 def rooms_in(text, target):
     """The rooms that a target of a CMakeLists.txt links."""
-    linked = re.findall(rf"target_link_libraries\({target} ([^)]*)\)", text)
-    return [room for words in linked for room in re.findall(r"\bevc_(\w+)", words) if room != "private"]
+    linked = re.findall(rf"target_link_libraries\({target} ([^)]*)\)|TEST_LIBRARIES ([^)]*)\)", text)
+    return [room for words in map(" ".join, linked) for room in re.findall(r"\bevc_(\w+)", words) if room != "private"]
 
 
 def verdict_of(result):
@@ -158,7 +158,7 @@ class Room:
             self.kernel.add(name)
         if "DEPENDS" in words:
             for word in words[words.index("DEPENDS") + 1:]:
-                if word == "LIBRARIES":
+                if word in ("LIBRARIES", "TEST_LIBRARIES"):
                     break
                 self._depend(word)
 
