@@ -169,7 +169,7 @@ TEST(Here, IsTheTrainOfTheUnit) {  // 3.6.4
   position::Odometry o;
   o.counter = {{{1000.0}}, {{990.0}}, {{1020.0}}};
   position::update(state.position, o, state.now);
-  const PlaceInterval front = position::widest_front(state.position);
+  const PlaceInterval front = position::front(state.position);
   const track::Here h = here(state);
   EXPECT_EQ(h.est_front, front.est);
   EXPECT_EQ(h.min_safe_front, front.min);

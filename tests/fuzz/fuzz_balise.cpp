@@ -71,8 +71,6 @@ struct Unit {
   void check() {
     const PlaceInterval f = position::front(position);
     require(f.min <= f.est && f.est <= f.max);
-    const PlaceInterval w = position::widest_front(position);
-    require(w.min <= f.min && f.max <= w.max);
     require(position.references.empty() == (position::lrbg(position) == nullptr));
     const position::Report r = position::report(position, {});
     require(r.V_TRAIN <= 120 && r.Q_SCALE <= 2);
