@@ -213,6 +213,7 @@ TEST_F(Shown, TheGeographicalPositionInItsModes) {  // 3.6.6, 4.5.2
     track::GeoReference reference;
     reference.applies_from = at(900.0);
     reference.M_POSITION = 5000;
+    reference.applicable = true;
     EXPECT_TRUE(state.track.geo.push_back(reference));
     enabled_now();
     return out.geo;
