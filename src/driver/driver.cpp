@@ -160,6 +160,9 @@ void put_c1(Show& show, const ShowContext& c) {
     put(show, announcement_symbol(*shown, level));
 }
 
+/// The tunnel stopping area has an area of its own (015560 8.2.3.6).
+bool in_C2(Symbol symbol) { return symbol == Symbol::TC36 || symbol == Symbol::TC37; }
+
 }  // namespace
 
 Show show(const ShowContext& c) {
@@ -172,16 +175,19 @@ Show show(const ShowContext& c) {
   const auto where = [&](bool when, Output output, Symbol which) {
     if (when && allowed(output, c.mode)) put(out, which);
   };
-  where(c.slippery_rail, Output::slippery_rail, Symbol::ST02);                    // A4
-  where(c.lssma, Output::lssma, Symbol::LS01);                                    // A1
-  where(c.lx_not_protected, Output::lx_not_protected, Symbol::LX01);              // B3
-  where(c.reversing_possible, Output::reversing_allowed, Symbol::ST06);           // C6
-  where(c.override_active, Output::override_status, Symbol::MO03);                // C7
-  where(c.brake_commanded, Output::brake_indication, Symbol::ST01);               // C9
-  where(c.track_ahead_free_asked, Output::taf_request, Symbol::DR02);             // D
-  where(c.radio == RadioStatus::up, Output::radio_link_status, Symbol::ST03);     // E1
-  where(c.radio == RadioStatus::lost, Output::radio_link_status, Symbol::ST04);   // E1
-  where(c.tunnel_stopping_area, Output::track_cond_horn_stopping, Symbol::TC36);  // C2
+  where(c.slippery_rail, Output::slippery_rail, Symbol::ST02);        // A4
+  where(c.lssma, Output::lssma, Symbol::LS01);                        // A1
+  where(c.lx_not_protected, Output::lx_not_protected, Symbol::LX01);  // B3
+  for (const Symbol s : c.track_conditions)
+    if (!in_C2(s)) put(out, s);                                                  // B3 to B5
+  where(c.reversing_possible, Output::reversing_allowed, Symbol::ST06);          // C6
+  where(c.override_active, Output::override_status, Symbol::MO03);               // C7
+  where(c.brake_commanded, Output::brake_indication, Symbol::ST01);              // C9
+  where(c.track_ahead_free_asked, Output::taf_request, Symbol::DR02);            // D
+  where(c.radio == RadioStatus::up, Output::radio_link_status, Symbol::ST03);    // E1
+  where(c.radio == RadioStatus::lost, Output::radio_link_status, Symbol::ST04);  // E1
+  for (const Symbol s : c.track_conditions)
+    if (in_C2(s)) put(out, s);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "terms/requests.h"
 #include "terms/status_text.h"
 #include "terms/symbol.h"
+#include "terms/track_condition.h"
 
 // What the driver machine interface shows and what the driver may do, as data (SUBSET-026-4 4.7,
 // ERA_ERTMS_015560). The symbols are named as there (MO07, LE04, ST01, ...).
@@ -56,7 +57,7 @@ struct ShowContext {
   bool lx_not_protected = false;
   bool lssma = false;  // the lowest supervised speed is shown
   bool track_ahead_free_asked = false;
-  bool tunnel_stopping_area = false;
+  InplaceVector<Symbol, 20> track_conditions;  // each symbol once
 };
 
 struct Show {
@@ -76,6 +77,16 @@ Symbol symbol(Level level);
 /// The symbol of an announced level, with (yellow) or without acknowledgement. Levels 1, 2 and 3 have a yellow one only
 /// up to 3.6.0, for a transition from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are used instead.
 Symbol announcement_symbol(Level level, bool acknowledgement);
+
+/// The symbol of a track condition (5.18): where the driver may have to act, the one that asks for it (3.12.1.5.1: what
+/// the train does by itself is not known here). None in the phases ahead and over.
+std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase);
+/// The symbol of a change of traction system to M_VOLTAGE (7.5.1.78), none for a spare code.
+std::optional<Symbol> symbol_of_traction(std::uint8_t M_VOLTAGE, ConditionPhase phase);
+/// The row of 4.7.2 in which the condition is.
+constexpr Output output_of(TrackConditionKind kind) {
+  return horn_or_stopping(kind) ? Output::track_cond_horn_stopping : Output::track_cond_general;
+}
 
 /// The trip reason for the condition of 4.6.3 that led to TR, none for one that has none.
 std::optional<StatusText> trip_reason(int condition);

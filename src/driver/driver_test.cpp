@@ -231,15 +231,46 @@ TEST(Driver, Acknowledgements_of_modes_have_symbols) {
 TEST(Driver, Status_symbols_appear_in_the_modes_that_have_them) {
   ShowContext c = cab(Mode::FS, Level::L2);
   c.override_active = c.brake_commanded = c.slippery_rail = c.reversing_possible = c.lx_not_protected = true;
-  c.lssma = c.track_ahead_free_asked = c.tunnel_stopping_area = true;
+  c.lssma = c.track_ahead_free_asked = true;
+  ASSERT_TRUE(c.track_conditions.push_back(Symbol::TC36));
+  ASSERT_TRUE(c.track_conditions.push_back(Symbol::TC05));
   c.radio = RadioStatus::up;
-  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "ST02", "LX01", "ST06", "ST01", "ST03", "TC36"}));
+  EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "ST02", "LX01", "TC05", "ST06", "ST01", "ST03", "TC36"}));
   c.mode = Mode::SR;
+  c.track_conditions.clear();  // by the mode, where they are found
   c.radio = RadioStatus::lost;
   EXPECT_EQ(list(show(c)), (Symbols{"MO09", "LE04", "ST02", "MO03", "ST01", "DR02", "ST04"}));
   c.mode = Mode::LS;
   const Symbols in_ls = list(show(c));
   EXPECT_EQ(std::count(in_ls.begin(), in_ls.end(), "LS01"), 1);
+}
+
+TEST(Driver, Track_conditions_have_the_symbols_of_015560) {
+  using enum TrackConditionKind;
+  using enum ConditionPhase;
+  const auto named = [](TrackConditionKind kind) {
+    Symbols symbols;
+    for (const ConditionPhase phase : {ahead, announced, active, ending, over})
+      if (const auto s = symbol(kind, phase)) symbols.push_back(name(*s));
+    return symbols;
+  };
+  EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"TC03", "TC01", "TC05"}));
+  EXPECT_EQ(named(powerless_main_switch_off), (Symbols{"TC07", "TC06", "TC09"}));
+  EXPECT_EQ(named(non_stopping_area), (Symbols{"TC11", "TC10"}));
+  EXPECT_EQ(named(radio_hole), (Symbols{"TC12"}));
+  EXPECT_EQ(named(switch_off_magnetic_shoe_brake), (Symbols{"TC14", "TC13"}));
+  EXPECT_EQ(named(switch_off_eddy_current_service_brake), (Symbols{"TC16", "TC15"}));
+  EXPECT_EQ(named(switch_off_eddy_current_emergency_brake), (Symbols{"TC16", "TC15"}));
+  EXPECT_EQ(named(switch_off_regenerative_brake), (Symbols{"TC18", "TC17"}));
+  EXPECT_EQ(named(air_tightness), (Symbols{"TC21", "TC19", "TC22"}));
+  EXPECT_EQ(named(sound_horn), (Symbols{"TC35"}));
+  EXPECT_EQ(named(tunnel_stopping_area), (Symbols{"TC37", "TC36"}));
+  Symbols traction;
+  for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
+    for (const ConditionPhase phase : {announced, active, ending})
+      if (const auto s = symbol_of_traction(M_VOLTAGE, phase)) traction.push_back(name(*s));
+  EXPECT_EQ(traction,
+            (Symbols{"TC24", "TC23", "TC26", "TC25", "TC28", "TC27", "TC30", "TC29", "TC32", "TC31", "TC34", "TC33"}));
 }
 
 TEST(Driver, Trip_reasons) {

@@ -1,6 +1,8 @@
 #include "io/output_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "io/number.h"
@@ -314,6 +316,101 @@ std::vector<Message> messages_of(const Outputs& o) {
   return messages;
 }
 
+/// A member of an object; the first one has no comma before it.
+void append_member(std::string& out, const char* name, double value, bool first = false) {
+  out += first ? "\"" : ",\"";
+  out += name;
+  out += "\":";
+  append_micro(out, value);
+}
+void append_null(std::string& out, const char* name, bool first = false) {
+  out += first ? "\"" : ",\"";
+  out += name;
+  out += "\":null";
+}
+
+void append_condition(std::string& out, const kernel::ShownCondition& c) {
+  out += "{\"symbol\":\"";
+  out += name(c.symbol);
+  out += "\",\"kind\":\"";
+  out += c.kind ? terms::kNames<kTrackConditionRows>[terms::index(*c.kind)] : "change of traction system";
+  out += '"';
+  append_member(out, "from_m", c.from.from_origin.si);
+  append_member(out, "to_m", c.to.from_origin.si);
+  out += ",\"phase\":\"";
+  out += terms::kNames<kConditionPhaseRows>[terms::index(c.phase)];
+  out += "\"}";
+}
+
+/// Begins an object with the distances that remain to an area or platform.
+template <class Ordered>
+void append_distances(std::string& out, const Ordered& o) {
+  out += '{';
+  if (o.to_start)
+    append_member(out, "to_start_m", o.to_start->si, true);
+  else
+    append_null(out, "to_start_m", true);
+  append_member(out, "to_end_m", o.to_end.si);
+}
+
+/// The key in `train_orders` of each kind of track condition; none where nothing is output to the train.
+constexpr std::array<const char*, kTrackConditionRows.size()> kOrderKeys{nullptr,
+                                                                         nullptr,
+                                                                         nullptr,
+                                                                         "pantograph",
+                                                                         nullptr,
+                                                                         "air_tightness",
+                                                                         "regenerative_brake_inhibited",
+                                                                         "eddy_current_service_brake_inhibited",
+                                                                         "magnetic_shoe_brake_inhibited",
+                                                                         "main_switch",
+                                                                         "eddy_current_emergency_brake_inhibited"};
+
+void append_train_orders(Row& row, const Outputs& o) {
+  row.open("train_orders");
+  for (std::size_t kind = 0; kind < kOrderKeys.size(); ++kind) {
+    if (kOrderKeys[kind] == nullptr) continue;
+    std::vector<kernel::OrderedArea> areas;
+    for (const kernel::OrderedArea& area : o.ordered_areas)
+      if (terms::index(area.kind) == kind) areas.push_back(area);
+    row.objects(kOrderKeys[kind], areas, [](std::string& out, const kernel::OrderedArea& area) {
+      append_distances(out, area);
+      out += '}';
+    });
+  }
+  row.key("traction_system");
+  if (o.ordered_traction) {
+    row.out() += '{';
+    append_member(row.out(), "to_start_m", o.ordered_traction->to_start.si, true);
+    append_member(row.out(), "M_VOLTAGE", o.ordered_traction->M_VOLTAGE);
+    append_member(row.out(), "NID_CTRACTION", o.ordered_traction->NID_CTRACTION);
+    row.out() += '}';
+  } else {
+    row.absent();
+  }
+  row.key("allowed_current_a");
+  if (o.ordered_current) {
+    row.out() += '{';
+    append_member(row.out(), "to_start_m", o.ordered_current->to_start.si, true);
+    if (o.ordered_current->amperes)
+      append_member(row.out(), "current_a", *o.ordered_current->amperes);
+    else
+      append_null(row.out(), "current_a");
+    row.out() += '}';
+  } else {
+    row.absent();
+  }
+  row.objects("station_platform", o.ordered_platforms, [](std::string& out, const kernel::OrderedPlatform& p) {
+    append_distances(out, p);
+    append_member(out, "M_PLATFORM", p.M_PLATFORM);
+    append_member(out, "Q_PLATFORM", p.Q_PLATFORM);
+    out += '}';
+  });
+  row.flag("remote_shunting", o.remote_shunting);
+  row.flag("sound_horn", o.sound_horn);
+  row.close();
+}
+
 /// What CSV has no room for.
 void append_second_lists(Row& row, const Outputs& o) {
   std::vector<const char*> levels;
@@ -331,6 +428,8 @@ void append_second_lists(Row& row, const Outputs& o) {
     out += terms::kNames<kSessionPhaseRows>[terms::index(s.phase)];
     out += "\"}";
   });
+  row.objects("track_conditions", o.track_conditions, append_condition);
+  append_train_orders(row, o);
 }
 
 void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
@@ -437,7 +536,16 @@ bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
                      alike(a.texts, b.texts, [](const auto& t) { return t.acknowledge; }) &&
                      alike(a.status_texts, b.status_texts, [](const auto& s) { return s.text; }) &&
                      std::equal(a.sessions.begin(), a.sessions.end(), b.sessions.begin(), b.sessions.end());
-  return !values || !lists;
+  // Distances and places apart.
+  const bool conditions =
+      alike(a.track_conditions, b.track_conditions, [](const auto& c) { return std::pair(c.symbol, c.phase); }) &&
+      alike(a.ordered_areas, b.ordered_areas,
+            [](const auto& area) { return std::pair(area.kind, area.to_start.has_value()); }) &&
+      alike(a.ordered_platforms, b.ordered_platforms, [](const auto& p) { return p.to_start.has_value(); }) &&
+      a.ordered_traction.has_value() == b.ordered_traction.has_value() &&
+      a.ordered_current.has_value() == b.ordered_current.has_value() && a.sound_horn == b.sound_horn &&
+      a.remote_shunting == b.remote_shunting;
+  return !values || !lists || !conditions;
 }
 
 }  // namespace

@@ -93,9 +93,10 @@ bool renew_basis(State& s, const TrainSignals& train, const track::Here& here) {
                                   .inaccuracy = inaccuracy(s, here),
                                   .mode_limit = mode_speed(s, here)};
   if (s.basis.number != 0 && s.basis.key == key) return false;
-  s.basis = basis_of(s, here, key,
-                     supervises(s, modes::Supervision::full) ? track::authority(s.track, interfaces_of(s.train), s.mode)
-                                                             : track::Authority{});
+  track::Authority authority;
+  if (supervises(s, modes::Supervision::full))
+    authority = track::authority(s.track, interfaces_of(s.train), s.mode, here.est_front);
+  s.basis = basis_of(s, here, key, authority);
   return true;
 }
 

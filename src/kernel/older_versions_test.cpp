@@ -12,6 +12,7 @@
 #include "lang/packets/packet_239.h"
 #include "lang/packets/packet_254.h"
 #include "lang/packets/packet_39.h"
+#include "lang/packets/packet_76.h"
 
 // What a message of an older version, and of one to come, is to the unit (6.6.3.2.3, 3.17.3.11).
 namespace evc::kernel {
@@ -81,6 +82,16 @@ TEST(OlderVersions, ANewerFormAnywhereInTheMessageTakesThePlaceOfTheOlderOne) {
   const auto other_direction = traction(telegram(v1_1, 0, other), older);
   ASSERT_TRUE(other_direction);
   EXPECT_EQ(other_direction->NID_CTRACTION, 10);
+}
+
+TEST(OlderVersions, AFixedTextIsIgnored) {  // 6.6.3.1.1.1
+  lang::Packet76_v1_0 text;
+  text.Q_DIR.raw = 2;
+  const Bits change = telegram(v1_0, 1, traction_of_1_0());
+  for (const std::uint8_t version : {v1_0, v1_1}) EXPECT_TRUE(traction(telegram(version, 0, text), change));
+  // A spare value in it does not matter either: it is not read.
+  text.Q_TEXTCLASS.raw = 3;
+  for (const std::uint8_t version : {v1_0, v1_1}) EXPECT_TRUE(traction(telegram(version, 0, text), change));
 }
 
 TEST(OlderVersions, PacketsOfALaterYAreSkipped) {

@@ -80,6 +80,15 @@ struct TrainDataChange {
   procedures::train_data_change::State procedure;
 };
 
+/// The display of the LSSMA as trackside ordered it, with a generic LS marker (4.4.19.1.4.2-6).
+struct LssmaDisplay {
+  struct Order {
+    Duration since{}, delay{};
+  };
+  std::optional<Order> waiting;  ///< an order to toggle it on whose time is not over
+  bool on = false;
+};
+
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
   std::optional<Place> end;            // absent: infinite
@@ -153,6 +162,7 @@ struct State {
   Set<Offer> offers;   // choices offered by the procedures, and
   Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
+  LssmaDisplay lssma;
   bool start_in_SR = false;    // selected by the driver: an MA is requested (4.4.11.1.6)
   bool slippery_rail = false;  // selected by the driver
   bool ma_with_trip_order = false;

@@ -37,6 +37,9 @@ void clear_other(State& s, Stored stored) {
     case adhesion_driver:
       s.slippery_rail = false;
       return;
+    case lssma_toggle_on_order:
+      s.lssma = {};
+      return;
     case unconditional_stops:
       remove_stops(s, false);
       return;
@@ -154,9 +157,9 @@ void set_SR_distance(State& state, const track::Here& here, const std::optional<
   if (D) sr.end = here.est_front + *D;
 }
 
-void cut_beyond(State& state, Place beyond) {
-  balise::clear_beyond(state.balise.linking, beyond);
-  if (state.pending_national_values && state.pending_national_values->from > beyond)
+void cut_beyond(State& state, Place beyond, Brought brought) {
+  if (!brought.linking) balise::clear_beyond(state.balise.linking, beyond);
+  if (!brought.national_values && state.pending_national_values && state.pending_national_values->from > beyond)
     state.pending_national_values.reset();
 }
 

@@ -27,8 +27,12 @@ void follow_national_SR_distance(State& state);
 /// The distance for SR of the RBC or the driver, from the estimated front end; absent: infinite (4.4.11.1.3.2, .3).
 void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D);
 
+/// What the message that shortens the authority brings itself: it is not deleted (3.8.5.1.5).
+struct Brought {
+  bool linking = false, national_values = false;
+};
 /// Linking and pending national values beyond a place are deleted (A.3.4).
-void cut_beyond(State& state, Place beyond);
+void cut_beyond(State& state, Place beyond, Brought brought = {});
 /// A.3.4, a situation that shortens the track description to `beyond`: linking and pending national values as well. An
 /// MA request reports this until a new MA is received (3.8.2.7.3).
 void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here);

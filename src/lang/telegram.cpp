@@ -71,6 +71,12 @@ bool is_let_through(const FaultAt& fault, const Frame& frame) {
   return frame.check == Check::reading && is_let_through(fault, frame.sv);
 }
 
+/// 6.6.3.1.1.1: a train ignores the contents of a fixed text of X = 1.
+bool is_ignored(const Frame& frame, std::uint8_t nid) {
+  return nid == packet::fixed_text && frame.sv.x == 1 && frame.check == Check::all &&
+         frame.direction == Direction::to_train;
+}
+
 /// Checks a packet whose end is known. False: not consistent, with the reason in `at`.
 bool check_found(const Frame& frame, const PacketView& view, const PacketCodec* codec, const PacketViews& before,
                  Instances& instances, FaultAt& at) {
@@ -113,10 +119,12 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
       return fault_in(Fault::wrong_medium, at, nid, "NID_PACKET", nid);
     }
     const PacketCodec* codec = find_packet_codec(frame.direction, version, nid);
-    PacketView view{nid,        0, static_cast<std::uint32_t>(at), 0, frame.sv, frame.direction, codec != nullptr,
-                    frame.bytes};
+    const bool ignored = is_ignored(frame, nid);
+    PacketView view{
+        nid,        0, static_cast<std::uint32_t>(at), 0, frame.sv, frame.direction, codec != nullptr && !ignored,
+        frame.bytes};
     if (const FaultAt unmeasured = measure(frame, view, codec)) return unmeasured;
-    if (frame.check != Check::structure)
+    if (frame.check != Check::structure && !ignored)
       if (!check_found(frame, view, codec, packets, instances, fault)) return fault;
     view.NID_PACKET = newest_number(nid, version);
     if (!packets.push_back(view)) return fault_in(Fault::too_many_packets, at, nid, "NID_PACKET", nid);

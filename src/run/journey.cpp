@@ -144,8 +144,8 @@ std::optional<Fate> fate_of_message(What what) {
 
 bool is_verdict_on_packet(What what) {
   return what == What::packet_accepted || what == What::packet_buffered || what == What::packet_refused ||
-         what == What::packet_kept || what == What::packet_contact_stored || what == What::packet_no_room ||
-         what == What::packet_shortened;
+         what == What::packet_kept || what == What::packet_contact_stored || what == What::packet_not_used ||
+         what == What::packet_no_room || what == What::packet_shortened;
 }
 
 }  // namespace

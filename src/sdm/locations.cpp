@@ -62,6 +62,18 @@ LxSubstitution lx_substitution(const Inputs& in, const Derived& d, Place LX_star
   return lx;
 }
 
+ServiceBrakeStop service_brake_stop(const Inputs& in, const Derived& d, Place foot, Speed V, Derived& scratch) {
+  CurvesToStop curve(scratch, d.decelerations, foot, top_speed(in));
+  const CurveView SBD = curve(CurveKind::SBD);
+  const Approach a = approach(V, Speed{0.0}, {}, d.fixed);
+  Target stop;
+  stop.kind = TargetKind::EOA_SvL;
+  stop.zero = true;
+  stop.d_target = stop.d_EOA = foot;
+  const Limits limits = limits_of_SBD(SBD, CurveView{}, a, times_of(d, stop, a, {}).SBD, d.fixed);
+  return {limits.d_SBI, limits.d_P};
+}
+
 Speed permitted_braking_distance_speed(const Inputs& in, Distance permitted, double grad, bool emergency_brake,
                                        Derived& scratch) {
   // 3.11.11.4: only the gradient of the packet, no trackside adhesion, inhibition or powerless

@@ -45,6 +45,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::buffer_full, "transition buffer", Takes::nothing, "full: the oldest set is deleted"},
     {What::packet_kept, "packet", Takes::id, "kept"},
     {What::packet_contact_stored, "packet", Takes::id, "contact stored"},
+    {What::packet_not_used, "packet", Takes::id, "not used"},
     {What::packet_no_room, "packet", Takes::id, "no room"},
     {What::packet_shortened, "packet", Takes::id, "shortened"},
     {What::infill_refused, "infill", Takes::id, "refused"},

@@ -10,9 +10,17 @@
 // Track conditions (3.12.1), route suitability (3.12.2), adhesion (3.18.4.6).
 namespace evc::track {
 
+/// How far a condition has come for driver and train (indication.h).
+struct Progress {
+  ConditionPhase phase = ConditionPhase::ahead;
+  std::optional<Duration> rear_left;  ///< since then the min safe rear end has left the area or the place
+  friend constexpr bool operator==(const Progress&, const Progress&) = default;
+};
+
 struct TrackCondition {
   Place from{}, to{};
   TrackConditionKind kind = TrackConditionKind::non_stopping_area;
+  Progress progress{};
   Anchor anchor{};
   friend constexpr bool operator==(const TrackCondition&, const TrackCondition&) = default;
 };
@@ -24,6 +32,7 @@ struct BigMetalMass {
 struct Platform {
   Place from{}, to{};
   std::uint8_t M_PLATFORM = 0, Q_PLATFORM = 0;
+  Progress progress{};
   Anchor anchor{};
   friend constexpr bool operator==(const Platform&, const Platform&) = default;
 };
@@ -31,12 +40,14 @@ struct TractionChange {
   Place at{};
   std::uint8_t M_VOLTAGE = 0;
   std::uint16_t NID_CTRACTION = 0;
+  Progress progress{};
   Anchor anchor{};
   friend constexpr bool operator==(const TractionChange&, const TractionChange&) = default;
 };
 struct CurrentChange {
   Place at{};
   std::optional<std::uint16_t> amperes;  ///< absent: no restriction
+  Progress progress{};
   Anchor anchor{};
   friend constexpr bool operator==(const CurrentChange&, const CurrentChange&) = default;
 };
@@ -50,6 +61,14 @@ struct RouteSuitability {
   std::uint16_t NID_CTRACTION = 0;
   Anchor anchor{};
   friend constexpr bool operator==(const RouteSuitability&, const RouteSuitability&) = default;
+};
+
+/// When the conditions have to be looked at next, so that not every cycle does.
+struct ConditionWatch {
+  bool changed = true;    ///< what is stored or the braking curves are others
+  bool told = false;      ///< one is between its first and its last indication
+  bool stopping = false;  ///< there are areas in which stopping is not permitted or advised
+  Place quiet_to{};       ///< with none shown: nothing begins while the max safe front end is in rear of it
 };
 
 /// The train's data for route suitability.

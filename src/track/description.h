@@ -46,6 +46,7 @@ struct Description {
   InplaceVector<Platform, 40> platforms;
   std::optional<TractionChange> traction;
   std::optional<CurrentChange> current;
+  ConditionWatch watch;  ///< of these
   InplaceVector<RouteSuitability, 40> suitability;
   InplaceVector<AdhesionArea, 16> adhesion;
   InplaceVector<Text, 6> texts;

@@ -349,23 +349,23 @@ TEST(Authority, A_temporary_end_at_the_end_itself_takes_the_release_speed_away) 
   Description d;
   store(d, whole(1000), front_at(0));
   d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{5}}};
-  EXPECT_EQ(authority(d, {}, Mode::FS).release.kind, Release::Kind::given);
+  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, Release::Kind::given);
   LevelCrossing lx;
   lx.from = at(1000);
   lx.to = at(1100);
   lx.unprotected = true;
   ASSERT_TRUE(d.lx.push_back(lx));
-  const Authority at_end = authority(d, {}, Mode::FS);
+  const Authority at_end = authority(d, {}, Mode::FS, kInRear);
   EXPECT_EQ(at_end.EOA, at(1000));
   EXPECT_EQ(at_end.SvL, at(1000));
   EXPECT_EQ(at_end.release.kind, Release{}.kind);
   d.lx[0].from = at(1050);
-  const Authority at_SvL = authority(d, {}, Mode::FS);
+  const Authority at_SvL = authority(d, {}, Mode::FS, kInRear);
   EXPECT_EQ(at_SvL.EOA, at(1000));
   EXPECT_EQ(at_SvL.SvL, at(1050));
   EXPECT_EQ(at_SvL.release.kind, Release{}.kind) << "the SvL is that of the level crossing";
   d.lx[0].from = at(1050.1);
-  EXPECT_EQ(authority(d, {}, Mode::FS).release.kind, Release::Kind::given);
+  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, Release::Kind::given);
 }
 
 TEST(Authority, A_mode_area_at_the_end_takes_the_release_speed_away) {  // 3.12.4.5
@@ -377,7 +377,7 @@ TEST(Authority, A_mode_area_at_the_end_takes_the_release_speed_away) {  // 3.12.
     area.from = at(from);
     area.also_SvL = false;
     ASSERT_TRUE(d.mode_profile.push_back(area));
-    EXPECT_EQ(authority(d, {}, Mode::FS).release.kind, from == 1000.0 ? Release{}.kind : Release::Kind::given);
+    EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, from == 1000.0 ? Release{}.kind : Release::Kind::given);
   }
 }
 

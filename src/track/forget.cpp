@@ -49,6 +49,7 @@ constexpr auto kRows = std::to_array<Row>({
 
 bool forget(Description& d, evc::Stored stored) {
   bool kept_here = false;
+  d.watch.changed = true;
   for (const Row& row : kRows) {
     if (row.what != stored) continue;
     row.forget(d);

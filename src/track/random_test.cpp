@@ -109,7 +109,7 @@ void expect_sound(const Description& d, const Here& here, Dice& dice) {
     for (const Section& s : d.ma->sections) ASSERT_LE(s.begin, s.end);
     for (std::size_t i = 1; i < d.ma->sections.size(); ++i)
       ASSERT_EQ(d.ma->sections[i - 1].end, d.ma->sections[i].begin);
-    const Authority a = authority(d, {}, dice.one_in(2) ? Mode::FS : Mode::OS);
+    const Authority a = authority(d, {}, dice.one_in(2) ? Mode::FS : Mode::OS, kInRear);
     ASSERT_NE(a.EOA.has_value(), a.LOA.has_value());
     if (a.EOA) {
       ASSERT_LE(*a.EOA, d.ma->end() > *a.EOA ? d.ma->end() : *a.EOA);
@@ -154,9 +154,9 @@ TEST(Random, WhatOthersRelyOnHolds) {
       switch (dice.number(0, 9)) {
         case 0: {
           const Place stop = at(front + dice.metres(0, 3000));
-          const Authority before = authority(d, {}, Mode::OS);
+          const Authority before = authority(d, {}, Mode::OS, kInRear);
           stop_at(d, stop, here);
-          const Authority after = authority(d, {}, Mode::OS);
+          const Authority after = authority(d, {}, Mode::OS, kInRear);
           ASSERT_GT(d.revision, revision);
           if (before.EOA && after.EOA) {
             ASSERT_LE(*after.EOA, *before.EOA);

@@ -19,10 +19,11 @@ struct Temporary {
 };
 
 /// Those of the areas that are not entered yet.
-Temporary temporary_of(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode) {
+Temporary temporary_of(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode,
+                       const std::optional<Place>& est_front) {
   Temporary t;
   for (const ModeArea& area : profile) {
-    if (area.accepted || area.mode == mode) continue;
+    if (area.accepted || area.mode == mode || (est_front && area.from <= *est_front)) continue;
     nearest(t.EOA, area.from);
     if (area.also_SvL) {
       nearest(t.SvL, area.from);
@@ -72,9 +73,11 @@ bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train) {
     case Suitability::axle_load:
       return train.M_AXLELOADCAT > item.M_AXLELOADCAT;
     case Suitability::traction:
-      for (const TrainInterfaces::Traction& t : train.tractions)
-        if (t.M_VOLTAGE == item.M_VOLTAGE && (item.M_VOLTAGE == 0 || t.NID_CTRACTION == item.NID_CTRACTION))
-          return false;
+      for (const TrainInterfaces::Traction& t : train.tractions) {
+        // 3.12.2.3.1: an engine that runs where there is no traction system needs none.
+        if (t.M_VOLTAGE == 0) return false;
+        if (t.M_VOLTAGE == item.M_VOLTAGE && t.NID_CTRACTION == item.NID_CTRACTION) return false;
+      }
       return true;
   }
   return true;
@@ -88,12 +91,12 @@ std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces
 }
 
 Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode) {
-  return with(temporary_of(ma, profile, mode), ma);
+  return with(temporary_of(ma, profile, mode, std::nullopt), ma);
 }
 
-Authority authority(const Description& d, const TrainInterfaces& train, Mode mode) {
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front) {
   if (!d.ma || !supervises_authority(mode)) return {};
-  Temporary temporary = temporary_of(*d.ma, {d.mode_profile.begin(), d.mode_profile.size()}, mode);
+  Temporary temporary = temporary_of(*d.ma, {d.mode_profile.begin(), d.mode_profile.size()}, mode, est_front);
   if (const std::optional<Place> closed = unsuitable_from(d, train)) temporary.stop_at(*closed);
   for (const LevelCrossing& lx : d.lx)
     if (lx.unprotected && !lx.substituted) temporary.stop_at(lx.from);

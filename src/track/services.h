@@ -48,9 +48,11 @@ void mrsp(Mrsp& out, const Description& d, const MrspQuery& query);
 void gradient(GradientFunction& out, const Description& d, Place from, double unknown = 0.0);
 
 /// EOA, SvL, LOA and release speed to supervise now. `mode` is the current one: the start of an area of this mode is no
-/// longer a stop; in SH, SR and other modes there is no authority.
-Authority authority(const Description& d, const TrainInterfaces& train, Mode mode);
-/// The same of an authority with its mode profile alone: the one that a request to shorten brings (3.8.6.1).
+/// longer a stop, nor is one that the estimated front end has passed: such an area is entered at once (5.7.2, 5.9.2,
+/// 5.19.2). In SH, SR and other modes there is no authority.
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front);
+/// The same of an authority with its mode profile alone, wherever the train is: the one that a request to shorten
+/// brings (3.8.6.1).
 Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode);
 
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its

@@ -28,51 +28,51 @@ constexpr Mode FS = Mode::FS, OS = Mode::OS, SR = Mode::SR, LS = Mode::LS;
 
 TEST(Authority, OnlyWhereAnMaIsSupervised) {
   const Description d = with_ma(1000);
-  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000));
-  EXPECT_EQ(authority(d, {}, OS).EOA, at(1000));
-  EXPECT_EQ(authority(d, {}, LS).EOA, at(1000));
-  EXPECT_FALSE(authority(d, {}, SR).EOA);
-  EXPECT_FALSE(authority(Description{}, {}, FS).EOA);
+  EXPECT_EQ(authority(d, {}, FS, kInRear).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, OS, kInRear).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, LS, kInRear).EOA, at(1000));
+  EXPECT_FALSE(authority(d, {}, SR, kInRear).EOA);
+  EXPECT_FALSE(authority(Description{}, {}, FS, kInRear).EOA);
 }
 
 TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
   Description d = with_ma(1000);
   d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{4}}};
   put_area(d, 600, 800, Mode::OS);
-  Authority a = authority(d, {}, FS);
+  Authority a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(600));
   EXPECT_EQ(a.release.kind, Release::Kind::none);
-  EXPECT_EQ(authority(d, {}, OS).EOA, at(1000)) << "in OS already";
+  EXPECT_EQ(authority(d, {}, OS, kInRear).EOA, at(1000)) << "in OS already";
   d.mode_profile[0].also_SvL = false;
-  a = authority(d, {}, FS);
+  a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1050));
   EXPECT_EQ(a.release.kind, Release::Kind::none);
   accept_area(d, Mode::OS, front_at(550));
-  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, FS, kInRear).EOA, at(1000));
   put_area(d, 700, 900, Mode::LS);
-  EXPECT_EQ(authority(d, {}, OS).EOA, at(700));
-  EXPECT_EQ(authority(d, {}, LS).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, OS, kInRear).EOA, at(700));
+  EXPECT_EQ(authority(d, {}, LS, kInRear).EOA, at(1000));
 }
 
 TEST(Authority, WithAnLoa) {
   Description d = with_ma(1000);
   d.ma->V_LOA = Speed{15};
-  Authority a = authority(d, {}, FS);
+  Authority a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.LOA, at(1000));
   EXPECT_EQ(a.V_LOA, Speed{15});
   EXPECT_FALSE(a.EOA || a.SvL);
   put_area(d, 600, 800, Mode::OS, false);
-  a = authority(d, {}, FS);
+  a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1000)) << "as if there were no LOA";
   EXPECT_FALSE(a.LOA);
   EXPECT_EQ(a.EOA_or_LOA(), at(600));
   d.mode_profile[0].from = at(1000);
-  EXPECT_EQ(authority(d, {}, FS).EOA, at(1000)) << "at the LOA";
+  EXPECT_EQ(authority(d, {}, FS, kInRear).EOA, at(1000)) << "at the LOA";
   d.mode_profile[0].from = at(1200);
-  a = authority(d, {}, FS);
+  a = authority(d, {}, FS, kInRear);
   EXPECT_FALSE(a.EOA || a.SvL) << "the LOA lies in rear of the area";
   EXPECT_EQ(a.EOA_or_LOA(), at(1000));
 }
@@ -86,21 +86,21 @@ TEST(Authority, UnsuitableRouteAndLevelCrossing) {  // 3.12.2, 3.12.5
   ASSERT_TRUE(d.suitability.push_back(item));
   TrainInterfaces train;
   train.M_AXLELOADCAT = 3;
-  EXPECT_EQ(authority(d, train, FS).EOA, at(1000));
+  EXPECT_EQ(authority(d, train, FS, kInRear).EOA, at(1000));
   train.M_AXLELOADCAT = 4;
-  EXPECT_EQ(authority(d, train, FS).EOA, at(700));
-  EXPECT_EQ(authority(d, train, FS).SvL, at(700));
+  EXPECT_EQ(authority(d, train, FS, kInRear).EOA, at(700));
+  EXPECT_EQ(authority(d, train, FS, kInRear).SvL, at(700));
   LevelCrossing lx;
   lx.NID_LX = 3;
   lx.from = at(500);
   lx.to = at(510);
   lx.unprotected = true;
   ASSERT_TRUE(d.lx.push_back(lx));
-  EXPECT_EQ(authority(d, train, FS).EOA, at(500));
+  EXPECT_EQ(authority(d, train, FS, kInRear).EOA, at(500));
   substitute_level_crossing(d, 4, at(450));
-  EXPECT_EQ(authority(d, train, FS).EOA, at(500));
+  EXPECT_EQ(authority(d, train, FS, kInRear).EOA, at(500));
   substitute_level_crossing(d, 3, at(450));
-  EXPECT_EQ(authority(d, train, FS).EOA, at(700));
+  EXPECT_EQ(authority(d, train, FS, kInRear).EOA, at(700));
   EXPECT_EQ(d.lx[0].V_LX_from, at(450));
 }
 
@@ -120,10 +120,14 @@ TEST(Suitability, ByKind) {
   EXPECT_TRUE(unsuitable(traction, train));
   ASSERT_TRUE(train.tractions.push_back({1, 13}));
   EXPECT_TRUE(unsuitable(traction, train));
-  ASSERT_TRUE(train.tractions.push_back({1, 12}) && train.tractions.push_back({0, 0}));
-  EXPECT_FALSE(unsuitable(traction, train));
   traction.M_VOLTAGE = 0;
-  EXPECT_FALSE(unsuitable(traction, train)) << "not fitted with any";
+  EXPECT_TRUE(unsuitable(traction, train)) << "not fitted with any";
+  traction.M_VOLTAGE = 1;
+  ASSERT_TRUE(train.tractions.push_back({1, 12}));
+  EXPECT_FALSE(unsuitable(traction, train));
+  TrainInterfaces diesel;
+  ASSERT_TRUE(diesel.tractions.push_back({0, 0}));
+  EXPECT_FALSE(unsuitable(traction, diesel)) << "3.12.2.3.1";
   traction.kind = static_cast<Suitability>(3);
   EXPECT_TRUE(unsuitable(traction, train)) << "what is not understood closes";
 }

@@ -101,6 +101,7 @@ struct LevelCrossing {
   bool stop_required = false;  ///< Q_STOPLX
   Distance L_STOPLX{};         ///< stopping area in rear of the crossing
   bool substituted = false;    ///< V_LX applies instead of the stop (5.16), from `V_LX_from`
+  bool informed = false;       ///< the driver was informed that it is not protected (5.16.1.4)
   Place V_LX_from{};
   Anchor anchor{};
   friend constexpr bool operator==(const LevelCrossing&, const LevelCrossing&) = default;

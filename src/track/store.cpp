@@ -1,24 +1,66 @@
 #include "track/store.h"
 
 #include "track/areas.h"
+#include "track/indication.h"
 #include "track/store_parts.h"
 #include "track/withdraw.h"
 
 namespace evc::track {
 namespace {
 
+/// The kinds that are shown to driver or train.
+template <class T>
+constexpr bool kTold = requires(const T& element) {
+  element.progress;
+};
+
+/// A condition that begins where the new data begin, and lies there already, is one with it.
+template <std::size_t N>
+bool joins(InplaceVector<TrackCondition, N>& stored, const TrackCondition& fresh, Place from) {
+  for (TrackCondition& old : stored)
+    if (old.to == from && fresh.from == from && old.kind == fresh.kind) {
+      old.to = fresh.to;
+      old.progress = sent_again(old.progress);
+      return true;
+    }
+  return false;
+}
+template <class T, std::size_t N>
+bool joins(InplaceVector<T, N>&, const T&, Place) {
+  return false;
+}
+
 /// New data of a non-continuous profile: elements that start at or beyond the new start are deleted, one across it is
 /// cut there (3.7.3.1 c, d, f, g; 3.7.3.2), then the new elements are appended. Returns the place of the first one for
 /// which there is no room.
 template <class T, std::size_t N, std::size_t M>
 std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
+  [[maybe_unused]] std::array<Progress, M> told{};
+  if constexpr (kTold<T>)
+    for (std::size_t i = 0; i < fresh.elements.size(); ++i)
+      for (const T& old : stored)
+        if (same(old, fresh.elements[i])) told[i] = sent_again(old.progress);
   stored.erase_if([&](const T& old) { return old.from >= fresh.from; });
   for (T& old : stored)
     if (old.to > fresh.from) old.to = fresh.from;
   std::optional<Place> lost;
-  for (const T& element : fresh.elements)
-    if (!stored.push_back(element) && (!lost || element.from < *lost)) lost = element.from;
+  for (std::size_t i = 0; i < fresh.elements.size(); ++i) {
+    const T& element = fresh.elements[i];
+    if (joins(stored, element, fresh.from)) continue;
+    if (!stored.push_back(element)) {
+      if (!lost || element.from < *lost) lost = element.from;
+      continue;
+    }
+    if constexpr (kTold<T>) stored.back().progress = told[i];
+  }
   return lost;
+}
+/// A change at a place replaces the one stored (3.7.3.1 e, p).
+template <class Change>
+void replace(std::optional<Change>& stored, const Change& fresh) {
+  const Progress told = stored && same(*stored, fresh) ? sent_again(stored->progress) : Progress{};
+  stored = fresh;
+  stored->progress = told;
 }
 template <class T, std::size_t N, std::size_t M>
 void replace(const Filing& f, std::uint8_t packet, InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
@@ -84,10 +126,11 @@ void store_level_crossings(const Filing& f, const Contents& c) {
   Description& d = f.d;
   for (LevelCrossing lx : c.lx) {
     for (const LevelCrossing& old : d.lx)
-      if (old.NID_LX == lx.NID_LX && old.substituted && lx.unprotected) {
+      if (old.NID_LX == lx.NID_LX && lx.unprotected) {
         // Received again while its speed already applies: it continues to apply.
-        lx.substituted = true;
+        lx.substituted = old.substituted;
         lx.V_LX_from = old.V_LX_from;
+        lx.informed = old.informed;
       }
     d.lx.erase_if([&](const LevelCrossing& old) { return old.NID_LX == lx.NID_LX; });
     const bool room = d.lx.push_back(lx);
@@ -141,13 +184,14 @@ void store_adhesion(const Filing& f, const Contents& c) {
 
 void store_conditions(const Filing& f, const Contents& c) {
   Description& d = f.d;
+  d.watch.changed = true;
   store_areas(f, c, kConditionAreas);
   if (c.traction) {
-    d.traction = c.traction;
+    replace(d.traction, *c.traction);
     f.note(39, Note::What::stored, {});
   }
   if (c.current) {
-    d.current = c.current;
+    replace(d.current, *c.current);
     f.note(40, Note::What::stored, {});
   }
   store_suitability(f, c);

@@ -88,13 +88,25 @@ bool has_shunting(const ModeProfile& profile) {
   return false;
 }
 
+/// 3.12.4.3.1: whether the profile of an infill MA is used; the one stored then ends at the infill reference.
+bool end_mode_profile(ModeProfile& profile, Place infill) {
+  for (const ModeArea& area : profile)
+    if (area.mode == Mode::SH && area.from < infill) return false;
+  profile.erase_if([&](const ModeArea& area) { return area.from >= infill; });
+  for (ModeArea& area : profile)
+    if (!area.to || *area.to > infill) area.to = infill;
+  return true;
+}
+
 void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill) {
   Description& d = f.d;
   const Set<Mode> accepted = accepted_modes(d.mode_profile);
-  if (infill)
-    d.mode_profile.erase_if([&](const ModeArea& area) { return area.from >= *infill; });
-  else
+  if (!infill) {
     d.mode_profile.clear();
+  } else if (!end_mode_profile(d.mode_profile, *infill)) {
+    if (c.mode_profile) f.note(80, Note::What::refused, "3.12.4.3.1"_srs);
+    return;
+  }
   // The list of a stored SH area is deleted and replaced together with the area (3.12.4.4).
   if (!has_shunting(d.mode_profile)) d.sh_list.reset();
   if (!c.mode_profile) return;

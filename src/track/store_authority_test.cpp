@@ -193,7 +193,7 @@ TEST(Store, AnSvLWhereAnLoaWasIsAShorteningWhereverItLies) {  // 3.8.5.1.4
   c.ma->V_LOA = Speed{20};
   store(d, c, front_at(100));
   EXPECT_FALSE(d.ma->SvL());
-  EXPECT_EQ(authority(d, {}, Mode::FS).LOA, at(2000));
+  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).LOA, at(2000));
   EXPECT_TRUE(store(d, whole(2500), front_at(100)).shortened);
   EXPECT_TRUE(d.ssp.covers(at(0), at(2500))) << "the new packets follow the deletion";
   c.ma->sections[0].end = at(500);
@@ -237,6 +237,47 @@ TEST(Store, InfillReplacesBeyondItsGroup) {  // 3.8.5.1 b
   EXPECT_EQ(d.signalling.back().from, at(1500));
   c.V_MAIN = 0;
   EXPECT_FALSE(store(d, c, front_at(100)).trip_order) << "3.11.6.5: no trip order from infill";
+}
+
+TEST(Store, InfillEndsTheAreaAcrossItsReference) {  // 3.12.4.3.1 a
+  Description d;
+  Contents first = whole(2000);
+  ModeArea across;
+  across.from = at(500);
+  first.mode_profile = ModeProfile{};
+  ASSERT_TRUE(first.mode_profile->push_back(across));
+  store(d, first, front_at(100));
+  Contents c = whole(3000);
+  c.infill = at(1500);
+  c.ma = authority_to(3000, 1500);
+  EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
+  ASSERT_EQ(d.mode_profile.size(), 1u);
+  EXPECT_EQ(d.mode_profile[0].to, at(1500));
+}
+
+TEST(Store, InfillBeyondAShuntingAreaBringsNoProfile) {  // 3.12.4.3.1 b, c
+  for (const double SH_from : {500.0, 1500.0}) {
+    Description d;
+    Contents first = whole(2000);
+    ModeArea shunting;
+    shunting.mode = Mode::SH;
+    shunting.from = at(SH_from);
+    first.mode_profile = ModeProfile{};
+    ASSERT_TRUE(first.mode_profile->push_back(shunting));
+    first.sh_list.emplace();
+    store(d, first, front_at(100));
+    Contents c = whole(3000);
+    c.infill = at(1500);
+    c.ma = authority_to(3000, 1500);
+    ModeArea area;
+    area.from = at(2000);
+    c.mode_profile = ModeProfile{};
+    ASSERT_TRUE(c.mode_profile->push_back(area));
+    EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
+    ASSERT_EQ(d.mode_profile.size(), 1u);
+    EXPECT_EQ(d.mode_profile[0].mode, SH_from < 1500.0 ? Mode::SH : Mode::OS);
+    EXPECT_EQ(d.sh_list.has_value(), SH_from < 1500.0);
+  }
 }
 
 TEST(Store, InfillSpeedCountsFromItsReference) {  // 3.11.6.2, 3.8.5.1 b

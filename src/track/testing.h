@@ -7,6 +7,8 @@
 namespace evc::track::testing {
 
 constexpr Place at(double metres) { return Place{Distance{metres}}; }
+/// A front end in rear of everything.
+inline constexpr Place kInRear = at(-1e6);
 
 inline Here front_at(double est, double doubt = 5.0, double length = 200.0, double antenna = 5.0) {
   Here here;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "track/areas.h"
+#include "track/indication.h"
 #include "track/services.h"
 
 namespace evc::track {
@@ -51,6 +52,7 @@ bool cut_areas(InplaceVector<T, N>& areas, Place at) {
 /// Deletes the track description beyond `at`, the data that belong to an MA (3.7.1.1). Returns
 /// whether there was any.
 bool cut_description(Description& d, Place at) {
+  d.watch.changed = true;
   bool deleted = d.ssp.cut(at);
   deleted = d.gradient.cut(at) || deleted;
   each_list([&](const auto& list) {
@@ -174,10 +176,16 @@ void run_end_section_timer(Description& d, const Here& here, Elapsed& elapsed) {
       shorten(d, Situation::e_end_section_timeout, here.max_safe_front, here) || elapsed.track_description_deleted;
 }
 
+template <class T>
+constexpr bool still_told(const T&) {
+  return false;  // track conditions alone are shown afterwards
+}
+
 template <class T, std::size_t N>
 void forget_areas(InplaceVector<T, N>& areas, Place limit) {
+  const auto over = [&](const T& a) { return a.to < limit && !still_told(a); };
   for (const T& area : areas)
-    if (area.to < limit) return areas.erase_if([&](const T& a) { return a.to < limit; });
+    if (over(area)) return areas.erase_if(over);
 }
 
 void forget_passed(Description& d, const Here& here) {

@@ -185,7 +185,7 @@ TEST(ConditionalStop, WhereItLiesDecides) {  // 3.10.2.2
     if (c.loa) d.ma->V_LOA = Speed{20};
     d.suitability.clear();
     EXPECT_EQ(stop_at(d, at(c.stop), front_at(100)), c.answer) << c.name;
-    const Authority a = authority(d, {}, Mode::FS);
+    const Authority a = authority(d, {}, Mode::FS, kInRear);
     EXPECT_EQ(a.EOA, at(*c.EOA)) << c.name;
     EXPECT_EQ(a.SvL, at(*c.SvL)) << c.name;
     EXPECT_FALSE(a.LOA) << c.name;

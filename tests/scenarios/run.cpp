@@ -491,13 +491,21 @@ class Run {
     return "";
   }
 
+  /// A member or, by its number, an element; null where the list is shorter or has no member below.
   const Json* value_of(const std::string& key) const {
+    static const Json nothing;
     const Json* at = &cycles_.back().output();
     for (std::size_t from = 0;;) {
       const std::size_t dot = key.find('.', from);
-      const auto it = at->is_object() ? at->find(key.substr(from, dot - from)) : at->end();
-      if (!at->is_object() || it == at->end()) return nullptr;
-      at = &*it;
+      const std::string name = key.substr(from, dot - from);
+      if (at->is_null() && from != 0) return &nothing;
+      if (at->is_array() && name.find_first_not_of("0123456789") == std::string::npos) {
+        const std::size_t i = std::stoul(name);
+        at = i < at->size() ? &(*at)[i] : &nothing;
+      } else {
+        if (!at->is_object() || !at->contains(name)) return nullptr;
+        at = &(*at)[name];
+      }
       if (dot == std::string::npos) return at;
       from = dot + 1;
     }

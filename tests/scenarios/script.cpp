@@ -77,6 +77,8 @@ constexpr std::array<const char*, 63> kOutputs{"t_ms",
                                                "sessions",
                                                "planning"};
 
+/// Outputs with elements and members of their own: "train_orders.pantograph.0.to_end_m".
+constexpr std::array<const char*, 2> kStructured{"track_conditions", "train_orders"};
 constexpr std::array<const char*, 18> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
                                              "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};
@@ -734,7 +736,7 @@ class Reader {
     Condition c;
     const int line = words.place();
     c.key = words.word("what is expected");
-    if (!is_one(kOutputs, c.key))
+    if (!is_one(kOutputs, c.key) && !is_one(kStructured, c.key.substr(0, c.key.find('.'))))
       throw ReadError{
           line, "\"" + c.key + "\"",
           "event, brakes, symbol, request, text, cause, sends, calls, hangs_up, no, or an output: " + all(kOutputs)};

@@ -16,6 +16,7 @@
 #include "openevc/terms/requests.h"
 #include "openevc/terms/status_text.h"
 #include "openevc/terms/symbol.h"
+#include "openevc/terms/track_condition.h"
 
 // The outputs of one cycle of the kernel: enumerations and numbers. Their names and texts for people and JSON are in
 // the tables of `terms` and in `texts`.
@@ -50,6 +51,36 @@ struct RbcSession {
   std::uint16_t NID_RBC = 0;
   SessionPhase phase = SessionPhase::idle;
   friend constexpr bool operator==(const RbcSession&, const RbcSession&) = default;
+};
+
+/// A track condition on the driver interface (5.18). Places are nominal counters of a front end there.
+struct ShownCondition {
+  Symbol symbol{};
+  std::optional<TrackConditionKind> kind;  // absent: change of traction system
+  OdometerPlace from, to;                  // alike for a change at a place
+  ConditionPhase phase{};                  // announced, active or ending
+};
+
+// Track conditions for the train (5.20, SUBSET-034): the distances that remain.
+/// An area in which something is switched off, lowered or closed.
+struct OrderedArea {
+  TrackConditionKind kind{};
+  std::optional<Distance> to_start;  // absent: not needed any more; below 0: in rear of the front end
+  Distance to_end;
+};
+struct OrderedPlatform {
+  std::optional<Distance> to_start;
+  Distance to_end;
+  std::uint8_t M_PLATFORM = 0, Q_PLATFORM = 0;
+};
+struct OrderedTraction {
+  Distance to_start;
+  std::uint8_t M_VOLTAGE = 0;
+  std::uint16_t NID_CTRACTION = 0;
+};
+struct OrderedCurrent {
+  Distance to_start;
+  std::optional<std::uint16_t> amperes;  // absent: no restriction
 };
 
 struct OutgoingMessage {
@@ -104,6 +135,15 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   Set<DriverInput> enabled;               // what the driver may do in the next cycle (4.7.2)
   InplaceVector<ShownStatus, 20> status_texts;  // shown now; trackside texts are `texts`
   InplaceVector<RbcSession, 2> sessions;        // not those that are idle
+
+  // Track conditions, from their announcement on: for the driver, and for the train in the modes of 4.5.2.
+  InplaceVector<ShownCondition, 49> track_conditions;
+  InplaceVector<OrderedArea, 48> ordered_areas;
+  InplaceVector<OrderedPlatform, 40> ordered_platforms;
+  std::optional<OrderedTraction> ordered_traction;
+  std::optional<OrderedCurrent> ordered_current;
+  bool sound_horn = false;       // the driver is asked for it
+  bool remote_shunting = false;  // the mode permits it (4.4.8.1.4)
 };
 
 }  // namespace evc::port

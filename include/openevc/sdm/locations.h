@@ -22,6 +22,14 @@ struct LxSubstitution {
 LxSubstitution lx_substitution(const Inputs& in, const Derived& derived, Place LX_start, Speed V_LX,
                                const Motion& motion, Derived& scratch);
 
+/// Virtual limits of a stop with the full service brake at `foot`: the SBI of a non stopping area (5.18.4.2), and the
+/// Permitted speed, without guidance, of a tunnel stopping area (5.18.8.3). Against the front ends that those clauses
+/// name. `V`: the estimated speed. The curve is traced in `scratch`, which is not `derived`, and not valid afterwards.
+struct ServiceBrakeStop {
+  Place d_SBI{}, d_P{};
+};
+ServiceBrakeStop service_brake_stop(const Inputs& in, const Derived& derived, Place foot, Speed V, Derived& scratch);
+
 /// Speed restriction of a permitted braking distance (3.11.11): rounded down to 5 km/h; 0 where no
 /// speed fulfils the condition. `permitted`: the distance; `grad`: the gradient received with it. Curves are traced in
 /// `scratch`, which is not valid afterwards.

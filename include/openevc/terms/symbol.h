@@ -20,7 +20,20 @@ enum class Symbol : std::uint8_t {
   LS01,  ///< lowest supervised speed within the MA
   LX01,  ///< level crossing not protected
   DR02,  ///< track ahead free asked for
-  TC36,  ///< tunnel stopping area
+  // Track conditions; where an action is due, the symbol that asks the driver for it.
+  TC01, TC03, TC05,  ///< pantograph: lowered, to be lowered, to be raised
+  TC06, TC07, TC09,  ///< neutral section: inside, announced, its end
+  TC10, TC11,        ///< non stopping area: inside, announced
+  TC12,              ///< radio hole
+  TC13, TC14,        ///< magnetic shoe brake: inhibited, announced
+  TC15, TC16,        ///< eddy current brake: inhibited, announced
+  TC17, TC18,        ///< regenerative brake: inhibited, announced
+  TC19, TC21, TC22,  ///< air conditioning intake: closed, to be closed, to be opened
+  // Change of traction system, alternating the new one and its announcement: none, AC 25 kV, AC 15 kV, DC 3 kV, DC 1.5
+  // kV, DC 600/750 V.
+  TC23, TC24, TC25, TC26, TC27, TC28, TC29, TC30, TC31, TC32, TC33, TC34,
+  TC35,        ///< sound horn
+  TC36, TC37,  ///< tunnel stopping area: inside, announced
   count
 };
 
@@ -34,7 +47,13 @@ inline constexpr auto kSymbolRows = std::to_array<terms::Row<Symbol>>({
     {Symbol::MO16, "MO16"}, {Symbol::MO17, "MO17"}, {Symbol::MO18, "MO18"}, {Symbol::MO19, "MO19"}, {Symbol::MO20, "MO20"},
     {Symbol::MO21, "MO21"}, {Symbol::MO22, "MO22"}, {Symbol::ST01, "ST01"}, {Symbol::ST02, "ST02"}, {Symbol::ST03, "ST03"},
     {Symbol::ST04, "ST04"}, {Symbol::ST06, "ST06"}, {Symbol::LS01, "LS01"}, {Symbol::LX01, "LX01"}, {Symbol::DR02, "DR02"},
-    {Symbol::TC36, "TC36"},
+    {Symbol::TC01, "TC01"}, {Symbol::TC03, "TC03"}, {Symbol::TC05, "TC05"}, {Symbol::TC06, "TC06"}, {Symbol::TC07, "TC07"},
+    {Symbol::TC09, "TC09"}, {Symbol::TC10, "TC10"}, {Symbol::TC11, "TC11"}, {Symbol::TC12, "TC12"}, {Symbol::TC13, "TC13"},
+    {Symbol::TC14, "TC14"}, {Symbol::TC15, "TC15"}, {Symbol::TC16, "TC16"}, {Symbol::TC17, "TC17"}, {Symbol::TC18, "TC18"},
+    {Symbol::TC19, "TC19"}, {Symbol::TC21, "TC21"}, {Symbol::TC22, "TC22"}, {Symbol::TC23, "TC23"}, {Symbol::TC24, "TC24"},
+    {Symbol::TC25, "TC25"}, {Symbol::TC26, "TC26"}, {Symbol::TC27, "TC27"}, {Symbol::TC28, "TC28"}, {Symbol::TC29, "TC29"},
+    {Symbol::TC30, "TC30"}, {Symbol::TC31, "TC31"}, {Symbol::TC32, "TC32"}, {Symbol::TC33, "TC33"}, {Symbol::TC34, "TC34"},
+    {Symbol::TC35, "TC35"}, {Symbol::TC36, "TC36"}, {Symbol::TC37, "TC37"},
 });
 // clang-format on
 static_assert(terms::in_order(kSymbolRows) && kSymbolRows.size() == terms::index(Symbol::count));

@@ -45,6 +45,7 @@ enum class What : std::uint8_t {
   buffer_full,            ///< the newest set in place of the oldest of three (4.8.5.3)
   packet_kept,            ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
   packet_contact_stored,  ///< the rest of the packet is not used (4.8.4 [3], [8])
+  packet_not_used,        ///< accepted, and its contents are used by nobody: unknown, or in CAVEATS
   packet_no_room,
   packet_shortened,
   infill_refused,  ///< `id` is NID_BG of the group that linking does not name

@@ -12,6 +12,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   // By the driver's selection in levels 0, NTC and 1 there is no list; that of an area ahead is another one's.
   if (to == Mode::SH && number == 5) s.track.sh_list.reset();
   keep_for_mode(s, to, from);
+  if (to == Mode::LS) s.lssma.on = false;  // 4.4.19.1.4.6; an order of this cycle has its own time
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
   // A group that is only partly read is not continued after power off, nor a change of deleted train data.
   if (to == Mode::NP) {

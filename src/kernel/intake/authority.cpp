@@ -101,8 +101,7 @@ void store_contents(Evaluation& e) {
   tell_stored(e, stored);
   if (stored.trip_order) out.trip_order = true;
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
-    // Linking and national values of this message were stored before; those of the old MA are deleted (3.8.5.1.3).
-    cut_beyond(s, s.track.ma->far_end());
+    cut_beyond(s, s.track.ma->far_end(), e.brought);  // what was stored before the message (3.8.5.1.3, 3.8.5.1.5)
   }
   if (stored.lost_from) {
     cut_beyond(s, *stored.lost_from < out.here.max_safe_front ? out.here.max_safe_front : *stored.lost_from);

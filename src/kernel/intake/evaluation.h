@@ -5,6 +5,7 @@
 
 #include "kernel/intake/message.h"
 #include "kernel/intake/reception.h"
+#include "kernel/stored.h"
 #include "modes/acceptance.h"
 #include "track/from_packets.h"
 
@@ -22,6 +23,7 @@ struct Evaluation {
   Waiting waiting;
   std::uint8_t refused = 0;
   Clause refused_because;  ///< of the last one; none: no room
+  Brought brought{};
 };
 
 constexpr bool judged(const Evaluation& e, std::size_t i) { return ((e.judge >> i) & 1u) != 0; }

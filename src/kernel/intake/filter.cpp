@@ -51,8 +51,9 @@ What what_of(Verdict verdict) {
   return What::packet_accepted;
 }
 
-void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a) {
-  e.r.log.note({.what = what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
+void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, bool not_used) {
+  not_used = not_used && a.verdict == Verdict::accepted;
+  e.r.log.note({.what = not_used ? What::packet_not_used : what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
   if (a.verdict == Verdict::rejected) refuse(e, a.clause);
 }
 
@@ -107,6 +108,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
                                                 position::antenna(s.position, s.train.L_antenna_front), current);
     // The list holds the LRBG: its distance by linking is used, for all data of the message (3.6.4.3).
     e.reference.place = stored.reference;
+    e.brought.linking = true;
     if (!stored.complete) e.r.log.note({.what = What::linking_capacity});
   }
 }
@@ -118,12 +120,27 @@ bool orders_establishment(const lang::PacketView& view) {
   return lang::decode(view, p) == lang::Fault::none && p.Q_RBC.raw == 1;
 }
 
+/// The max safe front end is in an LS area of the mode profile that comes along (4.8.4 [9]).
+bool front_in_LS_area(Evaluation& e) {
+  track::AuthorityContents& along = e.r.scratch.proposal;
+  along = {};
+  for (const lang::PacketView& view : e.information.packets)
+    if (view.NID_PACKET == packet::mode_profile) (void)track::add(along, e.information.time, view, e.reference);
+  if (!along.mode_profile) return false;
+  const track::Here& now = e.r.out.here;
+  for (const track::ModeArea& area : *along.mode_profile)
+    if (area.mode == Mode::LS && now.max_safe_front >= area.from && !(area.to && now.max_safe_front > *area.to))
+      return true;
+  return false;
+}
+
 void evaluate_rest(Evaluation& e) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     const PacketRoute& route = route_of(view);
     if (route.turn != Turn::rest || !judged(e, i)) continue;
     if (route.number == packet::session_management) e.context.orders_establishment = orders_establishment(view);
+    if (route.number == packet::lssma_display) e.context.front_in_ls_area_of_message = front_in_LS_area(e);
     const Verdict verdict = judge_packet(e, i);
     if (route.take != nullptr && (verdict == Verdict::accepted || verdict == Verdict::only_contact_stored))
       route.take(e, view, verdict);
@@ -231,7 +248,7 @@ Verdict judge_packet(Evaluation& e, std::size_t i) {
     if (a.verdict != Verdict::accepted) worst = a;
   }
   if (!e.information.located && has_place(route, view)) worst = {Verdict::rejected, "3.6.2.2.2"_srs};
-  tell_packet(e, view.NID_PACKET, worst);
+  tell_packet(e, view.NID_PACKET, worst, not_used(route));
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
   return worst.verdict;
 }

@@ -1,6 +1,7 @@
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
 #include "lang/decode.h"
+#include "lang/packets/packet_140.h"
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_41.h"
@@ -46,6 +47,7 @@ void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) 
   }
   s.pending_national_values =
       PendingNationalValues{e.reference.place + *received.D_VALIDNV, anchor_of(e), received.values, received.areas};
+  e.brought.national_values = true;
 }
 
 void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
@@ -94,6 +96,29 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
   const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
   if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
     e.r.log.note({.what = What::cover_capacity});
+}
+
+/// The group is asked whether it has one (3.16.2.4.9); nothing else follows from it.
+void shown_for_its_group(Evaluation&, const lang::PacketView&, Verdict) {}
+
+/// 3.18.4.5.1, 3.18.4.5.3: it is not sent back to the RBC (3.18.4.5.4.1).
+void take_running_number(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet140 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  DriverData& data = e.r.state.data;
+  data.train_running_number = p.NID_OPERATIONAL.raw;
+  data.train_running_number_status = DataStatus::valid;
+}
+
+/// An order deletes one that waits; until it takes effect nothing is displayed (4.4.19.1.4.2, .4, .5).
+void take_lssma_order(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet180 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  State& s = e.r.state;
+  s.lssma = {};
+  if (p.Q_LSSMA.raw == 0) return;
+  const bool released = e.information.judge_packets != ~std::uint64_t{0};  // by the level transition of this cycle
+  s.lssma.waiting = {released ? s.now : e.information.time, lang::seconds(p.T_LSSMA)};
 }
 
 evc::Information row_of_track_condition(const lang::PacketView& view) {
@@ -187,13 +212,13 @@ constexpr auto kPacketRoutes = [] {
     {packet::stop_if_in_sr,                           Turn::rest,           {stop_if_in_sr},                         nullptr,                store_with_track},
     {packet::reversing_area,                          Turn::rest,           {reversing_area},                        always,                 store_with_track},
     {packet::reversing_supervision,                   Turn::rest,           {reversing_supervision},                 always,                 store_with_track},
-    {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr,                nullptr},
+    {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr,                take_running_number},
     {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  nullptr,                store_with_track},
     {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr,                nullptr},
     {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr,                nullptr},
-    {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                nullptr},
+    {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                take_lssma_order},
     {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     nullptr,                store_with_track},
-    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                nullptr},
+    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                shown_for_its_group},
     {packet::end_of_information,                      Turn::before,         {},                                      nullptr,                nullptr},
   });
 }();
@@ -223,6 +248,7 @@ constexpr auto kPlaceOfRoute = [] {
 
 const PacketRoute& route_of(const lang::PacketView& view) {
   static constexpr PacketRoute kNone{packet::end_of_information, Turn::rest, {}, nullptr, nullptr};
+  if (view.NID_PACKET == packet::fixed_text && view.sv.x == 1) return kNone;  // 6.6.3.1.1.1
   const std::uint8_t i = kPlaceOfRoute[view.NID_PACKET & 0xFFu];
   return i < kPacketRoutes.size() ? kPacketRoutes[i] : kNone;
 }

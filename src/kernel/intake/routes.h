@@ -61,6 +61,9 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
+/// Whether its contents are used by nobody: an unknown number, or one of those in CAVEATS.
+inline bool not_used(const PacketRoute& route) { return route.turn == Turn::rest && route.take == nullptr; }
+
 inline bool has_place(const PacketRoute& route, const lang::PacketView& view) {
   return route.place != nullptr && route.place(view);
 }

@@ -65,7 +65,7 @@ class OneMessage : public ::testing::Test {
     for (const Event& e : out.events)
       if (e.id == NID_PACKET &&
           (e.what == What::packet_accepted || e.what == What::packet_refused || e.what == What::packet_buffered ||
-           e.what == What::packet_kept || e.what == What::packet_contact_stored)) {
+           e.what == What::packet_kept || e.what == What::packet_contact_stored || e.what == What::packet_not_used)) {
         ++found.times;
         found.what = e.what;
         found.clause = e.clause;

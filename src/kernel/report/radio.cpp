@@ -5,6 +5,7 @@
 #include "kernel/train_category.h"
 #include "modes/active_functions.h"
 #include "radio/compose.h"
+#include "track/indication.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -50,13 +51,6 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
   r.M_LEVEL = M_LEVEL(s.level.level);
   r.NID_NTC = s.level.nid_ntc;
   return r;
-}
-
-bool in_radio_hole(const State& s, const track::Here& here) {
-  for (const track::TrackCondition& t : s.track.conditions)
-    if (t.kind == TrackConditionKind::radio_hole && here.max_safe_front >= t.from && here.est_front <= t.to)
-      return true;
-  return false;
 }
 
 /// Messages that the procedures require; MA requests and reports follow the conditions of the room `radio`.
@@ -154,7 +148,7 @@ RadioResult run_radio(State& s, RadioLink link, const Received& received, const 
   radio::Inputs in;
   in.now = s.now;
   in.link = link;
-  in.in_radio_hole = in_radio_hole(s, here);
+  in.in_radio_hole = track::in_radio_hole(s.track);
   in.level_2_or_3 = level_2_or_3(s.level.level);
   in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
   in.standstill = here.standstill;

@@ -4,6 +4,7 @@
 #include "kernel/here.h"
 #include "kernel/report/radio.h"
 #include "kernel/report/texts.h"
+#include "kernel/report/track_conditions.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -66,6 +67,15 @@ void show_limits(const State& s, const Supervised& supervised, Outputs& out) {
   out.memo_status = sdm::memo_status(r, run_of(s.position.now).V, s.mode == Mode::TR);
 }
 
+/// The symbols of the track conditions, each once.
+void take_symbols(driver::ShowContext& c, const Outputs& out) {
+  for (const ShownCondition& shown : out.track_conditions) {
+    bool again = false;
+    for (const Symbol s : c.track_conditions) again = again || s == shown.symbol;
+    if (!again) (void)c.track_conditions.push_back(shown.symbol);  // further ones are in `track_conditions` only
+  }
+}
+
 driver::ShowContext show_context(const State& s, bool desk_open, const Decided& decided, Set<Ack> requests,
                                  bool brake_commanded, bool LSSMA) {
   const track::Here& here = decided.here;
@@ -85,11 +95,8 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
   c.reversing_possible = decided.reversing_possible;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
-  for (const track::TrackCondition& t : s.track.conditions)
-    if (t.kind == TrackConditionKind::tunnel_stopping_area && here.est_front >= t.from && here.est_front <= t.to)
-      c.tunnel_stopping_area = true;
   for (const track::LevelCrossing& lx : s.track.lx)
-    if (lx.unprotected && here.est_front <= lx.to) c.lx_not_protected = true;
+    if (lx.informed && here.min_safe_front < lx.to) c.lx_not_protected = true;  // 5.16.1.5
   return c;
 }
 
@@ -108,9 +115,11 @@ void show(const State& s, bool desk_open, const Decided& decided, const procedur
   const track::Authority& a = s.basis.authority;
   if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
-  const driver::Show shown =
-      driver::show(show_context(s, desk_open, decided, effects.requests, out.sb || out.eb, out.LSSMA.has_value()));
-  out.symbols = shown.symbols;
+  show_track_conditions(s, desk_open, here, out);
+  driver::ShowContext context =
+      show_context(s, desk_open, decided, effects.requests, out.sb || out.eb, out.LSSMA.has_value());
+  take_symbols(context, out);
+  out.symbols = driver::show(context).symbols;
   out.requests = effects.requests;
   out.entries = effects.entries;
   out.start_offered = effects.offers.has(Offer::start);
@@ -145,12 +154,14 @@ void reset(Outputs& out) {
          V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests, entries,
          start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
          MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
-         status_texts, sessions] = out;
+         status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction, ordered_current,
+         sound_horn, remote_shunting] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
             entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
             MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
-            status_texts, sessions);
+            status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
+            ordered_current, sound_horn, remote_shunting);
 }
 
 void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,

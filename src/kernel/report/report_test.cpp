@@ -164,12 +164,13 @@ TEST_F(Report, ShowsAnUnprotectedCrossingUntilItIsPassed) {  // 5.16
   lx.from = at(1000.0);
   lx.to = at(1010.0);
   ASSERT_TRUE(state.track.lx.push_back(lx));
-  decided.here.est_front = at(1010.0);
+  decided.here.min_safe_front = at(900.0);
+  EXPECT_FALSE(shows(Symbol::LX01)) << "the driver was not informed (5.16.1.4)";
+  state.track.lx[0].informed = true;
+  decided.here.est_front = at(1100.0);
+  decided.here.min_safe_front = at(1009.5);
   EXPECT_TRUE(shows(Symbol::LX01));
-  decided.here.est_front = at(1010.5);
-  EXPECT_FALSE(shows(Symbol::LX01));
-  decided.here.est_front = at(900.0);
-  state.track.lx[0].unprotected = false;
+  decided.here.min_safe_front = at(1010.5);
   EXPECT_FALSE(shows(Symbol::LX01));
 }
 
@@ -229,16 +230,94 @@ TEST_F(Report, ShowsWhatTheDriverHasToAcknowledge) {  // 4.7.2, 015560
   EXPECT_TRUE(shows(Symbol::MO08));
 }
 
-TEST_F(Report, ShowsATunnelStoppingAreaFromItsStartToItsEnd) {  // 3.12.1.2, 015560
-  ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), TrackConditionKind::tunnel_stopping_area}));
-  const auto inside = [&](double est_front) {
-    decided.here.est_front = at(est_front);
-    return shows(Symbol::TC36);
+TEST_F(Report, ShowsTrackConditionsInTheModesOf_4_7_2) {
+  using enum ConditionPhase;
+  const auto tell = [&](TrackConditionKind kind, ConditionPhase phase) {
+    ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), kind, {phase, std::nullopt}}));
   };
-  EXPECT_FALSE(inside(999.0));
-  EXPECT_TRUE(inside(1000.0));
-  EXPECT_TRUE(inside(1100.0));
-  EXPECT_FALSE(inside(1101.0));
+  tell(TrackConditionKind::sound_horn, active);
+  tell(TrackConditionKind::switch_off_eddy_current_service_brake, announced);
+  tell(TrackConditionKind::switch_off_eddy_current_emergency_brake, announced);
+  tell(TrackConditionKind::air_tightness, over);
+  tell(TrackConditionKind::powerless_main_switch_off, ahead);
+  state.track.traction = track::TractionChange{at(1200.0), 1, 7, {active, std::nullopt}};
+  EXPECT_TRUE(report_now().track_conditions.empty()) << "the watch says that there is nothing";
+  state.track.watch.told = true;
+  report_now();
+  ASSERT_EQ(out.track_conditions.size(), 4u);
+  EXPECT_EQ(out.track_conditions[0].symbol, Symbol::TC35);
+  EXPECT_EQ(out.track_conditions[0].kind, TrackConditionKind::sound_horn);
+  EXPECT_EQ(out.track_conditions[0].phase, active);
+  EXPECT_EQ(out.track_conditions[0].from.from_origin, Distance{1000.0});
+  EXPECT_EQ(out.track_conditions[0].to.from_origin, Distance{1100.0});
+  EXPECT_EQ(out.track_conditions[3].symbol, Symbol::TC25);
+  EXPECT_EQ(out.track_conditions[3].kind, std::nullopt);
+  EXPECT_TRUE(out.sound_horn);
+  int eddy_current = 0;
+  for (const Symbol s : out.symbols) eddy_current += s == Symbol::TC16 ? 1 : 0;
+  EXPECT_EQ(eddy_current, 1) << "one symbol for both inhibitions";
+  for (const Mode mode : {Mode::NL, Mode::TR, Mode::PT}) {
+    state.mode = mode;
+    EXPECT_FALSE(shows(Symbol::TC35));
+    EXPECT_TRUE(shows(Symbol::TC25));
+    EXPECT_FALSE(out.sound_horn);
+  }
+  state.mode = Mode::SR;
+  EXPECT_FALSE(shows(Symbol::TC25));
+  EXPECT_TRUE(out.ordered_areas.empty());
+  state.mode = Mode::FS;
+  in.train.desk_open = false;
+  EXPECT_TRUE(report_now().track_conditions.empty());
+}
+
+TEST_F(Report, OrdersTheTrainWithTheDistancesOf_5_20) {
+  using enum ConditionPhase;
+  state.track.watch.told = true;
+  const track::Progress announced_{announced, std::nullopt}, active_{active, std::nullopt};
+  using Kind = TrackConditionKind;
+  ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::powerless_lower_pantograph, announced_}));
+  ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::air_tightness, announced_}));
+  ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::radio_hole, active_}));
+  ASSERT_TRUE(state.track.platforms.push_back({at(1000.0), at(1100.0), 3, 2, announced_}));
+  state.track.traction = track::TractionChange{at(1000.0), 1, 7, announced_};
+  state.track.current = track::CurrentChange{at(1000.0), 600, announced_};
+  track::Here& here = decided.here;
+  here.min_safe_front = at(900.0);
+  here.max_safe_front = at(950.0);
+  here.min_safe_rear = at(700.0);
+  report_now();
+  ASSERT_EQ(out.ordered_areas.size(), 2u);
+  EXPECT_EQ(out.ordered_areas[0].to_start, Distance{50.0});
+  EXPECT_EQ(out.ordered_areas[0].to_end, Distance{200.0}) << "powerless: the min safe front end (5.20.2.3)";
+  EXPECT_EQ(out.ordered_areas[1].to_start, Distance{50.0});
+  EXPECT_EQ(out.ordered_areas[1].to_end, Distance{400.0}) << "air tightness: the min safe rear end (5.20.4.3)";
+  ASSERT_EQ(out.ordered_platforms.size(), 1u);
+  EXPECT_EQ(out.ordered_platforms[0].to_start, Distance{50.0});
+  EXPECT_EQ(out.ordered_platforms[0].to_end, Distance{200.0});
+  EXPECT_EQ(out.ordered_platforms[0].M_PLATFORM, 3);
+  EXPECT_EQ(out.ordered_platforms[0].Q_PLATFORM, 2);
+  ASSERT_TRUE(out.ordered_traction && out.ordered_current);
+  EXPECT_EQ(out.ordered_traction->to_start, Distance{50.0});
+  EXPECT_EQ(out.ordered_traction->M_VOLTAGE, 1);
+  EXPECT_EQ(out.ordered_traction->NID_CTRACTION, 7);
+  EXPECT_EQ(out.ordered_current->amperes, 600);
+  here.max_safe_front = at(1050.0);
+  report_now();
+  EXPECT_EQ(out.ordered_areas[0].to_start, Distance{-50.0}) << "until the rear end has passed (5.20.2.4)";
+  EXPECT_EQ(out.ordered_areas[1].to_start, std::nullopt) << "until the front end has passed (5.20.4.4)";
+  EXPECT_EQ(out.ordered_traction->to_start, Distance{-50.0});
+  here.min_safe_rear = at(1000.0);
+  report_now();
+  EXPECT_EQ(out.ordered_areas[0].to_start, std::nullopt);
+  EXPECT_EQ(out.ordered_platforms[0].to_start, std::nullopt);
+  state.track.conditions[0].progress.rear_left = Duration{1.0};
+  state.track.traction->progress.rear_left = Duration{1.0};
+  report_now();
+  ASSERT_EQ(out.ordered_areas.size(), 1u) << "the rear end has left the powerless section (5.20.2.5)";
+  EXPECT_FALSE(out.ordered_traction.has_value());
+  EXPECT_FALSE(out.remote_shunting);
+  state.mode = Mode::SH;
+  EXPECT_TRUE(report_now().remote_shunting);
 }
 
 TEST_F(Report, RemembersWhatTheDriverMayAnswer) {  // 4.7.2

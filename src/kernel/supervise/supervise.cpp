@@ -2,6 +2,7 @@
 
 #include "kernel/basis.h"
 #include "kernel/curves.h"
+#include "kernel/supervise/track_conditions.h"
 #include "sdm/locations.h"
 #include "track/services.h"
 
@@ -13,6 +14,7 @@ void refresh(State& s, Derived& d, const TrainSignals& train, const track::Here&
   if (renew_basis(s, train, here)) renewed = true;
   if (d.built == s.basis.number || !supervises_speed(s.mode)) return;
   d.built = s.basis.number;
+  s.track.watch.changed = true;  // stopping areas depend on the curves
   build(d.in_force, s, train, s.basis);
   if (!renewed) return;  // logged when it was built first
   if (d.in_force.sdm.truncated) log.note({.what = What::targets_lost});
@@ -41,17 +43,36 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
   }
 }
 
-/// 4.4.19.1.4: the lowest of the MRSP up to the end of the authority and of the target speed there. Without a generic
-/// LS marker it is shown when the end is slower than the mode and it is below the speed of the train (4.4.19.1.4.7).
+/// 5.16.1.4: the driver is informed of a crossing that is not protected when it is the most relevant displayed target,
+/// or when its speed takes the place of the stop.
+void tell_level_crossings(State& s, const std::optional<sdm::TargetId>& MRDT) {
+  for (track::LevelCrossing& lx : s.track.lx)
+    if (lx.unprotected &&
+        (lx.substituted || (MRDT && MRDT->kind == sdm::TargetKind::EOA_SvL && s.basis.authority.EOA == lx.from)))
+      lx.informed = true;
+}
+
+/// The delay of an order is over (4.4.19.1.4.3).
+void toggle_LSSMA(LssmaDisplay& display, Duration now) {
+  if (!display.waiting || !(now - display.waiting->since > display.waiting->delay)) return;
+  display.waiting.reset();
+  display.on = true;
+}
+
+/// 4.4.19.1.4: the lowest of the MRSP up to the end of the authority and of the target speed there. With a generic LS
+/// marker it is shown on the order of trackside, without one when the end is slower than the mode and it is below the
+/// speed of the train (4.4.19.1.4.7).
 std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const track::Here& here) {
   const track::Authority& a = s.basis.authority;
   const std::optional<Place> end = a.EOA_or_LOA();
-  if (s.mode != Mode::LS || s.track.generic_ls_marker || !end) return std::nullopt;
+  if (s.mode != Mode::LS || !end) return std::nullopt;
+  const bool ordered = s.track.generic_ls_marker;
+  if (ordered && !s.lssma.on) return std::nullopt;
   const Speed at_end = a.LOA ? a.V_LOA : Speed{};
-  if (s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
+  if (!ordered && s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
   const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, *end);
   const Speed LSSMA = lowest < at_end ? lowest : at_end;
-  if (LSSMA >= s.train.V_MAXTRAIN) return std::nullopt;
+  if (!ordered && LSSMA >= s.train.V_MAXTRAIN) return std::nullopt;
   return LSSMA;
 }
 
@@ -65,6 +86,8 @@ void supervise_speed(State& s, Derived& d, const TrainSignals& train, const trac
   const sdm::Motion motion = motion_of(s, here, train);
   pass_level_crossings(s, d, here, motion, log);
   const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, d.in_force.sdm, motion));
+  tell_level_crossings(s, r.MRDT);
+  toggle_LSSMA(s.lssma, s.now);
   out.LSSMA = LSSMA(s, d.in_force.sdm, here);
   out.asked.add(brakes::Cause::overspeed_traction, r.tco);
   out.asked.add(brakes::Cause::overspeed_service, r.sb);
@@ -112,6 +135,7 @@ Supervised supervise(State& state, Derived& derived, const TrainSignals& train, 
   supervise_speed(state, derived, train, here, out, log);
   guard_movement(state, train, here, brake_acknowledged, out);
   guard_antenna(state, train.antenna_alarm, here, out);
+  tell_track_conditions(state, derived, here);
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "terms/row.h"
+#include "openevc/terms/row.h"
 
 namespace evc {
 
@@ -49,6 +49,24 @@ constexpr bool horn_or_stopping(TrackConditionKind kind) {
   return kind == TrackConditionKind::non_stopping_area || kind == TrackConditionKind::tunnel_stopping_area ||
          kind == TrackConditionKind::sound_horn;
 }
+
+/// How far a track condition has come for driver and train (5.18, 5.20); a step is not taken back (A.3.5.1).
+enum class ConditionPhase : std::uint8_t {
+  ahead,      ///< not shown yet
+  announced,  ///< from point C on
+  active,     ///< from point D on
+  ending,     ///< from point E on: what it asked for is to be undone
+  over
+};
+
+inline constexpr auto kConditionPhaseRows = std::to_array<terms::Row<ConditionPhase>>({
+    {ConditionPhase::ahead, "ahead"},
+    {ConditionPhase::announced, "announced"},
+    {ConditionPhase::active, "active"},
+    {ConditionPhase::ending, "ending"},
+    {ConditionPhase::over, "over"},
+});
+static_assert(terms::in_order(kConditionPhaseRows));
 
 /// What has to fit the train on the route (3.12.2).
 enum class Suitability : std::uint8_t { gauge, axle_load, traction };

@@ -1,0 +1,77 @@
+#include "driver/driver.h"
+
+namespace evc::driver {
+namespace {
+
+/// The symbols of a condition (5.18, 015560 13), in the order of its phases.
+struct SymbolRow {
+  TrackConditionKind kind{};
+  std::optional<Symbol> announced, active, ending;
+};
+
+// clang-format off
+constexpr auto srs_5_18_symbols = [] {
+  using enum TrackConditionKind;
+  using enum Symbol;
+  return std::to_array<SymbolRow>({
+    {non_stopping_area,                       TC11, TC10, {}},
+    {tunnel_stopping_area,                    TC37, TC36, {}},
+    {sound_horn,                              {},   TC35, {}},
+    {powerless_lower_pantograph,              TC03, TC01, TC05},
+    {radio_hole,                              {},   TC12, {}},
+    {air_tightness,                           TC21, TC19, TC22},
+    {switch_off_regenerative_brake,           TC18, TC17, {}},
+    {switch_off_eddy_current_service_brake,   TC16, TC15, {}},
+    {switch_off_magnetic_shoe_brake,          TC14, TC13, {}},
+    {powerless_main_switch_off,               TC07, TC06, TC09},
+    {switch_off_eddy_current_emergency_brake, TC16, TC15, {}},
+  });
+}();
+
+/// By M_VOLTAGE.
+constexpr auto kTractionSymbols = [] {
+  using enum Symbol;
+  struct Row {
+    Symbol announced{}, active{};
+  };
+  return std::to_array<Row>({
+    {TC24, TC23},  // none
+    {TC26, TC25},  // AC 25 kV 50 Hz
+    {TC28, TC27},  // AC 15 kV 16.7 Hz
+    {TC30, TC29},  // DC 3 kV
+    {TC32, TC31},  // DC 1.5 kV
+    {TC34, TC33},  // DC 600/750 V
+  });
+}();
+// clang-format on
+
+static_assert([] {
+  for (std::size_t i = 0; i < srs_5_18_symbols.size(); ++i)
+    if (static_cast<std::size_t>(srs_5_18_symbols[i].kind) != i) return false;
+  return srs_5_18_symbols.size() == kTrackConditionRows.size();
+}());
+
+}  // namespace
+
+std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase) {
+  const SymbolRow& row = srs_5_18_symbols[static_cast<std::size_t>(kind)];
+  switch (phase) {
+    case ConditionPhase::announced:
+      return row.announced;
+    case ConditionPhase::active:
+      return row.active;
+    case ConditionPhase::ending:
+      return row.ending;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<Symbol> symbol_of_traction(std::uint8_t M_VOLTAGE, ConditionPhase phase) {
+  if (M_VOLTAGE >= kTractionSymbols.size()) return std::nullopt;
+  if (phase == ConditionPhase::announced) return kTractionSymbols[M_VOLTAGE].announced;
+  if (phase == ConditionPhase::active) return kTractionSymbols[M_VOLTAGE].active;
+  return std::nullopt;
+}
+
+}  // namespace evc::driver
