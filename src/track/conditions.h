@@ -66,7 +66,7 @@ struct RouteSuitability {
 /// When the conditions have to be looked at next, so that not every cycle does.
 struct ConditionWatch {
   bool changed = true;    ///< what is stored or the braking curves are others
-  bool told = false;      ///< one is between its first and its last indication
+  bool shown = false;     ///< one is between its first and its last indication
   bool stopping = false;  ///< there are areas in which stopping is not permitted or advised
   Place quiet_to{};       ///< with none shown: nothing begins while the max safe front end is in rear of it
 };

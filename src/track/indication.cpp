@@ -36,10 +36,10 @@ Place place_of(End end, const Here& here) {
 struct Course {
   TrackConditionKind kind{};
   Duration lead{};
-  ConditionPhase from_C{};    ///< an announcement up to D, or already the indication itself
+  ConditionPhase from_C{};  ///< an announcement up to D, or already the indication itself
   End at_C_and_D{};
   End at_E{};
-  ConditionPhase from_E{};    ///< nothing, or what is shown until the rear end has left
+  ConditionPhase from_E{};  ///< nothing, or what is shown until the rear end has left
 };
 
 // clang-format off
@@ -62,11 +62,11 @@ constexpr auto srs_5_18 = [] {
 }();
 // clang-format on
 
-/// 5.20.6 to 5.20.8 and 5.18.10: a place or platform, of which the train is told until its rear end has passed.
-constexpr Course kPlatform{{}, kToAct, ConditionPhase::announced, End::max_safe_front, End::min_safe_rear,
-                           ConditionPhase::over};
-constexpr Course kTraction{{}, kToAct, ConditionPhase::announced, End::max_safe_front, End::max_safe_front,
-                           ConditionPhase::active};
+/// 5.20.6 to 5.20.8 and 5.18.10: a place or platform, output to the train until its rear end has passed.
+constexpr Course kPlatform{
+    {}, kToAct, ConditionPhase::announced, End::max_safe_front, End::min_safe_rear, ConditionPhase::over};
+constexpr Course kTraction{
+    {}, kToAct, ConditionPhase::announced, End::max_safe_front, End::max_safe_front, ConditionPhase::active};
 
 const Course* course_of(TrackConditionKind kind) {
   for (const Course& course : srs_5_18)
@@ -74,13 +74,13 @@ const Course* course_of(TrackConditionKind kind) {
   return nullptr;
 }
 
-class Teller {
+class Runner {
  public:
-  Teller(ConditionWatch& watch, const Here& here, Speed V) : watch_(watch), here_(here), V_(V) {}
+  Runner(ConditionWatch& watch, const Here& here, Speed V) : watch_(watch), here_(here), V_(V) {}
 
-  void tell(Progress& p, const Course& course, Place D, Place E) {
+  void run(Progress& p, const Course& course, Place D, Place E) {
     using enum ConditionPhase;
-    // What the whole train has left was never seen by it: it is not told.
+    // What the whole train has left was never seen by it: it is not shown.
     if (p.phase <= announced && here_.min_safe_rear > E) p.phase = over;
     const Place front = place_of(course.at_C_and_D, here_);
     if (p.phase == ahead && front >= D - V_ * course.lead) p.phase = course.from_C;
@@ -92,7 +92,7 @@ class Teller {
     if (p.phase == ahead)
       quiet_until(watch_, D - kFastest * course.lead);
     else
-      watch_.told = watch_.told || p.phase != over;
+      watch_.shown = watch_.shown || p.phase != over;
   }
 
  private:
@@ -103,22 +103,22 @@ class Teller {
 
 }  // namespace
 
-void tell_conditions(Description& d, const Here& here, Speed V) {
-  d.watch = {.changed = false, .told = false, .stopping = false, .quiet_to = kNowhere};
-  Teller teller(d.watch, here, V);
+void advance_conditions(Description& d, const Here& here, Speed V) {
+  d.watch = {.changed = false, .shown = false, .stopping = false, .quiet_to = kNowhere};
+  Runner runner(d.watch, here, V);
   for (TrackCondition& c : d.conditions) {
     if (const Course* course = course_of(c.kind))
-      teller.tell(c.progress, *course, c.from, c.to);
+      runner.run(c.progress, *course, c.from, c.to);
     else
       d.watch.stopping = true;
   }
-  for (Platform& p : d.platforms) teller.tell(p.progress, kPlatform, p.from, p.to);
-  if (d.traction) teller.tell(d.traction->progress, kTraction, d.traction->at, d.traction->at);
-  if (d.current) teller.tell(d.current->progress, kPlatform, d.current->at, d.current->at);
+  for (Platform& p : d.platforms) runner.run(p.progress, kPlatform, p.from, p.to);
+  if (d.traction) runner.run(d.traction->progress, kTraction, d.traction->at, d.traction->at);
+  if (d.current) runner.run(d.current->progress, kPlatform, d.current->at, d.current->at);
 }
 
 bool in_radio_hole(const Description& d) {
-  if (!d.watch.told) return false;
+  if (!d.watch.shown) return false;
   for (const TrackCondition& c : d.conditions)
     if (c.kind == TrackConditionKind::radio_hole && c.progress.phase == ConditionPhase::active) return true;
   return false;

@@ -1,7 +1,7 @@
 #pragma once
 #include "track/description.h"
 
-// When driver and train interface are told of track conditions (3.12.1.2.1, 5.18, 5.20).
+// When track conditions are shown to the driver and output to the train (3.12.1.2.1, 5.18, 5.20).
 namespace evc::track {
 
 /// Whether what is sent now is the condition that was sent before, seen from another reference.
@@ -22,11 +22,11 @@ constexpr Progress sent_again(const Progress& before) {
 }
 
 /// Whether it has to be stored beyond 300 m behind the train: its last indication is not over (5.18.2.6).
-constexpr bool still_told(const TrackCondition& c) { return c.progress.phase == ConditionPhase::ending; }
+constexpr bool still_shown(const TrackCondition& c) { return c.progress.phase == ConditionPhase::ending; }
 
 /// One cycle: each condition by the place of the train, except the non stopping and the tunnel stopping areas, which
 /// depend on braking curves (`watch.stopping`). `V`: the estimated speed, at least 0.
-void tell_conditions(Description& d, const Here& here, Speed V);
+void advance_conditions(Description& d, const Here& here, Speed V);
 
 /// Nothing begins before the max safe front end is at `at`.
 constexpr void quiet_until(ConditionWatch& watch, Place at) {

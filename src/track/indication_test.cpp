@@ -8,7 +8,7 @@
 #include "track/testing.h"
 #include "track/withdraw.h"
 
-// When driver and train are told of track conditions: points C, D, E and G of 5.18.
+// When track conditions are shown: points C, D, E and G of 5.18.
 namespace evc::track {
 namespace {
 
@@ -32,7 +32,7 @@ class Indication : public ::testing::Test {
     const Duration now = here.now + Duration{1.0};
     here = front_at(est, doubt);
     here.now = now;
-    tell_conditions(d, here, kTenMetresASecond);
+    advance_conditions(d, here, kTenMetresASecond);
   }
   ConditionPhase phase_at(double est, double doubt = 10.0) {
     move(est, doubt);
@@ -50,7 +50,7 @@ void expect_announcement(Description& d, const std::function<ConditionPhase(doub
   EXPECT_EQ(phase_at(840.0), announced) << "150 m at 10 m/s, max safe front end 10 m ahead";
   EXPECT_EQ(phase_at(989.0), announced);
   EXPECT_EQ(phase_at(990.0), active) << "max safe front end (point D)";
-  EXPECT_TRUE(d.watch.told);
+  EXPECT_TRUE(d.watch.shown);
 }
 
 TEST_F(Indication, PowerlessSectionsEndWithTheMinSafeFrontEnd) {  // 5.18.2, 5.18.3, 3.12.1.2.1.3
@@ -64,7 +64,7 @@ TEST_F(Indication, PowerlessSectionsEndWithTheMinSafeFrontEnd) {  // 5.18.2, 5.1
     EXPECT_EQ(phase_at(1510.0), ending) << "min safe rear end";
     for (int second = 1; second < 5; ++second) EXPECT_EQ(phase_at(1510.0 + 10.0 * second), ending) << second;
     EXPECT_EQ(phase_at(1560.0), over) << "5 s later (point G)";
-    EXPECT_FALSE(d.watch.told);
+    EXPECT_FALSE(d.watch.shown);
   }
 }
 
@@ -78,9 +78,8 @@ TEST_F(Indication, AirTightnessEndsWithTheMinSafeRearEnd) {  // 5.18.6
 }
 
 TEST_F(Indication, InhibitedBrakesEndWithTheMinSafeRearEnd) {  // 5.18.7
-  for (const TrackConditionKind kind :
-       {switch_off_regenerative_brake, switch_off_eddy_current_service_brake, switch_off_magnetic_shoe_brake,
-        switch_off_eddy_current_emergency_brake}) {
+  for (const TrackConditionKind kind : {switch_off_regenerative_brake, switch_off_eddy_current_service_brake,
+                                        switch_off_magnetic_shoe_brake, switch_off_eddy_current_emergency_brake}) {
     d = Description{};
     store_area(kind, 1000.0, 1300.0);
     expect_announcement(d, [&](double est) { return phase_at(est); });
@@ -122,7 +121,7 @@ TEST_F(Indication, AChangeOfTractionSystemIsShownUntilFiveSecondsAfterTheRear) {
   EXPECT_EQ(phase(1260.0), over);
 }
 
-TEST_F(Indication, PlatformsAndCurrentAreToldUntilTheRearEndHasPassed) {  // 5.20.7, 5.20.8
+TEST_F(Indication, PlatformsAndCurrentAreOutputUntilTheRearEndHasPassed) {  // 5.20.7, 5.20.8
   Contents c;
   c.platforms = Fresh<Platform>{at(1000.0), false, {}};
   ASSERT_TRUE(c.platforms->elements.push_back({at(1000.0), at(1300.0), 3, 2}));
@@ -163,7 +162,7 @@ TEST_F(Indication, AnAreaSentAgainInItRemainsOne) {  // 3.7.3.1 g
   EXPECT_EQ(phase_at(1410.0), ending);
 }
 
-TEST_F(Indication, WhatTheTrainHasLeftIsNotTold) {
+TEST_F(Indication, WhatTheTrainHasLeftIsNotShown) {
   move(2000.0);
   store_area(air_tightness, 1000.0, 1300.0);
   EXPECT_EQ(phase_at(2000.0), over);
@@ -172,18 +171,18 @@ TEST_F(Indication, WhatTheTrainHasLeftIsNotTold) {
 TEST_F(Indication, ADeletedAreaEnds) {  // 3.7.3.2, A.3.4
   store_area(air_tightness, 1000.0, 1300.0);
   move(900.0);
-  EXPECT_TRUE(d.watch.told);
+  EXPECT_TRUE(d.watch.shown);
   (void)shorten(d, Situation::b_shortened_ma, at(950.0), here);
   EXPECT_TRUE(d.watch.changed);
   move(901.0);
-  EXPECT_FALSE(d.watch.told);
+  EXPECT_FALSE(d.watch.shown);
   EXPECT_FALSE(d.watch.changed);
 }
 
 TEST_F(Indication, IsQuietUntilAnAreaCanBegin) {
   store_area(sound_horn, 5000.0, 5100.0);
   move(100.0);
-  EXPECT_FALSE(d.watch.told);
+  EXPECT_FALSE(d.watch.shown);
   EXPECT_LE(d.watch.quiet_to, at(5000.0 - 600.0 / 3.6 * 4.0)) << "at the highest speed of the language";
   EXPECT_GT(d.watch.quiet_to, at(4000.0));
   EXPECT_FALSE(d.watch.stopping);

@@ -10,7 +10,7 @@ namespace {
 
 /// The kinds that are shown to driver or train.
 template <class T>
-constexpr bool kTold = requires(const T& element) {
+constexpr bool kShown = requires(const T& element) {
   element.progress;
 };
 
@@ -36,7 +36,7 @@ bool joins(InplaceVector<T, N>&, const T&, Place) {
 template <class T, std::size_t N, std::size_t M>
 std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fresh) {
   [[maybe_unused]] std::array<Progress, M> told{};
-  if constexpr (kTold<T>)
+  if constexpr (kShown<T>)
     for (std::size_t i = 0; i < fresh.elements.size(); ++i)
       for (const T& old : stored)
         if (same(old, fresh.elements[i])) told[i] = sent_again(old.progress);
@@ -51,7 +51,7 @@ std::optional<Place> replace(InplaceVector<T, N>& stored, const Fresh<T, M>& fre
       if (!lost || element.from < *lost) lost = element.from;
       continue;
     }
-    if constexpr (kTold<T>) stored.back().progress = told[i];
+    if constexpr (kShown<T>) stored.back().progress = told[i];
   }
   return lost;
 }

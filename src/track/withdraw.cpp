@@ -177,13 +177,13 @@ void run_end_section_timer(Description& d, const Here& here, Elapsed& elapsed) {
 }
 
 template <class T>
-constexpr bool still_told(const T&) {
+constexpr bool still_shown(const T&) {
   return false;  // track conditions alone are shown afterwards
 }
 
 template <class T, std::size_t N>
 void forget_areas(InplaceVector<T, N>& areas, Place limit) {
-  const auto over = [&](const T& a) { return a.to < limit && !still_told(a); };
+  const auto over = [&](const T& a) { return a.to < limit && !still_shown(a); };
   for (const T& area : areas)
     if (over(area)) return areas.erase_if(over);
 }

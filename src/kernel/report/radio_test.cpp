@@ -443,7 +443,7 @@ TEST_F(RadioReport, SupervisesTheContactOutsideARadioHole) {  // 3.16.3.4.1, 3.1
     EXPECT_TRUE(state.track.conditions.push_back({at(1000.0), at(2000.0), kind}));
     decided.here.est_front = at(est_front);
     decided.here.max_safe_front = at(max_safe_front);
-    track::tell_conditions(state.track, decided.here, {});
+    track::advance_conditions(state.track, decided.here, {});
     state.radio.contact_lost = false;
     state.radio.was_in_hole = false;
     state.radio.contact_reference = Duration{80.0};

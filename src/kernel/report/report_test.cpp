@@ -242,7 +242,7 @@ TEST_F(Report, ShowsTrackConditionsInTheModesOf_4_7_2) {
   tell(TrackConditionKind::powerless_main_switch_off, ahead);
   state.track.traction = track::TractionChange{at(1200.0), 1, 7, {active, std::nullopt}};
   EXPECT_TRUE(report_now().track_conditions.empty()) << "the watch says that there is nothing";
-  state.track.watch.told = true;
+  state.track.watch.shown = true;
   report_now();
   ASSERT_EQ(out.track_conditions.size(), 4u);
   EXPECT_EQ(out.track_conditions[0].symbol, Symbol::TC35);
@@ -272,7 +272,7 @@ TEST_F(Report, ShowsTrackConditionsInTheModesOf_4_7_2) {
 
 TEST_F(Report, OrdersTheTrainWithTheDistancesOf_5_20) {
   using enum ConditionPhase;
-  state.track.watch.told = true;
+  state.track.watch.shown = true;
   const track::Progress announced_{announced, std::nullopt}, active_{active, std::nullopt};
   using Kind = TrackConditionKind;
   ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::powerless_lower_pantograph, announced_}));

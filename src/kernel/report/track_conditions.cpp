@@ -66,10 +66,9 @@ void order_train(const State& s, const track::Here& here, Outputs& out) {
 
 void show_track_conditions(const State& s, bool desk_open, const track::Here& here, Outputs& out) {
   out.remote_shunting = s.mode == Mode::SH;
-  if (!s.track.watch.told) return;
+  if (!s.track.watch.shown) return;
   if (desk_open) show_to_driver(s, out);
-  for (const ShownCondition& shown : out.track_conditions)
-    out.sound_horn = out.sound_horn || shown.kind == sound_horn;
+  for (const ShownCondition& shown : out.track_conditions) out.sound_horn = out.sound_horn || shown.kind == sound_horn;
   if (modes::active(modes::Function::track_cond_general, s.mode)) order_train(s, here, out);
 }
 

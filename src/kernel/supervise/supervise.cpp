@@ -45,7 +45,7 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
 
 /// 5.16.1.4: the driver is informed of a crossing that is not protected when it is the most relevant displayed target,
 /// or when its speed takes the place of the stop.
-void tell_level_crossings(State& s, const std::optional<sdm::TargetId>& MRDT) {
+void inform_of_level_crossings(State& s, const std::optional<sdm::TargetId>& MRDT) {
   for (track::LevelCrossing& lx : s.track.lx)
     if (lx.unprotected &&
         (lx.substituted || (MRDT && MRDT->kind == sdm::TargetKind::EOA_SvL && s.basis.authority.EOA == lx.from)))
@@ -86,7 +86,7 @@ void supervise_speed(State& s, Derived& d, const TrainSignals& train, const trac
   const sdm::Motion motion = motion_of(s, here, train);
   pass_level_crossings(s, d, here, motion, log);
   const sdm::Result& r = out.limits.emplace(sdm::supervise(s.supervision, d.in_force.sdm, motion));
-  tell_level_crossings(s, r.MRDT);
+  inform_of_level_crossings(s, r.MRDT);
   toggle_LSSMA(s.lssma, s.now);
   out.LSSMA = LSSMA(s, d.in_force.sdm, here);
   out.asked.add(brakes::Cause::overspeed_traction, r.tco);
@@ -135,7 +135,7 @@ Supervised supervise(State& state, Derived& derived, const TrainSignals& train, 
   supervise_speed(state, derived, train, here, out, log);
   guard_movement(state, train, here, brake_acknowledged, out);
   guard_antenna(state, train.antenna_alarm, here, out);
-  tell_track_conditions(state, derived, here);
+  advance_track_conditions(state, derived, here);
   return out;
 }
 

@@ -29,8 +29,8 @@ class Stops {
 };
 
 /// 5.18.4.2: shown while a full service brake would stop the train in the area.
-void tell_non_stopping_area(track::TrackCondition& c, const train::TrainData& train, const track::Here& here,
-                            const Stops& stops, track::ConditionWatch& watch) {
+void advance_non_stopping_area(track::TrackCondition& c, const train::TrainData& train, const track::Here& here,
+                               const Stops& stops, track::ConditionWatch& watch) {
   c.progress.phase = ConditionPhase::ahead;
   const Place G = c.to + train.L_TRAIN;
   if (here.min_safe_front >= G) {
@@ -40,19 +40,19 @@ void tell_non_stopping_area(track::TrackCondition& c, const train::TrainData& tr
   const Speed fastest = train.V_MAXTRAIN + kAboveTrain;
   const Place earliest = stops.at(c.from, stops.V() > fastest ? stops.V() : fastest).d_SBI;
   if (here.max_safe_front < earliest) return track::quiet_until(watch, earliest);
-  watch.told = true;
+  watch.shown = true;
   if (here.max_safe_front <= stops.at(c.from).d_SBI || here.min_safe_front >= stops.at(G).d_SBI) return;
   c.progress.phase = here.max_safe_front >= c.from ? ConditionPhase::active : ConditionPhase::announced;
 }
 
 /// 5.18.8.3: the closest area before whose end the train can be stopped.
-void tell_tunnel_stopping_areas(track::Description& d, const track::Here& here, const Stops& stops) {
+void advance_tunnel_stopping_areas(track::Description& d, const track::Here& here, const Stops& stops) {
   track::TrackCondition* closest = nullptr;
   for (track::TrackCondition& c : d.conditions) {
     if (c.kind != TrackConditionKind::tunnel_stopping_area) continue;
     c.progress.phase = ConditionPhase::ahead;
     if (here.est_front > c.to) continue;
-    d.watch.told = true;
+    d.watch.shown = true;
     if (closest != nullptr && closest->from <= c.from) continue;
     if (here.est_front < stops.at(c.to).d_P) closest = &c;
   }
@@ -62,16 +62,16 @@ void tell_tunnel_stopping_areas(track::Description& d, const track::Here& here, 
 
 }  // namespace
 
-void tell_track_conditions(State& s, Derived& d, const track::Here& here) {
+void advance_track_conditions(State& s, Derived& d, const track::Here& here) {
   track::ConditionWatch& watch = s.track.watch;
-  if (!watch.changed && !watch.told && here.max_safe_front < watch.quiet_to) return;
+  if (!watch.changed && !watch.shown && here.max_safe_front < watch.quiet_to) return;
   const Speed V = run_of(s.position.now).V;
-  track::tell_conditions(s.track, here, V);
+  track::advance_conditions(s.track, here, V);
   if (!watch.stopping || !supervises_speed(s.mode)) return;
   const Stops stops(d, V);
   for (track::TrackCondition& c : s.track.conditions)
-    if (c.kind == TrackConditionKind::non_stopping_area) tell_non_stopping_area(c, s.train, here, stops, watch);
-  tell_tunnel_stopping_areas(s.track, here, stops);
+    if (c.kind == TrackConditionKind::non_stopping_area) advance_non_stopping_area(c, s.train, here, stops, watch);
+  advance_tunnel_stopping_areas(s.track, here, stops);
 }
 
 }  // namespace evc::kernel

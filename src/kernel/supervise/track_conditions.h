@@ -4,8 +4,8 @@
 
 namespace evc::kernel {
 
-/// How far the track conditions have come (5.18), in the cycles in which one of them can begin or is told. Curves are
+/// How far the track conditions have come (5.18), in the cycles in which one of them can begin or is shown. Curves are
 /// traced in the scratch memory of `derived`.
-void tell_track_conditions(State& state, Derived& derived, const track::Here& here);
+void advance_track_conditions(State& state, Derived& derived, const track::Here& here);
 
 }  // namespace evc::kernel
