@@ -251,7 +251,9 @@ void relocate(Description& d, Anchor of, Anchor then, const Relocation& by) {
   mover.item(d.radio_infill);
   mover.item(d.reversing_area);
   mover.items(d.geo);
-  if (mover.moved()) ++d.revision;
+  if (!mover.moved()) return;
+  ++d.revision;
+  d.watch.changed = true;
 }
 
 }  // namespace evc::track

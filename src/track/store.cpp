@@ -18,7 +18,7 @@ constexpr bool kShown = requires(const T& element) {
 template <std::size_t N>
 bool joins(InplaceVector<TrackCondition, N>& stored, const TrackCondition& fresh, Place from) {
   for (TrackCondition& old : stored)
-    if (old.to == from && fresh.from == from && old.kind == fresh.kind) {
+    if (old.to == from && fresh.from == from && old.kind == fresh.kind && old.anchor == fresh.anchor) {
       old.to = fresh.to;
       old.progress = sent_again(old.progress);
       return true;
