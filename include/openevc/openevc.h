@@ -88,7 +88,8 @@ typedef enum openevc_mode {
   OPENEVC_RV = 16
 } openevc_mode;
 
-/* Report of the radio bearer on the connection to the last RBC called. */
+/* Report of the radio bearer on the connection to the last RBC called. Through this interface there is one radio
+ * session at a time (3.15.1.3.2): `terminals` of the configuration is not used. */
 typedef enum openevc_link {
   OPENEVC_LINK_UNCHANGED = 0,
   OPENEVC_LINK_CONNECTED = 1,

@@ -276,7 +276,9 @@ openevc_result openevc_power_up(void* memory, size_t memory_size, const char* co
         evc::io::read_configuration(given ? std::string_view(configuration, length) : "{}", "configuration");
     if (!read) return why.because(OPENEVC_REFUSED, read.error().text());
     auto& u = *new (memory) openevc_unit;
-    kernel::power_up(u.unit, read->for_kernel());
+    kernel::Config config = read->for_kernel();
+    config.terminals = 1;  // its messages do not name their RBC
+    kernel::power_up(u.unit, config);
     u.tag = openevc_unit::kTag;
     *unit = &u;
     return OPENEVC_OK;

@@ -16,13 +16,14 @@ constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
-  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m"});
+  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "terminals"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
   if (const auto p = place.find("train")) c.train = read_train(*p);
   if (const auto p = place.find("national_values")) c.national_values = read_national_values(*p);
   if (const auto p = place.find("engine_length_m")) c.L_engine = {p->number(1.0, 1000.0)};
+  if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
     for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
@@ -101,22 +102,34 @@ RadioLink read_session(const JsonPlace& place) {
   return static_cast<RadioLink>(1 + place.one_of(names.subspan(1)));
 }
 
+/// The RBC of a message or report; absent: the one called last.
+std::optional<kernel::RbcIdentity> read_identity(const JsonPlace& place) {
+  const auto to = place.find("to");
+  if (!to) return std::nullopt;
+  to->know_only({"NID_C", "NID_RBC"});
+  return kernel::RbcIdentity{static_cast<std::uint16_t>((*to)["NID_C"].integer(0, 1023)),
+                             static_cast<std::uint16_t>((*to)["NID_RBC"].integer(0, 16383))};
+}
+
 void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
-  place.know_only({"message", "session"});
-  if (const auto p = place.find("message")) radio.emplace_back(read_message(*p));
-  if (const auto p = place.find("session")) radio.emplace_back(read_session(*p));
+  place.know_only({"message", "session", "to"});
+  const std::optional<kernel::RbcIdentity> rbc = read_identity(place);
+  if (const auto p = place.find("message")) radio.emplace_back(CycleInputs::RadioMessage{read_message(*p), rbc});
+  if (const auto p = place.find("session")) radio.emplace_back(InputStream::Report{read_session(*p), rbc});
 }
 
 /// A cycle has room for one report of the bearer: a second one, and radio messages after it, are left for the next
 /// cycle.
 void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
   for (; !radio.empty(); radio.pop_front()) {
-    if (auto* message = std::get_if<sim::Bits>(&radio.front())) {
+    if (auto* message = std::get_if<CycleInputs::RadioMessage>(&radio.front())) {
       cycle.radio.push_back(std::move(*message));
       continue;
     }
     if (cycle.levels.radio_link != RadioLink::unchanged) return;
-    cycle.levels.radio_link = std::get<RadioLink>(radio.front());
+    const InputStream::Report& report = std::get<InputStream::Report>(radio.front());
+    cycle.levels.radio_link = report.link;
+    cycle.levels.radio_link_with = report.with;
   }
 }
 
@@ -295,6 +308,7 @@ kernel::Config Configuration::for_kernel() const {
   config.national_values = national_values;
   config.L_engine = L_engine;
   config.levels = levels;
+  config.terminals = terminals;
   return config;
 }
 

@@ -22,6 +22,7 @@ struct Configuration {
   train::NationalValues national_values;
   std::array<bool, kLevels> levels{true, true, true, true, true};
   Distance L_engine = kernel::Config{}.L_engine;
+  std::uint8_t terminals = 2;
   std::string document = "{}";  // as read, on one line
 
   kernel::Config for_kernel() const;
@@ -38,7 +39,11 @@ class InputStream {
   /// Stores the next line, without its end, in the argument; false at the end.
   using NextLine = std::function<bool(std::string&)>;
   /// Radio inputs in order: messages and reports of the bearer.
-  using Radio = std::deque<std::variant<sim::Bits, RadioLink>>;
+  struct Report {
+    RadioLink link = RadioLink::unchanged;
+    std::optional<kernel::RbcIdentity> with;
+  };
+  using Radio = std::deque<std::variant<sim::CycleInputs::RadioMessage, Report>>;
 
   /// `given` replaces a `config` in the stream.
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});

@@ -181,10 +181,18 @@ void append_driver(std::string& out, const CycleInputs& cycle, const std::string
   bits(cycle.levels.driver.acknowledged, "ack", terms::kNames<kAckRows>);
 }
 
-void append_message(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits) {
+/// `more`: further members.
+void append_message(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits,
+                    const std::string& more = {}) {
   out += opened(t_ms) + ",\"" + key + "\":{\"message\":\"";
   append_hex(out, bits.bytes);
-  out += "\"}}\n";
+  out += '"' + more + "}}\n";
+}
+
+/// The member that names the RBC of a radio input; nothing where it is the one called last.
+std::string rbc_of(const std::optional<kernel::RbcIdentity>& rbc) {
+  if (!rbc) return {};
+  return ",\"to\":{\"NID_C\":" + std::to_string(rbc->NID_C) + ",\"NID_RBC\":" + std::to_string(rbc->NID_RBC) + '}';
 }
 
 }  // namespace
@@ -222,8 +230,9 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   for (const auto& loop : cycle.loops) append_message(out, cycle.t_ms, "loop", loop);
   if (cycle.levels.radio_link != RadioLink::unchanged)
     out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
-           terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + "\"}}\n";
-  for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message);
+           terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + '"' +
+           rbc_of(cycle.levels.radio_link_with) + "}}\n";
+  for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message, rbc_of(message.from));
   append_driver(out, cycle, train_document_);
   append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
 }
@@ -238,7 +247,7 @@ std::string configuration_document(const Configuration& c) {
     out += std::string(first ? "\"" : ",\"") + name(static_cast<Level>(n)) + "\"";
     first = false;
   }
-  return out + "]}";
+  return out + (c.terminals == 2 ? "]}" : "],\"terminals\":" + std::to_string(c.terminals) + '}');
 }
 
 }  // namespace evc::io

@@ -159,6 +159,32 @@ void append_radio_address(Row& row, const char* name, const std::optional<kernel
   if (row.json()) row.out() += "\"}";
 }
 
+/// In JSON a text, for another RBC than the supervising one an object; in a CSV field `NID_C/NID_RBC:` before it.
+void append_radio_out(Row& row, const Outputs& o) {
+  const auto hex = [](std::string& out, const kernel::OutgoingMessage& m) {
+    append_hex(out, {m.bytes.begin(), m.bytes.size()});
+  };
+  if (!row.json()) {
+    row.list("radio_out", o.radio_out, [&](std::string& out, const kernel::OutgoingMessage& m) {
+      if (m.to) out += std::to_string(m.to->NID_C) + '/' + std::to_string(m.to->NID_RBC) + ':';
+      hex(out, m);
+    });
+    return;
+  }
+  row.objects("radio_out", o.radio_out, [&](std::string& out, const kernel::OutgoingMessage& m) {
+    if (m.to) {
+      out += "{\"to\":{\"NID_C\":";
+      append_number(out, std::int64_t{m.to->NID_C});
+      out += ",\"NID_RBC\":";
+      append_number(out, std::int64_t{m.to->NID_RBC});
+      out += "},\"message\":";
+    }
+    out += '"';
+    hex(out, m);
+    out += m.to ? "\"}" : "\"";
+  });
+}
+
 void append_lrbg(Row& row, const std::optional<kernel::NidLrbg>& lrbg) {
   if (row.json() && !lrbg) {
     row.text("lrbg", nullptr);
@@ -426,6 +452,8 @@ void append_second_lists(Row& row, const Outputs& o) {
     append_number(out, std::int64_t{s.NID_RBC});
     out += ",\"state\":\"";
     out += terms::kNames<kSessionPhaseRows>[terms::index(s.phase)];
+    out += "\",\"role\":\"";
+    out += terms::kNames<kSessionRoleRows>[terms::index(s.role)];
     out += "\"}";
   });
   row.objects("track_conditions", o.track_conditions, append_condition);
@@ -447,9 +475,7 @@ void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
   row.flag("eb", o.eb);
   row.list("brake_reasons", reasons_of(o), append_text);
   append_driver(row, o);
-  row.list("radio_out", o.radio_out, [](std::string& out, const kernel::OutgoingMessage& m) {
-    append_hex(out, {m.bytes.begin(), m.bytes.size()});
-  });
+  append_radio_out(row, o);
   append_radio_address(row, "radio_connect", o.radio_connect);
   append_radio_address(row, "radio_disconnect", o.radio_disconnect);
   row.list("events", o.events, append_event);

@@ -304,7 +304,7 @@ TEST(InputWriter, RoundTrip) {
   first.balises.push_back({{std::vector<std::uint8_t>(104, 0xAB), 830}, {{12.345}}});
   first.balises.push_back({{{0x90, 0x02}, 13}, {{13.5}}});
   first.balises.push_back({{{0x90, 0x02}, 13}, {}, Duration{0.0}});
-  first.radio.push_back({{0x18, 0x00, 0x14}, 24});
+  first.radio.push_back({{{0x18, 0x00, 0x14}, 24}, kernel::RbcIdentity{1, 2}});
   first.loops.push_back({{0x01}, 8});
   std::string text;
   writer.append(text, first);
@@ -349,6 +349,7 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(read.balises[1].bits.size, 13u);
   EXPECT_EQ(read.balises[1].at, first.balises[1].at);
   EXPECT_EQ(read.radio[0].bytes, first.radio[0].bytes);
+  EXPECT_EQ(read.radio[0].from, first.radio[0].from);
   EXPECT_EQ(read.loops[0].bytes, first.loops[0].bytes);
   ASSERT_TRUE(*stream.next(read));
   EXPECT_EQ(read.levels.odometry.A_est.si, -0.5);
@@ -442,7 +443,8 @@ TEST(OutputLines, SecondEdition) {
       "\"enabled\":[\"slippery_rail\",\"adhesion_normal\",\"isolate\"],\"messages\":["
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
-      "\"since_ms\":2000}],\"sessions\":[{\"NID_C\":426,\"NID_RBC\":1,\"state\":\"version check\"}]}\n";
+      "\"since_ms\":2000}],\"sessions\":[{\"NID_C\":426,\"NID_RBC\":1,\"state\":\"version "
+      "check\",\"role\":\"supervising\"}]}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;

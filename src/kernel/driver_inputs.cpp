@@ -13,8 +13,8 @@ driver::ActionContext action_context(const State& s, const TrainSignals& train, 
   c.driver_id_valid = valid(s.data.driver_id_status);
   c.train_data_valid = valid(s.data.train_data_status);
   c.train_running_number_valid = valid(s.data.train_running_number_status);
-  c.session_open = s.radio.session.established();
-  c.train_data_acknowledged = s.radio.train_data_acknowledged;
+  c.session_open = s.radio.supervising.session.established();
+  c.train_data_acknowledged = s.radio.supervising.train_data_acknowledged;
   c.non_leading_signal = train.non_leading;
   c.passive_shunting_signal = train.passive_shunting;
   c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;

@@ -19,6 +19,7 @@
 #include "procedures/level_transition.h"
 #include "procedures/mode_profile.h"
 #include "procedures/override.h"
+#include "procedures/rbc_handover.h"
 #include "procedures/shunting.h"
 #include "procedures/start_of_mission.h"
 #include "procedures/train_data_change.h"
@@ -55,13 +56,22 @@ struct BufferedSet {
   Duration received{};
   std::uint64_t waiting = 0;                      // bit n: the n-th packet
   bool message_waits = false;                     // the information of the radio message itself
+  bool accepting = false;                         // by the accepting RBC: it waits for the change of RBC (4.8.2.1)
   std::uint8_t M_VERSION = 0;                     // of the RBC session
   InplaceVector<std::uint16_t, 8> telegram_bits;  // of each telegram, in order of reading
   std::array<std::uint8_t, 1024> bytes{};         // consecutive telegrams, or one message
   std::uint16_t size = 0;
 };
-/// 4.8.5.1: three sets of information.
-inline constexpr std::size_t kBufferedSets = 3;
+/// 4.8.5.1: three sets of information for a change of level, and three for a change of RBC.
+inline constexpr std::size_t kBufferedSetsOfOneCause = 3;
+inline constexpr std::size_t kBufferedSets = 2 * kBufferedSetsOfOneCause;
+
+/// The RBC transition order that is executed, or was last (3.15.1). It is deleted from the track description when it is
+/// complete.
+struct Handover {
+  std::optional<track::RbcTransition> order;
+  procedures::rbc_handover::State procedure;
+};
 
 /// Data that the driver enters (3.18.4) and their status.
 struct DriverData {
@@ -128,6 +138,7 @@ struct State {
   Duration now{};
   SrsVersion srs = SrsVersion::v3_6_0;
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
+  std::uint8_t terminals = 2;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
   modes::OrderedLevel level;
@@ -147,6 +158,7 @@ struct State {
   balise::State balise;
   track::Description track;
   radio::State radio;
+  Handover handover;
   InplaceVector<BufferedSet, kBufferedSets> buffer;
 
   procedures::start_of_mission::State start_of_mission;
@@ -181,6 +193,7 @@ struct State {
   SupervisionBasis basis;
   std::uint32_t revision = 0;  // increases when train data, national values, mode or level change the supervision
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
+  bool asks_for_contact = false;                    // the driver, for a session after his change of level (5.10.3.15.2)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
   bool configuration_refused = false;               // train data or national values out of their range at power-up
 };

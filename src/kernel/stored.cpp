@@ -133,9 +133,21 @@ void keep_for_closed_desk(State& state) {
   apply_all(state, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
 }
 
-void delete_with_session(State& s) {
-  s.buffer.erase_if([](const BufferedSet& set) { return set.medium == Medium::rbc; });
-  s.track.revocable_tsr_inhibited = false;
+Sessions sessions_of(const State& s) {
+  return {s.radio.supervising.session.ongoing(), s.radio.other.session.ongoing()};
+}
+
+void delete_with_sessions(State& s, Sessions before) {
+  const Sessions now = sessions_of(s);
+  if (before.supervising && !now.supervising) {
+    s.buffer.erase_if([](const BufferedSet& set) { return set.medium == Medium::rbc && !set.accepting; });
+    s.track.revocable_tsr_inhibited = false;
+  }
+  if (before.other && !now.other) s.buffer.erase_if([](const BufferedSet& set) { return set.accepting; });
+}
+
+void clear_level_buffer(State& s) {
+  s.buffer.erase_if([](const BufferedSet& set) { return !set.accepting; });
 }
 
 void limit_SR_distance(State& state, const track::Here& here) {

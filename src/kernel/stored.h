@@ -16,9 +16,16 @@ void keep_for_level(State& state, Level to);
 /// A.3.4 k: the desk is closed during start of mission.
 void keep_for_closed_desk(State& state);
 
+/// The sessions that have not ended.
+struct Sessions {
+  bool supervising = false, other = false;
+};
+Sessions sessions_of(const State& state);
 /// What counts as long as the session with the RBC that sent it: its part of the transition buffer (4.8.5.4 c) and the
-/// inhibition of revocable TSRs (3.11.5.14).
-void delete_with_session(State& state);
+/// inhibition of revocable TSRs (3.11.5.14). `before`: the sessions before; those that have ended since are meant.
+void delete_with_sessions(State& state, Sessions before);
+/// 4.8.5.4 a, 4.8.5.3: what waits for a change of level.
+void clear_level_buffer(State& state);
 
 /// The national distance for SR from the estimated front end, where there is one (4.4.11.1.3.1).
 void limit_SR_distance(State& state, const track::Here& here);

@@ -98,7 +98,7 @@ TEST_F(TrainDataOfTheUnit, AreInForceAtOnceAndSentToTheRBC) {  // 3.18.3.4
   EXPECT_EQ(state.train, other_route());
   EXPECT_EQ(state.data.train_data_status, DataStatus::valid);
   EXPECT_NE(state.revision, revision);
-  EXPECT_TRUE(state.radio.train_data_pending);
+  EXPECT_TRUE(state.radio.supervising.train_data_pending);
   EXPECT_TRUE(happened(What::train_data_valid));
 }
 

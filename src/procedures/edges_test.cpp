@@ -476,6 +476,7 @@ struct Starting {
   start_of_mission::Inputs in;
   Starting(start_of_mission::Step step, Level level) {
     state.step = step;
+    state.desk_was_open = true;
     in.desk_open = true;
     in.level = level;
     in.now = Duration{1.0};
@@ -582,6 +583,41 @@ TEST(StartOfMission, A_desk_that_is_closed_in_SB_leaves_the_position_as_it_is) {
   s.in.position = DataStatus::invalid;
   EXPECT_TRUE(s.cycle().status.empty());
   EXPECT_EQ(s.state.step, Step::S0);
+}
+
+TEST(StartOfMission, A_desk_that_is_closed_meanwhile_ends_the_session) {  // 3.5.3.8 a, 3.5.5.1
+  Starting s(Step::D31, Level::L2);
+  s.in.session = Session::establishing;
+  s.in.desk_open = false;
+  EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
+  EXPECT_TRUE(s.cycle().send.empty()) << "once";
+  Starting left(Step::S24, Level::L2);
+  left.in.mode = Mode::SR;
+  left.in.desk_open = false;
+  EXPECT_TRUE(left.cycle().send.empty()) << "the mission has begun: its end is another procedure";
+}
+
+TEST(StartOfMission, A_session_that_is_open_when_the_desk_is_opened_is_terminated_first) {  // 5.4.1.4
+  Starting s(Step::S0, Level::L2);
+  s.state.desk_was_open = false;
+  s.in.session = Session::open;
+  EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
+  EXPECT_EQ(s.state.step, Step::S0);
+  EXPECT_TRUE(s.cycle().send.empty()) << "one that is open later is not its own";
+  s.in.session = Session::terminating;
+  (void)s.cycle();
+  EXPECT_NE(s.state.step, Step::S0);
+}
+
+TEST(StartOfMission, Knows_whether_it_had_a_session) {  // 3.5.3.4 g
+  Starting s(Step::S10, Level::L2);
+  EXPECT_TRUE(start_of_mission::without_session(s.state));
+  s.in.session = Session::open;
+  (void)s.cycle();
+  s.in.session = Session::none;
+  (void)s.cycle();
+  EXPECT_FALSE(start_of_mission::without_session(s.state));
+  EXPECT_FALSE(start_of_mission::without_session(start_of_mission::State{})) << "it does not go on";
 }
 
 TEST(StartOfMission, What_is_sent_in_a_cycle_is_not_answered_in_it) {

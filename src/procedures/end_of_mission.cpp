@@ -3,7 +3,12 @@
 namespace evc::procedures::end_of_mission {
 namespace {
 
-/// 5.4.7: modes in which a mission is in progress.
+void report(const State& state, Effects& out) {
+  out.send.add(state.reports_mode_only ? Send::position_report : Send::end_of_mission);
+}
+
+}  // namespace
+
 bool is_mission(Mode mode) {
   switch (mode) {
     case Mode::FS:
@@ -19,12 +24,6 @@ bool is_mission(Mode mode) {
       return false;
   }
 }
-
-void report(const State& state, Effects& out) {
-  out.send.add(state.reports_mode_only ? Send::position_report : Send::end_of_mission);
-}
-
-}  // namespace
 
 bool ends_mission(Mode from, Mode to, bool mission) {
   if (!mission) return false;

@@ -27,6 +27,8 @@ struct Inputs {
 /// the session when the RBC orders it or at the end of the last wait.
 Effects step(State& state, const Inputs& inputs);
 
+/// 5.4.7: a mode in which a mission is in progress.
+bool is_mission(Mode mode);
 /// 5.5.2: whether the transition ends a mission in progress.
 bool ends_mission(Mode from, Mode to, bool mission);
 

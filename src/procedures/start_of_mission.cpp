@@ -216,15 +216,22 @@ void ask(const State& state, const Inputs& in, Effects& out) {
 
 }  // namespace
 
+bool without_session(const State& state) { return state.step != Step::S0 && !state.had_session; }
+
 Effects step(State& state, const Inputs& in) {
   Effects out;
   if (in.mode != Mode::SB || !in.desk_open) {
     // E10, E12, E30 to E32: when the mission starts, an invalid position becomes unknown (5.4.3.3).
     if (in.mode != Mode::SB && state.step != Step::S0 && in.position == DataStatus::invalid)
       out.status.add(Status::position_unknown);
+    out.send.add(Send::terminate_session, in.mode == Mode::SB && state.step != Step::S0);
     state = State{};
+    state.desk_was_open = in.desk_open;
     return out;
   }
+  out.send.add(Send::terminate_session, !state.desk_was_open && in.session == Session::open);
+  state.desk_was_open = true;
+  state.had_session = state.had_session || (state.step != Step::S0 && in.session == Session::open);
   // Decisions take no time: continue until a step waits. Every step is executed at most once in a cycle.
   Inputs now = in;
   for (int k = 0; k < 16; ++k) {

@@ -38,6 +38,8 @@ struct State {
   Mode profile = Mode::OS;       // S25: the mode to acknowledge
   bool without_session = false;  // S24: Start was chosen in level 2/3 without a session
   Duration next_request{};       // S21: when the MA request is repeated
+  bool had_session = false;      // since the desk was opened
+  bool desk_was_open = false;    // in the cycle before
 };
 
 struct Inputs {
@@ -69,8 +71,13 @@ struct Inputs {
   std::optional<Mode> profile_at_front;
 };
 
-/// One cycle. Outside SB, or with the desk closed, the procedure has ended (step S0). The acknowledgements asked for in
-/// S22 to S25 become [58], [60], [8], [15], [70], [50] in observe(); a plain MA in S21 is [10].
+/// One cycle. Outside SB, or with the desk closed, the procedure has ended (step S0); its session, or the set-up of
+/// one, ends with a desk that is closed meanwhile (3.5.3.8 a, 3.5.5.1). A session that is open when the desk is opened
+/// is terminated first (5.4.1.4). The acknowledgements asked for in S22 to S25 become [58], [60], [8], [15], [70], [50]
+/// in observe(); a plain MA in S21 is [10].
 Effects step(State& state, const Inputs& inputs);
+
+/// Whether the procedure goes on, or has just led to a mode, without having had a session (3.5.3.4 g).
+bool without_session(const State& state);
 
 }  // namespace evc::procedures::start_of_mission

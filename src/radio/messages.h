@@ -40,9 +40,13 @@ struct Header {
   bool M_ACK = false;
 };
 
-/// A message to send to the RBC; `compose` makes the bits.
+/// The two RBCs with which the unit can have a session (3.15.1).
+enum class Peer : std::uint8_t { supervising, other };
+
+/// A message to send to an RBC; `compose` makes the bits.
 struct Intent {
   std::uint8_t NID_MESSAGE = 0;
+  Peer to = Peer::supervising;
   std::uint32_t T_TRAIN = 0;                     ///< its own stamp
   std::uint32_t T_TRAIN_REF = 0;                 ///< 137, 138, 146: of the message answered
   std::uint8_t NID_EM = 0, Q_EMERGENCYSTOP = 0;  ///< 147, in the codes of the RBC's version
@@ -72,11 +76,15 @@ constexpr bool reports_position(std::uint8_t NID_MESSAGE) {
 struct Outbox {
   static constexpr std::size_t kMessages = 24;
   InplaceVector<Intent, kMessages> messages;
-  std::optional<Rbc> connect, disconnect;
-  bool inform_no_version = false;  ///< message 154 was sent: the driver is informed (3.5.3.7 d)
-  bool lost = false;               ///< there were more messages than room
+  Peer to = Peer::supervising;            ///< of the messages that are sent next (Addressed)
+  std::optional<Rbc> connect;             ///< one request in a cycle
+  std::optional<Rbc> disconnect;          ///< the first one of this cycle
+  InplaceVector<Rbc, 4> also_disconnect;  ///< the others: due in the next cycles
+  bool inform_no_version = false;         ///< message 154 was sent: the driver is informed (3.5.3.7 d)
+  bool lost = false;                      ///< there were more messages than room
   /// When there is no room an answer to an emergency stop (147) takes the place of the last message that is not one.
-  void send(const Intent& intent) {
+  void send(Intent intent) {
+    intent.to = to;
     if (messages.push_back(intent)) return;
     lost = true;
     if (intent.NID_MESSAGE != message::emergency_stop_acknowledged) return;
@@ -91,6 +99,25 @@ struct Outbox {
     intent.NID_MESSAGE = NID_MESSAGE;
     send(intent);
   }
+  void release(const Rbc& rbc) {
+    if (!disconnect)
+      disconnect = rbc;
+    else
+      (void)also_disconnect.push_back(rbc);  // two sessions: there is room
+  }
+};
+
+/// While it exists, messages are sent to this RBC.
+class Addressed {
+ public:
+  Addressed(Outbox& out, Peer to) : out_(out), before_(out.to) { out.to = to; }
+  ~Addressed() { out_.to = before_; }
+  Addressed(const Addressed&) = delete;
+  Addressed& operator=(const Addressed&) = delete;
+
+ private:
+  Outbox& out_;
+  Peer before_;
 };
 
 }  // namespace evc::radio

@@ -6,7 +6,7 @@ namespace {
 void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) {
   if (s.was_in_hole && !in.in_radio_hole) s.contact_reference = in.now;
   s.was_in_hole = in.in_radio_hole;
-  if (in.level_2_or_3 && !s.was_level_2_or_3 && !s.session.established()) s.contact_reference = in.now;
+  if (in.level_2_or_3 && !s.was_level_2_or_3 && !s.supervising.session.established()) s.contact_reference = in.now;
   s.was_level_2_or_3 = in.level_2_or_3;
 
   if (!in.contact_supervised || in.in_radio_hole || !in.contact.T_NVCONTACT || !s.contact_reference) return;
@@ -25,20 +25,48 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
   }
   if (silent > *in.contact.T_NVCONTACT + kContactExtra && !s.reconnected) {
     s.reconnected = true;
-    reconnect(s.session, in.now, out);
+    reconnect(s.supervising.session, in.now, out);
   }
 }
 
-void send_report(State& s, const Inputs& in, Outbox& out) {
+/// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether the other one got it.
+bool send_report(State& s, const Inputs& in, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = in.start_of_mission ? 157 : 136;
   intent.Q_STATUS = in.Q_STATUS;
-  intent.running_number = s.established_now;
-  if (!s.errors.empty()) {
+  const bool supervising = s.supervising.session.phase == Phase::up;
+  const bool other = s.other.session.phase == Phase::up;
+  if (in.errors_reported && !s.errors.empty() && (supervising || other)) {
     intent.M_ERROR = s.errors.front();
     s.errors.erase(0);
   }
-  out.send(intent);
+  for (const Peer peer : {Peer::supervising, Peer::other}) {
+    const Partner& p = s.partner(peer);
+    if (p.session.phase != Phase::up) continue;
+    const Addressed to(out, peer);
+    intent.running_number = p.established_now;
+    out.send(intent);
+  }
+  return other;
+}
+
+/// The session with one RBC in this cycle, and the train data it awaits. True when it is lost for good.
+bool keep(State& s, Peer peer, const Inputs& in, Outbox& out) {
+  Partner& p = s.partner(peer);
+  const Addressed to(out, peer);
+  const bool was_lost = p.session.phase == Phase::lost;
+  const RadioLink link = in.link_of == peer ? in.link : RadioLink::unchanged;
+  const bool lost = maintain(p.session, link, in.in_radio_hole, in.now, out);
+  // In a kept session train data that were not acknowledged are sent again (3.18.3.4.2).
+  if (was_lost && p.session.phase == Phase::up && p.train_data_stamp) p.train_data_pending = true;
+  return lost;
+}
+
+void send_train_data_to(Partner& p, Peer peer, const Inputs& in, Outbox& out) {
+  if (p.session.phase != Phase::up || !p.train_data_pending || !in.train_data_valid) return;
+  p.train_data_pending = false;
+  const Addressed to(out, peer);
+  out.send(message::validated_train_data);
 }
 
 void send_ma_request(State& s, const Inputs& in, Outbox& out) {
@@ -47,7 +75,8 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   if (!s.ma_request || !s.ma_request->T_MAR) reasons = static_cast<std::uint8_t>(reasons & ~kBeforePerturbation);
   if (!s.ma_request || !s.ma_request->T_TIMEOUTRQST) reasons = static_cast<std::uint8_t>(reasons & ~kBeforeTimeout);
   s.reasons = static_cast<std::uint8_t>(s.reasons & reasons);
-  if (s.session.phase != Phase::up) return;  // a reason that waits counts as new when the session is established
+  if (s.supervising.session.phase != Phase::up)
+    return;  // a reason that waits counts as new when the session is established
   const bool fresh = (reasons & ~s.reasons) != 0;
   const bool repeatable = (reasons & ~kTrackAheadFree) != 0;
   std::optional<Duration> cycle = kDefaultRequestCycle;
@@ -63,20 +92,41 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
+/// While there is no connection, messages that are due count as sent (3.5.4.5).
+bool reaches(const Partner& p, const Outbox& out) {
+  switch (p.session.phase) {
+    case Phase::lost:
+    case Phase::connecting:
+      return false;
+    case Phase::idle:  // the last ones of a session that ended in this cycle
+      return out.disconnect && out.disconnect->same_id(p.session.rbc);
+    default:
+      return true;
+  }
+}
+
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
-  // While there is no connection, messages that are due count as sent (3.5.4.5).
-  if (s.session.phase == Phase::lost || s.session.phase == Phase::connecting) out.messages.clear();
-  if (s.session.phase == Phase::idle && !out.disconnect) out.messages.clear();
+  out.messages.erase_if([&](const Intent& intent) { return !reaches(s.partner(intent.to), out); });
   for (Intent& intent : out.messages) {
     std::uint32_t T_TRAIN = T_TRAIN_of(now);
     if (s.last_sent && !later(T_TRAIN, *s.last_sent)) T_TRAIN = *s.last_sent + 1;
     if (T_TRAIN == kUnknownTime) T_TRAIN = 0;
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
-    if (intent.NID_MESSAGE == message::validated_train_data) s.train_data_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::validated_train_data) s.partner(intent.to).train_data_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp = T_TRAIN;
   }
+}
+
+/// One order to release a connection in a cycle; which RBC was called last.
+void order_bearer(State& s, Outbox& out) {
+  for (const Rbc& rbc : out.also_disconnect) (void)s.disconnect_later.push_back(rbc);  // two sessions: there is room
+  if (!out.disconnect && !s.disconnect_later.empty()) {
+    out.disconnect = s.disconnect_later.front();
+    s.disconnect_later.erase(0);
+  }
+  if (out.connect) s.other_called_last = s.other.session.active() && out.connect == s.other.session.rbc;
 }
 
 }  // namespace
@@ -95,25 +145,29 @@ Clause clause(Rejected rejected) {
   return {};
 }
 
-Rejected receive(State& s, const Header& header, Duration now, Outbox& out) {
-  if (s.session.phase == Phase::idle || s.session.phase == Phase::connecting) return Rejected::no_session;
-  if (s.session.phase == Phase::terminating && header.NID_MESSAGE != message::session_termination_acknowledged)
+Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer from) {
+  Session& session = s.partner(from).session;
+  const Addressed to(out, from);
+  if (session.phase == Phase::idle || session.phase == Phase::connecting) return Rejected::no_session;
+  if (session.phase == Phase::terminating && header.NID_MESSAGE != message::session_termination_acknowledged)
     return Rejected::terminating;
-  if (s.session.phase == Phase::waiting_version && header.NID_MESSAGE != message::trackside_system_version)
+  if (session.phase == Phase::waiting_version && header.NID_MESSAGE != message::trackside_system_version)
     return Rejected::no_session;
-  if (header.T_TRAIN == kUnknownTime || (s.session.last_T_TRAIN && !later(header.T_TRAIN, *s.session.last_T_TRAIN))) {
+  if (header.T_TRAIN == kUnknownTime || (session.last_T_TRAIN && !later(header.T_TRAIN, *session.last_T_TRAIN))) {
     report_error(s, 4);
     return Rejected::time_stamp;
   }
-  s.session.last_T_TRAIN = header.T_TRAIN;
+  session.last_T_TRAIN = header.T_TRAIN;
   if (header.NID_MESSAGE == message::session_termination_acknowledged) {
-    end(s.session, now, out);
+    end(session, now, out);
     return Rejected::no;
   }
-  s.contact_reference = time_of(header.T_TRAIN, now);
-  s.contact_lost = false;
-  s.contact_brake_released = false;
-  s.reconnected = false;
+  if (from == Peer::supervising) {  // 3.16.3.4.1.2
+    s.contact_reference = time_of(header.T_TRAIN, now);
+    s.contact_lost = false;
+    s.contact_brake_released = false;
+    s.reconnected = false;
+  }
   if (header.M_ACK) {
     Intent intent;
     intent.NID_MESSAGE = message::acknowledgement;
@@ -125,21 +179,24 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out) {
 
 void receive_inconsistent(State& s) { report_error(s, 3); }
 
-void receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out) {
-  if (!check_version(s.session, M_VERSION, now, out)) return;
-  s.established_now = true;
-  s.train_data_pending = true;
-  s.train_data_acknowledged = false;
-  s.train_data_stamp.reset();
-  s.contact = s.session.rbc;
+void receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
+  Partner& p = s.partner(from);
+  const Addressed to(out, from);
+  if (!check_version(p.session, M_VERSION, now, out)) return;
+  p.established_now = true;
+  p.train_data_pending = true;
+  p.train_data_acknowledged = false;
+  p.train_data_stamp.reset();
+  if (from == Peer::other) return;
+  s.contact = p.session.rbc;
   s.reasons = 0;
 }
 
-void receive_train_data_ack(State& s, std::uint32_t T_TRAIN_REF) {
+void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
   // Only the acknowledgement of the latest message 129 counts (4.8.3 [3]).
-  if (!s.train_data_stamp || *s.train_data_stamp != T_TRAIN_REF) return;
-  s.train_data_stamp.reset();
-  s.train_data_acknowledged = true;
+  if (!from.train_data_stamp || *from.train_data_stamp != T_TRAIN_REF) return;
+  from.train_data_stamp.reset();
+  from.train_data_acknowledged = true;
 }
 
 void report_error(State& s, std::uint8_t M_ERROR) {
@@ -149,50 +206,26 @@ void report_error(State& s, std::uint8_t M_ERROR) {
   (void)s.errors.push_back(M_ERROR);  // there is room now
 }
 
-bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Duration now, Outbox& out) {
-  if (sleeping && !o.sleeping_too) return false;
-  Rbc rbc = o.rbc;
-  if (rbc.NID_RBC == kLastKnownRbc) {
-    if (!s.contact) return false;
-    rbc = *s.contact;
-  }
-  if (!o.establish) {
-    const bool idle = s.session.phase == Phase::idle && !s.session.after_hole;
-    if (idle || !s.session.rbc.same_id(rbc)) return false;
-    terminate(s.session, now, out);
-    return true;
-  }
-  s.contact = rbc;
-  if (!store_only) establish(s.session, rbc, o.cause, now, out);
-  return true;
-}
-
 Result supervise(State& s, const Inputs& in, Outbox& out) {
   Result result;
-  const bool was_lost = s.session.phase == Phase::lost;
-  const Rbc former = s.session.rbc;
-  if (maintain(s.session, in.link, in.in_radio_hole, in.now, out)) {
-    result.session_lost = true;
-    if (!in.in_radio_hole) establish(s.session, former, Cause::after_loss, in.now, out);
-  }
-  // In a kept session train data that were not acknowledged are sent again (3.18.3.4.2).
-  if (was_lost && s.session.phase == Phase::up && s.train_data_stamp) s.train_data_pending = true;
+  const bool first_lost = keep(s, Peer::supervising, in, out);
+  const bool second_lost = keep(s, Peer::other, in, out);
+  result.session_lost = first_lost || second_lost;
   supervise_contact(s, in, out, result);
-  const bool up = s.session.phase == Phase::up;
-  if (up) {
-    result.session_established = s.established_now;
-    if (s.established_now || in.report_due || !s.errors.empty()) send_report(s, in, out);
-    if (s.train_data_pending && in.train_data_valid) {
-      s.train_data_pending = false;
-      out.send(message::validated_train_data);
-    }
+  if (in.report_due || in.start_of_mission) result.reported_to_other = send_report(s, in, out);
+  for (const Peer peer : {Peer::supervising, Peer::other}) {
+    Partner& p = s.partner(peer);
+    send_train_data_to(p, peer, in, out);
+    if (p.session.phase != Phase::up) continue;
+    result.session_established = result.session_established || p.established_now;
+    p.established_now = false;
   }
   send_ma_request(s, in, out);
   stamp(s, in.now, out);
-  if (up) s.established_now = false;
+  order_bearer(s, out);
   return result;
 }
 
-void send_train_data(State& s) { s.train_data_pending = true; }
+void send_train_data(State& s) { s.supervising.train_data_pending = s.other.train_data_pending = true; }
 
 }  // namespace evc::radio

@@ -37,11 +37,25 @@ struct ContactRule {
   Reaction M_NVCONTACT = Reaction::none;
 };
 
-struct State {
+/// An RBC and what is agreed with it in its session.
+struct Partner {
   Session session;
+  bool established_now = false;  ///< message 32 was accepted since the last cycle
+  // 3.18.3.4
+  bool train_data_pending = false;                ///< has to be sent
+  std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
+  bool train_data_acknowledged = false;           ///< in this session
+};
+
+struct State {
+  Partner supervising;                     ///< the RBC that supervises; without a handover the only one
+  Partner other;                           ///< of a handover (3.15.1): the accepting RBC, after it the former RBC
+  bool other_accepts = false;              ///< which of them it is
+  bool exchange_due = false;               ///< the accepting RBC supervises from the next cycle on
+  bool other_called_last = false;          ///< by the last connection request
+  InplaceVector<Rbc, 4> disconnect_later;  ///< orders to the bearer that wait: one in a cycle
   std::optional<Rbc> contact;              ///< stored RBC contact
   std::optional<std::uint32_t> last_sent;  ///< T_TRAIN of the last message sent: stamps are unique (3.16.3.3.2)
-  bool established_now = false;            ///< message 32 was accepted since the last cycle
   // 3.16.3.4
   std::optional<Duration>
       contact_reference;      ///< T_REF: stamp of the last message, of a level change, or of the exit from a radio hole
@@ -49,17 +63,20 @@ struct State {
   bool contact_brake_released = false;  ///< the service brake for it was released at standstill
   bool reconnected = false;             ///< the connection was set up again 60 s later
   bool was_in_hole = false, was_level_2_or_3 = false;
-  // 3.18.3.4
-  bool train_data_pending = false;                      ///< has to be sent
-  std::optional<std::uint32_t> train_data_stamp;        ///< of the 129 that is not acknowledged yet
   std::optional<std::uint32_t> shunting_request_stamp;  ///< of the last 130
-  bool train_data_acknowledged = false;                 ///< in this session
   // 3.8.2
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and still apply
   std::optional<Duration> requested_at;
   InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report (3.16.4)
+
+  Partner& partner(Peer peer) { return peer == Peer::supervising ? supervising : other; }
+  const Partner& partner(Peer peer) const { return peer == Peer::supervising ? supervising : other; }
 };
+
+/// The RBC that an input of the bearer is from: the named one, without a name the one called last. None when there is
+/// no session with the named one.
+std::optional<Peer> peer_of(const State& state, const std::optional<Rbc>& named);
 
 /// Why a message was rejected as a whole (3.16.3.1.1).
 enum class Rejected : std::uint8_t { no, no_session, terminating, time_stamp };
@@ -72,13 +89,13 @@ constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std:
 /// Receives a message whose bits are correct: checks session and order of time stamps, acknowledges (146) when M_ACK,
 /// supervises contact (3.16.3). Message 39 is executed here. The contents may still be refused by filters; the message
 /// counts as received all the same.
-Rejected receive(State& state, const Header& header, Duration now, Outbox& out);
+Rejected receive(State& state, const Header& header, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// A message whose bits are not correct (3.16.3.1.1.2): reported to the RBC.
 void receive_inconsistent(State& state);
 /// Message 32, after `receive`.
-void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out);
+void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
-void receive_train_data_ack(State& state, std::uint32_t T_TRAIN_REF);
+void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
 /// An error of balises or radio, to be reported when a session is established (3.16.4): M_ERROR.
 void report_error(State& state, std::uint8_t M_ERROR);
 
@@ -90,12 +107,25 @@ struct SessionOrder {
   Cause cause = Cause::trackside_order;
 };
 /// `sleeping`: only orders with Q_SLEEPSESSION count. `store_only`: in SH and PS only the contact is stored. False when
-/// the order is ignored: no stored "last known RBC", a sleeping unit, or a termination for another RBC.
+/// the order is ignored: no stored "last known RBC", a sleeping unit, or a termination for another RBC. A session with
+/// an RBC that is no partner ends the others (3.5.3.5.2).
 bool order(State& state, const SessionOrder& order, bool sleeping, bool store_only, Duration now, Outbox& out);
+
+/// The session with the accepting RBC of a transition order, beside the one that supervises (3.5.3.5.2.1); one with
+/// another RBC beside it is terminated first (3.15.1.3.2.3).
+void call_accepting(State& state, const Rbc& accepting, Duration now, Outbox& out);
+/// The accepting RBC supervises (3.15.1.3.5): the contact is supervised from its last message on (3.16.3.4.1.2), an MA
+/// is requested from it anew.
+void exchange(State& state, Duration now);
+/// Both sessions end (3.5.5), or the set-up of one.
+void terminate_all(State& state, Duration now, Outbox& out);
+/// 3.5.3.8: the set-up of either session ends.
+void abort_set_ups(State& state, Duration now, Outbox& out);
 
 struct Inputs {
   Duration now{};
   RadioLink link = RadioLink::unchanged;
+  Peer link_of = Peer::supervising;
   bool in_radio_hole = false;
   bool level_2_or_3 = false;
   bool contact_supervised = false;  ///< level 2/3 and FS, LS or OS (4.5.2)
@@ -103,22 +133,25 @@ struct Inputs {
   bool train_data_valid = false;  ///< valid, and the engine leads: not in SL, NL
   ContactRule contact{};
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
-  bool start_of_mission = false;  ///< reports are sent as 157 with Q_STATUS (5.4)
+  bool errors_reported = true;    ///< the mode reports errors (4.5.2): the next one is in the report
+  bool start_of_mission = false;  ///< a report is due, as 157 with Q_STATUS (5.4)
   std::uint8_t Q_STATUS = 1;
   std::uint8_t reasons = 0;                ///< reasons of the MA request that apply now
   std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the group at the border
 };
 struct Result {
-  bool session_established = false, session_lost = false;
-  bool trip = false;           ///< condition [41], as long as it holds
+  bool session_established = false, session_lost = false;  ///< with either RBC
+  bool reported_to_other = false;                          ///< a position report was sent to the other RBC as well
+  bool trip = false;                                       ///< condition [41], as long as it holds
   bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
   bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
 };
-/// One cycle: session, contact supervision, train data, position reports, MA requests, repetitions. Afterwards every
-/// message of the outbox has its own time stamp; messages without a connection are removed (3.5.4.5).
+/// One cycle: sessions, contact supervision, train data, position reports (to both RBCs, 3.15.1.3.4), MA requests,
+/// repetitions. Afterwards every message of the outbox has its own time stamp; messages without a connection are
+/// removed (3.5.4.5).
 Result supervise(State& state, const Inputs& inputs, Outbox& out);
 
-/// Train data were validated or changed: 129 is due (3.18.3.4).
+/// Train data were validated or changed: 129 is due, to both RBCs (3.18.3.4, 3.15.1.3.3).
 void send_train_data(State& state);
 
 /// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (for X = 1 from protection/).

@@ -16,14 +16,14 @@ TEST(Messages, OrderOfTimeStamps) {  // 3.16.3.3
   const auto stamped = [&](std::uint32_t T_TRAIN) {
     return receive(u.s, {24, T_TRAIN, false}, Duration{u.now}, u.out);
   };
-  const std::uint32_t base = *u.s.session.last_T_TRAIN;
+  const std::uint32_t base = *u.s.supervising.session.last_T_TRAIN;
   EXPECT_EQ(stamped(base), Rejected::time_stamp) << "equal";
   EXPECT_EQ(stamped(base - 1), Rejected::time_stamp);
   EXPECT_EQ(stamped(kUnknownTime), Rejected::time_stamp);
   EXPECT_EQ(u.s.errors.size(), 1u) << "reported once";
   EXPECT_EQ(u.s.errors[0], 4);
   EXPECT_EQ(stamped(base + 1), Rejected::no);
-  EXPECT_EQ(*u.s.session.last_T_TRAIN, base + 1);
+  EXPECT_EQ(*u.s.supervising.session.last_T_TRAIN, base + 1);
   EXPECT_TRUE(later(5, 0xFFFFFFF0u)) << "the counter runs over";
   EXPECT_FALSE(later(0xFFFFFFF0u, 5));
 }
@@ -62,7 +62,7 @@ TEST(Messages, EveryOneHasItsOwnStamp) {  // 3.16.3.3.2
   answer_shortening(false, 78, u.out);
   EXPECT_EQ(u.out.messages[0].NID_MESSAGE, 138);
   State s;
-  s.session.phase = Phase::up;
+  s.supervising.session.phase = Phase::up;
   s.last_sent = 0xFFFFFFFEu;
   Outbox out;
   out.send(136);
@@ -183,13 +183,13 @@ TEST(Contact, SixtySecondsLaterTheConnectionIsSetUpAgain) {  // 3.16.3.4.3
   u.in.contact = {Duration{35}, Reaction::none};
   u.in.contact_supervised = true;
   u.run(94);
-  EXPECT_EQ(u.s.session.phase, Phase::up);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::up);
   u.run(2);
-  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::lost);
   u.cycle(RadioLink::connected);
-  EXPECT_EQ(u.s.session.phase, Phase::up);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::up);
   u.run(70);
-  EXPECT_EQ(u.s.session.phase, Phase::up) << "once";
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::up) << "once";
 }
 
 TEST(Contact, RadioHoleAndLevelSwitchStartItAnew) {
@@ -215,21 +215,21 @@ TEST(Contact, RadioHoleAndLevelSwitchStartItAnew) {
 TEST(TrainData, SentAcknowledgedAndSentAgain) {  // 3.18.3.4
   Unit u;
   u.up();
-  EXPECT_FALSE(u.s.train_data_stamp.has_value());
-  EXPECT_TRUE(u.s.train_data_acknowledged);
+  EXPECT_FALSE(u.s.supervising.train_data_stamp.has_value());
+  EXPECT_TRUE(u.s.supervising.train_data_acknowledged);
   send_train_data(u.s);
   u.cycle();
   ASSERT_EQ(u.messages(), Ids{129});
-  EXPECT_TRUE(u.s.train_data_stamp.has_value());
-  receive_train_data_ack(u.s, u.out.messages[0].T_TRAIN + 1);
-  EXPECT_TRUE(u.s.train_data_stamp.has_value()) << "of another sending";
+  EXPECT_TRUE(u.s.supervising.train_data_stamp.has_value());
+  receive_train_data_ack(u.s.supervising, u.out.messages[0].T_TRAIN + 1);
+  EXPECT_TRUE(u.s.supervising.train_data_stamp.has_value()) << "of another sending";
   u.fresh();
   u.cycle(RadioLink::lost);
   u.fresh();
   u.cycle(RadioLink::connected);
   EXPECT_EQ(u.messages(), Ids{129}) << "in the kept session";
-  receive_train_data_ack(u.s, *u.s.train_data_stamp);
-  EXPECT_FALSE(u.s.train_data_stamp.has_value());
+  receive_train_data_ack(u.s.supervising, *u.s.supervising.train_data_stamp);
+  EXPECT_FALSE(u.s.supervising.train_data_stamp.has_value());
 }
 
 TEST(MaRequest, RepeatedEvery60SecondsWithoutParameters) {  // 3.8.2, A.3.1

@@ -14,12 +14,35 @@ void enter(Session& s, Phase phase, Duration now) {
   s.since = now;
 }
 
+/// Whether the timer of the indication starts with the first request (3.5.7.3): for causes b to e of 3.5.3.4, and when
+/// the connection of a session was lost, however that session came about.
+bool times_the_indication(const Session& s) {
+  if (s.phase == Phase::lost) return true;
+  switch (s.cause) {
+    case Cause::trackside_order:
+    case Cause::mode_report:
+    case Cause::driver_level:
+    case Cause::radio_hole_end:
+      return true;
+    case Cause::start_of_mission:
+    case Cause::after_loss:
+    case Cause::start_without_session:
+      break;
+  }
+  return false;
+}
+
+/// Whether the number of requests is limited (3.5.3.7 a). For the report of a mode only 4.0.0 has the limit; without it
+/// a start of mission, which waits for the end of the set-up, could not begin out of reach of the RBC.
+bool limits_requests(Cause cause) { return cause == Cause::start_of_mission || cause == Cause::mode_report; }
+
 void request(Session& s, Duration now, Outbox& out) {
+  s.request_connection = false;
+  if (out.connect) return;  // the bearer takes one request in a cycle; this one is made in the next
   out.connect = s.rbc;
   s.request_connection = true;
   if (s.tries < 255) ++s.tries;
-  // The indication timer starts with the first request of a set-up, but not in start of mission (3.5.7.3).
-  if (!s.status_timer && s.cause != Cause::start_of_mission) s.status_timer = now;
+  if (!s.status_timer && times_the_indication(s)) s.status_timer = now;
 }
 
 void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& out) {
@@ -47,7 +70,7 @@ void go_idle(Session& s, Duration now, Outbox& out) {
 }
 
 void release(Session& s, Duration now, Outbox& out) {
-  out.disconnect = s.rbc;
+  out.release(s.rbc);
   go_idle(s, now, out);
 }
 
@@ -62,9 +85,10 @@ void connected(Session& s, Duration now, Outbox& out) {
 
 void attempt_failed(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
   s.request_connection = false;
-  if (s.phase == Phase::connecting && s.cause == Cause::start_of_mission && s.tries >= kConnectionTries) {
+  if (s.phase == Phase::connecting && limits_requests(s.cause) && s.tries >= kConnectionTries) {
+    const bool shown = s.cause == Cause::start_of_mission;  // condition [1] of 3.5.7.5
     go_idle(s, now, out);
-    if (s.phase == Phase::idle) s.indication = Indication::failed;
+    if (shown && s.phase == Phase::idle) s.indication = Indication::failed;
     return;
   }
   if (!in_radio_hole) request(s, now, out);
@@ -75,10 +99,7 @@ void link_lost(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
     case Phase::up:
       enter(s, Phase::lost, now);
       s.tries = 0;
-      if (in_radio_hole)
-        s.indication = Indication::none;
-      else
-        request(s, now, out);
+      if (!in_radio_hole) request(s, now, out);
       return;
     case Phase::waiting_version:  // there is no session yet to keep
       enter(s, Phase::connecting, now);
@@ -90,6 +111,25 @@ void link_lost(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
     case Phase::terminating:  // the repetitions end by their number
       return;
   }
+}
+
+/// 3.5.3.8 g: the set-up ends where a radio hole begins; one begins again at its end (3.5.3.4 e).
+void stop_in_hole(Session& s, Duration now, Outbox& out) {
+  const bool start_of_mission = s.cause == Cause::start_of_mission;
+  release(s, now, out);
+  s.after_hole = !start_of_mission && s.phase == Phase::idle;
+}
+
+/// The session is terminated by the loss (3.5.4.2.1). The requests go on for a new one (3.5.3.4 f), and with them the
+/// indication; in a radio hole they wait for its end.
+void lose(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
+  const Indication shown = s.indication;
+  release(s, now, out);
+  if (s.phase != Phase::idle) return;
+  s.after_hole = in_radio_hole;
+  if (in_radio_hole) return;
+  connect_to(s, s.rbc, Cause::after_loss, now, out);
+  s.indication = shown;
 }
 
 void repeat_termination(Session& s, Duration now, Outbox& out) {
@@ -109,7 +149,7 @@ void establish(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& ou
     case Phase::connecting:
     case Phase::waiting_version:
       if (s.rbc.same_id(rbc)) return;
-      out.disconnect = s.rbc;
+      out.release(s.rbc);
       return connect_to(s, rbc, cause, now, out);
     case Phase::up:
     case Phase::lost:
@@ -122,6 +162,12 @@ void establish(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& ou
       s.remembered_cause = cause;
       return;
   }
+}
+
+void abort_set_up(Session& s, Duration now, Outbox& out) {
+  s.after_hole = false;
+  s.remembered.reset();
+  if (s.phase == Phase::connecting || s.phase == Phase::waiting_version) release(s, now, out);
 }
 
 void terminate(Session& s, Duration now, Outbox& out) {
@@ -145,9 +191,14 @@ void terminate(Session& s, Duration now, Outbox& out) {
 }
 
 bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outbox& out) {
+  if (in_radio_hole && (s.phase == Phase::connecting || s.phase == Phase::waiting_version)) stop_in_hole(s, now, out);
   if (link == RadioLink::connected && (s.phase == Phase::connecting || s.phase == Phase::lost)) connected(s, now, out);
   if (link == RadioLink::lost || link == RadioLink::refused) link_lost(s, in_radio_hole, now, out);
 
+  if (in_radio_hole && s.phase == Phase::lost) {  // no requests, conditions [3] and [7] of 3.5.7.5
+    s.status_timer.reset();
+    s.indication = Indication::none;
+  }
   if (s.status_timer && now - *s.status_timer > kConnectionStatus) {
     s.indication = Indication::failed;
     s.status_timer.reset();
@@ -155,17 +206,16 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
   switch (s.phase) {
     case Phase::waiting_version:
       if (now - s.since < kVersionWait) break;
-      out.disconnect = s.rbc;
+      out.release(s.rbc);
       connect_to(s, s.rbc, s.cause, now, out);
       break;
     case Phase::connecting:
-      // A request that the bearer has not answered yet continues; after a radio hole a new one starts (3.5.4.4).
-      if (!s.request_connection && !in_radio_hole) request(s, now, out);
+      // A request that the bearer has not answered yet continues.
+      if (!s.request_connection) request(s, now, out);
       break;
     case Phase::lost:
       if (now - s.since > kSessionKept) {
-        release(s, now, out);
-        s.after_hole = in_radio_hole && s.phase == Phase::idle;
+        lose(s, in_radio_hole, now, out);
         return true;
       }
       if (!s.request_connection && !in_radio_hole) request(s, now, out);
@@ -204,10 +254,12 @@ void end(Session& s, Duration now, Outbox& out) {
 
 void reconnect(Session& s, Duration now, Outbox& out) {
   if (s.phase != Phase::up) return;
-  out.disconnect = s.rbc;
+  out.release(s.rbc);
   enter(s, Phase::lost, now);
   s.indication = Indication::none;
   s.tries = 0;
+  s.request_connection = false;
+  if (out.connect) return;
   out.connect = s.rbc;
   s.request_connection = true;
 }

@@ -51,6 +51,8 @@ struct Session {
 
   /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
   bool established() const { return phase == Phase::up || phase == Phase::lost; }
+  /// Neither idle nor waiting for the end of a radio hole.
+  bool active() const { return phase != Phase::idle || after_hole; }
   /// From then until its termination has ended (3.5.5).
   bool ongoing() const { return established() || phase == Phase::terminating; }
 };
@@ -60,11 +62,14 @@ struct Outbox;
 /// Establishes a session with `rbc` unless one with it is up or being set up (3.5.3.4.1); a session with another RBC is
 /// terminated first (3.5.3.5.2).
 void establish(Session& session, const Rbc& rbc, Cause cause, Duration now, Outbox& out);
+/// A set-up ends without a session (3.5.3.8), and one that was to follow or to be resumed is not begun; a session that
+/// is established stays.
+void abort_set_up(Session& session, Duration now, Outbox& out);
 /// Terminates the session (3.5.5): message 156, repeated until 39; while connecting, the set-up
 /// ends.
 void terminate(Session& session, Duration now, Outbox& out);
-/// Evaluates the report of the bearer and the timers. `in_radio_hole`: no connection requests (3.5.4.4). True in the
-/// cycle in which the session is finally lost after kSessionKept: cause `after_loss` is due (3.5.3.4 f).
+/// Evaluates the report of the bearer and the timers. `in_radio_hole`: no connection requests (3.5.4.4), and a set-up
+/// ends. True in the cycle in which the session is finally lost after kSessionKept.
 bool maintain(Session& session, RadioLink link, bool in_radio_hole, Duration now, Outbox& out);
 /// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
 bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);

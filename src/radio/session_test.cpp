@@ -15,21 +15,21 @@ TEST(Session, SetUp) {  // 3.5.3.7
   Unit u;
   u.order_session();
   EXPECT_EQ(u.out.connect, kRbc);
-  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
   u.cycle();
   u.fresh();
   u.cycle(RadioLink::connected);
   EXPECT_EQ(u.messages(), Ids{155});
-  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::waiting_version);
   EXPECT_EQ(u.message(3), Rejected::no_session) << "only the version is taken now";
   u.fresh();
   u.version(0x10);
-  EXPECT_TRUE(u.s.session.established());
+  EXPECT_TRUE(u.s.supervising.session.established());
   EXPECT_TRUE(u.cycle().session_established);
   EXPECT_EQ(u.messages(), (Ids{159, 136, 129}));
   EXPECT_FALSE(u.cycle().session_established);
-  EXPECT_EQ(u.s.session.M_VERSION, 0x10);
-  EXPECT_EQ(u.s.session.indication, Indication::up);
+  EXPECT_EQ(u.s.supervising.session.M_VERSION, 0x10);
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::up);
 }
 
 TEST(Session, StartOfMissionReports157) {
@@ -54,12 +54,12 @@ TEST(Session, ThreeTriesInStartOfMission) {  // N_CONN_TRIES
     u.fresh();
     u.cycle(RadioLink::refused);
     EXPECT_EQ(u.out.connect, kRbc);
-    EXPECT_NE(u.s.session.indication, Indication::failed);
+    EXPECT_NE(u.s.supervising.session.indication, Indication::failed);
   }
   u.fresh();
   u.cycle(RadioLink::refused);
-  EXPECT_EQ(u.s.session.phase, Phase::idle);
-  EXPECT_EQ(u.s.session.indication, Indication::failed);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed);
 }
 
 TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
@@ -70,9 +70,9 @@ TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
     u.cycle(RadioLink::refused);
     ASSERT_EQ(u.out.connect, kRbc);
   }
-  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
   u.run(6);
-  EXPECT_EQ(u.s.session.indication, Indication::failed) << "after 45 s";
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed) << "after 45 s";
 }
 
 TEST(Session, NoVersionIn15Seconds) {
@@ -80,9 +80,9 @@ TEST(Session, NoVersionIn15Seconds) {
   u.order_session();
   u.cycle(RadioLink::connected);
   u.run(14.8);
-  EXPECT_EQ(u.s.session.phase, Phase::waiting_version);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::waiting_version);
   u.run(0.4);
-  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
 }
 
 TEST(Session, LinkLostBeforeTheVersionIsATry) {
@@ -91,7 +91,7 @@ TEST(Session, LinkLostBeforeTheVersionIsATry) {
   u.cycle(RadioLink::connected);
   u.fresh();
   u.cycle(RadioLink::lost);
-  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
   EXPECT_EQ(u.out.connect, kRbc);
 }
 
@@ -103,7 +103,7 @@ TEST(Session, UnknownVersion) {  // 3.5.3.8
   u.version(0x30);
   EXPECT_EQ(u.messages(), (Ids{154, 156}));
   EXPECT_TRUE(u.out.inform_no_version);
-  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating);
   EXPECT_FALSE(u.cycle().session_established);
 }
 
@@ -122,7 +122,7 @@ TEST(Session, Termination) {  // 3.5.5
   EXPECT_EQ(u.messages(), Ids{156});
   EXPECT_EQ(u.message(3), Rejected::terminating);
   EXPECT_EQ(u.message(39), Rejected::no);
-  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
   EXPECT_EQ(u.out.disconnect, kRbc);
 }
 
@@ -132,16 +132,16 @@ TEST(Session, TerminationIsRepeatedThreeTimes) {  // 3.5.5.3.1-2
   u.order_session(kRbc, false);
   u.fresh();
   EXPECT_EQ(u.run(59.5), (Ids{156, 156, 156}));
-  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating);
   u.run(1.0);
-  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
 }
 
 TEST(Session, TerminationWhileConnecting) {
   Unit u;
   u.order_session();
   u.order_session(kRbc, false);
-  EXPECT_EQ(u.s.session.phase, Phase::idle);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
   EXPECT_EQ(u.out.disconnect, kRbc);
   EXPECT_FALSE(order(u.s, {false, kRbc, false, {}}, false, false, Duration{0}, u.out));
 }
@@ -150,15 +150,15 @@ TEST(Session, AnotherRbcEndsTheFirstOne) {  // 3.5.3.5.2, 3.5.3.4.2
   Unit u;
   u.up();
   u.order_session(kRbc);
-  EXPECT_EQ(u.s.session.phase, Phase::up) << "already there";
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::up) << "already there";
   u.order_session(kOther);
-  EXPECT_EQ(u.s.session.phase, Phase::terminating);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating);
   u.order_session(kOther);
   u.cycle();
   EXPECT_EQ(u.message(39), Rejected::no);
   EXPECT_EQ(u.out.disconnect, kRbc);
   EXPECT_EQ(u.out.connect, kOther);
-  EXPECT_EQ(u.s.session.rbc, kOther);
+  EXPECT_EQ(u.s.supervising.session.rbc, kOther);
   u.fresh();
   u.order_session(kOther);
   EXPECT_FALSE(u.out.connect) << "being set up already";
@@ -172,7 +172,7 @@ TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
   u.up();
   u.fresh();
   u.cycle(RadioLink::lost);
-  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::lost);
   EXPECT_EQ(u.out.connect, kRbc);
   u.in.report_due = true;
   EXPECT_TRUE(u.run(20).empty()) << "what is due meanwhile counts as sent";
@@ -181,13 +181,13 @@ TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
   u.cycle(RadioLink::refused);
   EXPECT_EQ(u.out.connect, kRbc);
   u.run(40);
-  EXPECT_EQ(u.s.session.indication, Indication::failed);
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed);
   u.cycle(RadioLink::connected);
-  EXPECT_EQ(u.s.session.phase, Phase::up);
-  EXPECT_EQ(u.s.session.indication, Indication::up);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::up);
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::up);
   u.cycle(RadioLink::lost);
   u.run(299);
-  EXPECT_EQ(u.s.session.phase, Phase::lost);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::lost);
   bool lost = false;
   for (int i = 0; i < 20; ++i) {
     u.fresh();
@@ -197,7 +197,7 @@ TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
     }
   }
   EXPECT_TRUE(lost);
-  EXPECT_EQ(u.s.session.phase, Phase::connecting);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
 }
 
 TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
@@ -207,9 +207,9 @@ TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
   u.fresh();
   u.cycle(RadioLink::lost);
   EXPECT_FALSE(u.out.connect);
-  EXPECT_EQ(u.s.session.indication, Indication::none);
+  EXPECT_EQ(u.s.supervising.session.indication, Indication::none);
   u.run(10);
-  EXPECT_FALSE(u.s.session.request_connection);
+  EXPECT_FALSE(u.s.supervising.session.request_connection);
   u.in.in_radio_hole = false;
   u.fresh();
   u.cycle();
@@ -217,7 +217,7 @@ TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
   u.in.in_radio_hole = true;
   u.cycle(RadioLink::refused);
   u.run(301);
-  EXPECT_EQ(u.s.session.phase, Phase::idle) << "died inside the hole: no new one there";
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle) << "died inside the hole: no new one there";
 }
 
 TEST(Session, ConnectingStopsInAHoleAndGoesOnAfterIt) {
@@ -271,16 +271,16 @@ TEST(Session, WhatTheBearerSaysWithoutASessionIsNothing) {
   Unit u;
   u.cycle(RadioLink::lost);
   u.cycle(RadioLink::connected);
-  EXPECT_EQ(u.s.session.phase, Phase::idle);
-  terminate(u.s.session, Duration{0}, u.out);
-  end(u.s.session, Duration{0}, u.out);
-  reconnect(u.s.session, Duration{0}, u.out);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
+  terminate(u.s.supervising.session, Duration{0}, u.out);
+  end(u.s.supervising.session, Duration{0}, u.out);
+  reconnect(u.s.supervising.session, Duration{0}, u.out);
   EXPECT_TRUE(u.out.messages.empty());
   EXPECT_FALSE(u.out.connect || u.out.disconnect);
   u.up();
   u.order_session(kRbc, false);
   u.cycle(RadioLink::lost);
-  EXPECT_EQ(u.s.session.phase, Phase::terminating) << "its repetitions run out by themselves";
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating) << "its repetitions run out by themselves";
 }
 
 }  // namespace

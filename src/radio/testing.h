@@ -25,7 +25,10 @@ struct Unit {
   Result cycle(RadioLink link = RadioLink::unchanged) {
     in.now = Duration{now};
     in.link = link;
-    const Result r = supervise(s, in, out);
+    Inputs given = in;
+    // As the kernel asks in modes that report both events (3.6.5.1.4 h, l).
+    given.report_due = in.report_due || s.supervising.established_now || !s.errors.empty();
+    const Result r = supervise(s, given, out);
     now += 0.1;
     return r;
   }
@@ -65,7 +68,7 @@ struct Unit {
     version(M_VERSION);
     cycle();
     fresh();
-    if (s.train_data_stamp) receive_train_data_ack(s, *s.train_data_stamp);
+    if (s.supervising.train_data_stamp) receive_train_data_ack(s.supervising, *s.supervising.train_data_stamp);
   }
 };
 using Ids = std::vector<int>;

@@ -10,6 +10,7 @@ void CycleInputs::clear() {
   external_train_data.reset();
   levels.external_train_data = {};
   levels.radio_link = RadioLink::unchanged;
+  levels.radio_link_with.reset();
   levels.driver = {};
 }
 
@@ -19,7 +20,7 @@ const port::Inputs& CycleInputs::view() {
   radio_views_.clear();
   for (const Telegram& t : balises) balise_views_.push_back({t.bits.bytes, t.bits.size, t.at, t.passed});
   for (const Bits& l : loops) loop_views_.push_back({l.bytes});
-  for (const Bits& r : radio) radio_views_.push_back({r.bytes});
+  for (const RadioMessage& r : radio) radio_views_.push_back({r.bytes, r.from});
   levels.now = {static_cast<double>(t_ms) / 1000.0};
   levels.balise_telegrams = balise_views_;
   levels.loop_messages = loop_views_;

@@ -18,11 +18,15 @@ struct CycleInputs {
     OdometerPlace at;
     std::optional<Duration> passed = {};  // the time instead
   };
+  /// A radio message, and the RBC it is from where the stream names it.
+  struct RadioMessage : Bits {
+    std::optional<port::RbcIdentity> from;
+  };
   std::int64_t t_ms = 0;
   port::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()
   std::vector<Telegram> balises;
   std::vector<Bits> loops;
-  std::vector<Bits> radio;
+  std::vector<RadioMessage> radio;
   std::optional<train::TrainData> train_data;           // entered in this cycle
   std::optional<train::TrainData> external_train_data;  // from another source than the driver, in this cycle
 

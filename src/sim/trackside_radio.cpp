@@ -177,7 +177,7 @@ void TracksideRadio::send(Bits message, int seq, std::int64_t t_ms, double front
   stamp(message, T_TRAIN);
   last_sent_ms_ = t_ms;
   deliveries_.push_back({t_ms, front_m, seq, static_cast<std::uint8_t>(message.number(0, 8))});
-  inputs.radio.push_back(std::move(message));
+  inputs.radio.push_back({std::move(message), std::nullopt});
 }
 
 void TracksideRadio::deliver(std::int64_t t_ms, double front_m, CycleInputs& inputs) {

@@ -73,6 +73,8 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::session_termination_ordered, "session", Takes::nothing, "termination ordered"},
     {What::session_established, "session", Takes::nothing, "established"},
     {What::session_lost, "session", Takes::nothing, "lost"},
+    {What::rbc_handover_ordered, "RBC handover", Takes::id, "ordered"},
+    {What::rbc_handed_over, "RBC handover", Takes::id, "supervises"},
     {What::national_values_in_force, "national values", Takes::nothing, "in force"},
     {What::national_values_default, "national values", Takes::nothing, "defaults"},
 

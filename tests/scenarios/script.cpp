@@ -412,7 +412,9 @@ class Reader {
       read_driver(words, a);
     } else if (words.take("session")) {
       static constexpr std::array<const char*, 3> names{"connected", "lost", "refused"};
-      a = input("radio", {{"session", names[words.one_of({"connected", "lost", "refused"})]}});
+      Json report{{"session", names[words.one_of({"connected", "lost", "refused"})]}};
+      if (words.take("with")) report["to"] = Json{{"NID_C", 1}, {"NID_RBC", rbc(words)}};
+      a = input("radio", report);
     } else if (words.take("desk")) {
       a = input("train", {{"desk_open", words.one_of({"closed", "opened"}) == 1}});
     } else if (words.take("power")) {
@@ -442,6 +444,11 @@ class Reader {
           "a block, or one of config, train, message, loop, passes, group, drives, stops, waits, driver, session, "
           "desk, power, signal, national_system, fault, input, odometer");
     }
+  }
+
+  static std::int64_t rbc(Words& words) {
+    words.require("RBC");
+    return words.integer(0, 16383, "NID_RBC");
   }
 
   static Action input(const char* key, Json value) {
@@ -522,6 +529,7 @@ class Reader {
     const auto nid = static_cast<std::uint8_t>(words.integer(0, 127, "the number of a message to the train"));
     int X = 2, Y = 1;
     read_version(words, X, Y);
+    if (words.take("from")) a.NID_RBC = rbc(words);
     const Value members = words.peek() == "{" ? words.object() : Value{};
     const auto named = [&](const char* name) {
       return std::any_of(members.members.begin(), members.members.end(),
@@ -675,6 +683,7 @@ class Reader {
       c.negated = words.take("no");
       words.require("message");
       c.message.NID_MESSAGE = static_cast<int>(words.integer(128, 255, "the number of a message to the trackside"));
+      if (words.take("to")) c.message.NID_RBC = rbc(words);
       c.message.members = words.peek() == "{" ? sent_members(words.object()) : Json::object();
       while (words.take("packet")) {
         const std::int64_t nid = words.integer(0, 255, "the number of a packet");

@@ -28,6 +28,7 @@ using port::OutgoingMessage;
 using port::Outputs;
 using port::RadioMessage;
 using port::RbcAddress;
+using port::RbcIdentity;
 using port::RbcSession;
 using port::Select;
 using port::ShownCondition;

@@ -16,6 +16,7 @@ struct Config {
   train::NationalValues national_values;  // valid until packet 3 gives others (3.18.2)
   Distance L_engine{20};  // where no train data count: SH, SL, NL, PS, before their entry (4.4.6.1.4 and others)
   std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
+  std::uint8_t terminals = 2;  // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)
 };
 
 }  // namespace evc::port

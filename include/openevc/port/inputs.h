@@ -34,8 +34,15 @@ struct BaliseTelegram {
 struct LoopMessage {
   std::span<const std::uint8_t> bytes;
 };
+/// The RBC of a message or of a report of the bearer.
+struct RbcIdentity {
+  std::uint16_t NID_C = 0;
+  std::uint16_t NID_RBC = 0;
+  friend constexpr bool operator==(const RbcIdentity&, const RbcIdentity&) = default;
+};
 struct RadioMessage {
   std::span<const std::uint8_t> bytes;
+  std::optional<RbcIdentity> from = std::nullopt;  // absent: the RBC that was called last
 };
 /// Selections of the driver in this cycle, one bit each (4.7.2, "driver requests").
 enum class Select : std::uint8_t {
@@ -126,6 +133,7 @@ struct Inputs {
   std::span<const LoopMessage> loop_messages;
   std::span<const RadioMessage> radio_messages;
   RadioLink radio_link = RadioLink::unchanged;
+  std::optional<RbcIdentity> radio_link_with;  // absent: the RBC that was called last
   DriverActions driver;
   Set<Window> windows;  ///< open now
   TrainSignals train;

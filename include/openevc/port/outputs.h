@@ -7,6 +7,7 @@
 #include "openevc/base/set.h"
 #include "openevc/base/units.h"
 #include "openevc/port/event.h"
+#include "openevc/port/inputs.h"
 #include "openevc/terms/cause.h"
 #include "openevc/terms/driver_input.h"
 #include "openevc/terms/level.h"
@@ -50,6 +51,7 @@ struct RbcSession {
   std::uint16_t NID_C = 0;
   std::uint16_t NID_RBC = 0;
   SessionPhase phase = SessionPhase::idle;
+  SessionRole role = SessionRole::supervising;
   friend constexpr bool operator==(const RbcSession&, const RbcSession&) = default;
 };
 
@@ -85,6 +87,7 @@ struct OrderedCurrent {
 
 struct OutgoingMessage {
   InplaceVector<std::uint8_t, 192> bytes;
+  std::optional<RbcIdentity> to;  // absent: the RBC that supervises
 };
 struct RbcAddress {
   std::uint16_t NID_C = 0;

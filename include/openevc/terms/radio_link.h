@@ -3,7 +3,7 @@
 
 namespace evc {
 
-/// What the bearer reports of the safe radio connection to the last RBC called (3.5.3).
+/// What the bearer reports of the safe radio connection to an RBC (3.5.3).
 enum class RadioLink : std::uint8_t { unchanged, connected, lost, refused };
 
 inline constexpr auto kRadioLinkRows = std::to_array<terms::Row<RadioLink>>({
@@ -33,5 +33,19 @@ inline constexpr auto kSessionPhaseRows = std::to_array<terms::Row<SessionPhase>
     {SessionPhase::terminating, "terminating"},
 });
 static_assert(terms::in_order(kSessionPhaseRows));
+
+/// The part of an RBC in a handover; without one it supervises (3.15.1).
+enum class SessionRole : std::uint8_t {
+  supervising,
+  accepting,    ///< it will supervise beyond the border
+  handing_over  ///< it supervised up to the border
+};
+
+inline constexpr auto kSessionRoleRows = std::to_array<terms::Row<SessionRole>>({
+    {SessionRole::supervising, "supervising"},
+    {SessionRole::accepting, "accepting"},
+    {SessionRole::handing_over, "handing over"},
+});
+static_assert(terms::in_order(kSessionRoleRows));
 
 }  // namespace evc

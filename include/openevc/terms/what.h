@@ -73,6 +73,8 @@ enum class What : std::uint8_t {
   session_termination_ordered,
   session_established,
   session_lost,
+  rbc_handover_ordered,  ///< `id` of these is NID_RBC of the accepting RBC
+  rbc_handed_over,
   national_values_in_force,
   national_values_default,
 

@@ -15,6 +15,7 @@ struct Decided {
   procedures::Effects effects;  ///< of all procedures
   brakes::CauseSet asked;
   bool mode_changed = false;
+  bool mission_ended = false;             ///< by the change of mode (5.5.2)
   bool basis_renewed = false;             ///< State::basis differs from that of the cycle before
   bool start_selected = false;            ///< an MA is requested for it (3.8.2.3 a)
   bool reversing_possible = false;        ///< shown to the driver (5.13)

@@ -25,7 +25,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   procedures::level_transition::on_mode_change(s.level_transition, from, to);
   procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
   procedures::override_::on_mode_change(s.override_, from, to);
-  if (!s.level_transition.pending) s.buffer.clear();
+  if (!s.level_transition.pending) clear_level_buffer(s);
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, to, from);
   if (to == Mode::TR) driver::enter_trip(s.status_texts, number);

@@ -9,9 +9,11 @@
 namespace evc::kernel {
 namespace {
 
+/// The session that start of mission waits for or has; one of a handover that is left over counts as well (5.4.3.2 S0).
 procedures::start_of_mission::Session session_of(const State& s) {
   using procedures::start_of_mission::Session;
-  switch (s.radio.session.phase) {
+  const bool left_over = s.radio.supervising.session.phase == radio::Phase::idle;
+  switch ((left_over ? s.radio.other : s.radio.supervising).session.phase) {
     case radio::Phase::connecting:
     case radio::Phase::waiting_version:
       return Session::establishing;
@@ -108,7 +110,7 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.enters_rbc_contact = received.entered.has(Entered::rbc_contact);
   som.enters_train_data = received.entered.has(Entered::train_data);
   som.selects_start = received.selected.has(Select::start);
-  som.train_data_acknowledged = s.radio.train_data_acknowledged;
+  som.train_data_acknowledged = s.radio.supervising.train_data_acknowledged;
   som.position_confirmed = received.position_confirmed;
   som.train_accepted = received.train_accepted;
   som.train_rejected = received.train_rejected;
@@ -167,7 +169,7 @@ void run_shunting(State& s, const Received& received, const track::Here& here, p
   in.mode = s.mode;
   in.level = s.level.level;
   in.standstill = here.standstill;
-  in.session_open = s.radio.session.established();
+  in.session_open = s.radio.supervising.session.established();
   in.selects_SH = received.selected.has(Select::shunting);
   in.selects_continue = received.selected.has(Select::maintain_shunting);
   in.authorised = received.SH_authorised;
@@ -200,7 +202,7 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
   trip.level = s.level.level;
   trip.desk_open = desk_open;
   trip.standstill = out.here.standstill;
-  trip.session_open = s.radio.session.established();
+  trip.session_open = s.radio.supervising.session.established();
   trip.train_data_valid = valid(s.data.train_data_status);
   trip.exit_recognised = received.exit_from_trip;
   trip.emergency_stop_pending = s.emergency_stops.any();
@@ -250,21 +252,25 @@ void run_train_data_change(State& s, const Received& received, Decided& out, Log
 }
 
 void run_start_in_SR(State& s, const Received& received, Decided& out) {
-  const bool possible = s.mode == Mode::SR && level_2_or_3(s.level.level) && s.radio.session.established();
+  const bool possible = s.mode == Mode::SR && level_2_or_3(s.level.level) && s.radio.supervising.session.established();
   if (received.selected.has(Select::start)) s.start_in_SR = true;
   if (!possible || received.ma_from_rbc || received.SR_authorised) s.start_in_SR = false;
   if (s.start_in_SR) out.start_selected = true;
 }
 
-void run_end_of_mission(State& s, const Received& received, procedures::Effects& effects) {
+void run_end_of_mission(State& s, const Received& received, Decided& out) {
+  out.mission_ended =
+      out.mode_changed && procedures::end_of_mission::ends_mission(s.previous_mode, s.mode, s.end_of_mission.mission);
   procedures::end_of_mission::Inputs end;
   end.now = s.now;
   end.mode = s.mode;
   end.previous_mode = s.previous_mode;
-  end.session_open = s.radio.session.established();
-  end.termination_ordered = received.termination_ordered;
+  // With both RBCs of a handover (3.15.1.3.4.1): one that orders its session to end has ended it; the other goes on.
+  const bool other = s.radio.other.session.established();
+  end.session_open = s.radio.supervising.session.established() || other;
+  end.termination_ordered = received.termination_ordered && !other;
   end.level_2_or_3 = level_2_or_3(s.level.level);
-  effects |= procedures::end_of_mission::step(s.end_of_mission, end);
+  out.effects |= procedures::end_of_mission::step(s.end_of_mission, end);
 }
 
 }  // namespace evc::kernel

@@ -37,7 +37,7 @@ class Mission : public ::testing::Test {
       if (e.what == what && (!clause || e.clause == clause)) return true;
     return false;
   }
-  void in_session() { state.radio.session.phase = radio::Phase::up; }
+  void in_session() { state.radio.supervising.session.phase = radio::Phase::up; }
 
   std::unique_ptr<State> memory = std::make_unique<State>();
   State& state = *memory;
@@ -328,25 +328,25 @@ TEST_F(Mission, TheEndOfTheMissionIsReportedUntilTheRBCEndsTheSession) {  // 5.5
     state.previous_mode = Mode::FS;
     state.end_of_mission.mission = true;
     if (session) in_session();
-    procedures::Effects effects;
-    run_end_of_mission(state, received, effects);
-    return effects.send.has(Send::end_of_mission);
+    Decided ended;
+    run_end_of_mission(state, received, ended);
+    return ended.effects.send.has(Send::end_of_mission);
   };
   EXPECT_TRUE(after(Mode::SB, true));
   EXPECT_FALSE(after(Mode::SB, false));
   EXPECT_FALSE(after(Mode::FS, true));
   ASSERT_TRUE(after(Mode::SB, true));
   state.previous_mode = Mode::SB;
-  procedures::Effects effects;
-  run_end_of_mission(state, received, effects);
-  EXPECT_TRUE(effects.send.empty());
+  Decided ended;
+  run_end_of_mission(state, received, ended);
+  EXPECT_TRUE(ended.effects.send.empty());
   state.now += Duration{15.0};
-  run_end_of_mission(state, received, effects);
-  EXPECT_TRUE(effects.send.has(Send::end_of_mission)) << "again after 15 s";
+  run_end_of_mission(state, received, ended);
+  EXPECT_TRUE(ended.effects.send.has(Send::end_of_mission)) << "again after 15 s";
   received.termination_ordered = true;
-  effects = {};
-  run_end_of_mission(state, received, effects);
-  EXPECT_TRUE(effects.send.has(Send::terminate_session));
+  ended = {};
+  run_end_of_mission(state, received, ended);
+  EXPECT_TRUE(ended.effects.send.has(Send::terminate_session));
 }
 
 TEST_F(Mission, ShuntingWithoutAMissionIsReportedInLevel2And3) {  // 5.6 A095
@@ -354,9 +354,9 @@ TEST_F(Mission, ShuntingWithoutAMissionIsReportedInLevel2And3) {  // 5.6 A095
     restart(Mode::SH, level);
     state.previous_mode = Mode::SB;
     in_session();
-    procedures::Effects effects;
-    run_end_of_mission(state, received, effects);
-    EXPECT_EQ(effects.send.has(Send::position_report), level != Level::L1) << static_cast<int>(level);
+    Decided ended;
+    run_end_of_mission(state, received, ended);
+    EXPECT_EQ(ended.effects.send.has(Send::position_report), level != Level::L1) << static_cast<int>(level);
   }
 }
 
@@ -453,7 +453,7 @@ TEST_F(TrainTrip, StartAsksTheRBC) {  // 5.11.2 S140, S150
 
 TEST_F(TrainTrip, WithoutASessionTheRBCIsNotAsked) {  // 5.11.2 D140
   in_PT(Step::S140);
-  state.radio.session = {};
+  state.radio.supervising.session = {};
   received.selected.add(Select::start);
   run();
   EXPECT_EQ(step(), Step::S140);
@@ -774,7 +774,7 @@ TEST_F(Start, WaitsForTheSession) {  // 5.4.4 D31
   using radio::Phase;
   const auto after = [&](Phase phase) {
     restart_in(Step::D31, Level::L2);
-    state.radio.session.phase = phase;
+    state.radio.supervising.session.phase = phase;
     state.position.status = DataStatus::valid;
     run();
     return std::pair(step(), decided.effects.send.has(Send::start_of_mission_report));
@@ -809,10 +809,10 @@ TEST_F(Start, TheRBCValidatesThePosition) {  // 5.4.4 D33, D22, A24, A35, A39
   EXPECT_TRUE(decided.effects.send.has(Send::terminate_session));
   run();
   EXPECT_EQ(step(), Step::A40) << "until the session is terminated";
-  state.radio.session.phase = radio::Phase::terminating;
+  state.radio.supervising.session.phase = radio::Phase::terminating;
   run();
   EXPECT_EQ(step(), Step::A40);
-  state.radio.session.phase = radio::Phase::idle;
+  state.radio.supervising.session.phase = radio::Phase::idle;
   run();
   EXPECT_TRUE(decided.effects.inform.has(Inform::train_rejected));
 }
@@ -849,7 +849,7 @@ TEST_F(Start, TrainDataEnteredAgainAreSent) {  // 5.4.4 S12, D10, S11
   received.entered = {};
   run();
   EXPECT_EQ(step(), Step::S11);
-  state.radio.train_data_acknowledged = true;
+  state.radio.supervising.train_data_acknowledged = true;
   run();
   EXPECT_EQ(step(), Step::S20);
 }

@@ -6,16 +6,23 @@
 namespace evc::kernel {
 namespace {
 
-/// 4.8.5.3: the newest set takes the place of the oldest.
-void make_room(State& state, const Log& log) {
-  if (!state.buffer.full()) return;
-  state.buffer.erase(0);
+/// 4.8.5.3: the newest set takes the place of the oldest one that waits for the same kind of change.
+void make_room(State& state, bool accepting, const Log& log) {
+  std::size_t sets = 0, oldest = 0;
+  for (std::size_t i = state.buffer.size(); i-- > 0;) {
+    if (state.buffer[i].accepting != accepting) continue;
+    ++sets;
+    oldest = i;
+  }
+  if (sets < kBufferedSetsOfOneCause) return;
+  state.buffer.erase(oldest);
   log.note({.what = What::buffer_full, .clause = "4.8.5.3"_srs});
 }
 
 Information information_of(const BufferedSet& set) {
   Information information;
   information.medium = set.medium;
+  if (set.accepting) information.sender = modes::RbcRole::accepting;
   information.group = set.group;
   information.reference = set.reference;
   information.anchor = set.anchor;
@@ -59,7 +66,8 @@ Waiting evaluate_group(Reception& r, const BufferedSet& set) {
 
 BufferedSet& keep(Reception& r, const Information& information, const Waiting& waiting) {
   State& state = r.state;
-  make_room(state, r.log);
+  const bool accepting = information.sender == modes::RbcRole::accepting;
+  make_room(state, accepting, r.log);
   BufferedSet& set = *state.buffer.grow();  // there is room now
   set.medium = information.medium;
   set.group = information.group;
@@ -71,7 +79,8 @@ BufferedSet& keep(Reception& r, const Information& information, const Waiting& w
   set.received = information.time;
   set.waiting = waiting.packets;
   set.message_waits = waiting.message;
-  set.M_VERSION = state.radio.session.M_VERSION;
+  set.accepting = accepting;
+  set.M_VERSION = state.radio.partner(accepting ? radio::Peer::other : radio::Peer::supervising).session.M_VERSION;
   set.telegram_bits.clear();
   set.size = 0;
   return set;
@@ -95,7 +104,7 @@ void release_buffer(Reception& r) {
   for (const BufferedSet& set : sets) {
     const Waiting waiting = set.medium == Medium::rbc ? evaluate_message(r, set) : evaluate_group(r, set);
     if (!waiting.any()) continue;
-    make_room(s, r.log);
+    make_room(s, set.accepting, r.log);
     (void)s.buffer.push_back(set);  // there is room now
     s.buffer.back().waiting = waiting.packets;
     s.buffer.back().message_waits = waiting.message;

@@ -122,9 +122,9 @@ TEST_F(Buffer, AMessageHasTheVersionOfItsSession) {  // 6.6.3.4
   stop.Q_SCALE.raw = 1;
   stop.Q_DIR.raw = 1;
   stop.D_EMERGENCYSTOP.raw = 500;
-  state.radio.session.M_VERSION = 17;
+  state.radio.supervising.session.M_VERSION = 17;
   keep_message(stop);
-  state.radio.session.M_VERSION = 33;
+  state.radio.supervising.session.M_VERSION = 33;
   release();
   ASSERT_EQ(state.emergency_stops.pending.size(), 1u);
   EXPECT_EQ(state.emergency_stops.pending[0].at, at(1400.0));
@@ -213,7 +213,7 @@ TEST_F(Buffer, HoldsTheNewestThreeSets) {  // 4.8.5.1, 4.8.5.3
 
 TEST_F(Buffer, ASetHoldsWhatIsGivenToIt) {  // 4.8.5.1
   information.orientation = Direction::reverse;
-  state.radio.session.M_VERSION = 17;
+  state.radio.supervising.session.M_VERSION = 17;
   BufferedSet& set = keep(reception, information, {5, true});
   EXPECT_EQ(set.medium, Medium::balise);
   EXPECT_EQ(set.group, (GroupId{1, 100}));

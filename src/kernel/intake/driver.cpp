@@ -135,6 +135,7 @@ void receive_driver(Reception& r) {
   receive_train_data(r);
   if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact)) {
     s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
+    s.contact_status = DataStatus::valid;
     r.out.entered.add(Entered::rbc_contact);
   }
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {

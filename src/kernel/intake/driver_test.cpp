@@ -22,7 +22,7 @@ class Driver : public test::OneMessage {
     state.data.level_status = state.data.driver_id_status = state.data.train_data_status =
         state.data.train_running_number_status = DataStatus::valid;
     received.here.standstill = true;
-    state.radio.session.phase = radio::Phase::up;
+    state.radio.supervising.session.phase = radio::Phase::up;
     for (const Offer offer : {Offer::train_data, Offer::start}) state.offers.add(offer);
   }
   void act() {
@@ -96,7 +96,7 @@ TEST_F(Driver, EntersTrainData) {  // 3.18.3
   EXPECT_EQ(state.train, data);
   EXPECT_EQ(state.data.train_data_status, DataStatus::valid);
   EXPECT_NE(state.revision, revision);
-  EXPECT_TRUE(state.radio.train_data_pending);
+  EXPECT_TRUE(state.radio.supervising.train_data_pending);
   EXPECT_TRUE(received.entered.has(Entered::train_data));
   EXPECT_TRUE(happened(What::train_data_valid));
 }
@@ -108,7 +108,7 @@ TEST_F(Driver, EntersNoTrainDataOutOfRange) {  // 3.18.3.2.3
   state.data.train_data_status = DataStatus::unknown;
   act();
   EXPECT_EQ(state.data.train_data_status, DataStatus::unknown);
-  EXPECT_FALSE(state.radio.train_data_pending);
+  EXPECT_FALSE(state.radio.supervising.train_data_pending);
   EXPECT_FALSE(received.entered.has(Entered::train_data));
   EXPECT_TRUE(happened(What::train_data_refused));
 }
@@ -126,7 +126,7 @@ TEST_F(Driver, AcknowledgesTrainDataThatAreStored) {  // 5.4.4, S12
   in.train.desk_open = true;
   act();
   EXPECT_EQ(state.data.train_data_status, DataStatus::valid);
-  EXPECT_TRUE(state.radio.train_data_pending);
+  EXPECT_TRUE(state.radio.supervising.train_data_pending);
   EXPECT_TRUE(received.entered.has(Entered::train_data));
 }
 

@@ -7,6 +7,7 @@
 #include "kernel/intake/routes.h"
 #include "kernel/intake/shortening.h"
 #include "lang/decode.h"
+#include "lang/packets/packet_131.h"
 #include "lang/packets/packet_136.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_5.h"
@@ -24,8 +25,10 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.mode = s.mode;
   c.level = s.level.level;
   c.medium = information.medium;
+  c.rbc = information.sender;
   if (const auto to = ordered_level(r)) c.announced = to->level;
-  c.train_data_unacknowledged = s.radio.train_data_stamp.has_value();
+  const bool supervising = information.sender == modes::RbcRole::supervising;
+  c.train_data_unacknowledged = (supervising ? s.radio.supervising : s.radio.other).train_data_stamp.has_value();
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
@@ -115,9 +118,30 @@ void evaluate_linking(Evaluation& e, bool infill) {
 
 // --- Everything else
 
-bool orders_establishment(const lang::PacketView& view) {
-  lang::Packet42 p;
-  return lang::decode(view, p) == lang::Fault::none && p.Q_RBC.raw == 1;
+/// 4.8.3 [14]: the RBC of packet 42 is that of an RBC transition order, stored or in this message.
+bool names_rbc_of_transition(const Evaluation& e, const lang::Packet42& p) {
+  const std::optional<track::RbcTransition>& stored = e.r.state.track.rbc_transition;
+  if (stored && stored->NID_C == p.NID_C.raw && stored->NID_RBC == p.NID_RBC.raw) return true;
+  for (const lang::PacketView& view : e.information.packets) {
+    lang::Packet131 order;
+    if (view.NID_PACKET == packet::rbc_transition_order && lang::decode(view, order) == lang::Fault::none &&
+        order.NID_C.raw == p.NID_C.raw && order.NID_RBC.raw == p.NID_RBC.raw)
+      return true;
+  }
+  return false;
+}
+
+/// The facts of the packet itself for the exceptions of the tables.
+void add_facts(Evaluation& e, const lang::PacketView& view) {
+  if (view.NID_PACKET == packet::session_management) {
+    lang::Packet42 p;
+    const bool read = lang::decode(view, p) == lang::Fault::none;
+    e.context.orders_establishment = read && p.Q_RBC.raw == 1;
+    e.context.names_rbc_of_transition = e.context.orders_establishment && names_rbc_of_transition(e, p);
+  } else if (view.NID_PACKET == packet::rbc_transition_order) {
+    lang::Packet131 p;
+    e.context.null_distance = lang::decode(view, p) == lang::Fault::none && p.D_RBCTR.raw == 0;
+  }
 }
 
 /// The max safe front end is in an LS area of the mode profile that comes along (4.8.4 [9]).
@@ -139,7 +163,7 @@ void evaluate_rest(Evaluation& e) {
     const lang::PacketView& view = e.information.packets[i];
     const PacketRoute& route = route_of(view);
     if (route.turn != Turn::rest || !judged(e, i)) continue;
-    if (route.number == packet::session_management) e.context.orders_establishment = orders_establishment(view);
+    add_facts(e, view);
     if (route.number == packet::lssma_display) e.context.front_in_ls_area_of_message = front_in_LS_area(e);
     const Verdict verdict = judge_packet(e, i);
     if (route.take != nullptr && (verdict == Verdict::accepted || verdict == Verdict::only_contact_stored))

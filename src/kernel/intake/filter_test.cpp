@@ -39,7 +39,7 @@ TEST_F(Filter, RefusesTrackDataUntilTheTrainDataAreAcknowledged) {  // 4.8.3 [3]
   add(lang::Packet21{});
   evaluate_now();
   expect(21, What::packet_accepted);
-  state.radio.train_data_stamp = 17;
+  state.radio.supervising.train_data_stamp = 17;
   evaluate_now();
   expect(21, What::packet_refused, "4.8.3 [3]"_srs);
 }
@@ -244,10 +244,10 @@ TEST_F(Filter, StoresNoLinkingThatIsRefused) {  // 4.8.3 [3]
   p.D_LINK.raw = 500;
   p.NID_BG.raw = 101;
   add(p);
-  state.radio.train_data_stamp = 17;
+  state.radio.supervising.train_data_stamp = 17;
   evaluate_now();
   EXPECT_TRUE(state.balise.linking.links.empty());
-  state.radio.train_data_stamp.reset();
+  state.radio.supervising.train_data_stamp.reset();
   evaluate_now();
   ASSERT_EQ(state.balise.linking.links.size(), 1u);
   EXPECT_EQ(state.balise.linking.links[0].place, at(1450.0));
@@ -329,7 +329,7 @@ TEST_F(Filter, TellsOfAMessageWhetherAllOfItWasAccepted) {  // 4.8.3, 4.8.4
   evaluate_now();
   EXPECT_TRUE(happened(What::message_accepted));
   EXPECT_FALSE(happened(What::message_refused));
-  state.radio.train_data_stamp = 17;
+  state.radio.supervising.train_data_stamp = 17;
   evaluate_now();
   EXPECT_TRUE(happened(What::message_refused));
   EXPECT_FALSE(happened(What::message_accepted));

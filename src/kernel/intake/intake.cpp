@@ -1,6 +1,7 @@
 #include "kernel/intake/intake.h"
 
 #include "kernel/here.h"
+#include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
 #include "kernel/intake/groups.h"
 #include "kernel/intake/levels.h"
@@ -52,6 +53,15 @@ void update_position(State& s, const Inputs& in) {
   position::update(s.position, estimated ? position::extrapolated(odometry, age) : odometry, in.now, estimated);
 }
 
+/// 3.15.1.3.5, 3.15.1.3.6: what the accepting RBC sent before it supervised comes into force.
+void change_rbc(Reception& r) {
+  State& s = r.state;
+  if (!s.radio.exchange_due) return;
+  radio::exchange(s.radio, s.now);
+  for (BufferedSet& set : s.buffer) set.accepting = false;
+  release_buffer(r);
+}
+
 /// Timers of the authority, data no longer needed, and data shortened by a reaction when the train is at standstill
 /// (3.8.4, A.3.4, A.3.6).
 void advance_track(Reception& r) {
@@ -88,13 +98,14 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   if (can_go_on) update_position(s, in);
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);
+  change_rbc(r);
   receive_driver(r);
   receive_external_train_data(r);
   if (can_go_on) receive_balises(r);  // their places may be no numbers
   receive_loops(r);
-  const bool session = s.radio.session.ongoing();
+  const Sessions sessions = sessions_of(s);
   receive_radio(r);
-  if (session && !s.radio.session.ongoing()) delete_with_session(s);
+  delete_with_sessions(s, sessions);
   out.here = here(s);
   advance_track(r);
   run_level_transition(r);

@@ -41,7 +41,7 @@ modes::LevelTable table_of(const P& p) {
 void delete_waiting_of_replaced(Reception& r, const modes::OrderDecision& decision) {
   if (!decision.cancels_pending) return;
   const std::optional<modes::OrderedLevel> replaced = ordered_level(r);
-  if (replaced && !replaced->same_level(decision.to)) r.state.buffer.clear();
+  if (replaced && !replaced->same_level(decision.to)) clear_level_buffer(r.state);
 }
 
 /// 4.9; the release of the transition buffer is the caller's next step.
@@ -133,14 +133,16 @@ void run_level_transition(Reception& r) {
     r.out.asked.add(*result.overdue == Level::NTC ? brakes::Cause::level_NTC_unacknowledged
                                                   : brakes::Cause::level_0_unacknowledged);
   // An order of this cycle did this when it was received (give_order).
-  if (result.cancelled && (result.by_driver || !r.order)) s.buffer.clear();
+  if (result.cancelled && (result.by_driver || !r.order)) clear_level_buffer(s);
   if (!result.switch_to) return;
   const Level from = s.level.level;
   enter_level(r, *result.switch_to, result.by_driver);
   r.out.level_switched_to = s.level.level;
   r.out.national_system_only = from == Level::NTC && s.level.level == Level::NTC;
-  if (level_2_or_3(from) && !level_2_or_3(s.level.level))
+  if (level_2_or_3(from) && !level_2_or_3(s.level.level)) {
     s.reports.rear_border = result.by_driver ? std::optional<Place>{} : r.out.here.est_front;
+    r.out.level_2_or_3_left = !result.by_driver;
+  }
   release_buffer(r);
 }
 

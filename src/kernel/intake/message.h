@@ -5,6 +5,7 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "lang/telegram.h"
+#include "modes/acceptance.h"
 #include "terms/medium.h"
 
 // One consistent message, from a balise group or by radio.
@@ -13,9 +14,10 @@ namespace evc::kernel {
 /// A message whose bits are correct, with the reference of its distances.
 struct Information {
   Medium medium = Medium::balise;
-  GroupId group;      // the group passed, or the LRBG of the radio message
-  Place reference{};  // of it, D_REF included
-  Anchor anchor{};    // what it hangs on, and how its places move because of that
+  modes::RbcRole sender = modes::RbcRole::supervising;  // by radio
+  GroupId group;                                        // the group passed, or the LRBG of the radio message
+  Place reference{};                                    // of it, D_REF included
+  Anchor anchor{};                                      // what it hangs on, and how its places move because of that
   Relocation widening;
   bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)

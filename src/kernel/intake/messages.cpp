@@ -85,7 +85,9 @@ Clause take_track_ahead_free(Evaluation& e, const lang::MessageToTrainView& view
 Clause take_train_data_acknowledgement(Evaluation& e, const lang::MessageToTrainView& view) {
   lang::Message8 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
-  radio::receive_train_data_ack(e.r.state.radio, m.T_TRAIN_REF.raw);
+  radio::State& radio = e.r.state.radio;
+  const bool supervising = e.information.sender == modes::RbcRole::supervising;
+  radio::receive_train_data_ack(supervising ? radio.supervising : radio.other, m.T_TRAIN_REF.raw);
   return {};
 }
 

@@ -54,11 +54,26 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict ver
   State& s = e.r.state;
   lang::Packet42 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
-  const radio::SessionOrder order = radio::session_order_of(p);
-  if (radio::order(s.radio, order, s.mode == Mode::SL, verdict == Verdict::only_contact_stored, s.now, e.r.outbox))
+  radio::SessionOrder order = radio::session_order_of(p);
+  const bool supervising = e.information.sender == modes::RbcRole::supervising;
+  // An RBC that ends "the last known" session means its own: in a handover the stored contact may be the other one.
+  if (!supervising && !order.establish && order.rbc.NID_RBC == radio::kLastKnownRbc)
+    order.rbc = s.radio.other.session.rbc;
+  if (radio::order(s.radio, order, s.mode == Mode::SL, verdict == Verdict::only_contact_stored, s.now, e.r.outbox)) {
+    if (order.establish) s.contact_status = DataStatus::valid;
     e.r.log.note(
         {.what = order.establish ? What::session_ordered : What::session_termination_ordered, .clause = "3.5.3.5"_srs});
-  if (!order.establish) e.r.out.termination_ordered = true;
+  }
+  if (!order.establish && supervising) e.r.out.termination_ordered = true;
+}
+
+/// 4.8.4 [8]: in SH and PS only the contact is stored.
+void take_rbc_transition(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
+  if (verdict != Verdict::only_contact_stored) return store_with_track(e, view, verdict);
+  lang::Packet131 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  e.r.state.radio.contact = radio::session_order_of(p).rbc;
+  e.r.state.contact_status = DataStatus::valid;
 }
 
 void take_ma_request_parameters(Evaluation& e, const lang::PacketView& view, Verdict) {
@@ -203,7 +218,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::mode_profile,                            Turn::with_authority, {},                                      nullptr,                nullptr},
     {packet::level_crossing,                          Turn::rest,           {level_crossing},                        always,                 store_with_track},
     {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         always,                 store_with_track},
-    {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  always,                 store_with_track},
+    {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  always,                 take_rbc_transition},
     {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         nullptr,                store_with_track},
     {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     always,                 nullptr},
     {packet::eolm,                                    Turn::rest,           {eolm},                                  always,                 nullptr},

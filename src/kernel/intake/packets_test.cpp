@@ -73,7 +73,7 @@ TEST_F(Taken, OrdersForASession) {  // 3.5.3.5
     received.termination_ordered = false;
     p.Q_SLEEPSESSION.raw = Q_SLEEPSESSION;
     receive(p);
-    EXPECT_EQ(happened(What::session_ordered), state.radio.session.phase == radio::Phase::connecting);
+    EXPECT_EQ(happened(What::session_ordered), state.radio.supervising.session.phase == radio::Phase::connecting);
     return happened(What::session_ordered);
   };
   EXPECT_TRUE(ordered(Mode::FS, 0));
@@ -93,12 +93,12 @@ TEST_F(Taken, InSHOnlyTheContactIsStored) {  // 4.8.4 [3]
   EXPECT_EQ(told(42).what, What::packet_contact_stored);
   ASSERT_TRUE(state.radio.contact.has_value());
   EXPECT_EQ(state.radio.contact->NID_RBC, 77);
-  EXPECT_EQ(state.radio.session.phase, radio::Phase::idle);
+  EXPECT_EQ(state.radio.supervising.session.phase, radio::Phase::idle);
 }
 
 TEST_F(Taken, TheOrderToEndTheSession) {  // 3.5.5.1
-  state.radio.session.phase = radio::Phase::up;
-  state.radio.session.rbc = {1, 77, 0};
+  state.radio.supervising.session.phase = radio::Phase::up;
+  state.radio.supervising.session.rbc = {1, 77, 0};
   lang::Packet42 p;
   p.NID_C.raw = 1;
   p.NID_RBC.raw = 77;
@@ -106,7 +106,7 @@ TEST_F(Taken, TheOrderToEndTheSession) {  // 3.5.5.1
   EXPECT_TRUE(received.termination_ordered);
   EXPECT_TRUE(happened(What::session_termination_ordered));
   EXPECT_FALSE(happened(What::session_ordered));
-  EXPECT_EQ(state.radio.session.phase, radio::Phase::terminating);
+  EXPECT_EQ(state.radio.supervising.session.phase, radio::Phase::terminating);
 }
 
 TEST_F(Taken, ParametersOfTheRequest) {  // 3.8.2.3, 7.4.2.12

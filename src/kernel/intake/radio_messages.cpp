@@ -3,6 +3,7 @@
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/routes.h"
+#include "kernel/radio_address.h"
 #include "lang/decode.h"
 #include "lang/instances.h"
 #include "lang/messages.h"
@@ -36,10 +37,12 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
 }
 
-void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes) {
+void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
+                    modes::RbcRole sender) {
   State& s = r.state;
   Information information;
   information.medium = Medium::rbc;
+  information.sender = sender;
   information.message = &view;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
@@ -69,9 +72,18 @@ void refuse_radio_infill(Reception& r) {
               .clause = a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause});
 }
 
-void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
+modes::RbcRole role_of(const State& s, radio::Peer peer) {
+  if (peer == radio::Peer::supervising) return modes::RbcRole::supervising;
+  return s.radio.other_accepts ? modes::RbcRole::accepting : modes::RbcRole::former;
+}
+
+/// `named`: by the bearer.
+void receive_message(Reception& r, std::span<const std::uint8_t> bytes, const std::optional<radio::Rbc>& named) {
   State& s = r.state;
-  const lang::MessageToTrainView view = lang::scan_message_to_train(bytes, session_version(s.radio.session.M_VERSION));
+  const radio::Peer from = radio::peer_of(s.radio, named).value_or(radio::Peer::supervising);
+  const modes::RbcRole sender = role_of(s, from);
+  const lang::MessageToTrainView view =
+      lang::scan_message_to_train(bytes, session_version(s.radio.partner(from).session.M_VERSION));
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
     r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
     return;
@@ -83,24 +95,26 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes) {
   }
   if (view.NID_MESSAGE == message::infill_movement_authority) return refuse_radio_infill(r);
   const radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1};
-  const radio::Rejected rejected = radio::receive(s.radio, header, s.now, r.outbox);
+  const radio::Rejected rejected = radio::peer_of(s.radio, named)
+                                       ? radio::receive(s.radio, header, s.now, r.outbox, from)
+                                       : radio::Rejected::no_session;
   if (rejected != radio::Rejected::no) {
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
     return;
   }
-  r.out.new_radio_message = true;
+  if (sender == modes::RbcRole::supervising) r.out.new_radio_message = true;
   if (view.NID_MESSAGE == message::trackside_system_version) {
     lang::Message32 m;
     if (lang::decode(view, m) == lang::Fault::none)
-      radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, r.outbox);
+      radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, r.outbox, from);
   }
-  evaluate_radio(r, view, bytes);
+  evaluate_radio(r, view, bytes, sender);
 }
 
 }  // namespace
 
 void receive_radio(Reception& r) {
-  for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m.bytes);
+  for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m.bytes, named_rbc(m.from));
 }
 
 }  // namespace evc::kernel

@@ -26,8 +26,8 @@ class RadioReception : public test::OneMessage {
  protected:
   RadioReception() {
     state.now = {100.0};
-    state.radio.session.phase = radio::Phase::up;
-    state.radio.session.M_VERSION = v2_1;
+    state.radio.supervising.session.phase = radio::Phase::up;
+    state.radio.supervising.session.M_VERSION = v2_1;
     state.data.train_data_status = DataStatus::valid;
     remember(Direction::nominal);
   }
@@ -59,7 +59,7 @@ class RadioReception : public test::OneMessage {
     out = {};
     const RadioMessage messages[]{{bytes}};
     in.radio_messages = messages;
-    state.radio.session.last_T_TRAIN.reset();
+    state.radio.supervising.session.last_T_TRAIN.reset();
     receive_radio(reception);
     in.radio_messages = {};
   }
@@ -118,7 +118,7 @@ TEST_F(RadioReception, TimersCountFromTheTimeStamp) {  // 3.8.4.2.1; it is buffe
 }
 
 TEST_F(RadioReception, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13]
-  state.radio.session.M_VERSION = v1_1;
+  state.radio.supervising.session.M_VERSION = v1_1;
   const lang::Packet39_v1_0 older{{1}, {1}, {100}, {1}};
   lang::Packet239 newer;
   newer.Q_DIR.raw = 1;
@@ -139,7 +139,7 @@ TEST_F(RadioReception, AnUnknownMessageIsSkippedOnlyInALaterVersion) {  // 3.17.
   ASSERT_EQ(state.radio.errors.size(), 1u);
   EXPECT_EQ(state.radio.errors[0], 3);  // M_ERROR
   state.radio.errors.clear();
-  state.radio.session.M_VERSION = v2_2;
+  state.radio.supervising.session.M_VERSION = v2_2;
   receive(unknown);
   expect_event(What::message_unknown, 99, "3.17.3.11"_srs);
   EXPECT_TRUE(state.radio.errors.empty());
@@ -156,7 +156,7 @@ TEST_F(RadioReception, AMessageThatIsNotConsistentIsRejected) {  // 3.16.3.1.1
 }
 
 TEST_F(RadioReception, AMessageOutsideASessionIsRejected) {  // 3.5.2.1
-  state.radio.session.phase = radio::Phase::idle;
+  state.radio.supervising.session.phase = radio::Phase::idle;
   receive(bits(from(lang::Message24{})));
   expect_event(What::message_rejected, 24, "3.5.2.1"_srs);
   EXPECT_FALSE(received.new_radio_message);

@@ -51,6 +51,7 @@ struct Received {
   procedures::Effects level;               ///< its requests to the driver
   std::optional<Level> level_switched_to;  ///< executed in this cycle
   bool level_changed_by_driver = false;
+  bool level_2_or_3_left = false;     ///< over a border
   bool national_system_only = false;  ///< from one national system to another
 };
 

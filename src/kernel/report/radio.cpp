@@ -1,6 +1,9 @@
 #include "kernel/report/radio.h"
 
 #include "kernel/here.h"
+#include "kernel/radio_address.h"
+#include "kernel/report/handover.h"
+#include "kernel/report/sessions.h"
 #include "kernel/stored.h"
 #include "kernel/train_category.h"
 #include "modes/active_functions.h"
@@ -57,20 +60,18 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
 void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   using procedures::Send;
   for (const track::TextReport& text : decided.texts_to_report)
-    if (s.radio.session.rbc.same_id({text.NID_C, text.NID_RBC}))  // 3.12.3.5.2
+    if (s.radio.supervising.session.rbc.same_id({text.NID_C, text.NID_RBC}))  // 3.12.3.5.2
       radio::report_text_acknowledged(text.NID_TEXTMESSAGE, outbox);
   const auto& wishes = decided.effects.send;
-  if (wishes.has(Send::open_session) && s.radio.contact) {
-    radio::SessionOrder order;
-    order.establish = true;
-    order.rbc = *s.radio.contact;
-    order.cause = radio::Cause::start_of_mission;
-    (void)radio::order(s.radio, order, false, false, s.now, outbox);
-  }
-  if (wishes.has(Send::terminate_session)) radio::terminate(s.radio.session, s.now, outbox);
   if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
   if (wishes.has(Send::shunting_request)) outbox.send(message::request_for_shunting);
-  if (wishes.has(Send::end_of_mission)) outbox.send(message::end_of_mission);
+  if (wishes.has(Send::end_of_mission)) {  // 3.15.1.3.4.1: to both RBCs
+    outbox.send(message::end_of_mission);
+    if (s.radio.other.session.established()) {
+      const radio::Addressed to(outbox, radio::Peer::other);
+      outbox.send(message::end_of_mission);
+    }
+  }
   if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
 }
 
@@ -79,8 +80,8 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
   facts.device = received.integrity;
   facts.driver_confirms = received.selected.has(Select::integrity_confirmed);
   facts.train_data_valid = valid(s.data.train_data_status);
-  facts.length_acknowledged = s.radio.train_data_acknowledged && !s.train_data_change.pending;
-  facts.session_established = s.radio.established_now;
+  facts.length_acknowledged = s.radio.supervising.train_data_acknowledged && !s.train_data_change.pending;
+  facts.session_established = s.radio.supervising.established_now;
   facts.L_TRAIN = s.train.L_TRAIN;
   return position::supervise(s.integrity, s.position, facts);
 }
@@ -90,14 +91,15 @@ position::ReportEvents events_to_report(const State& s, const Received& received
                                         const position::IntegrityEvents& integrity) {
   position::ReportEvents e;
   const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
-  e.mode_change = decided.mode_changed && level_2_or_3(s.level.level) && in_mode(Function::report_mode_change);
+  e.mode_change = reports_mode(s, decided);
   e.integrity_confirmed = integrity.confirmed_by_driver && in_mode(Function::report_integrity_confirmed);
   e.integrity_lost = integrity.lost && in_mode(Function::report_integrity_lost);
   e.new_lrbg = received.new_lrbg;
   e.level_change =
       received.level_switched_to && in_mode(received.level_changed_by_driver ? Function::report_level_change_driver
                                                                              : Function::report_level_change_trackside);
-  e.session_established = s.radio.established_now && in_mode(Function::report_session_established);
+  e.session_established = (s.radio.supervising.established_now || s.radio.other.established_now) &&
+                          in_mode(Function::report_session_established);
   e.error_to_report = !s.radio.errors.empty() && in_mode(Function::report_data_consistency_error);
   e.parameters_active = in_mode(Function::report_rbc_requested) || in_mode(Function::report_every_bg);
   e.standstill_active = in_mode(Function::report_standstill);
@@ -112,11 +114,11 @@ void leave_rbc(State& s, bool exit_reported, bool termination_ordered, procedure
   in.now = s.now;
   in.exit_reported = exit_reported;
   in.level_2_or_3 = level_2_or_3(s.level.level);
-  in.session_open = s.radio.session.established();
+  in.session_open = s.radio.supervising.session.established();
   in.termination_ordered = termination_ordered;
   const procedures::Effects own = procedures::leaving_rbc::step(s.leaving_rbc, in);
   effects |= own;
-  if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.session, s.now, outbox);
+  if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.supervising.session, s.now, outbox);
 }
 
 std::uint8_t request_reasons(const State& s, const Received& received, const Decided& decided,
@@ -138,16 +140,25 @@ std::uint8_t request_reasons(const State& s, const Received& received, const Dec
 
 }  // namespace
 
-RadioResult run_radio(State& s, RadioLink link, const Received& received, const Decided& decided,
+RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, const Decided& decided,
                       bool request_before_perturbation, radio::Outbox& outbox, Log log) {
   RadioResult out;
-  const bool session = s.radio.session.ongoing();
+  const Sessions sessions = sessions_of(s);
   out.effects = decided.effects;
   const track::Here& here = decided.here;
+  if (s.mode == Mode::NP) {
+    end_without_power(s, outbox);
+    s.contact_trip = false;
+    return out;
+  }
+  order_sessions(s, received, decided, out.effects, outbox);
   send_wishes(s, decided, outbox);
   radio::Inputs in;
   in.now = s.now;
-  in.link = link;
+  if (const auto peer = radio::peer_of(s.radio, named_rbc(inputs.radio_link_with))) {
+    in.link = inputs.radio_link;
+    in.link_of = *peer;
+  }
   in.in_radio_hole = track::in_radio_hole(s.track);
   in.level_2_or_3 = level_2_or_3(s.level.level);
   in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
@@ -158,16 +169,21 @@ RadioResult run_radio(State& s, RadioLink link, const Received& received, const 
   const position::IntegrityEvents integrity = supervise_integrity(s, received);
   const std::uint16_t due =
       position::due(s.reports, s.position, events_to_report(s, received, decided, integrity), length_of(s));
-  leave_rbc(s, (due & static_cast<std::uint16_t>(position::Due::border)) != 0, received.termination_ordered,
-            out.effects, outbox);
-  in.report_due = due != 0 || out.effects.send.has(procedures::Send::position_report);
+  const bool rear_left = (due & static_cast<std::uint16_t>(position::Due::border)) != 0;
+  leave_rbc(s, rear_left, received.termination_ordered, out.effects, outbox);
+  if (rear_left && s.srs == SrsVersion::v4_0_0 && !in.level_2_or_3)  // 3.5.3.8 d
+    radio::abort_set_ups(s.radio, s.now, outbox);
+  const bool border = run_handover(s, here, outbox, log);
+  in.report_due = due != 0 || border || out.effects.send.has(procedures::Send::position_report);
+  in.errors_reported = modes::active(Function::report_data_consistency_error, s.mode);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
   in.Q_STATUS = Q_STATUS(s.position.status);
   in.reasons = request_reasons(s, received, decided, request_before_perturbation);
   in.NID_LTRBG = received.NID_LTRBG;
   const radio::Result r = radio::supervise(s.radio, in, outbox);
   s.contact_trip = r.trip;
-  if (session && !s.radio.session.ongoing()) delete_with_session(s);
+  complete_handover(s, r, log);
+  delete_with_sessions(s, sessions);
   if (r.session_established) log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
   if (r.session_lost) log.note({.what = What::session_lost, .clause = "3.5.4"_srs});
   out.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
@@ -189,8 +205,10 @@ void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& o
   bool position_sent = false;
   for (const radio::Intent& intent : outbox.messages) {
     std::array<std::uint8_t, 192> bytes{};
-    const std::size_t n = radio::compose(intent, p, t, unit, s.radio.session.M_VERSION, bytes);
+    const radio::Session& session = s.radio.partner(intent.to).session;
+    const std::size_t n = radio::compose(intent, p, t, unit, session.M_VERSION, bytes);
     OutgoingMessage message;
+    if (intent.to == radio::Peer::other) message.to = RbcIdentity{session.rbc.NID_C, session.rbc.NID_RBC};
     for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
     if (n == 0) continue;
     (void)out.radio_out.push_back(message);  // as many as fit in the outbox

@@ -13,9 +13,10 @@ struct RadioResult {
   brakes::CauseSet asked;
 };
 
-/// Session, MA requests and position reports (3.5, 3.6.5, 3.8.2, 3.16.3.4). `request_before_perturbation`: the
+/// Sessions, handover, MA requests and position reports (3.5, 3.15.1, 3.6.5, 3.8.2, 3.16.3.4). Of the inputs only the
+/// report of the bearer is used. `request_before_perturbation`: the
 /// perturbation location minus T_MAR is passed (3.13.11.8).
-RadioResult run_radio(State& state, RadioLink link, const Received& received, const Decided& decided,
+RadioResult run_radio(State& state, const Inputs& inputs, const Received& received, const Decided& decided,
                       bool request_before_perturbation, radio::Outbox& outbox, Log log);
 
 /// The messages of the outbox as bits.

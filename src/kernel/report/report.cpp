@@ -2,6 +2,8 @@
 
 #include "driver/driver.h"
 #include "kernel/here.h"
+#include "kernel/radio_address.h"
+#include "kernel/report/handover.h"
 #include "kernel/report/radio.h"
 #include "kernel/report/texts.h"
 #include "kernel/report/track_conditions.h"
@@ -9,8 +11,6 @@
 
 namespace evc::kernel {
 namespace {
-
-RbcAddress address(const radio::Rbc& rbc) { return {rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO}; }
 
 /// Brakes ordered by the national system (3.14.1.7.7), in the modes in which the unit handles brake commands of others
 /// than the train's power and failure (4.12).
@@ -88,9 +88,10 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   c.requests = requests;
   c.override_active = s.override_.active;
   c.brake_commanded = brake_commanded;
-  c.radio = s.radio.session.indication == radio::Indication::up       ? driver::RadioStatus::up
-            : s.radio.session.indication == radio::Indication::failed ? driver::RadioStatus::lost
-                                                                      : driver::RadioStatus::none;
+  const radio::Indication indication = indicated_session(s).indication;
+  c.radio = indication == radio::Indication::up       ? driver::RadioStatus::up
+            : indication == radio::Indication::failed ? driver::RadioStatus::lost
+                                                      : driver::RadioStatus::none;
   c.lssma = LSSMA;
   c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
   c.reversing_possible = decided.reversing_possible;
@@ -168,10 +169,10 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
             radio::Outbox& outbox, Log log, Outputs& out) {
   if (supervised.limits) show_limits(s, supervised, out);
   const bool before_perturbation = supervised.limits && supervised.limits->MA_request;
-  RadioResult radio = run_radio(s, in.radio_link, received, decided, before_perturbation, outbox, log);
+  RadioResult radio = run_radio(s, in, received, decided, before_perturbation, outbox, log);
   compose_messages(s, outbox, log, out);
-  if (outbox.connect) out.radio_connect = address(*outbox.connect);
-  if (outbox.disconnect) out.radio_disconnect = address(*outbox.disconnect);
+  if (outbox.connect) out.radio_connect = address_of(*outbox.connect);
+  if (outbox.disconnect) out.radio_disconnect = address_of(*outbox.disconnect);
   brakes::CauseSet asked = received.asked;
   asked |= decided.asked;
   asked |= supervised.asked;

@@ -86,9 +86,14 @@ void show_enabled(const State& s, const Inputs& in, const track::Here& here, Out
     if (const auto geo = track::geographical_position(s.track, here)) out.geo = Distance{static_cast<double>(*geo)};
   if (s.mode == Mode::RV) out.rv_left = track::reversing_left(s.track, here);
   out.enabled = driver::enabled(action_context(s, in.train, here));
-  const radio::Session& session = s.radio.session;
-  if (session.phase != SessionPhase::idle)
-    (void)out.sessions.push_back({session.rbc.NID_C, session.rbc.NID_RBC, session.phase});
+  for (const radio::Peer peer : {radio::Peer::supervising, radio::Peer::other}) {
+    const radio::Session& session = s.radio.partner(peer).session;
+    const SessionRole role = peer == radio::Peer::supervising ? SessionRole::supervising
+                             : s.radio.other_accepts          ? SessionRole::accepting
+                                                              : SessionRole::handing_over;
+    if (session.phase != SessionPhase::idle)
+      (void)out.sessions.push_back({session.rbc.NID_C, session.rbc.NID_RBC, session.phase, role});
+  }
 }
 
 }  // namespace evc::kernel

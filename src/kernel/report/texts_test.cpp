@@ -245,8 +245,8 @@ TEST_F(Shown, TheSelectionsThatArePossible) {  // 4.7.2
 TEST_F(Shown, TheSessions) {  // 3.5.3
   enabled_now();
   EXPECT_TRUE(out.sessions.empty());
-  state.radio.session.phase = radio::Phase::up;
-  state.radio.session.rbc = {3, 77, 0};
+  state.radio.supervising.session.phase = radio::Phase::up;
+  state.radio.supervising.session.rbc = {3, 77, 0};
   enabled_now();
   ASSERT_EQ(out.sessions.size(), 1u);
   EXPECT_EQ(out.sessions[0].NID_C, 3);
@@ -281,9 +281,9 @@ TEST_F(Shown, WhatActionsDependOn) {  // 4.7.2, 5.8.2, 5.4
   EXPECT_FALSE(context().train_running_number_valid);
   state.data.train_running_number_status = DataStatus::valid;
   EXPECT_TRUE(context().train_running_number_valid);
-  state.radio.session.phase = radio::Phase::up;
+  state.radio.supervising.session.phase = radio::Phase::up;
   EXPECT_TRUE(context().session_open);
-  state.radio.train_data_acknowledged = true;
+  state.radio.supervising.train_data_acknowledged = true;
   EXPECT_TRUE(context().train_data_acknowledged);
   in.train.non_leading = true;
   EXPECT_TRUE(context().non_leading_signal);

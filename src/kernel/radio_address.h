@@ -1,0 +1,18 @@
+#pragma once
+#include <optional>
+
+#include "kernel/port.h"
+#include "radio/messages.h"
+
+// The RBC of an input or output of the bearer.
+namespace evc::kernel {
+
+inline RbcAddress address_of(const radio::Rbc& rbc) { return {rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO}; }
+
+/// Without a name it is the RBC called last (radio::peer_of).
+inline std::optional<radio::Rbc> named_rbc(const std::optional<RbcIdentity>& identity) {
+  if (!identity) return std::nullopt;
+  return radio::Rbc{identity->NID_C, identity->NID_RBC, 0};
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,95 @@
+#include "kernel/report/sessions.h"
+
+#include "kernel/here.h"
+#include "kernel/stored.h"
+#include "modes/active_functions.h"
+
+namespace evc::kernel {
+namespace {
+
+void establish(State& s, radio::Cause cause, radio::Outbox& outbox) {
+  if (!s.radio.contact) return;
+  radio::SessionOrder order;
+  order.rbc = *s.radio.contact;
+  order.cause = cause;
+  (void)radio::order(s.radio, order, false, false, s.now, outbox);
+}
+
+void follow_procedures(State& s, const procedures::Effects& effects, radio::Outbox& outbox) {
+  using procedures::Send;
+  if (effects.send.has(Send::open_session)) establish(s, radio::Cause::start_of_mission, outbox);
+  if (!effects.send.has(Send::terminate_session)) return;
+  if (s.end_of_mission.mission)
+    radio::terminate(s.radio.supervising.session, s.now, outbox);
+  else  // 3.15.1.3.4.1, 5.4.1.4
+    radio::terminate_all(s.radio, s.now, outbox);
+}
+
+/// 3.5.3.8 b, d. Up to 3.6.0 the front end passes the border, in 4.0.0 the rear end (run_radio).
+void stop_set_up(State& s, const Received& received, const Decided& decided, radio::Outbox& outbox) {
+  const bool left_level = s.srs != SrsVersion::v4_0_0 && received.level_2_or_3_left;
+  if (decided.mission_ended || left_level) radio::abort_set_ups(s.radio, s.now, outbox);
+}
+
+/// 3.5.3.4 c, g: a mode that has to be reported; the end of a start of mission in which there was no session.
+void open_for_mode(State& s, const Decided& decided, radio::Outbox& outbox) {
+  if (!reports_mode(s, decided) || decided.mission_ended || !valid(s.contact_status)) return;
+  const bool started = s.previous_mode == Mode::SB && procedures::end_of_mission::is_mission(s.mode) &&
+                       procedures::start_of_mission::without_session(s.start_of_mission);
+  establish(s, started ? radio::Cause::start_without_session : radio::Cause::mode_report, outbox);
+}
+
+/// 3.5.3.4 d, h, 5.10.3.15.2: outside start of mission, with a valid contact at once, else when the driver has entered
+/// one. A driver whose change of level led to TR is asked in PT.
+void open_for_driver(State& s, const Received& received, procedures::Effects& effects, radio::Outbox& outbox) {
+  if (s.mode == Mode::SB || !level_2_or_3(s.level.level)) {
+    s.asks_for_contact = false;
+    return;
+  }
+  const bool changed_level = received.level_switched_to && received.level_changed_by_driver;
+  if (changed_level) s.asks_for_contact = !s.radio.supervising.session.established();
+  const bool entered = received.entered.has(Entered::rbc_contact);
+  if (entered || (s.asks_for_contact && valid(s.contact_status))) {
+    s.asks_for_contact = false;
+    establish(s, radio::Cause::driver_level, outbox);
+  }
+  effects.entries.add(Entry::rbc_contact, s.asks_for_contact && s.mode != Mode::TR);
+}
+
+}  // namespace
+
+bool reports_mode(const State& s, const Decided& decided) {
+  const bool shunting_goes_on = s.previous_mode == Mode::PS && s.mode == Mode::SH;
+  return decided.mode_changed && !shunting_goes_on && level_2_or_3(s.level.level) &&
+         modes::active(modes::Function::report_mode_change, s.mode);
+}
+
+void order_sessions(State& s, const Received& received, const Decided& decided, procedures::Effects& effects,
+                    radio::Outbox& outbox) {
+  follow_procedures(s, effects, outbox);
+  stop_set_up(s, received, decided, outbox);
+  open_for_mode(s, decided, outbox);
+  open_for_driver(s, received, effects, outbox);
+}
+
+void end_without_power(State& s, radio::Outbox& outbox) {
+  outbox.messages.clear();
+  outbox.connect.reset();
+  const Sessions before = sessions_of(s);
+  for (const radio::Partner* partner : {&s.radio.supervising, &s.radio.other})
+    if (partner->session.phase != radio::Phase::idle) outbox.release(partner->session.rbc);
+  const std::optional<radio::Rbc> contact = s.radio.contact;
+  InplaceVector<radio::Rbc, 4> later = s.radio.disconnect_later;
+  for (const radio::Rbc& rbc : outbox.also_disconnect) (void)later.push_back(rbc);
+  if (!outbox.disconnect && !later.empty()) {
+    outbox.disconnect = later.front();
+    later.erase(0);
+  }
+  s.radio = {};
+  s.radio.contact = contact;
+  s.radio.disconnect_later = later;
+  s.handover = {};
+  delete_with_sessions(s, before);
+}
+
+}  // namespace evc::kernel

@@ -1,0 +1,75 @@
+#include <utility>
+
+#include "radio/radio.h"
+
+// The sessions with the two RBCs of a handover: which of them an order or an input concerns (3.5.3.5, 3.15.1).
+namespace evc::radio {
+
+std::optional<Peer> peer_of(const State& s, const std::optional<Rbc>& named) {
+  if (!named) return s.other_called_last && s.other.session.active() ? Peer::other : Peer::supervising;
+  if (s.supervising.session.rbc.same_id(*named)) return Peer::supervising;
+  if (s.other.session.rbc.same_id(*named)) return Peer::other;
+  return std::nullopt;
+}
+
+bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Duration now, Outbox& out) {
+  if (sleeping && !o.sleeping_too) return false;
+  Rbc rbc = o.rbc;
+  if (rbc.NID_RBC == kLastKnownRbc) {
+    if (!s.contact) return false;
+    rbc = *s.contact;
+  }
+  const bool with_other = s.other.session.active() && s.other.session.rbc.same_id(rbc);
+  const Peer peer = with_other ? Peer::other : Peer::supervising;
+  Session& session = s.partner(peer).session;
+  const Addressed to(out, peer);
+  if (!o.establish) {
+    if (!session.active() || !session.rbc.same_id(rbc)) return false;
+    terminate(session, now, out);
+    return true;
+  }
+  if (with_other) {  // 3.5.3.5.2.1
+    if (!store_only) establish(session, rbc, o.cause, now, out);
+    return true;
+  }
+  s.contact = rbc;
+  if (store_only) return true;
+  const bool new_rbc = !session.active() || !session.rbc.same_id(rbc);
+  establish(session, rbc, o.cause, now, out);
+  if (!new_rbc) return true;
+  const Addressed to_other(out, Peer::other);
+  terminate(s.other.session, now, out);
+  return true;
+}
+
+void call_accepting(State& s, const Rbc& accepting, Duration now, Outbox& out) {
+  const Addressed to(out, Peer::other);
+  s.other_accepts = true;
+  establish(s.other.session, accepting, Cause::trackside_order, now, out);
+}
+
+void exchange(State& s, Duration now) {
+  std::swap(s.supervising, s.other);
+  s.exchange_due = false;
+  s.other_accepts = false;
+  s.other_called_last = !s.other_called_last;
+  const std::optional<std::uint32_t> last = s.supervising.session.last_T_TRAIN;
+  s.contact_reference = last ? time_of(*last, now) : now;
+  s.contact_lost = s.contact_brake_released = s.reconnected = false;
+  s.shunting_request_stamp.reset();
+  s.reasons = 0;
+}
+
+void terminate_all(State& s, Duration now, Outbox& out) {
+  for (const Peer peer : {Peer::supervising, Peer::other}) {
+    const Addressed to(out, peer);
+    terminate(s.partner(peer).session, now, out);
+  }
+}
+
+void abort_set_ups(State& s, Duration now, Outbox& out) {
+  abort_set_up(s.supervising.session, now, out);
+  abort_set_up(s.other.session, now, out);
+}
+
+}  // namespace evc::radio

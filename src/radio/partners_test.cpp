@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include "radio/radio.h"
+#include "radio/testing.h"
+
+namespace evc::radio {
+namespace {
+
+using namespace testing;
+
+constexpr Rbc kThird{426, 3, 0x0031840880152FFF};
+
+/// A unit in session with kRbc and, as the accepting RBC, with kOther.
+struct Both : Unit {
+  Both() {
+    up();
+    call_accepting(s, kOther, Duration{now}, out);
+    cycle();
+    link(RadioLink::connected);
+    fresh();
+    EXPECT_EQ(from_other(32), Rejected::no);
+    receive_version(s, 0x21, Duration{now}, out, Peer::other);
+    cycle();
+    fresh();
+  }
+  Result link(RadioLink report, Peer peer = Peer::other) {
+    in.link_of = peer;
+    const Result r = cycle(report);
+    in.link_of = Peer::supervising;
+    return r;
+  }
+  Rejected from_other(std::uint8_t NID_MESSAGE) {
+    return receive(s, {NID_MESSAGE, T_TRAIN_of(Duration{now}), false}, Duration{now}, out, Peer::other);
+  }
+  Ids to(Peer peer) const {
+    Ids ids;
+    for (const Intent& i : out.messages)
+      if (i.to == peer) ids.push_back(i.NID_MESSAGE);
+    return ids;
+  }
+};
+
+TEST(Partners, TheAcceptingRbcHasASessionOfItsOwn) {  // 3.15.1.3.1 a, 3.15.1.3.3
+  Unit u;
+  u.up();
+  call_accepting(u.s, kOther, Duration{u.now}, u.out);
+  EXPECT_EQ(u.out.connect, kOther);
+  EXPECT_FALSE(u.out.disconnect);
+  EXPECT_TRUE(u.s.other_accepts);
+  Both both;
+  EXPECT_TRUE(both.s.supervising.session.established() && both.s.other.session.established());
+  EXPECT_EQ(both.s.contact, kRbc) << "up to the border";
+  EXPECT_TRUE(both.s.other.train_data_stamp) << "129 was sent to it";
+  EXPECT_FALSE(both.s.supervising.train_data_stamp);
+}
+
+TEST(Partners, ReportsGoToBoth) {  // 3.15.1.3.4
+  Both u;
+  u.in.report_due = true;
+  EXPECT_TRUE(u.cycle().reported_to_other);
+  EXPECT_EQ(u.to(Peer::supervising), Ids{136});
+  EXPECT_EQ(u.to(Peer::other), Ids{136});
+  EXPECT_NE(u.out.messages[0].T_TRAIN, u.out.messages[1].T_TRAIN);
+}
+
+TEST(Partners, OneThatIsLostGetsNothing) {  // 3.5.4.5
+  Both u;
+  u.link(RadioLink::lost);
+  u.fresh();
+  u.in.report_due = true;
+  EXPECT_FALSE(u.cycle().reported_to_other);
+  EXPECT_EQ(u.to(Peer::supervising), Ids{136});
+  EXPECT_TRUE(u.to(Peer::other).empty());
+}
+
+TEST(Partners, EachHasItsOwnOrderOfMessages) {  // 3.16.3.3.3
+  Both u;
+  EXPECT_EQ(receive(u.s, {24, T_TRAIN_of(Duration{u.now + 5}), false}, Duration{u.now}, u.out), Rejected::no);
+  EXPECT_EQ(u.from_other(24), Rejected::no);
+  EXPECT_EQ(u.message(24), Rejected::time_stamp);
+}
+
+TEST(Partners, OnlyTheSupervisingOneCountsForTheContact) {  // 3.16.3.4.1.2
+  Both u;
+  const std::optional<Duration> before = u.s.contact_reference;
+  u.now += 10;
+  EXPECT_EQ(u.from_other(24), Rejected::no);
+  EXPECT_EQ(u.s.contact_reference, before);
+  u.now += 10;
+  exchange(u.s, Duration{u.now});
+  EXPECT_NEAR(u.s.contact_reference->si, u.now - 10, 0.02);
+  EXPECT_EQ(u.s.supervising.session.rbc, kOther);
+  EXPECT_EQ(u.s.other.session.rbc, kRbc);
+  EXPECT_FALSE(u.s.other_accepts);
+}
+
+TEST(Partners, AnInputWithoutANameIsOfTheOneCalledLast) {
+  Both u;
+  EXPECT_EQ(peer_of(u.s, std::nullopt), Peer::other);
+  EXPECT_EQ(peer_of(u.s, kRbc), Peer::supervising);
+  EXPECT_EQ(peer_of(u.s, kOther), Peer::other);
+  EXPECT_EQ(peer_of(u.s, kThird), std::nullopt);
+  exchange(u.s, Duration{u.now});
+  EXPECT_EQ(peer_of(u.s, std::nullopt), Peer::supervising) << "the same RBC";
+  terminate_all(u.s, Duration{u.now}, u.out);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating);
+  EXPECT_EQ(u.s.other.session.phase, Phase::terminating);
+}
+
+TEST(Partners, AnOrderConcernsTheOneThatItNames) {  // 3.5.3.5.2.1, 3.5.5.1 a
+  Both u;
+  u.order_session(kOther);
+  EXPECT_TRUE(u.out.messages.empty()) << "a session with it is up";
+  u.order_session(kOther, false);
+  EXPECT_EQ(u.to(Peer::other), Ids{156});
+  EXPECT_TRUE(u.to(Peer::supervising).empty());
+}
+
+TEST(Partners, AThirdRbcEndsBothSessions) {  // 3.5.3.5.2
+  Both u;
+  u.order_session(kThird);
+  EXPECT_EQ(u.to(Peer::supervising), Ids{156});
+  EXPECT_EQ(u.to(Peer::other), Ids{156});
+  u.cycle();
+  u.fresh();
+  EXPECT_EQ(u.from_other(39), Rejected::no);
+  EXPECT_EQ(u.message(39), Rejected::no);
+  u.cycle();
+  EXPECT_EQ(u.out.disconnect, kOther);
+  EXPECT_EQ(u.out.connect, kThird);
+  u.fresh();
+  u.cycle();
+  EXPECT_EQ(u.out.disconnect, kRbc) << "one order to the bearer in a cycle";
+}
+
+TEST(Partners, OneRequestInACycle) {
+  Both u;
+  u.link(RadioLink::lost, Peer::supervising);
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.fresh();
+  u.link(RadioLink::lost);
+  EXPECT_EQ(u.out.connect, kOther);
+  u.fresh();
+  u.in.in_radio_hole = true;
+  u.link(RadioLink::refused, Peer::supervising);
+  u.link(RadioLink::refused);
+  u.in.in_radio_hole = false;
+  u.fresh();
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kRbc);
+  u.fresh();
+  u.cycle();
+  EXPECT_EQ(u.out.connect, kOther);
+}
+
+TEST(Partners, ASetUpThatIsAbortedIsNotBegunAgain) {  // 3.5.3.8
+  Unit u;
+  u.order_session();
+  abort_set_ups(u.s, Duration{u.now}, u.out);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
+  Both both;
+  abort_set_ups(both.s, Duration{both.now}, both.out);
+  EXPECT_TRUE(both.s.supervising.session.established()) << "sessions stay";
+}
+
+}  // namespace
+}  // namespace evc::radio
