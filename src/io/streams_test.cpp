@@ -400,7 +400,11 @@ TEST(OutputLines, Json) {
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
       "[4.8.3]\"],\"V_I\":null,\"tti_s\":null,\"lssma_kmh\":null,\"mrdt_changed\":false,\"d_indication_m\":null,"
       "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,"
-      "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[]}\n");
+      "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[],\"track_conditions\":[],"
+      "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
+      "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
+      "\"eddy_current_emergency_brake_inhibited\":[],\"traction_system\":null,\"allowed_current_a\":null,"
+      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false}}\n");
   EXPECT_TRUE(Json::accept(line));
 }
 
@@ -429,6 +433,17 @@ kernel::Outputs second_edition() {
   (void)o.texts.push_back(text);
   (void)o.status_texts.push_back({StatusText::balise_read_error, Duration{2.0}});
   (void)o.sessions.push_back({426, 1, SessionPhase::waiting_version});
+  (void)o.track_conditions.push_back({.symbol = Symbol::TC01,
+                                      .kind = TrackConditionKind::powerless_lower_pantograph,
+                                      .from = {1200_m},
+                                      .to = {1500.5_m},
+                                      .phase = ConditionPhase::announced});
+  (void)o.ordered_areas.push_back({TrackConditionKind::powerless_lower_pantograph, 200_m, 500.5_m});
+  (void)o.ordered_areas.push_back({TrackConditionKind::powerless_main_switch_off, std::nullopt, 80_m});
+  o.ordered_traction = {.to_start = 40_m, .M_VOLTAGE = 4, .NID_CTRACTION = 7};
+  o.ordered_current = {.to_start = Distance{-3.0}, .amperes = 600};
+  (void)o.ordered_platforms.push_back({10_m, 310_m, 5, 2});
+  o.remote_shunting = o.sound_horn = true;
   return o;
 }
 
@@ -444,7 +459,17 @@ TEST(OutputLines, SecondEdition) {
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
       "\"since_ms\":2000}],\"sessions\":[{\"NID_C\":426,\"NID_RBC\":1,\"state\":\"version "
-      "check\",\"role\":\"supervising\"}]}\n";
+      "check\",\"role\":\"supervising\"}],"
+      "\"track_conditions\":[{\"symbol\":\"TC01\",\"kind\":\"powerless section, lower pantograph\",\"from_m\":1200,"
+      "\"to_m\":1500.5,\"phase\":\"announced\"}],"
+      "\"train_orders\":{\"pantograph\":[{\"to_start_m\":200,\"to_end_m\":500.5}],\"air_tightness\":[],"
+      "\"regenerative_brake_inhibited\":[],\"eddy_current_service_brake_inhibited\":[],"
+      "\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[{\"to_start_m\":null,\"to_end_m\":80}],"
+      "\"eddy_current_emergency_brake_inhibited\":[],"
+      "\"traction_system\":{\"to_start_m\":40,\"M_VOLTAGE\":4,\"NID_CTRACTION\":7},"
+      "\"allowed_current_a\":{\"to_start_m\":-3,\"current_a\":600},"
+      "\"station_platform\":[{\"to_start_m\":10,\"to_end_m\":310,\"M_PLATFORM\":5,\"Q_PLATFORM\":2}],"
+      "\"remote_shunting\":true,\"sound_horn\":true}}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
@@ -502,6 +527,19 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_TRUE(changed([](Out& o) { o.enabled.add(DriverInput::start); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.status_texts.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.sessions.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.track_conditions.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.ordered_areas.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.ordered_platforms.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { o.ordered_traction.emplace(); }));
+  EXPECT_TRUE(changed([](Out& o) { o.ordered_current.emplace(); }));
+  EXPECT_TRUE(changed([](Out& o) { o.sound_horn = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.remote_shunting = true; }));
+  const auto moved = [](double to_start) {
+    Out o;
+    (void)o.ordered_areas.push_back({TrackConditionKind::powerless_lower_pantograph, Distance{to_start}, 500_m});
+    return o;
+  };
+  EXPECT_FALSE(differ_beyond_motion(moved(200.0), moved(190.0)));
 }
 
 TEST(WholeFile, AppearsOnlyWhenWhole) {

@@ -195,7 +195,7 @@ TEST_F(Buffer, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13]
   lang::encode_message(writer, m, older, newer);
   information.medium = Medium::rbc;
   state.level.level = Level::L2;
-  state.radio.session.M_VERSION = 17;
+  state.radio.supervising.session.M_VERSION = 17;
   add_bits(keep_packets(1), {bytes.data(), writer.position() / 8});
   release();
   EXPECT_EQ(taken(), 7);
