@@ -50,13 +50,14 @@ def target_of(relocation):
 
 
 def read(archive):
-    """The objects of an archive."""
+    """The objects of an archive. Two members may have one name: only their order distinguishes them."""
     listing = subprocess.run(["objdump", "-drw", "--no-show-raw-insn", str(archive)], check=True, capture_output=True,
                              text=True).stdout
-    objects, current, section, previous = {}, None, "", None
+    objects, current, section, previous = [], None, "", None
     for line in listing.splitlines():
         if m := re.match(r"(\S+):\s+file format", line):
-            current = objects[m[1]] = Object(f"{archive.name}({m[1]})")
+            current = Object(f"{archive.name}({m[1]})")
+            objects.append(current)
         elif m := re.match(r"Disassembly of section (.+):$", line):
             section, previous = m[1], None
         elif m := re.match(r"([0-9a-f]+) <(.+)>:$", line):
@@ -74,15 +75,15 @@ def read(archive):
             if target and m[2] not in ("call", "jmp") and not m[2].startswith("j"):
                 current.taken.add((target[0], target[1] + 4))
     relocations = subprocess.run(["objdump", "-rw", str(archive)], check=True, capture_output=True, text=True).stdout
-    current, data = None, False
+    current, data, members = None, False, iter(objects)
     for line in relocations.splitlines():
         if m := re.match(r"(\S+):\s+file format", line):
-            current = objects.get(m[1])
+            current = next(members)
         elif m := re.match(r"RELOCATION RECORDS FOR \[(.+)\]", line):
             data = not m[1].startswith((".text", ".debug", ".eh_frame"))
         elif current and data and (m := re.match(r"[0-9a-f]+ R_X86_64_64\s+(\S+)", line)):
             current.taken.add(target_of(m[1]))
-    return objects.values()
+    return objects
 
 
 def base_name(symbol):

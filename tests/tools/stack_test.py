@@ -13,17 +13,22 @@ FIRST = '#define OUT __attribute__((noinline))\nextern "C" {\n'
 
 
 class Stack(unittest.TestCase):
-    def worst(self, *sources, root="root"):
+    def worst(self, *sources, root="root", one_archive=False):
         """(bytes, names on the path) of the deepest path from `root`."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            archives = []
+            members = []
             for number, source in enumerate(sources):
-                (folder / f"{number}.cpp").write_text(FIRST + source + "\n}\n", encoding="utf-8")
-                subprocess.run(["g++", "-O2", "-fno-exceptions", "-fno-asynchronous-unwind-tables", "-fPIC", "-c",
-                                folder / f"{number}.cpp", "-o", folder / f"{number}.o"], check=True)
+                text = folder / f"{number}" / "same_name.cpp"
+                text.parent.mkdir()
+                text.write_text(FIRST + source + "\n}\n", encoding="utf-8")
+                members.append(text.with_suffix(".o"))
+                subprocess.run(["g++", "-O2", "-fno-exceptions", "-fno-asynchronous-unwind-tables", "-fPIC", "-c", text,
+                                "-o", members[-1]], check=True)
+            archives = []
+            for number, content in enumerate([members] if one_archive else [[member] for member in members]):
                 archives.append(folder / f"{number}.a")
-                subprocess.run(["ar", "rcs", archives[-1], folder / f"{number}.o"], check=True)
+                subprocess.run(["ar", "qc", archives[-1], *content], check=True)
             program = check_stack.Program(archives)
             size, path = program.worst(program.defined[root][0], root)
             return size, [symbol for symbol, _ in path]
@@ -41,6 +46,12 @@ class Stack(unittest.TestCase):
         self.assertEqual(path, ["root", "large"])
         self.assertGreater(size, 4000 + 40)
         self.assertLess(size, 4000 + 40 + 200)
+
+    def test_objects_of_one_name_in_one_archive_are_all_read(self):  # as two folders of a room may have
+        size, path = self.worst("void f(int*);\nint root(int x) { int a = x; f(&a); return a + 1; }",
+                                "OUT void f(int* p) { int volatile b[500]; b[0] = *p; }", one_archive=True)
+        self.assertEqual(path, ["root", "f"])
+        self.assertGreater(size, 2000)
 
     def test_cases_of_a_switch_count(self):
         size, path = self.worst(
