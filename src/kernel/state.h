@@ -211,6 +211,7 @@ struct Derived {
   };
   /// Scratch memory: it is read only in the call that wrote it, and the data in force do not change.
   struct Scratch {
+    balise::Outcome balises;                             ///< of a telegram, of what is overdue or expected
     track::Contents contents;                            ///< of the evaluated message
     track::AuthorityContents proposal;                   ///< of the evaluated authority (4.8.3 [4], 3.8.6)
     Curves curves;                                       ///< of the proposed authority (3.8.6)

@@ -76,6 +76,7 @@ class Mover {
 
   Anchor of_, then_;
   Relocation by_;
+  bool moves_ = by_.shift != Distance{} || by_.nearer != Distance{} || by_.farther != Distance{};
   bool moved_ = false;
 };
 
@@ -106,26 +107,27 @@ void Mover::move(MovementAuthority& ma) const {
 
 enum class Change : std::uint8_t { none, lower, higher, mixed };
 
-SpeedCode lowest_of(const StaticSpeed& element) {
-  SpeedCode V = element.V_STATIC;
-  for (const SpeedCode other : element.cd) V = other < V ? other : V;
-  for (const SpeedCode other : element.other) V = other < V ? other : V;
-  return V;
-}
-SpeedCode highest_of(const StaticSpeed& element) {
-  SpeedCode V = element.V_STATIC;
-  const auto raise = [&V](SpeedCode other) {
-    if (other != kNoSpeed && other > V) V = other;
+/// The speeds of an element for all trains.
+struct Range {
+  SpeedCode lowest, highest;
+};
+Range range_of(const StaticSpeed& element) {
+  Range range{element.V_STATIC, element.V_STATIC};
+  const auto widen = [&range](SpeedCode V) {
+    if (V == kNoSpeed) return;
+    range.lowest = V < range.lowest ? V : range.lowest;
+    range.highest = V > range.highest ? V : range.highest;
   };
-  for (const SpeedCode other : element.cd) raise(other);
-  for (const SpeedCode other : element.other) raise(other);
-  return V;
+  for (const SpeedCode V : element.cd) widen(V);
+  for (const SpeedCode V : element.other) widen(V);
+  return range;
 }
 
 Change change(const StaticSpeed& from, const StaticSpeed& to) {
   if (from == to) return Change::none;
-  if (highest_of(to) <= lowest_of(from)) return Change::lower;
-  return lowest_of(to) >= highest_of(from) ? Change::higher : Change::mixed;
+  const Range a = range_of(from), b = range_of(to);
+  if (b.highest <= a.lowest) return Change::lower;
+  return b.lowest >= a.highest ? Change::higher : Change::mixed;
 }
 Change change(const Gradient& from, const Gradient& to) {
   if (from == to) return Change::none;
@@ -135,7 +137,8 @@ Change change(const Gradient& from, const Gradient& to) {
 /// Not above either of two elements, for any train.
 StaticSpeed below(const StaticSpeed& a, const StaticSpeed& b) {
   StaticSpeed element;
-  element.V_STATIC = lowest_of(a) < lowest_of(b) ? lowest_of(a) : lowest_of(b);
+  const SpeedCode of_a = range_of(a).lowest, of_b = range_of(b).lowest;
+  element.V_STATIC = of_a < of_b ? of_a : of_b;
   return element;
 }
 Gradient below(const Gradient& a, const Gradient& b) { return a.permille < b.permille ? a : b; }
@@ -150,15 +153,18 @@ void append_not_before(P& profile, Place from, const Value& value, Anchor anchor
 template <class P, class Step>
 void Mover::append(P& profile, const Step& step) const {
   const Place nearer = start(step.from);
-  // Higher parts that the lower one overtakes are dropped (3.6.4.2.6 of 4.0.0).
-  while (!profile.empty() && profile.steps.back().from > nearer && profile.steps.back().value.known() &&
-         step.value.known() && change(profile.steps.back().value, step.value) == Change::lower)
+  Change how = Change::lower;  // after an unknown part
+  while (!profile.empty()) {
+    const auto& before = profile.steps.back();
+    how = before.value.known() && step.value.known() ? change(before.value, step.value) : Change::lower;
+    // Higher parts that the lower one overtakes are dropped (3.6.4.2.6 of 4.0.0).
+    const bool overtaken = how == Change::lower && before.from > nearer && before.value.known() && step.value.known();
+    if (!overtaken) break;
     profile.steps.pop_back();
+  }
   if (profile.empty()) return append_not_before(profile, nearer, step.value, then_);
-  const auto before = profile.steps.back().value;
   if (!step.value.known()) return append_not_before(profile, estimated(step.from), step.value, then_);
-  const Change how = before.known() ? change(before, step.value) : Change::lower;
-  if (how == Change::mixed) append_not_before(profile, nearer, below(before, step.value), then_);
+  if (how == Change::mixed) append_not_before(profile, nearer, below(profile.steps.back().value, step.value), then_);
   const bool farther = how == Change::higher || how == Change::mixed;
   append_not_before(profile, farther ? end(step.from) : nearer, step.value, then_);
 }
@@ -169,6 +175,11 @@ void Mover::profile(Profile<Value, N>& stored) {
   for (const auto& step : stored.steps) any = any || step.anchor == of_;
   if (!any) return;
   moved_ = true;
+  if (!moves_) {
+    for (auto& step : stored.steps)
+      if (step.anchor == of_) step.anchor = then_;
+    return;
+  }
   const Profile<Value, N> old = stored;
   stored.steps.clear();
   for (const auto& step : old.steps) {

@@ -28,8 +28,8 @@ procedures::start_of_mission::Session session_of(const State& s) {
   return Session::none;
 }
 
-std::span<const procedures::mode_profile::Area> areas_of(const State& s,
-                                                         InplaceVector<procedures::mode_profile::Area, 32>& areas) {
+procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::Inputs in) {
+  InplaceVector<procedures::mode_profile::Area, 32> areas;
   for (const track::ModeArea& a : s.track.mode_profile) {
     procedures::mode_profile::Area area;
     area.mode = a.mode;
@@ -42,7 +42,8 @@ std::span<const procedures::mode_profile::Area> areas_of(const State& s,
     area.L_ack = a.from - a.ack_from;
     (void)areas.push_back(area);  // both hold 32
   }
-  return {areas.begin(), areas.size()};
+  in.areas = {areas.begin(), areas.size()};
+  return procedures::mode_profile::step(s.mode_profile, in);
 }
 
 Duration request_cycle(const State& s) {
@@ -65,18 +66,16 @@ void change_statuses(State& s, Set<procedures::Status> status) {
 }  // namespace
 
 std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out) {
-  InplaceVector<procedures::mode_profile::Area, 32> areas;
   procedures::mode_profile::Inputs in;
   in.now = s.now;
   in.mode = s.mode;
-  in.areas = areas_of(s, areas);
   in.min_safe_front = out.here.min_safe_front;
   in.est_front = out.here.est_front;
   in.max_safe_front = out.here.max_safe_front;
   in.V_est = run_of(s.position.now).V;
   in.acknowledged = received.acknowledged;
   in.srs = s.srs;
-  const auto r = procedures::mode_profile::step(s.mode_profile, in);
+  const auto r = s.track.mode_profile.empty() ? procedures::mode_profile::step(s.mode_profile, in) : run_areas(s, in);
   out.effects |= r.effects;
   facts.profile_demands_OS = r.demands_OS;
   facts.profile_demands_LS = r.demands_LS;

@@ -200,7 +200,7 @@ void take(Reception& r, const balise::Outcome& outcome) {
 
 void receive_balises(Reception& r) {
   State& s = r.state;
-  balise::Outcome outcome;
+  balise::Outcome& outcome = r.scratch.balises;  // each call begins it anew
   for (const BaliseTelegram& t : r.in.balise_telegrams) {
     balise::Reading reading;
     reading.bytes = t.bytes;
