@@ -16,13 +16,19 @@ constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
-  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "terminals"});
+  place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
+                   "telephone_numbers", "terminals"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
   if (const auto p = place.find("train")) c.train = read_train(*p);
   if (const auto p = place.find("national_values")) c.national_values = read_national_values(*p);
   if (const auto p = place.find("engine_length_m")) c.L_engine = {p->number(1.0, 1000.0)};
+  if (const auto p = place.find("NID_ENGINE"))
+    c.identity.NID_ENGINE = static_cast<std::uint32_t>(p->integer(0, 0xFFFFFF));
+  if (const auto p = place.find("telephone_numbers"))
+    for (std::size_t i = 0; i < p->size(); ++i)
+      if (!c.identity.telephone_numbers.push_back(read_NID_RADIO((*p)[i]))) p->fail("at most 4 telephone numbers");
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
@@ -308,6 +314,7 @@ kernel::Config Configuration::for_kernel() const {
   config.national_values = national_values;
   config.L_engine = L_engine;
   config.levels = levels;
+  config.identity = identity;
   config.terminals = terminals;
   return config;
 }

@@ -22,6 +22,7 @@ struct Configuration {
   train::NationalValues national_values;
   std::array<bool, kLevels> levels{true, true, true, true, true};
   Distance L_engine = kernel::Config{}.L_engine;
+  port::Identity identity;
   std::uint8_t terminals = 2;
   std::string document = "{}";  // as read, on one line
 

@@ -206,7 +206,8 @@ train::KnSteps read_kn(const JsonPlace& table) {
 }
 
 void read_category(TrainData& data, const JsonPlace& category) {
-  category.know_only({"cant_deficiency_mm", "other", "axle_load", "loading_gauge", "traction_systems", "airtight"});
+  category.know_only(
+      {"cant_deficiency_mm", "other", "axle_load", "loading_gauge", "traction_systems", "airtight", "axles"});
   if (const auto p = category.find("cant_deficiency_mm"))
     data.cant_deficiency_mm = static_cast<std::uint16_t>(p->integer(0, 400));
   if (const auto other = category.find("other"))
@@ -219,6 +220,7 @@ void read_category(TrainData& data, const JsonPlace& category) {
   if (const auto p = category.find("loading_gauge"))
     data.loading_gauge = static_cast<train::LoadingGauge>(p->one_of({"none", "G1", "GA", "GB", "GC"}));
   if (const auto p = category.find("airtight")) data.airtight = p->boolean();
+  if (const auto p = category.find("axles")) data.axles = static_cast<std::uint16_t>(p->integer(1, 1022));
   const auto systems = category.find("traction_systems");
   for (std::size_t i = 0; systems && i < systems->size(); ++i) {
     const JsonPlace system = (*systems)[i];

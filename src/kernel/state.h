@@ -80,7 +80,8 @@ struct DriverData {
   DataStatus train_data_status = DataStatus::unknown;
   DataStatus level_status = DataStatus::unknown;
   std::uint32_t driver_id = 0;
-  std::uint32_t train_running_number = 0xFFFFFFFF;  // NID_OPERATIONAL, unknown
+  std::uint32_t train_running_number = 0xFFFFFFFF;       // NID_OPERATIONAL, unknown
+  std::optional<RbcIdentity> train_running_number_from;  // the RBC that gave it; absent: entered
 };
 
 /// A change of train data by another source than the driver (5.17).
@@ -138,6 +139,7 @@ struct State {
   Duration now{};
   SrsVersion srs = SrsVersion::v3_6_0;
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
+  port::Identity identity;
   std::uint8_t terminals = 2;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;

@@ -11,6 +11,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   derived.built = 0;
   state.srs = config.srs;
   state.fitted_levels = config.levels;
+  state.identity = config.identity;
   state.terminals = config.terminals;
   state.train = config.train;
   state.L_engine = config.L_engine;

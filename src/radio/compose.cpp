@@ -129,7 +129,8 @@ void put_train_data_version_1(const Composer& c) {
   lang::TrainPacket11_v1_0 p;
   p.NID_OPERATIONAL.raw = t.NID_OPERATIONAL ? *t.NID_OPERATIONAL : 0xFFFF'FFFFu;
   unsigned categories = t.NC_CDTRAIN < kCantBit.size() ? 1u << kCantBit[t.NC_CDTRAIN] : 0u;
-  categories |= (t.NC_TRAIN & 7u) << 9;  // freight P, freight G, passenger
+  // Freight P, freight G or passenger; several of them: none (6.6.3.4.5 [3b]).
+  if (t.NC_TRAIN == 1 || t.NC_TRAIN == 2 || t.NC_TRAIN == 4) categories |= unsigned{t.NC_TRAIN} << 9;
   p.NC_TRAIN.raw = static_cast<std::uint16_t>(categories);
   p.L_TRAIN.raw = t.L_TRAIN;
   p.V_MAXTRAIN.raw = t.V_MAXTRAIN;
@@ -192,7 +193,7 @@ void put_established(const Composer& c) {
     return;
   }
   lang::TrainPacket3 p;
-  for (const std::uint64_t number : c.unit.NID_RADIO) {
+  for (const std::uint64_t number : c.unit.telephone_numbers) {
     lang::TrainPacket3_numbers e;
     e.NID_RADIO.raw = number;
     (void)p.numbers.push_back(e);

@@ -42,9 +42,10 @@ struct TrainDataReport {
   std::optional<std::uint32_t> NID_OPERATIONAL;
 };
 
+/// Who the unit is (3.18.4.4).
 struct OnBoard {
   std::uint32_t NID_ENGINE = 0;
-  InplaceVector<std::uint64_t, 4> NID_RADIO;  ///< telephone numbers of the mobile terminals, for packet 3
+  std::span<const std::uint64_t> telephone_numbers;  ///< NID_RADIO of the mobile terminals, for packet 3
 };
 
 /// Writes the message. Returns the number of bytes; 0 when it is not sent to this version (158 to X = 1) or `bytes` is

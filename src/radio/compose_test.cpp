@@ -25,9 +25,8 @@ struct Sent {
   lang::MessageToTrackView view;
 
   Sent(const Intent& intent, std::uint8_t M_VERSION, const PositionReport& position = {}, TrainDataReport train = {}) {
-    OnBoard unit;
-    unit.NID_ENGINE = 0xABCDEF;
-    if (!unit.NID_RADIO.push_back(0x0612345678FFFFFF)) __builtin_trap();
+    const std::array<std::uint64_t, 1> telephone_numbers{0x0612345678FFFFFF};
+    const OnBoard unit{.NID_ENGINE = 0xABCDEF, .telephone_numbers = telephone_numbers};
     size = compose(intent, position, train, unit, M_VERSION, bytes);
     if (size == 0) return;
     view = lang::scan_message_to_track(std::span<const std::uint8_t>(bytes).first(size),
@@ -180,6 +179,9 @@ TEST(Compose, TrainData) {
   EXPECT_EQ(p.ntcs[0].NID_NTC.raw, 6);
   const auto old = Sent(intent_of(129), 0x10, {}, t).packet<lang::TrainPacket11_v1_0>();
   EXPECT_EQ(old.NC_TRAIN.raw, (1u << 3) | (1u << 11)) << "130 mm, passenger";
+  t.NC_TRAIN = 5;
+  EXPECT_EQ(Sent(intent_of(129), 0x11, {}, t).packet<lang::TrainPacket11_v1_0>().NC_TRAIN.raw, 1u << 3)
+      << "several: none";
   EXPECT_EQ(old.M_AXLELOAD.raw, 45) << "22.5 t";
   EXPECT_EQ(old.NID_OPERATIONAL.raw, 0xFFFFFFFFu);
   EXPECT_TRUE(old.tractions.empty());

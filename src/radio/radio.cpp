@@ -29,6 +29,27 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
   }
 }
 
+/// 3.18.4.5.4: after its entry and after the establishment of the session, but not to the RBC that gave it.
+bool number_due(const Partner& p, const Inputs& in) {
+  const bool own = !in.running_number_from || !in.running_number_from->same_id(p.session.rbc);
+  return p.session.phase == Phase::up && p.running_number_due && in.running_number_valid && own;
+}
+
+/// X = 1 has no packet 5: a new number is sent with the train data (6.6.3.4.2). Returns whether a report has to be sent
+/// for it.
+bool note_running_number(State& s, const Inputs& in) {
+  bool report = false;
+  for (Partner* p : {&s.supervising, &s.other}) {
+    const bool version_1 = p->session.M_VERSION >> 4 == 1;
+    if (in.running_number_entered) {
+      p->running_number_due = !version_1;
+      p->train_data_pending = p->train_data_pending || version_1;
+    }
+    report = report || (in.running_number_entered && number_due(*p, in));
+  }
+  return report;
+}
+
 /// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether the other one got it.
 bool send_report(State& s, const Inputs& in, Outbox& out) {
   Intent intent;
@@ -41,10 +62,11 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     s.errors.erase(0);
   }
   for (const Peer peer : {Peer::supervising, Peer::other}) {
-    const Partner& p = s.partner(peer);
+    Partner& p = s.partner(peer);
     if (p.session.phase != Phase::up) continue;
     const Addressed to(out, peer);
-    intent.running_number = p.established_now;
+    intent.running_number = number_due(p, in);
+    p.running_number_due = p.running_number_due && !intent.running_number;
     out.send(intent);
   }
   return other;
@@ -184,6 +206,7 @@ void receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   const Addressed to(out, from);
   if (!check_version(p.session, M_VERSION, now, out)) return;
   p.established_now = true;
+  p.running_number_due = true;
   p.train_data_pending = true;
   p.train_data_acknowledged = false;
   p.train_data_stamp.reset();
@@ -212,7 +235,8 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   const bool second_lost = keep(s, Peer::other, in, out);
   result.session_lost = first_lost || second_lost;
   supervise_contact(s, in, out, result);
-  if (in.report_due || in.start_of_mission) result.reported_to_other = send_report(s, in, out);
+  const bool new_number = note_running_number(s, in);
+  if (in.report_due || in.start_of_mission || new_number) result.reported_to_other = send_report(s, in, out);
   for (const Peer peer : {Peer::supervising, Peer::other}) {
     Partner& p = s.partner(peer);
     send_train_data_to(p, peer, in, out);

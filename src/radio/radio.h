@@ -40,7 +40,8 @@ struct ContactRule {
 /// An RBC and what is agreed with it in its session.
 struct Partner {
   Session session;
-  bool established_now = false;  ///< message 32 was accepted since the last cycle
+  bool established_now = false;     ///< message 32 was accepted since the last cycle
+  bool running_number_due = false;  ///< has to be sent (3.18.4.5.4)
   // 3.18.3.4
   bool train_data_pending = false;                ///< has to be sent
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
@@ -135,6 +136,8 @@ struct Inputs {
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
   bool errors_reported = true;    ///< the mode reports errors (4.5.2): the next one is in the report
   bool start_of_mission = false;  ///< a report is due, as 157 with Q_STATUS (5.4)
+  bool running_number_valid = false, running_number_entered = false;  ///< entered: in this cycle, not by an RBC
+  std::optional<Rbc> running_number_from;                             ///< the RBC that gave it
   std::uint8_t Q_STATUS = 1;
   std::uint8_t reasons = 0;                ///< reasons of the MA request that apply now
   std::optional<std::uint32_t> NID_LTRBG;  ///< with kTrackAheadFree: the group at the border

@@ -36,6 +36,7 @@ TEST(Session, StartOfMissionReports157) {
   Unit u;
   u.in.start_of_mission = true;
   u.in.Q_STATUS = 2;
+  u.in.running_number_valid = true;
   u.in.train_data_valid = false;
   u.order_session();
   u.cycle(RadioLink::connected);

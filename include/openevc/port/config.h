@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "openevc/base/inplace_vector.h"
 #include "openevc/base/units.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/srs_version.h"
@@ -9,6 +10,13 @@
 
 namespace evc::port {
 
+/// Who the unit is for the RBC.
+struct Identity {
+  std::uint32_t NID_ENGINE = 0;  // 24 bits, assigned to this unit alone (3.18.4.4)
+  // Of the mobile terminals, NID_RADIO (7.5.1.95), for an RBC of version 2.0 or 1.Y (packet 3).
+  InplaceVector<std::uint64_t, 4> telephone_numbers;
+};
+
 /// The configuration, given once at power-up.
 struct Config {
   SrsVersion srs = SrsVersion::v3_6_0;
@@ -16,6 +24,7 @@ struct Config {
   train::NationalValues national_values;  // valid until packet 3 gives others (3.18.2)
   Distance L_engine{20};  // where no train data count: SH, SL, NL, PS, before their entry (4.4.6.1.4 and others)
   std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
+  Identity identity;
   std::uint8_t terminals = 2;  // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)
 };
 

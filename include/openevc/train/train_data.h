@@ -128,6 +128,7 @@ struct TrainData {
   LoadingGauge loading_gauge = LoadingGauge::G1;
   bool airtight = false;
   InplaceVector<TractionSystem, 8> traction_systems;
+  std::optional<std::uint16_t> axles;  // their number, at most 1022; absent: not known (N_AXLE 1023)
 
   friend constexpr bool operator==(const TrainData&, const TrainData&) = default;
 };

@@ -130,6 +130,7 @@ void receive_driver(Reception& r) {
   if (driver.train_running_number && may_enter(r, driver::Input::train_running_number, Entered::train_running_number)) {
     s.data.train_running_number = *driver.train_running_number;
     s.data.train_running_number_status = DataStatus::valid;
+    s.data.train_running_number_from.reset();
     r.out.entered.add(Entered::train_running_number);
   }
   receive_train_data(r);

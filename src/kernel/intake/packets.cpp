@@ -116,13 +116,17 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
 /// The group is asked whether it has one (3.16.2.4.9); nothing else follows from it.
 void shown_for_its_group(Evaluation&, const lang::PacketView&, Verdict) {}
 
-/// 3.18.4.5.1, 3.18.4.5.3: it is not sent back to the RBC (3.18.4.5.4.1).
+/// 3.18.4.5.1, 3.18.4.5.3: it is not sent back to this RBC (3.18.4.5.4.1).
 void take_running_number(Evaluation& e, const lang::PacketView& view, Verdict) {
   lang::Packet140 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
   DriverData& data = e.r.state.data;
   data.train_running_number = p.NID_OPERATIONAL.raw;
   data.train_running_number_status = DataStatus::valid;
+  const modes::RbcRole sender = e.information.sender;
+  const radio::Rbc& rbc =
+      (sender == modes::RbcRole::supervising ? e.r.state.radio.supervising : e.r.state.radio.other).session.rbc;
+  data.train_running_number_from = RbcIdentity{rbc.NID_C, rbc.NID_RBC};
 }
 
 /// An order deletes one that waits; until it takes effect nothing is displayed (4.4.19.1.4.2, .4, .5).

@@ -16,7 +16,7 @@ namespace {
 
 using modes::Function;
 
-radio::TrainDataReport train_report(const State& s) {
+radio::TrainDataReport train_report(const State& s, const NationalSystem& national) {
   const train::TrainData& t = s.train;
   radio::TrainDataReport r;
   const track::TrainCategory category = category_of(t);
@@ -32,6 +32,9 @@ radio::TrainDataReport train_report(const State& s) {
   r.M_AIRTIGHT = t.airtight ? 1 : 0;
   for (const train::TractionSystem& system : t.traction_systems)
     (void)r.tractions.push_back({system.M_VOLTAGE, system.NID_CTRACTION});  // both hold eight
+  for (std::uint8_t NID_NTC = 0; NID_NTC < 64; ++NID_NTC)
+    if ((national.available >> NID_NTC & 1u) != 0) (void)r.NID_NTC.push_back(NID_NTC);  // the first eight
+  if (t.axles) r.N_AXLE = *t.axles;
   if (valid(s.data.train_running_number_status)) r.NID_OPERATIONAL = s.data.train_running_number;
   return r;
 }
@@ -178,6 +181,9 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.errors_reported = modes::active(Function::report_data_consistency_error, s.mode);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
   in.Q_STATUS = Q_STATUS(s.position.status);
+  in.running_number_valid = valid(s.data.train_running_number_status);
+  in.running_number_entered = received.entered.has(Entered::train_running_number);
+  in.running_number_from = named_rbc(s.data.train_running_number_from);
   in.reasons = request_reasons(s, received, decided, request_before_perturbation);
   in.NID_LTRBG = received.NID_LTRBG;
   const radio::Result r = radio::supervise(s.radio, in, outbox);
@@ -194,14 +200,15 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   return out;
 }
 
-void compose_messages(State& s, const radio::Outbox& outbox, Log log, Outputs& out) {
+void compose_messages(State& s, const NationalSystem& national, const radio::Outbox& outbox, Log log, Outputs& out) {
   static_assert(decltype(Outputs::radio_out)::capacity() == radio::Outbox::kMessages);
   if (outbox.messages.empty()) return;
   if (outbox.lost) log.note({.what = What::message_not_sent});
   const position::Report report = position::report(s.position, s.integrity);
   const radio::PositionReport p = position_report(s, report);
-  const radio::TrainDataReport t = train_report(s);
-  const radio::OnBoard unit{};
+  const radio::TrainDataReport t = train_report(s, national);
+  const radio::OnBoard unit{s.identity.NID_ENGINE,
+                            {s.identity.telephone_numbers.begin(), s.identity.telephone_numbers.size()}};
   bool position_sent = false;
   for (const radio::Intent& intent : outbox.messages) {
     std::array<std::uint8_t, 192> bytes{};

@@ -82,7 +82,7 @@ class RadioReport : public ::testing::Test {
     out.radio_out.clear();
     radio::Outbox outbox;
     outbox.send(NID_MESSAGE);
-    compose_messages(state, outbox, Log{out.events}, out);
+    compose_messages(state, {}, outbox, Log{out.events}, out);
     EXPECT_EQ(out.radio_out.size(), 1u);
     return {out.radio_out[0].bytes.begin(), out.radio_out[0].bytes.end()};
   }
@@ -396,7 +396,7 @@ TEST_F(RadioReport, HasTheTrainRunningNumberWhereItIsValid) {  // 7.4.3.4
     radio::Outbox outbox;
     outbox.send(intent);
     out = {};
-    compose_messages(state, outbox, Log{out.events}, out);
+    compose_messages(state, {}, outbox, Log{out.events}, out);
     return std::vector<std::uint8_t>(out.radio_out[0].bytes.begin(), out.radio_out[0].bytes.end());
   };
   EXPECT_NE(message(DataStatus::valid, 0x4711), message(DataStatus::valid, 0x4712));
@@ -406,17 +406,17 @@ TEST_F(RadioReport, HasTheTrainRunningNumberWhereItIsValid) {  // 7.4.3.4
 TEST_F(RadioReport, LogsMessagesThatCouldNotBeSent) {
   radio::Outbox outbox;
   outbox.send(136);
-  compose_messages(state, outbox, Log{out.events}, out);
+  compose_messages(state, {}, outbox, Log{out.events}, out);
   EXPECT_FALSE(happened(What::message_not_sent));
   outbox.lost = true;
-  compose_messages(state, outbox, Log{out.events}, out);
+  compose_messages(state, {}, outbox, Log{out.events}, out);
   EXPECT_TRUE(happened(What::message_not_sent));
 }
 
 TEST_F(RadioReport, SendsNoMessageThatTheVersionDoesNotHave) {  // 6.6.3.4
   radio::Outbox outbox;
   outbox.send(0);
-  compose_messages(state, outbox, Log{out.events}, out);
+  compose_messages(state, {}, outbox, Log{out.events}, out);
   EXPECT_TRUE(out.radio_out.empty());
 }
 

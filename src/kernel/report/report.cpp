@@ -170,7 +170,7 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   if (supervised.limits) show_limits(s, supervised, out);
   const bool before_perturbation = supervised.limits && supervised.limits->MA_request;
   RadioResult radio = run_radio(s, in, received, decided, before_perturbation, outbox, log);
-  compose_messages(s, outbox, log, out);
+  compose_messages(s, in.national_system, outbox, log, out);
   if (outbox.connect) out.radio_connect = address_of(*outbox.connect);
   if (outbox.disconnect) out.radio_disconnect = address_of(*outbox.disconnect);
   brakes::CauseSet asked = received.asked;
