@@ -30,7 +30,8 @@ MAY_INCLUDE = {
     "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
-    "app": {"curves", "run", "language", "io"},
+    "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
+    "app": {"check", "curves", "run", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

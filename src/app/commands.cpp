@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "check/command.h"
 #include "curves/command.h"
 #include "io/file.h"
 #include "io/make_line.h"
@@ -213,6 +214,20 @@ void add_describe(CLI::App& app, int& exit_code) {
   messages->callback([options, &exit_code] { exit_code = language::describe_messages(*options); });
 }
 
+void add_check(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<check::Options>();
+  CLI::App* command =
+      app.add_subcommand("check", "Review the trackside data of a line: findings with place and clause");
+  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("--train", options->train,
+                      "train file (etcs-train/1): also restrictions that reach this train too late to brake");
+  command->add_option("--format", options->format, "table or json")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  command->callback([options, &exit_code] { exit_code = check::check(*options); });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -244,6 +259,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_encode(app, exit_code);
   add_describe(app, exit_code);
   add_make_line(app, exit_code);
+  add_check(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -37,7 +37,7 @@ void read_groups(sim::Line& line, const JsonPlace& root) {
         continue;
       }
       // 830 user bits of a long telegram (SUBSET-036).
-      line.balises.push_back({at, read_bits(place, "telegram_hex", "telegram_bits", 830), i});
+      line.balises.push_back({at, read_bits(place, "telegram_hex", "telegram_bits", 830), i, j});
     }
   }
   if (line.balises.empty())
@@ -61,6 +61,7 @@ void read_messages(sim::Line& line, const JsonPlace& root) {
     message.position_m = trigger["position_m"].number(-kFar, kFar);
     if (const auto delay = trigger.find("delay_s")) message.delay_s = delay->number(0.0, 3600.0);
     message.message = read_bits(place, "message_hex", "message_bits", 8 * 1023);
+    message.index = i;
     line.radio.push_back(std::move(message));
   }
   std::stable_sort(line.radio.begin(), line.radio.end(),

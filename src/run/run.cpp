@@ -15,13 +15,12 @@
 #include <utility>
 #include <vector>
 
-#include "io/data_files.h"
 #include "io/file.h"
 #include "io/input_writer.h"
-#include "io/line_file.h"
 #include "io/output_lines.h"
 #include "io/train_file.h"
 #include "run/journey.h"
+#include "run/load.h"
 #include "run/on_board.h"
 #include "run/progress.h"
 #include "run/report.h"
@@ -33,7 +32,6 @@ namespace {
 using io::complain;
 using nlohmann::ordered_json;
 
-constexpr const char* kShippedLine = "lines/brunnental.json";
 constexpr const char* kDriverNames[] = {"perfect", "late", "reckless"};
 
 /// The complete files of a run.
@@ -154,20 +152,6 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
              s["real_time_factor"].get<double>());
 }
 
-io::Result<sim::Line> load_line(const RunOptions& options) {
-  const std::string file = options.line.empty() ? io::data_file(kShippedLine) : options.line;
-  const auto text = io::read_text(file);
-  if (!text) return tl::unexpected(text.error());
-  return io::read_line(*text, file);
-}
-
-io::Result<io::Train> load_train(const RunOptions& options) {
-  if (options.train.empty()) return io::Train{};
-  const auto text = io::read_text(options.train);
-  if (!text) return tl::unexpected(text.error());
-  return io::read_train(*text, options.train);
-}
-
 /// Drives to the end. `inputs.jsonl` begins with the configuration of the on-board.
 Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::Configuration& configuration) {
   Records records;
@@ -239,9 +223,9 @@ io::Result<bool> prepare_folder(const std::string& folder) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  const auto line = load_line(options);
+  const auto line = load_line(options.line);
   if (!line) return complain(line.error());
-  const auto train = load_train(options);
+  const auto train = load_train(options.train);
   if (!train) return complain(train.error());
   if (const auto folder = prepare_folder(options.output); !folder) return complain(folder.error());
   const auto driver = static_cast<sim::DriverKind>(
@@ -269,7 +253,7 @@ int run(const RunOptions& options) {
     fmt::print("(-o DIR writes report.html, trace.csv, inputs.jsonl, outputs.jsonl and summary.json)\n");
   else
     fmt::print("report              {}/report.html\n", options.output);
-  return verdict(options.line.empty() ? kShippedLine : options.line, *world, journey);
+  return verdict(line_file(options.line), *world, journey);
 }
 
 }  // namespace evc::run

@@ -23,6 +23,7 @@ struct Balise {
   double position_m = 0.0;
   Bits telegram;
   std::size_t group = 0;  // index of the group in the file
+  std::size_t index = 0;  // of the balise in its group, in the file
 };
 
 /// A radio message and the place of the true front end at which the trackside sends it.
@@ -31,6 +32,7 @@ struct TracksideMessage {
   double position_m = 0.0;
   double delay_s = 0.0;  // after the front end has reached the place
   Bits message;
+  std::size_t index = 0;  // in the file
 };
 
 struct GradientSegment {
