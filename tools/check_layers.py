@@ -31,7 +31,8 @@ MAY_INCLUDE = {
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
-    "app": {"check", "curves", "run", "language", "io"},
+    "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
+    "app": {"check", "curves", "matrix", "run", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

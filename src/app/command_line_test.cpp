@@ -37,7 +37,7 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
 }
 
 TEST(CommandLine, NamesTheCommandsThereAre) {
-  const std::string all = "expected one of run, replay, curves, decode, encode, describe, make-line, check\n";
+  const std::string all = "expected one of run, replay, curves, decode, encode, describe, make-line, check, track\n";
   EXPECT_EQ(refused(""), "evc: found no command, " + all);
   EXPECT_EQ(refused("sing"), "evc: found \"sing\", " + all);
   EXPECT_EQ(refused("decode"), "evc decode: found no command, expected one of balise, airgap, radio, packet\n");
@@ -122,7 +122,7 @@ TEST(CommandLine, ErrorsAreUtf8WhateverTheInput) {
   const std::string file = "'" + (folder / "f") + "'";
   for (const std::string& arguments :
        {"run " + file, "run --train " + file, "replay " + file, "replay --diff " + file + " /dev/null",
-        "curves " + file, "make-line " + file, "check " + file, "encode packet " + file,
+        "curves " + file, "make-line " + file, "check " + file, "track --at 0 " + file, "encode packet " + file,
         std::string("run $(printf '\\377')"), std::string("describe variables $(printf '\\377')"),
         std::string("decode balise $(printf '\\377.')"), std::string("encode packet $(printf '\\377')"),
         std::string("decode radio 00 --to-train --sv $(printf '\\377')"),
@@ -226,10 +226,10 @@ TEST(Signals, LeaveNoPartOfAFile) {
 
 TEST(StandardOutput, WhatIsLostIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
-  for (const char* arguments :
-       {"--help", "--version", "describe packets", "describe packets 27", "describe schema", "run --help",
-        "decode packet 41408E838352032020 --to-train",
-        "make-line '" EVC_SOURCE_DIR "/data/lines/brunnental.description.json'", "curves", "run", "check"}) {
+  for (const char* arguments : {"--help", "--version", "describe packets", "describe packets 27", "describe schema",
+                                "run --help", "decode packet 41408E838352032020 --to-train",
+                                "make-line '" EVC_SOURCE_DIR "/data/lines/brunnental.description.json'", "curves",
+                                "run", "check", "track --at 100"}) {
     const Ended run = ended(std::string(arguments) + " >/dev/full");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_NE(run.errors.find("found No space left on device, expected space for the whole file"), std::string::npos)

@@ -17,6 +17,7 @@
 #include "language/decode.h"
 #include "language/describe.h"
 #include "language/encode.h"
+#include "matrix/command.h"
 #include "run/replay.h"
 #include "run/run.h"
 
@@ -228,6 +229,26 @@ void add_check(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = check::check(*options); });
 }
 
+void add_track(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<matrix::Options>();
+  CLI::App* command = app.add_subcommand(
+      "track", "What the on-board has stored about the track ahead of a place, as a matrix of distance");
+  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("--at", options->at_m, "place of the front end, m along the run")
+      ->required()
+      ->check(number_between(-1e7, 1e7));
+  command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
+  command
+      ->add_option("--quantum", options->quantum, "length of a row in m: auto (by the target distance), 0.5, 5 or 50")
+      ->check(CLI::IsMember({"auto", "0.5", "5", "50"}))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "table, csv or json")
+      ->check(CLI::IsMember({"table", "csv", "json"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  command->callback([options, &exit_code] { exit_code = matrix::track(*options); });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -260,6 +281,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_describe(app, exit_code);
   add_make_line(app, exit_code);
   add_check(app, exit_code);
+  add_track(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+#include "io/train_file.h"
+#include "kernel/state.h"
+#include "sim/world.h"
+
+namespace evc::matrix {
+
+/// A train with its unit on a line, driven at the permitted speed.
+struct DrivenTrain {
+  DrivenTrain(const sim::Line& line, const io::Train& train);
+  /// Cycle by cycle until the true front end is at `at_m`. False when the run ended before.
+  bool drive_to(double at_m);
+
+  sim::World world;
+  kernel::State state;
+  kernel::Derived derived;
+  kernel::Outputs outputs;
+};
+
+}  // namespace evc::matrix
