@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/command.h"
+#include "io/make_line.h"
 #include "io/program_test.h"
 #include "io/telegram_json.h"
 #include "run/load.h"
@@ -364,6 +365,32 @@ TEST(Check, TheShippedLineHasNoneWithAnyShippedTrain) {
     ASSERT_TRUE(reviewed);
     EXPECT_TRUE(reviewed->findings.all().empty()) << entry.path() << all(*reviewed);
   }
+}
+
+/// Linking of an infill counts from the infill group (3.6.2.3.1): what is announced up to there stays announced, the
+/// group itself too (3.7.3.1).
+TEST(Check, LinkingOfAnInfill) {
+  const json authority = {{"authority", {{"to_m", 3000.0}, {"danger_point_m", 3050.0}, {"release_kmh", 20}}}};
+  const json further = {{"authority", {{"to_m", 4000.0}, {"danger_point_m", 4050.0}, {"release_kmh", 20}}}};
+  const json description = {{"schema", "evc-line-description/1"},
+                            {"name", "infill"},
+                            {"NID_C", 1000},
+                            {"length_m", 4000},
+                            {"start", {{"front_m", -40}, {"level", "1"}}},
+                            {"gradient", {{-200, 4200, 0}}},
+                            {"ssp", {{-200, 4200, 100}}},
+                            {"groups",
+                             {{{"NID_BG", 1}, {"at_m", 80}, {"orders", {authority}}},
+                              {{"NID_BG", 2}, {"at_m", 1200}, {"orders", {{{"infill", 3}}, further}}},
+                              {{"NID_BG", 3}, {"at_m", 2000}},
+                              {{"NID_BG", 4}, {"at_m", 2900}},
+                              {{"NID_BG", 5}, {"at_m", 3600}}}},
+                            {"radio", json::array()}};
+  const auto line = io::make_line(description.dump(), "infill");
+  ASSERT_TRUE(line) << line.error().text();
+  const auto reviewed = review(*line, "infill", nullptr);
+  ASSERT_TRUE(reviewed);
+  EXPECT_TRUE(reviewed->findings.all().empty()) << all(*reviewed);
 }
 
 /// Message 5 arrives at 23400 m, where the train accelerates beyond 50 km/h, 420 m behind its LRBG; a restriction to

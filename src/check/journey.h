@@ -42,6 +42,7 @@ class Journey {
   };
   struct Announced {
     GroupId id;
+    double at_m = 0.0;    ///< by linking
     double last_m = 0.0;  ///< end of its window
   };
 

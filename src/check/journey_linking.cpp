@@ -46,10 +46,10 @@ void Journey::take_linking(Source& source, const Part& part) {
 
 void Journey::check_list(const Source& source, const Part& part, const balise::LinkingList& list) {
   const double reference_m = part.reference.place.from_origin.si;
-  // New linking replaces the stored one from its reference on (3.7.3.1).
-  announced_.erase(
-      std::remove_if(announced_.begin(), announced_.end(), [&](const Announced& a) { return a.last_m > reference_m; }),
-      announced_.end());
+  // New linking replaces the stored one from its reference on (3.7.3.1); an infill counts from a group ahead.
+  const GroupId reference = part.reference.origin();
+  const auto replaced = [&](const Announced& a) { return a.at_m > reference_m && a.id != reference; };
+  announced_.erase(std::remove_if(announced_.begin(), announced_.end(), replaced), announced_.end());
   double linked_m = reference_m;    // by linking: the sum of D_LINK
   double previous_m = reference_m;  // on the line: the group before
   double window_end_m = reference_m;
@@ -65,7 +65,7 @@ void Journey::check_list(const Source& source, const Part& part, const balise::L
                       "one before it",
                       text_of(id), linked_m, entry.Q_LOCACC.si, window_end_m));
     window_end_m = linked_m + entry.Q_LOCACC.si;
-    announced_.push_back({id, window_end_m});
+    announced_.push_back({id, linked_m, window_end_m});
     const double expected_m = previous_m + entry.D_LINK.si;
     const Group* group = trackside_.find(id, expected_m);
     previous_m = group != nullptr ? group->at_m : expected_m;
