@@ -123,8 +123,8 @@ constexpr VariableInfo row(const char* name, Kind kind, const char* unit, double
 }
 
 """)
-    lines.append("constexpr std::array<VariableInfo, %d> table{{\n" % len(rows) + "".join(body) + "}};\n\n")
-    lines.append("}  // namespace\n\nstd::span<const VariableInfo> variables() { return table; }\n\n}  // namespace evc::lang\n")
+    lines.append("constexpr std::array<VariableInfo, %d> all_variables{{\n" % len(rows) + "".join(body) + "}};\n\n")
+    lines.append("}  // namespace\n\nstd::span<const VariableInfo> variables() { return all_variables; }\n\n}  // namespace evc::lang\n")
     out("src/lang/variable_table.cpp", "".join(lines))
 
 
@@ -359,8 +359,8 @@ def write_message_table(rows, out):
             m["id"], quoted(m["name"]), "to_train" if m["direction"] == "track_to_train" else "to_track", version_set(m["sv"]),
             media_set(m["media"]), quoted(m["priority"]), "true" if m["version_invariant"] else "false", req,
             ids(m["optional_packets"]), ids(rbc), ids(riu), quoted(m["ref"]), quoted(m.get("note"))))
-    t.append("\nconstexpr std::array<MessageRules, %d> table{{\n%s}};\n\n" % (len(rows), "".join(body)))
-    t.append("}  // namespace\n\nstd::span<const MessageRules> message_rules() { return table; }\n\n}  // namespace evc::lang\n")
+    t.append("\nconstexpr std::array<MessageRules, %d> all_rules{{\n%s}};\n\n" % (len(rows), "".join(body)))
+    t.append("}  // namespace\n\nstd::span<const MessageRules> message_rules() { return all_rules; }\n\n}  // namespace evc::lang\n")
     out("src/lang/message_table.cpp", "".join(t))
 
 

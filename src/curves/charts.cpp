@@ -11,8 +11,6 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
-
 /// One panel with its axes: dark, like the driver's display.
 struct Panel {
   double left, top, right, bottom;

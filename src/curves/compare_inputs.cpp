@@ -9,13 +9,11 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
 constexpr double kSame = 1e-6;
 
-double m(Place x) { return x.from_origin.si; }
 double target_of(const Approached& a) { return m(a.input().target_location); }
 
-std::string kmh(Speed V) { return fmt::format("{:.6g} km/h", V.si * kKmh); }
+std::string speed_text(Speed V) { return fmt::format("{:.6g} km/h", V.si * kKmh); }
 
 std::string target_text(const Approached& a) {
   const sdm::Target& t = a.target();
@@ -25,14 +23,14 @@ std::string target_text(const Approached& a) {
       if (t.d_target == t.d_EOA) return "an end of authority with the SvL at its place";
       return fmt::format("an end of authority with the SvL {:.6g} m beyond it", (t.d_target - t.d_EOA).si);
     case sdm::TargetKind::LOA:
-      return "a limit of authority at " + kmh(t.V_target);
+      return "a limit of authority at " + speed_text(t.V_target);
     case sdm::TargetKind::SR_end:
       return "the end of the SR distance";
     case sdm::TargetKind::MRSP:
       break;
   }
   return std::string("a restriction") + (c.target == sdm::TargetKind::MRSP && t.due_to_TSR ? " due to a TSR" : "") +
-         " to " + kmh(t.V_target);
+         " to " + speed_text(t.V_target);
 }
 
 /// The distance in rear of the target up to which data affect the compared curves.

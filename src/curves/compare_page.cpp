@@ -14,7 +14,7 @@ extern const char compare_page_template[];
 
 namespace {
 
-constexpr double kStep_kmh = 1.0;  // of drawn_speeds
+constexpr double kDrawn_kmh = 1.0;  // of drawn_speeds
 
 struct Shown {
   const char* key;
@@ -69,7 +69,7 @@ std::string data_of(const Approached& a, const Approached& b) {
     io::append_string(out, warning);
   }
   out += ']';
-  out += fmt::format(",\"step\":{:g},\"v\":[", kStep_kmh);
+  out += fmt::format(",\"step\":{:g},\"v\":[", kDrawn_kmh);
   for (std::size_t i = 0; i < speeds.size(); ++i) out += fmt::format("{}{:g}", i == 0 ? "" : ",", speeds[i]);
   out += "],\"scalars\":[";
   for (const auto& s : scalar_columns()) {

@@ -12,8 +12,6 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
-
 /// The clause that requires the EBD of a target.
 const char* EBD_clause(const sdm::Target& t) {
   if (t.kind == sdm::TargetKind::EOA_SvL) return "3.13.8.3.2";
@@ -139,7 +137,7 @@ void anchor(ExplainPage& page, const sdm::Target& target, const train::FixedValu
   if (target.kind != sdm::TargetKind::MRSP && target.kind != sdm::TargetKind::LOA) return;
   const Speed V = target.V_target;
   const Speed dV = sdm::dV_ebi(V, f);
-  const auto kmh = [](Speed v) { return short_number(std::nearbyint(v.si * kKmh * 1e9) / 1e9); };
+  const auto kmh = [](Speed v) { return short_number(rounded_kmh(v)); };
   if (V <= f.V_ebi_min)
     page.step("dV_ebi(V_target)", fmt::format("dV_ebi_min: V_target <= {} km/h", kmh(f.V_ebi_min)), "", dV.si * kKmh,
               "km/h", "3.13.9.2.3");

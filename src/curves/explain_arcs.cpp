@@ -9,10 +9,6 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
-
-double m(Place x) { return x.from_origin.si; }
-
 /// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 for track with unknown gradient.
 std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place front) {
   const sdm::KnownPart k = sdm::known_part(p);

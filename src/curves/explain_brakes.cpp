@@ -8,10 +8,7 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
 constexpr double kOpen = 1e9;  // the last step has no upper limit
-
-double kmh(Speed V) { return V.si * kKmh; }
 
 /// The step that applies at `x`, with its range in the unit of the page.
 struct Held {
@@ -44,7 +41,7 @@ std::string names_of(train::BrakeSet set) {
 /// A.3.7 for one lambda_0: every step of the basic deceleration that is not ignored, then the one at V.
 void basic_deceleration(ExplainPage& page, double lambda0, Speed V, const char* symbol, double value) {
   const std::string l = short_number(lambda0);
-  const double V_lim = kmh(train::V_lim(lambda0));
+  const double V_lim = train::V_lim(lambda0).si * kKmh;
   page.step("V_lim", "16.85 * lambda_0^0.428", fmt::format("16.85 * {}^0.428", l), V_lim, "km/h", "A.3.7.3");
   page.step("AD_0", "0.0075 * lambda_0 + 0.076        " + range_of_step("V", 0.0, V_lim),
             fmt::format("0.0075 * {} + 0.076", l), train::AD_0(lambda0), "m/s2", "A.3.7.4");
@@ -60,10 +57,10 @@ void basic_deceleration(ExplainPage& page, double lambda0, Speed V, const char* 
               fmt::format("{0:g} * {4}^3 {1} * {4}^2 + {2:g} * {4} + {3:g}", p.a3,
                           (p.a2 < 0.0 ? "- " : "+ ") + fmt::format("{:g}", std::abs(p.a2)), p.a1, p.a0, l),
               p.at(lambda0), "m/s2", "A.3.7.5");
-    if (kmh(V) > from) chosen = name;
+    if (V.si * kKmh > from) chosen = name;
     from = p.upto_kmh;
   }
-  page.step(symbol, fmt::format("{} at V = {:.6g} km/h", chosen, kmh(V)), "", value, "m/s2", "A.3.7.2");
+  page.step(symbol, fmt::format("{} at V = {:.6g} km/h", chosen, V.si * kKmh), "", value, "m/s2", "A.3.7.2");
 }
 
 /// Kv_int of a train with brake position P (3.13.6.2.1.8.1-2).
@@ -76,7 +73,7 @@ void passenger_Kv_int(ExplainPage& page, const train::TrainData& t, const train:
       A_ebmax = std::max(A_ebmax, step.value.si);
       all += (all.empty() ? "" : ", ") + n5(step.value.si);
     }
-  page.step("A_ebmax", fmt::format("max of A_brake_emergency from 0 to {:.6g} km/h", kmh(t.V_MAXTRAIN)),
+  page.step("A_ebmax", fmt::format("max of A_brake_emergency from 0 to {:.6g} km/h", t.V_MAXTRAIN.si * kKmh),
             "max(" + all + ")", A_ebmax, "m/s2", "3.13.6.2.1.8.2");
   const Held h = held(v.Kv_int_passenger, V, kKmh);
   const train::KvPair k = v.Kv_int_passenger.steps[h.index].value;

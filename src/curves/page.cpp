@@ -14,7 +14,6 @@ extern const char page_template[];
 
 namespace {
 
-constexpr double kKmh = 3.6;
 constexpr std::size_t kColumns = 320;
 constexpr double kRow_kmh = 1.0;
 constexpr double kLimit_kmh = 1.0;

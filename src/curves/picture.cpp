@@ -7,12 +7,9 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep_kmh = 0.5;
 constexpr std::size_t kPlaces = 900;
-
-double m(Place place) { return place.from_origin.si; }
 
 /// The limits of one target by speed, for drawing: places in metres.
 struct LimitTable {

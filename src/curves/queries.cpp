@@ -7,14 +7,6 @@
 
 // Permitted braking distances and level crossings: the queries of `evc curves` that have no curve to the target.
 namespace evc::curves {
-namespace {
-
-constexpr double kKmh = 3.6;
-
-/// Without the rounding noise of the conversion from km/h to m/s and back.
-double kmh(Speed V) { return std::nearbyint(V.si * kKmh * 1e9) / 1e9; }
-
-}  // namespace
 
 std::vector<QueryRow> PBD_rows(const Approached& a) {
   std::vector<QueryRow> rows;
@@ -25,7 +17,7 @@ std::vector<QueryRow> PBD_rows(const Approached& a) {
     rows.push_back({{"D_PBD", q.D_PBD.si},
                     {"G_PBDSR", q.G_PBDSR},
                     {"Q_PBDSR", q.service_brake ? 1.0 : 0.0},
-                    {"V_PBD_kmh", kmh(V)}});
+                    {"V_PBD_kmh", rounded_kmh(V)}});
   }
   return rows;
 }
@@ -41,7 +33,7 @@ std::vector<QueryRow> LX_rows(const Approached& a) {
   for (const io::LxQuery& q : c.LX) {
     const sdm::LxSubstitution lx = sdm::lx_substitution(c.inputs, a.derived(), q.D_LX, q.V_LX, motion, *scratch);
     rows.push_back({{"D_LX", q.D_LX.from_origin.si},
-                    {"V_LX_kmh", kmh(q.V_LX)},
+                    {"V_LX_kmh", rounded_kmh(q.V_LX)},
                     {"P", (q.D_LX - lx.d_P).si},
                     {"P_EOA", (q.D_LX - lx.SBD.d_P).si},
                     {"P_SvL", (q.D_LX - lx.EBD.d_P).si},

@@ -10,8 +10,6 @@
 namespace evc::curves {
 namespace {
 
-constexpr double kKmh = 3.6;
-
 /// The lower of two values, where they exist.
 Value least(const std::optional<Place>& a, const std::optional<Place>& b, const Approached& approached) {
   if (!a && !b) return std::nullopt;
@@ -266,8 +264,7 @@ CurvesResult curves_result(const Approached& a) {
   r.scalars.T_be_s = e.build_up.T_be.si;
   r.scalars.T_bs_s = e.build_up.T_bs.si;
   if (t.kind == sdm::TargetKind::EOA_SvL && d.release_speed.exists)
-    // Without the rounding noise of the conversion from km/h to m/s and back.
-    r.scalars.V_release_kmh = std::nearbyint(d.release_speed.V_release.si * kKmh * 1e9) / 1e9;
+    r.scalars.V_release_kmh = rounded_kmh(d.release_speed.V_release);
   if (const auto start = a.start_of_RSM(); start && is_somewhere(*start))
     r.scalars.d_start_RSM_m = a.before_target(*start);
   r.scalars.d_preindication_m = least(t.d_preindication_EBD, t.d_preindication_SBD, a);

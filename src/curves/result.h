@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,11 @@ class Approached {
 };
 
 using Value = std::optional<double>;
+
+/// Metres of a place of the input's frame.
+constexpr double m(Place place) { return place.from_origin.si; }
+/// In km/h, without the rounding noise of the conversion from km/h to m/s and back.
+inline double rounded_kmh(Speed V) { return std::nearbyint(V.si * kKmh * 1e9) / 1e9; }
 
 /// For a speed that is allowed nowhere (A <= 0), curves return a place a million kilometres away.
 constexpr bool is_somewhere(Place place) { return place.from_origin.si > -1e8; }

@@ -8,7 +8,6 @@
 namespace evc::io {
 namespace {
 
-constexpr double kKmh = 3.6;
 constexpr double kFar_m = 1e7;  // longer than any line
 constexpr std::size_t kMostQueries = 200000;
 

@@ -8,7 +8,7 @@ namespace {
 std::string document(const std::string& target, const std::string& national_values = "{}") {
   return R"({"schema":"evc-curves/1","train":{},"national_values":)" + national_values + R"(,"target":)" + target + "}";
 }
-std::string error_of(const std::string& text) {
+std::string curves_error(const std::string& text) {
   const auto read = read_curves(text, "c.json");
   return read ? "" : read.error().text();
 }
@@ -19,15 +19,15 @@ TEST(CurvesFile, TheEndOfTheDistanceToRunInSRIsATarget) {
   EXPECT_EQ(read->target, sdm::TargetKind::SR_end);
   EXPECT_EQ(read->inputs.SR_end, Place{1200_m});
   EXPECT_EQ(read->inputs.authority.kind, sdm::Authority::Kind::none);
-  EXPECT_NE(error_of(document(R"({"type":"SR","location_m":1200,"speed_kmh":10})")).find("3.13.8.2.1 d"),
+  EXPECT_NE(curves_error(document(R"({"type":"SR","location_m":1200,"speed_kmh":10})")).find("3.13.8.2.1 d"),
             std::string::npos);
 }
 
 /// A document names files, not the standard input of the command.
 TEST(CurvesFile, TheTrainOfAQueryIsAFile) {
   for (const char* name : {"", "-", "/nonexistent"})
-    EXPECT_EQ(error_of(R"({"schema":"evc-curves/1","train":")" + std::string(name) +
-                       R"(","target":{"type":"EOA_SvL","location_m":7000}})"),
+    EXPECT_EQ(curves_error(R"({"schema":"evc-curves/1","train":")" + std::string(name) +
+                           R"(","target":{"type":"EOA_SvL","location_m":7000}})"),
               "c.json: /train: found \"" + std::string(name) + "\", expected a train, or the name of a train file");
 }
 
@@ -42,8 +42,9 @@ TEST(CurvesFile, TheWeakerSubsetOfKvWithoutTheDecelerationsThatDecide) {
   const auto both = Kv(R"({"Kv_int_passenger":[[0,0.7,0.8]],"A_NVP12":0.9,"A_NVP23":1.2})");
   EXPECT_EQ(both.steps[0].value, (train::KvPair{0.7, 0.8}));
   // M_NVKVINT goes up to 2.54.
-  EXPECT_EQ(error_of(document(target, R"({"Kv_int_freight":[[0,2.5]]})")), "");
-  EXPECT_NE(error_of(document(target, R"({"Kv_int_freight":[[0,2.55]]})")).find("3.13.2.3.7.11"), std::string::npos);
+  EXPECT_EQ(curves_error(document(target, R"({"Kv_int_freight":[[0,2.5]]})")), "");
+  EXPECT_NE(curves_error(document(target, R"({"Kv_int_freight":[[0,2.55]]})")).find("3.13.2.3.7.11"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace evc::io {
 namespace {
 
 using train::NationalValues;
-constexpr double kKmh = 3.6;
 /// Ranges of the variables.
 constexpr Clause kRanges = "7.5.1"_srs;
 

@@ -9,7 +9,6 @@ namespace evc::io {
 namespace {
 
 using train::TrainData;
-constexpr double kKmh = 3.6;
 
 constexpr std::initializer_list<const char*> kTrainKeys = {
     "schema",

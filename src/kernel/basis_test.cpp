@@ -5,12 +5,14 @@
 #include <memory>
 #include <set>
 
+#include "base/test_units.h"
+
 // When the curves are built again, and with what (3.13.2, 3.13.9.4.8).
 namespace evc::kernel {
 namespace {
 
-Speed kmh(double v) { return Speed{v / 3.6}; }
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
+using evc::test::kmh;
 
 class Basis : public ::testing::Test {
  protected:

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/basis.h"
 #include "sdm/locations.h"
 
@@ -11,8 +12,8 @@
 namespace evc::kernel {
 namespace {
 
-Speed kmh(double v) { return Speed{v / 3.6}; }
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
+using evc::test::kmh;
 
 /// A unit in FS at standstill with its front end at 1000 m, with an authority, a speed profile and a gradient.
 class CurveInputs : public ::testing::Test {

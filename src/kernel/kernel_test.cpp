@@ -25,7 +25,7 @@
 #include "lang/packets/packet_80.h"
 #include "lang/packets/packet_88.h"
 
-namespace evc::kernel {
+namespace evc::kernel::test {
 namespace {
 
 /// A telegram made of packets, kept alive for the cycle.
@@ -766,4 +766,4 @@ TEST_F(Unit, the_state_is_small_and_plain) {
 }
 
 }  // namespace
-}  // namespace evc::kernel
+}  // namespace evc::kernel::test

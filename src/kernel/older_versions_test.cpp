@@ -13,10 +13,15 @@
 #include "lang/packets/packet_254.h"
 #include "lang/packets/packet_39.h"
 #include "lang/packets/packet_76.h"
+#include "lang/testing.h"
 
 // What a message of an older version, and of one to come, is to the unit (6.6.3.2.3, 3.17.3.11).
 namespace evc::kernel {
 namespace {
+
+using lang::testing::M_VERSION_1_0;
+using lang::testing::M_VERSION_1_1;
+using lang::testing::M_VERSION_2_1;
 
 struct Bits {
   std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(104, 0);
@@ -60,26 +65,25 @@ std::optional<track::TractionChange> traction(const Bits& first, const Bits& sec
   return state->track.traction;
 }
 
-constexpr std::uint8_t v1_0 = 16, v1_1 = 17, v2_1 = 33;
-
 lang::Packet39_v1_0 traction_of_1_0() { return {{2}, {1}, {100}, {1}}; }
 lang::Packet239 traction_of_1_1() { return {{2}, {1}, {100}, {1}, {7}}; }
 
 TEST(OlderVersions, ANewerFormAnywhereInTheMessageTakesThePlaceOfTheOlderOne) {
-  const Bits older = telegram(v1_0, 1, traction_of_1_0());
-  const auto alone = traction(telegram(v1_0, 0), older);
+  const Bits older = telegram(M_VERSION_1_0, 1, traction_of_1_0());
+  const auto alone = traction(telegram(M_VERSION_1_0, 0), older);
   ASSERT_TRUE(alone);
   EXPECT_EQ(alone->NID_CTRACTION, 10);  // translated, 6.6.3.2.3 [13]
-  const auto other_telegram = traction(telegram(v1_1, 0, traction_of_1_1()), older);
+  const auto other_telegram = traction(telegram(M_VERSION_1_1, 0, traction_of_1_1()), older);
   ASSERT_TRUE(other_telegram);
   EXPECT_EQ(other_telegram->NID_CTRACTION, 7);
-  const auto same_telegram = traction(telegram(v1_1, 0, traction_of_1_1(), traction_of_1_0()), telegram(v1_0, 1));
+  const auto same_telegram =
+      traction(telegram(M_VERSION_1_1, 0, traction_of_1_1(), traction_of_1_0()), telegram(M_VERSION_1_0, 1));
   ASSERT_TRUE(same_telegram);
   EXPECT_EQ(same_telegram->NID_CTRACTION, 7);
   // One for the other direction takes nothing away.
   lang::Packet239 other = traction_of_1_1();
   other.Q_DIR.raw = 0;
-  const auto other_direction = traction(telegram(v1_1, 0, other), older);
+  const auto other_direction = traction(telegram(M_VERSION_1_1, 0, other), older);
   ASSERT_TRUE(other_direction);
   EXPECT_EQ(other_direction->NID_CTRACTION, 10);
 }
@@ -87,11 +91,13 @@ TEST(OlderVersions, ANewerFormAnywhereInTheMessageTakesThePlaceOfTheOlderOne) {
 TEST(OlderVersions, AFixedTextIsIgnored) {  // 6.6.3.1.1.1
   lang::Packet76_v1_0 text;
   text.Q_DIR.raw = 2;
-  const Bits change = telegram(v1_0, 1, traction_of_1_0());
-  for (const std::uint8_t version : {v1_0, v1_1}) EXPECT_TRUE(traction(telegram(version, 0, text), change));
+  const Bits change = telegram(M_VERSION_1_0, 1, traction_of_1_0());
+  for (const std::uint8_t version : {M_VERSION_1_0, M_VERSION_1_1})
+    EXPECT_TRUE(traction(telegram(version, 0, text), change));
   // A spare value in it does not matter either: it is not read.
   text.Q_TEXTCLASS.raw = 3;
-  for (const std::uint8_t version : {v1_0, v1_1}) EXPECT_TRUE(traction(telegram(version, 0, text), change));
+  for (const std::uint8_t version : {M_VERSION_1_0, M_VERSION_1_1})
+    EXPECT_TRUE(traction(telegram(version, 0, text), change));
 }
 
 TEST(OlderVersions, PacketsOfALaterYAreSkipped) {
@@ -105,9 +111,9 @@ TEST(OlderVersions, PacketsOfALaterYAreSkipped) {
   lang::Packet39 change;
   change.Q_DIR.raw = 2;
   change.M_VOLTAGE.raw = 1;
-  const Bits known = telegram(v2_1, 1, change);
+  const Bits known = telegram(M_VERSION_2_1, 1, change);
   EXPECT_TRUE(traction(unknown(34), known));
-  EXPECT_FALSE(traction(unknown(v2_1), known));  // inconsistent
+  EXPECT_FALSE(traction(unknown(M_VERSION_2_1), known));  // inconsistent
 }
 
 }  // namespace

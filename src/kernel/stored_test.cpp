@@ -5,12 +5,14 @@
 #include <memory>
 #include <string>
 
+#include "base/test_units.h"
+
 // What becomes of data that the kernel keeps outside the track description: their rows of 4.10, applied to them. The
 // table itself is compared with the standard in the room `modes`.
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// Every datum present and valid.
 void fill(State& s) {

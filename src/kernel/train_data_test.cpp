@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/here.h"
 #include "kernel/train_category.h"
 
@@ -11,7 +12,7 @@
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// A unit at standstill with an authority, buffered information and valid train data.
 class TrainDataOfTheUnit : public ::testing::Test {

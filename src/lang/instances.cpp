@@ -11,7 +11,7 @@ std::uint64_t bits_of(const PacketView& packet, unsigned from, unsigned bits) {
   const std::size_t end = packet.bit + packet.L_PACKET;
   return BitReader(packet.bytes, end, packet.bit + from).read(bits);
 }
-constexpr unsigned header = 8 + 2 + 13;  // NID_PACKET, Q_DIR, L_PACKET
+constexpr unsigned packet_header = 8 + 2 + 13;  // NID_PACKET, Q_DIR, L_PACKET
 
 std::uint32_t identity(const PacketView& packet, unsigned from, unsigned bits) {
   return static_cast<std::uint32_t>(bits_of(packet, from, bits));
@@ -27,8 +27,8 @@ std::uint8_t wire_number(const PacketView& packet) {
 /// 8.4.1.4.4.
 bool Instances::add_location(const PacketView& packet) {
   bool wrong = false;
-  const unsigned length = packet.L_PACKET - header;  // 15 or 25 bits: Q_NEWCOUNTRY, NID_C if it is 1, NID_BG
-  const std::uint64_t content = bits_of(packet, header, length) | std::uint64_t{1} << length;
+  const unsigned length = packet.L_PACKET - packet_header;  // 15 or 25 bits: Q_NEWCOUNTRY, NID_C if it is 1, NID_BG
+  const std::uint64_t content = bits_of(packet, packet_header, length) | std::uint64_t{1} << length;
   for (unsigned direction = 0; direction < 2; ++direction) {
     if (packet.Q_DIR != 2 && packet.Q_DIR != direction) continue;
     wrong = wrong || ((infill_for_ >> direction) & 1u) != 0;
@@ -58,16 +58,16 @@ bool Instances::add_special(const PacketView& packet, std::uint8_t nid) {
     return nid != packet::external_application_data && packets_[0].add(2, nid);  // 8.4.1.5
   switch (nid) {
     case packet::temporary_speed_restriction: {
-      const std::uint32_t NID_TSR = identity(packet, header + 2, 8);  // behind Q_SCALE
+      const std::uint32_t NID_TSR = identity(packet, packet_header + 2, 8);  // behind Q_SCALE
       return NID_TSR != not_revocable && add_identity(packet, packet::temporary_speed_restriction, NID_TSR);
     }
     case packet::tsr_revocation:
-      return add_identity(packet, packet::tsr_revocation, identity(packet, header, 8));
+      return add_identity(packet, packet::tsr_revocation, identity(packet, packet_header, 8));
     case packet::level_crossing:
-      return add_identity(packet, packet::level_crossing, identity(packet, header + 2, 8));
+      return add_identity(packet, packet::level_crossing, identity(packet, packet_header + 2, 8));
     case packet::virtual_balise_cover_order:
       return add_identity(packet, packet::virtual_balise_cover_order,
-                          identity(packet, header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
+                          identity(packet, packet_header + 1, 6 + 10));  // NID_VBCMK, NID_C behind Q_VBCO
     case packet::infill_location_reference:
       return add_location(packet);
     default:

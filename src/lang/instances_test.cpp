@@ -31,11 +31,11 @@ namespace evc::lang {
 namespace {
 
 /// A telegram of a version with these packets, and the result of reading it.
-struct Made {
+struct WithPackets {
   std::array<std::uint8_t, 128> room{};
   TelegramView view;
   template <class... P>
-  explicit Made(std::uint8_t M_VERSION, const P&... packets) {
+  explicit WithPackets(std::uint8_t M_VERSION, const P&... packets) {
     BitWriter out(room);
     TelegramHeader header;
     header.M_VERSION.raw = M_VERSION;
@@ -44,11 +44,11 @@ struct Made {
     end_telegram(out, 830);
     view = scan_telegram(room, 830);
   }
-  Made(const Made&) = delete;
+  WithPackets(const WithPackets&) = delete;
 };
 template <class... P>
 Fault fault_of(const P&... packets) {
-  return Made(33, packets...).view.fault;
+  return WithPackets(33, packets...).view.fault;
 }
 
 Packet65 restriction(std::uint8_t Q_DIR, std::uint8_t NID_TSR) { return {{Q_DIR}, {1}, {NID_TSR}, {}, {}, {}, {10}}; }
@@ -127,9 +127,9 @@ TEST(Instances, InfillCountsByItself) {
 }
 
 /// Whether one message can contain all the telegrams.
-bool together(std::initializer_list<const Made*> telegrams) {
+bool together(std::initializer_list<const WithPackets*> telegrams) {
   Instances instances;
-  for (const Made* telegram : telegrams) {
+  for (const WithPackets* telegram : telegrams) {
     EXPECT_EQ(telegram->view.fault, Fault::none);
     instances.begin_telegram();
     for (const PacketView& packet : telegram->view.packets)
@@ -139,18 +139,18 @@ bool together(std::initializer_list<const Made*> telegrams) {
 }
 
 TEST(Instances, AcrossTheTelegramsOfAGroup) {
-  const Made linking(33, Packet5{{1}, {1}, {}, {}, {}, {}, {}, {}, {}, {}}), network(33, Packet45{{1}, {7}});
+  const WithPackets linking(33, Packet5{{1}, {1}, {}, {}, {}, {}, {}, {}, {}, {}}), network(33, Packet45{{1}, {7}});
   EXPECT_TRUE(together({&linking, &network}));
   EXPECT_FALSE(together({&linking, &network, &linking}));
-  const Made first(33, restriction(1, 1)), second(33, restriction(1, 2)), both(33, restriction(2, 2));
+  const WithPackets first(33, restriction(1, 1)), second(33, restriction(1, 2)), both(33, restriction(2, 2));
   EXPECT_TRUE(together({&first, &second}));
   EXPECT_FALSE(together({&second, &both}));
-  const Made old(16, restriction(1, 1));
+  const WithPackets old(16, restriction(1, 1));
   EXPECT_FALSE(together({&first, &old}));  // the version makes no difference
 }
 
 TEST(Instances, InfillAcrossTelegrams) {
-  const Made a(33, Packet45{{1}, {7}}, infill(1, 9), Packet5{}), b(33, infill(1, 9), Packet45{{1}, {7}}),
+  const WithPackets a(33, Packet45{{1}, {7}}, infill(1, 9), Packet5{}), b(33, infill(1, 9), Packet45{{1}, {7}}),
       elsewhere(33, infill(1, 8)), back(33, infill(0, 8)), plain(33, Packet5{});
   EXPECT_TRUE(together({&a, &b}));  // one packet 136 in each, both the same; 45 once outside and once inside
   EXPECT_FALSE(together({&a, &elsewhere}));
@@ -183,7 +183,7 @@ TEST(Superseding, InTheSameTelegram) {
   suitability.Q_TRACKINIT.raw = 1;
   Packet207 own_suitability;
   own_suitability.Q_TRACKINIT.raw = 1;
-  const Made made(17, old, own, Packet39_v1_0{}, Packet239{}, suitability, own_suitability);
+  const WithPackets made(17, old, own, Packet39_v1_0{}, Packet239{}, suitability, own_suitability);
   ASSERT_EQ(made.view.fault, Fault::none);
   ASSERT_EQ(made.view.packets.size(), 6u);  // a reader gets all of them
   PacketViews message = made.view.packets;
@@ -204,7 +204,7 @@ TEST(Superseding, AcrossTheTelegramsOfAGroup) {
   condition.Q_TRACKINIT.raw = 1;
   Packet68 of_2;
   of_2.Q_TRACKINIT.raw = 1;
-  const Made old(16, condition, Packet39_v1_0{}), own(17, Packet239{}), current(33, Packet39{}, of_2);
+  const WithPackets old(16, condition, Packet39_v1_0{}), own(17, Packet239{}), current(33, Packet39{}, of_2);
   const Superseding newer = superseding_in(own.view.packets);
   EXPECT_FALSE(newer.p206 || newer.p207);
   EXPECT_FALSE(newer.drops(old.view.packets[0]));

@@ -120,39 +120,39 @@ constexpr PacketLayout packet_layout(const char* type) {
 }
 
 #define EVC_ROW(P) packet_layout<P>(#P),
-constexpr PacketLayout packets[]{EVC_PACKETS_TO_TRAIN(EVC_ROW) EVC_PACKETS_TO_TRACK(EVC_ROW)};
+constexpr PacketLayout all_packets[]{EVC_PACKETS_TO_TRAIN(EVC_ROW) EVC_PACKETS_TO_TRACK(EVC_ROW)};
 #undef EVC_ROW
 #define EVC_ROW(M) MessageLayout{&M::info, #M, steps_of<M>},
-constexpr MessageLayout messages[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW) EVC_MESSAGES_TO_TRACK(EVC_ROW)};
+constexpr MessageLayout all_messages[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW) EVC_MESSAGES_TO_TRACK(EVC_ROW)};
 #undef EVC_ROW
 
-/// One more than the index of each number in `packets`, per direction and version.
-using Index = std::array<std::array<std::uint8_t, 256>, 8>;
-constexpr Index make_index() {
-  Index index{};
-  for (std::size_t i = 0; i < std::size(packets); ++i)
+/// One more than the index of each number in `all_packets`, per direction and version.
+using LayoutIndex = std::array<std::array<std::uint8_t, 256>, 8>;
+constexpr LayoutIndex make_index() {
+  LayoutIndex index{};
+  for (std::size_t i = 0; i < std::size(all_packets); ++i)
     for (unsigned v = 0; v < 4; ++v)
-      if ((packets[i].info->versions & (1u << v)) != 0)
-        index[(packets[i].info->direction == Direction::to_track ? 4u : 0u) + v][packets[i].info->NID_PACKET] =
+      if ((all_packets[i].info->versions & (1u << v)) != 0)
+        index[(all_packets[i].info->direction == Direction::to_track ? 4u : 0u) + v][all_packets[i].info->NID_PACKET] =
             static_cast<std::uint8_t>(i + 1);
   return index;
 }
-constexpr Index packet_index = make_index();
+constexpr LayoutIndex packet_index = make_index();
 
 }  // namespace
 
-std::span<const PacketLayout> packet_layouts() { return packets; }
-std::span<const MessageLayout> message_layouts() { return messages; }
+std::span<const PacketLayout> packet_layouts() { return all_packets; }
+std::span<const MessageLayout> message_layouts() { return all_messages; }
 
 const PacketLayout* find_packet_layout(Direction direction, Versions version, std::uint8_t nid) {
   const unsigned v = version == v1_0 ? 0u : version == v1_1 ? 1u : version == v2_0 ? 2u : 3u;
   const std::uint8_t i = packet_index[(direction == Direction::to_track ? 4u : 0u) + v][nid];
-  return i == 0 ? nullptr : &packets[i - 1u];
+  return i == 0 ? nullptr : &all_packets[i - 1u];
 }
 
 const MessageLayout* find_message_layout(Direction direction, SystemVersion sv, std::uint8_t nid) {
   const Versions version = known_version(sv);
-  for (const MessageLayout& m : messages)
+  for (const MessageLayout& m : all_messages)
     if (m.info->direction == direction && m.info->NID_MESSAGE == nid &&
         (version == 0 || (m.info->versions & version) != 0))
       return &m;

@@ -99,10 +99,10 @@ FaultAt check_message(const View& view, std::size_t& end) {
   return read_message(view, message, &end);
 }
 #define EVC_ROW(M) {&M::info, &check_message<M, MessageToTrainView>},
-constexpr MessageToTrainCodec to_train[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW)};
+constexpr MessageToTrainCodec messages_to_train[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW)};
 #undef EVC_ROW
 #define EVC_ROW(M) {&M::info, &check_message<M, MessageToTrackView>},
-constexpr MessageToTrackCodec to_track[]{EVC_MESSAGES_TO_TRACK(EVC_ROW)};
+constexpr MessageToTrackCodec messages_to_track[]{EVC_MESSAGES_TO_TRACK(EVC_ROW)};
 #undef EVC_ROW
 
 template <class List>
@@ -115,8 +115,12 @@ auto find(const List& list, std::uint8_t nid, SystemVersion sv) {
 
 }  // namespace
 
-const MessageToTrainCodec* find_message_to_train(std::uint8_t nid, SystemVersion sv) { return find(to_train, nid, sv); }
-const MessageToTrackCodec* find_message_to_track(std::uint8_t nid, SystemVersion sv) { return find(to_track, nid, sv); }
+const MessageToTrainCodec* find_message_to_train(std::uint8_t nid, SystemVersion sv) {
+  return find(messages_to_train, nid, sv);
+}
+const MessageToTrackCodec* find_message_to_track(std::uint8_t nid, SystemVersion sv) {
+  return find(messages_to_track, nid, sv);
+}
 
 void begin_telegram(BitWriter& out, const TelegramHeader& h) {
   out.write(h.Q_UPDOWN.raw, var::Q_UPDOWN::bits);

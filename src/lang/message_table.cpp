@@ -54,7 +54,7 @@ constexpr std::array<std::uint8_t, 2> ids_28{4, 44};
 constexpr std::array<std::uint8_t, 2> ids_29{2, 3};
 constexpr std::array<std::uint8_t, 1> ids_30{3};
 
-constexpr std::array<MessageRules, 58> table{{
+constexpr std::array<MessageRules, 58> all_rules{{
     {2,
      "SR authorisation",
      Direction::to_train,
@@ -789,6 +789,6 @@ constexpr std::array<MessageRules, 58> table{{
 
 }  // namespace
 
-std::span<const MessageRules> message_rules() { return table; }
+std::span<const MessageRules> message_rules() { return all_rules; }
 
 }  // namespace evc::lang

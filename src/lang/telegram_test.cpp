@@ -55,10 +55,10 @@ TEST(Telegram, OfARealLine) {
 
 /// A telegram of version 2.1 (or `M_VERSION`) with the bits that `fill` writes.
 template <class Fill>
-struct Made {
+struct WithBits {
   std::array<std::uint8_t, 128> room{};
   BitWriter out{room};
-  explicit Made(Fill fill, std::uint8_t M_VERSION = 33, std::size_t bits = 830) {
+  explicit WithBits(Fill fill, std::uint8_t M_VERSION = 33, std::size_t bits = 830) {
     TelegramHeader header;
     header.M_VERSION.raw = M_VERSION;
     header.NID_BG.raw = 9;
@@ -76,7 +76,7 @@ void raw_packet(BitWriter& out, unsigned nid, unsigned Q_DIR, unsigned L_PACKET)
 }
 
 TEST(Telegram, UnknownPacketWithLengthZero) {
-  const Made made([](BitWriter& out) { raw_packet(out, 99, 1, 0); });
+  const WithBits made([](BitWriter& out) { raw_packet(out, 99, 1, 0); });
   for (const Check check : {Check::all, Check::structure}) {
     const TelegramView t = made.scan(check);
     EXPECT_EQ(t.fault, Fault::length_too_small);
@@ -87,7 +87,7 @@ TEST(Telegram, UnknownPacketWithLengthZero) {
 
 TEST(Telegram, CounterAtItsLimit) {
   // 31 further links announced, none present: the packet ends by its own length.
-  const Made made([](BitWriter& out) {
+  const WithBits made([](BitWriter& out) {
     raw_packet(out, 5, 1, 69);
     out.write(1, 2);
     out.write(0, 15 + 1 + 14 + 1 + 2 + 6);
@@ -113,12 +113,12 @@ TEST(Telegram, CounterAtItsLimit) {
 }
 
 TEST(Telegram, PacketThatEndsBeyondTheTelegram) {
-  const Made made([](BitWriter& out) { raw_packet(out, 99, 1, 8191); });
+  const WithBits made([](BitWriter& out) { raw_packet(out, 99, 1, 8191); });
   const TelegramView t = made.scan(Check::structure);
   EXPECT_EQ(t.fault, Fault::length_beyond_end);
   EXPECT_EQ(t.at.value, 8191u);
   // A packet with an incomplete header.
-  const Made cut([](BitWriter&) {}, 33, 0);
+  const WithBits cut([](BitWriter&) {}, 33, 0);
   std::array<std::uint8_t, 8> bytes{};
   std::copy_n(cut.room.begin(), 8, bytes.begin());
   bytes[6] = static_cast<std::uint8_t>(bytes[6] & 0xC0);
@@ -130,7 +130,7 @@ TEST(Telegram, PacketThatEndsBeyondTheTelegram) {
 }
 
 TEST(Telegram, PacketThatIsLongerThanItsContent) {
-  const Made made([](BitWriter& out) {
+  const WithBits made([](BitWriter& out) {
     raw_packet(out, 45, 1, 23 + 24 + 8);
     out.write(7, 24);
     out.write(0, 8);
@@ -142,7 +142,7 @@ TEST(Telegram, PacketThatIsLongerThanItsContent) {
 }
 
 TEST(Telegram, UnknownPacketIsSkipped) {
-  const Made made([](BitWriter& out) {
+  const WithBits made([](BitWriter& out) {
     raw_packet(out, 99, 1, 30);
     out.write(0x55, 7);
     encode(out, Packet45{{1}, {7}});
@@ -156,7 +156,7 @@ TEST(Telegram, UnknownPacketIsSkipped) {
   EXPECT_EQ(made.scan().fault, Fault::spare_value);
   EXPECT_EQ(made.scan().at.packet, 99);
   EXPECT_STREQ(made.scan().at.variable, "NID_PACKET");
-  const Made later([](BitWriter& out) { raw_packet(out, 99, 1, 23); }, 34);
+  const WithBits later([](BitWriter& out) { raw_packet(out, 99, 1, 23); }, 34);
   EXPECT_EQ(later.scan().fault, Fault::none);
 }
 
@@ -167,17 +167,17 @@ TEST(Telegram, SpareCode) {
     tsr.V_TSR.raw = 121;
     encode(out, tsr);
   };
-  const TelegramView t = Made(fill).scan();
+  const TelegramView t = WithBits(fill).scan();
   EXPECT_EQ(t.fault, Fault::spare_value);
   EXPECT_EQ(t.at.packet, 65);
   EXPECT_STREQ(t.at.variable, "V_TSR");
   EXPECT_EQ(t.at.value, 121u);
   EXPECT_EQ(t.at.bit, 50u + 23 + 2 + 8 + 15 + 15 + 1);
-  EXPECT_EQ(Made(fill).scan(Check::structure).fault, Fault::none);
+  EXPECT_EQ(WithBits(fill).scan(Check::structure).fault, Fault::none);
   // A train cannot use it with a later Y either; a reader continues and returns the code.
-  EXPECT_EQ(Made(fill, 34).scan().fault, Fault::spare_value);
-  EXPECT_EQ(Made(fill).scan(Check::reading).fault, Fault::spare_value);
-  const Made later(fill, 34);
+  EXPECT_EQ(WithBits(fill, 34).scan().fault, Fault::spare_value);
+  EXPECT_EQ(WithBits(fill).scan(Check::reading).fault, Fault::spare_value);
+  const WithBits later(fill, 34);
   const TelegramView reading = later.scan(Check::reading);
   ASSERT_EQ(reading.fault, Fault::none);
   Packet65 read;
@@ -191,10 +191,10 @@ TEST(Telegram, SpareCode) {
     encode(out, tsr);
   };
   for (const Check check : {Check::all, Check::reading})
-    EXPECT_STREQ(Made(scale, 34).scan(check).at.variable, "Q_SCALE");
+    EXPECT_STREQ(WithBits(scale, 34).scan(check).at.variable, "Q_SCALE");
   const auto direction = [](BitWriter& out) { encode(out, Packet65{{3}, {1}, {1}, {}, {}, {}, {}}); };
   for (const Check check : {Check::all, Check::reading})
-    EXPECT_STREQ(Made(direction, 34).scan(check).at.variable, "Q_DIR");
+    EXPECT_STREQ(WithBits(direction, 34).scan(check).at.variable, "Q_DIR");
 }
 
 // The same for variables of other kinds: enumerations, conditions, speeds.
@@ -226,7 +226,7 @@ TEST(Telegram, SpareCodesOfALaterVersionByVariable) {
        }},
   };
   for (const Case& c : cases) {
-    const Made now(c.fill), later(c.fill, 35);
+    const WithBits now(c.fill), later(c.fill, 35);
     for (const Check check : {Check::all, Check::reading}) EXPECT_STREQ(now.scan(check).at.variable, c.variable);
     EXPECT_STREQ(later.scan().at.variable, c.variable);
     EXPECT_EQ(later.scan(Check::reading).fault, Fault::none) << c.variable;
@@ -235,18 +235,18 @@ TEST(Telegram, SpareCodesOfALaterVersionByVariable) {
 
 TEST(Telegram, Versions) {
   const auto nothing = [](BitWriter&) {};
-  EXPECT_EQ(Made(nothing, 16).scan().fault, Fault::none);
-  EXPECT_EQ(Made(nothing, 17).scan().fault, Fault::none);
-  EXPECT_EQ(Made(nothing, 32).scan().fault, Fault::none);
-  EXPECT_EQ(Made(nothing, 47).scan().fault, Fault::none);
-  EXPECT_EQ(Made(nothing, 15).scan().fault, Fault::unknown_version);
-  EXPECT_EQ(Made(nothing, 48).scan().fault, Fault::unknown_version);
-  EXPECT_EQ(Made(nothing, 18).scan().fault, Fault::spare_value);
-  EXPECT_EQ(Made(nothing, 48).scan().NID_BG.raw, 9);
+  EXPECT_EQ(WithBits(nothing, 16).scan().fault, Fault::none);
+  EXPECT_EQ(WithBits(nothing, 17).scan().fault, Fault::none);
+  EXPECT_EQ(WithBits(nothing, 32).scan().fault, Fault::none);
+  EXPECT_EQ(WithBits(nothing, 47).scan().fault, Fault::none);
+  EXPECT_EQ(WithBits(nothing, 15).scan().fault, Fault::unknown_version);
+  EXPECT_EQ(WithBits(nothing, 48).scan().fault, Fault::unknown_version);
+  EXPECT_EQ(WithBits(nothing, 18).scan().fault, Fault::spare_value);
+  EXPECT_EQ(WithBits(nothing, 48).scan().NID_BG.raw, 9);
 }
 
 TEST(Telegram, Header) {
-  Made made([](BitWriter&) {});
+  WithBits made([](BitWriter&) {});
   made.room[0] = static_cast<std::uint8_t>(made.room[0] & 0x7F);
   EXPECT_EQ(made.scan().fault, Fault::wrong_direction);
   made.room[0] = static_cast<std::uint8_t>(made.room[0] | 0x80);
@@ -266,7 +266,7 @@ TEST(Telegram, Header) {
 
 TEST(Telegram, PacketsThatStandTwice) {
   const auto twice = [](unsigned first, unsigned second) {
-    return Made([=](BitWriter& out) {
+    return WithBits([=](BitWriter& out) {
              encode(out, Packet45{{static_cast<std::uint8_t>(first)}, {7}});
              encode(out, Packet45{{static_cast<std::uint8_t>(second)}, {7}});
            })
@@ -278,14 +278,14 @@ TEST(Telegram, PacketsThatStandTwice) {
   EXPECT_EQ(twice(2, 1), Fault::duplicate_packet);
   EXPECT_EQ(twice(0, 2), Fault::duplicate_packet);
   // 8.4.1.4: temporary speed restrictions, and packets after packet 136.
-  EXPECT_EQ(Made([](BitWriter& out) {
+  EXPECT_EQ(WithBits([](BitWriter& out) {
               encode(out, Packet65{{1}, {1}, {1}, {}, {}, {}, {}});
               encode(out, Packet65{{1}, {1}, {2}, {}, {}, {}, {}});
             })
                 .scan()
                 .fault,
             Fault::none);
-  EXPECT_EQ(Made([](BitWriter& out) {
+  EXPECT_EQ(WithBits([](BitWriter& out) {
               encode(out, Packet5{});
               encode(out, Packet136{});
               encode(out, Packet5{});
@@ -297,21 +297,21 @@ TEST(Telegram, PacketsThatStandTwice) {
 
 TEST(Telegram, MediumAndPlace) {
   // Packet 57 is sent by radio only.
-  EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan().fault, Fault::wrong_medium);
-  EXPECT_EQ(Made([](BitWriter& out) { encode(out, Packet57{}); }).scan(Check::structure).fault, Fault::none);
+  EXPECT_EQ(WithBits([](BitWriter& out) { encode(out, Packet57{}); }).scan().fault, Fault::wrong_medium);
+  EXPECT_EQ(WithBits([](BitWriter& out) { encode(out, Packet57{}); }).scan(Check::structure).fault, Fault::none);
   const auto marker = [](BitWriter& out) {
     encode(out, Packet0{{5}});
     encode(out, Packet0{{6}});
     encode(out, Packet45{});
   };
-  const Made made(marker);
+  const WithBits made(marker);
   const TelegramView t = made.scan();
   ASSERT_EQ(t.fault, Fault::none);
   EXPECT_EQ(t.packets[0].L_PACKET, 14);
   Packet0 p;
   ASSERT_EQ(decode(t.packets[1], p), Fault::none);
   EXPECT_EQ(p.NID_VBCMK.raw, 6);
-  EXPECT_EQ(Made([](BitWriter& out) {
+  EXPECT_EQ(WithBits([](BitWriter& out) {
               encode(out, Packet45{});
               encode(out, Packet0{{5}});
             })

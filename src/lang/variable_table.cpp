@@ -341,7 +341,7 @@ constexpr VariableInfo row(const char* name, Kind kind, const char* unit, double
           special, codes, bit_meanings, numbers,   spare_of<V>, versions, about,      ref,      note};
 }
 
-constexpr std::array<VariableInfo, 244> table{{
+constexpr std::array<VariableInfo, 244> all_variables{{
     row<var::A_NVMAXREDADH1>(
         "A_NVMAXREDADH1", Kind::acceleration, "m/s2", 0.05, false, false, A_NVMAXREDADH1_special, {}, {}, {},
         v1_1 | v2_0 | v2_1, "national value: reduced-adhesion deceleration cap, special brakes independent of adhesion",
@@ -863,6 +863,6 @@ constexpr std::array<VariableInfo, 244> table{{
 
 }  // namespace
 
-std::span<const VariableInfo> variables() { return table; }
+std::span<const VariableInfo> variables() { return all_variables; }
 
 }  // namespace evc::lang

@@ -9,7 +9,7 @@
 namespace evc::modes {
 namespace {
 
-AcceptanceContext in(Mode mode, Level level, Medium medium, SrsVersion srs = SrsVersion::v3_6_0) {
+AcceptanceContext unprepared(Mode mode, Level level, Medium medium, SrsVersion srs = SrsVersion::v3_6_0) {
   AcceptanceContext c;
   c.mode = mode;
   c.level = level;
@@ -26,16 +26,16 @@ TEST(AcceptanceEdges, What_nobody_set_is_absent) {
   EXPECT_EQ(accept_by_level(Information::movement_authority, unset).verdict, Verdict::rejected) << "level 0";
   EXPECT_EQ(Acceptance{}.verdict, Verdict::rejected);
   // 4.8.3: [4] SSP and gradient do not cover the MA; [11] no order along; [14] the RBC of no transition.
-  const AcceptanceContext balise_1 = in(Mode::FS, Level::L1, Medium::balise);
+  const AcceptanceContext balise_1 = unprepared(Mode::FS, Level::L1, Medium::balise);
   EXPECT_EQ(accept_by_level(Information::movement_authority, balise_1).clause, "4.8.3 [4]"_srs);
   // 4.8.4: [2] the desk is closed, [4] no valid train data.
-  AcceptanceContext sb = in(Mode::SB, Level::L1, Medium::balise);
+  AcceptanceContext sb = unprepared(Mode::SB, Level::L1, Medium::balise);
   EXPECT_EQ(accept_by_mode(Information::stm_max_speed, sb).clause, "4.8.4 [2]"_srs);
   sb.desk_open = true;
   EXPECT_EQ(accept_by_mode(Information::stm_max_speed, sb).verdict, Verdict::accepted);
   // 4.8.4 [3]: in PS and SH an order to establish a session is one only where it says so.
   for (const Mode mode : {Mode::PS, Mode::SH}) {
-    AcceptanceContext c = in(mode, Level::L2, Medium::balise);
+    AcceptanceContext c = unprepared(mode, Level::L2, Medium::balise);
     EXPECT_EQ(accept_by_mode(Information::session_management, c).verdict, Verdict::accepted);
     c.orders_establishment = true;
     EXPECT_EQ(accept_by_mode(Information::session_management, c).verdict, Verdict::only_contact_stored);
@@ -71,7 +71,7 @@ TEST(AcceptanceEdges, Each_fact_that_lets_an_information_pass_is_absent_unless_i
         for (const Medium medium : {Medium::balise, Medium::rbc})
           for (std::size_t m = 0; m < kModes; ++m) {
             const Information information = static_cast<Information>(i);
-            AcceptanceContext c = in(static_cast<Mode>(m), level, medium);
+            AcceptanceContext c = unprepared(static_cast<Mode>(m), level, medium);
             c.desk_open = true;
             c.*flag.fact = flag.passes_when;
             EXPECT_NE(accept_by_level(information, c).clause, flag.exception);
@@ -88,7 +88,7 @@ TEST(AcceptanceEdges, Each_fact_that_lets_an_information_pass_is_absent_unless_i
 
 TEST(AcceptanceEdges, Of_the_former_RBC_only_the_end_of_its_session_counts) {  // 3.15.1.3
   for (std::size_t i = 0; i < kInformation; ++i) {
-    AcceptanceContext c = in(Mode::FS, Level::L2, Medium::rbc);
+    AcceptanceContext c = unprepared(Mode::FS, Level::L2, Medium::rbc);
     c.rbc = RbcRole::former;
     const Information information = static_cast<Information>(i);
     const bool session =
@@ -104,8 +104,8 @@ TEST(AcceptanceEdges, In_NL_texts_are_accepted_in_3_4_0_only_and_nothing_else_di
     const Information information = static_cast<Information>(i);
     const bool text = information == Information::plain_text || information == Information::fixed_text;
     const Verdict old =
-        accept_by_mode(information, in(Mode::NL, Level::L1, Medium::balise, SrsVersion::v3_4_0)).verdict;
-    const Verdict now = accept_by_mode(information, in(Mode::NL, Level::L1, Medium::balise)).verdict;
+        accept_by_mode(information, unprepared(Mode::NL, Level::L1, Medium::balise, SrsVersion::v3_4_0)).verdict;
+    const Verdict now = accept_by_mode(information, unprepared(Mode::NL, Level::L1, Medium::balise)).verdict;
     if (text) {
       EXPECT_EQ(old, Verdict::accepted);
       EXPECT_EQ(now, Verdict::rejected);
@@ -120,7 +120,7 @@ TEST(AcceptanceEdges, The_level_of_a_national_system_has_two_columns) {  // 4.8.
     for (std::size_t l = 0; l < kLevels; ++l)
       for (const bool own : {false, true}) {
         const Level level = static_cast<Level>(l);
-        const AcceptanceContext c = in(Mode::FS, level, Medium::balise);
+        const AcceptanceContext c = unprepared(Mode::FS, level, Medium::balise);
         const Acceptance announced = accept_from_stm(information, own, true, c);
         if (level != Level::NTC)
           EXPECT_EQ(announced.verdict, Verdict::accepted) << l;
@@ -133,7 +133,7 @@ TEST(AcceptanceEdges, The_level_of_a_national_system_has_two_columns) {  // 4.8.
 
 TEST(AcceptanceEdges, What_only_a_national_system_sends_is_not_accepted_by_level) {
   for (const Information information : {Information::stm_max_speed, Information::stm_system_speed_distance}) {
-    const Acceptance a = accept_by_level(information, in(Mode::FS, Level::NTC, Medium::balise));
+    const Acceptance a = accept_by_level(information, unprepared(Mode::FS, Level::NTC, Medium::balise));
     EXPECT_EQ(a.verdict, Verdict::rejected);
     EXPECT_EQ(a.clause, "4.8.3"_srs);
   }

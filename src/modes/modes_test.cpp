@@ -75,7 +75,7 @@ TEST(Conditions, Are_a_set_of_numbers) {
   EXPECT_EQ(meaning(9), nullptr);
 }
 
-AcceptanceContext in(Mode mode, Level level, Medium medium) {
+AcceptanceContext prepared(Mode mode, Level level, Medium medium) {
   AcceptanceContext c;
   c.mode = mode;
   c.level = level;
@@ -92,18 +92,18 @@ void expect(const Acceptance& a, Verdict verdict, Clause clause) {
 }
 
 TEST(Accept, An_MA_in_its_own_level_and_mode) {
-  expect(accept(Information::movement_authority, in(Mode::FS, Level::L2, Medium::rbc)), Verdict::accepted, {});
-  expect(accept(Information::movement_authority, in(Mode::FS, Level::L1, Medium::balise)), Verdict::accepted, {});
-  expect(accept(Information::movement_authority, in(Mode::FS, Level::L2, Medium::balise)), Verdict::rejected,
+  expect(accept(Information::movement_authority, prepared(Mode::FS, Level::L2, Medium::rbc)), Verdict::accepted, {});
+  expect(accept(Information::movement_authority, prepared(Mode::FS, Level::L1, Medium::balise)), Verdict::accepted, {});
+  expect(accept(Information::movement_authority, prepared(Mode::FS, Level::L2, Medium::balise)), Verdict::rejected,
          "4.8.3"_srs);
-  expect(accept(Information::movement_authority, in(Mode::SH, Level::L1, Medium::balise)), Verdict::rejected,
+  expect(accept(Information::movement_authority, prepared(Mode::SH, Level::L1, Medium::balise)), Verdict::rejected,
          "4.8.4"_srs);
-  expect(accept(Information::movement_authority, in(Mode::SF, Level::L1, Medium::balise)), Verdict::rejected,
+  expect(accept(Information::movement_authority, prepared(Mode::SF, Level::L1, Medium::balise)), Verdict::rejected,
          "4.8.4"_srs);
 }
 
 TEST(Accept, Every_exception_of_4_8_3_decides) {
-  AcceptanceContext c = in(Mode::FS, Level::NTC, Medium::rbc);
+  AcceptanceContext c = prepared(Mode::FS, Level::NTC, Medium::rbc);
   c.mode = Mode::SN;
   c.announced = Level::L2;
   expect(accept(Information::movement_authority, c), Verdict::buffered, "4.8.3 [2]"_srs);
@@ -116,36 +116,36 @@ TEST(Accept, Every_exception_of_4_8_3_decides) {
   const auto rejects = [](Information what, AcceptanceContext context, Clause clause) {
     expect(accept(what, context), Verdict::rejected, clause);
   };
-  c = in(Mode::FS, Level::L2, Medium::rbc);
+  c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.train_data_unacknowledged = true;
   rejects(Information::movement_authority, c, "4.8.3 [3]"_srs);
-  c = in(Mode::FS, Level::L2, Medium::rbc);
+  c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.described_over_whole_ma = false;
   rejects(Information::movement_authority, c, "4.8.3 [4]"_srs);
-  c = in(Mode::FS, Level::L2, Medium::rbc);
+  c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.emergency_stop_pending = true;
   rejects(Information::movement_authority, c, "4.8.3 [5]"_srs);
-  c = in(Mode::FS, Level::L2, Medium::balise);
+  c = prepared(Mode::FS, Level::L2, Medium::balise);
   c.revocable_and_inhibited = true;
   rejects(Information::tsr, c, "4.8.3 [8]"_srs);
-  c = in(Mode::FS, Level::L1, Medium::balise);
+  c = prepared(Mode::FS, Level::L1, Medium::balise);
   rejects(Information::taf_up_to_l23, c, "4.8.3 [9]"_srs);
   c.announced = Level::L3;
   expect(accept(Information::taf_up_to_l23, c), Verdict::accepted, {});
-  c = in(Mode::SR, Level::L2, Medium::rbc);
+  c = prepared(Mode::SR, Level::L2, Medium::rbc);
   c.other_previous_lrbg = true;
   rejects(Information::coordinate_system_assignment, c, "4.8.3 [10]"_srs);
-  c = in(Mode::FS, Level::L2, Medium::balise);
+  c = prepared(Mode::FS, Level::L2, Medium::balise);
   c.level_order_along_or_announced = true;
   rejects(Information::conditional_level_transition_order, c, "4.8.3 [11]"_srs);
-  c = in(Mode::FS, Level::L2, Medium::rbc);
+  c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.text_awaits_acknowledgement = true;
   rejects(Information::plain_text, c, "4.8.3 [12]"_srs);
-  c = in(Mode::SH, Level::L0, Medium::balise);
+  c = prepared(Mode::SH, Level::L0, Medium::balise);
   rejects(Information::danger_for_sh, c, "4.8.3 [13]"_srs);
   c.immediate_order_to_1_2_3 = true;
   expect(accept(Information::danger_for_sh, c), Verdict::accepted, {});
-  c = in(Mode::FS, Level::L2, Medium::balise);
+  c = prepared(Mode::FS, Level::L2, Medium::balise);
   c.names_rbc_of_transition = true;
   rejects(Information::session_management, c, "4.8.3 [14]"_srs);
   c.srs = SrsVersion::v3_4_0;
@@ -153,41 +153,41 @@ TEST(Accept, Every_exception_of_4_8_3_decides) {
 }
 
 TEST(Accept, Every_exception_of_4_8_4_decides) {
-  AcceptanceContext c = in(Mode::PT, Level::L2, Medium::rbc);
+  AcceptanceContext c = prepared(Mode::PT, Level::L2, Medium::rbc);
   expect(accept(Information::sr_authorisation, c), Verdict::rejected, "4.8.4 [1]"_srs);
   c.exit_from_trip_recognised = true;
   expect(accept(Information::sr_authorisation, c), Verdict::accepted, {});
   c.level = Level::L1;
   c.medium = Medium::balise;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.4 [1]"_srs);
-  c = in(Mode::SB, Level::L1, Medium::balise);
+  c = prepared(Mode::SB, Level::L1, Medium::balise);
   c.desk_open = false;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.4 [2]"_srs);
   c.desk_open = true;
   c.train_data_valid = false;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.4 [4]"_srs);
-  c = in(Mode::SH, Level::L1, Medium::balise);
+  c = prepared(Mode::SH, Level::L1, Medium::balise);
   c.orders_establishment = true;
   expect(accept(Information::session_management, c), Verdict::only_contact_stored, "4.8.4 [3]"_srs);
   c.orders_establishment = false;
   expect(accept(Information::session_management, c), Verdict::accepted, {});
-  c = in(Mode::PT, Level::L2, Medium::rbc);
+  c = prepared(Mode::PT, Level::L2, Medium::rbc);
   c.exit_from_trip_recognised = true;
   expect(accept(Information::level_transition_order, c), Verdict::rejected, "4.8.4 [5]"_srs);
   c.order = OrderKind::announcement;
   expect(accept(Information::level_transition_order, c), Verdict::accepted, {});
-  c = in(Mode::SR, Level::L1, Medium::loop);
+  c = prepared(Mode::SR, Level::L1, Medium::loop);
   c.override_active = true;
   expect(accept(Information::sr_distance_loop, c), Verdict::rejected, "4.8.4 [6]"_srs);
-  c = in(Mode::SH, Level::L1, Medium::balise);
+  c = prepared(Mode::SH, Level::L1, Medium::balise);
   expect(accept(Information::level_transition_order, c), Verdict::order_stored, "4.8.4 [7]"_srs);
   c.order = OrderKind::announcement;
   expect(accept(Information::level_transition_order, c), Verdict::rejected, "4.8.4 [7]"_srs);
-  c = in(Mode::SH, Level::L2, Medium::balise);
+  c = prepared(Mode::SH, Level::L2, Medium::balise);
   expect(accept(Information::rbc_transition_order, c), Verdict::rejected, "4.8.4 [8]"_srs);
   c.null_distance = true;
   expect(accept(Information::rbc_transition_order, c), Verdict::only_contact_stored, "4.8.4 [8]"_srs);
-  c = in(Mode::FS, Level::L1, Medium::balise);
+  c = prepared(Mode::FS, Level::L1, Medium::balise);
   expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [9]"_srs);
   c.front_in_ls_area_of_message = true;
   expect(accept(Information::lssma_toggle_on, c), Verdict::accepted, {});
@@ -195,7 +195,7 @@ TEST(Accept, Every_exception_of_4_8_4_decides) {
 
 TEST(Accept, Infill_counts_in_FS_and_LS_only) {
   for (std::size_t m = 0; m < kModes; ++m) {
-    AcceptanceContext c = in(static_cast<Mode>(m), Level::L1, Medium::balise);
+    AcceptanceContext c = prepared(static_cast<Mode>(m), Level::L1, Medium::balise);
     c.infill = true;
     const bool runs = c.mode == Mode::FS || c.mode == Mode::LS;
     EXPECT_EQ(accept(Information::gradient, c).verdict == Verdict::accepted, runs) << name(c.mode);
@@ -203,7 +203,7 @@ TEST(Accept, Infill_counts_in_FS_and_LS_only) {
 }
 
 TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
-  AcceptanceContext c = in(Mode::FS, Level::L2, Medium::rbc);
+  AcceptanceContext c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.rbc = RbcRole::accepting;
   expect(accept(Information::movement_authority, c), Verdict::buffered, "4.8.2.1"_srs);
   expect(accept(Information::train_data_ack, c), Verdict::accepted, {});
@@ -216,7 +216,7 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   c.srs = SrsVersion::v3_4_0;
   expect(accept(Information::lssma_toggle_off, c), Verdict::buffered, "4.8.2.1"_srs);
   expect(accept(Information::session_initiation, c), Verdict::accepted, {});
-  c = in(Mode::FS, Level::L2, Medium::rbc);
+  c = prepared(Mode::FS, Level::L2, Medium::rbc);
   c.rbc = RbcRole::former;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.2.1"_srs);
   expect(accept(Information::session_management, c), Verdict::accepted, {});
@@ -225,7 +225,7 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
 }
 
 TEST(Accept, Editions) {
-  AcceptanceContext c = in(Mode::NL, Level::L2, Medium::rbc);
+  AcceptanceContext c = prepared(Mode::NL, Level::L2, Medium::rbc);
   expect(accept(Information::plain_text, c), Verdict::rejected, "4.8.4"_srs);
   expect(accept(Information::session_initiation, c), Verdict::rejected, "4.8.3"_srs);
   c.srs = SrsVersion::v3_4_0;
@@ -234,16 +234,16 @@ TEST(Accept, Editions) {
 }
 
 TEST(Accept, National_systems) {
-  AcceptanceContext c = in(Mode::FS, Level::L1, Medium::balise);
+  AcceptanceContext c = prepared(Mode::FS, Level::L1, Medium::balise);
   expect(accept(Information::stm_max_speed, c), Verdict::rejected, "4.8.3"_srs);
   expect(accept_from_stm(Information::gradient, false, false, c), Verdict::rejected, "4.8.3"_srs);
   expect(accept_from_stm(Information::stm_max_speed, false, false, c), Verdict::rejected, "4.8.3 [7]"_srs);
   expect(accept_from_stm(Information::stm_max_speed, false, true, c), Verdict::accepted, {});
-  c = in(Mode::SN, Level::NTC, Medium::balise);
+  c = prepared(Mode::SN, Level::NTC, Medium::balise);
   expect(accept_from_stm(Information::stm_max_speed, true, false, c), Verdict::rejected, "4.8.3"_srs);
   expect(accept_from_stm(Information::stm_max_speed, false, true, c), Verdict::buffered, "4.8.3 [6]"_srs);
   expect(accept_from_stm(Information::stm_system_speed_distance, false, true, c), Verdict::rejected, "4.8.3"_srs);
-  c = in(Mode::UN, Level::L0, Medium::balise);
+  c = prepared(Mode::UN, Level::L0, Medium::balise);
   expect(accept_from_stm(Information::stm_system_speed_distance, false, true, c), Verdict::accepted, {});
 }
 

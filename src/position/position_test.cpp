@@ -7,20 +7,19 @@
 #include <type_traits>
 #include <vector>
 
+#include "position/testing.h"
+
 namespace evc::position {
 namespace {
+
+using testing::moving;
+using testing::spread;
 
 static_assert(std::is_trivially_copyable_v<State>);
 static_assert(sizeof(State) < 3072);
 
 OdometerReading exact(double c) {
   return {OdometerPlace{Distance{c}}, OdometerPlace{Distance{c}}, OdometerPlace{Distance{c}}};
-}
-OdometerReading spread(double c, double under, double over) {
-  return {OdometerPlace{Distance{c}}, OdometerPlace{Distance{c - over}}, OdometerPlace{Distance{c + under}}};
-}
-Odometry moving(const OdometerReading& counter, double v = 10.0) {
-  return {counter, Speed{v}, Speed{v}, Speed{v}, Acceleration{}};
 }
 Passage passage(std::uint16_t NID_BG, const OdometerReading& counter, double L_antenna = 2.0) {
   Passage p;

@@ -4,17 +4,16 @@
 
 #include <random>
 
+#include "position/testing.h"
+
 namespace evc::position {
 namespace {
 
+using testing::moving;
+using testing::spread;
+
 static_assert(std::is_trivially_copyable_v<ReportState>);
 
-OdometerReading spread(double c, double under = 0, double over = 0) {
-  return {OdometerPlace{Distance{c}}, OdometerPlace{Distance{c - over}}, OdometerPlace{Distance{c + under}}};
-}
-Odometry moving(const OdometerReading& counter, double v = 10.0) {
-  return {counter, Speed{v}, Speed{v}, Speed{v}, Acceleration{}};
-}
 Passage passage(std::uint16_t NID_BG, double c) {
   Passage p;
   p.id = {426, NID_BG};

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/test_units.h"
 #include "procedures/end_of_mission.h"
 #include "procedures/level_transition.h"
 #include "procedures/mode_profile.h"
@@ -16,7 +17,7 @@
 namespace evc::procedures {
 namespace {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 constexpr OdometerPlace run(double metres) { return OdometerPlace{Distance{metres}}; }
 
 TEST(Effects, All_sets_are_joined) {
@@ -486,11 +487,11 @@ struct Starting {
 };
 
 using start_of_mission::Session;
-using start_of_mission::Step;
+using SoM = start_of_mission::Step;
 
 TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
   struct Row {
-    Step step;
+    SoM step;
     Level level;
     Set<Entry> entries;
     Set<Offer> offers;
@@ -499,20 +500,20 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
   const Set<Offer> all = {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
                           Offer::driver_id, Offer::train_running_number, Offer::level};
   const Row rows[] = {
-      {Step::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number}, {}},
-      {Step::S2, Level::L1, {Entry::level}, {}, {}},
-      {Step::S3, Level::L2, {Entry::rbc_contact}, {}, {}},
-      {Step::S10, Level::L1, {Entry::train_data}, all, {}},
-      {Step::S20, Level::L1, {Entry::train_data}, all, {}},
-      {Step::S12, Level::L1, {Entry::train_data}, {}, {}},
-      {Step::S13, Level::L1, {Entry::train_running_number}, {}, {}},
-      {Step::S22, Level::NTC, {}, {}, {Ack::SN}},
-      {Step::S23, Level::L0, {}, {}, {Ack::UN}},
-      {Step::S24, Level::L1, {}, {}, {Ack::SR}},
+      {SoM::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number}, {}},
+      {SoM::S2, Level::L1, {Entry::level}, {}, {}},
+      {SoM::S3, Level::L2, {Entry::rbc_contact}, {}, {}},
+      {SoM::S10, Level::L1, {Entry::train_data}, all, {}},
+      {SoM::S20, Level::L1, {Entry::train_data}, all, {}},
+      {SoM::S12, Level::L1, {Entry::train_data}, {}, {}},
+      {SoM::S13, Level::L1, {Entry::train_running_number}, {}, {}},
+      {SoM::S22, Level::NTC, {}, {}, {Ack::SN}},
+      {SoM::S23, Level::L0, {}, {}, {Ack::UN}},
+      {SoM::S24, Level::L1, {}, {}, {Ack::SR}},
   };
   for (const Row& row : rows) {
     Starting s(row.step, row.level);
-    if (row.step == Step::S1) s.in.driver_id = DataStatus::unknown;
+    if (row.step == SoM::S1) s.in.driver_id = DataStatus::unknown;
     s.in.mobile_terminal_registered = true;
     const Effects out = s.cycle();
     EXPECT_EQ(s.state.step, row.step);
@@ -525,7 +526,7 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
 TEST(StartOfMission, Start_is_offered_with_train_data_and_running_number) {
   for (const bool data : {false, true})
     for (const bool number : {false, true}) {
-      Starting s(Step::S10, Level::L1);
+      Starting s(SoM::S10, Level::L1);
       s.in.train_data = data ? DataStatus::valid : DataStatus::invalid;
       s.in.train_running_number = number ? DataStatus::valid : DataStatus::invalid;
       const Effects out = s.cycle();
@@ -536,81 +537,81 @@ TEST(StartOfMission, Start_is_offered_with_train_data_and_running_number) {
 
 TEST(StartOfMission, A_level_is_invalid_where_the_position_is_and_the_driver_did_not_just_enter_it) {
   for (const bool entered : {false, true}) {
-    Starting s(Step::S1, Level::L1);
+    Starting s(SoM::S1, Level::L1);
     s.in.level_status = DataStatus::valid;
     s.in.position = DataStatus::invalid;
     s.in.enters_level = entered;
     EXPECT_EQ(s.cycle().status.has(Status::level_invalid), !entered);
   }
-  Starting unknown(Step::S1, Level::L1);
+  Starting unknown(SoM::S1, Level::L1);
   unknown.in.position = DataStatus::valid;
   EXPECT_FALSE(unknown.cycle().status.has(Status::level_invalid));  // it is not valid already
 }
 
 TEST(StartOfMission, With_position_and_level_the_session_is_opened_at_once_in_levels_2_and_3) {
   for (std::size_t l = 0; l < kLevels; ++l) {
-    Starting s(Step::S1, static_cast<Level>(l));
+    Starting s(SoM::S1, static_cast<Level>(l));
     s.in.position = s.in.level_status = DataStatus::valid;
     s.in.mobile_terminal_registered = true;
     const Effects out = s.cycle();
     const bool rbc = level_2_or_3(s.in.level);
     EXPECT_EQ(out.send, rbc ? Set<Send>{Send::open_session} : Set<Send>{});
     EXPECT_TRUE(out.inform.empty());
-    EXPECT_EQ(s.state.step, rbc ? Step::D31 : Step::S10);
+    EXPECT_EQ(s.state.step, rbc ? SoM::D31 : SoM::S10);
   }
 }
 
 TEST(StartOfMission, Status_of_the_RBC_contact_and_the_position) {
-  Starting contact(Step::S3, Level::L2);
+  Starting contact(SoM::S3, Level::L2);
   contact.in.mobile_terminal_registered = contact.in.enters_rbc_contact = true;
   EXPECT_EQ(contact.cycle().status, Set<Status>{Status::rbc_contact_valid});
-  Starting opened(Step::D31, Level::L2);
+  Starting opened(SoM::D31, Level::L2);
   opened.in.session = Session::open;
   EXPECT_EQ(opened.cycle().status, Set<Status>{Status::rbc_contact_valid});
-  Starting rejected(Step::D33, Level::L2);
+  Starting rejected(SoM::D33, Level::L2);
   rejected.in.session = Session::open;
   rejected.in.train_rejected = true;
   EXPECT_EQ(rejected.cycle().status, Set<Status>{Status::position_unknown});
   // A level entered in S2 is entered once.
-  Starting level(Step::S2, Level::L1);
+  Starting level(SoM::S2, Level::L1);
   level.in.enters_level = true;
   EXPECT_EQ(level.cycle().status, Set<Status>{Status::level_valid});
 }
 
 TEST(StartOfMission, A_desk_that_is_closed_in_SB_leaves_the_position_as_it_is) {
-  Starting s(Step::S10, Level::L1);
+  Starting s(SoM::S10, Level::L1);
   s.in.desk_open = false;
   s.in.position = DataStatus::invalid;
   EXPECT_TRUE(s.cycle().status.empty());
-  EXPECT_EQ(s.state.step, Step::S0);
+  EXPECT_EQ(s.state.step, SoM::S0);
 }
 
 TEST(StartOfMission, A_desk_that_is_closed_meanwhile_ends_the_session) {  // 3.5.3.8 a, 3.5.5.1
-  Starting s(Step::D31, Level::L2);
+  Starting s(SoM::D31, Level::L2);
   s.in.session = Session::establishing;
   s.in.desk_open = false;
   EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
   EXPECT_TRUE(s.cycle().send.empty()) << "once";
-  Starting left(Step::S24, Level::L2);
+  Starting left(SoM::S24, Level::L2);
   left.in.mode = Mode::SR;
   left.in.desk_open = false;
   EXPECT_TRUE(left.cycle().send.empty()) << "the mission has begun: its end is another procedure";
 }
 
 TEST(StartOfMission, A_session_that_is_open_when_the_desk_is_opened_is_terminated_first) {  // 5.4.1.4
-  Starting s(Step::S0, Level::L2);
+  Starting s(SoM::S0, Level::L2);
   s.state.desk_was_open = false;
   s.in.session = Session::open;
   EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
-  EXPECT_EQ(s.state.step, Step::S0);
+  EXPECT_EQ(s.state.step, SoM::S0);
   EXPECT_TRUE(s.cycle().send.empty()) << "one that is open later is not its own";
   s.in.session = Session::terminating;
   (void)s.cycle();
-  EXPECT_NE(s.state.step, Step::S0);
+  EXPECT_NE(s.state.step, SoM::S0);
 }
 
 TEST(StartOfMission, Knows_whether_it_had_a_session) {  // 3.5.3.4 g
-  Starting s(Step::S10, Level::L2);
+  Starting s(SoM::S10, Level::L2);
   EXPECT_TRUE(start_of_mission::without_session(s.state));
   s.in.session = Session::open;
   (void)s.cycle();
@@ -621,22 +622,22 @@ TEST(StartOfMission, Knows_whether_it_had_a_session) {  // 3.5.3.4 g
 }
 
 TEST(StartOfMission, What_is_sent_in_a_cycle_is_not_answered_in_it) {
-  Starting data(Step::S12, Level::L2);
+  Starting data(SoM::S12, Level::L2);
   data.in.session = Session::open;
   data.in.train_data = data.in.train_running_number = DataStatus::valid;
   data.in.train_data_acknowledged = true;
   EXPECT_EQ(data.cycle().send, Set<Send>{Send::train_data});
-  EXPECT_EQ(data.state.step, Step::S11);
-  Starting request(Step::S20, Level::L2);
+  EXPECT_EQ(data.state.step, SoM::S11);
+  Starting request(SoM::S20, Level::L2);
   request.in.session = Session::open;
   request.in.train_data = request.in.train_running_number = DataStatus::valid;
   request.in.selects_start = request.in.SR_authorised = true;
   EXPECT_EQ(request.cycle().send, Set<Send>{Send::ma_request});
-  EXPECT_EQ(request.state.step, Step::S21);
+  EXPECT_EQ(request.state.step, SoM::S21);
 }
 
 TEST(StartOfMission, The_MA_request_is_repeated_when_its_cycle_is_over_and_a_new_one_begins_at_once) {
-  Starting s(Step::S20, Level::L2);
+  Starting s(SoM::S20, Level::L2);
   s.in.session = Session::open;
   s.in.train_data = s.in.train_running_number = DataStatus::valid;
   s.in.selects_start = true;
@@ -648,7 +649,7 @@ TEST(StartOfMission, The_MA_request_is_repeated_when_its_cycle_is_over_and_a_new
   EXPECT_EQ(s.cycle().send, Set<Send>{Send::ma_request});
   s.in.session = Session::none;
   s.cycle();
-  EXPECT_EQ(s.state.step, Step::S10);
+  EXPECT_EQ(s.state.step, SoM::S10);
   s.in.session = Session::open;
   s.in.selects_start = true;
   s.in.now = Duration{62.0};

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/test_units.h"
+
 namespace evc::procedures {
 namespace {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 
 modes::OrderedLevel level(Level l, std::uint8_t ntc = 0) { return {l, ntc, Distance{300.0}}; }
 

@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/test_units.h"
+
 namespace evc::procedures {
 namespace {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 
 struct Profile {
   mode_profile::State state;

@@ -5,8 +5,6 @@
 namespace evc::procedures {
 namespace {
 
-using rbc_handover::Step;
-
 struct Handover {
   rbc_handover::State state;
   rbc_handover::Inputs in;
@@ -39,7 +37,7 @@ TEST(RbcHandover, The_front_end_reports_the_border_once) {  // 3.15.1.3.1 b
   EXPECT_FALSE(h.cycle().report);
   h.in.max_safe_front = true;
   EXPECT_TRUE(h.cycle().report);
-  EXPECT_EQ(h.state.step, Step::at_border);
+  EXPECT_EQ(h.state.step, rbc_handover::Step::at_border);
   EXPECT_FALSE(h.cycle().report);
 }
 
@@ -83,7 +81,7 @@ TEST(RbcHandover, The_rear_end_is_reported_four_times_and_then_the_session_ends)
   h.in.established = false;
   h.in.ended = true;
   EXPECT_TRUE(h.cycle().over);
-  EXPECT_EQ(h.state.step, Step::none);
+  EXPECT_EQ(h.state.step, rbc_handover::Step::none);
 }
 
 TEST(RbcHandover, An_ended_session_ends_the_repetition) {
@@ -125,7 +123,7 @@ TEST(RbcHandover, A_deleted_order_ends_the_handover_ahead_of_the_border) {  // 3
   h.in.stored = false;
   h.in.max_safe_front = true;
   EXPECT_FALSE(h.cycle().report);
-  EXPECT_EQ(h.state.step, Step::none);
+  EXPECT_EQ(h.state.step, rbc_handover::Step::none);
   h.in.stored = true;
   h.run_to_border();
   h.in.stored = false;
@@ -133,7 +131,7 @@ TEST(RbcHandover, A_deleted_order_ends_the_handover_ahead_of_the_border) {  // 3
   EXPECT_TRUE(h.cycle().report) << "the train is in the area of the accepting RBC";
   h.in.alone = true;
   (void)h.cycle();
-  EXPECT_EQ(h.state.step, Step::none) << "there is no second session";
+  EXPECT_EQ(h.state.step, rbc_handover::Step::none) << "there is no second session";
 }
 
 TEST(RbcHandover, A_new_order_begins_anew) {  // 3.15.1.3.2.2
@@ -141,7 +139,7 @@ TEST(RbcHandover, A_new_order_begins_anew) {  // 3.15.1.3.2.2
   h.run_to_border();
   h.in.max_safe_front = h.in.est_front = false;
   h.announce();
-  EXPECT_EQ(h.state.step, Step::announced);
+  EXPECT_EQ(h.state.step, rbc_handover::Step::announced);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/test_units.h"
+
 namespace evc::procedures {
 namespace {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 
 TEST(Reversing, Possible_at_standstill_in_the_area) {
   reversing::Inputs in;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <initializer_list>
 
+#include "base/test_units.h"
 #include "procedures/end_of_mission.h"
 #include "procedures/leaving_rbc.h"
 #include "procedures/level_transition.h"
@@ -18,7 +19,7 @@
 namespace evc::procedures {
 namespace {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 
 TEST(Unset, Facts_make_no_condition_true) {
   struct Row {

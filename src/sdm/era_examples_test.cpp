@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/test_units.h"
 #include "openevc/curves.h"
 
 namespace {
@@ -19,7 +20,7 @@ using nlohmann::json;
 namespace train = evc::train;
 namespace sdm = evc::sdm;
 
-Speed kmh(double v) { return {v / 3.6}; }
+using evc::test::kmh;
 
 json examples() {
   std::ifstream file(EVC_SOURCE_DIR "/tests/reference/era_examples.json");

@@ -25,7 +25,7 @@ bool never_reduced(const train::BuildUpTimes& b, const Times& unreduced) {
   return b.T_be_react.si <= 0.0 || unreduced.T_traction >= b.T_be;
 }
 
-void set_target(Ramp& r, const Target& target) {
+void aim(Ramp& r, const Target& target) {
   r.stop = target.kind == TargetKind::EOA_SvL || target.kind == TargetKind::SR_end;
   r.V_target = target.V_target;
 }
@@ -34,7 +34,7 @@ void set_target(Ramp& r, const Target& target) {
 Duration reduced_T_bs(const Derived& d, const Target& target, const train::BuildUpTimes& b, const Approach& a,
                       Place end, const Fronts& fronts) {
   Ramp r = service_ramp(b, a);
-  set_target(r, target);
+  aim(r, target);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_expected)) return *T;
   r.A = deceleration_range(d.decelerations, CurveKind::SBD, target.due_to_TSR, std::min(fronts.est, end), end,
                            fronts.est, r.V_target, a.V);
@@ -45,7 +45,7 @@ Duration reduced_T_be(const Derived& d, const Target& target, const train::Build
                       const Times& unreduced, const Fronts& fronts) {
   if (never_reduced(b, unreduced)) return b.T_be;
   Ramp r = emergency_ramp(d, b, a);
-  set_target(r, target);
+  aim(r, target);
   if (const auto T = build_up_time_settled(r, d.decelerations.highest_safe)) return *T;
   const Place end = target.d_target;
   const Speed V_bec = before_emergency_effort(a, unreduced, r.V_target).V_bec;

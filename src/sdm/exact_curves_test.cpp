@@ -172,12 +172,6 @@ KnownCurve known_curve(Dice& dice, double V_foot) {
   return c;
 }
 
-Decelerations determined(const Inputs& in) {
-  Decelerations d;
-  determine(d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
-  return d;
-}
-
 void expect_knots(const BrakingCurve& curve, const std::vector<Knot>& knots) {
   ASSERT_EQ(curve.knots.size(), knots.size());
   for (std::size_t k = 0; k < knots.size(); ++k) {

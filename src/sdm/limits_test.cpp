@@ -19,13 +19,6 @@ using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
-std::unique_ptr<Derived> built(const Inputs& in) {
-  auto d = std::make_unique<Derived>();
-  EXPECT_TRUE(rebuild(*d, in));
-  return d;
-}
-double m(Place p) { return p.from_origin.si; }
-
 TEST(CeilingLimits, Margins) {
   const train::FixedValues f;
   EXPECT_NEAR(dV_ebi(kmh(100), f).si * 3.6, 7.5, 1e-12);

@@ -14,12 +14,6 @@ using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
-std::unique_ptr<Derived> built(const Inputs& in) {
-  auto d = std::make_unique<Derived>();
-  EXPECT_TRUE(rebuild(*d, in));
-  return d;
-}
-
 /// Every limit location of every target at a few speeds; NaN where the EBD is beyond its target (below V_target +
 /// dV_ebi, and further with a weaker brake: 3.13.8.3.1), and at speeds up to the target speed, which are not
 /// supervised.

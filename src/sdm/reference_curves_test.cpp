@@ -14,12 +14,6 @@ using namespace evc::sdm::test;
 
 constexpr CurveKind kKinds[] = {CurveKind::EBD, CurveKind::SBD, CurveKind::GUI};
 
-Decelerations determined(const Inputs& in) {
-  Decelerations d;
-  determine(d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
-  return d;
-}
-
 TEST(ReferenceModel, CompensatedGradientAtEveryBorder) {
   for (int i = 0; i < cases(600); ++i) {
     Dice dice(static_cast<std::uint64_t>(i));

@@ -12,12 +12,6 @@ using namespace evc;
 using namespace evc::sdm;
 using namespace evc::sdm::test;
 
-std::unique_ptr<Derived> built(const Inputs& in) {
-  auto d = std::make_unique<Derived>();
-  rebuild(*d, in);
-  return d;
-}
-
 Inputs random_track(Dice& dice, int i) {
   Inputs in = rich_inputs(dice);
   in.revision = 1;

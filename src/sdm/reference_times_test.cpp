@@ -22,7 +22,6 @@ using namespace evc::sdm;
 using namespace evc::sdm::test;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-double m(Place p) { return p.from_origin.si; }
 
 // ---- The model ---------------------------------------------------------------------------------------
 
@@ -316,12 +315,6 @@ RandomCase wide_case(std::uint64_t seed) {
   if (dice.chance(0.15)) c.in.SR_end = Place{{dice.real(500.0, 6000.0)}};
   c.motion.A_est = {dice.chance(0.2) ? 0.0 : dice.real(-1.0, 1.0)};
   return c;
-}
-
-std::unique_ptr<Derived> built(const Inputs& in) {
-  auto d = std::make_unique<Derived>();
-  EXPECT_TRUE(rebuild(*d, in));
-  return d;
 }
 
 /// Speeds to test, and relevant places of the train for the target.

@@ -3,14 +3,16 @@
 // Random trains, tracks and targets for the property tests; seeded, so every failure can be repeated.
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <string>
 
+#include "base/test_units.h"
 #include "openevc/curves.h"
 
 namespace evc::sdm::test {
 
-inline Speed kmh(double v) { return {v / 3.6}; }
+using evc::test::kmh;
 
 class Dice {
  public:
@@ -194,6 +196,20 @@ inline Motion at(double x, double V) {
   m.standstill = V == 0.0;
   return m;
 }
+
+/// Everything derived from inputs that are complete.
+inline std::unique_ptr<Derived> built(const Inputs& in) {
+  auto d = std::make_unique<Derived>();
+  EXPECT_TRUE(rebuild(*d, in));
+  return d;
+}
+inline Decelerations determined(const Inputs& in) {
+  Decelerations d;
+  determine(d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
+  return d;
+}
+/// Metres of a place.
+inline double m(Place p) { return p.from_origin.si; }
 
 /// Working storage of all cases: nothing that an earlier case left in it may count.
 inline Derived& scratch() {

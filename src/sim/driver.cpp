@@ -9,7 +9,6 @@ namespace {
 using port::Outputs;
 using port::Select;
 
-constexpr double kKmh = 3.6;
 constexpr double kWithoutSpeed = 40.0 / kKmh;  // if neither on-board nor line gives a speed
 constexpr double kBeforeLevel2 = 60.0 / kKmh;
 constexpr double kComfortable = 0.45;   // m/s2, braking ahead

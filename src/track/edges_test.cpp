@@ -15,7 +15,7 @@ using namespace testing;
 
 /// One kind of information: how a message brings it, the packet that its note names, and whether the speed and distance
 /// monitoring has to know (3.13.2: what it supervises, and what its inputs are made of).
-struct Kind {
+struct Brought {
   const char* what;
   std::function<void(Contents&)> bring;
   std::uint8_t packet;
@@ -30,7 +30,7 @@ Fresh<T> one(T element) {
   return fresh;
 }
 
-std::vector<Kind> kinds() {
+std::vector<Brought> all_brought() {
   return {
       {"MA", [](Contents& c) { c = whole(900); }, 15, true},
       {"signalling speed", [](Contents& c) { c.V_MAIN = SpeedCode{10}; }, 0, true},
@@ -112,7 +112,7 @@ std::vector<Kind> kinds() {
 }
 
 TEST(Store, Each_packet_is_noted_and_the_monitoring_is_told_of_what_it_supervises) {
-  for (const Kind& kind : kinds()) {
+  for (const Brought& kind : all_brought()) {
     Description d;
     Contents c;
     kind.bring(c);

@@ -148,7 +148,7 @@ void take(Contents& c, const lang::Packet76& p, const Reference& r) {
 }
 
 template <class P>
-Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference& r) {
+Added take_condition(Contents& c, const lang::PacketView& view, const Reference& r) {
   P packet;
   if (const Fault fault = lang::decode(view, packet); fault != Fault::none)
     return fault == Fault::not_applicable ? Added::not_stored_here : Added::faulty;
@@ -161,23 +161,23 @@ Added decode_and_take(Contents& c, const lang::PacketView& view, const Reference
 Added add_condition(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
     case packet::traction_system_change:
-      return decode_and_take<lang::Packet39>(contents, view, reference);
+      return take_condition<lang::Packet39>(contents, view, reference);
     case packet::permitted_current_change:
-      return decode_and_take<lang::Packet40>(contents, view, reference);
+      return take_condition<lang::Packet40>(contents, view, reference);
     case packet::big_metal_masses:
-      return decode_and_take<lang::Packet67>(contents, view, reference);
+      return take_condition<lang::Packet67>(contents, view, reference);
     case packet::track_condition:
-      return decode_and_take<lang::Packet68>(contents, view, reference);
+      return take_condition<lang::Packet68>(contents, view, reference);
     case packet::station_platforms:
-      return decode_and_take<lang::Packet69>(contents, view, reference);
+      return take_condition<lang::Packet69>(contents, view, reference);
     case packet::route_suitability:
-      return decode_and_take<lang::Packet70>(contents, view, reference);
+      return take_condition<lang::Packet70>(contents, view, reference);
     case packet::adhesion_factor:
-      return decode_and_take<lang::Packet71>(contents, view, reference);
+      return take_condition<lang::Packet71>(contents, view, reference);
     case packet::plain_text:
-      return decode_and_take<lang::Packet72>(contents, view, reference);
+      return take_condition<lang::Packet72>(contents, view, reference);
     case packet::fixed_text:
-      return decode_and_take<lang::Packet76>(contents, view, reference);
+      return take_condition<lang::Packet76>(contents, view, reference);
     default:
       return Added::not_stored_here;
   }

@@ -82,7 +82,7 @@ void take(Contents& c, const lang::Packet139& p, const Reference&) {
 void take(Contents& c, const lang::Packet181&, const Reference&) { c.generic_ls_marker = true; }
 
 template <class P, class C>
-Added decode_and_take(C& c, const lang::PacketView& view, const Reference& r) {
+Added take_order(C& c, const lang::PacketView& view, const Reference& r) {
   P packet;
   if (lang::decode(view, packet) != Fault::none) return Added::faulty;
   take(c, packet, r);
@@ -92,7 +92,7 @@ Added decode_and_take(C& c, const lang::PacketView& view, const Reference& r) {
 }  // namespace
 
 Added add_sh_list(AuthorityContents& contents, const lang::PacketView& view, const Reference& reference) {
-  return decode_and_take<lang::Packet49>(contents, view, reference);
+  return take_order<lang::Packet49>(contents, view, reference);
 }
 
 std::optional<GroupList> sr_list(const lang::PacketView& view, const Reference& reference) {
@@ -104,25 +104,25 @@ std::optional<GroupList> sr_list(const lang::PacketView& view, const Reference& 
 Added add_order(Contents& contents, const lang::PacketView& view, const Reference& reference) {
   switch (view.NID_PACKET) {
     case packet::geographical_position:
-      return decode_and_take<lang::Packet79>(contents, view, reference);
+      return take_order<lang::Packet79>(contents, view, reference);
     case packet::track_ahead_free_to_level_2_3:
-      return decode_and_take<lang::Packet90>(contents, view, reference);
+      return take_order<lang::Packet90>(contents, view, reference);
     case packet::rbc_transition_order:
-      return decode_and_take<lang::Packet131>(contents, view, reference);
+      return take_order<lang::Packet131>(contents, view, reference);
     case packet::danger_for_shunting:
-      return decode_and_take<lang::Packet132>(contents, view, reference);
+      return take_order<lang::Packet132>(contents, view, reference);
     case packet::radio_infill_area:
-      return decode_and_take<lang::Packet133>(contents, view, reference);
+      return take_order<lang::Packet133>(contents, view, reference);
     case packet::stop_shunting_on_desk_opening:
-      return decode_and_take<lang::Packet135>(contents, view, reference);
+      return take_order<lang::Packet135>(contents, view, reference);
     case packet::stop_if_in_sr:
-      return decode_and_take<lang::Packet137>(contents, view, reference);
+      return take_order<lang::Packet137>(contents, view, reference);
     case packet::reversing_area:
-      return decode_and_take<lang::Packet138>(contents, view, reference);
+      return take_order<lang::Packet138>(contents, view, reference);
     case packet::reversing_supervision:
-      return decode_and_take<lang::Packet139>(contents, view, reference);
+      return take_order<lang::Packet139>(contents, view, reference);
     case packet::generic_ls_marker:
-      return decode_and_take<lang::Packet181>(contents, view, reference);
+      return take_order<lang::Packet181>(contents, view, reference);
     default:
       return Added::not_stored_here;
   }

@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "base/test_units.h"
 #include "track/testing.h"
 
 namespace evc::track {
@@ -20,7 +21,7 @@ MrspQuery query(double length = 200.0, double train_max_kmh = 160.0) {
   if (!q.limits.push_back({std::nullopt, std::nullopt, Speed{train_max_kmh / 3.6}})) __builtin_trap();
   return q;
 }
-Speed kmh(double v) { return Speed{v / 3.6}; }
+using evc::test::kmh;
 
 TEST(Mrsp, TrainMaximumWhereNothingElseLimits) {
   const Mrsp f = mrsp(Description{}, query());

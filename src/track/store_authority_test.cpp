@@ -10,21 +10,6 @@ namespace {
 
 using namespace testing;
 
-Clause clause_of(const Stored& s, std::uint8_t packet) {
-  for (const Note& n : s.notes)
-    if (n.packet == packet && n.clause) return n.clause;
-  return {};
-}
-TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
-  TemporarySpeedRestriction t;
-  t.NID_TSR = id;
-  t.from = at(from);
-  t.to = at(to);
-  t.V_TSR = v;
-  t.from_rbc = rbc;
-  return t;
-}
-
 TEST(Store, AnMaWithSspAndGradientIsAccepted) {
   Description d;
   const Stored s = store(d, whole(1000), front_at(100));

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/test_units.h"
 #include "track/description.h"
 #include "track/services.h"
 #include "track/store.h"
@@ -6,7 +7,7 @@
 // Short notation of track data for tests.
 namespace evc::track::testing {
 
-constexpr Place at(double metres) { return Place{Distance{metres}}; }
+using evc::test::at;
 /// A front end in rear of everything.
 inline constexpr Place kInRear = at(-1e6);
 
@@ -76,6 +77,22 @@ inline GradientFunction gradient(const Description& d, Place from, double unknow
   GradientFunction f;
   gradient(f, d, from, unknown);
   return f;
+}
+
+/// The clause that the note on a packet names.
+inline Clause clause_of(const Stored& s, std::uint8_t packet) {
+  for (const Note& n : s.notes)
+    if (n.packet == packet && n.clause) return n.clause;
+  return {};
+}
+inline TemporarySpeedRestriction tsr_of(std::uint8_t id, double from, double to, SpeedCode v, bool rbc = false) {
+  TemporarySpeedRestriction t;
+  t.NID_TSR = id;
+  t.from = at(from);
+  t.to = at(to);
+  t.V_TSR = v;
+  t.from_rbc = rbc;
+  return t;
 }
 
 }  // namespace evc::track::testing

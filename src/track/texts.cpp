@@ -3,7 +3,8 @@
 namespace evc::track {
 namespace {
 
-struct Situation {
+/// What conditions of texts are compared with.
+struct Moment {
   Place est_front{};
   Duration now{};
   Mode mode = Mode::NP;
@@ -11,7 +12,7 @@ struct Situation {
   std::uint8_t NID_NTC = 0;
 };
 
-bool level_is(Level level, std::uint8_t NID_NTC, const Situation& s) {
+bool level_is(Level level, std::uint8_t NID_NTC, const Moment& s) {
   return level == s.level && (level != Level::NTC || NID_NTC == s.NID_NTC);
 }
 
@@ -27,7 +28,7 @@ struct Parts {
   bool fulfilled() const { return used > 0 && (all ? true_now == used : true_now > 0); }
 };
 
-bool starts(const Text& t, const Situation& s) {
+bool starts(const Text& t, const Moment& s) {
   Parts parts{t.all_parts};
   parts.part(t.start_at.has_value(), t.start_at && s.est_front >= *t.start_at);
   parts.part(t.start_mode.has_value(), t.start_mode && *t.start_mode == s.mode);
@@ -36,7 +37,7 @@ bool starts(const Text& t, const Situation& s) {
 }
 
 /// The end by a mode or level is the transition from it (3.12.3.4.3), before the start too.
-void note_transitions(Text& t, const Situation& s) {
+void note_transitions(Text& t, const Moment& s) {
   const bool in_mode = t.end_mode && *t.end_mode == s.mode;
   const bool in_level = t.end_level && level_is(*t.end_level, t.end_NTC, s);
   t.end_mode_left = t.end_mode_left || (t.in_end_mode && !in_mode);
@@ -46,7 +47,7 @@ void note_transitions(Text& t, const Situation& s) {
 }
 
 /// Each part of the end is latched separately (3.12.3.4.3.1.2 of 4.0.0).
-bool ends(Text& t, const Situation& s) {
+bool ends(Text& t, const Moment& s) {
   t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
   t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
   Parts parts{t.all_parts};
@@ -61,7 +62,7 @@ bool ends(Text& t, const Situation& s) {
 
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
                        std::uint8_t acknowledged, TextReports& reports) {
-  const Situation s{here.est_front, here.now, mode, level, NID_NTC};
+  const Moment s{here.est_front, here.now, mode, level, NID_NTC};
   TextDisplay display;
   for (Text& t : d.texts) {
     note_transitions(t, s);

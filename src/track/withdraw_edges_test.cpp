@@ -15,7 +15,7 @@ namespace {
 using namespace testing;
 
 /// Something of one kind that begins at `from` (and ends at `from` + 100 m where it has a length).
-struct Kind {
+struct Stretched {
   const char* what;
   std::function<void(Description&, double from)> put;
   std::function<bool(const Description&)> there;
@@ -31,7 +31,7 @@ void append(List& list, double from) {
   EXPECT_TRUE(list.push_back(element));
 }
 
-std::vector<Kind> kinds() {
+std::vector<Stretched> all_stretched() {
   using D = Description;
   return {
       {"asp", [](D& d, double x) { append(d.asp, x); }, [](const D& d) { return !d.asp.empty(); }, true},
@@ -97,7 +97,7 @@ std::vector<Kind> kinds() {
 }
 
 TEST(Shorten, What_begins_at_the_place_goes_and_what_begins_before_it_stays) {  // A.3.4
-  for (const Kind& kind : kinds())
+  for (const Stretched& kind : all_stretched())
     for (const double from : {999.9, 1000.0, 1000.1}) {
       Description d;
       kind.put(d, from);

@@ -7,12 +7,14 @@
 #include <set>
 #include <string>
 
+#include "base/test_units.h"
+
 namespace {
 
 using namespace evc;
 using namespace evc::train;
 
-Speed kmh(double v) { return {v / 3.6}; }
+using evc::test::kmh;
 
 TEST(Factor, KeepsDecimalsOfEightPlaces) {
   for (int i = 0; i <= 100000; ++i) {

@@ -36,6 +36,9 @@ using Speed = Quantity<1, -1>;
 using SpeedSquared = Quantity<2, -2>;
 using Acceleration = Quantity<1, -2>;
 
+/// 1 m/s in km/h.
+inline constexpr double kKmh = 3.6;
+
 /// A place, as opposed to a length. Places of two frames do not mix, and two places cannot be added.
 template <class Frame>
 struct Position {

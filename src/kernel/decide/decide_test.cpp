@@ -4,11 +4,13 @@
 
 #include <memory>
 
+#include "base/test_units.h"
+
 // From what the unit knows in a cycle to its mode (4.6.3): facts that no other test shows by themselves.
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// A unit at 1000 m with an authority and the track described, powered, its desk open.
 class Decide : public ::testing::Test {

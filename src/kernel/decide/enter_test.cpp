@@ -4,11 +4,13 @@
 
 #include <memory>
 
+#include "base/test_units.h"
+
 // What the entry of a mode does beside 4.10.
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 constexpr Mode kModesEntered[] = {Mode::NP, Mode::SB, Mode::PS, Mode::SH, Mode::FS, Mode::LS,
                                   Mode::SR, Mode::OS, Mode::SL, Mode::NL, Mode::UN, Mode::TR,
                                   Mode::PT, Mode::SF, Mode::IS, Mode::SN, Mode::RV};

@@ -4,13 +4,15 @@
 
 #include <memory>
 
+#include "base/test_units.h"
+
 // The procedures of chapter 5 with what the unit knows: each of their inputs by what it changes.
 namespace evc::kernel {
 namespace {
 
 using procedures::Send;
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// A unit at standstill at 1000 m.
 class Mission : public ::testing::Test {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/test_units.h"
 #include "kernel/intake/levels.h"
 #include "kernel/intake/test_message.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 using test::at;
 
-Speed kmh(double v) { return Speed{v / 3.6}; }
+using evc::test::kmh;
 
 /// At standstill in SB, with an open desk and all data entered.
 class Driver : public test::OneMessage {

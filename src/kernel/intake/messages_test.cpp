@@ -7,10 +7,8 @@
 #include "lang/packets/packet_63.h"
 
 // What each radio message does (8.4.4): the answers to the RBC, and the facts for the procedures.
-namespace evc::kernel {
+namespace evc::kernel::test {
 namespace {
-
-using test::at;
 
 class RadioMessage : public test::OneMessage {
  protected:
@@ -216,4 +214,4 @@ TEST_F(RadioMessage, BitsThatCannotBeReadAreRefused) {  // 3.16.3.1.1
 }
 
 }  // namespace
-}  // namespace evc::kernel
+}  // namespace evc::kernel::test

@@ -13,21 +13,23 @@
 #include "lang/packets/packet_239.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_39.h"
+#include "lang/testing.h"
 
 // A radio message before its contents are judged: consistency, sequence, reference and time stamp (3.16.3, 3.6.2).
 namespace evc::kernel {
 namespace {
 
+using lang::testing::M_VERSION_1_1;
+using lang::testing::M_VERSION_2_1;
+using lang::testing::M_VERSION_2_2;
 using test::at;
-
-constexpr std::uint8_t v1_1 = 17, v2_1 = 33, v2_2 = 34;  // M_VERSION
 
 class RadioReception : public test::OneMessage {
  protected:
   RadioReception() {
     state.now = {100.0};
     state.radio.supervising.session.phase = radio::Phase::up;
-    state.radio.supervising.session.M_VERSION = v2_1;
+    state.radio.supervising.session.M_VERSION = M_VERSION_2_1;
     state.data.train_data_status = DataStatus::valid;
     remember(Direction::nominal);
   }
@@ -118,7 +120,7 @@ TEST_F(RadioReception, TimersCountFromTheTimeStamp) {  // 3.8.4.2.1; it is buffe
 }
 
 TEST_F(RadioReception, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13]
-  state.radio.supervising.session.M_VERSION = v1_1;
+  state.radio.supervising.session.M_VERSION = M_VERSION_1_1;
   const lang::Packet39_v1_0 older{{1}, {1}, {100}, {1}};
   lang::Packet239 newer;
   newer.Q_DIR.raw = 1;
@@ -139,7 +141,7 @@ TEST_F(RadioReception, AnUnknownMessageIsSkippedOnlyInALaterVersion) {  // 3.17.
   ASSERT_EQ(state.radio.errors.size(), 1u);
   EXPECT_EQ(state.radio.errors[0], 3);  // M_ERROR
   state.radio.errors.clear();
-  state.radio.supervising.session.M_VERSION = v2_2;
+  state.radio.supervising.session.M_VERSION = M_VERSION_2_2;
   receive(unknown);
   expect_event(What::message_unknown, 99, "3.17.3.11"_srs);
   EXPECT_TRUE(state.radio.errors.empty());

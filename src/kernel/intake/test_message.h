@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/reception.h"
 #include "lang/encode.h"
@@ -13,7 +14,7 @@
 // For tests: one message, made of packets, evaluated by a unit in any state.
 namespace evc::kernel::test {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// A unit at 1000 m that receives messages of group 100, which lies at 950 m.
 class OneMessage : public ::testing::Test {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/test_units.h"
 #include "modes/active_functions.h"
 #include "radio/compose.h"
 #include "radio/messages.h"
@@ -14,7 +15,7 @@
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 class RadioReport : public ::testing::Test {
  protected:

@@ -4,14 +4,15 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/report/radio.h"
 
 // The outputs of a cycle from what the stages found (4.7, 3.13.10).
 namespace evc::kernel {
 namespace {
 
-Speed kmh(double v) { return Speed{v / 3.6}; }
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
+using evc::test::kmh;
 
 class Report : public ::testing::Test {
  protected:

@@ -4,13 +4,14 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/driver_inputs.h"
 
 // What the driver sees beside speed and distance: texts, selections that are possible, places (015560, 3.12.3, 3.6.6).
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 class Shown : public ::testing::Test {
  protected:

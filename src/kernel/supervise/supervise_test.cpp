@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/basis.h"
 
 // Supervision with what the unit knows: the movement that is guarded, the antenna, level crossings, the LSSMA.
@@ -12,8 +13,8 @@ namespace {
 
 using brakes::Cause;
 
-Speed kmh(double v) { return Speed{v / 3.6}; }
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
+using evc::test::kmh;
 
 /// A unit at standstill with its front end at 1000 m and the counter at 1000 m, an authority to 3000 m, 140 km/h.
 class Supervision : public ::testing::Test {
