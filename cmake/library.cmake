@@ -39,7 +39,11 @@ evc_library(kernel OBJECTS ${kernel_objects} DEPENDS core curves)
 
 if(NOT EVC_KERNEL_ONLY)
   # Of io the JSON of telegrams, its parser and its errors are the language's; the rest reads lines, trains and inputs.
-  set(language "/(telegram_(decode|encode|text)|language|json_parser|diagnostic)[.]cpp")
+  set(language_sources "/(telegram_(decode|encode|text)|language|json_parser|diagnostic)[.]cpp")
+  set(language "${language_sources}|/unity_language_")
+  foreach(room IN ITEMS io embed)
+    evc_in_two(evc_${room} language ${language_sources})
+  endforeach()
   set(io_objects $<TARGET_OBJECTS:evc_io> $<TARGET_OBJECTS:evc_embed>)
   evc_library(language OBJECTS $<FILTER:${io_objects},INCLUDE,${language}> DEPENDS core)
   evc_library(sim OBJECTS $<TARGET_OBJECTS:evc_sim> $<TARGET_OBJECTS:evc_texts> $<FILTER:${io_objects},EXCLUDE,${language}> DEPENDS kernel language)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "balise/balise.h"
+#include "base/test_paths.h"
 #include "lang/decode.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_5.h"
@@ -26,10 +27,7 @@ using nlohmann::json;
 
 constexpr Distance kAntenna{2.0};
 
-std::string shared_file(const char* name) {
-  const char* folder = std::getenv("OPENEVC_SHARED");
-  return (folder != nullptr ? std::string(folder) : std::string(EVC_SOURCE_DIR "/../shared")) + "/" + name;
-}
+std::string shared_file(const char* name) { return evc::test::shared_folder() + "/" + name; }
 
 std::vector<std::uint8_t> bytes_of(const std::string& hex) {
   std::vector<std::uint8_t> out;

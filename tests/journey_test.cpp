@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
 #include "kernel/state.h"
@@ -37,7 +38,7 @@ std::string read(const std::filesystem::path& file) {
 }
 
 int command(const std::string& arguments) {
-  const int status = std::system((std::string(EVC_COMMAND) + " " + arguments).c_str());
+  const int status = std::system((evc::test::evc_command() + " " + arguments).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "airgap/airgap.h"
+#include "base/test_paths.h"
 
 namespace evc::airgap::bit_by_bit {
 
@@ -17,7 +18,7 @@ namespace evc::airgap::bit_by_bit {
 using Bits = std::vector<int>;
 
 inline nlohmann::json reference(const std::string& file) {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/" + file);
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/" + file);
   return nlohmann::json::parse(in);
 }
 inline const std::vector<int>& word_table() {

@@ -1,11 +1,18 @@
 #include "app/command_line.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "app/commands.h"
 #include "io/diagnostic.h"
+#include "io/file.h"
 
 namespace evc::app {
 namespace {
@@ -122,8 +129,7 @@ Diagnostic explain(const CLI::App& command, const std::string& name, const std::
   return d;
 }
 
-}  // namespace
-
+/// The error of the command line, in one line. `arguments` are those of the program, without its name.
 std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error,
                                const std::vector<std::string>& arguments) {
   const CLI::App* command = &app;
@@ -147,6 +153,33 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
            "\n";
   }
   return explain(*command, name, error.what()).text() + "\n";
+}
+
+/// Help or version.
+int answer(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  app.exit(asked, text, text);
+  const auto written = io::write_whole("-", text.str());
+  return written ? 0 : io::complain(written.error());
+}
+
+}  // namespace
+
+int run_command(int argc, char** argv, const char* version) {
+  CLI::App app{"openevc: an open ETCS on-board unit. It claims no safety integrity."};
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+  int exit_code = 0;
+  add_commands(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are not errors; anything else is a wrong command line: one line and exit status 2.
+    if (error.get_exit_code() == 0) return answer(app, error);
+    std::fputs(wrong_command_line(app, error, {argv + (argc > 0 ? 1 : 0), argv + argc}).c_str(), stderr);
+    return 2;
+  }
+  return exit_code;
 }
 
 }  // namespace evc::app

@@ -1,14 +1,9 @@
 #pragma once
-#include <CLI/CLI.hpp>
-
-#include <string>
-#include <vector>
 
 namespace evc::app {
 
-/// The error of the command line, in one line: `evc COMMAND: WHERE: found X, expected Y`. `arguments` are those of the
-/// program, without its name.
-std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error,
-                               const std::vector<std::string>& arguments);
+/// Runs the command that the arguments of the program name. Returns its exit status; 2, with one line on standard
+/// error, if they are wrong: `evc COMMAND: WHERE: found X, expected Y`.
+int run_command(int argc, char** argv, const char* version);
 
 }  // namespace evc::app

@@ -204,8 +204,8 @@ TEST(Signals, LeaveNoPartOfAFile) {
       ::close(feed[0]);
       ::close(feed[1]);
       const std::string file = out / "telegrams.jsonl", trace = out / "trace.pcapng";
-      ::execl(EVC_PROGRAM, "evc", "decode", "radio", "-", "--to-train", "-o", file.c_str(), "--pcapng", trace.c_str(),
-              static_cast<char*>(nullptr));
+      ::execl(evc::test::evc_command().c_str(), "evc", "decode", "radio", "-", "--to-train", "-o", file.c_str(),
+              "--pcapng", trace.c_str(), static_cast<char*>(nullptr));
       ::_exit(127);
     }
     ::close(feed[0]);
@@ -226,11 +226,11 @@ TEST(Signals, LeaveNoPartOfAFile) {
 
 TEST(StandardOutput, WhatIsLostIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
-  for (const char* arguments : {"--help", "--version", "describe packets", "describe packets 27", "describe schema",
-                                "run --help", "decode packet 41408E838352032020 --to-train",
-                                "make-line '" EVC_SOURCE_DIR "/data/lines/brunnental.description.json'", "curves",
-                                "run", "check", "track --at 100"}) {
-    const Ended run = ended(std::string(arguments) + " >/dev/full");
+  const std::string make_line = "make-line '" + evc::test::source_folder() + "/data/lines/brunnental.description.json'";
+  for (const std::string arguments :
+       {"--help", "--version", "describe packets", "describe packets 27", "describe schema", "run --help",
+        "decode packet 41408E838352032020 --to-train", make_line.c_str(), "curves", "run", "check", "track --at 100"}) {
+    const Ended run = ended(arguments + " >/dev/full");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_NE(run.errors.find("found No space left on device, expected space for the whole file"), std::string::npos)
         << arguments << ": " << run.errors;

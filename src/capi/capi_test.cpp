@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "openevc/openevc.h"
 
 namespace {
 
 std::string file(const std::string& name) {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/" + name);
+  std::ifstream in(evc::test::source_folder() + "/" + name);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

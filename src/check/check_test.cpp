@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "check/command.h"
 #include "io/make_line.h"
 #include "io/program_test.h"
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kShipped = EVC_SOURCE_DIR "/data/lines/brunnental.json";
+const std::string kShipped = evc::test::source_folder() + "/data/lines/brunnental.json";
 constexpr std::uint16_t kCountry = 1000;
 
 /// The shipped line, its telegrams and messages as JSON. Its keys for readers are left out: the bits change.
@@ -358,7 +358,7 @@ TEST(Check, ACopyWithoutADefectHasNone) {
 }
 
 TEST(Check, TheShippedLineHasNoneWithAnyShippedTrain) {
-  for (const auto& entry : std::filesystem::directory_iterator(EVC_SOURCE_DIR "/data/trains")) {
+  for (const auto& entry : std::filesystem::directory_iterator(evc::test::source_folder() + "/data/trains")) {
     const auto train = run::load_train(entry.path().string());
     ASSERT_TRUE(train) << train.error().text();
     const auto reviewed = review(text_of(kShipped), kShipped, &*train);
@@ -418,9 +418,7 @@ TEST(Check, ARestrictionTooLateForTheBrakes) {
 /// What an independent program finds in the bits of the recorded line: links to a group that is not there, and
 /// emergency stops that the train had passed already.
 TEST(Check, TheRecordedLine) {
-  const char* given = std::getenv("OPENEVC_SHARED");
-  const std::string file = (given != nullptr ? std::string(given) : std::string(EVC_SOURCE_DIR "/../shared")) +
-                           "/lines/amsterdam_utrecht.json";
+  const std::string file = evc::test::shared_folder() + "/lines/amsterdam_utrecht.json";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << file;
   const auto reviewed = review(text_of(file), file, nullptr);
   ASSERT_TRUE(reviewed);
@@ -435,7 +433,7 @@ TEST(Check, TheRecordedLine) {
 }
 
 TEST(CheckCommand, ExitStatusAndForms) {
-  const Ended sound = ended("check --train '" EVC_SOURCE_DIR "/data/trains/standard.json'");
+  const Ended sound = ended("check --train '" + evc::test::source_folder() + "/data/trains/standard.json'");
   EXPECT_EQ(sound.exit_code, 0) << sound.errors;
   EXPECT_EQ(sound.output, "Brunnental - Seehausen: 0 errors, 0 warnings, 0 notes\n");
   const Folder folder("check");

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "curves/result.h"
 #include "io/program_test.h"
 
 // Common parts of the tests of `evc curves`.
 namespace evc::curves {
 
-inline const std::string kSource = EVC_SOURCE_DIR;
+inline const std::string kSource = evc::test::source_folder();
 
 inline nlohmann::json load_json(const std::string& path) { return nlohmann::json::parse(text_of(path)); }
 inline nlohmann::json passenger() { return load_json(kSource + "/data/curves/passenger_eoa.json"); }

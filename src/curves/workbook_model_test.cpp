@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "sdm/test_cases.h"
 
 namespace {
@@ -16,7 +17,7 @@ using namespace evc;
 using sdm::test::Dice;
 
 nlohmann::json sheet() {
-  std::ifstream file(EVC_SOURCE_DIR "/tests/reference/workbook_example.json");
+  std::ifstream file(evc::test::source_folder() + "/tests/reference/workbook_example.json");
   return nlohmann::json::parse(file).at("case");
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "base/test_paths.h"
 #include "texts/texts.h"
 
 namespace evc::driver {
@@ -18,7 +19,7 @@ using nlohmann::json;
 using texts::name;
 
 json reference() {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/dmi_io_by_mode.json");
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/dmi_io_by_mode.json");
   return json::parse(in);
 }
 

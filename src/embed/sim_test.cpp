@@ -1,4 +1,5 @@
 #include "openevc/sim.h"
+#include "base/test_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace evc::sim {
 namespace {
 
 std::string file(const std::string& name) {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/" + name);
+  std::ifstream in(evc::test::source_folder() + "/" + name);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -182,8 +182,8 @@ void append_driver(std::string& out, const CycleInputs& cycle, const std::string
 }
 
 /// `more`: further members.
-void append_message(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits,
-                    const std::string& more = {}) {
+void append_received(std::string& out, std::int64_t t_ms, const char* key, const sim::Bits& bits,
+                     const std::string& more = {}) {
   out += opened(t_ms) + ",\"" + key + "\":{\"message\":\"";
   append_hex(out, bits.bytes);
   out += '"' + more + "}}\n";
@@ -227,12 +227,12 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
     }
     out += "}}\n";
   }
-  for (const auto& loop : cycle.loops) append_message(out, cycle.t_ms, "loop", loop);
+  for (const auto& loop : cycle.loops) append_received(out, cycle.t_ms, "loop", loop);
   if (cycle.levels.radio_link != RadioLink::unchanged)
     out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
            terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + '"' +
            rbc_of(cycle.levels.radio_link_with) + "}}\n";
-  for (const auto& message : cycle.radio) append_message(out, cycle.t_ms, "radio", message, rbc_of(message.from));
+  for (const auto& message : cycle.radio) append_received(out, cycle.t_ms, "radio", message, rbc_of(message.from));
   append_driver(out, cycle, train_document_);
   append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/test_paths.h"
 #include "io/telegram_explain.h"
 #include "io/telegram_json.h"
 #include "lang/layouts.h"
@@ -17,7 +18,7 @@ namespace {
 using lang::Direction;
 
 std::string text_of_file(const std::string& path) {
-  std::ifstream file(std::string(EVC_SOURCE_DIR) + "/" + path);
+  std::ifstream file(evc::test::source_folder() + "/" + path);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -33,7 +34,7 @@ TEST(LanguagePages, AreUpToDate) {
     EXPECT_EQ(text_of_file("docs/packets/" + name), describe_packet(l.info->NID_PACKET, l.info->direction, true))
         << name;
   }
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(EVC_SOURCE_DIR) + "/docs/packets"))
+  for (const auto& entry : std::filesystem::directory_iterator(evc::test::source_folder() + "/docs/packets"))
     EXPECT_EQ(names.count(entry.path().filename().string()), 1u) << entry.path();
   EXPECT_EQ(text_of_file("data/schema/evc-telegram.json"), telegram_schema());
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/test_paths.h"
 #include "io/file.h"
 
 namespace evc::io {
@@ -19,7 +20,7 @@ const char* kSmall = R"({"schema":"etcs-line/1","name":"small","length_m":100,"a
                     "ssp":[{"start_m":0,"end_m":100,"v_kmh":80}],
                     "level_transitions":[{"position_m":-60,"levels":[2]},{"position_m":50,"levels":[3]}]}})";
 
-std::string error_of(const char* text) {
+std::string line_error(const char* text) {
   const auto line = read_line(text, "l.json");
   return line ? "" : line.error().text();
 }
@@ -41,13 +42,13 @@ TEST(LineFile, ReadsWhatTheContractNames) {
 }
 
 TEST(LineFile, ErrorsNameTheJsonPointer) {
-  EXPECT_EQ(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+  EXPECT_EQ(line_error(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
     {"position_m":0,"telegram_hex":"90G2"}]}]})"),
             "l.json: /balise_groups/0/balises/0/telegram_hex: found \"G\" at digit 3, expected hexadecimal digits");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+  EXPECT_EQ(line_error(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
     {"telegram_hex":"90"}]}]})"),
             "l.json: /balise_groups/0/balises/0: found no key \"position_m\", expected one");
-  EXPECT_NE(error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
+  EXPECT_NE(line_error(R"({"schema":"etcs-line/1","name":"x","length_m":1,"balise_groups":[{"balises":[
     {"position_m":0,"telegram_hex":"90","telegram_bits":9}]}]})")
                 .find("telegram_bits"),
             std::string::npos);
@@ -55,10 +56,10 @@ TEST(LineFile, ErrorsNameTheJsonPointer) {
 
 TEST(LineFile, EveryKeyHasItsType) {
   const auto with = [](const std::string& more) {
-    return error_of((R"({"schema":"etcs-line/1","name":"x","length_m":1,
+    return line_error((R"({"schema":"etcs-line/1","name":"x","length_m":1,
       "balise_groups":[{"balises":[{"position_m":0,"telegram_hex":"90"}]}],)" +
-                     more + "}")
-                        .c_str());
+                       more + "}")
+                          .c_str());
   };
   EXPECT_EQ(with(R"("physical_track":{})"), "");
   for (const std::string wrong : {"\"gradient -30\"", "1", "true", "[]", "null"}) {
@@ -100,20 +101,15 @@ TEST(LineFile, TheRbc) {
 }
 
 TEST(LineFile, WithoutBitsIsRefused) {
-  const std::string error = error_of(R"({"schema":"etcs-line/1","name":"x","length_m":1,
+  const std::string error = line_error(R"({"schema":"etcs-line/1","name":"x","length_m":1,
     "balise_groups":[{"balises":[{"position_m":0}]},{"balises":[]}]})");
   EXPECT_EQ(error,
             "l.json: /balise_groups: found 2 groups, 1 balises without bits, expected telegram_hex in at least one: "
             "the on-board reads bits");
 }
 
-std::string shared_folder() {
-  const char* given = std::getenv("OPENEVC_SHARED");
-  return given != nullptr ? given : std::string(EVC_SOURCE_DIR) + "/../shared";
-}
-
 TEST(LineFile, TheRecordedLine) {
-  const std::string file = shared_folder() + "/lines/amsterdam_utrecht.json";
+  const std::string file = evc::test::shared_folder() + "/lines/amsterdam_utrecht.json";
   const auto text = read_text(file);
   if (!text) GTEST_SKIP() << "needs " << file;
   const auto line = read_line(*text, file);
@@ -126,7 +122,7 @@ TEST(LineFile, TheRecordedLine) {
 }
 
 TEST(LineFile, SyntheticLinesWithoutBitsAreRefused) {
-  const std::string folder = shared_folder() + "/lines";
+  const std::string folder = evc::test::shared_folder() + "/lines";
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "needs " << folder;
   for (const char* name : {"envsim_us13.json", "envsim_us14.json", "envsim_test.json"}) {
     const auto text = read_text(folder + "/" + name);

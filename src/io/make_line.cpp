@@ -48,7 +48,7 @@ struct Group {
   std::uint16_t NID_BG = 0;
   double position_m = 0.0;
 };
-struct Step {
+struct Stretch {
   double from_m = 0.0, to_m = 0.0, value = 0.0;
 };
 
@@ -117,7 +117,7 @@ class Increments {
 /// The contents of one telegram or message, relative to its reference group.
 class Encoder {
  public:
-  Encoder(const JsonPlace& root, std::vector<Group> groups, std::vector<Step> gradient, std::vector<Step> ssp,
+  Encoder(const JsonPlace& root, std::vector<Group> groups, std::vector<Stretch> gradient, std::vector<Stretch> ssp,
           std::uint16_t NID_C)
       : root_(root), groups_(std::move(groups)), gradient_(std::move(gradient)), ssp_(std::move(ssp)), NID_C_(NID_C) {}
 
@@ -223,15 +223,15 @@ class Encoder {
   }
 
   /// The first step is in the packet, up to 31 follow (N_ITER has 5 bits).
-  template <class List, class Step>
-  void follow(List& list, const Step& step) const {
+  template <class List, class Found>
+  void follow(List& list, const Found& step) const {
     if (!list.push_back(step)) root_.fail("more steps in one authority", "at most 32 steps of gradient, 32 of ssp");
   }
 
   /// The steps of a profile from the reference to `to`, the first one beginning at the reference.
-  std::vector<Step> part(const std::vector<Step>& profile, double from, double to) const {
-    std::vector<Step> steps;
-    for (const Step& s : profile)
+  std::vector<Stretch> part(const std::vector<Stretch>& profile, double from, double to) const {
+    std::vector<Stretch> steps;
+    for (const Stretch& s : profile)
       if (s.to_m > from && s.from_m < to) steps.push_back({std::max(s.from_m, from), std::min(s.to_m, to), s.value});
     if (steps.empty() || steps.front().from_m > from || steps.back().to_m < to)
       root_.fail("a profile with a gap from " + std::to_string(std::lround(from)) + " m to " +
@@ -259,7 +259,7 @@ class Encoder {
       first = false;
     };
     // G_A is in whole permille (7.5.1.37): further downhill is the safe side.
-    for (const Step& s : part(gradient_, reference.position_m, to))
+    for (const Stretch& s : part(gradient_, reference.position_m, to))
       append(s.from_m, s.value >= 0.0, static_cast<std::uint8_t>(std::abs(std::floor(s.value))));
     append(to, false, 255);
     add(out, packet);
@@ -281,7 +281,7 @@ class Encoder {
       }
       first = false;
     };
-    for (const Step& s : part(ssp_, reference.position_m, to)) append(s.from_m, codes_of_5_kmh(s.value));
+    for (const Stretch& s : part(ssp_, reference.position_m, to)) append(s.from_m, codes_of_5_kmh(s.value));
     append(to, 127);
     add(out, packet);
   }
@@ -402,7 +402,7 @@ class Encoder {
 
   JsonPlace root_;
   std::vector<Group> groups_;
-  std::vector<Step> gradient_, ssp_;
+  std::vector<Stretch> gradient_, ssp_;
   std::uint16_t NID_C_;
   ordered_json* contains_ = nullptr;
 };
@@ -568,8 +568,8 @@ ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
 }
 
 template <class ReadValue>
-std::vector<Step> read_profile(const JsonPlace& list, ReadValue read_value) {
-  std::vector<Step> steps;
+std::vector<Stretch> read_profile(const JsonPlace& list, ReadValue read_value) {
+  std::vector<Stretch> steps;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace row = list[i];
     if (row.size() != 3) row.fail("[from_m, to_m, value]");
@@ -579,11 +579,11 @@ std::vector<Step> read_profile(const JsonPlace& list, ReadValue read_value) {
   return steps;
 }
 
-ordered_json physical_track(const std::vector<Step>& gradient, const std::vector<Step>& ssp) {
+ordered_json physical_track(const std::vector<Stretch>& gradient, const std::vector<Stretch>& ssp) {
   ordered_json track = {{"gradient", ordered_json::array()}, {"ssp", ordered_json::array()}};
-  for (const Step& s : gradient)
+  for (const Stretch& s : gradient)
     track["gradient"].push_back({{"start_m", s.from_m}, {"end_m", s.to_m}, {"gradient_permille", s.value}});
-  for (const Step& s : ssp) track["ssp"].push_back({{"start_m", s.from_m}, {"end_m", s.to_m}, {"v_kmh", s.value}});
+  for (const Stretch& s : ssp) track["ssp"].push_back({{"start_m", s.from_m}, {"end_m", s.to_m}, {"v_kmh", s.value}});
   return track;
 }
 

@@ -23,9 +23,9 @@ void append_kmh(std::string& out, Speed v) { append_micro(out, v.si * 3.6); }
 void append_metres(std::string& out, OdometerPlace p) { append_micro(out, p.from_origin.si); }
 
 /// One row in either format: JSON has a key before each value and `null`, CSV a comma and an empty field.
-class Row {
+class OutputRow {
  public:
-  Row(std::string& out, bool json) : out_(out), json_(json) {}
+  OutputRow(std::string& out, bool json) : out_(out), json_(json) {}
 
   void key(const char* name) {
     if (json_) {
@@ -135,7 +135,7 @@ class Row {
   bool first_ = true;
 };
 
-void append_radio_address(Row& row, const char* name, const std::optional<kernel::RbcAddress>& address) {
+void append_radio_address(OutputRow& row, const char* name, const std::optional<kernel::RbcAddress>& address) {
   if (row.json()) {
     row.key(name);
     if (!address) {
@@ -160,7 +160,7 @@ void append_radio_address(Row& row, const char* name, const std::optional<kernel
 }
 
 /// In JSON a text, for another RBC than the supervising one an object; in a CSV field `NID_C/NID_RBC:` before it.
-void append_radio_out(Row& row, const Outputs& o) {
+void append_radio_out(OutputRow& row, const Outputs& o) {
   const auto hex = [](std::string& out, const kernel::OutgoingMessage& m) {
     append_hex(out, {m.bytes.begin(), m.bytes.size()});
   };
@@ -185,7 +185,7 @@ void append_radio_out(Row& row, const Outputs& o) {
   });
 }
 
-void append_lrbg(Row& row, const std::optional<kernel::NidLrbg>& lrbg) {
+void append_lrbg(OutputRow& row, const std::optional<kernel::NidLrbg>& lrbg) {
   if (row.json() && !lrbg) {
     row.text("lrbg", nullptr);
     return;
@@ -245,7 +245,7 @@ std::vector<const char*> reasons_of(const Outputs& o) {
   return names;
 }
 
-void append_driver(Row& row, const Outputs& o) {
+void append_driver(OutputRow& row, const Outputs& o) {
   if (row.json()) row.open("driver");
   row.list("requests", requests_of(o), append_text);
   row.list("texts", o.texts, append_shown_text);
@@ -253,7 +253,7 @@ void append_driver(Row& row, const Outputs& o) {
   row.close();
 }
 
-void append_speeds(Row& row, const Outputs& o) {
+void append_speeds(OutputRow& row, const Outputs& o) {
   row.speed("v_kmh", o.v);
   row.text("monitoring", name_or_null<kMonitoringRows>(o.monitoring));
   row.text("status", name_or_null<kStatusRows>(o.status));
@@ -274,7 +274,7 @@ void append_speeds(Row& row, const Outputs& o) {
 }
 
 /// Single values of the second edition; distances, times and speeds are null without a value.
-void append_second_values(Row& row, const Outputs& o) {
+void append_second_values(OutputRow& row, const Outputs& o) {
   const auto micro = [&row](const char* name, std::optional<double> value) {
     row.key(name);
     if (value)
@@ -392,7 +392,7 @@ constexpr std::array<const char*, kTrackConditionRows.size()> kOrderKeys{nullptr
                                                                          "main_switch",
                                                                          "eddy_current_emergency_brake_inhibited"};
 
-void append_train_orders(Row& row, const Outputs& o) {
+void append_train_orders(OutputRow& row, const Outputs& o) {
   row.open("train_orders");
   for (std::size_t kind = 0; kind < kOrderKeys.size(); ++kind) {
     if (kOrderKeys[kind] == nullptr) continue;
@@ -438,7 +438,7 @@ void append_train_orders(Row& row, const Outputs& o) {
 }
 
 /// What CSV has no room for.
-void append_second_lists(Row& row, const Outputs& o) {
+void append_second_lists(OutputRow& row, const Outputs& o) {
   std::vector<const char*> levels;
   for (const auto& level : kLevelRows)
     if (o.levels_allowed.has(level.value)) levels.push_back(level.name);
@@ -460,7 +460,7 @@ void append_second_lists(Row& row, const Outputs& o) {
   append_train_orders(row, o);
 }
 
-void append_row(Row row, std::int64_t t_ms, const Outputs& o) {
+void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
   row.text("mode", name(o.mode));
@@ -536,12 +536,12 @@ void append_event(std::string& out, const kernel::Event& e) {
 
 void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
   out += '{';
-  append_row(Row(out, true), t_ms, outputs);
+  append_row(OutputRow(out, true), t_ms, outputs);
   out += "}\n";
 }
 
 void append_trace(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
-  append_row(Row(out, false), t_ms, outputs);
+  append_row(OutputRow(out, false), t_ms, outputs);
   out += '\n';
 }
 

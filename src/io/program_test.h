@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "base/test_paths.h"
 #include "io/file.h"
 
 // Runs the program as a user does, for tests.
@@ -36,7 +37,9 @@ class Folder {
   std::string path_;
 };
 
-inline std::string program() { return "OPENEVC_DATA='" EVC_SOURCE_DIR "/data' '" EVC_PROGRAM "' "; }
+inline std::string program() {
+  return "OPENEVC_DATA='" + evc::test::source_folder() + "/data' '" + evc::test::evc_command() + "' ";
+}
 
 struct Ended {
   int exit_code = -1;

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "io/telegram_headers.h"
 #include "io/telegram_json.h"
 #include "lang/telegram.h"
 #include "lang/variable_table.h"
@@ -172,14 +173,6 @@ tl::expected<std::size_t, FaultAt> put_packet(std::string& out, std::span<const 
 }
 
 /// Header variables of telegrams of balises and loops.
-struct HeaderField {
-  const char* name;
-  unsigned bits;
-};
-constexpr HeaderField balise_header[]{{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"N_PIG", 3},   {"N_TOTAL", 3},
-                                      {"M_DUP", 2},    {"M_MCOUNT", 8},  {"NID_C", 10},  {"NID_BG", 14}, {"Q_LINK", 1}};
-constexpr HeaderField loop_header[]{{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"NID_C", 10}, {"NID_LOOP", 14}};
-
 /// The whole of a balise telegram or loop message that is consistent.
 tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::uint8_t> bytes, std::size_t bits,
                                          std::span<const HeaderField> header, SystemVersion sv) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/bit_cursor.h"
+#include "io/telegram_headers.h"
 #include "io/telegram_json.h"
 #include "lang/layouts.h"
 #include "lang/walk.h"
@@ -285,23 +286,6 @@ void write_packet(BitWriter& out, const Json& packet, const Wish& wish) {
   }
 }
 
-struct HeaderField {
-  const char* name;
-  unsigned bits;
-};
-constexpr std::array<HeaderField, 10> balise_header{{{"Q_UPDOWN", 1},
-                                                     {"M_VERSION", 7},
-                                                     {"Q_MEDIA", 1},
-                                                     {"N_PIG", 3},
-                                                     {"N_TOTAL", 3},
-                                                     {"M_DUP", 2},
-                                                     {"M_MCOUNT", 8},
-                                                     {"NID_C", 10},
-                                                     {"NID_BG", 14},
-                                                     {"Q_LINK", 1}}};
-constexpr std::array<HeaderField, 5> loop_header{
-    {{"Q_UPDOWN", 1}, {"M_VERSION", 7}, {"Q_MEDIA", 1}, {"NID_C", 10}, {"NID_LOOP", 14}}};
-
 void know_only(const Json& object, Names names) {
   for (const auto& [key, value] : object.items())
     if (!holds(names, key)) refuse(key, "unknown member");
@@ -383,7 +367,7 @@ Bits write_telegram(const Json& telegram, std::span<const HeaderField> header, s
 }
 
 template <class Write>
-tl::expected<Bits, TelegramError> guarded(Write write) {
+tl::expected<Bits, TelegramError> encoded(Write write) {
   try {
     return write();
   } catch (Refused& refused) {
@@ -394,15 +378,15 @@ tl::expected<Bits, TelegramError> guarded(Write write) {
 }  // namespace
 
 tl::expected<Bits, TelegramError> encode_balise_json(const Json& telegram) {
-  return guarded([&] { return write_telegram(telegram, balise_header, 830); });
+  return encoded([&] { return write_telegram(telegram, balise_header, 830); });
 }
 
 tl::expected<Bits, TelegramError> encode_loop_json(const Json& message) {
-  return guarded([&] { return write_telegram(message, loop_header, 8192); });
+  return encoded([&] { return write_telegram(message, loop_header, 8192); });
 }
 
 tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const EncodeOptions& options) {
-  return guarded([&]() -> Bits {
+  return encoded([&]() -> Bits {
     if (!message.is_object()) refuse("", "expected an object");
     const auto it = message.find("NID_MESSAGE");
     if (it == message.end()) refuse("NID_MESSAGE", "missing");
@@ -445,7 +429,7 @@ tl::expected<Bits, TelegramError> encode_radio_json(const Json& message, const E
 }
 
 tl::expected<Bits, TelegramError> encode_packet_json(const Json& packet, const EncodeOptions& options) {
-  return guarded([&] {
+  return encoded([&] {
     std::vector<std::uint8_t> room(1100);
     BitWriter out(room);
     write_packet(out, packet, {options.direction, options.sv});

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/test_paths.h"
+
 namespace evc::io {
 namespace {
 
@@ -14,15 +16,13 @@ using Json = nlohmann::json;
 using lang::Direction;
 
 Json reference(const std::string& name) {
-  std::ifstream file(EVC_SOURCE_DIR "/tests/reference/" + name);
+  std::ifstream file(evc::test::source_folder() + "/tests/reference/" + name);
   return Json::parse(file);
 }
 
 /// A file of the shared material; null if it does not exist.
 Json shared(const std::string& name) {
-  const char* folder = std::getenv("OPENEVC_SHARED");
-  const std::string path = (folder != nullptr ? folder : EVC_SOURCE_DIR "/../shared") + ("/" + name);
-  std::ifstream file(path);
+  std::ifstream file(evc::test::shared_folder() + "/" + name);
   return file ? Json::parse(file) : Json();
 }
 

@@ -6,10 +6,12 @@
 #include <fstream>
 #include <vector>
 
+#include "base/test_paths.h"
+
 namespace evc::io {
 namespace {
 
-std::string error_of(const char* text) {
+std::string train_error(const char* text) {
   const auto train = read_train(text, "t.json");
   return train ? "" : train.error().text();
 }
@@ -98,40 +100,40 @@ TEST(TrainFile, SpecialBrakes) {
 }
 
 TEST(TrainFile, ErrorsNameThePlace) {
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","lenght_m":200})").substr(0, 41),
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","lenght_m":200})").substr(0, 41),
             "t.json: /lenght_m: found an unknown key, ");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":"long"})"),
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","length_m":"long"})"),
             "t.json: /length_m: found \"long\", expected a number");
-  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_model":"gamma"})").find("A_brake_emergency"),
+  EXPECT_NE(train_error(R"({"schema":"etcs-train/1","brake_model":"gamma"})").find("A_brake_emergency"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"schema":"etcs-line/1"})").find("/schema"), std::string::npos);
-  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","A_brake_service":[[0,1],[0,2]]})").find("/A_brake_service/1/0"),
+  EXPECT_NE(train_error(R"({"schema":"etcs-line/1"})").find("/schema"), std::string::npos);
+  EXPECT_NE(train_error(R"({"schema":"etcs-train/1","A_brake_service":[[0,1],[0,2]]})").find("/A_brake_service/1/0"),
             std::string::npos);
-  EXPECT_EQ(error_of("{\n \"schema\": }"), "t.json: line 2 column 12: found \"}\", expected JSON");
-  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","brake_percentage":1e999})"), "");
+  EXPECT_EQ(train_error("{\n \"schema\": }"), "t.json: line 2 column 12: found \"}\", expected JSON");
+  EXPECT_NE(train_error(R"({"schema":"etcs-train/1","brake_percentage":1e999})"), "");
 }
 
 /// Data that the kernel would reject are rejected by the reader.
 TEST(TrainFile, WhatTheConversionModelDoesNotCover) {
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","brake_percentage":20})"),
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","brake_percentage":20})"),
             "t.json: /brake_percentage: found 20, expected 30 to 250 % (SUBSET-026 3.13.3.2.1 b)");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","max_speed_kmh":250})"),
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","max_speed_kmh":250})"),
             "t.json: /max_speed_kmh: found 250, expected at most 200 km/h with a brake percentage (SUBSET-026 "
             "3.13.3.2.1 a)");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":901})").substr(0, 29), "t.json: /length_m: found 901,");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":901,"brake_position":"FreightP"})"), "");
-  EXPECT_EQ(error_of(R"({"schema":"etcs-train/1","length_m":2000,"brake_position":"FreightP"})").substr(0, 30),
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","length_m":901})").substr(0, 29), "t.json: /length_m: found 901,");
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","length_m":901,"brake_position":"FreightP"})"), "");
+  EXPECT_EQ(train_error(R"({"schema":"etcs-train/1","length_m":2000,"brake_position":"FreightP"})").substr(0, 30),
             "t.json: /length_m: found 2000,");
   // The default antenna does not fit a train of 3 m.
-  EXPECT_NE(error_of(R"({"schema":"etcs-train/1","length_m":3})").find("L_antenna_front_m"), std::string::npos);
+  EXPECT_NE(train_error(R"({"schema":"etcs-train/1","length_m":3})").find("L_antenna_front_m"), std::string::npos);
 }
 
 TEST(TrainFile, FactorsAndTimesThatCannotBe) {
   const auto gamma = [](const std::string& more) {
-    return error_of((R"({"schema":"etcs-train/1","brake_model":"gamma","A_brake_emergency":[[0,1.2]],
+    return train_error((R"({"schema":"etcs-train/1","brake_model":"gamma","A_brake_emergency":[[0,1.2]],
       "A_brake_service":[[0,0.9]],"T_brake_emergency_s":2.5,"T_brake_service_s":3.5,)" +
-                     more + "}")
-                        .c_str());
+                        more + "}")
+                           .c_str());
   };
   EXPECT_EQ(gamma(R"("max_speed_kmh":250,"length_m":2000)"), "");
   EXPECT_EQ(gamma(R"("Kdry_rst":[[0,0.9],[100,1.1]])").substr(0, 35), "t.json: /Kdry_rst/1/1: found 1.1, e");
@@ -207,7 +209,7 @@ int refused_with_clause(Json document, ErrorOf error_of) {
 
 std::vector<Json> shipped(const char* folder) {
   std::vector<Json> documents;
-  for (const auto& file : std::filesystem::directory_iterator(std::string(EVC_SOURCE_DIR "/data/") + folder))
+  for (const auto& file : std::filesystem::directory_iterator(evc::test::source_folder() + "/data/" + folder))
     if (file.path().extension() == ".json") documents.push_back(Json::parse(std::ifstream(file.path())));
   return documents;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/test_paths.h"
 #include "lang/layouts.h"
 #include "lang/message_table.h"
 #include "lang/variable_table.h"
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json reference(const std::string& name) {
-  std::ifstream file(EVC_SOURCE_DIR "/tests/reference/" + name + ".json");
+  std::ifstream file(evc::test::source_folder() + "/tests/reference/" + name + ".json");
   return Json::parse(file);
 }
 

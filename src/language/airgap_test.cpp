@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "base/test_paths.h"
+
 namespace evc::language {
 namespace {
 
@@ -19,7 +21,7 @@ Bytes bytes_of(const std::string& hex) {
   return bytes;
 }
 nlohmann::json vectors() {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/eurobalise_vectors.json");
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/eurobalise_vectors.json");
   return nlohmann::json::parse(in);
 }
 std::size_t user_bits(const nlohmann::json& vector) { return vector.at("format") == 1023 ? 830 : 210; }
@@ -210,7 +212,7 @@ TEST(CommandAirgap, JsonErrorsLeaveTheTextAlone) {
 }
 
 TEST(CommandAirgap, RecordedTelegramsThroughTheAir) {
-  std::ifstream in(EVC_SOURCE_DIR "/tests/reference/telegram_vectors.json");
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/telegram_vectors.json");
   int through = 0;
   const auto reference = nlohmann::json::parse(in);
   for (const auto& vector : reference.at("telegrams")) {

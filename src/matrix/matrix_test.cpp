@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "io/line_file.h"
 #include "io/make_line.h"
 #include "io/program_test.h"
@@ -178,7 +179,7 @@ void compare(const DrivenTrain& run, Distance quantum, Compared& compared) {
 /// A coarser quantum never gives a higher limit than the exact profile and curve.
 TEST(Matrix, NeverAboveTheExactProfilesAndCurves) {
   std::vector<io::Train> trains;
-  for (const auto& entry : std::filesystem::directory_iterator(EVC_SOURCE_DIR "/data/trains"))
+  for (const auto& entry : std::filesystem::directory_iterator(evc::test::source_folder() + "/data/trains"))
     trains.push_back(*run::load_train(entry.path().string()));
   Compared compared[3];
   int driven = 0;
@@ -211,7 +212,7 @@ TEST(Matrix, NeverAboveTheExactProfilesAndCurves) {
 }
 
 std::unique_ptr<DrivenTrain> shipped_at(double at_m) {
-  static const auto line = run::load_line(EVC_SOURCE_DIR "/data/lines/brunnental.json");
+  static const auto line = run::load_line(evc::test::source_folder() + "/data/lines/brunnental.json");
   auto run = std::make_unique<DrivenTrain>(*line, io::Train{});
   EXPECT_TRUE(run->drive_to(at_m));
   return run;
@@ -269,7 +270,7 @@ json track(const std::string& arguments) {
 /// The description of the shipped line: at 12 km SSP 160 km/h, a restriction of 90 km/h from 13.4 to 14.6 km, the next
 /// group at 13 km. The speed rises when the rear end has left the restriction (3.11.5.3).
 TEST(TrackCommand, TheShippedLine) {
-  const json document = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.description.json"));
+  const json document = json::parse(text_of(evc::test::source_folder() + "/data/lines/brunnental.description.json"));
   double from = 0.0, to = 0.0;
   for (const json& message : document["radio"])
     for (const json& order : message["orders"])

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "base/test_paths.h"
 #include "modes/acceptance_tables.h"
 #include "modes/active_functions.h"
 #include "modes/conditions.h"
@@ -23,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 json reference(const std::string& file) {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/" + file);
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/" + file);
   return json::parse(in);
 }
 

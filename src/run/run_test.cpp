@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/test_paths.h"
 #include "io/line_file.h"
 #include "io/make_line.h"
 #include "io/number.h"
@@ -41,14 +42,10 @@ Finished evc(const std::string& arguments) {
   return finished;
 }
 
-std::string shared_line() {
-  const char* given = std::getenv("OPENEVC_SHARED");
-  return (given != nullptr ? std::string(given) : std::string(EVC_SOURCE_DIR "/../shared")) +
-         "/lines/amsterdam_utrecht.json";
-}
+std::string shared_line() { return evc::test::shared_folder() + "/lines/amsterdam_utrecht.json"; }
 
 TEST(ShippedLine, IsWhatItsDescriptionGives) {
-  const std::string folder = EVC_SOURCE_DIR "/data/lines/";
+  const std::string folder = evc::test::source_folder() + "/data/lines/";
   const auto made = io::make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
   ASSERT_TRUE(made) << made.error().text();
   EXPECT_EQ(*made, text_of(folder + "brunnental.json"))
@@ -56,7 +53,7 @@ TEST(ShippedLine, IsWhatItsDescriptionGives) {
 }
 
 TEST(ShippedTrains, AreReadAndTheStandardOneIsTheDefault) {
-  for (const auto& entry : std::filesystem::directory_iterator(EVC_SOURCE_DIR "/data/trains")) {
+  for (const auto& entry : std::filesystem::directory_iterator(evc::test::source_folder() + "/data/trains")) {
     const auto train = io::read_train(text_of(entry.path().string()), entry.path().string());
     ASSERT_TRUE(train) << train.error().text();
     if (entry.path().filename() != "standard.json") continue;
@@ -369,7 +366,7 @@ TEST(Run, ARecklessDriverIsStoppedBeforeTheEndOfHisLastAuthority) {
 
 TEST(Run, ATelegramThatDoesNotDecodeIsCountedAndTheRunGoesOn) {
   const Folder folder("undecodable");
-  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  json line = json::parse(text_of(evc::test::source_folder() + "/data/lines/brunnental.json"));
   // Group 117: the second balise is not its duplicate, its loss is an error of a linked group.
   line["balise_groups"][16]["balises"][1]["telegram_hex"] = std::string(208, 'F');
   ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
@@ -438,7 +435,7 @@ TEST(Run, AMissionStartsInLevel2) {
 /// A mission that does not begin ends the run soon, and is reported.
 TEST(Run, AMissionThatCannotStartIsReported) {
   const Folder folder("no_start");
-  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  json line = json::parse(text_of(evc::test::source_folder() + "/data/lines/brunnental.json"));
   // The message of a session that is never set up.
   line["start"] = {{"front_m", 24500.0}, {"level", "1"}};
   ASSERT_TRUE(io::write_whole(folder / "line.json", line.dump()));
@@ -455,7 +452,7 @@ TEST(Run, AMissionThatCannotStartIsReported) {
 
 TEST(Run, AnAuthorityWithoutGradientAndSpeedProfileIsRefused) {
   const Folder folder("no_profile");
-  json line = json::parse(text_of(EVC_SOURCE_DIR "/data/lines/brunnental.json"));
+  json line = json::parse(text_of(evc::test::source_folder() + "/data/lines/brunnental.json"));
   json& message = line["rbc_messages"][2];
   ASSERT_EQ(message["contains"][0], "15 Level 2/3 movement authority");
   // Only the same authority, to 19 900 m from group 108 at 8 180 m (3.7.2.3, 4.8.3 [4]).

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/test_paths.h"
 #include "base/test_units.h"
 #include "openevc/curves.h"
 
@@ -23,7 +24,7 @@ namespace sdm = evc::sdm;
 using evc::test::kmh;
 
 json examples() {
-  std::ifstream file(EVC_SOURCE_DIR "/tests/reference/era_examples.json");
+  std::ifstream file(evc::test::source_folder() + "/tests/reference/era_examples.json");
   return json::parse(file);
 }
 

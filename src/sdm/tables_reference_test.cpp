@@ -1,5 +1,6 @@
 // Reads the reference facts for tables_test.cpp. A file of its own, so that a changed table does not compile the parser
 // again.
+#include "base/test_paths.h"
 #include "sdm/test_tables.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 const json& reference() {
   static const json all = [] {
-    std::ifstream file(EVC_SOURCE_DIR "/tests/reference/sdm_tables.json");
+    std::ifstream file(evc::test::source_folder() + "/tests/reference/sdm_tables.json");
     return json::parse(file);
   }();
   return all;

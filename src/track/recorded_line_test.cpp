@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/test_paths.h"
 #include "lang/decode.h"
 #include "lang/messages.h"
 #include "lang/si.h"
@@ -20,9 +21,7 @@ using namespace testing;
 using nlohmann::json;
 
 std::optional<json> recorded_line() {
-  const char* shared = std::getenv("OPENEVC_SHARED");
-  const std::string folder = shared != nullptr ? shared : EVC_SOURCE_DIR "/../shared";
-  std::ifstream file(folder + "/lines/amsterdam_utrecht.json");
+  std::ifstream file(evc::test::shared_folder() + "/lines/amsterdam_utrecht.json");
   if (!file) return std::nullopt;
   return json::parse(file);
 }

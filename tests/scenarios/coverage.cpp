@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/test_paths.h"
 #include "lang/layouts.h"
 
 namespace evc::scenario {
 namespace {
 
-const std::string kRoot = EVC_SOURCE_DIR;
+const std::string kRoot = evc::test::source_folder();
 
 /// `KIND NAME rest` of each line that is not a comment.
 std::vector<Required> rows_of(const std::string& path) {

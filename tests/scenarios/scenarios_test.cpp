@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/test_paths.h"
 #include "brakes/brakes.h"
 #include "coverage.h"
 #include "run.h"
@@ -72,10 +73,10 @@ struct Collection {
 };
 
 Collection collect() {
-  const fs::path root = fs::path(EVC_SOURCE_DIR) / "tests/scenarios";
+  const fs::path root = fs::path(evc::test::source_folder()) / "tests/scenarios";
   Collection all;
   const auto take = [&](const fs::path& path, const std::vector<Block>& library, bool open) -> std::vector<Block> {
-    const std::string name = fs::relative(path, fs::path(EVC_SOURCE_DIR)).string();
+    const std::string name = fs::relative(path, fs::path(evc::test::source_folder())).string();
     auto file = read(text_of(path), name, library);
     if (!file) {
       all.errors.emplace_back(path.stem().string(), file.error().text());
@@ -138,7 +139,8 @@ TEST(ScenarioCoverage, every_brake_cause_is_required) {
 }
 
 TEST(ScenarioCoverage, the_page_is_up_to_date) {
-  EXPECT_EQ(text_of(fs::path(EVC_SOURCE_DIR) / "docs/scenario-coverage.md"), coverage_page(coverage_of(collection())))
+  EXPECT_EQ(text_of(fs::path(evc::test::source_folder()) / "docs/scenario-coverage.md"),
+            coverage_page(coverage_of(collection())))
       << "scenarios_test --coverage > docs/scenario-coverage.md";
 }
 

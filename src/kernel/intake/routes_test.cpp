@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/test_paths.h"
 #include "kernel/intake/routes.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_180.h"
@@ -86,7 +87,7 @@ std::set<std::string> names(const InformationRows& rows) {
 }
 
 TEST(Routes, PacketsAndMessagesFindTheRowsOfTheReference) {
-  std::ifstream in(std::string(EVC_SOURCE_DIR) + "/tests/reference/acceptance_by_mode.json");
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/acceptance_by_mode.json");
   const json file = json::parse(in);
   std::set<int> packets, messages;
   for (const json& r : file["information"]) {
@@ -161,23 +162,23 @@ TEST(Routes, LssmaIsSwitchedOnAndOff) {  // 7.4.2.38
 }
 
 TEST(Routes, SomePacketsHaveAPlaceByTheirContents) {
-  constexpr std::uint32_t kNow = 32767;  // D_VALIDNV, D_LEVELTR, D_TEXTDISPLAY; L_TEXTDISPLAY: not limited
+  constexpr std::uint32_t kSpecial = 32767;  // D_VALIDNV, D_LEVELTR, D_TEXTDISPLAY; L_TEXTDISPLAY: not limited
   lang::Packet3 values;
   EXPECT_TRUE(placed(values));
-  values.D_VALIDNV.raw = kNow;
+  values.D_VALIDNV.raw = kSpecial;
   EXPECT_FALSE(placed(values));
   lang::Packet41 order;
   EXPECT_TRUE(placed(order));
-  order.D_LEVELTR.raw = kNow;
+  order.D_LEVELTR.raw = kSpecial;
   EXPECT_FALSE(placed(order));
   lang::Packet58 reports;
   EXPECT_FALSE(placed(reports));
   ASSERT_TRUE(reports.locations.push_back({}));
   EXPECT_TRUE(placed(reports));
   lang::Packet76 text;
-  text.D_TEXTDISPLAY.raw = kNow;
+  text.D_TEXTDISPLAY.raw = kSpecial;
   EXPECT_TRUE(placed(text));
-  text.L_TEXTDISPLAY.raw = kNow;
+  text.L_TEXTDISPLAY.raw = kSpecial;
   EXPECT_FALSE(placed(text));
   text.D_TEXTDISPLAY.raw = 0;
   EXPECT_TRUE(placed(text));
