@@ -159,6 +159,10 @@ TEST(Here, HasTheSpeedOfEitherDirection) {  // 3.13.9.3.2.1
   EXPECT_EQ(run.V, Speed{10.0});
   EXPECT_EQ(run.V_ura, Speed{3.0});
   EXPECT_EQ(run.A, Acceleration{-0.5});
+  now.V_est = now.V_min = now.V_max = {};
+  run = run_of(now);
+  EXPECT_EQ(run.V, Speed{});
+  EXPECT_EQ(run.A, Acceleration{0.5}) << "it starts to move ahead";
 }
 
 TEST(Here, IsTheTrainOfTheUnit) {  // 3.6.4

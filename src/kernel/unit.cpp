@@ -27,13 +27,14 @@ struct SnapshotHead {
   std::uint64_t checksum = 0;  // of the State's bytes
 };
 static_assert(sizeof(SnapshotHead) == 32 && std::is_trivially_copyable_v<SnapshotHead>);
+static_assert(sizeof(State) % 8 == 0, "checksum_of reads eight bytes at a time");
 
 /// FNV-1a, eight bytes at a time: detects damage by storage and transport, not forgery.
 std::uint64_t checksum_of(std::span<const std::byte> bytes) {
   std::uint64_t sum = 0xCBF29CE484222325;
   for (std::size_t i = 0; i < bytes.size(); i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + i, bytes.size() - i < 8 ? bytes.size() - i : 8);
+    std::uint64_t word{};
+    std::memcpy(&word, bytes.data() + i, sizeof word);
     sum = (sum ^ word) * 0x100000001B3;
   }
   return sum;

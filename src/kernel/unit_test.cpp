@@ -84,6 +84,22 @@ TEST(UnitInMemory, GoesThroughStartOfMission) {
   EXPECT_GE(modes.size(), 2u) << "the unit leaves SB";
 }
 
+TEST(UnitInMemory, BeginsAnewWithItsConfiguration) {
+  Drive drive;
+  drive.cycles(0, 120);
+  Config config;
+  config.levels[static_cast<std::size_t>(Level::L0)] = false;
+  power_up(*drive.unit, config);
+  Drive fresh;
+  EXPECT_EQ(drive.cycle(0), fresh.cycle(0)) << "nothing of the run is left";
+  const auto state = [](const Config& of) {
+    const auto unit = std::make_unique<Unit>();
+    power_up(*unit, of);
+    return snapshot_of(*unit);
+  };
+  EXPECT_NE(state(config), state(Config{}));
+}
+
 /// At every moment of the start and of the run a restored unit continues like the original.
 TEST(UnitSnapshot, GoesOnFromAnyMoment) {
   Drive whole;
@@ -135,6 +151,20 @@ class Refused : public testing::Test {
 TEST_F(Refused, TooShort) {
   for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{31}, std::size_t{32}, good.size() - 1})
     expect(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)), SnapshotFault::too_short);
+}
+
+TEST_F(Refused, AHeadAloneShowsWhetherItIsOne) { expect(Bytes(32), SnapshotFault::not_a_snapshot); }
+
+/// A program that moves snapshots can check them: FNV-1a of 64 bits over the words of the content, docs/embedding.md.
+TEST_F(Refused, TheChecksumIsFNV1a) {
+  std::uint64_t sum = 14695981039346656037u, there = 0;
+  for (std::size_t at = 32; at < good.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &good[at], 8);
+    sum = (sum ^ word) * 1099511628211u;
+  }
+  std::memcpy(&there, &good[24], 8);
+  EXPECT_EQ(there, sum);
 }
 
 /// The header: magic, format, size of the State, layout, checksum. Every bit counts.

@@ -120,6 +120,23 @@ TEST_F(Decide, AnEmergencyStopEndsTheEntryToSRByOverride) {  // [45]
   EXPECT_NE(after(false, true), Mode::SR);
 }
 
+TEST_F(Decide, AnAreaIsAcknowledgedOnlyWithItsAuthority) {  // 5.4.4 S21, S25
+  using Step = procedures::start_of_mission::Step;
+  for (const bool authority : {true, false}) {
+    restart(Mode::SB, Level::L2);
+    state.radio.supervising.session.phase = radio::Phase::up;
+    state.start_of_mission.step = Step::S21;
+    track::ModeArea a;
+    a.mode = Mode::OS;
+    a.from = a.ack_from = at(900.0);
+    a.to = at(2000.0);
+    EXPECT_TRUE(state.track.mode_profile.push_back(a));
+    if (!authority) state.track.gradient = {};
+    (void)mode_after();
+    EXPECT_EQ(state.start_of_mission.step, authority ? Step::S25 : Step::S21);
+  }
+}
+
 TEST_F(Decide, TheCurvesOfTheNewModeAreBuiltAtOnce) {  // 4.5.2, 3.13
   ASSERT_EQ(mode_after(), Mode::FS);
   ASSERT_EQ(mode_after(), Mode::FS);

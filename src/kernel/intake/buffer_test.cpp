@@ -11,6 +11,7 @@
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_39.h"
+#include "lang/packets/packet_5.h"
 
 // The transition buffer: what waits for a level is judged again as it was received (4.8.5).
 namespace evc::kernel {
@@ -101,6 +102,33 @@ TEST_F(Buffer, AMessageIsJudgedWithItsPlaceOfReception) {  // 4.8.5.7
   keep_message(stop);
   release();
   EXPECT_TRUE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, AStopThatWasPassedAtReceptionStaysSo) {  // 4.8.5.7
+  state.level.level = Level::L2;
+  received.here.est_front = received.here.min_safe_front = received.here.max_safe_front = at(940.0);
+  information.min_safe_front = at(980.0);
+  lang::Message15 stop;
+  stop.NID_EM.raw = 4;
+  stop.Q_SCALE.raw = 1;
+  stop.Q_DIR.raw = 1;
+  stop.D_EMERGENCYSTOP.raw = 50;  // at 950 m
+  keep_message(stop);
+  release();
+  EXPECT_FALSE(state.emergency_stops.any());
+}
+
+TEST_F(Buffer, GroupsAreOfTheCountryOfTheSender) {  // 7.5.1.121
+  information.group = {3, 100};
+  lang::Packet5 linking;
+  linking.Q_DIR.raw = 1;
+  linking.Q_SCALE.raw = 1;
+  linking.D_LINK.raw = 500;
+  linking.NID_BG.raw = 101;
+  add_telegram(keep_packets(1), telegram(210, linking), 210);
+  release();
+  ASSERT_EQ(state.balise.linking.links.size(), 1u);
+  EXPECT_EQ(state.balise.linking.links[0].id, (GroupId{3, 101}));
 }
 
 TEST_F(Buffer, OfAMessageOnlyWhatWaitsIsJudged) {  // 4.8.5.2

@@ -339,5 +339,47 @@ TEST_F(Driver, TheLogNamesWhatWasNotEnabled) {  // 4.7.2
   EXPECT_EQ(named([&](DriverActions& d) { d.V_sr = kmh(30.0); }), static_cast<int>(Entered::SR_speed_distance));
 }
 
+// --- Train data from another source than the driver
+
+TEST_F(Driver, DataOfAnotherSourceAreValidatedWhereItIsAskedFor) {  // 5.17.2.2 D0
+  train::TrainData good = state.train, bad = state.train;
+  good.L_TRAIN = {321.0};
+  bad.L_TRAIN = {-1.0};
+  in.train.powered = true;
+  const auto validates = [&](const train::TrainData& data, bool asked, bool pending, bool before) {
+    state.train_data_change = {};
+    if (pending) state.train_data_change.pending = state.train;
+    state.train_data_change.driver_validates = before;
+    in.external_train_data = {&data, asked};
+    out = {};
+    receive_external_train_data(reception);
+    EXPECT_EQ(state.train_data_change.pending, data);
+    EXPECT_TRUE(happened(What::train_data_changed_by_source));
+    return state.train_data_change.driver_validates;
+  };
+  EXPECT_FALSE(validates(good, false, false, false));
+  EXPECT_TRUE(validates(good, true, false, false));
+  EXPECT_TRUE(validates(bad, false, false, false)) << "the driver has to enter other data";
+  EXPECT_TRUE(validates(bad, true, false, false));
+  EXPECT_TRUE(validates(good, false, true, true)) << "he has not done it yet";
+  EXPECT_FALSE(validates(good, false, true, false));
+  EXPECT_FALSE(validates(good, false, false, true)) << "that change is over";
+}
+
+TEST_F(Driver, DataOfAnotherSourceAreNewerThanAnEntry) {  // 5.17.2.2
+  using Step = procedures::train_data_change::Step;
+  train::TrainData other = state.train;
+  other.L_TRAIN = {321.0};
+  in.train.powered = true;
+  in.external_train_data = {&other, false};
+  for (const Entered entered : {Entered::train_data, Entered::rbc_contact}) {
+    state.train_data_change.procedure.step = Step::S6;
+    received.entered = {};
+    received.entered.add(entered);
+    receive_external_train_data(reception);
+    EXPECT_EQ(state.train_data_change.procedure.step, entered == Entered::train_data ? Step::S0 : Step::S6);
+  }
+}
+
 }  // namespace
 }  // namespace evc::kernel

@@ -217,6 +217,18 @@ TEST_F(Levels, AreAcknowledgedByModeAndEdition) {  // 5.10.4, 4.4.15, 5.10.4.2 o
   EXPECT_FALSE(asks(Level::NTC, 2, Mode::SN, SrsVersion::v4_0_0));
 }
 
+TEST_F(Levels, AnAnnouncedLevelThatWasSelectedMeanwhileIsNotAnnounced) {  // 4.8.3 [1], 5.10.1.7
+  modes::PendingTransition pending;
+  pending.to.level = Level::L2;
+  state.level_transition.pending = pending;
+  state.level = {};
+  state.level.level = Level::L1;
+  ASSERT_TRUE(ordered_level(reception).has_value());
+  EXPECT_EQ(ordered_level(reception)->level, Level::L2);
+  state.level.level = Level::L2;
+  EXPECT_FALSE(ordered_level(reception).has_value());
+}
+
 TEST_F(Levels, AnOrderKeptInSHIsJudgedByWhatIsAvailableWhenItEnds) {  // 4.4.8.1.5, 5.10.2.4
   const auto level_after = [&](std::uint64_t available) {
     state.level = {};

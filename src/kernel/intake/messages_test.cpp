@@ -192,6 +192,40 @@ TEST_F(RadioMessage, ACoordinateSystemNeedsItsGroup) {  // 3.4.2.3.3.8
   EXPECT_EQ(refused_because(), "3.4.2.3.3.8"_srs);
 }
 
+TEST_F(RadioMessage, OnlyTheAnswerToTheLastRequestForShuntingCounts) {  // 4.6.3 [6]
+  state.mode = Mode::SB;
+  received.here.standstill = true;
+  for (const std::uint32_t stamp : {4711u, 4712u}) {
+    state.shunting.waits_for_answer = true;
+    state.radio.shunting_request_stamp = 4711;
+    received.SH_refused = received.SH_authorised = false;
+    lang::Message27 refused;
+    refused.T_TRAIN_REF.raw = stamp;
+    take(refused);
+    EXPECT_EQ(received.SH_refused, stamp == 4711u);
+    EXPECT_EQ(refused_because(), stamp == 4711u ? Clause{} : "4.6.3"_srs);
+    lang::Message28 authorised;
+    authorised.T_TRAIN_REF.raw = stamp;
+    take(authorised);
+    EXPECT_EQ(received.SH_authorised, stamp == 4711u);
+    EXPECT_EQ(refused_because(), stamp == 4711u ? Clause{} : "4.6.3"_srs);
+  }
+}
+
+TEST_F(RadioMessage, AnAuthorisationForSHWithoutAListEndsTheListStored) {  // 5.6.2.2 E090
+  state.mode = Mode::SB;
+  received.here.standstill = true;
+  state.shunting.waits_for_answer = true;
+  state.radio.shunting_request_stamp = 4711;
+  state.track.sh_list.emplace();
+  scratch->proposal.sh_list.emplace();  // of an earlier message
+  lang::Message28 m;
+  m.T_TRAIN_REF.raw = 4711;
+  take(m);
+  EXPECT_TRUE(received.SH_authorised);
+  EXPECT_FALSE(state.track.sh_list.has_value());
+}
+
 TEST_F(RadioMessage, BitsThatCannotBeReadAreRefused) {  // 3.16.3.1.1
   authority_to(4000.0);
   const auto refuses = [&](auto m, Mode mode) {
@@ -208,6 +242,8 @@ TEST_F(RadioMessage, BitsThatCannotBeReadAreRefused) {  // 3.16.3.1.1
   refuses(lang::Message34{}, Mode::SB);
   refuses(lang::Message8{}, Mode::SB);
   refuses(lang::Message45{}, Mode::SB);
+  refuses(lang::Message27{}, Mode::SB);
+  refuses(lang::Message28{}, Mode::SB);
   EXPECT_FALSE(state.emergency_stops.any());
   EXPECT_FALSE(received.SR_authorised);
   EXPECT_FALSE(state.track_ahead_free.from.has_value());

@@ -7,6 +7,7 @@
 #include "lang/packets/packet_57.h"
 #include "lang/packets/packet_58.h"
 #include "lang/packets/packet_6.h"
+#include "lang/packets/packet_76.h"
 
 // What the packets do that are not stored with the track description (7.4.2).
 namespace evc::kernel {
@@ -41,6 +42,21 @@ TEST_F(Taken, RepositioningOfAnAnnouncedGroupOnly) {  // 3.8.5.2.2
   receive(p);
   EXPECT_EQ(state.track.ma->end(), at(2450.0));
   EXPECT_EQ(told(16).what, What::packet_accepted);
+  information.repositioning = false;
+  information.medium = Medium::rbc;  // as no RBC does (8.4.4)
+  set_message(lang::Message24{});
+  receive(p);
+  EXPECT_TRUE(happened(What::message_refused));
+}
+
+TEST_F(Taken, APacketOfOtherVersionsIsToldAsNotUsed) {  // 6.6.3.1.1.1
+  lang::Packet76 p;
+  add(p);
+  evaluate_now();
+  EXPECT_EQ(told(76).what, What::packet_accepted);
+  information.packets[0].sv = {1, 1};
+  evaluate_now();
+  expect(76, What::packet_not_used);
 }
 
 TEST_F(Taken, NationalValuesAtOnceOrFromAPlaceOn) {  // 3.18.2.3, 3.18.2.9

@@ -179,5 +179,11 @@ TEST_F(RadioReception, AnInfillAuthorityByRadioIsRefusedByLevel) {  // 4.8.3, 3.
   EXPECT_EQ(clause_in(Level::L0), "4.8.3"_srs);
 }
 
+TEST(SessionVersion, IsThatOfTheSessionOrOursUntilItIsKnown) {  // 6.5.1.3, 3.5.3.7 d
+  EXPECT_EQ(session_version(0), (lang::SystemVersion{2, 1}));
+  EXPECT_EQ(session_version(16), (lang::SystemVersion{1, 0}));
+  EXPECT_EQ(session_version(34), (lang::SystemVersion{2, 2}));
+}
+
 }  // namespace
 }  // namespace evc::kernel

@@ -88,6 +88,56 @@ TEST_F(Shortening, TheStartOfAnAreaIsAnEndToo) {  // 3.12.4
   EXPECT_EQ(state.track.mode_profile[0].from, at(3450.0));
 }
 
+TEST_F(Shortening, AnAreaThatIsAcceptedIsNoEnd) {  // 5.9.2.7
+  // In the area for on sight, and the driver has acknowledged that for LS which follows.
+  const auto answer = [&](bool accepted) {
+    restart(Mode::LS);
+    state.position.now.V_est = state.position.now.V_min = state.position.now.V_max = {5.0};
+    track::ModeArea area;
+    area.from = area.ack_from = at(950.0);
+    area.to = at(1450.0);
+    area.accepted = accepted;
+    EXPECT_TRUE(state.track.mode_profile.push_back(area));
+    return answer_to(3000, on_sight_in(0));
+  };
+  EXPECT_EQ(answer(true), 137);
+  EXPECT_EQ(answer(false), 138);
+}
+
+TEST_F(Shortening, IsRejectedWhereTheTrainIsTooFast) {                                      // 3.8.6.2
+  state.position.now.V_est = state.position.now.V_min = state.position.now.V_max = {43.0};  // 140 km/h are permitted
+  EXPECT_EQ(answer_to(30000), 138);
+}
+
+TEST_F(Shortening, WithTheSameEndDeletesWhatIsBeyond) {  // 3.8.6.2, A.3.4 f
+  ASSERT_TRUE(state.track.ssp.append(at(8000.0), {.V_STATIC = 10}));
+  ASSERT_EQ(state.track.ssp.steps.size(), 2u);
+  EXPECT_EQ(answer_to(5000), 137);
+  EXPECT_EQ(state.track.ma->end(), at(5950.0));
+  ASSERT_FALSE(state.track.ssp.empty());
+  EXPECT_LE(state.track.ssp.steps.back().from, at(5950.0));
+}
+
+TEST_F(Shortening, IsJudgedByItsOwnMessage) {  // 3.8.6.1
+  track::ModeArea on_sight;
+  on_sight.from = on_sight.ack_from = at(1100.0);
+  ASSERT_TRUE(scratch->proposal.mode_profile.emplace().push_back(on_sight));  // of an earlier message
+  EXPECT_EQ(answer_to(3000), 137);
+  EXPECT_TRUE(state.track.mode_profile.empty());
+}
+
+TEST_F(Shortening, WithoutFullSupervisionThereIsNoEndToStopAt) {  // 3.8.6.2
+  track::AuthorityContents proposal;
+  const auto can_stop = [&] { return can_stop_before(state, scratch->curves, in.train, received.here, proposal); };
+  EXPECT_FALSE(can_stop()) << "no authority is proposed";
+  ASSERT_TRUE(proposal.ma.emplace().sections.push_back({at(950.0), at(4950.0)}));
+  EXPECT_TRUE(can_stop());
+  for (const Mode mode : {Mode::SR, Mode::SH, Mode::UN}) {
+    state.mode = mode;
+    EXPECT_FALSE(can_stop()) << static_cast<int>(mode);
+  }
+}
+
 TEST_F(Shortening, OverUnknownTrackIsRefused) {  // 4.8.3 [4]
   state.track.gradient = {};
   ASSERT_TRUE(state.track.gradient.append(at(0.0), {}));

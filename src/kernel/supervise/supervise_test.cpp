@@ -69,6 +69,24 @@ class Supervision : public ::testing::Test {
   bool acknowledged = false;
 };
 
+TEST_F(Supervision, TellsWhereThereAreMoreTargetsThanItHolds) {  // 3.13.8.2: 64, the further ones are merged
+  EXPECT_TRUE(run().limits.has_value());
+  EXPECT_FALSE(happened(What::targets_lost));
+  state.track.ma->sections[0].end = at(200000.0);
+  for (int i = 0; i < 47; ++i) {
+    track::TemporarySpeedRestriction tsr;
+    tsr.from = at(2000.0 + 2000.0 * i);
+    tsr.to = at(2100.0 + 2000.0 * i);
+    tsr.V_TSR = 20;
+    ASSERT_TRUE(state.track.tsr.push_back(tsr));
+  }
+  for (int i = 1; i <= 20; ++i)
+    ASSERT_TRUE(state.track.ssp.append(at(100000.0 + 2000.0 * i), {.V_STATIC = static_cast<track::SpeedCode>(28 - i)}));
+  ++state.track.revision;
+  (void)run();
+  EXPECT_TRUE(happened(What::targets_lost));
+}
+
 // --- 3.14, 4.4.14, 3.15.4
 
 TEST_F(Supervision, GuardsAgainstRollingAwayByTheDirectionController) {  // 3.14.2
