@@ -321,6 +321,45 @@ TEST_F(Report, OrdersTheTrainWithTheDistancesOf_5_20) {
   EXPECT_TRUE(report_now().remote_shunting);
 }
 
+TEST_F(Report, OrdersTheTrainOnlyWhatIsAnnouncedAndNotOver) {  // 5.20
+  using Kind = TrackConditionKind;
+  state.track.watch.shown = true;
+  track::Here& here = decided.here;
+  here.min_safe_front = here.max_safe_front = at(950.0);
+  here.min_safe_rear = at(700.0);
+  const auto orders = [&](ConditionPhase phase) {
+    const track::Progress p{phase, std::nullopt};
+    state.track.conditions.clear();
+    for (const Kind kind : {Kind::powerless_main_switch_off, Kind::sound_horn, Kind::non_stopping_area,
+                            Kind::tunnel_stopping_area, Kind::radio_hole})
+      EXPECT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), kind, p}));
+    state.track.platforms.clear();
+    EXPECT_TRUE(state.track.platforms.push_back({at(1000.0), at(1100.0), 3, 2, p}));
+    state.track.traction = track::TractionChange{at(1000.0), 1, 7, p};
+    state.track.current = track::CurrentChange{at(1000.0), 600, p};
+    report_now();
+    const bool any = !out.ordered_areas.empty();
+    EXPECT_EQ(!out.ordered_platforms.empty(), any);
+    EXPECT_EQ(out.ordered_traction.has_value(), any);
+    EXPECT_EQ(out.ordered_current.has_value(), any);
+    return any;
+  };
+  using enum ConditionPhase;
+  EXPECT_FALSE(orders(ahead));
+  EXPECT_FALSE(orders(over));
+  for (const ConditionPhase phase : {announced, active, ending}) EXPECT_TRUE(orders(phase));
+  ASSERT_EQ(out.ordered_areas.size(), 1u) << "horn, stopping areas and the radio hole concern the unit itself";
+  EXPECT_EQ(out.ordered_areas[0].kind, Kind::powerless_main_switch_off);
+  EXPECT_EQ(out.ordered_areas[0].to_end, Distance{150.0}) << "the min safe front end (5.20.3.3)";
+  EXPECT_EQ(out.ordered_current->to_start, Distance{50.0});
+  here.max_safe_front = at(1000.0);
+  state.track.conditions[0].kind = Kind::switch_off_magnetic_shoe_brake;
+  report_now();
+  EXPECT_EQ(out.ordered_areas[0].to_start, std::nullopt) << "the front end is there (5.20.5.4)";
+  state.track.watch.shown = false;
+  EXPECT_TRUE(report_now().ordered_areas.empty());
+}
+
 TEST_F(Report, RemembersWhatTheDriverMayAnswer) {  // 4.7.2
   decided.effects.requests.add(Ack::OS);
   decided.effects.entries.add(Entry::train_data);
