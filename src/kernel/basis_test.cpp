@@ -183,6 +183,15 @@ TEST_F(Basis, IsRenewedWithTheAccuracyOnlyForAReleaseSpeedCalculatedOnBoard) {  
   EXPECT_FALSE(renewed());
   state.position.now.V_max = {0.1};
   EXPECT_FALSE(renewed());
+  // In steps of 5 m and 0.5 m/s.
+  state.position.now.V_max = {0.51};
+  EXPECT_TRUE(renewed());
+  here.min_safe_front = here.max_safe_front - Distance{100.1};
+  settle();
+  here.min_safe_front = here.max_safe_front - Distance{104.9};
+  EXPECT_FALSE(renewed());
+  here.min_safe_front = here.max_safe_front - Distance{105.1};
+  EXPECT_TRUE(renewed());
 }
 
 TEST_F(Basis, HasTheSpeedOfTheMode) {  // 3.11.7, 4.4

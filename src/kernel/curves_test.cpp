@@ -294,6 +294,19 @@ TEST_F(CurveInputs, MarkTheStepsOfTheRestrictionsInForce) {  // 3.13.4.1.3
   EXPECT_FALSE(curves->inputs.mrsp_due_to_TSR[2]) << "the same speed, by the SSP";
   state.track.tsr.clear();
   EXPECT_FALSE(inputs().mrsp_due_to_TSR[0]) << "revoked";
+  // Where two end, the SSP of the speed of one begins.
+  for (const track::SpeedCode V : {track::SpeedCode{8}, track::SpeedCode{4}}) {
+    t.from = at(1500.0);
+    t.to = at(1600.0);
+    t.V_TSR = V;
+    ASSERT_TRUE(state.track.tsr.push_back(t));
+  }
+  state.track.ssp = {};
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
+  ASSERT_TRUE(state.track.ssp.append(at(1600.0), {.V_STATIC = 8}));
+  ASSERT_EQ(inputs().mrsp.steps.size(), 3u);
+  EXPECT_TRUE(curves->inputs.mrsp_due_to_TSR[1]);
+  EXPECT_FALSE(curves->inputs.mrsp_due_to_TSR[2]);
 }
 
 TEST_F(CurveInputs, HaveTheSpeedOfAPermittedBrakingDistance) {  // 3.11.11

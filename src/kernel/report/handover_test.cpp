@@ -91,9 +91,11 @@ TEST_F(RbcHandover, AnOrderCallsTheAcceptingRBC) {  // 3.15.1.3.1, 3.5.3.5.2.1
 
 TEST_F(RbcHandover, WithoutAnOrderThereIsNone) {  // 3.15.1.3.1
   state.track.rbc_transition.reset();
+  state.buffer.grow()->accepting = true;
   EXPECT_FALSE(run_at(2000.0));
   EXPECT_FALSE(other().active());
   EXPECT_EQ(state.radio.contact, kFirst);
+  EXPECT_EQ(state.buffer.size(), 1u) << "what waits for it is not deleted either";
 }
 
 TEST_F(RbcHandover, TheSameRBCAgainOnlyMovesTheBorder) {  // 3.15.1.3.1
@@ -128,6 +130,15 @@ TEST_F(RbcHandover, TheRBCThatSupervisesIsNoAcceptingOne) {  // 3.15.1.3.1
   order(kFirst, 1500.0);
   (void)run();
   EXPECT_EQ(logged(What::rbc_handover_ordered), 10) << "without a session it is called";
+}
+
+TEST_F(RbcHandover, AnOrderToTheRBCThatSupervisesTakesThePlaceOfTheFormer) {  // 3.15.1.3.1: one is stored
+  (void)run();
+  answer_of_the_second();
+  order(kFirst, 1400.0);
+  EXPECT_FALSE(run());
+  EXPECT_EQ(logged(What::rbc_handover_ordered), 0);
+  EXPECT_FALSE(state.handover.order.has_value());
 }
 
 TEST_F(RbcHandover, AfterOneIsOverTheSameRBCMayBeOrderedAgain) {  // 3.15.1.3.1

@@ -131,6 +131,14 @@ TEST_F(StoppingAreas, TheClosestTunnelAreaInWhichItCanStopIsShown) {  // 5.18.8.
   EXPECT_FALSE(state.track.watch.shown);
 }
 
+TEST_F(StoppingAreas, OfTwoTunnelAreasWithOneStartOneIsShown) {  // 5.18.8.3
+  add(TrackConditionKind::tunnel_stopping_area, 3000.0, 3300.0);
+  add(TrackConditionKind::tunnel_stopping_area, 3000.0, 3400.0);
+  front(1000.0);
+  EXPECT_EQ(phase(0), announced);
+  EXPECT_EQ(phase(1), ahead) << "the one that was received first";
+}
+
 TEST_F(StoppingAreas, NeedSupervisionOfSpeed) {  // 4.5.2
   add(TrackConditionKind::tunnel_stopping_area, 3000.0, 3300.0);
   front(1000.0);
