@@ -250,7 +250,7 @@ TEST_F(RbcHandover, IsOverWhenTheSessionWithTheFormerRBCHasEnded) {  // 3.15.1.3
   radio::exchange(state.radio, state.now);
   state.buffer.grow()->accepting = true;
   state.buffer.grow()->accepting = false;
-  EXPECT_TRUE(run_at(1700.0)) << "the former RBC is told";
+  EXPECT_TRUE(run_at(1700.0)) << "to the former RBC";
   EXPECT_TRUE(state.handover.order.has_value());
   EXPECT_TRUE(state.track.rbc_transition.has_value());
   EXPECT_EQ(state.buffer.size(), 2u);

@@ -178,6 +178,33 @@ TEST_F(RadioReport, HasThePosition) {  // 7.4.3.1
   EXPECT_TRUE(state.position.references[0].reported);
 }
 
+TEST_F(RadioReport, HasTheLengthOfATrainThatIsComplete) {  // 3.6.5.2.4, 7.5.1.58, 7.5.1.106
+  ASSERT_TRUE(state.position.references.push_back({}));
+  state.position.status = DataStatus::valid;
+  for (const auto integrity : {position::Integrity::none, position::Integrity::by_device}) {
+    state.integrity.integrity = integrity;
+    state.integrity.min_safe_rear = position::front(state.position).est - Distance{250.0};
+    const position::Report from = position::report(state.position, state.integrity);
+    radio::PositionReport p;
+    p.Q_SCALE = from.Q_SCALE;
+    p.NID_LRBG = from.NID_LRBG;
+    p.NID_PRVLRBG = from.NID_PRVLRBG;
+    p.D_LRBG = from.D_LRBG;
+    p.Q_DIRLRBG = from.Q_DIRLRBG;
+    p.Q_DLRBG = from.Q_DLRBG;
+    p.L_DOUBTOVER = from.L_DOUBTOVER;
+    p.L_DOUBTUNDER = from.L_DOUBTUNDER;
+    p.Q_DIRTRAIN = from.Q_DIRTRAIN;
+    p.M_MODE = 0;
+    p.M_LEVEL = M_LEVEL(Level::L2);
+    if (integrity == position::Integrity::by_device) {
+      p.Q_LENGTH = 1;
+      p.L_TRAININT = 250;
+    }
+    EXPECT_EQ(composed(136), expected(136, p, {}));
+  }
+}
+
 TEST_F(RadioReport, NotesOnlyAPositionThatWasSent) {  // 3.6.2.2.2 c
   ASSERT_TRUE(state.position.references.push_back({}));
   state.position.status = DataStatus::valid;

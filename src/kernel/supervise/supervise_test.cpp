@@ -303,6 +303,22 @@ TEST_F(Crossing, WithoutAStopIsPassedAtItsSpeed) {  // 5.16.2, 3.13.9.3.5.11
   EXPECT_TRUE(lifted(1498.0, 5.0));
 }
 
+TEST_F(Crossing, IsShownWhereItIsTheMostRelevantTarget) {  // 5.16.1.4
+  runs(20.0);
+  here.est_front = here.min_safe_front = here.max_safe_front = at(1400.0);
+  const Supervised nearest = run();
+  ASSERT_TRUE(nearest.limits && nearest.limits->MRDT);
+  ASSERT_EQ(nearest.limits->MRDT->kind, sdm::TargetKind::EOA_SvL);
+  EXPECT_TRUE(state.track.lx[0].informed);
+  crossing(true);
+  runs(20.0);
+  ASSERT_TRUE(state.track.ssp.append(at(1010.0), {.V_STATIC = 1}));
+  const Supervised other = run();
+  ASSERT_TRUE(other.limits && other.limits->MRDT);
+  ASSERT_EQ(other.limits->MRDT->kind, sdm::TargetKind::MRSP);
+  EXPECT_FALSE(state.track.lx[0].informed) << "a restriction is nearer";
+}
+
 // --- 4.4.19.1.4
 
 /// In LS up to 100 km/h, the track allows 90 km/h at its slowest place, the train 160 km/h.
@@ -357,6 +373,16 @@ TEST_F(Lssma, IsNotShownWithAMarkerOrWithoutAnEnd) {  // 4.4.19.1.4
   ASSERT_EQ(run().LSSMA, Speed{});
   state.track.ma.reset();
   ++state.track.revision;
+  EXPECT_EQ(run().LSSMA, std::nullopt);
+}
+
+TEST_F(Lssma, AnOrderCountsOnce) {  // 4.4.19.1.4.3, 4.4.19.1.4.6
+  state.track.generic_ls_marker = true;
+  state.lssma.waiting = {Duration{90.0}, Duration{11.0}};
+  EXPECT_EQ(run().LSSMA, std::nullopt);
+  state.now = {101.1};
+  EXPECT_EQ(run().LSSMA, Speed{});
+  state.lssma.on = false;  // with the entry to LS
   EXPECT_EQ(run().LSSMA, std::nullopt);
 }
 

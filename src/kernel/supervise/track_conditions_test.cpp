@@ -139,6 +139,19 @@ TEST_F(StoppingAreas, OfTwoTunnelAreasWithOneStartOneIsShown) {  // 5.18.8.3
   EXPECT_EQ(phase(1), ahead) << "the one that was received first";
 }
 
+TEST_F(StoppingAreas, AreLookedAtAgainWithOtherCurves) {  // 5.18.4.2
+  add(TrackConditionKind::non_stopping_area, 3000.0, 3300.0);
+  front(2950.0);
+  state.track.watch = {.changed = false, .shown = false, .stopping = true, .quiet_to = at(5000.0)};
+  const auto next = [&] {
+    (void)supervise(state, *derived, train, here, false, false, Log{outputs->events});
+    return state.track.conditions[0].progress.phase;
+  };
+  EXPECT_EQ(next(), ahead);
+  ++state.revision;
+  EXPECT_EQ(next(), announced);
+}
+
 TEST_F(StoppingAreas, NeedSupervisionOfSpeed) {  // 4.5.2
   add(TrackConditionKind::tunnel_stopping_area, 3000.0, 3300.0);
   front(1000.0);
