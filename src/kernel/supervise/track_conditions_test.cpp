@@ -141,7 +141,7 @@ TEST_F(StoppingAreas, OfTwoTunnelAreasWithOneStartOneIsShown) {  // 5.18.8.3
 
 TEST_F(StoppingAreas, AreLookedAtAgainWithOtherCurves) {  // 5.18.4.2
   add(TrackConditionKind::non_stopping_area, 3000.0, 3300.0);
-  front(2950.0);
+  front(stop(3000.0, 30.0).d_SBI.from_origin.si + 10.0);
   state.track.watch = {.changed = false, .shown = false, .stopping = true, .quiet_to = at(5000.0)};
   const auto next = [&] {
     (void)supervise(state, *derived, train, here, false, false, Log{outputs->events});
