@@ -211,6 +211,75 @@ TEST_F(Groups, TheAccuracyOfANewLRBGChangesTheReleaseSpeedCalculatedOnBoard) {  
   EXPECT_FALSE(changes(track::Release::Kind{}));
 }
 
+TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextLRBG) {  // 3.6.4.2.5, 3.6.4.3
+  const auto moves_inexactly = [&](double x) {
+    position::Odometry o;
+    o.counter = {{{x}}, {{0.98 * x}}, {{1.03 * x}}};
+    position::update(state.position, o, state.now);
+  };
+  const auto store = [&](Anchor anchor) {
+    state.anchors = {};
+    state.anchors.add(anchor, anchor != Anchor::lrbg);
+    state.level_transition.pending = modes::PendingTransition{{Level::L2, 0}, at(1500.0), anchor};
+    state.pending_national_values = {at(1600.0), anchor, {}, {}};
+    state.buffer.clear();
+    for (const Anchor of : {anchor, Anchor::lrbg}) {
+      BufferedSet& set = *state.buffer.grow();
+      set = {};
+      set.reference = at(1700.0);
+      set.anchor = of;
+      set.widening = {{}, {1.0}, {2.0}};
+    }
+  };
+  for (const Anchor anchor : {Anchor::unlinked, Anchor::travelled, Anchor::lrbg}) {
+    restart(Mode::FS, Level::L1);
+    state.position = {};
+    moves_inexactly(500.0);
+    moves_inexactly(600.0);
+    lies(600.0, balise(100));
+    cycle();
+    moves_inexactly(800.0);
+    lies(800.0, balise(150, 0, 0, 0));
+    cycle();
+    ASSERT_TRUE(state.position.unlinked.has_value());
+    moves_inexactly(1000.0);
+    store(anchor);
+    announce(200, position::front(state.position).est.from_origin.si + 3.0);
+    const auto copy = std::make_unique<position::State>(state.position);
+    position::Passage passage;
+    passage.id = {1, 200};
+    passage.counter = {{{1000.0}}, {{980.0}}, {{1030.0}}};
+    passage.Q_LOCACC = {5.0};
+    passage.link_place = state.balise.linking.links[0].place;
+    passage.single = true;
+    const position::Relocated all = position::relocate(*copy, passage);
+    ASSERT_TRUE(all.unlinked.nearer.si > 0.0 && all.unlinked.farther.si > 0.0 && all.unlinked.shift.si != 0.0);
+    ASSERT_TRUE(all.travelled.nearer.si > 0.0);
+    const Relocation by = anchor == Anchor::unlinked    ? all.unlinked
+                          : anchor == Anchor::travelled ? all.travelled
+                                                        : Relocation{};
+    const Anchor then = anchor == Anchor::unlinked ? Anchor::travelled : Anchor::lrbg;
+    received.new_lrbg = false;
+    lies(1000.0, balise(200));
+    cycle();
+    ASSERT_TRUE(received.new_lrbg);
+    EXPECT_FALSE(happened(What::odometer_out_of_tolerance));
+    EXPECT_EQ(state.level_transition.pending->border, at(1500.0) + by.shift);
+    EXPECT_EQ(state.pending_national_values->from, at(1600.0) + by.shift);
+    EXPECT_EQ(state.buffer[0].reference, at(1700.0) + by.shift);
+    EXPECT_EQ(state.buffer[0].widening.nearer, Distance{1.0} + by.nearer);
+    EXPECT_EQ(state.buffer[0].widening.farther, Distance{2.0} + by.farther);
+    EXPECT_EQ(state.level_transition.pending->anchor, then);
+    EXPECT_EQ(state.pending_national_values->anchor, then);
+    EXPECT_EQ(state.buffer[0].anchor, then);
+    EXPECT_EQ(state.buffer[1].reference, at(1700.0));
+    EXPECT_EQ(state.buffer[1].anchor, Anchor::lrbg);
+    EXPECT_FALSE(state.anchors.has(Anchor::unlinked));
+    EXPECT_EQ(state.anchors.has(Anchor::travelled), anchor == Anchor::unlinked);
+    EXPECT_FALSE(state.anchors.has(Anchor::lrbg)) << "they do not count";
+  }
+}
+
 TEST_F(Groups, OfAListAreNamed) {  // 4.4.8.1.1 c, 4.4.11.1.3 d
   const auto pass = [&](Mode mode, std::uint16_t NID_BG) {
     restart(mode);

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "kernel/intake/test_message.h"
+#include "lang/packets/packet_131.h"
+#include "lang/packets/packet_140.h"
 #include "lang/packets/packet_16.h"
+#include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_57.h"
@@ -110,6 +113,93 @@ TEST_F(Taken, InSHOnlyTheContactIsStored) {  // 4.8.4 [3]
   ASSERT_TRUE(state.radio.contact.has_value());
   EXPECT_EQ(state.radio.contact->NID_RBC, 77);
   EXPECT_EQ(state.radio.supervising.session.phase, radio::Phase::idle);
+}
+
+TEST_F(Taken, TheContactOfAnOrderIsValid) {  // 3.5.3.5, 5.4.3.3
+  lang::Packet42 p;
+  p.NID_C.raw = 3;
+  p.NID_RBC.raw = 77;
+  for (const bool establish : {true, false}) {
+    state.radio = {};
+    state.radio.supervising.session.phase = radio::Phase::up;
+    state.radio.supervising.session.rbc = {3, 77, 0};
+    state.contact_status = DataStatus::unknown;
+    p.Q_RBC.raw = establish ? 1 : 0;
+    receive(p);
+    EXPECT_TRUE(happened(establish ? What::session_ordered : What::session_termination_ordered));
+    EXPECT_EQ(state.contact_status, establish ? DataStatus::valid : DataStatus::unknown);
+  }
+}
+
+/// Of a handover: the stored contact is that of the RBC that supervises.
+TEST_F(Taken, AnRBCThatEndsTheLastKnownSessionMeansItsOwn) {  // 3.5.5.1, 3.15.1
+  const auto ended = [&](modes::RbcRole sender, std::uint8_t Q_RBC, std::uint16_t NID_RBC) {
+    state.radio = {};
+    state.radio.supervising.session.rbc = {1, 10, 0};
+    state.radio.other.session.rbc = {1, 20, 0};
+    state.radio.supervising.session.phase = state.radio.other.session.phase = radio::Phase::up;
+    state.radio.contact = state.radio.supervising.session.rbc;
+    information.sender = sender;
+    lang::Packet42 p;
+    p.Q_RBC.raw = Q_RBC;
+    p.NID_C.raw = 1;
+    p.NID_RBC.raw = NID_RBC;
+    received.termination_ordered = false;
+    receive(p);
+    if (state.radio.supervising.session.phase == radio::Phase::terminating) return 10;
+    return state.radio.other.session.phase == radio::Phase::terminating ? 20 : 0;
+  };
+  using modes::RbcRole;
+  EXPECT_EQ(ended(RbcRole::accepting, 0, radio::kLastKnownRbc), 20);
+  EXPECT_FALSE(received.termination_ordered) << "the session with the RBC that supervises goes on";
+  EXPECT_EQ(ended(RbcRole::supervising, 0, radio::kLastKnownRbc), 10);
+  EXPECT_TRUE(received.termination_ordered);
+  EXPECT_EQ(ended(RbcRole::accepting, 0, 20), 20);
+  EXPECT_EQ(ended(RbcRole::accepting, 0, 10), 10) << "as it is named";
+  EXPECT_EQ(ended(RbcRole::accepting, 1, radio::kLastKnownRbc), 0);
+}
+
+TEST_F(Taken, OfARBCTransitionOrderInSHOnlyTheContactIsStored) {  // 4.8.4 [8]
+  state.mode = Mode::SH;
+  state.contact_status = DataStatus::unknown;
+  information.medium = Medium::balise;
+  lang::Packet131 p;
+  p.NID_C.raw = 1;
+  p.NID_RBC.raw = 77;
+  receive(p);
+  EXPECT_EQ(told(131).what, What::packet_contact_stored);
+  ASSERT_TRUE(state.radio.contact.has_value());
+  EXPECT_EQ(state.radio.contact->NID_RBC, 77);
+  EXPECT_EQ(state.contact_status, DataStatus::valid);
+  EXPECT_FALSE(state.track.rbc_transition.has_value());
+}
+
+TEST_F(Taken, TheTrainRunningNumberOfTheRBC) {  // 3.18.4.5.1
+  lang::Packet140 p;
+  p.NID_OPERATIONAL.raw = 0x4711;
+  state.data.train_running_number_status = DataStatus::unknown;
+  receive(p);
+  EXPECT_EQ(state.data.train_running_number, 0x4711u);
+  EXPECT_EQ(state.data.train_running_number_status, DataStatus::valid);
+}
+
+TEST_F(Taken, TheDelayOfAnOrderToShowTheLSSMA) {  // 4.4.19.1.4.2, 4.8.5.2
+  state.mode = Mode::LS;
+  state.level.level = Level::L1;
+  state.now = {100.0};
+  information.medium = Medium::balise;
+  information.time = {90.0};
+  lang::Packet180 p;
+  p.Q_LSSMA.raw = 1;
+  p.T_LSSMA.raw = 5;
+  receive(p);
+  ASSERT_TRUE(state.lssma.waiting.has_value());
+  EXPECT_EQ(state.lssma.waiting->since, Duration{90.0}) << "from its reception on";
+  EXPECT_EQ(state.lssma.waiting->delay, Duration{5.0});
+  information.judge_packets = 1;  // it waited for a level transition
+  receive(p);
+  ASSERT_TRUE(state.lssma.waiting.has_value());
+  EXPECT_EQ(state.lssma.waiting->since, Duration{100.0}) << "from the transition on";
 }
 
 TEST_F(Taken, TheOrderToEndTheSession) {  // 3.5.5.1
