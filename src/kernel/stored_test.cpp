@@ -138,6 +138,30 @@ TEST(StoredData, WhatWasUnknownIsNotToBeValidated) {  // 4.10
   EXPECT_EQ(state->data.driver_id_status, DataStatus::unknown);
 }
 
+TEST(StoredData, OfASessionEndWithIt) {  // 4.8.5.4 c, 3.11.5.14
+  const auto memory = std::make_unique<State>();
+  State& s = *memory;
+  const auto left = [&](bool supervising, bool other) {
+    s = State{};
+    s.track.revocable_tsr_inhibited = true;
+    const Medium media[] = {Medium::balise, Medium::rbc, Medium::rbc};
+    for (std::size_t i = 0; i < 3; ++i) {
+      BufferedSet& set = *s.buffer.grow();
+      set.medium = media[i];
+      set.accepting = i == 2;
+    }
+    delete_with_sessions(s, {supervising, other});
+    EXPECT_EQ(s.track.revocable_tsr_inhibited, !supervising);
+    EXPECT_EQ(s.buffer[0].medium, Medium::balise);
+    return s.buffer.size();
+  };
+  EXPECT_EQ(left(false, false), 3u);
+  EXPECT_EQ(left(true, false), 2u);
+  EXPECT_TRUE(s.buffer[1].accepting);
+  EXPECT_EQ(left(false, true), 2u);
+  EXPECT_FALSE(s.buffer[1].accepting);
+}
+
 TEST(StoredData, BeyondAPlaceAreDeleted) {  // A.3.4
   const auto state = std::make_unique<State>();
   fill(*state);

@@ -11,6 +11,7 @@
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_65.h"
+#include "lang/packets/packet_79.h"
 #include "lang/packets/packet_80.h"
 #include "lang/packets/packet_88.h"
 #include "lang/packets/packet_90.h"
@@ -353,6 +354,35 @@ TEST_F(Authority, TheLogNamesWhatFoundNoRoom) {  // 3.7.3.1
   }
   evaluate_now();
   EXPECT_TRUE(happened(What::packet_no_room));
+}
+
+TEST_F(Authority, AGeographicalPositionCountsFromTheGroupReportedLast) {  // 3.6.6.4.1
+  for (const std::uint16_t NID_BG : {std::uint16_t{102}, std::uint16_t{100}, std::uint16_t{101}}) {
+    position::Reference group;
+    group.id = {1, NID_BG};
+    group.place = at(700.0 + NID_BG);
+    group.orientation = Direction::nominal;
+    group.reported = NID_BG != 101;
+    ASSERT_TRUE(state.position.references.push_back(group));
+  }
+  lang::Packet79 p;
+  p.Q_SCALE.raw = 1;
+  p.Q_NEWCOUNTRY.raw = 1;
+  p.NID_C.raw = 1;
+  p.NID_BG.raw = 100;
+  p.D_POSOFF.raw = 20;
+  for (const std::uint16_t NID_BG : {std::uint16_t{101}, std::uint16_t{102}}) {
+    lang::Packet79_references more;
+    more.NID_BG.raw = NID_BG;
+    more.D_POSOFF.raw = 20;
+    ASSERT_TRUE(p.references.push_back(more));
+  }
+  add(p);
+  evaluate_now();
+  ASSERT_EQ(state.track.geo.size(), 3u);
+  EXPECT_EQ(state.track.geo[0].applies_from, at(820.0));
+  EXPECT_EQ(state.track.geo[1].applies_from, std::nullopt) << "it was not reported";
+  EXPECT_EQ(state.track.geo[2].applies_from, std::nullopt) << "it was reported before";
 }
 
 }  // namespace

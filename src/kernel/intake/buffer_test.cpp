@@ -239,6 +239,43 @@ TEST_F(Buffer, HoldsTheNewestThreeSets) {  // 4.8.5.1, 4.8.5.3
   EXPECT_EQ(state.buffer[2].waiting, 4u);
 }
 
+TEST_F(Buffer, HoldsTheNewestThreeSetsOfEachCause) {  // 4.8.5.1, 4.8.5.3
+  const auto keep_of = [&](bool accepting, std::uint64_t waiting) {
+    information.sender = accepting ? modes::RbcRole::accepting : modes::RbcRole::supervising;
+    keep_packets(waiting);
+  };
+  keep_of(false, 1);
+  for (std::uint64_t n = 2; n <= 4; ++n) keep_of(true, n);
+  keep_of(false, 5);
+  EXPECT_FALSE(happened(What::buffer_full));
+  keep_of(true, 6);
+  EXPECT_TRUE(happened(What::buffer_full));
+  ASSERT_EQ(state.buffer.size(), 5u);
+  const std::uint64_t left[] = {1, 3, 4, 5, 6};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(state.buffer[i].waiting, left[i]);
+}
+
+TEST_F(Buffer, ASetOfTheAcceptingRBCWaitsForTheChangeOfRBC) {  // 4.8.2.1
+  state.level.level = Level::L2;
+  lang::Packet21 gradient;
+  gradient.Q_DIR.raw = 1;
+  lang::Message8 m;
+  m.NID_LRBG.raw = (1u << 14) | 100u;
+  std::array<std::uint8_t, 64> bytes{};
+  BitWriter writer(bytes);
+  lang::encode_message(writer, m, gradient);
+  information.medium = Medium::rbc;
+  information.sender = modes::RbcRole::accepting;
+  add_bits(keep(reception, information, {1, false}), {bytes.data(), writer.position() / 8});
+  release();  // by a change of level meanwhile
+  ASSERT_EQ(state.buffer.size(), 1u);
+  EXPECT_TRUE(state.track.gradient.empty());
+  state.buffer[0].accepting = false;  // it supervises now
+  release();
+  EXPECT_TRUE(state.buffer.empty());
+  EXPECT_FALSE(state.track.gradient.empty());
+}
+
 TEST_F(Buffer, ASetHoldsWhatIsGivenToIt) {  // 4.8.5.1
   information.orientation = Direction::reverse;
   state.radio.supervising.session.M_VERSION = 17;

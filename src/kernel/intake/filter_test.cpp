@@ -5,9 +5,11 @@
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_12.h"
 #include "lang/packets/packet_13.h"
+#include "lang/packets/packet_131.h"
 #include "lang/packets/packet_132.h"
 #include "lang/packets/packet_136.h"
 #include "lang/packets/packet_15.h"
+#include "lang/packets/packet_180.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_41.h"
@@ -359,6 +361,63 @@ TEST_F(Filter, LinkingWithoutAnOrientationIsOfNone) {  // 3.4.4.4
   evaluate_now();
   ASSERT_EQ(state.balise.linking.links.size(), 1u);
   EXPECT_FALSE(state.balise.linking.links[0].gives_orientation);
+}
+
+TEST_F(Filter, OfTheRBCOfATransitionABaliseOrdersNoSession) {  // 4.8.3 [14]
+  information.medium = Medium::balise;
+  const auto refused = [&](std::uint16_t NID_C, std::uint16_t NID_RBC, bool along, std::uint8_t Q_RBC = 1) {
+    lang::Packet42 p;
+    p.Q_RBC.raw = Q_RBC;
+    p.NID_C.raw = NID_C;
+    p.NID_RBC.raw = NID_RBC;
+    lang::Packet131 order;
+    order.NID_C.raw = 1;
+    order.NID_RBC.raw = 77;
+    order.D_RBCTR.raw = 500;
+    information.packets.clear();
+    add(p);
+    if (along) add(order);
+    state.track.rbc_transition.reset();
+    if (!along) state.track.rbc_transition = track::RbcTransition{at(1500.0), 1, 77, 0, false, {}};
+    state.radio = {};
+    evaluate_now();
+    EXPECT_EQ(told(42).times, 1);
+    return told(42).what == What::packet_refused && told(42).clause == "4.8.3 [14]"_srs;
+  };
+  for (const bool along : {true, false}) {
+    EXPECT_TRUE(refused(1, 77, along));
+    EXPECT_FALSE(refused(1, 78, along));
+    EXPECT_FALSE(refused(2, 77, along));
+    EXPECT_FALSE(refused(1, 77, along, 0)) << "an order to end one";
+  }
+}
+
+TEST_F(Filter, AnOrderToShowTheLSSMAComesWithItsArea) {  // 4.8.4, 4.4.19.1.4.2
+  state.level.level = Level::L1;
+  information.medium = Medium::balise;
+  state.mode = Mode::FS;
+  const auto taken = [&](std::uint16_t D_MAMODE, std::uint8_t M_MAMODE, double front) {
+    lang::Packet80 profile;
+    profile.Q_SCALE.raw = 1;
+    profile.D_MAMODE.raw = D_MAMODE;
+    profile.M_MAMODE.raw = M_MAMODE;
+    profile.L_MAMODE.raw = 500;
+    lang::Packet180 order;
+    order.Q_LSSMA.raw = 1;
+    information.packets.clear();
+    add(profile);
+    add(order);
+    received.here.max_safe_front = at(front);
+    evaluate_now();
+    return told(180).what == What::packet_accepted;
+  };
+  constexpr std::uint8_t kOS = 0, kLS = 2;
+  EXPECT_TRUE(taken(0, kLS, 1000.0));  // from 950 m to 1450 m
+  EXPECT_TRUE(taken(0, kLS, 950.0));
+  EXPECT_TRUE(taken(0, kLS, 1450.0));
+  EXPECT_FALSE(taken(0, kLS, 1450.1));
+  EXPECT_FALSE(taken(60, kLS, 1000.0));
+  EXPECT_FALSE(taken(0, kOS, 1000.0));
 }
 
 /// An announced group 101 at 1450 m, and packets behind packet 136 that count from there.

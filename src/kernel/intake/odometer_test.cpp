@@ -103,5 +103,16 @@ TEST_F(OdometerTime, ATelegramOfTheFutureIsAFault) {
   EXPECT_EQ(out.mode, Mode::SF);
 }
 
+TEST_F(OdometerTime, ATelegramOfNowOrOfPowerUpIsNone) {
+  const std::uint8_t bytes[] = {0x90, 0x02};
+  for (const double passed : {1.0, 0.5, 0.0}) {
+    const BaliseTelegram telegram{bytes, 13, {}, Duration{passed}};
+    in.balise_telegrams = {&telegram, 1};
+    give(100.0, 1.0, 0.0);
+    cycle(1.0);
+    EXPECT_NE(out.mode, Mode::SF) << passed;
+  }
+}
+
 }  // namespace
 }  // namespace evc::kernel

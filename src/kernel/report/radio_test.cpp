@@ -205,6 +205,45 @@ TEST_F(RadioReport, HasTheLengthOfATrainThatIsComplete) {  // 3.6.5.2.4, 7.5.1.5
   }
 }
 
+TEST_F(RadioReport, ReportsSessionsAndErrorsInTheirModes) {  // 3.6.5.1.4 l, m, 4.5.2
+  expect_in_modes(modes::Function::report_session_established, [&] { state.radio.supervising.established_now = true; });
+  expect_in_modes(modes::Function::report_data_consistency_error,
+                  [&] { ASSERT_TRUE(state.radio.errors.push_back(1)); });
+}
+
+TEST_F(RadioReport, HasTheErrorInItsModesOnly) {  // 3.16.4, 4.5.2
+  for (const Mode mode : {Mode::FS, Mode::SL, Mode::SH}) {
+    restart(mode);
+    state.radio.supervising.established_now = true;
+    ASSERT_TRUE(state.radio.errors.push_back(1));
+    for (const radio::Intent& m : run())
+      EXPECT_EQ(m.M_ERROR.has_value(), m.NID_MESSAGE == 136 && mode != Mode::SH) << static_cast<int>(mode);
+    EXPECT_EQ(state.radio.errors.empty(), mode != Mode::SH);
+  }
+}
+
+TEST_F(RadioReport, WithoutPowerNoConditionOfTheContactHolds) {  // 4.4.4, 4.6.3 [41]
+  restart(Mode::NP);
+  state.contact_trip = true;
+  (void)run();
+  EXPECT_FALSE(state.contact_trip);
+}
+
+TEST_F(RadioReport, ANewSessionEndsWhatIsKnownOfTheIntegrity) {  // 3.6.5.2.6
+  for (const bool established : {false, true}) {
+    restart(Mode::FS);
+    state.integrity.integrity = position::Integrity::lost;
+    state.data.train_data_status = DataStatus::valid;
+    received.integrity = TrainIntegrity::lost;
+    state.radio.supervising.established_now = established;
+    const auto before = state.integrity;
+    state.integrity.integrity = position::Integrity::by_driver;
+    (void)run();
+    EXPECT_EQ(state.integrity.integrity, established ? position::Integrity::lost : position::Integrity::by_driver);
+    state.integrity = before;
+  }
+}
+
 TEST_F(RadioReport, NotesOnlyAPositionThatWasSent) {  // 3.6.2.2.2 c
   ASSERT_TRUE(state.position.references.push_back({}));
   state.position.status = DataStatus::valid;
