@@ -98,7 +98,7 @@ TEST_F(Decide, AnotherNationalSystemIsNoNewLevel) {  // [56]
   const auto after = [&](bool national_system_only) {
     restart(Mode::UN, Level::NTC);
     received.level_switched_to = Level::NTC;
-    received.national_system_only = national_system_only;
+    if (national_system_only) received.national_system_only = true;
     return mode_after();
   };
   EXPECT_EQ(after(false), Mode::SN);
@@ -111,7 +111,7 @@ TEST_F(Decide, AnEmergencyStopEndsTheEntryToSRByOverride) {  // [45]
     state.track.ma.reset();
     state.override_.active = true;
     received.level_switched_to = Level::L2;
-    received.ues_received = received_now;
+    if (received_now) received.ues_received = true;
     if (pending) (void)state.emergency_stops.pending.push_back({1, false, {}});
     return mode_after();
   };

@@ -10,6 +10,7 @@
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_27.h"
+#include "lang/packets/packet_3.h"
 #include "lang/packets/packet_65.h"
 #include "lang/packets/packet_79.h"
 #include "lang/packets/packet_80.h"
@@ -383,6 +384,25 @@ TEST_F(Authority, AGeographicalPositionCountsFromTheGroupReportedLast) {  // 3.6
   EXPECT_EQ(state.track.geo[0].applies_from, at(820.0));
   EXPECT_EQ(state.track.geo[1].applies_from, std::nullopt) << "it was not reported";
   EXPECT_EQ(state.track.geo[2].applies_from, std::nullopt) << "it was reported before";
+}
+
+TEST_F(Authority, ThatShortensKeepsWhatItsMessageBringsItself) {  // 3.8.5.1.3, 3.8.5.1.5 of 4.0.0
+  for (const bool brings : {true, false}) {
+    state.track = {};
+    describe_track();
+    by_balise();
+    ASSERT_TRUE(state.track.ma.emplace().sections.push_back({at(0.0), at(9000.0)}));
+    state.pending_national_values.emplace().from = at(4000.0);
+    information.packets.clear();
+    add(level_1());
+    lang::Packet3 values;
+    values.Q_SCALE.raw = 1;
+    values.D_VALIDNV.raw = 4000;
+    if (brings) add(values);
+    evaluate_now();
+    EXPECT_EQ(state.track.ma->end(), at(2950.0));
+    EXPECT_EQ(state.pending_national_values.has_value(), brings);
+  }
 }
 
 }  // namespace

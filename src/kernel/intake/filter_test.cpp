@@ -522,6 +522,31 @@ TEST_F(InfillPart, AGeographicalPositionIsThatOfTheAnnouncedGroup) {  // 7.4.2.2
   evaluate_now();
   ASSERT_EQ(state.track.geo.size(), 1u);
   EXPECT_EQ(state.track.geo[0].applies_from, at(1470.0));
+  EXPECT_EQ(state.track.geo[0].anchor, Anchor::lrbg) << "linking knows the group";
+}
+
+TEST_F(InfillPart, OfTwoTelegramsIsOne) {  // 4.8.1.5: the profile is that of the authority
+  ASSERT_TRUE(state.track.ma.emplace().sections.push_back({at(0.0), at(2000.0)}));
+  lang::Packet136 reference;
+  reference.NID_BG.raw = 101;
+  lang::Packet12 authority;
+  authority.Q_SCALE.raw = 1;
+  authority.V_MAIN.raw = 32;
+  authority.L_ENDSECTION.raw = 2000;
+  lang::Packet80 profile;
+  profile.Q_SCALE.raw = 1;
+  profile.D_MAMODE.raw = 500;
+  profile.L_MAMODE.raw = 500;
+  add(reference);
+  add(authority);
+  add(reference);
+  add(profile);
+  const auto second = packet_bytes;
+  for (std::size_t i = 2; i < 4; ++i) information.packets[i].bytes = second;
+  evaluate_now();
+  EXPECT_EQ(state.track.ma->end(), at(3450.0));
+  ASSERT_EQ(state.track.mode_profile.size(), 1u);
+  EXPECT_EQ(state.track.mode_profile[0].from, at(1950.0));
 }
 
 TEST_F(InfillPart, WithMoreLinkingThanFindsRoomIsLogged) {  // 3.4.4.1

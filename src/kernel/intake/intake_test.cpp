@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "kernel/evc.h"
 #include "kernel/intake/test_message.h"
 
 // The inputs of a cycle as a whole: which of them are valid, and what time and standstill do to stored data.
@@ -173,6 +174,32 @@ TEST_F(Elapsing, AReactionShortensAtStandstill) {  // A.3.4 h
   in.now += Duration{0.1};
   run();
   EXPECT_FALSE(happened(What::track_description_shortened)) << "once";
+}
+
+TEST(Log, TellsThatItIsFull) {
+  const auto outputs = std::make_unique<Outputs>();
+  const Log log{outputs->events};
+  const std::size_t room = decltype(outputs->events)::capacity();
+  for (std::size_t i = 0; i < room; ++i) log.note({.what = What::group_accepted});
+  EXPECT_EQ(outputs->events.back().what, What::group_accepted);
+  log.note({.what = What::group_accepted});
+  EXPECT_EQ(outputs->events.size(), room);
+  EXPECT_EQ(outputs->events.back().what, What::events_lost);
+}
+
+TEST(PowerUp, RefusesAnEngineWithoutLength) {
+  const auto state = std::make_unique<State>();
+  const auto derived = std::make_unique<Derived>();
+  const auto refused = [&](double L_engine) {
+    Config config;
+    config.L_engine = {L_engine};
+    power_up(*state, *derived, config);
+    return state->configuration_refused;
+  };
+  EXPECT_TRUE(refused(0.0));
+  EXPECT_FALSE(refused(0.1));
+  EXPECT_FALSE(refused(1000.0));
+  EXPECT_TRUE(refused(1000.1));
 }
 
 }  // namespace

@@ -129,6 +129,7 @@ TEST_F(RadioMessage, AnAuthorisationForSRHasTheListOfItsPacket63) {  // 4.4.11.1
   ASSERT_TRUE(p.groups.push_back(group));
   add(lang::Packet58{});
   add(p);
+  add(lang::Packet58{});
   lang::Message2 m;
   m.D_SR.raw = 32767;
   take(m);

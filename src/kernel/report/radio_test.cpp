@@ -222,6 +222,29 @@ TEST_F(RadioReport, HasTheErrorInItsModesOnly) {  // 3.16.4, 4.5.2
   }
 }
 
+TEST_F(RadioReport, ReportsTheIntegrityInItsModes) {  // 3.6.5.1.4 c, d, 3.6.5.2, 4.5.2
+  const auto can_confirm = [&] {
+    state.data.train_data_status = DataStatus::valid;
+    state.radio.supervising.train_data_acknowledged = true;
+    state.position.status = DataStatus::valid;
+    EXPECT_TRUE(state.position.references.push_back({}));
+  };
+  expect_in_modes(modes::Function::report_integrity_lost, [&] {
+    can_confirm();
+    received.integrity = TrainIntegrity::lost;
+  });
+  expect_in_modes(modes::Function::report_integrity_confirmed, [&] {
+    can_confirm();
+    received.selected.add(Select::integrity_confirmed);
+  });
+  restart(Mode::FS);
+  can_confirm();
+  state.train.L_TRAIN = {321.0};
+  received.integrity = TrainIntegrity::confirmed;
+  (void)run();
+  EXPECT_EQ(state.integrity.L_TRAIN, Distance{321.0});
+}
+
 TEST_F(RadioReport, WithoutPowerNoConditionOfTheContactHolds) {  // 4.4.4, 4.6.3 [41]
   restart(Mode::NP);
   state.contact_trip = true;
