@@ -43,6 +43,15 @@ TEST_F(Enter, TheModeIsThatOfTheTransition) {  // 4.6.3
   EXPECT_EQ(outputs->events[0], Event::mode_changed(Mode::SB, Mode::SR, 8));
 }
 
+TEST_F(Enter, TheLSSMAIsNotShownWithTheEntryToLS) {  // 4.4.19.1.4.6
+  restart(Mode::SB);
+  state.lssma.on = true;
+  state.lssma.waiting = {Duration{99.0}, Duration{5.0}};
+  enter(Mode::LS);
+  EXPECT_FALSE(state.lssma.on);
+  EXPECT_TRUE(state.lssma.waiting.has_value()) << "the order of the message that leads to LS";
+}
+
 TEST_F(Enter, TheAreaOfItsModeIsAccepted) {  // 5.7, 5.9, 5.19
   for (const Mode to : {Mode::OS, Mode::LS, Mode::FS}) {
     restart(Mode::SR);

@@ -12,6 +12,7 @@
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_39.h"
 #include "lang/packets/packet_5.h"
+#include "lang/packets/packet_65.h"
 
 // The transition buffer: what waits for a level is judged again as it was received (4.8.5).
 namespace evc::kernel {
@@ -274,6 +275,26 @@ TEST_F(Buffer, ASetOfTheAcceptingRBCWaitsForTheChangeOfRBC) {  // 4.8.2.1
   release();
   EXPECT_TRUE(state.buffer.empty());
   EXPECT_FALSE(state.track.gradient.empty());
+}
+
+TEST_F(Buffer, OfAnUnlinkedGroupHangsOnIt) {  // 3.6.4.7, 3.6.4.2.4 of 4.0.0
+  information.anchor = Anchor::unlinked;
+  information.widening = {{}, {10.0}, {20.0}};
+  lang::Packet65 restriction;
+  restriction.Q_DIR.raw = 1;
+  restriction.Q_SCALE.raw = 1;
+  restriction.D_TSR.raw = 500;
+  restriction.L_TSR.raw = 100;
+  restriction.V_TSR.raw = 8;
+  BufferedSet& set = keep_packets(1);
+  EXPECT_EQ(set.anchor, Anchor::unlinked);
+  EXPECT_EQ(set.widening, information.widening);
+  add_telegram(set, telegram(210, restriction), 210);
+  release();
+  ASSERT_EQ(state.track.tsr.size(), 1u);
+  EXPECT_EQ(state.track.tsr[0].from, at(1390.0));
+  EXPECT_EQ(state.track.tsr[0].to, at(1520.0));
+  EXPECT_EQ(state.track.tsr[0].anchor, Anchor::unlinked);
 }
 
 TEST_F(Buffer, ASetHoldsWhatIsGivenToIt) {  // 4.8.5.1
