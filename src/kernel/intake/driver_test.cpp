@@ -73,8 +73,10 @@ TEST_F(Driver, EntersTheContactOfTheRBC) {  // 5.4.4
   act();
   EXPECT_FALSE(state.radio.contact.has_value());
   EXPECT_FALSE(received.entered.has(Entered::rbc_contact));
+  EXPECT_EQ(state.contact_status, DataStatus::unknown);
   in.train.desk_open = true;
   act();
+  EXPECT_EQ(state.contact_status, DataStatus::valid);
   ASSERT_TRUE(state.radio.contact.has_value());
   EXPECT_EQ(state.radio.contact->NID_C, 5);
   EXPECT_EQ(state.radio.contact->NID_RBC, 77);

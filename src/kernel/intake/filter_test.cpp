@@ -418,6 +418,10 @@ TEST_F(Filter, AnOrderToShowTheLSSMAComesWithItsArea) {  // 4.8.4, 4.4.19.1.4.2
   EXPECT_FALSE(taken(0, kLS, 1450.1));
   EXPECT_FALSE(taken(60, kLS, 1000.0));
   EXPECT_FALSE(taken(0, kOS, 1000.0));
+  ASSERT_TRUE(taken(0, kLS, 1000.0));
+  information.packets.erase(0);
+  evaluate_now();
+  EXPECT_EQ(told(180).what, What::packet_refused) << "the profile of an earlier message";
 }
 
 /// An announced group 101 at 1450 m, and packets behind packet 136 that count from there.

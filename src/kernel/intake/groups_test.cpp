@@ -280,6 +280,38 @@ TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextLRBG) {  // 3.6.4.2.5, 3.6.4.3
   }
 }
 
+TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextWithoutAnLRBG) {  // 3.6.4.7
+  const auto moves_inexactly = [&](double x) {
+    position::Odometry o;
+    o.counter = {{{x}}, {{0.98 * x}}, {{1.03 * x}}};
+    position::update(state.position, o, state.now);
+  };
+  restart(Mode::FS, Level::L1);
+  state.position = {};
+  moves_inexactly(700.0);
+  moves_inexactly(800.0);
+  lies(800.0, balise(150, 0, 0, 0));
+  cycle();
+  ASSERT_TRUE(state.anchors.has(Anchor::unlinked));
+  moves_inexactly(1000.0);
+  BufferedSet& set = *state.buffer.grow();
+  set.reference = at(1700.0);
+  set.anchor = Anchor::unlinked;
+  const auto copy = std::make_unique<position::State>(state.position);
+  position::Passage passage;
+  passage.id = {1, 160};
+  passage.counter = {{{1000.0}}, {{980.0}}, {{1030.0}}};
+  passage.Q_LOCACC = state.national_values.Q_NVLOCACC;
+  passage.single = true;
+  const Relocation by = position::refer_to_unlinked(*copy, passage).unlinked;
+  ASSERT_TRUE(by.any());
+  lies(1000.0, balise(160, 0, 0, 0));
+  cycle();
+  EXPECT_EQ(state.buffer[0].widening.nearer, by.nearer);
+  EXPECT_EQ(state.buffer[0].widening.farther, by.farther);
+  EXPECT_EQ(state.buffer[0].anchor, Anchor::unlinked);
+}
+
 TEST_F(Groups, OfAListAreNamed) {  // 4.4.8.1.1 c, 4.4.11.1.3 d
   const auto pass = [&](Mode mode, std::uint16_t NID_BG) {
     restart(mode);

@@ -43,11 +43,9 @@ class Cycle : public test::OneMessage {
 TEST_F(Cycle, IsValidWithinTheBoundsOfItsInputs) {  // 4.4.5
   Odometry& o = in.odometry;
   const double far = 1e9, fast = 1e3, more = 1.0001;
-  const auto both = [](double bound, double factor) { return std::pair(bound * factor, -bound * factor); };
   for (const double factor : {1.0, more}) {
     const bool valid = factor == 1.0;
-    const auto [high, low] = both(far, factor);
-    const auto [quick, back] = both(fast, factor);
+    const double high = far * factor, low = -high, quick = fast * factor, back = -quick;
     EXPECT_EQ(valid_with([&] { o.max.from_origin.si = high; }), valid);
     EXPECT_EQ(valid_with([&] { o.min.from_origin.si = low; }), valid);
     EXPECT_EQ(valid_with([&] { o.V_max.si = quick; }), valid);

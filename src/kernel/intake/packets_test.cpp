@@ -172,6 +172,9 @@ TEST_F(Taken, OfARBCTransitionOrderInSHOnlyTheContactIsStored) {  // 4.8.4 [8]
   EXPECT_EQ(state.radio.contact->NID_RBC, 77);
   EXPECT_EQ(state.contact_status, DataStatus::valid);
   EXPECT_FALSE(state.track.rbc_transition.has_value());
+  p.D_RBCTR.raw = 500;
+  receive(p);
+  EXPECT_EQ(told(131).what, What::packet_refused) << "only of an order that is executed at once";
 }
 
 TEST_F(Taken, TheTrainRunningNumberOfTheRBC) {  // 3.18.4.5.1
