@@ -312,6 +312,23 @@ TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextWithoutAnLRBG) {  // 3.6.4.7
   EXPECT_EQ(state.buffer[0].anchor, Anchor::unlinked);
 }
 
+TEST_F(Groups, DataOfAFormerLRBGMoveUntilLinkingLeadsToAnother) {  // 3.6.4.2.5 b, 3.6.4.3
+  for (const bool linked : {true, false}) {
+    restart(Mode::FS, Level::L1);
+    runs(500.0, 600.0);
+    lies(600.0, balise(100));
+    cycle();
+    moves_to(1000.0);
+    state.anchors.add(Anchor::travelled);
+    state.buffer.grow()->anchor = Anchor::travelled;
+    if (linked) announce(200, position::front(state.position).est.from_origin.si);
+    lies(1000.0, balise(200));
+    cycle();
+    EXPECT_EQ(state.buffer[0].anchor, linked ? Anchor::lrbg : Anchor::travelled);
+    EXPECT_EQ(state.anchors.has(Anchor::travelled), !linked);
+  }
+}
+
 TEST_F(Groups, OfAListAreNamed) {  // 4.4.8.1.1 c, 4.4.11.1.3 d
   const auto pass = [&](Mode mode, std::uint16_t NID_BG) {
     restart(mode);
