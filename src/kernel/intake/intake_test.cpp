@@ -185,6 +185,27 @@ TEST(Log, TellsThatItIsFull) {
   EXPECT_EQ(outputs->events.back().what, What::events_lost);
 }
 
+TEST(PowerUp, TakesItsConfiguration) {
+  const auto state = std::make_unique<State>();
+  const auto derived = std::make_unique<Derived>();
+  Config config;
+  config.srs = SrsVersion::v4_0_0;
+  config.levels[static_cast<std::size_t>(Level::L3)] = false;
+  config.terminals = 1;
+  config.train.L_TRAIN = {321.0};
+  config.L_engine = {19.0};
+  config.national_values.D_NVROLL = Distance{3.5};
+  derived->built = 7;
+  power_up(*state, *derived, config);
+  EXPECT_EQ(state->srs, config.srs);
+  EXPECT_EQ(state->fitted_levels, config.levels);
+  EXPECT_EQ(state->terminals, 1);
+  EXPECT_EQ(state->train, config.train);
+  EXPECT_EQ(state->L_engine, Distance{19.0});
+  EXPECT_EQ(state->national_values.D_NVROLL, Distance{3.5});
+  EXPECT_EQ(derived->built, 0u) << "the curves of before are not those of this unit";
+}
+
 TEST(PowerUp, RefusesAnEngineWithoutLength) {
   const auto state = std::make_unique<State>();
   const auto derived = std::make_unique<Derived>();

@@ -245,6 +245,7 @@ TEST_F(RadioReport, ReportsTheIntegrityInItsModes) {  // 3.6.5.1.4 c, d, 3.6.5.2
   EXPECT_EQ(state.integrity.L_TRAIN, Distance{321.0});
   restart(Mode::FS);
   can_confirm();
+  received.integrity = TrainIntegrity::confirmed;
   state.train_data_change.pending.emplace();
   (void)run();
   EXPECT_EQ(state.integrity.integrity, position::Integrity::none) << "another length waits for the driver";
