@@ -36,4 +36,6 @@ std::size_t Findings::count(Severity severity) const {
       std::count_if(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.severity == severity; }));
 }
 
+std::string group_text(GroupId id) { return std::to_string(id.NID_C) + "/" + std::to_string(id.NID_BG); }
+
 }  // namespace evc::check

@@ -42,4 +42,7 @@ class Findings {
   std::vector<Finding> findings_;
 };
 
+/// A group as it is written in findings: NID_C/NID_BG.
+std::string group_text(GroupId id);
+
 }  // namespace evc::check

@@ -58,8 +58,6 @@ std::string text_of(const lang::FaultAt& at) {
   return text;
 }
 
-std::string text_of(GroupId id) { return fmt::format("{}/{}", id.NID_C, id.NID_BG); }
-
 /// Packets that a train skips: their numbers are unknown in the version (3.17.3.11).
 void check_known(const lang::PacketViews& packets, const Where& where, Findings& out) {
   for (const lang::PacketView& packet : packets)
@@ -85,7 +83,7 @@ void check_common_header(const Group& group, Findings& out) {
     const Where where = group.where(t);
     if (t.id() != group.telegrams.front().id())
       return out.add(error, where, "3.4.1.1"_srs,
-                     fmt::format("identity {} in group {}", text_of(t.id()), text_of(group.id)));
+                     fmt::format("identity {} in group {}", group_text(t.id()), group_text(group.id)));
     if (t.view.N_TOTAL.raw != first.N_TOTAL.raw)
       return out.add(error, where, "3.4.1.2"_srs,
                      fmt::format("N_TOTAL {} and {} in one group", first.N_TOTAL.raw, t.view.N_TOTAL.raw));
@@ -151,7 +149,7 @@ void check_identities(const Trackside& trackside, Findings& out) {
     for (std::size_t j = 0; j < i; ++j)
       if (groups[i].id == groups[j].id)
         out.add(error, groups[i].where(), "3.4.1.1"_srs,
-                fmt::format("two groups {}: the other one is at {:.1f} m", text_of(groups[i].id), groups[j].at_m));
+                fmt::format("two groups {}: the other one is at {:.1f} m", group_text(groups[i].id), groups[j].at_m));
 }
 
 /// Groups one in another, or not in the order of the run.
@@ -160,10 +158,10 @@ void check_order(const Trackside& trackside, Findings& out) {
   for (std::size_t i = 1; i < groups.size(); ++i) {
     if (groups[i].first_m() <= groups[i - 1].last_m())
       out.add(error, groups[i].where(), "3.16.2.1.3"_srs,
-              fmt::format("it begins before group {} ends", text_of(groups[i - 1].id)));
+              fmt::format("it begins before group {} ends", group_text(groups[i - 1].id)));
     if (groups[i].index < groups[i - 1].index)
       out.add(warning, groups[i].where(), "docs/line.md",
-              fmt::format("in the file it is before group {}, on the line behind it", text_of(groups[i - 1].id)));
+              fmt::format("in the file it is before group {}, on the line behind it", group_text(groups[i - 1].id)));
   }
 }
 
@@ -179,13 +177,13 @@ void check_reference(const Trackside& trackside, const Message& message, Finding
   const Group* lrbg = trackside.find(*message.lrbg, message.sent->position_m);
   if (lrbg == nullptr)
     return out.add(error, message.where(), "3.6.2.2.1"_srs,
-                   fmt::format("its LRBG {} is not on the line", text_of(*message.lrbg)));
+                   fmt::format("its LRBG {} is not on the line", group_text(*message.lrbg)));
   if (!passed(*lrbg, message.sent->position_m))
     return out.add(error, message.where(), "3.6.2.2.2 b"_srs,
-                   fmt::format("its LRBG {} is at {:.1f} m, not passed yet", text_of(*message.lrbg), lrbg->at_m));
+                   fmt::format("its LRBG {} is at {:.1f} m, not passed yet", group_text(*message.lrbg), lrbg->at_m));
   if (!lrbg->linked())
     out.add(error, message.where(), "3.6.2.2.2 a"_srs,
-            fmt::format("its LRBG {} is marked unlinked", text_of(*message.lrbg)));
+            fmt::format("its LRBG {} is marked unlinked", group_text(*message.lrbg)));
 }
 
 }  // namespace

@@ -27,7 +27,6 @@ using kernel::Turn;
 constexpr Distance kBehind{3000.0};
 
 Place place(double metres) { return Place{Distance{metres}}; }
-double metres(Place at) { return at.from_origin.si; }
 
 /// A train that is fitted with every level and has every national system.
 modes::AvailableLevels every_level() {

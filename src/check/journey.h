@@ -84,4 +84,7 @@ class Journey {
   std::unique_ptr<track::Contents> contents_;
 };
 
+/// Metres of a place.
+constexpr double metres(Place at) { return at.from_origin.si; }
+
 }  // namespace evc::check

@@ -11,8 +11,6 @@ namespace {
 
 using enum Severity;
 
-double metres(Place at) { return at.from_origin.si; }
-
 template <class Fresh, class Stored>
 bool covered(const Stored& stored, const std::optional<Fresh>& fresh, Place from, Place to) {
   return fresh ? track::covers_together(stored, *fresh, from, to) : stored.covers(from, to);

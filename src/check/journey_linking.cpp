@@ -16,8 +16,6 @@ using enum Severity;
 /// A difference that the steps of D_LINK and of surveys explain.
 constexpr double kSurvey = 1.0;
 
-std::string text_of(GroupId id) { return fmt::format("{}/{}", id.NID_C, id.NID_BG); }
-
 }  // namespace
 
 /// A group marked linked that linking does not announce is rejected (3.4.4.4.2).
@@ -31,7 +29,7 @@ void Journey::check_announced(const Group& group) const {
   if (used && !known)
     out_.add(warning, group.where(), "3.4.4.4.2"_srs,
              fmt::format("group {} is marked linked and not announced, linking goes beyond it: a train rejects it",
-                         text_of(group.id)));
+                         group_text(group.id)));
 }
 
 void Journey::take_linking(Source& source, const Part& part) {
@@ -63,7 +61,7 @@ void Journey::check_list(const Source& source, const Part& part, const balise::L
           error, source.where, "3.4.4.4.3.1"_srs,
           fmt::format("the window of group {} ({:.0f} m, +/- {:.0f} m) begins at or before {:.1f} m, the end of the "
                       "one before it",
-                      text_of(id), linked_m, entry.Q_LOCACC.si, window_end_m));
+                      group_text(id), linked_m, entry.Q_LOCACC.si, window_end_m));
     window_end_m = linked_m + entry.Q_LOCACC.si;
     announced_.push_back({id, linked_m, window_end_m});
     const double expected_m = previous_m + entry.D_LINK.si;
@@ -86,24 +84,24 @@ void Journey::check_linked_group(const Source& source, const balise::LinkingList
              : entry.reaction == Reaction::none ? warning
                                                 : error,
              source.where, "3.4.4.2.1"_srs,
-             fmt::format("links group {} at {:.1f} m, which is not on the line", text_of(id), linked_m));
+             fmt::format("links group {} at {:.1f} m, which is not on the line", group_text(id), linked_m));
     return;
   }
   const double off_m = group->at_m - expected_m;
   if (std::abs(off_m) > entry.Q_LOCACC.si + 1e-6)
     out_.add(error, source.where, "3.4.4.4.3.2"_srs,
-             fmt::format("links group {} at {:.1f} m +/- {:.0f} m, it is at {:.1f} m: a train rejects it", text_of(id),
-                         expected_m, entry.Q_LOCACC.si, group->at_m));
+             fmt::format("links group {} at {:.1f} m +/- {:.0f} m, it is at {:.1f} m: a train rejects it",
+                         group_text(id), expected_m, entry.Q_LOCACC.si, group->at_m));
   else if (std::abs(off_m) > kSurvey)
     out_.add(warning, source.where, "3.4.4.2.1"_srs,
-             fmt::format("links group {} at {:.1f} m, it is at {:.1f} m", text_of(id), expected_m, group->at_m));
+             fmt::format("links group {} at {:.1f} m, it is at {:.1f} m", group_text(id), expected_m, group->at_m));
   if (group->crossing != Direction::unknown && (group->crossing == Direction::nominal) != entry.nominal)
     out_.add(error, source.where, "3.4.4.4.7"_srs,
-             fmt::format("links group {} as crossed in {} direction, it is crossed in {} direction: trip", text_of(id),
-                         entry.nominal ? "nominal" : "reverse", entry.nominal ? "reverse" : "nominal"));
+             fmt::format("links group {} as crossed in {} direction, it is crossed in {} direction: trip",
+                         group_text(id), entry.nominal ? "nominal" : "reverse", entry.nominal ? "reverse" : "nominal"));
   if (!group->linked())
     out_.add(error, source.where, "3.4.4.1.2"_srs,
-             fmt::format("links group {}, which is marked unlinked", text_of(id)));
+             fmt::format("links group {}, which is marked unlinked", group_text(id)));
 }
 
 }  // namespace evc::check

@@ -189,7 +189,7 @@ TEST(Store, AProfileWithoutRoomEndsTheAuthority) {
   for (std::size_t i = 0; i < c.ssp->steps.capacity(); ++i)
     c.ssp->append(at(100.0 + 10.0 * static_cast<double>(i)),
                   StaticSpeed{.V_STATIC = static_cast<SpeedCode>(10 + i % 2)});
-  for (double from = -3000.0; d.ssp.steps.size() + 22 < d.ssp.steps.capacity(); from += 10.0)
+  while (d.ssp.steps.size() + 22 < d.ssp.steps.capacity())
     ASSERT_TRUE(d.ssp.steps.insert(0, {at(-3000.0), StaticSpeed{.V_STATIC = 20}}));
   const Stored stored = store(d, c, front_at(0));
   ASSERT_TRUE(stored.lost_from);
