@@ -253,6 +253,14 @@ TEST_F(Shown, TheSessions) {  // 3.5.3
   EXPECT_EQ(out.sessions[0].NID_C, 3);
   EXPECT_EQ(out.sessions[0].NID_RBC, 77);
   EXPECT_EQ(out.sessions[0].phase, SessionPhase::up);
+  EXPECT_EQ(out.sessions[0].role, SessionRole::supervising);
+  state.radio.other.session.phase = radio::Phase::connecting;
+  for (const bool accepts : {true, false}) {  // 3.15.1
+    state.radio.other_accepts = accepts;
+    enabled_now();
+    ASSERT_EQ(out.sessions.size(), 2u);
+    EXPECT_EQ(out.sessions[1].role, accepts ? SessionRole::accepting : SessionRole::handing_over);
+  }
 }
 
 // --- what may be selected or entered, from the state of the unit
