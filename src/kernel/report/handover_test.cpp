@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "modes/active_functions.h"
 #include "radio/messages.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using procedures::rbc_handover::Step;
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 constexpr radio::Rbc kFirst{1, 10, 1010}, kSecond{1, 20, 2020}, kThird{1, 30, 3030};
 
 /// A train of 200 m in FS at 1000 m with a session with the first RBC; it has been ordered to the second one at 1500 m.

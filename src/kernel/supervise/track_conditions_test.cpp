@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/test_units.h"
 #include "kernel/curves.h"
 #include "kernel/supervise/supervise.h"
 #include "sdm/locations.h"
@@ -12,7 +13,7 @@
 namespace evc::kernel {
 namespace {
 
-constexpr Place at(double x) { return Place{{x}}; }
+using evc::test::at;
 
 /// A train of 200 m in FS at 30 m/s on level track, its authority is to 10 km.
 class StoppingAreas : public ::testing::Test {
