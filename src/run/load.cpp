@@ -16,7 +16,7 @@ io::Result<sim::Line> load_line(const std::string& file) {
 }
 
 io::Result<io::Train> load_train(const std::string& file) {
-  if (file.empty()) return io::Train{};
+  if (file.empty()) return {};
   const auto text = io::read_text(file);
   if (!text) return tl::unexpected(text.error());
   return io::read_train(*text, file);
