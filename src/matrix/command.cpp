@@ -73,7 +73,7 @@ std::string csv_of(const Matrix& m) {
 
 std::string cell_of_table(const std::string& name, const ordered_json& cell) {
   if (cell.is_null()) return "-";
-  if (name.rfind("A", 0) == 0 && name != "ASP" && name != "Adh")
+  if (name.rfind('A', 0) == 0 && name != "ASP" && name != "Adh")
     return fmt::format("{:.3f}", down(cell.get<double>(), 1e3));
   if (name == "Grd") return fmt::format("{:g}", down(cell.get<double>(), 1e2));
   if (cell.is_number_float()) return fmt::format("{:g}", down(cell.get<double>(), 10.0));
