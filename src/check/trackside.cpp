@@ -69,7 +69,7 @@ Trackside read(const sim::Line& line) {
     Message message{&sent, lang::scan_message_to_train(sent.message.bytes, sv), {}};
     const auto lrbg = lang::group(message.view.NID_LRBG);
     if (lrbg) message.lrbg = GroupId{lrbg->NID_C, lrbg->NID_BG};
-    trackside.messages.push_back(std::move(message));
+    trackside.messages.push_back(message);
   }
   return trackside;
 }
