@@ -1,12 +1,14 @@
 #include "matrix/drive.h"
 
+#include <utility>
+
 #include "io/input_stream.h"
 #include "kernel/evc.h"
 
 namespace evc::matrix {
 
-DrivenTrain::DrivenTrain(const sim::Line& line, const io::Train& train)
-    : world(line, train.data, train.dynamics, sim::World::Settings{}) {
+DrivenTrain::DrivenTrain(const sim::Line& line, io::Train its_train)
+    : train(std::move(its_train)), world(line, train.data, train.dynamics, sim::World::Settings{}) {
   io::Configuration configuration;
   configuration.train = train;
   kernel::power_up(state, derived, configuration.for_kernel());

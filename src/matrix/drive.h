@@ -7,10 +7,12 @@ namespace evc::matrix {
 
 /// A train with its unit on a line, driven at the permitted speed.
 struct DrivenTrain {
-  DrivenTrain(const sim::Line& line, const io::Train& train);
+  /// `line` must outlive the driven train.
+  DrivenTrain(const sim::Line& line, io::Train its_train);
   /// Cycle by cycle until the true front end is at `at_m`. False when the run ended before.
   bool drive_to(double at_m);
 
+  io::Train train;  // what the world refers to
   sim::World world;
   kernel::State state;
   kernel::Derived derived;

@@ -33,8 +33,10 @@ class World {
     double adhesion_mps2 = 1.5;  // maximum deceleration that adhesion allows
     Odometer::Errors odometer;
   };
-  /// `line` and `train` must outlive the world.
+  /// `line` and `train` must outlive the world: temporaries are refused.
   World(const Line& line, const train::TrainData& train, const Dynamics& dynamics, const Settings& settings);
+  World(const Line&&, const train::TrainData&, const Dynamics&, const Settings&) = delete;
+  World(const Line&, const train::TrainData&&, const Dynamics&, const Settings&) = delete;
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
