@@ -91,8 +91,17 @@ def still_to_judge(room, mutants, options):
     if options.survivors:
         again = {m.key() for m in mutants}
         return mutants, [r for r in last if r["key"] not in again]
-    there = {(m.key(), m.line) for m in room.mutants}
-    kept = [r for r in last if (r["key"], r["line"]) in there]  # of sources that have not changed
+    # What has the same words in the file as many times as then has its verdict, whatever its line is now.
+    before, there = collections.defaultdict(dict), collections.defaultdict(list)
+    for r in last:
+        before[r["key"]][r["line"]] = r
+    for m in room.mutants:
+        there[m.key()].append(m)
+    kept = []
+    for key, same in there.items():
+        results = [r for _, r in sorted(before[key].items())]
+        if len(results) == len(same):
+            kept += [r | {"line": m.line} for r, m in zip(results, sorted(same, key=lambda m: m.line))]
     done = {(r["key"], r["line"]) for r in kept}
     return [m for m in mutants if (m.key(), m.line) not in done], kept
 
@@ -171,9 +180,9 @@ def main():
         taken = random.Random(options.seed).sample(mutants[len(together):], options.alone)
         left_out = [m for m in mutants[len(together):] if m not in taken]
         mutants, alone = together + taken, len(taken)
-    slow = ", ".join(f"{names[0]} {seconds:.1f} s" for names, seconds in room.steps[1:])
-    print(f"mutate {room.name}: {len(mutants)} mutants, {alone} of them built alone; {len(room.steps[0][0])} quick tests "
-          f"{room.steps[0][1]:.1f} s; {slow}", file=sys.stderr, flush=True)
+    slow = ", ".join(f"{names[0]} {room.seconds[names[0]]:.1f} s" for names in room.steps[1:])
+    print(f"mutate {room.name}: {len(mutants)} mutants, {alone} of them built alone; {len(room.steps[0])} quick tests "
+          f"{sum(map(room.seconds.get, room.steps[0])):.1f} s; {slow}", file=sys.stderr, flush=True)
     if options.check:
         return check(room, mutants)
     status = judge_all(room, mutants, options)

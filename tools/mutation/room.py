@@ -28,6 +28,7 @@ HOST_FLAGS = ["-O2", "-DNDEBUG"]  # a scenario is mostly reading and writing of 
 SCENARIOS = ROOT / "tests/scenarios"
 WITH_SCENARIOS = {"kernel"}  # rooms whose tests are the scenarios too
 SLOW_TEST = 0.25  # seconds
+NEAREST = 10  # scenarios that are tried before the others
 TIME_FACTOR, TIME_MORE = 4, 1  # a mutant has this many times the processor time of the unchanged room, and seconds more
 WAITED = 20  # times that: a mutant that sleeps
 
@@ -143,7 +144,7 @@ class Room:
         self.others = self.out / "others.a"
         self.in_schema = set()  # numbers of the mutants that the one build holds
         self.objects = None  # of the plain build: source -> (object, what it was made of)
-        self.steps = []  # (gtest filter, seconds), quick ones first
+        self.steps = []  # names of tests beside the code, quick ones first
         self.tests_of = {}  # test source -> names
         self.seconds = {}  # test -> seconds
         self.reached = {}  # test -> numbers of the mutants that make a difference in it
@@ -187,10 +188,13 @@ class Room:
         objects = self.each(lambda s: self.all.made(s, self.object_name(s)), sources)
         self.binary = self.out / "all_test"
         objects.append(self.all.made(HERE / "schema.cpp", "schema.o"))
-        if not self.link(self.binary, objects):
-            sys.exit(f"mutate: the test of {self.name} cannot be linked")
+        beside = [o for o in objects if not o.name.startswith(f"{SCENARIOS.name}_")]
+        self.beside_binary = self.out / "beside_test" if self.scenarios else self.binary
+        for binary, of in {self.beside_binary: beside, self.binary: objects}.items():
+            if not self.link(binary, of):
+                sys.exit(f"mutate: the test of {self.name} cannot be linked")
         self.time_tests()
-        names = [name for names, _ in self.steps for name in names]
+        names = list(self.seconds)
         self.reached = dict(zip(names, self.each(self.reached_by, names)))
 
     def copy(self):
@@ -281,9 +285,12 @@ class Room:
                 if source.suffix == ".scenario":
                     source = SCENARIOS / "scenarios_test.cpp"  # it reads them
                 self.tests_of.setdefault(source.name, set()).add(name)
-        quick = [name for name in seconds if seconds[name] < SLOW_TEST]
-        slow = sorted((seconds[name], name) for name in seconds if seconds[name] >= SLOW_TEST)
-        self.steps = [(quick, sum(seconds[name] for name in quick))] + [([name], time) for time, name in slow]
+        beside = [name for name in seconds if not self.is_scenario(name)]
+        slow = sorted((name for name in beside if seconds[name] >= SLOW_TEST), key=seconds.get)
+        self.steps = [[name for name in beside if seconds[name] < SLOW_TEST]] + [[name] for name in slow]
+
+    def is_scenario(self, name):
+        return self.scenarios and name in self.tests_of.get("scenarios_test.cpp", ())
 
     def reached_by(self, name):
         """What a test that runs by itself notes."""
@@ -318,9 +325,17 @@ class Room:
             return "time" if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
     def tests(self, binary, number, without=frozenset()):
-        """The verdict of the tests, the quick ones first; without those in which the mutant makes no difference."""
-        for names, _ in self.steps:
-            names = [name for name in names if name not in without and (number == 0 or number in self.reached[name])]
+        """The verdict of the tests: those beside the code, the quick ones first, in a program without the scenarios,
+        which takes long to begin; then the scenarios that reach few mutants, then the other scenarios. Without those in
+        which the mutant makes no difference."""
+        def of(names):
+            return [name for name in names if name not in without and number in self.reached[name]]
+
+        scenarios = sorted(filter(self.is_scenario, of(self.seconds)),
+                           key=lambda name: len(self.reached[name]) * self.seconds[name])
+        steps = [(self.beside_binary, of(names)) for names in self.steps]
+        steps += [(binary, scenarios[:NEAREST]), (binary, scenarios[NEAREST:])]
+        for binary, names in steps:
             if not names:
                 continue
             seconds = sum(self.seconds[name] for name in names)
