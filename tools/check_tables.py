@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""The generated pages equal the tables of the program, and if the recorded line is available no test was
+"""The generated pages equal the tables of the program, the declarations of packets and messages are those that
+tools/generate_language.py writes from the reference data, and if the recorded line is available no test was
 skipped in the last test run (build/ci/cases, if it exists).
 Usage: tools/check_tables.py [--write]   --write updates the pages."""
 import argparse
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -27,6 +29,19 @@ def mode_page():
 
 def pages():
     yield ROOT / "docs/modes.md", mode_page()
+
+
+def language_faults():
+    """Sources of src/lang that are not what the generator writes."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        subprocess.run([ROOT / "tools/generate_language.py", ROOT / "tests/reference", folder], check=True,
+                       stdout=subprocess.DEVNULL)
+        shutil.copy(ROOT / ".clang-format", folder)
+        written = sorted(p for p in (folder / "src/lang").rglob("*.*"))
+        subprocess.run(["clang-format", "-i", *written], check=True)
+        return [f"{p.relative_to(folder)} is not what tools/generate_language.py tests/reference . writes"
+                for p in written if p.read_bytes() != (ROOT / p.relative_to(folder)).read_bytes()]
 
 
 def skipped_comparisons():
@@ -58,6 +73,7 @@ def main():
             path.write_text(text, encoding="utf-8")
         elif not path.exists() or path.read_text(encoding="utf-8") != text:
             faults.append(f"{path.relative_to(ROOT)} is not what the tables print: tools/check_tables.py --write")
+    faults += language_faults()
     faults += skipped_comparisons()
     for fault in faults:
         print(fault)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the C++ declarations of the ETCS language from reference data.
 
-    tools/generate_language.py REFERENCE_DIR [SOURCE_DIR]
+    tools/generate_language.py REFERENCE_DIR [CHECKOUT]
 
 REFERENCE_DIR holds variables.json, packets_to_train.json, packets_to_track.json, messages_to_train.json and
 messages_to_track.json. The files written (src/lang/variables.h, variable_table.cpp, message_table.cpp, packets.h,

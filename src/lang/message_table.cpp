@@ -2,8 +2,7 @@
 
 #include <array>
 
-// SUBSET-026-8 8.6, 8.7: mandatory and optional packets of a message, per system version and
-// sender.
+// SUBSET-026-8 8.6, 8.7: which packets a message must and may carry, per system version and sender.
 namespace evc::lang {
 namespace {
 

@@ -71,7 +71,7 @@
 #include "lang/packets/train_packet_9.h"
 
 // Track to train (7.4.2), newest layout first where there are several, in three parts: the readers
-// of each part are instantiated in a file of their own.
+// of each are made in a file of their own.
 #define EVC_PACKETS_TO_TRAIN_1(X) \
   X(Packet0)                      \
   X(Packet2)                      \
