@@ -146,8 +146,8 @@ Acceptance accept_by_level(Information information, const AcceptanceContext& c) 
 }
 
 Acceptance accept_by_rbc(Information information, const AcceptanceContext& c) {
-  if (c.medium != Medium::rbc || c.rbc == RbcRole::supervising) return kAccepted;
-  if (c.rbc == RbcRole::former) {  // from the former RBC only the end of the session is accepted (3.15.1.3)
+  if (c.medium != Medium::rbc || c.rbc == SessionRole::supervising) return kAccepted;
+  if (c.rbc == SessionRole::handing_over) {  // from the former RBC only the end of the session is accepted (3.15.1.3)
     const bool session =
         information == Information::session_management || information == Information::session_termination_ack;
     return session ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"_srs};

@@ -7,12 +7,10 @@
 #include "terms/level.h"
 #include "terms/medium.h"
 #include "terms/mode.h"
+#include "terms/radio_link.h"
 #include "terms/srs_version.h"
 
 namespace evc::modes {
-
-/// Which of the two RBCs of a handover sends (4.8.2, 3.15.1); without a handover, the supervising one.
-enum class RbcRole : std::uint8_t { supervising, accepting, former };
 
 /// The kind of a level transition order: packet 41 with D_LEVELTR 32767 is immediate, any other an announcement; packet
 /// 46 is conditional.
@@ -23,7 +21,7 @@ struct AcceptanceContext {
   Mode mode = Mode::NP;
   Level level = Level::L0;
   Medium medium = Medium::balise;
-  RbcRole rbc = RbcRole::supervising;
+  SessionRole rbc = SessionRole::supervising;  // of the RBC that sends (4.8.2)
   bool infill = false;
   // 4.8.3
   std::optional<Level> announced;               // [1][2][6][7][9]: a transition to this level further on is ordered. An

@@ -89,7 +89,7 @@ TEST(AcceptanceEdges, Each_fact_that_lets_an_information_pass_is_absent_unless_i
 TEST(AcceptanceEdges, Of_the_former_RBC_only_the_end_of_its_session_counts) {  // 3.15.1.3
   for (std::size_t i = 0; i < kInformation; ++i) {
     AcceptanceContext c = unprepared(Mode::FS, Level::L2, Medium::rbc);
-    c.rbc = RbcRole::former;
+    c.rbc = SessionRole::handing_over;
     const Information information = static_cast<Information>(i);
     const bool session =
         information == Information::session_management || information == Information::session_termination_ack;

@@ -204,7 +204,7 @@ TEST(Accept, Infill_counts_in_FS_and_LS_only) {
 
 TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   AcceptanceContext c = prepared(Mode::FS, Level::L2, Medium::rbc);
-  c.rbc = RbcRole::accepting;
+  c.rbc = SessionRole::accepting;
   expect(accept(Information::movement_authority, c), Verdict::buffered, "4.8.2.1"_srs);
   expect(accept(Information::train_data_ack, c), Verdict::accepted, {});
   expect(accept(Information::trackside_system_version, c), Verdict::accepted, {});
@@ -217,7 +217,7 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   expect(accept(Information::lssma_toggle_off, c), Verdict::buffered, "4.8.2.1"_srs);
   expect(accept(Information::session_initiation, c), Verdict::accepted, {});
   c = prepared(Mode::FS, Level::L2, Medium::rbc);
-  c.rbc = RbcRole::former;
+  c.rbc = SessionRole::handing_over;
   expect(accept(Information::movement_authority, c), Verdict::rejected, "4.8.2.1"_srs);
   expect(accept(Information::session_management, c), Verdict::accepted, {});
   c.medium = Medium::balise;  // only an RBC has a role

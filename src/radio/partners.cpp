@@ -12,6 +12,11 @@ std::optional<Peer> peer_of(const State& s, const std::optional<Rbc>& named) {
   return std::nullopt;
 }
 
+SessionRole role_of(const State& s, Peer peer) {
+  if (peer == Peer::supervising) return SessionRole::supervising;
+  return s.other_accepts ? SessionRole::accepting : SessionRole::handing_over;
+}
+
 bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Duration now, Outbox& out) {
   if (sleeping && !o.sleeping_too) return false;
   Rbc rbc = o.rbc;

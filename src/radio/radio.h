@@ -79,6 +79,9 @@ struct State {
 /// no session with the named one.
 std::optional<Peer> peer_of(const State& state, const std::optional<Rbc>& named);
 
+/// The part in a handover of the RBC that the session is with (3.15.1).
+SessionRole role_of(const State& state, Peer peer);
+
 /// Why a message was rejected as a whole (3.16.3.1.1).
 enum class Rejected : std::uint8_t { no, no_session, terminating, time_stamp };
 /// The clause of a rejection; none when not rejected.

@@ -46,6 +46,8 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::packet_kept, "packet", Takes::id, "kept"},
     {What::packet_contact_stored, "packet", Takes::id, "contact stored"},
     {What::packet_not_used, "packet", Takes::id, "not used"},
+    {What::packet_other_direction, "packet", Takes::id, "ignored: for the other direction"},
+    {What::packet_superseded, "packet", Takes::id, "ignored: another takes its place"},
     {What::packet_no_room, "packet", Takes::id, "no room"},
     {What::packet_shortened, "packet", Takes::id, "shortened"},
     {What::infill_refused, "infill", Takes::id, "refused"},

@@ -42,10 +42,12 @@ enum class What : std::uint8_t {
   packet_buffered,
   packet_refused,
   packet_refused_no_room,
-  buffer_full,            ///< the newest set in place of the oldest of three (4.8.5.3)
-  packet_kept,            ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
-  packet_contact_stored,  ///< the rest of the packet is not used (4.8.4 [3], [8])
-  packet_not_used,        ///< accepted, and its contents are used by nobody: unknown, or in CAVEATS
+  buffer_full,             ///< the newest set in place of the oldest of three (4.8.5.3)
+  packet_kept,             ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
+  packet_contact_stored,   ///< the rest of the packet is not used (4.8.4 [3], [8])
+  packet_not_used,         ///< accepted, and its contents are used by nobody: unknown, or in CAVEATS
+  packet_other_direction,  ///< ignored: not for the direction of the train
+  packet_superseded,       ///< ignored: another of the same message takes its place
   packet_no_room,
   packet_shortened,
   infill_refused,  ///< `id` is NID_BG of the group that linking does not name

@@ -22,7 +22,7 @@ void make_room(State& state, bool accepting, const Log& log) {
 Information information_of(const BufferedSet& set) {
   Information information;
   information.medium = set.medium;
-  if (set.accepting) information.sender = modes::RbcRole::accepting;
+  if (set.accepting) information.sender = SessionRole::accepting;
   information.group = set.group;
   information.reference = set.reference;
   information.anchor = set.anchor;
@@ -40,8 +40,8 @@ Waiting evaluate_message(Reception& r, const BufferedSet& set) {
   const lang::MessageToTrainView view =
       lang::scan_message_to_train({set.bytes.data(), set.size}, session_version(set.M_VERSION), lang::Check::structure);
   information.message = &view;
-  (void)gather(information, view.packets);  // as many as when it was received
-  drop_superseded(information);
+  (void)gather(information, view.packets, nullptr);  // as many as when it was received
+  drop_superseded(information, nullptr);
   return evaluate(r, information);
 }
 
@@ -50,10 +50,10 @@ void gather_telegrams(Information& information, const BufferedSet& set) {
   for (const std::uint16_t bits : set.telegram_bits) {
     const std::size_t length = (bits + 7u) / 8u;
     const lang::TelegramView view = lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
-    (void)gather(information, view.packets);
+    (void)gather(information, view.packets, nullptr);
     at += length;
   }
-  drop_superseded(information);
+  drop_superseded(information, nullptr);
 }
 
 Waiting evaluate_group(Reception& r, const BufferedSet& set) {
@@ -66,7 +66,7 @@ Waiting evaluate_group(Reception& r, const BufferedSet& set) {
 
 BufferedSet& keep(Reception& r, const Information& information, const Waiting& waiting) {
   State& state = r.state;
-  const bool accepting = information.sender == modes::RbcRole::accepting;
+  const bool accepting = information.sender == SessionRole::accepting;
   make_room(state, accepting, r.log);
   BufferedSet& set = *state.buffer.grow();  // there is room now
   set.medium = information.medium;

@@ -242,7 +242,7 @@ TEST_F(Buffer, HoldsTheNewestThreeSets) {  // 4.8.5.1, 4.8.5.3
 
 TEST_F(Buffer, HoldsTheNewestThreeSetsOfEachCause) {  // 4.8.5.1, 4.8.5.3
   const auto keep_of = [&](bool accepting, std::uint64_t waiting) {
-    information.sender = accepting ? modes::RbcRole::accepting : modes::RbcRole::supervising;
+    information.sender = accepting ? SessionRole::accepting : SessionRole::supervising;
     keep_packets(waiting);
   };
   keep_of(false, 1);
@@ -266,7 +266,7 @@ TEST_F(Buffer, ASetOfTheAcceptingRBCWaitsForTheChangeOfRBC) {  // 4.8.2.1
   BitWriter writer(bytes);
   lang::encode_message(writer, m, gradient);
   information.medium = Medium::rbc;
-  information.sender = modes::RbcRole::accepting;
+  information.sender = SessionRole::accepting;
   add_bits(keep(reception, information, {1, false}), {bytes.data(), writer.position() / 8});
   release();  // by a change of level meanwhile
   ASSERT_EQ(state.buffer.size(), 1u);

@@ -27,7 +27,7 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.medium = information.medium;
   c.rbc = information.sender;
   if (const auto to = ordered_level(r)) c.announced = to->level;
-  const bool supervising = information.sender == modes::RbcRole::supervising;
+  const bool supervising = information.sender == SessionRole::supervising;
   c.train_data_unacknowledged = (supervising ? s.radio.supervising : s.radio.other).train_data_stamp.has_value();
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);

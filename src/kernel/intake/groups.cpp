@@ -181,9 +181,9 @@ void receive_group(Reception& r, const balise::Group& group) {
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
-    if (!gather(information, view.packets)) return refuse_group(r, group.id);
+    if (!gather(information, view.packets, &r.log)) return refuse_group(r, group.id);
   }
-  drop_superseded(information);
+  drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
   BufferedSet& set = keep(r, information, waiting);

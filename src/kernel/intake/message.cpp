@@ -9,15 +9,26 @@ lang::SystemVersion session_version(std::uint8_t M_VERSION) {
   return M_VERSION == 0 ? lang::SystemVersion{2, 1} : lang::system_version(M_VERSION);
 }
 
-bool gather(Information& information, const lang::PacketViews& packets) {
+bool gather(Information& information, const lang::PacketViews& packets, const Log* log) {
+  const bool unknown = information.orientation == Direction::unknown;
   for (const lang::PacketView& p : packets)
-    if (track::valid_direction(p.Q_DIR, information.orientation) && !information.packets.push_back(p)) return false;
+    if (track::valid_direction(p.Q_DIR, information.orientation)) {
+      if (!information.packets.push_back(p)) return false;
+    } else if (log != nullptr) {
+      log->note({.what = unknown ? What::packet_refused : What::packet_other_direction,
+                 .id = p.NID_PACKET,
+                 .clause = unknown ? "3.6.3.1.4"_srs : "3.6.3.1.3"_srs});
+    }
   return true;
 }
 
-void drop_superseded(Information& information) {
+void drop_superseded(Information& information, const Log* log) {
   const lang::Superseding newer = lang::superseding_in({information.packets.begin(), information.packets.size()});
-  information.packets.erase_if([&](const lang::PacketView& p) { return newer.drops(p); });
+  information.packets.erase_if([&](const lang::PacketView& p) {
+    if (!newer.drops(p)) return false;
+    if (log != nullptr) log->note({.what = What::packet_superseded, .id = p.NID_PACKET, .clause = "6.6.3.2.3"_srs});
+    return true;
+  });
 }
 
 }  // namespace evc::kernel

@@ -4,6 +4,7 @@
 
 #include "base/inplace_vector.h"
 #include "base/location.h"
+#include "kernel/log.h"
 #include "lang/telegram.h"
 #include "modes/acceptance.h"
 #include "terms/medium.h"
@@ -14,10 +15,10 @@ namespace evc::kernel {
 /// A message whose bits are correct, with the reference of its distances.
 struct Information {
   Medium medium = Medium::balise;
-  modes::RbcRole sender = modes::RbcRole::supervising;  // by radio
-  GroupId group;                                        // the group passed, or the LRBG of the radio message
-  Place reference{};                                    // of it, D_REF included
-  Anchor anchor{};                                      // what it hangs on, and how its places move because of that
+  SessionRole sender = SessionRole::supervising;  // by radio
+  GroupId group;                                  // the group passed, or the LRBG of the radio message
+  Place reference{};                              // of it, D_REF included
+  Anchor anchor{};                                // what it hangs on, and how its places move because of that
   Relocation widening;
   bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
@@ -42,9 +43,10 @@ struct Waiting {
 lang::SystemVersion session_version(std::uint8_t M_VERSION);
 
 /// Adds the packets that count for the train's direction, in the order of reading; their bytes must outlive them. False
-/// when there are more than fit.
-bool gather(Information& information, const lang::PacketViews& packets);
+/// when there are more than fit. `log`: of what is ignored; none when the message was logged before (the transition
+/// buffer).
+bool gather(Information& information, const lang::PacketViews& packets, const Log* log);
 /// Packets of version 1.0 that others of the same message replace are ignored (6.6.3.2.3 [9], [11], [13]).
-void drop_superseded(Information& information);
+void drop_superseded(Information& information, const Log* log);
 
 }  // namespace evc::kernel

@@ -86,7 +86,7 @@ Clause take_train_data_acknowledgement(Evaluation& e, const lang::MessageToTrain
   lang::Message8 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
   radio::State& radio = e.r.state.radio;
-  const bool supervising = e.information.sender == modes::RbcRole::supervising;
+  const bool supervising = e.information.sender == SessionRole::supervising;
   radio::receive_train_data_ack(supervising ? radio.supervising : radio.other, m.T_TRAIN_REF.raw);
   return {};
 }

@@ -55,7 +55,7 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict ver
   lang::Packet42 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
   radio::SessionOrder order = radio::session_order_of(p);
-  const bool supervising = e.information.sender == modes::RbcRole::supervising;
+  const bool supervising = e.information.sender == SessionRole::supervising;
   // An RBC that ends "the last known" session means its own: in a handover the stored contact may be the other one.
   if (!supervising && !order.establish && order.rbc.NID_RBC == radio::kLastKnownRbc)
     order.rbc = s.radio.other.session.rbc;
@@ -123,9 +123,9 @@ void take_running_number(Evaluation& e, const lang::PacketView& view, Verdict) {
   DriverData& data = e.r.state.data;
   data.train_running_number = p.NID_OPERATIONAL.raw;
   data.train_running_number_status = DataStatus::valid;
-  const modes::RbcRole sender = e.information.sender;
+  const SessionRole sender = e.information.sender;
   const radio::Rbc& rbc =
-      (sender == modes::RbcRole::supervising ? e.r.state.radio.supervising : e.r.state.radio.other).session.rbc;
+      (sender == SessionRole::supervising ? e.r.state.radio.supervising : e.r.state.radio.other).session.rbc;
   data.train_running_number_from = RbcIdentity{rbc.NID_C, rbc.NID_RBC};
 }
 

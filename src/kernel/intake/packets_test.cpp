@@ -133,7 +133,7 @@ TEST_F(Taken, TheContactOfAnOrderIsValid) {  // 3.5.3.5, 5.4.3.3
 
 /// Of a handover: the stored contact is that of the RBC that supervises.
 TEST_F(Taken, AnRBCThatEndsTheLastKnownSessionMeansItsOwn) {  // 3.5.5.1, 3.15.1
-  const auto ended = [&](modes::RbcRole sender, std::uint8_t Q_RBC, std::uint16_t NID_RBC) {
+  const auto ended = [&](SessionRole sender, std::uint8_t Q_RBC, std::uint16_t NID_RBC) {
     state.radio = {};
     state.radio.supervising.session.rbc = {1, 10, 0};
     state.radio.other.session.rbc = {1, 20, 0};
@@ -149,14 +149,13 @@ TEST_F(Taken, AnRBCThatEndsTheLastKnownSessionMeansItsOwn) {  // 3.5.5.1, 3.15.1
     if (state.radio.supervising.session.phase == radio::Phase::terminating) return 10;
     return state.radio.other.session.phase == radio::Phase::terminating ? 20 : 0;
   };
-  using modes::RbcRole;
-  EXPECT_EQ(ended(RbcRole::accepting, 0, radio::kLastKnownRbc), 20);
+  EXPECT_EQ(ended(SessionRole::accepting, 0, radio::kLastKnownRbc), 20);
   EXPECT_FALSE(received.termination_ordered) << "the session with the RBC that supervises goes on";
-  EXPECT_EQ(ended(RbcRole::supervising, 0, radio::kLastKnownRbc), 10);
+  EXPECT_EQ(ended(SessionRole::supervising, 0, radio::kLastKnownRbc), 10);
   EXPECT_TRUE(received.termination_ordered);
-  EXPECT_EQ(ended(RbcRole::accepting, 0, 20), 20);
-  EXPECT_EQ(ended(RbcRole::accepting, 0, 10), 10) << "as it is named";
-  EXPECT_EQ(ended(RbcRole::accepting, 1, radio::kLastKnownRbc), 0);
+  EXPECT_EQ(ended(SessionRole::accepting, 0, 20), 20);
+  EXPECT_EQ(ended(SessionRole::accepting, 0, 10), 10) << "as it is named";
+  EXPECT_EQ(ended(SessionRole::accepting, 1, radio::kLastKnownRbc), 0);
 }
 
 TEST_F(Taken, OfARBCTransitionOrderInSHOnlyTheContactIsStored) {  // 4.8.4 [8]

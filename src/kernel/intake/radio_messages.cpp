@@ -38,7 +38,7 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
 }
 
 void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
-                    modes::RbcRole sender) {
+                    SessionRole sender) {
   State& s = r.state;
   Information information;
   information.medium = Medium::rbc;
@@ -52,8 +52,8 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
     return;
   }
   shift_reference(information, view);
-  (void)gather(information, view.packets);  // all packets of a message fit
-  drop_superseded(information);
+  (void)gather(information, view.packets, &r.log);  // all packets of a message fit
+  drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
   add_bits(keep(r, information, waiting), bytes);
@@ -72,16 +72,11 @@ void refuse_radio_infill(Reception& r) {
               .clause = a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause});
 }
 
-modes::RbcRole role_of(const State& s, radio::Peer peer) {
-  if (peer == radio::Peer::supervising) return modes::RbcRole::supervising;
-  return s.radio.other_accepts ? modes::RbcRole::accepting : modes::RbcRole::former;
-}
-
 /// `named`: by the bearer.
 void receive_message(Reception& r, std::span<const std::uint8_t> bytes, const std::optional<radio::Rbc>& named) {
   State& s = r.state;
   const radio::Peer from = radio::peer_of(s.radio, named).value_or(radio::Peer::supervising);
-  const modes::RbcRole sender = role_of(s, from);
+  const SessionRole sender = radio::role_of(s.radio, from);
   const lang::MessageToTrainView view =
       lang::scan_message_to_train(bytes, session_version(s.radio.partner(from).session.M_VERSION));
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
@@ -102,7 +97,7 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes, const st
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
     return;
   }
-  if (sender == modes::RbcRole::supervising) r.out.new_radio_message = true;
+  if (sender == SessionRole::supervising) r.out.new_radio_message = true;
   if (view.NID_MESSAGE == message::trackside_system_version) {
     lang::Message32 m;
     if (lang::decode(view, m) == lang::Fault::none)

@@ -88,11 +88,9 @@ void show_enabled(const State& s, const Inputs& in, const track::Here& here, Out
   out.enabled = driver::enabled(action_context(s, in.train, here));
   for (const radio::Peer peer : {radio::Peer::supervising, radio::Peer::other}) {
     const radio::Session& session = s.radio.partner(peer).session;
-    const SessionRole role = peer == radio::Peer::supervising ? SessionRole::supervising
-                             : s.radio.other_accepts          ? SessionRole::accepting
-                                                              : SessionRole::handing_over;
     if (session.phase != SessionPhase::idle)
-      (void)out.sessions.push_back({session.rbc.NID_C, session.rbc.NID_RBC, session.phase, role});
+      (void)out.sessions.push_back(
+          {session.rbc.NID_C, session.rbc.NID_RBC, session.phase, radio::role_of(s.radio, peer)});
   }
 }
 
