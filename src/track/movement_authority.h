@@ -22,6 +22,8 @@ struct Timer {
   Duration started{};
   bool running = false;
   bool expired_at(Duration now) const { return running && limit && now - started > *limit; }
+  /// With any limit: it has run out before `now`.
+  void run_out(Duration now) { *this = {Duration{}, now - Duration{1.0}, true}; }
   friend constexpr bool operator==(const Timer&, const Timer&) = default;
 };
 

@@ -7,17 +7,14 @@ namespace {
 
 constexpr Clause kIncomplete = "3.7.2.3"_srs;
 
-/// Whether the end section or overlap timer of the new MA continues the running one: yes, if its start is already
-/// behind the max safe front end; a timer that does not run then counts as expired (3.8.4.1.3-4, 3.8.4.4.4-5).
-void carry_timer(Timer& fresh, const std::optional<Timer>& old, Place start, const Here& here, bool& expired) {
+/// The end section or overlap timer of the new MA continues the running one if its start is already behind the max safe
+/// front end; where none runs then, it has run out (3.8.4.1.3-4, 3.8.4.4.4-5). What follows from that (A.3.4) is done
+/// with all timers, after the data of the message are stored (advance).
+void carry_timer(Timer& fresh, const std::optional<Timer>& old, Place start, const Here& here) {
   if (start >= here.max_safe_front) return;
-  if (old && old->running) {
-    fresh.running = true;
-    fresh.started = old->started;
-    expired = fresh.expired_at(here.now);
-  } else {
-    expired = true;
-  }
+  if (!old || !old->running) return fresh.run_out(here.now);
+  fresh.running = true;
+  fresh.started = old->started;
 }
 
 /// What of the MA before counts for the new one.
@@ -37,16 +34,8 @@ Before before_of(const std::optional<MovementAuthority>& old) {
 }
 
 void carry_timers(MovementAuthority& ma, const Before& old, const Here& here) {
-  bool end_section_over = false;
-  bool overlap_over = false;
-  if (ma.end_section)
-    carry_timer(ma.end_section->timer, old.end_section, ma.end_section->start, here, end_section_over);
-  if (ma.overlap) carry_timer(ma.overlap->timer, old.overlap, ma.overlap->start, here, overlap_over);
-  if (overlap_over) {
-    ma.overlap.reset();
-    ma.V_LOA = {};
-  }
-  if (end_section_over) end_at_train(ma, here);  // A.3.4 e
+  if (ma.end_section) carry_timer(ma.end_section->timer, old.end_section, ma.end_section->start, here);
+  if (ma.overlap) carry_timer(ma.overlap->timer, old.overlap, ma.overlap->start, here);
 }
 
 /// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section that runs there ends

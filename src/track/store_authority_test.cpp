@@ -370,9 +370,18 @@ TEST(Store, TimersOfAReplacedMa) {  // 3.8.4.1.3-4, 3.8.4.4.4-5
   c.ma->overlap = Overlap{at(50), at(3100), {Duration{30}, {}, false}, {}};
   c.ssp = ssp({{0, 100}});
   c.gradient = slopes({{0, 0}});
+  // 3.8.4.4.4: its start is behind and no timer ran. What it takes with it is deleted as when it runs out (A.3.4 d).
   store(d, c, front_at(100));
-  EXPECT_FALSE(d.ma->overlap) << "its start is behind and no timer ran: expired at once";
+  const Elapsed at_once = advance(d, front_at(100));
+  EXPECT_TRUE(at_once.overlap_timeout);
+  EXPECT_TRUE(at_once.track_description_deleted);
+  EXPECT_FALSE(d.ma->overlap);
   EXPECT_EQ(d.ma->SvL(), at(3000));
+  EXPECT_FALSE(d.ssp.covers(at(100), at(3050)));
+  c.ma->overlap->timer.limit.reset();
+  store(d, c, front_at(100));
+  EXPECT_TRUE(advance(d, front_at(100)).overlap_timeout) << "an infinite one too";
+  c.ma->overlap->timer.limit = Duration{30};
   c.ma->overlap->start = at(150);
   store(d, c, front_at(100));
   Here here = front_at(160);
@@ -385,10 +394,15 @@ TEST(Store, TimersOfAReplacedMa) {  // 3.8.4.1.3-4, 3.8.4.4.4-5
   EXPECT_EQ(d.ma->overlap->timer.started, Duration{10}) << "the running timer goes on";
   c.ma->overlap->timer.limit = Duration{15};
   store(d, c, here);
-  EXPECT_FALSE(d.ma->overlap) << "under the new limit it is over";
+  EXPECT_TRUE(advance(d, here).overlap_timeout) << "under the new limit it is over";
+  EXPECT_FALSE(d.ma->overlap);
   c.ma->overlap.reset();
   c.ma->end_section = EndSectionTimer{at(50), {Duration{30}, {}, false}};
   store(d, c, front_at(400));
+  const Elapsed end_section = advance(d, front_at(400));
+  EXPECT_TRUE(end_section.end_section_timeout);
+  EXPECT_TRUE(end_section.track_description_deleted);
+  EXPECT_FALSE(d.ssp.covers(at(405), at(410))) << "A.3.4 e";
   EXPECT_EQ(d.ma->end(), at(400));
   EXPECT_EQ(d.ma->SvL(), at(405));
   EXPECT_EQ(d.ma->release().kind, Release::Kind::none);

@@ -112,6 +112,14 @@ void end_at(MovementAuthority& ma, Place end) {
   ma.fixed_release = Release{};
 }
 
+/// The MA ends at the train (A.3.4 e, g-j, l, m): EOA at the estimated, SvL at the max safe front end, without release
+/// speed. An end that is nearer stays: a shortening gives no more than there was.
+void end_at_train(MovementAuthority& ma, const Here& here) {
+  const Place SvL = std::min(ma.far_end(), here.max_safe_front);
+  end_at(ma, std::min(ma.end(), here.est_front));
+  ma.fixed_SvL = SvL;
+}
+
 // --- timers of the MA
 
 void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
@@ -222,12 +230,6 @@ void end_signalling_speed(Description& d, Place at) {
   d.signalling.erase_if([&](const SignallingSpeed& s) { return s.from >= at; });
   for (SignallingSpeed& s : d.signalling)
     if (!s.to || *s.to > at) s.to = at;
-}
-
-void end_at_train(MovementAuthority& ma, const Here& here) {
-  const Place SvL = std::min(ma.far_end(), here.max_safe_front);
-  end_at(ma, std::min(ma.end(), here.est_front));
-  ma.fixed_SvL = SvL;
 }
 
 bool shorten(Description& d, Situation situation, Place cut, const Here& here, bool shunting) {

@@ -33,10 +33,6 @@ bool shorten(Description& d, Situation situation, Place cut, const Here& here, b
 /// Signalling related speed restrictions end at a place: those beyond it are deleted, one across it is cut.
 void end_signalling_speed(Description& d, Place at);
 
-/// The MA ends at the train (A.3.4 e, g-j, l, m): EOA at the estimated, SvL at the max safe front end, without release
-/// speed. An end that is nearer stays: a shortening gives no more than there was.
-void end_at_train(MovementAuthority& ma, const Here& here);
-
 /// Applies a conditional emergency stop to the MA (3.10.2.2). Returns Q_EMERGENCYSTOP for message 147, 0: EOA or LOA
 /// changed, 1: not changed. The caller has checked that the stop is not passed. Deletes data by A.3.4 a.
 std::uint8_t stop_at(Description& d, Place stop, const Here& here);

@@ -387,6 +387,7 @@ TEST(StoreAuthority, Running_timers_are_taken_over_behind_their_start_only) {  /
       Here here = front_at(max_safe_front - 5.0);
       here.now = Duration{100};
       store(d, c, here);
+      advance(d, here);
       const bool behind = max_safe_front > 2000.0;
       ASSERT_EQ(d.ma->overlap.has_value(), !behind || running) << "one that does not run counts as expired";
       if (d.ma->overlap) {
@@ -404,6 +405,7 @@ TEST(StoreAuthority, An_end_section_that_counts_as_timed_out_ends_the_MA_at_the_
   c.ma->danger_point = DangerPoint{at(3050), {Release::Kind::given, Speed{5}}};
   c.ma->overlap = Overlap{at(2900), at(3100), {Duration{20}, {}, false}, {Release::Kind::given, Speed{4}}};
   store(d, c, front_at(1500));
+  advance(d, front_at(1500));
   const MovementAuthority& ma = *d.ma;
   EXPECT_EQ(ma.end(), at(1500));
   EXPECT_EQ(ma.SvL(), at(1505));
@@ -521,6 +523,7 @@ TEST(StoreAuthority, An_overlap_that_is_over_takes_the_LOA_along) {  // 3.8.4.4.
   c.ma->V_LOA = Speed{3};
   c.ma->overlap = Overlap{at(1000), at(3100), {Duration{20}, {}, false}, {}};
   store(d, c, front_at(1500));
+  advance(d, front_at(1500));
   EXPECT_FALSE(d.ma->overlap || d.ma->limited());
   Description running = with_everything();
   running.ma->V_LOA = Speed{3};
