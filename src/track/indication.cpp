@@ -16,7 +16,7 @@ constexpr Speed kFastest{600.0 / 3.6};
 constexpr Place kNowhere{{1e12}};
 
 /// The end of the train with which a point is compared.
-enum class End : std::uint8_t { max_safe_front, est_front, min_safe_front, min_safe_rear };
+enum class End : std::uint8_t { max_safe_front, est_front, min_safe_front, min_safe_rear, hole_front, hole_rear };
 
 Place place_of(End end, const Here& here) {
   switch (end) {
@@ -26,6 +26,10 @@ Place place_of(End end, const Here& here) {
       return here.est_front;
     case End::min_safe_front:
       return here.min_safe_front;
+    case End::hole_front:
+      return here.hole_front;
+    case End::hole_rear:
+      return here.hole_rear;
     case End::min_safe_rear:
       break;
   }
@@ -48,10 +52,9 @@ constexpr auto srs_5_18 = [] {
   using enum ConditionPhase;
   using enum End;
   return std::to_array<Course>({
-    // 3.12.1.2.1.5: 3.x has no ends of the engine; the radio hole ends with the estimated front end.
     {sound_horn,                              kToSoundHorn, active,    est_front,      est_front,      over},    // 5.18.9
     {powerless_lower_pantograph,              kToAct,       announced, max_safe_front, min_safe_front, ending},  // 5.18.2
-    {radio_hole,                              {},           active,    max_safe_front, est_front,      over},    // 5.18.5
+    {radio_hole,                              {},           active,    hole_front,     hole_rear,      over},    // 5.18.5
     {air_tightness,                           kToAct,       announced, max_safe_front, min_safe_rear,  ending},  // 5.18.6
     {switch_off_regenerative_brake,           kToAct,       announced, max_safe_front, min_safe_rear,  over},    // 5.18.7
     {switch_off_eddy_current_service_brake,   kToAct,       announced, max_safe_front, min_safe_rear,  over},
@@ -61,6 +64,20 @@ constexpr auto srs_5_18 = [] {
   });
 }();
 // clang-format on
+
+static_assert(
+    [] {
+      using enum TrackConditionKind;
+      for (const auto& row : kTrackConditionRows) {
+        // Both stopping areas are shown by 5.18.4 and 5.18.8 as long as the unit stores them.
+        const bool none = row.value == non_stopping_area || row.value == tunnel_stopping_area;
+        int courses = 0;
+        for (const Course& course : srs_5_18) courses += course.kind == row.value;
+        if (courses != (none ? 0 : 1)) return false;
+      }
+      return true;
+    }(),
+    "every kind of track condition that comes and goes has one course");
 
 /// 5.20.6 to 5.20.8 and 5.18.10: a place or platform, output to the train until its rear end has passed.
 constexpr Course kPlatform{

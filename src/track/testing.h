@@ -18,6 +18,8 @@ inline Here front_at(double est, double doubt = 5.0, double length = 200.0, doub
   here.max_safe_front = at(est + doubt);
   here.min_safe_rear = at(est - doubt - length);
   here.min_safe_antenna = at(est - doubt - antenna);
+  here.hole_front = here.max_safe_front;
+  here.hole_rear = here.est_front;
   return here;
 }
 

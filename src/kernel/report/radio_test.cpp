@@ -347,12 +347,13 @@ TEST_F(RadioReport, SendsWhatTheProceduresRequire) {  // chapter 5
   EXPECT_TRUE(sends(158));
 }
 
-TEST_F(RadioReport, ReportsTheModeOnlyToAnRBC) {  // 3.6.5.1.4 b
+TEST_F(RadioReport, ReportsTheModeInEveryLevel) {  // 3.6.5.1.4 b
   decided.mode_changed = true;
   EXPECT_TRUE(sends(136));
   state.level.level = Level::L1;
-  EXPECT_FALSE(sends(136));
+  EXPECT_TRUE(sends(136));
   decided.mode_changed = false;
+  EXPECT_FALSE(sends(136));
   state.level.level = Level::L2;
   EXPECT_FALSE(sends(136));
 }
@@ -542,6 +543,8 @@ TEST_F(RadioReport, SupervisesTheContactOutsideARadioHole) {  // 3.16.3.4.1, 3.1
     EXPECT_TRUE(state.track.conditions.push_back({at(1000.0), at(2000.0), kind}));
     decided.here.est_front = at(est_front);
     decided.here.max_safe_front = at(max_safe_front);
+    decided.here.hole_front = decided.here.max_safe_front;
+    decided.here.hole_rear = decided.here.est_front;
     track::advance_conditions(state.track, decided.here, {});
     state.radio.contact_lost = false;
     state.radio.was_in_hole = false;
