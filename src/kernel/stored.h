@@ -8,10 +8,10 @@ namespace evc::kernel {
 
 /// 4.10: mode `to` is entered from `from`.
 void keep_for_mode(State& state, Mode to, Mode from);
-/// 4.9: the level is entered.
 /// No Power is left: what entering it made invalid becomes valid again where the engine was not moved (4.11.1).
 /// `moved`: says cold movement detection; absent: not known.
 void revalidate_after_power_off(State& state, const std::optional<bool>& moved);
+/// 4.9: level `to` is entered.
 void keep_for_level(State& state, Level to);
 /// A.3.4 k: the desk is closed during start of mission.
 void keep_for_closed_desk(State& state);

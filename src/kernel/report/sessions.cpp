@@ -31,9 +31,11 @@ void stop_set_up(State& s, const Received& received, const Decided& decided, rad
   if (decided.mission_ended || left_level) radio::abort_set_ups(s.radio, s.now, outbox);
 }
 
-/// 3.5.3.4 c, g: a mode that has to be reported; the end of a start of mission in which there was no session.
+/// 3.5.3.4 c, g: in level 2 and 3, a mode that has to be reported; the end of a start of mission in which there was no
+/// session.
 void open_for_mode(State& s, const Decided& decided, radio::Outbox& outbox) {
-  if (!reports_mode(s, decided) || decided.mission_ended || !valid(s.contact_status)) return;
+  if (!level_2_or_3(s.level.level) || !reports_mode(s, decided) || decided.mission_ended) return;
+  if (!valid(s.contact_status)) return;
   const bool started = s.previous_mode == Mode::SB && procedures::end_of_mission::is_mission(s.mode) &&
                        procedures::start_of_mission::without_session(s.start_of_mission);
   establish(s, started ? radio::Cause::start_without_session : radio::Cause::mode_report, outbox);
@@ -60,8 +62,7 @@ void open_for_driver(State& s, const Received& received, procedures::Effects& ef
 
 bool reports_mode(const State& s, const Decided& decided) {
   const bool shunting_goes_on = s.previous_mode == Mode::PS && s.mode == Mode::SH;
-  return decided.mode_changed && !shunting_goes_on && level_2_or_3(s.level.level) &&
-         modes::active(modes::Function::report_mode_change, s.mode);
+  return decided.mode_changed && !shunting_goes_on && modes::active(modes::Function::report_mode_change, s.mode);
 }
 
 void order_sessions(State& s, const Received& received, const Decided& decided, procedures::Effects& effects,
