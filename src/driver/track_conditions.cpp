@@ -45,11 +45,13 @@ constexpr auto kTractionSymbols = [] {
 }();
 // clang-format on
 
-static_assert([] {
-  for (std::size_t i = 0; i < srs_5_18_symbols.size(); ++i)
-    if (static_cast<std::size_t>(srs_5_18_symbols[i].kind) != i) return false;
-  return srs_5_18_symbols.size() == kTrackConditionRows.size();
-}());
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < srs_5_18_symbols.size(); ++i)
+        if (static_cast<std::size_t>(srs_5_18_symbols[i].kind) != i) return false;
+      return srs_5_18_symbols.size() == kTrackConditionRows.size();
+    }(),
+    "every kind of track condition has its row, in the order of the codes");
 
 }  // namespace
 

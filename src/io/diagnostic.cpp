@@ -25,6 +25,8 @@ std::size_t character(std::string_view text) {
 }
 
 std::string one_line(const std::string& text) { return printable(text, 200); }
+/// What is expected is our own text: a list of names is of use as a whole only.
+std::string whole_line(const std::string& text) { return printable(text, 1000); }
 
 }  // namespace
 
@@ -50,7 +52,7 @@ std::string Diagnostic::text() const {
   std::string line = one_line(file);
   if (!where.empty()) line += ": " + one_line(where);
   if (!found.empty()) line += ": found " + one_line(found);
-  if (!expected.empty()) line += (found.empty() ? ": expected " : ", expected ") + one_line(expected);
+  if (!expected.empty()) line += (found.empty() ? ": expected " : ", expected ") + whole_line(expected);
   return line;
 }
 

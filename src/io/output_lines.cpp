@@ -380,17 +380,20 @@ void append_distances(std::string& out, const Ordered& o) {
 }
 
 /// The key in `train_orders` of each kind of track condition; none where nothing is output to the train.
-constexpr std::array<const char*, kTrackConditionRows.size()> kOrderKeys{nullptr,
-                                                                         nullptr,
-                                                                         nullptr,
-                                                                         "pantograph",
-                                                                         nullptr,
-                                                                         "air_tightness",
-                                                                         "regenerative_brake_inhibited",
-                                                                         "eddy_current_service_brake_inhibited",
-                                                                         "magnetic_shoe_brake_inhibited",
-                                                                         "main_switch",
-                                                                         "eddy_current_emergency_brake_inhibited"};
+constexpr auto kOrderKeys = std::to_array<const char*>({
+    nullptr,
+    nullptr,
+    nullptr,
+    "pantograph",
+    nullptr,
+    "air_tightness",
+    "regenerative_brake_inhibited",
+    "eddy_current_service_brake_inhibited",
+    "magnetic_shoe_brake_inhibited",
+    "main_switch",
+    "eddy_current_emergency_brake_inhibited",
+});
+static_assert(kOrderKeys.size() == kTrackConditionRows.size(), "every kind of track condition has its line");
 
 void append_train_orders(OutputRow& row, const Outputs& o) {
   row.open("train_orders");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 #include "run.h"
 
 // The reader rejects misspelt words with their place; the runner reports the failed statement and
@@ -142,6 +145,19 @@ TEST(Runner, every_kind_of_expectation_can_fail) {
     const std::string text = failure_of(std::string("scenario a\n  when desk opened\n  then ") + wrong + " [4.6.3]\n");
     EXPECT_TRUE(contains(text, "x.scenario:3")) << wrong << "\n" << text;
   }
+}
+
+TEST(Runner, every_output_of_the_list_is_one) {
+  const std::string error = error_of("scenario a\n  when desk opened\n  then nothing is 1 [4.6.3]\n");
+  const std::string list = "or an output: ";
+  std::istringstream names(error.substr(error.find(list) + list.size()));
+  int seen = 0;
+  for (std::string name; std::getline(names >> std::ws, name, ','); ++seen) {
+    if (name == "mode" || name == "level") continue;  // these have words of their own
+    const std::string failure = failure_of("scenario a\n  when desk opened\n  then " + name + " is 12345 [4.6.3]\n");
+    EXPECT_FALSE(contains(failure, "no output")) << name;
+  }
+  EXPECT_GT(seen, 40) << error;
 }
 
 TEST(Runner, a_step_that_cannot_be_done_is_an_error) {
