@@ -8,6 +8,7 @@ comparison that is defaulted and a default value are neither. An enumerator is a
 question, and produced by everything else; a cast from a number produces all of an enumeration, a cast to a number asks
 for all. What a source does is kept in EVC_ENDS_CACHE (default: ~/.cache/openevc-ends) while nothing that it is made of
 changes. Used by tools/check_ends.py."""
+import collections
 import concurrent.futures
 import functools
 import json
@@ -73,7 +74,11 @@ class Uses:
     """What one translation unit does with fields and enumerators: USR -> R | W bits."""
     def __init__(self):
         self.fields, self.enumerators, self.enums = {}, {}, {}
-        self.by_name = {}  # names of members that a template takes from a type it does not know
+        # What a template takes from an object whose type it does not know: {"from to": R | W}. It counts for every struct
+        # that has all these members.
+        self.by_name = {}
+        self.templates = [""]  # where the functions around begin
+        self.unknown = {}  # (function, object) -> names
         self.in_table = 0
         self.assigned = []  # fields on the left of the assignments around
 
@@ -101,19 +106,32 @@ class Uses:
         """`how`: what is done with the value of this expression; `asked`: it is part of a comparison or condition."""
         kind = c.kind
         handler = HANDLERS.get(kind)
-        if handler:
+        if kind in FUNCTIONS:
+            self.templates.append(f"{c.location.file}:{c.location.offset}")
+            self.all(c.get_children(), R, False) if handler is None else handler(self, c, how, asked)
+            self.templates.pop()
+        elif handler:
             handler(self, c, how, asked)
         elif kind in PASSING:
             self.all(c.get_children(), how, asked)
         else:
             self.all(c.get_children(), R, False)
 
+    def close(self):
+        """What was noted of objects of unknown type, by the names alone."""
+        for names in self.unknown.values():
+            self.by_name[" ".join(sorted(names))] = R | W
+        self.unknown = {}
+
     def member(self, c, how, asked):
         field = c.referenced
         children = list(c.get_children())
         if field is None:
-            name = re.search(r"(\w+)\s*$", text_of(c.extent.start, c.extent.end))
-            self.by_name[c.spelling or (name[1] if name else "")] = R | W
+            text = text_of(c.extent.start, c.extent.end)
+            name = re.search(r"(\w+)\s*$", text)
+            member = c.spelling or (name[1] if name else "")
+            of = re.sub(r"\s|(\.|->)\s*(template\s+)?\w*\s*$", "", text[:len(text) - len(member)])
+            self.unknown.setdefault((self.templates[-1], of), set()).add(member)
         elif field.kind == K.FIELD_DECL:
             self.note_field(field, how)
         elif field.kind == K.ENUM_CONSTANT_DECL:
@@ -354,6 +372,7 @@ class Uses:
 
 
 PASSING = {K.UNEXPOSED_EXPR, K.PAREN_EXPR, K.ARRAY_SUBSCRIPT_EXPR}
+FUNCTIONS = {K.FUNCTION_TEMPLATE, K.FUNCTION_DECL, K.CXX_METHOD, K.CONSTRUCTOR, K.LAMBDA_EXPR}
 HANDLERS = {
     K.MEMBER_REF_EXPR: Uses.member, K.DECL_REF_EXPR: Uses.reference, K.MEMBER_REF: Uses.reference,
     K.BINARY_OPERATOR: Uses.binary, K.COMPOUND_ASSIGNMENT_OPERATOR: Uses.compound, K.UNARY_OPERATOR: Uses.unary,
@@ -388,7 +407,7 @@ def sources():
     return [p for p in sorted((ROOT / "src").rglob("*/*.cpp")) if is_product(p) and room_of(p, "src") not in LEFT_OUT]
 
 
-RULES = "5"  # a new number where what is found in a source changes
+RULES = "6"  # a new number where what is found in a source changes
 FLAGS = ["-std=c++20", *(f"-I{ROOT / folder}" for folder in FOLDERS),
          f"-I{CACHE / 'generated'}", "-w", "-ffp-contract=off", '-DEVC_DATA_DIR=""', '-DEVC_VERSION=""']
 
@@ -417,6 +436,7 @@ def uses_of(source):
     own = {str(source)} | ({str(h) for h in source.parent.glob("*.h")} if source.parent.name == "app" else set())
     uses = Uses()
     uses.all(own_declarations(parsed(source), own))
+    uses.close()
     found = [uses.fields, uses.enumerators, uses.enums, uses.by_name]
     part = kept.with_suffix(f".{os.getpid()}")
     part.write_text(json.dumps(found), encoding="utf-8")
@@ -453,15 +473,55 @@ def declared(unit):
     return found
 
 
+def families(unit):
+    """{struct: sets of names of members}: its own with those of its bases, and those of each struct derived from it."""
+    bases, own = {}, collections.defaultdict(set)
+
+    def look(c, path):
+        for x in c.get_children():
+            if x.kind in (K.NAMESPACE, K.STRUCT_DECL, K.CLASS_DECL):
+                here = path + [x.spelling] if x.spelling not in ("", "evc") else path
+                look(x, here)
+                own["::".join(here)] |= {m.spelling for m in x.get_children() if m.kind in (K.FIELD_DECL, K.CXX_METHOD)}
+                found = [b.type.get_canonical().spelling.removeprefix("evc::") for b in x.get_children()
+                         if b.kind == K.CXX_BASE_SPECIFIER]
+                if found:
+                    bases["::".join(here)] = found
+    look(unit.cursor, [])
+
+    def whole(struct):
+        return own.get(struct, set()).union(*(whole(b) for b in bases.get(struct, ())))
+    together = {struct: [whole(struct)] for struct in own}
+    for derived, above in bases.items():
+        work = list(above)
+        for base in work:
+            work += bases.get(base, [])
+            if base in together:
+                together[base].append(whole(derived))
+    return together
+
+
 def in_kernel_rooms(path):
     folder = "src" if (ROOT / "src") in path.parents else "include/openevc"
     return room_of(path, folder) in ROOMS
 
 
-def of_field(key, name, header, inside, outside):
+def by_template(name, together, uses):
+    """What templates do with a field: those that take it from an object of which this struct has all other members."""
+    struct, _, field = name.rpartition("::")
+    how = 0
+    for names, done in uses.by_name.items():
+        wanted = set(names.split())
+        if field in wanted and any(wanted <= members for members in together[struct]):
+            how |= done
+    return how
+
+
+def of_field(key, name, header, inside, outside, together):
     """What is done with a field. Nobody but the kernel reads an input, and the kernel reads no output: the reader, the
     writer and the recorder of input streams count as what they are."""
-    within, without = (uses.fields.get(key, 0) | uses.by_name.get(name.split("::")[-1], 0) for uses in (inside, outside))
+    within, without = (uses.fields.get(key, 0) | by_template(name, together, uses)
+                       for uses in (inside, outside))
     if header.endswith("port/inputs.h"):
         return within | without & W
     if header.endswith("port/outputs.h"):
@@ -487,15 +547,17 @@ def loose_ends():
         inside, outside = Uses(), Uses()  # of the kernel rooms
         for uses, kernel in ((inside, True), (outside, False)):
             uses.all(own_declarations(unit, {str(h) for h in headers() if in_kernel_rooms(h) == kernel}))
+            uses.close()
         for file, part in zip(files, parts):
             uses = inside if in_kernel_rooms(file) else outside
             for whole_map, found in zip((uses.fields, uses.enumerators, uses.enums, uses.by_name), part):
                 for key, how in found.items():
                     whole_map[key] = whole_map.get(key, 0) | how
+    together = families(unit)
     rows = []
     for key, (kind, name, room, enum, header) in known.items():
         if kind == "field":
-            how = of_field(key, name, header, inside, outside)
+            how = of_field(key, name, header, inside, outside, together)
             words = {0: "never used", R: "only read", W: "only written"}
             if name.rpartition("::")[0] in CONSTANTS:
                 continue
