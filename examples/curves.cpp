@@ -24,7 +24,7 @@ int main() {
   room = room && in.mrsp.append({0_m}, 160_km_h);
   in.authority.kind = sdm::Authority::Kind::EOA_SvL;
   in.authority.EOA = in.authority.SvL = {7000_m};
-  in.authority.release_speed = sdm::ReleaseSpeedChoice::value;
+  in.authority.release_speed = evc::ReleaseSpeedChoice::value;
   in.authority.V_release = 30_km_h;
   if (!room) return 2;
 

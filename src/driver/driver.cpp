@@ -179,13 +179,13 @@ Show show(const ShowContext& c) {
   where(c.lssma, Output::lssma, Symbol::LS01);                        // A1
   where(c.lx_not_protected, Output::lx_not_protected, Symbol::LX01);  // B3
   for (const Symbol s : c.track_conditions)
-    if (!in_C2(s)) put(out, s);                                                  // B3 to B5
-  where(c.reversing_possible, Output::reversing_allowed, Symbol::ST06);          // C6
-  where(c.override_active, Output::override_status, Symbol::MO03);               // C7
-  where(c.brake_commanded, Output::brake_indication, Symbol::ST01);              // C9
-  where(c.track_ahead_free_asked, Output::taf_request, Symbol::DR02);            // D
-  where(c.radio == RadioStatus::up, Output::radio_link_status, Symbol::ST03);    // E1
-  where(c.radio == RadioStatus::lost, Output::radio_link_status, Symbol::ST04);  // E1
+    if (!in_C2(s)) put(out, s);                                                        // B3 to B5
+  where(c.reversing_possible, Output::reversing_allowed, Symbol::ST06);                // C6
+  where(c.override_active, Output::override_status, Symbol::MO03);                     // C7
+  where(c.brake_commanded, Output::brake_indication, Symbol::ST01);                    // C9
+  where(c.track_ahead_free_asked, Output::taf_request, Symbol::DR02);                  // D
+  where(c.radio == RadioIndication::up, Output::radio_link_status, Symbol::ST03);      // E1
+  where(c.radio == RadioIndication::failed, Output::radio_link_status, Symbol::ST04);  // E1
   for (const Symbol s : c.track_conditions)
     if (in_C2(s)) put(out, s);
   return out;

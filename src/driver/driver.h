@@ -7,6 +7,7 @@
 #include "driver/srs_4_7_2.h"
 #include "terms/level.h"
 #include "terms/mode.h"
+#include "terms/radio_link.h"
 #include "terms/requests.h"
 #include "terms/status_text.h"
 #include "terms/symbol.h"
@@ -41,8 +42,6 @@ struct ActionContext {
 /// are (015560 5.4).
 Set<Input> enabled(const ActionContext& context);
 
-enum class RadioStatus : std::uint8_t { none, up, lost };
-
 struct ShowContext {
   Mode mode = Mode::NP;
   bool desk_open = false;
@@ -51,7 +50,7 @@ struct ShowContext {
   Set<Ack> requests;               // acknowledgements asked for
   bool override_active = false;
   bool brake_commanded = false;  // service or emergency brake
-  RadioStatus radio = RadioStatus::none;
+  RadioIndication radio = RadioIndication::none;
   bool slippery_rail = false;
   bool reversing_possible = false;
   bool lx_not_protected = false;

@@ -235,11 +235,11 @@ TEST(Driver, Status_symbols_appear_in_the_modes_that_have_them) {
   c.lssma = c.track_ahead_free_asked = true;
   ASSERT_TRUE(c.track_conditions.push_back(Symbol::TC36));
   ASSERT_TRUE(c.track_conditions.push_back(Symbol::TC05));
-  c.radio = RadioStatus::up;
+  c.radio = RadioIndication::up;
   EXPECT_EQ(list(show(c)), (Symbols{"MO11", "LE04", "ST02", "LX01", "TC05", "ST06", "ST01", "ST03", "TC36"}));
   c.mode = Mode::SR;
   c.track_conditions.clear();  // by the mode, where they are found
-  c.radio = RadioStatus::lost;
+  c.radio = RadioIndication::failed;
   EXPECT_EQ(list(show(c)), (Symbols{"MO09", "LE04", "ST02", "MO03", "ST01", "DR02", "ST04"}));
   c.mode = Mode::LS;
   const Symbols in_ls = list(show(c));

@@ -153,11 +153,11 @@ void read_track(sdm::Inputs& in, const JsonPlace& track) {
 void read_release_speed(sdm::Authority& a, const JsonPlace& place) {
   if (place.is_null()) return;
   if (place.is_string()) {
-    a.release_speed = place.one_of({"national", "on_board"}) == 0 ? sdm::ReleaseSpeedChoice::national
-                                                                  : sdm::ReleaseSpeedChoice::on_board;
+    a.release_speed =
+        place.one_of({"national", "on_board"}) == 0 ? ReleaseSpeedChoice::national : ReleaseSpeedChoice::on_board;
     return;
   }
-  a.release_speed = sdm::ReleaseSpeedChoice::value;
+  a.release_speed = ReleaseSpeedChoice::value;
   a.V_release = {place.number(0.0, 600.0, "7.5.1.168"_srs) / kKmh};
 }
 

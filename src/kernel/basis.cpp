@@ -52,7 +52,7 @@ bool level_1_at(const State& s, const std::optional<Place>& EOA) {
 /// The inputs of the release speed calculated on board other than stored data, in steps of 5 m and 0.5 m/s, so that
 /// curves are not built again for every millimetre (3.13.9.4.8.2).
 std::uint32_t inaccuracy(const State& s, const track::Here& here) {
-  if (s.basis.authority.release.kind != track::Release::Kind::on_board) return 0;
+  if (s.basis.authority.release.kind != ReleaseSpeedChoice::on_board) return 0;
   const double interval = (here.max_safe_front - here.min_safe_front).si / 5.0;
   const double speed = run_of(s.position.now).V_ura.si / 0.5;
   const auto steps = [](double v) { return v < 30000.0 ? static_cast<std::uint32_t>(v) : 30000u; };

@@ -46,10 +46,10 @@ class Basis : public ::testing::Test {
     return state.basis.key.mode_limit;
   }
   void release_on_board() {
-    state.track.ma->fixed_release = track::Release{track::Release::Kind::on_board, {}};
+    state.track.ma->fixed_release = track::Release{ReleaseSpeedChoice::on_board, {}};
     ++state.track.revision;
     settle();
-    ASSERT_EQ(state.basis.authority.release.kind, track::Release::Kind::on_board);
+    ASSERT_EQ(state.basis.authority.release.kind, ReleaseSpeedChoice::on_board);
   }
   void area(Mode mode, track::SpeedCode V) {
     state.track.mode_profile.clear();

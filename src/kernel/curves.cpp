@@ -22,11 +22,7 @@ sdm::Authority authority_of(const SupervisionBasis& basis) {
   out.kind = sdm::Authority::Kind::EOA_SvL;
   out.EOA = *a.EOA;
   out.SvL = a.SvL ? *a.SvL : *a.EOA;
-  using Kind = track::Release::Kind;
-  out.release_speed = a.release.kind == Kind::given      ? sdm::ReleaseSpeedChoice::value
-                      : a.release.kind == Kind::national ? sdm::ReleaseSpeedChoice::national
-                      : a.release.kind == Kind::on_board ? sdm::ReleaseSpeedChoice::on_board
-                                                         : sdm::ReleaseSpeedChoice::none;
+  out.release_speed = a.release.kind;
   out.V_release = a.release.V;
   out.level_1_at_EOA = basis.key.level_1_at_EOA;
   if (basis.reference) {

@@ -118,7 +118,7 @@ TEST_F(CurveInputs, HaveTheSlipperyAreas) {  // 3.13.5.3, 3.18.4.6
 }
 
 TEST_F(CurveInputs, HaveTheEndOfAuthority) {  // 3.13.1.5, 3.13.9.4
-  basis.authority.release = {track::Release::Kind::given, kmh(30.0)};
+  basis.authority.release = {ReleaseSpeedChoice::value, kmh(30.0)};
   basis.reference = at(950.0);
   basis.Q_LOCACC = {12.0};
   basis.confidence_interval = {20.0};
@@ -128,7 +128,7 @@ TEST_F(CurveInputs, HaveTheEndOfAuthority) {  // 3.13.1.5, 3.13.9.4
   EXPECT_EQ(a.kind, sdm::Authority::Kind::EOA_SvL);
   EXPECT_EQ(a.EOA, at(3000.0));
   EXPECT_EQ(a.SvL, at(3050.0));
-  EXPECT_EQ(a.release_speed, sdm::ReleaseSpeedChoice::value);
+  EXPECT_EQ(a.release_speed, ReleaseSpeedChoice::value);
   EXPECT_EQ(a.V_release, kmh(30.0));
   EXPECT_EQ(a.reference, at(950.0));
   EXPECT_EQ(a.Q_LOCACC_reference, Distance{12.0});
@@ -140,15 +140,10 @@ TEST_F(CurveInputs, HaveTheEndOfAuthority) {  // 3.13.1.5, 3.13.9.4
 }
 
 TEST_F(CurveInputs, HaveTheReleaseSpeedOfItsKind) {  // 3.13.9.4.3
-  using Kind = track::Release::Kind;
-  using sdm::ReleaseSpeedChoice;
-  const std::pair<Kind, ReleaseSpeedChoice> kinds[] = {{Kind::none, ReleaseSpeedChoice::none},
-                                                       {Kind::given, ReleaseSpeedChoice::value},
-                                                       {Kind::national, ReleaseSpeedChoice::national},
-                                                       {Kind::on_board, ReleaseSpeedChoice::on_board}};
-  for (const auto& [kind, choice] : kinds) {
+  using enum ReleaseSpeedChoice;
+  for (const ReleaseSpeedChoice kind : {none, value, national, on_board}) {
     basis.authority.release = {kind, kmh(30.0)};
-    EXPECT_EQ(inputs().authority.release_speed, choice);
+    EXPECT_EQ(inputs().authority.release_speed, kind);
   }
 }
 

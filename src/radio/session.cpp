@@ -62,7 +62,7 @@ void go_idle(Session& s, Duration now, Outbox& out) {
   s.request_connection = false;
   s.status_timer.reset();
   s.last_T_TRAIN.reset();
-  s.indication = Indication::none;
+  s.indication = RadioIndication::none;
   if (!s.remembered) return;
   const Rbc next = *s.remembered;
   s.remembered.reset();
@@ -77,7 +77,7 @@ void release(Session& s, Duration now, Outbox& out) {
 void connected(Session& s, Duration now, Outbox& out) {
   s.request_connection = false;
   s.status_timer.reset();
-  s.indication = Indication::up;
+  s.indication = RadioIndication::up;
   if (s.phase == Phase::lost) return enter(s, Phase::up, now);  // the session was kept: no new 155 (3.5.4.2)
   enter(s, Phase::waiting_version, now);
   out.send(message::session_initiated);
@@ -88,7 +88,7 @@ void attempt_failed(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
   if (s.phase == Phase::connecting && limits_requests(s.cause) && s.tries >= kConnectionTries) {
     const bool shown = s.cause == Cause::start_of_mission;  // condition [1] of 3.5.7.5
     go_idle(s, now, out);
-    if (shown && s.phase == Phase::idle) s.indication = Indication::failed;
+    if (shown && s.phase == Phase::idle) s.indication = RadioIndication::failed;
     return;
   }
   if (!in_radio_hole) request(s, now, out);
@@ -123,7 +123,7 @@ void stop_in_hole(Session& s, Duration now, Outbox& out) {
 /// The session is terminated by the loss (3.5.4.2.1). The requests go on for a new one (3.5.3.4 f), and with them the
 /// indication; in a radio hole they wait for its end.
 void lose(Session& s, bool in_radio_hole, Duration now, Outbox& out) {
-  const Indication shown = s.indication;
+  const RadioIndication shown = s.indication;
   release(s, now, out);
   if (s.phase != Phase::idle) return;
   s.after_hole = in_radio_hole;
@@ -197,10 +197,10 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
 
   if (in_radio_hole && s.phase == Phase::lost) {  // no requests, conditions [3] and [7] of 3.5.7.5
     s.status_timer.reset();
-    s.indication = Indication::none;
+    s.indication = RadioIndication::none;
   }
   if (s.status_timer && now - *s.status_timer > kConnectionStatus) {
-    s.indication = Indication::failed;
+    s.indication = RadioIndication::failed;
     s.status_timer.reset();
   }
   switch (s.phase) {
@@ -256,7 +256,7 @@ void reconnect(Session& s, Duration now, Outbox& out) {
   if (s.phase != Phase::up) return;
   out.release(s.rbc);
   enter(s, Phase::lost, now);
-  s.indication = Indication::none;
+  s.indication = RadioIndication::none;
   s.tries = 0;
   s.request_connection = false;
   if (out.connect) return;

@@ -20,8 +20,6 @@ inline constexpr Duration kContactExtra{60.0};
 inline constexpr Duration kConnectionStatus{45.0};
 
 using Phase = SessionPhase;
-/// Safe radio connection indication (3.5.7).
-enum class Indication : std::uint8_t { none, failed, up };
 /// Why a session is to be established (3.5.3.4).
 enum class Cause : std::uint8_t {
   start_of_mission,
@@ -41,7 +39,7 @@ struct Session {
   std::uint8_t repetitions = 0;  ///< of message 156
   Duration since{};              ///< entry of the phase, or the last repetition
   std::optional<Duration> status_timer;
-  Indication indication = Indication::none;
+  RadioIndication indication = RadioIndication::none;
   std::uint8_t M_VERSION = 0;                 ///< of the RBC, from message 32; 0: unknown
   std::optional<std::uint32_t> last_T_TRAIN;  ///< of the last message not rejected: the sequence reference
   bool request_connection = false;            ///< a request was made that the bearer has not answered yet

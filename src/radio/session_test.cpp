@@ -29,7 +29,7 @@ TEST(Session, SetUp) {  // 3.5.3.7
   EXPECT_EQ(u.messages(), (Ids{159, 136, 129}));
   EXPECT_FALSE(u.cycle().session_established);
   EXPECT_EQ(u.s.supervising.session.M_VERSION, 0x10);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::up);
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::up);
 }
 
 TEST(Session, StartOfMissionReports157) {
@@ -55,12 +55,12 @@ TEST(Session, ThreeTriesInStartOfMission) {  // N_CONN_TRIES
     u.fresh();
     u.cycle(RadioLink::refused);
     EXPECT_EQ(u.out.connect, kRbc);
-    EXPECT_NE(u.s.supervising.session.indication, Indication::failed);
+    EXPECT_NE(u.s.supervising.session.indication, RadioIndication::failed);
   }
   u.fresh();
   u.cycle(RadioLink::refused);
   EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed);
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::failed);
 }
 
 TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
@@ -73,7 +73,7 @@ TEST(Session, OutsideStartOfMissionItGoesOnTrying) {
   }
   EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
   u.run(6);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed) << "after 45 s";
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::failed) << "after 45 s";
 }
 
 TEST(Session, NoVersionIn15Seconds) {
@@ -182,10 +182,10 @@ TEST(Session, LostIsKeptForFiveMinutes) {  // 3.5.4
   u.cycle(RadioLink::refused);
   EXPECT_EQ(u.out.connect, kRbc);
   u.run(40);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::failed);
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::failed);
   u.cycle(RadioLink::connected);
   EXPECT_EQ(u.s.supervising.session.phase, Phase::up);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::up);
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::up);
   u.cycle(RadioLink::lost);
   u.run(299);
   EXPECT_EQ(u.s.supervising.session.phase, Phase::lost);
@@ -208,7 +208,7 @@ TEST(Session, NoAttemptsInARadioHole) {  // 3.5.4.4
   u.fresh();
   u.cycle(RadioLink::lost);
   EXPECT_FALSE(u.out.connect);
-  EXPECT_EQ(u.s.supervising.session.indication, Indication::none);
+  EXPECT_EQ(u.s.supervising.session.indication, RadioIndication::none);
   u.run(10);
   EXPECT_FALSE(u.s.supervising.session.request_connection);
   u.in.in_radio_hole = false;

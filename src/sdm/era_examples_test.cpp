@@ -104,7 +104,7 @@ sdm::Inputs inputs_of(const json& c) {
   if (t["type"] == "EOA_SvL") {
     in.authority.kind = sdm::Authority::Kind::EOA_SvL;
     if (!t["release_speed_kmh"].is_null()) {
-      in.authority.release_speed = sdm::ReleaseSpeedChoice::value;
+      in.authority.release_speed = evc::ReleaseSpeedChoice::value;
       in.authority.V_release = kmh(t["release_speed_kmh"]);
     }
   } else {

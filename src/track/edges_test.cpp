@@ -348,8 +348,8 @@ TEST(Store, Two_restrictions_in_one_are_as_wide_and_as_slow_as_both) {
 TEST(Authority, A_temporary_end_at_the_end_itself_takes_the_release_speed_away) {
   Description d;
   store(d, whole(1000), front_at(0));
-  d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{5}}};
-  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, Release::Kind::given);
+  d.ma->danger_point = DangerPoint{at(1050), {ReleaseSpeedChoice::value, Speed{5}}};
+  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, ReleaseSpeedChoice::value);
   LevelCrossing lx;
   lx.from = at(1000);
   lx.to = at(1100);
@@ -365,19 +365,20 @@ TEST(Authority, A_temporary_end_at_the_end_itself_takes_the_release_speed_away) 
   EXPECT_EQ(at_SvL.SvL, at(1050));
   EXPECT_EQ(at_SvL.release.kind, Release{}.kind) << "the SvL is that of the level crossing";
   d.lx[0].from = at(1050.1);
-  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, Release::Kind::given);
+  EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, ReleaseSpeedChoice::value);
 }
 
 TEST(Authority, A_mode_area_at_the_end_takes_the_release_speed_away) {  // 3.12.4.5
   for (const double from : {1000.0, 1000.1}) {
     Description d;
     store(d, whole(1000), front_at(0));
-    d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{5}}};
+    d.ma->danger_point = DangerPoint{at(1050), {ReleaseSpeedChoice::value, Speed{5}}};
     ModeArea area;
     area.from = at(from);
     area.also_SvL = false;
     ASSERT_TRUE(d.mode_profile.push_back(area));
-    EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind, from == 1000.0 ? Release{}.kind : Release::Kind::given);
+    EXPECT_EQ(authority(d, {}, Mode::FS, kInRear).release.kind,
+              from == 1000.0 ? Release{}.kind : ReleaseSpeedChoice::value);
   }
 }
 

@@ -27,9 +27,9 @@ using lang::Fault;
 using lang::metres;
 
 Release release_of(unsigned code) {
-  if (code == 126) return {Release::Kind::on_board, {}};
-  if (code == 127) return {Release::Kind::national, {}};
-  return {Release::Kind::given, speed_of(static_cast<SpeedCode>(code))};
+  if (code == 126) return {ReleaseSpeedChoice::on_board, {}};
+  if (code == 127) return {ReleaseSpeedChoice::national, {}};
+  return {ReleaseSpeedChoice::value, speed_of(static_cast<SpeedCode>(code))};
 }
 
 template <class P>

@@ -155,7 +155,7 @@ TEST(FromPackets, MovementAuthorityLevel2) {
   EXPECT_EQ(ma.loa_timer.limit, Duration{60});
   EXPECT_EQ(ma.end_section->start, at(2000));
   EXPECT_EQ(ma.danger_point->at, at(2210));
-  EXPECT_EQ(ma.danger_point->release.kind, Release::Kind::on_board);
+  EXPECT_EQ(ma.danger_point->release.kind, ReleaseSpeedChoice::on_board);
   EXPECT_EQ(ma.overlap->start, at(1900));
   EXPECT_EQ(ma.overlap->end, at(2260));
   EXPECT_EQ(ma.overlap->release.V, Speed{40 / 3.6});
@@ -170,7 +170,7 @@ TEST(FromPackets, MovementAuthorityLevel1AndRepositioning) {
   const Contents c = contents_of(p);
   EXPECT_TRUE(c.ma->level_1);
   EXPECT_EQ(c.V_MAIN, 16);
-  EXPECT_EQ(c.ma->danger_point->release.kind, Release::Kind::national);
+  EXPECT_EQ(c.ma->danger_point->release.kind, ReleaseSpeedChoice::national);
   EXPECT_FALSE(c.ma->loa_timer.running);
   auto r = packet_in_metres<lang::Packet16>();
   r.L_SECTION.raw = 321;

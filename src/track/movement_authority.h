@@ -5,13 +5,13 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "terms/release_speed.h"
 
 namespace evc::track {
 
 /// A release speed as ordered (7.5.1.160): given, the national one, or computed on board.
 struct Release {
-  enum class Kind : std::uint8_t { none, given, national, on_board };
-  Kind kind = Kind::none;
+  ReleaseSpeedChoice kind = ReleaseSpeedChoice::none;
   Speed V{};
   friend constexpr bool operator==(const Release&, const Release&) = default;
 };

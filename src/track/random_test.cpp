@@ -38,7 +38,7 @@ MovementAuthority random_authority(Dice& dice, double from) {
   if (dice.one_in(4)) ma.V_LOA = Speed{dice.metres(1, 30)};
   if (ma.limited()) ma.loa_timer = {Duration{20}, Duration{}, dice.one_in(2)};
   if (dice.one_in(3)) ma.end_section = EndSectionTimer{at(x - dice.metres(0, 500)), {Duration{15}, {}, false}};
-  if (dice.one_in(2)) ma.danger_point = DangerPoint{at(x + dice.metres(0, 200)), {Release::Kind::on_board, {}}};
+  if (dice.one_in(2)) ma.danger_point = DangerPoint{at(x + dice.metres(0, 200)), {ReleaseSpeedChoice::on_board, {}}};
   if (dice.one_in(2))
     ma.overlap = Overlap{at(x - dice.metres(0, 300)), at(x + dice.metres(0, 300)), {Duration{30}, {}, false}, {}};
   ma.level_1 = dice.one_in(2);

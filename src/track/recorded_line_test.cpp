@@ -114,7 +114,7 @@ TEST(RecordedLine, EveryMovementAuthorityIsAcceptedAndCovered) {
     EXPECT_NEAR((d.ma->end() - r.place).si, length, 1e-9) << "seq " << m["seq"];
     EXPECT_GE(d.ma->end().from_origin.si, previous_end - 1.0) << "seq " << m["seq"];
     previous_end = d.ma->end().from_origin.si;
-    EXPECT_EQ(d.ma->release().kind, Release::Kind::national) << "seq " << m["seq"];
+    EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::national) << "seq " << m["seq"];
     const Mrsp f = mrsp(d, MrspQuery{at(front - 400), Distance{200}, {2, 4, 0}, {}});
     EXPECT_LE(f.at(here.est_front), Speed{160 / 3.6});
     EXPECT_GT(f.at(here.est_front), Speed{});

@@ -37,18 +37,18 @@ TEST(Authority, OnlyWhereAnMaIsSupervised) {
 
 TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
   Description d = with_ma(1000);
-  d.ma->danger_point = DangerPoint{at(1050), {Release::Kind::given, Speed{4}}};
+  d.ma->danger_point = DangerPoint{at(1050), {ReleaseSpeedChoice::value, Speed{4}}};
   put_area(d, 600, 800, Mode::OS);
   Authority a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(600));
-  EXPECT_EQ(a.release.kind, Release::Kind::none);
+  EXPECT_EQ(a.release.kind, ReleaseSpeedChoice::none);
   EXPECT_EQ(authority(d, {}, OS, kInRear).EOA, at(1000)) << "in OS already";
   d.mode_profile[0].also_SvL = false;
   a = authority(d, {}, FS, kInRear);
   EXPECT_EQ(a.EOA, at(600));
   EXPECT_EQ(a.SvL, at(1050));
-  EXPECT_EQ(a.release.kind, Release::Kind::none);
+  EXPECT_EQ(a.release.kind, ReleaseSpeedChoice::none);
   accept_area(d, Mode::OS, front_at(550));
   EXPECT_EQ(authority(d, {}, FS, kInRear).EOA, at(1000));
   put_area(d, 700, 900, Mode::LS);

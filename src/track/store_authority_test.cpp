@@ -405,7 +405,7 @@ TEST(Store, TimersOfAReplacedMa) {  // 3.8.4.1.3-4, 3.8.4.4.4-5
   EXPECT_FALSE(d.ssp.covers(at(405), at(410))) << "A.3.4 e";
   EXPECT_EQ(d.ma->end(), at(400));
   EXPECT_EQ(d.ma->SvL(), at(405));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::none);
 }
 
 TEST(Store, AnAcceptedAreaStaysAcceptedInTheNextMa) {  // 5.9.2.7

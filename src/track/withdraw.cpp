@@ -134,7 +134,7 @@ void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
     if (!section.timer.expired_at(here.now)) continue;
     // The nearest expired section decides (3.8.4.2.2): its start becomes EOA and SvL, with the national release speed.
     end_at(ma, section.begin);
-    ma.fixed_release = Release{Release::Kind::national, {}};
+    ma.fixed_release = Release{ReleaseSpeedChoice::national, {}};
     elapsed.section_timeout = true;
     elapsed.track_description_deleted =
         shorten(d, Situation::c_section_timeout, ma.end(), here) || elapsed.track_description_deleted;

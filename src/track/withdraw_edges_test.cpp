@@ -188,8 +188,8 @@ Description with_everything() {
   }
   d.ma->loa_timer = {Duration{60}, Duration{}, true};
   d.ma->end_section = EndSectionTimer{at(2500), {Duration{30}, {}, false}};
-  d.ma->danger_point = DangerPoint{at(3050), {Release::Kind::given, Speed{5}}};
-  d.ma->overlap = Overlap{at(2000), at(3100), {Duration{20}, {}, false}, {Release::Kind::given, Speed{4}}};
+  d.ma->danger_point = DangerPoint{at(3050), {ReleaseSpeedChoice::value, Speed{5}}};
+  d.ma->overlap = Overlap{at(2000), at(3100), {Duration{20}, {}, false}, {ReleaseSpeedChoice::value, Speed{4}}};
   return d;
 }
 
@@ -197,7 +197,7 @@ TEST(Withdraw, Where_the_MA_ends_anew_nothing_of_its_old_end_is_left) {
   Description d = with_everything();
   d.ma->V_LOA = Speed{3};
   d.ma->fixed_SvL = at(2900);
-  d.ma->fixed_release = Release{Release::Kind::national, {}};
+  d.ma->fixed_release = Release{ReleaseSpeedChoice::national, {}};
   EXPECT_EQ(stop_at(d, at(1500), front_at(0)), 0);
   const MovementAuthority& ma = *d.ma;
   EXPECT_EQ(ma.sections.size(), 2u);
@@ -221,7 +221,7 @@ TEST(Withdraw, A_stop_between_EOA_and_SvL_moves_the_SvL) {  // 3.10.2.2
     Description d = with_everything();
     EXPECT_EQ(stop_at(d, at(stop), front_at(0)), 1);
     EXPECT_EQ(d.ma->SvL(), at(SvL));
-    EXPECT_EQ(d.ma->release().kind, stop <= 3100.0 ? Release{}.kind : Release::Kind::given) << stop;
+    EXPECT_EQ(d.ma->release().kind, stop <= 3100.0 ? Release{}.kind : ReleaseSpeedChoice::value) << stop;
   }
   Description d = with_everything();
   append(d.asp, 3500);
@@ -243,7 +243,7 @@ TEST(Withdraw, What_is_not_known_ends_the_authority_or_stops_the_train) {  // 3.
   EXPECT_EQ(ended(3050.0).ma->end(), at(3000));
   EXPECT_EQ(ended(3050.0).ma->SvL(), at(3050));
   EXPECT_EQ(ended(3050.0).ma->release().kind, Release{}.kind);
-  EXPECT_EQ(ended(3100.0).ma->release().kind, Release::Kind::given) << "the SvL is known";
+  EXPECT_EQ(ended(3100.0).ma->release().kind, ReleaseSpeedChoice::value) << "the SvL is known";
 }
 
 TEST(Withdraw, A_section_timer_runs_until_the_min_safe_front_end_is_beyond_its_stop) {
@@ -402,8 +402,8 @@ TEST(StoreAuthority, An_end_section_that_counts_as_timed_out_ends_the_MA_at_the_
   Contents c = whole(3000);
   c.ma->V_LOA = Speed{3};
   c.ma->end_section = EndSectionTimer{at(1000), {Duration{30}, {}, false}};
-  c.ma->danger_point = DangerPoint{at(3050), {Release::Kind::given, Speed{5}}};
-  c.ma->overlap = Overlap{at(2900), at(3100), {Duration{20}, {}, false}, {Release::Kind::given, Speed{4}}};
+  c.ma->danger_point = DangerPoint{at(3050), {ReleaseSpeedChoice::value, Speed{5}}};
+  c.ma->overlap = Overlap{at(2900), at(3100), {Duration{20}, {}, false}, {ReleaseSpeedChoice::value, Speed{4}}};
   store(d, c, front_at(1500));
   advance(d, front_at(1500));
   const MovementAuthority& ma = *d.ma;

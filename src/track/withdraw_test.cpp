@@ -23,8 +23,8 @@ Description full() {
     s.end = at(begin + 1000);
     if (!c.ma->sections.push_back(s)) __builtin_trap();
   }
-  c.ma->danger_point = DangerPoint{at(2100), {Release::Kind::given, Speed{5}}};
-  c.ma->overlap = Overlap{at(1500), at(2200), {Duration{30}, {}, false}, {Release::Kind::national, {}}};
+  c.ma->danger_point = DangerPoint{at(2100), {ReleaseSpeedChoice::value, Speed{5}}};
+  c.ma->overlap = Overlap{at(1500), at(2200), {Duration{30}, {}, false}, {ReleaseSpeedChoice::national, {}}};
   c.ssp = ssp({{0, 100}, {4000, kEnd}});
   c.gradient = slopes({{0, 0}, {4000, Gradient::kUnknown}});
   c.mode_profile = ModeProfile{};
@@ -135,7 +135,7 @@ TEST(Shorten, AtTheTrain) {  // A.3.4 [10], [11]
     EXPECT_TRUE(shorten(d, s, at(9999), front_at(1200)));
     EXPECT_EQ(d.ma->end(), at(1200));
     EXPECT_EQ(d.ma->SvL(), at(1205));
-    EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+    EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::none);
     EXPECT_FALSE(d.ssp.at(at(1205)));
     EXPECT_TRUE(d.ssp.at(at(1204)));
     EXPECT_FALSE(d.sh_list);
@@ -189,7 +189,7 @@ TEST(ConditionalStop, WhereItLiesDecides) {  // 3.10.2.2
     EXPECT_EQ(a.EOA, at(*c.EOA)) << c.name;
     EXPECT_EQ(a.SvL, at(*c.SvL)) << c.name;
     EXPECT_FALSE(a.LOA) << c.name;
-    EXPECT_EQ(a.release.kind != Release::Kind::none, c.release) << c.name;
+    EXPECT_EQ(a.release.kind != ReleaseSpeedChoice::none, c.release) << c.name;
     EXPECT_FALSE(d.ssp.at(at(c.stop))) << c.name;
   }
   Description none;
@@ -217,7 +217,7 @@ TEST(Timers, SectionTimeout) {  // 3.8.4.2
   EXPECT_TRUE(e.section_timeout && e.track_description_deleted);
   EXPECT_EQ(d.ma->end(), at(1000));
   EXPECT_EQ(d.ma->SvL(), at(1000));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::national);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::national);
   EXPECT_FALSE(d.ssp.at(at(1000)));
   EXPECT_FALSE(advance(d, clock(700, 61)).any());
   EXPECT_FALSE(time_to_timeout(d, Duration{61}));
@@ -242,7 +242,7 @@ TEST(Timers, AnEndlessSectionTimerNeverEnds) {
 TEST(Timers, Overlap) {  // 3.8.4.4
   Description d = full();
   EXPECT_EQ(d.ma->SvL(), at(2200));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::national);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::national);
   EXPECT_FALSE(advance(d, clock(1494, 0)).any());
   EXPECT_FALSE(d.ma->overlap->timer.running);
   EXPECT_FALSE(advance(d, clock(1496, 1)).any());
@@ -250,7 +250,7 @@ TEST(Timers, Overlap) {  // 3.8.4.4
   EXPECT_FALSE(advance(d, clock(1500, 31)).any());
   EXPECT_TRUE(advance(d, clock(1500, 31.1)).overlap_timeout);
   EXPECT_EQ(d.ma->SvL(), at(2100)) << "the danger point is next";
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::given);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::value);
 }
 
 TEST(Timers, StandstillEndsTheOverlapAlsoAnEndlessOne) {  // 3.8.4.4.3
@@ -264,7 +264,7 @@ TEST(Timers, StandstillEndsTheOverlapAlsoAnEndlessOne) {  // 3.8.4.4.3
   here.standstill = true;
   EXPECT_TRUE(advance(d, here).overlap_timeout);
   EXPECT_EQ(d.ma->SvL(), at(2000));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::none);
 }
 
 TEST(Timers, EndSection) {  // 3.8.4.1
@@ -276,7 +276,7 @@ TEST(Timers, EndSection) {  // 3.8.4.1
   EXPECT_TRUE(e.end_section_timeout && e.track_description_deleted);
   EXPECT_EQ(d.ma->end(), at(1300));
   EXPECT_EQ(d.ma->SvL(), at(1305));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::none);
 }
 
 TEST(Timers, LoaSpeed) {  // 3.8.4.3
@@ -286,12 +286,12 @@ TEST(Timers, LoaSpeed) {  // 3.8.4.3
   d.ma->V_LOA = Speed{10};
   d.ma->loa_timer = {Duration{40}, Duration{0}, true};
   EXPECT_EQ(time_to_timeout(d, Duration{10}), Duration{30});
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::none);
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::none);
   EXPECT_FALSE(advance(d, clock(300, 40)).any());
   EXPECT_TRUE(advance(d, clock(300, 41)).loa_timeout);
   EXPECT_FALSE(d.ma->limited());
   EXPECT_EQ(d.ma->SvL(), at(2200));
-  EXPECT_EQ(d.ma->release().kind, Release::Kind::national) << "that of the overlap";
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::national) << "that of the overlap";
 }
 
 TEST(Passed, IsForgotten300MetresBehind) {  // A.3.6

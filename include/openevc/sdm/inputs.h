@@ -8,6 +8,7 @@
 #include "openevc/base/step_function.h"
 #include "openevc/base/units.h"
 #include "openevc/sdm/deceleration.h"
+#include "openevc/terms/release_speed.h"
 #include "openevc/terms/srs_version.h"
 #include "openevc/train/brake_model.h"
 #include "openevc/train/train_data.h"
@@ -16,9 +17,6 @@ namespace evc::sdm {
 
 inline constexpr std::size_t kMrspSteps = 128;
 using Mrsp = StepFunction<Place, Speed, kMrspSteps>;
-
-/// Source of the release speed (3.13.9.4.3).
-enum class ReleaseSpeedChoice : std::uint8_t { none, value, national, on_board };
 
 /// End of authority with its supervised location, or limit of authority: the closest ones, temporary
 /// ones included (3.13.1.5). With `temporary` no release speed is supervised.

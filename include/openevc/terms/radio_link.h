@@ -14,6 +14,10 @@ inline constexpr auto kRadioLinkRows = std::to_array<terms::Row<RadioLink>>({
 });
 static_assert(terms::in_order(kRadioLinkRows));
 
+/// What the driver is shown of a session: nothing, that it could not be set up or is lost (ST04), or that it is up
+/// (ST03) (3.5.3.7, 3.5.4).
+enum class RadioIndication : std::uint8_t { none, failed, up };
+
 /// How far a communication session is (3.5.3 to 3.5.5).
 enum class SessionPhase : std::uint8_t {
   idle,

@@ -106,7 +106,7 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
     relocate_stored(s, Anchor::travelled, by.by_linking ? Anchor::lrbg : Anchor::travelled, by.travelled);
     relocate_stored(s, Anchor::unlinked, Anchor::travelled, by.unlinked);
     // The release speed calculated on board depends on the accuracy of the LRBG (3.13.9.4.8.2).
-    if (s.basis.authority.release.kind == track::Release::Kind::on_board) ++s.revision;
+    if (s.basis.authority.release.kind == ReleaseSpeedChoice::on_board) ++s.revision;
     r.out.new_lrbg = true;
     return s.position.references.back();
   }

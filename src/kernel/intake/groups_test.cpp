@@ -199,7 +199,7 @@ TEST_F(Groups, InTheUnexpectedDirectionTrips) {  // 3.16.2.3.2, condition [66]
 }
 
 TEST_F(Groups, TheAccuracyOfANewLRBGChangesTheReleaseSpeedCalculatedOnBoard) {  // 3.13.9.4.8.2
-  const auto changes = [&](track::Release::Kind kind) {
+  const auto changes = [&](ReleaseSpeedChoice kind) {
     restart(Mode::FS);
     runs(900.0, 1000.0);
     state.basis.authority.release.kind = kind;
@@ -207,8 +207,8 @@ TEST_F(Groups, TheAccuracyOfANewLRBGChangesTheReleaseSpeedCalculatedOnBoard) {  
     cycle();
     return state.revision != 0;
   };
-  EXPECT_TRUE(changes(track::Release::Kind::on_board));
-  EXPECT_FALSE(changes(track::Release::Kind{}));
+  EXPECT_TRUE(changes(ReleaseSpeedChoice::on_board));
+  EXPECT_FALSE(changes(ReleaseSpeedChoice{}));
 }
 
 TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextLRBG) {  // 3.6.4.2.5, 3.6.4.3

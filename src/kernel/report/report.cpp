@@ -88,10 +88,7 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   c.requests = requests;
   c.override_active = s.override_.active;
   c.brake_commanded = brake_commanded;
-  const radio::Indication indication = indicated_session(s).indication;
-  c.radio = indication == radio::Indication::up       ? driver::RadioStatus::up
-            : indication == radio::Indication::failed ? driver::RadioStatus::lost
-                                                      : driver::RadioStatus::none;
+  c.radio = indicated_session(s).indication;
   c.lssma = LSSMA;
   c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
   c.reversing_possible = decided.reversing_possible;

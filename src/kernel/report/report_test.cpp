@@ -141,8 +141,8 @@ TEST_F(Report, ShowsTheSymbolsOfWhatHolds) {  // 4.7.2, 015560
   only_when(Symbol::ST01, [&] { decided.asked.add(brakes::Cause::T_NVCONTACT); });
   only_when(Symbol::ST02, [&] { state.slippery_rail = true; });
   only_when(Symbol::ST06, [&] { decided.reversing_possible = true; });
-  only_when(Symbol::ST03, [&] { state.radio.supervising.session.indication = radio::Indication::up; });
-  only_when(Symbol::ST04, [&] { state.radio.supervising.session.indication = radio::Indication::failed; });
+  only_when(Symbol::ST03, [&] { state.radio.supervising.session.indication = RadioIndication::up; });
+  only_when(Symbol::ST04, [&] { state.radio.supervising.session.indication = RadioIndication::failed; });
   state.mode = Mode::SR;
   only_when(Symbol::MO03, [&] { state.override_.active = true; });
   only_when(Symbol::DR02, [&] { state.track_ahead_free.asking = true; });
