@@ -9,8 +9,6 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import check_layers  # noqa: E402
 
-# The spreadsheet model that `evc curves` compares with: nothing of the kernel asks for it.
-IN_THE_TOOLS = {"memo_model.cpp.o"}
 HAVE_TEXTS = {"lang", "airgap"}
 
 
@@ -28,7 +26,7 @@ def literals(archive):
                 member = line[6:].strip().split("(")[-1].rstrip(")")
             elif line.startswith("  ["):
                 text = line.split("]", 1)[1].strip()
-                if len(text) > 1 and member not in IN_THE_TOOLS:
+                if len(text) > 1:
                     found.append((member, text))
     return found
 
