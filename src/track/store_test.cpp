@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include <cstring>
 
 #include "track/testing.h"
@@ -255,6 +257,51 @@ TEST(Store, SuitabilityByKind) {  // 3.7.3.1 h-j
   initial.suitability = Fresh<RouteSuitability>{at(500), true, {}};
   store(d, initial, front_at(0));
   EXPECT_EQ(d.suitability.size(), 1u);
+}
+
+TEST(Store, EveryOtherKindReplacesFromItsStart) {  // 3.7.3.1 c to f, k, o, p
+  Description d;
+  const auto message = [](double from, std::uint8_t mark) {
+    Contents c;
+    c.asp = Fresh<AxleLoadRestriction>{at(from), false, {}};
+    c.pbd = Fresh<PermittedBrakingDistance>{at(from), false, {}};
+    c.platforms = Fresh<Platform>{at(from), false, {}};
+    c.big_metal = Fresh<BigMetalMass>{at(from), false, {}};
+    for (const double begin : {from + 10.0, from + 1000.0}) {
+      AxleLoadRestriction asp;
+      asp.from = at(begin);
+      asp.to = at(begin + 100.0);
+      EXPECT_TRUE(c.asp->elements.push_back(asp));
+      PermittedBrakingDistance pbd;
+      pbd.from = at(begin);
+      pbd.to = at(begin + 100.0);
+      EXPECT_TRUE(c.pbd->elements.push_back(pbd));
+      EXPECT_TRUE(c.platforms->elements.push_back({at(begin), at(begin + 100.0), mark, mark}));
+      EXPECT_TRUE(c.big_metal->elements.push_back({at(begin), at(begin + 100.0)}));
+    }
+    c.traction = TractionChange{at(from + 10.0), mark, mark};
+    c.current = CurrentChange{at(from + 10.0), std::uint16_t{mark}};
+    c.reversing_area = ReversingArea{at(from), at(from + 300.0)};
+    c.reversing_supervision = ReversingSupervision{Distance{from}, mark};
+    return c;
+  };
+  store(d, message(0.0, 1), front_at(0));
+  store(d, message(500.0, 2), front_at(0));
+  const auto begins = [](const auto& areas) {
+    std::vector<double> places;
+    for (const auto& area : areas) places.push_back(area.from.from_origin.si);
+    return places;
+  };
+  const std::vector<double> replaced{10.0, 510.0,
+                                     1500.0};  // that at 1000 m lies beyond the start of the second message
+  EXPECT_EQ(begins(d.asp), replaced);
+  EXPECT_EQ(begins(d.pbd), replaced);
+  EXPECT_EQ(begins(d.platforms), replaced);
+  EXPECT_EQ(begins(d.big_metal), replaced);
+  EXPECT_EQ(d.traction->at, at(510));
+  EXPECT_EQ(d.current->at, at(510));
+  EXPECT_EQ(d.reversing_area->from, at(500));
+  EXPECT_EQ(d.reversing_supervision->D_REVERSE, Distance{500});
 }
 
 TEST(Store, EveryOtherKind) {
