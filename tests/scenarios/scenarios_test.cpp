@@ -15,8 +15,8 @@
 #include "run.h"
 
 // Every scenario of tests/scenarios/*.scenario and tests/scenarios/open/*.scenario is a test case of its own:
-// `scenarios_test --gtest_filter='Scenario/radio.*'`. `scenarios_test --inputs FILE.NAME` prints the inputs of one as
-// `evc replay` reads them.
+// `scenarios_test --gtest_filter='Scenario/radio.*'`. `scenarios_test --run FILE` runs the scenarios of any file;
+// `scenarios_test --inputs FILE.NAME` prints the inputs of one as `evc replay` reads them.
 namespace evc::scenario {
 namespace {
 
@@ -98,6 +98,29 @@ Collection collect() {
   return all;
 }
 
+/// The scenarios of files anywhere, with the blocks of library.scenario. 0: all passed; 1: one failed; 2: a file cannot
+/// be read.
+int run_files(const std::vector<std::string>& files) {
+  const fs::path root = fs::path(evc::test::source_folder()) / "tests/scenarios";
+  const auto library = read(text_of(root / "library.scenario"), "library.scenario");
+  int status = library ? 0 : 2;
+  for (const std::string& name : files) {
+    if (status == 2) break;
+    const auto file = read(text_of(name), name, library->blocks);
+    if (!fs::is_regular_file(name) || !file) {
+      std::cerr << (file ? name + ": cannot be read" : file.error().text()) << "\n";
+      status = 2;
+      break;
+    }
+    for (const Scenario& scenario : file->scenarios) {
+      const std::string failure = run(scenario);
+      std::cout << (failure.empty() ? "passed: " : "failed: ") << scenario.name << "\n" << failure;
+      if (!failure.empty()) status = 1;
+    }
+  }
+  return status;
+}
+
 Coverage coverage_of(const Collection& all) {
   Coverage coverage;
   for (const auto& [file, scenario] : all.scenarios)
@@ -154,6 +177,7 @@ int main(int argc, char** argv) {
     std::cout << coverage_page(coverage_of(all));
     return 0;
   }
+  if (argc > 2 && std::string_view(argv[1]) == "--run") return run_files({argv + 2, argv + argc});
   if (argc == 3 && std::string_view(argv[1]) == "--inputs") {
     for (const auto& [file, scenario] : all.scenarios)
       if (file + "." + case_name(scenario.name) == argv[2]) {
