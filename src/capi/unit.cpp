@@ -193,13 +193,11 @@ void give_lists(openevc_outputs& to, const kernel::Outputs& o) {
   }
 }
 
-/// The elements of a set as bits.
+/// For a member of 32 bits.
 template <class E>
-std::uint64_t bits_of(evc::Set<E> set) {
-  std::uint64_t bits = 0;
-  for (int i = 0; i < int(E::count); ++i)
-    if (set.has(static_cast<E>(i))) bits |= std::uint64_t{1} << i;
-  return bits;
+std::uint32_t bits_32(evc::Set<E> set) {
+  static_assert(static_cast<unsigned>(E::count) <= 32);
+  return static_cast<std::uint32_t>(set.bits());
 }
 
 /// What the driver is shown beside symbols and texts.
@@ -212,13 +210,12 @@ void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.rv_left = of(o.rv_left);
   to.MRDT_changed = o.MRDT_changed;
   to.level_valid = o.level_valid;
-  for (std::size_t level = 0; level < evc::kLevels; ++level)
-    if (o.levels_allowed.has(static_cast<evc::Level>(level)))
-      to.levels_allowed = static_cast<std::uint8_t>(to.levels_allowed | 1u << level);
+  static_assert(evc::kLevels <= 8);
+  to.levels_allowed = static_cast<std::uint8_t>(o.levels_allowed.bits());
   to.memo_status = o.memo_status ? static_cast<std::int32_t>(*o.memo_status) : -1;
   to.trip_reason = o.trip_reason ? static_cast<std::int32_t>(*o.trip_reason) : -1;
   for (const kernel::ShownStatus& shown : o.status_texts) to.status_texts |= std::uint64_t{1} << int(shown.text);
-  to.enabled = bits_of(o.enabled);
+  to.enabled = o.enabled.bits();
   for (const kernel::RbcSession& session : o.sessions)
     to.sessions[to.sessions_count++] = {session.NID_C, session.NID_RBC, static_cast<std::int32_t>(session.phase)};
 }
@@ -250,9 +247,9 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) {
   to.sb = o.sb;
   to.eb = o.eb;
   to.start_offered = o.start_offered;
-  to.requests = o.requests.bits();
-  to.entries = o.entries.bits();
-  to.brake_causes = bits_of(o.brake_reasons);
+  to.requests = bits_32(o.requests);
+  to.entries = bits_32(o.entries);
+  to.brake_causes = o.brake_reasons.bits();
   to.connect = of(o.radio_connect);
   to.disconnect = of(o.radio_disconnect);
   give_lists(to, o);

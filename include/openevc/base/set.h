@@ -4,7 +4,7 @@
 
 namespace evc {
 
-/// A set of enumerators (at most 64; bits() and of_bits() are those of the first 32).
+/// A set of enumerators, at most 64: bit n is that of the enumerator n.
 template <class E>
 class Set {
  public:
@@ -12,9 +12,12 @@ class Set {
   constexpr Set(std::initializer_list<E> elements) {
     for (const E e : elements) add(e);
   }
-  constexpr static Set of_bits(std::uint32_t bits) {
+  /// Bits that are of no enumerator are left out.
+  constexpr static Set of_bits(std::uint64_t bits) {
+    constexpr auto kCount = static_cast<unsigned>(E::count);
+    static_assert(kCount >= 1 && kCount <= 64);
     Set s;
-    s.bits_ = bits & ((std::uint64_t{1} << static_cast<unsigned>(E::count)) - 1u);
+    s.bits_ = bits & (~std::uint64_t{0} >> (64u - kCount));
     return s;
   }
   constexpr void add(E e) { bits_ |= std::uint64_t{1} << static_cast<unsigned>(e); }
@@ -24,7 +27,7 @@ class Set {
   constexpr void remove(E e) { bits_ &= ~(std::uint64_t{1} << static_cast<unsigned>(e)); }
   constexpr bool has(E e) const { return ((bits_ >> static_cast<unsigned>(e)) & 1u) != 0; }
   constexpr bool empty() const { return bits_ == 0; }
-  constexpr std::uint32_t bits() const { return static_cast<std::uint32_t>(bits_); }
+  constexpr std::uint64_t bits() const { return bits_; }
   constexpr Set& operator|=(Set b) {
     bits_ |= b.bits_;
     return *this;
