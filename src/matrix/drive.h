@@ -7,8 +7,9 @@ namespace evc::matrix {
 
 /// A train with its unit on a line, driven at the permitted speed.
 struct DrivenTrain {
-  /// `line` must outlive the driven train.
+  /// `line` must outlive the driven train: a temporary one is refused.
   DrivenTrain(const sim::Line& line, io::Train its_train);
+  DrivenTrain(const sim::Line&&, io::Train) = delete;
   /// Cycle by cycle until the true front end is at `at_m`. False when the run ended before.
   bool drive_to(double at_m);
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/test_paths.h"
@@ -161,6 +162,8 @@ void compare_curve(const Matrix& m, const sdm::CurveView& exact, Compared& compa
     }
   }
 }
+
+static_assert(!std::is_constructible_v<DrivenTrain, sim::Line, io::Train>, "its world refers to the line");
 
 void compare(const DrivenTrain& run, Distance quantum, Compared& compared) {
   const Matrix m = matrix_of(run.state, run.derived, quantum);
