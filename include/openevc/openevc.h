@@ -8,11 +8,12 @@
  *   is used by one thread at a time, different objects at the same time. To delete an object, free its memory.
  * - No exception is thrown. A function that can fail returns an `openevc_result` and, if `why` is not null, writes the
  *   error there: text in UTF-8, ended by a zero, cut to `why_size` bytes.
- * - The first member of a struct is its size, set by the caller (openevc_inputs_init, openevc_limits x = {sizeof x}):
- *   a program compiled with an older header continues to work with a newer library, which neither reads nor writes
+ * - The first member of a struct is its size, set by the caller (openevc_inputs_init, openevc_distances d = {sizeof
+ * d}): a program compiled with an older header continues to work with a newer library, which neither reads nor writes
  *   beyond that size.
  * - Units are metres, seconds, m/s, m/s2. A number that does not exist is not a number (isnan).
- * - Codes are those of SUBSET-026-7 where it has them (M_MODE, M_LEVEL, NID_C, ...).
+ * - A member with the name of a variable of SUBSET-026-7 has its codes (NID_C, Q_TEXT, ...); modes and the states of
+ * the unit have the numbers of the enumerations below.
  */
 /* NOLINTBEGIN(modernize-deprecated-headers, modernize-use-using): C reads this too. */
 #include <stddef.h>
@@ -151,6 +152,44 @@ typedef enum openevc_integrity {
 /* Entry windows that are open: bit 1u << openevc_window. The train may not move (3.18.3.3.1, 4.4.11.1.5.1). */
 typedef enum openevc_window { OPENEVC_WINDOW_TRAIN_DATA = 0, OPENEVC_WINDOW_SR_DATA = 1 } openevc_window;
 
+/* Type of speed and distance monitoring (3.13.10). */
+typedef enum openevc_monitoring {
+  OPENEVC_MONITORING_NONE = 0,
+  OPENEVC_CSM = 1,
+  OPENEVC_TSM = 2,
+  OPENEVC_RSM = 3
+} openevc_monitoring;
+
+/* Supervision status (3.13.10.1.2). */
+typedef enum openevc_status {
+  OPENEVC_STATUS_NONE = 0,
+  OPENEVC_NORMAL = 1,
+  OPENEVC_INDICATION = 2,
+  OPENEVC_OVERSPEED = 3,
+  OPENEVC_WARNING = 4,
+  OPENEVC_INTERVENTION = 5
+} openevc_status;
+
+/* What the comparison of speed and limits comes to: the highest that holds. */
+typedef enum openevc_memo {
+  OPENEVC_MEMO_NULL = 0,
+  OPENEVC_MEMO_P = 1,
+  OPENEVC_MEMO_W = 2,
+  OPENEVC_MEMO_SB = 3,
+  OPENEVC_MEMO_EB = 4,
+  OPENEVC_MEMO_TRIP = 5
+} openevc_memo;
+
+/* How far a session with an RBC is (3.5.3 to 3.5.5). */
+typedef enum openevc_phase {
+  OPENEVC_SESSION_IDLE = 0,
+  OPENEVC_SESSION_CONNECTING = 1,
+  OPENEVC_SESSION_WAITING_VERSION = 2,
+  OPENEVC_SESSION_UP = 3,
+  OPENEVC_SESSION_LOST = 4,
+  OPENEVC_SESSION_TERMINATING = 5
+} openevc_phase;
+
 typedef struct openevc_telegram {
   const uint8_t* bytes; /* user bits, left aligned */
   uint32_t bits;
@@ -250,7 +289,7 @@ typedef struct openevc_event {
 
 typedef struct openevc_session {
   uint16_t NID_C, NID_RBC;
-  int32_t phase; /* 1 connecting, 2 version check, 3 open, 4 lost, 5 terminating */
+  int32_t phase; /* openevc_phase */
 } openevc_session;
 
 /* What comes out of one cycle; members after `size` are written by openevc_step. */
@@ -260,8 +299,8 @@ typedef struct openevc_outputs {
   int32_t level; /* openevc_level */
   int32_t NID_NTC;
   int32_t LRBG_NID_C, LRBG_NID_BG; /* -1: no LRBG */
-  int32_t monitoring;              /* 0 none, 1 CSM, 2 TSM, 3 RSM */
-  int32_t status;                  /* 0 none, 1 Normal, 2 Indication, 3 Overspeed, 4 Warning, 5 Intervention */
+  int32_t monitoring;              /* openevc_monitoring */
+  int32_t status;                  /* openevc_status */
   double now;
   double est_front, min_safe_front, max_safe_front; /* as nominal counters */
   double V_est;
@@ -292,7 +331,7 @@ typedef struct openevc_outputs {
   uint8_t level_valid;
   uint8_t levels_allowed; /* bit 1u << openevc_level */
   uint8_t reserved;
-  int32_t memo_status; /* 0 Null, 1 P, 2 W, 3 SB, 4 EB, 5 Trip; -1 where speed is not supervised */
+  int32_t memo_status; /* openevc_memo; -1 where speed is not supervised */
   int32_t trip_reason; /* openevc_status_text_name(trip_reason); -1: none */
   uint32_t sessions_count;
   uint64_t status_texts; /* bit n: openevc_status_text_name(n) is shown */

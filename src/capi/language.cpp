@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "capi/codes.h"
 #include "capi/guard.h"
 
 using evc::capi::Why;

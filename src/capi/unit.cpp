@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "capi/codes.h"
 #include "capi/guard.h"
 #include "io/input_stream.h"
 #include "io/json.h"
@@ -24,19 +25,8 @@ struct openevc_unit {
 static_assert(std::is_trivially_copyable_v<openevc_unit>);
 static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
 
-// The numbers of openevc.h are those of the kernel's enumerations.
-static_assert(int(evc::Mode::NP) == OPENEVC_NP && int(evc::Mode::FS) == OPENEVC_FS && int(evc::Mode::RV) == OPENEVC_RV);
-static_assert(int(evc::Level::L0) == OPENEVC_L0 && int(evc::Level::L3) == OPENEVC_L3);
-static_assert(int(kernel::Select::count) == OPENEVC_INTEGRITY_CONFIRMED + 1 &&
-              int(kernel::Select::train_data) == OPENEVC_TRAIN_DATA);
-static_assert(int(evc::Ack::count) == OPENEVC_ACK_TRAIN_DATA + 1 && int(evc::Ack::trip) == OPENEVC_ACK_TRIP);
-static_assert(int(evc::Entry::count) == OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER + 1);
-static_assert(int(kernel::Window::count) == OPENEVC_WINDOW_SR_DATA + 1);
-static_assert(int(evc::RadioLink::refused) == OPENEVC_LINK_REFUSED);
-static_assert(int(evc::SessionPhase::terminating) == 5 && int(evc::MemoStatus::Trip) == 5 &&
-              decltype(kernel::Outputs::sessions)::capacity() == OPENEVC_SESSIONS);
-static_assert(int(evc::Monitoring::RSM) == 3 && int(evc::Status::Intervention) == 5);
-static_assert(decltype(kernel::Outputs::symbols)::capacity() == OPENEVC_SYMBOLS &&
+static_assert(decltype(kernel::Outputs::sessions)::capacity() == OPENEVC_SESSIONS &&
+              decltype(kernel::Outputs::symbols)::capacity() == OPENEVC_SYMBOLS &&
               decltype(kernel::Outputs::texts)::capacity() == OPENEVC_TEXTS &&
               decltype(kernel::Outputs::radio_out)::capacity() == OPENEVC_RADIO_OUT &&
               decltype(kernel::Outputs::events)::capacity() == OPENEVC_EVENTS &&
