@@ -37,10 +37,11 @@ extern "C" {
 
 typedef enum openevc_result {
   OPENEVC_OK = 0,
-  OPENEVC_BAD_ARGUMENT = 1, /* a null pointer, memory too small or not aligned, a struct whose size is not set */
+  OPENEVC_BAD_ARGUMENT = 1, /* a null pointer, memory too small or not aligned, a struct whose size is not set, a number
+                               that its member does not have */
   OPENEVC_TOO_SMALL = 2,    /* a buffer for a result is too small; the needed size is returned */
   OPENEVC_REFUSED = 3,      /* invalid text or bits, or a snapshot that does not fit */
-  OPENEVC_NO_MEMORY = 4,    /* out of memory: only where texts are read or written */
+  OPENEVC_NO_MEMORY = 4,    /* the heap is full: only where a text in JSON is read or written */
   OPENEVC_DEFECT = 5        /* a defect of the library */
 } openevc_result;
 
@@ -202,6 +203,9 @@ typedef struct openevc_message {
   size_t size;
 } openevc_message;
 
+/* At most so many telegrams, so many loop messages and so many radio messages in one cycle. */
+#define OPENEVC_RECEIVED 64
+
 /* The inputs of one cycle. Set the defaults with openevc_inputs_init, then fill it in. States (odometer, signals of the
  * train, national system) have to be given in every cycle; the other members are for one cycle. */
 typedef struct openevc_inputs {
@@ -339,9 +343,11 @@ typedef struct openevc_outputs {
   openevc_session sessions[OPENEVC_SESSIONS];
 } openevc_outputs;
 
-/* One cycle (docs/replay.md). After OPENEVC_BAD_ARGUMENT and OPENEVC_REFUSED, with the member in `why`, the unit is
- * unchanged. Data from trackside and odometer are never refused here: the unit handles them by the rules of the
- * standard. The heap is used only for `train_data` and the texts of events. */
+/* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other
+ * result, its reason in `why`, the unit and `outputs` are unchanged: the call may be repeated. Data from trackside and
+ * odometer are never refused here: the unit handles them by the rules of the standard. The heap is used only to read
+ * `train_data` and `external_train_data`, before the step: without them OPENEVC_NO_MEMORY is never returned. From the
+ * beginning of the step on nothing is allocated and nothing can fail, so that a brake command reaches the caller. */
 OPENEVC_API openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, openevc_outputs* outputs,
                                         char* why, size_t why_size) OPENEVC_NOEXCEPT;
 

@@ -9,35 +9,18 @@
 #include <vector>
 
 #include "base/test_paths.h"
+#include "capi/capi_test.h"
 #include "openevc/openevc.h"
 
 namespace {
+
+using evc::capi::CUnit;
+using evc::capi::Memory;
 
 std::string file(const std::string& name) {
   std::ifstream in(evc::test::source_folder() + "/" + name);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-/// Memory of a host, followed by a fence that must not be written to.
-class Memory {
- public:
-  explicit Memory(std::size_t size) : size_(size), bytes_(size + 2 * openevc_alignment(), 0xA5) {
-    const auto address = reinterpret_cast<std::uintptr_t>(bytes_.data());
-    at_ = bytes_.data() + (openevc_alignment() - address % openevc_alignment()) % openevc_alignment();
-  }
-  void* at() { return at_; }
-  std::size_t size() const { return size_; }
-  bool fence_stands() const {
-    for (const unsigned char* p = at_ + size_; p < bytes_.data() + bytes_.size(); ++p)
-      if (*p != 0xA5) return false;
-    return true;
-  }
-
- private:
-  std::size_t size_;
-  std::vector<unsigned char> bytes_;
-  unsigned char* at_;
-};
 
 constexpr std::uint8_t kPacket65[] = {0x41, 0x40, 0x8E, 0x83, 0x83, 0x52, 0x03, 0x20, 0x20};
 constexpr const char* kPacket65Json =
@@ -202,60 +185,6 @@ TEST_F(CCurves, LongerStruct) {
   EXPECT_EQ(d.newer, 0x1234u);
 }
 
-/// A unit in a host's memory, through start of mission in level 0.
-class CUnit : public testing::Test {
- protected:
-  CUnit() : memory(openevc_unit_size()), out(std::make_unique<openevc_outputs>()) {
-    out->size = sizeof *out;
-    EXPECT_EQ(power_up(nullptr), OPENEVC_OK) << why;
-  }
-  openevc_result power_up(const char* configuration) {
-    return openevc_power_up(memory.at(), memory.size(), configuration, configuration ? std::strlen(configuration) : 0,
-                            &unit, why, sizeof why);
-  }
-  static openevc_inputs at(int n) {
-    openevc_inputs in;
-    EXPECT_EQ(openevc_inputs_init(&in, sizeof in), OPENEVC_OK);
-    in.now = 0.1 * n;
-    in.desk_open = n > 0;
-    if (n == 10) {
-      in.entered = 1u << OPENEVC_ENTRY_DRIVER_ID;
-      in.driver_id = 0x1234;
-    }
-    if (n == 20) {
-      in.entered = 1u << OPENEVC_ENTRY_LEVEL;
-      in.level = OPENEVC_L0;
-    }
-    if (n == 30) in.selected = 1u << OPENEVC_TRAIN_DATA;
-    if (n == 40) {
-      in.entered = 1u << OPENEVC_ENTRY_TRAIN_DATA;
-      in.train_data = kTrain;
-      in.train_data_length = std::strlen(kTrain);
-    }
-    if (n == 50) {
-      in.entered = 1u << OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER;
-      in.train_running_number = 0x4711;
-    }
-    if (n == 60) in.selected = 1u << OPENEVC_START;
-    if (n > 60) in.acknowledged = 1u << OPENEVC_ACK_UN;
-    return in;
-  }
-  openevc_result step(const openevc_inputs& in) { return openevc_step(unit, &in, out.get(), why, sizeof why); }
-  void run(int from, int to) {
-    for (int n = from; n < to; ++n) ASSERT_EQ(step(at(n)), OPENEVC_OK) << n << ": " << why;
-  }
-  bool has_event(const char* text) const {
-    for (std::uint32_t i = 0; i < out->events_count; ++i)
-      if (std::strcmp(out->events[i].text, text) == 0) return true;
-    return false;
-  }
-  static constexpr const char* kTrain = R"({"schema":"etcs-train/1","length_m":300})";
-  Memory memory;
-  std::unique_ptr<openevc_outputs> out;
-  openevc_unit* unit = nullptr;
-  char why[256] = "";
-};
-
 TEST_F(CUnit, WindowsAlarmsAndTrainDataOfAnotherSource) {
   run(0, 80);
   ASSERT_EQ(out->mode, OPENEVC_UN);
@@ -356,6 +285,28 @@ TEST_F(CUnit, TelegramIsRead) {
   ASSERT_GT(out->events_count, 0u);
   in.telegrams = nullptr;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+}
+
+/// As many as there is room for; one more is refused, and the unit stays as it was.
+TEST_F(CUnit, MoreDataThanACycleTakes) {
+  run(0, 80);
+  const std::uint8_t bytes[104] = {};
+  const std::vector<openevc_telegram> telegrams(OPENEVC_RECEIVED + 1, {bytes, 830, 0, 0.0});
+  const std::vector<openevc_message> messages(OPENEVC_RECEIVED + 1, {bytes, 20});
+  openevc_inputs in = at(80);
+  in.telegrams = telegrams.data();
+  in.loops = in.radio = messages.data();
+  std::vector<unsigned char> before(openevc_snapshot_size()), after(openevc_snapshot_size());
+  ASSERT_EQ(openevc_snapshot(unit, before.data(), before.size()), OPENEVC_OK);
+  for (std::size_t* const count : {&in.telegrams_count, &in.loops_count, &in.radio_count}) {
+    *count = OPENEVC_RECEIVED + 1;
+    EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+    EXPECT_NE(std::strstr(why, "more than 64"), nullptr) << why;
+    *count = OPENEVC_RECEIVED;
+  }
+  ASSERT_EQ(openevc_snapshot(unit, after.data(), after.size()), OPENEVC_OK);
+  EXPECT_TRUE(before == after);
+  EXPECT_EQ(step(in), OPENEVC_OK) << why;
 }
 
 TEST_F(CUnit, SnapshotInOtherMemory) {

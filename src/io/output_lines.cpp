@@ -486,56 +486,9 @@ void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o) {
   if (row.json()) append_second_lists(row, o);
 }
 
-void append_change(std::string& out, const char* from, const char* to) {
-  out += ' ';
-  out += from;
-  out += "->";
-  out += to;
-}
-
-/// The text of the numbers of an event, and the text after the clause.
-void append_details(std::string& out, const kernel::Event& e, texts::Takes takes) {
-  const auto word = [&out](const char* text) {
-    out += ' ';
-    out += text;
-  };
-  switch (takes) {
-    case texts::Takes::nothing:
-      return;
-    case texts::Takes::id:
-      out += ' ';
-      return append_number(out, static_cast<std::int64_t>(e.id));
-    case texts::Takes::modes:
-      return append_change(out, name(static_cast<Mode>(e.from)), name(static_cast<Mode>(e.to)));
-    case texts::Takes::levels:
-      return append_change(out, name(static_cast<Level>(e.from)), name(static_cast<Level>(e.to)));
-    case texts::Takes::select:
-      return word(texts::words_of(static_cast<kernel::Select>(e.id)));
-    case texts::Takes::entered:
-      return word(texts::words_of(static_cast<kernel::Entered>(e.id)));
-    case texts::Takes::fault:
-      return word(texts::name(static_cast<train::Fault>(e.id)));
-  }
-}
-
 }  // namespace
 
-void append_event(std::string& out, const kernel::Event& e) {
-  const texts::EventText& row = texts::text_of(e.what);
-  out += row.subject;
-  append_details(out, e, row.takes);
-  if (row.text != nullptr) {
-    out += ' ';
-    out += row.text;
-  }
-  if (row.takes == texts::Takes::modes) {
-    out += " [";
-    append_number(out, static_cast<std::int64_t>(e.id));
-    out += ']';
-  } else if (e.clause) {
-    out += " [" + texts::text_of(e.clause) + (row.after_clause == nullptr ? "" : row.after_clause) + ']';
-  }
-}
+void append_event(std::string& out, const kernel::Event& event) { out += texts::line_of(event).view(); }
 
 void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
   out += '{';

@@ -16,7 +16,7 @@ void append_trace(std::string& out, std::int64_t t_ms, const kernel::Outputs& ou
 /// The header row of the trace.
 std::string trace_header();
 
-/// "SUBJECT what [clause or condition]".
+/// As texts::line_of.
 void append_event(std::string& out, const kernel::Event& event);
 
 /// Whether anything other than position and speed differs (`--changes`): events, messages and

@@ -1,5 +1,7 @@
 #include "texts/texts.h"
 
+#include <charconv>
+
 namespace evc::texts {
 namespace {
 
@@ -114,17 +116,92 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
     "driver identity", "train running number", "train data", "RBC contact", "level", "SR speed and distance"};
 
+void add_change(ShortText& line, const char* from, const char* to) {
+  line.add(" ");
+  line.add(from);
+  line.add("->");
+  line.add(to);
+}
+
+/// What the numbers of an event mean.
+void add_numbers(ShortText& line, const port::Event& e, Takes takes) {
+  const auto word = [&line](const char* text) {
+    line.add(" ");
+    line.add(text);
+  };
+  switch (takes) {
+    case Takes::nothing:
+      return;
+    case Takes::id:
+      line.add(" ");
+      return line.add(std::int64_t{e.id});
+    case Takes::modes:
+      return add_change(line, name(static_cast<Mode>(e.from)), name(static_cast<Mode>(e.to)));
+    case Takes::levels:
+      return add_change(line, name(static_cast<Level>(e.from)), name(static_cast<Level>(e.to)));
+    case Takes::select:
+      return word(words_of(static_cast<port::Select>(e.id)));
+    case Takes::entered:
+      return word(words_of(static_cast<port::Entered>(e.id)));
+    case Takes::fault:
+      return word(name(static_cast<train::Fault>(e.id)));
+  }
+}
+
+void add_clause(ShortText& line, Clause clause) {
+  line.add(kSrsClauses[clause.place_in_register()]);
+  if (clause.infill()) line.add(" infill");
+  if (const char bullet = clause.bullet(); bullet != '\0') {
+    line.add(" ");
+    line.add({&bullet, 1});
+  }
+  if (clause.exception() == 0) return;
+  line.add(" [");
+  line.add(std::int64_t{clause.exception()});
+  line.add("]");
+}
+
 }  // namespace
+
+void ShortText::add(std::string_view text) noexcept {
+  const std::size_t room = kMost - size_;
+  const std::size_t n = text.size() < room ? text.size() : room;
+  text.copy(characters_.data() + size_, n);
+  size_ += n;
+}
+
+void ShortText::add(std::int64_t number) noexcept {
+  char digits[24];
+  const auto end = std::to_chars(digits, digits + sizeof digits, number);
+  add({digits, static_cast<std::size_t>(end.ptr - digits)});
+}
 
 const EventText& text_of(What what) { return kEvents[static_cast<std::size_t>(what)]; }
 
+ShortText line_of(const port::Event& event) noexcept {
+  const EventText& row = text_of(event.what);
+  ShortText line;
+  line.add(row.subject);
+  add_numbers(line, event, row.takes);
+  if (row.text != nullptr) {
+    line.add(" ");
+    line.add(row.text);
+  }
+  if (row.takes != Takes::modes && !event.clause) return line;
+  line.add(" [");
+  if (row.takes == Takes::modes)
+    line.add(std::int64_t{event.id});
+  else
+    add_clause(line, event.clause);
+  if (row.takes != Takes::modes && row.after_clause != nullptr) line.add(row.after_clause);
+  line.add("]");
+  return line;
+}
+
 std::string text_of(Clause clause) {
-  if (!clause) return {};
-  std::string text(kSrsClauses[clause.place_in_register()]);
-  if (clause.infill()) text += " infill";
-  if (clause.bullet() != '\0') text += std::string(" ") + clause.bullet();
-  if (clause.exception() != 0) text += " [" + std::to_string(clause.exception()) + "]";
-  return text;
+  ShortText text;
+  if (clause) add_clause(text, clause);
+  return std::string(text.view());
 }
 
 const char* words_of(port::Select select) { return kSelectWords[static_cast<std::size_t>(select)]; }

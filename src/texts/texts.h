@@ -1,6 +1,9 @@
 #pragma once
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "driver/driver.h"
 #include "port/event.h"
@@ -32,6 +35,23 @@ struct EventText {
   const char* after_clause = nullptr;  ///< inside the brackets of the clause
 };
 const EventText& text_of(What what);
+
+/// A short text without heap.
+class ShortText {
+ public:
+  static constexpr std::size_t kMost = 127;
+
+  /// What does not fit is left out.
+  void add(std::string_view text) noexcept;
+  void add(std::int64_t number) noexcept;
+  std::string_view view() const noexcept { return {characters_.data(), size_}; }
+
+ private:
+  std::array<char, kMost> characters_{};
+  std::size_t size_ = 0;
+};
+/// "SUBJECT what [clause or condition]", whole for every event.
+ShortText line_of(const port::Event& event) noexcept;
 
 /// "5.8.4.1 h", "4.8.3 [4]"; empty for none.
 std::string text_of(Clause clause);

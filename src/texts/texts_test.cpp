@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
+#include <string>
+#include <string_view>
 
 namespace evc::texts {
 namespace {
@@ -26,6 +30,46 @@ TEST(Texts, EveryEventSaysWhatHappened) {
                              std::to_string(static_cast<int>(row.takes));
     EXPECT_TRUE(lines.insert(line).second) << "two events read the same: " << line;
   }
+}
+
+/// With the longest numbers, words and clause that there are.
+TEST(Texts, TheLineOfEveryEventIsWhole) {
+  Clause longest = "3.8.6"_srs;
+  for (const Clause c :
+       {"5.8.4.1 h"_srs, "4.8.3"_srs.exception(99), "4.8.4 infill"_srs, "3.16.2.3.2"_srs.exception(99)})
+    if (text_of(c).size() > text_of(longest).size()) longest = c;
+  std::size_t longest_paragraph = 0;
+  for (const std::string_view paragraph : kSrsClauses)
+    longest_paragraph = std::max(longest_paragraph, paragraph.size());
+  const std::size_t more = longest_paragraph + 5 - text_of(longest).size();  // " [99]"
+  const auto length = [&](What what, std::int32_t id) {
+    const port::Event event{what, std::uint8_t(Mode::NP), std::uint8_t(Mode::SB), id, longest};
+    const ShortText text = line_of(event);
+    const std::string_view line = text.view();
+    EXPECT_EQ(line.back(), ']') << line;
+    return line.size() + more;
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(What::count); ++i) {
+    const auto what = static_cast<What>(i);
+    const Takes takes = text_of(what).takes;
+    const std::size_t ids = takes == Takes::select    ? static_cast<std::size_t>(port::Select::count)
+                            : takes == Takes::entered ? static_cast<std::size_t>(port::Entered::count)
+                            : takes == Takes::fault   ? static_cast<std::size_t>(train::Fault::count)
+                                                      : 0;
+    if (ids == 0) {
+      EXPECT_LE(length(what, std::numeric_limits<std::int32_t>::min()), ShortText::kMost) << i;
+    }
+    for (std::size_t id = 0; id < ids; ++id)
+      EXPECT_LE(length(what, static_cast<std::int32_t>(id)), ShortText::kMost) << i;
+  }
+}
+
+TEST(Texts, WhatDoesNotFitIsLeftOut) {
+  ShortText text;
+  text.add(std::string(ShortText::kMost - 3, 'a'));
+  text.add(std::int64_t{-12345});
+  text.add("b");
+  EXPECT_EQ(text.view(), std::string(ShortText::kMost - 3, 'a') + "-12");
 }
 
 TEST(Texts, NamesAreDifferent) {

@@ -1,0 +1,10 @@
+#pragma once
+#include "openevc/evc.h"
+#include "openevc/openevc.h"
+
+namespace evc::capi {
+
+/// All members of `to` but its size.
+void give_outputs(openevc_outputs& to, const kernel::Outputs& outputs) noexcept;
+
+}  // namespace evc::capi
