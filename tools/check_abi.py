@@ -41,6 +41,8 @@ def layout_program(header):
         out.append(f'  printf("enum {name}\\n");')
         for constant in re.findall(r"\b([A-Z]\w+)\b(?= =)", body):
             out.append(f'  printf("  {constant} %d\\n", (int){constant});')
+    for constant in re.findall(r"^#define (OPENEVC_(?!VERSION_)\w+) \d+$", text, re.M):
+        out.append(f'  printf("constant {constant} %d\\n", {constant});')
     return "\n".join(out + ["  return 0;", "}"]) + "\n"
 
 

@@ -57,7 +57,9 @@ typedef struct openevc_unit openevc_unit;
 OPENEVC_API size_t openevc_unit_size(void) OPENEVC_NOEXCEPT;
 /* `configuration`: the object `config` of docs/replay.md (cycle, SRS version, train, national values, levels), `length`
  * bytes; null or empty: the standard train. `*unit` becomes the object in `memory`, powered up: the first step
- * enters SB. */
+ * enters SB. Without `terminals` there is one mobile terminal, so that a program that does not name the RBC of messages
+ * and reports has one session at a time (3.15.1.3.2); one that gives `radio_from`, `link_with` and reads `radio_out_to`
+ * sets it to 2. */
 OPENEVC_API openevc_result openevc_power_up(void* memory, size_t memory_size, const char* configuration, size_t length,
                                             openevc_unit** unit, char* why, size_t why_size) OPENEVC_NOEXCEPT;
 
@@ -90,8 +92,7 @@ typedef enum openevc_mode {
   OPENEVC_RV = 16
 } openevc_mode;
 
-/* Report of the radio bearer on the connection to the last RBC called. Through this interface there is one radio
- * session at a time (3.15.1.3.2): `terminals` of the configuration is not used. */
+/* Report of the radio bearer on the connection to an RBC. */
 typedef enum openevc_link {
   OPENEVC_LINK_UNCHANGED = 0,
   OPENEVC_LINK_CONNECTED = 1,
@@ -191,6 +192,51 @@ typedef enum openevc_phase {
   OPENEVC_SESSION_TERMINATING = 5
 } openevc_phase;
 
+/* The part of an RBC in a handover; without one it supervises (3.15.1). */
+typedef enum openevc_role {
+  OPENEVC_SUPERVISING = 0,
+  OPENEVC_ACCEPTING = 1,   /* it will supervise beyond the border */
+  OPENEVC_HANDING_OVER = 2 /* it supervised up to the border */
+} openevc_role;
+
+/* Kinds of track condition, with the codes of M_TRACKCOND (7.5.1.77). */
+typedef enum openevc_condition_kind {
+  OPENEVC_NON_STOPPING_AREA = 0,
+  OPENEVC_TUNNEL_STOPPING_AREA = 1,
+  OPENEVC_SOUND_HORN = 2,
+  OPENEVC_POWERLESS_LOWER_PANTOGRAPH = 3,
+  OPENEVC_RADIO_HOLE = 4,
+  OPENEVC_AIR_TIGHTNESS = 5,
+  OPENEVC_SWITCH_OFF_REGENERATIVE_BRAKE = 6,
+  OPENEVC_SWITCH_OFF_EDDY_CURRENT_SERVICE_BRAKE = 7,
+  OPENEVC_SWITCH_OFF_MAGNETIC_SHOE_BRAKE = 8,
+  OPENEVC_POWERLESS_MAIN_SWITCH_OFF = 9,
+  OPENEVC_SWITCH_OFF_EDDY_CURRENT_EMERGENCY_BRAKE = 10
+} openevc_condition_kind;
+
+/* How far a track condition has come (5.18). */
+typedef enum openevc_condition_phase {
+  OPENEVC_CONDITION_AHEAD = 0, /* not shown yet */
+  OPENEVC_CONDITION_ANNOUNCED = 1,
+  OPENEVC_CONDITION_ACTIVE = 2,
+  OPENEVC_CONDITION_ENDING = 3, /* what it asked for is to be undone */
+  OPENEVC_CONDITION_OVER = 4
+} openevc_condition_phase;
+
+/* Whether the engine was moved while the power was off, says cold movement detection (3.15.8). */
+typedef enum openevc_movement {
+  OPENEVC_MOVEMENT_UNKNOWN = 0,
+  OPENEVC_NOT_MOVED = 1,
+  OPENEVC_MOVED = 2
+} openevc_movement;
+
+/* An RBC by its identity. */
+typedef struct openevc_rbc {
+  uint16_t given; /* 0: none */
+  uint16_t NID_C, NID_RBC;
+  uint16_t reserved;
+} openevc_rbc;
+
 typedef struct openevc_telegram {
   const uint8_t* bytes; /* user bits, left aligned */
   uint32_t bits;
@@ -258,6 +304,17 @@ typedef struct openevc_inputs {
   int32_t integrity; /* openevc_integrity */
   uint32_t reserved_3;
   double length_confirmed;
+  /* When the members of the odometer were measured, seconds since power-up; not a number: at `now`. The unit
+   * extrapolates them by the speeds; older than 1 s while they show movement they count as failed. */
+  double measured;
+  /* Null, or for each of `telegrams` the time when the balise's centre was passed, in place of its `at`: the unit finds
+   * the counter; where it is not a number, `at` counts. */
+  const double* telegrams_passed;
+  /* Null, or for each message of `radio` the RBC that it is from; where none is given: the RBC that was called last. */
+  const openevc_rbc* radio_from;
+  openevc_rbc link_with; /* the RBC of `link`; none given: the RBC that was called last */
+  int32_t moved;         /* openevc_movement; counts in the cycle in which No Power is left */
+  uint32_t reserved_4;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
@@ -267,6 +324,10 @@ OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t 
 #define OPENEVC_RADIO_OUT 24
 #define OPENEVC_EVENTS 96
 #define OPENEVC_SESSIONS 2
+#define OPENEVC_STATUS_TEXTS 20
+#define OPENEVC_CONDITIONS 49
+#define OPENEVC_AREAS 48
+#define OPENEVC_PLATFORMS 40
 
 typedef struct openevc_text {
   int32_t id;
@@ -295,6 +356,57 @@ typedef struct openevc_session {
   uint16_t NID_C, NID_RBC;
   int32_t phase; /* openevc_phase */
 } openevc_session;
+
+/* How a text of the trackside is shown (3.12.3). */
+typedef struct openevc_text_shown {
+  double since;        /* when its display began */
+  uint8_t important;   /* Q_TEXTCLASS */
+  uint8_t acknowledge; /* the driver is asked to acknowledge it */
+  uint8_t reserved[6];
+} openevc_text_shown;
+
+typedef struct openevc_status_shown {
+  int32_t text; /* openevc_status_text_name(text) */
+  uint32_t reserved;
+  double since; /* when its display began */
+} openevc_status_shown;
+
+/* A track condition on the driver interface (5.18). */
+typedef struct openevc_condition {
+  char symbol[8];  /* as in `symbols` */
+  int32_t kind;    /* openevc_condition_kind; -1: change of traction system */
+  int32_t phase;   /* openevc_condition_phase */
+  double from, to; /* nominal counters of a front end there; alike for a change at a place */
+} openevc_condition;
+
+/* Orders for the train (5.20, SUBSET-034): the distances that remain, metres from the front end. */
+typedef struct openevc_area {
+  int32_t kind; /* openevc_condition_kind: what is switched off, lowered or closed */
+  uint32_t reserved;
+  double to_start; /* below 0: in rear of the front end; not a number: not needed any more */
+  double to_end;
+} openevc_area;
+
+typedef struct openevc_platform {
+  double to_start; /* as of an area */
+  double to_end;
+  uint8_t M_PLATFORM, Q_PLATFORM;
+  uint8_t reserved[6];
+} openevc_platform;
+
+typedef struct openevc_traction {
+  uint8_t given; /* 0: no change is ordered */
+  uint8_t M_VOLTAGE;
+  uint16_t NID_CTRACTION;
+  uint32_t reserved;
+  double to_start;
+} openevc_traction;
+
+typedef struct openevc_current {
+  uint32_t given;  /* 0: no change is ordered */
+  int32_t amperes; /* -1: no restriction */
+  double to_start;
+} openevc_current;
 
 /* What comes out of one cycle; members after `size` are written by openevc_step. */
 typedef struct openevc_outputs {
@@ -341,6 +453,19 @@ typedef struct openevc_outputs {
   uint64_t status_texts; /* bit n: openevc_status_text_name(n) is shown */
   uint64_t enabled;      /* bit n: openevc_input_name(n) is enabled */
   openevc_session sessions[OPENEVC_SESSIONS];
+  int32_t sessions_role[OPENEVC_SESSIONS];       /* openevc_role of each of `sessions` */
+  openevc_text_shown texts_shown[OPENEVC_TEXTS]; /* of each of `texts` */
+  openevc_rbc radio_out_to[OPENEVC_RADIO_OUT];   /* of each of `radio_out`; none given: the RBC that supervises */
+  uint32_t statuses_count, conditions_count, areas_count, platforms_count;
+  openevc_status_shown statuses[OPENEVC_STATUS_TEXTS]; /* those of `status_texts`, in the order of their display */
+  openevc_condition conditions[OPENEVC_CONDITIONS];
+  openevc_area areas[OPENEVC_AREAS];
+  openevc_platform platforms[OPENEVC_PLATFORMS];
+  openevc_traction traction;
+  openevc_current current;
+  uint8_t sound_horn;      /* the driver is asked for it */
+  uint8_t remote_shunting; /* the mode permits it (4.4.8.1.4) */
+  uint8_t reserved_2[6];
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other

@@ -10,6 +10,7 @@
 
 #include "base/test_paths.h"
 #include "capi/capi_test.h"
+#include "openevc/language.h"
 #include "openevc/openevc.h"
 
 namespace {
@@ -359,6 +360,90 @@ TEST_F(CUnit, WhatIsRefused) {
   EXPECT_EQ(step(at(1)), OPENEVC_BAD_ARGUMENT);
   EXPECT_EQ(openevc_step(unit, nullptr, out.get(), why, sizeof why), OPENEVC_BAD_ARGUMENT);
   EXPECT_EQ(openevc_inputs_init(nullptr, sizeof in), OPENEVC_BAD_ARGUMENT);
+}
+
+/// 5 m/s for half a second (3.6.4); a reading of more than a second ago is none (4.4.5).
+TEST_F(CUnit, OdometerWithItsOwnTime) {
+  run(0, 80);
+  openevc_inputs in = at(80);
+  in.nominal = in.min = in.max = 10.0;
+  in.V_est = in.V_min = in.V_max = 5.0;
+  in.measured = in.now - 0.5;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_NEAR(out->est_front, 12.5, 1e-9);
+  in.now = 9.5;
+  ASSERT_EQ(step(in), OPENEVC_OK) << why;
+  EXPECT_EQ(out->mode, OPENEVC_SF);
+}
+
+/// 4.11.1: the level is valid again after power off where the engine was not moved.
+TEST_F(CUnit, ColdMovement) {
+  for (const openevc_movement moved : {OPENEVC_NOT_MOVED, OPENEVC_MOVED, OPENEVC_MOVEMENT_UNKNOWN}) {
+    ASSERT_EQ(power_up(nullptr), OPENEVC_OK) << why;
+    run(0, 80);
+    EXPECT_EQ(out->level_valid, 1);
+    for (int n = 80; n <= 85; ++n) {
+      openevc_inputs in = at(n);
+      in.desk_open = 0;
+      in.powered = n == 85;
+      if (n == 85) in.moved = moved;
+      ASSERT_EQ(step(in), OPENEVC_OK) << why;
+      EXPECT_EQ(out->mode, n == 85 ? OPENEVC_SB : OPENEVC_NP);
+    }
+    EXPECT_EQ(out->level_valid, moved == OPENEVC_NOT_MOVED ? 1 : 0) << moved;
+  }
+}
+
+/// A report and a message count for the RBC that they name (3.5.3.7).
+TEST_F(CUnit, RbcsAreNamed) {
+  const auto message_32 = evc::language::encode(
+      R"({"NID_MESSAGE":32,"T_TRAIN":100,"M_ACK":0,"NID_LRBG":16777215,"M_VERSION":33})", {evc::language::Form::radio});
+  ASSERT_FALSE(message_32.error) << message_32.error->why;
+  const openevc_message message{message_32.bytes.data(), message_32.bytes.size()};
+  const openevc_rbc ours{1, 1, 1, 0}, other{1, 1, 2, 0};
+  ASSERT_EQ(power_up(R"({"terminals":2})"), OPENEVC_OK) << why;
+  run(0, 20);
+  int n = 20;
+  const auto phase_after = [&](auto fill) {
+    openevc_inputs in = at(n == 20 ? 21 : n);
+    in.now = 0.1 * n++;
+    in.entered = in.selected = in.acknowledged = 0;
+    fill(in);
+    EXPECT_EQ(step(in), OPENEVC_OK) << why;
+    return out->sessions_count == 0 ? -1 : out->sessions[0].phase;
+  };
+  phase_after([](openevc_inputs& in) {
+    in.entered = 1u << OPENEVC_ENTRY_LEVEL;
+    in.level = OPENEVC_L2;
+  });
+  EXPECT_EQ(phase_after([](openevc_inputs& in) {
+              in.entered = 1u << OPENEVC_ENTRY_RBC_CONTACT;
+              in.NID_C = in.NID_RBC = 1;
+              in.NID_RADIO = ~std::uint64_t{0};
+            }),
+            OPENEVC_SESSION_CONNECTING);
+  EXPECT_TRUE(out->connect.given == 1 && out->connect.NID_RBC == 1);
+  EXPECT_EQ(out->sessions_role[0], OPENEVC_SUPERVISING);
+  const auto connected = [](const openevc_rbc& rbc) {
+    return [rbc](openevc_inputs& in) {
+      in.link = OPENEVC_LINK_CONNECTED;
+      in.link_with = rbc;
+    };
+  };
+  EXPECT_EQ(phase_after(connected(other)), OPENEVC_SESSION_CONNECTING);
+  EXPECT_EQ(phase_after(connected(ours)), OPENEVC_SESSION_WAITING_VERSION);
+  ASSERT_EQ(out->radio_out_count, 1u);
+  EXPECT_EQ(out->radio_out[0].bytes[0], 155);
+  EXPECT_TRUE(out->radio_out_to[0].given == 0 || out->radio_out_to[0].NID_RBC == 1);
+  const auto heard = [&message](const openevc_rbc& rbc) {
+    return [&message, &rbc](openevc_inputs& in) {
+      in.radio = &message;
+      in.radio_count = 1;
+      in.radio_from = &rbc;
+    };
+  };
+  EXPECT_EQ(phase_after(heard(other)), OPENEVC_SESSION_WAITING_VERSION);
+  EXPECT_EQ(phase_after(heard(ours)), OPENEVC_SESSION_UP);
 }
 
 /// A program with an older header: members it does not have keep their defaults, and nothing is written beyond its

@@ -121,6 +121,33 @@ static_assert(same(OPENEVC_SESSION_LOST, SessionPhase::lost));
 static_assert(same(OPENEVC_SESSION_TERMINATING, SessionPhase::terminating));
 static_assert(kSessionPhaseRows.size() == 6);
 
+static_assert(same(OPENEVC_SUPERVISING, SessionRole::supervising));
+static_assert(same(OPENEVC_ACCEPTING, SessionRole::accepting));
+static_assert(same(OPENEVC_HANDING_OVER, SessionRole::handing_over));
+static_assert(kSessionRoleRows.size() == 3);
+
+static_assert(same(OPENEVC_NON_STOPPING_AREA, TrackConditionKind::non_stopping_area));
+static_assert(same(OPENEVC_TUNNEL_STOPPING_AREA, TrackConditionKind::tunnel_stopping_area));
+static_assert(same(OPENEVC_SOUND_HORN, TrackConditionKind::sound_horn));
+static_assert(same(OPENEVC_POWERLESS_LOWER_PANTOGRAPH, TrackConditionKind::powerless_lower_pantograph));
+static_assert(same(OPENEVC_RADIO_HOLE, TrackConditionKind::radio_hole));
+static_assert(same(OPENEVC_AIR_TIGHTNESS, TrackConditionKind::air_tightness));
+static_assert(same(OPENEVC_SWITCH_OFF_REGENERATIVE_BRAKE, TrackConditionKind::switch_off_regenerative_brake));
+static_assert(same(OPENEVC_SWITCH_OFF_EDDY_CURRENT_SERVICE_BRAKE,
+                   TrackConditionKind::switch_off_eddy_current_service_brake));
+static_assert(same(OPENEVC_SWITCH_OFF_MAGNETIC_SHOE_BRAKE, TrackConditionKind::switch_off_magnetic_shoe_brake));
+static_assert(same(OPENEVC_POWERLESS_MAIN_SWITCH_OFF, TrackConditionKind::powerless_main_switch_off));
+static_assert(same(OPENEVC_SWITCH_OFF_EDDY_CURRENT_EMERGENCY_BRAKE,
+                   TrackConditionKind::switch_off_eddy_current_emergency_brake));
+static_assert(kTrackConditionRows.size() == 11 && terms::value_is_code(kTrackConditionRows));
+
+static_assert(same(OPENEVC_CONDITION_AHEAD, ConditionPhase::ahead));
+static_assert(same(OPENEVC_CONDITION_ANNOUNCED, ConditionPhase::announced));
+static_assert(same(OPENEVC_CONDITION_ACTIVE, ConditionPhase::active));
+static_assert(same(OPENEVC_CONDITION_ENDING, ConditionPhase::ending));
+static_assert(same(OPENEVC_CONDITION_OVER, ConditionPhase::over));
+static_assert(kConditionPhaseRows.size() == 5);
+
 static_assert(same(OPENEVC_BALISE, language::Form::balise));
 static_assert(same(OPENEVC_LOOP, language::Form::loop));
 static_assert(same(OPENEVC_RADIO, language::Form::radio));

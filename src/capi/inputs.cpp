@@ -60,6 +60,14 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
 // The following return what is wrong; null where everything is as it has to be.
 static_assert(OPENEVC_RECEIVED == 64, "in the texts below");
 
+std::optional<kernel::RbcIdentity> of(const openevc_rbc& rbc) {
+  if (rbc.given == 0) return std::nullopt;
+  kernel::RbcIdentity identity;
+  identity.NID_C = rbc.NID_C;
+  identity.NID_RBC = rbc.NID_RBC;
+  return identity;
+}
+
 const char* take_telegrams(Cycle& cycle, const openevc_inputs& in) {
   if (in.telegrams_count > 0 && in.telegrams == nullptr) return "inputs.telegrams: null";
   if (in.telegrams_count > cycle.telegrams.capacity()) return "inputs.telegrams: more than 64";
@@ -71,6 +79,8 @@ const char* take_telegrams(Cycle& cycle, const openevc_inputs& in) {
     telegram.bytes = {from.bytes, (std::size_t{from.bits} + 7) / 8};
     telegram.bits = from.bits;
     telegram.at = {{from.at}};
+    if (in.telegrams_passed != nullptr && !std::isnan(in.telegrams_passed[i]))
+      telegram.passed = Duration{in.telegrams_passed[i]};
   }
   cycle.inputs.balise_telegrams = {cycle.telegrams.begin(), cycle.telegrams.size()};
   return nullptr;
@@ -95,10 +105,12 @@ const char* take_radio(Cycle& cycle, const openevc_inputs& in) {
     kernel::RadioMessage& message = *cycle.radio.grow();
     message = {};
     message.bytes = {in.radio[i].bytes, in.radio[i].size};
+    if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);
   }
   cycle.inputs.radio_messages = {cycle.radio.begin(), cycle.radio.size()};
   if (in.link < OPENEVC_LINK_UNCHANGED || in.link > OPENEVC_LINK_REFUSED) return "inputs.link: not an openevc_link";
   cycle.inputs.radio_link = static_cast<RadioLink>(in.link);
+  cycle.inputs.radio_link_with = of(in.link_with);
   return nullptr;
 }
 
@@ -115,7 +127,12 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
     driver.level = static_cast<Level>(in.level);
     driver.nid_ntc = static_cast<std::uint8_t>(in.NID_NTC);
   }
-  if (entered(in, OPENEVC_ENTRY_RBC_CONTACT)) driver.rbc_contact = {in.NID_C, in.NID_RBC, in.NID_RADIO};
+  if (entered(in, OPENEVC_ENTRY_RBC_CONTACT)) {
+    kernel::DriverActions::RbcContact& contact = driver.rbc_contact.emplace();
+    contact.NID_C = in.NID_C;
+    contact.NID_RBC = in.NID_RBC;
+    contact.NID_RADIO = in.NID_RADIO;
+  }
   if (entered(in, OPENEVC_ENTRY_SR_SPEED)) driver.V_sr = Speed{in.V_sr};
   if (entered(in, OPENEVC_ENTRY_SR_DISTANCE)) driver.D_sr = Distance{in.D_sr};
   if (entered(in, OPENEVC_ENTRY_TRAIN_DATA) && in.train_data == nullptr) return "inputs.train_data: null";
@@ -141,7 +158,7 @@ openevc_result take_train_data(Cycle& cycle, const openevc_inputs& in, Why why) 
   return OPENEVC_OK;
 }
 
-void take_states(kernel::Inputs& to, const openevc_inputs& in) {
+const char* take_states(kernel::Inputs& to, const openevc_inputs& in) {
   to.now = {in.now};
   to.odometry.nominal = {{in.nominal}};
   to.odometry.min = {{in.min}};
@@ -150,12 +167,16 @@ void take_states(kernel::Inputs& to, const openevc_inputs& in) {
   to.odometry.V_min = {in.V_min};
   to.odometry.V_max = {in.V_max};
   to.odometry.A_est = {in.A_est};
+  if (!std::isnan(in.measured)) to.odometry.measured = Duration{in.measured};
   to.windows = Set<kernel::Window>::of_bits(in.open_windows);
   to.national_system.available = in.national_systems;
   to.national_system.trip_active = in.national_trip != 0;
   to.national_system.service_brake = in.national_service_brake != 0;
   to.national_system.emergency_brake = in.national_emergency_brake != 0;
   to.safety_fault = in.safety_fault != 0;
+  if (in.moved < OPENEVC_MOVEMENT_UNKNOWN || in.moved > OPENEVC_MOVED) return "inputs.moved: not an openevc_movement";
+  if (in.moved != OPENEVC_MOVEMENT_UNKNOWN) to.moved = in.moved == OPENEVC_MOVED;
+  return nullptr;
 }
 
 }  // namespace
@@ -163,10 +184,10 @@ void take_states(kernel::Inputs& to, const openevc_inputs& in) {
 openevc_result take_inputs(Cycle& cycle, const openevc_inputs* inputs, Why why) {
   openevc_inputs in;
   if (!take_struct(in, inputs)) return why.because(OPENEVC_BAD_ARGUMENT, "inputs: null, or its size is not set");
-  for (const char* wrong : {take_telegrams(cycle, in), take_loops(cycle, in), take_radio(cycle, in),
-                            take_signals(cycle.inputs.train, in), take_driver(cycle.inputs.driver, in)})
+  for (const char* wrong :
+       {take_telegrams(cycle, in), take_loops(cycle, in), take_radio(cycle, in), take_signals(cycle.inputs.train, in),
+        take_driver(cycle.inputs.driver, in), take_states(cycle.inputs, in)})
     if (wrong != nullptr) return why.because(OPENEVC_BAD_ARGUMENT, wrong);
-  take_states(cycle.inputs, in);
   return take_train_data(cycle, in, why);
 }
 

@@ -20,8 +20,8 @@ struct Cycle {
   std::optional<train::TrainData> train, external_train;
 };
 
-/// Anything but OPENEVC_OK: the reason is written to `why`. Throws std::bad_alloc, and only where the inputs have a text
-/// of train data.
+/// Anything but OPENEVC_OK: the reason is written to `why`. Throws std::bad_alloc, and only where the inputs have a
+/// text of train data.
 openevc_result take_inputs(Cycle& cycle, const openevc_inputs* inputs, Why why);
 
 }  // namespace evc::capi

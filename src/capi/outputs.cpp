@@ -11,12 +11,22 @@
 namespace evc::capi {
 namespace {
 
-static_assert(decltype(kernel::Outputs::sessions)::capacity() == OPENEVC_SESSIONS &&
-              decltype(kernel::Outputs::symbols)::capacity() == OPENEVC_SYMBOLS &&
-              decltype(kernel::Outputs::texts)::capacity() == OPENEVC_TEXTS &&
-              decltype(kernel::Outputs::radio_out)::capacity() == OPENEVC_RADIO_OUT &&
-              decltype(kernel::Outputs::events)::capacity() == OPENEVC_EVENTS &&
-              decltype(kernel::OutgoingMessage::bytes)::capacity() == sizeof openevc_radio_out{}.bytes);
+// There is room for all that the kernel gives.
+template <class List>
+constexpr std::size_t kRoom = List::capacity();
+static_assert(kRoom<decltype(kernel::Outputs::symbols)> == OPENEVC_SYMBOLS);
+static_assert(kRoom<decltype(kernel::Outputs::texts)> == OPENEVC_TEXTS);
+static_assert(kRoom<decltype(kernel::Outputs::radio_out)> == OPENEVC_RADIO_OUT);
+static_assert(kRoom<decltype(kernel::OutgoingMessage::bytes)> == sizeof openevc_radio_out{}.bytes);
+static_assert(kRoom<decltype(kernel::Outputs::events)> == OPENEVC_EVENTS);
+static_assert(kRoom<decltype(kernel::Outputs::sessions)> == OPENEVC_SESSIONS);
+static_assert(kRoom<decltype(kernel::Outputs::status_texts)> == OPENEVC_STATUS_TEXTS);
+static_assert(kRoom<decltype(kernel::Outputs::track_conditions)> == OPENEVC_CONDITIONS);
+static_assert(kRoom<decltype(kernel::Outputs::ordered_areas)> == OPENEVC_AREAS);
+static_assert(kRoom<decltype(kernel::Outputs::ordered_platforms)> == OPENEVC_PLATFORMS);
+static_assert(sizeof openevc_text{}.characters == sizeof kernel::ShownText{}.characters);
+static_assert(sizeof openevc_event{}.text > texts::ShortText::kMost);
+static_assert(terms::index(StatusText::count) <= 64 && kLevels <= 8, "they are bits of a member");
 
 double of(const std::optional<Speed>& v) { return v ? v->si : kNone; }
 double of(const std::optional<Distance>& d) { return d ? d->si : kNone; }
@@ -39,22 +49,85 @@ void put(char (&to)[N], std::string_view text) {
   to[n] = '\0';
 }
 
-void give_lists(openevc_outputs& to, const kernel::Outputs& o) {
-  for (const Symbol symbol : o.symbols) put(to.symbols[to.symbols_count++], name(symbol));
+void give_texts(openevc_outputs& to, const kernel::Outputs& o) {
   for (const kernel::ShownText& text : o.texts) {
+    openevc_text_shown& shown = to.texts_shown[to.texts_count];
+    shown.since = text.since.si;
+    shown.important = text.important;
+    shown.acknowledge = text.acknowledge;
     openevc_text& t = to.texts[to.texts_count++];
     t.id = text.id;
     t.Q_TEXT = text.Q_TEXT ? *text.Q_TEXT : -1;
     t.length = text.length;
     std::memcpy(t.characters, text.characters.data(), text.length);
   }
+  for (const kernel::ShownStatus& status : o.status_texts) {
+    to.status_texts |= std::uint64_t{1} << terms::index(status.text);
+    openevc_status_shown& shown = to.statuses[to.statuses_count++];
+    shown.text = static_cast<std::int32_t>(status.text);
+    shown.since = status.since.si;
+  }
+}
+
+void give_radio(openevc_outputs& to, const kernel::Outputs& o) {
+  to.connect = of(o.radio_connect);
+  to.disconnect = of(o.radio_disconnect);
   for (const kernel::OutgoingMessage& message : o.radio_out) {
+    if (message.to) {
+      openevc_rbc& rbc = to.radio_out_to[to.radio_out_count];
+      rbc.given = 1;
+      rbc.NID_C = message.to->NID_C;
+      rbc.NID_RBC = message.to->NID_RBC;
+    }
     openevc_radio_out& m = to.radio_out[to.radio_out_count++];
     m.size = static_cast<std::uint32_t>(message.bytes.size());
     std::memcpy(m.bytes, message.bytes.begin(), message.bytes.size());
   }
-  static_assert(sizeof openevc_event{}.text > texts::ShortText::kMost);
-  for (const kernel::Event& event : o.events) put(to.events[to.events_count++].text, texts::line_of(event).view());
+  for (const kernel::RbcSession& session : o.sessions) {
+    to.sessions_role[to.sessions_count] = static_cast<std::int32_t>(session.role);
+    openevc_session& its = to.sessions[to.sessions_count++];
+    its.NID_C = session.NID_C;
+    its.NID_RBC = session.NID_RBC;
+    its.phase = static_cast<std::int32_t>(session.phase);
+  }
+}
+
+/// Track conditions for the driver (5.18) and orders for the train (5.20).
+void give_conditions(openevc_outputs& to, const kernel::Outputs& o) {
+  for (const kernel::ShownCondition& condition : o.track_conditions) {
+    openevc_condition& c = to.conditions[to.conditions_count++];
+    put(c.symbol, name(condition.symbol));
+    c.kind = condition.kind ? static_cast<std::int32_t>(*condition.kind) : -1;
+    c.phase = static_cast<std::int32_t>(condition.phase);
+    c.from = condition.from.from_origin.si;
+    c.to = condition.to.from_origin.si;
+  }
+  for (const kernel::OrderedArea& area : o.ordered_areas) {
+    openevc_area& a = to.areas[to.areas_count++];
+    a.kind = static_cast<std::int32_t>(area.kind);
+    a.to_start = of(area.to_start);
+    a.to_end = area.to_end.si;
+  }
+  for (const kernel::OrderedPlatform& platform : o.ordered_platforms) {
+    openevc_platform& p = to.platforms[to.platforms_count++];
+    p.to_start = of(platform.to_start);
+    p.to_end = platform.to_end.si;
+    p.M_PLATFORM = platform.M_PLATFORM;
+    p.Q_PLATFORM = platform.Q_PLATFORM;
+  }
+  if (o.ordered_traction) {
+    to.traction.given = 1;
+    to.traction.M_VOLTAGE = o.ordered_traction->M_VOLTAGE;
+    to.traction.NID_CTRACTION = o.ordered_traction->NID_CTRACTION;
+    to.traction.to_start = o.ordered_traction->to_start.si;
+  }
+  if (o.ordered_current) {
+    to.current.given = 1;
+    to.current.amperes = o.ordered_current->amperes ? *o.ordered_current->amperes : -1;
+    to.current.to_start = o.ordered_current->to_start.si;
+  }
+  to.sound_horn = o.sound_horn;
+  to.remote_shunting = o.remote_shunting;
 }
 
 /// For a member of 32 bits.
@@ -64,7 +137,7 @@ std::uint32_t bits_32(Set<E> set) {
   return static_cast<std::uint32_t>(set.bits());
 }
 
-/// What the driver is shown beside symbols and texts.
+/// Single values that came later.
 void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.V_I = of(o.V_I);
   to.TTI = o.TTI ? o.TTI->si : kNone;
@@ -74,14 +147,10 @@ void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.rv_left = of(o.rv_left);
   to.MRDT_changed = o.MRDT_changed;
   to.level_valid = o.level_valid;
-  static_assert(kLevels <= 8);
   to.levels_allowed = static_cast<std::uint8_t>(o.levels_allowed.bits());
   to.memo_status = o.memo_status ? static_cast<std::int32_t>(*o.memo_status) : -1;
   to.trip_reason = o.trip_reason ? static_cast<std::int32_t>(*o.trip_reason) : -1;
-  for (const kernel::ShownStatus& shown : o.status_texts) to.status_texts |= std::uint64_t{1} << int(shown.text);
   to.enabled = o.enabled.bits();
-  for (const kernel::RbcSession& session : o.sessions)
-    to.sessions[to.sessions_count++] = {session.NID_C, session.NID_RBC, static_cast<std::int32_t>(session.phase)};
 }
 
 }  // namespace
@@ -117,10 +186,12 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   to.requests = bits_32(o.requests);
   to.entries = bits_32(o.entries);
   to.brake_causes = o.brake_reasons.bits();
-  to.connect = of(o.radio_connect);
-  to.disconnect = of(o.radio_disconnect);
-  give_lists(to, o);
+  for (const Symbol symbol : o.symbols) put(to.symbols[to.symbols_count++], name(symbol));
+  for (const kernel::Event& event : o.events) put(to.events[to.events_count++].text, texts::line_of(event).view());
   give_second_edition(to, o);
+  give_texts(to, o);
+  give_radio(to, o);
+  give_conditions(to, o);
 }
 
 }  // namespace evc::capi

@@ -45,7 +45,7 @@ openevc_result openevc_power_up(void* memory, size_t memory_size, const char* co
     if (!read) return why.because(OPENEVC_REFUSED, read.error().text());
     auto& u = *new (memory) openevc_unit;
     kernel::Config config = read->for_kernel();
-    config.terminals = 1;  // its messages do not name their RBC
+    config.terminals = read->terminals.value_or(1);
     kernel::power_up(u.unit, config);
     u.tag = openevc_unit::kTag;
     *unit = &u;
@@ -60,7 +60,7 @@ openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) noexce
   in.powered = signals.powered;
   in.direction = 1;
   in.regenerative_brake_active = in.eddy_current_brake_active = in.magnetic_shoe_brake_active = in.ep_brake_active = 1;
-  in.brake_pressure_kpa = in.length_confirmed = evc::capi::kNone;
+  in.brake_pressure_kpa = in.length_confirmed = in.measured = evc::capi::kNone;
   in.size = size;
   std::memcpy(inputs, &in, size < sizeof in ? size : sizeof in);
   return OPENEVC_OK;

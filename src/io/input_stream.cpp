@@ -315,7 +315,7 @@ kernel::Config Configuration::for_kernel() const {
   config.L_engine = L_engine;
   config.levels = levels;
   config.identity = identity;
-  config.terminals = terminals;
+  config.terminals = terminals.value_or(config.terminals);
   return config;
 }
 

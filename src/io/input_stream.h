@@ -23,8 +23,8 @@ struct Configuration {
   std::array<bool, kLevels> levels{true, true, true, true, true};
   Distance L_engine = kernel::Config{}.L_engine;
   port::Identity identity;
-  std::uint8_t terminals = 2;
-  std::string document = "{}";  // as read, on one line
+  std::optional<std::uint8_t> terminals = std::nullopt;  // as given
+  std::string document = "{}";                           // as read, on one line
 
   kernel::Config for_kernel() const;
 };

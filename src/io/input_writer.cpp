@@ -247,7 +247,7 @@ std::string configuration_document(const Configuration& c) {
     out += std::string(first ? "\"" : ",\"") + name(static_cast<Level>(n)) + "\"";
     first = false;
   }
-  return out + (c.terminals == 2 ? "]}" : "],\"terminals\":" + std::to_string(c.terminals) + '}');
+  return out + (c.terminals ? "],\"terminals\":" + std::to_string(*c.terminals) + '}' : "]}");
 }
 
 }  // namespace evc::io

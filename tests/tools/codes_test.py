@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 HEADER = (ROOT / "include/openevc/openevc.h").read_text(encoding="utf-8")
 # Enumerators that nothing in the kernel has.
 OF_C_ALONE = {"openevc_result": None,  # all
+              "openevc_movement": None,
               "openevc_entry": {"OPENEVC_ENTRY_SR_SPEED", "OPENEVC_ENTRY_SR_DISTANCE"}}
 NUMBERED = re.compile(r"\b(OPENEVC_\w+) = (\d+)")
 

@@ -1,0 +1,243 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "capi/inputs.h"
+#include "capi/outputs.h"
+#include "openevc/evc.h"
+#include "openevc/openevc.h"
+
+// The members of C one by one, with those of the kernel (tools/check_ports.py: there is one for each).
+namespace evc::capi {
+namespace {
+
+openevc_inputs defaults() {
+  openevc_inputs in;
+  EXPECT_EQ(openevc_inputs_init(&in, sizeof in), OPENEVC_OK);
+  return in;
+}
+
+class Taken {
+ public:
+  explicit Taken(const openevc_inputs& in) : cycle_(std::make_unique<Cycle>()) {
+    EXPECT_EQ(take_inputs(*cycle_, &in, {why_, sizeof why_}), OPENEVC_OK) << why_;
+  }
+  const kernel::Inputs& operator*() const { return cycle_->inputs; }
+  const kernel::Inputs* operator->() const { return &cycle_->inputs; }
+
+ private:
+  char why_[256] = "";
+  std::unique_ptr<Cycle> cycle_;
+};
+
+TEST(CInputs, WithoutAWordTheyAreTheKernelsDefaults) {
+  const Taken taken(defaults());
+  EXPECT_FALSE(taken->odometry.measured.has_value());
+  EXPECT_FALSE(taken->radio_link_with.has_value());
+  EXPECT_FALSE(taken->moved.has_value());
+  EXPECT_FALSE(taken->train.brake_pressure_kpa.has_value());
+  EXPECT_FALSE(taken->train.length_confirmed.has_value());
+  EXPECT_EQ(taken->radio_link, RadioLink::unchanged);
+  EXPECT_EQ(taken->train.direction_controller, kernel::DirectionController::forward);
+  EXPECT_TRUE(taken->train.powered && taken->train.ep_brake_active && taken->windows.empty());
+  EXPECT_EQ(taken->national_system, kernel::NationalSystem{});
+}
+
+TEST(CInputs, TimesOfOdometerAndBalises) {
+  openevc_inputs in = defaults();
+  in.now = 5.0;
+  in.measured = 4.75;
+  const std::uint8_t bytes[] = {0x90};
+  const openevc_telegram telegrams[] = {{bytes, 8, 0, 11.0}, {bytes, 7, 0, 12.0}};
+  in.telegrams = telegrams;
+  in.telegrams_count = 2;
+  EXPECT_FALSE(Taken(in)->balise_telegrams[1].passed.has_value());
+  const double passed[] = {std::nan(""), 4.5};
+  in.telegrams_passed = passed;
+  const Taken taken(in);
+  EXPECT_EQ(taken->now, Duration{5.0});
+  EXPECT_EQ(taken->odometry.measured, Duration{4.75});
+  ASSERT_EQ(taken->balise_telegrams.size(), 2u);
+  EXPECT_FALSE(taken->balise_telegrams[0].passed.has_value());
+  EXPECT_EQ(taken->balise_telegrams[0].at.from_origin.si, 11.0);
+  EXPECT_EQ(taken->balise_telegrams[1].passed, Duration{4.5});
+  EXPECT_EQ(taken->balise_telegrams[1].bits, 7u);
+  EXPECT_EQ(taken->balise_telegrams[1].bytes.size(), 1u);
+}
+
+TEST(CInputs, TheRbcOfMessagesAndReports) {
+  openevc_inputs in = defaults();
+  const std::uint8_t bytes[] = {0x20, 0x21};
+  const openevc_message messages[] = {{bytes, 2}, {bytes, 1}};
+  in.radio = messages;
+  in.radio_count = 2;
+  in.link = OPENEVC_LINK_LOST;
+  EXPECT_FALSE(Taken(in)->radio_messages[1].from.has_value());
+  const openevc_rbc from[] = {{0, 9, 9, 0}, {1, 3, 4, 0}};
+  in.radio_from = from;
+  in.link_with = {1, 5, 6, 0};
+  const Taken taken(in);
+  ASSERT_EQ(taken->radio_messages.size(), 2u);
+  EXPECT_FALSE(taken->radio_messages[0].from.has_value());
+  EXPECT_EQ(taken->radio_messages[1].from, (kernel::RbcIdentity{3, 4}));
+  EXPECT_EQ(taken->radio_link, RadioLink::lost);
+  EXPECT_EQ(taken->radio_link_with, (kernel::RbcIdentity{5, 6}));
+}
+
+TEST(CInputs, ColdMovement) {
+  openevc_inputs in = defaults();
+  in.moved = OPENEVC_NOT_MOVED;
+  EXPECT_EQ(Taken(in)->moved, false);
+  in.moved = OPENEVC_MOVED;
+  EXPECT_EQ(Taken(in)->moved, true);
+  in.moved = OPENEVC_MOVED + 1;
+  Cycle cycle;
+  char why[64] = "";
+  EXPECT_EQ(take_inputs(cycle, &in, {why, sizeof why}), OPENEVC_BAD_ARGUMENT);
+  EXPECT_STREQ(why, "inputs.moved: not an openevc_movement");
+}
+
+/// A program with the header before `measured`.
+TEST(CInputs, OfAnOlderHeader) {
+  openevc_inputs in = defaults();
+  in.measured = 1.0;
+  in.link_with.given = 1;
+  in.moved = OPENEVC_MOVED;
+  in.size = offsetof(openevc_inputs, measured);
+  const Taken taken(in);
+  EXPECT_FALSE(taken->odometry.measured || taken->radio_link_with || taken->moved);
+}
+
+std::unique_ptr<openevc_outputs> given(const kernel::Outputs& o) {
+  auto out = std::make_unique<openevc_outputs>();
+  give_outputs(*out, o);
+  return out;
+}
+
+TEST(COutputs, TextsAndHowTheyAreShown) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  kernel::ShownText text;
+  text.id = 7;
+  text.important = true;
+  text.since = {3.5};
+  text.length = 2;
+  text.characters[0] = 'a';
+  text.characters[1] = '\xE9';
+  ASSERT_TRUE(o->texts.push_back(text));
+  text.important = false;
+  text.acknowledge = true;
+  text.since = {4.0};
+  text.Q_TEXT = 1;
+  ASSERT_TRUE(o->texts.push_back(text));
+  ASSERT_TRUE(o->status_texts.push_back({StatusText{3}, {9.0}}));
+  ASSERT_TRUE(o->status_texts.push_back({StatusText{0}, {8.0}}));
+  const auto out = given(*o);
+  ASSERT_EQ(out->texts_count, 2u);
+  EXPECT_EQ(std::string(out->texts[0].characters, out->texts[0].characters + out->texts[0].length), "a\xE9");
+  EXPECT_EQ(out->texts[0].id, 7);
+  EXPECT_EQ(out->texts[0].Q_TEXT, -1);
+  EXPECT_EQ(out->texts[1].Q_TEXT, 1);
+  EXPECT_EQ(out->texts_shown[0].since, 3.5);
+  EXPECT_TRUE(out->texts_shown[0].important == 1 && out->texts_shown[0].acknowledge == 0);
+  EXPECT_TRUE(out->texts_shown[1].important == 0 && out->texts_shown[1].acknowledge == 1);
+  EXPECT_EQ(out->status_texts, 0b1001u);
+  ASSERT_EQ(out->statuses_count, 2u);
+  EXPECT_TRUE(out->statuses[0].text == 3 && out->statuses[0].since == 9.0);
+  EXPECT_TRUE(out->statuses[1].text == 0 && out->statuses[1].since == 8.0);
+}
+
+TEST(COutputs, RadioWithTwoRbcs) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  kernel::OutgoingMessage message;
+  ASSERT_TRUE(message.bytes.push_back(0x88));
+  ASSERT_TRUE(o->radio_out.push_back(message));
+  message.to = kernel::RbcIdentity{3, 4};
+  ASSERT_TRUE(o->radio_out.push_back(message));
+  ASSERT_TRUE(o->sessions.push_back({1, 2, SessionPhase::up, SessionRole::supervising}));
+  ASSERT_TRUE(o->sessions.push_back({3, 4, SessionPhase::connecting, SessionRole::accepting}));
+  o->radio_connect = kernel::RbcAddress{3, 4, 0x123F};
+  const auto out = given(*o);
+  ASSERT_EQ(out->radio_out_count, 2u);
+  EXPECT_TRUE(out->radio_out[1].size == 1 && out->radio_out[1].bytes[0] == 0x88);
+  EXPECT_EQ(out->radio_out_to[0].given, 0);
+  EXPECT_TRUE(out->radio_out_to[1].given == 1 && out->radio_out_to[1].NID_C == 3 && out->radio_out_to[1].NID_RBC == 4);
+  ASSERT_EQ(out->sessions_count, 2u);
+  EXPECT_TRUE(out->sessions[0].phase == OPENEVC_SESSION_UP && out->sessions_role[0] == OPENEVC_SUPERVISING);
+  EXPECT_TRUE(out->sessions[1].NID_C == 3 && out->sessions[1].NID_RBC == 4);
+  EXPECT_TRUE(out->sessions[1].phase == OPENEVC_SESSION_CONNECTING && out->sessions_role[1] == OPENEVC_ACCEPTING);
+  EXPECT_TRUE(out->connect.given == 1 && out->connect.NID_RADIO == 0x123F && out->disconnect.given == 0);
+}
+
+TEST(COutputs, TrackConditionsForTheDriver) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  ASSERT_TRUE(o->track_conditions.push_back(
+      {Symbol::TC10, TrackConditionKind::sound_horn, {{5.0}}, {{6.0}}, ConditionPhase::active}));
+  ASSERT_TRUE(o->track_conditions.push_back({Symbol::TC23, std::nullopt, {{7.0}}, {{7.0}}, ConditionPhase::announced}));
+  o->sound_horn = true;
+  const auto out = given(*o);
+  ASSERT_EQ(out->conditions_count, 2u);
+  EXPECT_STREQ(out->conditions[0].symbol, "TC10");
+  EXPECT_EQ(out->conditions[0].kind, OPENEVC_SOUND_HORN);
+  EXPECT_EQ(out->conditions[0].phase, OPENEVC_CONDITION_ACTIVE);
+  EXPECT_TRUE(out->conditions[0].from == 5.0 && out->conditions[0].to == 6.0);
+  EXPECT_EQ(out->conditions[1].kind, -1);
+  EXPECT_EQ(out->conditions[1].phase, OPENEVC_CONDITION_ANNOUNCED);
+  EXPECT_TRUE(out->sound_horn == 1 && out->remote_shunting == 0);
+}
+
+TEST(COutputs, OrdersForTheTrain) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  ASSERT_TRUE(o->ordered_areas.push_back({TrackConditionKind::air_tightness, Distance{-3.0}, {40.0}}));
+  ASSERT_TRUE(o->ordered_areas.push_back({TrackConditionKind::powerless_main_switch_off, std::nullopt, {-1.0}}));
+  ASSERT_TRUE(o->ordered_platforms.push_back({Distance{10.0}, {210.0}, 4, 2}));
+  o->ordered_traction = kernel::OrderedTraction{{500.0}, 3, 17};
+  o->ordered_current = kernel::OrderedCurrent{{600.0}, 250};
+  o->remote_shunting = true;
+  const auto out = given(*o);
+  ASSERT_EQ(out->areas_count, 2u);
+  EXPECT_EQ(out->areas[0].kind, OPENEVC_AIR_TIGHTNESS);
+  EXPECT_TRUE(out->areas[0].to_start == -3.0 && out->areas[0].to_end == 40.0);
+  EXPECT_EQ(out->areas[1].kind, OPENEVC_POWERLESS_MAIN_SWITCH_OFF);
+  EXPECT_TRUE(std::isnan(out->areas[1].to_start) && out->areas[1].to_end == -1.0);
+  ASSERT_EQ(out->platforms_count, 1u);
+  EXPECT_TRUE(out->platforms[0].to_start == 10.0 && out->platforms[0].to_end == 210.0);
+  EXPECT_TRUE(out->platforms[0].M_PLATFORM == 4 && out->platforms[0].Q_PLATFORM == 2);
+  EXPECT_TRUE(out->traction.given == 1 && out->traction.M_VOLTAGE == 3 && out->traction.NID_CTRACTION == 17);
+  EXPECT_EQ(out->traction.to_start, 500.0);
+  EXPECT_TRUE(out->current.given == 1 && out->current.amperes == 250 && out->current.to_start == 600.0);
+  EXPECT_TRUE(out->remote_shunting == 1 && out->sound_horn == 0);
+  o->ordered_current->amperes.reset();
+  o->ordered_traction.reset();
+  EXPECT_EQ(given(*o)->current.amperes, -1);
+  EXPECT_EQ(given(*o)->traction.given, 0);
+}
+
+/// Every list is full: nothing is left out, and nothing is written beyond it.
+TEST(COutputs, FullLists) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  while (o->symbols.grow() != nullptr) o->symbols.back() = Symbol::MO07;
+  while (o->events.grow() != nullptr) o->events.back() = {};
+  while (o->texts.grow() != nullptr) o->texts.back() = {};
+  while (o->radio_out.grow() != nullptr) o->radio_out.back() = {};
+  while (o->sessions.grow() != nullptr) o->sessions.back() = {};
+  while (o->status_texts.grow() != nullptr) o->status_texts.back() = {};
+  while (o->track_conditions.grow() != nullptr) o->track_conditions.back() = {};
+  while (o->ordered_areas.grow() != nullptr) o->ordered_areas.back() = {};
+  while (o->ordered_platforms.grow() != nullptr) o->ordered_platforms.back() = {};
+  const auto out = given(*o);
+  EXPECT_EQ(out->symbols_count, 32u);
+  EXPECT_EQ(out->events_count, 96u);
+  EXPECT_EQ(out->texts_count, 6u);
+  EXPECT_EQ(out->radio_out_count, 24u);
+  EXPECT_EQ(out->sessions_count, 2u);
+  EXPECT_EQ(out->statuses_count, 20u);
+  EXPECT_EQ(out->conditions_count, 49u);
+  EXPECT_EQ(out->areas_count, 48u);
+  EXPECT_EQ(out->platforms_count, 40u);
+}
+
+}  // namespace
+}  // namespace evc::capi
