@@ -5,7 +5,7 @@
 ///     evc::sdm::Inputs in;                       // train, national values, track, target
 ///     auto derived = std::make_unique<evc::sdm::Derived>();
 ///     evc::sdm::rebuild(*derived, in);           // curves
-///     auto row = evc::sdm::explain(*derived, derived->targets.back(), V, V_ura, A_est);
+///     auto row = evc::sdm::explain(*derived, in, derived->targets.back(), V, V_ura, A_est);
 ///
 /// Units are SI; places are metres along the line in running direction.
 #include <optional>

@@ -4,8 +4,10 @@
 ///
 ///     const auto telegram = evc::language::bits_of_hex("...");
 ///     const auto text = evc::language::decode(telegram.bytes, telegram.size, {});
-///     if (text.error) ...                               // where, and why
-///     else use(text.json);
+///     if (text.error)
+///       refuse(text.error->bit, text.error->why);
+///     else
+///       use(text.json);
 ///
 /// Values are raw codes, members are in the order of SUBSET-026-7, counters of repeated groups are left out. Bits that
 /// are decoded and encoded again are the same bits. No state: every function may be called from any thread. Throws

@@ -8,12 +8,12 @@
  *   is used by one thread at a time, different objects at the same time. To delete an object, free its memory.
  * - No exception is thrown. A function that can fail returns an `openevc_result` and, if `why` is not null, writes the
  *   error there: text in UTF-8, ended by a zero, cut to `why_size` bytes.
- * - The first member of a struct is its size, set by the caller (openevc_inputs_init, openevc_distances d = {sizeof
- * d}): a program compiled with an older header continues to work with a newer library, which neither reads nor writes
- *   beyond that size.
+ * - The first member of a struct that a function takes is its size, set by the caller (openevc_inputs_init sets it, or
+ *   `out.size = sizeof out`): a program compiled with an older header continues to work with a newer library, which
+ *   neither reads nor writes beyond that size.
  * - Units are metres, seconds, m/s, m/s2. A number that does not exist is not a number (isnan).
- * - A member with the name of a variable of SUBSET-026-7 has its codes (NID_C, Q_TEXT, ...); modes and the states of
- * the unit have the numbers of the enumerations below.
+ * - A member with the name of a variable of SUBSET-026-7 has its codes (NID_C, Q_TEXT, ...); modes and states of the
+ *   unit have the numbers of the enumerations below.
  */
 /* NOLINTBEGIN(modernize-deprecated-headers, modernize-use-using): C reads this too. */
 #include <stddef.h>
