@@ -1,4 +1,4 @@
-"""The code in the comment at the head of each public header compiles."""
+"""What public headers and the page on embedding say: their code compiles, their sizes are right."""
 import os
 import pathlib
 import re
@@ -22,11 +22,12 @@ def snippet(header):
     return "\n".join(re.findall(r"^///     (.*)$", header.read_text(encoding="utf-8"), re.M))
 
 
-def errors(header, code):
+def errors(header, code, more=""):
     compiler = next(c for c in (os.environ.get("CXX"), "g++", "clang++-14", "c++") if c and shutil.which(c))
-    program = f"#include <openevc/{header.name}>\n#include <memory>\n#include <string>\nvoid reader({GIVEN[header.name]}) {{\n{code}\n}}\n"
-    done = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-but-set-variable",
-                           "-x", "c++", "-I", ROOT / "include", "-"], input=program, capture_output=True, text=True)
+    program = (f"#include <openevc/{header.name}>\n{more}#include <memory>\n#include <string>\n"
+               f"void reader({GIVEN[header.name]}) {{\n{code}\n}}\n")
+    done = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable",
+                           "-Wno-unused-but-set-variable", "-Wno-unused-parameter", "-x", "c++", "-I", ROOT / "include", "-"], input=program, capture_output=True, text=True)
     return done.stderr
 
 
@@ -47,6 +48,14 @@ class Snippets(unittest.TestCase):
         comments = " ".join(re.findall(r"/\*.*?\*/", text, re.S))
         missing = {name for name in re.findall(r"\b(?:openevc|OPENEVC)_\w+", comments) if not re.search(rf"\b{name}\b", code)}
         self.assertEqual(missing, set())
+
+    def test_sizes_in_the_page_on_embedding(self):
+        page = (ROOT / "docs/embedding.md").read_text(encoding="utf-8")
+        types = {"Unit": "evc::kernel::Unit", "sdm::Derived": "evc::sdm::Derived", "openevc_outputs": "openevc_outputs"}
+        sizes = {name: re.search(rf"`{name}` (\d+) KiB", page)[1] for name in types}
+        code = "".join(f"static_assert((sizeof({type_}) + 512) / 1024 == {sizes[name]});" for name, type_ in types.items())
+        headers = "#include <openevc/curves.h>\n#include <openevc/openevc.h>\n"
+        self.assertEqual(errors(HEADERS / "evc.h", code, headers), "")
 
 
 if __name__ == "__main__":
