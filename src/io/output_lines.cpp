@@ -21,6 +21,10 @@ const char* name_or_null(E value) {
 
 void append_kmh(std::string& out, Speed v) { append_micro(out, v.si * 3.6); }
 void append_metres(std::string& out, OdometerPlace p) { append_micro(out, p.from_origin.si); }
+/// M_VERSION as "2.1".
+void append_version(std::string& out, std::uint8_t M_VERSION) {
+  out += std::to_string(M_VERSION >> 4) + '.' + std::to_string(M_VERSION & 15);
+}
 
 /// One row in either format: JSON has a key before each value and `null`, CSV a comma and an empty field.
 class OutputRow {
@@ -293,6 +297,9 @@ void append_second_values(OutputRow& row, const Outputs& o) {
   row.text("trip_reason", o.trip_reason ? name(*o.trip_reason) : nullptr);
   micro("geo_m", metres(o.geo));
   micro("rv_left_m", metres(o.rv_left));
+  std::string version;
+  append_version(version, o.M_VERSION);
+  row.text("version", version.c_str());
 }
 
 /// The keys of `select` and `enter` that are enabled, in the order of 4.7.2.
@@ -506,14 +513,14 @@ std::string trace_header() {
          "V_P,V_W,V_SBI,V_EBI,V_MRSP,V_target,d_target_m,V_release,EOA_m,SvL_m,tco,sb,eb,brake_reasons,driver.requests,"
          "driver.texts,driver.symbols,radio_out,radio_connect.NID_C,radio_connect.NID_RBC,radio_connect.NID_RADIO,"
          "radio_disconnect.NID_C,radio_disconnect.NID_RBC,radio_disconnect.NID_RADIO,events,V_I,tti_s,"
-         "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m\n";
+         "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m,version\n";
 }
 
 namespace {
 
 bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
   const bool values = a.LSSMA == b.LSSMA && a.MRDT_changed == b.MRDT_changed && a.memo_status == b.memo_status &&
-                      a.level_valid == b.level_valid && a.trip_reason == b.trip_reason;
+                      a.level_valid == b.level_valid && a.trip_reason == b.trip_reason && a.M_VERSION == b.M_VERSION;
   const bool lists = a.levels_allowed == b.levels_allowed && a.enabled == b.enabled &&
                      alike(a.texts, b.texts, [](const auto& t) { return t.acknowledge; }) &&
                      alike(a.status_texts, b.status_texts, [](const auto& s) { return s.text; }) &&

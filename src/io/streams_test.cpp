@@ -399,7 +399,8 @@ TEST(OutputLines, Json) {
       "\"radio_out\":[\"9B\"],\"radio_connect\":{\"NID_C\":426,\"NID_RBC\":1,\"NID_RADIO\":\"0031840880150FFF\"},"
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
       "[4.8.3]\"],\"V_I\":null,\"tti_s\":null,\"lssma_kmh\":null,\"mrdt_changed\":false,\"d_indication_m\":null,"
-      "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,"
+      "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,\"version\":"
+      "\"0.0\","
       "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[],\"track_conditions\":[],"
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
@@ -421,6 +422,7 @@ kernel::Outputs second_edition() {
   o.trip_reason = StatusText::SH_stop_order;
   o.geo = Distance{25000.0};
   o.rv_left = 80_m;
+  o.M_VERSION = 0x21;
   o.levels_allowed = {Level::L0, Level::L2};
   o.enabled = {DriverInput::adhesion, DriverInput::ack_OS, DriverInput::isolation};
   kernel::ShownText text;
@@ -454,7 +456,7 @@ TEST(OutputLines, SecondEdition) {
   const std::string expected =
       "\"V_I\":36,\"tti_s\":12.5,\"lssma_kmh\":72,\"mrdt_changed\":true,\"d_indication_m\":250.5,"
       "\"memo_status\":\"SB\",\"level_valid\":true,\"trip_reason\":\"SH stop order\",\"geo_m\":25000,"
-      "\"rv_left_m\":80,\"levels_allowed\":[\"0\",\"2\"],"
+      "\"rv_left_m\":80,\"version\":\"2.1\",\"levels_allowed\":[\"0\",\"2\"],"
       "\"enabled\":[\"slippery_rail\",\"adhesion_normal\",\"isolate\"],\"messages\":["
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
@@ -474,7 +476,7 @@ TEST(OutputLines, SecondEdition) {
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
   append_trace(row, 0, second_edition());
-  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80\n";
+  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1\n";
   ASSERT_GE(row.size(), end.size());
   EXPECT_EQ(row.substr(row.size() - end.size()), end);
 }
@@ -534,6 +536,7 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_TRUE(changed([](Out& o) { o.ordered_current.emplace(); }));
   EXPECT_TRUE(changed([](Out& o) { o.sound_horn = true; }));
   EXPECT_TRUE(changed([](Out& o) { o.remote_shunting = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.M_VERSION = 0x11; }));
   const auto moved = [](double to_start) {
     Out o;
     (void)o.ordered_areas.push_back({TrackConditionKind::powerless_lower_pantograph, Distance{to_start}, 500_m});

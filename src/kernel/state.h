@@ -36,12 +36,27 @@
 // The memory of the unit (State) and the data computed from it (Derived).
 namespace evc::kernel {
 
+/// The highest system version number X that the unit supports (6.4.2), operated until another one is determined
+/// (3.17.2.9.1). All from 1 on are supported.
+inline constexpr std::uint8_t kHighestX = 2;
+/// The operated system version as M_VERSION: of its number X the highest Y that the unit supports (3.17.2.1.1).
+constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>(X << 4 | 1u); }
+
+/// The countries or regions (NID_C) in which national values are applicable.
+using NationalAreas = InplaceVector<std::uint16_t, 32>;
+/// A set of national values as received (3.18.2.3). What it does not contain stays as it is (6.6.3.2.3 [1b], [2]).
+struct NationalSet {
+  train::NationalValues values;
+  NationalAreas areas;
+  bool of_X_2 = true;   ///< contains Q_NVLOCACC and V_NVLIMSUPERV
+  bool braking = true;  ///< contains the values for braking curves
+};
+
 /// National values that wait for their place (3.18.2.9).
 struct PendingNationalValues {
   Place from{};
   Anchor anchor{};
-  train::NationalValues values;
-  InplaceVector<std::uint16_t, 32> areas;
+  NationalSet set;
 };
 
 /// One set of information in the transition buffer (4.8.5): the bits as received, and the packets that are buffered.
@@ -148,8 +163,11 @@ struct State {
 
   train::TrainData train;
   Distance L_engine{};
+  std::uint8_t operated_X = kHighestX;  // operated system version, number X: kept without power (3.17.2.9)
   train::NationalValues national_values;
-  InplaceVector<std::uint16_t, 32> national_areas;
+  // Of the national values; empty: those of the configuration or defaults. Values that a set of X = 1 left as they were
+  // have areas of their own.
+  NationalAreas national_areas, national_areas_of_X_2, national_areas_of_braking;
   std::optional<PendingNationalValues> pending_national_values;
   DriverData data;
 

@@ -146,30 +146,6 @@ bool translate(const Packet3_v1_0& from, Packet3& to) {
   return true;
 }
 
-void append(Packet3& to, const Packet203& from) {
-  to.Q_NVGUIPERM = from.Q_NVGUIPERM;
-  to.Q_NVSBFBPERM = from.Q_NVSBFBPERM;
-  to.Q_NVINHSMICPERM = from.Q_NVINHSMICPERM;
-  to.A_NVMAXREDADH1 = from.A_NVMAXREDADH1;
-  to.A_NVMAXREDADH2 = from.A_NVMAXREDADH2;
-  to.A_NVMAXREDADH3 = from.A_NVMAXREDADH3;
-  to.M_NVAVADH = from.M_NVAVADH;
-  to.M_NVEBCL = from.M_NVEBCL;
-  to.Q_NVKINT = from.Q_NVKINT;
-  to.Q_NVKVINTSET = from.Q_NVKVINTSET;
-  to.A_NVP12 = from.A_NVP12;
-  to.A_NVP23 = from.A_NVP23;
-  to.V_NVKVINT = from.V_NVKVINT;
-  to.M_NVKVINT_A = from.M_NVKVINT_A;
-  to.M_NVKVINT_B = from.M_NVKVINT_B;
-  to.kv_steps = from.kv_steps;
-  to.kv_sets = from.kv_sets;
-  to.L_NVKRINT = from.L_NVKRINT;
-  to.M_NVKRINT = from.M_NVKRINT;
-  to.kr_steps = from.kr_steps;
-  to.M_NVKTINT = from.M_NVKTINT;
-}
-
 bool translate(const Packet27_v1_0& from, Packet27& to) {
   to.Q_DIR = from.Q_DIR;
   to.Q_SCALE = from.Q_SCALE;

@@ -3,7 +3,6 @@
 #include "lang/packets/packet_0.h"
 #include "lang/packets/packet_140.h"
 #include "lang/packets/packet_200.h"
-#include "lang/packets/packet_203.h"
 #include "lang/packets/packet_206.h"
 #include "lang/packets/packet_207.h"
 #include "lang/packets/packet_239.h"
@@ -57,8 +56,8 @@ EVC_OLDER_FORMS(Packet140, Packet140_v1_0)
 /// 6.6.3.2.3. False: a unit of X = 2 ignores the packet (exceptions 10 to 13).
 bool translate(const Packet200& from, Packet0& to);
 /// Q_NVSRBKTRG is used as Q_NVSBTSMPERM. V_NVLIMSUPERV and Q_NVLOCACC get their defaults (A.3.2; exception 1a), as do
-/// the values of packet 203, which append() sets. The receiver decides by `view.sv` whether stored values are kept
-/// instead (exceptions 1b and 2).
+/// the values of packet 203. The receiver reads packet 203 (exception 16) and keeps stored values (exceptions 1b and
+/// 2).
 bool translate(const Packet3_v1_0& from, Packet3& to);
 bool translate(const Packet27_v1_0& from, Packet27& to);
 bool translate(const Packet39_v1_0& from, Packet39& to);
@@ -74,9 +73,6 @@ bool translate(const Packet76_v1_0& from, Packet76& to);
 bool translate(const Packet79_v1_0& from, Packet79& to);
 bool translate(const Packet80_v1_0& from, Packet80& to);
 bool translate(const Packet140_v1_0& from, Packet140& to);
-
-/// Packet 203 appended to the packet 3 of the same message (6.6.3.2.3 exception 16).
-void append(Packet3& national_values, const Packet203& braking_curves);
 
 /// 6.6.3.4.5: messages to an RBC or RIU of X = 1. `M_LEVEL` 4 stays 4.
 TrainPacket0_v1_0 for_version_1(const TrainPacket0& from);

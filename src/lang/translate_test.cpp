@@ -95,14 +95,6 @@ TEST(Translate, NationalValues) {
   EXPECT_EQ(p.Q_NVLOCACC.raw, 12);
   EXPECT_EQ(p.M_NVEBCL.raw, 9);
   EXPECT_EQ(p.Q_NVKINT.raw, 0);
-  Packet203 curves;
-  curves.Q_NVKINT.raw = 1;
-  curves.M_NVKTINT.raw = 20;
-  (void)curves.kr_steps.push_back({{5}, {19}});
-  append(p, curves);
-  EXPECT_EQ(p.Q_NVKINT.raw, 1);
-  EXPECT_EQ(p.M_NVKTINT.raw, 20);
-  EXPECT_EQ(p.kr_steps.size(), 1u);
   EXPECT_EQ(p.V_NVSTFF.raw, 8);
   // Values for no country.
   old.areas.clear();

@@ -72,7 +72,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::targets_lost, "supervision", Takes::nothing, "too many targets: kept on the safe side"},
     {What::no_deceleration, "supervision", Takes::nothing, "no deceleration before a target"},
 
-    // Session, national values.
+    // Session, national values, system version.
     {What::session_ordered, "session", Takes::nothing, "ordered"},
     {What::session_termination_ordered, "session", Takes::nothing, "termination ordered"},
     {What::session_established, "session", Takes::nothing, "established"},
@@ -81,6 +81,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::rbc_handed_over, "RBC handover", Takes::id, "supervises"},
     {What::national_values_in_force, "national values", Takes::nothing, "in force"},
     {What::national_values_default, "national values", Takes::nothing, "defaults"},
+    {What::version_operated, "system version", Takes::version, "operated"},
 
     // Modes, levels, procedures.
     {What::mode_changed, "mode", Takes::modes, nullptr},
@@ -143,6 +144,11 @@ void add_numbers(ShortText& line, const port::Event& e, Takes takes) {
       return word(words_of(static_cast<port::Select>(e.id)));
     case Takes::entered:
       return word(words_of(static_cast<port::Entered>(e.id)));
+    case Takes::version:  // M_VERSION
+      line.add(" ");
+      line.add(std::int64_t{e.id >> 4});
+      line.add(".");
+      return line.add(std::int64_t{e.id & 15});
     case Takes::fault:
       return word(name(static_cast<train::Fault>(e.id)));
   }

@@ -24,6 +24,7 @@ enum class Takes : std::uint8_t {
   levels,   ///< `from` and `to` are levels
   select,   ///< `id` is a Select
   entered,  ///< `id` is an Entered
+  version,  ///< `id` is an M_VERSION
   fault     ///< `id` is a train::Fault
 };
 /// How an event is printed: "SUBJECT id from->to text [clause]".

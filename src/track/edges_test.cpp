@@ -389,7 +389,7 @@ TEST(Texts, One_that_ended_is_marked_as_such) {
   text.end_at = at(50);
   ASSERT_TRUE(d.texts.push_back(text));
   TextReports reports;
-  EXPECT_TRUE(show_texts(d, front_at(100), Mode::FS, Level::L2, 0, 0, reports).shown.empty());
+  EXPECT_TRUE(show_texts(d, front_at(100), Mode::FS, Level::L2, 0, {}, reports).shown.empty());
   EXPECT_EQ(d.texts[0].state, Text::State::ended);
 }
 

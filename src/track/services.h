@@ -109,9 +109,13 @@ struct TextReport {
   std::uint16_t NID_C = 0, NID_RBC = 0;
 };
 using TextReports = InplaceVector<TextReport, 6>;
-/// Updates the texts, once per cycle. `NID_NTC` is used in level NTC. `acknowledged`: id of the
-/// text that the driver acknowledged now, 0 none. `reports`: those that are due now are added.
+/// What the driver acknowledged now, and what an acknowledgement does.
+struct TextAcknowledgement {
+  std::uint8_t id = 0;       ///< of the text, 0 none
+  bool always_ends = false;  ///< whatever the text says: X = 1 is operated (6.6.2.1.1)
+};
+/// Updates the texts, once per cycle. `NID_NTC` is used in level NTC. `reports`: those that are due now are added.
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
-                       std::uint8_t acknowledged, TextReports& reports);
+                       TextAcknowledgement acknowledgement, TextReports& reports);
 
 }  // namespace evc::track

@@ -61,7 +61,7 @@ bool ends(Text& t, const Moment& s) {
 }  // namespace
 
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
-                       std::uint8_t acknowledged, TextReports& reports) {
+                       TextAcknowledgement acknowledgement, TextReports& reports) {
   const Moment s{here.est_front, here.now, mode, level, NID_NTC};
   TextDisplay display;
   for (Text& t : d.texts) {
@@ -73,14 +73,15 @@ TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level,
     }
     if (t.state != Text::State::shown) continue;
     const bool confirm = t.Q_TEXTCONFIRM != 0;
-    if (confirm && acknowledged == t.id && !t.acknowledged) {
+    if (confirm && acknowledgement.id == t.id && !t.acknowledged) {
       t.acknowledged = true;
       if (t.report)
         (void)reports.push_back({t.NID_TEXTMESSAGE, t.NID_C, t.NID_RBC});  // at most one per stored text: it fits
     }
     const bool end = ends(t, s);
     const bool waits = confirm && !t.acknowledged;
-    const bool over = confirm ? (t.ack_and_end ? t.acknowledged && end : t.acknowledged) : end;
+    const bool with_end = t.ack_and_end && !acknowledgement.always_ends;
+    const bool over = confirm ? t.acknowledged && (end || !with_end) : end;
     if (over) {
       t.state = Text::State::ended;
       continue;

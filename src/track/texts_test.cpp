@@ -10,6 +10,7 @@ using namespace testing;
 struct Display {
   Description d;
   TextReports reports;
+  bool always_ends = false;  // X = 1 is operated
   explicit Display(Text t) {
     t.id = 7;
     if (!d.texts.push_back(t)) __builtin_trap();
@@ -19,7 +20,7 @@ struct Display {
     Here here = front_at(front);
     here.now = Duration{now};
     reports.clear();
-    return show_texts(d, here, mode, level, ntc, acknowledged, reports);
+    return show_texts(d, here, mode, level, ntc, {acknowledged, always_ends}, reports);
   }
   bool shown(double front, double now, Mode mode = Mode::FS, Level level = Level::L2, std::uint8_t ntc = 0) {
     return !run(front, now, mode, level, ntc).shown.empty();
@@ -160,6 +161,10 @@ TEST(Texts, AcknowledgementAndEnd) {  // Q_CONFTEXTDISPLAY
   EXPECT_TRUE(x.reports.empty());
   EXPECT_TRUE(x.run(0, 1).to_acknowledge.empty());
   EXPECT_TRUE(x.run(100, 2).shown.empty());
+  Display y{t};
+  y.always_ends = true;  // 6.6.2.1.1
+  EXPECT_EQ(y.run(0, 0).shown.size(), 1u);
+  EXPECT_TRUE(y.run(0, 1, Mode::FS, Level::L2, 0, 7).shown.empty());
 }
 
 }  // namespace

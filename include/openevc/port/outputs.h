@@ -135,6 +135,7 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   std::optional<StatusText> trip_reason;  // in TR and PT (4.4.13.1.3)
   std::optional<Distance> geo;            // geographical position of the estimated front end (3.6.6)
   std::optional<Distance> rv_left;        // in RV: what is left of the distance to run (3.15.4); absent: infinite
+  std::uint8_t M_VERSION = 0;             // operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3
   Set<DriverInput> enabled;               // what the driver may do in the next cycle (4.7.2)
   InplaceVector<ShownStatus, 20> status_texts;  // shown now; trackside texts are `texts`
   InplaceVector<RbcSession, 2> sessions;        // not those that are idle

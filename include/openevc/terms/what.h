@@ -70,7 +70,7 @@ enum class What : std::uint8_t {
   targets_lost,
   no_deceleration,
 
-  // Session, national values.
+  // Session, national values, system version.
   session_ordered,
   session_termination_ordered,
   session_established,
@@ -79,6 +79,7 @@ enum class What : std::uint8_t {
   rbc_handed_over,
   national_values_in_force,
   national_values_default,
+  version_operated,  ///< `id` is the M_VERSION that is operated from now on
 
   // Modes, levels, procedures.
   mode_changed,  ///< `id` is the number of the condition of 4.6.3

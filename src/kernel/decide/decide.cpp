@@ -46,7 +46,7 @@ procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) 
   f.stop_if_in_SR = r.stop_if_in_SR;
   f.group_passed_not_in_SH_list = r.group_passed_not_in_SH_list;
   f.group_passed_not_in_SR_list = r.group_passed_not_in_SR_list;
-  f.group_passed_in_SR_list = r.group_passed_in_SR_list;
+  f.group_passed_in_SR_list = r.group_passed_in_SR_list && s.operated_X != 1;  // 6.6.2.2.2: not with X = 1
   f.ues_accepted = r.ues_accepted;
   f.ues_received = r.ues_received || s.emergency_stops.unconditional_pending();
   f.T_NVCONTACT_trip = s.contact_trip;
@@ -78,8 +78,9 @@ void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Dec
 /// Texts of packets 72 and 76 (3.12.3).
 void run_texts(State& s, bool acknowledges, Decided& out) {
   const std::uint8_t acknowledged = acknowledges && !s.texts_to_acknowledge.empty() ? s.texts_to_acknowledge[0] : 0;
-  out.texts =
-      track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledged, out.texts_to_report);
+  const track::TextAcknowledgement acknowledgement{acknowledged, s.operated_X == 1};
+  out.texts = track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledgement,
+                                out.texts_to_report);
   s.texts_to_acknowledge = out.texts.to_acknowledge;
   out.effects.requests.add(Ack::text, !out.texts.to_acknowledge.empty());
   out.asked.add(brakes::Cause::text_service, out.texts.service_brake);

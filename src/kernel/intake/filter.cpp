@@ -6,6 +6,7 @@
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
 #include "kernel/intake/shortening.h"
+#include "kernel/intake/system_version.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_131.h"
 #include "lang/packets/packet_136.h"
@@ -235,6 +236,7 @@ void tell_message(Evaluation& e) {
 
 void evaluate_part(Evaluation& e) {
   evaluate_level_orders(e);
+  if (!e.contents.infill) determine_version(e);
   evaluate_linking(e, e.contents.infill.has_value());
   // The order is judged first (4.8.1.3); its border is a location, placed after linking (4.8.1.6).
   if (e.level_order) place_border(e.r, e.information.packets[*e.level_order], e.reference, anchor_of(e));

@@ -4,6 +4,7 @@
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/national_values.h"
+#include "kernel/intake/system_version.h"
 #include "modes/active_functions.h"
 #include "protection/authority.h"
 #include "track/relocate.h"
@@ -156,6 +157,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   State& s = r.state;
   check_group_at_EOA(r, group);
   if (!group.accepted) return;
+  const bool other_country = in_another_country(s, group.id.NID_C);
   // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
   leave_area(r, group.id.NID_C);
   const position::Reference& reference = locate(r, group);
@@ -178,6 +180,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = group.first_passed;
   information.repositioning = group.repositioning;
+  information.version = GroupVersion{group.X, other_country};
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);

@@ -221,7 +221,7 @@ TEST_F(Groups, DataOfAnUnlinkedOneMoveWithTheNextLRBG) {  // 3.6.4.2.5, 3.6.4.3
     state.anchors = {};
     state.anchors.add(anchor, anchor != Anchor::lrbg);
     state.level_transition.pending = modes::PendingTransition{{Level::L2, 0}, at(1500.0), anchor};
-    state.pending_national_values = {at(1600.0), anchor, {}, {}};
+    state.pending_national_values = {at(1600.0), anchor, {}};
     state.buffer.clear();
     for (const Anchor of : {anchor, Anchor::lrbg}) {
       BufferedSet& set = *state.buffer.grow();

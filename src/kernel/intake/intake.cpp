@@ -8,6 +8,7 @@
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/radio_messages.h"
 #include "kernel/intake/reception.h"
+#include "kernel/intake/system_version.h"
 #include "kernel/stored.h"
 #include "track/services.h"
 #include "track/withdraw.h"
@@ -98,6 +99,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   if (can_go_on) update_position(s, in);
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);
+  operate_version_of_rbc(r, s.level.level);  // beyond the border between two RBCs
   change_rbc(r);
   receive_driver(r);
   receive_external_train_data(r);

@@ -3,6 +3,7 @@
 #include "kernel/driver_inputs.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
+#include "kernel/intake/system_version.h"
 #include "kernel/stored.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_41.h"
@@ -48,11 +49,13 @@ void delete_waiting_of_replaced(Reception& r, const modes::OrderDecision& decisi
 void enter_level(Reception& r, const modes::OrderedLevel& to, bool by_driver) {
   State& s = r.state;
   r.log.note(Event::level_changed(s.level.level, to.level, by_driver));
+  const Level before = s.level.level;
   s.level = to;
   s.data.level_status = DataStatus::valid;
   ++s.revision;
   keep_for_level(s, to.level);
   r.out.level_changed_by_driver = by_driver;
+  operate_version_of_rbc(r, before);  // before the buffer is released: 6.6.3.2.2
 }
 
 }  // namespace

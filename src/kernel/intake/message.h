@@ -12,6 +12,12 @@
 // One consistent message, from a balise group or by radio.
 namespace evc::kernel {
 
+/// What a balise group says about the version to operate (3.17.2.3, 3.17.2.6).
+struct GroupVersion {
+  std::uint8_t X = 0;          // the highest of its telegrams
+  bool other_country = false;  // than those of the national values that were applicable when it was passed
+};
+
 /// A message whose bits are correct, with the reference of its distances.
 struct Information {
   Medium medium = Medium::balise;
@@ -23,8 +29,9 @@ struct Information {
   bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
-  Duration time{};             // time stamp, or passage of the group's first balise
-  bool repositioning = false;  // sent by the group that linking announced with unknown identity (3.8.5.2.2)
+  Duration time{};                      // time stamp, or passage of the group's first balise
+  bool repositioning = false;           // sent by the group that linking announced with unknown identity (3.8.5.2.2)
+  std::optional<GroupVersion> version;  // of a group just passed; absent: by radio, or from the transition buffer
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
   // The packets to judge: all, or the buffered ones of a set released from the transition buffer.

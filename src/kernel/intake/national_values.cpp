@@ -1,8 +1,11 @@
 #include "kernel/intake/national_values.h"
 
 #include "kernel/stored.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_203.h"
 #include "lang/packets/packet_3.h"
 #include "lang/si.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::kernel {
 namespace {
@@ -64,7 +67,8 @@ void read_Kv(const lang::Packet3_kv_sets& set, train::NationalValues& nv) {
   });
 }
 
-void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) {
+template <class P>
+void read_correction_factors(const P& p, train::NationalValues& nv) {
   if (p.Q_NVKINT.raw == 0) return;
   read_Kv(p.first_kv_sets(), nv);
   for (const auto& set : p.kv_sets) read_Kv(set, nv);
@@ -74,11 +78,61 @@ void read_correction_factors(const lang::Packet3& p, train::NationalValues& nv) 
   nv.Kt_int = lang::factor(p.M_NVKTINT);
 }
 
+/// What packet 203 and packet 3 of X = 2 have in common.
+template <class P>
+void read_braking(const P& p, train::NationalValues& nv) {
+  nv.Q_NVGUIPERM = p.Q_NVGUIPERM.raw != 0;
+  nv.Q_NVSBFBPERM = p.Q_NVSBFBPERM.raw != 0;
+  nv.Q_NVINHSMICPERM = p.Q_NVINHSMICPERM.raw != 0;
+  nv.A_NVMAXREDADH1 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH1.raw));
+  nv.A_NVMAXREDADH2 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH2.raw));
+  nv.A_NVMAXREDADH3 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH3.raw));
+  nv.M_NVAVADH = lang::factor(p.M_NVAVADH);
+  nv.M_NVEBCL = static_cast<std::uint8_t>(p.M_NVEBCL.raw);
+  read_correction_factors(p, nv);
+}
+
+/// Introduced with X = 2 (6.6.3.2.3 [1a], [1b]).
+void copy_of_X_2(const train::NationalValues& from, train::NationalValues& to) {
+  to.Q_NVLOCACC = from.Q_NVLOCACC;
+  to.V_NVLIMSUPERV = from.V_NVLIMSUPERV;
+}
+/// Those for braking curves, introduced with version 1.1 (6.6.3.2.3 [2]).
+void copy_braking(const train::NationalValues& from, train::NationalValues& to) {
+  to.Q_NVGUIPERM = from.Q_NVGUIPERM;
+  to.Q_NVSBFBPERM = from.Q_NVSBFBPERM;
+  to.Q_NVINHSMICPERM = from.Q_NVINHSMICPERM;
+  to.M_NVEBCL = from.M_NVEBCL;
+  to.M_NVAVADH = from.M_NVAVADH;
+  to.A_NVMAXREDADH1 = from.A_NVMAXREDADH1;
+  to.A_NVMAXREDADH2 = from.A_NVMAXREDADH2;
+  to.A_NVMAXREDADH3 = from.A_NVMAXREDADH3;
+  to.Kv_int_freight = from.Kv_int_freight;
+  to.Kv_int_passenger = from.Kv_int_passenger;
+  to.A_NVP12 = from.A_NVP12;
+  to.A_NVP23 = from.A_NVP23;
+  to.Kr_int = from.Kr_int;
+  to.Kt_int = from.Kt_int;
+}
+
+bool outside(const NationalAreas& areas, std::uint16_t NID_C) {
+  for (const std::uint16_t area : areas)
+    if (area == NID_C) return false;
+  return !areas.empty();
+}
+
+/// The values are other ones from now on.
+void put_in_force(State& state, const train::NationalValues& values) {
+  state.national_values = values;
+  follow_national_SR_distance(state);
+  ++state.revision;
+}
+
 }  // namespace
 
 ReceivedNationalValues read(const lang::Packet3& p) {
   ReceivedNationalValues received;
-  train::NationalValues& nv = received.values;
+  train::NationalValues& nv = received.set.values;
   take(nv.V_NVSHUNT, p.V_NVSHUNT);
   take(nv.V_NVSTFF, p.V_NVSTFF);
   take(nv.V_NVONSIGHT, p.V_NVONSIGHT);
@@ -101,45 +155,59 @@ ReceivedNationalValues read(const lang::Packet3& p) {
   nv.Q_NVDRIVER_ADHES = p.Q_NVDRIVER_ADHES.raw != 0;
   nv.Q_NVSBTSMPERM = p.Q_NVSBTSMPERM.raw != 0;
   nv.Q_NVEMRRLS = p.Q_NVEMRRLS.raw != 0;
-  nv.Q_NVGUIPERM = p.Q_NVGUIPERM.raw != 0;
-  nv.Q_NVSBFBPERM = p.Q_NVSBFBPERM.raw != 0;
-  nv.Q_NVINHSMICPERM = p.Q_NVINHSMICPERM.raw != 0;
-  nv.A_NVMAXREDADH1 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH1.raw));
-  nv.A_NVMAXREDADH2 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH2.raw));
-  nv.A_NVMAXREDADH3 = max_reduced(static_cast<std::uint8_t>(p.A_NVMAXREDADH3.raw));
-  nv.M_NVAVADH = lang::factor(p.M_NVAVADH);
-  nv.M_NVEBCL = static_cast<std::uint8_t>(p.M_NVEBCL.raw);
-  read_correction_factors(p, nv);
+  read_braking(p, nv);
 
   const std::optional<Distance> D_VALIDNV = lang::metres(p.Q_SCALE, p.D_VALIDNV);
   received.D_VALIDNV = D_VALIDNV;
-  bool room = received.areas.push_back(p.NID_C.raw);
-  for (const auto& area : p.areas) room = room && received.areas.push_back(area.NID_C.raw);
+  bool room = received.set.areas.push_back(p.NID_C.raw);
+  for (const auto& area : p.areas) room = room && received.set.areas.push_back(area.NID_C.raw);
   return received;
 }
 
-void use_national_values(State& state, const train::NationalValues& values,
-                         const InplaceVector<std::uint16_t, 32>& areas) {
-  state.national_values = values;
-  state.national_areas = areas;
-  follow_national_SR_distance(state);
-  ++state.revision;
+bool join_braking_curves(const Information& information, train::NationalValues& values) {
+  for (const lang::PacketView& view : information.packets) {
+    lang::Packet203 p;
+    if (view.NID_PACKET != packet::national_values_v1 || lang::decode(view, p) != lang::Fault::none) continue;
+    read_braking(p, values);
+    return true;
+  }
+  return false;
+}
+
+void use_national_values(State& state, const NationalSet& set) {
+  train::NationalValues values = set.values;
+  if (!set.of_X_2) copy_of_X_2(state.national_values, values);
+  if (!set.braking) copy_braking(state.national_values, values);
+  put_in_force(state, values);
+  state.national_areas = set.areas;
+  if (set.of_X_2) state.national_areas_of_X_2 = set.areas;
+  if (set.braking) state.national_areas_of_braking = set.areas;
 }
 
 void advance_national_values(Reception& r) {
   State& s = r.state;
   if (!s.pending_national_values || r.out.here.est_front < s.pending_national_values->from) return;
-  use_national_values(s, s.pending_national_values->values, s.pending_national_values->areas);
+  use_national_values(s, s.pending_national_values->set);
   s.pending_national_values.reset();
   r.log.note({.what = What::national_values_in_force, .clause = "3.18.2.3"_srs});
 }
 
+bool in_another_country(const State& state, std::uint16_t NID_C) { return outside(state.national_areas, NID_C); }
+
 void leave_area(Reception& r, std::uint16_t NID_C) {
   State& s = r.state;
-  if (s.national_areas.empty()) return;
-  for (const std::uint16_t area : s.national_areas)
-    if (area == NID_C) return;
-  use_national_values(s, train::NationalValues{}, {});
+  const bool of_X_2 = outside(s.national_areas_of_X_2, NID_C);
+  const bool braking = outside(s.national_areas_of_braking, NID_C);
+  const bool others = in_another_country(s, NID_C);
+  if (!of_X_2 && !braking && !others) return;
+  static constexpr train::NationalValues kDefaults{};
+  train::NationalValues values = others ? kDefaults : s.national_values;
+  copy_of_X_2(of_X_2 ? kDefaults : s.national_values, values);
+  copy_braking(braking ? kDefaults : s.national_values, values);
+  put_in_force(s, values);
+  if (of_X_2) s.national_areas_of_X_2.clear();
+  if (braking) s.national_areas_of_braking.clear();
+  if (others) s.national_areas.clear();
   r.log.note({.what = What::national_values_default, .clause = "3.18.2.5"_srs});
 }
 

@@ -24,7 +24,7 @@ lang::Packet3 with_seven_steps(std::uint8_t lowest_at) {
 
 TEST(NationalValues, MoreStepsThanThereIsRoomForGiveTheLowestEverywhere) {  // 3.13.2.3.7.11
   for (const std::uint8_t lowest_at : {std::uint8_t{1}, std::uint8_t{6}}) {
-    const train::NationalValues nv = read(with_seven_steps(lowest_at)).values;
+    const train::NationalValues nv = read(with_seven_steps(lowest_at)).set.values;
     ASSERT_EQ(nv.Kr_int.size(), 1u);
     EXPECT_DOUBLE_EQ(nv.Kr_int.steps.front().value, 0.5);
     EXPECT_EQ(nv.Kr_int.steps.front().from, Distance{});
@@ -65,7 +65,7 @@ lang::Packet3 with_all_values() {
 
 TEST(NationalValues, AreTheValuesOfThePacket) {  // 7.4.2.1, 7.5.1
   const ReceivedNationalValues r = read(with_all_values());
-  const train::NationalValues& nv = r.values;
+  const train::NationalValues& nv = r.set.values;
   const auto kmh = [](double v) { return Speed{v / 3.6}; };
   EXPECT_EQ(nv.V_NVSHUNT, kmh(5.0));
   EXPECT_EQ(nv.V_NVSTFF, kmh(10.0));
@@ -89,8 +89,8 @@ TEST(NationalValues, AreTheValuesOfThePacket) {  // 7.4.2.1, 7.5.1
   EXPECT_DOUBLE_EQ(nv.M_NVAVADH, 0.65);
   EXPECT_EQ(nv.M_NVEBCL, 4);
   EXPECT_EQ(r.D_VALIDNV, Distance{500.0});
-  ASSERT_EQ(r.areas.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(r.areas[i], 11 + i);
+  ASSERT_EQ(r.set.areas.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(r.set.areas[i], 11 + i);
 }
 
 TEST(NationalValues, InfiniteDistancesAndTimes) {  // 7.5.1.17, 7.5.1.18, 7.5.1.29, 7.5.1.147
@@ -101,9 +101,9 @@ TEST(NationalValues, InfiniteDistancesAndTimes) {  // 7.5.1.17, 7.5.1.18, 7.5.1.
   p.T_NVCONTACT.raw = 255;
   const ReceivedNationalValues r = read(p);
   EXPECT_EQ(r.D_VALIDNV, std::nullopt);
-  EXPECT_GE(r.values.D_NVROLL, Distance{1e9});
-  EXPECT_EQ(r.values.D_NVSTFF, std::nullopt);
-  EXPECT_EQ(r.values.T_NVCONTACT, std::nullopt);
+  EXPECT_GE(r.set.values.D_NVROLL, Distance{1e9});
+  EXPECT_EQ(r.set.values.D_NVSTFF, std::nullopt);
+  EXPECT_EQ(r.set.values.T_NVCONTACT, std::nullopt);
 }
 
 TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
@@ -115,8 +115,8 @@ TEST(NationalValues, EachPermissionIsItsOwnBit) {  // 7.5.1
     (on.*variable).raw = 1;
     for (bool NV::*each : {&NV::M_NVDERUN, &NV::Q_NVDRIVER_ADHES, &NV::Q_NVSBTSMPERM, &NV::Q_NVEMRRLS, &NV::Q_NVGUIPERM,
                            &NV::Q_NVSBFBPERM, &NV::Q_NVINHSMICPERM}) {
-      EXPECT_FALSE(read(off).values.*each);
-      EXPECT_EQ(read(on).values.*each, each == value);
+      EXPECT_FALSE(read(off).set.values.*each);
+      EXPECT_EQ(read(on).set.values.*each, each == value);
     }
   };
   check(&P::M_NVDERUN, &NV::M_NVDERUN);
@@ -134,12 +134,12 @@ TEST(NationalValues, MaximumDecelerationsThatAreNone) {  // 7.5.1.2
   p.A_NVMAXREDADH1.raw = 61;
   p.A_NVMAXREDADH2.raw = 62;
   p.A_NVMAXREDADH3.raw = 63;
-  const train::NationalValues nv = read(p).values;
+  const train::NationalValues nv = read(p).set.values;
   EXPECT_EQ(nv.A_NVMAXREDADH1, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::target_information));
   EXPECT_EQ(nv.A_NVMAXREDADH2, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::time_to_indication));
   EXPECT_EQ(nv.A_NVMAXREDADH3, MaxReducedAdhesion::without_maximum(MaxReducedAdhesion::Display::none));
   p.A_NVMAXREDADH1.raw = 60;
-  EXPECT_EQ(read(p).values.A_NVMAXREDADH1, MaxReducedAdhesion::at_most({3.0}));
+  EXPECT_EQ(read(p).set.values.A_NVMAXREDADH1, MaxReducedAdhesion::at_most({3.0}));
 }
 
 TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1.50, 7.5.1.75
@@ -166,7 +166,7 @@ TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1
   ASSERT_TRUE(p.kv_sets.push_back(freight));
   p.M_NVKRINT.raw = 18;
   p.M_NVKTINT.raw = 24;
-  const train::NationalValues nv = read(p).values;
+  const train::NationalValues nv = read(p).set.values;
   EXPECT_EQ(nv.A_NVP12, Acceleration{0.5});
   EXPECT_EQ(nv.A_NVP23, Acceleration{1.0});
   ASSERT_EQ(nv.Kv_int_passenger.size(), 2u);
@@ -187,7 +187,7 @@ TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  /
   p.Q_NVKVINTSET.raw = 1;
   p.M_NVKVINT_A.raw = 40;
   p.M_NVKRINT.raw = 10;
-  const train::NationalValues nv = read(p).values;
+  const train::NationalValues nv = read(p).set.values;
   const train::NationalValues defaults;
   EXPECT_EQ(nv.Kv_int_passenger, defaults.Kv_int_passenger);
   EXPECT_EQ(nv.Kr_int, defaults.Kr_int);
@@ -197,17 +197,64 @@ TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  /
 TEST(NationalValues, StepsThatFindRoomStayAsTheyAre) {
   lang::Packet3 p = with_seven_steps(2);
   while (p.kr_steps.size() > 4) p.kr_steps.pop_back();
-  const train::NationalValues nv = read(p).values;
+  const train::NationalValues nv = read(p).set.values;
   ASSERT_EQ(nv.Kr_int.size(), 5u);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[0].value, 1.0);
   EXPECT_DOUBLE_EQ(nv.Kr_int.steps[2].value, 0.5);
+}
+
+/// Values in force that differ from the defaults, received for country 1.
+NationalSet of_country_1() {
+  NationalSet set;
+  set.values.V_NVSTFF = Speed{7.0};
+  set.values.V_NVLIMSUPERV = Speed{8.0};
+  set.values.Q_NVLOCACC = Distance{9.0};
+  set.values.M_NVEBCL = 3;
+  set.values.Kt_int = 1.5;
+  EXPECT_TRUE(set.areas.push_back(1));
+  return set;
+}
+
+class NationalValuesInForce : public test::OneMessage {};
+
+TEST_F(NationalValuesInForce, WhatASetDoesNotContainStays) {  // 6.6.3.2.3 [1b], [2]
+  use_national_values(state, of_country_1());
+  NationalSet set;
+  EXPECT_TRUE(set.areas.push_back(2));
+  set.of_X_2 = set.braking = false;
+  use_national_values(state, set);
+  EXPECT_EQ(state.national_values.V_NVSTFF, train::NationalValues{}.V_NVSTFF);
+  EXPECT_EQ(state.national_values.V_NVLIMSUPERV, Speed{8.0});
+  EXPECT_EQ(state.national_values.Q_NVLOCACC, Distance{9.0});
+  EXPECT_EQ(state.national_values.M_NVEBCL, 3);
+  EXPECT_EQ(state.national_values.Kt_int, 1.5);
+  EXPECT_TRUE(in_another_country(state, 1));
+  EXPECT_FALSE(in_another_country(state, 2));
+}
+
+TEST_F(NationalValuesInForce, EachPartIsDeletedOutsideItsOwnCountry) {  // 3.18.2.5, 3.18.2.6
+  const train::NationalValues defaults;
+  for (const std::uint16_t NID_C : {std::uint16_t{1}, std::uint16_t{2}}) {
+    use_national_values(state, of_country_1());
+    NationalSet set;
+    set.values.V_NVSTFF = Speed{6.0};
+    EXPECT_TRUE(set.areas.push_back(2));
+    set.of_X_2 = set.braking = false;
+    use_national_values(state, set);
+    leave_area(reception, NID_C);
+    EXPECT_EQ(state.national_values.V_NVSTFF, NID_C == 2 ? Speed{6.0} : defaults.V_NVSTFF);
+    EXPECT_EQ(state.national_values.Q_NVLOCACC, NID_C == 1 ? Distance{9.0} : defaults.Q_NVLOCACC);
+    EXPECT_EQ(state.national_values.V_NVLIMSUPERV, NID_C == 1 ? Speed{8.0} : defaults.V_NVLIMSUPERV);
+    EXPECT_EQ(state.national_values.M_NVEBCL, NID_C == 1 ? 3 : defaults.M_NVEBCL);
+    EXPECT_EQ(state.national_values.Kt_int, NID_C == 1 ? 1.5 : defaults.Kt_int);
+  }
 }
 
 class NationalValuesAhead : public test::OneMessage {};
 
 TEST_F(NationalValuesAhead, AreInForceFromTheirPlaceOn) {  // 3.18.2.9
   PendingNationalValues& pending = state.pending_national_values.emplace();
-  pending.values.V_NVSTFF = Speed{7.0};
+  pending.set.values.V_NVSTFF = Speed{7.0};
   pending.from = test::at(1000.5);
   const std::uint32_t revision = state.revision;
   advance_national_values(reception);

@@ -38,15 +38,19 @@ void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) 
   State& s = e.r.state;
   lang::Packet3 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
-  const ReceivedNationalValues received = read(p);
+  ReceivedNationalValues received = read(p);
+  if (view.sv.x == 1) {
+    received.set.of_X_2 = s.operated_X == 1;  // 6.6.3.2.3 [1a], [1b]
+    received.set.braking = join_braking_curves(e.information, received.set.values);
+  }
   if (!received.D_VALIDNV) {
-    use_national_values(s, received.values, received.areas);
+    use_national_values(s, received.set);
     s.pending_national_values.reset();
     e.r.log.note({.what = What::national_values_in_force, .clause = "3.18.2.3"_srs});
     return;
   }
   s.pending_national_values =
-      PendingNationalValues{e.reference.place + *received.D_VALIDNV, anchor_of(e), received.values, received.areas};
+      PendingNationalValues{e.reference.place + *received.D_VALIDNV, anchor_of(e), received.set};
   e.brought.national_values = true;
 }
 
@@ -113,6 +117,8 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
     e.r.log.note({.what = What::cover_capacity});
 }
 
+/// Packet 203 is read with its packet 3 (join_braking_curves).
+void taken_with_packet_3(Evaluation&, const lang::PacketView&, Verdict) {}
 /// The group is asked whether it has one (3.16.2.4.9); nothing else follows from it.
 void shown_for_its_group(Evaluation&, const lang::PacketView&, Verdict) {}
 
@@ -185,7 +191,7 @@ constexpr auto kPacketRoutes = [] {
   return std::to_array<PacketRoute>({
     // packet                                         turn                  rows of 4.8.3 and 4.8.4                  place                   taken by
     {packet::virtual_balise_cover_marker,             Turn::before,         {},                                      nullptr,                nullptr},
-    {packet::system_version_order,                    Turn::rest,           {system_version_order},                  nullptr,                nullptr},
+    {packet::system_version_order,                    Turn::version_order,  {system_version_order},                  nullptr,                nullptr},
     {packet::national_values,                         Turn::rest,           {national_values},                       from_a_place,           take_national_values},
     {packet::linking,                                 Turn::linking,        {linking},                               always,                 nullptr},
     {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             nullptr,                take_cover},
@@ -237,6 +243,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr,                nullptr},
     {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                take_lssma_order},
     {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     nullptr,                store_with_track},
+    {packet::national_values_v1,                      Turn::rest,           {national_values},                       nullptr,                taken_with_packet_3},
     {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                shown_for_its_group},
     {packet::end_of_information,                      Turn::before,         {},                                      nullptr,                nullptr},
   });

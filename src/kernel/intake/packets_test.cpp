@@ -70,7 +70,7 @@ TEST_F(Taken, NationalValuesAtOnceOrFromAPlaceOn) {  // 3.18.2.3, 3.18.2.9
   receive(p);
   ASSERT_TRUE(state.pending_national_values.has_value());
   EXPECT_EQ(state.pending_national_values->from, at(1450.0));
-  EXPECT_EQ(state.pending_national_values->values.V_NVSHUNT, Speed{25.0 / 3.6});
+  EXPECT_EQ(state.pending_national_values->set.values.V_NVSHUNT, Speed{25.0 / 3.6});
   EXPECT_FALSE(happened(What::national_values_in_force));
   EXPECT_NE(state.national_values.V_NVSHUNT, Speed{25.0 / 3.6});
   p.D_VALIDNV.raw = 32767;

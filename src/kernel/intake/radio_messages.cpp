@@ -3,6 +3,7 @@
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/routes.h"
+#include "kernel/intake/system_version.h"
 #include "kernel/radio_address.h"
 #include "lang/decode.h"
 #include "lang/instances.h"
@@ -102,6 +103,7 @@ void receive_message(Reception& r, std::span<const std::uint8_t> bytes, const st
     lang::Message32 m;
     if (lang::decode(view, m) == lang::Fault::none)
       radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, r.outbox, from);
+    operate_version_of_rbc(r, s.level.level);
   }
   evaluate_radio(r, view, bytes, sender);
 }

@@ -16,6 +16,7 @@ namespace evc::kernel {
 enum class Turn : std::uint8_t {
   before,         ///< it is evaluated before the filters (4.8.2.2), or begins the infill part
   level_order,    ///< first (4.8.1.3)
+  version_order,  ///< then: the rest depends on the version (3.17.3.3)
   linking,        ///< before other location data (4.8.1.6)
   rest,           ///< then
   authority,      ///< last: SSP and gradient have to cover it (4.8.3 [4])

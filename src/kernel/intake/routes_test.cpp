@@ -125,10 +125,11 @@ TEST(Routes, PacketsAndMessagesFindTheRowsOfTheReference) {
 }
 
 TEST(Routes, EachPacketHasItsTurn) {  // 4.8.1.3, 4.8.1.6, 4.8.2.2, 4.8.3 [4]
-  const std::map<int, Turn> turns{{0, Turn::before},          {136, Turn::before},        {145, Turn::before},
-                                  {255, Turn::before},        {41, Turn::level_order},    {46, Turn::level_order},
-                                  {5, Turn::linking},         {12, Turn::authority},      {15, Turn::authority},
-                                  {49, Turn::with_authority}, {63, Turn::with_authority}, {80, Turn::with_authority}};
+  const std::map<int, Turn> turns{{0, Turn::before},         {2, Turn::version_order},   {136, Turn::before},
+                                  {145, Turn::before},       {255, Turn::before},        {41, Turn::level_order},
+                                  {46, Turn::level_order},   {5, Turn::linking},         {12, Turn::authority},
+                                  {15, Turn::authority},     {49, Turn::with_authority}, {63, Turn::with_authority},
+                                  {80, Turn::with_authority}};
   for (int NID_PACKET = 0; NID_PACKET < 256; ++NID_PACKET) {
     lang::PacketView view;
     view.NID_PACKET = static_cast<std::uint16_t>(NID_PACKET);

@@ -110,6 +110,7 @@ void show(const State& s, bool desk_open, const Decided& decided, const procedur
   out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
   out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
   out.v = s.position.now.V_est;
+  out.M_VERSION = operated_M_VERSION(s.operated_X);
   const track::Authority& a = s.basis.authority;
   if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
@@ -151,14 +152,14 @@ void reset(Outputs& out) {
   auto& [now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
          V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests, entries,
          start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
-         MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
-         status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction, ordered_current,
-         sound_horn, remote_shunting] = out;
+         MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
+         enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
+         ordered_current, sound_horn, remote_shunting] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
             entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
-            MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, enabled,
-            status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
+            MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
+            enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
             ordered_current, sound_horn, remote_shunting);
 }
 
