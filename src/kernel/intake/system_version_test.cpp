@@ -121,7 +121,8 @@ TEST_F(OperatedVersion, ThatOfTheRbcInLevels2And3) {  // 3.17.2.8 a, b, d
   EXPECT_EQ(of_rbc(Level::L3, Level::L3), 1);
   EXPECT_EQ(clause(), "3.17.2.8 b"_srs);
   EXPECT_EQ(after_group(1, 2), 1) << "the group does not count";
-  for (const radio::Phase phase : {radio::Phase::connecting, radio::Phase::waiting_version, radio::Phase::terminating}) {
+  for (const radio::Phase phase :
+       {radio::Phase::connecting, radio::Phase::waiting_version, radio::Phase::terminating}) {
     session.phase = phase;
     EXPECT_EQ(of_rbc(Level::L2, Level::L2), 2);
     EXPECT_EQ(after_group(1, 2), 2);
@@ -145,7 +146,8 @@ TEST_F(OperatedVersion, ThatOfTheLevelThatTheGroupOrders) {  // 3.17.2.8.1, .2
 TEST_F(OperatedVersion, ThatOfTheAcceptingRbcBeyondTheBorder) {  // 3.17.2.8 c, e
   establish(state.radio.supervising.session, kOneRbc, 0x21);
   establish(state.radio.other.session, kNextRbc);
-  state.handover.order = track::RbcTransition{at(1000.5), kNextRbc.NID_C, kNextRbc.NID_RBC, kNextRbc.NID_RADIO, false, {}};
+  state.handover.order =
+      track::RbcTransition{at(1000.5), kNextRbc.NID_C, kNextRbc.NID_RBC, kNextRbc.NID_RADIO, false, {}};
   EXPECT_EQ(of_rbc(Level::L2, Level::L2), 2);
   received.here.max_safe_front = at(1000.5);
   EXPECT_EQ(of_rbc(Level::L2, Level::L2), 1);
