@@ -13,10 +13,12 @@
 #include "brakes/brakes.h"
 #include "coverage.h"
 #include "run.h"
+#include "through_c.h"
 
 // Every scenario of tests/scenarios/*.scenario and tests/scenarios/open/*.scenario is a test case of its own:
 // `scenarios_test --gtest_filter='Scenario/radio.*'`. `scenarios_test --run FILE` runs the scenarios of any file;
-// `scenarios_test --inputs FILE.NAME` prints the inputs of one as `evc replay` reads them.
+// `scenarios_test --inputs FILE.NAME` prints the inputs of one as `evc replay` reads them; `scenarios_test --through-c
+// FILE...` compares the scenarios of our files through the C interface.
 namespace evc::scenario {
 namespace {
 
@@ -167,6 +169,21 @@ TEST(ScenarioCoverage, the_page_is_up_to_date) {
       << "scenarios_test --coverage > docs/scenario-coverage.md";
 }
 
+/// Compares the scenarios of some files through the C interface; the exit code.
+int through_c(const Collection& all, const std::vector<std::string_view>& files) {
+  std::size_t compared = 0, different = 0;
+  for (const auto& [file, scenario] : all.scenarios) {
+    if (std::find(files.begin(), files.end(), file) == files.end()) continue;
+    ++compared;
+    const std::string difference = compare_through_c(inputs_of(scenario));
+    if (difference.empty()) continue;
+    ++different;
+    std::cout << file << "." << case_name(scenario.name) << ": " << difference << "\n";
+  }
+  std::cout << compared << " scenarios through the C interface, " << different << " with other outputs\n";
+  return compared > 0 && different == 0 ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace evc::scenario
 
@@ -178,6 +195,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (argc > 2 && std::string_view(argv[1]) == "--run") return run_files({argv + 2, argv + argc});
+  if (argc > 2 && std::string_view(argv[1]) == "--through-c") return through_c(all, {argv + 2, argv + argc});
   if (argc == 3 && std::string_view(argv[1]) == "--inputs") {
     for (const auto& [file, scenario] : all.scenarios)
       if (file + "." + case_name(scenario.name) == argv[2]) {
