@@ -465,7 +465,8 @@ typedef struct openevc_outputs {
   openevc_current current;
   uint8_t sound_horn;      /* the driver is asked for it */
   uint8_t remote_shunting; /* the mode permits it (4.4.8.1.4) */
-  uint8_t reserved_2[6];
+  uint8_t M_VERSION;       /* operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3 */
+  uint8_t reserved_2[5];
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other

@@ -240,6 +240,7 @@ TEST_F(CUnit, StartOfMissionInLevel0) {
   EXPECT_EQ(out->mode, OPENEVC_UN);
   EXPECT_EQ(out->level, OPENEVC_L0);
   EXPECT_EQ(out->LRBG_NID_BG, -1);
+  EXPECT_EQ(out->M_VERSION >> 4, 2) << "3.17.2: X of the highest version that the on-board supports";
   EXPECT_TRUE(std::isnan(out->EOA));
   ASSERT_GT(out->symbols_count, 0u);
   bool unfitted = false;
