@@ -61,6 +61,16 @@ TEST_F(Decide, EachCauseOfATripTrips) {  // 4.6.3 [17], [18], [20], [65], [66]
   }
 }
 
+TEST_F(Decide, AGroupOfTheListForSRDoesNotStopTheTrainUnlessXIs1) {  // [54], 6.6.2.2.2
+  for (const std::uint8_t X : {std::uint8_t{1}, std::uint8_t{2}}) {
+    restart(Mode::SR, Level::L2);
+    state.track.ma.reset();
+    received.stop_if_in_SR = received.group_passed_in_SR_list = true;
+    state.operated_X = X;
+    EXPECT_EQ(mode_after(), X == 1 ? Mode::TR : Mode::SR);
+  }
+}
+
 TEST_F(Decide, ATrainInRearOfItsTrackDescriptionTrips) {  // [69]
   state.track.gradient = {};
   state.track.ssp = {};

@@ -62,6 +62,27 @@ TEST_F(Taken, APacketOfOtherVersionsIsToldAsNotUsed) {  // 6.6.3.1.1.1
   expect(76, What::packet_not_used);
 }
 
+TEST_F(Taken, NationalValuesOfX1LeaveWhatTheyDoNotContain) {  // 6.6.3.2.3 [1a], [1b], [2]
+  const train::NationalValues defaults;
+  for (const std::uint8_t operated : {std::uint8_t{1}, std::uint8_t{2}}) {
+    state.operated_X = operated;
+    state.national_values.Q_NVLOCACC = {33.0};
+    state.national_values.M_NVEBCL = 3;
+    lang::Packet3_v1_0 p;
+    p.D_VALIDNV.raw = 32767;
+    p.V_NVSTFF.raw = 5;
+    EXPECT_TRUE(p.areas.push_back({lang::var::NID_C{1}}));
+    information.packets.clear();
+    add(p);
+    information.packets[0].sv = {1, 1};
+    evaluate_now();
+    EXPECT_TRUE(happened(What::national_values_in_force));
+    EXPECT_EQ(state.national_values.V_NVSTFF, Speed{25.0 / 3.6});
+    EXPECT_EQ(state.national_values.Q_NVLOCACC, operated == 1 ? defaults.Q_NVLOCACC : Distance{33.0});
+    EXPECT_EQ(state.national_values.M_NVEBCL, 3);
+  }
+}
+
 TEST_F(Taken, NationalValuesAtOnceOrFromAPlaceOn) {  // 3.18.2.3, 3.18.2.9
   lang::Packet3 p;
   p.Q_SCALE.raw = 1;

@@ -152,6 +152,8 @@ TEST_F(OperatedVersion, ThatOfTheAcceptingRbcBeyondTheBorder) {  // 3.17.2.8 c, 
   received.here.max_safe_front = at(1000.5);
   EXPECT_EQ(of_rbc(Level::L2, Level::L2), 1);
   EXPECT_EQ(clause(), "3.17.2.8 c"_srs);
+  establish(state.radio.other.session, {1, 30, 3030});
+  EXPECT_EQ(of_rbc(Level::L2, Level::L2), 2) << "a third RBC";
   state.radio.other.session = {};
   EXPECT_EQ(of_rbc(Level::L2, Level::L2, 1), 1) << "no session with it: nothing changes";
   EXPECT_EQ(after_group(1, 2), 2);
