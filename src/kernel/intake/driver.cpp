@@ -47,6 +47,15 @@ Set<Select> enabled_selections(Reception& r) {
   return selected;
 }
 
+/// None with a closed desk (4.4.7.1.4, 4.4.13.1.6). Train data are an entry, which is judged as one.
+Set<Ack> acknowledgements(Reception& r) {
+  Set<Ack> given = Set<Ack>::of_bits(r.in.driver.acknowledged);
+  if (r.in.train.desk_open) return given;
+  given.remove(Ack::train_data);
+  if (!given.empty()) r.log.note({.what = What::acknowledgement_not_enabled, .clause = "4.7.2"_srs});
+  return {};
+}
+
 /// Whether the data were accepted.
 bool enter_train_data(Reception& r, const train::TrainData& data) {
   if (!acceptable(data, r.log)) return false;
@@ -121,7 +130,7 @@ void receive_driver(Reception& r) {
   State& s = r.state;
   const DriverActions& driver = r.in.driver;
   if (driver.selected != 0) r.out.selected = enabled_selections(r);
-  r.out.acknowledged = Set<Ack>::of_bits(driver.acknowledged);
+  r.out.acknowledged = acknowledgements(r);
   if (driver.driver_id && may_enter(r, driver::Input::driver_id, Entered::driver_id)) {
     s.data.driver_id = *driver.driver_id;
     s.data.driver_id_status = DataStatus::valid;
