@@ -40,7 +40,7 @@ namespace evc::kernel {
 /// (3.17.2.9.1). All from 1 on are supported.
 inline constexpr std::uint8_t kHighestX = 2;
 /// The operated system version as M_VERSION: of its number X the highest Y that the unit supports (3.17.2.1.1).
-constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>(X << 4 | 1u); }
+constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>((unsigned{X} << 4) | 1u); }
 
 /// The countries or regions (NID_C) in which national values are applicable.
 using NationalAreas = InplaceVector<std::uint16_t, 32>;
