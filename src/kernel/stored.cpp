@@ -131,6 +131,8 @@ void keep_for_level(State& state, Level to) {
 
 void keep_for_closed_desk(State& state) {
   apply_all(state, [](Stored stored) { return modes::on_desk_closed_in_start_of_mission(stored); });
+  procedures::level_transition::forget_order(state.level_transition);
+  clear_level_buffer(state);
 }
 
 Sessions sessions_of(const State& s) {
@@ -176,7 +178,8 @@ void cut_beyond(State& state, Place beyond, Brought brought) {
 }
 
 void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here) {
-  if (track::shorten(state.track, situation, beyond, here)) state.track_description_deleted = true;
+  if (track::shorten(state.track, situation, beyond, here, state.mode == Mode::SH))
+    state.track_description_deleted = true;
   cut_beyond(state, beyond);
 }
 

@@ -126,7 +126,9 @@ TEST(StoredData, AreKeptOrLostWithTheLevel) {  // 4.9.1
 TEST(StoredData, AreKeptOrLostWhenTheDeskIsClosed) {  // A.3.4 k
   const auto state = std::make_unique<State>();
   fill(*state);
+  state->level_transition.pending.emplace();
   keep_for_closed_desk(*state);
+  EXPECT_FALSE(state->level_transition.pending);
   expect_fates(
       *state, [](Stored row) { return modes::on_desk_closed_in_start_of_mission(row); }, "desk closed");
 }

@@ -93,12 +93,14 @@ Result step(State& state, const Inputs& in) {
   return out;
 }
 
+void forget_order(State& state) {
+  state.pending.reset();
+  state.acknowledged = false;
+  state.kept = false;
+}
+
 void on_mode_change(State& state, Mode from, Mode to) {
-  if (modes::on_entry(to, from, Stored::level_transition_order) == modes::Fate::deleted) {
-    state.pending.reset();
-    state.acknowledged = false;
-    state.kept = false;
-  }
+  if (modes::on_entry(to, from, Stored::level_transition_order) == modes::Fate::deleted) forget_order(state);
   switch (to) {  // 4.12 of 4.0.0: the brake command that waits for the acknowledgement is revoked
     case Mode::NP:
     case Mode::SB:

@@ -61,6 +61,9 @@ struct Result {
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
 
+/// The order that waits is deleted (4.10, A.3.4 k).
+void forget_order(State& state);
+
 /// To be called at every mode transition; the level order is handled by 4.10: it is deleted, or an order stored in SH
 /// or PS is judged in the next cycle.
 void on_mode_change(State& state, Mode from, Mode to);

@@ -15,12 +15,13 @@ Clause take_conditional_stop(Evaluation& e, const lang::MessageToTrainView& view
   State& s = e.r.state;
   lang::Message15 m;
   if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
-  if (e.information.orientation == Direction::unknown) return "3.6.3.1.4"_srs;
+  // Each is answered (3.10.1.4), also one whose direction is not that of the train, or not known.
+  const bool unknown = e.information.orientation == Direction::unknown;
   const std::optional<Place> stop = track::stop_location(m, e.reference);
   const protection::Answer answer =
       stop ? protection::accept_conditional(s.emergency_stops, s.track, m.NID_EM.raw, *stop,
                                             e.information.min_safe_front, e.r.out.here)
-           : protection::Answer{.clause = "3.6.3.1.3"_srs};
+           : protection::Answer{.clause = unknown ? "3.6.3.1.4"_srs : "3.6.3.1.3"_srs};
   std::uint8_t Q = answer.Q_EMERGENCYSTOP;
   if (answer.accepted) cut_beyond(s, *stop);
   if (view.sv.x == 1) Q = protection::Q_EMERGENCYSTOP_for_version_1(Q);

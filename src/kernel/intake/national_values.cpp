@@ -125,6 +125,8 @@ bool outside(const NationalAreas& areas, std::uint16_t NID_C) {
 void put_in_force(State& state, const train::NationalValues& values) {
   state.national_values = values;
   follow_national_SR_distance(state);
+  // 3.18.4.6.2.1: what the driver may not change any more is reset; adhesion profiles stay.
+  if (!values.Q_NVDRIVER_ADHES) state.slippery_rail = false;
   ++state.revision;
 }
 
