@@ -91,15 +91,16 @@ void refuse(const lang::PacketView& view) {
   require(lang::decode(view, packet) == lang::Fault::not_a_packet_of_this_kind);
 }
 
-/// A packet found at its place; `sound`: its contents are consistent.
-inline void check_view(const lang::PacketView& view, bool sound) {
+/// 6.6.3.1.1.1: a train ignores the contents of a fixed text of X = 1.
+inline bool is_ignored(const lang::PacketView& view) {
+  return view.NID_PACKET == packet::fixed_text && view.sv.x == 1 && view.direction == lang::Direction::to_train;
+}
+
+/// A packet whose number is known; `sound`: its contents are consistent.
+inline void check_contents(const lang::PacketView& view, bool sound) {
   BitReader in(view.bytes, view.bit + view.L_PACKET, view.bit);
   const auto nid = static_cast<std::uint8_t>(in.read_bit_by_bit(8));
   const lang::PacketLayout* layout = lang::find_packet_layout(view.direction, lang::known_version(view.sv), nid);
-  const bool ignored =  // 6.6.3.1.1.1
-      sound && nid == packet::fixed_text && view.sv.x == 1 && view.direction == lang::Direction::to_train;
-  require((layout != nullptr && !ignored) == view.known);
-  if (!view.known) return;
   SpareFinder finder;
   if (layout->has_direction) finder.spare = in.read_bit_by_bit(2) == 3;
   if (layout->has_length) require(in.read_bit_by_bit(13) == view.L_PACKET);
@@ -116,6 +117,14 @@ inline void check_view(const lang::PacketView& view, bool sound) {
 #undef EVC_EACH
   if (view.direction == lang::Direction::to_track || nid != 3) refuse<lang::Packet3>(view);
   if (view.direction == lang::Direction::to_train || nid != 3) refuse<lang::TrainPacket3>(view);
+}
+
+/// A packet found at its place; `sound`: by a reader that looks at the contents, and they are consistent.
+inline void check_view(const lang::PacketView& view, bool sound) {
+  const auto nid = static_cast<std::uint8_t>(nid_of(view));
+  const bool known = lang::find_packet_layout(view.direction, lang::known_version(view.sv), nid) != nullptr;
+  require((known && !(sound && is_ignored(view))) == view.known);
+  if (view.known) check_contents(view, sound);
 }
 
 /// One packet at bit 0.
@@ -147,7 +156,7 @@ inline void check_alone(std::span<const std::uint8_t> bytes, lang::Direction dir
       require((fast.fault == lang::Fault::length_mismatch) == !right_length);
       lang::PacketView view{nid, static_cast<std::uint16_t>(end), 0, 2, sv, direction, true, bytes};
       if (layout->has_direction) view.Q_DIR = static_cast<std::uint8_t>(BitReader(bytes, bits, 8).read(2));
-      check_view(view, fast.fault == lang::Fault::none);
+      check_contents(view, fast.fault == lang::Fault::none);
     } else {
       require(fast.fault != lang::Fault::none && !taken);
     }
