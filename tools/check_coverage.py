@@ -4,6 +4,9 @@ build/asan, which is made first if missing. Each room has a floor in tests/gates
 so does a floor that is 1 % too low or lower than in CI_BASE (default: the commit before). Lines that no
 test reaches are listed in build/asan/uncovered.txt.
 
+What a class declares outside its functions (members with their defaults, defaulted operators) does not count: whether
+an object has code for it depends on what was compiled together.
+
 Usage: tools/check_coverage.py [--build FOLDER] [--write-floors]
   --write-floors  raises the floors to today's figures (none falls)"""
 import argparse
@@ -11,6 +14,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -50,6 +54,34 @@ def counts(build):
                 for line in entry["lines"]:
                     file[line["line_number"]] = file.get(line["line_number"], 0) + line["count"]
     return lines
+
+
+BLANKED = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+SCOPE = re.compile(r"\b(struct|class|union|namespace)\b[^;{}()]*$")
+BODY = re.compile(r"(\)|\bconst|\bnoexcept|\belse|\bdo|\btry|->[^;{}]*)\s*$")
+
+
+def declarations(text):
+    """The lines of a source in classes and namespaces that hold no part of a function's body."""
+    text = BLANKED.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+    found, inside, line, since = set(), [], 1, 0  # inside: for each open brace, whether it is within a body
+    in_body = False
+    for at, sign in enumerate(text):
+        if sign == "{":
+            before = text[since:at]
+            body = BODY.search(before) or (not before.strip() and text[since - 1:since] == "}")  # after `: a{b}`
+            inside.append(bool(inside and inside[-1] or body and not SCOPE.search(before)))
+            in_body = in_body or inside[-1]
+        elif sign == "}" and inside:
+            inside.pop()
+        elif sign == "\n":
+            if not in_body:
+                found.add(line)
+            line += 1
+            in_body = bool(inside) and inside[-1]
+        if sign in "{};":
+            since = at + 1
+    return found
 
 
 def read(text):
@@ -106,8 +138,11 @@ def main():
     with open(build / "uncovered.txt", "w", encoding="utf-8") as uncovered:
         for name in sorted(lines):
             text = (ROOT / name).read_text(encoding="utf-8").splitlines()
+            declared = declarations("\n".join(text) + "\n")
             room = rooms.setdefault(room_of(str(ROOT / name)), [0, 0])
             for number, times in sorted(lines[name].items()):
+                if number in declared:
+                    continue
                 room[0] += 1
                 room[1] += times > 0
                 if not times:

@@ -45,5 +45,30 @@ class Rooms(unittest.TestCase):
         self.assertIsNone(check_coverage.room_of("/usr/include/c++/12/array"))
 
 
+class Declarations(unittest.TestCase):
+    SOURCE = """\
+namespace evc {
+struct Value {  // {
+  Speed low{1.0}, high{
+      2.0};
+  bool valid = true;
+  Value(int n) : low{n} {
+    valid = n > 0;
+  }
+  bool usable() const { return valid; }
+  friend bool operator==(const Value&, const Value&) = default;
+};
+constexpr Value kNone{
+    0};
+int count() {
+  return 1;
+}
+}
+"""
+
+    def test_members_and_defaulted_functions_and_no_statement(self):
+        self.assertEqual(check_coverage.declarations(self.SOURCE), {1, 2, 3, 4, 5, 10, 11, 12, 13, 17})
+
+
 if __name__ == "__main__":
     unittest.main()
