@@ -243,6 +243,7 @@ TEST(Telegram, Versions) {
   EXPECT_EQ(WithBits(nothing, 48).scan().fault, Fault::unknown_version);
   EXPECT_EQ(WithBits(nothing, 18).scan().fault, Fault::spare_value);
   EXPECT_EQ(WithBits(nothing, 48).scan().NID_BG.raw, 9);
+  for (const SystemVersion unknown : {SystemVersion{0, 0}, SystemVersion{3, 0}}) EXPECT_EQ(known_version(unknown), 0);
 }
 
 TEST(Telegram, Header) {

@@ -127,6 +127,23 @@ TEST(Session, Termination) {  // 3.5.5
   EXPECT_EQ(u.out.disconnect, kRbc);
 }
 
+TEST(Session, ItsLastMessagesAreSentWhereItEndsInTheSameCycle) {  // 3.16.3.5, 3.5.5.3.3
+  Unit u;
+  u.up();
+  EXPECT_EQ(u.message(24, true), Rejected::no);
+  u.order_session(kRbc, false);
+  u.now += 0.01;
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::idle);
+  EXPECT_EQ(u.out.disconnect, kRbc);
+  u.cycle();
+  EXPECT_EQ(u.messages(), (Ids{146, 156}));
+  u.fresh();
+  u.out.send(136);
+  u.cycle();
+  EXPECT_TRUE(u.messages().empty()) << "without a session nothing is sent";
+}
+
 TEST(Session, TerminationIsRepeatedThreeTimes) {  // 3.5.5.3.1-2
   Unit u;
   u.up();

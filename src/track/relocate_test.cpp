@@ -95,10 +95,14 @@ TEST(RelocateData, EachKindByWhatItIsComparedWith) {
   GeoReference geo;
   geo.applies_from = at(20);
   ASSERT_TRUE(c.geo.emplace().push_back(geo));
+  c.rbc_transition.emplace().at = at(750);
+  c.radio_infill.emplace().at = at(760);
   store_unlinked(d, c);
   relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
 
   ASSERT_TRUE(d.ma);
+  EXPECT_EQ(d.rbc_transition->at, at(740));
+  EXPECT_EQ(d.radio_infill->at, at(750));
   EXPECT_EQ(d.ma->end(), at(910));  // EOA: estimated and min; SvL: max
   EXPECT_EQ(d.ma->overlap->start, at(820));
   EXPECT_EQ(d.ma->overlap->end, at(930));

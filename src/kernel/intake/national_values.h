@@ -21,9 +21,8 @@ struct ReceivedNationalValues {
 /// Packet 3 in SI. Correction factors that it does not contain (Q_NVKINT = 0, or no set for the train's brakes) have
 /// the defaults of A.3.2.
 ReceivedNationalValues read(const lang::Packet3& packet);
-/// The values for braking curves of packet 203 in the message of a packet 3 of X = 1 (6.6.3.2.3 [16]); false: it has
-/// none
-/// ([2]).
+/// The values for braking curves of packet 203 in the message of a packet 3 of X = 1 (6.6.3.2.3 [16]); false: it
+/// has none ([2]).
 bool join_braking_curves(const Information& information, train::NationalValues& values);
 
 /// National values come into force (3.18.2.4, 3.18.2.8.1); those that the set does not contain stay.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/intake/test_message.h"
+#include "lang/packets/packet_203.h"
 #include "lang/packets/packet_3.h"
 
 namespace evc::kernel {
@@ -180,6 +181,77 @@ TEST(NationalValues, CorrectionFactorsOfBothSets) {  // 3.13.2.3.7, A.3.7, 7.5.1
   EXPECT_DOUBLE_EQ(nv.Kv_int_freight.steps[1].value, 0.4);
   EXPECT_DOUBLE_EQ(nv.Kr_int.at({}), 0.9);
   EXPECT_DOUBLE_EQ(nv.Kt_int, 1.2);
+}
+
+/// A packet 203 with the values of a packet 3 that both have.
+lang::Packet203 in_packet_203(const lang::Packet3& p) {
+  lang::Packet203 q;
+  q.Q_NVGUIPERM = p.Q_NVGUIPERM;
+  q.Q_NVSBFBPERM = p.Q_NVSBFBPERM;
+  q.Q_NVINHSMICPERM = p.Q_NVINHSMICPERM;
+  q.A_NVMAXREDADH1 = p.A_NVMAXREDADH1;
+  q.A_NVMAXREDADH2 = p.A_NVMAXREDADH2;
+  q.A_NVMAXREDADH3 = p.A_NVMAXREDADH3;
+  q.M_NVAVADH = p.M_NVAVADH;
+  q.M_NVEBCL = p.M_NVEBCL;
+  q.Q_NVKINT = p.Q_NVKINT;
+  q.Q_NVKVINTSET = p.Q_NVKVINTSET;
+  q.A_NVP12 = p.A_NVP12;
+  q.A_NVP23 = p.A_NVP23;
+  q.V_NVKVINT = p.V_NVKVINT;
+  q.M_NVKVINT_A = p.M_NVKVINT_A;
+  q.M_NVKVINT_B = p.M_NVKVINT_B;
+  q.kv_steps = p.kv_steps;
+  q.kv_sets = p.kv_sets;
+  q.L_NVKRINT = p.L_NVKRINT;
+  q.M_NVKRINT = p.M_NVKRINT;
+  q.kr_steps = p.kr_steps;
+  q.M_NVKTINT = p.M_NVKTINT;
+  return q;
+}
+
+class BrakingCurves : public test::OneMessage {};
+
+TEST_F(BrakingCurves, OfPacket203ReadAsThoseOfPacket3) {  // 6.6.3.2.3 [2], [16]
+  lang::Packet3 p = with_all_values();
+  p.Q_NVGUIPERM.raw = p.Q_NVINHSMICPERM.raw = 1;
+  p.Q_NVKINT.raw = p.Q_NVKVINTSET.raw = 1;
+  p.A_NVP12.raw = 10;
+  p.A_NVP23.raw = 20;
+  p.M_NVKVINT_A.raw = 40;
+  p.M_NVKVINT_B.raw = 35;
+  lang::Packet3_kv_sets freight;
+  freight.M_NVKVINT_A.raw = 45;
+  ASSERT_TRUE(p.kv_sets.push_back(freight));
+  p.L_NVKRINT.raw = 0;
+  p.M_NVKRINT.raw = 18;
+  lang::Packet3_kr_steps step;
+  step.L_NVKRINT.raw = 3;
+  step.M_NVKRINT.raw = 15;
+  ASSERT_TRUE(p.kr_steps.push_back(step));
+  p.M_NVKTINT.raw = 24;
+  train::NationalValues values;
+  EXPECT_FALSE(join_braking_curves(information, values));
+  EXPECT_EQ(values, train::NationalValues{});
+  add(in_packet_203(p));
+  information.packets[0].sv = {1, 1};
+  ASSERT_TRUE(join_braking_curves(information, values));
+  const train::NationalValues same = read(p).set.values;
+  EXPECT_EQ(values.Q_NVGUIPERM, same.Q_NVGUIPERM);
+  EXPECT_EQ(values.Q_NVSBFBPERM, same.Q_NVSBFBPERM);
+  EXPECT_EQ(values.Q_NVINHSMICPERM, same.Q_NVINHSMICPERM);
+  EXPECT_EQ(values.A_NVMAXREDADH1, same.A_NVMAXREDADH1);
+  EXPECT_EQ(values.A_NVMAXREDADH2, same.A_NVMAXREDADH2);
+  EXPECT_EQ(values.A_NVMAXREDADH3, same.A_NVMAXREDADH3);
+  EXPECT_EQ(values.M_NVAVADH, same.M_NVAVADH);
+  EXPECT_EQ(values.M_NVEBCL, same.M_NVEBCL);
+  EXPECT_EQ(values.Kv_int_passenger, same.Kv_int_passenger);
+  EXPECT_EQ(values.Kv_int_freight, same.Kv_int_freight);
+  EXPECT_EQ(values.A_NVP12, same.A_NVP12);
+  EXPECT_EQ(values.A_NVP23, same.A_NVP23);
+  EXPECT_EQ(values.Kr_int, same.Kr_int);
+  EXPECT_EQ(values.Kr_int.at(Distance{100.0}), 0.75);
+  EXPECT_EQ(values.Kt_int, 1.2);
 }
 
 TEST(NationalValues, CorrectionFactorsStayTheDefaultsWhereThePacketHasNone) {  // A.3.2
