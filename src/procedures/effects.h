@@ -15,7 +15,6 @@ enum class Send : std::uint8_t {
   terminate_session,
   train_data,               // 129
   shunting_request,         // 130
-  ma_request,               // 132, reason "start selected"
   position_report,          // 136 with the new mode or level
   end_of_mission,           // 150
   start_of_mission_report,  // 157

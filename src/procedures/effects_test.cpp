@@ -10,9 +10,9 @@ namespace {
 TEST(Effects, Are_joined) {
   Effects a, b;
   a.requests.add(Ack::OS);
-  b.send.add(Send::ma_request);
+  b.send.add(Send::train_data);
   a |= b;
-  EXPECT_TRUE(a.requests.has(Ack::OS) && a.send.has(Send::ma_request));
+  EXPECT_TRUE(a.requests.has(Ack::OS) && a.send.has(Send::train_data));
   EXPECT_EQ(Set<Ack>::of_bits(0b101), (Set<Ack>{Ack::OS, Ack::SH}));
   EXPECT_EQ((Set<Ack>{Ack::OS, Ack::SH}).bits(), 0b101u);
   EXPECT_EQ(Set<Ack>::of_bits(~0u).bits(), (1u << 12) - 1u);

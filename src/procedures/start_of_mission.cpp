@@ -243,11 +243,6 @@ Effects step(State& state, const Inputs& in) {
     // A request in the outputs of this cycle is answered in the next one at the earliest.
     if (state.step == Step::D31 || state.step == Step::S11 || state.step == Step::S21) break;
   }
-  if (state.step == Step::S21 && in.now >= state.next_request) {
-    out.send.add(Send::ma_request);
-    state.next_request = in.now + in.T_CYCRQST;
-  }
-  if (state.step != Step::S21) state.next_request = Duration{};
   ask(state, in, out);
   return out;
 }

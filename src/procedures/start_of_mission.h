@@ -37,19 +37,16 @@ struct State {
   Step step = Step::S0;
   Mode profile = Mode::OS;       // S25: the mode to acknowledge
   bool without_session = false;  // S24: Start was chosen in level 2/3 without a session
-  Duration next_request{};       // S21: when the MA request is repeated
   bool had_session = false;      // since the desk was opened
   bool desk_was_open = false;    // in the cycle before
 };
 
 struct Inputs {
-  Duration now{};
   Mode mode = Mode::SB;
   Level level = Level::L0;
   bool desk_open = false;
   Session session = Session::none;
   bool mobile_terminal_registered = false;
-  Duration T_CYCRQST{60.0};  // cycle of the MA request (packet 57, default of A.3.1)
   // Status of the stored data, entries of this cycle included.
   DataStatus driver_id = DataStatus::unknown;
   DataStatus train_running_number = DataStatus::unknown;

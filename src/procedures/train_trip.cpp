@@ -111,11 +111,6 @@ Effects step(State& state, const Inputs& in) {
     state.step = next(state, in, out);
     if (state.step == before || state.step == Step::S121 || state.step == Step::S150) break;
   }
-  if (state.step == Step::S150 && in.now >= state.next_request) {
-    out.send.add(Send::ma_request);
-    state.next_request = in.now + in.T_CYCRQST;
-  }
-  if (state.step != Step::S150) state.next_request = Duration{};
   ask(state, in, out);
   return out;
 }

@@ -26,7 +26,6 @@ struct State {
   Step step = Step::S010;
   Mode profile = Mode::OS;  // S170: the mode to acknowledge
   Repetition repetition;
-  Duration next_request{};
 };
 
 struct Inputs {
@@ -40,8 +39,7 @@ struct Inputs {
   bool exit_recognised = false;         // 6, in this cycle
   bool emergency_stop_pending = false;  // accepted, neither revoked nor deleted
   bool selects_start = false;
-  bool SR_authorised = false;  // 2, in this cycle
-  Duration T_CYCRQST{60.0};
+  bool SR_authorised = false;            // 2, in this cycle
   std::optional<Mode> profile_at_front;  // as in start_of_mission
 };
 

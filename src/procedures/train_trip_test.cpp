@@ -78,10 +78,9 @@ TEST(TrainTrip, Level_2_waits_for_the_RBC) {
   EXPECT_EQ(t.state.step, train_trip::Step::S140);
   t.in.train_data_valid = true;
   t.in.selects_start = true;
-  EXPECT_TRUE(t.cycle().send.has(Send::ma_request));
-  int requests = 0;
-  for (int i = 0; i < 120; ++i) requests += t.cycle().send.has(Send::ma_request) ? 1 : 0;
-  EXPECT_EQ(requests, 2);
+  t.cycle();
+  EXPECT_EQ(t.state.step, train_trip::Step::S150);
+  t.in.selects_start = false;
   const Tripped waiting = t;
   t.in.SR_authorised = true;
   EXPECT_EQ(t.cycle().requests, Set<Ack>{Ack::SR});

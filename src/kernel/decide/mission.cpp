@@ -46,10 +46,6 @@ procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::I
   return procedures::mode_profile::step(s.mode_profile, in);
 }
 
-Duration request_cycle(const State& s) {
-  return s.radio.ma_request && s.radio.ma_request->T_CYCRQST ? *s.radio.ma_request->T_CYCRQST : Duration{60.0};
-}
-
 /// 5.4.3.3: the status of data set by start of mission.
 void change_statuses(State& s, Set<procedures::Status> status) {
   using procedures::Status;
@@ -93,13 +89,11 @@ std::optional<Mode> run_mode_profile(State& s, const Received& received, procedu
 void run_start_of_mission(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                           Decided& out) {
   procedures::start_of_mission::Inputs som;
-  som.now = s.now;
   som.mode = s.mode;
   som.level = s.level.level;
   som.desk_open = desk_open;
   som.session = session_of(s);
   som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)];
-  som.T_CYCRQST = request_cycle(s);
   som.driver_id = s.data.driver_id_status;
   som.train_running_number = s.data.train_running_number_status;
   som.position = s.position.status;
@@ -207,7 +201,6 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
   trip.emergency_stop_pending = s.emergency_stops.any();
   trip.selects_start = received.selected.has(Select::start);
   trip.SR_authorised = received.SR_authorised;
-  trip.T_CYCRQST = request_cycle(s);
   trip.profile_at_front = profile_at_front;
   out.effects |= procedures::train_trip::step(s.train_trip, trip);
   if (s.train_trip.step == procedures::train_trip::Step::S150) out.start_selected = true;
