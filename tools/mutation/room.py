@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SHARED = ROOT / "build" / "mutants" / "shared"  # what no mutant changes: other rooms, the test library
 CXX = shlex.split(os.environ.get("CXX", "g++"))
 FLAGS = ["-std=c++20", "-w", "-Wno-narrowing", "-ffp-contract=off", f'-DEVC_SOURCE_DIR="{ROOT}"',
-         f'-DEVC_DATA_DIR="{ROOT}/data"']
+         f'-DEVC_DATA_DIR="{ROOT}/data"', '-DEVC_VERSION=""']
 ROOM_FLAGS = ["-O1"]
 KERNEL_FLAGS = ["-fno-exceptions", "-fno-rtti"]
 HOST_FLAGS = ["-O2", "-DNDEBUG"]  # a scenario is mostly reading and writing of JSON
@@ -132,6 +132,8 @@ class Room:
             others += rooms_in((SCENARIOS / "CMakeLists.txt").read_text(), "evc_scenarios")
         for other in (name, *others):
             self._depend(other)
+        if self.scenarios:
+            self.rooms.append("capi")  # scenarios can go through it
         self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
