@@ -132,8 +132,9 @@ class Room:
             others += rooms_in((SCENARIOS / "CMakeLists.txt").read_text(), "evc_scenarios")
         for other in (name, *others):
             self._depend(other)
-        if self.scenarios:
-            self.rooms.append("capi")  # scenarios can go through it
+        if self.scenarios:  # they can go through the C interface
+            self._depend("embed")
+            self.rooms.append("capi")
         self.out = ROOT / "build" / "mutants" / (build or name)
         self.src = self.out / "src"  # the copy that everything is compiled from, whatever is edited meanwhile
         self.copy()
@@ -193,8 +194,8 @@ class Room:
         beside = [o for o in objects if not o.name.startswith(f"{SCENARIOS.name}_")]
         self.beside_binary = self.out / "beside_test" if self.scenarios else self.binary
         for binary, of in {self.beside_binary: beside, self.binary: objects}.items():
-            if not self.link(binary, of):
-                sys.exit(f"mutate: the test of {self.name} cannot be linked")
+            if errors := self.link(binary, of):
+                sys.exit(f"mutate: the test of {self.name} cannot be linked\n{errors}")
         self.time_tests()
         names = list(self.seconds)
         self.reached = dict(zip(names, self.each(self.reached_by, names)))
@@ -304,10 +305,11 @@ class Room:
             return {number for number, seen in enumerate(notes.read()) if seen}
 
     def link(self, binary, objects):
+        """What the linker says where it fails; empty: it is linked."""
         command = CXX + ["-fuse-ld=lld" if shutil.which("ld.lld") else "-O1", "-o", str(binary)]
         done = subprocess.run(command + [str(o) for o in objects] + [str(self.others), "-lgtest", "-lgtest_main", "-lpthread"],
                               capture_output=True, text=True)
-        return done.returncode == 0
+        return done.stderr or "without a reason" if done.returncode else ""
 
     # ---- For every mutant ----------------------------------------------------------------------
 
@@ -417,7 +419,7 @@ class Room:
                     continue
                 made_tests = [made(s) for s in sources]
                 binary = tree / "mutant_test"
-                if None in made_tests or not self.link(binary, [*room, *made_tests]):
+                if None in made_tests or self.link(binary, [*room, *made_tests]):
                     return "does not compile"
                 seconds = sum(self.seconds[name] for name in names)
                 result = self.run(binary, 0, names if without else None, seconds * TIME_FACTOR + TIME_MORE)
