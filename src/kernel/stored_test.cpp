@@ -35,6 +35,7 @@ void fill(State& s) {
   s.data.train_running_number_status = DataStatus::valid;
   s.radio.contact.emplace();
   s.level_table.emplace();
+  s.lssma.on = true;
   protection::request(s.track_ahead_free, at(100.0), at(200.0));
 }
 
@@ -78,6 +79,7 @@ constexpr Datum kData[] = {
     {Stored::train_running_number,
      [](const State& s) { return s.data.train_running_number_status != DataStatus::unknown; },
      [](const State& s) { return s.data.train_running_number_status; }},
+    {Stored::lssma_toggle_on_order, [](const State& s) { return s.lssma.on; }},
     {Stored::track_ahead_free_request, [](const State& s) { return s.track_ahead_free.from.has_value(); }},
 };
 
@@ -127,10 +129,32 @@ TEST(StoredData, AreKeptOrLostWhenTheDeskIsClosed) {  // A.3.4 k
   const auto state = std::make_unique<State>();
   fill(*state);
   state->level_transition.pending.emplace();
+  state->buffer.grow()->accepting = true;
+  state->buffer.grow()->accepting = false;
   keep_for_closed_desk(*state);
   EXPECT_FALSE(state->level_transition.pending);
+  ASSERT_EQ(state->buffer.size(), 1u) << "what waits for the change of level is deleted with the order";
+  EXPECT_TRUE(state->buffer[0].accepting);
   expect_fates(
       *state, [](Stored row) { return modes::on_desk_closed_in_start_of_mission(row); }, "desk closed");
+}
+
+TEST(StoredData, AreTrustedAfterPowerOffWithoutAMovement) {  // 4.11
+  const auto state = std::make_unique<State>();
+  for (const std::optional<bool> moved : {std::optional<bool>{}, std::optional{true}, std::optional{false}}) {
+    fill(*state);
+    state->position.status = state->data.level_status = state->contact_status = DataStatus::invalid;
+    revalidate_after_power_off(*state, moved);
+    const DataStatus status = moved == false ? DataStatus::valid : DataStatus::invalid;
+    EXPECT_EQ(state->position.status, status);
+    EXPECT_EQ(state->data.level_status, status);
+    EXPECT_EQ(state->contact_status, status);
+    EXPECT_EQ(state->level_table.has_value(), moved == false);
+    state->data.level_status = state->contact_status = DataStatus::unknown;
+    revalidate_after_power_off(*state, moved);
+    EXPECT_EQ(state->data.level_status, DataStatus::unknown);
+    EXPECT_EQ(state->contact_status, DataStatus::unknown);
+  }
 }
 
 TEST(StoredData, WhatWasUnknownIsNotToBeValidated) {  // 4.10
@@ -181,6 +205,16 @@ TEST(StoredData, ThatAreShortenedEndThere) {  // A.3.4
   state->track.ma = ma;
   shorten(*state, track::Situation::h_linking_reaction, at(400.0), {});
   EXPECT_FALSE(state->pending_national_values.has_value());
+}
+
+TEST(StoredData, TheListForShuntingIsKeptInShunting) {  // A.3.4
+  const auto state = std::make_unique<State>();
+  for (const Mode mode : {Mode::FS, Mode::SH}) {
+    state->mode = mode;
+    state->track.sh_list.emplace();
+    shorten(*state, track::Situation::h_linking_reaction, at(400.0), {});
+    EXPECT_EQ(state->track.sh_list.has_value(), mode == Mode::SH);
+  }
 }
 
 TEST(StoredData, TheNationalDistanceInSRIsFromTheEstimatedFrontEnd) {  // 4.4.11.1.3.1

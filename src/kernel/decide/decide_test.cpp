@@ -147,6 +147,16 @@ TEST_F(Decide, AnAreaIsAcknowledgedOnlyWithItsAuthority) {  // 5.4.4 S21, S25
   }
 }
 
+TEST_F(Decide, TheAuthorityOfTheCycleCounts) {  // 4.6.3 [12], [16]
+  for (const Level level : {Level::L1, Level::L2}) {
+    restart(Mode::FS, level);
+    ASSERT_EQ(mode_after(), Mode::FS);
+    state.track.ma->sections[0].end = at(990.0);
+    ++state.track.revision;
+    EXPECT_EQ(mode_after(), Mode::TR) << static_cast<int>(level);
+  }
+}
+
 TEST_F(Decide, TheCurvesOfTheNewModeAreBuiltAtOnce) {  // 4.5.2, 3.13
   ASSERT_EQ(mode_after(), Mode::FS);
   ASSERT_EQ(mode_after(), Mode::FS);

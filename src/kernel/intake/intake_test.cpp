@@ -106,6 +106,29 @@ TEST_F(Cycle, HasTheOdometerOfItsInputs) {  // 3.6.4
   EXPECT_EQ(now.A_est, o.A_est);
 }
 
+TEST_F(Cycle, ItsPlacesCountFromTheGroupThatWasPassedInIt) {  // 3.6.4.3
+  std::array<std::uint8_t, 104> bytes{};
+  BitWriter writer(bytes);
+  lang::TelegramHeader header;
+  header.NID_C.raw = 1;
+  header.NID_BG.raw = 200;
+  header.Q_LINK.raw = 1;
+  lang::begin_telegram(writer, header);
+  lang::end_telegram(writer, 210);
+  const BaliseTelegram telegram{bytes, 210, {{100.0}}, {}};
+  state.mode = Mode::SR;
+  run();
+  in.now = {50.2};
+  in.odometry.nominal = {{100.0}};
+  in.odometry.min = {{80.0}};
+  in.odometry.max = {{120.0}};
+  in.balise_telegrams = {&telegram, 1};
+  run();
+  ASSERT_TRUE(received.new_lrbg);
+  EXPECT_EQ(received.here.max_safe_front, here(state).max_safe_front);
+  EXPECT_LT(received.here.max_safe_front, received.here.est_front + 20.0_m);
+}
+
 TEST_F(Cycle, ALoopMessageIsLogged) {  // 3.9: its information is not used (CAVEATS)
   const LoopMessage loop;
   in.loop_messages = {&loop, 1};

@@ -278,6 +278,22 @@ TEST(NationalValues, StepsThatFindRoomStayAsTheyAre) {
 /// Values in force that differ from the defaults, received for country 1.
 NationalSet of_country_1() {
   NationalSet set;
+  train::NationalValues& nv = set.values;
+  nv.Q_NVGUIPERM = !nv.Q_NVGUIPERM;
+  nv.Q_NVSBFBPERM = !nv.Q_NVSBFBPERM;
+  nv.Q_NVINHSMICPERM = !nv.Q_NVINHSMICPERM;
+  nv.M_NVAVADH = 0.35;
+  nv.A_NVMAXREDADH1 = train::MaxReducedAdhesion::at_most({0.1});
+  nv.A_NVMAXREDADH2 = train::MaxReducedAdhesion::at_most({0.2});
+  nv.A_NVMAXREDADH3 = train::MaxReducedAdhesion::at_most({0.3});
+  nv.Kv_int_freight = {};
+  EXPECT_TRUE(nv.Kv_int_freight.append({}, 0.5));
+  nv.Kv_int_passenger = {};
+  EXPECT_TRUE(nv.Kv_int_passenger.append({}, {0.6, 0.7}));
+  nv.A_NVP12 = {0.8};
+  nv.A_NVP23 = {0.9};
+  nv.Kr_int = {};
+  EXPECT_TRUE(nv.Kr_int.append({}, 0.4));
   set.values.V_NVSTFF = Speed{7.0};
   set.values.V_NVLIMSUPERV = Speed{8.0};
   set.values.Q_NVLOCACC = Distance{9.0};
@@ -300,6 +316,9 @@ TEST_F(NationalValuesInForce, WhatASetDoesNotContainStays) {  // 6.6.3.2.3 [1b],
   EXPECT_EQ(state.national_values.Q_NVLOCACC, Distance{9.0});
   EXPECT_EQ(state.national_values.M_NVEBCL, 3);
   EXPECT_EQ(state.national_values.Kt_int, 1.5);
+  train::NationalValues expected = of_country_1().values;
+  expected.V_NVSTFF = train::NationalValues{}.V_NVSTFF;
+  EXPECT_EQ(state.national_values, expected);
   EXPECT_TRUE(in_another_country(state, 1));
   EXPECT_FALSE(in_another_country(state, 2));
 }
@@ -320,6 +339,27 @@ TEST_F(NationalValuesInForce, EachPartIsDeletedOutsideItsOwnCountry) {  // 3.18.
     EXPECT_EQ(state.national_values.M_NVEBCL, NID_C == 1 ? 3 : defaults.M_NVEBCL);
     EXPECT_EQ(state.national_values.Kt_int, NID_C == 1 ? 1.5 : defaults.Kt_int);
   }
+}
+
+TEST_F(NationalValuesInForce, WhereAPartIsDeletedItsAreasAreToo) {  // 3.18.2.5
+  use_national_values(state, of_country_1());
+  leave_area(reception, 2);
+  EXPECT_TRUE(happened(What::national_values_default));
+  EXPECT_TRUE(state.national_areas.empty());
+  EXPECT_TRUE(state.national_areas_of_X_2.empty());
+  EXPECT_TRUE(state.national_areas_of_braking.empty());
+  use_national_values(state, of_country_1());
+  NationalSet set;
+  EXPECT_TRUE(set.areas.push_back(2));
+  set.of_X_2 = set.braking = false;
+  use_national_values(state, set);
+  leave_area(reception, 1);
+  EXPECT_TRUE(state.national_areas.empty());
+  EXPECT_FALSE(state.national_areas_of_X_2.empty());
+  EXPECT_FALSE(state.national_areas_of_braking.empty());
+  out = {};
+  leave_area(reception, 1);
+  EXPECT_FALSE(happened(What::national_values_default)) << "once";
 }
 
 class NationalValuesAhead : public test::OneMessage {};

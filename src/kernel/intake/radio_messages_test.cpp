@@ -133,6 +133,16 @@ TEST_F(RadioReception, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13
   EXPECT_EQ(state.track.traction->NID_CTRACTION, 7);
 }
 
+TEST_F(RadioReception, TheVersionOfTheRbcIsOperatedFromItsMessageOn) {  // 3.17.2.8 b
+  state.mode = Mode::SB;
+  state.operated_X = 2;
+  state.radio.supervising.session.phase = radio::Phase::waiting_version;
+  lang::Message32 m;
+  m.M_VERSION.raw = M_VERSION_1_1;
+  receive(bits(from(m)));
+  EXPECT_EQ(state.operated_X, 1);
+}
+
 TEST_F(RadioReception, AnUnknownMessageIsSkippedOnlyInALaterVersion) {  // 3.17.3.11, 3.16.3.1.1
   std::vector<std::uint8_t> unknown = bits(from(lang::Message24{}));
   unknown[0] = 99;  // NID_MESSAGE

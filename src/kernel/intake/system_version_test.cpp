@@ -72,6 +72,10 @@ TEST_F(OperatedVersion, AnOrderOfASupportedXCounts) {  // 3.17.2.5, 3.17.2.7
   EXPECT_EQ(after_group(2, 2), 1);
   EXPECT_EQ(clause(), "3.17.2.5"_srs);
   expect(2, What::packet_accepted);
+  information.packets.clear();
+  add_order(0x20);
+  EXPECT_EQ(after_group(1, 1), 2);
+  EXPECT_EQ(clause(), "3.17.2.5"_srs);
   for (const std::uint8_t M_VERSION : {std::uint8_t{0x30}, std::uint8_t{0x00}}) {
     information.packets.clear();
     add_order(M_VERSION);
