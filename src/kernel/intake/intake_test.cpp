@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kernel/evc.h"
+#include "kernel/here.h"
 #include "kernel/intake/test_message.h"
 
 // The inputs of a cycle as a whole: which of them are valid, and what time and standstill do to stored data.
