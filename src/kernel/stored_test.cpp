@@ -139,6 +139,13 @@ TEST(StoredData, AreKeptOrLostWhenTheDeskIsClosed) {  // A.3.4 k
       *state, [](Stored row) { return modes::on_desk_closed_in_start_of_mission(row); }, "desk closed");
 }
 
+TEST(StoredData, AreUnknownBeforeTheirFirstEntry) {  // 3.18
+  const auto state = std::make_unique<State>();
+  for (const DataStatus status : {state->position.status, state->data.train_data_status, state->data.level_status,
+                                  state->data.driver_id_status, state->data.train_running_number_status})
+    EXPECT_EQ(status, DataStatus::unknown);
+}
+
 TEST(StoredData, AreTrustedAfterPowerOffWithoutAMovement) {  // 4.11
   const auto state = std::make_unique<State>();
   for (const std::optional<bool> moved : {std::optional<bool>{}, std::optional{true}, std::optional{false}}) {

@@ -34,7 +34,7 @@ procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::I
     procedures::mode_profile::Area area;
     area.mode = a.mode;
     area.start = a.from;
-    if (a.mode != Mode::SH) area.end = a.to;
+    area.end = a.to;
     const Speed national = area.mode == Mode::OS   ? s.national_values.V_NVONSIGHT
                            : area.mode == Mode::LS ? s.national_values.V_NVLIMSUPERV
                                                    : s.national_values.V_NVSHUNT;
