@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/intake/test_message.h"
+#include "lang/packets/packet_136.h"
 #include "lang/packets/packet_2.h"
 #include "lang/packets/packet_3.h"
 
@@ -95,6 +96,7 @@ TEST_F(OperatedVersion, IsNotManagedInEveryMode) {  // 4.5.2
   add_order(0x10);
   state.mode = Mode::NP;
   EXPECT_EQ(after_group(2, 2), 2);
+  EXPECT_EQ(after_group(1, 2), 1);
   establish(state.radio.supervising.session, kOneRbc);
   EXPECT_EQ(of_rbc(Level::L2, Level::L2), 2);
 }
@@ -114,6 +116,13 @@ TEST_F(OperatedVersion, CountriesOfTheGroupsOwnValuesIn_4_0_0) {  // 3.17.2.6
   p.D_VALIDNV.raw = 100;  // not at once
   add(p);
   EXPECT_EQ(after_group(2, 1, false), 2);
+  information.packets.clear();
+  lang::Packet136 infill;
+  infill.NID_BG.raw = 300;
+  add(infill);
+  p.D_VALIDNV.raw = 32767;
+  add(p);
+  EXPECT_EQ(after_group(2, 1, false), 2) << "values at another group are not its own";
 }
 
 TEST_F(OperatedVersion, ThatOfTheRbcInLevels2And3) {  // 3.17.2.8 a, b, d
