@@ -130,6 +130,20 @@ TEST_F(Cycle, ItsPlacesCountFromTheGroupThatWasPassedInIt) {  // 3.6.4.3
   EXPECT_LT(received.here.max_safe_front, received.here.est_front + 20.0_m);
 }
 
+TEST_F(Cycle, ItsPlacesAreThoseOfTheTrainThatWasEnteredInIt) {  // 3.18.3
+  state.mode = Mode::SB;
+  state.data.driver_id_status = DataStatus::valid;
+  state.offers.add(Offer::train_data);
+  run();
+  train::TrainData data = state.train;
+  data.L_TRAIN = state.train.L_TRAIN + 250.0_m;
+  in.now = {60.0};  // at standstill
+  in.driver.train_data = &data;
+  run();
+  ASSERT_EQ(state.train.L_TRAIN, data.L_TRAIN);
+  EXPECT_EQ(received.here.min_safe_rear, here(state).min_safe_rear);
+}
+
 TEST_F(Cycle, ALoopMessageIsLogged) {  // 3.9: its information is not used (CAVEATS)
   const LoopMessage loop;
   in.loop_messages = {&loop, 1};
