@@ -488,6 +488,37 @@ struct Starting {
 using start_of_mission::Session;
 using SoM = start_of_mission::Step;
 
+TEST(StartOfMission, Without_a_session_nothing_is_reported) {  // D31, D32, A34
+  Starting s(SoM::D31, Level::L2);
+  const Effects e = s.cycle();
+  EXPECT_EQ(s.state.step, SoM::S10);
+  EXPECT_FALSE(e.send.has(Send::start_of_mission_report));
+  EXPECT_TRUE(e.status.empty());
+}
+
+TEST(StartOfMission, The_session_of_the_mission_before_is_terminated_once) {  // 5.4.1.4
+  start_of_mission::State state;
+  start_of_mission::Inputs in;
+  in.desk_open = true;
+  in.session = Session::open;
+  EXPECT_TRUE(start_of_mission::step(state, in).send.has(Send::terminate_session));
+  EXPECT_FALSE(start_of_mission::step(state, in).send.has(Send::terminate_session));
+  in.mode = Mode::SR;
+  (void)start_of_mission::step(state, in);
+  in.mode = Mode::SB;  // the desk has been open all the time
+  EXPECT_FALSE(start_of_mission::step(state, in).send.has(Send::terminate_session));
+}
+
+TEST(StartOfMission, It_had_a_session_when_one_was_open) {
+  for (const Session session : {Session::none, Session::establishing, Session::open}) {
+    Starting s(SoM::S10, Level::L2);
+    s.in.session = session;
+    (void)s.cycle();
+    EXPECT_EQ(s.state.had_session, session == Session::open);
+    EXPECT_EQ(start_of_mission::without_session(s.state), session != Session::open);
+  }
+}
+
 TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
   struct Row {
     SoM step;

@@ -91,6 +91,8 @@ TEST(RbcHandover, An_ended_session_ends_the_repetition) {
   (void)h.cycle();
   h.in.established = false;
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(h.cycle().report);
+  h.in.established = true;
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(h.cycle().report);
 }
 
 TEST(RbcHandover, A_mode_that_does_not_report_the_border) {  // 4.5.2
@@ -137,9 +139,12 @@ TEST(RbcHandover, A_deleted_order_ends_the_handover_ahead_of_the_border) {  // 3
 TEST(RbcHandover, A_new_order_begins_anew) {  // 3.15.1.3.2.2
   Handover h;
   h.run_to_border();
-  h.in.max_safe_front = h.in.est_front = false;
+  h.in.min_safe_rear = true;
+  (void)h.cycle();
+  h.in.max_safe_front = h.in.est_front = h.in.min_safe_rear = false;
   h.announce();
   EXPECT_EQ(h.state.step, rbc_handover::Step::announced);
+  EXPECT_FALSE(h.state.contact_changed || h.state.rear_passed);
 }
 
 }  // namespace

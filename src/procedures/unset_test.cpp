@@ -10,9 +10,11 @@
 #include "procedures/mode_profile.h"
 #include "procedures/observe.h"
 #include "procedures/override.h"
+#include "procedures/rbc_handover.h"
 #include "procedures/reversing.h"
 #include "procedures/shunting.h"
 #include "procedures/start_of_mission.h"
+#include "procedures/train_data_change.h"
 #include "procedures/train_trip.h"
 
 // What nobody set is absent: no condition holds, nothing is asked or sent, because of an input that was left alone.
@@ -109,6 +111,52 @@ TEST(Unset, Facts_make_no_condition_true) {
     for (int n = 1; n < modes::Conditions::kNumbers; ++n)
       EXPECT_EQ(found.test(n), row.conditions.test(n)) << row.given << " [" << n << "]";
   }
+}
+
+TEST(Unset, Handover) {
+  using rbc_handover::Step;
+  rbc_handover::State state;
+  rbc_handover::Inputs in;
+  const auto nothing = [](const rbc_handover::Result& r) {
+    return !r.change_contact && !r.report && !r.rear_passed_now && !r.terminate && !r.call_accepting && !r.over;
+  };
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  in.est_front = in.max_safe_front = in.min_safe_rear = true;  // without an order
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  in = {};
+  in.ordered = true;
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  EXPECT_EQ(state.step, Step::none);  // not stored
+  in.stored = true;
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  EXPECT_EQ(state.step, Step::announced);
+  in.ordered = false;
+  in.min_safe_rear = true;  // only after the front end
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  in.min_safe_rear = false;
+  in.max_safe_front = true;
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));  // the mode does not report
+  EXPECT_EQ(state.step, Step::at_border);
+  in.ended = true;
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));  // two sessions
+  EXPECT_EQ(state.step, Step::at_border);
+  in.min_safe_rear = in.reports = true;  // no session with the handing over RBC
+  const rbc_handover::Result left = rbc_handover::step(state, in);
+  EXPECT_TRUE(left.rear_passed_now);
+  EXPECT_FALSE(left.report);
+}
+
+TEST(Unset, Change_of_train_data) {
+  using namespace train_data_change;
+  State state;
+  Inputs in;
+  EXPECT_EQ(step(state, in).data, Fate::kept);
+  in.pending = true;
+  EXPECT_EQ(step(state, in).data, Fate::to_validate);
+  in.train_data_valid = true;  // in SB, with another source that the driver does not validate
+  EXPECT_EQ(step(state, in).data, Fate::in_force);
+  state.step = Step::S3;
+  EXPECT_EQ(step(state, in).data, Fate::in_force);
 }
 
 TEST(Unset, Shunting) {
