@@ -124,6 +124,10 @@ TEST(Unset, Handover) {
   in.est_front = in.max_safe_front = in.min_safe_rear = true;  // without an order
   EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
   in = {};
+  in.stored = true;  // not ordered in this cycle
+  EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
+  EXPECT_EQ(state.step, Step::none);
+  in = {};
   in.ordered = true;
   EXPECT_TRUE(nothing(rbc_handover::step(state, in)));
   EXPECT_EQ(state.step, Step::none);  // not stored
