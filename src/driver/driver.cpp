@@ -113,7 +113,7 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::driver_id, c.standstill || (!in_standby && c.driver_id_while_running));
   out.add(Input::train_data, entry && level && (!in_standby || c.offers.has(Offer::train_data)));
   out.add(Input::level, entry);
-  out.add(Input::train_running_number, !in_standby || entry);
+  out.add(Input::train_running_number, !in_standby || c.standstill);  // 5.4.3.2 S1: before the driver ID too
   out.add(Input::rbc_contact, entry);
   out.add(Input::radio_network_id, entry);
   out.add(Input::non_leading, entry && level && c.non_leading_signal);

@@ -163,6 +163,12 @@ TEST(Driver, Start_of_mission_opens_the_choices_of_standby) {
   c.level.reset();
   c.offers = Set<Offer>::of_bits(~0u);
   for (const Input input : {Input::start, Input::shunting, Input::non_leading}) EXPECT_FALSE(enabled(c).has(input));
+  // S1: before the driver ID (5.4.3.2).
+  c.driver_id_valid = false;
+  EXPECT_TRUE(enabled(c).has(Input::train_running_number));
+  EXPECT_FALSE(enabled(c).has(Input::level));
+  c.standstill = false;
+  EXPECT_FALSE(enabled(c).has(Input::train_running_number));
   // Start in level 2 without a session leads to SR (5.4.5.3 h).
   c = everything(Mode::SB, Level::L2);
   c.session_open = c.train_data_acknowledged = false;

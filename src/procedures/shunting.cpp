@@ -5,8 +5,8 @@ Result step(State& state, const Inputs& in) {
   Result out;
   const bool rbc = in.level == Level::L2 || in.level == Level::L3;
   const bool in_shunting = in.mode == Mode::SH || in.mode == Mode::PS;
-  // 5.12.4: the function works once and is reset when shunting is left.
-  if (!in_shunting) state.continues = false;
+  // 4.4.20.1.7: the function allows one transition to PS; it is off once SH is left.
+  if (in.mode != Mode::SH) state.continues = false;
   if (in.mode == Mode::SH && in.selects_continue) state.continues = true;
 
   // E015: in levels 0, NTC and 1 the selection takes effect by [5]; with a national trip in level NTC by [35].

@@ -85,10 +85,15 @@ TEST(Shunting, Goes_on_over_a_closed_desk_once) {
   s.in.selects_continue = true;
   s.cycle();
   EXPECT_TRUE(s.state.continues);
-  s.in.mode = Mode::PS;
   s.cycle();
   EXPECT_TRUE(s.state.continues);
-  s.in.mode = Mode::SB;
+  for (const Mode mode : {Mode::PS, Mode::SB}) {
+    s.state.continues = true;
+    s.in.mode = mode;
+    s.cycle();
+    EXPECT_FALSE(s.state.continues);
+  }
+  s.in.mode = Mode::SH;  // again from PS
   s.cycle();
   EXPECT_FALSE(s.state.continues);
 }

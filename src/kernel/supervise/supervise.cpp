@@ -90,8 +90,9 @@ void supervise_speed(State& s, Derived& d, const TrainSignals& train, const trac
   toggle_LSSMA(s.lssma, s.now);
   out.LSSMA = LSSMA(s, d.in_force.sdm, here);
   out.asked.add(brakes::Cause::overspeed_traction, r.tco);
-  out.asked.add(brakes::Cause::overspeed_service, r.sb);
-  out.asked.add(brakes::Cause::overspeed_emergency, r.eb);
+  const bool reversing = s.mode == Mode::RV;  // 4.4.18.1.6: the emergency brake instead of the service brake
+  out.asked.add(brakes::Cause::overspeed_service, r.sb && !reversing);
+  out.asked.add(brakes::Cause::overspeed_emergency, r.eb || (r.sb && reversing));
 }
 
 /// Roll away, reverse movement, standstill, post trip and reversing distance (3.14.2-4, 4.4.14, 3.15.4).
