@@ -158,6 +158,7 @@ struct State {
   std::uint8_t terminals = 2;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
+  bool safety_fault_memorised = false;  // it occurred in SL or NL, and these have to be left (4.4.6.1.6, 4.4.15.1.5)
   modes::OrderedLevel level;
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 

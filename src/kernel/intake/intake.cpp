@@ -10,11 +10,14 @@
 #include "kernel/intake/reception.h"
 #include "kernel/intake/system_version.h"
 #include "kernel/stored.h"
+#include "radio/radio.h"
 #include "track/services.h"
 #include "track/withdraw.h"
 
 namespace evc::kernel {
 namespace {
+
+constexpr std::uint8_t kSafetyCriticalFault = 6;  // M_ERROR (7.5.1.64)
 
 position::Odometry odometry_of(const Odometry& in) {
   return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
@@ -87,6 +90,16 @@ TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
   return train.integrity == TrainIntegrity::confirmed && longer ? TrainIntegrity::unknown : train.integrity;
 }
 
+/// Whether a fault that affects safety acts now. In SL and NL it does not stop the train: it is memorised, reported to
+/// the RBC and handled when the mode is left (4.4.6.1.6, 4.4.15.1.5).
+bool acts(State& s, bool fault) {
+  if (s.mode == Mode::NP) s.safety_fault_memorised = false;
+  if (s.mode != Mode::SL && s.mode != Mode::NL) return fault || s.safety_fault_memorised;
+  if (fault && !s.safety_fault_memorised) radio::report_error(s.radio, kSafetyCriticalFault);
+  s.safety_fault_memorised = s.safety_fault_memorised || fault;
+  return false;
+}
+
 }  // namespace
 
 Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log) {
@@ -95,7 +108,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
-  out.safety_fault = !can_go_on || s.configuration_refused || in.safety_fault;
+  out.safety_fault = acts(s, !can_go_on || s.configuration_refused || in.safety_fault);
   if (can_go_on) update_position(s, in);
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);

@@ -84,6 +84,29 @@ TEST_F(Cycle, HasTheFaultsOfPlatformAndConfiguration) {  // 4.4.5
   EXPECT_TRUE(run().safety_fault);
 }
 
+TEST_F(Cycle, MemorisesAFaultInSleepingAndNonLeading) {  // 4.4.6.1.6, 4.4.15.1.5
+  for (std::size_t i = 0; i < kModes; ++i) {
+    const Mode mode = static_cast<Mode>(i);
+    const bool memorises = mode == Mode::SL || mode == Mode::NL;
+    state.mode = mode;
+    state.safety_fault_memorised = false;
+    state.radio.errors.clear();
+    in.safety_fault = true;
+    EXPECT_EQ(run().safety_fault, !memorises) << i;
+    EXPECT_EQ(state.safety_fault_memorised, memorises) << i;
+    EXPECT_EQ(state.radio.errors.size(), memorises ? 1u : 0u) << i;
+    state.radio.errors.clear();
+    run();
+    EXPECT_TRUE(state.radio.errors.empty()) << "reported once";
+    in.safety_fault = false;
+    EXPECT_FALSE(run().safety_fault) << i;
+    state.mode = Mode::SB;
+    EXPECT_EQ(run().safety_fault, memorises) << i;
+    state.mode = Mode::NP;
+    EXPECT_FALSE(run().safety_fault) << "the equipment is started anew";
+  }
+}
+
 TEST_F(Cycle, KeepsTimeAndPlaceOfTheLastValidOne) {  // 4.4.5
   run();
   ASSERT_EQ(state.now, Duration{50.1});

@@ -14,7 +14,7 @@ namespace evc::kernel {
 /// asked for.
 struct Received {
   track::Here here;           ///< the train after relocation
-  bool safety_fault = false;  ///< 4.4.5: nothing can be supervised
+  bool safety_fault = false;  ///< 4.4.5: nothing can be supervised; not in SL and NL, where it is memorised
   brakes::CauseSet asked;
 
   // The driver
