@@ -172,6 +172,43 @@ TEST(Store, AShorteningDeletesBeyondTheNewSvL) {  // 3.8.5.1.3, A.3.4 b
   EXPECT_FALSE(store(d, whole(2500), front_at(200)).shortened);
 }
 
+TEST(Store, TheEndOfTheInfillAuthorityIsItsOwn) {  // 3.8.5.1 b
+  Description d;
+  Contents first = whole(3000);
+  first.ma = authority_to(2000);
+  first.ma->V_LOA = Speed{20};
+  first.ma->loa_timer = {Duration{60}, Duration{}, true};
+  first.ma->end_section = EndSectionTimer{at(1900), {Duration{30}, {}, false}};
+  first.ma->danger_point = DangerPoint{at(2050), {ReleaseSpeedChoice::value, Speed{5}}};
+  ASSERT_TRUE(store(d, first, front_at(100)).ma_accepted);
+  Contents c;
+  c.infill = at(1500);
+  c.ma = authority_to(2500, 1500);
+  c.ma->level_1 = true;
+  c.ma->anchor = Anchor::unlinked;
+  c.ma->overlap = Overlap{at(2400), at(2600), {Duration{20}, {}, false}, {ReleaseSpeedChoice::national, {}}};
+  ASSERT_TRUE(store(d, c, front_at(100)).ma_accepted);
+  MovementAuthority expected = *c.ma;
+  expected.sections.clear();
+  ASSERT_TRUE(expected.sections.push_back({at(0), at(1500), false, {}, {}}));
+  ASSERT_TRUE(expected.sections.push_back({at(1500), at(2500), false, {}, {}}));
+  EXPECT_EQ(d.ma, expected) << "no LOA, end section or danger point of the old one";
+  EXPECT_EQ(d.ma->SvL(), at(2600));
+}
+
+TEST(Store, AMessageWithoutPacket12SaysNothingOfTheSignallingSpeed) {  // 3.11.6.3: until a new one
+  for (const SpeedCode V_MAIN : {SpeedCode{0}, SpeedCode{12}}) {
+    Description d;
+    (void)d.signalling.push_back({at(0), 20, std::nullopt});
+    Contents c;
+    c.V_MAIN = V_MAIN;
+    c.V_MAIN.reset();
+    EXPECT_FALSE(store(d, c, front_at(100)).trip_order);
+    ASSERT_EQ(d.signalling.size(), 1u);
+    EXPECT_EQ(d.signalling[0].V_MAIN, 20);
+  }
+}
+
 TEST(Store, AnSvLWhereAnLoaWasIsAShorteningWhereverItLies) {  // 3.8.5.1.4
   Description d;
   Contents c = whole(2000);
@@ -258,10 +295,14 @@ TEST(Store, InfillBeyondAShuntingAreaBringsNoProfile) {  // 3.12.4.3.1 b, c
     area.from = at(2000);
     c.mode_profile = ModeProfile{};
     ASSERT_TRUE(c.mode_profile->push_back(area));
-    EXPECT_TRUE(store(d, c, front_at(100)).ma_accepted);
+    const Stored stored = store(d, c, front_at(100));
+    EXPECT_TRUE(stored.ma_accepted);
+    EXPECT_EQ(clause_of(stored, 80), SH_from < 1500.0 ? "3.12.4.3.1"_srs : Clause{});
     ASSERT_EQ(d.mode_profile.size(), 1u);
     EXPECT_EQ(d.mode_profile[0].mode, SH_from < 1500.0 ? Mode::SH : Mode::OS);
     EXPECT_EQ(d.sh_list.has_value(), SH_from < 1500.0);
+    c.mode_profile.reset();
+    for (const Note& note : store(d, c, front_at(100)).notes) EXPECT_NE(note.packet, 80) << "it brings none";
   }
 }
 
@@ -291,7 +332,9 @@ TEST(Store, InfillSpeedCountsFromItsReference) {  // 3.11.6.2, 3.8.5.1 b
   EXPECT_FALSE(infill(1600, 22).lost_from) << "takes the place of two";
   EXPECT_EQ(d.signalling.size(), 3u);
   infill(1700, 18);
-  EXPECT_EQ(infill(1800, 18).lost_from, at(1800)) << "no room: data are missing from there on (3.7.2.3)";
+  const Stored no_room = infill(1800, 18);
+  EXPECT_EQ(no_room.lost_from, at(1800)) << "data are missing from there on (3.7.2.3)";
+  EXPECT_EQ(clause_of(no_room, 12), "3.11.6.2"_srs);
   EXPECT_EQ(d.signalling.back().to, at(1800));
   c.V_MAIN = 6;
   store(d, c, front_at(100));
@@ -423,6 +466,24 @@ TEST(Store, AnAcceptedAreaStaysAcceptedInTheNextMa) {  // 5.9.2.7
   EXPECT_TRUE(d.mode_profile[0].accepted);
   ASSERT_TRUE(area_due(d, front_at(210)));
   EXPECT_FALSE(area_due(d, front_at(910)));
+}
+
+TEST(Store, AProfileThatIsJudgedBeforeItIsStoredIsAcceptedAsTheStoredOne) {  // 5.9.2.7
+  Description d;
+  ModeArea os;
+  os.from = at(0);
+  os.accepted = true;
+  ASSERT_TRUE(d.mode_profile.push_back(os));
+  ModeProfile fresh;
+  ModeArea ahead = os, other = os;
+  os.accepted = false;
+  ahead.from = ahead.ack_from = at(500);
+  other.mode = Mode::LS;
+  ASSERT_TRUE(fresh.push_back(os) && fresh.push_back(ahead) && fresh.push_back(other));
+  carry_acceptance(fresh, d, front_at(100));
+  EXPECT_TRUE(fresh[0].accepted);
+  EXPECT_FALSE(fresh[1].accepted) << "the train is not in it";
+  EXPECT_FALSE(fresh[2].accepted) << "another mode";
 }
 
 TEST(Store, ShuntingAreaBringsItsList) {

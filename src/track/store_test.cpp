@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "track/relocate.h"
 #include "track/testing.h"
 
 namespace evc::track {
@@ -372,9 +373,55 @@ TEST(Store, LevelCrossings) {
   store(d, c, front_at(0));
   ASSERT_EQ(d.lx.size(), 1u);
   EXPECT_TRUE(d.lx[0].substituted) << "repeated: the speed goes on";
+  EXPECT_FALSE(d.lx[0].informed);
+  d.lx[0].informed = true;
+  store(d, c, front_at(0));
+  EXPECT_TRUE(d.lx[0].informed) << "repeated: the driver was informed (5.16.1.4)";
   c.lx[0].unprotected = false;
   store(d, c, front_at(0));
   EXPECT_FALSE(d.lx[0].unprotected);
+  EXPECT_FALSE(d.lx[0].informed) << "a protected one is not shown";
+}
+
+TEST(Store, OnlyAnAreaOfLimitedSupervisionEndsTheGenericMarker) {
+  const auto marker_after = [](std::optional<Mode> mode) {
+    Description d;
+    d.generic_ls_marker = true;
+    Contents c = whole(1000);
+    if (mode) {
+      c.mode_profile.emplace();
+      ModeArea area;
+      area.mode = *mode;
+      area.from = at(500);
+      EXPECT_TRUE(c.mode_profile->push_back(area));
+    }
+    EXPECT_TRUE(store(d, c, front_at(0)).ma_accepted);
+    Description alone = d;
+    alone.generic_ls_marker = true;
+    (void)store(alone, static_cast<const AuthorityContents&>(c), front_at(0));
+    EXPECT_EQ(alone.generic_ls_marker, d.generic_ls_marker) << "the same for an authority alone";
+    return d.generic_ls_marker;
+  };
+  EXPECT_TRUE(marker_after({}));
+  EXPECT_TRUE(marker_after(Mode::OS));
+  EXPECT_TRUE(marker_after(Mode::SH));
+  EXPECT_FALSE(marker_after(Mode::LS));
+}
+
+TEST(RelocateData, AnElementWithoutLengthThatDoesNotMoveStays) {  // 3.6.3.2.2 e
+  Description d;
+  Contents c;
+  c.ssp = ssp({{0, 100}, {1000, 40}, {1000, 100}});
+  (void)store(d, c, front_at(0));
+  ASSERT_EQ(d.ssp.steps.size(), 3u);
+  d.ssp.steps[0].anchor = Anchor::unlinked;
+  relocate(d, Anchor::unlinked, Anchor::travelled, {Distance{-10}, 20_m, 5_m});
+  ASSERT_EQ(d.ssp.steps.size(), 3u);
+  EXPECT_EQ(d.ssp.steps[0].from, at(-30)) << "it moves";
+  EXPECT_EQ(d.ssp.steps[1].from, at(1000));
+  EXPECT_EQ(d.ssp.steps[1].value.V_STATIC, 8) << "40 km/h at this place only";
+  EXPECT_EQ(d.ssp.steps[2].from, at(1000));
+  EXPECT_EQ(d.ssp.steps[2].value.V_STATIC, 20);
 }
 
 TEST(Store, TheSameTextIdentityIsRefusedWhileUnacknowledged) {  // 3.12.3.5.3

@@ -330,6 +330,7 @@ TEST(Withdraw, What_was_passed_is_kept_for_300_m_behind_the_min_safe_rear_end) {
     append(d.lx, begin);
     append(d.adhesion, begin);
     append(d.tsr, 900);
+    (void)d.signalling.push_back({at(begin), 12, at(begin + 100)});
     EXPECT_TRUE(d.gradient.replace_from(slopes({{begin, 1}, {begin + 100, 2}})));
     EXPECT_TRUE(d.ssp.replace_from(ssp({{begin, 100}, {begin + 100, 80}})));
     (void)advance(d, here);
@@ -339,6 +340,7 @@ TEST(Withdraw, What_was_passed_is_kept_for_300_m_behind_the_min_safe_rear_end) {
     EXPECT_EQ(d.tsr.size(), kept + 1);
     EXPECT_EQ(d.lx.size(), kept);
     EXPECT_EQ(d.adhesion.size(), kept);
+    EXPECT_EQ(d.signalling.size(), kept);
     EXPECT_EQ(d.gradient.steps.size(), 1u);
     EXPECT_EQ(d.ssp.steps.size(), 1u);
   }
@@ -395,6 +397,28 @@ TEST(StoreAuthority, Running_timers_are_taken_over_behind_their_start_only) {  /
         EXPECT_EQ(d.ma->overlap->timer.started, behind ? Duration{95} : Duration{});
       }
     }
+}
+
+TEST(StoreAuthority, A_running_end_section_timer_goes_on_in_the_next_MA) {  // 3.8.4.1.3-4
+  const auto next = [](bool old_end_section, bool running) {
+    Description d = with_everything();
+    d.ma->overlap.reset();
+    if (old_end_section)
+      d.ma->end_section = EndSectionTimer{at(2000), {Duration{30}, Duration{95}, running}};
+    else
+      d.ma->end_section.reset();
+    Contents c = whole(3000);
+    c.ma->end_section = EndSectionTimer{at(2000), {Duration{20}, {}, false}};
+    Here here = front_at(2100);
+    here.now = Duration{100};
+    store(d, c, here);
+    return std::pair{d.ma->end_section->timer, advance(d, here).end_section_timeout};
+  };
+  const auto [timer, timeout] = next(true, true);
+  EXPECT_EQ(timer, (Timer{Duration{20}, Duration{95}, true})) << "started by the old one, up to the new limit";
+  EXPECT_FALSE(timeout);
+  EXPECT_TRUE(next(true, false).second) << "none ran: it has run out";
+  EXPECT_TRUE(next(false, false).second) << "there was none";
 }
 
 TEST(StoreAuthority, An_end_section_that_counts_as_timed_out_ends_the_MA_at_the_train) {  // A.3.4 e

@@ -316,6 +316,18 @@ TEST(Passed, IsForgotten300MetresBehind) {  // A.3.6
   EXPECT_EQ(d.ma->sections.size(), 1u);
 }
 
+TEST(Passed, AGeographicalReferenceAppliesWhereItWasReached) {  // 3.6.6.4.2
+  Description d;
+  GeoReference reference;
+  reference.M_POSITION = 5000;
+  reference.applies_from = at(1000);
+  ASSERT_TRUE(d.geo.push_back(reference));
+  advance(d, front_at(999));
+  EXPECT_FALSE(geographical_position(d, front_at(999)));
+  advance(d, front_at(1000));
+  EXPECT_EQ(geographical_position(d, front_at(1010)), 5010u);
+}
+
 TEST(Forget, EachRow) {  // 4.10.1.3
   using enum evc::Stored;
   const auto gone = [](const Description& d) {
