@@ -127,10 +127,7 @@ void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
   for (std::size_t k = 0; k < ma.sections.size(); ++k) {
     Section& section = ma.sections[k];
     if (!section.timer.running) continue;
-    if (here.min_safe_front > section.stop) {
-      section.timer.running = false;
-      continue;
-    }
+    if (here.min_safe_front > section.stop) section.timer.running = false;
     if (!section.timer.expired_at(here.now)) continue;
     // The nearest expired section decides (3.8.4.2.2): its start becomes EOA and SvL, with the national release speed.
     end_at(ma, section.begin);
