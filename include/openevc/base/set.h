@@ -25,6 +25,7 @@ class Set {
     if (when) add(e);
   }
   constexpr void remove(E e) { bits_ &= ~(std::uint64_t{1} << static_cast<unsigned>(e)); }
+  constexpr void remove(Set b) { bits_ &= ~b.bits_; }
   constexpr bool has(E e) const { return ((bits_ >> static_cast<unsigned>(e)) & 1u) != 0; }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr std::uint64_t bits() const { return bits_; }

@@ -103,6 +103,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
   change_mode(s, in, facts, out, log);
+  if (out.mode_changed) out.effects.requests.remove(received.acknowledged);  // they asked for what has happened
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
