@@ -133,6 +133,7 @@ TEST(Store, Each_packet_is_noted_and_the_monitoring_is_told_of_what_it_supervise
 TEST(Store, Nothing_is_set_in_a_new_description) {
   const Description d;
   EXPECT_FALSE(d.stop_shunting_on_desk_opening || d.generic_ls_marker || d.revocable_tsr_inhibited);
+  EXPECT_FALSE(d.watch.shown || d.watch.stopping);
   const Contents c;
   EXPECT_EQ(c.medium, Medium::balise);
   EXPECT_FALSE(c.stop_shunting_on_desk_opening || c.generic_ls_marker);

@@ -193,6 +193,29 @@ TEST(FromPackets, GeographicalPosition) {
   EXPECT_FALSE(geo[1].M_POSITION || geo[1].applies_from);
 }
 
+TEST(FromPackets, GeographicalPositionCountsUpOrDown) {  // 7.5.1.116, 3.6.6.10: in the nominal direction of the group
+  for (const std::uint8_t up : {std::uint8_t{0}, std::uint8_t{1}}) {
+    auto p = packet_in_metres<lang::Packet79>();
+    p.Q_DIR.raw = 2;
+    p.NID_BG.raw = 7;
+    p.Q_MPOSITION.raw = up;
+    lang::Packet79_references next;
+    next.NID_BG.raw = 8;
+    next.Q_MPOSITION.raw = up;
+    ASSERT_TRUE(p.references.push_back(next));
+    const Written written(p);
+    for (const Direction orientation : {Direction::nominal, Direction::reverse}) {
+      Reference r = reference();
+      r.orientation = orientation;
+      Contents c;
+      ASSERT_EQ(add(c, written.view, r), Added::added);
+      EXPECT_EQ((*c.geo)[0].counts_up, up == 1);
+      EXPECT_EQ((*c.geo)[0].counts_up_ahead, (up == 1) == (orientation == Direction::nominal));
+      EXPECT_EQ((*c.geo)[1].counts_up, up == 1);
+    }
+  }
+}
+
 TEST(FromPackets, PlacesOfAnInfillCountFromItsReferenceAndCountriesFromTheSender) {  // 3.6.2.3.1, 7.5.1.121
   auto p = packet_in_metres<lang::Packet79>();
   p.Q_DIR.raw = 1;

@@ -161,6 +161,25 @@ TEST(FromPackets, MovementAuthorityLevel2) {
   EXPECT_EQ(ma.overlap->release.V, Speed{40 / 3.6});
 }
 
+TEST(FromPackets, ReleaseSpeeds) {  // 7.5.1.161, 7.5.1.162
+  struct Case {
+    std::uint8_t code;
+    Release expected;
+  };
+  for (const Case& k : {Case{0, {ReleaseSpeedChoice::value, {}}}, Case{8, {ReleaseSpeedChoice::value, Speed{40 / 3.6}}},
+                        Case{126, {ReleaseSpeedChoice::on_board, {}}}, Case{127, {ReleaseSpeedChoice::national, {}}}}) {
+    auto p = packet_in_metres<lang::Packet15>();
+    p.L_ENDSECTION.raw = 700;
+    p.Q_DANGERPOINT.raw = 1;
+    p.V_RELEASEDP.raw = k.code;
+    p.Q_OVERLAP.raw = 1;
+    p.V_RELEASEOL.raw = k.code;
+    const Contents c = contents_of(p);
+    EXPECT_EQ(c.ma->danger_point->release, k.expected) << int{k.code};
+    EXPECT_EQ(c.ma->overlap->release, k.expected) << int{k.code};
+  }
+}
+
 TEST(FromPackets, MovementAuthorityLevel1AndRepositioning) {
   auto p = packet_in_metres<lang::Packet12>();
   p.V_MAIN.raw = 16;
@@ -315,6 +334,7 @@ TEST(FromPackets, LevelCrossingAndModeProfile) {
   EXPECT_TRUE(lx.unprotected && lx.stop_required);
   EXPECT_EQ(lx.to, at(1120));
   EXPECT_EQ(lx.L_STOPLX, Distance{30});
+  EXPECT_FALSE(lx.substituted || lx.informed) << "the driver was not informed (5.16)";
 
   auto m = packet_in_metres<lang::Packet80>();
   m.D_MAMODE.raw = 500;

@@ -234,6 +234,76 @@ TEST(Mrsp, NeverHigherThanDueWhenThereIsNoRoom) {
   for (double p = -500; p < 8000; p += 5) ASSERT_LE(f.at(at(p)), lowest_at(d, q, at(p))) << p;
 }
 
+/// 126 changes: of 40 axle load restrictions and 23 permitted braking distances.
+void fill(Description& d) {
+  for (int i = 0; i < 40; ++i) {
+    AxleLoadRestriction asp;
+    asp.from = at(100.0 * i + 10);
+    asp.to = at(100.0 * i + 20);
+    asp.Q_FRONT = true;
+    asp.V_AXLELOAD[0] = static_cast<SpeedCode>(16 + i % 3);
+    ASSERT_TRUE(d.asp.push_back(asp));
+  }
+  for (int i = 0; i < 23; ++i) {
+    PermittedBrakingDistance pbd;
+    pbd.from = at(100.0 * i + 30);
+    pbd.to = at(100.0 * i + 40);
+    ASSERT_TRUE(d.pbd.push_back(pbd));
+  }
+}
+
+// What there is no room for is taken from the far end, even where it is added near the train.
+TEST(Mrsp, WithoutRoomNothingIsLostNearTheTrain) {
+  Description d;
+  fill(d);
+  const std::array<SpeedCode, 23> pbd_speeds{12, 13, 14, 12, 13, 14, 12, 13, 14, 12, 13, 14,
+                                             12, 13, 14, 12, 13, 14, 12, 13, 14, 12, 13};
+  MrspQuery q = query();
+  q.pbd_speeds = pbd_speeds;
+  ASSERT_TRUE(q.limits.push_back({at(6000), std::nullopt, kmh(50)}));
+  const Mrsp whole = mrsp(d, q);
+  ASSERT_EQ(whole.size(), kMrspSteps) << "just full";
+  LevelCrossing lx;
+  lx.from = lx.V_LX_from = at(50);
+  lx.to = at(60);
+  lx.unprotected = lx.substituted = true;
+  lx.V_LX = 2;
+  ASSERT_TRUE(d.lx.push_back(lx));
+  const Mrsp f = mrsp(d, q);
+  for (double x = -500; x < 3500; x += 5) {
+    const Speed expected = x >= 50 && x < 60 ? kmh(10) : whole.at(at(x));
+    EXPECT_EQ(f.at(at(x)), expected) << x;
+  }
+  for (double x = 3500; x < 8000; x += 5) EXPECT_LE(f.at(at(x)), whole.at(at(x))) << x;
+  // A restriction of no length limits nothing and takes no room.
+  d.lx[0].to = at(50);
+  EXPECT_EQ(mrsp(d, q), whole);
+  d.lx[0].to = at(45);
+  EXPECT_EQ(mrsp(d, q), whole);
+}
+
+TEST(Mrsp, IsWrittenOverWhatStoodThere) {
+  Description d;
+  fill(d);
+  Mrsp f = mrsp(d, query());
+  mrsp(f, Description{}, query());
+  EXPECT_EQ(f, mrsp(Description{}, query()));
+}
+
+TEST(Gradient, IsWrittenOverWhatStoodThere) {
+  Description d;
+  ASSERT_TRUE(d.gradient.replace_from(slopes({{0, 5}, {100, -7}})));
+  GradientFunction f = gradient(d, at(50));
+  gradient(f, Description{}, at(50), -3.0);
+  EXPECT_EQ(f, gradient(Description{}, at(50), -3.0));
+}
+
+TEST(Gradient, IsLevelWhereNothingIsKnown) {  // 3.13.4.1.2
+  GradientFunction f;
+  gradient(f, Description{}, at(0));
+  EXPECT_EQ(f.at(at(100)), 0.0);
+}
+
 TEST(Gradient, UnknownStretchesTakeTheDefault) {
   Description d;
   EXPECT_EQ(gradient(d, at(0)).at(at(100)), 0.0);

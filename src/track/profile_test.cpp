@@ -72,6 +72,13 @@ TEST(Profile, AFullOneEndsAtItsLastStep) {
   EXPECT_FALSE(p.covers(at(0), at(21))) << "what there is no room for is not known";
 }
 
+TEST(Profile, ThereIsAlwaysRoomForNothing) {
+  Profile<Gradient, 3> p;
+  EXPECT_TRUE(p.has_room_for(NewGradientProfile{}));
+  while (!p.steps.full()) ASSERT_TRUE(p.append(at(0), Gradient{1}));
+  EXPECT_TRUE(p.has_room_for(NewGradientProfile{}));
+}
+
 TEST(Profile, KeepsTheStepAcrossTheLimit) {
   GradientProfile p;
   ASSERT_TRUE(p.replace_from(slopes({{0, 1}, {100, 2}, {200, 3}})));

@@ -95,15 +95,27 @@ TEST(RelocateData, EachKindByWhatItIsComparedWith) {
   GeoReference geo;
   geo.applies_from = at(20);
   ASSERT_TRUE(c.geo.emplace().push_back(geo));
+  c.asp.emplace();
+  ASSERT_TRUE(c.asp->elements.push_back({at(110), at(120), false, {}, {}}));
+  c.pbd.emplace();
+  ASSERT_TRUE(c.pbd->elements.push_back({at(130), at(140), 300_m, 0, false, {}}));
+  c.big_metal.emplace();
+  ASSERT_TRUE(c.big_metal->elements.push_back({at(150), at(160), {}}));
+  c.platforms.emplace();
+  ASSERT_TRUE(c.platforms->elements.push_back({at(170), at(180), 0, 0, {}, {}}));
   c.rbc_transition.emplace().at = at(750);
   c.radio_infill.emplace().at = at(760);
   store_unlinked(d, c);
+  ASSERT_TRUE(d.ma);
+  d.ma->fixed_SvL = at(955);
+  d.lx[0].V_LX_from = at(390);
   relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
 
-  ASSERT_TRUE(d.ma);
   EXPECT_EQ(d.rbc_transition->at, at(740));
   EXPECT_EQ(d.radio_infill->at, at(750));
   EXPECT_EQ(d.ma->end(), at(910));  // EOA: estimated and min; SvL: max
+  EXPECT_EQ(d.ma->start(), at(-30));
+  EXPECT_EQ(d.ma->fixed_SvL, at(925));
   EXPECT_EQ(d.ma->overlap->start, at(820));
   EXPECT_EQ(d.ma->overlap->end, at(930));
   EXPECT_EQ(d.ma->danger_point->at, at(920));
@@ -113,6 +125,15 @@ TEST(RelocateData, EachKindByWhatItIsComparedWith) {
   EXPECT_EQ(*d.mode_profile[0].to, at(645));
   EXPECT_EQ(d.lx[0].from, at(370));
   EXPECT_EQ(d.lx[0].to, at(405));
+  EXPECT_EQ(d.lx[0].V_LX_from, at(360));  // the start of a speed
+  EXPECT_EQ(d.asp[0].from, at(80));
+  EXPECT_EQ(d.asp[0].to, at(115));
+  EXPECT_EQ(d.pbd[0].from, at(100));
+  EXPECT_EQ(d.pbd[0].to, at(135));
+  EXPECT_EQ(d.big_metal[0].from, at(120));
+  EXPECT_EQ(d.big_metal[0].to, at(155));
+  EXPECT_EQ(d.platforms[0].from, at(140));
+  EXPECT_EQ(d.platforms[0].to, at(175));
   EXPECT_EQ(d.conditions[0].from, at(70));
   EXPECT_EQ(d.conditions[0].to, at(195));
   EXPECT_EQ(d.conditions[1].from, at(90));  // the estimated front end counts for a radio hole
@@ -128,6 +149,113 @@ TEST(RelocateData, EachKindByWhatItIsComparedWith) {
   EXPECT_EQ(*d.texts[0].start_at, at(-5));
   EXPECT_EQ(*d.texts[0].end_at, at(5));
   EXPECT_EQ(*d.geo[0].applies_from, at(10));
+}
+
+// The estimated front end counts for a radio hole, a tunnel stopping area and the horn (Table 2a of 4.0.0).
+TEST(RelocateData, EachKindOfTrackCondition) {
+  using enum TrackConditionKind;
+  for (const auto& row : kTrackConditionRows) {
+    const bool by_estimate = row.value == radio_hole || row.value == tunnel_stopping_area || row.value == sound_horn;
+    Description d;
+    Contents c;
+    c.conditions.emplace();
+    ASSERT_TRUE(c.conditions->elements.push_back({at(100), at(200), row.value, {}, {}}));
+    store_unlinked(d, c);
+    relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+    EXPECT_EQ(d.conditions[0].from, by_estimate ? at(90) : at(70)) << row.name;
+    EXPECT_EQ(d.conditions[0].to, by_estimate ? at(190) : at(195)) << row.name;
+  }
+}
+
+// What moves may be the estimate alone or one doubt alone, for areas, the authority and profiles alike.
+TEST(RelocateData, EachPartOfARelocationCountsAlone) {
+  struct Case {
+    Relocation by;
+    double from, to, estimated, EOA;  // of what stands at 500, 700, 800, 900
+  };
+  for (const Case& k : {Case{{Distance{-10}, {}, {}}, 490, 690, 790, 890}, Case{{{}, 20_m, {}}, 480, 700, 800, 880},
+                        Case{{{}, {}, 5_m}, 500, 705, 800, 895}, Case{{{}, 5_m, 20_m}, 495, 720, 800, 880},
+                        Case{{Distance{10}, 7_m, 7_m}, 503, 717, 810, 903}}) {
+    Description d;
+    Contents c = testing::whole(900);
+    c.ssp = ssp({{0, 100}, {500, 60}, {700, 120}, {2000, kEnd}});
+    c.gradient = slopes({{0, 0}, {500, -10}, {700, 5}, {2000, Gradient::kUnknown}});
+    ASSERT_TRUE(c.tsr.push_back({at(500), at(700), 2, false, 8, false, {}}));
+    c.rbc_transition.emplace().at = at(800);
+    store_unlinked(d, c);
+    relocate(d, Anchor::unlinked, Anchor::travelled, k.by);
+    EXPECT_EQ(d.ma->end(), at(k.EOA));
+    EXPECT_EQ(d.tsr[0].from, at(k.from));
+    EXPECT_EQ(d.tsr[0].to, at(k.to));
+    EXPECT_EQ(d.rbc_transition->at, at(k.estimated));
+    const double first = k.from - 500, end = k.estimated - 800 + 2000;
+    EXPECT_EQ(steps_of(d.ssp), (Steps{{first, 100}, {k.from, 60}, {k.to, 120}, {end, 635}}));
+    EXPECT_EQ(steps_of(d.gradient), (Steps{{first, 0}, {k.from, -10}, {k.to, 5}, {end, Gradient::kUnknown}}));
+  }
+}
+
+// 3.8.4.2.3: the place where a section timer stops is one of the authority's places too.
+TEST(RelocateData, TheStopOfASectionTimerMovesWithItsSection) {
+  Description d;
+  d.ma = testing::authority_to(900);
+  d.ma->sections[0].stop = at(400);
+  d.ma->anchor = Anchor::unlinked;
+  relocate(d, Anchor::unlinked, Anchor::travelled, {Distance{-10}, {}, {}});
+  EXPECT_EQ(d.ma->sections[0].stop, at(390));
+}
+
+// What a message brings is distinguished from what an unlinked group sent before, until it is stored.
+TEST(RelocateData, WhatIsReceivedDoesNotMoveWithWhatIsStored) {
+  Contents c = testing::whole(1000);
+  ASSERT_TRUE(c.tsr.push_back({at(500), at(700), 2, false, 8, false, {}}));
+  hang_on_unlinked(c);
+  Description d;
+  (void)store(d, c, front_at(0));
+  const Description before = d;
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(d.ma, before.ma);
+  EXPECT_EQ(d.ssp, before.ssp);
+  EXPECT_EQ(d.gradient, before.gradient);
+  EXPECT_EQ(d.tsr, before.tsr);
+  EXPECT_EQ(d.revision, before.revision);
+  relocate(d, Anchor::received, Anchor::unlinked, kBack);
+  EXPECT_EQ(d.ma->end(), at(970));
+  EXPECT_EQ(d.tsr[0].from, at(470));
+}
+
+// Curves and track conditions are computed again when anything has moved, and only then.
+TEST(RelocateData, AnyDatumThatMovesIsReported) {
+  const auto reported = [](const Contents& contents, Anchor of) {
+    Description d;
+    Contents c = contents;
+    store_unlinked(d, c);
+    d.watch.changed = false;
+    const std::uint32_t before = d.revision;
+    relocate(d, of, Anchor::travelled, kBack);
+    EXPECT_EQ(d.watch.changed, d.revision != before);
+    return d.watch.changed;
+  };
+  Contents speeds, gradient, horn;
+  speeds.ssp = ssp({{0, 100}});
+  gradient.gradient = slopes({{0, 0}});
+  horn.conditions.emplace();
+  ASSERT_TRUE(horn.conditions->elements.push_back({at(100), at(200), TrackConditionKind::sound_horn, {}, {}}));
+  for (const Contents& c : {speeds, gradient, horn}) {
+    EXPECT_TRUE(reported(c, Anchor::unlinked));
+    EXPECT_FALSE(reported(c, Anchor::lrbg));
+  }
+}
+
+// 3.15.4: the distance for reversing counts from the end of the area as received.
+TEST(RelocateData, TheReferenceForReversingMovesWithItsArea) {
+  for (const Anchor anchor : {Anchor::lrbg, Anchor::unlinked}) {
+    Description d;
+    d.reversing_area = ReversingArea{at(50), at(60), anchor};
+    d.reversing_reference = at(80);  // the area was shortened
+    relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+    EXPECT_EQ(d.reversing_reference, anchor == Anchor::unlinked ? at(70) : at(80));
+    EXPECT_EQ(d.reversing_area->to, anchor == Anchor::unlinked ? at(50) : at(60));
+  }
 }
 
 TEST(RelocateData, AProfileIsLowerEarlierAndHigherLater) {
@@ -162,6 +290,140 @@ TEST(RelocateData, AChangeThatIsBothLeavesTheLowerOfBoth) {
   relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
   EXPECT_EQ(steps_of(d.ssp), (Steps{{-30, 100}, {470, 100}, {495, 120}}));
   EXPECT_EQ(d.ssp.steps[1].value.cd[10], kNoSpeed);
+}
+
+/// The speeds of an element: for all trains, for those of the highest cant deficiency, for passenger trains; 0: not
+/// given.
+StaticSpeed speeds_of(int all, int cant_deficiency, int passenger) {
+  const auto code = [](int kmh) { return kmh > 0 ? static_cast<SpeedCode>(kmh / 5) : kNoSpeed; };
+  StaticSpeed element;
+  element.V_STATIC = code(all);
+  element.cd[10] = code(cant_deficiency);
+  element.other[2] = code(passenger);
+  return element;
+}
+/// The profile of `first` from 0 and `second` from 500 on, after kBack.
+StaticSpeedProfile after_kBack(const StaticSpeed& first, const StaticSpeed& second) {
+  Description d;
+  Contents c;
+  c.ssp.emplace();
+  EXPECT_TRUE(c.ssp->append(at(0), first) && c.ssp->append(at(500), second));
+  store_unlinked(d, c);
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  return d.ssp;
+}
+
+// A change is to a lower (higher) value if no train may go faster (slower) beyond it. Otherwise nobody may go faster
+// than the lowest speed of both between its two places.
+TEST(RelocateData, AChangeCountsForTheTrainsOfEveryCategory) {
+  struct Case {
+    const char* what;
+    StaticSpeed first, second;
+    int between;  // 470..495, lowest speed there; 0: `first` as it was, 1: `second` from 470 on
+  };
+  for (const Case& k : {
+           Case{"lower for all", speeds_of(100, 0, 0), speeds_of(60, 0, 0), 1},
+           Case{"higher for all", speeds_of(60, 0, 0), speeds_of(100, 0, 0), 0},
+           Case{"nobody goes faster", speeds_of(80, 100, 0), speeds_of(60, 80, 0), 1},
+           Case{"nobody goes faster, another category", speeds_of(80, 0, 100), speeds_of(60, 0, 80), 1},
+           Case{"nobody goes slower", speeds_of(60, 80, 0), speeds_of(80, 100, 0), 0},
+           Case{"nobody goes slower, another category", speeds_of(60, 0, 80), speeds_of(80, 0, 100), 0},
+           Case{"some faster, since they were slower before", speeds_of(100, 60, 0), speeds_of(80, 0, 0), 60},
+           Case{"the same for another category", speeds_of(100, 0, 60), speeds_of(80, 0, 0), 60},
+           Case{"some slower, since they were faster before", speeds_of(80, 120, 0), speeds_of(100, 0, 0), 80},
+           Case{"some slower beyond it", speeds_of(80, 0, 0), speeds_of(100, 70, 0), 70},
+           Case{"the same for another category", speeds_of(80, 0, 0), speeds_of(100, 0, 70), 70},
+       }) {
+    const StaticSpeedProfile p = after_kBack(k.first, k.second);
+    ASSERT_TRUE(p.at(at(480))) << k.what;
+    if (k.between > 1)
+      EXPECT_EQ(p.at(at(480)), speeds_of(k.between, 0, 0)) << k.what;
+    else
+      EXPECT_EQ(p.at(at(480)), k.between == 1 ? k.second : k.first) << k.what;
+    EXPECT_EQ(p.at(at(469)), k.first) << k.what;
+    EXPECT_EQ(p.at(at(495)), k.second) << k.what;
+  }
+}
+
+TEST(RelocateData, AnElementThatIsRepeatedIsNoChange) {
+  const StaticSpeed element = speeds_of(100, 60, 120);
+  const StaticSpeedProfile repeated = after_kBack(element, element);
+  for (const double x : {0.0, 469.0, 480.0, 495.0, 1000.0}) EXPECT_EQ(repeated.at(at(x)), element) << x;
+  Description d;
+  Contents c;
+  c.ssp = ssp({{0, 60}, {500, 100}, {505, 100}});
+  c.gradient = slopes({{0, 5}, {500, 5}, {503, Gradient::kUnknown}});
+  store_unlinked(d, c);
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(d.ssp.at(at(494))->V_STATIC, 12);
+  EXPECT_EQ(d.ssp.at(at(495))->V_STATIC, 20);
+  EXPECT_EQ(d.gradient.at(at(492)), Gradient{5});
+  EXPECT_FALSE(d.gradient.at(at(493))) << "the end is where it is";
+}
+
+// Without doubt nothing is lowered and nothing falls together: only what the data hang on is another.
+TEST(RelocateData, WithoutAWayOnlyTheAnchorChanges) {
+  Description d;
+  Contents c;
+  c.ssp.emplace();
+  ASSERT_TRUE(c.ssp->append(at(0), speeds_of(100, 130, 0)) && c.ssp->append(at(500), speeds_of(120, 0, 0)));
+  store_unlinked(d, c);
+  const StaticSpeedProfile before = d.ssp;
+  relocate(d, Anchor::unlinked, Anchor::travelled, {});
+  EXPECT_EQ(steps_of(d.ssp), steps_of(before));
+  for (const auto& step : d.ssp.steps) EXPECT_EQ(step.anchor, Anchor::travelled);
+}
+
+// 3.6.4.2.6 of 4.0.0 concerns changes that lie in rear of the one before; an element that shrinks to no length is still
+// one (3.6.3.2.2 e).
+TEST(RelocateData, AHighPartThatIsOnlyReachedStays) {
+  Description d;
+  Contents c;
+  c.ssp = ssp({{0, 60}, {500, 100}, {525, 80}});
+  store_unlinked(d, c);
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{-30, 60}, {495, 100}, {495, 80}}));
+}
+
+// A rise moves farther than what follows it: that stays behind it, and is never lost.
+TEST(RelocateData, WhatFollowsARiseIsNotBeforeIt) {
+  Description d;
+  Contents c;
+  c.ssp = ssp({{0, 60}, {500, 100}, {503, kEnd}});
+  c.gradient = slopes({{0, -5}, {500, 5}, {503, Gradient::kUnknown}});
+  store_unlinked(d, c);
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(d.ssp.at(at(490))->V_STATIC, 12);
+  EXPECT_FALSE(d.ssp.at(at(495))) << "the profile ends";
+  EXPECT_FALSE(d.gradient.at(at(495)));
+
+  Description both;
+  Contents m;
+  m.ssp.emplace();
+  ASSERT_TRUE(m.ssp->append(at(0), speeds_of(60, 0, 0)) && m.ssp->append(at(500), speeds_of(100, 0, 0)) &&
+              m.ssp->append(at(505), speeds_of(80, 120, 0)));
+  store_unlinked(both, m);
+  relocate(both, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(both.ssp.at(at(494)), speeds_of(60, 0, 0));
+  EXPECT_EQ(both.ssp.at(at(497)), speeds_of(80, 0, 0)) << "nobody faster than both allow";
+  EXPECT_EQ(both.ssp.at(at(500)), speeds_of(80, 120, 0));
+}
+
+// Behind a part without speeds the first speed begins with the max safe front end, however near the part began.
+TEST(RelocateData, SpeedsBehindAnUnknownPartBeginNearer) {
+  for (const SpeedCode of_a_category : {kNoSpeed, SpeedCode{16}}) {  // beside the end of the profile: no speed either
+    Description d;
+    Contents c;
+    c.ssp = ssp({{500, kEnd}, {505, 100}, {700, kEnd}});
+    c.ssp->steps[0].value.cd[10] = of_a_category;
+    store_unlinked(d, c);
+    relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+    EXPECT_FALSE(d.ssp.at(at(474)));
+    ASSERT_TRUE(d.ssp.at(at(475)));
+    EXPECT_EQ(d.ssp.at(at(475))->V_STATIC, 20);
+    EXPECT_TRUE(d.ssp.at(at(689)));
+    EXPECT_FALSE(d.ssp.at(at(690)));
+  }
 }
 
 TEST(RelocateData, LaterDataOfLinkedGroupsStayInPlace) {

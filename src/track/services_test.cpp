@@ -56,6 +56,15 @@ TEST(Authority, AnAreaOfAnotherModeIsATemporaryEnd) {  // 5.9.3.5
   EXPECT_EQ(authority(d, {}, LS, kInRear).EOA, at(1000));
 }
 
+// 5.7.2.2, 5.9.2.2, 5.19.2.2: an area in which the estimated front end stands is entered at once.
+TEST(Authority, AnAreaThatIsReachedIsNoStop) {
+  Description d = with_ma(1000);
+  put_area(d, 600, 800, Mode::OS);
+  EXPECT_EQ(authority(d, {}, FS, at(599.9)).EOA, at(600));
+  EXPECT_EQ(authority(d, {}, FS, at(600)).EOA, at(1000));
+  EXPECT_EQ(authority(d, {}, FS, at(600.1)).EOA, at(1000));
+}
+
 TEST(Authority, WithAnLoa) {
   Description d = with_ma(1000);
   d.ma->V_LOA = Speed{15};
@@ -181,6 +190,17 @@ TEST(TrackDescription, FrontInRearOfIt) {  // [69]
   EXPECT_TRUE(before_track_description(d, front_at(99)));
 }
 
+TEST(TrackDescription, UnderTheTrainBothAreKnown) {  // 4.4.9.1.4
+  for (const bool speeds : {false, true})
+    for (const bool gradients : {false, true}) {
+      Description d;
+      if (speeds) (void)d.ssp.replace_from(ssp({{-500, 50}}));
+      if (gradients) (void)d.gradient.replace_from(slopes({{-500, 0}}));
+      EXPECT_EQ(described_under_train(d, front_at(0)), speeds && gradients);
+      EXPECT_FALSE(described_under_train(d, front_at(-400))) << "the rear end is in rear of it";
+    }
+}
+
 TEST(Timeout, NoneWithoutAnMa) { EXPECT_FALSE(time_to_timeout(Description{}, Duration{0})); }
 
 TEST(Suitability, KindsOfWhatIsStored) {  // 3.12.2.3
@@ -212,6 +232,18 @@ TEST(Reversing, WhatIsLeftOfTheDistance) {  // 3.15.4: from the end of the area,
   EXPECT_EQ(reversing_left(d, front_at(300)), Distance{500});
   EXPECT_EQ(reversing_left(d, front_at(-200)), Distance{0});
   EXPECT_EQ(reversing_left(d, front_at(-201)), Distance{-1});
+}
+
+TEST(Reversing, OnlyWithAnAreaAndADistance) {  // 3.15.4: packets 138 and 139 may come apart
+  for (const bool area : {false, true})
+    for (const bool supervision : {false, true})
+      for (const bool distance : {false, true}) {
+        Description d;
+        if (area) d.reversing_reference = at(300);
+        if (supervision) d.reversing_supervision.emplace();
+        if (supervision && distance) d.reversing_supervision->D_REVERSE = Distance{500};
+        EXPECT_EQ(reversing_left(d, front_at(300)).has_value(), area && supervision && distance);
+      }
 }
 
 TEST(GeographicalPosition, CountsFromTheOffset) {  // 3.6.6
@@ -262,6 +294,37 @@ TEST(GeographicalPosition, CountsInTheDirectionOfItsGroup) {
     note_group(d, {1, 10}, at(100), nominal ? Direction::nominal : Direction::reverse);
     advance_geographical_position(d, front_at(200));
     EXPECT_EQ(geographical_position(d, front_at(200)), nominal ? 12100u : 11900u);
+  }
+}
+
+// 3.6.6.9 c: it ends below zero, not at zero.
+TEST(GeographicalPosition, ZeroIsAPosition) {
+  Description d;
+  GeoReference down;
+  down.group = {1, 10};
+  down.counts_up = false;
+  down.M_POSITION = 30;
+  ASSERT_TRUE(d.geo.push_back(down));
+  note_group(d, {1, 10}, at(100), Direction::nominal);
+  for (const double front : {129.5, 130.0}) {
+    advance_geographical_position(d, front_at(front));
+    EXPECT_EQ(d.geo.size(), 1u) << front;
+  }
+  EXPECT_EQ(geographical_position(d, front_at(130)), 0u);
+  advance_geographical_position(d, front_at(130.1));
+  EXPECT_TRUE(d.geo.empty());
+}
+
+// 3.6.4.7: the place of an unlinked group moves with the position.
+TEST(GeographicalPosition, HangsOnTheGroupThatIsPassed) {
+  for (const Anchor anchor : {Anchor::lrbg, Anchor::unlinked}) {
+    Description d;
+    GeoReference reference;
+    reference.group = {1, 10};
+    reference.M_POSITION = 12000;
+    ASSERT_TRUE(d.geo.push_back(reference));
+    note_group(d, {1, 10}, at(100), Direction::nominal, anchor);
+    EXPECT_EQ(d.geo[0].anchor, anchor);
   }
 }
 

@@ -167,5 +167,27 @@ TEST(Texts, AcknowledgementAndEnd) {  // Q_CONFTEXTDISPLAY
   EXPECT_TRUE(y.run(0, 1, Mode::FS, Level::L2, 0, 7).shown.empty());
 }
 
+// 3.12.3.4.7: without an act of the driver nothing is acknowledged, and X = 1 has to be said (6.6.2.1.1).
+TEST(Texts, NothingIsAcknowledgedByItself) {
+  Text t;
+  t.Q_TEXTCONFIRM = 1;
+  t.ack_and_end = true;
+  t.end_at = at(200);
+  t.id = 1;  // the first one that is assigned
+  Description d;
+  ASSERT_TRUE(d.texts.push_back(t));
+  TextReports reports;
+  const auto run = [&](TextAcknowledgement acknowledgement) {
+    return show_texts(d, front_at(0), Mode::FS, Level::L2, 0, acknowledgement, reports);
+  };
+  EXPECT_EQ(run({}).to_acknowledge.size(), 1u);
+  EXPECT_FALSE(d.texts[0].acknowledged);
+  TextAcknowledgement of_it;
+  of_it.id = 1;
+  const TextDisplay display = run(of_it);
+  EXPECT_TRUE(d.texts[0].acknowledged);
+  EXPECT_EQ(display.shown.size(), 1u) << "until its end";
+}
+
 }  // namespace
 }  // namespace evc::track
