@@ -92,7 +92,7 @@ void Mover::move(MovementAuthority& ma) const {
   for (Section& section : ma.sections) {
     section.begin = nearest(section.begin);
     section.end = nearest(section.end);
-    section.stop = nearest(section.stop);
+    section.stop = end(section.stop);  // compared with the min safe front end (3.8.4.2.3)
   }
   if (ma.end_section) ma.end_section->start = nearest(ma.end_section->start);
   if (ma.danger_point) ma.danger_point->at = nearest(ma.danger_point->at);

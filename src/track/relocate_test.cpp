@@ -194,14 +194,14 @@ TEST(RelocateData, EachPartOfARelocationCountsAlone) {
   }
 }
 
-// 3.8.4.2.3: the place where a section timer stops is one of the authority's places too.
-TEST(RelocateData, TheStopOfASectionTimerMovesWithItsSection) {
+// 3.8.4.2.3: a section timer stops with the min safe front end (Table 2a of 4.0.0): not earlier than by that one.
+TEST(RelocateData, TheStopOfASectionTimerMovesFarther) {
   Description d;
   d.ma = testing::authority_to(900);
   d.ma->sections[0].stop = at(400);
   d.ma->anchor = Anchor::unlinked;
-  relocate(d, Anchor::unlinked, Anchor::travelled, {Distance{-10}, {}, {}});
-  EXPECT_EQ(d.ma->sections[0].stop, at(390));
+  relocate(d, Anchor::unlinked, Anchor::travelled, kBack);
+  EXPECT_EQ(d.ma->sections[0].stop, at(395));
 }
 
 // What a message brings is distinguished from what an unlinked group sent before, until it is stored.
