@@ -150,6 +150,18 @@ TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_sy
   }
 }
 
+TEST(AvailableLevels, The_driver_may_select_each_that_is_available) {  // 5.10.2.8
+  for (std::size_t absent = 1; absent <= kLevels; ++absent) {  // level 0 always is
+    AvailableLevels unit;
+    unit.national_systems[0] = 2;
+    if (absent < kLevels) unit.fitted[absent] = false;
+    const Set<Level> levels = levels_allowed(nullptr, unit);
+    for (std::size_t i = 0; i < kLevels; ++i)
+      EXPECT_EQ(levels.has(static_cast<Level>(i)), i != absent) << i << " without " << absent;
+  }
+  EXPECT_FALSE(levels_allowed(nullptr, AvailableLevels{}).has(Level::NTC));
+}
+
 TEST(AvailableLevels, What_is_not_fitted_is_not_available_and_what_4_0_0_does_not_ask_for) {
   AvailableLevels unit;
   unit.national_systems[0] = 1;
