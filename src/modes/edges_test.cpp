@@ -151,7 +151,7 @@ TEST(AvailableLevels, All_levels_unless_configured_otherwise_and_256_national_sy
 }
 
 TEST(AvailableLevels, The_driver_may_select_each_that_is_available) {  // 5.10.2.8
-  for (std::size_t absent = 1; absent <= kLevels; ++absent) {  // level 0 always is
+  for (std::size_t absent = 1; absent <= kLevels; ++absent) {          // level 0 always is
     AvailableLevels unit;
     unit.national_systems[0] = 2;
     if (absent < kLevels) unit.fitted[absent] = false;
