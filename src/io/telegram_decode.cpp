@@ -200,9 +200,9 @@ tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::
   put(out, "]");
   // Bits after packet 255 have no meaning (8.4.2.1). Less than a byte of zeros counts as padding of the digits;
   // anything else is kept, so that encoding gives the same bits.
-  if (bits - at >= 8 || !all_are(bytes, at, bits, false)) {
-    std::size_t end = bits;
-    if (bits > 210 && bits <= 216 && at <= 210 && all_are(bytes, 210, bits, false)) end = 210;
+  std::size_t end = bits;
+  if (bits > 210 && bits <= 216 && at <= 210 && all_are(bytes, 210, bits, false)) end = 210;
+  if (end - at >= 8 || !all_are(bytes, at, end, false)) {
     out += ',';
     put_member(out, "bits", end);
     if (!all_are(bytes, at, end, true)) {

@@ -208,6 +208,29 @@ TEST(TelegramJson, KeepsTheFilling) {
   EXPECT_EQ(Json::parse(text), odd);
 }
 
+/// Found by the fuzzer: with 27 bytes that end in zeros the form said `bits`, with its 210 bits it did not.
+TEST(TelegramJson, ZerosAfterPacket255GiveTheSameFormAgain) {
+  for (std::size_t data = 96; data <= 126; ++data) {  // packet 255 ends before, at and after bit 210
+    Json telegram = Json::parse(R"({"schema":"evc-telegram/1","system_version":"2.1","header":{"Q_UPDOWN":1,
+      "M_VERSION":33,"Q_MEDIA":0,"N_PIG":0,"N_TOTAL":0,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},
+      "packets":[{"NID_PACKET":44,"Q_DIR":2,"NID_XUSER":0}]})");
+    telegram["packets"][0]["L_PACKET"] = 32 + data;
+    telegram["packets"][0]["OTHER_DATA"] = std::string(data, '0');
+    const auto shortest = encode_balise_json(telegram);
+    ASSERT_TRUE(shortest) << error_json(shortest.error());
+    std::vector<std::uint8_t> bytes(shortest->bytes.begin(), shortest->bytes.end());
+    bytes.resize(28);
+    for (std::size_t bits = shortest->bits; bits <= 8 * bytes.size(); ++bits) {
+      std::string form, again;
+      ASSERT_TRUE(append_balise_json(form, bytes, bits));
+      const auto encoded = encode_balise_json(Json::parse(form));
+      ASSERT_TRUE(encoded) << error_json(encoded.error());
+      ASSERT_TRUE(append_balise_json(again, encoded->bytes, encoded->bits));
+      EXPECT_EQ(again, form) << shortest->bits << " of " << bits;
+    }
+  }
+}
+
 /// Found by the fuzzer: a header only.
 TEST(TelegramJson, UnknownPacketWithoutContent) {
   const std::array<std::uint8_t, 3> bytes{0x5B, 0x00, 0x2E};
