@@ -158,7 +158,6 @@ struct State {
   std::uint8_t terminals = 2;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
-  bool safety_fault_memorised = false;  // it occurred in SL or NL, and these have to be left (4.4.6.1.6, 4.4.15.1.5)
   modes::OrderedLevel level;
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 
@@ -196,8 +195,9 @@ struct State {
   Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
   LssmaDisplay lssma;
-  bool start_in_SR = false;    // selected by the driver: an MA is requested (4.4.11.1.6)
-  bool slippery_rail = false;  // selected by the driver
+  bool safety_fault_memorised = false;  // it occurred in SL or NL, and these have to be left (4.4.6.1.6, 4.4.15.1.5)
+  bool start_in_SR = false;             // selected by the driver: an MA is requested (4.4.11.1.6)
+  bool slippery_rail = false;           // selected by the driver
   bool ma_with_trip_order = false;
 
   protection::EmergencyStops emergency_stops;
