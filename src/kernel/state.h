@@ -158,12 +158,12 @@ struct State {
   std::uint8_t terminals = 2;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
+  std::uint8_t operated_X = kHighestX;  // operated system version, number X: kept without power (3.17.2.9)
   modes::OrderedLevel level;
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 
   train::TrainData train;
   Distance L_engine{};
-  std::uint8_t operated_X = kHighestX;  // operated system version, number X: kept without power (3.17.2.9)
   train::NationalValues national_values;
   // Of the national values; empty: those of the configuration or defaults. Values that a set of X = 1 left as they were
   // have areas of their own.
