@@ -115,7 +115,7 @@ struct Event {
 struct Outcome {
   InplaceVector<Group, 2> groups;  // finished ones, in the order of passage
   InplaceVector<Event, 24> events;
-  /// The most severe reaction asked for in this call.
+  /// The most severe reaction asked for in this call; a group passed the wrong way asks for none, but is [66].
   Reaction reaction = Reaction::none;
   bool wrong_direction = false;   // condition [66]
   bool version_too_high = false;  // condition [65], where the level requires it

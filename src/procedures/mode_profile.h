@@ -15,7 +15,7 @@ namespace evc::procedures::mode_profile {
 struct Area {
   Mode mode = Mode::OS;  // OS, LS or SH
   Place start{};
-  std::optional<Place> end;  // none: to the end of the MA; an SH area has none (3.12.4.2)
+  std::optional<Place> end;  // none: to the end of the MA; not read for SH (3.12.4.2)
   Speed V{};                 // the limit in the area
   Distance L_ack{};          // length in rear of the start in which it may be acknowledged
 };
