@@ -160,7 +160,8 @@ void expect(State& state, const PlaceInterval& antenna, const Situation& situati
   std::optional<GroupId> reading;
   if (state.open && state.open->identified) {
     const Judgement::Verdict verdict = state.open->judgement.verdict;
-    if (verdict == Judgement::Verdict::unjudged || verdict == Judgement::Verdict::repositioning)
+    if (verdict == Judgement::Verdict::unjudged || verdict == Judgement::Verdict::repositioning ||
+        announced_since(state.linking, *state.open))
       reading = state.open->id;
   }
   end_windows(state.linking, antenna, situation.linking_checked, reading, outcome);

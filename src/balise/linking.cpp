@@ -93,6 +93,8 @@ Place end_of(const LinkingState& linking) {
 
 }  // namespace
 
+bool announced(const LinkingState& linking, GroupId id) { return index_of(linking, id).has_value(); }
+
 Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const PlaceInterval& antenna,
                 bool linking_checked, Outcome& outcome) {
   if (!marked_linked) return {Judgement::Verdict::unlinked, std::nullopt};

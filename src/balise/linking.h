@@ -113,6 +113,8 @@ void clear_beyond(LinkingState& linking, Place place);
 /// is tested, errors a and c of 3.16.2.3.1 react, the expectation moves on (3.4.4.4.6).
 Judgement judge(LinkingState& linking, GroupId id, bool marked_linked, const PlaceInterval& antenna,
                 bool linking_checked, Outcome& outcome);
+/// Whether the group is in the list of announced groups.
+bool announced(const LinkingState& linking, GroupId id);
 /// A group whose reference balise was missed, without a duplicate, the antenna last at `antenna`: the
 /// expected one counts as found with an error in its message (3.16.2.4.1 a), the expectation moves on.
 Judgement judge_without_reference(LinkingState& linking, GroupId id, const PlaceInterval& antenna,

@@ -253,14 +253,15 @@ void finish(Group& group, const OpenGroup& open) {
   group.lrbg_compliant = group.accepted && group.linked && place_fits;  // 3.6.2.2.2 a
 }
 
-/// Completes the judgement of the reference balise where it is still open.
+/// Completes the judgement of the reference balise where it is still open, or where a list of linking that came after
+/// it announces the group.
 void complete_judgement(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   Judgement& judgement = open.judgement;
   if (!open.identified || !open.Q_LINK) {
     judgement = {Judgement::Verdict::unlinked, std::nullopt};
     return;
   }
-  if (judgement.verdict != Judgement::Verdict::unjudged) return;
+  if (judgement.verdict != Judgement::Verdict::unjudged && !announced_since(linking, open)) return;
   if (const Telegram* reference = location_reference(open))
     judgement = judge(linking, open.id, true, reference->antenna, situation.linking_checked, outcome);
   else
@@ -303,6 +304,12 @@ void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Ex
 }
 
 }  // namespace
+
+bool announced_since(const LinkingState& linking, const OpenGroup& open) {
+  const Judgement::Verdict verdict = open.judgement.verdict;
+  const bool passed_by = verdict == Judgement::Verdict::not_used || verdict == Judgement::Verdict::not_announced;
+  return passed_by && announced(linking, open.id);
+}
 
 void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   using Verdict = Judgement::Verdict;

@@ -7,4 +7,8 @@ namespace evc::balise {
 /// Judges the group and returns it in the outcome. `open` is not used afterwards.
 void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome);
 
+/// Whether linking that was stored after the reference balise of the group was read announces it: a group that was not
+/// found yet is judged again when it is complete.
+bool announced_since(const LinkingState& linking, const OpenGroup& open);
+
 }  // namespace evc::balise
