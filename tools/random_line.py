@@ -14,6 +14,8 @@ import sys
 NID_C = 1000
 RBC = {"NID_RBC": 1, "NID_RADIO": "0041790000000001"}
 SPEEDS = (40, 60, 80, 100, 120, 140, 160)
+STOPPING = {70, 88, 132, 137}  # packets that stop a train, or may
+CALM_AHEAD = 2800  # m, more than the way from the Indication limit to standstill from any speed of the line
 BEYOND = 3000  # profiles reach so far beyond the last group
 
 
@@ -40,8 +42,12 @@ class Dice:
 
 
 class RandomLine:
-    def __init__(self, seed):
+    """`calm`: nothing on it stops or brakes a train whose driver follows the permitted speed: whatever restricts the
+    train lies at least CALM_AHEAD ahead of the place where it is sent, and the speed is the same around each border of levels."""
+
+    def __init__(self, seed, calm=False):
         self.dice = Dice(seed)
+        self.calm = calm
         self.seed = seed
         self.length = self.dice.tens(6000, 15000)
         self.gradient = self.profile(500, 1800, lambda: self.dice.whole(-18, 18))
@@ -50,6 +56,8 @@ class RandomLine:
         self.radio = []
         self.next_TSR = 1
         self.place_levels()
+        if calm:
+            self.keep_speed_at_borders()
         self.place_groups()
         self.first_group()
         for section in self.sections:
@@ -60,8 +68,11 @@ class RandomLine:
     # What the line is like.
     def profile(self, least, most, value):
         steps, at = [], -500
-        while at < self.length + BEYOND:
-            end = min(at + self.dice.tens(least, most), self.length + BEYOND)
+        if self.calm:  # long authorities have to fit into telegrams
+            least, most = least + 1000, most + 2000
+        beyond = BEYOND + (2 * CALM_AHEAD if self.calm else 0)
+        while at < self.length + beyond:
+            end = min(at + self.dice.tens(least, most), self.length + beyond)
             steps.append([at, end, value()])
             at = end
         return steps
@@ -86,12 +97,22 @@ class RandomLine:
         borders.append(self.length)
         self.sections = [{"level": level, "from_m": borders[i], "to_m": borders[i + 1]} for i, level in enumerate(levels)]
 
+    def keep_speed_at_borders(self):
+        """A train that enters an authority finds no lower speed within CALM_AHEAD."""
+        for border in [0] + [section["from_m"] for section in self.sections[1:]]:
+            kept = max(80, next(v for a, b, v in self.ssp if a <= border - 1500 < b or a == -500 and border < 1500))
+            begin, end = border - 1500, border + CALM_AHEAD
+            cut = [[a, min(b, begin), v] for a, b, v in self.ssp if a < begin]
+            cut += [[begin, end, kept]] if begin > -500 else [[-500, end, kept]]
+            cut += [[max(a, end), b, v] for a, b, v in self.ssp if b > end]
+            self.ssp = cut
+
     def place_groups(self):
         """Groups at irregular distances, and one at each border of levels."""
         places = {60}
         at = 60
         while at < self.length:
-            at += self.dice.tens(400, 1000)
+            at += self.dice.tens(800 if self.calm else 400, 1400 if self.calm else 1000)
             places.add(at)
         borders = [section["from_m"] for section in self.sections[1:]]
         places = {p for p in places if all(abs(p - b) > 60 for b in borders)} | set(borders)
@@ -114,7 +135,7 @@ class RandomLine:
             "V_NVONSIGHT": dice.one_of((30, 40)),
             "V_NVSTFF": dice.one_of((40, 60)),
             "V_NVLIMSUPERV": dice.one_of((60, 100)),
-            "V_NVUNFIT": dice.one_of((80, 100)),
+            "V_NVUNFIT": 60 if self.calm else dice.one_of((80, 100)),
             "D_NVROLL": dice.one_of((2, 5)),
             "M_NVCONTACT": dice.one_of((0, 1, 2)),
             "T_NVCONTACT": dice.one_of((25, 40)),
@@ -151,15 +172,19 @@ class RandomLine:
             target = signals[min(i + 2, len(signals) - 1)]["at_m"] + self.dice.tens(60, 200)
             if i + 2 >= len(signals):
                 target = min(section["to_m"], self.length) + self.dice.tens(400, 900)
-            if self.dice.chance(0.15) and i + 1 < len(signals):  # the next signal is at danger
+            if self.dice.chance(0.15) and i + 1 < len(signals) and not self.calm:  # the next signal is at danger
                 target = signals[i + 1]["at_m"] + 40
             target = min(target, signal["at_m"] + 3000)
+            if self.calm:
+                target = (signals[i + 1]["at_m"] if i + 1 < len(signals) else section["to_m"]) + CALM_AHEAD
             signal["orders"].append(self.authority(target))
             self.mode_profile(signal["orders"], signal["at_m"], target)
             between = [g for g in self.groups if i + 1 < len(signals) and signal["at_m"] < g["at_m"] < signals[i + 1]["at_m"]]
             if between and i + 1 < len(signals) and self.dice.chance(0.4):
                 main = signals[i + 1]
                 further = min(main["at_m"] + self.dice.tens(900, 2200), self.length + 1200)
+                if self.calm:
+                    further = main["at_m"] + CALM_AHEAD + self.dice.tens(0, 900)
                 between[-1]["orders"] += [{"infill": main["NID_BG"]}, self.authority(further)]
 
     def mode_profile(self, orders, begin, to, share=0.25):
@@ -195,7 +220,8 @@ class RandomLine:
             {"position_reports": {"every_s": dice.whole(5, 20), "at_groups": dice.chance(0.5)}}])
         at, to = first, begin
         while to < min(end + 800, self.length + 1500):
-            to = min(max(to, at) + dice.tens(1500, 3500), self.length + 1500)
+            least = CALM_AHEAD + 1500 if self.calm else 1500
+            to = min(max(to, at) + dice.tens(least, 3500 + least - 1500), self.length + (CALM_AHEAD if self.calm else 1500))
             orders = [self.authority(to)]
             self.mode_profile(orders, max(at, begin), to, 0.3)
             for _ in range(dice.whole(0, 2)):
@@ -205,14 +231,14 @@ class RandomLine:
                 place = at + dice.tens(0, 300)
                 self.send(place, [self.rare(self.behind(place)["at_m"], by_radio=True)])
             self.trouble(max(at, begin), to)
-            at = max(at + 400, to - dice.tens(900, 1600))
+            at = max(at + 400, to - dice.tens(900, 1600) - (CALM_AHEAD if self.calm else 0))
         if end < self.length and (last := self.ahead(end + 300)) is not None:
             last["orders"].append({"session": {"establish": False, **RBC}})
 
     def trouble(self, at, to):
         """Now and then the radio block centre takes something back on the way, and lifts it when the train has stood."""
         dice = self.dice
-        if not dice.chance(0.6) or to - at < 1200:
+        if self.calm or not dice.chance(0.6) or to - at < 1200:
             return
         at += dice.tens(100, 400)
         stop = at + dice.tens(700, 1000)
@@ -272,6 +298,9 @@ class RandomLine:
 
     def restriction(self, begin, end):
         dice = self.dice
+        if self.calm:
+            begin += CALM_AHEAD
+            end = max(end, begin + 500)
         start = begin + dice.tens(0, max(0, end - begin - 100))
         restriction = {"NID_TSR": self.next_TSR, "from_m": start, "to_m": start + dice.tens(100, 900),
                        "kmh": dice.one_of((20, 40, 60, 80, 100))}
@@ -291,8 +320,9 @@ class RandomLine:
             if section["level"] == "1":
                 # Without an authority the train would trip at the border: it waits for it in the transition buffer.
                 last = self.behind(border - 300)
-                last["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": 200}})
-                last["orders"].append(self.authority(border + self.dice.tens(300, 600)))
+                if not (self.calm and any("level_transition" in o for o in last["orders"])):  # two make the group inconsistent
+                    last["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": 200}})
+                last["orders"].append(self.authority(border + (CALM_AHEAD if self.calm else self.dice.tens(300, 600))))
             at_border = next(g for g in self.groups if g["at_m"] == border)
             at_border["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": 0}})
 
@@ -357,7 +387,11 @@ class RandomLine:
             lambda: {"packet": {"NID_PACKET": 254, "Q_DIR": 1}},
         ]
         by_radio_only = [lambda: {"packet": {"NID_PACKET": 64, "Q_DIR": 1}}]
-        return dice.one_of(choices + (by_radio_only if by_radio else in_groups_only))()
+        order = dice.one_of(choices + (by_radio_only if by_radio else in_groups_only))()
+        number = order.get("packet", {}).get("NID_PACKET")
+        if self.calm and (number in STOPPING or number == 140 and not by_radio):
+            return {"text": {"text": "Nothing here", "for_s": 10}}
+        return order
 
     def description(self):
         first = self.sections[0]["level"]
@@ -366,7 +400,9 @@ class RandomLine:
             start["nid_ntc"] = 1
         levels = " > ".join(section["level"] for section in self.sections)
         for group in self.groups:
-            if len(group["orders"]) > 2:
+            if group["orders"] and self.calm:
+                group["balises"] = 8
+            elif len(group["orders"]) > 2:
                 group["balises"] = 5
             elif not group["orders"] and self.dice.chance(0.15):
                 group["balises"] = 1

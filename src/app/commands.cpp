@@ -62,6 +62,8 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
   command->add_option("--driver", options->driver, "perfect, late or reckless")
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
+  command->add_option("--odometer", options->odometer, "random, or as wrong as it declares possible: over or under")
+      ->check(CLI::IsMember({"random", "over", "under"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
       ->check(number_between(0, 1000000));
   command->add_option("--seed", *seed, "seed of odometer errors and delays")->check([](const std::string& given) {

@@ -233,6 +233,8 @@ int run(const RunOptions& options) {
   sim::World::Settings settings;
   settings.driver = driver;
   settings.seed = options.seed;
+  if (options.odometer != "random")
+    settings.odometer = options.odometer == "over" ? sim::Odometer::Errors::over() : sim::Odometer::Errors::under();
   if (options.last_ma >= 0) settings.last_ma = options.last_ma;
   io::Configuration configuration;
   configuration.train = *train;

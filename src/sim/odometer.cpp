@@ -14,7 +14,7 @@ double milli(double v) { return std::nearbyint(v * 1e3) / 1e3 + 0.0; }
 }  // namespace
 
 Odometer::Odometer(const Errors& errors, Random& random) : errors_(errors), random_(random) {
-  constant_ = random_.between(-errors_.constant, errors_.constant);
+  constant_ = random_.between(errors_.least, errors_.most);
 }
 
 void Odometer::move(double way_m, double step_s) {

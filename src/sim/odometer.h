@@ -11,9 +11,24 @@ namespace evc::sim {
 class Odometer {
  public:
   struct Errors {
-    double declared = 0.01;   // share of the distance that min and max allow for
-    double constant = 0.003;  // maximum of the constant share
-    double wander = 0.002;    // maximum of the changing share
+    double declared = kDeclared;  // share of the counted distance that min and max allow for
+    double least = -0.003;        // of the constant share
+    double most = 0.003;
+    double wander = 0.002;  // maximum of the changing share
+
+    /// As much too much as it declares possible: the true distance is always at `min`.
+    static constexpr Errors over() { return at_limit(kDeclared / (1.0 - kDeclared)); }
+    /// As little as it declares possible: the true distance is always at `max`.
+    static constexpr Errors under() { return at_limit(-kDeclared / (1.0 + kDeclared)); }
+
+   private:
+    static constexpr double kDeclared = 0.01;
+    static constexpr Errors at_limit(double share) {
+      Errors errors;
+      errors.least = errors.most = share;
+      errors.wander = 0.0;
+      return errors;
+    }
   };
   Odometer(const Errors& errors, Random& random);
 

@@ -181,6 +181,19 @@ TEST(Odometer, BoundsHoldOverAnyStretch) {
     }
 }
 
+TEST(Odometer, AtItsLimitsTheTrueDistanceIsAtTheBound) {
+  for (const bool over : {true, false}) {
+    Random random(3);
+    Odometer odometer(over ? Odometer::Errors::over() : Odometer::Errors::under(), random);
+    for (int i = 0; i < 10'000; ++i) odometer.move(0.5, 0.01);
+    const auto o = odometer.read(0.0);
+    EXPECT_NEAR((over ? o.min : o.max).from_origin.si, 5000.0, 2e-3);
+    EXPECT_GE((over ? o.nominal.from_origin.si - 5000.0 : 5000.0 - o.nominal.from_origin.si), 49.0);
+    EXPECT_LE(o.min.from_origin.si, 5000.0);
+    EXPECT_GE(o.max.from_origin.si, 5000.0);
+  }
+}
+
 port::Outputs saying(std::initializer_list<std::uint8_t> first_bytes) {
   port::Outputs o;
   port::OutgoingMessage m;
