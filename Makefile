@@ -4,7 +4,7 @@
 #   make bench    benchmarks and instruction counts
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
-# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-properties, make campaign-mutants
+# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-mutants
 # LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`.
 
 SHELL := /bin/bash
@@ -13,7 +13,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines campaign-properties campaign-mutants
+.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -50,10 +50,16 @@ campaign-fuzz:
 campaign-lines: evc
 	@tools/campaign_lines $(LINE) --runs $(or $(RUNS),1000)
 
-# Properties of braking curves and limits over CASES random trains, tracks and targets.
+# Random journeys: drivers, odometers at their limits, missing balises.
+campaign-journeys: evc
+	@tools/campaign_journeys.py --journeys $(or $(RUNS),3000)
+
+# Properties of braking curves and limits over CASES random trains, tracks and targets; the track description against a
+# model of every metre over DATABASES random sequences of messages.
 campaign-properties:
 	@tools/setup build test
-	@tools/build dev sdm_test
+	@tools/build dev sdm_test track_test
+	EVC_CASES=$(or $(DATABASES),10000) build/dev/src/track/track_test --gtest_filter='Metres.*'
 	EVC_CASES=$(or $(CASES),100000) build/dev/src/sdm/sdm_test --gtest_filter='Properties.*'
 
 # Mutation test of a ROOM. MUTANTS="--rows" or "--sample 500" instead of all.
