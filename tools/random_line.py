@@ -14,7 +14,7 @@ import sys
 NID_C = 1000
 RBC = {"NID_RBC": 1, "NID_RADIO": "0041790000000001"}
 SPEEDS = (40, 60, 80, 100, 120, 140, 160)
-STOPPING = {70, 88, 132, 137}  # packets that stop a train, or may
+STOPPING = {46, 51, 52, 70, 88, 132, 137}  # packets that stop a train, or may
 CALM_AHEAD = 2800  # m, more than the way from the Indication limit to standstill from any speed of the line
 BEYOND = 3000  # profiles reach so far beyond the last group
 
@@ -49,7 +49,7 @@ class RandomLine:
         self.dice = Dice(seed)
         self.calm = calm
         self.seed = seed
-        self.length = self.dice.tens(6000, 15000)
+        self.length = self.dice.tens(12000, 20000) if calm else self.dice.tens(6000, 15000)
         self.gradient = self.profile(500, 1800, lambda: self.dice.whole(-18, 18))
         self.ssp = self.profile(600, 3500, lambda: self.dice.one_of(SPEEDS))
         self.groups = []
@@ -69,7 +69,7 @@ class RandomLine:
     def profile(self, least, most, value):
         steps, at = [], -500
         if self.calm:  # long authorities have to fit into telegrams
-            least, most = least + 1000, most + 2000
+            least, most = least + 1400, most + 2400
         beyond = BEYOND + (2 * CALM_AHEAD if self.calm else 0)
         while at < self.length + beyond:
             end = min(at + self.dice.tens(least, most), self.length + beyond)
@@ -79,12 +79,14 @@ class RandomLine:
 
     def place_levels(self):
         """[{level, from_m, to_m}]; no two neighbours have the same level."""
-        count = self.dice.whole(1, 4)
+        count = self.dice.whole(1, 3 if self.calm else 4)
         levels = [self.dice.one_of(("0", "1", "1", "NTC"))]
         if count == 1:
             levels = ["1"]
         while len(levels) < count:
             ahead = self.dice.one_of(("0", "1", "1", "2", "2", "2", "NTC"))
+            if self.calm and "2" in levels and ahead == "2":  # the end of a session after the next call
+                continue
             if ahead != levels[-1]:
                 levels.append(ahead)
         if count > 1 and not set(levels) & {"1", "2"}:
@@ -100,7 +102,9 @@ class RandomLine:
     def keep_speed_at_borders(self):
         """A train that enters an authority finds no lower speed within CALM_AHEAD."""
         for border in [0] + [section["from_m"] for section in self.sections[1:]]:
-            kept = max(80, next(v for a, b, v in self.ssp if a <= border - 1500 < b or a == -500 and border < 1500))
+            unfitted = any(s["level"] == "0" and border in (s["from_m"], s["to_m"]) for s in self.sections)
+            kept = next(v for a, b, v in self.ssp if a <= border - 1500 < b or a == -500 and border < 1500)
+            kept = 60 if unfitted else max(80, kept)
             begin, end = border - 1500, border + CALM_AHEAD
             cut = [[a, min(b, begin), v] for a, b, v in self.ssp if a < begin]
             cut += [[begin, end, kept]] if begin > -500 else [[-500, end, kept]]
@@ -167,7 +171,7 @@ class RandomLine:
         signals = []
         while groups:
             signals.append(groups[0])
-            groups = groups[self.dice.whole(2, 4):]
+            groups = groups[self.dice.whole(2, 2 if self.calm else 4):]
         for i, signal in enumerate(signals):
             target = signals[min(i + 2, len(signals) - 1)]["at_m"] + self.dice.tens(60, 200)
             if i + 2 >= len(signals):
@@ -192,7 +196,12 @@ class RandomLine:
         if not dice.chance(share) or to - begin < 900:
             return
         start = begin + dice.tens(300, (to - begin) // 2)
-        mode = dice.one_of(("OS", "OS", "LS", "LS", "SH") if start > 0.6 * self.length else ("OS", "OS", "LS"))
+        if self.calm:
+            start = begin + CALM_AHEAD + 300
+            if start + 200 > to:
+                return
+        shunting = start > 0.6 * self.length and not self.calm
+        mode = dice.one_of(("OS", "OS", "LS", "LS", "SH") if shunting else ("OS", "OS", "LS"))
         profile = {"mode": mode, "from_m": start, "to_m": min(to, start + dice.tens(200, 1500)), "acknowledge_m": dice.tens(100, 300)}
         if dice.chance(0.5):
             profile["kmh"] = dice.one_of((20, 30, 40, 60))
@@ -229,6 +238,8 @@ class RandomLine:
             self.send(at, orders)
             for _ in range(dice.whole(0, 2)):
                 place = at + dice.tens(0, 300)
+                if self.calm and place < begin:  # the transition buffer keeps the authority and two more
+                    continue
                 self.send(place, [self.rare(self.behind(place)["at_m"], by_radio=True)])
             self.trouble(max(at, begin), to)
             at = max(at + 400, to - dice.tens(900, 1600) - (CALM_AHEAD if self.calm else 0))
@@ -314,7 +325,10 @@ class RandomLine:
             if section["level"] == "NTC":
                 order["nid_ntc"] = 1
             for group in self.groups:
-                if border - 1700 <= group["at_m"] < border - 300 and self.dice.chance(0.8):
+                announces = border - 1700 <= group["at_m"] < border - 300 and self.dice.chance(0.8)
+                if self.calm:  # before the first authority of level 2
+                    announces = border - 2400 <= group["at_m"] < border - 900
+                if announces:
                     acknowledge = self.dice.tens(100, 300)
                     group["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": acknowledge}})
             if section["level"] == "1":
@@ -345,7 +359,7 @@ class RandomLine:
         text = {**profile, "Q_TEXTCLASS": dice.whole(0, 1), "Q_TEXTDISPLAY": dice.whole(0, 1), "D_TEXTDISPLAY": dice.tens(0, 500),
                 "M_MODETEXTDISPLAY_START": 15, "M_LEVELTEXTDISPLAY_START": 5, "L_TEXTDISPLAY": dice.tens(100, 1500),
                 "T_TEXTDISPLAY": dice.whole(5, 60), "M_MODETEXTDISPLAY_END": 15, "M_LEVELTEXTDISPLAY_END": 5}
-        confirm = {"Q_TEXTCONFIRM": dice.whole(1, 3), "Q_CONFTEXTDISPLAY": dice.whole(0, 1), "Q_TEXTREPORT": 0}
+        confirm = {"Q_TEXTCONFIRM": 1 if self.calm else dice.whole(1, 3), "Q_CONFTEXTDISPLAY": dice.whole(0, 1), "Q_TEXTREPORT": 0}
         choices = [
             lambda: self.restriction(at + 200, at + 2500),
             lambda: self.restriction(at + 100, at + 1500),
@@ -389,7 +403,8 @@ class RandomLine:
         by_radio_only = [lambda: {"packet": {"NID_PACKET": 64, "Q_DIR": 1}}]
         order = dice.one_of(choices + (by_radio_only if by_radio else in_groups_only))()
         number = order.get("packet", {}).get("NID_PACKET")
-        if self.calm and (number in STOPPING or number == 140 and not by_radio):
+        misplaced = number == 141 if by_radio else number == 140  # the message is inconsistent
+        if self.calm and (number in STOPPING or misplaced):
             return {"text": {"text": "Nothing here", "for_s": 10}}
         return order
 
@@ -404,7 +419,7 @@ class RandomLine:
                 group["balises"] = 8
             elif len(group["orders"]) > 2:
                 group["balises"] = 5
-            elif not group["orders"] and self.dice.chance(0.15):
+            elif not group["orders"] and not self.calm and self.dice.chance(0.15):  # of one balise: without an orientation
                 group["balises"] = 1
         return {"schema": "evc-line-description/1", "name": f"random line {self.seed}", "about": f"levels {levels}", "NID_C": NID_C,
                 "length_m": self.length, "start": start, "gradient": self.gradient, "ssp": self.ssp,
