@@ -42,7 +42,7 @@ class Dice:
 
 
 class RandomLine:
-    """`calm`: nothing on it stops or brakes a train whose driver follows the permitted speed: whatever restricts the
+    """`calm`: nothing on it stops or brakes a train whose driver follows the permitted speed: what restricts the
     train lies at least CALM_AHEAD ahead of the place where it is sent, and the speed is the same around each border of levels."""
 
     def __init__(self, seed, calm=False):

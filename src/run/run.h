@@ -5,13 +5,13 @@
 namespace evc::run {
 
 struct RunOptions {
-  std::string line;                ///< etcs-line/1; empty: the shipped line
-  std::string train;               ///< etcs-train/1; empty: the standard train
-  std::string driver = "perfect";  ///< perfect, late or reckless
+  std::string line;                 ///< etcs-line/1; empty: the shipped line
+  std::string train;                ///< etcs-train/1; empty: the standard train
+  std::string driver = "perfect";   ///< perfect, late or reckless
   std::string odometer = "random";  ///< random, or at the limit that it declares: over (too much), under (too little)
-  std::string output;              ///< folder for the report and the records; empty: none are written
-  std::uint64_t seed = 1;          ///< of odometer errors and delays
-  int last_ma = -1;                ///< movement authorities with a higher seq are withheld; below 0: none are
+  std::string output;               ///< folder for the report and the records; empty: none are written
+  std::uint64_t seed = 1;           ///< of odometer errors and delays
+  int last_ma = -1;                 ///< movement authorities with a higher seq are withheld; below 0: none are
 };
 /// `evc run`: drives a simulated train along a line, supervised by the on-board. Returns the exit status: 0, or 2 with
 /// one line on standard error.
