@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -172,6 +174,73 @@ TEST_F(Journey, AnswersEveryCycleWhateverTheTrackSends) {
     if (all != outputs()) ++different;
   }
   EXPECT_GE(different, 6u) << "the damage does not reach the unit";
+}
+
+// The same journey from the other cab (3.6.1.5, 5.12): the counters fall, everything else is as it was.
+
+constexpr double kEngine = 20.0;  // m, of the configuration
+constexpr double kTolerance = 1e-6;
+
+evc::train::TrainData seen_from_cab_A(evc::train::TrainData train) {
+  train.L_antenna_front = {kEngine - train.L_antenna_front.si};
+  return train;
+}
+evc::sim::CycleInputs mirrored(const evc::sim::CycleInputs& cycle) {
+  evc::sim::CycleInputs out = cycle;
+  const auto turned = [](evc::OdometerPlace place) { return evc::OdometerPlace{-place.from_origin}; };
+  evc::port::Odometry& odometry = out.levels.odometry;
+  odometry.nominal = turned(odometry.nominal);
+  odometry.min = turned(cycle.levels.odometry.max);
+  odometry.max = turned(cycle.levels.odometry.min);
+  odometry.V_est = {-odometry.V_est.si};
+  odometry.V_min = {-cycle.levels.odometry.V_max.si};
+  odometry.V_max = {-cycle.levels.odometry.V_min.si};
+  odometry.A_est = {-odometry.A_est.si};
+  for (auto& telegram : out.balises) telegram.at = turned(telegram.at);
+  out.levels.train.cab = evc::port::Cab::B;
+  if (out.train_data) out.train_data = seen_from_cab_A(*out.train_data);
+  return out;
+}
+
+/// Equal, places on the odometer mirrored.
+void expect_mirrored(const nlohmann::json& from_A, const nlohmann::json& from_B, const std::string& where) {
+  static const std::set<std::string> counters{
+      "est_front_m", "min_safe_front_m", "max_safe_front_m", "EOA_m", "SvL_m", "from_m", "to_m"};
+  ASSERT_EQ(from_A.type() == nlohmann::json::value_t::null, from_B.type() == nlohmann::json::value_t::null) << where;
+  if (from_A.is_object()) {
+    for (const auto& [key, value] : from_A.items()) expect_mirrored(value, from_B.at(key), where + "/" + key);
+  } else if (from_A.is_array()) {
+    ASSERT_EQ(from_A.size(), from_B.size()) << where;
+    for (std::size_t i = 0; i < from_A.size(); ++i) expect_mirrored(from_A[i], from_B[i], where + "/-");
+  } else if (from_A.is_number()) {
+    const double value = from_A.get<double>();
+    const bool place = counters.contains(where.substr(where.rfind('/') + 1));
+    ASSERT_NEAR(from_B.get<double>(), place ? -value : value, kTolerance) << where;
+  } else {
+    ASSERT_EQ(from_A, from_B) << where;
+  }
+}
+
+TEST_F(Journey, IsTheSameFromTheOtherCab) {
+  auto stream = evc::io::InputStream::open("inputs.jsonl", evc::io::lines_of(inputs()));
+  ASSERT_TRUE(stream);
+  Unit A, B;
+  evc::kernel::Config config = stream->configuration().for_kernel();
+  ASSERT_EQ(config.L_engine.si, kEngine);
+  evc::kernel::power_up(*A.state, *A.derived, config);
+  config.train = seen_from_cab_A(config.train);
+  evc::kernel::power_up(*B.state, *B.derived, config);
+  evc::sim::CycleInputs cycle;
+  std::size_t supervised = 0;
+  for (std::size_t n = 0; stream->next(cycle).value(); ++n) {
+    evc::sim::CycleInputs turned = mirrored(cycle);
+    const std::string from_A = A.step(cycle), from_B = B.step(turned);
+    if (n == 0 || (n % 10 != 0 && from_A.find("\"events\":[]") != std::string::npos)) continue;
+    expect_mirrored(nlohmann::json::parse(from_A), nlohmann::json::parse(from_B), "");
+    if (HasFatalFailure()) FAIL() << "at t_ms " << cycle.t_ms << "\n" << from_A << from_B;
+    supervised += from_A.find("\"V_P\":null") == std::string::npos;
+  }
+  EXPECT_GT(supervised, 500u);
 }
 
 TEST_F(Journey, LeavesWholeRecords) {

@@ -289,7 +289,7 @@ typedef struct openevc_inputs {
   uint8_t service_brake_feedback;
   uint8_t regenerative_brake_active, eddy_current_brake_active, magnetic_shoe_brake_active, ep_brake_active;
   uint8_t additional_brake_active, safety_fault, national_trip;
-  uint8_t reserved_2;
+  uint8_t cab;               /* whose desk is open: 0 cab A, 1 cab B */
   double brake_pressure_kpa; /* of the main pipe; not a number: not measured */
   uint64_t national_systems; /* bit n: the national system NID_NTC n is available */
   uint32_t open_windows;     /* bits of openevc_window: a state */

@@ -35,6 +35,8 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.powered = in.powered != 0;
   s.isolated = in.isolated != 0;
   s.desk_open = in.desk_open != 0;
+  if (in.cab > 1) return "inputs.cab: not 0 or 1";
+  s.cab = in.cab == 0 ? kernel::Cab::A : kernel::Cab::B;
   s.sleeping = in.sleeping != 0;
   s.non_leading = in.non_leading != 0;
   s.passive_shunting = in.passive_shunting != 0;

@@ -17,7 +17,7 @@ constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
-                   "telephone_numbers", "terminals"});
+                   "telephone_numbers", "terminals", "cabs"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -30,6 +30,7 @@ Configuration read_configuration(const JsonPlace& place) {
     for (std::size_t i = 0; i < p->size(); ++i)
       if (!c.identity.telephone_numbers.push_back(read_NID_RADIO((*p)[i]))) p->fail("at most 4 telephone numbers");
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
+  if (const auto p = place.find("cabs")) c.cabs = static_cast<int>(p->integer(1, 2));
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
     for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
@@ -223,11 +224,38 @@ void read_integrity(kernel::TrainSignals& t, const JsonPlace& place) {
   if (length && !length->is_null()) t.length_confirmed = {length->number(0.0, 4095.0)};
 }
 
+/// The desk that is open: `cab` names it, `desk_open` alone speaks of cab A.
+void read_desk(kernel::TrainSignals& t, const JsonPlace& place) {
+  if (const auto p = place.find("desk_open")) {
+    t.desk_open = p->boolean();
+    if (t.desk_open) t.cab = kernel::Cab::A;
+  }
+  const auto cab = place.find("cab");
+  if (!cab) return;
+  t.desk_open = !cab->is_null();
+  if (t.desk_open) t.cab = static_cast<kernel::Cab>(cab->one_of(texts::kCabNames));
+}
+
 void read_signals(CycleInputs& cycle, const JsonPlace& place) {
-  place.know_only({"powered", "isolated", "desk_open", "sleeping", "non_leading", "passive_shunting",
-                   "direction_controller", "brake_pressure_kpa", "service_brake_feedback", "regenerative_brake_active",
-                   "eddy_current_brake_active", "magnetic_shoe_brake_active", "ep_brake_active",
-                   "additional_brake_active", "antenna_alarm", "data", "data_validation", "integrity",
+  place.know_only({"powered",
+                   "isolated",
+                   "desk_open",
+                   "cab",
+                   "sleeping",
+                   "non_leading",
+                   "passive_shunting",
+                   "direction_controller",
+                   "brake_pressure_kpa",
+                   "service_brake_feedback",
+                   "regenerative_brake_active",
+                   "eddy_current_brake_active",
+                   "magnetic_shoe_brake_active",
+                   "ep_brake_active",
+                   "additional_brake_active",
+                   "antenna_alarm",
+                   "data",
+                   "data_validation",
+                   "integrity",
                    "train_length_m"});
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
@@ -236,7 +264,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.powered, "powered");
   if (place.find("powered")) cycle.levels.moved.reset();
   flag(t.isolated, "isolated");
-  flag(t.desk_open, "desk_open");
+  read_desk(t, place);
   flag(t.sleeping, "sleeping");
   flag(t.non_leading, "non_leading");
   flag(t.passive_shunting, "passive_shunting");
@@ -370,7 +398,10 @@ Result<bool> InputStream::next(sim::CycleInputs& cycle) {
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
     while (pending_ && pending_->t_ms <= cycle.t_ms) {
-      read_object(cycle, pending_->t_ms, radio_, entered_, JsonPlace(pending_->object, file_, place_of_line()));
+      const JsonPlace object(pending_->object, file_, place_of_line());
+      read_object(cycle, pending_->t_ms, radio_, entered_, object);
+      if (configuration_.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
+        object["train"]["cab"].fail("A: the engine has one cab");
       read_ahead();
     }
     deliver_radio(cycle, radio_);

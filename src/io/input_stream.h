@@ -22,6 +22,7 @@ struct Configuration {
   train::NationalValues national_values;
   std::array<bool, kLevels> levels{true, true, true, true, true};
   Distance L_engine = kernel::Config{}.L_engine;
+  int cabs = 2;  ///< with one there is no cab B
   port::Identity identity;
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given
   std::string document = "{}";                           // as read, on one line

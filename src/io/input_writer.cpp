@@ -58,7 +58,14 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
   using S = kernel::TrainSignals;
   flag("powered", &S::powered);
   flag("isolated", &S::isolated);
-  flag("desk_open", &S::desk_open);
+  // Of cab A without its name, as before there were two.
+  if (now.cab == kernel::Cab::A && before.cab == kernel::Cab::A) {
+    flag("desk_open", &S::desk_open);
+  } else if (before.desk_open != now.desk_open || (now.desk_open && before.cab != now.cab)) {
+    fields += fields.empty() ? "" : ",";
+    fields += now.desk_open ? std::string("\"cab\":\"") + texts::kCabNames[static_cast<std::size_t>(now.cab)] + '"'
+                            : std::string("\"cab\":null");
+  }
   flag("sleeping", &S::sleeping);
   flag("non_leading", &S::non_leading);
   flag("passive_shunting", &S::passive_shunting);

@@ -268,10 +268,42 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
             "/train/data_validation: found \"driver\", expected true or false");
   EXPECT_EQ(error(R"("train":{"data_validation":true})"),
             "/train/data_validation: found true, expected data, which it belongs to");
+  EXPECT_EQ(error(R"("train":{"cab":"C"})"), "/train/cab: found \"C\", expected one of A, B");
   EXPECT_EQ(error(R"("national_system":{"service_brake":1})"),
             "/national_system/service_brake: found 1, expected true or false");
   EXPECT_EQ(error(R"("national_system":{"emergency_brake":null})"),
             "/national_system/emergency_brake: found null, expected true or false");
+}
+
+TEST(InputStream, TheLaterOfDeskAndCabHolds) {
+  auto stream = open(R"({"t_ms":0,"train":{"cab":"B"}}
+{"t_ms":100,"train":{"cab":null}}
+{"t_ms":200,"train":{"desk_open":true}}
+{"t_ms":300,"train":{"cab":"B"}}
+{"t_ms":400,"train":{"desk_open":false}}
+)");
+  sim::CycleInputs cycle;
+  for (const auto& [desk_open, cab] : {std::pair{true, kernel::Cab::B},
+                                       {false, kernel::Cab::B},
+                                       {true, kernel::Cab::A},
+                                       {true, kernel::Cab::B},
+                                       {false, kernel::Cab::B}}) {
+    ASSERT_TRUE(stream.next(cycle).value());
+    EXPECT_EQ(cycle.levels.train.desk_open, desk_open) << cycle.t_ms;
+    EXPECT_EQ(cycle.levels.train.cab, cab) << cycle.t_ms;
+  }
+}
+
+TEST(InputStream, AnEngineWithOneCabHasNoCabB) {
+  auto stream = open(R"({"config":{"cabs":1},"t_ms":0,"train":{"cab":"A"}}
+{"t_ms":100,"train":{"cab":"B"}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(stream.next(cycle).value());
+  const auto refused = stream.next(cycle);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("/train/cab: found \"B\", expected A: the engine has one cab"),
+            std::string::npos);
 }
 
 /// Everything that a cycle of a simulated world can contain is written and read back unchanged.
@@ -282,6 +314,7 @@ TEST(InputWriter, RoundTrip) {
   InputWriter writer(configuration);
   sim::CycleInputs first;
   first.levels.train.desk_open = true;
+  first.levels.train.cab = kernel::Cab::B;
   first.levels.train.direction_controller = kernel::DirectionController::backward;
   first.levels.train.brake_pressure_kpa = 480.5;
   first.levels.national_system.available = 2;

@@ -214,6 +214,8 @@ struct State {
   SupervisionBasis basis;
   std::uint32_t revision = 0;  // increases when train data, national values, mode or level change the supervision
   DataStatus contact_status = DataStatus::unknown;  // of the stored RBC contact (5.4.3.3)
+  Cab cab = Cab::A;                                 // the active one, without one the last (3.6.1.5)
+  bool desk_was_open = false;                       // in the cycle before
   bool asks_for_contact = false;                    // the driver, for a session after his change of level (5.10.3.15.2)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
   bool configuration_refused = false;               // train data or national values out of their range at power-up

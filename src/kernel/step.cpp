@@ -1,3 +1,4 @@
+#include "kernel/cab.h"
 #include "kernel/decide/decide.h"
 #include "kernel/evc.h"
 #include "kernel/intake/intake.h"
@@ -21,8 +22,10 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
                                 !(config.L_engine.si > 0.0 && config.L_engine.si <= 1000.0);
 }
 
+namespace {
+
 /// One cycle: the picture of docs/architecture.md, from top to bottom.
-void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
+void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
   reset(outputs);
   const Log log{outputs.events};
   radio::Outbox outbox;
@@ -31,6 +34,15 @@ void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs
   const Supervised supervised = supervise(state, derived, inputs.train, decided.here, decided.basis_renewed,
                                           received.acknowledged.has(Ack::brake), log);
   report(state, inputs, received, decided, supervised, outbox, log, outputs);
+}
+
+}  // namespace
+
+void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
+  if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs);
+  Inputs closed = inputs;
+  closed.train.desk_open = false;
+  run_cycle(state, derived, closed, outputs);
 }
 
 }  // namespace evc::kernel

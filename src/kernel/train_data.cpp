@@ -1,5 +1,6 @@
 #include "kernel/train_data.h"
 
+#include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
 #include "track/withdraw.h"
@@ -34,7 +35,7 @@ bool route_matters(const train::TrainData& before, const train::TrainData& after
 void change_train_data(State& s, const train::TrainData& data, const track::Here& here, Log log) {
   if (here.standstill && valid(s.data.train_data_status) && route_matters(s.train, data))
     forget_authority_of_old_train(s, here, log);
-  s.train = data;
+  set_train_data(s, data);
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;
   radio::send_train_data(s.radio);

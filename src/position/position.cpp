@@ -122,6 +122,10 @@ const Reference* lrbg(const State& state) { return state.references.empty() ? nu
 
 PlaceInterval front(const State& state) { return front_at(state, state.now.counter); }
 
+OdometerPlace forward_counter(const State& state) {
+  return OdometerPlace{state.sense * state.now.counter.nominal.from_origin};
+}
+
 PlaceInterval front_at(const State& state, const OdometerReading& counter) {
   const Reference* reference = lrbg(state);
   return reference ? interval(state, *reference, counter) : interval(state, reference_of(state), counter);

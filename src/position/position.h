@@ -138,6 +138,8 @@ Relocation from_unlinked(const State& state);
 const Reference* lrbg(const State& state);
 /// Front end now: min safe, estimated, max safe (3.6.4.2, 3.6.4.4).
 PlaceInterval front(const State& state);
+/// The nominal counter as it would grow towards the active cab.
+OdometerPlace forward_counter(const State& state);
 /// Front end when the counters stood at `counter`.
 PlaceInterval front_at(const State& state, const OdometerReading& counter);
 /// Rear end; `min` is safe only while the integrity of the train is known (3.6.4.4.1). In SL, NL, PS

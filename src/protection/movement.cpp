@@ -90,6 +90,13 @@ Commands guard(MovementGuards& g, const GuardSelection& selection, const Movemen
   return c;
 }
 
+void turn(MovementGuards& g) {
+  for (std::optional<OdometerPlace>* place :
+       {&g.roll_away.reference, &g.reverse_movement.reference, &g.standstill.reference, &g.post_trip_from,
+        &g.post_trip_released_at, &g.reversing_released_at})
+    if (*place) **place = OdometerPlace{-(**place).from_origin};
+}
+
 void enter_mode(MovementGuards& g, const GuardSelection& selection, OdometerPlace nominal) {
   if (!selection.roll_away) g.roll_away = {};
   if (!selection.reverse_movement) g.reverse_movement = {};

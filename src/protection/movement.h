@@ -60,4 +60,7 @@ Commands guard(MovementGuards& guards, const GuardSelection& selection, const Mo
 /// A mode was entered: supervision that is not active in the mode ends, roll away protection continues (4.12).
 void enter_mode(MovementGuards& guards, const GuardSelection& selection, OdometerPlace nominal);
 
+/// The cab at the other end became active: the counter, as it grows in its direction, has the other sign (5.12).
+void turn(MovementGuards& guards);
+
 }  // namespace evc::protection

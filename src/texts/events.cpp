@@ -100,6 +100,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::train_data_changed_by_source, "train data", Takes::nothing, "changed by an external source"},
     {What::train_data_to_be_validated, "train data", Takes::nothing, "to be validated"},
 
+    {What::cab_changed, "cab", Takes::nothing, "changed"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
 });
 // clang-format on

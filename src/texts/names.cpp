@@ -99,6 +99,7 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
                                                                                               "main",
                                                                                               "integrity_confirmed"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
+constexpr std::array<const char*, 2> kCabNames{"A", "B"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
 
 const char* name(train::Fault fault) { return kFaultNames[static_cast<std::size_t>(fault)]; }

@@ -60,6 +60,7 @@ std::string text_of(Clause clause);
 /// The names of inputs in JSON, in the order of their enumerations.
 extern const std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames;
 extern const std::array<const char*, 3> kDirectionNames;  ///< DirectionController
+extern const std::array<const char*, 2> kCabNames;        ///< Cab
 extern const std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames;
 
 /// The text of an event for what the driver selected or entered.

@@ -313,7 +313,9 @@ class Database {
     accepted += stored.ma_accepted;
     refused += stored.ma_refused;
     shortened += stored.shortened;
-    return !stored.lost_from;
+    for (const Note& note : stored.notes)
+      if (note.what == Note::What::full) return false;
+    return true;
   }
 
   void take_authority(const Contents& c, const Model& together) {
@@ -429,7 +431,7 @@ class Database {
     if (m.pbd != kNone) take(m.pbd);
     if (m.signalling != kNone) take(m.signalling);
     for (const TemporarySpeedRestriction& t : model.tsr)
-      if (t.to > t.from && x >= whole(t.from) && x < whole(t.to) + (t.Q_FRONT ? 0 : kTrain)) take(t.V_TSR);
+      if (x >= whole(t.from) && x < whole(t.to) + (t.Q_FRONT ? 0 : kTrain)) take(t.V_TSR);
     for (const LevelCrossing& lx : model.lx)
       if (lx.unprotected && lx.substituted && x >= whole(lx.V_LX_from) && x < whole(lx.to)) take(lx.V_LX);
     return least == kNoSpeed ? kNoLimit : speed_of(least);

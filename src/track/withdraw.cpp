@@ -283,6 +283,18 @@ void end_before(Description& d, Place place, const Here& here) {
   (void)shorten(d, Situation::b_shortened_ma, place, here);
 }
 
+void turn(Description& d) {
+  const std::optional<GroupList> sh_list = d.sh_list;
+  delete_all(d);
+  d.sh_list = sh_list;
+  d.geo.erase_if([](const GeoReference& reference) { return !reference.applicable; });
+  for (GeoReference& reference : d.geo) {
+    reference.applies_from = Place{-reference.applies_from->from_origin};
+    reference.counts_up_ahead = !reference.counts_up_ahead;
+  }
+  ++d.revision;
+}
+
 Elapsed advance(Description& d, const Here& here) {
   Elapsed elapsed;
   if (d.ma) {

@@ -51,6 +51,10 @@ struct Elapsed {
 /// adhesion and big metal masses 300 m behind the min safe rear end, and areas passed.
 Elapsed advance(Description& d, const Here& here);
 
+/// The train has the other orientation: everything ahead of it is deleted, but for the list of groups that may be
+/// passed in SH; the geographical position goes on (3.6.6.4.3, 3.11.5.10, 5.12).
+void turn(Description& d);
+
 /// Deletes (resets to the initial state) the data of a row of 4.10.1.3, as required by the tables of 4.9 and 4.10 in
 /// modes/. False when that row is not stored in the track description.
 bool forget(Description& d, evc::Stored stored);

@@ -9,6 +9,7 @@
 namespace evc::kernel {
 
 using port::BaliseTelegram;
+using port::Cab;
 using port::Config;
 using port::DirectionController;
 using port::DriverActions;

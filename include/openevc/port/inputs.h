@@ -99,10 +99,14 @@ enum class DirectionController : std::uint8_t { neutral, forward, backward };
 
 /// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
 /// each.
+/// The two driver's cabs of the engine. The odometer counts up towards the front end of cab A (3.6.1.5).
+enum class Cab : std::uint8_t { A, B };
+
 struct TrainSignals {
   bool powered = true;
   bool isolated = false;
   bool desk_open = false;
+  Cab cab = Cab::A;  ///< whose desk is open
   bool sleeping = false;
   bool non_leading = false;
   bool passive_shunting = false;

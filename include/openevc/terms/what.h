@@ -98,6 +98,7 @@ enum class What : std::uint8_t {
   train_data_changed_by_source,  ///< by another source than the driver
   train_data_to_be_validated,
 
+  cab_changed,                ///< the other cab is active: position and orientation are mirrored
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
   count
 };

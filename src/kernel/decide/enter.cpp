@@ -29,7 +29,7 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
   if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, to, from);
   if (to == Mode::TR) driver::enter_trip(s.status_texts, number);
-  protection::enter_mode(s.guards, protection::guards_of(to), s.position.now.counter.nominal);
+  protection::enter_mode(s.guards, protection::guards_of(to), position::forward_counter(s.position));
   // 4.4.11.1.3.1: unless the RBC gave a distance with its authorisation.
   if (to == Mode::SR && !s.staff_responsible.by_rbc) limit_SR_distance(s, here);
 }

@@ -1,5 +1,6 @@
 #include "kernel/decide/mission.h"
 
+#include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
 #include "kernel/train_data.h"
@@ -126,7 +127,7 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
 void run_override(State& s, const Received& received, const track::Here& here, procedures::Facts& facts, Log log) {
   procedures::override_::Inputs in;
   in.now = s.now;
-  in.odometer = s.position.now.counter.nominal;
+  in.odometer = position::forward_counter(s.position);
   in.mode = s.mode;
   in.level = s.level.level;
   in.selected = received.selected.has(Select::override_);
@@ -231,7 +232,7 @@ void run_train_data_change(State& s, const Received& received, Decided& out, Log
       change_train_data(s, *change.pending, out.here, log);
       break;
     case Fate::to_validate:
-      if (train::check(*change.pending) == train::Fault::none) s.train = *change.pending;
+      if (train::check(*change.pending) == train::Fault::none) set_train_data(s, *change.pending);
       s.data.train_data_status = DataStatus::invalid;
       ++s.revision;
       log.note({.what = What::train_data_to_be_validated, .clause = "5.17.2.2"_srs});

@@ -1,5 +1,6 @@
 #include "kernel/intake/intake.h"
 
+#include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
@@ -109,6 +110,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   out.safety_fault = acts(s, !can_go_on || s.configuration_refused || in.safety_fault);
+  follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);

@@ -109,7 +109,7 @@ void show(const State& s, bool desk_open, const Decided& decided, const procedur
   out.est_front = position::counter_of(s.position, here.est_front);
   out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
   out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
-  out.v = s.position.now.V_est;
+  out.v = s.cab == Cab::A ? s.position.now.V_est : Speed{} - s.position.now.V_est;
   out.M_VERSION = operated_M_VERSION(s.operated_X);
   const track::Authority& a = s.basis.authority;
   if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);

@@ -98,7 +98,7 @@ void supervise_speed(State& s, Derived& d, const TrainSignals& train, const trac
 /// Roll away, reverse movement, standstill, post trip and reversing distance (3.14.2-4, 4.4.14, 3.15.4).
 void guard_movement(State& s, const TrainSignals& train, const track::Here& here, bool acknowledged, Supervised& out) {
   protection::Movement m;
-  m.nominal = s.position.now.counter.nominal;
+  m.nominal = position::forward_counter(s.position);
   m.standstill = here.standstill;
   m.controller = way_of(train.direction_controller);
   m.permitted = s.mode == Mode::PT || s.mode == Mode::RV ? protection::Way::backward : protection::Way::forward;

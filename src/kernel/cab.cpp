@@ -1,0 +1,50 @@
+#include "kernel/cab.h"
+
+#include "track/withdraw.h"
+
+namespace evc::kernel {
+namespace {
+
+Distance from_other_end(Distance L_antenna, Distance L_engine) {
+  return L_antenna < L_engine ? L_engine - L_antenna : Distance{};
+}
+
+/// What entry of SB or PS kept, and refers to places ahead of the other cab: the train does not run there.
+void delete_what_was_ahead(State& s) {
+  s.level_transition.pending.reset();
+  s.pending_national_values.reset();
+  s.buffer.clear();
+  s.staff_responsible = {};
+  balise::abandon(s.balise);
+  balise::clear(s.balise.linking);
+  if (s.reports.parameters) s.reports.parameters->at.clear();
+  s.reports.rear_border.reset();
+  s.reports.front_border.reset();
+  track::turn(s.track);
+}
+
+}  // namespace
+
+bool skips_closing(const State& s, const TrainSignals& train) {
+  return s.desk_was_open && train.desk_open && train.cab != s.cab;
+}
+
+void follow_cab(State& s, const TrainSignals& train, Log log) {
+  if (train.desk_open && train.cab != s.cab) {
+    s.cab = train.cab;
+    delete_what_was_ahead(s);
+    position::change_cab(s.position, s.L_engine);
+    protection::turn(s.guards);
+    s.train.L_antenna_front = from_other_end(s.train.L_antenna_front, s.L_engine);
+    ++s.revision;
+    log.note({.what = What::cab_changed, .clause = "5.12.2.5"_srs});
+  }
+  s.desk_was_open = train.desk_open;
+}
+
+void set_train_data(State& s, const train::TrainData& data) {
+  s.train = data;
+  if (s.cab == Cab::B) s.train.L_antenna_front = from_other_end(data.L_antenna_front, s.L_engine);
+}
+
+}  // namespace evc::kernel
