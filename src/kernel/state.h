@@ -81,6 +81,20 @@ struct BufferedSet {
 inline constexpr std::size_t kBufferedSetsOfOneCause = 3;
 inline constexpr std::size_t kBufferedSets = 2 * kBufferedSetsOfOneCause;
 
+/// The loop that a balise group announced (packet 134, 3.4.5.1).
+struct AnnouncedLoop {
+  std::uint16_t NID_C = 0;  ///< of the group: its messages have the same
+  std::uint16_t NID_LOOP = 0;
+  DataStatus status = DataStatus::valid;
+  Direction orientation = Direction::unknown;  ///< of the train against the loop
+  Anchor anchor{};                             ///< what its area hangs on
+  bool entered = false;                        ///< by the min safe antenna (3.4.5.1.6)
+  bool signal_passed = false;
+  std::optional<GroupId> signal;  ///< of its SR distance (4.4.11.1.6.7)
+  Place from{};                   ///< its area begins at the group
+  std::optional<Place> to;        ///< absent: not known
+};
+
 /// The RBC transition order that is executed, or was last (3.15.1). It is deleted from the track description when it is
 /// complete.
 struct Handover {
@@ -179,6 +193,7 @@ struct State {
   track::Description track;
   radio::State radio;
   Handover handover;
+  std::optional<AnnouncedLoop> loop;
   InplaceVector<BufferedSet, kBufferedSets> buffer;
 
   procedures::start_of_mission::State start_of_mission;

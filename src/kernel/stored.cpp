@@ -61,6 +61,9 @@ void clear_other(State& s, Stored stored) {
     case track_ahead_free_request:
       s.track_ahead_free = {};
       return;
+    case eolm:
+      s.loop.reset();
+      return;
     default:
       return;  // position, level, its table, national values, versions, covers and language are never deleted (4.10)
   }
@@ -86,6 +89,9 @@ void revalidate(State& s, Stored stored) {
       return;
     case rbc_id_phone:
       invalidate(s.contact_status);
+      return;
+    case eolm:
+      if (s.loop) invalidate(s.loop->status);
       return;
     default:
       return;
@@ -122,6 +128,8 @@ void revalidate_after_power_off(State& state, const std::optional<bool>& moved) 
   if (valid(becomes(Stored::train_position))) position::validate(state.position);
   revalidate(Stored::level, state.data.level_status);
   revalidate(Stored::rbc_id_phone, state.contact_status);
+  if (state.loop) revalidate(Stored::eolm, state.loop->status);
+  if (state.loop && state.loop->status == DataStatus::unknown) state.loop.reset();
   if (becomes(Stored::trackside_level_table) == DataStatus::unknown) state.level_table.reset();
 }
 
@@ -165,10 +173,12 @@ void follow_national_SR_distance(State& state) {
 }
 
 void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D) {
-  StaffResponsible& sr = state.staff_responsible;
-  sr.national_from.reset();
-  sr.end.reset();
-  if (D) sr.end = here.est_front + *D;
+  set_SR_end(state, D ? std::optional(here.est_front + *D) : std::nullopt);
+}
+
+void set_SR_end(State& state, const std::optional<Place>& end) {
+  state.staff_responsible.national_from.reset();
+  state.staff_responsible.end = end;
 }
 
 void cut_beyond(State& state, Place beyond, Brought brought) {

@@ -34,6 +34,9 @@ void follow_national_SR_distance(State& state);
 /// The distance for SR of the RBC or the driver, from the estimated front end; absent: infinite (4.4.11.1.3.2, .3).
 void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D);
 
+/// The end of the distance for SR; absent: infinite.
+void set_SR_end(State& state, const std::optional<Place>& end);
+
 /// What the message that shortens the authority brings itself: it is not deleted (3.8.5.1.5).
 struct Brought {
   bool linking = false, national_values = false;

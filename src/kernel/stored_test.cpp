@@ -164,6 +164,32 @@ TEST(StoredData, AreTrustedAfterPowerOffWithoutAMovement) {  // 4.11
   }
 }
 
+TEST(StoredData, TheAnnouncementOfALoopIsToBeRevalidatedWithoutPower) {  // 4.10, 4.11
+  const auto state = std::make_unique<State>();
+  for (const std::optional<bool> moved : {std::optional<bool>{}, std::optional{true}, std::optional{false}}) {
+    state->loop.emplace();
+    keep_for_mode(*state, Mode::NP, Mode::FS);
+    ASSERT_TRUE(state->loop);
+    EXPECT_EQ(state->loop->status, DataStatus::invalid);
+    revalidate_after_power_off(*state, moved);
+    ASSERT_EQ(state->loop.has_value(), moved == false);
+    if (state->loop) {
+      EXPECT_EQ(state->loop->status, DataStatus::valid);
+    }
+  }
+}
+
+TEST(StoredData, TheAnnouncementOfALoopInShuntingByEdition) {  // 4.10
+  const auto state = std::make_unique<State>();
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0})
+    for (const Mode mode : {Mode::SH, Mode::PS, Mode::SL}) {
+      state->srs = srs;
+      state->loop.emplace();
+      keep_for_mode(*state, mode, Mode::SB);
+      EXPECT_EQ(state->loop.has_value(), srs != SrsVersion::v4_0_0 || mode == Mode::SL);
+    }
+}
+
 TEST(StoredData, WhatWasUnknownIsNotToBeValidated) {  // 4.10
   const auto state = std::make_unique<State>();
   keep_for_mode(*state, Mode::SB, Mode::FS);

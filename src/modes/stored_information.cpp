@@ -12,13 +12,26 @@ Fate of_3_4_0(Mode to, Stored stored, Fate fate) {
   return fate;
 }
 
+/// Where 4.0.0 differs from the table.
+Fate of_4_0_0(Mode to, Stored stored, Fate fate) {
+  return stored == Stored::eolm && (to == Mode::PS || to == Mode::SH) ? Fate::deleted : fate;
+}
+
 }  // namespace
 
 Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs) {
   const StoredRow::Cell& cell = srs_4_10[static_cast<std::size_t>(stored)].on_entry[index(to)];
   if ((cell.notes & 2u) != 0 && from == Mode::SH) return Fate::unchanged;
   if ((cell.notes & 4u) != 0 && from == Mode::PS) return Fate::unchanged;
-  return srs == SrsVersion::v3_4_0 ? of_3_4_0(to, stored, cell.fate) : cell.fate;
+  switch (srs) {
+    case SrsVersion::v3_4_0:
+      return of_3_4_0(to, stored, cell.fate);
+    case SrsVersion::v3_6_0:
+      break;
+    case SrsVersion::v4_0_0:
+      return of_4_0_0(to, stored, cell.fate);
+  }
+  return cell.fate;
 }
 
 Fate on_level_entry(Level to, Stored stored) {

@@ -47,7 +47,7 @@ struct StoredRow {
 
 // clang-format off
 /// 4.10.1.3 of 3.6.0: on entry of the mode of the column. In 3.4.0 the texts are kept in NL and the RBC identity and
-/// phone number are deleted in UN and SN.
+/// phone number are deleted in UN and SN; in 4.0.0 the announcement of a loop is deleted in PS and SH.
 inline constexpr auto srs_4_10 = [] {
   using enum Stored;
   return std::to_array<StoredRow>({

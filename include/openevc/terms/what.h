@@ -37,7 +37,9 @@ enum class What : std::uint8_t {
   message_rejected,  ///< by the radio link: not consistent, or not in sequence
   message_unknown,
   message_not_sent,
-  loop_message_not_used,
+  loop_accepted,  ///< `id` of these is NID_LOOP
+  loop_refused,   ///< the message as a whole: not the announced loop, or not consistent
+  loop_left,
   packet_accepted,
   packet_buffered,
   packet_refused,

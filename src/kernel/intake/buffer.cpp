@@ -25,6 +25,7 @@ Information information_of(const BufferedSet& set) {
   if (set.accepting) information.sender = SessionRole::accepting;
   information.group = set.group;
   information.reference = set.reference;
+  information.located = set.medium != Medium::loop;
   information.anchor = set.anchor;
   information.widening = set.widening;
   information.orientation = set.orientation;
@@ -56,10 +57,32 @@ void gather_telegrams(Information& information, const BufferedSet& set) {
   drop_superseded(information, nullptr);
 }
 
+Waiting evaluate_loop(Reception& r, const BufferedSet& set) {
+  Information information = information_of(set);
+  const lang::LoopMessageView view =
+      lang::scan_loop_message({set.bytes.data(), set.size}, set.size * std::size_t{8}, lang::Check::structure);
+  (void)gather(information, view.packets, nullptr);
+  drop_superseded(information, nullptr);
+  return evaluate(r, information);
+}
+
 Waiting evaluate_group(Reception& r, const BufferedSet& set) {
   Information information = information_of(set);
   gather_telegrams(information, set);
   return evaluate(r, information);
+}
+
+Waiting evaluate_set(Reception& r, const BufferedSet& set) {
+  switch (set.medium) {
+    case Medium::balise:
+      return evaluate_group(r, set);
+    case Medium::loop:
+      return evaluate_loop(r, set);
+    case Medium::riu:
+    case Medium::rbc:
+      break;
+  }
+  return evaluate_message(r, set);
 }
 
 }  // namespace
@@ -102,7 +125,7 @@ void release_buffer(Reception& r) {
   sets = s.buffer;
   s.buffer.clear();
   for (const BufferedSet& set : sets) {
-    const Waiting waiting = set.medium == Medium::rbc ? evaluate_message(r, set) : evaluate_group(r, set);
+    const Waiting waiting = evaluate_set(r, set);
     if (!waiting.any()) continue;
     make_room(s, set.accepting, r.log);
     (void)s.buffer.push_back(set);  // there is room now

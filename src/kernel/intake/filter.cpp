@@ -2,6 +2,7 @@
 
 #include "kernel/here.h"
 #include "kernel/intake/authority.h"
+#include "kernel/intake/infill.h"
 #include "kernel/intake/levels.h"
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
@@ -9,7 +10,6 @@
 #include "kernel/intake/system_version.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_131.h"
-#include "lang/packets/packet_136.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_5.h"
 
@@ -187,43 +187,6 @@ void evaluate_message(Evaluation& e) {
   if (const Clause clause = take_message(e, message)) refuse(e, clause);
 }
 
-/// The packets after packet 136 in its telegram or message are infill (3.6.2.3.1, 7.4.2.32, 8.4.1.4.4): their
-/// reference is another group, announced by linking.
-struct Infill {
-  std::uint64_t packets = 0;  // bit n: the n-th packet
-  GroupId group;
-};
-using Infills = InplaceVector<Infill, balise::kBalises>;  // at most one in each telegram of a group
-
-GroupId infill_group(const Information& information, const lang::PacketView& view) {
-  lang::Packet136 p;
-  if (lang::decode(view, p) != lang::Fault::none) return {};
-  return {p.Q_NEWCOUNTRY.raw == 1 ? p.NID_C.raw : information.group.NID_C, p.NID_BG.raw};
-}
-
-/// Telegrams of one group with the same reference make one part: their packets are evaluated together.
-Infill& infill_of(Infills& infills, GroupId group) {
-  for (Infill& infill : infills)
-    if (infill.group == group) return infill;
-  (void)infills.push_back({0, group});
-  return infills.back();
-}
-
-Infills find_infills(const Information& information) {
-  Infills infills;
-  Infill* infill = nullptr;  // of the present telegram
-  const std::uint8_t* telegram = nullptr;
-  for (std::size_t i = 0; i < information.packets.size(); ++i) {
-    const lang::PacketView& view = information.packets[i];
-    if (view.bytes.data() != telegram) infill = nullptr;
-    telegram = view.bytes.data();
-    if (infill == nullptr && view.NID_PACKET == packet::infill_location_reference)
-      infill = &infill_of(infills, infill_group(information, view));
-    if (infill != nullptr) infill->packets |= std::uint64_t{1} << i;
-  }
-  return infills;
-}
-
 void tell_message(Evaluation& e) {
   const bool refused = e.refused != 0;
   e.r.log.note({.what = refused && e.refused_because ? What::message_refused
@@ -244,8 +207,23 @@ void evaluate_part(Evaluation& e) {
   evaluate_authority(e);
 }
 
+/// The row of packet 136 counts for all that follows it: infill waits for level 1 as a whole, and where the linking
+/// that names its group waits with it, the group is looked for then. False: it waits or is refused.
+bool accept_infill(Evaluation& e, const Infill& infill) {
+  const Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, e.context);
+  if (a.verdict == Verdict::rejected)
+    e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = a.clause});
+  if (a.verdict != Verdict::buffered) return a.verdict == Verdict::accepted;
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i)
+    if (judged(e, i)) tell_packet(e, e.information.packets[i].NID_PACKET, a, false);
+  e.waiting.packets |= e.judge;
+  return false;
+}
+
 /// An infill part, after the rest of the message (4.8.1.5).
 void evaluate_infill(Evaluation& e, const Infill& infill) {
+  e.judge = e.information.judge_packets & infill.packets;
+  if (e.judge == 0 || !accept_infill(e, infill)) return;
   // Linking of the same message also gives the place of the group.
   std::optional<Place> place;
   for (const balise::Link& link : e.r.state.balise.linking.links)
@@ -254,7 +232,6 @@ void evaluate_infill(Evaluation& e, const Infill& infill) {
     e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = "3.6.2.3.1"_srs});
     return;
   }
-  e.judge = e.information.judge_packets & infill.packets;
   e.context.infill = true;
   e.reference.place = *place;
   e.reference.infill = infill.group;
@@ -262,6 +239,9 @@ void evaluate_infill(Evaluation& e, const Infill& infill) {
   evaluate_part(e);
   store_contents(e);
 }
+
+/// Why a message that names no place cannot give one.
+Clause clause_of_reference(Medium medium) { return medium == Medium::loop ? "3.6.2.3.1"_srs : "3.6.2.2.2"_srs; }
 
 }  // namespace
 
@@ -273,7 +253,8 @@ Verdict judge_packet(Evaluation& e, std::size_t i) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }
-  if (!e.information.located && has_place(route, view)) worst = {Verdict::rejected, "3.6.2.2.2"_srs};
+  const bool no_reference = !e.information.located && !e.contents.infill;
+  if (no_reference && has_place(route, view)) worst = {Verdict::rejected, clause_of_reference(e.information.medium)};
   tell_packet(e, view.NID_PACKET, worst, not_used(route));
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
   return worst.verdict;

@@ -63,7 +63,7 @@ TEST_F(Filter, RefusesTheDistanceOfALoopDuringAnOverride) {  // 4.8.4 [6]
   information.medium = Medium::loop;
   add(lang::Packet13{});
   evaluate_now();
-  expect(13, What::packet_not_used);
+  expect(13, What::packet_accepted);
   state.override_.active = true;
   evaluate_now();
   expect(13, What::packet_refused, "4.8.4 [6]"_srs);

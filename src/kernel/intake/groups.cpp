@@ -3,6 +3,7 @@
 #include "kernel/here.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
+#include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/system_version.h"
 #include "modes/active_functions.h"
@@ -78,6 +79,11 @@ void relocate_stored(State& s, Anchor of, Anchor then, const Relocation& by) {
   if (auto& pending = s.pending_national_values; pending && pending->anchor == of) {
     pending->from = pending->from + by.shift;
     pending->anchor = then;
+  }
+  if (auto& loop = s.loop; loop && loop->anchor == of) {
+    loop->from = loop->from + by.shift;
+    if (loop->to) loop->to = *loop->to + by.shift;
+    loop->anchor = then;
   }
   for (BufferedSet& set : s.buffer) {
     if (set.anchor != of) continue;
@@ -156,6 +162,7 @@ void check_group_at_EOA(Reception& r, const balise::Group& group) {
 void receive_group(Reception& r, const balise::Group& group) {
   State& s = r.state;
   check_group_at_EOA(r, group);
+  if (group.identified) note_signal_of_loop(s, group.id);
   if (!group.accepted) return;
   const bool other_country = in_another_country(s, group.id.NID_C);
   // Before the group is located: its default accuracy is that of its own country (3.18.2.5).
@@ -180,7 +187,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = group.first_passed;
   information.repositioning = group.repositioning;
-  information.version = GroupVersion{group.X, other_country};
+  information.version = SenderVersion{group.X, other_country};
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
     const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
@@ -217,10 +224,6 @@ void receive_balises(Reception& r) {
   take(r, outcome);
   balise::expect(s.balise, position::antenna(s.position, s.train.L_antenna_front), situation_of(r), outcome);
   take(r, outcome);
-}
-
-void receive_loops(Reception& r) {
-  for (std::size_t i = 0; i < r.in.loop_messages.size(); ++i) r.log.note({.what = What::loop_message_not_used});
 }
 
 }  // namespace evc::kernel

@@ -7,6 +7,5 @@ namespace evc::kernel {
 /// (3.4, 3.16.2).
 void receive_balises(Reception& r);
 /// Loop messages: the unit does not use their information yet, and logs this.
-void receive_loops(Reception& r);
 
 }  // namespace evc::kernel

@@ -479,12 +479,5 @@ TEST_F(Groups, ADuplicatedTelegramIsUsedOnce) {  // 3.16.2.4.8
   EXPECT_EQ(told(3).times, 1);
 }
 
-TEST_F(Groups, EachLoopMessageIsLogged) {
-  const LoopMessage loops[2]{};
-  in.loop_messages = loops;
-  receive_loops(reception);
-  EXPECT_EQ(times(What::loop_message_not_used), 2);
-}
-
 }  // namespace
 }  // namespace evc::kernel

@@ -6,6 +6,7 @@
 #include "kernel/intake/driver.h"
 #include "kernel/intake/groups.h"
 #include "kernel/intake/levels.h"
+#include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/radio_messages.h"
 #include "kernel/intake/reception.h"

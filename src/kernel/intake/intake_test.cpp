@@ -167,11 +167,11 @@ TEST_F(Cycle, ItsPlacesAreThoseOfTheTrainThatWasEnteredInIt) {  // 3.18.3
   EXPECT_EQ(received.here.min_safe_rear, here(state).min_safe_rear);
 }
 
-TEST_F(Cycle, ALoopMessageIsLogged) {  // 3.9: its information is not used (CAVEATS)
+TEST_F(Cycle, ALoopMessageWithoutAHeaderIsRefused) {  // 3.16.1.1
   const LoopMessage loop;
   in.loop_messages = {&loop, 1};
   run();
-  EXPECT_TRUE(happened(What::loop_message_not_used));
+  EXPECT_TRUE(happened(What::loop_refused));
 }
 
 /// An authority to 2000 m with an end section that is timed out, and linking up to 3000 m.

@@ -12,9 +12,9 @@
 // One consistent message, from a balise group or by radio.
 namespace evc::kernel {
 
-/// What a balise group says about the version to operate (3.17.2.3, 3.17.2.6).
-struct GroupVersion {
-  std::uint8_t X = 0;          // the highest of its telegrams
+/// What a balise group or a loop says about the version to operate (3.17.2.3, 3.17.2.6).
+struct SenderVersion {
+  std::uint8_t X = 0;          // the highest of the telegrams of a group
   bool other_country = false;  // than those of the national values that were applicable when it was passed
 };
 
@@ -22,16 +22,17 @@ struct GroupVersion {
 struct Information {
   Medium medium = Medium::balise;
   SessionRole sender = SessionRole::supervising;  // by radio
-  GroupId group;                                  // the group passed, or the LRBG of the radio message
+  GroupId group;                                  // passed, or the LRBG of the radio message; of a loop the country
   Place reference{};                              // of it, D_REF included
   Anchor anchor{};                                // what it hangs on, and how its places move because of that
   Relocation widening;
-  bool located = true;  // false: the LRBG of the message is unknown or not remembered; nothing of it has a place
+  // False: the LRBG of the message is unknown or not remembered, or it is a loop's. Only infill has a place then.
+  bool located = true;
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
-  Duration time{};                      // time stamp, or passage of the group's first balise
-  bool repositioning = false;           // sent by the group that linking announced with unknown identity (3.8.5.2.2)
-  std::optional<GroupVersion> version;  // of a group just passed; absent: by radio, or from the transition buffer
+  Duration time{};                       // time stamp, or passage of the group's first balise
+  bool repositioning = false;            // sent by the group that linking announced with unknown identity (3.8.5.2.2)
+  std::optional<SenderVersion> version;  // absent: by radio, or from the transition buffer
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
   // The packets to judge: all, or the buffered ones of a set released from the transition buffer.

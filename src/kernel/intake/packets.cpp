@@ -1,3 +1,4 @@
+#include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
 #include "lang/decode.h"
@@ -119,8 +120,8 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
 
 /// Packet 203 is read with its packet 3 (join_braking_curves).
 void taken_with_packet_3(Evaluation&, const lang::PacketView&, Verdict) {}
-/// The group is asked whether it has one (3.16.2.4.9); nothing else follows from it.
-void shown_for_its_group(Evaluation&, const lang::PacketView&, Verdict) {}
+/// 3.16.2.4.9. A group has it also where the filters refuse it (receive_group).
+void take_default_information(Evaluation& e, const lang::PacketView&, Verdict) { e.r.out.default_information = true; }
 
 /// 3.18.4.5.1, 3.18.4.5.3: it is not sent back to this RBC (3.18.4.5.4.1).
 void take_running_number(Evaluation& e, const lang::PacketView& view, Verdict) {
@@ -196,7 +197,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::linking,                                 Turn::linking,        {linking},                               always,                 nullptr},
     {packet::virtual_balise_cover_order,              Turn::rest,           {vbc_order},                             nullptr,                take_cover},
     {packet::level_1_movement_authority,              Turn::authority,      {signalling_speed, movement_authority},  always,                 nullptr},
-    {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      always,                 nullptr},
+    {packet::sr_distance_from_loop,                   Turn::rest,           {sr_distance_loop},                      nullptr,                take_SR_distance},
     {packet::level_2_3_movement_authority,            Turn::authority,      {movement_authority},                    always,                 nullptr},
     {packet::repositioning_information,               Turn::rest,           {repositioning},                         always,                 take_repositioning},
     {packet::gradient_profile,                        Turn::rest,           {gradient},                              always,                 store_with_track},
@@ -231,7 +232,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  always,                 take_rbc_transition},
     {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         nullptr,                store_with_track},
     {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     always,                 nullptr},
-    {packet::eolm,                                    Turn::rest,           {eolm},                                  always,                 nullptr},
+    {packet::eolm,                                    Turn::rest,           {eolm},                                  always,                 take_announcement},
     {packet::stop_shunting_on_desk_opening,           Turn::rest,           {stop_sh_on_desk_opening},               nullptr,                store_with_track},
     {packet::infill_location_reference,               Turn::before,         {infill_location_reference},             nullptr,                nullptr},
     {packet::stop_if_in_sr,                           Turn::rest,           {stop_if_in_sr},                         nullptr,                store_with_track},
@@ -244,7 +245,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                take_lssma_order},
     {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     nullptr,                store_with_track},
     {packet::national_values_v1,                      Turn::rest,           {national_values},                       nullptr,                taken_with_packet_3},
-    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                shown_for_its_group},
+    {packet::default_information,                     Turn::rest,           {default_balise_info},                   nullptr,                take_default_information},
     {packet::end_of_information,                      Turn::before,         {},                                      nullptr,                nullptr},
   });
 }();

@@ -82,7 +82,7 @@ bool differs_from_own_values(const Evaluation& e, bool differs) {
 
 void determine_version(Evaluation& e) {
   Reception& r = e.r;
-  const std::optional<GroupVersion>& group = e.information.version;
+  const std::optional<SenderVersion>& group = e.information.version;
   if (!group) return;
   const std::optional<std::uint8_t> ordered = ordered_X(e);
   if (!modes::active(modes::Function::system_version, r.state.mode)) return;

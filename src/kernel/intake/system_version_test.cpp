@@ -25,7 +25,7 @@ class OperatedVersion : public test::OneMessage {
   /// The X that is operated after a group with the packets added before.
   int after_group(std::uint8_t operated, std::uint8_t X, bool other_country = false) {
     state.operated_X = operated;
-    information.version = GroupVersion{X, other_country};
+    information.version = SenderVersion{X, other_country};
     reception.order.reset();
     evaluate_now();
     return state.operated_X;
