@@ -182,7 +182,7 @@ typedef enum openevc_memo {
   OPENEVC_MEMO_TRIP = 5
 } openevc_memo;
 
-/* How far a session with an RBC is (3.5.3 to 3.5.5). */
+/* How far a session is (3.5.3 to 3.5.5). */
 typedef enum openevc_phase {
   OPENEVC_SESSION_IDLE = 0,
   OPENEVC_SESSION_CONNECTING = 1,
@@ -230,11 +230,11 @@ typedef enum openevc_movement {
   OPENEVC_MOVED = 2
 } openevc_movement;
 
-/* An RBC by its identity. */
+/* An RBC by its identity, or a radio infill unit: then NID_RBC is NID_RIU. */
 typedef struct openevc_rbc {
-  uint16_t given; /* 0: none */
+  uint16_t given; /* 0: none, the one that was called last */
   uint16_t NID_C, NID_RBC;
-  uint16_t reserved;
+  uint16_t infill_unit; /* 1: a radio infill unit */
 } openevc_rbc;
 
 typedef struct openevc_telegram {
@@ -342,8 +342,9 @@ typedef struct openevc_radio_out {
 } openevc_radio_out;
 
 typedef struct openevc_address {
-  uint8_t given; /* 0: none */
-  uint8_t reserved[3];
+  uint8_t given;       /* 0: none */
+  uint8_t infill_unit; /* 1: a radio infill unit, NID_RBC is NID_RIU */
+  uint8_t reserved[2];
   uint16_t NID_C, NID_RBC;
   uint64_t NID_RADIO;
 } openevc_address;
@@ -467,6 +468,10 @@ typedef struct openevc_outputs {
   uint8_t remote_shunting; /* the mode permits it (4.4.8.1.4) */
   uint8_t M_VERSION;       /* operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3 */
   uint8_t reserved_2[5];
+  /* Sessions with radio infill units, NID_RBC is NID_RIU; those with RBCs are `sessions`. */
+  uint32_t infill_sessions_count;
+  uint32_t reserved_3;
+  openevc_session infill_sessions[OPENEVC_SESSIONS];
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other

@@ -20,6 +20,7 @@ static_assert(kRoom<decltype(kernel::Outputs::radio_out)> == OPENEVC_RADIO_OUT);
 static_assert(kRoom<decltype(kernel::OutgoingMessage::bytes)> == sizeof openevc_radio_out{}.bytes);
 static_assert(kRoom<decltype(kernel::Outputs::events)> == OPENEVC_EVENTS);
 static_assert(kRoom<decltype(kernel::Outputs::sessions)> == OPENEVC_SESSIONS);
+static_assert(kRoom<decltype(kernel::Outputs::infill_sessions)> == OPENEVC_SESSIONS);
 static_assert(kRoom<decltype(kernel::Outputs::status_texts)> == OPENEVC_STATUS_TEXTS);
 static_assert(kRoom<decltype(kernel::Outputs::track_conditions)> == OPENEVC_CONDITIONS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_areas)> == OPENEVC_AREAS);
@@ -39,7 +40,16 @@ openevc_address of(const std::optional<kernel::RbcAddress>& address) {
   a.NID_C = address->NID_C;
   a.NID_RBC = address->NID_RBC;
   a.NID_RADIO = address->NID_RADIO;
+  a.infill_unit = address->infill_unit;
   return a;
+}
+
+openevc_session of(const kernel::RbcSession& session) {
+  openevc_session its{};
+  its.NID_C = session.NID_C;
+  its.NID_RBC = session.NID_RBC;
+  its.phase = static_cast<std::int32_t>(session.phase);
+  return its;
 }
 
 template <std::size_t N>
@@ -78,6 +88,7 @@ void give_radio(openevc_outputs& to, const kernel::Outputs& o) {
       rbc.given = 1;
       rbc.NID_C = message.to->NID_C;
       rbc.NID_RBC = message.to->NID_RBC;
+      rbc.infill_unit = message.infill_unit;
     }
     openevc_radio_out& m = to.radio_out[to.radio_out_count++];
     m.size = static_cast<std::uint32_t>(message.bytes.size());
@@ -85,11 +96,10 @@ void give_radio(openevc_outputs& to, const kernel::Outputs& o) {
   }
   for (const kernel::RbcSession& session : o.sessions) {
     to.sessions_role[to.sessions_count] = static_cast<std::int32_t>(session.role);
-    openevc_session& its = to.sessions[to.sessions_count++];
-    its.NID_C = session.NID_C;
-    its.NID_RBC = session.NID_RBC;
-    its.phase = static_cast<std::int32_t>(session.phase);
+    to.sessions[to.sessions_count++] = of(session);
   }
+  for (const kernel::RbcSession& session : o.infill_sessions)
+    to.infill_sessions[to.infill_sessions_count++] = of(session);
 }
 
 /// Track conditions for the driver (5.18) and orders for the train (5.20).

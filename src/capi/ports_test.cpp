@@ -87,6 +87,25 @@ TEST(CInputs, TheRbcOfMessagesAndReports) {
   EXPECT_EQ(taken->radio_link_with, (kernel::RbcIdentity{5, 6}));
 }
 
+TEST(CInputs, RadioInfillUnits) {
+  openevc_inputs in = defaults();
+  const std::uint8_t bytes[] = {0x20};
+  const openevc_message messages[] = {{bytes, 1}, {bytes, 1}, {bytes, 1}};
+  const openevc_rbc from[] = {{0, 0, 0, 0}, {0, 0, 0, 1}, {1, 3, 4, 1}};
+  in.radio = messages;
+  in.radio_count = 3;
+  in.radio_from = from;
+  EXPECT_FALSE(Taken(in)->radio_link_of_infill_unit);
+  in.link_with = {1, 5, 6, 1};
+  const Taken taken(in);
+  EXPECT_FALSE(taken->radio_messages[0].infill_unit);
+  EXPECT_TRUE(taken->radio_messages[1].infill_unit && !taken->radio_messages[1].from);
+  EXPECT_TRUE(taken->radio_messages[2].infill_unit);
+  EXPECT_EQ(taken->radio_messages[2].from, (kernel::RbcIdentity{3, 4}));
+  EXPECT_TRUE(taken->radio_link_of_infill_unit);
+  EXPECT_EQ(taken->radio_link_with, (kernel::RbcIdentity{5, 6}));
+}
+
 TEST(CInputs, ColdMovement) {
   openevc_inputs in = defaults();
   in.moved = OPENEVC_NOT_MOVED;
@@ -169,6 +188,26 @@ TEST(COutputs, RadioWithTwoRbcs) {
   EXPECT_TRUE(out->sessions[1].NID_C == 3 && out->sessions[1].NID_RBC == 4);
   EXPECT_TRUE(out->sessions[1].phase == OPENEVC_SESSION_CONNECTING && out->sessions_role[1] == OPENEVC_ACCEPTING);
   EXPECT_TRUE(out->connect.given == 1 && out->connect.NID_RADIO == 0x123F && out->disconnect.given == 0);
+}
+
+TEST(COutputs, RadioInfillUnits) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  kernel::OutgoingMessage message;
+  ASSERT_TRUE(message.bytes.push_back(0x99));
+  message.to = kernel::RbcIdentity{1, 7};
+  message.infill_unit = true;
+  ASSERT_TRUE(o->radio_out.push_back(message));
+  ASSERT_TRUE(o->infill_sessions.push_back({1, 7, SessionPhase::up, {}}));
+  ASSERT_TRUE(o->infill_sessions.push_back({1, 8, SessionPhase::connecting, {}}));
+  o->radio_connect = kernel::RbcAddress{1, 8, 0x123F, true};
+  o->radio_disconnect = kernel::RbcAddress{1, 9, 0x123F};
+  const auto out = given(*o);
+  EXPECT_TRUE(out->radio_out_to[0].given == 1 && out->radio_out_to[0].infill_unit == 1);
+  EXPECT_EQ(out->sessions_count, 0u);
+  ASSERT_EQ(out->infill_sessions_count, 2u);
+  EXPECT_TRUE(out->infill_sessions[0].NID_RBC == 7 && out->infill_sessions[0].phase == OPENEVC_SESSION_UP);
+  EXPECT_TRUE(out->infill_sessions[1].NID_C == 1 && out->infill_sessions[1].phase == OPENEVC_SESSION_CONNECTING);
+  EXPECT_TRUE(out->connect.infill_unit == 1 && out->disconnect.infill_unit == 0);
 }
 
 TEST(COutputs, TrackConditionsForTheDriver) {

@@ -109,20 +109,23 @@ RadioLink read_session(const JsonPlace& place) {
   return static_cast<RadioLink>(1 + place.one_of(names.subspan(1)));
 }
 
-/// The RBC of a message or report; absent: the one called last.
-std::optional<kernel::RbcIdentity> read_identity(const JsonPlace& place) {
+/// The RBC or radio infill unit of a message or report; absent: the one called last.
+std::optional<kernel::RbcIdentity> read_identity(const JsonPlace& place, bool infill_unit) {
   const auto to = place.find("to");
   if (!to) return std::nullopt;
-  to->know_only({"NID_C", "NID_RBC"});
+  const char* const number = infill_unit ? "NID_RIU" : "NID_RBC";
+  to->know_only({"NID_C", number});
   return kernel::RbcIdentity{static_cast<std::uint16_t>((*to)["NID_C"].integer(0, 1023)),
-                             static_cast<std::uint16_t>((*to)["NID_RBC"].integer(0, 16383))};
+                             static_cast<std::uint16_t>((*to)[number].integer(0, 16383))};
 }
 
-void read_radio(InputStream::Radio& radio, const JsonPlace& place) {
+void read_radio(InputStream::Radio& radio, const JsonPlace& place, bool infill_unit) {
   place.know_only({"message", "session", "to"});
-  const std::optional<kernel::RbcIdentity> rbc = read_identity(place);
-  if (const auto p = place.find("message")) radio.emplace_back(CycleInputs::RadioMessage{read_message(*p), rbc});
-  if (const auto p = place.find("session")) radio.emplace_back(InputStream::Report{read_session(*p), rbc});
+  const std::optional<kernel::RbcIdentity> with = read_identity(place, infill_unit);
+  if (const auto p = place.find("message"))
+    radio.emplace_back(CycleInputs::RadioMessage{read_message(*p), with, infill_unit});
+  if (const auto p = place.find("session"))
+    radio.emplace_back(InputStream::Report{read_session(*p), with, infill_unit});
 }
 
 /// A cycle has room for one report of the bearer: a second one, and radio messages after it, are left for the next
@@ -137,6 +140,7 @@ void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
     const InputStream::Report& report = std::get<InputStream::Report>(radio.front());
     cycle.levels.radio_link = report.link;
     cycle.levels.radio_link_with = report.with;
+    cycle.levels.radio_link_of_infill_unit = report.infill_unit;
   }
 }
 
@@ -319,13 +323,14 @@ void read_fault(CycleInputs& cycle, const JsonPlace& place) {
 
 void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
                  const JsonPlace& place) {
-  place.know_only({"t_ms", "config", "odometer", "balise", "loop", "radio", "driver", "train", "power",
+  place.know_only({"t_ms", "config", "odometer", "balise", "loop", "radio", "radio_in_fill", "driver", "train", "power",
                    "national_system", "fault"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);
-  if (const auto p = place.find("radio")) read_radio(radio, *p);
+  if (const auto p = place.find("radio")) read_radio(radio, *p, false);
+  if (const auto p = place.find("radio_in_fill")) read_radio(radio, *p, true);
   if (const auto p = place.find("driver")) read_driver(cycle, entered, *p);
   if (const auto p = place.find("train")) read_signals(cycle, *p);
   if (const auto p = place.find("power")) read_power(cycle, *p);

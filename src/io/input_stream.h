@@ -44,6 +44,7 @@ class InputStream {
   struct Report {
     RadioLink link = RadioLink::unchanged;
     std::optional<kernel::RbcIdentity> with;
+    bool infill_unit = false;
   };
   using Radio = std::deque<std::variant<sim::CycleInputs::RadioMessage, Report>>;
 

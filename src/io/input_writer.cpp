@@ -196,10 +196,13 @@ void append_received(std::string& out, std::int64_t t_ms, const char* key, const
   out += '"' + more + "}}\n";
 }
 
-/// The member that names the RBC of a radio input; nothing where it is the one called last.
-std::string rbc_of(const std::optional<kernel::RbcIdentity>& rbc) {
-  if (!rbc) return {};
-  return ",\"to\":{\"NID_C\":" + std::to_string(rbc->NID_C) + ",\"NID_RBC\":" + std::to_string(rbc->NID_RBC) + '}';
+const char* radio_key(bool infill_unit) { return infill_unit ? "radio_in_fill" : "radio"; }
+
+/// The member that names the RBC or radio infill unit of a radio input; nothing where it is the one called last.
+std::string named(const std::optional<kernel::RbcIdentity>& with, bool infill_unit) {
+  if (!with) return {};
+  return ",\"to\":{\"NID_C\":" + std::to_string(with->NID_C) + (infill_unit ? ",\"NID_RIU\":" : ",\"NID_RBC\":") +
+         std::to_string(with->NID_RBC) + '}';
 }
 
 }  // namespace
@@ -236,10 +239,11 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   }
   for (const auto& loop : cycle.loops) append_received(out, cycle.t_ms, "loop", loop);
   if (cycle.levels.radio_link != RadioLink::unchanged)
-    out += opened(cycle.t_ms) + ",\"radio\":{\"session\":\"" +
+    out += opened(cycle.t_ms) + ",\"" + radio_key(cycle.levels.radio_link_of_infill_unit) + "\":{\"session\":\"" +
            terms::kNames<kRadioLinkRows>[terms::index(cycle.levels.radio_link)] + '"' +
-           rbc_of(cycle.levels.radio_link_with) + "}}\n";
-  for (const auto& message : cycle.radio) append_received(out, cycle.t_ms, "radio", message, rbc_of(message.from));
+           named(cycle.levels.radio_link_with, cycle.levels.radio_link_of_infill_unit) + "}}\n";
+  for (const auto& message : cycle.radio)
+    append_received(out, cycle.t_ms, radio_key(message.infill_unit), message, named(message.from, message.infill_unit));
   append_driver(out, cycle, train_document_);
   append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
 }

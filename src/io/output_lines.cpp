@@ -139,6 +139,9 @@ class OutputRow {
   bool first_ = true;
 };
 
+/// `,"NID_RBC":` or `,"NID_RIU":`.
+const char* number_key(bool infill_unit) { return infill_unit ? ",\"NID_RIU\":" : ",\"NID_RBC\":"; }
+
 void append_radio_address(OutputRow& row, const char* name, const std::optional<kernel::RbcAddress>& address) {
   if (row.json()) {
     row.key(name);
@@ -148,7 +151,7 @@ void append_radio_address(OutputRow& row, const char* name, const std::optional<
     }
     row.out() += "{\"NID_C\":";
     append_number(row.out(), static_cast<std::int64_t>(address->NID_C));
-    row.out() += ",\"NID_RBC\":";
+    row.out() += number_key(address->infill_unit);
     append_number(row.out(), static_cast<std::int64_t>(address->NID_RBC));
     row.out() += ",\"NID_RADIO\":\"";
   } else {
@@ -163,14 +166,16 @@ void append_radio_address(OutputRow& row, const char* name, const std::optional<
   if (row.json()) row.out() += "\"}";
 }
 
-/// In JSON a text, for another RBC than the supervising one an object; in a CSV field `NID_C/NID_RBC:` before it.
+/// In JSON a text, for another RBC than the supervising one and for a radio infill unit an object; in a CSV field
+/// `NID_C/NID_RBC:` or `NID_C/RIU NID_RIU:` before it.
 void append_radio_out(OutputRow& row, const Outputs& o) {
   const auto hex = [](std::string& out, const kernel::OutgoingMessage& m) {
     append_hex(out, {m.bytes.begin(), m.bytes.size()});
   };
   if (!row.json()) {
     row.list("radio_out", o.radio_out, [&](std::string& out, const kernel::OutgoingMessage& m) {
-      if (m.to) out += std::to_string(m.to->NID_C) + '/' + std::to_string(m.to->NID_RBC) + ':';
+      if (m.to)
+        out += std::to_string(m.to->NID_C) + (m.infill_unit ? "/RIU " : "/") + std::to_string(m.to->NID_RBC) + ':';
       hex(out, m);
     });
     return;
@@ -179,7 +184,7 @@ void append_radio_out(OutputRow& row, const Outputs& o) {
     if (m.to) {
       out += "{\"to\":{\"NID_C\":";
       append_number(out, std::int64_t{m.to->NID_C});
-      out += ",\"NID_RBC\":";
+      out += number_key(m.infill_unit);
       append_number(out, std::int64_t{m.to->NID_RBC});
       out += "},\"message\":";
     }
@@ -455,15 +460,20 @@ void append_second_lists(OutputRow& row, const Outputs& o) {
   row.list("levels_allowed", levels, append_text);
   row.list("enabled", enabled_keys(o), append_text);
   row.objects("messages", messages_of(o), append_message);
-  row.objects("sessions", o.sessions, [](std::string& out, const kernel::RbcSession& s) {
+  std::vector<std::pair<kernel::RbcSession, const char*>> sessions;
+  for (const kernel::RbcSession& s : o.sessions)
+    sessions.emplace_back(s, terms::kNames<kSessionRoleRows>[terms::index(s.role)]);
+  for (const kernel::RbcSession& s : o.infill_sessions) sessions.emplace_back(s, nullptr);
+  row.objects("sessions", sessions, [](std::string& out, const auto& shown) {
+    const auto& [s, role] = shown;
     out += "{\"NID_C\":";
     append_number(out, std::int64_t{s.NID_C});
-    out += ",\"NID_RBC\":";
+    out += number_key(role == nullptr);
     append_number(out, std::int64_t{s.NID_RBC});
     out += ",\"state\":\"";
     out += terms::kNames<kSessionPhaseRows>[terms::index(s.phase)];
     out += "\",\"role\":\"";
-    out += terms::kNames<kSessionRoleRows>[terms::index(s.role)];
+    out += role != nullptr ? role : "infill";
     out += "\"}";
   });
   row.objects("track_conditions", o.track_conditions, append_condition);
@@ -524,7 +534,9 @@ bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
   const bool lists = a.levels_allowed == b.levels_allowed && a.enabled == b.enabled &&
                      alike(a.texts, b.texts, [](const auto& t) { return t.acknowledge; }) &&
                      alike(a.status_texts, b.status_texts, [](const auto& s) { return s.text; }) &&
-                     std::equal(a.sessions.begin(), a.sessions.end(), b.sessions.begin(), b.sessions.end());
+                     std::equal(a.sessions.begin(), a.sessions.end(), b.sessions.begin(), b.sessions.end()) &&
+                     std::equal(a.infill_sessions.begin(), a.infill_sessions.end(), b.infill_sessions.begin(),
+                                b.infill_sessions.end());
   // Distances and places apart.
   const bool conditions =
       alike(a.track_conditions, b.track_conditions, [](const auto& c) { return std::pair(c.symbol, c.phase); }) &&

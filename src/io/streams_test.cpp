@@ -468,6 +468,7 @@ kernel::Outputs second_edition() {
   (void)o.texts.push_back(text);
   (void)o.status_texts.push_back({StatusText::balise_read_error, Duration{2.0}});
   (void)o.sessions.push_back({426, 1, SessionPhase::waiting_version});
+  (void)o.infill_sessions.push_back({426, 7, SessionPhase::up});
   (void)o.track_conditions.push_back({.symbol = Symbol::TC01,
                                       .kind = TrackConditionKind::powerless_lower_pantograph,
                                       .from = {1200_m},
@@ -494,7 +495,7 @@ TEST(OutputLines, SecondEdition) {
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
       "\"since_ms\":2000}],\"sessions\":[{\"NID_C\":426,\"NID_RBC\":1,\"state\":\"version "
-      "check\",\"role\":\"supervising\"}],"
+      "check\",\"role\":\"supervising\"},{\"NID_C\":426,\"NID_RIU\":7,\"state\":\"open\",\"role\":\"infill\"}],"
       "\"track_conditions\":[{\"symbol\":\"TC01\",\"kind\":\"powerless section, lower pantograph\",\"from_m\":1200,"
       "\"to_m\":1500.5,\"phase\":\"announced\"}],"
       "\"train_orders\":{\"pantograph\":[{\"to_start_m\":200,\"to_end_m\":500.5}],\"air_tightness\":[],"
@@ -562,6 +563,7 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_TRUE(changed([](Out& o) { o.enabled.add(DriverInput::start); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.status_texts.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.sessions.push_back({}); }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.infill_sessions.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.track_conditions.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.ordered_areas.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.ordered_platforms.push_back({}); }));

@@ -102,6 +102,19 @@ struct Handover {
   procedures::rbc_handover::State procedure;
 };
 
+/// Radio infill (3.9.3): the area whose order was executed last, and the units that are to be called.
+struct RadioInfill {
+  struct Area {
+    radio::Rbc unit;
+    GroupId signal;              ///< at its end
+    bool entry_due = false;      ///< the unit has to be informed that it was entered
+    bool signal_passed = false;  ///< read or missed, in this cycle
+    bool over = false;           ///< its end is passed
+  };
+  std::optional<Area> area;
+  InplaceVector<radio::Rbc, 2> to_call;  ///< as soon as a session can be handled (3.9.3.5 b)
+};
+
 /// Data that the driver enters (3.18.4) and their status.
 struct DriverData {
   DataStatus driver_id_status = DataStatus::unknown;
@@ -194,6 +207,7 @@ struct State {
   radio::State radio;
   Handover handover;
   std::optional<AnnouncedLoop> loop;
+  RadioInfill radio_infill;
   InplaceVector<BufferedSet, kBufferedSets> buffer;
 
   procedures::start_of_mission::State start_of_mission;

@@ -64,6 +64,9 @@ void clear_other(State& s, Stored stored) {
     case eolm:
       s.loop.reset();
       return;
+    case radio_infill_area:
+      s.radio_infill.area.reset();
+      return;
     default:
       return;  // position, level, its table, national values, versions, covers and language are never deleted (4.10)
   }

@@ -166,7 +166,9 @@ bool contains(std::span<const std::uint8_t> list, std::uint8_t n) {
 
 /// 8.4.4: the mandatory packets are first, in their order; the others are on the list of the message. Unknown packets
 /// are ignored; by a train only where the message may have others than the mandatory ones (3.17.3.11 c).
-FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check) {
+FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::size_t end, Check check, Media sender) {
+  const bool by_sender = sender == media::RIU && !rules.optional_from_riu.empty();
+  const std::span<const std::uint8_t> optional = by_sender ? rules.optional_from_riu : rules.optional;
   std::size_t next = 0;
   for (const auto& one_of : rules.required) {
     if (one_of.empty()) continue;
@@ -177,8 +179,8 @@ FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::s
   }
   for (; next < packets.size(); ++next) {
     const std::uint8_t nid = wire_number(packets[next]);
-    const bool passed_over = !packets[next].known && (check != Check::all || !rules.optional.empty());
-    if (!passed_over && !contains(rules.optional, nid))
+    const bool passed_over = !packets[next].known && (check != Check::all || !optional.empty());
+    if (!passed_over && !contains(optional, nid))
       return fault_in(Fault::unexpected_packet, packets[next].bit, nid, "NID_PACKET", nid);
   }
   return {};
@@ -186,7 +188,8 @@ FaultAt check_list(const MessageRules& rules, const PacketViews& packets, std::s
 
 /// The common part of messages of both directions.
 template <class View, class Codec>
-FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersion), Direction direction, Check check) {
+FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersion), Direction direction, Check check,
+                     Media sender = 0) {
   BitReader in(view.bytes);
   view.NID_MESSAGE = static_cast<std::uint8_t>(in.read(8, "NID_MESSAGE"));
   view.L_MESSAGE = static_cast<std::uint16_t>(in.read(10, "L_MESSAGE"));
@@ -197,6 +200,7 @@ FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersio
     const Fault fault = known_version(view.sv) == 0 ? Fault::unknown_version : Fault::unknown_message;
     return {fault, 0, -1, "NID_MESSAGE", view.NID_MESSAGE};
   }
+  if (sender != 0 && (rules->media & sender) == 0) return {Fault::wrong_medium, 0, -1, "NID_MESSAGE", view.NID_MESSAGE};
   if (view.L_MESSAGE != view.bytes.size()) return {Fault::message_length_mismatch, 8, -1, "L_MESSAGE", view.L_MESSAGE};
   std::size_t at = 0;
   const FaultAt fixed = codec->check(view, at);
@@ -204,7 +208,7 @@ FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersio
   const bool readable = check == Check::structure ? fixed.fault != Fault::truncated : is_let_through(fixed, frame);
   if (fixed && !readable) return fixed;
   if (const FaultAt fault = find_packets(frame, at, view.packets, view.bits_used)) return fault;
-  return check != Check::structure ? check_list(*rules, view.packets, view.bits_used, check) : FaultAt{};
+  return check != Check::structure ? check_list(*rules, view.packets, view.bits_used, check, sender) : FaultAt{};
 }
 
 }  // namespace
@@ -243,7 +247,8 @@ LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size
   return view;
 }
 
-MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv, Check check) {
+MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv, Check check,
+                                         Media sender) {
   MessageToTrainView view;
   view.sv = sv;
   view.bytes = bytes;
@@ -251,7 +256,7 @@ MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, Sy
   view.T_TRAIN.raw = static_cast<std::uint32_t>(in.read(32));
   view.M_ACK.raw = static_cast<std::uint8_t>(in.read(1));
   view.NID_LRBG.raw = static_cast<std::uint32_t>(in.read(24));
-  set_fault(view, scan_message(view, &find_message_to_train, Direction::to_train, check));
+  set_fault(view, scan_message(view, &find_message_to_train, Direction::to_train, check, sender));
   // 6.6.3.3 [2]: an RBC of X = 1 may give a group here, which has no meaning.
   if (sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
     view.NID_LRBG.raw = 16777215u;

@@ -114,8 +114,9 @@ TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits
 LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
 /// Radio messages do not contain a version: `sv` is that of the session (3.5.3.5.2). `bytes` is the whole message: more
 /// or fewer than L_MESSAGE is a fault.
+/// `sender`: media::RIU, and only what a radio infill unit may send is consistent (8.7); 0: an RBC, or not known.
 MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv,
-                                         Check check = Check::all);
+                                         Check check = Check::all, Media sender = 0);
 MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all);
 

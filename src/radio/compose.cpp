@@ -232,6 +232,15 @@ void put_start_of_mission_report(const Composer& c) {
   put_error_and_number(c);
 }
 
+void put_infill_request(const Composer& c) {
+  auto m = message_of<lang::TrainMessage153>(c);
+  m.NID_C.raw = c.intent.signal.NID_C;
+  m.NID_BG.raw = c.intent.signal.NID_BG;
+  m.Q_INFILL.raw = c.intent.Q_INFILL;
+  lang::begin_message(c.out, m);
+  put_position(c);
+}
+
 void put_text_acknowledged(const Composer& c) {
   auto m = message_of<lang::TrainMessage158>(c);
   m.NID_TEXTMESSAGE.raw = c.intent.NID_TEXTMESSAGE;
@@ -273,6 +282,9 @@ bool put(const Composer& c) {
       return true;
     case message::end_of_mission:
       put_plain<lang::TrainMessage150>(c);
+      return true;
+    case message::radio_infill_request:
+      put_infill_request(c);
       return true;
     case message::no_compatible_version:
       put_without_position<lang::TrainMessage154>(c);

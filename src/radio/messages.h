@@ -1,19 +1,25 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 
 #include "base/inplace_vector.h"
+#include "base/location.h"
 #include "base/units.h"
 #include "terms/message_numbers.h"
 
 namespace evc::radio {
 
-/// The address of an RBC. NID_RBC 16383: the last one known; NID_RADIO all ones: the stored number.
+/// The address of an RBC or radio infill unit. NID_RBC 16383: the last one known; NID_RADIO all ones: the stored
+/// number.
 struct Rbc {
   std::uint16_t NID_C = 0, NID_RBC = 0;
   std::uint64_t NID_RADIO = 0;
+  bool infill_unit = false;  ///< NID_RBC is NID_RIU
   friend constexpr bool operator==(const Rbc&, const Rbc&) = default;
-  constexpr bool same_id(const Rbc& other) const { return NID_C == other.NID_C && NID_RBC == other.NID_RBC; }
+  constexpr bool same_id(const Rbc& other) const {
+    return NID_C == other.NID_C && NID_RBC == other.NID_RBC && infill_unit == other.infill_unit;
+  }
 };
 inline constexpr std::uint16_t kLastKnownRbc = 16383;
 inline constexpr std::uint64_t kStoredNumber = 0xFFFF'FFFF'FFFF'FFFFu;
@@ -40,10 +46,13 @@ struct Header {
   bool M_ACK = false;
 };
 
-/// The two RBCs with which the unit can have a session (3.15.1).
-enum class Peer : std::uint8_t { supervising, other };
+/// Those with which the unit can have a session: two RBCs (3.15.1), two radio infill units (3.9.3.6).
+enum class Peer : std::uint8_t { supervising, other, infill_1, infill_2 };
+inline constexpr std::array kRbcs{Peer::supervising, Peer::other};
+inline constexpr std::array kInfillUnits{Peer::infill_1, Peer::infill_2};
+constexpr bool is_infill_unit(Peer peer) { return peer == Peer::infill_1 || peer == Peer::infill_2; }
 
-/// A message to send to an RBC; `compose` makes the bits.
+/// A message to send; `compose` makes the bits.
 struct Intent {
   std::uint8_t NID_MESSAGE = 0;
   Peer to = Peer::supervising;
@@ -53,6 +62,8 @@ struct Intent {
   std::uint8_t Q_MARQSTREASON = 0;               ///< 132
   std::uint8_t Q_STATUS = 0;                     ///< 157: 0 invalid, 1 valid, 2 unknown
   std::uint8_t NID_TEXTMESSAGE = 0;              ///< 158
+  std::uint8_t Q_INFILL = 0;                     ///< 153: 0 the area is entered, 1 its signal was read or missed
+  GroupId signal;                                ///< 153: at the next main signal
   std::optional<std::uint8_t> M_ERROR;           ///< packet 4 in 136, 157
   std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
   bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
@@ -79,7 +90,7 @@ struct Outbox {
   Peer to = Peer::supervising;            ///< of the messages that are sent next (Addressed)
   std::optional<Rbc> connect;             ///< one request in a cycle
   std::optional<Rbc> disconnect;          ///< the first one of this cycle
-  InplaceVector<Rbc, 4> also_disconnect;  ///< the others: due in the next cycles
+  InplaceVector<Rbc, 8> also_disconnect;  ///< the others: due in the next cycles
   bool inform_no_version = false;         ///< message 154 was sent: the driver is informed (3.5.3.7 d)
   bool lost = false;                      ///< there were more messages than room
   /// When there is no room an answer to an emergency stop (147) takes the place of the last message that is not one.
@@ -103,7 +114,7 @@ struct Outbox {
     if (!disconnect)
       disconnect = rbc;
     else
-      (void)also_disconnect.push_back(rbc);  // two sessions: there is room
+      (void)also_disconnect.push_back(rbc);  // four sessions: there is room
   }
 };
 

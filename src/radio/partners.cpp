@@ -5,7 +5,21 @@
 // The sessions with the two RBCs of a handover: which of them an order or an input concerns (3.5.3.5, 3.15.1).
 namespace evc::radio {
 
-std::optional<Peer> peer_of(const State& s, const std::optional<Rbc>& named) {
+std::optional<Peer> infill_unit(const State& s, const Rbc& unit) {
+  for (const Peer peer : kInfillUnits)
+    if (s.session(peer).active() && s.session(peer).rbc.same_id(unit)) return peer;
+  return std::nullopt;
+}
+
+std::size_t sessions(const State& s) {
+  std::size_t n = 0;
+  for (const Peer peer : {Peer::supervising, Peer::other, Peer::infill_1, Peer::infill_2})
+    n += s.session(peer).active() ? 1u : 0u;
+  return n;
+}
+
+std::optional<Peer> peer_of(const State& s, const std::optional<Rbc>& named, bool infill) {
+  if (infill) return named ? infill_unit(s, *named) : s.infill_called_last;
   if (!named) return s.other_called_last && s.other.session.active() ? Peer::other : Peer::supervising;
   if (s.supervising.session.rbc.same_id(*named)) return Peer::supervising;
   if (s.other.session.rbc.same_id(*named)) return Peer::other;

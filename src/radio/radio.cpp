@@ -72,13 +72,18 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
   return other;
 }
 
-/// The session with one RBC in this cycle, and the train data it awaits. True when it is lost for good.
+/// A session in this cycle. True when it is lost for good.
+bool keep_session(State& s, Peer peer, const Inputs& in, Outbox& out) {
+  const Addressed to(out, peer);
+  const RadioLink link = in.link_of == peer ? in.link : RadioLink::unchanged;
+  return maintain(s.session(peer), link, in.in_radio_hole, in.now, out);
+}
+
+/// The session with one RBC, and the train data it awaits.
 bool keep(State& s, Peer peer, const Inputs& in, Outbox& out) {
   Partner& p = s.partner(peer);
-  const Addressed to(out, peer);
   const bool was_lost = p.session.phase == Phase::lost;
-  const RadioLink link = in.link_of == peer ? in.link : RadioLink::unchanged;
-  const bool lost = maintain(p.session, link, in.in_radio_hole, in.now, out);
+  const bool lost = keep_session(s, peer, in, out);
   // In a kept session train data that were not acknowledged are sent again (3.18.3.4.2).
   if (was_lost && p.session.phase == Phase::up && p.train_data_stamp) p.train_data_pending = true;
   return lost;
@@ -115,13 +120,13 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
 }
 
 /// While there is no connection, messages that are due count as sent (3.5.4.5).
-bool reaches(const Partner& p, const Outbox& out) {
-  switch (p.session.phase) {
+bool reaches(const Session& session, const Outbox& out) {
+  switch (session.phase) {
     case Phase::lost:
     case Phase::connecting:
       return false;
     case Phase::idle:  // the last ones of a session that ended in this cycle
-      return out.disconnect && out.disconnect->same_id(p.session.rbc);
+      return out.disconnect && out.disconnect->same_id(session.rbc);
     default:
       return true;
   }
@@ -129,7 +134,7 @@ bool reaches(const Partner& p, const Outbox& out) {
 
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
-  out.messages.erase_if([&](const Intent& intent) { return !reaches(s.partner(intent.to), out); });
+  out.messages.erase_if([&](const Intent& intent) { return !reaches(s.session(intent.to), out); });
   for (Intent& intent : out.messages) {
     std::uint32_t T_TRAIN = T_TRAIN_of(now);
     if (s.last_sent && !later(T_TRAIN, *s.last_sent)) T_TRAIN = *s.last_sent + 1;
@@ -141,14 +146,22 @@ void stamp(State& s, Duration now, Outbox& out) {
   }
 }
 
-/// One order to release a connection in a cycle; which RBC was called last.
+void note_called(State& s, const Rbc& called) {
+  if (!called.infill_unit) {
+    s.other_called_last = s.other.session.active() && called == s.other.session.rbc;
+  } else if (const std::optional<Peer> peer = infill_unit(s, called)) {
+    s.infill_called_last = *peer;
+  }
+}
+
+/// One order to release a connection in a cycle; who was called last.
 void order_bearer(State& s, Outbox& out) {
-  for (const Rbc& rbc : out.also_disconnect) (void)s.disconnect_later.push_back(rbc);  // two sessions: there is room
+  for (const Rbc& rbc : out.also_disconnect) (void)s.disconnect_later.push_back(rbc);  // four sessions: there is room
   if (!out.disconnect && !s.disconnect_later.empty()) {
     out.disconnect = s.disconnect_later.front();
     s.disconnect_later.erase(0);
   }
-  if (out.connect) s.other_called_last = s.other.session.active() && out.connect == s.other.session.rbc;
+  if (out.connect) note_called(s, *out.connect);
 }
 
 }  // namespace
@@ -168,7 +181,7 @@ Clause clause(Rejected rejected) {
 }
 
 Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer from) {
-  Session& session = s.partner(from).session;
+  Session& session = s.session(from);
   const Addressed to(out, from);
   if (session.phase == Phase::idle || session.phase == Phase::connecting) return Rejected::no_session;
   if (session.phase == Phase::terminating && header.NID_MESSAGE != message::session_termination_acknowledged)
@@ -176,7 +189,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
   if (session.phase == Phase::waiting_version && header.NID_MESSAGE != message::trackside_system_version)
     return Rejected::no_session;
   if (header.T_TRAIN == kUnknownTime || (session.last_T_TRAIN && !later(header.T_TRAIN, *session.last_T_TRAIN))) {
-    report_error(s, 4);
+    if (!is_infill_unit(from)) report_error(s, 4);
     return Rejected::time_stamp;
   }
   session.last_T_TRAIN = header.T_TRAIN;
@@ -201,18 +214,20 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
 
 void receive_inconsistent(State& s) { report_error(s, 3); }
 
-void receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
-  Partner& p = s.partner(from);
+bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
   const Addressed to(out, from);
-  if (!check_version(p.session, M_VERSION, now, out)) return;
+  if (!check_version(s.session(from), M_VERSION, now, out)) return false;
+  if (is_infill_unit(from)) return true;
+  Partner& p = s.partner(from);
   p.established_now = true;
   p.running_number_due = true;
   p.train_data_pending = true;
   p.train_data_acknowledged = false;
   p.train_data_stamp.reset();
-  if (from == Peer::other) return;
+  if (from == Peer::other) return true;
   s.contact = p.session.rbc;
   s.reasons = 0;
+  return true;
 }
 
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
@@ -234,6 +249,7 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   const bool first_lost = keep(s, Peer::supervising, in, out);
   const bool second_lost = keep(s, Peer::other, in, out);
   result.session_lost = first_lost || second_lost;
+  for (const Peer peer : kInfillUnits) result.session_lost = keep_session(s, peer, in, out) || result.session_lost;
   supervise_contact(s, in, out, result);
   const bool new_number = note_running_number(s, in);
   if (in.report_due || in.start_of_mission || new_number) result.reported_to_other = send_report(s, in, out);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -49,12 +50,14 @@ struct Partner {
 };
 
 struct State {
-  Partner supervising;                     ///< the RBC that supervises; without a handover the only one
-  Partner other;                           ///< of a handover (3.15.1): the accepting RBC, after it the former RBC
-  bool other_accepts = false;              ///< which of them it is
-  bool exchange_due = false;               ///< the accepting RBC supervises from the next cycle on
-  bool other_called_last = false;          ///< by the last connection request
-  InplaceVector<Rbc, 4> disconnect_later;  ///< orders to the bearer that wait: one in a cycle
+  Partner supervising;             ///< the RBC that supervises; without a handover the only one
+  Partner other;                   ///< of a handover (3.15.1): the accepting RBC, after it the former RBC
+  bool other_accepts = false;      ///< which of them it is
+  bool exchange_due = false;       ///< the accepting RBC supervises from the next cycle on
+  bool other_called_last = false;  ///< by the last connection request to an RBC
+  Peer infill_called_last = Peer::infill_1;
+  std::array<Session, 2> infill_units;     ///< sessions with radio infill units
+  InplaceVector<Rbc, 8> disconnect_later;  ///< orders to the bearer that wait: one in a cycle
   std::optional<Rbc> contact;              ///< stored RBC contact
   std::optional<std::uint32_t> last_sent;  ///< T_TRAIN of the last message sent: stamps are unique (3.16.3.3.2)
   // 3.16.3.4
@@ -73,11 +76,17 @@ struct State {
 
   Partner& partner(Peer peer) { return peer == Peer::supervising ? supervising : other; }
   const Partner& partner(Peer peer) const { return peer == Peer::supervising ? supervising : other; }
+  Session& session(Peer peer) {
+    return is_infill_unit(peer) ? infill_units[peer == Peer::infill_2] : partner(peer).session;
+  }
+  const Session& session(Peer peer) const {
+    return is_infill_unit(peer) ? infill_units[peer == Peer::infill_2] : partner(peer).session;
+  }
 };
 
-/// The RBC that an input of the bearer is from: the named one, without a name the one called last. None when there is
-/// no session with the named one.
-std::optional<Peer> peer_of(const State& state, const std::optional<Rbc>& named);
+/// The RBC, or radio infill unit, that an input of the bearer is from: the named one, without a name the one called
+/// last. None when there is no session with the named one.
+std::optional<Peer> peer_of(const State& state, const std::optional<Rbc>& named, bool infill_unit = false);
 
 /// The part in a handover of the RBC that the session is with (3.15.1).
 SessionRole role_of(const State& state, Peer peer);
@@ -96,8 +105,8 @@ constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std:
 Rejected receive(State& state, const Header& header, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// A message whose bits are not correct (3.16.3.1.1.2): reported to the RBC.
 void receive_inconsistent(State& state);
-/// Message 32, after `receive`.
-void receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
+/// Message 32, after `receive`. True when the session is established by it.
+bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
 /// An error of balises or radio, to be reported when a session is established (3.16.4): M_ERROR.
@@ -157,6 +166,10 @@ struct Result {
 /// removed (3.5.4.5).
 Result supervise(State& state, const Inputs& inputs, Outbox& out);
 
+/// Sessions and set-ups with radio infill units, and how many there are of all kinds at the moment.
+std::optional<Peer> infill_unit(const State& state, const Rbc& unit);
+std::size_t sessions(const State& state);
+
 /// Train data were validated or changed: 129 is due, to both RBCs (3.18.3.4, 3.15.1.3.3).
 void send_train_data(State& state);
 
@@ -173,6 +186,15 @@ inline void answer_shortening(bool granted, std::uint32_t T_TRAIN_REF, Outbox& o
   Intent intent;
   intent.NID_MESSAGE = granted ? message::shortening_granted : message::shortening_rejected;
   intent.T_TRAIN_REF = T_TRAIN_REF;
+  out.send(intent);
+}
+/// Message 153 (3.9.3.10).
+inline void inform_infill_unit(Peer to, GroupId signal, bool passed, Outbox& out) {
+  Intent intent;
+  intent.NID_MESSAGE = message::radio_infill_request;
+  intent.signal = signal;
+  intent.Q_INFILL = passed ? 1 : 0;
+  const Addressed addressed(out, to);
   out.send(intent);
 }
 /// Message 158.

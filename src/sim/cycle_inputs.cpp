@@ -11,6 +11,7 @@ void CycleInputs::clear() {
   levels.external_train_data = {};
   levels.radio_link = RadioLink::unchanged;
   levels.radio_link_with.reset();
+  levels.radio_link_of_infill_unit = false;
   levels.driver = {};
 }
 
@@ -20,7 +21,7 @@ const port::Inputs& CycleInputs::view() {
   radio_views_.clear();
   for (const Telegram& t : balises) balise_views_.push_back({t.bits.bytes, t.bits.size, t.at, t.passed});
   for (const Bits& l : loops) loop_views_.push_back({l.bytes});
-  for (const RadioMessage& r : radio) radio_views_.push_back({r.bytes, r.from});
+  for (const RadioMessage& r : radio) radio_views_.push_back({r.bytes, r.from, r.infill_unit});
   levels.now = {static_cast<double>(t_ms) / 1000.0};
   levels.balise_telegrams = balise_views_;
   levels.loop_messages = loop_views_;

@@ -21,6 +21,7 @@ struct CycleInputs {
   /// A radio message, and the RBC it is from where the stream names it.
   struct RadioMessage : Bits {
     std::optional<port::RbcIdentity> from;
+    bool infill_unit = false;  ///< from a radio infill unit
   };
   std::int64_t t_ms = 0;
   port::Inputs levels;  // odometry, driver actions, signals; its spans are set by view()

@@ -52,15 +52,16 @@ TracksideRadio::TracksideRadio(const Line& line, std::optional<int> last_ma, Ran
 }
 
 void TracksideRadio::hear(const port::Outputs& outputs, std::int64_t t_ms) {
-  if (outputs.radio_disconnect) {
+  if (outputs.radio_disconnect && !outputs.radio_disconnect->infill_unit) {
     bearer_ = session_ = false;
     connected_at_ms_.reset();
     replies_.clear();
   }
-  if (outputs.radio_connect && !bearer_ && !connected_at_ms_)
+  if (outputs.radio_connect && !outputs.radio_connect->infill_unit && !bearer_ && !connected_at_ms_)
     connected_at_ms_ = t_ms + static_cast<std::int64_t>(random_.between(1500.0, 4000.0));
   if (!bearer_) return;
-  for (const port::OutgoingMessage& message : outputs.radio_out) answer(message, t_ms);
+  for (const port::OutgoingMessage& message : outputs.radio_out)
+    if (!message.infill_unit) answer(message, t_ms);
 }
 
 void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t_ms) {

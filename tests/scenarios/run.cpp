@@ -245,10 +245,11 @@ class Run {
     // Messages of one cycle have increasing time stamps (3.16.3.3.2).
     if (a.T_TRAIN) message["T_TRAIN"] = next_ms() / 10 + static_cast<std::int64_t>(queued_.size());
     if (a.NID_LRBG) message["NID_LRBG"] = last_lrbg();
-    if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers, a.NID_RBC);
+    if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers, a.from);
     Json more = Json::object();
-    if (a.NID_RBC) more["to"] = Json{{"NID_C", 1}, {"NID_RBC", *a.NID_RBC}};
-    give_bits("radio", io::encode_radio_json(message, {lang::Direction::to_train, {}}), more);
+    if (a.from) more["to"] = Json{{"NID_C", 1}, {a.from->key(), a.from->number}};
+    give_bits(a.from && a.from->infill_unit ? "radio_in_fill" : "radio",
+              io::encode_radio_json(message, {lang::Direction::to_train, {}}), more);
   }
   std::int64_t last_lrbg() const {
     if (cycles_.empty() || !cycles_.back().output()["lrbg"].is_object()) return 0xFFFFFF;
@@ -256,22 +257,22 @@ class Run {
     return lrbg["NID_C"].get<std::int64_t>() << 14 | lrbg["NID_BG"].get<std::int64_t>();
   }
 
-  /// `NID_RBC`: of the recipient, if it matters.
-  std::int64_t last_T_TRAIN(int NID_MESSAGE, std::optional<std::int64_t> NID_RBC) const {
+  /// `to`: the recipient, if it matters.
+  std::int64_t last_T_TRAIN(int NID_MESSAGE, const std::optional<Partner>& to) const {
     for (auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
       for (const Json& hex : c->output()["radio_out"]) {
-        if (!is_sent_to(NID_RBC, hex, c->output())) continue;
+        if (!is_sent_to(to, hex, c->output())) continue;
         const Json message = decoded(text_of(hex));
         if (message.is_object() && message.value("NID_MESSAGE", 0) == NID_MESSAGE) return message.value("T_TRAIN", 0);
       }
     fail("message " + std::to_string(NID_MESSAGE) + " sent before", "none was sent", false);
   }
   /// A message that does not name its RBC is sent to the one that supervises.
-  static bool is_sent_to(std::optional<std::int64_t> NID_RBC, const Json& sent, const Json& output) {
-    if (!NID_RBC) return true;
-    if (sent.is_object()) return sent["to"]["NID_RBC"] == *NID_RBC;
+  static bool is_sent_to(const std::optional<Partner>& to, const Json& sent, const Json& output) {
+    if (!to) return true;
+    if (sent.is_object()) return sent["to"].value(to->key(), std::int64_t{-1}) == to->number;
     for (const Json& session : output["sessions"])
-      if (session["role"] == "supervising") return session["NID_RBC"] == *NID_RBC;
+      if (session["role"] == "supervising") return !to->infill_unit && session["NID_RBC"] == to->number;
     return false;
   }
   /// Since the second edition of the outputs a message to another RBC is an object.
@@ -468,7 +469,7 @@ class Run {
     for (std::size_t i = from; i < cycles_.size(); ++i)
       for (const Json& hex : cycles_[i].output()["radio_out"]) {
         const Json message = decoded(text_of(hex));
-        if (is_sent_to(c.message.NID_RBC, hex, cycles_[i].output()) && is_sent(c.message, message))
+        if (is_sent_to(c.message.to, hex, cycles_[i].output()) && is_sent(c.message, message))
           return c.negated ? "sent at " + time(i) + ": " + message.dump() : "";
         seen += "\n      " + time(i) + "  " + message.dump();
       }

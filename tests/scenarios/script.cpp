@@ -63,7 +63,7 @@ constexpr auto kOutputs = std::to_array<const char*>({
 });
 
 /// Outputs with elements and members of their own: "train_orders.pantograph.0.to_end_m".
-constexpr std::array<const char*, 2> kStructured{"track_conditions", "train_orders"};
+constexpr std::array<const char*, 3> kStructured{"track_conditions", "train_orders", "sessions"};
 constexpr std::array<const char*, 18> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
                                              "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};
@@ -398,8 +398,13 @@ class Reader {
     } else if (words.take("session")) {
       static constexpr std::array<const char*, 3> names{"connected", "lost", "refused"};
       Json report{{"session", names[words.one_of({"connected", "lost", "refused"})]}};
-      if (words.take("with")) report["to"] = Json{{"NID_C", 1}, {"NID_RBC", rbc(words)}};
-      a = input("radio", report);
+      bool infill_unit = false;
+      if (words.take("with")) {
+        const Partner with = partner(words);
+        report["to"] = Json{{"NID_C", 1}, {with.key(), with.number}};
+        infill_unit = with.infill_unit;
+      }
+      a = input(infill_unit ? "radio_in_fill" : "radio", report);
     } else if (words.take("desk")) {
       a = input("train", {{"desk_open", words.one_of({"closed", "opened"}) == 1}});
     } else if (words.take("power")) {
@@ -431,9 +436,12 @@ class Reader {
     }
   }
 
-  static std::int64_t rbc(Words& words) {
-    words.require("RBC");
-    return words.integer(0, 16383, "NID_RBC");
+  static Partner partner(Words& words) {
+    Partner p;
+    p.infill_unit = words.take("RIU");
+    if (!p.infill_unit) words.require("RBC");
+    p.number = words.integer(0, 16383, p.key());
+    return p;
   }
 
   static Action input(const char* key, Json value) {
@@ -514,7 +522,7 @@ class Reader {
     const auto nid = static_cast<std::uint8_t>(words.integer(0, 127, "the number of a message to the train"));
     int X = 2, Y = 1;
     read_version(words, X, Y);
-    if (words.take("from")) a.NID_RBC = rbc(words);
+    if (words.take("from")) a.from = partner(words);
     const Value members = words.peek() == "{" ? words.object() : Value{};
     const auto named = [&](const char* name) {
       return std::any_of(members.members.begin(), members.members.end(),
@@ -668,7 +676,7 @@ class Reader {
       c.negated = words.take("no");
       words.require("message");
       c.message.NID_MESSAGE = static_cast<int>(words.integer(128, 255, "the number of a message to the trackside"));
-      if (words.take("to")) c.message.NID_RBC = rbc(words);
+      if (words.take("to")) c.message.to = partner(words);
       c.message.members = words.peek() == "{" ? sent_members(words.object()) : Json::object();
       while (words.take("packet")) {
         const std::int64_t nid = words.integer(0, 255, "the number of a packet");

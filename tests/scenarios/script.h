@@ -33,12 +33,19 @@ struct Wanted {
   bool from_front = false;                 ///< a place counted from the estimated front end
 };
 
+/// Who is at the other end of the radio.
+struct Partner {
+  std::int64_t number = 0;   ///< NID_RBC, or
+  bool infill_unit = false;  ///< NID_RIU
+  const char* key() const { return infill_unit ? "NID_RIU" : "NID_RBC"; }
+};
+
 /// A message or packets that the on-board sends: the given members must be equal.
 struct WantedMessage {
   int NID_MESSAGE = 0;
-  std::optional<std::int64_t> NID_RBC;  ///< of the recipient; absent: any
-  Json members;                         ///< name -> code
-  std::vector<Json> packets;            ///< each with NID_PACKET and the given members
+  std::optional<Partner> to;  ///< the recipient; absent: any
+  Json members;               ///< name -> code
+  std::vector<Json> packets;  ///< each with NID_PACKET and the given members
 };
 
 /// One condition on a cycle.
@@ -64,16 +71,16 @@ struct Balise {
 struct Action {
   enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer };
   What what = What::wait;
-  bool same_cycle = false;              ///< message, loop, input: in the cycle of the step before
-  Json json;                            ///< configure, input: members; message, loop: in the form of `evc encode`
-  bool T_TRAIN = false;                 ///< message: T_TRAIN is the time of sending
-  bool NID_LRBG = false;                ///< message: NID_LRBG is the one last reported by the unit
-  std::optional<std::int64_t> NID_RBC;  ///< message: of the sender; absent: the RBC called last
-  int answers = 0;                      ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
-  std::int64_t NID_BG = 0;              ///< pass, lay
-  std::vector<Balise> balises;          ///< pass, lay: in the order of N_PIG
-  bool reversed = false;                ///< pass, lay: the balise with the greatest N_PIG comes first
-  double ahead_m = 1.0;                 ///< pass, lay: from the antenna, or
+  bool same_cycle = false;      ///< message, loop, input: in the cycle of the step before
+  Json json;                    ///< configure, input: members; message, loop: in the form of `evc encode`
+  bool T_TRAIN = false;         ///< message: T_TRAIN is the time of sending
+  bool NID_LRBG = false;        ///< message: NID_LRBG is the one last reported by the unit
+  std::optional<Partner> from;  ///< message: the sender; absent: the RBC called last
+  int answers = 0;              ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent
+  std::int64_t NID_BG = 0;      ///< pass, lay
+  std::vector<Balise> balises;  ///< pass, lay: in the order of N_PIG
+  bool reversed = false;        ///< pass, lay: the balise with the greatest N_PIG comes first
+  double ahead_m = 1.0;         ///< pass, lay: from the antenna, or
   std::optional<std::int64_t> from_group;  ///< lay: from the first balise of this group
   std::optional<double> v_mps;             ///< drive
   double a_mps2 = 1.0;                     ///< drive, stop

@@ -18,8 +18,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-openevc_rbc of(const std::optional<port::RbcIdentity>& rbc) {
-  return rbc ? openevc_rbc{1, rbc->NID_C, rbc->NID_RBC, 0} : openevc_rbc{};
+openevc_rbc of(const std::optional<port::RbcIdentity>& with, bool infill_unit) {
+  openevc_rbc rbc{};
+  rbc.infill_unit = infill_unit;
+  if (!with) return rbc;
+  rbc.given = 1;
+  rbc.NID_C = with->NID_C;
+  rbc.NID_RBC = with->NID_RBC;
+  return rbc;
 }
 
 /// The inputs of a cycle in C, with the arrays they refer to.
@@ -39,7 +45,7 @@ void set_trackside(InC& c, const port::Inputs& from) {
   for (const port::LoopMessage& m : from.loop_messages) c.loops.push_back({m.bytes.data(), m.bytes.size()});
   for (const port::RadioMessage& m : from.radio_messages) {
     c.radio.push_back({m.bytes.data(), m.bytes.size()});
-    c.radio_from.push_back(of(m.from));
+    c.radio_from.push_back(of(m.from, m.infill_unit));
   }
   c.in.telegrams = c.telegrams.data();
   c.in.telegrams_passed = c.passed.data();
@@ -50,7 +56,7 @@ void set_trackside(InC& c, const port::Inputs& from) {
   c.in.radio_from = c.radio_from.data();
   c.in.radio_count = c.radio.size();
   c.in.link = static_cast<std::int32_t>(from.radio_link);
-  c.in.link_with = of(from.radio_link_with);
+  c.in.link_with = of(from.radio_link_with, from.radio_link_of_infill_unit);
 }
 
 void set_driver(openevc_inputs& in, const port::DriverActions& d) {

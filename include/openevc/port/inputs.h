@@ -43,6 +43,7 @@ struct RbcIdentity {
 struct RadioMessage {
   std::span<const std::uint8_t> bytes;
   std::optional<RbcIdentity> from = std::nullopt;  // absent: the RBC that was called last
+  bool infill_unit = false;  // from a radio infill unit: NID_RBC is NID_RIU; absent: the unit that was called last
 };
 /// Selections of the driver in this cycle, one bit each (4.7.2, "driver requests").
 enum class Select : std::uint8_t {
@@ -138,6 +139,7 @@ struct Inputs {
   std::span<const RadioMessage> radio_messages;
   RadioLink radio_link = RadioLink::unchanged;
   std::optional<RbcIdentity> radio_link_with;  // absent: the RBC that was called last
+  bool radio_link_of_infill_unit = false;      // as `infill_unit` of RadioMessage
   DriverActions driver;
   Set<Window> windows;  ///< open now
   TrainSignals train;

@@ -46,7 +46,8 @@ struct ShownStatus {
   Duration since{};  // when its display began
 };
 
-/// A communication session with an RBC.
+/// A communication session with an RBC, or with a radio infill unit (then NID_RBC is NID_RIU, and `role` means
+/// nothing).
 struct RbcSession {
   std::uint16_t NID_C = 0;
   std::uint16_t NID_RBC = 0;
@@ -88,11 +89,13 @@ struct OrderedCurrent {
 struct OutgoingMessage {
   InplaceVector<std::uint8_t, 192> bytes;
   std::optional<RbcIdentity> to;  // absent: the RBC that supervises
+  bool infill_unit = false;       // `to` is a radio infill unit: NID_RBC is NID_RIU
 };
 struct RbcAddress {
   std::uint16_t NID_C = 0;
   std::uint16_t NID_RBC = 0;
   std::uint64_t NID_RADIO = 0;  // BCD, as on the wire
+  bool infill_unit = false;     // NID_RBC is NID_RIU
 };
 
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
@@ -146,8 +149,9 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   InplaceVector<OrderedPlatform, 40> ordered_platforms;
   std::optional<OrderedTraction> ordered_traction;
   std::optional<OrderedCurrent> ordered_current;
-  bool sound_horn = false;       // the driver is asked for it
-  bool remote_shunting = false;  // the mode permits it (4.4.8.1.4)
+  InplaceVector<RbcSession, 2> infill_sessions;  // with radio infill units; not those that are idle
+  bool sound_horn = false;                       // the driver is asked for it
+  bool remote_shunting = false;                  // the mode permits it (4.4.8.1.4)
 };
 
 }  // namespace evc::port

@@ -6,6 +6,7 @@
 #include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/system_version.h"
+#include "kernel/radio_infill.h"
 #include "modes/active_functions.h"
 #include "protection/authority.h"
 #include "track/relocate.h"
@@ -53,6 +54,8 @@ void react(Reception& r, const balise::Outcome& outcome) {
     r.log.note({.what = e.what, .id = e.id.NID_BG, .clause = e.clause});
     if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
       radio::report_error(s.radio, static_cast<std::uint8_t>(e.report));
+    if (e.what == What::linking_error_missed || e.what == What::linking_error_later)
+      note_signal_of_radio_infill(s, e.id);
     linking = linking || e.what == What::linking_error_early || e.what == What::linking_error_missed ||
               e.what == What::linking_error_later;
     two_missed = two_missed || e.what == What::double_linking_error;
@@ -162,7 +165,10 @@ void check_group_at_EOA(Reception& r, const balise::Group& group) {
 void receive_group(Reception& r, const balise::Group& group) {
   State& s = r.state;
   check_group_at_EOA(r, group);
-  if (group.identified) note_signal_of_loop(s, group.id);
+  if (group.identified) {
+    note_signal_of_loop(s, group.id);
+    note_signal_of_radio_infill(s, group.id);
+  }
   if (!group.accepted) return;
   const bool other_country = in_another_country(s, group.id.NID_C);
   // Before the group is located: its default accuracy is that of its own country (3.18.2.5).

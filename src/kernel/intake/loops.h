@@ -4,7 +4,7 @@
 // Euroloop (3.4.5, 3.9.2).
 namespace evc::kernel {
 
-/// Packet 134: announces a loop in the place of the one announced before (3.4.5.1.4).
+/// Packet 134: announces a loop; it replaces the one announced before (3.4.5.1.4).
 void take_announcement(Evaluation& e, const lang::PacketView& view, modes::Verdict verdict);
 /// Packet 13: the distance that may be run in SR, from a group that it names (4.4.11.1.3.1 c).
 void take_SR_distance(Evaluation& e, const lang::PacketView& view, modes::Verdict verdict);

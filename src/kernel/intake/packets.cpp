@@ -1,8 +1,10 @@
 #include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
+#include "kernel/radio_infill.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_140.h"
+#include "lang/packets/packet_143.h"
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_41.h"
@@ -72,6 +74,14 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict ver
   if (!order.establish && supervising) e.r.out.termination_ordered = true;
 }
 
+/// 3.9.3.6.
+void take_neighbour_order(Evaluation& e, const lang::PacketView& view, Verdict) {
+  lang::Packet143 p;
+  if (lang::decode(view, p) != lang::Fault::none) return;
+  order_neighbour(e.r.state, {p.NID_C.raw, p.NID_RIU.raw, p.NID_RADIO.raw, true}, p.Q_RIU.raw == 1, e.r.outbox,
+                  e.r.log);
+}
+
 /// 4.8.4 [8]: in SH and PS only the contact is stored.
 void take_rbc_transition(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
   if (verdict != Verdict::only_contact_stored) return store_with_track(e, view, verdict);
@@ -108,10 +118,7 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
   lang::Packet6 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
   State& s = e.r.state;
-  if (p.Q_VBCO.raw == 0) {
-    balise::remove_cover(s.balise, static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw);
-    return;
-  }
+  if (p.Q_VBCO.raw == 0) return balise::remove_cover(s.balise, static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw);
   // T_VBC in days (7.5.1.155.1).
   const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
   if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
@@ -231,7 +238,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::track_ahead_free_to_level_2_3,           Turn::rest,           {taf_up_to_l23},                         always,                 store_with_track},
     {packet::rbc_transition_order,                    Turn::rest,           {rbc_transition_order},                  always,                 take_rbc_transition},
     {packet::danger_for_shunting,                     Turn::rest,           {danger_for_sh},                         nullptr,                store_with_track},
-    {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     always,                 nullptr},
+    {packet::radio_infill_area,                       Turn::rest,           {radio_infill_area},                     always,                 store_with_track},
     {packet::eolm,                                    Turn::rest,           {eolm},                                  always,                 take_announcement},
     {packet::stop_shunting_on_desk_opening,           Turn::rest,           {stop_sh_on_desk_opening},               nullptr,                store_with_track},
     {packet::infill_location_reference,               Turn::before,         {infill_location_reference},             nullptr,                nullptr},
@@ -240,7 +247,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::reversing_supervision,                   Turn::rest,           {reversing_supervision},                 always,                 store_with_track},
     {packet::train_running_number_from_rbc,           Turn::rest,           {train_running_number},                  nullptr,                take_running_number},
     {packet::default_gradient_for_tsr,                Turn::rest,           {default_gradient_tsr},                  nullptr,                store_with_track},
-    {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr,                nullptr},
+    {packet::session_management_riu,                  Turn::rest,           {session_management_riu},                nullptr,                take_neighbour_order},
     {packet::inhibition_of_consistency_reaction,      Turn::before,         {},                                      nullptr,                nullptr},
     {packet::lssma_display,                           Turn::rest,           row_of_lssma,                            nullptr,                take_lssma_order},
     {packet::generic_ls_marker,                       Turn::rest,           {generic_ls_marker},                     nullptr,                store_with_track},

@@ -38,12 +38,18 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
 }
 
+struct Sender {
+  radio::Peer peer{};
+  SessionRole role = SessionRole::supervising;
+  bool infill_unit() const { return radio::is_infill_unit(peer); }
+};
+
 void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
-                    SessionRole sender) {
+                    const Sender& from) {
   State& s = r.state;
   Information information;
-  information.medium = Medium::rbc;
-  information.sender = sender;
+  information.medium = from.infill_unit() ? Medium::riu : Medium::rbc;
+  information.sender = from.role;
   information.message = &view;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
@@ -60,9 +66,9 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   add_bits(keep(r, information, waiting), bytes);
 }
 
-/// Message 37 is sent by a radio infill unit (8.7.15), and the unit has sessions with RBCs only: it is judged by its
-/// row of 4.8.3, and where that accepts it (level 1) no session with its sender is there (3.9.3.4). It says nothing
-/// about the contact with the RBC and is not acknowledged.
+/// Message 37 is sent by radio infill units only (8.7.15): that of an RBC is judged by its row of 4.8.3, and where that
+/// accepts it (level 1) there is no session with an infill unit that sent it (3.9.3.4). It says nothing about the
+/// contact with the RBC and is not acknowledged.
 void refuse_radio_infill(Reception& r) {
   modes::AcceptanceContext context;
   context.level = r.state.level.level;
@@ -73,45 +79,57 @@ void refuse_radio_infill(Reception& r) {
               .clause = a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause});
 }
 
-/// `named`: by the bearer.
-void receive_message(Reception& r, std::span<const std::uint8_t> bytes, const std::optional<radio::Rbc>& named) {
+void receive_version(Reception& r, const lang::MessageToTrainView& view, const Sender& from) {
   State& s = r.state;
-  const radio::Peer from = radio::peer_of(s.radio, named).value_or(radio::Peer::supervising);
-  const SessionRole sender = radio::role_of(s.radio, from);
-  const lang::MessageToTrainView view =
-      lang::scan_message_to_train(bytes, session_version(s.radio.partner(from).session.M_VERSION));
+  lang::Message32 m;
+  if (lang::decode(view, m) != lang::Fault::none) return;
+  const auto M_VERSION = static_cast<std::uint8_t>(m.M_VERSION.raw);
+  const bool established = radio::receive_version(s.radio, M_VERSION, s.now, r.outbox, from.peer);
+  if (!from.infill_unit()) return operate_version_of_rbc(r, s.level.level);
+  if (!established) return;
+  r.log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
+  operate_version_of_infill_unit(r, M_VERSION);
+}
+
+/// Not consistent, or unknown: it is not used. False: it is.
+bool unusable(Reception& r, const lang::MessageToTrainView& view, const Sender& from) {
+  if (view.fault == lang::Fault::none) return false;
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
     r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
-    return;
+    return true;
   }
-  if (view.fault != lang::Fault::none) {
-    radio::receive_inconsistent(s.radio);
-    r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
-    return;
-  }
-  if (view.NID_MESSAGE == message::infill_movement_authority) return refuse_radio_infill(r);
+  if (!from.infill_unit()) radio::receive_inconsistent(r.state.radio);
+  r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
+  return true;
+}
+
+void receive_message(Reception& r, const RadioMessage& message) {
+  State& s = r.state;
+  const std::optional<radio::Peer> known =
+      radio::peer_of(s.radio, named_rbc(message.from, message.infill_unit), message.infill_unit);
+  Sender from{known.value_or(message.infill_unit ? radio::Peer::infill_1 : radio::Peer::supervising)};
+  if (!from.infill_unit()) from.role = radio::role_of(s.radio, from.peer);
+  const lang::MessageToTrainView view =
+      lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION),
+                                  lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
+  if (unusable(r, view, from)) return;
+  if (view.NID_MESSAGE == message::infill_movement_authority && !from.infill_unit()) return refuse_radio_infill(r);
   const radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1};
-  const radio::Rejected rejected = radio::peer_of(s.radio, named)
-                                       ? radio::receive(s.radio, header, s.now, r.outbox, from)
-                                       : radio::Rejected::no_session;
+  const radio::Rejected rejected =
+      known ? radio::receive(s.radio, header, s.now, r.outbox, from.peer) : radio::Rejected::no_session;
   if (rejected != radio::Rejected::no) {
     r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
     return;
   }
-  if (sender == SessionRole::supervising) r.out.new_radio_message = true;
-  if (view.NID_MESSAGE == message::trackside_system_version) {
-    lang::Message32 m;
-    if (lang::decode(view, m) == lang::Fault::none)
-      radio::receive_version(s.radio, static_cast<std::uint8_t>(m.M_VERSION.raw), s.now, r.outbox, from);
-    operate_version_of_rbc(r, s.level.level);
-  }
-  evaluate_radio(r, view, bytes, sender);
+  if (!from.infill_unit() && from.role == SessionRole::supervising) r.out.new_radio_message = true;
+  if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
+  evaluate_radio(r, view, message.bytes, from);
 }
 
 }  // namespace
 
 void receive_radio(Reception& r) {
-  for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m.bytes, named_rbc(m.from));
+  for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m);
 }
 
 }  // namespace evc::kernel

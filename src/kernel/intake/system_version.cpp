@@ -96,6 +96,13 @@ void determine_version(Evaluation& e) {
   if (group->X > r.state.operated_X) operate(r, group->X, "3.17.2.3"_srs);
 }
 
+void operate_version_of_infill_unit(Reception& r, std::uint8_t M_VERSION) {
+  if (!modes::active(modes::Function::system_version, r.state.mode)) return;
+  const Level level = r.state.level.level;
+  if (!version_of_rbc(r, level, level) && X_of(M_VERSION) > r.state.operated_X)
+    operate(r, X_of(M_VERSION), "3.17.2.3"_srs);
+}
+
 void operate_version_of_rbc(Reception& r, Level before) {
   if (!modes::active(modes::Function::system_version, r.state.mode)) return;
   if (const auto rbc = version_of_rbc(r, before, r.state.level.level)) operate(r, rbc->X, rbc->clause);

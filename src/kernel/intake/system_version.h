@@ -16,4 +16,7 @@ void determine_version(Evaluation& evaluation);
 /// and after a level transition. `before`: the level before that.
 void operate_version_of_rbc(Reception& reception, Level before);
 
+/// A radio infill unit with a higher X raises the operated version (3.17.2.3), where no RBC's counts.
+void operate_version_of_infill_unit(Reception& reception, std::uint8_t M_VERSION);
+
 }  // namespace evc::kernel

@@ -1,6 +1,7 @@
 #include "kernel/report/handover.h"
 
 #include "kernel/here.h"
+#include "kernel/radio_infill.h"
 #include "modes/active_functions.h"
 
 namespace evc::kernel {
@@ -105,6 +106,7 @@ void complete_handover(State& s, const radio::Result& radio, Log log) {
 }
 
 const radio::Session& indicated_session(const State& s) {
+  if (const radio::Session* infill = session_of_infill_area(s)) return *infill;  // 3.5.7.7
   const bool left = s.handover.procedure.rear_passed && !s.radio.supervising.session.active();
   return left && s.radio.other.session.active() ? s.radio.other.session : s.radio.supervising.session;
 }

@@ -2,6 +2,7 @@
 
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
+#include "kernel/radio_infill.h"
 #include "kernel/report/handover.h"
 #include "kernel/report/sessions.h"
 #include "kernel/stored.h"
@@ -158,7 +159,8 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   send_wishes(s, decided, outbox);
   radio::Inputs in;
   in.now = s.now;
-  if (const auto peer = radio::peer_of(s.radio, named_rbc(inputs.radio_link_with))) {
+  const bool of_infill_unit = inputs.radio_link_of_infill_unit;
+  if (const auto peer = radio::peer_of(s.radio, named_rbc(inputs.radio_link_with, of_infill_unit), of_infill_unit)) {
     in.link = inputs.radio_link;
     in.link_of = *peer;
   }
@@ -177,6 +179,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   if (rear_left && s.srs == SrsVersion::v4_0_0 && !in.level_2_or_3)  // 3.5.3.8 d
     radio::abort_set_ups(s.radio, s.now, outbox);
   const bool border = run_handover(s, here, outbox, log);
+  run_radio_infill(s, here, decided.mission_ended, outbox, log);
   in.report_due = due != 0 || border || out.effects.send.has(procedures::Send::position_report);
   in.errors_reported = modes::active(Function::report_data_consistency_error, s.mode);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
@@ -212,14 +215,16 @@ void compose_messages(State& s, const NationalSystem& national, const radio::Out
   bool position_sent = false;
   for (const radio::Intent& intent : outbox.messages) {
     std::array<std::uint8_t, 192> bytes{};
-    const radio::Session& session = s.radio.partner(intent.to).session;
+    const radio::Session& session = s.radio.session(intent.to);
     const std::size_t n = radio::compose(intent, p, t, unit, session.M_VERSION, bytes);
     OutgoingMessage message;
-    if (intent.to == radio::Peer::other) message.to = RbcIdentity{session.rbc.NID_C, session.rbc.NID_RBC};
+    message.infill_unit = session.rbc.infill_unit;
+    if (intent.to != radio::Peer::supervising) message.to = RbcIdentity{session.rbc.NID_C, session.rbc.NID_RBC};
     for (std::size_t i = 0; i < n; ++i) (void)message.bytes.push_back(bytes[i]);  // 192 as well
     if (n == 0) continue;
     (void)out.radio_out.push_back(message);  // as many as fit in the outbox
-    position_sent = position_sent || radio::reports_position(intent.NID_MESSAGE);
+    const bool to_rbc = !radio::is_infill_unit(intent.to);
+    position_sent = position_sent || (to_rbc && radio::reports_position(intent.NID_MESSAGE));
   }
   if (!position_sent) return;
   position::note_reported(s.position, report);

@@ -77,10 +77,13 @@ void end_without_power(State& s, radio::Outbox& outbox) {
   outbox.messages.clear();
   outbox.connect.reset();
   const Sessions before = sessions_of(s);
-  for (const radio::Partner* partner : {&s.radio.supervising, &s.radio.other})
-    if (partner->session.phase != radio::Phase::idle) outbox.release(partner->session.rbc);
+  for (const radio::Peer peer :
+       {radio::Peer::supervising, radio::Peer::other, radio::Peer::infill_1, radio::Peer::infill_2}) {
+    const radio::Session& session = s.radio.session(peer);
+    if (session.phase != radio::Phase::idle) outbox.release(session.rbc);
+  }
   const std::optional<radio::Rbc> contact = s.radio.contact;
-  InplaceVector<radio::Rbc, 4> later = s.radio.disconnect_later;
+  InplaceVector<radio::Rbc, 8> later = s.radio.disconnect_later;
   for (const radio::Rbc& rbc : outbox.also_disconnect) (void)later.push_back(rbc);
   if (!outbox.disconnect && !later.empty()) {
     outbox.disconnect = later.front();
@@ -90,6 +93,7 @@ void end_without_power(State& s, radio::Outbox& outbox) {
   s.radio.contact = contact;
   s.radio.disconnect_later = later;
   s.handover = {};
+  s.radio_infill = {};
   delete_with_sessions(s, before);
 }
 

@@ -86,12 +86,15 @@ void show_enabled(const State& s, const Inputs& in, const track::Here& here, Out
     if (const auto geo = track::geographical_position(s.track, here)) out.geo = Distance{static_cast<double>(*geo)};
   if (s.mode == Mode::RV) out.rv_left = track::reversing_left(s.track, here);
   out.enabled = driver::enabled(action_context(s, in.train, here));
-  for (const radio::Peer peer : {radio::Peer::supervising, radio::Peer::other}) {
+  for (const radio::Peer peer : radio::kRbcs) {
     const radio::Session& session = s.radio.partner(peer).session;
     if (session.phase != SessionPhase::idle)
       (void)out.sessions.push_back(
           {session.rbc.NID_C, session.rbc.NID_RBC, session.phase, radio::role_of(s.radio, peer)});
   }
+  for (const radio::Session& session : s.radio.infill_units)
+    if (session.phase != SessionPhase::idle)
+      (void)out.infill_sessions.push_back({session.rbc.NID_C, session.rbc.NID_RBC, session.phase, {}});  // two
 }
 
 }  // namespace evc::kernel
