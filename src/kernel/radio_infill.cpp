@@ -100,13 +100,17 @@ void make_way_for_rbc(State& s, radio::Outbox& outbox) {
 
 void order_neighbour(State& s, const radio::Rbc& unit, bool establish, radio::Outbox& outbox, Log log) {
   if (!establish) return end_session(s, unit, outbox, log);
-  if (s.terminals < 2) return;                            // 3.9.3.6.1
-  if (radio::infill_unit(s.radio, unit).has_value()) {    // 3.5.3.4.1, .2
+  if (s.terminals < 2) return;                          // 3.9.3.6.1
+  if (radio::infill_unit(s.radio, unit).has_value()) {  // 3.5.3.4.1, .2
     if (!call(s, unit, outbox)) return;
     return log.note({.what = What::session_ordered, .clause = "3.9.3.6"_srs});
   }
-  // b: the session of the present area stays, the other one ends.
-  if (s.radio_infill.area) end_others(s, s.radio_infill.area->unit, outbox);
+  const radio::Session& first = s.radio.session(Peer::infill_1);
+  const radio::Session& second = s.radio.session(Peer::infill_2);
+  if (first.active() && second.active()) {  // b: that of the present area stays
+    const bool keeps_second = session_of_infill_area(s) == &second;
+    end_others(s, keeps_second ? second.rbc : first.rbc, outbox);
+  }
   order_session(s, unit, log);
 }
 
