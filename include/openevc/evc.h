@@ -38,6 +38,13 @@ class Unit {
 /// `train::check` rejects the train data or national values, it enters SF instead ([13]).
 void power_up(Unit& unit, const Config& config) noexcept;
 
+/// The same with what the unit kept without power: it replaces the national values of the configuration, and `moved` of
+/// the inputs decides on position, level and RBC contact (4.11). False: no unit gives such data; they are not used, as
+/// after their loss (3.18.2.5).
+[[nodiscard]] bool power_up(Unit& unit, const Config& config, const Retained& retained) noexcept;
+/// What is kept when the power goes off now, or went off before: to be stored until the next power-up.
+Retained retained(const Unit& unit) noexcept;
+
 /// One cycle. Total, deterministic, allocation-free; equal (unit, inputs) give equal results. Times, places and speeds
 /// that are not numbers, beyond 10^9 s, 10^9 m or 1000 m/s, outside their bounds, or earlier than in the last cycle
 /// lead to SF (4.4.5).

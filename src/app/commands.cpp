@@ -82,6 +82,9 @@ void add_replay(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("replay", "Run the on-board on a stream of inputs and print its outputs");
   CLI::Option* input = command->add_option("input", options->input, "JSON Lines of inputs; - for standard input");
   command->add_option("--config", options->config, "configuration, instead of the stream's first line");
+  command->add_option(
+      "--persistent", options->persistent,
+      "file of what the unit keeps without power: read if it exists, written at power off and at the end");
   command->add_option("-o,--output", options->output, "file for the outputs; default: standard output");
   command->add_option("--every", options->every, "print only every Nth cycle")->check(number_between(1, 1000000000));
   command->add_flag("--changes", options->changes,

@@ -13,6 +13,7 @@ namespace {
 using train::NationalValues;
 /// Ranges of the variables.
 constexpr Clause kRanges = "7.5.1"_srs;
+constexpr double kLongestDistance = 327670.0;
 
 constexpr std::initializer_list<const char*> kKeys = {
     "V_NVSHUNT",      "V_NVSTFF",       "V_NVONSIGHT",      "V_NVLIMSUPERV",  "V_NVUNFIT", "V_NVREL",
@@ -27,7 +28,7 @@ void read_speed(Speed& v, const JsonPlace& place, const char* key) {
   if (const auto p = place.find(key)) v = {p->number(0.0, 600.0, kRanges) / kKmh};
 }
 void read_distance(Distance& d, const JsonPlace& place, const char* key) {
-  if (const auto p = place.find(key)) d = {p->number(0.0, 327660.0, kRanges)};
+  if (const auto p = place.find(key)) d = {p->number(0.0, kLongestDistance, kRanges)};
 }
 void read_flag(bool& flag, const JsonPlace& place, const char* key) {
   if (const auto p = place.find(key)) flag = p->boolean();
@@ -104,12 +105,15 @@ NationalValues read_national_values(const JsonPlace& place) {
   read_speed(nv.V_NVREL, place, "V_NVREL");
   read_speed(nv.V_NVALLOWOVTRP, place, "V_NVALLOWOVTRP");
   read_speed(nv.V_NVSUPOVTRP, place, "V_NVSUPOVTRP");
-  read_distance(nv.D_NVROLL, place, "D_NVROLL");
+  if (const auto p = place.find("D_NVROLL"); p && is_infinity(*p))
+    nv.D_NVROLL = train::kUnlimited;
+  else
+    read_distance(nv.D_NVROLL, place, "D_NVROLL");
   read_distance(nv.D_NVOVTRP, place, "D_NVOVTRP");
   read_distance(nv.D_NVPOTRP, place, "D_NVPOTRP");
   read_distance(nv.Q_NVLOCACC, place, "Q_NVLOCACC");
   if (const auto p = place.find("D_NVSTFF"); p && !is_infinity(*p))
-    nv.D_NVSTFF = Distance{p->number(0.0, 327660.0, kRanges)};
+    nv.D_NVSTFF = Distance{p->number(0.0, kLongestDistance, kRanges)};
   if (const auto p = place.find("T_NVCONTACT"); p && !is_infinity(*p))
     nv.T_NVCONTACT = Duration{p->number(0.0, 254.0, kRanges)};
   if (const auto p = place.find("T_NVOVTRP")) nv.T_NVOVTRP = {p->number(0.0, 255.0, kRanges)};

@@ -36,6 +36,8 @@ Train read_entered_train(const JsonPlace& place);
 /// defaults of A.3.2. "infinity" is allowed where the standard has it. A fault of `train::check` is an error that names
 /// the key and the clause. Throws ReadError.
 train::NationalValues read_national_values(const JsonPlace& place);
+/// The values as `read_national_values` reads them.
+nlohmann::ordered_json national_values_json(const train::NationalValues& values);
 /// The values as packet 3, in force at once and valid in the area of one NID_C; without the correction factors Kv_int,
 /// Kr_int, Kt_int. Rounded to the steps of the variables.
 lang::Packet3 packet_3(const train::NationalValues& values, std::uint16_t NID_C);

@@ -11,6 +11,13 @@ struct Derived;
 /// `train::check` rejects the train data or national values, it enters SF instead ([13]).
 void power_up(State& state, Derived& derived, const Config& config) noexcept;
 
+/// The same with what the unit kept without power: it replaces the national values of the configuration, and `moved` of
+/// the inputs decides on position, level and RBC contact (4.11). False: no unit gives such data; they are not used, as
+/// after their loss (3.18.2.5).
+[[nodiscard]] bool power_up(State& state, Derived& derived, const Config& config, const Retained& retained) noexcept;
+/// What is kept when the power goes off now, or went off before.
+Retained retained(const State& state) noexcept;
+
 /// One cycle. Total, deterministic, allocation-free; equal (state, inputs) give equal results. Times, places and speeds
 /// that are not numbers, beyond 10^9 s, 10^9 m or 1000 m/s, outside their bounds, or earlier than in the last cycle
 /// lead to SF (4.4.5).

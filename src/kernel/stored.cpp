@@ -54,6 +54,7 @@ void clear_other(State& s, Stored stored) {
       return;
     case rbc_id_phone:
       s.radio.contact.reset();
+      s.contact_status = DataStatus::unknown;
       return;
     case train_running_number:
       s.data.train_running_number_status = DataStatus::unknown;

@@ -59,6 +59,13 @@ void power_up(Unit& unit, const Config& config) noexcept {
   power_up(c.state, c.derived, config);
 }
 
+bool power_up(Unit& unit, const Config& config, const Retained& retained) noexcept {
+  Content& c = UnitAccess::of(unit);
+  return power_up(c.state, c.derived, config, retained);
+}
+
+Retained retained(const Unit& unit) noexcept { return retained(UnitAccess::of(unit).state); }
+
 void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept {
   Content& c = UnitAccess::of(unit);
   step(c.state, c.derived, inputs, outputs);

@@ -16,6 +16,8 @@ inline Place in_track(const State& state, OdometerPlace counter) {
 }
 /// What the position refers to now: the LRBG, without one the last unlinked group, without one the moment of power-up.
 Reference reference_of(const State& state);
+/// The counters of a restored position begin at the first reading.
+void count_from(State& state, const OdometerReading& first);
 /// The front end when the counters stood at `counter`, with the interval of `reference`.
 PlaceInterval interval(const State& state, const Reference& reference, const OdometerReading& counter);
 /// The remembered LRBG of that identity.

@@ -71,6 +71,7 @@ void update(State& state, const Odometry& odometry, Duration now, bool estimated
     state.extreme = at;
     state.rest = at;
     state.rest_since = now;
+    count_from(state, odometry.counter);
   } else {
     state.before = state.now;
   }

@@ -131,6 +131,18 @@ Relocated refer_to_unlinked(State& state, const Passage& passage);
 /// counts for them.
 Relocation from_unlinked(const State& state);
 
+/// What is kept of a position without power: its LRBG and where the front end of cab A is against it. The other groups
+/// that were passed are forgotten.
+struct Kept {
+  Reference lrbg;  ///< of it the counter and the place mean nothing
+  Distance ahead{};
+  Doubts doubts;
+};
+/// Absent: the position is unknown.
+std::optional<Kept> kept(const State& state, Distance L_engine);
+/// Before the first reading of the odometer: the position of another unit, to be validated (4.11).
+void restore(State& state, const Kept& position);
+
 // --- Where the train is. Defined in every state; without an LRBG the interval starts at the last unlinked group, and
 // --- without one at power-up.
 

@@ -173,6 +173,45 @@ TEST(Position, OrientationSideAndRunningDirection) {
   EXPECT_EQ(running_direction(s), Direction::nominal);
 }
 
+/// The odometer of the next unit begins at another counter.
+TEST(Position, IsTheSameForTheUnitAfterTheTimeWithoutPower) {  // 4.10, 4.11
+  State s;
+  update(s, moving(spread(0.0)), 0_s);
+  Passage p;
+  p.id = {1, 100};
+  p.counter = spread(10.0);
+  p.Q_LOCACC = 12_m;
+  p.counter_against_group = Direction::nominal;
+  (void)relocate(s, p);
+  s.status = DataStatus::valid;
+  update(s, moving(spread(110.0, 3.0, 5.0)), 10_s);
+  const auto of_cab_A = kept(s, 20_m);
+  ASSERT_TRUE(of_cab_A);
+  State of_cab_B = s;
+  change_cab(of_cab_B, 20_m);
+  for (const State& before : {s, of_cab_B}) {
+    const auto position = kept(before, 20_m);
+    ASSERT_TRUE(position);
+    State next;
+    restore(next, *position);
+    update(next, moving(spread(1000.0, 1.0, 1.0), 0.0), 0_s);
+    EXPECT_EQ(next.status, DataStatus::invalid);
+    ASSERT_NE(lrbg(next), nullptr);
+    EXPECT_EQ(lrbg(next)->id, p.id);
+    EXPECT_EQ(orientation(next), Direction::nominal);
+    EXPECT_EQ(front(next).est - lrbg(next)->place, of_cab_A->ahead);
+    EXPECT_DOUBLE_EQ(L_DOUBTOVER(next).si, 12.0 + 5.0);
+    EXPECT_DOUBLE_EQ(L_DOUBTUNDER(next).si, 12.0 + 3.0);
+    EXPECT_DOUBLE_EQ(counter_of(next, front(next).est).from_origin.si, 1000.0);
+  }
+}
+
+TEST(Position, WithoutALrbgNothingIsKept) {
+  State s;
+  update(s, moving(spread(0.0)), 0_s);
+  EXPECT_FALSE(kept(s, 20_m));
+}
+
 TEST(Position, ChangeOfCabKeepsTheTrainWhereItIs) {
   State s;
   update(s, moving(exact(0)), 0_s);

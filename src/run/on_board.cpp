@@ -17,7 +17,14 @@ OnBoard::OnBoard(const kernel::Config& config, Costs costs) : memory_(std::make_
   if (keep_ == Costs::kept) costs_.reserve(1 << 16);
 }
 
+OnBoard::OnBoard(const kernel::Config& config, const kernel::Retained& retained)
+    : memory_(std::make_unique<Memory>()), keep_(Costs::dropped) {
+  (void)kernel::power_up(memory_->state, memory_->derived, config, retained);
+}
+
 OnBoard::~OnBoard() = default;
+
+kernel::Retained OnBoard::retained() const { return kernel::retained(memory_->state); }
 
 const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
   const std::size_t allocations_before = allocations();

@@ -17,6 +17,8 @@ class OnBoard {
   /// A live stream has no end: the costs of its steps are not kept.
   enum class Costs : std::uint8_t { dropped, kept };
   explicit OnBoard(const kernel::Config& config, Costs costs = Costs::dropped);
+  /// With what a unit kept without power, as it is read from its file: it is plausible.
+  OnBoard(const kernel::Config& config, const kernel::Retained& retained);
   ~OnBoard();
   OnBoard(const OnBoard&) = delete;
   OnBoard& operator=(const OnBoard&) = delete;
@@ -24,6 +26,7 @@ class OnBoard {
   /// One cycle. The outputs stay valid until the next one.
   const kernel::Outputs& step(const kernel::Inputs& inputs);
 
+  kernel::Retained retained() const;
   static std::size_t state_bytes();
   std::size_t allocations_in_step() const { return allocations_; }
   /// Seconds of every step so far; empty when they are not kept.

@@ -3,13 +3,16 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "io/file.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
 #include "io/outputs_diff.h"
+#include "io/retained_file.h"
 #include "run/on_board.h"
 
 namespace evc::run {
@@ -17,11 +20,39 @@ namespace {
 
 using io::complain;
 
+/// A file, and not found only at the end that it cannot be written.
+io::Result<bool> can_be_kept(const std::string& persistent) {
+  if (persistent.empty()) return true;
+  if (persistent == "-") return tl::unexpected(io::Diagnostic{persistent, "", "standard input", "a file"});
+  const std::filesystem::path folder = std::filesystem::path(persistent).parent_path();
+  return io::can_be_written_in(folder.empty() ? "." : folder.string());
+}
+
+/// The unit of the stream, with what another one kept in the file of --persistent.
+io::Result<std::unique_ptr<OnBoard>> unit_of(const io::InputStream& stream, const std::string& persistent) {
+  const kernel::Config config = stream.configuration().for_kernel();
+  std::error_code error;
+  if (persistent.empty() || std::filesystem::status(persistent, error).type() == std::filesystem::file_type::not_found)
+    return std::make_unique<OnBoard>(config);
+  const auto text = io::read_text(persistent);
+  if (!text) return tl::unexpected(text.error());
+  const auto retained = io::read_retained(*text, persistent);
+  if (!retained) return tl::unexpected(retained.error());
+  return std::make_unique<OnBoard>(config, *retained);
+}
+
+/// Nothing without --persistent.
+io::Result<bool> keep(const OnBoard& on_board, const std::string& persistent) {
+  if (persistent.empty()) return true;
+  return io::write_whole(persistent, io::retained_text(on_board.retained()));
+}
+
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
-io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, const ReplayOptions& options) {
+io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::WholeFile& out,
+                               const ReplayOptions& options) {
   constexpr std::size_t block = 1 << 16;
-  OnBoard on_board(stream.configuration().for_kernel());
   sim::CycleInputs cycle;
+  bool powered = true;
   kernel::Outputs last;
   std::string text;
   const bool live = options.input == "-";
@@ -32,6 +63,10 @@ io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, cons
       return more;
     }
     const kernel::Outputs& outputs = on_board.step(cycle.view());
+    const bool goes_off = powered && !cycle.levels.train.powered;
+    powered = cycle.levels.train.powered;
+    if (goes_off)
+      if (const auto kept = keep(on_board, options.persistent); !kept) return kept;
     const bool wanted = options.changes ? n == 0 || io::differ_beyond_motion(last, outputs) : n % options.every == 0;
     if (wanted) io::append_output(text, cycle.t_ms, outputs);
     if (options.changes) last = outputs;
@@ -45,8 +80,11 @@ io::Result<bool> replay_stream(io::InputStream& stream, io::WholeFile& out, cons
 }  // namespace
 
 int replay(const ReplayOptions& options) {
-  for (const std::string& input : {options.input, options.config})
+  for (const std::string& input : {options.input, options.config, options.persistent})
     if (const auto apart = io::not_the_input(input, options.output); !apart) return complain(apart.error());
+  for (const std::string& input : {options.input, options.config})
+    if (const auto apart = io::not_the_input(input, options.persistent); !apart) return complain(apart.error());
+  if (const auto possible = can_be_kept(options.persistent); !possible) return complain(possible.error());
   std::optional<io::Configuration> given;
   if (!options.config.empty()) {
     const auto text = io::read_text(options.config);
@@ -59,12 +97,15 @@ int replay(const ReplayOptions& options) {
   auto stream = io::InputStream::open(
       options.input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
   if (!stream) return complain(stream.error());
+  auto on_board = unit_of(*stream, options.persistent);
+  if (!on_board) return complain(on_board.error());
   auto out = io::WholeFile::create(options.output);
   if (!out) return complain(out.error());
-  const auto replayed = replay_stream(*stream, *out, options);
+  const auto replayed = replay_stream(*stream, **on_board, *out, options);
   const auto written = out->commit();
   if (!replayed) return complain(replayed.error());
   if (!written) return complain(written.error());
+  if (const auto kept = keep(**on_board, options.persistent); !kept) return complain(kept.error());
   return 0;
 }
 

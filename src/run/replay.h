@@ -5,8 +5,10 @@
 namespace evc::run {
 
 struct ReplayOptions {
-  std::string input;   ///< JSON Lines; "-": standard input, answered cycle by cycle
-  std::string config;  ///< configuration, instead of the stream's first line
+  std::string input;       ///< JSON Lines; "-": standard input, answered cycle by cycle
+  std::string config;      ///< configuration, instead of the stream's first line
+  std::string persistent;  ///< what the unit keeps without power: read at the start if it exists, written at power off
+                           ///< and at the end
   std::string output = "-";
   std::int64_t every = 1;  ///< print only every Nth cycle
   bool changes = false;    ///< print a cycle only when something other than position and speed changed

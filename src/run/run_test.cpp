@@ -542,6 +542,56 @@ TEST(Run, ATrainThatCannotBeSupervisedIsToldBeforeTheDrive) {
                             "(SUBSET-026 3.13.3.2.1 a)\n");
 }
 
+TEST(Replay, KeepsWhatTheUnitKeepsWithoutPower) {  // 3.18.2.7
+  const Folder folder("persistent");
+  const std::string file = folder / "kept.json";
+  const std::string option = "' --persistent '" + file + "'";
+  // The driver enters a level; at the power off it is kept.
+  ASSERT_TRUE(io::write_whole(folder / "a.jsonl",
+                              "{\"config\":{\"national_values\":{\"V_NVSTFF\":35}}}\n"
+                              "{\"t_ms\":0,\"train\":{\"desk_open\":true}}\n"
+                              "{\"t_ms\":500,\"driver\":{\"enter\":{\"driver_id\":1}}}\n"
+                              "{\"t_ms\":1000,\"driver\":{\"enter\":{\"level\":\"1\"}}}\n"
+                              "{\"t_ms\":2000,\"power\":{\"off\":true}}\n"));
+  const Finished a = evc("replay '" + (folder / "a.jsonl") + option + " -o /dev/null");
+  ASSERT_EQ(a.exit_code, 0) << a.output;
+  const json kept = json::parse(text_of(file));
+  EXPECT_EQ(kept["level"]["level"], "1");
+  EXPECT_EQ(kept["national_values"]["V_NVSTFF"], 35);
+  // The next program.
+  ASSERT_TRUE(io::write_whole(folder / "b.jsonl", "{\"t_ms\":0,\"power\":{\"on\":true,\"moved\":false}}\n"));
+  const Finished b = evc("replay '" + (folder / "b.jsonl") + option + " -o '" + (folder / "out.jsonl") + "'");
+  ASSERT_EQ(b.exit_code, 0) << b.output;
+  const json first = json::parse(text_of(folder / "out.jsonl"));
+  EXPECT_EQ(first["level"], "1");
+  EXPECT_EQ(first["level_valid"], true);
+  EXPECT_EQ(json::parse(text_of(file))["national_values"]["V_NVSTFF"], 35);
+}
+
+TEST(Replay, TellsWhatIsWrongInTheFileOfWhatIsKept) {
+  const Folder folder("persistent_faults");
+  const std::string file = folder / "kept.json";
+  ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0}\n{\"t_ms\":\n"));
+  const auto told = [&](const std::string& name) {
+    const Finished replay = evc("replay '" + (folder / "in.jsonl") + "' --persistent '" + name + "'");
+    EXPECT_EQ(replay.exit_code, 2);
+    return replay.output;
+  };
+  const std::string other = R"({"schema":"etcs-train/1"})";
+  ASSERT_TRUE(io::write_whole(file, other));
+  EXPECT_EQ(told(file), file + ": /schema: found \"etcs-train/1\", expected \"evc-persistent/1\"\n");
+  EXPECT_EQ(text_of(file), other);
+  EXPECT_EQ(told(folder / "no/kept.json"),
+            (folder / "no") + ": found No such file or directory, expected a folder that can be written\n");
+  EXPECT_EQ(told("-"), "-: found standard input, expected a file\n");
+  EXPECT_EQ(told(folder / "in.jsonl"),
+            (folder / "in.jsonl") + ": found the input, expected another file for the output\n");
+  EXPECT_EQ(told(folder.path()), folder.path() + ": found a directory, expected a file that can be read\n");
+  // After an error of the stream nothing is written.
+  EXPECT_NE(told(folder / "new.json").find("line 2"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "new.json"), "");
+}
+
 TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
   const Folder folder("replay");
   ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));

@@ -8,6 +8,7 @@
 
 #include "io/input_stream.h"
 #include "io/output_lines.h"
+#include "io/retained_file.h"
 #include "io/telegram_json.h"
 #include "kernel/evc.h"
 #include "kernel/state.h"
@@ -179,6 +180,9 @@ class Run {
         give_input(a.json);
         if (!shares_cycle_) cycle();
         break;
+      case What::restart:
+        replace_unit();
+        break;
       case What::odometer:
         if (a.error) error_ = *a.error;
         if (!a.reads) break;
@@ -199,6 +203,16 @@ class Run {
     cycle_ms_ = c.cycle_ms;
     antenna_m_ = c.train.data.L_antenna_front.si;
     kernel::power_up(unit_->state, unit_->derived, c.for_kernel());
+  }
+
+  /// By another one, which has only what is in the file of `evc replay --persistent`.
+  void replace_unit() {
+    start();
+    const auto kept = io::read_retained(io::retained_text(kernel::retained(unit_->state)), "the file kept");
+    if (!kept) fail("a file that can be read", kept.error().text());
+    *unit_ = {};
+    if (!kernel::power_up(unit_->state, unit_->derived, stream_->configuration().for_kernel(), *kept))
+      fail("data that a unit takes", "they are refused");
   }
 
   /// The stream reads one line ahead: the lines of a cycle are followed by an empty one of the

@@ -409,6 +409,9 @@ class Reader {
       a = input("train", {{"desk_open", words.one_of({"closed", "opened"}) == 1}});
     } else if (words.take("power")) {
       a = input("train", {{"powered", words.one_of({"off", "on"}) == 1}});
+    } else if (words.take("unit")) {
+      words.require("replaced");
+      a.what = What::restart;
     } else if (words.take("signal")) {
       a = input("train", plain_json(words.object()));
     } else if (words.take("national_system")) {
@@ -432,7 +435,7 @@ class Reader {
     } else {
       words.fail(
           "a block, or one of config, train, message, loop, passes, group, drives, stops, waits, driver, session, "
-          "desk, power, signal, national_system, fault, input, odometer");
+          "desk, power, unit, signal, national_system, fault, input, odometer");
     }
   }
 

@@ -69,7 +69,7 @@ struct Balise {
 
 /// The action of a `given` or `when`.
 struct Action {
-  enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer };
+  enum class What : std::uint8_t { configure, message, loop, pass, lay, drive, stop, wait, input, odometer, restart };
   What what = What::wait;
   bool same_cycle = false;      ///< message, loop, input: in the cycle of the step before
   Json json;                    ///< configure, input: members; message, loop: in the form of `evc encode`

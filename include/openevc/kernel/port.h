@@ -3,6 +3,7 @@
 #include "openevc/port/event.h"
 #include "openevc/port/inputs.h"
 #include "openevc/port/outputs.h"
+#include "openevc/port/retained.h"
 
 // The complete interface of the kernel. It has no other inputs or outputs: no clock, no file, no
 // thread, no random number.
@@ -31,6 +32,7 @@ using port::RadioMessage;
 using port::RbcAddress;
 using port::RbcIdentity;
 using port::RbcSession;
+using port::Retained;
 using port::Select;
 using port::ShownCondition;
 using port::ShownStatus;

@@ -96,6 +96,7 @@ struct RbcAddress {
   std::uint16_t NID_RBC = 0;
   std::uint64_t NID_RADIO = 0;  // BCD, as on the wire
   bool infill_unit = false;     // NID_RBC is NID_RIU
+  friend constexpr bool operator==(const RbcAddress&, const RbcAddress&) = default;
 };
 
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line

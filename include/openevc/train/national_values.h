@@ -38,6 +38,9 @@ constexpr Function single_step(Value value) {
   return f;
 }
 
+/// D_NVROLL where it is infinite.
+inline constexpr Distance kUnlimited{1e9};
+
 /// The national values (3.18.2, packet 3) in SI units; a default-constructed one holds the default
 /// values of A.3.2. `std::nullopt` is the standard's "infinity".
 struct NationalValues {

@@ -10,9 +10,6 @@
 namespace evc::kernel {
 namespace {
 
-/// D_NVROLL 32767: unlimited.
-constexpr Distance kInfinite{1e9};
-
 /// V_NV...: 126 and 127 are spare; the codec has rejected them before, here they give the default.
 template <class V>
 void take(Speed& to, V v) {
@@ -145,7 +142,7 @@ ReceivedNationalValues read(const lang::Packet3& p) {
   take(nv.V_NVSUPOVTRP, p.V_NVSUPOVTRP);
   // Only D_NVROLL and D_NVSTFF have a code for infinity (7.5.1.17, 7.5.1.18).
   const std::optional<Distance> D_NVROLL = lang::metres(p.Q_SCALE, p.D_NVROLL);
-  nv.D_NVROLL = D_NVROLL ? *D_NVROLL : kInfinite;
+  nv.D_NVROLL = D_NVROLL ? *D_NVROLL : train::kUnlimited;
   nv.D_NVOVTRP = lang::metres(p.Q_SCALE, p.D_NVOVTRP);
   nv.D_NVPOTRP = lang::metres(p.Q_SCALE, p.D_NVPOTRP);
   nv.D_NVSTFF = lang::metres(p.Q_SCALE, p.D_NVSTFF);

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "openevc/base/inplace_vector.h"
+#include "openevc/base/units.h"
+#include "openevc/port/outputs.h"
+#include "openevc/terms/level.h"
+#include "openevc/train/national_values.h"
+
+// What the unit keeps without power. The host takes it when the power goes off, stores it, and gives it to the next
+// unit at power-up.
+namespace evc::port {
+
+struct Retained {
+  /// The countries or regions (NID_C) in which national values are applicable.
+  using Areas = InplaceVector<std::uint16_t, 32>;
+  /// A virtual balise cover and the rest of its validity period (3.15.9.5). The time without power does not count.
+  struct Cover {
+    std::uint16_t NID_C = 0;
+    std::uint8_t NID_VBCMK = 0;
+    Duration left{};
+    friend constexpr bool operator==(const Cover&, const Cover&) = default;
+  };
+  struct StoredLevel {
+    Level level = Level::L0;
+    std::uint8_t nid_ntc = 0;  ///< with level NTC
+    friend constexpr bool operator==(const StoredLevel&, const StoredLevel&) = default;
+  };
+  /// The LRBG and the front end of cab A against it. Directions are codes of Q_DIRLRBG.
+  struct Position {
+    NidLrbg lrbg;
+    std::uint8_t orientation = 2;       ///< of the train against the group
+    bool single = false;                ///< a single balise, which gives no orientation of its own (3.4.2.3)
+    std::optional<NidLrbg> previous;    ///< PRVLRBG of such a group
+    std::uint8_t pair_orientation = 2;  ///< of the train against the movement from there to this group
+    bool counter_rising = true;         ///< the odometer counted up when the group was passed
+    Distance ahead{};                   ///< from the group to the estimated front end
+    Distance over{}, under{};           ///< from there to the min safe and to the max safe front end
+    Distance Q_LOCACC{};                ///< of the group, part of both
+    friend constexpr bool operator==(const Position&, const Position&) = default;
+  };
+
+  // National values in force (3.18.2.7). Values that a set of X = 1 left as they were have areas of their own.
+  train::NationalValues national_values;
+  Areas national_areas, national_areas_of_X_2, national_areas_of_braking;
+  std::uint8_t operated_X = 2;     ///< operated system version, number X (3.17.2.9)
+  bool generic_ls_marker = false;  ///< generic LS function marker (4.10)
+  InplaceVector<Cover, 16> covers;
+  // Valid again at power-up only where the engine was not moved (4.11). Absent: unknown.
+  std::optional<StoredLevel> level;
+  InplaceVector<StoredLevel, 32> level_table;  ///< of trackside; empty: none
+  std::optional<RbcAddress> contact;           ///< of the RBC (3.18.4.3.1)
+  std::optional<Position> position;
+  friend constexpr bool operator==(const Retained&, const Retained&) = default;
+};
+
+}  // namespace evc::port

@@ -1,0 +1,128 @@
+#include "kernel/evc.h"
+#include "kernel/here.h"
+#include "kernel/radio_address.h"
+#include "kernel/state.h"
+
+// What is kept without power (3.15.9.5, 3.17.2.9, 3.18.2.7, 4.10) as a value.
+namespace evc::kernel {
+namespace {
+
+/// The greatest T_VBC, 255 days.
+constexpr Duration kLongestCover{255.0 * 86400.0};
+/// A train that is further from its LRBG does not exist.
+constexpr double kFarthest = 1e7;
+
+constexpr bool between(double v, double least, double most) { return v >= least && v <= most; }  // false for NaN
+constexpr bool is_direction(std::uint8_t code) { return code <= static_cast<std::uint8_t>(Direction::unknown); }
+
+bool plausible(const Retained::Position& p) {
+  return is_direction(p.orientation) && is_direction(p.pair_orientation) &&
+         between(p.ahead.si, -kFarthest, kFarthest) && between(p.Q_LOCACC.si, 0.0, kFarthest) &&
+         between(p.over.si, p.Q_LOCACC.si, kFarthest) && between(p.under.si, p.Q_LOCACC.si, kFarthest);
+}
+bool plausible(const Retained::StoredLevel& level) { return static_cast<std::size_t>(level.level) < kLevels; }
+
+bool plausible(const Retained& r) {
+  for (const Retained::Cover& cover : r.covers)
+    if (!between(cover.left.si, 0.0, kLongestCover.si)) return false;
+  for (const Retained::StoredLevel& level : r.level_table)
+    if (!plausible(level)) return false;
+  return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, kHighestX) &&
+         (!r.level || plausible(*r.level)) && (!r.position || plausible(*r.position));
+}
+
+std::optional<NidLrbg> identity_of(const std::optional<GroupId>& id) {
+  if (!id) return std::nullopt;
+  return NidLrbg{id->NID_C, id->NID_BG};
+}
+std::optional<GroupId> group_of(const std::optional<NidLrbg>& id) {
+  if (!id) return std::nullopt;
+  return GroupId{id->NID_C, id->NID_BG};
+}
+
+Retained::Position position_of(const position::Kept& kept) {
+  Retained::Position p;
+  p.lrbg = {kept.lrbg.id.NID_C, kept.lrbg.id.NID_BG};
+  p.orientation = static_cast<std::uint8_t>(kept.lrbg.orientation);
+  p.single = kept.lrbg.single;
+  p.previous = identity_of(kept.lrbg.previous);
+  p.pair_orientation = static_cast<std::uint8_t>(kept.lrbg.pair_orientation);
+  p.counter_rising = kept.lrbg.counter_rising;
+  p.ahead = kept.ahead;
+  p.over = kept.doubts.over;
+  p.under = kept.doubts.under;
+  p.Q_LOCACC = kept.lrbg.Q_LOCACC;
+  return p;
+}
+position::Kept kept_of(const Retained::Position& p) {
+  position::Kept kept;
+  kept.lrbg.id = {p.lrbg.NID_C, p.lrbg.NID_BG};
+  kept.lrbg.orientation = static_cast<Direction>(p.orientation);
+  kept.lrbg.single = p.single;
+  kept.lrbg.previous = group_of(p.previous);
+  kept.lrbg.pair_orientation = static_cast<Direction>(p.pair_orientation);
+  kept.lrbg.counter_rising = p.counter_rising;
+  kept.lrbg.Q_LOCACC = p.Q_LOCACC;
+  kept.ahead = p.ahead;
+  kept.doubts = {p.over, p.under};
+  return kept;
+}
+
+bool fitted_for(const State& s, const Retained::StoredLevel& level) {
+  return s.fitted_levels[static_cast<std::size_t>(level.level)];
+}
+
+/// Position, level, its table and RBC contact: invalid until the mode NP is left (4.10, 4.11).
+void restore_to_be_revalidated(State& s, const Retained& r) {
+  if (r.level && fitted_for(s, *r.level)) {
+    s.level = {r.level->level, r.level->nid_ntc, {}};
+    s.data.level_status = DataStatus::invalid;
+  }
+  if (!r.level_table.empty()) {
+    s.level_table.emplace();
+    for (const Retained::StoredLevel& l : r.level_table)
+      (void)s.level_table->push_back({l.level, l.nid_ntc, {}});  // as many
+  }
+  if (r.contact) {
+    s.radio.contact = radio::Rbc{r.contact->NID_C, r.contact->NID_RBC, r.contact->NID_RADIO};
+    s.contact_status = DataStatus::invalid;
+  }
+  if (r.position) position::restore(s.position, kept_of(*r.position));
+}
+
+}  // namespace
+
+Retained retained(const State& s) noexcept {
+  Retained r;
+  r.national_values = s.national_values;
+  r.national_areas = s.national_areas;
+  r.national_areas_of_X_2 = s.national_areas_of_X_2;
+  r.national_areas_of_braking = s.national_areas_of_braking;
+  r.operated_X = s.operated_X;
+  r.generic_ls_marker = s.track.generic_ls_marker;
+  for (const balise::Cover& cover : s.balise.covers)
+    if (cover.until >= s.now) (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now});
+  if (s.data.level_status != DataStatus::unknown) r.level = Retained::StoredLevel{s.level.level, s.level.nid_ntc};
+  if (s.level_table)
+    for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back({l.level, l.nid_ntc});
+  if (s.radio.contact) r.contact = address_of(*s.radio.contact);
+  if (const auto position = position::kept(s.position, s.L_engine)) r.position = position_of(*position);
+  return r;
+}
+
+bool power_up(State& s, Derived& derived, const Config& config, const Retained& r) noexcept {
+  power_up(s, derived, config);
+  if (!plausible(r)) return false;
+  s.national_values = r.national_values;
+  s.national_areas = r.national_areas;
+  s.national_areas_of_X_2 = r.national_areas_of_X_2;
+  s.national_areas_of_braking = r.national_areas_of_braking;
+  s.operated_X = r.operated_X;
+  s.track.generic_ls_marker = r.generic_ls_marker;
+  for (const Retained::Cover& cover : r.covers)
+    (void)s.balise.covers.push_back({cover.NID_VBCMK, cover.NID_C, cover.left});  // as many; from time 0 on
+  restore_to_be_revalidated(s, r);
+  return true;
+}
+
+}  // namespace evc::kernel
