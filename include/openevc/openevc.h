@@ -114,7 +114,9 @@ typedef enum openevc_select {
   OPENEVC_ISOLATE = 9,
   OPENEVC_TRACK_AHEAD_FREE = 10,
   OPENEVC_MAIN = 11, /* a button of the main window: ends some status texts */
-  OPENEVC_INTEGRITY_CONFIRMED = 12
+  OPENEVC_INTEGRITY_CONFIRMED = 12,
+  OPENEVC_LAST_RBC = 13,    /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
+  OPENEVC_SHORT_NUMBER = 14 /* the short number stored on board is to be called (3.5.3.11) */
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */

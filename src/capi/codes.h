@@ -57,7 +57,9 @@ static_assert(same(OPENEVC_ISOLATE, kernel::Select::isolate));
 static_assert(same(OPENEVC_TRACK_AHEAD_FREE, kernel::Select::track_ahead_free));
 static_assert(same(OPENEVC_MAIN, kernel::Select::main));
 static_assert(same(OPENEVC_INTEGRITY_CONFIRMED, kernel::Select::integrity_confirmed));
-static_assert(int(kernel::Select::count) == 13);
+static_assert(same(OPENEVC_LAST_RBC, kernel::Select::last_rbc));
+static_assert(same(OPENEVC_SHORT_NUMBER, kernel::Select::short_number));
+static_assert(int(kernel::Select::count) == 15);
 
 static_assert(same(OPENEVC_ACK_OS, Ack::OS));
 static_assert(same(OPENEVC_ACK_LS, Ack::LS));

@@ -114,7 +114,7 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::train_data, entry && level && (!in_standby || c.offers.has(Offer::train_data)));
   out.add(Input::level, entry);
   out.add(Input::train_running_number, !in_standby || c.standstill);  // 5.4.3.2 S1: before the driver ID too
-  out.add(Input::rbc_contact, entry);
+  out.add(Input::rbc_contact, entry && level_2_or_3(c.level));        // 3.18.4.3.2
   out.add(Input::radio_network_id, entry);
   out.add(Input::non_leading, entry && level && c.non_leading_signal);
   out.add(Input::continue_shunting, c.passive_shunting_signal);

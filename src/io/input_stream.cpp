@@ -17,7 +17,7 @@ constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
-                   "telephone_numbers", "terminals", "cabs"});
+                   "telephone_numbers", "terminals", "cabs", "rbc"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -31,6 +31,7 @@ Configuration read_configuration(const JsonPlace& place) {
       if (!c.identity.telephone_numbers.push_back(read_NID_RADIO((*p)[i]))) p->fail("at most 4 telephone numbers");
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("cabs")) c.cabs = static_cast<int>(p->integer(1, 2));
+  if (const auto p = place.find("rbc")) c.contact = read_address(*p);
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
     for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
@@ -159,11 +160,6 @@ std::uint32_t packed_digits(const JsonPlace& place) {
   return packed;
 }
 
-kernel::DriverActions::RbcContact read_contact(const JsonPlace& place) {
-  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
-  return read_rbc_contact(place);
-}
-
 void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m"});
   auto& driver = cycle.levels.driver;
@@ -171,7 +167,10 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
   if (const auto p = place.find("level")) driver.level = p->term<kLevelRows>();
   if (const auto p = place.find("nid_ntc")) driver.nid_ntc = static_cast<std::uint8_t>(p->integer(0, 255));
   if (const auto p = place.find("train_running_number")) driver.train_running_number = packed_digits(*p);
-  if (const auto p = place.find("rbc")) driver.rbc_contact = read_contact(*p);
+  if (const auto p = place.find("rbc")) {
+    const kernel::RbcAddress rbc = read_address(*p);
+    driver.rbc_contact = kernel::DriverActions::RbcContact{rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO};
+  }
   if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
   if (const auto p = place.find("train_data")) {
@@ -348,6 +347,7 @@ kernel::Config Configuration::for_kernel() const {
   config.L_engine = L_engine;
   config.levels = levels;
   config.identity = identity;
+  config.contact = contact;
   config.terminals = terminals.value_or(config.terminals);
   return config;
 }

@@ -24,6 +24,7 @@ struct Configuration {
   Distance L_engine = kernel::Config{}.L_engine;
   int cabs = 2;  ///< with one there is no cab B
   port::Identity identity;
+  std::optional<kernel::RbcAddress> contact = std::nullopt;
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given
   std::string document = "{}";                           // as read, on one line
 

@@ -14,4 +14,10 @@ port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place) {
           static_cast<std::uint16_t>(place["NID_RBC"].integer(0, 16383)), read_NID_RADIO(place["NID_RADIO"])};
 }
 
+port::RbcAddress read_address(const JsonPlace& place) {
+  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
+  const port::DriverActions::RbcContact contact = read_rbc_contact(place);
+  return {contact.NID_C, contact.NID_RBC, contact.NID_RADIO};
+}
+
 }  // namespace evc::io

@@ -47,12 +47,6 @@ Retained::StoredLevel read_level(const JsonPlace& place) {
   return {place["level"].term<kLevelRows>(), static_cast<std::uint8_t>(place["nid_ntc"].integer(0, 255))};
 }
 
-kernel::RbcAddress read_address(const JsonPlace& place) {
-  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
-  const port::DriverActions::RbcContact contact = read_rbc_contact(place);
-  return {contact.NID_C, contact.NID_RBC, contact.NID_RADIO};
-}
-
 kernel::NidLrbg read_group(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_BG"});
   return {read_NID_C(place["NID_C"]), static_cast<std::uint16_t>(place["NID_BG"].integer(0, 16383))};

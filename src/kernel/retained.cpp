@@ -83,6 +83,8 @@ void restore_to_be_revalidated(State& s, const Retained& r) {
     for (const Retained::StoredLevel& l : r.level_table)
       (void)s.level_table->push_back({l.level, l.nid_ntc, {}});  // as many
   }
+  s.radio.contact.reset();
+  s.contact_status = DataStatus::unknown;
   if (r.contact) {
     s.radio.contact = radio::Rbc{r.contact->NID_C, r.contact->NID_RBC, r.contact->NID_RADIO};
     s.contact_status = DataStatus::invalid;

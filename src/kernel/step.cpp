@@ -14,6 +14,10 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.fitted_levels = config.levels;
   state.identity = config.identity;
   state.terminals = config.terminals;
+  if (config.contact) {
+    state.radio.contact = radio::Rbc{config.contact->NID_C, config.contact->NID_RBC, config.contact->NID_RADIO};
+    state.contact_status = DataStatus::invalid;
+  }
   state.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;

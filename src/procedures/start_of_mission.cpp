@@ -47,8 +47,8 @@ Step after_level(const Inputs& in, Effects& out) {
     out.inform.add(Inform::network_registration_failed);
     return Step::S10;
   }
-  if (!in.enters_rbc_contact) return Step::S3;
-  out.status.add(Status::rbc_contact_valid);
+  if (!in.enters_rbc_contact && !in.selects_short_number) return Step::S3;
+  out.status.add(Status::rbc_contact_valid, in.enters_rbc_contact);
   out.send.add(Send::open_session);
   return Step::D31;
 }

@@ -54,8 +54,9 @@ struct Inputs {
   DataStatus level_status = DataStatus::unknown;
   DataStatus train_data = DataStatus::unknown;
   // The driver, this cycle.
-  bool enters_level = false;        // entered or revalidated (S2, and again in S10 and S20)
-  bool enters_rbc_contact = false;  // entered, revalidated or "last RBC" chosen
+  bool enters_level = false;          // entered or revalidated (S2, and again in S10 and S20)
+  bool enters_rbc_contact = false;    // entered, revalidated or "last RBC" chosen
+  bool selects_short_number = false;  // the identity of the RBC is not known yet (3.5.3.11)
   bool enters_train_data = false;
   bool selects_start = false;
   // The RBC, this cycle.

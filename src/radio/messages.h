@@ -10,8 +10,8 @@
 
 namespace evc::radio {
 
-/// The address of an RBC or radio infill unit. NID_RBC 16383: the last one known; NID_RADIO all ones: the stored
-/// number.
+/// The address of an RBC or radio infill unit. NID_RBC 16383: the last one known; NID_RADIO all ones: the short number
+/// stored on board (3.5.3.15), which the bearer has.
 struct Rbc {
   std::uint16_t NID_C = 0, NID_RBC = 0;
   std::uint64_t NID_RADIO = 0;
@@ -23,6 +23,8 @@ struct Rbc {
 };
 inline constexpr std::uint16_t kLastKnownRbc = 16383;
 inline constexpr std::uint64_t kStoredNumber = 0xFFFF'FFFF'FFFF'FFFFu;
+/// The RBC that answers the short number, until the bearer reports its identity: all ones (3.5.3.11).
+inline constexpr Rbc kUnknownRbc{1023, 16383, kStoredNumber};
 inline constexpr std::uint32_t kUnknownLrbg = 0xFF'FFFF;
 inline constexpr std::uint32_t kUnknownTime = 0xFFFF'FFFF;
 

@@ -23,7 +23,20 @@ std::optional<Peer> peer_of(const State& s, const std::optional<Rbc>& named, boo
   if (!named) return s.other_called_last && s.other.session.active() ? Peer::other : Peer::supervising;
   if (s.supervising.session.rbc.same_id(*named)) return Peer::supervising;
   if (s.other.session.rbc.same_id(*named)) return Peer::other;
+  // The one that answers the short number.
+  const Session& called = s.supervising.session;
+  if (called.active() && called.rbc == kUnknownRbc) return Peer::supervising;
   return std::nullopt;
+}
+
+void identify(Session& session, const Rbc& answered) {
+  if (session.rbc == kUnknownRbc) session.rbc = {answered.NID_C, answered.NID_RBC, kStoredNumber};
+}
+
+void call_short_number(State& s, Cause cause, Duration now, Outbox& out) {
+  establish(s.supervising.session, kUnknownRbc, cause, now, out);
+  const Addressed to_other(out, Peer::other);
+  terminate(s.other.session, now, out);
 }
 
 SessionRole role_of(const State& s, Peer peer) {

@@ -225,7 +225,7 @@ bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   p.train_data_acknowledged = false;
   p.train_data_stamp.reset();
   if (from == Peer::other) return true;
-  s.contact = p.session.rbc;
+  if (p.session.rbc != kUnknownRbc) s.contact = p.session.rbc;  // 3.18.4.3.4: of the short number the one that answered
   s.reasons = 0;
   return true;
 }

@@ -124,6 +124,11 @@ struct SessionOrder {
 /// an RBC that is no partner ends the others (3.5.3.5.2).
 bool order(State& state, const SessionOrder& order, bool sleeping, bool store_only, Duration now, Outbox& out);
 
+/// The RBC that answers the short number, chosen by the driver: not the stored one (3.5.3.11). Other sessions end.
+void call_short_number(State& state, Cause cause, Duration now, Outbox& out);
+/// The bearer reports who answered: from now on the session is with this RBC (3.18.4.3.4).
+void identify(Session& session, const Rbc& answered);
+
 /// The session with the accepting RBC of a transition order, beside the one that supervises (3.5.3.5.2.1); one with
 /// another RBC beside it is terminated first (3.15.1.3.2.3).
 void call_accepting(State& state, const Rbc& accepting, Duration now, Outbox& out);

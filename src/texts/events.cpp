@@ -116,8 +116,9 @@ static_assert(
     "one row for each, in order");
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectWords{
-    "start",         "override", "shunting",  "exit of shunting", "non leading", "maintain shunting", "train data",
-    "slippery rail", "adhesion", "isolation", "track ahead free", "main window", "train integrity"};
+    "start",           "override",      "shunting",    "exit of shunting", "non leading",      "maintain shunting",
+    "train data",      "slippery rail", "adhesion",    "isolation",        "track ahead free", "main window",
+    "train integrity", "last RBC",      "short number"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
     "driver identity", "train running number", "train data", "RBC contact", "level", "SR speed and distance"};
 

@@ -97,7 +97,9 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
                                                                                               "isolate",
                                                                                               "track_ahead_free",
                                                                                               "main",
-                                                                                              "integrity_confirmed"};
+                                                                                              "integrity_confirmed",
+                                                                                              "last_rbc",
+                                                                                              "short_number"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, 2> kCabNames{"A", "B"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
@@ -118,21 +120,21 @@ InputKeys keys_of(DriverInput input) {
     case train_running_number:
     case train_data:
     case level:
-      return {name(input), nullptr};
+      return {name(input)};
     case continue_shunting:
-      return {"maintain_shunting", nullptr};
+      return {"maintain_shunting"};
     case adhesion:
       return {"slippery_rail", "adhesion_normal"};
     case isolation:
-      return {"isolate", nullptr};
+      return {"isolate"};
     case rbc_contact:
-      return {"rbc", nullptr};
+      return {"rbc", "last_rbc", "short_number"};
     case sr_speed_distance:
       return {"V_sr_kmh", "D_sr_m"};
     case integrity_confirmation:
-      return {"integrity_confirmed", nullptr};
+      return {"integrity_confirmed"};
     default:
-      return {nullptr, nullptr};
+      return {};
   }
 }
 

@@ -72,8 +72,8 @@ const char* name(train::Fault fault);
 const char* name(driver::Output output);
 
 /// The keys of `select` and `enter` that stand for an input of 4.7.2; null where there is none (acknowledgements stand
-/// in `driver.requests`) or only one.
-using InputKeys = std::array<const char*, 2>;
+/// in `driver.requests`) or fewer.
+using InputKeys = std::array<const char*, 3>;
 InputKeys keys_of(DriverInput input);
 
 }  // namespace evc::texts

@@ -60,6 +60,8 @@ enum class Select : std::uint8_t {
   track_ahead_free,
   main,                 // a button of the main window: ends some status texts (015560 15)
   integrity_confirmed,  // the driver confirms that the train is complete (3.6.5.2)
+  last_rbc,             // the stored contact is to be used (5.4.3.2 S3)
+  short_number,         // the short number stored on board is to be called (3.5.3.11)
   count
 };
 struct DriverActions {

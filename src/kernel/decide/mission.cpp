@@ -57,7 +57,7 @@ void change_statuses(State& s, Set<procedures::Status> status) {
   if (status.has(Status::level_invalid)) invalidate(s.data.level_status);
   if (status.has(Status::level_valid)) s.data.level_status = DataStatus::valid;
   if (status.has(Status::rbc_contact_invalid)) invalidate(s.contact_status);
-  if (status.has(Status::rbc_contact_valid)) s.contact_status = DataStatus::valid;
+  if (status.has(Status::rbc_contact_valid) && s.radio.contact) s.contact_status = DataStatus::valid;
 }
 
 }  // namespace
@@ -102,6 +102,7 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.train_data = s.data.train_data_status;
   som.enters_level = received.entered.has(Entered::level);
   som.enters_rbc_contact = received.entered.has(Entered::rbc_contact);
+  som.selects_short_number = received.selected.has(Select::short_number);
   som.enters_train_data = received.entered.has(Entered::train_data);
   som.selects_start = received.selected.has(Select::start);
   som.train_data_acknowledged = s.radio.supervising.train_data_acknowledged;

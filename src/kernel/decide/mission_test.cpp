@@ -755,9 +755,19 @@ TEST_F(Start, OpensTheSessionWithTheContactEntered) {  // 5.4.4 S3
   run();
   EXPECT_EQ(step(), Step::S3);
   received.entered.add(Entered::rbc_contact);
+  state.radio.contact = radio::Rbc{5, 77, 0x1234};
   run();
   EXPECT_EQ(step(), Step::D31);
   EXPECT_EQ(state.contact_status, DataStatus::valid);
+  EXPECT_TRUE(decided.effects.send.has(Send::open_session));
+}
+
+TEST_F(Start, OpensTheSessionByTheShortNumber) {  // 5.4.4 S3, 3.18.4.3.4
+  restart_in(Step::S3, Level::L2);
+  received.selected.add(Select::short_number);
+  run();
+  EXPECT_EQ(step(), Step::D31);
+  EXPECT_EQ(state.contact_status, DataStatus::unknown);
   EXPECT_TRUE(decided.effects.send.has(Send::open_session));
 }
 

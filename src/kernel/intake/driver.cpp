@@ -11,7 +11,10 @@ namespace {
 
 /// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
-  if (driver::enabled(action_context(r.state, r.in.train, r.out.here)).has(input)) return true;
+  driver::ActionContext context = action_context(r.state, r.in.train, r.out.here);
+  // A contact for the level that is entered with it (3.18.4.3.2).
+  if (input == driver::Input::rbc_contact && r.in.driver.level) context.level = r.in.driver.level;
+  if (driver::enabled(context).has(input)) return true;
   r.log.note(otherwise);
   return false;
 }
@@ -26,7 +29,7 @@ Set<Select> enabled_selections(Reception& r) {
     Select select;
     driver::Input input;
   };
-  constexpr std::array<Row, 10> rows{{
+  constexpr std::array<Row, 12> rows{{
       {Select::start, driver::Input::start},
       {Select::override_, driver::Input::override_},
       {Select::shunting, driver::Input::shunting},
@@ -37,6 +40,8 @@ Set<Select> enabled_selections(Reception& r) {
       {Select::adhesion_normal, driver::Input::adhesion},
       {Select::track_ahead_free, driver::Input::track_ahead_free},
       {Select::integrity_confirmed, driver::Input::integrity_confirmation},
+      {Select::last_rbc, driver::Input::rbc_contact},
+      {Select::short_number, driver::Input::rbc_contact},
   }};
   Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
   for (const Row& row : rows)
@@ -108,6 +113,23 @@ void enter_SR_data(Reception& r) {
   ++s.revision;
 }
 
+/// 5.4.3.2 S3, 3.18.4.3.2: the contact is entered, or the stored one is used.
+void choose_contact(Reception& r) {
+  State& s = r.state;
+  const auto& entered = r.in.driver.rbc_contact;
+  const bool last = r.out.selected.has(Select::last_rbc);
+  if (last && !s.radio.contact)
+    return r.log.note({.what = What::selection_not_enabled,
+                       .id = static_cast<std::int32_t>(Select::last_rbc),
+                       .clause = "3.18.4.3.1"_srs});
+  if (entered && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact))
+    s.radio.contact = radio::Rbc{entered->NID_C, entered->NID_RBC, entered->NID_RADIO};
+  else if (!last)
+    return;
+  s.contact_status = DataStatus::valid;
+  r.out.entered.add(Entered::rbc_contact);
+}
+
 }  // namespace
 
 std::optional<modes::OrderedLevel> driver_level(Reception& r) {
@@ -143,11 +165,7 @@ void receive_driver(Reception& r) {
     r.out.entered.add(Entered::train_running_number);
   }
   receive_train_data(r);
-  if (driver.rbc_contact && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact)) {
-    s.radio.contact = radio::Rbc{driver.rbc_contact->NID_C, driver.rbc_contact->NID_RBC, driver.rbc_contact->NID_RADIO};
-    s.contact_status = DataStatus::valid;
-    r.out.entered.add(Entered::rbc_contact);
-  }
+  choose_contact(r);
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;
     ++s.revision;

@@ -67,6 +67,31 @@ TEST_F(Driver, EntersTheTrainRunningNumber) {  // 5.4.4
   EXPECT_TRUE(received.entered.has(Entered::train_running_number));
 }
 
+TEST_F(Driver, EntersTheContactWithItsLevel) {  // 3.18.4.3.2
+  in.train.desk_open = true;
+  in.driver.rbc_contact = DriverActions::RbcContact{5, 77, 0x1234};
+  in.driver.level = Level::L1;
+  act();
+  EXPECT_FALSE(state.radio.contact.has_value());
+  in.driver.level = Level::L3;
+  act();
+  EXPECT_TRUE(state.radio.contact.has_value());
+}
+
+TEST_F(Driver, RevalidatesTheLastRBC) {  // 5.4.4
+  in.train.desk_open = true;
+  state.level.level = Level::L2;
+  in.driver.selected = 1u << static_cast<unsigned>(Select::last_rbc);
+  act();
+  EXPECT_FALSE(received.entered.has(Entered::rbc_contact)) << "none is stored";
+  EXPECT_EQ(state.contact_status, DataStatus::unknown);
+  state.radio.contact = radio::Rbc{5, 77, 0x1234};
+  state.contact_status = DataStatus::invalid;
+  act();
+  EXPECT_TRUE(received.entered.has(Entered::rbc_contact));
+  EXPECT_EQ(state.contact_status, DataStatus::valid);
+}
+
 TEST_F(Driver, EntersTheContactOfTheRBC) {  // 5.4.4
   in.driver.rbc_contact = DriverActions::RbcContact{5, 77, 0x1234};
   disable();
@@ -75,6 +100,9 @@ TEST_F(Driver, EntersTheContactOfTheRBC) {  // 5.4.4
   EXPECT_FALSE(received.entered.has(Entered::rbc_contact));
   EXPECT_EQ(state.contact_status, DataStatus::unknown);
   in.train.desk_open = true;
+  act();
+  EXPECT_FALSE(state.radio.contact.has_value()) << "level 0 (3.18.4.3.2)";
+  state.level.level = Level::L2;
   act();
   EXPECT_EQ(state.contact_status, DataStatus::valid);
   ASSERT_TRUE(state.radio.contact.has_value());

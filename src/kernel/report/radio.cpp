@@ -125,6 +125,13 @@ void leave_rbc(State& s, bool exit_reported, bool termination_ordered, procedure
   if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.supervising.session, s.now, outbox);
 }
 
+/// 3.18.4.3.4, 5.4.3.3: with the session established its RBC is the stored contact, and valid.
+void note_contact(State& s) {
+  const radio::Partner& p = s.radio.supervising;
+  if (p.established_now && s.radio.contact && s.radio.contact->same_id(p.session.rbc))
+    s.contact_status = DataStatus::valid;
+}
+
 std::uint8_t request_reasons(const State& s, const Received& received, const Decided& decided,
                              bool before_perturbation) {
   std::uint8_t reasons = 0;
@@ -163,6 +170,8 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   if (const auto peer = radio::peer_of(s.radio, named_rbc(inputs.radio_link_with, of_infill_unit), of_infill_unit)) {
     in.link = inputs.radio_link;
     in.link_of = *peer;
+    const auto answered = named_rbc(inputs.radio_link_with);
+    if (answered && in.link == RadioLink::connected) radio::identify(s.radio.partner(*peer).session, *answered);
   }
   in.in_radio_hole = track::in_radio_hole(s.track);
   in.level_2_or_3 = level_2_or_3(s.level.level);
@@ -189,6 +198,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.running_number_from = named_rbc(s.data.train_running_number_from);
   in.reasons = request_reasons(s, received, decided, request_before_perturbation);
   in.NID_LTRBG = received.NID_LTRBG;
+  note_contact(s);
   const radio::Result r = radio::supervise(s.radio, in, outbox);
   s.contact_trip = r.trip;
   complete_handover(s, r, log);

@@ -15,9 +15,15 @@ void establish(State& s, radio::Cause cause, radio::Outbox& outbox) {
   (void)radio::order(s.radio, order, false, false, s.now, outbox);
 }
 
-void follow_procedures(State& s, const procedures::Effects& effects, radio::Outbox& outbox) {
+/// The RBC that the driver chose, or the stored one.
+void call(State& s, const Received& received, radio::Cause cause, radio::Outbox& outbox) {
+  if (received.selected.has(Select::short_number)) return radio::call_short_number(s.radio, cause, s.now, outbox);
+  establish(s, cause, outbox);
+}
+
+void follow_procedures(State& s, const Received& received, const procedures::Effects& effects, radio::Outbox& outbox) {
   using procedures::Send;
-  if (effects.send.has(Send::open_session)) establish(s, radio::Cause::start_of_mission, outbox);
+  if (effects.send.has(Send::open_session)) call(s, received, radio::Cause::start_of_mission, outbox);
   if (!effects.send.has(Send::terminate_session)) return;
   if (s.end_of_mission.mission)
     radio::terminate(s.radio.supervising.session, s.now, outbox);
@@ -51,9 +57,10 @@ void open_for_driver(State& s, const Received& received, procedures::Effects& ef
   const bool changed_level = received.level_switched_to && received.level_changed_by_driver;
   if (changed_level) s.asks_for_contact = !s.radio.supervising.session.established();
   const bool entered = received.entered.has(Entered::rbc_contact);
-  if (entered || (s.asks_for_contact && valid(s.contact_status))) {
+  const bool chosen = entered || received.selected.has(Select::short_number);
+  if (chosen || (s.asks_for_contact && valid(s.contact_status))) {
     s.asks_for_contact = false;
-    establish(s, radio::Cause::driver_level, outbox);
+    call(s, received, radio::Cause::driver_level, outbox);
   }
   effects.entries.add(Entry::rbc_contact, s.asks_for_contact && s.mode != Mode::TR);
 }
@@ -67,7 +74,7 @@ bool reports_mode(const State& s, const Decided& decided) {
 
 void order_sessions(State& s, const Received& received, const Decided& decided, procedures::Effects& effects,
                     radio::Outbox& outbox) {
-  follow_procedures(s, effects, outbox);
+  follow_procedures(s, received, effects, outbox);
   stop_set_up(s, received, decided, outbox);
   open_for_mode(s, decided, outbox);
   open_for_driver(s, received, effects, outbox);
