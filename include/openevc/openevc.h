@@ -115,8 +115,10 @@ typedef enum openevc_select {
   OPENEVC_TRACK_AHEAD_FREE = 10,
   OPENEVC_MAIN = 11, /* a button of the main window: ends some status texts */
   OPENEVC_INTEGRITY_CONFIRMED = 12,
-  OPENEVC_LAST_RBC = 13,    /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
-  OPENEVC_SHORT_NUMBER = 14 /* the short number stored on board is to be called (3.5.3.11) */
+  OPENEVC_LAST_RBC = 13,     /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
+  OPENEVC_SHORT_NUMBER = 14, /* the short number stored on board is to be called (3.5.3.11) */
+  OPENEVC_VBC_SET = 15,      /* a virtual balise cover is to be entered and set, or */
+  OPENEVC_VBC_REMOVE = 16    /* removed (3.15.9.2) */
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
@@ -142,8 +144,9 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_RBC_CONTACT = 2,
   OPENEVC_ENTRY_TRAIN_DATA = 3,
   OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER = 4,
-  OPENEVC_ENTRY_SR_SPEED = 5,   /* entered only, not asked for */
-  OPENEVC_ENTRY_SR_DISTANCE = 6 /* the same */
+  OPENEVC_ENTRY_SR_SPEED = 5,    /* entered only, not asked for */
+  OPENEVC_ENTRY_SR_DISTANCE = 6, /* the same */
+  OPENEVC_ENTRY_VBC = 7          /* the same */
 } openevc_entry;
 
 /* What an external source says of the completeness of the train. */
@@ -316,7 +319,9 @@ typedef struct openevc_inputs {
   const openevc_rbc* radio_from;
   openevc_rbc link_with; /* the RBC of `link`; none given: the RBC that was called last */
   int32_t moved;         /* openevc_movement; counts in the cycle in which No Power is left */
-  uint32_t reserved_4;
+  /* A virtual balise cover (3.15.9): its country, marker (0 to 63) and validity period in days. */
+  uint16_t VBC_NID_C;
+  uint8_t VBC_NID_VBCMK, VBC_T_VBC;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;

@@ -138,6 +138,11 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
     contact.NID_RBC = in.NID_RBC;
     contact.NID_RADIO = in.NID_RADIO;
   }
+  if (entered(in, OPENEVC_ENTRY_VBC)) {
+    if (in.VBC_NID_C > 1023) return "inputs.VBC_NID_C: above 1023";
+    if (in.VBC_NID_VBCMK > 63) return "inputs.VBC_NID_VBCMK: above 63";
+    driver.cover = kernel::DriverActions::Cover{in.VBC_NID_C, in.VBC_NID_VBCMK, in.VBC_T_VBC};
+  }
   if (entered(in, OPENEVC_ENTRY_SR_SPEED)) driver.V_sr = Speed{in.V_sr};
   if (entered(in, OPENEVC_ENTRY_SR_DISTANCE)) driver.D_sr = Distance{in.D_sr};
   if (entered(in, OPENEVC_ENTRY_TRAIN_DATA) && in.train_data == nullptr) return "inputs.train_data: null";

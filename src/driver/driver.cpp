@@ -121,7 +121,7 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::adhesion, c.driver_may_change_adhesion && (!in_standby || c.standstill));
   out.add(Input::sr_speed_distance, c.standstill);
   out.add(Input::exit_shunting, c.standstill);
-  out.add(Input::vbc, c.standstill);
+  out.add(Input::vbc, c.standstill && c.offers.has(Offer::vbc));  // 3.15.9.2
   out.add(Input::integrity_confirmation, entry && c.train_data_valid && level);
   out.add(Input::track_ahead_free, c.track_ahead_free_asked);
   return out;

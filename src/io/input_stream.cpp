@@ -160,8 +160,19 @@ std::uint32_t packed_digits(const JsonPlace& place) {
   return packed;
 }
 
+/// A virtual balise cover; one to be removed needs no period.
+kernel::DriverActions::Cover read_vbc(const JsonPlace& place) {
+  place.know_only({"NID_C", "NID_VBCMK", "T_VBC"});
+  kernel::DriverActions::Cover cover;
+  cover.NID_C = static_cast<std::uint16_t>(place["NID_C"].integer(0, 1023));
+  cover.NID_VBCMK = static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63));
+  if (const auto p = place.find("T_VBC")) cover.T_VBC = static_cast<std::uint8_t>(p->integer(0, 255));
+  return cover;
+}
+
 void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
-  place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m"});
+  place.know_only(
+      {"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m", "vbc"});
   auto& driver = cycle.levels.driver;
   if (const auto p = place.find("driver_id")) driver.driver_id = packed_digits(*p);
   if (const auto p = place.find("level")) driver.level = p->term<kLevelRows>();
@@ -171,6 +182,7 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
     const kernel::RbcAddress rbc = read_address(*p);
     driver.rbc_contact = kernel::DriverActions::RbcContact{rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO};
   }
+  if (const auto p = place.find("vbc")) driver.cover = read_vbc(*p);
   if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
   if (const auto p = place.find("train_data")) {

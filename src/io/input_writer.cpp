@@ -165,6 +165,15 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
     append_hex(fields, bytes);
     fields += "\"}";
   }
+  if (d.cover) {
+    fields += ",\"vbc\":{\"NID_C\":";
+    append_number(fields, static_cast<std::int64_t>(d.cover->NID_C));
+    fields += ",\"NID_VBCMK\":";
+    append_number(fields, static_cast<std::int64_t>(d.cover->NID_VBCMK));
+    fields += ",\"T_VBC\":";
+    append_number(fields, static_cast<std::int64_t>(d.cover->T_VBC));
+    fields += '}';
+  }
   if (d.V_sr) {
     fields += ",\"V_sr_kmh\":";
     append_number(fields, d.V_sr->si * 3.6);

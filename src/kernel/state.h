@@ -227,6 +227,7 @@ struct State {
   bool safety_fault_memorised = false;  // it occurred in SL or NL, and these have to be left (4.4.6.1.6, 4.4.15.1.5)
   bool start_in_SR = false;             // selected by the driver: an MA is requested (4.4.11.1.6)
   bool slippery_rail = false;           // selected by the driver
+  bool removes_cover = false;           // selected by the driver: the next one entered is removed
   bool ma_with_trip_order = false;
 
   protection::EmergencyStops emergency_stops;

@@ -528,9 +528,9 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
     Set<Ack> requests;
   };
   const Set<Offer> all = {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
-                          Offer::driver_id, Offer::train_running_number, Offer::level};
+                          Offer::driver_id, Offer::train_running_number, Offer::level,      Offer::vbc};
   const Row rows[] = {
-      {SoM::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number}, {}},
+      {SoM::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number, Offer::vbc}, {}},
       {SoM::S2, Level::L1, {Entry::level}, {}, {}},
       {SoM::S3, Level::L2, {Entry::rbc_contact}, {}, {}},
       {SoM::S10, Level::L1, {Entry::train_data}, all, {}},

@@ -175,7 +175,7 @@ void ask(const State& state, const Inputs& in, Effects& out) {
   switch (state.step) {
     case Step::S1:
       out.entries.add(Entry::driver_id);
-      out.offers.add(Offer::train_running_number);
+      out.offers |= {Offer::train_running_number, Offer::vbc};
       break;
     case Step::S2:
       out.entries.add(Entry::level);
@@ -186,7 +186,7 @@ void ask(const State& state, const Inputs& in, Effects& out) {
     case Step::S10:
     case Step::S20:
       out.offers |= {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
-                     Offer::driver_id, Offer::train_running_number, Offer::level};
+                     Offer::driver_id, Offer::train_running_number, Offer::level,      Offer::vbc};
       out.offers.add(Offer::start, valid(in.train_data) && valid(in.train_running_number));
       // The standard does not require this request, but without train data only shunting and non leading are possible.
       out.entries.add(Entry::train_data, !valid(in.train_data));

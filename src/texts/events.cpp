@@ -101,6 +101,8 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::SR_data_out_of_range, "SR speed and distance", Takes::nothing, "refused: out of range"},
     {What::train_data_changed_by_source, "train data", Takes::nothing, "changed by an external source"},
     {What::train_data_to_be_validated, "train data", Takes::nothing, "to be validated"},
+    {What::cover_set, "virtual balise cover", Takes::id, "set by driver"},
+    {What::cover_removed, "virtual balise cover", Takes::id, "removed by driver"},
 
     {What::cab_changed, "cab", Takes::nothing, "changed"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
@@ -116,11 +118,26 @@ static_assert(
     "one row for each, in order");
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectWords{
-    "start",           "override",      "shunting",    "exit of shunting", "non leading",      "maintain shunting",
-    "train data",      "slippery rail", "adhesion",    "isolation",        "track ahead free", "main window",
-    "train integrity", "last RBC",      "short number"};
+    "start",
+    "override",
+    "shunting",
+    "exit of shunting",
+    "non leading",
+    "maintain shunting",
+    "train data",
+    "slippery rail",
+    "adhesion",
+    "isolation",
+    "track ahead free",
+    "main window",
+    "train integrity",
+    "last RBC",
+    "short number",
+    "virtual balise cover set",
+    "virtual balise cover removed"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
-    "driver identity", "train running number", "train data", "RBC contact", "level", "SR speed and distance"};
+    "driver identity", "train running number",  "train data",          "RBC contact",
+    "level",           "SR speed and distance", "virtual balise cover"};
 
 void add_change(ShortText& line, const char* from, const char* to) {
   line.add(" ");

@@ -99,7 +99,9 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
                                                                                               "main",
                                                                                               "integrity_confirmed",
                                                                                               "last_rbc",
-                                                                                              "short_number"};
+                                                                                              "short_number",
+                                                                                              "vbc_set",
+                                                                                              "vbc_remove"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, 2> kCabNames{"A", "B"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
@@ -129,6 +131,8 @@ InputKeys keys_of(DriverInput input) {
       return {"isolate"};
     case rbc_contact:
       return {"rbc", "last_rbc", "short_number"};
+    case vbc:
+      return {"vbc", "vbc_set", "vbc_remove"};
     case sr_speed_distance:
       return {"V_sr_kmh", "D_sr_m"};
     case integrity_confirmation:

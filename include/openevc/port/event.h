@@ -17,6 +17,7 @@ enum class Entered : std::uint8_t {
   rbc_contact,
   level,
   SR_speed_distance,
+  cover,
   count
 };
 

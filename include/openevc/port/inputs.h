@@ -62,6 +62,8 @@ enum class Select : std::uint8_t {
   integrity_confirmed,  // the driver confirms that the train is complete (3.6.5.2)
   last_rbc,             // the stored contact is to be used (5.4.3.2 S3)
   short_number,         // the short number stored on board is to be called (3.5.3.11)
+  vbc_set,              // a virtual balise cover is to be entered and set, or
+  vbc_remove,           // removed (3.15.9.2)
   count
 };
 struct DriverActions {
@@ -81,6 +83,13 @@ struct DriverActions {
     std::uint64_t NID_RADIO;
   };
   std::optional<RbcContact> rbc_contact;
+  /// A virtual balise cover to be set, after Select::vbc_remove to be removed (3.15.9).
+  struct Cover {
+    std::uint16_t NID_C = 0;
+    std::uint8_t NID_VBCMK = 0;  ///< 0 to 63
+    std::uint8_t T_VBC = 0;      ///< validity period in days; a removal does not need it
+  };
+  std::optional<Cover> cover;
   std::optional<Speed> V_sr;  // SR speed and distance (4.4.11)
   std::optional<Distance> D_sr;
 };

@@ -45,6 +45,7 @@ enum class Offer : std::uint8_t {
   driver_id,
   train_running_number,
   level,
+  vbc,
   count
 };
 

@@ -99,6 +99,8 @@ enum class What : std::uint8_t {
   SR_data_out_of_range,
   train_data_changed_by_source,  ///< by another source than the driver
   train_data_to_be_validated,
+  cover_set,  ///< `id` of these is the NID_VBCMK of a virtual balise cover
+  cover_removed,
 
   cab_changed,                ///< the other cab is active: position and orientation are mirrored
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second

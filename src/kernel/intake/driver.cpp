@@ -29,7 +29,7 @@ Set<Select> enabled_selections(Reception& r) {
     Select select;
     driver::Input input;
   };
-  constexpr std::array<Row, 12> rows{{
+  constexpr std::array<Row, 14> rows{{
       {Select::start, driver::Input::start},
       {Select::override_, driver::Input::override_},
       {Select::shunting, driver::Input::shunting},
@@ -42,6 +42,8 @@ Set<Select> enabled_selections(Reception& r) {
       {Select::integrity_confirmed, driver::Input::integrity_confirmation},
       {Select::last_rbc, driver::Input::rbc_contact},
       {Select::short_number, driver::Input::rbc_contact},
+      {Select::vbc_set, driver::Input::vbc},
+      {Select::vbc_remove, driver::Input::vbc},
   }};
   Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
   for (const Row& row : rows)
@@ -130,6 +132,26 @@ void choose_contact(Reception& r) {
   r.out.entered.add(Entered::rbc_contact);
 }
 
+/// 3.15.9.2, 3.15.9.5 c: the driver sets a virtual balise cover or removes one.
+void enter_cover(Reception& r) {
+  State& s = r.state;
+  if (r.out.selected.has(Select::vbc_set)) s.removes_cover = false;
+  if (r.out.selected.has(Select::vbc_remove)) s.removes_cover = true;
+  const auto& cover = r.in.driver.cover;
+  if (!cover || !may_enter(r, driver::Input::vbc, Entered::cover)) return;
+  const bool removes = s.removes_cover;
+  s.removes_cover = false;
+  if (removes) {
+    balise::remove_cover(s.balise, cover->NID_VBCMK, cover->NID_C);
+    return r.log.note({.what = What::cover_removed, .id = cover->NID_VBCMK, .clause = "3.15.9.5"_srs});
+  }
+  // From now on (3.15.9.6), in days (7.5.1.155.1).
+  const Duration until = s.now + Duration{86400.0 * cover->T_VBC};
+  if (!balise::set_cover(s.balise, {cover->NID_VBCMK, cover->NID_C, until}))
+    return r.log.note({.what = What::cover_capacity});
+  r.log.note({.what = What::cover_set, .id = cover->NID_VBCMK, .clause = "3.15.9.2"_srs});
+}
+
 }  // namespace
 
 std::optional<modes::OrderedLevel> driver_level(Reception& r) {
@@ -166,6 +188,7 @@ void receive_driver(Reception& r) {
   }
   receive_train_data(r);
   choose_contact(r);
+  enter_cover(r);
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;
     ++s.revision;
