@@ -14,7 +14,8 @@ PORT = "include/openevc/port/"
 HEADER = "include/openevc/openevc.h"
 # The struct of the kernel, that of C, and the source that takes one to the other.
 PORTS = [("Inputs", PORT + "inputs.h", "openevc_inputs", "src/capi/inputs.cpp"),
-         ("Outputs", PORT + "outputs.h", "openevc_outputs", "src/capi/outputs.cpp")]
+         ("Outputs", PORT + "outputs.h", "openevc_outputs", "src/capi/outputs.cpp"),
+         ("Planning", PORT + "planning.h", "openevc_planning", "src/capi/outputs.cpp")]
 # Structs that have another place in C than one member for each field.
 WHOLE = {"Event": "openevc_event.text is its line (texts::line_of)"}
 UNUSED = {"size", "reserved", "reserved_2", "reserved_3", "reserved_4"}  # members of C alone

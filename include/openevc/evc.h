@@ -50,6 +50,10 @@ Retained retained(const Unit& unit) noexcept;
 /// lead to SF (4.4.5).
 void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept;
 
+/// The advance display (3.15.10) after the last step, computed now. False where there is none: in another mode than FS
+/// and OS, without an authority, and between `restore` and the next step.
+[[nodiscard]] bool plan(const Unit& unit, Planning& planning) noexcept;
+
 /// A snapshot is the whole state of the unit, preceded by a header that identifies the format and the build; in the
 /// byte order of this machine, to be stored or passed to another process.
 std::size_t snapshot_size() noexcept;

@@ -489,6 +489,60 @@ typedef struct openevc_outputs {
 OPENEVC_API openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, openevc_outputs* outputs,
                                         char* why, size_t why_size) OPENEVC_NOEXCEPT;
 
+/* What a step of the most restrictive speed profile comes from (3.13.7): bit 1u << openevc_mrsp_source. */
+typedef enum openevc_mrsp_source {
+  OPENEVC_MRSP_SSP = 0,
+  OPENEVC_MRSP_ASP = 1,
+  OPENEVC_MRSP_TSR = 2,
+  OPENEVC_MRSP_PBD = 3,
+  OPENEVC_MRSP_LX = 4,
+  OPENEVC_MRSP_SIGNALLING = 5,
+  OPENEVC_MRSP_TRAIN = 6,
+  OPENEVC_MRSP_MODE = 7,
+  OPENEVC_MRSP_OVERRIDE = 8
+} openevc_mrsp_source;
+
+#define OPENEVC_PLANNED_SPEEDS 128
+#define OPENEVC_PLANNED_GRADIENTS 96
+#define OPENEVC_PLANNED_CONDITIONS 97
+
+typedef struct openevc_planned_speed {
+  double at; /* of the first one 0: it is in force */
+  double V;
+  uint32_t sources; /* bits of openevc_mrsp_source */
+  uint32_t reserved;
+} openevc_planned_speed;
+
+typedef struct openevc_planned_gradient {
+  double from, to;
+  int32_t permille; /* positive uphill */
+  uint32_t reserved;
+} openevc_planned_gradient;
+
+typedef struct openevc_planned_condition {
+  char symbol[8]; /* as in `symbols`: "PL02" */
+  int32_t kind;   /* openevc_condition_kind; -1: change of traction system */
+  uint32_t reserved;
+  double at;
+} openevc_planned_condition;
+
+/* The advance display of route related information (3.15.10): distances from the front end, the min safe, the estimated
+ * or the max safe one, as each is supervised. The first Indication location is d_indication of openevc_outputs. */
+typedef struct openevc_planning {
+  uint32_t size;
+  uint32_t given; /* 0: none, in another mode than FS and OS or without an authority */
+  uint32_t speeds_count, gradients_count, conditions_count;
+  uint32_t reserved;
+  double EOA, LOA, V_LOA; /* not a number: none, or beyond a speed of zero */
+  openevc_planned_speed speeds[OPENEVC_PLANNED_SPEEDS];
+  openevc_planned_gradient gradients[OPENEVC_PLANNED_GRADIENTS];
+  openevc_planned_condition conditions[OPENEVC_PLANNED_CONDITIONS];
+} openevc_planning;
+
+/* The advance display after the last step, computed now; `planning->size` is set by the caller. After openevc_restore
+ * there is none until the next step. */
+OPENEVC_API openevc_result openevc_plan(openevc_unit* unit, openevc_planning* planning) OPENEVC_NOEXCEPT;
+
 /* "overspeed: SBI"; null if there is no cause with this number. */
 OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
 

@@ -89,6 +89,7 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_option("--every", options->every, "print only every Nth cycle")->check(number_between(1, 1000000000));
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
+  command->add_flag("--planning", options->planning, "print the advance display: gradient, speeds, orders ahead");
   auto compared = std::make_shared<std::vector<std::string>>();
   command->add_option("--diff", *compared, "compare two streams of outputs: the first line that differs, by fields")
       ->expected(2)

@@ -146,6 +146,17 @@ static_assert(same(OPENEVC_SWITCH_OFF_EDDY_CURRENT_EMERGENCY_BRAKE,
                    TrackConditionKind::switch_off_eddy_current_emergency_brake));
 static_assert(kTrackConditionRows.size() == 11 && terms::value_is_code(kTrackConditionRows));
 
+static_assert(same(OPENEVC_MRSP_SSP, MrspSource::SSP));
+static_assert(same(OPENEVC_MRSP_ASP, MrspSource::ASP));
+static_assert(same(OPENEVC_MRSP_TSR, MrspSource::TSR));
+static_assert(same(OPENEVC_MRSP_PBD, MrspSource::PBD));
+static_assert(same(OPENEVC_MRSP_LX, MrspSource::LX));
+static_assert(same(OPENEVC_MRSP_SIGNALLING, MrspSource::signalling));
+static_assert(same(OPENEVC_MRSP_TRAIN, MrspSource::train));
+static_assert(same(OPENEVC_MRSP_MODE, MrspSource::mode));
+static_assert(same(OPENEVC_MRSP_OVERRIDE, MrspSource::override_));
+static_assert(int(MrspSource::count) == 9);
+
 static_assert(same(OPENEVC_CONDITION_AHEAD, ConditionPhase::ahead));
 static_assert(same(OPENEVC_CONDITION_ANNOUNCED, ConditionPhase::announced));
 static_assert(same(OPENEVC_CONDITION_ACTIVE, ConditionPhase::active));

@@ -25,6 +25,9 @@ static_assert(kRoom<decltype(kernel::Outputs::status_texts)> == OPENEVC_STATUS_T
 static_assert(kRoom<decltype(kernel::Outputs::track_conditions)> == OPENEVC_CONDITIONS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_areas)> == OPENEVC_AREAS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_platforms)> == OPENEVC_PLATFORMS);
+static_assert(kRoom<decltype(kernel::Planning::speeds)> == OPENEVC_PLANNED_SPEEDS);
+static_assert(kRoom<decltype(kernel::Planning::gradients)> == OPENEVC_PLANNED_GRADIENTS);
+static_assert(kRoom<decltype(kernel::Planning::conditions)> == OPENEVC_PLANNED_CONDITIONS);
 static_assert(sizeof openevc_text{}.characters == sizeof kernel::ShownText{}.characters);
 static_assert(sizeof openevc_event{}.text > texts::ShortText::kMost);
 static_assert(terms::index(StatusText::count) <= 64 && kLevels <= 8, "they are bits of a member");
@@ -203,6 +206,32 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   give_texts(to, o);
   give_radio(to, o);
   give_conditions(to, o);
+}
+
+void give_planning(openevc_planning& to, const kernel::Planning& p) noexcept {
+  to = {};
+  to.given = 1;
+  to.EOA = of(p.EOA);
+  to.LOA = of(p.LOA);
+  to.V_LOA = p.LOA ? p.V_LOA.si : kNone;
+  for (const kernel::PlannedSpeed& speed : p.speeds) {
+    openevc_planned_speed& s = to.speeds[to.speeds_count++];
+    s.at = speed.at.si;
+    s.V = speed.V.si;
+    s.sources = bits_32(speed.sources);
+  }
+  for (const kernel::PlannedGradient& gradient : p.gradients) {
+    openevc_planned_gradient& g = to.gradients[to.gradients_count++];
+    g.from = gradient.from.si;
+    g.to = gradient.to.si;
+    g.permille = gradient.permille;
+  }
+  for (const kernel::PlannedCondition& condition : p.conditions) {
+    openevc_planned_condition& c = to.conditions[to.conditions_count++];
+    put(c.symbol, name(condition.symbol));
+    c.kind = condition.kind ? static_cast<std::int32_t>(*condition.kind) : -1;
+    c.at = condition.at.si;
+  }
 }
 
 }  // namespace evc::capi

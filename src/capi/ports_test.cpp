@@ -254,6 +254,36 @@ TEST(COutputs, OrdersForTheTrain) {
   EXPECT_EQ(given(*o)->traction.given, 0);
 }
 
+TEST(COutputs, Planning) {
+  const auto p = std::make_unique<kernel::Planning>();
+  ASSERT_TRUE(p->speeds.push_back({Distance{10.0}, {20.0}, {MrspSource::SSP, MrspSource::mode}}));
+  ASSERT_TRUE(p->gradients.push_back({Distance{1.0}, {2.0}, -6}));
+  ASSERT_TRUE(p->conditions.push_back({Symbol::PL24, TrackConditionKind::sound_horn, {30.0}}));
+  ASSERT_TRUE(p->conditions.push_back({Symbol::PL28, std::nullopt, {40.0}}));
+  p->EOA = Distance{50.0};
+  const auto out = std::make_unique<openevc_planning>();
+  give_planning(*out, *p);
+  EXPECT_EQ(out->given, 1u);
+  ASSERT_TRUE(out->speeds_count == 1 && out->gradients_count == 1 && out->conditions_count == 2);
+  EXPECT_TRUE(out->speeds[0].at == 10.0 && out->speeds[0].V == 20.0);
+  EXPECT_EQ(out->speeds[0].sources, 1u << OPENEVC_MRSP_SSP | 1u << OPENEVC_MRSP_MODE);
+  EXPECT_TRUE(out->gradients[0].from == 1.0 && out->gradients[0].to == 2.0 && out->gradients[0].permille == -6);
+  EXPECT_STREQ(out->conditions[0].symbol, "PL24");
+  EXPECT_TRUE(out->conditions[0].kind == OPENEVC_SOUND_HORN && out->conditions[0].at == 30.0);
+  EXPECT_EQ(out->conditions[1].kind, -1);
+  EXPECT_TRUE(out->EOA == 50.0 && std::isnan(out->LOA) && std::isnan(out->V_LOA));
+  p->EOA.reset();
+  p->LOA = Distance{60.0};
+  p->V_LOA = {5.0};
+  give_planning(*out, *p);
+  EXPECT_TRUE(std::isnan(out->EOA) && out->LOA == 60.0 && out->V_LOA == 5.0);
+  while (p->speeds.grow() != nullptr) p->speeds.back() = {};
+  while (p->gradients.grow() != nullptr) p->gradients.back() = {};
+  while (p->conditions.grow() != nullptr) p->conditions.back() = {};
+  give_planning(*out, *p);
+  EXPECT_TRUE(out->speeds_count == 128 && out->gradients_count == 96 && out->conditions_count == 97);
+}
+
 /// Every list is full: nothing is left out, and nothing is written beyond it.
 TEST(COutputs, FullLists) {
   const auto o = std::make_unique<kernel::Outputs>();

@@ -16,6 +16,8 @@ struct openevc_unit {
   kernel::Unit unit;
   kernel::Outputs outputs;
   openevc_outputs given{};
+  kernel::Planning planning;
+  openevc_planning planned{};
 };
 static_assert(std::is_trivially_copyable_v<openevc_unit>);
 static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
@@ -79,6 +81,14 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
   kernel::step(unit->unit, cycle.inputs, unit->outputs);
   evc::capi::give_outputs(unit->given, unit->outputs);
   evc::capi::give(outputs, unit->given);
+  return OPENEVC_OK;
+}
+
+openevc_result openevc_plan(openevc_unit* unit, openevc_planning* planning) noexcept {
+  if (!usable(unit) || planning == nullptr || planning->size < sizeof planning->size) return OPENEVC_BAD_ARGUMENT;
+  unit->planned = {};
+  if (kernel::plan(unit->unit, unit->planning)) evc::capi::give_planning(unit->planned, unit->planning);
+  evc::capi::give(planning, unit->planned);
   return OPENEVC_OK;
 }
 

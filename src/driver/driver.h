@@ -82,6 +82,10 @@ Symbol announcement_symbol(Level level, bool acknowledgement);
 std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase);
 /// The symbol of a change of traction system to M_VOLTAGE (7.5.1.78), none for a spare code.
 std::optional<Symbol> symbol_of_traction(std::uint8_t M_VOLTAGE, ConditionPhase phase);
+/// The symbols of the advance display (3.15.10): of the start of a condition, of its end; none for those without one.
+std::optional<Symbol> planning_symbol(TrackConditionKind kind, bool end);
+/// The same of a change of traction system.
+std::optional<Symbol> planning_symbol_of_traction(std::uint8_t M_VOLTAGE);
 /// The row of 4.7.2 in which the condition is.
 constexpr Output output_of(TrackConditionKind kind) {
   return horn_or_stopping(kind) ? Output::track_cond_horn_stopping : Output::track_cond_general;

@@ -280,6 +280,32 @@ TEST(Driver, Track_conditions_have_the_symbols_of_015560) {
             (Symbols{"TC24", "TC23", "TC26", "TC25", "TC28", "TC27", "TC30", "TC29", "TC32", "TC31", "TC34", "TC33"}));
 }
 
+/// 015560 8.3.4, where the driver has to act.
+TEST(Driver, Symbols_of_the_advance_display) {
+  using enum TrackConditionKind;
+  const auto named = [](TrackConditionKind kind) {
+    Symbols names;
+    for (const bool end : {false, true})
+      if (const auto s = planning_symbol(kind, end)) names.push_back(name(*s));
+    return names;
+  };
+  EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"PL02", "PL04"}));
+  EXPECT_EQ(named(powerless_main_switch_off), (Symbols{"PL06", "PL08"}));
+  EXPECT_EQ(named(non_stopping_area), (Symbols{"PL09"}));
+  EXPECT_EQ(named(radio_hole), (Symbols{"PL10"}));
+  EXPECT_EQ(named(switch_off_magnetic_shoe_brake), (Symbols{"PL12"}));
+  EXPECT_EQ(named(switch_off_eddy_current_service_brake), (Symbols{"PL14"}));
+  EXPECT_EQ(named(switch_off_eddy_current_emergency_brake), (Symbols{"PL14"}));
+  EXPECT_EQ(named(switch_off_regenerative_brake), (Symbols{"PL16"}));
+  EXPECT_EQ(named(air_tightness), (Symbols{"PL19", "PL20"}));
+  EXPECT_EQ(named(sound_horn), (Symbols{"PL24"}));
+  EXPECT_EQ(named(tunnel_stopping_area), Symbols{});
+  Symbols traction;
+  for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
+    if (const auto s = planning_symbol_of_traction(M_VOLTAGE)) traction.push_back(name(*s));
+  EXPECT_EQ(traction, (Symbols{"PL26", "PL28", "PL30", "PL32", "PL34", "PL36"}));
+}
+
 TEST(Driver, Trip_reasons) {
   for (const int n : {12, 16, 17, 18, 20, 35, 36, 38, 39, 41, 42, 43, 49, 52, 54, 65, 66, 67, 69})
     EXPECT_TRUE(trip_reason(n).has_value()) << n;

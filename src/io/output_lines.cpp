@@ -367,11 +367,15 @@ void append_null(std::string& out, const char* name, bool first = false) {
   out += "\":null";
 }
 
+const char* kind_name(std::optional<TrackConditionKind> kind) {
+  return kind ? terms::kNames<kTrackConditionRows>[terms::index(*kind)] : "change of traction system";
+}
+
 void append_condition(std::string& out, const kernel::ShownCondition& c) {
   out += "{\"symbol\":\"";
   out += name(c.symbol);
   out += "\",\"kind\":\"";
-  out += c.kind ? terms::kNames<kTrackConditionRows>[terms::index(*c.kind)] : "change of traction system";
+  out += kind_name(c.kind);
   out += '"';
   append_member(out, "from_m", c.from.from_origin.si);
   append_member(out, "to_m", c.to.from_origin.si);
@@ -452,8 +456,60 @@ void append_train_orders(OutputRow& row, const Outputs& o) {
   row.close();
 }
 
+void append_planned_speed(std::string& out, const kernel::PlannedSpeed& speed) {
+  out += '{';
+  append_member(out, "at_m", speed.at.si, true);
+  append_member(out, "v_kmh", speed.V.si * 3.6);
+  out += ",\"from\":[";
+  std::vector<const char*> sources;
+  append_names(sources, speed.sources, terms::kNames<kMrspSourceRows>);
+  bool first = true;
+  for (const char* source : sources) {
+    if (!first) out += ',';
+    first = false;
+    append_string(out, source);
+  }
+  out += "]}";
+}
+
+void append_planned_condition(std::string& out, const kernel::PlannedCondition& c) {
+  out += "{\"symbol\":\"";
+  out += name(c.symbol);
+  out += "\",\"kind\":\"";
+  out += kind_name(c.kind);
+  out += '"';
+  append_member(out, "at_m", c.at.si);
+  out += '}';
+}
+
+/// The advance display (3.15.10); the first Indication location is an output of every cycle.
+void append_planning(OutputRow& row, const Outputs& o, const kernel::Planning& p) {
+  const auto metres = [&row](const char* name, const std::optional<Distance>& d) {
+    row.key(name);
+    if (d)
+      append_micro(row.out(), d->si);
+    else
+      row.absent();
+  };
+  row.open("planning");
+  row.objects("gradient", p.gradients, [](std::string& out, const kernel::PlannedGradient& g) {
+    out += '{';
+    append_member(out, "from_m", g.from.si, true);
+    append_member(out, "to_m", g.to.si);
+    append_member(out, "permille", g.permille);
+    out += '}';
+  });
+  row.objects("mrsp", p.speeds, append_planned_speed);
+  row.objects("orders", p.conditions, append_planned_condition);
+  metres("indication_m", o.d_indication);
+  metres("EOA_m", p.EOA);
+  metres("LOA_m", p.LOA);
+  row.speed("V_LOA_kmh", p.LOA ? std::optional<Speed>(p.V_LOA) : std::nullopt);
+  row.close();
+}
+
 /// What CSV has no room for.
-void append_second_lists(OutputRow& row, const Outputs& o) {
+void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Planning* planning) {
   std::vector<const char*> levels;
   for (const auto& level : kLevelRows)
     if (o.levels_allowed.has(level.value)) levels.push_back(level.name);
@@ -478,9 +534,13 @@ void append_second_lists(OutputRow& row, const Outputs& o) {
   });
   row.objects("track_conditions", o.track_conditions, append_condition);
   append_train_orders(row, o);
+  if (planning != nullptr)
+    append_planning(row, o, *planning);
+  else
+    row.text("planning", nullptr);
 }
 
-void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o) {
+void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel::Planning* planning) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
   row.text("mode", name(o.mode));
@@ -500,21 +560,21 @@ void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o) {
   append_radio_address(row, "radio_disconnect", o.radio_disconnect);
   row.list("events", o.events, append_event);
   append_second_values(row, o);
-  if (row.json()) append_second_lists(row, o);
+  if (row.json()) append_second_lists(row, o, planning);
 }
 
 }  // namespace
 
 void append_event(std::string& out, const kernel::Event& event) { out += texts::line_of(event).view(); }
 
-void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
+void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs, const kernel::Planning* planning) {
   out += '{';
-  append_row(OutputRow(out, true), t_ms, outputs);
+  append_row(OutputRow(out, true), t_ms, outputs, planning);
   out += "}\n";
 }
 
 void append_trace(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
-  append_row(OutputRow(out, false), t_ms, outputs);
+  append_row(OutputRow(out, false), t_ms, outputs, nullptr);
   out += '\n';
 }
 
@@ -562,6 +622,14 @@ bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
          a.start_offered != b.start_offered ||
          !std::equal(a.symbols.begin(), a.symbols.end(), b.symbols.begin(), b.symbols.end()) ||
          differ_in_second_edition(a, b);
+}
+
+bool differ_beyond_motion(const kernel::Planning* a, const kernel::Planning* b) {
+  if (a == nullptr || b == nullptr) return a != b;
+  return !alike(a->speeds, b->speeds, [](const auto& s) { return std::pair(s.V, s.sources); }) ||
+         !alike(a->gradients, b->gradients, [](const auto& g) { return g.permille; }) ||
+         !alike(a->conditions, b->conditions, [](const auto& c) { return c.symbol; }) ||
+         a->EOA.has_value() != b->EOA.has_value() || a->LOA.has_value() != b->LOA.has_value();
 }
 
 }  // namespace evc::io

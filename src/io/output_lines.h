@@ -8,7 +8,9 @@ namespace evc::io {
 
 /// Appends one line of `evc-state/1`: speeds in km/h, places in metres of the nominal counter, both
 /// rounded to a millionth; the same bytes on every machine.
-void append_output(std::string& out, std::int64_t t_ms, const kernel::Outputs& outputs);
+/// `planning`: the advance display, null where there is none or it is not asked for.
+void append_output(std::string& out, std::int64_t t_ms, const kernel::Outputs& outputs,
+                   const kernel::Planning* planning = nullptr);
 
 /// The same as one row of comma separated values, nested keys joined with a dot; lists are joined
 /// with a semicolon in one quoted field.
@@ -22,5 +24,7 @@ void append_event(std::string& out, const kernel::Event& event);
 /// Whether anything other than position and speed differs (`--changes`): events, messages and
 /// radio orders of the cycle count as differences.
 bool differ_beyond_motion(const kernel::Outputs& a, const kernel::Outputs& b);
+/// The same of advance displays; null: there is none.
+bool differ_beyond_motion(const kernel::Planning* a, const kernel::Planning* b);
 
 }  // namespace evc::io

@@ -438,7 +438,7 @@ TEST(OutputLines, Json) {
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
       "\"eddy_current_emergency_brake_inhibited\":[],\"traction_system\":null,\"allowed_current_a\":null,"
-      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false}}\n");
+      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false},\"planning\":null}\n");
   EXPECT_TRUE(Json::accept(line));
 }
 
@@ -505,7 +505,7 @@ TEST(OutputLines, SecondEdition) {
       "\"traction_system\":{\"to_start_m\":40,\"M_VOLTAGE\":4,\"NID_CTRACTION\":7},"
       "\"allowed_current_a\":{\"to_start_m\":-3,\"current_a\":600},"
       "\"station_platform\":[{\"to_start_m\":10,\"to_end_m\":310,\"M_PLATFORM\":5,\"Q_PLATFORM\":2}],"
-      "\"remote_shunting\":true,\"sound_horn\":true}}\n";
+      "\"remote_shunting\":true,\"sound_horn\":true},\"planning\":null}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
@@ -513,6 +513,61 @@ TEST(OutputLines, SecondEdition) {
   const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1\n";
   ASSERT_GE(row.size(), end.size());
   EXPECT_EQ(row.substr(row.size() - end.size()), end);
+}
+
+/// One element of each list of the advance display.
+kernel::Planning some_planning() {
+  kernel::Planning p;
+  (void)p.gradients.push_back({0_m, 800.5_m, -6});
+  (void)p.speeds.push_back({Distance{}, 140_km_h, {MrspSource::SSP, MrspSource::train}});
+  (void)p.conditions.push_back({Symbol::PL02, TrackConditionKind::powerless_lower_pantograph, 600_m});
+  (void)p.conditions.push_back({Symbol::PL28, std::nullopt, 700_m});
+  p.EOA = 2000_m;
+  return p;
+}
+
+TEST(OutputLines, Planning) {
+  kernel::Outputs o;
+  o.d_indication = 250.5_m;
+  kernel::Planning p = some_planning();
+  const auto of = [&] {
+    std::string line;
+    append_output(line, 0, o, &p);
+    return line.substr(line.find("\"planning\":") + 11);
+  };
+  EXPECT_EQ(of(), R"({"gradient":[{"from_m":0,"to_m":800.5,"permille":-6}],)"
+                  R"("mrsp":[{"at_m":0,"v_kmh":140,"from":["SSP","train"]}],)"
+                  R"("orders":[{"symbol":"PL02","kind":"powerless section, lower pantograph","at_m":600},)"
+                  R"({"symbol":"PL28","kind":"change of traction system","at_m":700}],)"
+                  R"("indication_m":250.5,"EOA_m":2000,"LOA_m":null,"V_LOA_kmh":null}})"
+                  "\n");
+  p = {};
+  p.LOA = 900_m;
+  p.V_LOA = 36_km_h;
+  o.d_indication.reset();
+  EXPECT_EQ(of(),
+            R"({"gradient":[],"mrsp":[],"orders":[],"indication_m":null,"EOA_m":null,"LOA_m":900,"V_LOA_kmh":36}})"
+            "\n");
+}
+
+TEST(OutputLines, ChangesOfThePlanning) {
+  const kernel::Planning before = some_planning();
+  const auto changed = [&before](auto change) {
+    kernel::Planning after = before;
+    change(after);
+    return differ_beyond_motion(&before, &after);
+  };
+  using P = kernel::Planning;
+  EXPECT_FALSE(changed([](P& p) { p.EOA = p.speeds[0].at = p.gradients[0].to = p.conditions[0].at = 1_m; }));
+  EXPECT_TRUE(changed([](P& p) { p.speeds[0].V = 36_km_h; }));
+  EXPECT_TRUE(changed([](P& p) { p.speeds[0].sources.add(MrspSource::TSR); }));
+  EXPECT_TRUE(changed([](P& p) { p.gradients.clear(); }));
+  EXPECT_TRUE(changed([](P& p) { p.gradients[0].permille = 1; }));
+  EXPECT_TRUE(changed([](P& p) { p.conditions[1].symbol = Symbol::PL30; }));
+  EXPECT_TRUE(changed([](P& p) { p.EOA.reset(); }));
+  EXPECT_TRUE(changed([](P& p) { p.LOA = 1_m; }));
+  EXPECT_TRUE(differ_beyond_motion(&before, nullptr));
+  EXPECT_FALSE(differ_beyond_motion(static_cast<const P*>(nullptr), nullptr));
 }
 
 TEST(OutputLines, CsvHasOneFieldPerColumn) {

@@ -1,5 +1,7 @@
 #include "kernel/curves.h"
 
+#include <iterator>
+
 #include "kernel/basis.h"
 #include "kernel/here.h"
 #include "kernel/train_category.h"
@@ -84,20 +86,41 @@ void take_gradient(sdm::GradientProfile& g, const track::Description& d, Place f
   g.default_for_TSR = d.default_gradient;
 }
 
-/// The elements of the MRSP in the current mode (4.5.2).
-track::MrspElements elements_in(Mode mode) {
+/// Whether it counts for the MRSP in the mode (4.5.2).
+bool counts_in(Mode mode, MrspSource source) {
   using modes::Function;
-  return {.ssp = modes::active(Function::mrsp_ssp, mode),
-          .asp = modes::active(Function::mrsp_asp, mode),
-          .tsr = modes::active(Function::mrsp_tsr, mode),
-          .pbd = modes::active(Function::mrsp_pbd, mode),
-          .lx = modes::active(Function::mrsp_lx, mode),
-          .signalling = modes::active(Function::mrsp_signalling, mode)};
+  // In the order of MrspSource.
+  constexpr Function kOf[] = {Function::mrsp_ssp,   Function::mrsp_asp,  Function::mrsp_tsr,
+                              Function::mrsp_pbd,   Function::mrsp_lx,   Function::mrsp_signalling,
+                              Function::mrsp_train, Function::mrsp_mode, Function::mrsp_override};
+  static_assert(std::size(kOf) == terms::index(MrspSource::count));
+  return modes::active(kOf[terms::index(source)], mode);
 }
 
 void add_limit(track::MrspQuery& query, Speed v) {
   // At most three limits; eight fit.
   (void)query.limits.push_back({std::nullopt, std::nullopt, v});
+}
+
+/// Of the sources that count in the mode, those that are `wanted`.
+track::MrspQuery query_of(const State& s, const Derived::Curves& curves, const SupervisionBasis& basis,
+                          Set<MrspSource> wanted) {
+  const auto counts = [&](MrspSource source) { return wanted.has(source) && counts_in(s.mode, source); };
+  track::MrspQuery query;
+  query.from = basis.min_safe_rear;
+  query.train_length = s.train.L_TRAIN;
+  query.category = category_of(s.train);
+  query.elements = {.ssp = counts(MrspSource::SSP),
+                    .asp = counts(MrspSource::ASP),
+                    .tsr = counts(MrspSource::TSR),
+                    .pbd = counts(MrspSource::PBD),
+                    .lx = counts(MrspSource::LX),
+                    .signalling = counts(MrspSource::signalling)};
+  query.pbd_speeds = {curves.pbd_speeds.begin(), curves.pbd_speeds.size()};
+  if (counts(MrspSource::train)) add_limit(query, s.train.V_MAXTRAIN);
+  if (counts(MrspSource::mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
+  if (counts(MrspSource::override_) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
+  return query;
 }
 
 /// Speeds of the permitted braking distances (3.11.11), with the current brakes.
@@ -132,17 +155,7 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   in.brakes = brake_status(train);
   in.conditions = conditions_of(s, basis.min_safe_rear);
   compute_PBD(s.track, curves);  // with the current rail condition (3.11.11.4)
-  track::MrspQuery query;
-  query.from = basis.min_safe_rear;
-  query.train_length = s.train.L_TRAIN;
-  query.category = category_of(s.train);
-  query.elements = elements_in(s.mode);
-  query.pbd_speeds = {curves.pbd_speeds.begin(), curves.pbd_speeds.size()};
-  const auto counts = [&](modes::Function f) { return modes::active(f, s.mode); };
-  if (counts(modes::Function::mrsp_train)) add_limit(query, s.train.V_MAXTRAIN);
-  if (counts(modes::Function::mrsp_mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
-  if (counts(modes::Function::mrsp_override) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
-  track::mrsp(in.mrsp, s.track, query);
+  track::mrsp(in.mrsp, s.track, query_of(s, curves, basis, Set<MrspSource>::of_bits(~std::uint64_t{0})));
   mark_TSR_steps(s, in);
   in.supervise_targets = !supervises(s, modes::Supervision::ceiling);
   in.authority = supervises(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
@@ -150,6 +163,11 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   take_gradient(in.gradient, s.track, basis.min_safe_rear);
   curves.sdm.valid = false;
   (void)sdm::rebuild(curves.sdm, in);
+}
+
+void mrsp_of(MrspSource source, track::Mrsp& out, const State& s, const Derived::Curves& curves,
+             const SupervisionBasis& basis) {
+  track::mrsp(out, s.track, query_of(s, curves, basis, {source}));
 }
 
 sdm::Motion motion_of(const State& s, const track::Here& here, const TrainSignals& train) {

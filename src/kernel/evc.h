@@ -23,4 +23,7 @@ Retained retained(const State& state) noexcept;
 /// lead to SF (4.4.5).
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept;
 
+/// The advance display (3.15.10) after the last step. False where there is none.
+[[nodiscard]] bool plan(const State& state, const Derived& derived, Planning& planning) noexcept;
+
 }  // namespace evc::kernel

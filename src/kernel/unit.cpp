@@ -71,6 +71,11 @@ void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept {
   step(c.state, c.derived, inputs, outputs);
 }
 
+bool plan(const Unit& unit, Planning& planning) noexcept {
+  const Content& c = UnitAccess::of(unit);
+  return plan(c.state, c.derived, planning);
+}
+
 std::size_t snapshot_size() noexcept { return sizeof(SnapshotHead) + sizeof(State); }
 
 bool snapshot(const Unit& unit, std::span<std::byte> out) noexcept {

@@ -184,7 +184,7 @@ inline constexpr std::array<const char*, kFunctions> kFunctionNames{"link_consis
 /// "link_consistency".
 constexpr const char* name(Function function) { return kFunctionNames[static_cast<std::size_t>(function)]; }
 
-/// `X` active, `O` optional (not needed for interoperability; this unit leaves it out), `-` inactive.
+/// `X` active, `O` optional (not needed for interoperability; this unit has the advance display alone), `-` inactive.
 enum class Activity : std::uint8_t { inactive, active, optional };
 
 struct FunctionRow {

@@ -10,6 +10,7 @@ struct OnBoard::Memory {
   kernel::State state;
   kernel::Derived derived;
   kernel::Outputs outputs;
+  kernel::Planning planning;
 };
 
 OnBoard::OnBoard(const kernel::Config& config, Costs costs) : memory_(std::make_unique<Memory>()), keep_(costs) {
@@ -34,6 +35,10 @@ const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
   allocations_ += allocations() - allocations_before;
   if (keep_ == Costs::kept) costs_.push_back(std::chrono::duration<float>(after - before).count());
   return memory_->outputs;
+}
+
+const kernel::Planning* OnBoard::plan() {
+  return kernel::plan(memory_->state, memory_->derived, memory_->planning) ? &memory_->planning : nullptr;
 }
 
 std::size_t OnBoard::state_bytes() { return sizeof(kernel::State); }

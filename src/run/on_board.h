@@ -27,6 +27,9 @@ class OnBoard {
   const kernel::Outputs& step(const kernel::Inputs& inputs);
 
   kernel::Retained retained() const;
+  /// The advance display after that cycle; null where there is none. It stays valid until the next call.
+  const kernel::Planning* plan();
+
   static std::size_t state_bytes();
   std::size_t allocations_in_step() const { return allocations_; }
   /// Seconds of every step so far; empty when they are not kept.

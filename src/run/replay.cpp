@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -47,13 +48,31 @@ io::Result<bool> keep(const OnBoard& on_board, const std::string& persistent) {
   return io::write_whole(persistent, io::retained_text(on_board.retained()));
 }
 
+/// The outputs of the cycle before, for `--changes`.
+class Last {
+ public:
+  bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning) const {
+    return io::differ_beyond_motion(outputs_, outputs) ||
+           io::differ_beyond_motion(planning_ ? &*planning_ : nullptr, planning);
+  }
+  void keep(const kernel::Outputs& outputs, const kernel::Planning* planning) {
+    outputs_ = outputs;
+    planning_.reset();
+    if (planning != nullptr) planning_ = *planning;
+  }
+
+ private:
+  kernel::Outputs outputs_;
+  std::optional<kernel::Planning> planning_;
+};
+
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::WholeFile& out,
                                const ReplayOptions& options) {
   constexpr std::size_t block = 1 << 16;
   sim::CycleInputs cycle;
   bool powered = true;
-  kernel::Outputs last;
+  Last last;
   std::string text;
   const bool live = options.input == "-";
   for (std::int64_t n = 0;; ++n) {
@@ -67,9 +86,10 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
     powered = cycle.levels.train.powered;
     if (goes_off)
       if (const auto kept = keep(on_board, options.persistent); !kept) return kept;
-    const bool wanted = options.changes ? n == 0 || io::differ_beyond_motion(last, outputs) : n % options.every == 0;
-    if (wanted) io::append_output(text, cycle.t_ms, outputs);
-    if (options.changes) last = outputs;
+    const kernel::Planning* const planning = options.planning ? on_board.plan() : nullptr;
+    const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning) : n % options.every == 0;
+    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning);
+    if (options.changes) last.keep(outputs, planning);
     if (text.size() < block && !live) continue;
     out.write(text);
     text.clear();

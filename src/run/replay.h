@@ -12,6 +12,7 @@ struct ReplayOptions {
   std::string output = "-";
   std::int64_t every = 1;  ///< print only every Nth cycle
   bool changes = false;    ///< print a cycle only when something other than position and speed changed
+  bool planning = false;   ///< print the advance display (3.15.10)
 };
 /// `evc replay`: passes a recorded or live stream of inputs to the on-board and prints its outputs. Returns the exit
 /// status: 0, or 2 with one line on standard error.

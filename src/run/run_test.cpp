@@ -326,6 +326,12 @@ TEST(Run, TheShippedLineAndItsReplay) {
   const Finished changes = evc("replay --changes - < '" + (folder / "inputs.jsonl") + "'");
   EXPECT_GT(lines(changes.output), 100);
   EXPECT_LT(lines(changes.output), lines(outputs) / 2);
+  // Where an advance display is asked for, the authority is in it; --changes has more lines by it.
+  const Finished planning = evc("replay --changes --planning '" + (folder / "inputs.jsonl") + "'");
+  EXPECT_GE(lines(planning.output), lines(changes.output));
+  EXPECT_NE(planning.output.find(R"("planning":{"gradient":[{"from_m":0,)"), std::string::npos);
+  EXPECT_NE(planning.output.find(R"("planning":null)"), std::string::npos);
+  EXPECT_EQ(changes.output.find(R"("planning":{)"), std::string::npos);
   EXPECT_EQ(lines(text_of(folder / "trace.csv")), lines(outputs) + 1);
   const std::string page = text_of(folder / "report.html");
   EXPECT_EQ(page.find("/*DATA*/null"), std::string::npos);

@@ -120,6 +120,17 @@ class Runner {
 
 }  // namespace
 
+Place passes_start(TrackConditionKind kind, const Here& here) {
+  const Course* course = course_of(kind);
+  // A non stopping area by the braking curve of the max safe front end (5.18.4.2).
+  return place_of(course != nullptr ? course->at_C_and_D : End::max_safe_front, here);
+}
+
+Place passes_end(TrackConditionKind kind, const Here& here) {
+  const Course* course = course_of(kind);
+  return place_of(course != nullptr ? course->at_E : End::min_safe_rear, here);
+}
+
 void advance_conditions(Description& d, const Here& here, Speed V) {
   d.watch = {.changed = false, .shown = false, .stopping = false, .quiet_to = kNowhere};
   Runner runner(d.watch, here, V);

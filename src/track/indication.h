@@ -14,6 +14,11 @@ constexpr bool same(const TractionChange& a, const TractionChange& b) {
 }
 constexpr bool same(const CurrentChange& a, const CurrentChange& b) { return a.amperes == b.amperes; }
 
+/// The front end, or for the end of some kinds the rear end, that has to pass the start or the end of a condition
+/// (5.18): the place of that end of the train.
+Place passes_start(TrackConditionKind kind, const Here& here);
+Place passes_end(TrackConditionKind kind, const Here& here);
+
 /// What is known of a condition that is sent again: an announcement is not taken back (A.3.5.1).
 constexpr Progress sent_again(const Progress& before) {
   Progress again;

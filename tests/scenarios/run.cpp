@@ -101,7 +101,11 @@ bool is_sent(const WantedMessage& wanted, const Json& message) {
 
 class Run {
  public:
-  explicit Run(const Scenario& scenario) : scenario_(scenario) {}
+  explicit Run(const Scenario& scenario) : scenario_(scenario) {
+    for (const Statement& s : scenario.statements)
+      plans_ = plans_ || s.condition.key.rfind("planning", 0) == 0 ||
+               (s.action.until && s.action.until->key.rfind("planning", 0) == 0);
+  }
 
   std::string whole() {
     try {
@@ -401,7 +405,8 @@ class Run {
     kernel::step(unit_->state, unit_->derived, inputs_of_cycle_.view(), unit_->outputs);
     Cycle c;
     c.t_ms = inputs_of_cycle_.t_ms;
-    io::append_output(c.line, c.t_ms, unit_->outputs);
+    const bool plans = plans_ && kernel::plan(unit_->state, unit_->derived, unit_->planning);
+    io::append_output(c.line, c.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr);
     cycles_.push_back(std::move(c));
   }
   void give(std::string line) {
@@ -622,9 +627,11 @@ class Run {
     kernel::State state;
     kernel::Derived derived;
     kernel::Outputs outputs;
+    kernel::Planning planning;
   };
 
   const Scenario& scenario_;
+  bool plans_ = false;  // an expectation asks for the advance display
   const Statement* now_ = nullptr;
   Json config_ = Json::object();
   std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();

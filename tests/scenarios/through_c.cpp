@@ -165,13 +165,25 @@ class Both {
     capi::give_outputs(*expected_, *outputs_);
     expected_->size = given_->size = sizeof *given_;
     if (openevc_step(unit_, &in, given_.get(), why_, sizeof why_) != OPENEVC_OK) return why_;
-    return std::memcmp(expected_.get(), given_.get(), sizeof *given_) == 0 ? "" : "the outputs differ";
+    if (std::memcmp(expected_.get(), given_.get(), sizeof *given_) != 0) return "the outputs differ";
+    return same_planning() ? "" : "the advance displays differ";
   }
 
  private:
+  bool same_planning() {
+    *planned_ = {};
+    if (kernel::plan(*ours_, *planning_)) capi::give_planning(*planned_, *planning_);
+    planned_->size = planned_by_c_->size = sizeof *planned_;
+    return openevc_plan(unit_, planned_by_c_.get()) == OPENEVC_OK &&
+           std::memcmp(planned_.get(), planned_by_c_.get(), sizeof *planned_) == 0;
+  }
+
   std::unique_ptr<kernel::Unit> ours_;
   std::unique_ptr<kernel::Outputs> outputs_;
   std::unique_ptr<openevc_outputs> expected_, given_;
+  std::unique_ptr<kernel::Planning> planning_ = std::make_unique<kernel::Planning>();
+  std::unique_ptr<openevc_planning> planned_ = std::make_unique<openevc_planning>();
+  std::unique_ptr<openevc_planning> planned_by_c_ = std::make_unique<openevc_planning>();
   std::unique_ptr<void, Free> memory_;
   openevc_unit* unit_ = nullptr;
   char why_[256] = "";

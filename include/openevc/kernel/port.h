@@ -3,6 +3,7 @@
 #include "openevc/port/event.h"
 #include "openevc/port/inputs.h"
 #include "openevc/port/outputs.h"
+#include "openevc/port/planning.h"
 #include "openevc/port/retained.h"
 
 // The complete interface of the kernel. It has no other inputs or outputs: no clock, no file, no
@@ -28,6 +29,10 @@ using port::OrderedPlatform;
 using port::OrderedTraction;
 using port::OutgoingMessage;
 using port::Outputs;
+using port::PlannedCondition;
+using port::PlannedGradient;
+using port::PlannedSpeed;
+using port::Planning;
 using port::RadioMessage;
 using port::RbcAddress;
 using port::RbcIdentity;

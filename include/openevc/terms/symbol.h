@@ -34,6 +34,16 @@ enum class Symbol : std::uint8_t {
   TC23, TC24, TC25, TC26, TC27, TC28, TC29, TC30, TC31, TC32, TC33, TC34,
   TC35,        ///< sound horn
   TC36, TC37,  ///< tunnel stopping area: inside, announced
+  // The advance display (3.15.10); where an action is due, the symbol that asks the driver for it.
+  PL02, PL04,  ///< pantograph: to be lowered, to be raised
+  PL06, PL08,  ///< neutral section: begins, ends
+  PL09, PL10,  ///< non stopping area, radio hole
+  PL12, PL14,  ///< magnetic shoe brake, eddy current brake: inhibited
+  PL16,        ///< regenerative brake: inhibited
+  PL19, PL20,  ///< air conditioning intake: to be closed, to be opened
+  PL24,        ///< sound horn
+  // Change of traction system, as above.
+  PL26, PL28, PL30, PL32, PL34, PL36,
   count
 };
 
@@ -53,7 +63,11 @@ inline constexpr auto kSymbolRows = std::to_array<terms::Row<Symbol>>({
     {Symbol::TC19, "TC19"}, {Symbol::TC21, "TC21"}, {Symbol::TC22, "TC22"}, {Symbol::TC23, "TC23"}, {Symbol::TC24, "TC24"},
     {Symbol::TC25, "TC25"}, {Symbol::TC26, "TC26"}, {Symbol::TC27, "TC27"}, {Symbol::TC28, "TC28"}, {Symbol::TC29, "TC29"},
     {Symbol::TC30, "TC30"}, {Symbol::TC31, "TC31"}, {Symbol::TC32, "TC32"}, {Symbol::TC33, "TC33"}, {Symbol::TC34, "TC34"},
-    {Symbol::TC35, "TC35"}, {Symbol::TC36, "TC36"}, {Symbol::TC37, "TC37"},
+    {Symbol::TC35, "TC35"}, {Symbol::TC36, "TC36"}, {Symbol::TC37, "TC37"}, {Symbol::PL02, "PL02"}, {Symbol::PL04, "PL04"},
+    {Symbol::PL06, "PL06"}, {Symbol::PL08, "PL08"}, {Symbol::PL09, "PL09"}, {Symbol::PL10, "PL10"}, {Symbol::PL12, "PL12"},
+    {Symbol::PL14, "PL14"}, {Symbol::PL16, "PL16"}, {Symbol::PL19, "PL19"}, {Symbol::PL20, "PL20"}, {Symbol::PL24, "PL24"},
+    {Symbol::PL26, "PL26"}, {Symbol::PL28, "PL28"}, {Symbol::PL30, "PL30"}, {Symbol::PL32, "PL32"}, {Symbol::PL34, "PL34"},
+    {Symbol::PL36, "PL36"},
 });
 // clang-format on
 static_assert(terms::in_order(kSymbolRows) && kSymbolRows.size() == terms::index(Symbol::count));
