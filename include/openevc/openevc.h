@@ -322,6 +322,9 @@ typedef struct openevc_inputs {
   /* A virtual balise cover (3.15.9): its country, marker (0 to 63) and validity period in days. */
   uint16_t VBC_NID_C;
   uint8_t VBC_NID_VBCMK, VBC_T_VBC;
+  uint32_t utc_given; /* 1: `utc` is a reading of the clock in this cycle, for the display and records (3.18.5) */
+  uint32_t reserved_3;
+  int64_t utc; /* seconds since 1970 */
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
@@ -416,6 +419,46 @@ typedef struct openevc_current {
   double to_start;
 } openevc_current;
 
+/* Status of stored data (4.11). */
+typedef enum openevc_data_status {
+  OPENEVC_DATA_INVALID = 0,
+  OPENEVC_DATA_VALID = 1,
+  OPENEVC_DATA_UNKNOWN = 2
+} openevc_data_status;
+
+#define OPENEVC_COVERS 16
+
+/* A virtual balise cover (3.15.9), and the time that is left of its validity, seconds. */
+typedef struct openevc_cover {
+  uint16_t NID_C;
+  uint16_t NID_VBCMK;
+  uint32_t reserved;
+  double left;
+} openevc_cover;
+
+/* Stored data (3.18.6), each status an openevc_data_status. A value counts where its status is valid; the driver may be
+ * asked to revalidate an invalid one. */
+typedef struct openevc_data {
+  uint8_t driver_id_status, train_running_number_status;
+  uint8_t level_status; /* of `level` */
+  uint8_t rbc_status, train_status;
+  uint8_t SR_status;     /* valid in SR */
+  uint8_t slippery_rail; /* selected by the driver */
+  uint8_t covers_count;
+  uint32_t driver_id;            /* 8 BCD digits */
+  uint32_t train_running_number; /* 8 BCD digits */
+  openevc_address rbc;
+  double L_TRAIN, V_MAXTRAIN;
+  double brake_percentage; /* not a number with brake model gamma */
+  uint16_t cant_deficiency_mm;
+  uint16_t other_categories; /* 1 freight P, 2 freight G, 4 passenger */
+  uint8_t M_AXLELOADCAT, M_LOADINGGAUGE;
+  uint8_t airtight;
+  uint8_t reserved;
+  double V_sr, D_sr; /* supervised speed; what is left of the distance, not a number: infinite */
+  openevc_cover covers[OPENEVC_COVERS];
+} openevc_data;
+
 /* What comes out of one cycle; members after `size` are written by openevc_step. */
 typedef struct openevc_outputs {
   uint32_t size;
@@ -479,6 +522,10 @@ typedef struct openevc_outputs {
   uint32_t infill_sessions_count;
   uint32_t reserved_3;
   openevc_session infill_sessions[OPENEVC_SESSIONS];
+  openevc_data data;
+  int64_t utc;              /* date and time, seconds since 1970 (3.18.5) */
+  int32_t local_offset_min; /* of the local time from UTC */
+  uint32_t utc_given;       /* 0: not known */
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other

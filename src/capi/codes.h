@@ -146,6 +146,11 @@ static_assert(same(OPENEVC_SWITCH_OFF_EDDY_CURRENT_EMERGENCY_BRAKE,
                    TrackConditionKind::switch_off_eddy_current_emergency_brake));
 static_assert(kTrackConditionRows.size() == 11 && terms::value_is_code(kTrackConditionRows));
 
+static_assert(same(OPENEVC_DATA_INVALID, DataStatus::invalid));
+static_assert(same(OPENEVC_DATA_VALID, DataStatus::valid));
+static_assert(same(OPENEVC_DATA_UNKNOWN, DataStatus::unknown));
+static_assert(kDataStatusRows.size() == 3);
+
 static_assert(same(OPENEVC_MRSP_SSP, MrspSource::SSP));
 static_assert(same(OPENEVC_MRSP_ASP, MrspSource::ASP));
 static_assert(same(OPENEVC_MRSP_TSR, MrspSource::TSR));

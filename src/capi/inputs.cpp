@@ -185,6 +185,7 @@ const char* take_states(kernel::Inputs& to, const openevc_inputs& in) {
   to.national_system.emergency_brake = in.national_emergency_brake != 0;
   to.safety_fault = in.safety_fault != 0;
   if (in.moved < OPENEVC_MOVEMENT_UNKNOWN || in.moved > OPENEVC_MOVED) return "inputs.moved: not an openevc_movement";
+  if (in.utc_given != 0) to.utc = in.utc;
   if (in.moved != OPENEVC_MOVEMENT_UNKNOWN) to.moved = in.moved == OPENEVC_MOVED;
   return nullptr;
 }

@@ -25,6 +25,7 @@ static_assert(kRoom<decltype(kernel::Outputs::status_texts)> == OPENEVC_STATUS_T
 static_assert(kRoom<decltype(kernel::Outputs::track_conditions)> == OPENEVC_CONDITIONS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_areas)> == OPENEVC_AREAS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_platforms)> == OPENEVC_PLATFORMS);
+static_assert(kRoom<decltype(kernel::Outputs::covers)> == OPENEVC_COVERS);
 static_assert(kRoom<decltype(kernel::Planning::speeds)> == OPENEVC_PLANNED_SPEEDS);
 static_assert(kRoom<decltype(kernel::Planning::gradients)> == OPENEVC_PLANNED_GRADIENTS);
 static_assert(kRoom<decltype(kernel::Planning::conditions)> == OPENEVC_PLANNED_CONDITIONS);
@@ -150,6 +151,43 @@ std::uint32_t bits_32(Set<E> set) {
   return static_cast<std::uint32_t>(set.bits());
 }
 
+std::uint8_t code_of(DataStatus status) { return static_cast<std::uint8_t>(status); }
+
+void give_train(openevc_data& to, const kernel::ShownTrainData& train) {
+  to.L_TRAIN = train.L_TRAIN.si;
+  to.V_MAXTRAIN = train.V_MAXTRAIN.si;
+  to.brake_percentage = train.brake_percentage.value_or(kNone);
+  to.cant_deficiency_mm = train.cant_deficiency_mm;
+  to.other_categories = train.other_categories;
+  to.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
+  to.M_LOADINGGAUGE = static_cast<std::uint8_t>(train.loading_gauge);
+  to.airtight = train.airtight;
+}
+
+/// Stored data (3.18.6).
+void give_data(openevc_data& to, const kernel::Outputs& o) {
+  const kernel::ShownData& data = o.data;
+  to.driver_id_status = code_of(data.driver_id_status);
+  to.driver_id = data.driver_id;
+  to.train_running_number_status = code_of(data.train_running_number_status);
+  to.train_running_number = data.train_running_number;
+  to.level_status = code_of(data.level_status);
+  to.rbc_status = code_of(data.rbc_status);
+  to.rbc = of(std::optional(data.rbc));
+  to.train_status = code_of(data.train_status);
+  give_train(to, data.train);
+  to.SR_status = code_of(data.SR.status);
+  to.V_sr = data.SR.V.si;
+  to.D_sr = of(data.SR.D);
+  to.slippery_rail = data.slippery_rail;
+  for (const kernel::ShownCover& cover : o.covers) {
+    openevc_cover& c = to.covers[to.covers_count++];
+    c.NID_C = cover.NID_C;
+    c.NID_VBCMK = cover.NID_VBCMK;
+    c.left = cover.left.si;
+  }
+}
+
 /// Single values that came later.
 void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.V_I = of(o.V_I);
@@ -206,6 +244,10 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   give_texts(to, o);
   give_radio(to, o);
   give_conditions(to, o);
+  give_data(to.data, o);
+  to.utc_given = o.clock ? 1 : 0;
+  to.utc = o.clock ? o.clock->utc : 0;
+  to.local_offset_min = o.clock ? o.clock->local_offset_min : 0;
 }
 
 void give_planning(openevc_planning& to, const kernel::Planning& p) noexcept {

@@ -106,6 +106,14 @@ TEST(CInputs, RadioInfillUnits) {
   EXPECT_EQ(taken->radio_link_with, (kernel::RbcIdentity{5, 6}));
 }
 
+TEST(CInputs, Clock) {
+  openevc_inputs in = defaults();
+  in.utc = 1795342500;
+  EXPECT_FALSE(Taken(in)->utc.has_value());
+  in.utc_given = 1;
+  EXPECT_EQ(Taken(in)->utc, 1795342500);
+}
+
 TEST(CInputs, ColdMovement) {
   openevc_inputs in = defaults();
   in.moved = OPENEVC_NOT_MOVED;
@@ -252,6 +260,46 @@ TEST(COutputs, OrdersForTheTrain) {
   o->ordered_traction.reset();
   EXPECT_EQ(given(*o)->current.amperes, -1);
   EXPECT_EQ(given(*o)->traction.given, 0);
+}
+
+TEST(COutputs, StoredData) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  EXPECT_EQ(given(*o)->data.driver_id_status, OPENEVC_DATA_UNKNOWN);
+  EXPECT_EQ(given(*o)->data.covers_count, 0);
+  EXPECT_TRUE(std::isnan(given(*o)->data.brake_percentage) && std::isnan(given(*o)->data.D_sr));
+  kernel::ShownData& d = o->data;
+  d.driver_id_status = d.rbc_status = DataStatus::valid;
+  d.train_running_number_status = d.level_status = DataStatus::invalid;
+  d.train_status = d.SR.status = DataStatus::valid;
+  d.slippery_rail = true;
+  d.driver_id = 0x4711FFFF;
+  d.train_running_number = 0x12FFFFFF;
+  d.rbc = {1, 2, 0x123F};
+  d.train = {Distance{300.0}, {40.0}, 120.0, 150, 5, train::AxleLoad::C2, train::LoadingGauge::GB, true};
+  d.SR.V = {10.0};
+  d.SR.D = Distance{55.0};
+  while (o->covers.grow() != nullptr) o->covers.back() = {7, 9, {60.0}};
+  const auto out = given(*o);
+  const openevc_data& data = out->data;
+  EXPECT_TRUE(data.driver_id_status == OPENEVC_DATA_VALID && data.driver_id == 0x4711FFFF);
+  EXPECT_TRUE(data.train_running_number_status == OPENEVC_DATA_INVALID && data.train_running_number == 0x12FFFFFF);
+  EXPECT_TRUE(data.level_status == OPENEVC_DATA_INVALID && data.rbc_status == OPENEVC_DATA_VALID);
+  EXPECT_TRUE(data.rbc.given == 1 && data.rbc.NID_C == 1 && data.rbc.NID_RBC == 2 && data.rbc.NID_RADIO == 0x123F);
+  EXPECT_TRUE(data.train_status == OPENEVC_DATA_VALID && data.L_TRAIN == 300.0 && data.V_MAXTRAIN == 40.0);
+  EXPECT_TRUE(data.brake_percentage == 120.0 && data.cant_deficiency_mm == 150 && data.other_categories == 5);
+  EXPECT_TRUE(data.M_AXLELOADCAT == 4 && data.M_LOADINGGAUGE == 3 && data.airtight == 1);
+  EXPECT_TRUE(data.SR_status == OPENEVC_DATA_VALID && data.V_sr == 10.0 && data.D_sr == 55.0);
+  EXPECT_EQ(data.slippery_rail, 1);
+  ASSERT_EQ(data.covers_count, 16);
+  EXPECT_TRUE(data.covers[15].NID_C == 7 && data.covers[15].NID_VBCMK == 9 && data.covers[15].left == 60.0);
+}
+
+TEST(COutputs, Clock) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  EXPECT_EQ(given(*o)->utc_given, 0u);
+  o->clock = kernel::DateTime{1795342500, -90};
+  const auto out = given(*o);
+  EXPECT_TRUE(out->utc_given == 1 && out->utc == 1795342500 && out->local_offset_min == -90);
 }
 
 TEST(COutputs, Planning) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "io/date_time.h"
 #include "io/rbc_contact.h"
 #include "texts/texts.h"
 
@@ -17,7 +18,7 @@ constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
-                   "telephone_numbers", "terminals", "cabs", "rbc"});
+                   "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -32,6 +33,8 @@ Configuration read_configuration(const JsonPlace& place) {
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("cabs")) c.cabs = static_cast<int>(p->integer(1, 2));
   if (const auto p = place.find("rbc")) c.contact = read_address(*p);
+  if (const auto p = place.find("local_time_offset_min"))
+    c.local_time_offset_min = static_cast<std::int16_t>(p->integer(-1440, 1440));
   if (const auto p = place.find("levels")) {
     c.levels.fill(false);
     for (std::size_t i = 0; i < p->size(); ++i) c.levels[terms::index((*p)[i].term<kLevelRows>())] = true;
@@ -332,10 +335,17 @@ void read_fault(CycleInputs& cycle, const JsonPlace& place) {
   if (const auto p = place.find("safety")) cycle.levels.safety_fault = p->boolean();
 }
 
+void read_clock(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"utc"});
+  const JsonPlace utc = place["utc"];
+  cycle.levels.utc = read_utc(utc.string());
+  if (!cycle.levels.utc) utc.fail("date and time as 2026-11-22T10:15:00Z, from 1970 on");
+}
+
 void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
                  const JsonPlace& place) {
   place.know_only({"t_ms", "config", "odometer", "balise", "loop", "radio", "radio_in_fill", "driver", "train", "power",
-                   "national_system", "fault"});
+                   "national_system", "fault", "clock"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
@@ -347,6 +357,7 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
   if (const auto p = place.find("power")) read_power(cycle, *p);
   if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
   if (const auto p = place.find("fault")) read_fault(cycle, *p);
+  if (const auto p = place.find("clock")) read_clock(cycle, *p);
 }
 
 }  // namespace
@@ -361,6 +372,7 @@ kernel::Config Configuration::for_kernel() const {
   config.identity = identity;
   config.contact = contact;
   config.terminals = terminals.value_or(config.terminals);
+  config.local_time_offset_min = local_time_offset_min;
   return config;
 }
 

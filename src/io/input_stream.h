@@ -26,7 +26,8 @@ struct Configuration {
   port::Identity identity;
   std::optional<kernel::RbcAddress> contact = std::nullopt;
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given
-  std::string document = "{}";                           // as read, on one line
+  std::int16_t local_time_offset_min = 0;
+  std::string document = "{}";  // as read, on one line
 
   kernel::Config for_kernel() const;
 };

@@ -1,5 +1,6 @@
 #include "io/input_writer.h"
 
+#include "io/date_time.h"
 #include "io/number.h"
 #include "texts/texts.h"
 
@@ -255,6 +256,10 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
     append_received(out, cycle.t_ms, radio_key(message.infill_unit), message, named(message.from, message.infill_unit));
   append_driver(out, cycle, train_document_);
   append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
+  if (!cycle.levels.utc) return;
+  out += opened(cycle.t_ms) + ",\"clock\":{\"utc\":\"";
+  append_date_time(out, *cycle.levels.utc);
+  out += "Z\"}}\n";
 }
 
 std::string configuration_document(const Configuration& c) {

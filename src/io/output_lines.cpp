@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "io/date_time.h"
 #include "io/number.h"
+#include "io/output_data.h"
 #include "texts/texts.h"
 
 namespace evc::io {
@@ -508,6 +511,19 @@ void append_planning(OutputRow& row, const Outputs& o, const kernel::Planning& p
   row.close();
 }
 
+void append_clock(OutputRow& row, const std::optional<kernel::DateTime>& clock) {
+  row.key("clock");
+  if (!clock) {
+    row.absent();
+    return;
+  }
+  row.out() += "{\"utc\":\"";
+  append_date_time(row.out(), clock->utc);
+  row.out() += "Z\",\"local\":\"";
+  append_date_time(row.out(), clock->utc + 60 * std::int64_t{clock->local_offset_min});
+  row.out() += "\"}";
+}
+
 /// What CSV has no room for.
 void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Planning* planning) {
   std::vector<const char*> levels;
@@ -534,6 +550,9 @@ void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Plannin
   });
   row.objects("track_conditions", o.track_conditions, append_condition);
   append_train_orders(row, o);
+  row.key("data");
+  append_data(row.out(), o);
+  append_clock(row, o.clock);
   if (planning != nullptr)
     append_planning(row, o, *planning);
   else
@@ -588,6 +607,25 @@ std::string trace_header() {
 
 namespace {
 
+/// Apart from the distance left in SR and the time left of a cover.
+bool differ_in_data(const kernel::Outputs& before, const kernel::Outputs& after) {
+  const auto statuses = [](const kernel::ShownData& d) {
+    return std::tuple(d.driver_id_status, d.train_running_number_status, d.level_status, d.rbc_status, d.train_status,
+                      d.SR.status, d.slippery_rail);
+  };
+  const auto values = [](const kernel::ShownData& d) {
+    return std::tuple(d.driver_id, d.train_running_number, d.rbc.NID_C, d.rbc.NID_RBC, d.rbc.NID_RADIO, d.SR.V);
+  };
+  const auto train = [](const kernel::ShownTrainData& t) {
+    return std::tuple(t.L_TRAIN, t.V_MAXTRAIN, t.brake_percentage, t.cant_deficiency_mm, t.other_categories,
+                      t.axle_load, t.loading_gauge, t.airtight);
+  };
+  const kernel::ShownData& a = before.data;
+  const kernel::ShownData& b = after.data;
+  return statuses(a) != statuses(b) || values(a) != values(b) || train(a.train) != train(b.train) ||
+         !alike(before.covers, after.covers, [](const auto& c) { return std::pair(c.NID_C, c.NID_VBCMK); });
+}
+
 bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
   const bool values = a.LSSMA == b.LSSMA && a.MRDT_changed == b.MRDT_changed && a.memo_status == b.memo_status &&
                       a.level_valid == b.level_valid && a.trip_reason == b.trip_reason && a.M_VERSION == b.M_VERSION;
@@ -606,7 +644,7 @@ bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
       a.ordered_traction.has_value() == b.ordered_traction.has_value() &&
       a.ordered_current.has_value() == b.ordered_current.has_value() && a.sound_horn == b.sound_horn &&
       a.remote_shunting == b.remote_shunting;
-  return !values || !lists || !conditions;
+  return !values || !lists || !conditions || differ_in_data(a, b);
 }
 
 }  // namespace

@@ -438,7 +438,13 @@ TEST(OutputLines, Json) {
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
       "\"eddy_current_emergency_brake_inhibited\":[],\"traction_system\":null,\"allowed_current_a\":null,"
-      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false},\"planning\":null}\n");
+      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false},"
+      "\"data\":{\"driver_id\":{\"value\":null,\"status\":\"unknown\"},"
+      "\"train_running_number\":{\"value\":null,\"status\":\"unknown\"},"
+      "\"level\":{\"value\":null,\"status\":\"unknown\"},\"rbc\":{\"value\":null,\"status\":\"unknown\"},"
+      "\"train_data\":{\"value\":null,\"status\":\"unknown\"},\"sr\":{\"value\":null,\"status\":\"unknown\"},"
+      "\"vbc\":{\"value\":[],\"status\":\"valid\"},"
+      "\"adhesion\":{\"value\":\"non slippery rail\",\"status\":\"valid\"}},\"clock\":null,\"planning\":null}\n");
   EXPECT_TRUE(Json::accept(line));
 }
 
@@ -480,6 +486,18 @@ kernel::Outputs second_edition() {
   o.ordered_current = {.to_start = Distance{-3.0}, .amperes = 600};
   (void)o.ordered_platforms.push_back({10_m, 310_m, 5, 2});
   o.remote_shunting = o.sound_horn = true;
+  o.data.driver_id_status = o.data.level_status = o.data.train_status = o.data.SR.status = DataStatus::valid;
+  o.data.train_running_number_status = o.data.rbc_status = DataStatus::invalid;
+  o.data.driver_id = 0x4711FFFF;
+  o.data.train_running_number = 0x12FFFFFF;
+  o.data.rbc = {1, 2, 0x123F};
+  o.data.train = {300_m, 144_km_h, 120.0, 150, 5, train::AxleLoad::C2, train::LoadingGauge::GB, true};
+  o.data.SR.V = 36_km_h;
+  o.data.SR.D = 55_m;
+  o.data.slippery_rail = true;
+  o.clock = kernel::DateTime{1795342500, 120};
+  (void)o.covers.push_back({7, 9, Duration{60.0}});
+  (void)o.covers.push_back({7, 10, Duration{90.0}});
   return o;
 }
 
@@ -505,7 +523,19 @@ TEST(OutputLines, SecondEdition) {
       "\"traction_system\":{\"to_start_m\":40,\"M_VOLTAGE\":4,\"NID_CTRACTION\":7},"
       "\"allowed_current_a\":{\"to_start_m\":-3,\"current_a\":600},"
       "\"station_platform\":[{\"to_start_m\":10,\"to_end_m\":310,\"M_PLATFORM\":5,\"Q_PLATFORM\":2}],"
-      "\"remote_shunting\":true,\"sound_horn\":true},\"planning\":null}\n";
+      "\"remote_shunting\":true,\"sound_horn\":true},"
+      "\"data\":{\"driver_id\":{\"value\":\"4711\",\"status\":\"valid\"},"
+      "\"train_running_number\":{\"value\":\"12\",\"status\":\"invalid\"},"
+      "\"level\":{\"value\":\"0\",\"status\":\"valid\"},"
+      "\"rbc\":{\"value\":{\"NID_C\":1,\"NID_RBC\":2,\"NID_RADIO\":\"000000000000123F\"},\"status\":\"invalid\"},"
+      "\"train_data\":{\"value\":{\"length_m\":300,\"max_speed_kmh\":144,\"brake_percentage\":120,"
+      "\"category\":{\"cant_deficiency_mm\":150,\"other\":[\"FreightP\",\"Passenger\"],\"axle_load\":\"C2\","
+      "\"loading_gauge\":\"GB\",\"airtight\":true}},\"status\":\"valid\"},"
+      "\"sr\":{\"value\":{\"V_sr_kmh\":36,\"D_sr_m\":55},\"status\":\"valid\"},"
+      "\"vbc\":{\"value\":[{\"NID_C\":7,\"NID_VBCMK\":9,\"left_s\":60},{\"NID_C\":7,\"NID_VBCMK\":10,\"left_s\":90}],"
+      "\"status\":\"valid\"},"
+      "\"adhesion\":{\"value\":\"slippery rail\",\"status\":\"valid\"}},"
+      "\"clock\":{\"utc\":\"2026-11-22T10:15:00Z\",\"local\":\"2026-11-22T12:15:00\"},\"planning\":null}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
@@ -609,6 +639,14 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_FALSE(changed([](Out& o) { o.V_I = 36_km_h; }));
   EXPECT_FALSE(changed([](Out& o) { o.TTI = Duration{1.0}; }));
   EXPECT_FALSE(changed([](Out& o) { o.d_indication = o.geo = o.rv_left = 1_m; }));
+  EXPECT_FALSE(changed([](Out& o) { o.data.SR.D = 1_m; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.SR.V = 36_km_h; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.train_status = DataStatus::invalid; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.driver_id = 1; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.rbc.NID_RADIO = 1; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.train.airtight = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.slippery_rail = true; }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.covers.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { o.LSSMA = 72_km_h; }));
   EXPECT_TRUE(changed([](Out& o) { o.MRDT_changed = true; }));
   EXPECT_TRUE(changed([](Out& o) { o.memo_status = MemoStatus::P; }));

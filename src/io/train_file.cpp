@@ -211,13 +211,12 @@ void read_category(TrainData& data, const JsonPlace& category) {
     data.cant_deficiency_mm = static_cast<std::uint16_t>(p->integer(0, 400));
   if (const auto other = category.find("other"))
     for (std::size_t i = 0; i < other->size(); ++i)
-      data.other_categories = static_cast<std::uint16_t>(
-          data.other_categories | (1u << (*other)[i].one_of({"FreightP", "FreightG", "Passenger"})));
+      data.other_categories =
+          static_cast<std::uint16_t>(data.other_categories | (1u << (*other)[i].one_of(kOtherCategoryNames)));
   if (const auto p = category.find("axle_load"))
-    data.axle_load = static_cast<train::AxleLoad>(
-        p->one_of({"A", "HS17", "B1", "B2", "C2", "C3", "C4", "D2", "D3", "D4", "D4XL", "E4", "E5"}));
+    data.axle_load = static_cast<train::AxleLoad>(p->one_of(kAxleLoadNames));
   if (const auto p = category.find("loading_gauge"))
-    data.loading_gauge = static_cast<train::LoadingGauge>(p->one_of({"none", "G1", "GA", "GB", "GC"}));
+    data.loading_gauge = static_cast<train::LoadingGauge>(p->one_of(kLoadingGaugeNames));
   if (const auto p = category.find("airtight")) data.airtight = p->boolean();
   if (const auto p = category.find("axles")) data.axles = static_cast<std::uint16_t>(p->integer(1, 1022));
   const auto systems = category.find("traction_systems");

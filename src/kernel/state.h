@@ -126,6 +126,12 @@ struct DriverData {
   std::optional<RbcIdentity> train_running_number_from;  // the RBC that gave it; absent: entered
 };
 
+/// The last reading of the clock, seconds since 1970 (3.18.5.1).
+struct ClockReading {
+  std::int64_t utc = 0;
+  Duration at{};
+};
+
 /// A change of train data by another source than the driver (5.17).
 struct TrainDataChange {
   std::optional<train::TrainData> pending;  ///< the changed data; absent: no change is pending
@@ -183,6 +189,7 @@ struct State {
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
   port::Identity identity;
   std::uint8_t terminals = 2;
+  std::int16_t local_time_offset_min = 0;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
   std::uint8_t operated_X = kHighestX;  // operated system version, number X: kept without power (3.17.2.9)
@@ -197,6 +204,7 @@ struct State {
   NationalAreas national_areas, national_areas_of_X_2, national_areas_of_braking;
   std::optional<PendingNationalValues> pending_national_values;
   DriverData data;
+  std::optional<ClockReading> clock;
 
   position::State position;
   Set<Anchor> anchors;  // of stored data; those of the LRBG do not count

@@ -18,6 +18,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
     state.radio.contact = radio::Rbc{config.contact->NID_C, config.contact->NID_RBC, config.contact->NID_RADIO};
     state.contact_status = DataStatus::invalid;
   }
+  state.local_time_offset_min = config.local_time_offset_min;
   state.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;

@@ -13,6 +13,7 @@ void CycleInputs::clear() {
   levels.radio_link_with.reset();
   levels.radio_link_of_infill_unit = false;
   levels.driver = {};
+  levels.utc.reset();
 }
 
 const port::Inputs& CycleInputs::view() {

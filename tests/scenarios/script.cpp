@@ -61,10 +61,13 @@ constexpr auto kOutputs = std::to_array<const char*>({
     "train_orders",
     "sessions",
     "planning",
+    "data",
+    "clock",
 });
 
 /// Outputs with elements and members of their own: "train_orders.pantograph.0.to_end_m".
-constexpr std::array<const char*, 4> kStructured{"track_conditions", "train_orders", "sessions", "planning"};
+constexpr std::array<const char*, 6> kStructured{"track_conditions", "train_orders", "sessions",
+                                                 "planning",         "data",         "clock"};
 constexpr std::array<const char*, 18> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
                                              "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};

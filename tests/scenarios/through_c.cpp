@@ -123,6 +123,8 @@ void set_states(openevc_inputs& in, const port::Inputs& from) {
   in.national_service_brake = from.national_system.service_brake;
   in.national_emergency_brake = from.national_system.emergency_brake;
   in.safety_fault = from.safety_fault;
+  in.utc_given = from.utc.has_value();
+  in.utc = from.utc.value_or(0);
   in.moved = !from.moved ? OPENEVC_MOVEMENT_UNKNOWN : *from.moved ? OPENEVC_MOVED : OPENEVC_NOT_MOVED;
 }
 

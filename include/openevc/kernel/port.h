@@ -13,6 +13,7 @@ namespace evc::kernel {
 using port::BaliseTelegram;
 using port::Cab;
 using port::Config;
+using port::DateTime;
 using port::DirectionController;
 using port::DriverActions;
 using port::Entered;
@@ -40,8 +41,12 @@ using port::RbcSession;
 using port::Retained;
 using port::Select;
 using port::ShownCondition;
+using port::ShownCover;
+using port::ShownData;
+using port::ShownSR;
 using port::ShownStatus;
 using port::ShownText;
+using port::ShownTrainData;
 using port::TrainSignals;
 using port::Window;
 

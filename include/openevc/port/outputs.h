@@ -9,6 +9,7 @@
 #include "openevc/port/event.h"
 #include "openevc/port/inputs.h"
 #include "openevc/terms/cause.h"
+#include "openevc/terms/data_status.h"
 #include "openevc/terms/driver_input.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/mode.h"
@@ -18,6 +19,7 @@
 #include "openevc/terms/status_text.h"
 #include "openevc/terms/symbol.h"
 #include "openevc/terms/track_condition.h"
+#include "openevc/train/train_data.h"
 
 // The outputs of one cycle of the kernel: enumerations and numbers. Their names and texts for people and JSON are in
 // the tables of `terms` and in `texts`.
@@ -99,6 +101,51 @@ struct RbcAddress {
   friend constexpr bool operator==(const RbcAddress&, const RbcAddress&) = default;
 };
 
+/// Of the train data those that may be changed (3.18.6.1).
+struct ShownTrainData {
+  Distance L_TRAIN;
+  Speed V_MAXTRAIN;
+  std::optional<double> brake_percentage;  // absent with brake model gamma
+  std::uint16_t cant_deficiency_mm = 0;
+  std::uint16_t other_categories = 0;  // bits kFreightP, kFreightG, kPassenger of train_data.h
+  train::AxleLoad axle_load{};
+  train::LoadingGauge loading_gauge{};
+  bool airtight = false;
+};
+/// Staff responsible: the supervised speed, and what is left of the distance; absent: infinite. Valid in SR.
+struct ShownSR {
+  DataStatus status = DataStatus::unknown;
+  Speed V;
+  std::optional<Distance> D;
+};
+/// A virtual balise cover (3.15.9), and the time that is left of its validity.
+struct ShownCover {
+  std::uint16_t NID_C = 0;
+  std::uint8_t NID_VBCMK = 0;
+  Duration left;
+};
+/// Stored data with their status (3.18.6). A value counts where its status is valid; the driver may be asked to
+/// revalidate an invalid one.
+struct ShownData {
+  DataStatus driver_id_status = DataStatus::unknown;
+  DataStatus train_running_number_status = DataStatus::unknown;
+  DataStatus level_status = DataStatus::unknown;  // of Outputs::level
+  DataStatus rbc_status = DataStatus::unknown;
+  DataStatus train_status = DataStatus::unknown;
+  bool slippery_rail = false;              // selected by the driver
+  std::uint32_t driver_id = 0;             // 8 BCD digits, as entered
+  std::uint32_t train_running_number = 0;  // the same
+  RbcAddress rbc;
+  ShownTrainData train;
+  ShownSR SR;
+};
+
+/// Date and time (3.18.5): seconds since 1970, the local time by its offset.
+struct DateTime {
+  std::int64_t utc = 0;
+  std::int16_t local_offset_min = 0;
+};
+
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
   Duration now{};
   Mode mode = Mode::NP;
@@ -153,6 +200,10 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   InplaceVector<RbcSession, 2> infill_sessions;  // with radio infill units; not those that are idle
   bool sound_horn = false;                       // the driver is asked for it
   bool remote_shunting = false;                  // the mode permits it (4.4.8.1.4)
+
+  ShownData data;
+  InplaceVector<ShownCover, 16> covers;  // stored
+  std::optional<DateTime> clock;         // where it is known (3.18.5)
 };
 
 }  // namespace evc::port

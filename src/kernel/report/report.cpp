@@ -3,6 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
+#include "kernel/report/data.h"
 #include "kernel/report/handover.h"
 #include "kernel/report/radio.h"
 #include "kernel/report/texts.h"
@@ -154,13 +155,13 @@ void reset(Outputs& out) {
          start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
          MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
          enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
-         ordered_current, infill_sessions, sound_horn, remote_shunting] = out;
+         ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
             entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
             MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
             enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms, ordered_traction,
-            ordered_current, infill_sessions, sound_horn, remote_shunting);
+            ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock);
 }
 
 void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,
@@ -184,6 +185,8 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   inform.add(Inform::trackside_not_compatible, outbox.inform_no_version);
   show_texts(s, in.train.desk_open, received, decided, inform, out);
   show_enabled(s, in, decided.here, out);
+  show_data(s, decided.here, out);
+  show_clock(s, in.utc, out);
 }
 
 }  // namespace evc::kernel

@@ -1,5 +1,5 @@
 #pragma once
-#include "terms/row.h"
+#include "openevc/terms/row.h"
 
 namespace evc {
 
