@@ -20,12 +20,24 @@ void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out
   state.acknowledged = false;
 }
 
+/// 5.10.2.9, 5.10.2.10 a: the table of an announcement applies from its place on, that of another order at once; one
+/// that waited is deleted.
+void take_table(State& state, const Order& order, const modes::OrderDecision& decision, Result& out) {
+  if (decision.effect == OrderEffect::rejected) return;
+  state.announced_table.reset();
+  if (order.kind == modes::OrderKind::announcement)
+    state.announced_table = AnnouncedTable{order.border, order.table, order.anchor};
+  else
+    out.table = order.table;
+}
+
 void take(State& state, const Inputs& in, const Order& order, const modes::OrderDecision& decision, Result& out) {
   if (decision.effect == OrderEffect::keep_until_mode_left) {
     state.kept = true;  // only one, the newest (4.4.8.1.5)
     state.kept_order = order;
     return;
   }
+  take_table(state, order, decision, out);
   // An acknowledgement for the same level stays valid when the order is repeated, because the driver has already seen
   // it.
   const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
@@ -34,10 +46,12 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
     out.cancelled = !same;
     if (!same) state.acknowledged = false;
   }
-  if (decision.effect == OrderEffect::announce)
+  if (decision.effect == OrderEffect::announce) {
     state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
-  else if (decision.effect == OrderEffect::execute)
+  } else if (decision.effect == OrderEffect::execute) {
     execute(state, in, decision.to, out);
+    if (order.placed) out.border = order.border;
+  }
 }
 
 /// 5.10.4: asks for the acknowledgement, before or after the transition.
@@ -71,12 +85,18 @@ Result step(State& state, const Inputs& in) {
     const Order& order = state.kept_order;
     take(state, in, order, modes::judge(order.kind, order.table, in.current, in.mode, in.available), out);
   }
+  if (state.announced_table.has_value() && in.est_front >= state.announced_table->border) {
+    out.table = state.announced_table->table;
+    state.announced_table.reset();
+  }
   if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front)) {
-    const OrderedLevel to = state.pending->to;
-    if (to.same_level(in.current))
+    const modes::PendingTransition due = *state.pending;
+    if (due.to.same_level(in.current)) {
       state.pending.reset();
-    else
-      execute(state, in, to, out);
+    } else {
+      execute(state, in, due.to, out);
+      out.border = due.border;
+    }
   }
   if (!out.switch_to.has_value() && in.driver_level.has_value() && !in.driver_level->same_level(in.current)) {
     out.switch_to = in.driver_level;
@@ -85,6 +105,7 @@ Result step(State& state, const Inputs& in) {
     if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();
       state.pending.reset();
+      state.announced_table.reset();  // 5.10.2.10 b
     }
   }
   const OrderedLevel current = out.switch_to.value_or(in.current);
@@ -93,8 +114,14 @@ Result step(State& state, const Inputs& in) {
   return out;
 }
 
+void announce(State& state, const JudgedOrder& announcement) {
+  Result none;
+  take(state, {}, announcement.order, announcement.decision, none);
+}
+
 void forget_order(State& state) {
   state.pending.reset();
+  state.announced_table.reset();  // 5.10.2.10 b
   state.acknowledged = false;
   state.kept = false;
 }

@@ -13,9 +13,10 @@ namespace evc::procedures::level_transition {
 /// An order that passed the filters of 4.8.
 struct Order {
   modes::OrderKind kind = modes::OrderKind::immediate;
-  Place border{};  // of an announcement
+  Place border{};  // of an announcement, or of another order where it is known
   modes::LevelTable table;
-  Anchor anchor{};  // of the border
+  Anchor anchor{};      // of the border
+  bool placed = false;  // of another order: the border is known
 };
 
 /// An order and what to do with it (modes::judge).
@@ -24,8 +25,16 @@ struct JudgedOrder {
   modes::OrderDecision decision;
 };
 
+/// The table of an announcement, also of one that will not change the level: it applies from the place on (5.10.2.9 a).
+struct AnnouncedTable {
+  Place border{};
+  modes::LevelTable table;
+  Anchor anchor{};  // of the border
+};
+
 struct State {
   std::optional<modes::PendingTransition> pending;
+  std::optional<AnnouncedTable> announced_table;
   bool shown = false;           // the acknowledgement is asked for
   bool acknowledged = false;    // the pending transition is acknowledged already
   bool unacknowledged = false;  // a transition was executed and is not acknowledged yet
@@ -51,6 +60,8 @@ struct Result {
   Effects effects;                               // request Ack::level, service brake
   std::optional<modes::OrderedLevel> switch_to;  // execute a transition in this cycle
   bool by_driver = false;
+  std::optional<Place> border;             // of the transition that is executed, where it is known
+  std::optional<modes::LevelTable> table;  // becomes applicable in this cycle (5.10.2.9)
   std::optional<Level>
       overdue;  // the transition to this level was not acknowledged within T_ACK: the cause of the service brake
   bool announced =
@@ -60,6 +71,9 @@ struct Result {
 
 /// One cycle, before the mode transition.
 Result step(State& state, const Inputs& inputs);
+
+/// An announcement received after an order that was executed in the same cycle; judged from the level that was entered.
+void announce(State& state, const JudgedOrder& announcement);
 
 /// The order that waits is deleted (4.10, A.3.4 k).
 void forget_order(State& state);

@@ -36,6 +36,7 @@ std::string text_of(const fs::path& path) {
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;  // no finding is open
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".scenario") files.push_back(entry.path());
   std::sort(files.begin(), files.end());

@@ -80,7 +80,8 @@ void evaluate_level_orders(Evaluation& e) {
     const Verdict verdict = judge_packet(e, i);
     if (verdict != Verdict::accepted && verdict != Verdict::order_stored) continue;
     const modes::OrderDecision decision = give_order(e.r, *order);
-    if (decision.effect == modes::OrderEffect::announce) e.level_order = i;
+    if (order->kind == modes::OrderKind::announcement || decision.effect == modes::OrderEffect::execute)
+      e.level_order = i;
     const std::optional<modes::OrderedLevel> to = ordered_level(e.r);
     e.context.announced = to ? std::optional(to->level) : std::nullopt;
     // In SH the order that comes with "danger for shunting" is kept (4.4.8.1.5); what counts is that it came.

@@ -79,6 +79,10 @@ void relocate_stored(State& s, Anchor of, Anchor then, const Relocation& by) {
     pending->border = pending->border + by.shift;
     pending->anchor = then;
   }
+  if (auto& table = s.level_transition.announced_table; table && table->anchor == of) {
+    table->border = table->border + by.shift;
+    table->anchor = then;
+  }
   if (auto& pending = s.pending_national_values; pending && pending->anchor == of) {
     pending->from = pending->from + by.shift;
     pending->anchor = then;

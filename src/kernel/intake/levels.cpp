@@ -58,6 +58,20 @@ void enter_level(Reception& r, const modes::OrderedLevel& to, bool by_driver) {
   operate_version_of_rbc(r, before);  // before the buffer is released: 6.6.3.2.2
 }
 
+/// The transition itself, and what waited for it.
+void switch_level(Reception& r, const procedures::level_transition::Result& result) {
+  State& s = r.state;
+  const Level from = s.level.level;
+  enter_level(r, *result.switch_to, result.by_driver);
+  r.out.level_switched_to = s.level.level;
+  r.out.national_system_only = from == Level::NTC && s.level.level == Level::NTC;
+  if (level_2_or_3(from) && !level_2_or_3(s.level.level)) {
+    s.reports.rear_border = result.by_driver ? std::optional<Place>{} : result.border.value_or(r.out.here.est_front);
+    r.out.level_2_or_3_left = !result.by_driver;
+  }
+  release_buffer(r);
+}
+
 }  // namespace
 
 std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view) {
@@ -78,7 +92,6 @@ std::optional<procedures::level_transition::Order> order_of(const lang::PacketVi
 
 modes::OrderDecision give_order(Reception& r, const procedures::level_transition::Order& order) {
   State& s = r.state;
-  s.level_table = order.table;
   const modes::OrderDecision decision =
       modes::judge(order.kind, order.table, s.level, s.mode, available_levels(s, r.in.national_system));
   // The procedure evaluates one order per cycle, the last one; an earlier one of the same cycle is replaced (5.10.1.6),
@@ -86,18 +99,30 @@ modes::OrderDecision give_order(Reception& r, const procedures::level_transition
   if (decision.effect == OrderEffect::execute || !executes_order(r)) {
     delete_waiting_of_replaced(r, decision);
     r.order = {order, decision};
+    r.announcement.reset();
+  } else if (order.kind == modes::OrderKind::announcement) {
+    r.announcement = order;
   }
   return decision;
 }
 
 void place_border(Reception& r, const lang::PacketView& packet, const track::Reference& reference, Anchor anchor) {
-  lang::Packet41 p;
-  if (!r.order || r.order->decision.effect != OrderEffect::announce || lang::decode(packet, p) != lang::Fault::none)
+  procedures::level_transition::Order* const order = r.announcement ? &*r.announcement
+                                                     : r.order      ? &r.order->order
+                                                                    : nullptr;
+  if (order == nullptr) return;
+  if (order->kind != modes::OrderKind::announcement) {
+    // Of a group: the border is there. An order of the RBC has no place.
+    order->border = reference.place;
+    order->placed = reference.medium == Medium::balise;
     return;
+  }
+  lang::Packet41 p;
+  if (lang::decode(packet, p) != lang::Fault::none) return;
   const std::optional<Distance> D_LEVELTR = lang::metres(p.Q_SCALE, p.D_LEVELTR);
   if (!D_LEVELTR) return;
-  r.order->order.border = reference.place + *D_LEVELTR;
-  r.order->order.anchor = anchor;
+  order->border = reference.place + *D_LEVELTR;
+  order->anchor = anchor;
 }
 
 bool executes_order(const Reception& r) { return r.order && r.order->decision.effect == OrderEffect::execute; }
@@ -132,21 +157,17 @@ void run_level_transition(Reception& r) {
   if (in.driver_level) s.data.level_status = DataStatus::valid;
   const auto result = procedures::level_transition::step(s.level_transition, in);
   r.out.level = result.effects;
+  if (result.table) s.level_table = *result.table;
   if (result.overdue)
     r.out.asked.add(*result.overdue == Level::NTC ? brakes::Cause::level_NTC_unacknowledged
                                                   : brakes::Cause::level_0_unacknowledged);
   // An order of this cycle did this when it was received (give_order).
   if (result.cancelled && (result.by_driver || !r.order)) clear_level_buffer(s);
-  if (!result.switch_to) return;
-  const Level from = s.level.level;
-  enter_level(r, *result.switch_to, result.by_driver);
-  r.out.level_switched_to = s.level.level;
-  r.out.national_system_only = from == Level::NTC && s.level.level == Level::NTC;
-  if (level_2_or_3(from) && !level_2_or_3(s.level.level)) {
-    s.reports.rear_border = result.by_driver ? std::optional<Place>{} : r.out.here.est_front;
-    r.out.level_2_or_3_left = !result.by_driver;
-  }
-  release_buffer(r);
+  if (result.switch_to) switch_level(r, result);
+  if (r.announcement)
+    procedures::level_transition::announce(
+        s.level_transition,
+        {*r.announcement, modes::judge(r.announcement->kind, r.announcement->table, s.level, s.mode, in.available)});
 }
 
 }  // namespace evc::kernel

@@ -149,13 +149,36 @@ TEST_F(Levels, TheRearReportsTheBorderOfAnRBCArea) {  // 3.6.5.1.4 e
   receive(2, 32767);
   run_level_transition(reception);
   ASSERT_EQ(state.level.level, Level::L1);
-  EXPECT_EQ(state.reports.rear_border, at(1000.0));
+  EXPECT_EQ(state.reports.rear_border, at(950.0)) << "the group, not the front end";
   state.reports.rear_border.reset();
   reception.order.reset();
   receive(3, 32767);
   run_level_transition(reception);
   ASSERT_EQ(state.level.level, Level::L2);
   EXPECT_EQ(state.reports.rear_border, std::nullopt);
+}
+
+TEST_F(Levels, TheBorderOfAnAnnouncementIsItsPlace) {  // 3.6.5.1.4 f
+  state.level.level = Level::L2;
+  state.level_transition.pending.emplace().to.level = Level::L1;
+  state.level_transition.pending->border = at(997.0);
+  run_level_transition(reception);
+  ASSERT_EQ(state.level.level, Level::L1);
+  EXPECT_EQ(state.reports.rear_border, at(997.0));
+}
+
+TEST_F(Levels, TheTableOfAnAnnouncementCountsFromItsPlace) {  // 5.10.2.9 a
+  receive(2, 200);                                            // 950 m + 200 m, to the level that it has
+  run_level_transition(reception);
+  EXPECT_FALSE(state.level_table.has_value());
+  ASSERT_TRUE(state.level_transition.announced_table.has_value());
+  EXPECT_EQ(state.level_transition.announced_table->border, at(1150.0));
+  reception.order.reset();
+  received.here.est_front = at(1150.0);
+  run_level_transition(reception);
+  ASSERT_TRUE(state.level_table.has_value());
+  EXPECT_EQ(state.level_table->front().level, Level::L1);
+  EXPECT_FALSE(state.level_transition.announced_table.has_value());
 }
 
 TEST_F(Levels, ReleaseWhatWaitedForThem) {  // 4.8.5.2

@@ -19,6 +19,8 @@ struct Reception {
   Received& out;
   /// The last level transition order accepted, as it was judged (5.10.1.6).
   std::optional<procedures::level_transition::JudgedOrder> order;
+  /// An announcement after an order that is executed: it counts from the level that this one leads to.
+  std::optional<procedures::level_transition::Order> announcement = {};
 };
 
 }  // namespace evc::kernel
