@@ -18,9 +18,15 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
   if (proposal.mode_profile) areas = {proposal.mode_profile->begin(), proposal.mode_profile->size()};
   const track::Authority a = track::authority(*proposal.ma, areas, s.mode);
   build(curves, s, train, basis_of(s, here, s.basis.key, a));
+  // The Indication limit of the proposed end alone counts, whatever else is a target now.
+  sdm::Inputs& in = curves.inputs;
+  in.mrsp.steps.clear();
+  (void)in.mrsp.append(here.min_safe_rear, track::kNoLimit);
+  in.mrsp_due_to_TSR = {};
+  curves.sdm.valid = false;
+  (void)sdm::rebuild(curves.sdm, in);
   sdm::Supervision fresh;
-  const sdm::Result limits = sdm::supervise(fresh, curves.sdm, motion_of(s, here, train));
-  return limits.monitoring == Monitoring::CSM && limits.status == Status::Normal;
+  return sdm::supervise(fresh, curves.sdm, motion_of(s, here, train)).monitoring == Monitoring::CSM;
 }
 
 bool proposal_is_described(Evaluation& e) {

@@ -104,9 +104,15 @@ TEST_F(Shortening, AnAreaThatIsAcceptedIsNoEnd) {  // 5.9.2.7
   EXPECT_EQ(answer(false), 138);
 }
 
-TEST_F(Shortening, IsRejectedWhereTheTrainIsTooFast) {                                      // 3.8.6.2
+TEST_F(Shortening, IsGrantedInRearOfItsIndicationLimitAlsoWhereTheTrainIsTooFast) {         // 3.8.6.1 b
   state.position.now.V_est = state.position.now.V_min = state.position.now.V_max = {43.0};  // 140 km/h are permitted
-  EXPECT_EQ(answer_to(30000), 138);
+  EXPECT_EQ(answer_to(30000), 137);
+}
+
+TEST_F(Shortening, IsGrantedWhileASpeedIsTheTarget) {  // 3.8.6.1 b
+  state.position.now.V_est = state.position.now.V_min = state.position.now.V_max = {20.0};
+  ASSERT_TRUE(state.track.tsr.push_back({.from = at(1010.0), .to = at(1100.0), .V_TSR = 1}));
+  EXPECT_EQ(answer_to(5000), 137);
 }
 
 TEST_F(Shortening, WithTheSameEndDeletesWhatIsBeyond) {  // 3.8.6.2, A.3.4 f
