@@ -6,8 +6,8 @@ namespace evc::lang {
 namespace {
 
 // 6.6.3.2.3 [3]: NC_DIFF of X = 1 -> Q_DIFF, NC_CDDIFF, NC_DIFF. {1}: whether the speed for an "other"
-// category replaces the one for cant deficiency (Q_DIFF 1) or applies in addition (2) depends on the train. 2 is used:
-// both apply and the lower one counts, which is never less restrictive.
+// category replaces the one for cant deficiency (Q_DIFF 1) or applies in addition (2) depends on the train, which is
+// not known here.
 struct Category {
   bool other;
   std::uint8_t code;  // NC_CDDIFF, or NC_DIFF of X = 2 if `other`
@@ -63,7 +63,7 @@ void each_element(const From& from, To& to, Make make) {
 Packet27_diffs category(const Packet27_v1_0_diffs& d) {
   Packet27_diffs to;
   const Category c = d.NC_DIFF.raw < categories.size() ? categories[d.NC_DIFF.raw] : Category{true, 15};
-  to.Q_DIFF.raw = static_cast<std::uint8_t>(c.other ? 2 : 0);
+  to.Q_DIFF.raw = static_cast<std::uint8_t>(c.other ? kQ_DIFF_by_train : 0);
   (c.other ? to.NC_DIFF.raw : to.NC_CDDIFF.raw) = c.code;
   to.V_DIFF = d.V_DIFF;
   return to;

@@ -26,6 +26,9 @@
 // (SUBSET-026-6 6.6.3). decode() and encode() with a version call these.
 namespace evc::lang {
 
+/// Q_DIFF of a translated packet 27: 1 or 2, by the train (6.6.3.2.3 [3]); spare on the wire.
+inline constexpr std::uint8_t kQ_DIFF_by_train = 3;
+
 template <class... P>
 struct Forms {};
 /// The older layouts from which a packet can be made.

@@ -68,7 +68,7 @@ TEST(Translate, SpeedCategories) {
       EXPECT_EQ(p.diffs[i].Q_DIFF.raw, 0);
       EXPECT_EQ(p.diffs[i].NC_CDDIFF.raw, cant_deficiency[i]);
     } else {
-      EXPECT_EQ(p.diffs[i].Q_DIFF.raw, 2);
+      EXPECT_EQ(p.diffs[i].Q_DIFF.raw, kQ_DIFF_by_train);
       EXPECT_EQ(p.diffs[i].NC_DIFF.raw, i - 9);
     }
   }

@@ -1,6 +1,7 @@
 #include "track/from_packets.h"
 
 #include <new>
+#include <tuple>
 
 #include "lang/decode.h"
 #include "lang/packets/packet_12.h"
@@ -17,6 +18,7 @@
 #include "lang/packets/packet_80.h"
 #include "lang/packets/packet_88.h"
 #include "lang/si.h"
+#include "lang/translate.h"
 #include "terms/packet_numbers.h"
 #include "track/from_packets_parts.h"
 
@@ -140,12 +142,31 @@ StaticSpeed element_of(const lang::Packet27_steps& step) {
   return element;
 }
 
+/// 6.6.3.2.3 [3]: the lowest cant deficiency category for which a profile of X = 1 has speeds, above all where it has
+/// none: "other" categories replace the basic speed for trains below it. 0 for a profile of X = 2.
+std::uint8_t replaces_below(const lang::Packet27& p) {
+  bool by_train = false;
+  std::uint8_t lowest = std::tuple_size_v<decltype(StaticSpeed::cd)>;
+  const auto look = [&](const auto& diffs) {
+    for (const auto& diff : diffs) {
+      by_train = by_train || diff.Q_DIFF.raw == lang::kQ_DIFF_by_train;
+      if (diff.Q_DIFF.raw == 0 && diff.NC_CDDIFF.raw < lowest) lowest = static_cast<std::uint8_t>(diff.NC_CDDIFF.raw);
+    }
+  };
+  look(p.diffs);
+  for (const auto& step : p.steps) look(step.diffs);
+  return by_train ? lowest : std::uint8_t{0};
+}
+
 void take(Contents& c, const lang::Packet27& p, const Reference& r) {
   NewStaticSpeedProfile& profile = c.ssp.emplace();
   Place at = r.place;
+  const std::uint8_t below = replaces_below(p);
   const auto append = [&](const lang::Packet27_steps& step) {
     at = at + metres(p.Q_SCALE, step.D_STATIC);
-    profile.append(at, element_of(step));
+    StaticSpeed element = element_of(step);
+    element.replaces_below = below;
+    profile.append(at, element);
   };
   append(p.first_steps());
   for (const auto& step : p.steps) append(step);

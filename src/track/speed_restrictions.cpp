@@ -12,7 +12,7 @@ SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
   for (std::size_t k = 0; k < other.size(); ++k) {
     if (other[k] == kNoSpeed || ((train.NC_TRAIN >> k) & 1u) == 0) continue;
     if (other[k] < lowest) lowest = other[k];
-    replaced = replaced || ((replaces_cd >> k) & 1u) != 0;
+    replaced = replaced || ((replaces_cd >> k) & 1u) != 0 || train.NC_CDTRAIN < replaces_below;
   }
   if (!replaced && base < lowest) lowest = base;
   return lowest;
@@ -20,7 +20,8 @@ SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
 
 SpeedCode AxleLoadRestriction::speed_for(const TrainCategory& train) const {
   SpeedCode lowest = kNoSpeed;
-  for (std::size_t k = 0; k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
+  for (std::size_t k = train.own_axle_load_only ? train.M_AXLELOADCAT : 0u;
+       k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
     if (V_AXLELOAD[k] < lowest) lowest = V_AXLELOAD[k];
   return lowest;
 }

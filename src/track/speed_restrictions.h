@@ -22,7 +22,8 @@ constexpr Speed speed_of(SpeedCode code) { return {static_cast<double>(code * 5)
 struct TrainCategory {
   std::uint8_t NC_CDTRAIN = 0;  ///< index of the cant deficiency, 0..10: 80 100 130 150 165 180 210 225 245 275 300 mm
   std::uint16_t NC_TRAIN = 0;   ///< bit k: other international category k (0 freight P, 1 freight G, 2 passenger)
-  std::uint8_t M_AXLELOADCAT = 0;  ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
+  std::uint8_t M_AXLELOADCAT = 0;   ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
+  bool own_axle_load_only = false;  ///< 3.11.4.3 of 4.0.0; before, lower categories count too
   friend constexpr bool operator==(const TrainCategory&, const TrainCategory&) = default;
 };
 
@@ -31,6 +32,9 @@ struct StaticSpeed {
   SpeedCode V_STATIC = kEndOfProfile;
   bool Q_FRONT = false;          ///< true: no train length delay at the end of this element (3.11.3.1.3)
   std::uint8_t replaces_cd = 0;  ///< bit k: other category k replaces the cant deficiency speed (Q_DIFF = 1)
+  /// The other categories replace it for trains whose cant deficiency category is below this one: the profile of X = 1
+  /// has none for them (6.6.3.2.3 [3]).
+  std::uint8_t replaces_below = 0;
   std::array<SpeedCode, 11> cd{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
                                kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
   std::array<SpeedCode, 3> other{kNoSpeed, kNoSpeed, kNoSpeed};
@@ -61,7 +65,8 @@ struct AxleLoadRestriction {
   bool Q_FRONT = false;
   std::array<SpeedCode, 13> V_AXLELOAD{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
                                        kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
-  /// The lowest speed of the categories up to that of the train (3.11.4.3 up to 3.6.0); absent when none applies.
+  /// The lowest speed of the categories up to that of the train, from 4.0.0 on that of its own (3.11.4.3); absent when
+  /// none applies.
   SpeedCode speed_for(const TrainCategory& train) const;
   Anchor anchor{};
   friend constexpr bool operator==(const AxleLoadRestriction&, const AxleLoadRestriction&) = default;
