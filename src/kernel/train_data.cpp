@@ -35,6 +35,11 @@ bool route_matters(const train::TrainData& before, const train::TrainData& after
 void change_train_data(State& s, const train::TrainData& data, const track::Here& here, Log log) {
   if (here.standstill && valid(s.data.train_data_status) && route_matters(s.train, data))
     forget_authority_of_old_train(s, here, log);
+  // 3.18.3.8: the track under what was joined to the rear end.
+  if (valid(s.data.train_data_status) && data.L_TRAIN > s.train.L_TRAIN) {
+    s.track.ssp.begin_at(here.min_safe_rear);
+    s.track.gradient.begin_at(here.min_safe_rear);
+  }
   set_train_data(s, data);
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;

@@ -103,6 +103,29 @@ TEST_F(TrainDataOfTheUnit, AreInForceAtOnceAndSentToTheRBC) {  // 3.18.3.4
   EXPECT_TRUE(happened(What::train_data_valid));
 }
 
+TEST_F(TrainDataOfTheUnit, OfALongerTrainTheTrackBehindIsUnknown) {  // 3.18.3.8
+  using evc::test::at;
+  here.min_safe_rear = at(800.0);
+  const auto known_after = [&](double longer, DataStatus status) {
+    state.train.L_TRAIN = {200.0};
+    state.data.train_data_status = status;
+    state.track.ssp = {};
+    state.track.gradient = {};
+    EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 8}) &&
+                state.track.ssp.append(at(700.0), {.V_STATIC = 28}));
+    EXPECT_TRUE(state.track.gradient.append(at(0.0), {-5}));
+    train::TrainData data = state.train;
+    data.L_TRAIN = {200.0 + longer};
+    change_train_data(state, data, here, Log{outputs->events});
+    EXPECT_TRUE(state.track.ssp.covers(at(800.0), at(5000.0)) && state.track.gradient.covers(at(800.0), at(5000.0)));
+    return state.track.ssp.covers(at(799.0), at(801.0)) && state.track.gradient.covers(at(799.0), at(801.0));
+  };
+  EXPECT_FALSE(known_after(1.0, DataStatus::valid));
+  EXPECT_TRUE(known_after(0.0, DataStatus::valid));
+  EXPECT_TRUE(known_after(-1.0, DataStatus::valid));
+  EXPECT_TRUE(known_after(1.0, DataStatus::invalid)) << "there was no train before";
+}
+
 TEST_F(TrainDataOfTheUnit, OutOfTheirRangesAreRefused) {  // 3.18.3
   train::TrainData data;
   EXPECT_TRUE(acceptable(data, Log{outputs->events}));

@@ -69,6 +69,11 @@ struct Profile {
     while (gone + 1 < steps.size() && steps[gone + 1].from <= limit) ++gone;
     if (gone > 0) steps.erase(0, gone);
   }
+  /// Nothing is known in rear of `at` any more.
+  constexpr void begin_at(Place at) {
+    forget_before(at);
+    if (!steps.empty() && steps.front().from < at) steps.front().from = at;
+  }
   /// Whether the profile has a known value at every place of [from, to).
   constexpr bool covers(Place from, Place to) const {
     if (steps.empty() || steps.front().from > from) return false;
