@@ -323,7 +323,7 @@ typedef struct openevc_inputs {
   uint16_t VBC_NID_C;
   uint8_t VBC_NID_VBCMK, VBC_T_VBC;
   uint32_t utc_given; /* 1: `utc` is a reading of the clock in this cycle, for the display and records (3.18.5) */
-  uint32_t reserved_3;
+  uint32_t reserved_4;
   int64_t utc; /* seconds since 1970 */
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
