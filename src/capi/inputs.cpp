@@ -107,9 +107,8 @@ const char* take_radio(Cycle& cycle, const openevc_inputs& in) {
     kernel::RadioMessage& message = *cycle.radio.grow();
     message = {};
     message.bytes = {in.radio[i].bytes, in.radio[i].size};
-    if (in.radio_from == nullptr) continue;
-    message.from = of(in.radio_from[i]);
-    message.infill_unit = in.radio_from[i].infill_unit != 0;
+    if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);
+    message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit != 0;
   }
   cycle.inputs.radio_messages = {cycle.radio.begin(), cycle.radio.size()};
   if (in.link < OPENEVC_LINK_UNCHANGED || in.link > OPENEVC_LINK_REFUSED) return "inputs.link: not an openevc_link";

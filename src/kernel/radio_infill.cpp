@@ -64,7 +64,7 @@ void execute(State& s, const track::RadioInfillArea& order, radio::Outbox& outbo
 }
 
 /// 3.9.3.10. What is due while the connection is lost counts as sent (3.5.4.5); a unit that was not reached before the
-/// end of the area need not know of it.
+/// end of the area is not informed.
 void inform(State& s, radio::Outbox& outbox) {
   if (!s.radio_infill.area) return;
   RadioInfill::Area& area = *s.radio_infill.area;

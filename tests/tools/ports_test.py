@@ -28,8 +28,9 @@ class Ports(unittest.TestCase):
                          {"Outputs::sound_horn", "openevc_outputs::sound_horn", "ShownCondition::phase", "openevc_condition::phase"})
 
     def test_an_input(self):
-        self.assertEqual(self.without(0, "if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);"),
-                         {"RadioMessage::from", "openevc_inputs::radio_from"})
+        self.assertEqual(self.without(0, "if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);",
+                                      "message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit != 0;"),
+                         {"RadioMessage::from", "RadioMessage::infill_unit", "openevc_inputs::radio_from"})
 
 
 if __name__ == "__main__":
