@@ -47,7 +47,8 @@ class Infill : public ::testing::Test {
   /// The messages of this cycle.
   int sent(std::uint8_t NID_MESSAGE, Peer to) const {
     int n = 0;
-    for (const radio::Intent& intent : outbox.messages) n += intent.NID_MESSAGE == NID_MESSAGE && intent.to == to ? 1 : 0;
+    for (const radio::Intent& intent : outbox.messages)
+      n += intent.NID_MESSAGE == NID_MESSAGE && intent.to == to ? 1 : 0;
     return n;
   }
 

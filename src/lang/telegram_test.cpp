@@ -408,6 +408,17 @@ TEST(Message, Lists) {
   EXPECT_EQ(fault(message(Message24{}, no_packets)), Fault::none);
 }
 
+TEST(Message, OfARadioInfillUnit) {  // 8.7.9, 8.7.15
+  const auto fault = [](const std::vector<std::uint8_t>& bytes) {
+    return scan_message_to_train(bytes, {2, 1}, Check::all, media::RIU).fault;
+  };
+  EXPECT_EQ(fault(message(Message3{}, [](BitWriter& out) { encode(out, Packet15{}); })), Fault::wrong_medium);
+  EXPECT_EQ(fault(message(Message24{}, no_packets)), Fault::none);
+  const auto area = [](BitWriter& out) { encode(out, Packet21{}); };
+  EXPECT_EQ(scan_message_to_train(message(Message24{}, area), {2, 1}).fault, Fault::none);
+  EXPECT_EQ(fault(message(Message24{}, area)), Fault::unexpected_packet);
+}
+
 // 3.17.3.11 c: where optional packets can be added.
 TEST(Message, UnknownPacketsOfALaterVersion) {
   const auto unknown = [](BitWriter& out) { raw_packet(out, 99, 1, 23); };

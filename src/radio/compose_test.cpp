@@ -71,8 +71,8 @@ Intent intent_of(std::uint8_t NID_MESSAGE) {
 
 TEST(Compose, EveryMessageInEveryVersionReadsBack) {
   for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 4>{0x10, 0x11, 0x20, 0x21})
-    for (const std::uint8_t id :
-         std::array<std::uint8_t, 16>{129, 130, 132, 136, 137, 138, 146, 147, 149, 150, 154, 155, 156, 157, 158, 159}) {
+    for (const std::uint8_t id : std::array<std::uint8_t, 17>{129, 130, 132, 136, 137, 138, 146, 147, 149, 150, 153,
+                                                              154, 155, 156, 157, 158, 159}) {
       PositionReport two_groups;
       two_groups.NID_PRVLRBG = 17;
       if (id == 158 && M_VERSION < 0x20) {
@@ -196,6 +196,20 @@ TEST(Compose, VersionsOrTelephoneNumbers) {  // 6.6.3.4.1.1
   const auto versions = Sent(intent_of(159), 0x21).packet<lang::TrainPacket2>();
   EXPECT_EQ(versions.M_VERSION.raw, 0x21);
   EXPECT_EQ(versions.versions.size(), 3u);
+}
+
+TEST(Compose, RadioInfillRequest) {  // 8.6.11
+  Intent intent = intent_of(message::radio_infill_request);
+  intent.signal = {426, 101};
+  for (const std::uint8_t passed : {std::uint8_t{0}, std::uint8_t{1}}) {
+    intent.Q_INFILL = passed;
+    const Sent sent(intent, 0x21);
+    const auto m = sent.message<lang::TrainMessage153>();
+    EXPECT_EQ(m.NID_C.raw, 426);
+    EXPECT_EQ(m.NID_BG.raw, 101);
+    EXPECT_EQ(m.Q_INFILL.raw, passed);
+    EXPECT_TRUE(sent.has(0));
+  }
 }
 
 }  // namespace

@@ -164,5 +164,69 @@ TEST(Partners, ASetUpThatIsAbortedIsNotBegunAgain) {  // 3.5.3.8
   EXPECT_TRUE(both.s.supervising.session.established()) << "sessions stay";
 }
 
+TEST(RadioInfillUnits, AreBesideTheRbcs) {  // 3.9.3.6
+  State s;
+  const Rbc unit{426, 1, 7, true}, neighbour{426, 2, 8, true};
+  s.supervising.session.rbc = {426, 1, 7};
+  s.supervising.session.phase = Phase::up;
+  EXPECT_FALSE(s.supervising.session.rbc.same_id(unit)) << "the numbers of RBCs and infill units are their own";
+  EXPECT_EQ(sessions(s), 1u);
+  EXPECT_FALSE(infill_unit(s, unit));
+  s.session(Peer::infill_1).phase = Phase::up;
+  s.session(Peer::infill_1).rbc = unit;
+  s.session(Peer::infill_2).phase = Phase::connecting;
+  s.session(Peer::infill_2).rbc = neighbour;
+  EXPECT_EQ(sessions(s), 3u);
+  EXPECT_EQ(infill_unit(s, unit), Peer::infill_1);
+  EXPECT_EQ(infill_unit(s, neighbour), Peer::infill_2);
+  EXPECT_EQ(peer_of(s, unit, true), Peer::infill_1);
+  EXPECT_EQ(peer_of(s, neighbour, true), Peer::infill_2);
+  EXPECT_FALSE(peer_of(s, Rbc{426, 3, 0, true}, true));
+  EXPECT_EQ(peer_of(s, std::nullopt, true), Peer::infill_1);
+  EXPECT_EQ(peer_of(s, std::nullopt), Peer::supervising);
+}
+
+TEST(RadioInfillUnits, TheOneCalledLastIsRemembered) {
+  State s;
+  Outbox out;
+  Inputs in;
+  s.session(Peer::infill_2).phase = Phase::connecting;
+  s.session(Peer::infill_2).rbc = {426, 2, 8, true};
+  (void)supervise(s, in, out);
+  EXPECT_EQ(out.connect, s.session(Peer::infill_2).rbc);
+  EXPECT_EQ(peer_of(s, std::nullopt, true), Peer::infill_2);
+  EXPECT_EQ(peer_of(s, std::nullopt), Peer::supervising);
+}
+
+TEST(RadioInfillUnits, SayNothingOfTheRbc) {  // 3.16.3.4, 3.16.4
+  State s;
+  Outbox out;
+  const Duration now{100.0};
+  Session& session = s.session(Peer::infill_1);
+  session.phase = Phase::waiting_version;
+  session.rbc = {426, 1, 7, true};
+  EXPECT_EQ(receive(s, {32, 9000, false}, now, out, Peer::infill_1), Rejected::no);
+  EXPECT_TRUE(receive_version(s, 0x21, now, out, Peer::infill_1));
+  EXPECT_FALSE(receive_version(s, 0x21, now, out, Peer::infill_1)) << "it is open";
+  EXPECT_EQ(session.M_VERSION, 0x21);
+  EXPECT_FALSE(s.contact_reference);
+  EXPECT_FALSE(s.contact);
+  EXPECT_FALSE(s.supervising.train_data_pending);
+  EXPECT_EQ(receive(s, {24, 9000, false}, now, out, Peer::infill_1), Rejected::time_stamp);
+  EXPECT_TRUE(s.errors.empty());
+  EXPECT_EQ(receive(s, {24, 9001, true}, now, out, Peer::infill_1), Rejected::no);
+  EXPECT_EQ(out.messages.back().to, Peer::infill_1);
+}
+
+TEST(RadioInfillUnits, ALostSessionEndsAfterItsTime) {  // 3.5.4.2.1
+  State s;
+  Outbox out;
+  Inputs in;
+  s.session(Peer::infill_1).phase = Phase::lost;
+  s.session(Peer::infill_1).rbc = {426, 1, 7, true};
+  in.now = Duration{301.0};
+  EXPECT_TRUE(supervise(s, in, out).session_lost);
+}
+
 }  // namespace
 }  // namespace evc::radio
