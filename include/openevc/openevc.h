@@ -118,7 +118,8 @@ typedef enum openevc_select {
   OPENEVC_LAST_RBC = 13,     /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
   OPENEVC_SHORT_NUMBER = 14, /* the short number stored on board is to be called (3.5.3.11) */
   OPENEVC_VBC_SET = 15,      /* a virtual balise cover is to be entered and set, or */
-  OPENEVC_VBC_REMOVE = 16    /* removed (3.15.9.2) */
+  OPENEVC_VBC_REMOVE = 16,   /* removed (3.15.9.2) */
+  OPENEVC_RADIO_NETWORK = 17 /* the radio network is to be changed: sessions end (3.18.4.3.6) */
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
@@ -146,7 +147,8 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER = 4,
   OPENEVC_ENTRY_SR_SPEED = 5,    /* entered only, not asked for */
   OPENEVC_ENTRY_SR_DISTANCE = 6, /* the same */
-  OPENEVC_ENTRY_VBC = 7          /* the same */
+  OPENEVC_ENTRY_VBC = 7,         /* the same */
+  OPENEVC_ENTRY_NETWORK = 8      /* the same */
 } openevc_entry;
 
 /* What an external source says of the completeness of the train. */
@@ -323,8 +325,10 @@ typedef struct openevc_inputs {
   uint16_t VBC_NID_C;
   uint8_t VBC_NID_VBCMK, VBC_T_VBC;
   uint32_t utc_given; /* 1: `utc` is a reading of the clock in this cycle, for the display and records (3.18.5) */
-  uint32_t reserved_4;
-  int64_t utc; /* seconds since 1970 */
+  uint32_t network;   /* NID_MN: 6 BCD digits, filled with F */
+  int64_t utc;        /* seconds since 1970 */
+  uint8_t radio_registered; /* 0 or 1, a state: a mobile terminal is registered with the radio network (3.5.6) */
+  uint8_t reserved_4[7];
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
@@ -517,7 +521,10 @@ typedef struct openevc_outputs {
   uint8_t sound_horn;      /* the driver is asked for it */
   uint8_t remote_shunting; /* the mode permits it (4.4.8.1.4) */
   uint8_t M_VERSION;       /* operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3 */
-  uint8_t reserved_2[5];
+  uint8_t reserved_2;
+  /* NID_MN of the network with which free mobile terminals have to register now (3.5.6), 0xFFFFFF: their own default;
+   * -1: no order. */
+  int32_t radio_register;
   /* Sessions with radio infill units, NID_RBC is NID_RIU; those with RBCs are `sessions`. */
   uint32_t infill_sessions_count;
   uint32_t reserved_3;

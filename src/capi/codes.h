@@ -61,7 +61,8 @@ static_assert(same(OPENEVC_LAST_RBC, kernel::Select::last_rbc));
 static_assert(same(OPENEVC_SHORT_NUMBER, kernel::Select::short_number));
 static_assert(same(OPENEVC_VBC_SET, kernel::Select::vbc_set));
 static_assert(same(OPENEVC_VBC_REMOVE, kernel::Select::vbc_remove));
-static_assert(int(kernel::Select::count) == 17);
+static_assert(same(OPENEVC_RADIO_NETWORK, kernel::Select::radio_network));
+static_assert(int(kernel::Select::count) == 18);
 
 static_assert(same(OPENEVC_ACK_OS, Ack::OS));
 static_assert(same(OPENEVC_ACK_LS, Ack::LS));
@@ -85,7 +86,7 @@ static_assert(same(OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER, Entry::train_running_numb
 static_assert(int(Entry::count) == 5);
 // What is entered only has the numbers after them.
 static_assert(OPENEVC_ENTRY_SR_SPEED == int(Entry::count) && OPENEVC_ENTRY_SR_DISTANCE == int(Entry::count) + 1 &&
-              OPENEVC_ENTRY_VBC == int(Entry::count) + 2);
+              OPENEVC_ENTRY_VBC == int(Entry::count) + 2 && OPENEVC_ENTRY_NETWORK == int(Entry::count) + 3);
 
 static_assert(same(OPENEVC_INTEGRITY_UNKNOWN, TrainIntegrity::unknown));
 static_assert(same(OPENEVC_INTEGRITY_OK, TrainIntegrity::confirmed));

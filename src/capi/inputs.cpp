@@ -52,6 +52,7 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.ep_brake_active = in.ep_brake_active != 0;
   s.additional_brake_active = in.additional_brake_active != 0;
   s.antenna_alarm = in.antenna_alarm != 0;
+  s.radio_registered = in.radio_registered != 0;
   if (in.integrity < OPENEVC_INTEGRITY_UNKNOWN || in.integrity > OPENEVC_INTEGRITY_LOST)
     return "inputs.integrity: not an openevc_integrity";
   s.integrity = static_cast<TrainIntegrity>(in.integrity);
@@ -141,6 +142,10 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
     if (in.VBC_NID_C > 1023) return "inputs.VBC_NID_C: above 1023";
     if (in.VBC_NID_VBCMK > 63) return "inputs.VBC_NID_VBCMK: above 63";
     driver.cover = kernel::DriverActions::Cover{in.VBC_NID_C, in.VBC_NID_VBCMK, in.VBC_T_VBC};
+  }
+  if (entered(in, OPENEVC_ENTRY_NETWORK)) {
+    if (in.network > 0xFFFFFF) return "inputs.network: above 24 bits";
+    driver.network = in.network;
   }
   if (entered(in, OPENEVC_ENTRY_SR_SPEED)) driver.V_sr = Speed{in.V_sr};
   if (entered(in, OPENEVC_ENTRY_SR_DISTANCE)) driver.D_sr = Distance{in.D_sr};

@@ -197,6 +197,7 @@ void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.geo = of(o.geo);
   to.rv_left = of(o.rv_left);
   to.M_VERSION = o.M_VERSION;
+  to.radio_register = o.radio_register ? static_cast<std::int32_t>(*o.radio_register) : -1;
   to.MRDT_changed = o.MRDT_changed;
   to.level_valid = o.level_valid;
   to.levels_allowed = static_cast<std::uint8_t>(o.levels_allowed.bits());

@@ -60,6 +60,7 @@ openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) noexce
   const kernel::TrainSignals signals;
   openevc_inputs in{};
   in.powered = signals.powered;
+  in.radio_registered = signals.radio_registered;
   in.direction = 1;
   in.regenerative_brake_active = in.eddy_current_brake_active = in.magnetic_shoe_brake_active = in.ep_brake_active = 1;
   in.brake_pressure_kpa = in.length_confirmed = in.measured = evc::capi::kNone;

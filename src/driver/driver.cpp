@@ -115,7 +115,7 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::level, entry);
   out.add(Input::train_running_number, !in_standby || c.standstill);  // 5.4.3.2 S1: before the driver ID too
   out.add(Input::rbc_contact, entry && level_2_or_3(c.level));        // 3.18.4.3.2
-  out.add(Input::radio_network_id, entry);
+  out.add(Input::radio_network_id, entry && c.network_offered);
   out.add(Input::non_leading, entry && level && c.non_leading_signal);
   out.add(Input::continue_shunting, c.passive_shunting_signal);
   out.add(Input::adhesion, c.driver_may_change_adhesion && (!in_standby || c.standstill));

@@ -31,6 +31,7 @@ struct ActionContext {
   bool non_leading_signal = false;
   bool passive_shunting_signal = false;
   bool slow_enough_for_override = false;    // V_est <= V_NVALLOWOVTRP
+  bool network_offered = false;             // the driver may choose a radio network
   bool driver_may_change_adhesion = false;  // Q_NVDRIVER_ADHES
   bool driver_id_while_running = false;     // M_NVDERUN
   bool track_ahead_free_asked = false;

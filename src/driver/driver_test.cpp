@@ -69,7 +69,7 @@ ActionContext everything(Mode mode, Level level) {
   c.level = level;
   c.desk_open = c.standstill = c.driver_id_valid = c.train_data_valid = c.train_running_number_valid = true;
   c.session_open = c.train_data_acknowledged = c.non_leading_signal = true;
-  c.passive_shunting_signal = c.slow_enough_for_override = c.driver_may_change_adhesion = true;
+  c.passive_shunting_signal = c.slow_enough_for_override = c.driver_may_change_adhesion = c.network_offered = true;
   c.driver_id_while_running = c.track_ahead_free_asked = true;
   c.offers = Set<Offer>::of_bits(~0u);
   return c;
@@ -135,6 +135,7 @@ TEST(Driver, Each_condition_closes_what_needs_it) {
       {Mode::FS, Level::L1, &C::non_leading_signal, Input::non_leading},
       {Mode::SH, Level::L1, &C::passive_shunting_signal, Input::continue_shunting},
       {Mode::FS, Level::L1, &C::driver_may_change_adhesion, Input::adhesion},
+      {Mode::FS, Level::L1, &C::network_offered, Input::radio_network_id},
       {Mode::SR, Level::L1, &C::standstill, Input::sr_speed_distance},
       {Mode::SH, Level::L1, &C::standstill, Input::exit_shunting},
       {Mode::FS, Level::L2, &C::train_data_valid, Input::integrity_confirmation},

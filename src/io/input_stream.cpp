@@ -18,7 +18,7 @@ constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
-                   "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min"});
+                   "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -32,6 +32,9 @@ Configuration read_configuration(const JsonPlace& place) {
       if (!c.identity.telephone_numbers.push_back(read_NID_RADIO((*p)[i]))) p->fail("at most 4 telephone numbers");
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("cabs")) c.cabs = static_cast<int>(p->integer(1, 2));
+  if (const auto p = place.find("networks"))
+    for (std::size_t i = 0; i < p->size(); ++i)
+      if (!c.networks.push_back(read_NID_MN((*p)[i]))) p->fail("at most 16 networks");
   if (const auto p = place.find("rbc")) c.contact = read_address(*p);
   if (const auto p = place.find("local_time_offset_min"))
     c.local_time_offset_min = static_cast<std::int16_t>(p->integer(-1440, 1440));
@@ -124,12 +127,21 @@ std::optional<kernel::RbcIdentity> read_identity(const JsonPlace& place, bool in
 }
 
 void read_radio(InputStream::Radio& radio, const JsonPlace& place, bool infill_unit) {
-  place.know_only({"message", "session", "to"});
   const std::optional<kernel::RbcIdentity> with = read_identity(place, infill_unit);
   if (const auto p = place.find("message"))
     radio.emplace_back(CycleInputs::RadioMessage{read_message(*p), with, infill_unit});
   if (const auto p = place.find("session"))
     radio.emplace_back(InputStream::Report{read_session(*p), with, infill_unit});
+}
+void read_radio(CycleInputs& cycle, InputStream::Radio& radio, const JsonPlace& place) {
+  place.know_only({"message", "session", "to", "network"});
+  if (const auto p = place.find("network"))
+    cycle.levels.train.radio_registered = p->one_of({"not registered", "registered"}) == 1;
+  read_radio(radio, place, false);
+}
+void read_radio_infill(InputStream::Radio& radio, const JsonPlace& place) {
+  place.know_only({"message", "session", "to"});
+  read_radio(radio, place, true);
 }
 
 /// A cycle has room for one report of the bearer: a second one, and radio messages after it, are left for the next
@@ -174,8 +186,8 @@ kernel::DriverActions::Cover read_vbc(const JsonPlace& place) {
 }
 
 void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
-  place.know_only(
-      {"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m", "vbc"});
+  place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m",
+                   "vbc", "network"});
   auto& driver = cycle.levels.driver;
   if (const auto p = place.find("driver_id")) driver.driver_id = packed_digits(*p);
   if (const auto p = place.find("level")) driver.level = p->term<kLevelRows>();
@@ -185,6 +197,7 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
     const kernel::RbcAddress rbc = read_address(*p);
     driver.rbc_contact = kernel::DriverActions::RbcContact{rbc.NID_C, rbc.NID_RBC, rbc.NID_RADIO};
   }
+  if (const auto p = place.find("network")) driver.network = read_NID_MN(*p);
   if (const auto p = place.find("vbc")) driver.cover = read_vbc(*p);
   if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
@@ -271,6 +284,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
                    "ep_brake_active",
                    "additional_brake_active",
                    "antenna_alarm",
+                   "radio_registered",
                    "data",
                    "data_validation",
                    "integrity",
@@ -293,6 +307,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.ep_brake_active, "ep_brake_active");
   flag(t.additional_brake_active, "additional_brake_active");
   flag(t.antenna_alarm, "antenna_alarm");
+  flag(t.radio_registered, "radio_registered");
   read_external_train_data(cycle, place);
   read_integrity(t, place);
   if (const auto p = place.find("direction_controller"))
@@ -350,8 +365,8 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);
-  if (const auto p = place.find("radio")) read_radio(radio, *p, false);
-  if (const auto p = place.find("radio_in_fill")) read_radio(radio, *p, true);
+  if (const auto p = place.find("radio")) read_radio(cycle, radio, *p);
+  if (const auto p = place.find("radio_in_fill")) read_radio_infill(radio, *p);
   if (const auto p = place.find("driver")) read_driver(cycle, entered, *p);
   if (const auto p = place.find("train")) read_signals(cycle, *p);
   if (const auto p = place.find("power")) read_power(cycle, *p);
@@ -371,6 +386,7 @@ kernel::Config Configuration::for_kernel() const {
   config.levels = levels;
   config.identity = identity;
   config.contact = contact;
+  config.networks = networks;
   config.terminals = terminals.value_or(config.terminals);
   config.local_time_offset_min = local_time_offset_min;
   return config;

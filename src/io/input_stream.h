@@ -25,6 +25,7 @@ struct Configuration {
   int cabs = 2;  ///< with one there is no cab B
   port::Identity identity;
   std::optional<kernel::RbcAddress> contact = std::nullopt;
+  InplaceVector<std::uint32_t, 16> networks;
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given
   std::int16_t local_time_offset_min = 0;
   std::string document = "{}";  // as read, on one line

@@ -2,6 +2,7 @@
 
 #include "io/date_time.h"
 #include "io/number.h"
+#include "io/rbc_contact.h"
 #include "texts/texts.h"
 
 namespace evc::io {
@@ -77,6 +78,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
   flag("ep_brake_active", &S::ep_brake_active);
   flag("additional_brake_active", &S::additional_brake_active);
   flag("antenna_alarm", &S::antenna_alarm);
+  flag("radio_registered", &S::radio_registered);
   if (before.direction_controller != now.direction_controller) {
     fields += fields.empty() ? "" : ",";
     fields += "\"direction_controller\":\"";
@@ -166,6 +168,7 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
     append_hex(fields, bytes);
     fields += "\"}";
   }
+  if (d.network) fields += ",\"network\":\"" + digits_of_NID_MN(*d.network) + '"';
   if (d.cover) {
     fields += ",\"vbc\":{\"NID_C\":";
     append_number(fields, static_cast<std::int64_t>(d.cover->NID_C));

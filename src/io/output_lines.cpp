@@ -9,6 +9,7 @@
 #include "io/date_time.h"
 #include "io/number.h"
 #include "io/output_data.h"
+#include "io/rbc_contact.h"
 #include "texts/texts.h"
 
 namespace evc::io {
@@ -308,6 +309,10 @@ void append_second_values(OutputRow& row, const Outputs& o) {
   std::string version;
   append_version(version, o.M_VERSION);
   row.text("version", version.c_str());
+  std::string network;
+  if (o.radio_register)
+    network = *o.radio_register == port::kDefaultNetwork ? "default" : digits_of_NID_MN(*o.radio_register);
+  row.text("radio_register", o.radio_register ? network.c_str() : nullptr);
 }
 
 /// The keys of `select` and `enter` that are enabled, in the order of 4.7.2.
@@ -602,7 +607,8 @@ std::string trace_header() {
          "V_P,V_W,V_SBI,V_EBI,V_MRSP,V_target,d_target_m,V_release,EOA_m,SvL_m,tco,sb,eb,brake_reasons,driver.requests,"
          "driver.texts,driver.symbols,radio_out,radio_connect.NID_C,radio_connect.NID_RBC,radio_connect.NID_RADIO,"
          "radio_disconnect.NID_C,radio_disconnect.NID_RBC,radio_disconnect.NID_RADIO,events,V_I,tti_s,"
-         "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m,version\n";
+         "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m,version,"
+         "radio_register\n";
 }
 
 namespace {
@@ -650,8 +656,10 @@ bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
 }  // namespace
 
 bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
-  if (!b.radio_out.empty() || b.radio_connect || b.radio_disconnect || !b.events.empty()) return true;
-  if (!a.radio_out.empty() || a.radio_connect || a.radio_disconnect || !a.events.empty()) return true;
+  if (!b.radio_out.empty() || b.radio_connect || b.radio_disconnect || b.radio_register || !b.events.empty())
+    return true;
+  if (!a.radio_out.empty() || a.radio_connect || a.radio_disconnect || a.radio_register || !a.events.empty())
+    return true;
   const bool same = a.mode == b.mode && a.level == b.level && a.lrbg == b.lrbg && a.monitoring == b.monitoring &&
                     a.status == b.status && a.V_MRSP == b.V_MRSP && a.V_target == b.V_target &&
                     a.V_release == b.V_release && a.EOA == b.EOA && a.SvL == b.SvL && a.tco == b.tco && a.sb == b.sb &&

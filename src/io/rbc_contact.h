@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "io/json.h"
 #include "port/inputs.h"
@@ -9,6 +10,11 @@ namespace evc::io {
 
 /// NID_RADIO (7.5.1.95) as 16 hexadecimal digits. Throws ReadError.
 std::uint64_t read_NID_RADIO(const JsonPlace& place);
+
+/// NID_MN (7.5.1.91.1) from 1 to 6 decimal digits: BCD, left adjusted, filled with F. Throws ReadError.
+std::uint32_t read_NID_MN(const JsonPlace& place);
+/// Its digits.
+std::string digits_of_NID_MN(std::uint32_t NID_MN);
 
 /// The members NID_C, NID_RBC and NID_RADIO of an object: a contact that the driver enters. Throws ReadError.
 port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place);

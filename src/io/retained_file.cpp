@@ -75,7 +75,8 @@ Retained::Position read_position(const JsonPlace& place) {
 Retained read_document(const JsonPlace& place) {
   place.require_schema(kSchema);
   place.know_only({"schema", "national_values", "national_areas", "national_areas_of_X_2", "national_areas_of_braking",
-                   "version_X", "generic_ls_marker", "vbc", "level", "level_table", "rbc", "position"});
+                   "version_X", "generic_ls_marker", "vbc", "radio_network", "level", "level_table", "rbc",
+                   "position"});
   Retained r;
   r.national_values = read_national_values(place["national_values"]);
   r.national_areas = read_list<Retained::Areas>(place["national_areas"], read_NID_C);
@@ -84,6 +85,7 @@ Retained read_document(const JsonPlace& place) {
   r.operated_X = static_cast<std::uint8_t>(place["version_X"].integer(1, 2));
   r.generic_ls_marker = place["generic_ls_marker"].boolean();
   r.covers = read_list<decltype(r.covers)>(place["vbc"], read_cover);
+  r.network = read_optional(place["radio_network"], read_NID_MN);
   r.level = read_optional(place["level"], read_level);
   r.level_table = read_list<decltype(r.level_table)>(place["level_table"], read_level);
   r.contact = read_optional(place["rbc"], read_address);
@@ -155,6 +157,7 @@ std::string retained_text(const Retained& r) {
                 {"version_X", r.operated_X},
                 {"generic_ls_marker", r.generic_ls_marker},
                 {"vbc", list_of(r.covers, cover_json)},
+                {"radio_network", optional_of(r.network, digits_of_NID_MN)},
                 {"level", optional_of(r.level, level_json)},
                 {"level_table", list_of(r.level_table, level_json)},
                 {"rbc", optional_of(r.contact, address_json)},

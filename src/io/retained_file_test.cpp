@@ -30,6 +30,7 @@ kernel::Retained everything() {
   r.operated_X = 1;
   r.generic_ls_marker = true;
   EXPECT_TRUE(r.covers.push_back({1, 63, 86400_s}));
+  r.network = 0x26210F;
   r.level = kernel::Retained::StoredLevel{Level::NTC, 7};
   EXPECT_TRUE(r.level_table.push_back({Level::L2, 0}) && r.level_table.push_back({Level::NTC, 7}));
   r.contact = kernel::RbcAddress{1, 16383, 0x0123456789FFFFFF};

@@ -433,7 +433,7 @@ TEST(OutputLines, Json) {
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
       "[4.8.3]\"],\"V_I\":null,\"tti_s\":null,\"lssma_kmh\":null,\"mrdt_changed\":false,\"d_indication_m\":null,"
       "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,\"version\":"
-      "\"0.0\","
+      "\"0.0\",\"radio_register\":null,"
       "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[],\"track_conditions\":[],"
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
@@ -462,6 +462,7 @@ kernel::Outputs second_edition() {
   o.geo = Distance{25000.0};
   o.rv_left = 80_m;
   o.M_VERSION = 0x21;
+  o.radio_register = 0x26210F;
   o.levels_allowed = {Level::L0, Level::L2};
   o.enabled = {DriverInput::adhesion, DriverInput::ack_OS, DriverInput::isolation};
   kernel::ShownText text;
@@ -508,7 +509,7 @@ TEST(OutputLines, SecondEdition) {
   const std::string expected =
       "\"V_I\":36,\"tti_s\":12.5,\"lssma_kmh\":72,\"mrdt_changed\":true,\"d_indication_m\":250.5,"
       "\"memo_status\":\"SB\",\"level_valid\":true,\"trip_reason\":\"SH stop order\",\"geo_m\":25000,"
-      "\"rv_left_m\":80,\"version\":\"2.1\",\"levels_allowed\":[\"0\",\"2\"],"
+      "\"rv_left_m\":80,\"version\":\"2.1\",\"radio_register\":\"26210\",\"levels_allowed\":[\"0\",\"2\"],"
       "\"enabled\":[\"slippery_rail\",\"adhesion_normal\",\"isolate\"],\"messages\":["
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
@@ -540,7 +541,7 @@ TEST(OutputLines, SecondEdition) {
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
   append_trace(row, 0, second_edition());
-  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1\n";
+  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1,26210\n";
   ASSERT_GE(row.size(), end.size());
   EXPECT_EQ(row.substr(row.size() - end.size()), end);
 }

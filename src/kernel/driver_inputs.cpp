@@ -20,6 +20,7 @@ driver::ActionContext action_context(const State& s, const TrainSignals& train, 
   c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
   c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
   c.driver_id_while_running = s.national_values.M_NVDERUN;
+  c.network_offered = !s.network.offered.empty();
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   c.offers = s.offers;
   // What start of mission asks for is offered too (S12).

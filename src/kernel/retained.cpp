@@ -28,7 +28,8 @@ bool plausible(const Retained& r) {
   for (const Retained::StoredLevel& level : r.level_table)
     if (!plausible(level)) return false;
   return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, kHighestX) &&
-         (!r.level || plausible(*r.level)) && (!r.position || plausible(*r.position));
+         (!r.network || *r.network < port::kDefaultNetwork) && (!r.level || plausible(*r.level)) &&
+         (!r.position || plausible(*r.position));
 }
 
 std::optional<NidLrbg> identity_of(const std::optional<GroupId>& id) {
@@ -104,6 +105,7 @@ Retained retained(const State& s) noexcept {
   r.generic_ls_marker = s.track.generic_ls_marker;
   for (const balise::Cover& cover : s.balise.covers)
     if (cover.until >= s.now) (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now});
+  r.network = s.network.NID_MN;
   if (s.data.level_status != DataStatus::unknown) r.level = Retained::StoredLevel{s.level.level, s.level.nid_ntc};
   if (s.level_table)
     for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back({l.level, l.nid_ntc});
@@ -123,6 +125,7 @@ bool power_up(State& s, Derived& derived, const Config& config, const Retained& 
   s.track.generic_ls_marker = r.generic_ls_marker;
   for (const Retained::Cover& cover : r.covers)
     (void)s.balise.covers.push_back({cover.NID_VBCMK, cover.NID_C, cover.left});  // as many; from time 0 on
+  s.network.NID_MN = r.network;
   restore_to_be_revalidated(s, r);
   return true;
 }

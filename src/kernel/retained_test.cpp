@@ -32,6 +32,7 @@ Retained everything() {
   r.operated_X = 1;
   r.generic_ls_marker = true;
   EXPECT_TRUE(r.covers.push_back({1, 63, 86400_s}));
+  r.network = 0x26210F;
   r.level = Retained::StoredLevel{Level::NTC, 7};
   EXPECT_TRUE(r.level_table.push_back({Level::L2, 0}) && r.level_table.push_back({Level::NTC, 7}));
   r.contact = RbcAddress{1, 16383, 0x0123456789FFFFFF};
@@ -74,6 +75,7 @@ TEST(Retention, AUnitRefusesWhatNoUnitKeeps) {
   };
   EXPECT_TRUE(refused([](auto& r) { r.operated_X = 3; }));
   EXPECT_TRUE(refused([](auto& r) { r.operated_X = 0; }));
+  EXPECT_TRUE(refused([](auto& r) { r.network = port::kDefaultNetwork; }));
   EXPECT_TRUE(refused([](auto& r) { r.national_values.M_NVAVADH = 2.0; }));
   EXPECT_TRUE(refused([](auto& r) { r.covers[0].left = Duration{-1.0}; }));
   EXPECT_TRUE(refused([](auto& r) { r.covers[0].left = Duration{std::numeric_limits<double>::quiet_NaN()}; }));

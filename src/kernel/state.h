@@ -148,6 +148,14 @@ struct LssmaDisplay {
   bool on = false;
 };
 
+/// The radio network of the mobile terminals (3.5.6).
+struct RadioNetwork {
+  InplaceVector<std::uint32_t, 16> offered;  // to the driver, NID_MN; the first is the default
+  std::optional<std::uint32_t> NID_MN;       // the last one of trackside or driver
+  bool changed = false;                      // in this cycle: a registration is due
+  bool registered = true;                    // a terminal is, say the terminals
+};
+
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
   std::optional<Place> end;            // absent: infinite
@@ -213,6 +221,7 @@ struct State {
   balise::State balise;
   track::Description track;
   radio::State radio;
+  RadioNetwork network;
   Handover handover;
   std::optional<AnnouncedLoop> loop;
   RadioInfill radio_infill;

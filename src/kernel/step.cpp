@@ -19,6 +19,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
     state.contact_status = DataStatus::invalid;
   }
   state.local_time_offset_min = config.local_time_offset_min;
+  state.network.offered = config.networks;
   state.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;

@@ -43,7 +43,9 @@ Step after_driver_id(const Inputs& in, Effects& out) {
 
 /// S3: RBC contact.
 Step after_level(const Inputs& in, Effects& out) {
+  if (in.enters_level && !level_2_or_3(in.level)) return Step::S10;
   if (!in.mobile_terminal_registered) {
+    if (in.network_offered) return Step::S3;
     out.inform.add(Inform::network_registration_failed);
     return Step::S10;
   }
@@ -181,7 +183,7 @@ void ask(const State& state, const Inputs& in, Effects& out) {
       out.entries.add(Entry::level);
       break;
     case Step::S3:
-      out.entries.add(Entry::rbc_contact);
+      out.entries.add(Entry::rbc_contact, in.mobile_terminal_registered);
       break;
     case Step::S10:
     case Step::S20:

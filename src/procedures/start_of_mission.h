@@ -47,6 +47,7 @@ struct Inputs {
   bool desk_open = false;
   Session session = Session::none;
   bool mobile_terminal_registered = false;
+  bool network_offered = false;  // the driver may choose another network
   // Status of the stored data, entries of this cycle included.
   DataStatus driver_id = DataStatus::unknown;
   DataStatus train_running_number = DataStatus::unknown;

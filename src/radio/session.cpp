@@ -48,6 +48,7 @@ void request(Session& s, Duration now, Outbox& out) {
 void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& out) {
   s.rbc = rbc;
   s.cause = cause;
+  ++s.connections;
   s.tries = 0;
   s.M_VERSION = 0;
   s.last_T_TRAIN.reset();

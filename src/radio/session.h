@@ -45,7 +45,8 @@ struct Session {
   bool request_connection = false;            ///< a request was made that the bearer has not answered yet
   std::optional<Rbc> remembered;              ///< ordered during termination; set up afterwards
   Cause remembered_cause = Cause::trackside_order;
-  bool after_hole = false;  ///< the session was lost for good in a radio hole: set up again at its end (3.5.3.4 e)
+  std::uint8_t connections = 0;  ///< counts those that were requested anew or are over: whether one still is the same
+  bool after_hole = false;       ///< the session was lost for good in a radio hole: set up again at its end (3.5.3.4 e)
 
   /// A session is established from message 32 on; a lost one is kept for kSessionKept (3.5.4.1).
   bool established() const { return phase == Phase::up || phase == Phase::lost; }

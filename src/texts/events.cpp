@@ -77,6 +77,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     // Session, national values, system version.
     {What::session_ordered, "session", Takes::nothing, "ordered"},
     {What::session_termination_ordered, "session", Takes::nothing, "termination ordered"},
+    {What::network_missing, "session", Takes::nothing, "not set up: no terminal is registered"},
     {What::session_established, "session", Takes::nothing, "established"},
     {What::session_lost, "session", Takes::nothing, "lost"},
     {What::rbc_handover_ordered, "RBC handover", Takes::id, "ordered"},
@@ -134,10 +135,11 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
     "last RBC",
     "short number",
     "virtual balise cover set",
-    "virtual balise cover removed"};
+    "virtual balise cover removed",
+    "radio network"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
-    "driver identity", "train running number",  "train data",          "RBC contact",
-    "level",           "SR speed and distance", "virtual balise cover"};
+    "driver identity", "train running number",  "train data",           "RBC contact",
+    "level",           "SR speed and distance", "virtual balise cover", "radio network"};
 
 void add_change(ShortText& line, const char* from, const char* to) {
   line.add(" ");

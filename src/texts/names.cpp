@@ -101,7 +101,8 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
                                                                                               "last_rbc",
                                                                                               "short_number",
                                                                                               "vbc_set",
-                                                                                              "vbc_remove"};
+                                                                                              "vbc_remove",
+                                                                                              "radio_network"};
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, 2> kCabNames{"A", "B"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
@@ -131,6 +132,8 @@ InputKeys keys_of(DriverInput input) {
       return {"isolate"};
     case rbc_contact:
       return {"rbc", "last_rbc", "short_number"};
+    case radio_network_id:
+      return {"network", "radio_network"};
     case vbc:
       return {"vbc", "vbc_set", "vbc_remove"};
     case sr_speed_distance:

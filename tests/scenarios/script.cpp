@@ -55,6 +55,7 @@ constexpr auto kOutputs = std::to_array<const char*>({
     "geo_m",
     "rv_left_m",
     "version",
+    "radio_register",
     "enabled",
     "messages",
     "track_conditions",

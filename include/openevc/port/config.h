@@ -27,6 +27,9 @@ struct Config {
   Distance L_engine{20};  // where no train data count: SH, SL, NL, PS, before their entry (4.4.6.1.4 and others)
   std::array<bool, kLevels> levels{true, true, true, true, true};  // what this unit is fitted for
   Identity identity;
+  // Radio networks that the driver may choose, NID_MN; the first one is the default (3.5.6.3). None: the terminals have
+  // their own default, and the driver has no choice.
+  InplaceVector<std::uint32_t, 16> networks;
   std::optional<RbcAddress> contact;       // the last one known (3.18.4.3.1), to be revalidated; data kept replace it
   std::int16_t local_time_offset_min = 0;  // of the local time from UTC (3.18.5.1)
   std::uint8_t terminals = 2;              // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)

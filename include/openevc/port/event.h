@@ -18,6 +18,7 @@ enum class Entered : std::uint8_t {
   level,
   SR_speed_distance,
   cover,
+  network,
   count
 };
 

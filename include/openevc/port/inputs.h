@@ -64,6 +64,7 @@ enum class Select : std::uint8_t {
   short_number,         // the short number stored on board is to be called (3.5.3.11)
   vbc_set,              // a virtual balise cover is to be entered and set, or
   vbc_remove,           // removed (3.15.9.2)
+  radio_network,        // the radio network is to be changed: sessions end (3.18.4.3.6)
   count
 };
 struct DriverActions {
@@ -90,7 +91,8 @@ struct DriverActions {
     std::uint8_t T_VBC = 0;      ///< validity period in days; a removal does not need it
   };
   std::optional<Cover> cover;
-  std::optional<Speed> V_sr;  // SR speed and distance (4.4.11)
+  std::optional<std::uint32_t> network;  // NID_MN, 6 BCD digits packed (3.18.4.3.6)
+  std::optional<Speed> V_sr;             // SR speed and distance (4.4.11)
   std::optional<Distance> D_sr;
 };
 
@@ -128,7 +130,8 @@ struct TrainSignals {
   bool regenerative_brake_active = true, eddy_current_brake_active = true, magnetic_shoe_brake_active = true,
        ep_brake_active = true;
   bool additional_brake_active = false;
-  bool antenna_alarm = false;  ///< the on-board reports a failure of the balise transmission (3.15.7)
+  bool radio_registered = true;  ///< a mobile terminal is registered with the radio network (3.5.6)
+  bool antenna_alarm = false;    ///< the on-board reports a failure of the balise transmission (3.15.7)
   TrainIntegrity integrity = TrainIntegrity::unknown;  ///< says an external source (3.6.5.2)
   std::optional<Distance> length_confirmed;            ///< of the train, with TrainIntegrity::confirmed
 };

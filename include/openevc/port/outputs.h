@@ -145,6 +145,8 @@ struct DateTime {
   std::int64_t utc = 0;
   std::int16_t local_offset_min = 0;
 };
+/// No NID_MN, which is decimal digits.
+inline constexpr std::uint32_t kDefaultNetwork = 0xFFFFFF;
 
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
   Duration now{};
@@ -187,7 +189,10 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   std::optional<Distance> geo;            // geographical position of the estimated front end (3.6.6)
   std::optional<Distance> rv_left;        // in RV: what is left of the distance to run (3.15.4); absent: infinite
   std::uint8_t M_VERSION = 0;             // operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3
-  Set<DriverInput> enabled;               // what the driver may do in the next cycle (4.7.2)
+  /// The mobile terminals that are free have to register with this radio network, NID_MN (3.5.6); kDefaultNetwork:
+  /// their own default.
+  std::optional<std::uint32_t> radio_register;
+  Set<DriverInput> enabled;                     // what the driver may do in the next cycle (4.7.2)
   InplaceVector<ShownStatus, 20> status_texts;  // shown now; trackside texts are `texts`
   InplaceVector<RbcSession, 2> sessions;        // not those that are idle
 

@@ -47,6 +47,7 @@ struct Retained {
   std::uint8_t operated_X = 2;     ///< operated system version, number X (3.17.2.9)
   bool generic_ls_marker = false;  ///< generic LS function marker (4.10)
   InplaceVector<Cover, 16> covers;
+  std::optional<std::uint32_t> network;  ///< the last one of trackside or driver, NID_MN (3.5.6.2)
   // Valid again at power-up only where the engine was not moved (4.11). Absent: unknown.
   std::optional<StoredLevel> level;
   InplaceVector<StoredLevel, 32> level_table;  ///< of trackside; empty: none

@@ -75,6 +75,7 @@ enum class What : std::uint8_t {
   // Session, national values, system version.
   session_ordered,
   session_termination_ordered,
+  network_missing,  ///< an order of trackside to establish a session is not executed
   session_established,
   session_lost,
   rbc_handover_ordered,  ///< `id` of these is NID_RBC of the accepting RBC

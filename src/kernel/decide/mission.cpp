@@ -94,7 +94,8 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.level = s.level.level;
   som.desk_open = desk_open;
   som.session = session_of(s);
-  som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)];
+  som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)] && s.network.registered;
+  som.network_offered = !s.network.offered.empty();
   som.driver_id = s.data.driver_id_status;
   som.train_running_number = s.data.train_running_number_status;
   som.position = s.position.status;

@@ -29,7 +29,7 @@ Set<Select> enabled_selections(Reception& r) {
     Select select;
     driver::Input input;
   };
-  constexpr std::array<Row, 14> rows{{
+  constexpr std::array<Row, 15> rows{{
       {Select::start, driver::Input::start},
       {Select::override_, driver::Input::override_},
       {Select::shunting, driver::Input::shunting},
@@ -42,6 +42,7 @@ Set<Select> enabled_selections(Reception& r) {
       {Select::integrity_confirmed, driver::Input::integrity_confirmation},
       {Select::last_rbc, driver::Input::rbc_contact},
       {Select::short_number, driver::Input::rbc_contact},
+      {Select::radio_network, driver::Input::radio_network_id},
       {Select::vbc_set, driver::Input::vbc},
       {Select::vbc_remove, driver::Input::vbc},
   }};
@@ -132,6 +133,27 @@ void choose_contact(Reception& r) {
   r.out.entered.add(Entered::rbc_contact);
 }
 
+/// 3.18.4.3.6: one of the networks that are offered. With another network the RBC of the contact may not be reached
+/// (5.4.3.2 S3: deleted; 3.18.4.3.6.3 of 4.0.0: invalid).
+void enter_network(Reception& r) {
+  State& s = r.state;
+  const auto& entered = r.in.driver.network;
+  if (!entered || !may_enter(r, driver::Input::radio_network_id, Entered::network)) return;
+  bool offered = false;
+  for (const std::uint32_t NID_MN : s.network.offered) offered = offered || NID_MN == *entered;
+  if (!offered)
+    return r.log.note({.what = What::entry_not_enabled,
+                       .id = static_cast<std::int32_t>(Entered::network),
+                       .clause = "3.18.4.3.6"_srs});
+  r.out.entered.add(Entered::network);
+  if (s.network.NID_MN == *entered) return;
+  s.network.NID_MN = *entered;
+  s.network.changed = true;
+  if (s.srs == SrsVersion::v4_0_0) return invalidate(s.contact_status);
+  s.radio.contact.reset();
+  s.contact_status = DataStatus::unknown;
+}
+
 /// 3.15.9.2, 3.15.9.5 c: the driver sets a virtual balise cover or removes one.
 void enter_cover(Reception& r) {
   State& s = r.state;
@@ -187,6 +209,7 @@ void receive_driver(Reception& r) {
     r.out.entered.add(Entered::train_running_number);
   }
   receive_train_data(r);
+  enter_network(r);
   choose_contact(r);
   enter_cover(r);
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {

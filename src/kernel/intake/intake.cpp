@@ -113,6 +113,8 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   out.safety_fault = acts(s, !can_go_on || s.configuration_refused || in.safety_fault);
   follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
+  s.network.registered = in.train.radio_registered;
+  s.network.changed = false;
   out.here = here(s);
   out.integrity = integrity_of(in.train, s.train.L_TRAIN);
   operate_version_of_rbc(r, s.level.level);  // beyond the border between two RBCs

@@ -1,6 +1,7 @@
 #include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
+#include "kernel/intake/session_packets.h"
 #include "kernel/radio_infill.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_140.h"
@@ -8,7 +9,6 @@
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_41.h"
-#include "lang/packets/packet_42.h"
 #include "lang/packets/packet_57.h"
 #include "lang/packets/packet_58.h"
 #include "lang/packets/packet_6.h"
@@ -55,23 +55,6 @@ void take_national_values(Evaluation& e, const lang::PacketView& view, Verdict) 
   s.pending_national_values =
       PendingNationalValues{e.reference.place + *received.D_VALIDNV, anchor_of(e), received.set};
   e.brought.national_values = true;
-}
-
-void take_session_order(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
-  State& s = e.r.state;
-  lang::Packet42 p;
-  if (lang::decode(view, p) != lang::Fault::none) return;
-  radio::SessionOrder order = radio::session_order_of(p);
-  const bool supervising = e.information.sender == SessionRole::supervising;
-  // An RBC that ends "the last known" session means its own: in a handover the stored contact may be the other one.
-  if (!supervising && !order.establish && order.rbc.NID_RBC == radio::kLastKnownRbc)
-    order.rbc = s.radio.other.session.rbc;
-  if (radio::order(s.radio, order, s.mode == Mode::SL, verdict == Verdict::only_contact_stored, s.now, e.r.outbox)) {
-    if (order.establish) s.contact_status = DataStatus::valid;
-    e.r.log.note(
-        {.what = order.establish ? What::session_ordered : What::session_termination_ordered, .clause = "3.5.3.5"_srs});
-  }
-  if (!order.establish && supervising) e.r.out.termination_ordered = true;
 }
 
 /// 3.9.3.6.
@@ -214,7 +197,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::level_transition_order,                  Turn::level_order,    {level_transition_order},                at_a_border,            nullptr},
     {packet::session_management,                      Turn::rest,           {session_management},                    nullptr,                take_session_order},
     {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr,                nullptr},
-    {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr,                nullptr},
+    {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr,                take_network},
     {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr,                nullptr},
     {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr,                nullptr},
     {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   always,                 store_with_track},

@@ -26,7 +26,7 @@ void continue_former(State& s, const track::RbcTransition& former, radio::Outbox
 
 /// Takes the stored order. Returns whether it begins a handover; one that names the same RBC again only moves the
 /// border, and one that names the RBC that supervises has been executed before its balise group was read.
-bool take_order(State& s, radio::Outbox& outbox) {
+bool take_order(State& s, radio::Outbox& outbox, Log log) {
   std::optional<track::RbcTransition>& stored = s.track.rbc_transition;
   Handover& h = s.handover;
   if (!stored || stored == h.order) return false;
@@ -44,6 +44,10 @@ bool take_order(State& s, radio::Outbox& outbox) {
   }
   h.order = stored;
   if (s.mode == Mode::SL && !stored->sleeping_too) return true;
+  if (!s.network.registered) {
+    log.note({.what = What::network_missing, .clause = "3.5.6.7"_srs});
+    return true;
+  }
   if (s.terminals < 2) {
     if (former) continue_former(s, *former, outbox);
   } else {
@@ -71,7 +75,7 @@ procedures::rbc_handover::Inputs inputs_of(const State& s, const track::Here& he
 }  // namespace
 
 bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log log) {
-  const bool ordered = take_order(s, outbox);
+  const bool ordered = take_order(s, outbox, log);
   Handover& h = s.handover;
   if (!h.order) return false;
   procedures::rbc_handover::Inputs in = inputs_of(s, here);
@@ -89,7 +93,8 @@ bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log 
   const radio::Addressed to(outbox, peer);
   if (r.rear_passed_now) radio::abort_set_up(session, s.now, outbox);
   if (r.terminate) radio::terminate(session, s.now, outbox);
-  if (r.call_accepting) radio::establish(session, accepting, radio::Cause::trackside_order, s.now, outbox);
+  if (r.call_accepting && s.network.registered)
+    radio::establish(session, accepting, radio::Cause::trackside_order, s.now, outbox);
   if (r.over) s.track.rbc_transition.reset();
   if (h.procedure.step == Step::none) {
     h.order.reset();

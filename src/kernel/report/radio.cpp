@@ -4,6 +4,7 @@
 #include "kernel/radio_address.h"
 #include "kernel/radio_infill.h"
 #include "kernel/report/handover.h"
+#include "kernel/report/network.h"
 #include "kernel/report/sessions.h"
 #include "kernel/stored.h"
 #include "kernel/train_category.h"
@@ -200,6 +201,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.NID_LTRBG = received.NID_LTRBG;
   note_contact(s);
   const radio::Result r = radio::supervise(s.radio, in, outbox);
+  out.network = register_terminals(s, decided.mode_changed && s.previous_mode == Mode::NP);
   s.contact_trip = r.trip;
   complete_handover(s, r, log);
   delete_with_sessions(s, sessions);

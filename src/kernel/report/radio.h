@@ -11,6 +11,7 @@ namespace evc::kernel {
 struct RadioResult {
   procedures::Effects effects;
   brakes::CauseSet asked;
+  std::optional<std::uint32_t> network;  ///< with which terminals have to register (3.5.6)
 };
 
 /// Sessions, handover, MA requests and position reports (3.5, 3.15.1, 3.6.5, 3.8.2, 3.16.3.4). Of the inputs only the

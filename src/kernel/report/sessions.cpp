@@ -72,8 +72,16 @@ bool reports_mode(const State& s, const Decided& decided) {
   return decided.mode_changed && !shunting_goes_on && modes::active(modes::Function::report_mode_change, s.mode);
 }
 
+/// 3.18.4.3.6.1 b, 3.5.3.8 i: the driver changes the network.
+void end_for_network(State& s, const Received& received, radio::Outbox& outbox) {
+  if (!received.selected.has(Select::radio_network) && !received.entered.has(Entered::network)) return;
+  radio::terminate_all(s.radio, s.now, outbox);
+  radio::abort_set_ups(s.radio, s.now, outbox);
+}
+
 void order_sessions(State& s, const Received& received, const Decided& decided, procedures::Effects& effects,
                     radio::Outbox& outbox) {
+  end_for_network(s, received, outbox);
   follow_procedures(s, received, effects, outbox);
   stop_set_up(s, received, decided, outbox);
   open_for_mode(s, decided, outbox);

@@ -1,0 +1,40 @@
+#include "kernel/report/network.h"
+
+namespace evc::kernel {
+namespace {
+
+/// The terminals that are in use register later. Whether another one is free.
+bool leave_busy_ones(State& s) {
+  std::uint8_t busy = 0;
+  for (radio::Partner* p : {&s.radio.supervising, &s.radio.other}) {
+    if (!p->session.active()) continue;
+    p->registers_after = p->session.connections;
+    ++busy;
+  }
+  return busy < s.terminals;
+}
+
+/// Whether a terminal is free that was in use when the network changed; a connection requested since then is another
+/// one.
+bool one_is_free(State& s) {
+  bool is_free = false;
+  for (radio::Partner* p : {&s.radio.supervising, &s.radio.other}) {
+    if (!p->registers_after) continue;
+    if (p->session.active() && p->session.connections == *p->registers_after) continue;
+    p->registers_after.reset();
+    is_free = true;
+  }
+  return is_free;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> register_terminals(State& s, bool powered_up) {
+  bool ordered = one_is_free(s) || powered_up;
+  if (s.network.changed) ordered = leave_busy_ones(s) || ordered;
+  if (!ordered) return std::nullopt;
+  if (s.network.NID_MN) return s.network.NID_MN;
+  return s.network.offered.empty() ? port::kDefaultNetwork : s.network.offered[0];  // 3.5.6.3
+}
+
+}  // namespace evc::kernel
