@@ -247,6 +247,18 @@ LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size
   return view;
 }
 
+std::optional<MessageHead> head_of_message_to_train(std::span<const std::uint8_t> bytes) {
+  BitReader in(bytes);
+  (void)in.read(8, "NID_MESSAGE");
+  const std::uint64_t L_MESSAGE = in.read(10, "L_MESSAGE");
+  MessageHead head;
+  head.T_TRAIN = static_cast<std::uint32_t>(in.read(32, "T_TRAIN"));
+  head.M_ACK = in.read(1, "M_ACK") != 0;
+  (void)in.read(24, "NID_LRBG");
+  if (in.faulty() || L_MESSAGE != bytes.size()) return std::nullopt;
+  return head;
+}
+
 MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv, Check check,
                                          Media sender) {
   MessageToTrainView view;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/inplace_vector.h"
@@ -117,6 +118,13 @@ LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size
 /// `sender`: media::RIU, and only what a radio infill unit may send is consistent (8.7); 0: an RBC, or not known.
 MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all, Media sender = 0);
+/// What every message to the train begins with (8.4.4.6), also one of an unknown number.
+struct MessageHead {
+  std::uint32_t T_TRAIN = 0;
+  bool M_ACK = false;
+};
+/// Absent: the message is too short, or its length is not L_MESSAGE.
+std::optional<MessageHead> head_of_message_to_train(std::span<const std::uint8_t> bytes);
 MessageToTrackView scan_message_to_track(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all);
 

@@ -91,16 +91,31 @@ void receive_version(Reception& r, const lang::MessageToTrainView& view, const S
   operate_version_of_infill_unit(r, M_VERSION);
 }
 
-/// Not consistent, or unknown: it is not used. False: it is.
-bool unusable(Reception& r, const lang::MessageToTrainView& view, const Sender& from) {
-  if (view.fault == lang::Fault::none) return false;
-  if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv)) {
-    r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
-    return true;
+/// The checks of the session (3.16.3); false: the message is rejected. `known`: there is a session with the sender.
+bool passes(Reception& r, const radio::Header& header, const Sender& from, bool known) {
+  const radio::Rejected rejected =
+      known ? radio::receive(r.state.radio, header, r.state.now, r.outbox, from.peer) : radio::Rejected::no_session;
+  if (rejected != radio::Rejected::no) {
+    r.log.note({.what = What::message_rejected, .id = header.NID_MESSAGE, .clause = radio::clause(rejected)});
+    return false;
   }
-  if (!from.infill_unit()) radio::receive_inconsistent(r.state.radio);
-  r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
+  if (!from.infill_unit() && from.role == SessionRole::supervising) r.out.new_radio_message = true;
   return true;
+}
+
+void reject_inconsistent(Reception& r, std::uint8_t NID_MESSAGE, const Sender& from) {
+  if (!from.infill_unit()) radio::receive_inconsistent(r.state.radio);
+  r.log.note({.what = What::message_rejected, .id = NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
+}
+
+/// 3.17.3.11 b: of a message of a later Y only the contents are ignored. It is received as any other: order of the
+/// stamps, acknowledgement, contact.
+void receive_unknown(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
+                     const Sender& from, bool known) {
+  const std::optional<lang::MessageHead> head = lang::head_of_message_to_train(bytes);
+  if (!head) return reject_inconsistent(r, view.NID_MESSAGE, from);
+  if (!passes(r, {view.NID_MESSAGE, head->T_TRAIN, head->M_ACK}, from, known)) return;
+  r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
 }
 
 void receive_message(Reception& r, const RadioMessage& message) {
@@ -112,16 +127,11 @@ void receive_message(Reception& r, const RadioMessage& message) {
   const lang::MessageToTrainView view =
       lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION),
                                   lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
-  if (unusable(r, view, from)) return;
+  if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
+    return receive_unknown(r, view, message.bytes, from, known.has_value());
+  if (view.fault != lang::Fault::none) return reject_inconsistent(r, view.NID_MESSAGE, from);
   if (view.NID_MESSAGE == message::infill_movement_authority && !from.infill_unit()) return refuse_radio_infill(r);
-  const radio::Header header{view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1};
-  const radio::Rejected rejected =
-      known ? radio::receive(s.radio, header, s.now, r.outbox, from.peer) : radio::Rejected::no_session;
-  if (rejected != radio::Rejected::no) {
-    r.log.note({.what = What::message_rejected, .id = view.NID_MESSAGE, .clause = radio::clause(rejected)});
-    return;
-  }
-  if (!from.infill_unit() && from.role == SessionRole::supervising) r.out.new_radio_message = true;
+  if (!passes(r, {view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1}, from, known.has_value())) return;
   if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
   evaluate_radio(r, view, message.bytes, from);
 }
