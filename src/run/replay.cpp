@@ -86,7 +86,8 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
     powered = cycle.levels.train.powered;
     if (goes_off)
       if (const auto kept = keep(on_board, options.persistent); !kept) return kept;
-    const kernel::Planning* const planning = options.planning ? on_board.plan() : nullptr;
+    const bool looked_at = options.changes || n % options.every == 0;
+    const kernel::Planning* const planning = options.planning && looked_at ? on_board.plan() : nullptr;
     const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning) : n % options.every == 0;
     if (wanted) io::append_output(text, cycle.t_ms, outputs, planning);
     if (options.changes) last.keep(outputs, planning);
