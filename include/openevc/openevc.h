@@ -463,6 +463,17 @@ typedef struct openevc_data {
   openevc_cover covers[OPENEVC_COVERS];
 } openevc_data;
 
+#define OPENEVC_FORWARDED 8
+
+/* Data of packet 44 for an application outside ETCS, or for a national system (3.15.6.5). */
+typedef struct openevc_forwarded {
+  uint16_t NID_XUSER;
+  int16_t NID_NTC; /* -1: for no national system */
+  uint16_t bits;
+  uint16_t size;
+  uint8_t bytes[128]; /* left aligned */
+} openevc_forwarded;
+
 /* What comes out of one cycle; members after `size` are written by openevc_step. */
 typedef struct openevc_outputs {
   uint32_t size;
@@ -533,6 +544,9 @@ typedef struct openevc_outputs {
   int64_t utc;              /* date and time, seconds since 1970 (3.18.5) */
   int32_t local_offset_min; /* of the local time from UTC */
   uint32_t utc_given;       /* 0: not known */
+  uint32_t forwarded_count;
+  uint32_t reserved_3;
+  openevc_forwarded forwarded[OPENEVC_FORWARDED]; /* accepted in this cycle */
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other

@@ -25,6 +25,8 @@ static_assert(kRoom<decltype(kernel::Outputs::status_texts)> == OPENEVC_STATUS_T
 static_assert(kRoom<decltype(kernel::Outputs::track_conditions)> == OPENEVC_CONDITIONS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_areas)> == OPENEVC_AREAS);
 static_assert(kRoom<decltype(kernel::Outputs::ordered_platforms)> == OPENEVC_PLATFORMS);
+static_assert(kRoom<decltype(kernel::Outputs::forwarded)> == OPENEVC_FORWARDED);
+static_assert(kRoom<decltype(kernel::ForwardedData::bytes)> == sizeof openevc_forwarded{}.bytes);
 static_assert(kRoom<decltype(kernel::Outputs::covers)> == OPENEVC_COVERS);
 static_assert(kRoom<decltype(kernel::Planning::speeds)> == OPENEVC_PLANNED_SPEEDS);
 static_assert(kRoom<decltype(kernel::Planning::gradients)> == OPENEVC_PLANNED_GRADIENTS);
@@ -188,6 +190,17 @@ void give_data(openevc_data& to, const kernel::Outputs& o) {
   }
 }
 
+void give_forwarded(openevc_outputs& to, const kernel::Outputs& o) {
+  for (const kernel::ForwardedData& data : o.forwarded) {
+    openevc_forwarded& f = to.forwarded[to.forwarded_count++];
+    f.NID_XUSER = data.NID_XUSER;
+    f.NID_NTC = data.NID_NTC ? std::int16_t{*data.NID_NTC} : std::int16_t{-1};
+    f.bits = data.bits;
+    f.size = static_cast<std::uint16_t>(data.bytes.size());
+    std::memcpy(f.bytes, data.bytes.begin(), data.bytes.size());
+  }
+}
+
 /// Single values that came later.
 void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.V_I = of(o.V_I);
@@ -246,6 +259,7 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   give_radio(to, o);
   give_conditions(to, o);
   give_data(to.data, o);
+  give_forwarded(to, o);
   to.utc_given = o.clock ? 1 : 0;
   to.utc = o.clock ? o.clock->utc : 0;
   to.local_offset_min = o.clock ? o.clock->local_offset_min : 0;

@@ -302,6 +302,22 @@ TEST(COutputs, Clock) {
   EXPECT_TRUE(out->utc_given == 1 && out->utc == 1795342500 && out->local_offset_min == -90);
 }
 
+TEST(COutputs, ForwardedData) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  while (o->forwarded.grow() != nullptr) o->forwarded.back() = {};
+  kernel::ForwardedData& data = o->forwarded[1];
+  data.NID_XUSER = 102;
+  data.NID_NTC = 11;
+  data.bits = 12;
+  ASSERT_TRUE(data.bytes.push_back(0xAB) && data.bytes.push_back(0xC0));
+  const auto out = given(*o);
+  ASSERT_EQ(out->forwarded_count, 8u);
+  EXPECT_EQ(out->forwarded[0].NID_NTC, -1);
+  const openevc_forwarded& f = out->forwarded[1];
+  EXPECT_TRUE(f.NID_XUSER == 102 && f.NID_NTC == 11 && f.bits == 12 && f.size == 2);
+  EXPECT_TRUE(f.bytes[0] == 0xAB && f.bytes[1] == 0xC0);
+}
+
 TEST(COutputs, Planning) {
   const auto p = std::make_unique<kernel::Planning>();
   ASSERT_TRUE(p->speeds.push_back({Distance{10.0}, {20.0}, {MrspSource::SSP, MrspSource::mode}}));

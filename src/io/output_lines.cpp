@@ -557,6 +557,20 @@ void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Plannin
   append_train_orders(row, o);
   row.key("data");
   append_data(row.out(), o);
+  row.objects("forwarded", o.forwarded, [](std::string& out, const kernel::ForwardedData& data) {
+    out += "{\"NID_XUSER\":";
+    append_number(out, std::int64_t{data.NID_XUSER});
+    out += ",\"NID_NTC\":";
+    if (data.NID_NTC)
+      append_number(out, std::int64_t{*data.NID_NTC});
+    else
+      out += "null";
+    out += ",\"bits\":";
+    append_number(out, std::int64_t{data.bits});
+    out += ",\"data\":\"";
+    append_hex(out, {data.bytes.begin(), data.bytes.size()});
+    out += "\"}";
+  });
   append_clock(row, o.clock);
   if (planning != nullptr)
     append_planning(row, o, *planning);
@@ -660,6 +674,7 @@ bool differ_beyond_motion(const Outputs& a, const Outputs& b) {
     return true;
   if (!a.radio_out.empty() || a.radio_connect || a.radio_disconnect || a.radio_register || !a.events.empty())
     return true;
+  if (!a.forwarded.empty() || !b.forwarded.empty()) return true;
   const bool same = a.mode == b.mode && a.level == b.level && a.lrbg == b.lrbg && a.monitoring == b.monitoring &&
                     a.status == b.status && a.V_MRSP == b.V_MRSP && a.V_target == b.V_target &&
                     a.V_release == b.V_release && a.EOA == b.EOA && a.SvL == b.SvL && a.tco == b.tco && a.sb == b.sb &&

@@ -444,7 +444,8 @@ TEST(OutputLines, Json) {
       "\"level\":{\"value\":null,\"status\":\"unknown\"},\"rbc\":{\"value\":null,\"status\":\"unknown\"},"
       "\"train_data\":{\"value\":null,\"status\":\"unknown\"},\"sr\":{\"value\":null,\"status\":\"unknown\"},"
       "\"vbc\":{\"value\":[],\"status\":\"valid\"},"
-      "\"adhesion\":{\"value\":\"non slippery rail\",\"status\":\"valid\"}},\"clock\":null,\"planning\":null}\n");
+      "\"adhesion\":{\"value\":\"non slippery "
+      "rail\",\"status\":\"valid\"}},\"forwarded\":[],\"clock\":null,\"planning\":null}\n");
   EXPECT_TRUE(Json::accept(line));
 }
 
@@ -497,6 +498,10 @@ kernel::Outputs second_edition() {
   o.data.SR.D = 55_m;
   o.data.slippery_rail = true;
   o.clock = kernel::DateTime{1795342500, 120};
+  kernel::ForwardedData data{102, 11, 12, {}};
+  (void)(data.bytes.push_back(0xAB) && data.bytes.push_back(0xC0));
+  (void)o.forwarded.push_back(data);
+  (void)o.forwarded.push_back({5, std::nullopt, 0, {}});
   (void)o.covers.push_back({7, 9, Duration{60.0}});
   (void)o.covers.push_back({7, 10, Duration{90.0}});
   return o;
@@ -536,7 +541,9 @@ TEST(OutputLines, SecondEdition) {
       "\"vbc\":{\"value\":[{\"NID_C\":7,\"NID_VBCMK\":9,\"left_s\":60},{\"NID_C\":7,\"NID_VBCMK\":10,\"left_s\":90}],"
       "\"status\":\"valid\"},"
       "\"adhesion\":{\"value\":\"slippery rail\",\"status\":\"valid\"}},"
-      "\"clock\":{\"utc\":\"2026-11-22T10:15:00Z\",\"local\":\"2026-11-22T12:15:00\"},\"planning\":null}\n";
+      "\"forwarded\":[{\"NID_XUSER\":102,\"NID_NTC\":11,\"bits\":12,\"data\":\"ABC0\"},"
+      "{\"NID_XUSER\":5,\"NID_NTC\":null,\"bits\":0,\"data\":\"\"}],\"clock\":{\"utc\":\"2026-11-22T10:15:00Z\","
+      "\"local\":\"2026-11-22T12:15:00\"},\"planning\":null}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
@@ -647,6 +654,7 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_TRUE(changed([](Out& o) { o.data.rbc.NID_RADIO = 1; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.train.airtight = true; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.slippery_rail = true; }));
+  EXPECT_TRUE(changed([](Out& o) { (void)o.forwarded.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { (void)o.covers.push_back({}); }));
   EXPECT_TRUE(changed([](Out& o) { o.LSSMA = 72_km_h; }));
   EXPECT_TRUE(changed([](Out& o) { o.MRDT_changed = true; }));

@@ -35,7 +35,7 @@ void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& ou
   reset(outputs);
   const Log log{outputs.events};
   radio::Outbox outbox;
-  const Received received = intake(state, derived.scratch, inputs, outbox, log);
+  const Received received = intake(state, derived.scratch, inputs, outbox, log, &outputs.forwarded);
   const Decided decided = decide(state, inputs, received, log);
   const Supervised supervised = supervise(state, derived, inputs.train, decided.here, decided.basis_renewed,
                                           received.acknowledged.has(Ack::brake), log);

@@ -28,6 +28,8 @@ namespace evc::lang {
 
 /// Q_DIFF of a translated packet 27: 1 or 2, by the train (6.6.3.2.3 [3]); spare on the wire.
 inline constexpr std::uint8_t kQ_DIFF_by_train = 3;
+/// NID_XUSER of data for a national system, which NID_NTC names (7.4.2.11).
+inline constexpr std::uint16_t kNationalSystem = 102;
 
 template <class... P>
 struct Forms {};

@@ -19,6 +19,8 @@ using port::DriverActions;
 using port::Entered;
 using port::Event;
 using port::ExternalTrainData;
+using port::Forwarded;
+using port::ForwardedData;
 using port::Inputs;
 using port::LoopMessage;
 using port::NationalSystem;

@@ -148,6 +148,15 @@ struct DateTime {
 /// No NID_MN, which is decimal digits.
 inline constexpr std::uint32_t kDefaultNetwork = 0xFFFFFF;
 
+/// Data of packet 44 for an application outside ETCS, or for a national system (3.15.6.5).
+struct ForwardedData {
+  std::uint16_t NID_XUSER = 0;
+  std::optional<std::uint8_t> NID_NTC;  // with NID_XUSER 102
+  std::uint16_t bits = 0;
+  InplaceVector<std::uint8_t, 128> bytes;  // left aligned
+};
+using Forwarded = InplaceVector<ForwardedData, 8>;
+
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
   Duration now{};
   Mode mode = Mode::NP;
@@ -209,6 +218,7 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   ShownData data;
   InplaceVector<ShownCover, 16> covers;  // stored
   std::optional<DateTime> clock;         // where it is known (3.18.5)
+  Forwarded forwarded;                   // accepted in this cycle
 };
 
 }  // namespace evc::port

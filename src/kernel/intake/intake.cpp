@@ -104,9 +104,10 @@ bool acts(State& s, bool fault) {
 
 }  // namespace
 
-Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log) {
+Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log,
+                Forwarded* forwarded) {
   Received out;
-  Reception r{s, scratch, in, outbox, log, out, {}};
+  Reception r{s, scratch, in, outbox, log, out, {}, {}, forwarded};
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});

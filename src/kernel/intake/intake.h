@@ -9,7 +9,8 @@ namespace evc::kernel {
 
 /// The odometer, the driver, telegrams and messages of this cycle, timers of stored data, and the level transition with
 /// the release of the transition buffer. Data are stored in `state`, answers to the RBC in `outbox`; nothing is kept in
-/// `scratch`.
-Received intake(State& state, Derived::Scratch& scratch, const Inputs& inputs, radio::Outbox& outbox, Log log);
+/// `scratch`. `forwarded`: data of packet 44.
+Received intake(State& state, Derived::Scratch& scratch, const Inputs& inputs, radio::Outbox& outbox, Log log,
+                Forwarded* forwarded = nullptr);
 
 }  // namespace evc::kernel

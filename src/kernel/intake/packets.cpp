@@ -1,3 +1,4 @@
+#include "kernel/intake/forwarded.h"
 #include "kernel/intake/loops.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/routes.h"
@@ -196,7 +197,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::permitted_current_change,                Turn::rest,           {track_conditions_general},              always,                 store_with_track},
     {packet::level_transition_order,                  Turn::level_order,    {level_transition_order},                at_a_border,            nullptr},
     {packet::session_management,                      Turn::rest,           {session_management},                    nullptr,                take_session_order},
-    {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr,                nullptr},
+    {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr,                forward_data},
     {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr,                take_network},
     {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr,                nullptr},
     {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr,                nullptr},

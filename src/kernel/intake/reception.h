@@ -21,6 +21,7 @@ struct Reception {
   std::optional<procedures::level_transition::JudgedOrder> order;
   /// An announcement after an order that is executed: it counts from the level that this one leads to.
   std::optional<procedures::level_transition::Order> announcement = {};
+  Forwarded* forwarded = nullptr;  ///< data of packet 44; none: nobody takes them
 };
 
 }  // namespace evc::kernel
