@@ -545,7 +545,7 @@ typedef struct openevc_outputs {
   int32_t local_offset_min; /* of the local time from UTC */
   uint32_t utc_given;       /* 0: not known */
   uint32_t forwarded_count;
-  uint32_t reserved_3;
+  uint32_t reserved_4;
   openevc_forwarded forwarded[OPENEVC_FORWARDED]; /* accepted in this cycle */
 } openevc_outputs;
 
