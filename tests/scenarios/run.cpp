@@ -99,6 +99,25 @@ bool is_sent(const WantedMessage& wanted, const Json& message) {
   });
 }
 
+/// Writes over bits that were encoded. False: they are beyond the end.
+bool spoil(io::Bits& to, const Damage& damage) {
+  for (const Damage::Bits& b : damage.bits) {
+    if (b.last >= to.bits) return false;
+    for (std::size_t i = b.first; i <= b.last; ++i) {
+      const auto mask = static_cast<std::uint8_t>(0x80u >> (i % 8));
+      const bool one = ((b.value >> (b.last - i)) & 1u) != 0;
+      std::uint8_t& byte = to.bytes[i / 8];
+      byte = static_cast<std::uint8_t>(one ? byte | mask : byte & ~mask);
+    }
+  }
+  const auto bytes = static_cast<std::int64_t>(to.bytes.size()) + damage.bytes;
+  if (bytes <= 0) return false;
+  if (damage.bytes == 0) return true;
+  to.bytes.resize(static_cast<std::size_t>(bytes));
+  to.bits = 8 * to.bytes.size();
+  return true;
+}
+
 class Run {
  public:
   explicit Run(const Scenario& scenario) : scenario_(scenario) {
@@ -261,13 +280,15 @@ class Run {
     start();
     Json message = a.json;
     // Messages of one cycle have increasing time stamps (3.16.3.3.2).
-    if (a.T_TRAIN) message["T_TRAIN"] = next_ms() / 10 + static_cast<std::int64_t>(queued_.size());
+    if (a.T_TRAIN)
+      message["T_TRAIN"] = next_ms() / 10 + static_cast<std::int64_t>(queued_.size()) - std::llround(a.ago_s * 100.0);
     if (a.NID_LRBG) message["NID_LRBG"] = last_lrbg();
     if (a.answers != 0) message["T_TRAIN_REF"] = last_T_TRAIN(a.answers, a.from);
     Json more = Json::object();
     if (a.from) more["to"] = Json{{"NID_C", 1}, {a.from->key(), a.from->number}};
-    give_bits(a.from && a.from->infill_unit ? "radio_in_fill" : "radio",
-              io::encode_radio_json(message, {lang::Direction::to_train, {}}), more);
+    auto bits = io::encode_radio_json(message, {lang::Direction::to_train, {}});
+    if (bits && !spoil(*bits, a.damage)) fail("bits of the message", "beyond its end", false);
+    give_bits(a.from && a.from->infill_unit ? "radio_in_fill" : "radio", bits, more);
   }
   std::int64_t last_lrbg() const {
     if (cycles_.empty() || !cycles_.back().output()["lrbg"].is_object()) return 0xFFFFFF;
@@ -317,8 +338,11 @@ class Run {
         places_[a.NID_BG] = at;
       }
       if (a.balises[k].missing) continue;
-      const auto bits = io::encode_balise_json(a.balises[k].telegram);
+      auto bits = io::encode_balise_json(a.balises[k].telegram);
       if (!bits) fail("a telegram", bits.error().why, false);
+      // Without a header there is no telegram.
+      if (a.balises[k].spoiled) *bits = io::Bits{{0}, 8};
+      if (!spoil(*bits, a.balises[k].damage)) fail("bits of the telegram", "beyond its end", false);
       balises_.push_back({at, io::hex_of_bits(bits->bytes, bits->bits), bits->bits});
     }
   }

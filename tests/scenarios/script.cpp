@@ -138,7 +138,8 @@ class Reader {
     std::vector<Line> out;
     for (const Line& line : lines) {
       const std::string& head = line[0].text;
-      if (!out.empty() && line[0].kind == Token::Kind::word && (head == "packet" || head == "balise"))
+      const bool goes_on = head == "packet" || head == "balise" || head == "bits";
+      if (!out.empty() && line[0].kind == Token::Kind::word && goes_on)
         out.back().insert(out.back().end(), line.begin(), line.end());
       else
         out.push_back(line);
@@ -532,6 +533,10 @@ class Reader {
     int X = 2, Y = 1;
     read_version(words, X, Y);
     if (words.take("from")) a.from = partner(words);
+    if (words.take("sent")) {
+      a.ago_s = words.seconds();
+      words.require("ago");
+    }
     const Value members = words.peek() == "{" ? words.object() : Value{};
     const auto named = [&](const char* name) {
       return std::any_of(members.members.begin(), members.members.end(),
@@ -544,6 +549,11 @@ class Reader {
     if (a.json.contains("T_TRAIN_REF") && !named("T_TRAIN_REF")) a.answers = nid == 8 ? 129 : 130;
     a.json["system_version"] = std::to_string(X) + "." + std::to_string(Y);
     read_packets(words, a.json, X, Y);
+    read_damage(words, a.damage);
+    if (words.take("cut"))
+      a.damage.bytes = -bytes_of(words);
+    else if (words.take("longer"))
+      a.damage.bytes = bytes_of(words);
     const auto bits = io::encode_radio_json(a.json, {lang::Direction::to_train, {}});
     if (!bits)
       throw ReadError{line, "message " + std::to_string(nid) + " " + bits.error().variable,
@@ -564,6 +574,27 @@ class Reader {
       }
     }
     if (!packets.empty()) to["packets"] = packets;
+  }
+
+  /// `bits 50 to 57 are 99 ...`
+  static void read_damage(Words& words, Damage& damage) {
+    while (words.take("bits")) {
+      Damage::Bits b;
+      b.first = static_cast<std::size_t>(words.integer(0, 8191, "the first bit"));
+      words.require("to");
+      const auto least = static_cast<std::int64_t>(b.first);
+      b.last = static_cast<std::size_t>(words.integer(least, least + 31, "the last of at most 32 bits"));
+      words.require("are");
+      b.value =
+          static_cast<std::uint64_t>(words.integer(0, (std::int64_t{2} << (b.last - b.first)) - 1, "their value"));
+      damage.bits.push_back(b);
+    }
+  }
+  static std::int64_t bytes_of(Words& words) {
+    words.require("by");
+    const std::int64_t n = words.integer(1, 100, "1 to 100 bytes");
+    (void)words.one_of({"bytes", "byte"});
+    return n;
   }
 
   /// The header of a telegram or loop message with the defaults.
@@ -592,7 +623,7 @@ class Reader {
     read_balises(words, a);
   }
 
-  /// `[reversed] [{ header }] packets [balise N [missing] [{ header }] packets]...`
+  /// `[reversed] [{ header }] packets [damage] [balise N [missing|spoiled] [{ header }] packets [damage]]...`
   static void read_balises(Words& words, Action& a) {
     const int line = words.place();
     a.reversed = words.take("reversed");
@@ -615,9 +646,11 @@ class Reader {
       Balise& b = a.balises[of];
       const lang::SystemVersion sv = version_of(b.telegram);
       read_packets(words, b.telegram, sv.x, sv.y);
+      read_damage(words, b.damage);
       if (!words.take("balise")) break;
       of = static_cast<std::size_t>(words.integer(1, balises, "the number of the balise in the group")) - 1;
       a.balises[of].missing = words.take("missing");
+      a.balises[of].spoiled = !a.balises[of].missing && words.take("spoiled");
       if (words.peek() == "{") {
         const Value own = words.object();
         const Json header = telegram(own, false);

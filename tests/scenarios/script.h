@@ -62,9 +62,21 @@ struct Condition {
   std::vector<std::string> reasons;  ///< brakes: causes that have to be among those reported
 };
 
+/// What is wrong with the bits of a telegram or message on their way, beyond what can be encoded.
+struct Damage {
+  struct Bits {
+    std::size_t first = 0, last = 0;
+    std::uint64_t value = 0;
+  };
+  std::vector<Bits> bits;
+  std::int64_t bytes = 0;  ///< message: so many more at the end; below 0: fewer
+};
+
 struct Balise {
   Json telegram;  ///< in the form of `evc encode balise`
   bool missing = false;
+  bool spoiled = false;  ///< detected, but not decoded
+  Damage damage;
 };
 
 /// The action of a `given` or `when`.
@@ -74,6 +86,8 @@ struct Action {
   bool same_cycle = false;      ///< message, loop, input: in the cycle of the step before
   Json json;                    ///< configure, input: members; message, loop: in the form of `evc encode`
   bool T_TRAIN = false;         ///< message: T_TRAIN is the time of sending
+  double ago_s = 0.0;           ///< message: so much before the time of the unit
+  Damage damage;                ///< message
   bool NID_LRBG = false;        ///< message: NID_LRBG is the one last reported by the unit
   std::optional<Partner> from;  ///< message: the sender; absent: the RBC called last
   int answers = 0;              ///< message: T_TRAIN_REF is the T_TRAIN of the last message of this number sent

@@ -48,6 +48,10 @@ TEST(Script, refuses_what_is_misspelt_and_says_where) {
       {"scenario a\n  when message 3\n    packet 27 { V_STATIC 101 km/h }\n",
        "line 3: found 101 km/h, expected a value that V_STATIC can carry"},
       {"scenario a\n  when message 99\n", "line 2: found message 99, expected a message to the train"},
+      {"scenario a\n  when message 24 sent 5 s later\n", "line 2: found \"later\", expected ago"},
+      {"scenario a\n  when message 24 bits 4 to 3 are 0\n", "expected the last of at most 32 bits"},
+      {"scenario a\n  when message 24 bits 4 to 5 are 4\n", "found \"4\", expected their value"},
+      {"scenario a\n  when message 24 cut by 0 bytes\n", "expected 1 to 100 bytes"},
       {"scenario a\n  when passes group 20000\n", "line 2: found \"20000\", expected NID_BG"},
       {"scenario a\n  when message 3\n    packet 15 {\n", "line 3: found the end of the file, expected the bracket"},
       {"scenario a\n  when driver enters { driver_id 1 driver_id 2 }\n", "\"driver_id\" again"},
@@ -94,6 +98,19 @@ TEST(Runner, messages_of_the_same_cycle_come_in_their_order) {
   const std::size_t first = inputs.find("\"message\"");
   ASSERT_NE(first, std::string::npos);
   EXPECT_EQ(inputs.find("odometer", first), std::string::npos) << "no cycle begins between them: " << inputs;
+}
+
+TEST(Runner, a_message_arrives_damaged_as_written) {
+  const auto file = read(
+      "scenario a\n  when message 24 { T_TRAIN 0 } bits 8 to 17 are 5 longer by 1 byte\n"
+      "  then mode SB [4.6.3(4)]\n",
+      "x.scenario");
+  ASSERT_TRUE(file);
+  // NID_MESSAGE 24, L_MESSAGE 5 instead of 10, 11 bytes.
+  const std::string inputs = inputs_of(file->scenarios.at(0));
+  EXPECT_TRUE(contains(inputs, "\"message\":\"1801400000001FFFFFE000\"")) << inputs;
+  EXPECT_TRUE(contains(failure_of("scenario a\n  when message 24 bits 900 to 900 are 1\n  then mode SB [4.6.3(4)]\n"),
+                       "beyond its end"));
 }
 
 TEST(Runner, the_odometer_counts_and_is_as_accurate_as_said) {
