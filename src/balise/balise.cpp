@@ -79,9 +79,13 @@ OpenGroup& group_of(State& state, const Header& header, const Reading& reading, 
   return open;
 }
 
+/// All were read, or the last one in the direction of passage: those before it are missed (3.16.2.2.2 b).
 bool complete(const OpenGroup& open) {
   const unsigned all = (1u << (open.N_TOTAL + 1u)) - 1u;
-  return (open.seen & all) == all;
+  if ((open.seen & all) == all) return true;
+  if (open.telegrams.size() < 2) return false;
+  const bool rising = open.telegrams.back().N_PIG > open.telegrams.front().N_PIG;
+  return open.telegrams.back().N_PIG == (rising ? open.N_TOTAL : 0);
 }
 
 bool covered(const State& state, const Header& header, Duration now) {

@@ -83,6 +83,21 @@ TEST(Balise, TheSpacingCountsAtTheNextTelegramToo) {
   EXPECT_EQ(t.groups.size(), 2u);
 }
 
+TEST(Balise, TheLastBaliseInTheDirectionOfPassageEndsTheGroup) {
+  Train t;
+  t.read_at(10, Balise{5, 0, 2});
+  t.read_at(16, Balise{5, 2, 2});
+  ASSERT_EQ(t.groups.size(), 1u);
+  EXPECT_EQ(t.last().finding, Finding::balise_missed);
+  t.read_at(40, Balise{6, 2, 2});
+  t.read_at(46, Balise{6, 0, 2});
+  ASSERT_EQ(t.groups.size(), 2u);
+  EXPECT_EQ(t.last().finding, Finding::balise_missed);
+  // One alone may be the first or the last.
+  t.read_at(70, Balise{7, 2, 2});
+  EXPECT_EQ(t.groups.size(), 2u);
+}
+
 TEST(Balise, AnotherGroupEndsTheOneBefore) {
   Train t;
   t.read_at(10, Balise{5, 0, 1});
