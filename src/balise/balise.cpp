@@ -134,6 +134,9 @@ void note_undecodable(State& state, const Reading& reading, const Situation& sit
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome) {
   begin(outcome);
   const Header header = read_header(reading.bytes, reading.bits);
+  // A covered balise counts as not received (3.15.9.3).
+  if (situation.srs == SrsVersion::v4_0_0 && !(header.readable && covered(state, header, situation.now)))
+    note_detection(state.linking, reading.antenna);
   if (!header.readable) return note_undecodable(state, reading, situation, outcome);
   if (dropped(state, header, reading, situation, outcome)) return;
   if (state.open && same_passage(*state.open, header, reading)) return;

@@ -5,6 +5,7 @@
 #include "balise/group.h"
 #include "balise/linking.h"
 #include "base/inplace_vector.h"
+#include "terms/srs_version.h"
 
 // From telegrams to balise groups (3.4.1, 3.4.2, 3.16.2).
 namespace evc::balise {
@@ -28,6 +29,7 @@ struct Situation {
   bool counter_rises = true;   // direction of movement, as the odometer counts
   bool level_1_2_3 = false;    // else level 0 or NTC (3.17.3.5 d, e)
   std::uint8_t highest_X = 2;  // highest supported system version number
+  SrsVersion srs = SrsVersion::v3_6_0;
 };
 
 /// A balise as read by the antenna.

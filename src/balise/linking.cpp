@@ -122,10 +122,20 @@ Judgement judge_without_reference(LinkingState& linking, GroupId id, const Place
   return {Judgement::Verdict::not_announced, std::nullopt};
 }
 
-void take_repositioning(LinkingState& linking, GroupId id, const Link& link) {
+void leave_repositioning(LinkingState& linking, const Link& link) {
   const Link* next = expected(linking);
   if (next != nullptr && *next == link) move_on(linking);
   linking.missed_in_row = 0;
+}
+
+void note_detection(LinkingState& linking, const PlaceInterval& antenna) {
+  linking.missed_in_row = 0;
+  const Link* next = expected(linking);
+  if (next != nullptr && antenna.max >= first_possible(linking, *next)) linking.detected = true;
+}
+
+void take_repositioning(LinkingState& linking, GroupId id, const Link& link) {
+  leave_repositioning(linking, link);
   linking.found = LinkingState::Found{id, link.place};
   linking.repositioned = LinkingState::Repositioned{id, last_possible(link), link.crossing};
 }

@@ -121,6 +121,10 @@ Judgement judge_without_reference(LinkingState& linking, GroupId id, const Place
                                   bool linking_checked);
 /// The repositioning group was accepted: the expectation moves on, a second one is supervised (3.16.2.7.2).
 void take_repositioning(LinkingState& linking, GroupId id, const Link& link);
+/// It was found with an inconsistent message: the expectation moves on (3.4.4.4.6 c).
+void leave_repositioning(LinkingState& linking, const Link& link);
+/// 4.0.0: a balise was detected, of any group (3.16.2.7.1.1).
+void note_detection(LinkingState& linking, const PlaceInterval& antenna);
 /// A group with repositioning was read, crossed in direction `crossing`: whether it is a second one
 /// (3.16.2.7.2.2).
 bool second_repositioning(const LinkingState& linking, GroupId id, Direction crossing);

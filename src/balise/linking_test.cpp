@@ -323,6 +323,22 @@ TEST(LinkingFaults, Row24TwoInARow) {
   EXPECT_EQ(t.count(What::double_linking_error), 2);
 }
 
+TEST(LinkingFaults, AnyBaliseEndsTheRowIn4_0_0) {
+  for (const double x : {90.0, 98.0, 150.0, 202.0}) {
+    for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+      Train t;
+      t.situation.srs = srs;
+      announce(t, {entry(100, 1, Reaction::none), entry(100, 2, Reaction::none)});
+      if (x > 107) t.run_to(107);
+      t.read_at(x, test::Balise{30, 0, 0, 0});  // unlinked
+      if (x < 107) t.run_to(107);
+      t.run_to(207);
+      const bool between = srs == SrsVersion::v4_0_0 && x > 95;
+      EXPECT_EQ(t.count(What::double_linking_error), between ? 0 : 1) << x;
+    }
+  }
+}
+
 TEST(LinkingFaults, Row24AGroupBetweenOrOneReadOutsideItsWindowEndsTheRow) {
   Train t;
   announce(t, {entry(100, 1, Reaction::none), entry(100, 2, Reaction::none), entry(100, 3, Reaction::none),

@@ -179,21 +179,35 @@ void judge_announced(Group& group, const Link& link, const Examined& found, Outc
   note(outcome, {What::linking_ok, group.id, Finding::none, Reaction::none, ErrorReport::none, "3.4.4.4.3"_srs});
 }
 
+/// Not the group that is expected with unknown identity. 4.0.0: with an error in its reading it may have been that one,
+/// unless it was crossed the other way (3.16.2.4.3.1).
+void pass_over(Group& group, const Link& link, const Examined& found, const Situation& situation, Outcome& outcome) {
+  const Finding error = error_of(found, true);
+  const Finding finding = error != Finding::none ? error : Finding::not_repositioning;
+  const bool unread = error == Finding::balise_missed || error == Finding::balise_not_decoded;
+  const bool other_way = found.crossing != Direction::unknown && found.crossing != link.crossing;
+  if (situation.srs == SrsVersion::v4_0_0 && unread && !other_way)
+    return refuse(group, finding, What::group_inconsistent, link.reaction, ErrorReport::none, "3.16.2.4.3.1"_srs,
+                  outcome);
+  refuse(group, finding, What::group_ignored, Reaction::none, ErrorReport::none, "3.4.4.4.2.1"_srs, outcome);
+}
+
 /// Identity unknown was expected: 3.4.4.4.2.1 a to c.
 void judge_repositioning(LinkingState& linking, Group& group, const OpenGroup& open, const Link& link,
-                         const Examined& found, Outcome& outcome) {
+                         const Examined& found, const Situation& situation, Outcome& outcome) {
   const bool fits = found.crossing != Direction::unknown && found.crossing == link.crossing &&
                     repositioning_for(open, found.crossing);
+  if (!fits) return pass_over(group, link, found, situation, outcome);
+  group.announced = true;
   const Finding error = error_of(found, true);
-  if (!fits || error != Finding::none) {
-    refuse(group, error != Finding::none ? error : Finding::not_repositioning, What::group_ignored, Reaction::none,
-           ErrorReport::none, "3.4.4.4.2.1"_srs, outcome);
-    return;
+  if (error != Finding::none) {  // the announced group, its message inconsistent
+    leave_repositioning(linking, link);
+    return refuse(group, error, What::group_inconsistent, link.reaction, ErrorReport::linked_message, "3.16.2.4.1"_srs,
+                  outcome);
   }
   take_repositioning(linking, group.id, link);
   group.accepted = true;
   group.repositioning = true;
-  group.announced = true;
   // The entry with unknown identity breaks the chain of link distances: the estimated place is used
   // (3.6.4.3).
   group.Q_LOCACC = link.Q_LOCACC;
@@ -289,7 +303,7 @@ void decide(LinkingState& linking, Group& group, const OpenGroup& open, const Ex
       group.announced = true;
       return judge_announced(group, *open.judgement.link, found, outcome);
     case Verdict::repositioning:
-      return judge_repositioning(linking, group, open, *open.judgement.link, found, outcome);
+      return judge_repositioning(linking, group, open, *open.judgement.link, found, situation, outcome);
     case Verdict::outside_window:
       group.announced = true;
       return ignore(Finding::outside_window, "3.16.2.3.1.1"_srs);

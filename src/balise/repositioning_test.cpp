@@ -106,19 +106,36 @@ TEST(Repositioning, Row25EndsWithTheWindowOrAKnownGroup) {
   EXPECT_EQ(u.count(What::double_repositioning), 0);
 }
 
-TEST(Repositioning, WithAMissedReferenceBaliseItIsIgnored) {
+/// Of three balises the first is missed; the others show direction and repositioning.
+void pass_without_reference(Train& t, const test::Bits& packet) {
+  test::Balise b{50, 1, 2};
+  b.packets = {packet};
+  t.read_at(700, b);
+  b = {50, 2, 2};
+  t.read_at(703, b);
+}
+
+TEST(Repositioning, WithAMissedReferenceBaliseItsMessageIsInconsistent) {
   Train t;
   announce(t, {entry(1500, kUnknownId, Reaction::trip, 10)});
-  test::Balise b{50, 1, 2};
-  b.packets = {test::repositioning(1)};
-  t.read_at(700, b);
-  b.N_PIG = 2;
-  t.read_at(703, b);
-  t.run_to(730);
+  pass_without_reference(t, test::repositioning(1));
   EXPECT_FALSE(t.last().accepted);
   EXPECT_EQ(t.last().finding, Finding::balise_missed);
-  EXPECT_EQ(t.reaction, Reaction::none);
-  EXPECT_NE(expected(t.state.linking), nullptr);
+  EXPECT_EQ(t.reaction, Reaction::trip);
+  EXPECT_EQ(t.first(What::group_inconsistent)->report, ErrorReport::linked_message);
+  EXPECT_EQ(expected(t.state.linking), nullptr);  // no second reaction at the end of the window
+}
+
+TEST(Repositioning, AnotherGroupWithAMissedBaliseMayBeTheOneIn4_0_0) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Train t;
+    t.situation.srs = srs;
+    announce(t, {entry(1500, kUnknownId, Reaction::trip, 10)});
+    pass_without_reference(t, test::directional(1));
+    EXPECT_FALSE(t.last().accepted);
+    EXPECT_EQ(t.reaction, srs == SrsVersion::v4_0_0 ? Reaction::trip : Reaction::none);
+    EXPECT_NE(expected(t.state.linking), nullptr);
+  }
 }
 
 }  // namespace

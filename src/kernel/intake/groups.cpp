@@ -41,6 +41,7 @@ balise::Situation situation_of(const Reception& r) {
   now.against_permitted_movement = moves_against_permission(s);
   now.counter_rises = position::counter_rises(s.position);
   now.level_1_2_3 = level_1_2_3(s.level.level);
+  now.srs = s.srs;
   return now;
 }
 
