@@ -38,11 +38,19 @@ bool proposal_is_described(Evaluation& e) {
   return proposed.ma && track::complete(e.r.state.track, *proposed.ma, e.r.out.here);
 }
 
+namespace {
+/// 3.8.6.1 a: no farther than the EOA or LOA in force. The request is no way to extend the authority.
+bool is_closer(const track::MovementAuthority& proposed, const std::optional<track::MovementAuthority>& now) {
+  if (proposed.sections.empty()) return false;
+  return now && !now->sections.empty() && proposed.end() <= now->end();
+}
+}  // namespace
+
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
   track::AuthorityContents& proposed = e.r.scratch.proposal;
   if (proposed.mode_profile) track::carry_acceptance(*proposed.mode_profile, s.track, e.r.out.here);
-  const bool granted = e.context.described_over_whole_ma && !proposed.ma->sections.empty() &&
+  const bool granted = e.context.described_over_whole_ma && is_closer(*proposed.ma, s.track.ma) &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
   e.r.log.note({.what = granted ? What::shortening_granted : What::shortening_rejected, .clause = "3.8.6"_srs});

@@ -106,6 +106,7 @@ TEST_F(Shortening, AnAreaThatIsAcceptedIsNoEnd) {  // 5.9.2.7
 
 TEST_F(Shortening, IsGrantedInRearOfItsIndicationLimitAlsoWhereTheTrainIsTooFast) {         // 3.8.6.1 b
   state.position.now.V_est = state.position.now.V_min = state.position.now.V_max = {43.0};  // 140 km/h are permitted
+  state.track.ma->sections.back().end = at(31000.0);
   EXPECT_EQ(answer_to(30000), 137);
 }
 
@@ -122,6 +123,12 @@ TEST_F(Shortening, WithTheSameEndDeletesWhatIsBeyond) {  // 3.8.6.2, A.3.4 f
   EXPECT_EQ(state.track.ma->end(), at(5950.0));
   ASSERT_FALSE(state.track.ssp.empty());
   EXPECT_LE(state.track.ssp.steps.back().from, at(5950.0));
+}
+
+TEST_F(Shortening, IsNoExtension) {  // 3.8.6.1 a
+  state.track.ma->sections.back().end = at(5900.0);
+  EXPECT_EQ(answer_to(5000), 138);  // to 5950 m
+  EXPECT_EQ(state.track.ma->end(), at(5900.0));
 }
 
 TEST_F(Shortening, IsJudgedByItsOwnMessage) {  // 3.8.6.1
