@@ -212,7 +212,9 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
   return Rejected::no;
 }
 
-void receive_inconsistent(State& s) { report_error(s, 3); }
+void receive_inconsistent(State& s, Peer from) {
+  if (s.partner(from).session.established()) report_error(s, 3);
+}
 
 bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
   const Addressed to(out, from);

@@ -105,8 +105,8 @@ constexpr bool later(std::uint32_t a, std::uint32_t b) { return static_cast<std:
 /// supervises contact (3.16.3). Message 39 is executed here. The contents may still be refused by filters; the message
 /// counts as received all the same.
 Rejected receive(State& state, const Header& header, Duration now, Outbox& out, Peer from = Peer::supervising);
-/// A message whose bits are not correct (3.16.3.1.1.2): reported to the RBC.
-void receive_inconsistent(State& state);
+/// A message whose bits are not correct (3.16.3.1.1.2): reported to the RBC if there is a session with its sender.
+void receive_inconsistent(State& state, Peer from = Peer::supervising);
 /// Message 32, after `receive`. True when the session is established by it.
 bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.

@@ -103,6 +103,15 @@ TEST(Messages, AStampBecomesATime) {
   EXPECT_NEAR(time_of(0xFFFF'FFF0u, late).si, late.si - 5.15, 0.011);
 }
 
+TEST(Messages, WithoutASessionNoErrorIsReported) {  // 3.16.4.1
+  Unit u;
+  receive_inconsistent(u.s);
+  EXPECT_TRUE(u.s.errors.empty());
+  u.up();
+  receive_inconsistent(u.s, Peer::other);
+  EXPECT_TRUE(u.s.errors.empty());
+}
+
 TEST(Messages, ErrorsAreReportedOneByOne) {  // 3.16.4
   Unit u;
   u.up();

@@ -103,8 +103,9 @@ bool passes(Reception& r, const radio::Header& header, const Sender& from, bool 
   return true;
 }
 
-void reject_inconsistent(Reception& r, std::uint8_t NID_MESSAGE, const Sender& from) {
-  if (!from.infill_unit()) radio::receive_inconsistent(r.state.radio);
+/// Reported to an RBC that the unit knows (3.16.4.1).
+void reject_inconsistent(Reception& r, std::uint8_t NID_MESSAGE, const Sender& from, bool known) {
+  if (known && !from.infill_unit()) radio::receive_inconsistent(r.state.radio, from.peer);
   r.log.note({.what = What::message_rejected, .id = NID_MESSAGE, .clause = "3.16.3.1.1"_srs});
 }
 
@@ -113,7 +114,7 @@ void reject_inconsistent(Reception& r, std::uint8_t NID_MESSAGE, const Sender& f
 void receive_unknown(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
                      const Sender& from, bool known) {
   const std::optional<lang::MessageHead> head = lang::head_of_message_to_train(bytes);
-  if (!head) return reject_inconsistent(r, view.NID_MESSAGE, from);
+  if (!head) return reject_inconsistent(r, view.NID_MESSAGE, from, known);
   if (!passes(r, {view.NID_MESSAGE, head->T_TRAIN, head->M_ACK}, from, known)) return;
   r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
 }
@@ -129,7 +130,7 @@ void receive_message(Reception& r, const RadioMessage& message) {
                                   lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
     return receive_unknown(r, view, message.bytes, from, known.has_value());
-  if (view.fault != lang::Fault::none) return reject_inconsistent(r, view.NID_MESSAGE, from);
+  if (view.fault != lang::Fault::none) return reject_inconsistent(r, view.NID_MESSAGE, from, known.has_value());
   if (view.NID_MESSAGE == message::infill_movement_authority && !from.infill_unit()) return refuse_radio_infill(r);
   if (!passes(r, {view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1}, from, known.has_value())) return;
   if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
@@ -140,6 +141,7 @@ void receive_message(Reception& r, const RadioMessage& message) {
 
 void receive_radio(Reception& r) {
   for (const RadioMessage& m : r.in.radio_messages) receive_message(r, m);
+  if (!level_2_or_3(r.state.level.level)) r.state.radio.errors.clear();  // 3.16.4.1
 }
 
 }  // namespace evc::kernel
