@@ -48,6 +48,13 @@ TEST(Balise, MoreBitsThanATelegramHasAreAFault) {
   EXPECT_TRUE(outcome.groups[0].accepted);
 }
 
+TEST(Balise, AGroupWithoutAnIdentityIsAFault) {
+  Train t;
+  t.read_at(10, Balise{16383, 0, 0});
+  EXPECT_EQ(t.last().finding, Finding::invalid_value);
+  EXPECT_FALSE(announced(t.state.linking, {426, 16383}));
+}
+
 TEST(Balise, AGroupIsCompleteWithItsLastBalise) {
   Train t;
   t.read_at(10, Balise{5, 0, 2});

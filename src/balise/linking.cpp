@@ -4,6 +4,7 @@ namespace evc::balise {
 namespace {
 
 std::optional<std::size_t> index_of(const LinkingState& linking, GroupId id) {
+  if (id.NID_BG == kIdentityUnknown) return std::nullopt;  // says nothing of a group
   for (std::size_t i = 0; i < linking.links.size(); ++i)
     if (linking.links[i].id == id) return i;
   return std::nullopt;

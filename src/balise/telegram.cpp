@@ -1,5 +1,6 @@
 #include "balise/telegram.h"
 
+#include "balise/linking.h"
 #include "lang/telegram.h"
 
 namespace evc::balise {
@@ -69,7 +70,9 @@ void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::siz
   for (std::size_t i = 0; i < (bits + 7) / 8; ++i) telegram.bytes[i] = bytes[i];
 
   const lang::TelegramView view = lang::scan_telegram(telegram.span(), bits);
-  telegram.faulty = too_long || view.fault != lang::Fault::none || header.M_DUP == 3 || header.N_PIG > header.N_TOTAL;
+  const bool named = header.id.NID_BG != kIdentityUnknown;  // which only packet 5 may contain (7.5.1.85)
+  telegram.faulty =
+      too_long || view.fault != lang::Fault::none || header.M_DUP == 3 || header.N_PIG > header.N_TOTAL || !named;
   if (view.fault != lang::Fault::none) return;
   for (const lang::PacketView& packet : view.packets) look_at(packet, telegram);
 }
