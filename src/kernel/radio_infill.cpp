@@ -35,6 +35,7 @@ void end_all(State& s, radio::Outbox& outbox) {
 
 /// The unit is called now, or when another session has ended.
 void order_session(State& s, const radio::Rbc& unit, Log log) {
+  if (!s.network.registered) return log.note({.what = What::network_missing, .clause = "3.5.6.8"_srs});
   for (const radio::Rbc& waiting : s.radio_infill.to_call)
     if (waiting.same_id(unit)) return;
   (void)s.radio_infill.to_call.push_back(unit);  // the present area and its neighbour

@@ -43,8 +43,6 @@ struct Partner {
   Session session;
   bool established_now = false;     ///< message 32 was accepted since the last cycle
   bool running_number_due = false;  ///< has to be sent (3.18.4.5.4)
-  /// Session::connections of the one whose end the terminal awaits to register with another network (3.5.6.6).
-  std::optional<std::uint8_t> registers_after;
   // 3.18.3.4
   bool train_data_pending = false;                ///< has to be sent
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet

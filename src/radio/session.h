@@ -45,6 +45,8 @@ struct Session {
   bool request_connection = false;            ///< a request was made that the bearer has not answered yet
   std::optional<Rbc> remembered;              ///< ordered during termination; set up afterwards
   Cause remembered_cause = Cause::trackside_order;
+  /// `connections` of the one whose end the terminal awaits to register with another network (3.5.6.6).
+  std::optional<std::uint8_t> registers_after;
   std::uint8_t connections = 0;  ///< counts those that were requested anew or are over: whether one still is the same
   bool after_hole = false;       ///< the session was lost for good in a radio hole: set up again at its end (3.5.3.4 e)
 

@@ -6,9 +6,10 @@ namespace {
 /// The terminals that are in use register later. Whether another one is free.
 bool leave_busy_ones(State& s) {
   std::uint8_t busy = 0;
-  for (radio::Partner* p : {&s.radio.supervising, &s.radio.other}) {
-    if (!p->session.active()) continue;
-    p->registers_after = p->session.connections;
+  for (const radio::Peer peer : radio::kPeers) {
+    radio::Session& session = s.radio.session(peer);
+    if (!session.active()) continue;
+    session.registers_after = session.connections;
     ++busy;
   }
   return busy < s.terminals;
@@ -18,10 +19,11 @@ bool leave_busy_ones(State& s) {
 /// one.
 bool one_is_free(State& s) {
   bool is_free = false;
-  for (radio::Partner* p : {&s.radio.supervising, &s.radio.other}) {
-    if (!p->registers_after) continue;
-    if (p->session.active() && p->session.connections == *p->registers_after) continue;
-    p->registers_after.reset();
+  for (const radio::Peer peer : radio::kPeers) {
+    radio::Session& session = s.radio.session(peer);
+    if (!session.registers_after) continue;
+    if (session.active() && session.connections == *session.registers_after) continue;
+    session.registers_after.reset();
     is_free = true;
   }
   return is_free;

@@ -150,6 +150,17 @@ std::uint8_t request_reasons(const State& s, const Received& received, const Dec
   return reasons;
 }
 
+/// The report of the bearer in this cycle.
+void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
+  const bool of_infill_unit = inputs.radio_link_of_infill_unit;
+  const auto named = named_rbc(inputs.radio_link_with, of_infill_unit);
+  const auto peer = radio::peer_of(s.radio, named, of_infill_unit);
+  if (!peer) return;
+  in.link = inputs.radio_link;
+  in.link_of = *peer;
+  if (named && !of_infill_unit && in.link == RadioLink::connected) radio::identify(s.radio.session(*peer), *named);
+}
+
 }  // namespace
 
 RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, const Decided& decided,
@@ -167,13 +178,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   send_wishes(s, decided, outbox);
   radio::Inputs in;
   in.now = s.now;
-  const bool of_infill_unit = inputs.radio_link_of_infill_unit;
-  if (const auto peer = radio::peer_of(s.radio, named_rbc(inputs.radio_link_with, of_infill_unit), of_infill_unit)) {
-    in.link = inputs.radio_link;
-    in.link_of = *peer;
-    const auto answered = named_rbc(inputs.radio_link_with);
-    if (answered && in.link == RadioLink::connected) radio::identify(s.radio.partner(*peer).session, *answered);
-  }
+  take_link(s, inputs, in);
   in.in_radio_hole = track::in_radio_hole(s.track);
   in.level_2_or_3 = level_2_or_3(s.level.level);
   in.contact_supervised = in.level_2_or_3 && modes::active(Function::safe_radio_supervision, s.mode);
