@@ -1,5 +1,7 @@
 #include "kernel/cab.h"
 
+#include <utility>
+
 #include "track/withdraw.h"
 
 namespace evc::kernel {
@@ -23,6 +25,14 @@ void delete_what_was_ahead(State& s) {
   track::turn(s.track);
 }
 
+/// The announcement of a loop stays (4.10): its messages count for the other direction now (3.6.3.1.1 c).
+void turn(AnnouncedLoop& loop) {
+  loop.orientation = opposite(loop.orientation);
+  std::swap(loop.from, loop.to);
+  for (std::optional<Place>* end : {&loop.from, &loop.to})
+    if (*end) *end = Place{-(*end)->from_origin};
+}
+
 }  // namespace
 
 bool skips_closing(const State& s, const TrainSignals& train) {
@@ -34,6 +44,7 @@ void follow_cab(State& s, const TrainSignals& train, Log log) {
     s.cab = train.cab;
     delete_what_was_ahead(s);
     position::change_cab(s.position, s.L_engine);
+    if (s.loop) turn(*s.loop);
     protection::turn(s.guards);
     s.train.L_antenna_front = from_other_end(s.train.L_antenna_front, s.L_engine);
     ++s.revision;

@@ -91,8 +91,7 @@ struct AnnouncedLoop {
   bool entered = false;                        ///< by the min safe antenna (3.4.5.1.6)
   bool signal_passed = false;
   std::optional<GroupId> signal;  ///< of its SR distance (4.4.11.1.6.7)
-  Place from{};                   ///< its area begins at the group
-  std::optional<Place> to;        ///< absent: not known
+  std::optional<Place> from, to;  ///< its area, from the group on; absent: not known
 };
 
 /// The RBC transition order that is executed, or was last (3.15.1). It is deleted from the track description when it is

@@ -89,7 +89,7 @@ void relocate_stored(State& s, Anchor of, Anchor then, const Relocation& by) {
     pending->anchor = then;
   }
   if (auto& loop = s.loop; loop && loop->anchor == of) {
-    loop->from = loop->from + by.shift;
+    if (loop->from) loop->from = *loop->from + by.shift;
     if (loop->to) loop->to = *loop->to + by.shift;
     loop->anchor = then;
   }

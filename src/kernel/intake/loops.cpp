@@ -48,9 +48,9 @@ void leave_area_of_loop(Reception& r) {
   if (s.srs != SrsVersion::v4_0_0 || !s.loop) return;
   AnnouncedLoop& loop = *s.loop;
   const PlaceInterval antenna = position::antenna(s.position, s.train.L_antenna_front);
-  loop.entered = loop.entered || antenna.min >= loop.from;
+  loop.entered = loop.entered || !loop.from || antenna.min >= *loop.from;
   const bool backward = position::last_motion(s.position) == position::Motion::backward;
-  const bool outside = backward ? antenna.max < loop.from : loop.to && antenna.min > *loop.to;
+  const bool outside = backward ? loop.from && antenna.max < *loop.from : loop.to && antenna.min > *loop.to;
   if (!loop.entered || !outside) return;
   r.log.note({.what = What::loop_left, .id = loop.NID_LOOP, .clause = "3.4.5.1.6"_srs});
   s.loop.reset();
@@ -103,7 +103,7 @@ void take_announcement(Evaluation& e, const lang::PacketView& view, modes::Verdi
   loop.from = group.reference;
   const std::optional<Distance> D_LOOP = lang::metres(p.Q_SCALE, p.D_LOOP);
   const std::optional<Distance> L_LOOP = lang::metres(p.Q_SCALE, p.L_LOOP);
-  if (D_LOOP && L_LOOP) loop.to = loop.from + *D_LOOP + *L_LOOP;
+  if (D_LOOP && L_LOOP) loop.to = group.reference + *D_LOOP + *L_LOOP;
   // 4.4.11.1.6.7 names the loop, not its announcement.
   if (s.mode == Mode::SR && s.loop && s.loop->NID_C == loop.NID_C && s.loop->NID_LOOP == loop.NID_LOOP) {
     loop.signal = s.loop->signal;

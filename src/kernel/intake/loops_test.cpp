@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/cab.h"
 #include "kernel/intake/test_message.h"
 #include "lang/packets/packet_13.h"
 #include "lang/packets/packet_134.h"
@@ -25,13 +26,13 @@ class Loops : public test::OneMessage {
     state.level.level = Level::L1;
     state.srs = SrsVersion::v4_0_0;
     state.train.L_antenna_front = {10.0};
+    moves_to(1000.0);
     position::Reference group;
     group.id = {1, 100};
     group.place = at(950.0);
     group.counter.nominal = group.counter.min = group.counter.max = {{950.0}};
     group.orientation = Direction::nominal;
     (void)state.position.references.push_back(group);
-    moves_to(1000.0);
   }
   void moves_to(double counter) {
     position::Odometry o;
@@ -160,6 +161,31 @@ TEST_F(Loops, WithoutAnEndTheAreaIsNotLeftForwards) {  // 3.4.5.1.6
   moves_to(9000.0);
   receive_loops(reception);
   EXPECT_TRUE(state.loop);
+}
+
+TEST_F(Loops, AChangeOfCabMirrorsTheArea) {  // 5.12.2.5
+  TrainSignals train;
+  train.desk_open = true;
+  train.cab = Cab::B;
+  announce(loop(7));
+  follow_cab(state, train, reception.log);
+  ASSERT_TRUE(state.loop);
+  EXPECT_EQ(state.loop->orientation, Direction::reverse);
+  EXPECT_EQ(state.loop->from, at(-1350.0));
+  EXPECT_EQ(state.loop->to, at(-950.0));
+  restart();
+  lang::Packet134 p = loop(7);
+  p.L_LOOP.raw = 32767;
+  announce(p);
+  follow_cab(state, train, reception.log);
+  EXPECT_FALSE(state.loop->from);
+  EXPECT_EQ(state.loop->to, at(-950.0));
+  moves_to(955.0);
+  receive_loops(reception);
+  EXPECT_TRUE(state.loop) << "its antenna is still in the area";
+  moves_to(900.0);
+  receive_loops(reception);
+  EXPECT_FALSE(state.loop);
 }
 
 TEST_F(Loops, UpTo3_6_0TheAreaLimitsNothing) {
