@@ -141,7 +141,10 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
   if (entered(in, OPENEVC_ENTRY_VBC)) {
     if (in.VBC_NID_C > 1023) return "inputs.VBC_NID_C: above 1023";
     if (in.VBC_NID_VBCMK > 63) return "inputs.VBC_NID_VBCMK: above 63";
-    driver.cover = kernel::DriverActions::Cover{in.VBC_NID_C, in.VBC_NID_VBCMK, in.VBC_T_VBC};
+    kernel::DriverActions::Cover& cover = driver.cover.emplace();
+    cover.NID_C = in.VBC_NID_C;
+    cover.NID_VBCMK = in.VBC_NID_VBCMK;
+    cover.T_VBC = in.VBC_T_VBC;
   }
   if (entered(in, OPENEVC_ENTRY_NETWORK)) {
     if (in.network > 0xFFFFFF) return "inputs.network: above 24 bits";

@@ -178,7 +178,7 @@ std::uint32_t packed_digits(const JsonPlace& place) {
 /// A virtual balise cover; one to be removed needs no period.
 kernel::DriverActions::Cover read_vbc(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_VBCMK", "T_VBC"});
-  kernel::DriverActions::Cover cover;
+  kernel::DriverActions::Cover cover{};
   cover.NID_C = static_cast<std::uint16_t>(place["NID_C"].integer(0, 1023));
   cover.NID_VBCMK = static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63));
   if (const auto p = place.find("T_VBC")) cover.T_VBC = static_cast<std::uint8_t>(p->integer(0, 255));

@@ -13,7 +13,8 @@ HEADER = (ROOT / "include/openevc/openevc.h").read_text(encoding="utf-8")
 # Enumerators that nothing in the kernel has.
 OF_C_ALONE = {"openevc_result": None,  # all
               "openevc_movement": None,
-              "openevc_entry": {"OPENEVC_ENTRY_SR_SPEED", "OPENEVC_ENTRY_SR_DISTANCE"}}
+              "openevc_entry": {"OPENEVC_ENTRY_SR_SPEED", "OPENEVC_ENTRY_SR_DISTANCE", "OPENEVC_ENTRY_VBC",
+                                "OPENEVC_ENTRY_NETWORK"}}
 NUMBERED = re.compile(r"\b(OPENEVC_\w+) = (\d+)")
 
 

@@ -86,9 +86,9 @@ struct DriverActions {
   std::optional<RbcContact> rbc_contact;
   /// A virtual balise cover to be set, after Select::vbc_remove to be removed (3.15.9).
   struct Cover {
-    std::uint16_t NID_C = 0;
-    std::uint8_t NID_VBCMK = 0;  ///< 0 to 63
-    std::uint8_t T_VBC = 0;      ///< validity period in days; a removal does not need it
+    std::uint16_t NID_C;
+    std::uint8_t NID_VBCMK;  ///< 0 to 63
+    std::uint8_t T_VBC;      ///< validity period in days; a removal does not need it
   };
   std::optional<Cover> cover;
   std::optional<std::uint32_t> network;  // NID_MN, 6 BCD digits packed (3.18.4.3.6)
