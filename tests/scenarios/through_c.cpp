@@ -71,6 +71,8 @@ void set_driver(openevc_inputs& in, const port::DriverActions& d) {
   entered(d.train_running_number.has_value(), OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER);
   entered(d.V_sr.has_value(), OPENEVC_ENTRY_SR_SPEED);
   entered(d.D_sr.has_value(), OPENEVC_ENTRY_SR_DISTANCE);
+  entered(d.cover.has_value(), OPENEVC_ENTRY_VBC);
+  entered(d.network.has_value(), OPENEVC_ENTRY_NETWORK);
   entered(d.train_data != nullptr, OPENEVC_ENTRY_TRAIN_DATA);
   in.driver_id = d.driver_id.value_or(0);
   in.train_running_number = d.train_running_number.value_or(0);
@@ -81,6 +83,12 @@ void set_driver(openevc_inputs& in, const port::DriverActions& d) {
     in.NID_RBC = d.rbc_contact->NID_RBC;
     in.NID_RADIO = d.rbc_contact->NID_RADIO;
   }
+  if (d.cover) {
+    in.VBC_NID_C = d.cover->NID_C;
+    in.VBC_NID_VBCMK = d.cover->NID_VBCMK;
+    in.VBC_T_VBC = d.cover->T_VBC;
+  }
+  in.network = d.network.value_or(0);
   if (d.V_sr) in.V_sr = d.V_sr->si;
   if (d.D_sr) in.D_sr = d.D_sr->si;
 }
@@ -102,6 +110,7 @@ void set_train(openevc_inputs& in, const port::TrainSignals& t) {
   in.ep_brake_active = t.ep_brake_active;
   in.additional_brake_active = t.additional_brake_active;
   in.antenna_alarm = t.antenna_alarm;
+  in.radio_registered = t.radio_registered;
   in.integrity = static_cast<std::int32_t>(t.integrity);
   in.brake_pressure_kpa = t.brake_pressure_kpa.value_or(kNone);
   in.length_confirmed = t.length_confirmed ? t.length_confirmed->si : kNone;
