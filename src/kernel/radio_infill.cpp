@@ -29,6 +29,8 @@ void end_others(State& s, const radio::Rbc& kept, radio::Outbox& outbox) {
 }
 
 void end_all(State& s, radio::Outbox& outbox) {
+  const bool nothing = !s.radio_infill.area && s.radio_infill.to_call.empty();
+  if (nothing && !s.radio.session(Peer::infill_1).active() && !s.radio.session(Peer::infill_2).active()) return;
   s.radio_infill = {};
   for (const Peer peer : radio::kInfillUnits) end_session(s, peer, outbox);
 }

@@ -251,7 +251,8 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   const bool first_lost = keep(s, Peer::supervising, in, out);
   const bool second_lost = keep(s, Peer::other, in, out);
   result.session_lost = first_lost || second_lost;
-  for (const Peer peer : kInfillUnits) result.session_lost = keep_session(s, peer, in, out) || result.session_lost;
+  for (const Peer peer : kInfillUnits)
+    if (s.session(peer).active()) result.session_lost = keep_session(s, peer, in, out) || result.session_lost;
   supervise_contact(s, in, out, result);
   const bool new_number = note_running_number(s, in);
   if (in.report_due || in.start_of_mission || new_number) result.reported_to_other = send_report(s, in, out);
