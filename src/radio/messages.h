@@ -50,9 +50,9 @@ struct Header {
 
 /// Those with which the unit can have a session: two RBCs (3.15.1), two radio infill units (3.9.3.6).
 enum class Peer : std::uint8_t { supervising, other, infill_1, infill_2 };
-inline constexpr std::array kRbcs{Peer::supervising, Peer::other};
-inline constexpr std::array kPeers{Peer::supervising, Peer::other, Peer::infill_1, Peer::infill_2};
-inline constexpr std::array kInfillUnits{Peer::infill_1, Peer::infill_2};
+inline constexpr std::array<Peer, 2> kRbcs{Peer::supervising, Peer::other};
+inline constexpr std::array<Peer, 4> kPeers{Peer::supervising, Peer::other, Peer::infill_1, Peer::infill_2};
+inline constexpr std::array<Peer, 2> kInfillUnits{Peer::infill_1, Peer::infill_2};
 constexpr bool is_infill_unit(Peer peer) { return peer == Peer::infill_1 || peer == Peer::infill_2; }
 
 /// A message to send; `compose` makes the bits.
