@@ -4,6 +4,7 @@
 
 #include "io/rbc_contact.h"
 #include "io/train_file.h"
+#include "texts/texts.h"
 
 namespace evc::io {
 namespace {
@@ -53,7 +54,7 @@ kernel::NidLrbg read_group(const JsonPlace& place) {
 }
 
 Retained::Position read_position(const JsonPlace& place) {
-  place.know_only({"lrbg", "orientation", "single", "previous", "pair_orientation", "counter_rising", "ahead_m",
+  place.know_only({"lrbg", "orientation", "single", "previous", "pair_orientation", "counter_rising", "cab", "ahead_m",
                    "over_m", "under_m", "Q_LOCACC_m"});
   const auto direction = [&](const char* key) {
     return static_cast<std::uint8_t>(place[key].one_of(std::span<const char* const>(kDirections)));
@@ -65,6 +66,7 @@ Retained::Position read_position(const JsonPlace& place) {
   p.previous = read_optional(place["previous"], read_group);
   p.pair_orientation = direction("pair_orientation");
   p.counter_rising = place["counter_rising"].boolean();
+  p.cab_B = place["cab"].one_of(texts::kCabNames) == 1;
   p.ahead = {place["ahead_m"].number(-kFarthest_m, kFarthest_m)};
   p.Q_LOCACC = {place["Q_LOCACC_m"].number(0.0, kFarthest_m)};
   p.over = {place["over_m"].number(p.Q_LOCACC.si, kFarthest_m)};  // the accuracy of the group is part of it
@@ -133,6 +135,7 @@ Out position_json(const Retained::Position& p) {
           {"previous", optional_of(p.previous, group_json)},
           {"pair_orientation", kDirections[p.pair_orientation]},
           {"counter_rising", p.counter_rising},
+          {"cab", texts::kCabNames[p.cab_B ? 1 : 0]},
           {"ahead_m", p.ahead.si},
           {"over_m", p.over.si},
           {"under_m", p.under.si},

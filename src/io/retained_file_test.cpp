@@ -41,6 +41,7 @@ kernel::Retained everything() {
   r.position->previous = kernel::NidLrbg{1, 99};
   r.position->pair_orientation = 1;
   r.position->counter_rising = false;
+  r.position->cab_B = true;
   r.position->ahead = Distance{-12.25};
   r.position->over = 20_m;
   r.position->under = Distance{1.0 / 3.0 + 12.0};

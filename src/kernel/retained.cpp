@@ -1,3 +1,4 @@
+#include "kernel/cab.h"
 #include "kernel/evc.h"
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
@@ -90,7 +91,9 @@ void restore_to_be_revalidated(State& s, const Retained& r) {
     s.radio.contact = radio::Rbc{r.contact->NID_C, r.contact->NID_RBC, r.contact->NID_RADIO};
     s.contact_status = DataStatus::invalid;
   }
-  if (r.position) position::restore(s.position, kept_of(*r.position));
+  if (!r.position) return;
+  position::restore(s.position, kept_of(*r.position));
+  if (r.position->cab_B) see_from_other_cab(s, Cab::B);
 }
 
 }  // namespace
@@ -110,7 +113,10 @@ Retained retained(const State& s) noexcept {
   if (s.level_table)
     for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back({l.level, l.nid_ntc});
   if (s.radio.contact) r.contact = address_of(*s.radio.contact);
-  if (const auto position = position::kept(s.position, s.L_engine)) r.position = position_of(*position);
+  if (const auto position = position::kept(s.position, s.L_engine)) {
+    r.position = position_of(*position);
+    r.position->cab_B = s.cab == Cab::B;
+  }
   return r;
 }
 

@@ -40,7 +40,7 @@ void count_from(State& state, const OdometerReading& first) {
     counter.min = first.min + (counter.min - OdometerPlace{});
     counter.max = first.max + (counter.max - OdometerPlace{});
   }
-  state.offset -= first.nominal - OdometerPlace{};
+  state.offset -= state.sense * (first.nominal - OdometerPlace{});
 }
 
 }  // namespace evc::position

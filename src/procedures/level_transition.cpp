@@ -126,6 +126,13 @@ void forget_order(State& state) {
   state.kept = false;
 }
 
+void turn(State& state) {
+  const bool kept = state.kept;
+  forget_order(state);
+  state.kept = kept;
+  state.kept_order.placed = false;
+}
+
 void on_mode_change(State& state, Mode from, Mode to) {
   if (modes::on_entry(to, from, Stored::level_transition_order) == modes::Fate::deleted) forget_order(state);
   switch (to) {  // 4.12 of 4.0.0: the brake command that waits for the acknowledgement is revoked

@@ -77,6 +77,9 @@ void announce(State& state, const JudgedOrder& announcement);
 
 /// The order that waits is deleted (4.10, A.3.4 k).
 void forget_order(State& state);
+/// The other cab is active: what is announced lies behind the train; an order that waits for the end of SH or PS
+/// stays, its border is not known any more.
+void turn(State& state);
 
 /// To be called at every mode transition; the level order is handled by 4.10: it is deleted, or an order stored in SH
 /// or PS is judged in the next cycle.

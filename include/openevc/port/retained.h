@@ -35,6 +35,7 @@ struct Retained {
     std::optional<NidLrbg> previous;    ///< PRVLRBG of such a group
     std::uint8_t pair_orientation = 2;  ///< of the train against the movement from there to this group
     bool counter_rising = true;         ///< the odometer counted up when the group was passed
+    bool cab_B = false;                 ///< the cab that was active last: it defines the orientation (3.6.1.5)
     Distance ahead{};                   ///< from the group to the estimated front end
     Distance over{}, under{};           ///< from there to the min safe and to the max safe front end
     Distance Q_LOCACC{};                ///< of the group, part of both
