@@ -164,6 +164,7 @@ void close_overdue(State& state, const OdometerReading& counter, const Situation
 
 void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome) {
   begin(outcome);
+  state.covers.erase_if([&](const Cover& c) { return c.until < situation.now; });  // 3.15.9.5 a
   std::optional<GroupId> reading;
   if (state.open && state.open->identified) {
     const Judgement::Verdict verdict = state.open->judgement.verdict;

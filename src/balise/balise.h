@@ -76,7 +76,8 @@ struct State {
 void read(State& state, const Reading& reading, const Situation& situation, Outcome& outcome);
 /// Each cycle: finishes the open group when no further balise of the group can follow (3.16.2.1.3).
 void close_overdue(State& state, const OdometerReading& counter, const Situation& situation, Outcome& outcome);
-/// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)?
+/// Each cycle, after the telegrams: has the window of the expected group ended without it (3.16.2.3.1 b)? Covers whose
+/// time is over are deleted.
 void expect(State& state, const PlaceInterval& antenna, const Situation& situation, Outcome& outcome);
 /// Drops a group that is only partly read (change of cab, power off).
 void abandon(State& state);

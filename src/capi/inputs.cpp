@@ -109,13 +109,13 @@ const char* take_radio(Cycle& cycle, const openevc_inputs& in) {
     message = {};
     message.bytes = {in.radio[i].bytes, in.radio[i].size};
     if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);
-    message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit != 0;
+    message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit == 1;
   }
   cycle.inputs.radio_messages = {cycle.radio.begin(), cycle.radio.size()};
   if (in.link < OPENEVC_LINK_UNCHANGED || in.link > OPENEVC_LINK_REFUSED) return "inputs.link: not an openevc_link";
   cycle.inputs.radio_link = static_cast<RadioLink>(in.link);
   cycle.inputs.radio_link_with = of(in.link_with);
-  cycle.inputs.radio_link_of_infill_unit = in.link_with.infill_unit != 0;
+  cycle.inputs.radio_link_of_infill_unit = in.link_with.infill_unit == 1;
   return nullptr;
 }
 

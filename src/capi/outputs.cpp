@@ -175,7 +175,7 @@ void give_data(openevc_data& to, const kernel::Outputs& o) {
   to.train_running_number = data.train_running_number;
   to.level_status = code_of(data.level_status);
   to.rbc_status = code_of(data.rbc_status);
-  to.rbc = of(std::optional(data.rbc));
+  to.rbc = of(data.rbc_status == DataStatus::unknown ? std::nullopt : std::optional(data.rbc));
   to.train_status = code_of(data.train_status);
   give_train(to, data.train);
   to.SR_status = code_of(data.SR.status);

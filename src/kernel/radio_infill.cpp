@@ -32,7 +32,7 @@ void end_all(State& s, radio::Outbox& outbox) {
   const bool nothing = !s.radio_infill.area && s.radio_infill.to_call.empty();
   if (nothing && !s.radio.session(Peer::infill_1).active() && !s.radio.session(Peer::infill_2).active()) return;
   s.radio_infill = {};
-  for (const Peer peer : radio::kInfillUnits) end_session(s, peer, outbox);
+  end_infill_sessions(s, outbox);
 }
 
 /// The unit is called now, or when another session has ended.
@@ -101,6 +101,11 @@ void make_way_for_rbc(State& s, radio::Outbox& outbox) {
 
 }  // namespace
 
+void end_infill_sessions(State& s, radio::Outbox& outbox) {
+  s.radio_infill.to_call.clear();
+  for (const Peer peer : radio::kInfillUnits) end_session(s, peer, outbox);
+}
+
 void order_neighbour(State& s, const radio::Rbc& unit, bool establish, radio::Outbox& outbox, Log log) {
   if (!establish) return end_session(s, unit, outbox, log);
   if (s.terminals < 2) return;                          // 3.9.3.6.1
@@ -130,12 +135,13 @@ void run_radio_infill(State& s, const track::Here& here, bool mission_ended, rad
   }
   if (all_end) return end_all(s, outbox);
   make_way_for_rbc(s, outbox);
-  s.radio_infill.to_call.erase_if([&](const radio::Rbc& unit) { return call(s, unit, outbox); });
+  if (s.network.registered)  // 3.5.6.8
+    s.radio_infill.to_call.erase_if([&](const radio::Rbc& unit) { return call(s, unit, outbox); });
   inform(s, outbox);
 }
 
 const radio::Session* session_of_infill_area(const State& s) {
-  if (!s.radio_infill.area) return nullptr;
+  if (!s.radio_infill.area || s.radio_infill.area->over) return nullptr;
   const std::optional<Peer> peer = radio::infill_unit(s.radio, s.radio_infill.area->unit);
   return peer ? &s.radio.session(*peer) : nullptr;
 }

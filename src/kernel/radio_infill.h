@@ -14,6 +14,8 @@ void note_signal_of_radio_infill(State& state, GroupId group);
 /// Each cycle, before the sessions: the order of packet 133 whose place the estimated front end has reached, message
 /// 153, the end of all sessions with level 1 or the mission.
 void run_radio_infill(State& state, const track::Here& here, bool mission_ended, radio::Outbox& outbox, Log log);
+/// All sessions with radio infill units and their set-ups end, and no other unit is called; the area stays.
+void end_infill_sessions(State& state, radio::Outbox& outbox);
 /// The session with the unit of the present area; null without one (3.5.7.7).
 const radio::Session* session_of_infill_area(const State& state);
 

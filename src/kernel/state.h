@@ -107,7 +107,7 @@ struct RadioInfill {
     radio::Rbc unit;
     GroupId signal;              ///< at its end
     bool entry_due = false;      ///< the unit has to be informed that it was entered
-    bool signal_passed = false;  ///< read or missed, in this cycle
+    bool signal_passed = false;  ///< read or missed
     bool over = false;           ///< its end is passed
   };
   std::optional<Area> area;

@@ -66,7 +66,7 @@ void clear_other(State& s, Stored stored) {
       s.loop.reset();
       return;
     case radio_infill_area:
-      s.radio_infill.area.reset();
+      s.radio_infill = {};
       return;
     default:
       return;  // position, level, its table, national values, versions, covers and language are never deleted (4.10)

@@ -85,7 +85,10 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
     const bool goes_off = powered && !cycle.levels.train.powered;
     powered = cycle.levels.train.powered;
     if (goes_off)
-      if (const auto kept = keep(on_board, options.persistent); !kept) return kept;
+      if (const auto kept = keep(on_board, options.persistent); !kept) {
+        out.write(text);
+        return kept;
+      }
     const bool looked_at = options.changes || n % options.every == 0;
     const kernel::Planning* const planning = options.planning && looked_at ? on_board.plan() : nullptr;
     const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning) : n % options.every == 0;

@@ -111,11 +111,11 @@ struct ExternalTrainData {
 
 enum class DirectionController : std::uint8_t { neutral, forward, backward };
 
-/// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
-/// each.
 /// The two driver's cabs of the engine. The odometer counts up towards the front end of cab A (3.6.1.5).
 enum class Cab : std::uint8_t { A, B };
 
+/// The train interface (SUBSET-034). The signals are states, not edges: io keeps the last value of
+/// each.
 struct TrainSignals {
   bool powered = true;
   bool isolated = false;

@@ -1,6 +1,7 @@
 #include "kernel/intake/driver.h"
 
 #include "driver/driver.h"
+#include "kernel/cab.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
@@ -121,7 +122,7 @@ void choose_contact(Reception& r) {
   State& s = r.state;
   const auto& entered = r.in.driver.rbc_contact;
   const bool last = r.out.selected.has(Select::last_rbc);
-  if (last && !s.radio.contact)
+  if (last && !s.radio.contact && !entered)
     return r.log.note({.what = What::selection_not_enabled,
                        .id = static_cast<std::int32_t>(Select::last_rbc),
                        .clause = "3.18.4.3.1"_srs});
@@ -157,7 +158,7 @@ void enter_network(Reception& r) {
 /// 3.15.9.2, 3.15.9.5 c: the driver sets a virtual balise cover or removes one.
 void enter_cover(Reception& r) {
   State& s = r.state;
-  if (r.out.selected.has(Select::vbc_set)) s.removes_cover = false;
+  if (r.out.selected.has(Select::vbc_set) || !r.in.train.desk_open) s.removes_cover = false;
   if (r.out.selected.has(Select::vbc_remove)) s.removes_cover = true;
   const auto& cover = r.in.driver.cover;
   if (!cover || !may_enter(r, driver::Input::vbc, Entered::cover)) return;
@@ -227,7 +228,8 @@ void receive_driver(Reception& r) {
 void receive_external_train_data(Reception& r) {
   const ExternalTrainData& received = r.in.external_train_data;
   TrainDataChange& change = r.state.train_data_change;
-  if (received.data == nullptr || !r.in.train.powered || (!change.pending && *received.data == r.state.train)) return;
+  if (received.data == nullptr || !r.in.train.powered || (!change.pending && are_in_force(r.state, *received.data)))
+    return;
   // A train that cannot be supervised: the driver has to enter other data.
   const bool supervisable = acceptable(*received.data, r.log);
   // What the driver entered in this cycle is older: the procedure begins anew.

@@ -20,7 +20,7 @@ void forward_data(Evaluation& e, const lang::PacketView& view, modes::Verdict) {
   bool room = true;
   for (const std::uint8_t byte : p.OTHER_DATA.bytes) room = room && data.bytes.push_back(byte);
   if (!room || !e.r.forwarded->push_back(data))
-    e.r.log.note({.what = What::group_capacity, .id = view.NID_PACKET, .clause = "3.15.6.5"_srs});
+    e.r.log.note({.what = What::packet_refused, .id = view.NID_PACKET, .clause = "3.15.6.5"_srs});
 }
 
 }  // namespace evc::kernel

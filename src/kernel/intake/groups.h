@@ -6,6 +6,5 @@ namespace evc::kernel {
 /// Processes the balise telegrams of this cycle to groups, linking and position, and the information of complete groups
 /// (3.4, 3.16.2).
 void receive_balises(Reception& r);
-/// Loop messages: the unit does not use their information yet, and logs this.
 
 }  // namespace evc::kernel

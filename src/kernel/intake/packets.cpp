@@ -242,14 +242,6 @@ constexpr auto kPacketRoutes = [] {
 }();
 // clang-format on
 
-static_assert(
-    [] {
-      for (const PacketRoute& route : kPacketRoutes)
-        if (route.take != nullptr && route.turn != Turn::rest) return false;
-      return true;
-    }(),
-    "the other turns are steps of their own");
-
 /// The index of the route of each number; kPacketRoutes.size() for an unknown number.
 constexpr auto kPlaceOfRoute = [] {
   std::array<std::uint8_t, 256> place{};

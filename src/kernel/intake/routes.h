@@ -48,8 +48,7 @@ struct PacketRoute {
   Turn turn;
   Rows rows;
   HasPlace place = nullptr;  ///< none: it never has
-  /// Of turn `rest` alone: the other turns are steps of their own (filter.cpp, authority.cpp, messages.cpp). None where
-  /// this unit does not use its contents (CAVEATS).
+  /// Of turn `rest` alone: the other turns are steps of their own (filter.cpp, authority.cpp, messages.cpp).
   TakePacket take = nullptr;
 };
 
@@ -62,7 +61,7 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
-/// Whether its contents are used by nobody: an unknown number, or one of those in CAVEATS.
+/// Whether its contents are used by nobody: an unknown number.
 inline bool not_used(const PacketRoute& route) { return route.turn == Turn::rest && route.take == nullptr; }
 
 inline bool has_place(const PacketRoute& route, const lang::PacketView& view) {

@@ -34,6 +34,18 @@ InformationRows rows_of_number(int NID_PACKET) {
   return rows_of(route_of(view), view);
 }
 
+TEST(Routes, OnlyPacketsOfTheTurnRestHaveAFunction) {  // the other turns are steps of their own
+  int functions = 0;
+  for (int number = 0; number < 256; ++number) {
+    lang::PacketView view;
+    view.NID_PACKET = static_cast<std::uint16_t>(number);
+    const PacketRoute& route = route_of(view);
+    functions += route.take != nullptr;
+    EXPECT_TRUE(route.take == nullptr || route.turn == Turn::rest) << number;
+  }
+  EXPECT_GT(functions, 30);
+}
+
 /// The packet as it is received; `bytes` holds its bits.
 template <class P>
 lang::PacketView view_of(const P& packet, std::span<std::uint8_t> bytes) {

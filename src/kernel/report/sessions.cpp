@@ -1,6 +1,7 @@
 #include "kernel/report/sessions.h"
 
 #include "kernel/here.h"
+#include "kernel/radio_infill.h"
 #include "kernel/stored.h"
 #include "modes/active_functions.h"
 
@@ -77,6 +78,7 @@ void end_for_network(State& s, const Received& received, radio::Outbox& outbox) 
   if (!received.selected.has(Select::radio_network) && !received.entered.has(Entered::network)) return;
   radio::terminate_all(s.radio, s.now, outbox);
   radio::abort_set_ups(s.radio, s.now, outbox);
+  end_infill_sessions(s, outbox);
 }
 
 void order_sessions(State& s, const Received& received, const Decided& decided, procedures::Effects& effects,
