@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <type_traits>
 
 #include "io/telegram_explain.h"
 #include "io/telegram_json.h"
@@ -12,6 +13,7 @@
 #include "lang/encode.h"
 #include "lang/layouts.h"
 #include "lang/packets.h"
+#include "lang/translate.h"
 #include "lang/walk.h"
 #include "terms/packet_numbers.h"
 
@@ -53,6 +55,19 @@ std::uint8_t packet_direction(const P& packet) {
   return 2;
 }
 
+/// Q_DIFF of a packet 27 that was translated has a value by the train and no code (6.6.3.2.3 [3]): written as 2.
+template <class P>
+void give_codes(P& packet) {
+  if constexpr (std::is_same_v<P, lang::Packet27>) {
+    const auto give = [](auto& diffs) {
+      for (auto& diff : diffs)
+        if (diff.Q_DIFF.raw == lang::kQ_DIFF_by_train) diff.Q_DIFF.raw = 2;
+    };
+    give(packet.diffs);
+    for (auto& step : packet.steps) give(step.diffs);
+  }
+}
+
 template <class P>
 [[gnu::noinline]] void read_and_write(const lang::PacketView& view) {
   P packet;
@@ -60,6 +75,7 @@ template <class P>
   const bool own = P::info.NID_PACKET == nid_of(view) && (P::info.versions & lang::known_version(view.sv)) != 0;
   require((fault == lang::Fault::not_a_packet_of_this_kind) <= !own);
   if (fault != lang::Fault::none) return;
+  if (!own) give_codes(packet);
   std::array<std::uint8_t, 1100> room{};
   BitWriter out(room);
   lang::encode(out, packet);
