@@ -29,7 +29,7 @@ class Ports(unittest.TestCase):
 
     def test_an_input(self):
         self.assertEqual(self.without(0, "if (in.radio_from != nullptr) message.from = of(in.radio_from[i]);",
-                                      "message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit != 0;"),
+                                      "message.infill_unit = in.radio_from != nullptr && in.radio_from[i].infill_unit == 1;"),
                          {"RadioMessage::from", "RadioMessage::infill_unit", "openevc_inputs::radio_from"})
 
 
