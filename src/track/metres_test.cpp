@@ -463,7 +463,7 @@ class Database {
       shown.each(whole(a.from), whole(a.to), [](Metre& m) { m.platform = true; });
     for (const AdhesionArea& a : description.adhesion)
       shown.each(whole(a.from), whole(a.to), [](Metre& m) { m.slippery = true; });
-    // Data beyond 300 m behind the rear end are gone, and that end wavers with the interval.
+    // Data beyond 300 m behind the rear end are deleted, and that end wavers with the interval.
     for (int x = std::max(0, whole(here_.min_safe_rear) - 280); x < kMetres; ++x) {
       const Metre& is = shown.metres[static_cast<std::size_t>(x)];
       const Metre& expected = model.metres[static_cast<std::size_t>(x)];
