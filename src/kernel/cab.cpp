@@ -7,10 +7,6 @@
 namespace evc::kernel {
 namespace {
 
-Distance from_other_end(Distance L_antenna, Distance L_engine) {
-  return L_antenna < L_engine ? L_engine - L_antenna : Distance{};
-}
-
 /// What entry of SB or PS kept, and refers to places ahead of the other cab: the train does not run there.
 void delete_what_was_ahead(State& s) {
   procedures::level_transition::turn(s.level_transition);
@@ -42,7 +38,6 @@ bool skips_closing(const State& s, const TrainSignals& train) {
 void see_from_other_cab(State& s, Cab cab) {
   s.cab = cab;
   position::change_cab(s.position, s.L_engine);
-  s.train.L_antenna_front = from_other_end(s.train.L_antenna_front, s.L_engine);
   ++s.revision;
 }
 
@@ -55,17 +50,6 @@ void follow_cab(State& s, const TrainSignals& train, Log log) {
     log.note({.what = What::cab_changed, .clause = "5.12.2.5"_srs});
   }
   s.desk_was_open = train.desk_open;
-}
-
-void set_train_data(State& s, const train::TrainData& data) {
-  if (&data == &s.train) return;  // revalidated: they count from the active cab already
-  s.train = data;
-  if (s.cab == Cab::B) s.train.L_antenna_front = from_other_end(data.L_antenna_front, s.L_engine);
-}
-
-bool are_in_force(const State& s, train::TrainData data) {
-  if (s.cab == Cab::B) data.L_antenna_front = from_other_end(data.L_antenna_front, s.L_engine);
-  return data == s.train;
 }
 
 }  // namespace evc::kernel

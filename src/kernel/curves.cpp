@@ -151,6 +151,7 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   in.revision = basis.number;
   in.srs = s.srs;
   in.train = s.train;
+  in.train.L_antenna_front = L_antenna(s);
   in.national_values = s.national_values;
   in.brakes = brake_status(train);
   in.conditions = conditions_of(s, basis.min_safe_rear);

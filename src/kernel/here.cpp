@@ -11,7 +11,7 @@ Distance length_of(const State& s) {
 track::Here here(const State& state) {
   const PlaceInterval front = position::front(state.position);
   const PlaceInterval rear = front - length_of(state);
-  const PlaceInterval antenna = front - state.train.L_antenna_front;
+  const PlaceInterval antenna = front - L_antenna(state);
   track::Here h;
   h.est_front = front.est;
   h.min_safe_front = front.min;

@@ -8,6 +8,13 @@ namespace evc::kernel {
 /// The length behind the front end: that of the engine where no train data count, in SH, SL, NL, PS and before their
 /// entry (4.4.6.1.4, 4.4.7.1.6, 4.4.8.1.3, 4.4.15.1.3, 4.4.20.1.4).
 Distance length_of(const State& state);
+/// From the front end of the active cab back to the antenna: the train data count from cab A, from cab B it is the rest
+/// of the engine.
+inline Distance L_antenna(const State& state) {
+  const Distance from_A = state.train.L_antenna_front;
+  if (state.cab == Cab::A) return from_A;
+  return from_A < state.L_engine ? state.L_engine - from_A : Distance{};
+}
 /// The train in the track frame now.
 track::Here here(const State& state);
 

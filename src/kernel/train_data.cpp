@@ -1,6 +1,5 @@
 #include "kernel/train_data.h"
 
-#include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
 #include "track/withdraw.h"
@@ -40,7 +39,7 @@ void change_train_data(State& s, const train::TrainData& data, const track::Here
     s.track.ssp.begin_at(here.min_safe_rear);
     s.track.gradient.begin_at(here.min_safe_rear);
   }
-  set_train_data(s, data);
+  s.train = data;
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;
   radio::send_train_data(s.radio);

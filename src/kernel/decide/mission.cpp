@@ -1,6 +1,5 @@
 #include "kernel/decide/mission.h"
 
-#include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
 #include "kernel/train_data.h"
@@ -234,7 +233,7 @@ void run_train_data_change(State& s, const Received& received, Decided& out, Log
       change_train_data(s, *change.pending, out.here, log);
       break;
     case Fate::to_validate:
-      if (train::check(*change.pending) == train::Fault::none) set_train_data(s, *change.pending);
+      if (train::check(*change.pending) == train::Fault::none) s.train = *change.pending;
       s.data.train_data_status = DataStatus::invalid;
       ++s.revision;
       log.note({.what = What::train_data_to_be_validated, .clause = "5.17.2.2"_srs});

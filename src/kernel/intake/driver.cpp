@@ -1,7 +1,6 @@
 #include "kernel/intake/driver.h"
 
 #include "driver/driver.h"
-#include "kernel/cab.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
@@ -228,8 +227,7 @@ void receive_driver(Reception& r) {
 void receive_external_train_data(Reception& r) {
   const ExternalTrainData& received = r.in.external_train_data;
   TrainDataChange& change = r.state.train_data_change;
-  if (received.data == nullptr || !r.in.train.powered || (!change.pending && are_in_force(r.state, *received.data)))
-    return;
+  if (received.data == nullptr || !r.in.train.powered || (!change.pending && *received.data == r.state.train)) return;
   // A train that cannot be supervised: the driver has to enter other data.
   const bool supervisable = acceptable(*received.data, r.log);
   // What the driver entered in this cycle is older: the procedure begins anew.

@@ -110,7 +110,7 @@ void evaluate_linking(Evaluation& e, bool infill) {
     if (const position::Reference* lrbg = position::lrbg(s.position))
       current = balise::CurrentLrbg{lrbg->id, lrbg->place};
     const balise::Stored stored = balise::store(s.balise.linking, balise::linking_list(p), reference,
-                                                position::antenna(s.position, s.train.L_antenna_front), current);
+                                                position::antenna(s.position, L_antenna(s)), current);
     // The list holds the LRBG: its distance by linking is used, for all data of the message (3.6.4.3).
     e.reference.place = stored.reference;
     e.brought.linking = true;

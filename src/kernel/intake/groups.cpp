@@ -110,7 +110,7 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
   position::Passage passage;
   passage.id = group.id;
   passage.counter = group.counter;
-  passage.L_antenna = s.train.L_antenna_front;
+  passage.L_antenna = L_antenna(s);
   passage.link_place = group.link_place;
   passage.Q_LOCACC = group.Q_LOCACC ? *group.Q_LOCACC : s.national_values.Q_NVLOCACC;
   passage.counter_against_group = group.counter_against_group;
@@ -163,7 +163,7 @@ void check_group_at_EOA(Reception& r, const balise::Group& group) {
   const bool in_RSM = s.supervision.active && s.supervision.monitoring == Monitoring::RSM;
   if (s.srs != SrsVersion::v4_0_0 || !in_RSM || !level_2_or_3(s.level.level)) return;
   if (!group.announced || !group.link_place || !group.Q_LOCACC) return;
-  if (protection::group_trips(s.basis.authority, *group.link_place - *group.Q_LOCACC, s.train.L_antenna_front))
+  if (protection::group_trips(s.basis.authority, *group.link_place - *group.Q_LOCACC, L_antenna(s)))
     r.out.group_at_EOA_in_RSM = true;
 }
 
@@ -227,13 +227,13 @@ void receive_balises(Reception& r) {
     reading.bytes = t.bytes;
     reading.bits = t.bits;
     reading.counter = position::reading_at(s.position, t.passed ? position::counter_at(s.position, *t.passed) : t.at);
-    reading.antenna = position::antenna_at(s.position, reading.counter, s.train.L_antenna_front);
+    reading.antenna = position::antenna_at(s.position, reading.counter, L_antenna(s));
     balise::read(s.balise, reading, situation_of(r), outcome);
     take(r, outcome);
   }
   balise::close_overdue(s.balise, s.position.now.counter, situation_of(r), outcome);
   take(r, outcome);
-  balise::expect(s.balise, position::antenna(s.position, s.train.L_antenna_front), situation_of(r), outcome);
+  balise::expect(s.balise, position::antenna(s.position, L_antenna(s)), situation_of(r), outcome);
   take(r, outcome);
 }
 

@@ -47,7 +47,7 @@ void leave_area_of_loop(Reception& r) {
   State& s = r.state;
   if (s.srs != SrsVersion::v4_0_0 || !s.loop) return;
   AnnouncedLoop& loop = *s.loop;
-  const PlaceInterval antenna = position::antenna(s.position, s.train.L_antenna_front);
+  const PlaceInterval antenna = position::antenna(s.position, L_antenna(s));
   loop.entered = loop.entered || !loop.from || antenna.min >= *loop.from;
   const bool backward = position::last_motion(s.position) == position::Motion::backward;
   const bool outside = backward ? loop.from && antenna.max < *loop.from : loop.to && antenna.min > *loop.to;

@@ -1,4 +1,5 @@
 #include "kernel/supervise/supervise.h"
+#include "kernel/here.h"
 
 #include "kernel/basis.h"
 #include "kernel/curves.h"
@@ -123,7 +124,7 @@ void guard_antenna(State& s, bool alarm, const track::Here& here, Supervised& ou
   now.srs = s.srs;
   now.counter = s.position.now.counter;
   now.min_safe_antenna = here.min_safe_antenna;
-  now.max_safe_antenna = here.max_safe_front - s.train.L_antenna_front;
+  now.max_safe_antenna = here.max_safe_front - L_antenna(s);
   out.asked.add(brakes::Cause::balise_antenna, protection::asks_for_brake(s.antenna_alarm, now, s.track));
 }
 
