@@ -13,8 +13,7 @@ std::optional<Peer> infill_unit(const State& s, const Rbc& unit) {
 
 std::size_t sessions(const State& s) {
   std::size_t n = 0;
-  for (const Peer peer : {Peer::supervising, Peer::other, Peer::infill_1, Peer::infill_2})
-    n += s.session(peer).active() ? 1u : 0u;
+  for (const Peer peer : kPeers) n += s.session(peer).active() ? 1u : 0u;
   return n;
 }
 
@@ -93,7 +92,7 @@ void exchange(State& s, Duration now) {
 }
 
 void terminate_all(State& s, Duration now, Outbox& out) {
-  for (const Peer peer : {Peer::supervising, Peer::other}) {
+  for (const Peer peer : kRbcs) {
     const Addressed to(out, peer);
     terminate(s.partner(peer).session, now, out);
   }

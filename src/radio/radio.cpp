@@ -61,7 +61,7 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     intent.M_ERROR = s.errors.front();
     s.errors.erase(0);
   }
-  for (const Peer peer : {Peer::supervising, Peer::other}) {
+  for (const Peer peer : kRbcs) {
     Partner& p = s.partner(peer);
     if (p.session.phase != Phase::up) continue;
     const Addressed to(out, peer);
@@ -256,7 +256,7 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
   supervise_contact(s, in, out, result);
   const bool new_number = note_running_number(s, in);
   if (in.report_due || in.start_of_mission || new_number) result.reported_to_other = send_report(s, in, out);
-  for (const Peer peer : {Peer::supervising, Peer::other}) {
+  for (const Peer peer : kRbcs) {
     Partner& p = s.partner(peer);
     send_train_data_to(p, peer, in, out);
     if (p.session.phase != Phase::up) continue;

@@ -94,8 +94,7 @@ void end_without_power(State& s, radio::Outbox& outbox) {
   outbox.messages.clear();
   outbox.connect.reset();
   const Sessions before = sessions_of(s);
-  for (const radio::Peer peer :
-       {radio::Peer::supervising, radio::Peer::other, radio::Peer::infill_1, radio::Peer::infill_2}) {
+  for (const radio::Peer peer : radio::kPeers) {
     const radio::Session& session = s.radio.session(peer);
     if (session.phase != radio::Phase::idle) outbox.release(session.rbc);
   }

@@ -1,8 +1,8 @@
 #include "kernel/supervise/supervise.h"
-#include "kernel/here.h"
 
 #include "kernel/basis.h"
 #include "kernel/curves.h"
+#include "kernel/here.h"
 #include "kernel/supervise/track_conditions.h"
 #include "sdm/locations.h"
 #include "track/services.h"
