@@ -132,21 +132,17 @@ void append_windows(std::string& out, std::int64_t t_ms, Set<kernel::Window>& be
   before = now;
 }
 
-/// The digits of a packed number, without the padding.
-void append_packed(std::string& out, const char* key, std::uint32_t packed) {
+void append_digits_member(std::string& out, const char* key, std::uint32_t packed) {
   out += key;
   out += '"';
-  for (int shift = 28; shift >= 0; shift -= 4) {
-    const std::uint32_t digit = (packed >> shift) & 15u;
-    if (digit < 10) out += static_cast<char>('0' + digit);
-  }
+  append_packed(out, packed);
   out += '"';
 }
 
 void append_enter(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
   const auto& d = cycle.levels.driver;
   std::string fields;
-  if (d.driver_id) append_packed(fields, ",\"driver_id\":", *d.driver_id);
+  if (d.driver_id) append_digits_member(fields, ",\"driver_id\":", *d.driver_id);
   if (d.level) {
     fields += ",\"level\":\"";
     fields += name(*d.level);
@@ -157,16 +153,8 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
     }
   }
   if (d.rbc_contact) {
-    fields += ",\"rbc\":{\"NID_C\":";
-    append_number(fields, static_cast<std::int64_t>(d.rbc_contact->NID_C));
-    fields += ",\"NID_RBC\":";
-    append_number(fields, static_cast<std::int64_t>(d.rbc_contact->NID_RBC));
-    fields += ",\"NID_RADIO\":\"";
-    std::uint8_t bytes[8];
-    for (unsigned i = 0; i < 8; ++i)
-      bytes[i] = static_cast<std::uint8_t>((d.rbc_contact->NID_RADIO >> (56 - 8 * i)) & 0xffu);
-    append_hex(fields, bytes);
-    fields += "\"}";
+    fields += ",\"rbc\":";
+    append_contact(fields, d.rbc_contact->NID_C, d.rbc_contact->NID_RBC, d.rbc_contact->NID_RADIO);
   }
   if (d.network) fields += ",\"network\":\"" + digits_of_NID_MN(*d.network) + '"';
   if (d.cover) {
@@ -187,7 +175,7 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
     append_number(fields, d.D_sr->si);
   }
   if (cycle.train_data) fields += ",\"train_data\":" + train_document;
-  if (d.train_running_number) append_packed(fields, ",\"train_running_number\":", *d.train_running_number);
+  if (d.train_running_number) append_digits_member(fields, ",\"train_running_number\":", *d.train_running_number);
   if (!fields.empty()) out += opened(cycle.t_ms) + ",\"driver\":{\"enter\":{" + fields.substr(1) + "}}}\n";
 }
 

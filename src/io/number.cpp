@@ -51,6 +51,13 @@ void append_string(std::string& out, std::string_view text) {
   out += '"';
 }
 
+void append_packed(std::string& out, std::uint32_t packed) {
+  for (int shift = 28; shift >= 0; shift -= 4) {
+    const std::uint32_t digit = (packed >> shift) & 15u;
+    if (digit < 10) out += static_cast<char>('0' + digit);
+  }
+}
+
 void append_hex(std::string& out, std::span<const std::uint8_t> bytes) {
   constexpr char digits[] = "0123456789ABCDEF";
   for (const std::uint8_t b : bytes) {

@@ -14,6 +14,8 @@ void append_number(std::string& out, std::int64_t value);
 void append_micro(std::string& out, double value);
 /// A JSON string with its quotes and escapes.
 void append_string(std::string& out, std::string_view text);
+/// The digits of a BCD number, without those that only fill it and without quotes.
+void append_packed(std::string& out, std::uint32_t packed);
 /// Hexadecimal digits, two a byte, without quotes.
 void append_hex(std::string& out, std::span<const std::uint8_t> bytes);
 

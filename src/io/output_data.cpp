@@ -2,6 +2,7 @@
 
 #include "io/json.h"
 #include "io/number.h"
+#include "io/rbc_contact.h"
 #include "io/train_file.h"
 
 namespace evc::io {
@@ -12,26 +13,10 @@ void append_kmh_member(std::string& out, const char* key, Speed v) {
   append_micro(out, v.si * 3.6);
 }
 
-/// A number packed as BCD, without the padding.
 void append_digits(std::string& out, std::uint32_t packed) {
   out += '"';
-  for (int shift = 28; shift >= 0; shift -= 4) {
-    const std::uint32_t digit = (packed >> shift) & 15u;
-    if (digit < 10) out += static_cast<char>('0' + digit);
-  }
+  append_packed(out, packed);
   out += '"';
-}
-
-void append_contact(std::string& out, const kernel::RbcAddress& rbc) {
-  out += "{\"NID_C\":";
-  append_number(out, std::int64_t{rbc.NID_C});
-  out += ",\"NID_RBC\":";
-  append_number(out, std::int64_t{rbc.NID_RBC});
-  out += ",\"NID_RADIO\":\"";
-  std::uint8_t bytes[8];
-  for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>((rbc.NID_RADIO >> (56 - 8 * i)) & 0xffu);
-  append_hex(out, bytes);
-  out += "\"}";
 }
 
 /// With the keys of a train file.
@@ -112,7 +97,7 @@ void append_data(std::string& out, const kernel::Outputs& o) {
   append_datum(out, "train_running_number", d.train_running_number_status,
                [&] { append_digits(out, d.train_running_number); });
   append_datum(out, "level", d.level_status, [&] { append_string(out, name(o.level)); });
-  append_datum(out, "rbc", d.rbc_status, [&] { append_contact(out, d.rbc); });
+  append_datum(out, "rbc", d.rbc_status, [&] { append_contact(out, d.rbc.NID_C, d.rbc.NID_RBC, d.rbc.NID_RADIO); });
   append_datum(out, "train_data", d.train_status, [&] { append_train(out, d.train); });
   append_datum(out, "sr", d.SR.status, [&] { append_SR(out, d.SR); });
   append_datum(out, "vbc", DataStatus::valid, [&] { append_covers(out, o); });

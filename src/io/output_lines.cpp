@@ -164,9 +164,7 @@ void append_radio_address(OutputRow& row, const char* name, const std::optional<
     row.key(name);
     if (!address) return;
   }
-  std::uint8_t bytes[8];
-  for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>((address->NID_RADIO >> (56 - 8 * i)) & 0xffu);
-  append_hex(row.out(), bytes);
+  append_NID_RADIO(row.out(), address->NID_RADIO);
   if (row.json()) row.out() += "\"}";
 }
 

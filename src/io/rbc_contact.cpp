@@ -1,5 +1,7 @@
 #include "io/rbc_contact.h"
 
+#include "io/number.h"
+
 namespace evc::io {
 
 std::uint64_t read_NID_RADIO(const JsonPlace& place) {
@@ -21,11 +23,7 @@ std::uint32_t read_NID_MN(const JsonPlace& place) {
 
 std::string digits_of_NID_MN(std::uint32_t NID_MN) {
   std::string digits;
-  for (unsigned shift = 24; shift != 0;) {
-    shift -= 4;
-    const std::uint32_t digit = NID_MN >> shift & 15u;
-    if (digit < 10) digits += static_cast<char>('0' + digit);
-  }
+  append_packed(digits, NID_MN << 8 | 0xFFu);
   return digits;
 }
 
@@ -38,6 +36,22 @@ port::RbcAddress read_address(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
   const port::DriverActions::RbcContact contact = read_rbc_contact(place);
   return {contact.NID_C, contact.NID_RBC, contact.NID_RADIO};
+}
+
+void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO) {
+  std::uint8_t bytes[8];
+  for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>((NID_RADIO >> (56 - 8 * i)) & 0xffu);
+  append_hex(out, bytes);
+}
+
+void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO) {
+  out += "{\"NID_C\":";
+  append_number(out, std::int64_t{NID_C});
+  out += ",\"NID_RBC\":";
+  append_number(out, std::int64_t{NID_RBC});
+  out += ",\"NID_RADIO\":\"";
+  append_NID_RADIO(out, NID_RADIO);
+  out += "\"}";
 }
 
 }  // namespace evc::io

@@ -21,4 +21,9 @@ port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place);
 /// The same where the object has no other members.
 port::RbcAddress read_address(const JsonPlace& place);
 
+/// NID_RADIO as it is read, without quotes.
+void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO);
+/// The object with the three members.
+void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO);
+
 }  // namespace evc::io

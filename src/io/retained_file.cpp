@@ -1,7 +1,5 @@
 #include "io/retained_file.h"
 
-#include <cstdio>
-
 #include "io/rbc_contact.h"
 #include "io/train_file.h"
 #include "texts/texts.h"
@@ -12,9 +10,8 @@ namespace {
 using kernel::Retained;
 using Out = nlohmann::ordered_json;
 constexpr const char* kSchema = "evc-persistent/1";
-/// 255 days, the greatest T_VBC.
-constexpr double kLongestCover_s = 255.0 * 86400.0;
-constexpr double kFarthest_m = 1e7;
+constexpr double kLongestCover_s = Retained::kLongestCover.si;
+constexpr double kFarthest_m = Retained::kFarthest.si;
 /// Codes of Q_DIRLRBG, in order.
 constexpr const char* kDirections[] = {"reverse", "nominal", "unknown"};
 
@@ -121,8 +118,8 @@ Out cover_json(const Retained::Cover& c) {
 Out level_json(const Retained::StoredLevel& l) { return {{"level", name(l.level)}, {"nid_ntc", l.nid_ntc}}; }
 
 Out address_json(const kernel::RbcAddress& a) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llX", static_cast<unsigned long long>(a.NID_RADIO));
+  std::string digits;
+  append_NID_RADIO(digits, a.NID_RADIO);
   return {{"NID_C", a.NID_C}, {"NID_RBC", a.NID_RBC}, {"NID_RADIO", digits}};
 }
 

@@ -8,15 +8,11 @@
 namespace evc::kernel {
 namespace {
 
-/// The greatest T_VBC, 255 days.
-constexpr Duration kLongestCover{255.0 * 86400.0};
-/// A train that is further from its LRBG does not exist.
-constexpr double kFarthest = 1e7;
-
 constexpr bool between(double v, double least, double most) { return v >= least && v <= most; }  // false for NaN
 constexpr bool is_direction(std::uint8_t code) { return code <= static_cast<std::uint8_t>(Direction::unknown); }
 
 bool plausible(const Retained::Position& p) {
+  constexpr double kFarthest = Retained::kFarthest.si;
   return is_direction(p.orientation) && is_direction(p.pair_orientation) &&
          between(p.ahead.si, -kFarthest, kFarthest) && between(p.Q_LOCACC.si, 0.0, kFarthest) &&
          between(p.over.si, p.Q_LOCACC.si, kFarthest) && between(p.under.si, p.Q_LOCACC.si, kFarthest);
@@ -25,7 +21,7 @@ bool plausible(const Retained::StoredLevel& level) { return static_cast<std::siz
 
 bool plausible(const Retained& r) {
   for (const Retained::Cover& cover : r.covers)
-    if (!between(cover.left.si, 0.0, kLongestCover.si)) return false;
+    if (!between(cover.left.si, 0.0, Retained::kLongestCover.si)) return false;
   for (const Retained::StoredLevel& level : r.level_table)
     if (!plausible(level)) return false;
   return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, kHighestX) &&

@@ -42,6 +42,10 @@ struct Retained {
     friend constexpr bool operator==(const Position&, const Position&) = default;
   };
 
+  /// The greatest T_VBC, 255 days, and a distance from the LRBG at which no train is: more is not accepted.
+  static constexpr Duration kLongestCover{255.0 * 86400.0};
+  static constexpr Distance kFarthest{1e7};
+
   // National values in force (3.18.2.7). Values that a set of X = 1 left as they were have areas of their own.
   train::NationalValues national_values;
   Areas national_areas, national_areas_of_X_2, national_areas_of_braking;
