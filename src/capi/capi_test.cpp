@@ -395,6 +395,16 @@ TEST_F(CUnit, ColdMovement) {
   }
 }
 
+TEST_F(CUnit, WithoutAnAdvanceDisplayItsNumbersDoNotExist) {
+  ASSERT_EQ(power_up(nullptr), OPENEVC_OK) << why;
+  run(0, 10);
+  openevc_planning planning{};
+  planning.size = sizeof planning;
+  ASSERT_EQ(openevc_plan(unit, &planning), OPENEVC_OK);
+  EXPECT_EQ(planning.given, 0u);
+  EXPECT_TRUE(std::isnan(planning.EOA) && std::isnan(planning.LOA) && std::isnan(planning.V_LOA));
+}
+
 /// A report and a message count for the RBC that they name (3.5.3.7).
 TEST_F(CUnit, RbcsAreNamed) {
   const auto message_32 = evc::language::encode(

@@ -265,12 +265,17 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   to.local_offset_min = o.clock ? o.clock->local_offset_min : 0;
 }
 
-void give_planning(openevc_planning& to, const kernel::Planning& p) noexcept {
+void give_no_planning(openevc_planning& to) noexcept {
   to = {};
+  to.EOA = to.LOA = to.V_LOA = kNone;
+}
+
+void give_planning(openevc_planning& to, const kernel::Planning& p) noexcept {
+  give_no_planning(to);
   to.given = 1;
   to.EOA = of(p.EOA);
   to.LOA = of(p.LOA);
-  to.V_LOA = p.LOA ? p.V_LOA.si : kNone;
+  if (p.LOA) to.V_LOA = p.V_LOA.si;
   for (const kernel::PlannedSpeed& speed : p.speeds) {
     openevc_planned_speed& s = to.speeds[to.speeds_count++];
     s.at = speed.at.si;
