@@ -3,51 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "io/json.h"
+#include "kernel/test_retained.h"
 
 namespace evc::io {
 namespace {
-
-/// Other than a default in every member.
-kernel::Retained everything() {
-  kernel::Retained r;
-  train::NationalValues& nv = r.national_values;
-  nv.V_NVSTFF = Speed{35.0 / 3.6};
-  nv.D_NVROLL = train::kUnlimited;
-  nv.D_NVOVTRP = 327670_m;
-  nv.D_NVSTFF = 1500_m;
-  nv.T_NVCONTACT = 30_s;
-  nv.M_NVCONTACT = Reaction::service_brake;
-  nv.A_NVMAXREDADH1 =
-      train::MaxReducedAdhesion::without_maximum(train::MaxReducedAdhesion::Display::time_to_indication);
-  nv.A_NVMAXREDADH2 =
-      train::MaxReducedAdhesion::without_maximum(train::MaxReducedAdhesion::Display::target_information);
-  nv.A_NVMAXREDADH3 = train::MaxReducedAdhesion::without_maximum(train::MaxReducedAdhesion::Display::none);
-  nv.Kv_int_passenger.steps.clear();
-  EXPECT_TRUE(nv.Kv_int_passenger.append({}, {0.6, 0.65}));
-  EXPECT_TRUE(nv.Kv_int_passenger.append(Speed{100.0 / 3.6}, {0.5, 0.55}));
-  EXPECT_TRUE(r.national_areas.push_back(1) && r.national_areas.push_back(1023));
-  EXPECT_TRUE(r.national_areas_of_X_2.push_back(2) && r.national_areas_of_braking.push_back(3));
-  r.operated_X = 1;
-  r.generic_ls_marker = true;
-  EXPECT_TRUE(r.covers.push_back({1, 63, 86400_s}));
-  r.network = 0x26210F;
-  r.level = kernel::Retained::StoredLevel{Level::NTC, 7};
-  EXPECT_TRUE(r.level_table.push_back({Level::L2, 0}) && r.level_table.push_back({Level::NTC, 7}));
-  r.contact = kernel::RbcAddress{1, 16383, 0x0123456789FFFFFF};
-  r.position.emplace();
-  r.position->lrbg = {1, 16383};
-  r.position->orientation = 0;
-  r.position->single = true;
-  r.position->previous = kernel::NidLrbg{1, 99};
-  r.position->pair_orientation = 1;
-  r.position->counter_rising = false;
-  r.position->cab_B = true;
-  r.position->ahead = Distance{-12.25};
-  r.position->over = 20_m;
-  r.position->under = Distance{1.0 / 3.0 + 12.0};
-  r.position->Q_LOCACC = 12_m;
-  return r;
-}
 
 std::string error_of(std::string text, const std::string& part, const std::string& other) {
   const std::size_t at = text.find(part);
@@ -59,7 +18,7 @@ std::string error_of(std::string text, const std::string& part, const std::strin
 }
 
 TEST(RetainedFile, WhatIsWrittenIsRead) {  // 3.18.2.7, 4.10
-  for (const kernel::Retained& r : {kernel::Retained{}, everything()}) {
+  for (const kernel::Retained& r : {kernel::Retained{}, kernel::everything_retained()}) {
     const auto read = read_retained(retained_text(r), "kept.json");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_TRUE(*read == r) << retained_text(r) << retained_text(*read);
@@ -67,7 +26,7 @@ TEST(RetainedFile, WhatIsWrittenIsRead) {  // 3.18.2.7, 4.10
 }
 
 TEST(RetainedFile, EveryKeyIsRequired) {
-  const Json whole = Json::parse(retained_text(everything()));
+  const Json whole = Json::parse(retained_text(kernel::everything_retained()));
   for (const auto& [key, value] : whole.items()) {
     Json without = whole;
     without.erase(key);
@@ -78,7 +37,7 @@ TEST(RetainedFile, EveryKeyIsRequired) {
 }
 
 TEST(RetainedFile, ErrorsNameTheirPlace) {
-  const std::string text = retained_text(everything());
+  const std::string text = retained_text(kernel::everything_retained());
   EXPECT_EQ(error_of(text, "evc-persistent/1", "evc-persistent/2"),
             "kept.json: /schema: found \"evc-persistent/2\", expected \"evc-persistent/1\"");
   EXPECT_NE(error_of(text, "\"left_s\": 86400.0", "\"left_s\": 1e9").find("kept.json: /vbc/0/left_s: found "),
