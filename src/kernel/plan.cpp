@@ -21,6 +21,7 @@ class Planner {
 
   void plan() {
     plan_speeds();
+    add_sources();
     plan_gradients();
     plan_conditions();
     const track::Authority& a = s_.basis.authority;
@@ -43,22 +44,24 @@ class Planner {
     const Speed V = sdm::V_MRSP(d_.in_force.inputs.mrsp, front.min_safe, front.max_safe);
     if (!out_.speeds.empty() && out_.speeds.back().V == V) return true;
     // As many as the MRSP has steps.
-    (void)out_.speeds.push_back({at, V, sources_of(V, front)});
+    (void)out_.speeds.push_back({at, V, {}});
+    (void)fronts_.push_back(front);
     if (V > Speed{}) return true;
     if (front.max_safe < end_) end_ = front.max_safe;
     return false;
   }
 
-  /// The restrictions with this speed.
-  Set<MrspSource> sources_of(Speed V, const Front& front) const {
-    Set<MrspSource> sources;
+  /// To each speed the restrictions that have it.
+  void add_sources() {
     track::Mrsp alone;
     for (std::size_t i = 0; i < terms::index(MrspSource::count); ++i) {
       const auto source = static_cast<MrspSource>(i);
       mrsp_of(source, alone, s_, d_.in_force, s_.basis);
-      sources.add(source, sdm::V_MRSP(alone, front.min_safe, front.max_safe) == V);
+      for (std::size_t n = 0; n < fronts_.size(); ++n) {
+        PlannedSpeed& speed = out_.speeds[n];
+        speed.sources.add(source, sdm::V_MRSP(alone, fronts_[n].min_safe, fronts_[n].max_safe) == speed.V);
+      }
     }
-    return sources;
   }
 
   void plan_speeds() {
@@ -117,6 +120,7 @@ class Planner {
   Planning& out_;
   track::Here here_;
   Place end_;
+  InplaceVector<Front, decltype(Planning::speeds)::capacity()> fronts_;  // of the speeds
 };
 
 }  // namespace
