@@ -265,13 +265,11 @@ void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   to.local_offset_min = o.clock ? o.clock->local_offset_min : 0;
 }
 
-void give_no_planning(openevc_planning& to) noexcept {
+void give_planning(openevc_planning& to, const kernel::Planning* planning) noexcept {
   to = {};
   to.EOA = to.LOA = to.V_LOA = kNone;
-}
-
-void give_planning(openevc_planning& to, const kernel::Planning& p) noexcept {
-  give_no_planning(to);
+  if (planning == nullptr) return;
+  const kernel::Planning& p = *planning;
   to.given = 1;
   to.EOA = of(p.EOA);
   to.LOA = of(p.LOA);

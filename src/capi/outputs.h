@@ -7,10 +7,7 @@ namespace evc::capi {
 /// All members of `to` but its size.
 void give_outputs(openevc_outputs& to, const kernel::Outputs& outputs) noexcept;
 
-/// All members of `to` but its size: there is no advance display.
-void give_no_planning(openevc_planning& to) noexcept;
-
-/// The same of the advance display.
-void give_planning(openevc_planning& to, const kernel::Planning& planning) noexcept;
+/// The same of the advance display; null: there is none.
+void give_planning(openevc_planning& to, const kernel::Planning* planning) noexcept;
 
 }  // namespace evc::capi

@@ -326,7 +326,7 @@ TEST(COutputs, Planning) {
   ASSERT_TRUE(p->conditions.push_back({Symbol::PL28, std::nullopt, {40.0}}));
   p->EOA = Distance{50.0};
   const auto out = std::make_unique<openevc_planning>();
-  give_planning(*out, *p);
+  give_planning(*out, p.get());
   EXPECT_EQ(out->given, 1u);
   ASSERT_TRUE(out->speeds_count == 1 && out->gradients_count == 1 && out->conditions_count == 2);
   EXPECT_TRUE(out->speeds[0].at == 10.0 && out->speeds[0].V == 20.0);
@@ -339,12 +339,12 @@ TEST(COutputs, Planning) {
   p->EOA.reset();
   p->LOA = Distance{60.0};
   p->V_LOA = {5.0};
-  give_planning(*out, *p);
+  give_planning(*out, p.get());
   EXPECT_TRUE(std::isnan(out->EOA) && out->LOA == 60.0 && out->V_LOA == 5.0);
   while (p->speeds.grow() != nullptr) p->speeds.back() = {};
   while (p->gradients.grow() != nullptr) p->gradients.back() = {};
   while (p->conditions.grow() != nullptr) p->conditions.back() = {};
-  give_planning(*out, *p);
+  give_planning(*out, p.get());
   EXPECT_TRUE(out->speeds_count == 128 && out->gradients_count == 96 && out->conditions_count == 97);
 }
 

@@ -87,10 +87,8 @@ openevc_result openevc_step(openevc_unit* unit, const openevc_inputs* inputs, op
 
 openevc_result openevc_plan(openevc_unit* unit, openevc_planning* planning) noexcept {
   if (!usable(unit) || planning == nullptr || planning->size < sizeof planning->size) return OPENEVC_BAD_ARGUMENT;
-  if (kernel::plan(unit->unit, unit->planning))
-    evc::capi::give_planning(unit->planned, unit->planning);
-  else
-    evc::capi::give_no_planning(unit->planned);
+  const bool given = kernel::plan(unit->unit, unit->planning);
+  evc::capi::give_planning(unit->planned, given ? &unit->planning : nullptr);
   evc::capi::give(planning, unit->planned);
   return OPENEVC_OK;
 }

@@ -182,8 +182,7 @@ class Both {
 
  private:
   bool same_planning() {
-    *planned_ = {};
-    if (kernel::plan(*ours_, *planning_)) capi::give_planning(*planned_, *planning_);
+    capi::give_planning(*planned_, kernel::plan(*ours_, *planning_) ? planning_.get() : nullptr);
     planned_->size = planned_by_c_->size = sizeof *planned_;
     return openevc_plan(unit_, planned_by_c_.get()) == OPENEVC_OK &&
            std::memcmp(planned_.get(), planned_by_c_.get(), sizeof *planned_) == 0;
