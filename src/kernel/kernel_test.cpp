@@ -187,6 +187,16 @@ TEST_F(Unit, fails_safe_on_odometry_that_is_not_sound) {
   EXPECT_TRUE(out.eb) << "the nominal counter below its lower bound";
 }
 
+TEST_F(Unit, fails_safe_on_a_mode_that_the_level_excludes) {  // 4.4
+  start_of_mission(Level::L0, 0, Ack::UN);
+  ASSERT_EQ(out.mode, Mode::UN);
+  state->level.level = Level::L2;
+  cycle();
+  EXPECT_TRUE(happened(What::mode_not_of_level));
+  EXPECT_EQ(out.mode, Mode::SF);
+  EXPECT_TRUE(out.eb);
+}
+
 TEST_F(Unit, fails_safe_on_a_configuration_out_of_range) {
   config.train.L_TRAIN = {-1.0};
   power_up(*state, *derived, config);

@@ -12,6 +12,7 @@
 #include "io/telegram_json.h"
 #include "kernel/evc.h"
 #include "kernel/state.h"
+#include "modes/mode_properties.h"
 #include "sim/cycle_inputs.h"
 
 namespace evc::scenario {
@@ -427,11 +428,17 @@ class Run {
     const auto more = stream_->next(inputs_of_cycle_);
     if (!more) fail("inputs that can be read", more.error().text(), false);
     kernel::step(unit_->state, unit_->derived, inputs_of_cycle_.view(), unit_->outputs);
+    expect_coherent(unit_->outputs);
     Cycle c;
     c.t_ms = inputs_of_cycle_.t_ms;
     const bool plans = plans_ && kernel::plan(unit_->state, unit_->derived, unit_->planning);
     io::append_output(c.line, c.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr);
     cycles_.push_back(std::move(c));
+  }
+  /// 4.4: in every cycle of every scenario.
+  void expect_coherent(const kernel::Outputs& out) const {
+    if (!modes::possible_in(out.mode, out.level))
+      fail("a mode of the level", std::string(name(out.mode)) + " in level " + std::string(name(out.level)));
   }
   void give(std::string line) {
     inputs_ += line + "\n";

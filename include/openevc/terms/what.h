@@ -105,6 +105,7 @@ enum class What : std::uint8_t {
 
   cab_changed,                ///< the other cab is active: position and orientation are mirrored
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
+  mode_not_of_level,          ///< the stored mode and level exclude each other
   count
 };
 

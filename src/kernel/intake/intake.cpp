@@ -12,6 +12,7 @@
 #include "kernel/intake/reception.h"
 #include "kernel/intake/system_version.h"
 #include "kernel/stored.h"
+#include "modes/mode_properties.h"
 #include "radio/radio.h"
 #include "track/services.h"
 #include "track/withdraw.h"
@@ -111,7 +112,10 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
-  out.safety_fault = acts(s, !can_go_on || s.configuration_refused || in.safety_fault);
+  // 4.4: no change leads to such a pair. It can only be a fault of the machine, as in.safety_fault is.
+  const bool coherent = modes::possible_in(s.mode, s.level.level);
+  if (!coherent) log.note({.what = What::mode_not_of_level, .clause = "4.4.5"_srs});
+  out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault);
   follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
   s.network.registered = in.train.radio_registered;

@@ -89,6 +89,7 @@ TEST_F(Cycle, MemorisesAFaultInSleepingAndNonLeading) {  // 4.4.6.1.6, 4.4.15.1.
     const Mode mode = static_cast<Mode>(i);
     const bool memorises = mode == Mode::SL || mode == Mode::NL;
     state.mode = mode;
+    state.level.level = mode == Mode::UN ? Level::L0 : mode == Mode::SN ? Level::NTC : Level::L2;
     state.safety_fault_memorised = false;
     state.radio.errors.clear();
     in.safety_fault = true;
