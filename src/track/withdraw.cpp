@@ -162,6 +162,8 @@ void run_overlap_timer(Description& d, const Here& here, Elapsed& elapsed) {
   if (!timer.running || !(timer.expired_at(here.now) || here.standstill)) return;
   ma.overlap.reset();
   ma.V_LOA = {};
+  // The SvL of a conditional stop in the overlap (3.10.2.2) lies no farther than what holds without it (3.8.4.5.1).
+  if (ma.fixed_SvL) ma.fixed_SvL = std::min(*ma.fixed_SvL, ma.danger_point ? ma.danger_point->at : ma.end());
   elapsed.overlap_timeout = true;
   elapsed.track_description_deleted =
       shorten(d, Situation::d_overlap_timeout, ma.far_end(), here) || elapsed.track_description_deleted;
