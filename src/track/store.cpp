@@ -122,13 +122,18 @@ void store_tsr(const Filing& f, const Contents& c) {
   }
 }
 
+/// The stop that is asked for now only, of a train in rear of it: the speed that applies already does not replace it.
+bool asks_to_stop(const LevelCrossing& fresh, const LevelCrossing& old, const Here& here) {
+  return fresh.stop_required && !old.stop_required && here.est_front <= fresh.from;
+}
+
 void store_level_crossings(const Filing& f, const Contents& c) {
   Description& d = f.d;
   for (LevelCrossing lx : c.lx) {
     for (const LevelCrossing& old : d.lx)
       if (old.NID_LX == lx.NID_LX && lx.unprotected) {
-        // Received again while its speed already applies: it continues to apply.
-        lx.substituted = old.substituted;
+        // Received again while its speed already applies: it continues to apply (A.3.5.1).
+        lx.substituted = old.substituted && !asks_to_stop(lx, old, f.here);
         lx.V_LX_from = old.V_LX_from;
         lx.informed = old.informed;
       }
