@@ -159,7 +159,7 @@ std::uint16_t due(ReportState& reports, const State& state, const ReportEvents& 
       events.session_established || events.error_to_report)
     add(Due::event);
   if (events.borders_active && due_at_border(reports, state, L_TRAIN)) add(Due::border);
-  if (!reports.parameters && events.new_lrbg) add(Due::lrbg);  // 3.6.5.1.4 j
+  if (!reports.parameters && events.new_lrbg && events.groups_active) add(Due::lrbg);  // 3.6.5.1.4 j
   if (reports.parameters && events.parameters_active)
     why = static_cast<std::uint16_t>(why | due_by_parameters(reports, state, events.new_lrbg, L_TRAIN));
   return why;

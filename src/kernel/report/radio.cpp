@@ -106,7 +106,8 @@ position::ReportEvents events_to_report(const State& s, const Received& received
   e.session_established = (s.radio.supervising.established_now || s.radio.other.established_now) &&
                           in_mode(Function::report_session_established);
   e.error_to_report = !s.radio.errors.empty() && in_mode(Function::report_data_consistency_error);
-  e.parameters_active = in_mode(Function::report_rbc_requested) || in_mode(Function::report_every_bg);
+  e.parameters_active = in_mode(Function::report_rbc_requested);
+  e.groups_active = in_mode(Function::report_every_bg);
   e.standstill_active = in_mode(Function::report_standstill);
   e.borders_active = in_mode(Function::report_level_border_rear);
   return e;
