@@ -83,6 +83,14 @@ struct Profile {
     }
     return true;
   }
+  /// The first place from `from` on at which a step says that nothing is known.
+  constexpr std::optional<Place> unknown_from(Place from) const {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const bool behind = i + 1 < steps.size() && steps[i + 1].from <= from;
+      if (!steps[i].value.known() && !behind) return steps[i].from > from ? steps[i].from : from;
+    }
+    return std::nullopt;
+  }
   /// The value at `x`; absent before the first step and where nothing is known.
   constexpr std::optional<Value> at(Place x) const {
     std::optional<Value> found;

@@ -31,6 +31,10 @@ bool complete(const Description& d, const MovementAuthority& ma, const Here& her
 /// Whether the MA that is stored is still covered; true without one.
 bool complete(const Description& d, const Here& here);
 
+/// Where SSP or gradient end in rear of the end of the MA that is stored. The trackside must not let that happen
+/// (3.7.2.2), but new profiles that end nearer replace the old ones (3.7.3.1), and packet 16 moves the end.
+std::optional<Place> undescribed_from(const Description& d, const Here& here);
+
 /// Of a new mode profile: areas that were entered by the stored one are accepted still (5.9.2.7).
 void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here);
 

@@ -138,6 +138,15 @@ bool complete(const Description& d, const MovementAuthority& ma, const Here& her
 
 bool complete(const Description& d, const Here& here) { return !d.ma || complete(d, *d.ma, here); }
 
+std::optional<Place> undescribed_from(const Description& d, const Here& here) {
+  if (!d.ma || d.ma->sections.empty()) return std::nullopt;
+  std::optional<Place> from = d.ssp.unknown_from(here.est_front);
+  const std::optional<Place> gradient = d.gradient.unknown_from(here.est_front);
+  if (gradient && (!from || *gradient < *from)) from = gradient;
+  if (from && *from >= d.ma->far_end()) from.reset();
+  return from;
+}
+
 void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here) {
   const Set<Mode> accepted = accepted_modes(stored.mode_profile);
   for (ModeArea& area : fresh) area.accepted = accepted_before(accepted, area, here);

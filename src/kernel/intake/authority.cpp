@@ -6,6 +6,7 @@
 #include "terms/message_numbers.h"
 #include "track/relocate.h"
 #include "track/store.h"
+#include "track/withdraw.h"
 
 namespace evc::kernel {
 namespace {
@@ -64,6 +65,20 @@ void place_geo_references(const position::State& position, InplaceVector<track::
   }
 }
 
+/// Authority and track description have been ended at `from`.
+void tell_end_of_description(Evaluation& e, Place from) {
+  const Place front = e.r.out.here.max_safe_front;
+  cut_beyond(e.r.state, from < front ? front : from);
+  e.r.log.note({.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
+}
+
+void end_where_undescribed(Evaluation& e) {
+  const std::optional<Place> from = track::undescribed_from(e.r.state.track, e.r.out.here);
+  if (!from) return;
+  track::end_before(e.r.state.track, *from, e.r.out.here);
+  tell_end_of_description(e, *from);
+}
+
 }  // namespace
 
 void evaluate_authority(Evaluation& e) {
@@ -103,10 +118,8 @@ void store_contents(Evaluation& e) {
   if (stored.shortened && s.track.ma && !s.track.ma->sections.empty()) {
     cut_beyond(s, s.track.ma->far_end(), e.brought);  // what was stored before the message (3.8.5.1.3, 3.8.5.1.5)
   }
-  if (stored.lost_from) {
-    cut_beyond(s, *stored.lost_from < out.here.max_safe_front ? out.here.max_safe_front : *stored.lost_from);
-    e.r.log.note({.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
-  }
+  if (stored.lost_from) tell_end_of_description(e, *stored.lost_from);
+  if (e.contents.ssp || e.contents.gradient || e.contents.repositioned_section) end_where_undescribed(e);
   if (stored.ma_accepted) {
     s.track_description_deleted = false;  // 3.8.2.7.3
     s.ma_with_trip_order = out.trip_order;
