@@ -6,6 +6,10 @@ namespace {
 /// The end of a restriction without an end: farther than any stored place.
 constexpr Place kFar{Distance{1.0e9}};
 
+/// An element without length counts where it is (3.6.3.2.2 e).
+constexpr Distance kLeast{0.1};
+Place end_of(Place from, Place to) { return to > from ? to : from + kLeast; }
+
 /// Makes room for one step: merges the two steps at the far end at their lower speed.
 void merge_last(Mrsp& f) {
   const Speed last = f.steps.back().value;
@@ -58,7 +62,7 @@ void lower_by_ssp(Mrsp& f, const Description& d, const MrspQuery& q) {
     // Up to the place where the rear end has left the element; before a lower speed this makes no difference
     // (3.11.3.1.3).
     if (!last && !steps[i].value.Q_FRONT) to = to + q.train_length;
-    lower(f, steps[i].from, to, v);
+    lower(f, steps[i].from, end_of(steps[i].from, to), v);
   }
 }
 
@@ -66,7 +70,8 @@ template <class Areas, class SpeedOf>
 void lower_by_areas(Mrsp& f, const Areas& areas, Distance delay, SpeedOf speed) {
   for (const auto& area : areas) {
     const SpeedCode code = speed(area);
-    if (code != kNoSpeed) lower(f, area.from, area.Q_FRONT ? area.to : area.to + delay, speed_of(code));
+    const Place to = area.Q_FRONT ? area.to : area.to + delay;
+    if (code != kNoSpeed) lower(f, area.from, end_of(area.from, to), speed_of(code));
   }
 }
 
@@ -86,7 +91,8 @@ void mrsp(Mrsp& f, const Description& d, const MrspQuery& query) {
     lower_by_areas(f, d.tsr, query.train_length, [](const TemporarySpeedRestriction& t) { return t.V_TSR; });
   if (counts.pbd)
     for (std::size_t i = 0; i < d.pbd.size() && i < query.pbd_speeds.size(); ++i)
-      if (query.pbd_speeds[i] != kNoSpeed) lower(f, d.pbd[i].from, d.pbd[i].to, speed_of(query.pbd_speeds[i]));
+      if (query.pbd_speeds[i] != kNoSpeed)
+        lower(f, d.pbd[i].from, end_of(d.pbd[i].from, d.pbd[i].to), speed_of(query.pbd_speeds[i]));
   if (counts.lx)
     for (const LevelCrossing& lx : d.lx)
       if (lx.unprotected && lx.substituted) lower(f, lx.V_LX_from, lx.to, speed_of(lx.V_LX));
