@@ -64,7 +64,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::shortening_rejected, "MA shortening", Takes::nothing, "rejected"},
     {What::trip_ordered, "trip", Takes::nothing, "ordered by balise group"},
     {What::track_description_shortened, "track description", Takes::nothing, "shortened to the train"},
-    {What::track_description_ended, "track description", Takes::nothing, "ended: no room for more"},
+    {What::track_description_ended, "track description", Takes::nothing, "ended: the rest is missing"},
     {What::emergency_stop_accepted, "emergency stop", Takes::id, "accepted"},
     {What::emergency_stop_place_passed, "emergency stop", Takes::id, "refused: place passed"},
     {What::emergency_stop_other_direction, "emergency stop", Takes::id, "refused: other direction"},

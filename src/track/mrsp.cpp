@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "track/services.h"
 
 namespace evc::track {
@@ -104,13 +106,24 @@ void mrsp(Mrsp& f, const Description& d, const MrspQuery& query) {
 void gradient(GradientFunction& f, const Description& d, Place from, double unknown) {
   f.steps.clear();
   const auto& steps = d.gradient.steps;
+  const auto value_of = [&](std::size_t k) {
+    return steps[k].value.known() ? static_cast<double>(steps[k].value.permille) : unknown;
+  };
+  const auto add = [&](Place at, double value) {
+    // There is one step too many only if the profile begins beyond `from`: keep the lower one.
+    if (!f.append(at, value) && value < f.steps.back().value) f.steps.back().value = value;
+  };
   std::size_t i = 0;
   while (i + 1 < steps.size() && steps[i + 1].from <= from) ++i;
   if (steps.empty() || steps[i].from > from) (void)f.append(from, unknown);
   for (; i < steps.size(); ++i) {
-    const double value = steps[i].value.known() ? static_cast<double>(steps[i].value.permille) : unknown;
-    // There is one step too many only if the profile begins beyond `from`: keep the lower one.
-    if (!f.append(steps[i].from, value) && value < f.steps.back().value) f.steps.back().value = value;
+    const Place at = steps[i].from;
+    double lowest = value_of(i);
+    for (; i + 1 < steps.size() && steps[i + 1].from <= at; ++i) lowest = std::min(lowest, value_of(i + 1));
+    add(at, lowest);
+    if (lowest == value_of(i)) continue;
+    const Place after = at + kLeast;
+    add(i + 1 < steps.size() && steps[i + 1].from < after ? steps[i + 1].from : after, value_of(i));
   }
 }
 
