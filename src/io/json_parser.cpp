@@ -43,16 +43,18 @@ class Builder {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string&, const Exception& e) {
-    // 406: a number beyond the range of a double.
-    if (e.id == 406) fail(where_, "a number out of range", "JSON");
-    const std::size_t at = std::min(position == 0 ? 0 : position - 1, text_.size());
+  bool parse_error(std::size_t position, const std::string& token, const Exception& e) {
+    // 406: a number beyond the range of a double; the position is behind it.
+    const bool number = e.id == 406;
+    const std::size_t back = number ? token.size() : 1;
+    const std::size_t at = std::min(position < back ? 0 : position - back, text_.size());
     const std::string_view before = text_.substr(0, at);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     const std::string column = "column " + std::to_string(at - start + 1);
-    fail(where_.empty() ? "line " + std::to_string(line) + " " + column : where_ + " " + column,
-         at < text_.size() ? "\"" + excerpt(text_, at, 20) + "\"" : "the end of the text", "JSON");
+    std::string found = "the end of the text";
+    if (at < text_.size()) found = number ? "a number out of range" : "\"" + excerpt(text_, at, 20) + "\"";
+    fail(where_.empty() ? "line " + std::to_string(line) + " " + column : where_ + " " + column, found, "JSON");
   }
 
  private:

@@ -47,7 +47,7 @@ TEST(Json, ReadsEveryKindOfValue) {
 TEST(Json, ErrorsNameLineAndColumn) {
   EXPECT_EQ(parse_error("{\n \"a\": x}"), "f.json: line 2 column 7: found \"x}\", expected JSON");
   EXPECT_EQ(parse_error("[1"), "f.json: line 1 column 3: found the end of the text, expected JSON");
-  EXPECT_EQ(parse_error("[1,1e999]"), "f.json: found a number out of range, expected JSON");
+  EXPECT_EQ(parse_error("[1,1e999]"), "f.json: line 1 column 4: found a number out of range, expected JSON");
 }
 
 /// Standard error is UTF-8 whatever the input is, and a terminal gets no control characters.
