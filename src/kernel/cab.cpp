@@ -45,6 +45,7 @@ void follow_cab(State& s, const TrainSignals& train, Log log) {
   if (train.desk_open && train.cab != s.cab) {
     delete_what_was_ahead(s);
     see_from_other_cab(s, train.cab);
+    s.handover = {};  // its order is deleted (4.10), and the border lies behind; each RBC ends its own session
     if (s.loop) turn(*s.loop);
     protection::turn(s.guards);
     log.note({.what = What::cab_changed, .clause = "5.12.2.5"_srs});

@@ -14,8 +14,8 @@ void take_session_order(Evaluation& e, const lang::PacketView& view, modes::Verd
   radio::SessionOrder order = radio::session_order_of(p);
   const bool supervising = e.information.sender == SessionRole::supervising;
   // An RBC that ends "the last known" session means its own: in a handover the stored contact may be the other one.
-  if (!supervising && !order.establish && order.rbc.NID_RBC == radio::kLastKnownRbc)
-    order.rbc = s.radio.other.session.rbc;
+  if (e.information.medium == Medium::rbc && !order.establish && order.rbc.NID_RBC == radio::kLastKnownRbc)
+    order.rbc = (supervising ? s.radio.supervising : s.radio.other).session.rbc;
   bool store_only = verdict == modes::Verdict::only_contact_stored;
   if (order.establish && !store_only && !s.network.registered) {
     store_only = true;

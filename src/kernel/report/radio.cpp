@@ -65,8 +65,11 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
 void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   using procedures::Send;
   for (const track::TextReport& text : decided.texts_to_report)
-    if (s.radio.supervising.session.rbc.same_id({text.NID_C, text.NID_RBC}))  // 3.12.3.5.2
+    for (const radio::Peer peer : radio::kRbcs) {  // 3.12.3.5.2: of a handover the former RBC too
+      if (!s.radio.session(peer).rbc.same_id({text.NID_C, text.NID_RBC})) continue;
+      const radio::Addressed to(outbox, peer);
       radio::report_text_acknowledged(text.NID_TEXTMESSAGE, outbox);
+    }
   const auto& wishes = decided.effects.send;
   if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
   if (wishes.has(Send::shunting_request)) outbox.send(message::request_for_shunting);
