@@ -72,7 +72,7 @@ struct BufferedSet {
   std::uint64_t waiting = 0;                      // bit n: the n-th packet
   bool message_waits = false;                     // the information of the radio message itself
   bool accepting = false;                         // by the accepting RBC: it waits for the change of RBC (4.8.2.1)
-  std::uint8_t M_VERSION = 0;                     // of the RBC session
+  std::uint8_t M_VERSION = 0;                     // of the session, for a message
   InplaceVector<std::uint16_t, 8> telegram_bits;  // of each telegram, in order of reading
   std::array<std::uint8_t, 1024> bytes{};         // consecutive telegrams, or one message
   std::uint16_t size = 0;

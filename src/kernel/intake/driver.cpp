@@ -9,11 +9,28 @@
 namespace evc::kernel {
 namespace {
 
+/// The level that is entered in this cycle.
+modes::OrderedLevel entered_level(const Reception& r) {
+  modes::OrderedLevel level;
+  level.level = *r.in.driver.level;
+  if (level.level == Level::NTC) level.nid_ntc = r.in.driver.nid_ntc;
+  return level;
+}
+
+/// 5.10.1.7
+bool may_select(const Reception& r, const modes::OrderedLevel& level) {
+  const State& s = r.state;
+  const modes::LevelTable* table = s.level_table ? &*s.level_table : nullptr;
+  return modes::driver_may_select(level, table, available_levels(s, r.in.national_system));
+}
+
 /// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
   driver::ActionContext context = action_context(r.state, r.in.train, r.out.here);
   // A contact for the level that is entered with it (3.18.4.3.2).
-  if (input == driver::Input::rbc_contact && r.in.driver.level) context.level = r.in.driver.level;
+  if (input == driver::Input::rbc_contact && r.in.driver.level && may_select(r, entered_level(r)) &&
+      driver::enabled(context).has(driver::Input::level))
+    context.level = r.in.driver.level;
   if (driver::enabled(context).has(input)) return true;
   r.log.note(otherwise);
   return false;
@@ -177,13 +194,9 @@ void enter_cover(Reception& r) {
 }  // namespace
 
 std::optional<modes::OrderedLevel> driver_level(Reception& r) {
-  const State& s = r.state;
   if (!r.in.driver.level || !may_enter(r, driver::Input::level, Entered::level)) return {};
-  modes::OrderedLevel level;
-  level.level = *r.in.driver.level;
-  if (level.level == Level::NTC) level.nid_ntc = r.in.driver.nid_ntc;
-  const modes::LevelTable* table = s.level_table ? &*s.level_table : nullptr;
-  if (!modes::driver_may_select(level, table, available_levels(s, r.in.national_system))) {
+  const modes::OrderedLevel level = entered_level(r);
+  if (!may_select(r, level)) {
     r.log.note(
         {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(Entered::level), .clause = "5.10.1.7"_srs});
     return {};

@@ -63,7 +63,9 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
-  add_bits(keep(r, information, waiting), bytes);
+  BufferedSet& set = keep(r, information, waiting);
+  set.M_VERSION = s.radio.session(from.peer).M_VERSION;
+  add_bits(set, bytes);
 }
 
 /// Message 37 is sent by radio infill units only (8.7.15): that of an RBC is judged by its row of 4.8.3, and where that

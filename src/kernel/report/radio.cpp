@@ -160,6 +160,10 @@ void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
   const auto named = named_rbc(inputs.radio_link_with, of_infill_unit);
   const auto peer = radio::peer_of(s.radio, named, of_infill_unit);
   if (!peer) return;
+  // Of the short number only the one that answers has a name; another one that ends was called before.
+  const radio::Session& session = s.radio.session(*peer);
+  const bool answered = inputs.radio_link == RadioLink::connected || session.phase != radio::Phase::connecting;
+  if (named && !session.rbc.same_id(*named) && !answered) return;
   in.link = inputs.radio_link;
   in.link_of = *peer;
   if (named && !of_infill_unit && in.link == RadioLink::connected) radio::identify(s.radio.session(*peer), *named);
