@@ -148,9 +148,9 @@ Acceptance accept_by_level(Information information, const AcceptanceContext& c) 
 Acceptance accept_by_rbc(Information information, const AcceptanceContext& c) {
   if (c.medium != Medium::rbc || c.rbc == SessionRole::supervising) return kAccepted;
   if (c.rbc == SessionRole::handing_over) {  // from the former RBC only the end of the session is accepted (3.15.1.3)
-    const bool session =
-        information == Information::session_management || information == Information::session_termination_ack;
-    return session ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"_srs};
+    const bool ends = (information == Information::session_management && !c.orders_establishment) ||
+                      information == Information::session_termination_ack;
+    return ends ? kAccepted : Acceptance{Verdict::rejected, "4.8.2.1"_srs};
   }
   if (speaks_for_both_rbcs(information, c.srs)) return kAccepted;
   if (only_of_supervising_rbc(information, c.srs)) return {Verdict::rejected, "4.8.2.1"_srs};

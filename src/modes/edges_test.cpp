@@ -94,6 +94,9 @@ TEST(AcceptanceEdges, Of_the_former_RBC_only_the_end_of_its_session_counts) {  /
     const bool session =
         information == Information::session_management || information == Information::session_termination_ack;
     EXPECT_EQ(accept_by_rbc(information, c).verdict, session ? Verdict::accepted : Verdict::rejected) << i;
+    c.orders_establishment = true;
+    const bool answer = information == Information::session_termination_ack;
+    EXPECT_EQ(accept_by_rbc(information, c).verdict, answer ? Verdict::accepted : Verdict::rejected) << i;
     c.medium = Medium::balise;
     EXPECT_EQ(accept_by_rbc(information, c).verdict, Verdict::accepted) << i;
   }

@@ -75,6 +75,8 @@ bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Dura
 
 void call_accepting(State& s, const Rbc& accepting, Duration now, Outbox& out) {
   const Addressed to(out, Peer::other);
+  // 3.15.1.3.2.3: the former RBC, that is to supervise again, has a new session for it.
+  if (!s.other_accepts && s.other.session.rbc.same_id(accepting)) terminate(s.other.session, now, out);
   s.other_accepts = true;
   establish(s.other.session, accepting, Cause::trackside_order, now, out);
 }

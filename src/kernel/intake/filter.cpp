@@ -122,12 +122,15 @@ void evaluate_linking(Evaluation& e, bool infill) {
 
 /// 4.8.3 [14]: the RBC of packet 42 is that of an RBC transition order, stored or in this message.
 bool names_rbc_of_transition(const Evaluation& e, const lang::Packet42& p) {
-  const std::optional<track::RbcTransition>& stored = e.r.state.track.rbc_transition;
-  if (stored && stored->NID_C == p.NID_C.raw && stored->NID_RBC == p.NID_RBC.raw) return true;
+  const State& s = e.r.state;
+  radio::Rbc named{p.NID_C.raw, p.NID_RBC.raw, 0};
+  if (named.NID_RBC == radio::kLastKnownRbc && s.radio.contact) named = *s.radio.contact;
+  const std::optional<track::RbcTransition>& stored = s.track.rbc_transition;
+  if (stored && named.same_id({stored->NID_C, stored->NID_RBC})) return true;
   for (const lang::PacketView& view : e.information.packets) {
     lang::Packet131 order;
     if (view.NID_PACKET == packet::rbc_transition_order && lang::decode(view, order) == lang::Fault::none &&
-        order.NID_C.raw == p.NID_C.raw && order.NID_RBC.raw == p.NID_RBC.raw)
+        named.same_id({order.NID_C.raw, order.NID_RBC.raw}))
       return true;
   }
   return false;

@@ -39,10 +39,13 @@ void stop_set_up(State& s, const Received& received, const Decided& decided, rad
 }
 
 /// 3.5.3.4 c, g: in level 2 and 3, a mode that has to be reported; the end of a start of mission in which there was no
-/// session.
+/// session. To an RBC with which there is one, or a set-up, the mode is reported there: beyond the border of a handover
+/// the contact may be another one.
 void open_for_mode(State& s, const Decided& decided, radio::Outbox& outbox) {
   if (!level_2_or_3(s.level.level) || !reports_mode(s, decided) || decided.mission_ended) return;
-  if (!valid(s.contact_status)) return;
+  const radio::Session& session = s.radio.supervising.session;
+  const bool to_report = session.phase == radio::Phase::idle || session.phase == radio::Phase::terminating;
+  if (!valid(s.contact_status) || !to_report) return;
   const bool started = s.previous_mode == Mode::SB && procedures::end_of_mission::is_mission(s.mode) &&
                        procedures::start_of_mission::without_session(s.start_of_mission);
   establish(s, started ? radio::Cause::start_without_session : radio::Cause::mode_report, outbox);
