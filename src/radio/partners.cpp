@@ -43,6 +43,22 @@ SessionRole role_of(const State& s, Peer peer) {
   return s.other_accepts ? SessionRole::accepting : SessionRole::handing_over;
 }
 
+namespace {
+
+/// The session that was to follow one that is being terminated is not ordered any more. Whether there was one.
+bool forget_remembered(State& s, const Rbc& rbc) {
+  bool dropped = false;
+  for (const Peer peer : kRbcs) {
+    std::optional<Rbc>& next = s.partner(peer).session.remembered;
+    if (!next || !next->same_id(rbc)) continue;
+    next.reset();
+    dropped = true;
+  }
+  return dropped;
+}
+
+}  // namespace
+
 bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Duration now, Outbox& out) {
   if (sleeping && !o.sleeping_too) return false;
   Rbc rbc = o.rbc;
@@ -55,7 +71,8 @@ bool order(State& s, const SessionOrder& o, bool sleeping, bool store_only, Dura
   Session& session = s.partner(peer).session;
   const Addressed to(out, peer);
   if (!o.establish) {
-    if (!session.active() || !session.rbc.same_id(rbc)) return false;
+    const bool dropped = forget_remembered(s, rbc);
+    if (!session.active() || !session.rbc.same_id(rbc)) return dropped;
     terminate(session, now, out);
     return true;
   }
