@@ -61,7 +61,7 @@ struct ReportEvents {
   bool new_lrbg = false;             // j, and M_LOC 1
   bool error_to_report = false;      // l
   bool parameters_active = true;     // the mode reports by parameters
-  bool groups_active = true;         // j
+  bool groups_active = true;         // j, without parameters
   bool standstill_active = true;     // a
   bool borders_active = true;        // e, f, k
 };

@@ -98,7 +98,7 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
 position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided,
                                         const position::IntegrityEvents& integrity) {
   position::ReportEvents e;
-  const auto in_mode = [&s](Function f) { return modes::active(f, s.mode); };
+  const auto in_mode = [&s](Function f) { return modes::activity(f, s.mode, s.srs) == modes::Activity::active; };
   e.mode_change = reports_mode(s, decided);
   e.integrity_confirmed = integrity.confirmed_by_driver && in_mode(Function::report_integrity_confirmed);
   e.integrity_lost = integrity.lost && in_mode(Function::report_integrity_lost);
@@ -108,7 +108,8 @@ position::ReportEvents events_to_report(const State& s, const Received& received
                                                                              : Function::report_level_change_trackside);
   e.session_established = (s.radio.supervising.established_now || s.radio.other.established_now) &&
                           in_mode(Function::report_session_established);
-  e.error_to_report = !s.radio.errors.empty() && in_mode(Function::report_data_consistency_error);
+  e.error_to_report =
+      !s.radio.errors.empty() && modes::active(Function::report_data_consistency_error, s.mode);  // in 3.4.0 too
   e.parameters_active = in_mode(Function::report_rbc_requested);
   e.groups_active = in_mode(Function::report_every_bg);
   e.standstill_active = in_mode(Function::report_standstill);
