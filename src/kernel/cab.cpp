@@ -21,8 +21,11 @@ void delete_what_was_ahead(State& s) {
   track::turn(s.track);
 }
 
-/// The announcement of a loop stays (4.10): its messages count for the other direction now (3.6.3.1.1 c).
+/// The announcement of a loop stays (4.10): its messages count for the other direction now (3.6.3.1.1 c), in which
+/// another signal is ahead.
 void turn(AnnouncedLoop& loop) {
+  loop.signal.reset();
+  loop.signal_passed = false;
   loop.orientation = opposite(loop.orientation);
   std::swap(loop.from, loop.to);
   for (std::optional<Place>* end : {&loop.from, &loop.to})
