@@ -153,6 +153,7 @@ struct RadioNetwork {
   std::optional<std::uint32_t> NID_MN;       // the last one of trackside or driver
   bool changed = false;                      // in this cycle: a registration is due
   bool registered = true;                    // a terminal is, say the terminals
+  bool awaited = false;                      // a call waits for the terminal that has to register
 };
 
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).

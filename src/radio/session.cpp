@@ -249,6 +249,11 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   return fresh;
 }
 
+void withdraw_request(Session& s) {
+  s.request_connection = false;
+  if (s.tries > 0 && s.tries < 255) --s.tries;
+}
+
 void end(Session& s, Duration now, Outbox& out) {
   if (s.phase == Phase::terminating) release(s, now, out);
 }

@@ -74,6 +74,8 @@ void terminate(Session& session, Duration now, Outbox& out);
 bool maintain(Session& session, RadioLink link, bool in_radio_hole, Duration now, Outbox& out);
 /// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
 bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);
+/// The connection request of this cycle is not made yet: it follows in the next.
+void withdraw_request(Session& session);
 /// Message 39 was received.
 void end(Session& session, Duration now, Outbox& out);
 /// No message since T_NVCONTACT + kContactExtra: the connection is released and set up again (3.16.3.4.3).

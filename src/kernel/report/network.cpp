@@ -8,7 +8,8 @@ bool leave_busy_ones(State& s) {
   std::uint8_t busy = 0;
   for (const radio::Peer peer : radio::kPeers) {
     radio::Session& session = s.radio.session(peer);
-    if (!session.active()) continue;
+    const bool called_now = session.phase == radio::Phase::connecting && session.since == s.now;
+    if (!session.active() || called_now) continue;  // that call waits for the registration
     session.registers_after = session.connections;
     ++busy;
   }
@@ -37,6 +38,19 @@ std::optional<std::uint32_t> register_terminals(State& s, bool powered_up) {
   if (!ordered) return std::nullopt;
   if (s.network.NID_MN) return s.network.NID_MN;
   return s.network.offered.empty() ? port::kDefaultNetwork : s.network.offered[0];  // 3.5.6.3
+}
+
+void await_registration(State& s, bool ordered, radio::Outbox& outbox) {
+  RadioNetwork& network = s.network;
+  network.awaited = ordered || (network.awaited && !network.registered);
+  if (!network.awaited || !outbox.connect || radio::sessions(s.radio) < s.terminals) return;
+  for (const radio::Peer peer : radio::kPeers) {
+    radio::Session& session = s.radio.session(peer);
+    if (session.phase != radio::Phase::connecting || session.rbc != *outbox.connect) continue;
+    radio::withdraw_request(session);
+    outbox.connect.reset();
+    return;
+  }
 }
 
 }  // namespace evc::kernel

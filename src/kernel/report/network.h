@@ -11,4 +11,8 @@ namespace evc::kernel {
 /// of the cycle.
 std::optional<std::uint32_t> register_terminals(State& state, bool powered_up);
 
+/// 3.5.6.6, 3.15.1.3.2: the call of this cycle waits if the only terminal for it has to register first; `ordered`: in
+/// this cycle.
+void await_registration(State& state, bool ordered, radio::Outbox& outbox);
+
 }  // namespace evc::kernel

@@ -215,7 +215,9 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.NID_LTRBG = received.NID_LTRBG;
   note_contact(s);
   const radio::Result r = radio::supervise(s.radio, in, outbox);
-  out.network = register_terminals(s, decided.mode_changed && s.previous_mode == Mode::NP);
+  const bool powered_up = decided.mode_changed && s.previous_mode == Mode::NP;
+  out.network = register_terminals(s, powered_up);
+  await_registration(s, out.network.has_value() && !powered_up, outbox);
   s.contact_trip = r.trip;
   complete_handover(s, r, log);
   delete_with_sessions(s, sessions);
