@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "on_board.h"
+#include "reference.h"
+
+// How each packet and message reaches the on-board in a state in which it is accepted.
+namespace evc::through_step {
+
+inline constexpr const char* kFS1 = "  given FS level 1 with speed = 60 km/h\n";
+inline constexpr const char* kFS2 = "  given FS level 2 with speed = 60 km/h\n";
+
+enum class By : std::uint8_t { group, RBC, loop, RIU };
+/// The start and the event that shows that it was accepted; nothing: "packet N
+/// accepted", "message N accepted".
+struct Way {
+  By by = By::group;
+  const char* start = kFS1;
+  unsigned NID_MESSAGE = 24;
+  std::vector<unsigned> before = {}, behind = {};  ///< packets that it needs beside it
+  std::string says = {};
+  Codes codes = {};  ///< usual ones
+};
+Way way_of_packet(unsigned NID_PACKET);
+Way way_of_message(unsigned NID_MESSAGE);
+
+/// What is said instead of the acceptance of a code with a meaning, of a packet ('P') or message ('M'); or nothing.
+std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code);
+
+/// Nothing where the telegram has no room for it.
+std::optional<Answer> send_packet(unsigned NID_PACKET, const std::string& sv, const Codes& given, int wrong_length = 0);
+Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length = 0);
+
+}  // namespace evc::through_step
