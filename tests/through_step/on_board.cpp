@@ -107,6 +107,7 @@ void OnBoard::advance() {
   o.min = o.min + run;
   o.max = o.max + run;
   o.A_est = {};
+  o.measured.reset();
 }
 
 void OnBoard::cycle(Answer& answer) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 
 #include "base/test_paths.h"
 
@@ -254,6 +255,9 @@ std::uint64_t usual(const std::string& key, const std::string& name) {
 }
 
 void put_packet(BitList& to, const Json& packet, const Codes& codes, int wrong_length) {
+  const std::vector<Field> fields = fields_of(packet.at("elements"));
+  for (const auto& [path, code] : codes)
+    if (!is_known(fields, path)) throw std::runtime_error(packet.at("id").dump() + " has no " + path);
   const std::size_t from = to.size();
   Codes all = codes;
   all["NID_PACKET"] = packet.at("id").get<std::uint64_t>();

@@ -5,7 +5,6 @@
 namespace evc::through_step {
 namespace {
 
-constexpr const char* kSR1 = "  given SR level 1\n  and drives at 20 km/h\n";
 constexpr const char* kSR2 = "  given SR level 2\n  and drives at 20 km/h\n  and passes group 100\n";
 constexpr const char* kSH1 = "  given SH level 1\n  and drives at 20 km/h\n";
 /// Group 101 is announced: its infill is accepted.
@@ -213,7 +212,10 @@ Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length) 
   for (const auto& [path, code] : given) codes[path] = code;
   BitList bits;
   for (const Json& e : message.at("elements"))
-    if (e.contains("packet")) put_packet(bits, *find_packet("to_train", e.at("packet"), "2.1"), {{"NID_BG", 101}});
+    if (e.contains("packet")) {
+      const unsigned id = e.at("packet");
+      put_packet(bits, *find_packet("to_train", id, "2.1"), id == 136 ? Codes{{"NID_BG", 101}} : Codes{});
+    }
   codes.try_emplace("T_TRAIN", static_cast<std::uint64_t>(unit.t_ms() / 10));
   BitList whole = message_bits(message, codes, bits);
   whole.replace(8, static_cast<std::uint64_t>(static_cast<int>(whole.size() / 8) + wrong_length), 10);
