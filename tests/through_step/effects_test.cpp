@@ -93,7 +93,13 @@ TEST(LanguageThroughStep, DistancesInMetres) {
       {"D_SUITABILITY", "/EOA_m", {{70, {{"Q_SUITABILITY", 2}, {"M_VOLTAGE", 3}}}}},
       {"D_MAMODE", "/EOA_m", {{12, {}}, {80, {}}}, 1},
       {"D_LX", "/EOA_m", {{88, {{"Q_LXSTATUS", 1}}}}},
-      {"D_SR", "/data/sr/value/D_sr_m", {}, 0, 2, {}, "  given SR level 2\n  and drives at 20 km/h\n  and passes group 100\n"},
+      {"D_SR",
+       "/data/sr/value/D_sr_m",
+       {},
+       0,
+       2,
+       {},
+       "  given SR level 2\n  and drives at 20 km/h\n  and passes group 100\n"},
   };
   for (const Effect& e : effects) {
     std::optional<double> offset;
@@ -114,8 +120,12 @@ TEST(LanguageThroughStep, SpeedsInSteps) {
   const Codes axle{{"D_AXLELOAD", 800}, {"N_ITER_CAT", 1}};
   const std::vector<Effect> effects{
       {"V_STATIC", "/planning/mrsp/1/v_kmh", {{27, {{"D_STATIC", 900}}}}},
-      {"steps/V_STATIC", "/planning/mrsp/2/v_kmh", {{27, {{"D_STATIC", 500}, {"V_STATIC", 23}, {"N_ITER", 1}, {"steps/D_STATIC", 400}}}}},
-      {"diffs/V_DIFF", "/planning/mrsp/1/v_kmh", {{27, {{"D_STATIC", 900}, {"V_STATIC", 27}, {"N_ITER_DIFF", 1}, {"diffs/NC_CDDIFF", 2}}}}},
+      {"steps/V_STATIC",
+       "/planning/mrsp/2/v_kmh",
+       {{27, {{"D_STATIC", 500}, {"V_STATIC", 23}, {"N_ITER", 1}, {"steps/D_STATIC", 400}}}}},
+      {"diffs/V_DIFF",
+       "/planning/mrsp/1/v_kmh",
+       {{27, {{"D_STATIC", 900}, {"V_STATIC", 27}, {"N_ITER_DIFF", 1}, {"diffs/NC_CDDIFF", 2}}}}},
       {"V_TSR", "/planning/mrsp/1/v_kmh", {{65, {{"D_TSR", 800}}}}},
       {"categories/V_AXLELOAD", "/planning/mrsp/1/v_kmh", {{51, axle}}},
       {"V_MAIN", "/V_MRSP", {{12, {}}}},
@@ -140,10 +150,13 @@ TEST(LanguageThroughStep, CodesAndTheirMeaning) {
   const Codes text{{"L_TEXT", 1}, {"text/X_TEXT", 65}};
   const std::vector<Meaning> meanings{
       {{"M_VERSION", "/version", {{2, {}}}}, {{16, "1.1"}, {17, "1.1"}, {32, "2.1"}, {33, "2.1"}}},
-      {{"G_A", "/planning/gradient/1/permille", {{21, {{"D_GRADIENT", 500}, {"Q_GDIR", 0}}}}}, {{1, -1}, {7, -7}, {254, -254}}},
+      {{"G_A", "/planning/gradient/1/permille", {{21, {{"D_GRADIENT", 500}, {"Q_GDIR", 0}}}}},
+       {{1, -1}, {7, -7}, {254, -254}}},
       {{"Q_GDIR", "/planning/gradient/0/permille", {{21, {{"G_A", 3}}}}}, {{0, -3}, {1, 3}}},
-      {{"M_VOLTAGE", "/train_orders/traction_system/M_VOLTAGE", {{39, traction}}}, {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}}},
-      {{"NID_CTRACTION", "/train_orders/traction_system/NID_CTRACTION", {{39, traction}}}, {{0, 0}, {9, 9}, {1023, 1023}}},
+      {{"M_VOLTAGE", "/train_orders/traction_system/M_VOLTAGE", {{39, traction}}},
+       {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}}},
+      {{"NID_CTRACTION", "/train_orders/traction_system/NID_CTRACTION", {{39, traction}}},
+       {{0, 0}, {9, 9}, {1023, 1023}}},
       {{"M_CURRENT", "/train_orders/allowed_current_a/current_a", {{40, {{"D_CURRENT", 100}}}}},
        {{0, 0}, {20, 200}, {1000, 10000}, {1023, nullptr}}},
       {{"NID_C", "/data/rbc/value/NID_C", {{42, contact}}}, {{0, 0}, {1023, 1023}}},
@@ -216,7 +229,8 @@ TEST(LanguageThroughStep, CorrectionFactors) {
   }
   for (const auto& [code, metres] : variable("L_NVKRINT").at("table").items()) {
     if (code == "0") continue;
-    const Json Kr = with({{"N_ITER_KR", 1}, {"kr_steps/L_NVKRINT", std::stoull(code)}, {"kr_steps/M_NVKRINT", 10}}).at("Kr_int");
+    const Json Kr =
+        with({{"N_ITER_KR", 1}, {"kr_steps/L_NVKRINT", std::stoull(code)}, {"kr_steps/M_NVKRINT", 10}}).at("Kr_int");
     EXPECT_NEAR(Kr[1][0].get<double>(), metres.get<double>(), 1e-9) << code;
     EXPECT_NEAR(Kr[1][1].get<double>(), 0.5, 1e-9) << code;
   }
@@ -232,7 +246,10 @@ TEST(LanguageThroughStep, CorrectionFactors) {
   const Json pivots = with({{"Q_NVKVINTSET", 1}, {"A_NVP12", 10}, {"A_NVP23", 63}});
   EXPECT_NEAR(pivots.at("A_NVP12").get<double>(), 0.5, 1e-9);
   EXPECT_NEAR(pivots.at("A_NVP23").get<double>(), 3.15, 1e-9);
-  EXPECT_NEAR(with({{"N_ITER_KV", 1}, {"kv_steps/V_NVKVINT", 20}, {"kv_steps/M_NVKVINT_A", 9}}).at("Kv_int_freight")[1][0].get<double>(), 100.0, 1e-9);
+  EXPECT_NEAR(with({{"N_ITER_KV", 1}, {"kv_steps/V_NVKVINT", 20}, {"kv_steps/M_NVKVINT_A", 9}})
+                  .at("Kv_int_freight")[1][0]
+                  .get<double>(),
+              100.0, 1e-9);
 }
 
 }  // namespace

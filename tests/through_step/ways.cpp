@@ -31,15 +31,6 @@ constexpr const char* kPS1 =
     "  given SH level 1\n  and signal { passive_shunting true }\n  and driver selects maintain_shunting\n  and waits "
     "0.2 "
     "s\n  and desk closed\n  and waits 0.5 s\n  and drives at 20 km/h\n  then mode PS [4.6.3(26)]\n";
-/// With a session with radio infill unit 7 in level 1.
-constexpr const char* kInfillUnit =
-    "  given SR level 1\n  and drives at 30 km/h\n  and passes group 100\n    packet 5 { D_LINK 2000 m, NID_BG 101, "
-    "Q_LINKREACTION 2, Q_LOCACC 5 m }\n    packet 12 { L_ENDSECTION 2000 m }\n    packet 21 { G_A 0 }\n    packet 27 { "
-    "V_STATIC 140 km/h }\n    packet 133 { Q_RIU 1, NID_C_RIU 1, NID_RIU 7, NID_RADIO \"0123456789FFFFFF\", D_INFILL "
-    "50 m, "
-    "NID_BG 101 }\n  and drives for 60 m\n  and session connected with RIU 7\n  and message 32 from RIU 7\n  and waits "
-    "0.2 "
-    "s\n";
 /// Start of mission: the session is open, nothing else.
 constexpr const char* kMission =
     "  given standing in SB\n  and driver enters { driver_id 1234 }\n  and driver enters { level 2 }\n  and driver "

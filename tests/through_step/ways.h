@@ -13,6 +13,16 @@ inline constexpr const char* kFS1 = "  given FS level 1 with speed = 60 km/h\n";
 inline constexpr const char* kSR1 = "  given SR level 1\n  and drives at 20 km/h\n";
 inline constexpr const char* kFS2 = "  given FS level 2 with speed = 60 km/h\n";
 
+/// With a session with radio infill unit 7 in level 1.
+inline constexpr const char* kInfillUnit =
+    "  given SR level 1\n  and drives at 30 km/h\n  and passes group 100\n    packet 5 { D_LINK 2000 m, NID_BG 101, "
+    "Q_LINKREACTION 2, Q_LOCACC 5 m }\n    packet 12 { L_ENDSECTION 2000 m }\n    packet 21 { G_A 0 }\n    packet 27 { "
+    "V_STATIC 140 km/h }\n    packet 133 { Q_RIU 1, NID_C_RIU 1, NID_RIU 7, NID_RADIO \"0123456789FFFFFF\", D_INFILL "
+    "50 m, "
+    "NID_BG 101 }\n  and drives for 60 m\n  and session connected with RIU 7\n  and message 32 from RIU 7\n  and waits "
+    "0.2 "
+    "s\n";
+
 enum class By : std::uint8_t { group, RBC, loop, RIU };
 /// The start and the event that shows that it was accepted; nothing: "packet N
 /// accepted", "message N accepted".
