@@ -38,6 +38,17 @@ void add_with_authority(Evaluation& e) {
   }
 }
 
+/// Without an authority in the same part they say nothing (3.12.4.3): of a group or loop, as such packets of a message
+/// belong to it (8.7).
+void tell_without_authority(Evaluation& e) {
+  if (e.information.message != nullptr) return;
+  for (std::size_t k = 0; k < e.information.packets.size(); ++k) {
+    const auto number = e.information.packets[k].NID_PACKET;
+    if (route_of(e.information.packets[k]).turn == Turn::with_authority && judged(e, k))
+      e.r.log.note({.what = What::packet_not_used, .id = number});
+  }
+}
+
 void tell_stored(Evaluation& e, const track::Stored& stored) {
   for (const track::Note& n : stored.notes) {
     if (n.what == track::Note::What::stored) continue;
@@ -85,9 +96,11 @@ void evaluate_authority(Evaluation& e) {
   // The authority of a request to shorten is a proposal: take_message decides (3.8.6).
   if (e.information.message != nullptr && e.information.message->NID_MESSAGE == message::request_to_shorten_ma) return;
   track::Contents& c = e.contents;
+  bool authority = false;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (route_of(view).turn != Turn::authority || !judged(e, i)) continue;
+    authority = true;
     track::AuthorityContents& offered = e.r.scratch.proposal;
     offered = {};
     if (track::add(offered, c.time, view, e.reference) != track::Added::added) continue;
@@ -102,6 +115,7 @@ void evaluate_authority(Evaluation& e) {
     if (offered.V_MAIN) c.V_MAIN = offered.V_MAIN;
     add_with_authority(e);
   }
+  if (!authority) tell_without_authority(e);
 }
 
 void store_contents(Evaluation& e) {
