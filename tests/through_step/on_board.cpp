@@ -115,6 +115,8 @@ void OnBoard::cycle(Answer& answer) {
   in_.clear();
   for (const auto& e : unit_->outputs.events) answer.events.emplace_back(texts::line_of(e).view());
   for (const auto& m : unit_->outputs.radio_out) answer.sent.emplace_back(m.bytes.begin(), m.bytes.end());
+  for (const auto& f : unit_->outputs.forwarded)
+    answer.forwarded.emplace_back(f.NID_XUSER, f.NID_NTC ? int{*f.NID_NTC} : -1);
   advance();
 }
 

@@ -15,6 +15,7 @@ namespace evc::through_step {
 struct Answer {
   std::vector<std::string> events;
   std::vector<std::vector<std::uint8_t>> sent;
+  std::vector<std::pair<int, int>> forwarded;  ///< NID_XUSER and NID_NTC of packet 44; -1: none
   /// The first event that contains all of `parts`, or nothing.
   std::string event(std::initializer_list<std::string> parts) const;
   std::string text() const;

@@ -12,18 +12,23 @@ constexpr std::uint64_t kEngine = 4660, kUnknown = 0xFFFFFF, kGroup = 1u << 14;
 
 /// A unit with an identity, telephone numbers and a train of its own.
 std::string with_data(const std::string& statements) {
-  return "  given config { NID_ENGINE 4660 telephone_numbers [ \"0031612345678FFF\" \"004412FFFFFFFFFF\" ] }\n  and train { "
-         "length_m 400 max_speed_kmh 140 category { cant_deficiency_mm 150 other [ \"FreightP\" \"Passenger\" ] axle_load "
-         "\"D2\" loading_gauge \"GB\" airtight true axles 48 traction_systems [ { M_VOLTAGE 1 NID_CTRACTION 9 } { M_VOLTAGE "
+  return "  given config { NID_ENGINE 4660 telephone_numbers [ \"0031612345678FFF\" \"004412FFFFFFFFFF\" ] }\n  and "
+         "train { "
+         "length_m 400 max_speed_kmh 140 category { cant_deficiency_mm 150 other [ \"FreightP\" \"Passenger\" ] "
+         "axle_load "
+         "\"D2\" loading_gauge \"GB\" airtight true axles 48 traction_systems [ { M_VOLTAGE 1 NID_CTRACTION 9 } { "
+         "M_VOLTAGE "
          "5 NID_CTRACTION 1023 } ] } }\n" +
          statements;
 }
 const std::string kCalled =
-    "  given standing in SB\n  and driver enters { driver_id 1234 }\n  and driver enters { level 2 }\n  and driver enters { "
+    "  given standing in SB\n  and driver enters { driver_id 1234 }\n  and driver enters { level 2 }\n  and driver "
+    "enters { "
     "rbc { NID_C 1, NID_RBC 1, NID_RADIO \"FFFFFFFFFFFFFFFF\" } }\n  and waits 0.2 s\n  and session connected\n";
-const std::string kOld = kCalled +
-                         "  and message 32 { M_VERSION 17 }\n  and waits 0.2 s\n  and message 41 version 1.1\n  and driver "
-                         "enters { train_data {} }\n  and driver enters { train_running_number 4711 }\n  and waits 0.3 s\n";
+const std::string kOld =
+    kCalled +
+    "  and message 32 { M_VERSION 17 }\n  and waits 0.2 s\n  and message 41 version 1.1\n  and driver "
+    "enters { train_data {} }\n  and driver enters { train_running_number 4711 }\n  and waits 0.3 s\n";
 const std::string kReports = "  and message 24\n    packet 58 { Q_DIR 2, T_CYCLOC 255, D_CYCLOC 32767, M_LOC 1 }\n";
 
 struct Expected {
@@ -35,62 +40,148 @@ struct Expected {
 };
 
 const std::vector<Expected>& expected() {
-  const Codes nowhere{{"Q_SCALE", 1},    {"NID_LRBG", kUnknown}, {"D_LRBG", 32767},      {"Q_DIRLRBG", 2},
-                      {"Q_DLRBG", 2},    {"L_DOUBTOVER", 32767}, {"L_DOUBTUNDER", 32767}, {"Q_LENGTH", 0},
-                      {"V_TRAIN", 0},    {"Q_DIRTRAIN", 2},      {"M_MODE", 6},          {"M_LEVEL", 3}};
+  const Codes nowhere{{"Q_SCALE", 1}, {"NID_LRBG", kUnknown}, {"D_LRBG", 32767},       {"Q_DIRLRBG", 2},
+                      {"Q_DLRBG", 2}, {"L_DOUBTOVER", 32767}, {"L_DOUBTUNDER", 32767}, {"Q_LENGTH", 0},
+                      {"V_TRAIN", 0}, {"Q_DIRTRAIN", 2},      {"M_MODE", 6},           {"M_LEVEL", 3}};
   static const std::vector<Expected> rows{
       {155, kCalled, {}, {}},
       {154, kCalled + "  and message 32 { M_VERSION 64 }\n", {}, {}},
       {156, kCalled + "  and message 32 { M_VERSION 64 }\n  and waits 1 s\n", {}, {}},
-      {159, kCalled + "  and message 32\n",
+      {159,
+       kCalled + "  and message 32\n",
        {},
-       {{2, {{"M_VERSION", 33}, {"N_ITER", 3}, {"versions/0/M_VERSION", 32}, {"versions/1/M_VERSION", 17},
-             {"versions/2/M_VERSION", 16}}}}},
-      {159, kCalled + "  and message 32 { M_VERSION 17 }\n",
+       {{2,
+         {{"M_VERSION", 33},
+          {"N_ITER", 3},
+          {"versions/0/M_VERSION", 32},
+          {"versions/1/M_VERSION", 17},
+          {"versions/2/M_VERSION", 16}}}}},
+      {159,
+       kCalled + "  and message 32 { M_VERSION 17 }\n",
        {},
        {{3, {{"N_ITER", 2}, {"numbers/0/NID_RADIO", 0x0031612345678FFF}, {"numbers/1/NID_RADIO", 0x004412FFFFFFFFFF}}}},
        "1.1"},
+      {159, kCalled + "  and message 32 { M_VERSION 32 }\n", {}, {{3, {{"N_ITER", 2}}}}, "2.0"},  // 6.6.5.3.2
       {157, kCalled + "  and message 32\n", {{"Q_STATUS", 2}}, {{0, nowhere}}},
-      {129, "  given RBC ready\n",
+      {129,
+       "  given RBC ready\n",
        {},
-       {{11, {{"NC_CDTRAIN", 3}, {"NC_TRAIN", 5}, {"L_TRAIN", 400}, {"V_MAXTRAIN", 28}, {"M_LOADINGGAUGE", 3},
-              {"M_AXLELOADCAT", 7}, {"M_AIRTIGHT", 1}, {"N_AXLE", 48}, {"N_ITER_TRACTION", 2},
-              {"tractions/0/M_VOLTAGE", 1}, {"tractions/0/NID_CTRACTION", 9}, {"tractions/1/M_VOLTAGE", 5},
-              {"tractions/1/NID_CTRACTION", 1023}, {"N_ITER_NTC", 0}}}}},
+       {{11,
+         {{"NC_CDTRAIN", 3},
+          {"NC_TRAIN", 5},
+          {"L_TRAIN", 400},
+          {"V_MAXTRAIN", 28},
+          {"M_LOADINGGAUGE", 3},
+          {"M_AXLELOADCAT", 7},
+          {"M_AIRTIGHT", 1},
+          {"N_AXLE", 48},
+          {"N_ITER_TRACTION", 2},
+          {"tractions/0/M_VOLTAGE", 1},
+          {"tractions/0/NID_CTRACTION", 9},
+          {"tractions/1/M_VOLTAGE", 5},
+          {"tractions/1/NID_CTRACTION", 1023},
+          {"N_ITER_NTC", 0}}}}},
       {136, "  given RBC ready\n", {}, {{5, {{"NID_OPERATIONAL", 0x4711FFFF}}}}},
       {130, "  given RBC ready\n  and driver selects shunting\n  and waits 0.2 s\n", {}, {{0, nowhere}}},
-      {132, "  given RBC ready\n  and driver selects start\n  and waits 0.2 s\n", {{"Q_MARQSTREASON", 1}}, {{0, nowhere}}},
-      {136, "  given FS level 2 with speed = 60 km/h\n" + kReports + "  and passes group 101\n  and waits 0.2 s\n",
+      {132,
+       "  given RBC ready\n  and driver selects start\n  and waits 0.2 s\n",
+       {{"Q_MARQSTREASON", 1}},
+       {{0, nowhere}}},
+      {136,
+       "  given FS level 2 with speed = 60 km/h\n" + kReports + "  and passes group 101\n  and waits 0.2 s\n",
        {},
-       {{0, {{"NID_LRBG", kGroup | 101}, {"Q_DIRLRBG", 1}, {"Q_DLRBG", 1}, {"Q_LENGTH", 0},
-             {"V_TRAIN", 12}, {"Q_DIRTRAIN", 1}, {"M_MODE", 0}, {"M_LEVEL", 3}}}}},
-      {136, "  given FS level 2 with speed = 60 km/h\n" + kReports + "  and passes group 101 of 1 balise { Q_LINK 1 }\n  and waits 0.2 s\n",
+       {{0,
+         {{"NID_LRBG", kGroup | 101},
+          {"Q_DIRLRBG", 1},
+          {"Q_DLRBG", 1},
+          {"Q_LENGTH", 0},
+          {"V_TRAIN", 12},
+          {"Q_DIRTRAIN", 1},
+          {"M_MODE", 0},
+          {"M_LEVEL", 3}}}}},
+      {136,
+       "  given FS level 2 with speed = 60 km/h\n" + kReports +
+           "  and passes group 101 of 1 balise { Q_LINK 1 }\n  and waits 0.2 s\n",
        {},
-       {{1, {{"NID_LRBG", kGroup | 101}, {"NID_PRVLRBG", kGroup | 100}, {"Q_DIRLRBG", 1}, {"Q_DLRBG", 1},
-             {"V_TRAIN", 12}, {"M_MODE", 0}, {"M_LEVEL", 3}}}}},
-      {136, "  given FS level 2 with speed = 60 km/h\n  and message 24 longer by 1 bytes\n  and waits 0.2 s\n", {}, {{4, {{"M_ERROR", 3}}}}},
-      {137, "  given FS level 2 with authority = 4000 m\n  and message 9 { T_TRAIN 7000 } packet 15 { L_ENDSECTION 3000 m }\n",
-       {{"T_TRAIN_REF", 7000}}, {}},
-      {138, "  given FS level 2 with authority = 4000 m, speed = 100 km/h\n  and message 9 { T_TRAIN 7000 } packet 15 { L_ENDSECTION 400 m }\n",
-       {{"T_TRAIN_REF", 7000}}, {}},
+       {{1,
+         {{"NID_LRBG", kGroup | 101},
+          {"NID_PRVLRBG", kGroup | 100},
+          {"Q_DIRLRBG", 1},
+          {"Q_DLRBG", 1},
+          {"V_TRAIN", 12},
+          {"M_MODE", 0},
+          {"M_LEVEL", 3}}}}},
+      {136,
+       "  given FS level 2 with speed = 60 km/h\n  and message 24 longer by 1 bytes\n  and waits 0.2 s\n",
+       {},
+       {{4, {{"M_ERROR", 3}}}}},
+      {137,
+       "  given FS level 2 with authority = 4000 m\n  and message 9 { T_TRAIN 7000 } packet 15 { L_ENDSECTION 3000 m "
+       "}\n",
+       {{"T_TRAIN_REF", 7000}},
+       {}},
+      {138,
+       "  given FS level 2 with authority = 4000 m, speed = 100 km/h\n  and message 9 { T_TRAIN 7000 } packet 15 { "
+       "L_ENDSECTION 400 m }\n",
+       {{"T_TRAIN_REF", 7000}},
+       {}},
       {146, "  given FS level 2\n  and message 24 { M_ACK 1, T_TRAIN 7000 }\n", {{"T_TRAIN_REF", 7000}}, {}},
       {147, "  given FS level 2\n  and message 16 { NID_EM 15 }\n", {{"NID_EM", 15}, {"Q_EMERGENCYSTOP", 2}}, {}},
-      {147, "  given FS level 2\n  and message 15 { NID_EM 0, D_EMERGENCYSTOP 2500 m }\n", {{"NID_EM", 0}, {"Q_EMERGENCYSTOP", 0}}, {}},
-      {147, "  given FS level 2\n  and message 15 { NID_EM 4, D_EMERGENCYSTOP 5000 m }\n", {{"NID_EM", 4}, {"Q_EMERGENCYSTOP", 1}}, {}},
-      {147, "  given FS level 2\n  and message 15 { NID_EM 4, D_EMERGENCYSTOP 1 m }\n", {{"NID_EM", 4}, {"Q_EMERGENCYSTOP", 3}}, {}},
-      {149, "  given SR level 2\n  and drives at 30 km/h\n  and passes group 100\n  and message 34 { D_TAFDISPLAY 0 m, L_TAFDISPLAY 400 m }\n  and drives for 20 m\n  and driver selects track_ahead_free\n  and waits 0.2 s\n",
-       {}, {{0, {{"NID_LRBG", kGroup | 100}, {"M_MODE", 2}, {"M_LEVEL", 3}}}}},
-      {150, "  given FS level 2\n  and stops\n  and desk closed\n  and waits 1 s\n", {}, {{0, {{"V_TRAIN", 0}, {"M_MODE", 6}}}}},
-      {153, kInfillUnit, {{"NID_C", 1}, {"NID_BG", 101}, {"Q_INFILL", 0}}, {{0, {{"M_LEVEL", 2}, {"NID_LRBG", kGroup | 100}}}}},
-      {158, "  given FS level 2\n  and message 24\n    packet 72 { Q_TEXTCONFIRM 1, T_TEXTDISPLAY 60 s, Q_TEXTREPORT 1, NID_TEXTMESSAGE 255, NID_C 1, NID_RBC 1, text \"Call\" }\n  and waits 0.5 s\n  and driver acknowledges text\n  and waits 0.5 s\n",
-       {{"NID_TEXTMESSAGE", 255}}, {}},
-      {132, "  given FS level 1\n  and passes group 110\n    packet 41 { D_LEVELTR 1500 m, M_LEVELTR 3 }\n    packet 42 { Q_RBC 1, NID_C 1, NID_RBC 1, NID_RADIO \"0031612345678FFF\" }\n  and session connected\n  and message 32\n  and waits 1 s\n  and passes group 120\n    packet 90 { NID_BG 200 }\n  and waits 1 s\n",
-       {{"Q_MARQSTREASON", 16}}, {{9, {{"NID_LTRBG", kGroup | 200}}}}},
+      {147,
+       "  given FS level 2\n  and message 15 { NID_EM 0, D_EMERGENCYSTOP 2500 m }\n",
+       {{"NID_EM", 0}, {"Q_EMERGENCYSTOP", 0}},
+       {}},
+      {147,
+       "  given FS level 2\n  and message 15 { NID_EM 4, D_EMERGENCYSTOP 5000 m }\n",
+       {{"NID_EM", 4}, {"Q_EMERGENCYSTOP", 1}},
+       {}},
+      {147,
+       "  given FS level 2\n  and message 15 { NID_EM 4, D_EMERGENCYSTOP 1 m }\n",
+       {{"NID_EM", 4}, {"Q_EMERGENCYSTOP", 3}},
+       {}},
+      {149,
+       "  given SR level 2\n  and drives at 30 km/h\n  and passes group 100\n  and message 34 { D_TAFDISPLAY 0 m, "
+       "L_TAFDISPLAY 400 m }\n  and drives for 20 m\n  and driver selects track_ahead_free\n  and waits 0.2 s\n",
+       {},
+       {{0, {{"NID_LRBG", kGroup | 100}, {"M_MODE", 2}, {"M_LEVEL", 3}}}}},
+      {150,
+       "  given FS level 2\n  and stops\n  and desk closed\n  and waits 1 s\n",
+       {},
+       {{0, {{"V_TRAIN", 0}, {"M_MODE", 6}}}}},
+      {153,
+       kInfillUnit,
+       {{"NID_C", 1}, {"NID_BG", 101}, {"Q_INFILL", 0}},
+       {{0, {{"M_LEVEL", 2}, {"NID_LRBG", kGroup | 100}}}}},
+      {158,
+       "  given FS level 2\n  and message 24\n    packet 72 { Q_TEXTCONFIRM 1, T_TEXTDISPLAY 60 s, Q_TEXTREPORT 1, "
+       "NID_TEXTMESSAGE 255, NID_C 1, NID_RBC 1, text \"Call\" }\n  and waits 0.5 s\n  and driver acknowledges text\n  "
+       "and waits 0.5 s\n",
+       {{"NID_TEXTMESSAGE", 255}},
+       {}},
+      {132,
+       "  given FS level 1\n  and passes group 110\n    packet 41 { D_LEVELTR 1500 m, M_LEVELTR 3 }\n    packet 42 { "
+       "Q_RBC 1, NID_C 1, NID_RBC 1, NID_RADIO \"0031612345678FFF\" }\n  and session connected\n  and message 32\n  "
+       "and waits 1 s\n  and passes group 120\n    packet 90 { NID_BG 200 }\n  and waits 1 s\n",
+       {{"Q_MARQSTREASON", 16}},
+       {{9, {{"NID_LTRBG", kGroup | 200}}}}},
       // To an RBC of version 1.1 (6.6.3.4.5).
-      {129, kOld, {}, {{11, {{"NC_TRAIN", 1u << 4}, {"L_TRAIN", 400}, {"V_MAXTRAIN", 28}, {"M_LOADINGGAUGE", 0},
-                             {"M_AXLELOAD", 45}, {"M_AIRTIGHT", 1}, {"N_ITER_NTC", 0}}}}, "1.1"},
-      {132, kOld + "  and message 8 version 1.1\n  and waits 0.2 s\n  and driver selects start\n  and waits 0.2 s\n",
-       {{"Q_TRACKDEL", 0}}, {}, "1.1"},
+      {129,
+       kOld,
+       {},
+       {{11,
+         {{"NC_TRAIN", 1u << 4},
+          {"L_TRAIN", 400},
+          {"V_MAXTRAIN", 28},
+          {"M_LOADINGGAUGE", 0},
+          {"M_AXLELOAD", 45},
+          {"M_AIRTIGHT", 1},
+          {"N_ITER_NTC", 0}}}},
+       "1.1"},
+      {132,
+       kOld + "  and message 8 version 1.1\n  and waits 0.2 s\n  and driver selects start\n  and waits 0.2 s\n",
+       {{"Q_TRACKDEL", 0}},
+       {},
+       "1.1"},
   };
   return rows;
 }
@@ -114,6 +205,14 @@ TEST(LanguageThroughStep, MessagesToTrack) {
     expect_codes(common, message.codes);
     EXPECT_NE(message.codes.at("T_TRAIN"), 0u);
     EXPECT_LE(message.codes.at("T_TRAIN"), static_cast<std::uint64_t>(unit.t_ms() / 10));
+    const Json elements = find_message("to_track", e.NID_MESSAGE, e.sv)->at("elements");
+    bool reports = false;
+    for (const Json& element : elements)
+      reports = reports || (element.contains("packet_one_of") && element.at("packet_one_of")[0] == 0);
+    // 8.4.4.7.2: a position in all but 146, 154, 155, 156 and 159, and one only (8.4.1.5).
+    EXPECT_EQ((message.packet(0) != nullptr) != (message.packet(1) != nullptr), reports);
+    std::set<unsigned> kinds;
+    for (const auto& [id, codes] : message.packets) EXPECT_TRUE(kinds.insert(id).second) << id;
     for (const auto& [id, codes] : e.packets) {
       const Codes* packet = message.packet(id);
       ASSERT_NE(packet, nullptr) << "packet " << id;
@@ -148,12 +247,12 @@ TEST(LanguageThroughStep, PositionReport) {
 
 TEST(LanguageThroughStep, EveryMessagePacketAndVariableToTheTrack) {
   std::set<unsigned> messages, packets;
-  std::set<std::string> variables{
-      "NID_MESSAGE", "L_MESSAGE", "NID_PACKET", "L_PACKET", "T_TRAIN", "NID_ENGINE",  // of all of them
-      "D_LRBG", "L_DOUBTOVER", "L_DOUBTUNDER",                                        // PositionReport
-      "L_TRAININT",   // needs a source of train integrity: scenarios of position
-      "NID_NTC",      // no national system is on board, and a session needs level 2 or 3
-      "NID_XUSER"};   // packet 44 is never sent (CAVEATS)
+  std::set<std::string> variables{"NID_MESSAGE", "L_MESSAGE",   "NID_PACKET",
+                                  "L_PACKET",    "T_TRAIN",     "NID_ENGINE",    // of all of them
+                                  "D_LRBG",      "L_DOUBTOVER", "L_DOUBTUNDER",  // PositionReport
+                                  "L_TRAININT",  // needs a source of train integrity: scenarios of position
+                                  "NID_NTC",     // no national system is on board, and a session needs level 2 or 3
+                                  "NID_XUSER"};  // packet 44 is never sent (CAVEATS)
   const auto add = [&](const Json& row, const Codes& codes) {
     for (const Field& f : fields_of(row.at("elements")))
       for (const auto& [path, code] : codes)

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "ways.h"
+
+// The rules for the contents of telegrams and messages (8.4).
+namespace evc::through_step {
+namespace {
+
+BitList packets(const std::vector<std::pair<unsigned, Codes>>& list, const std::string& sv = "2.1") {
+  BitList bits;
+  for (const auto& [id, codes] : list) put_packet(bits, *find_packet("to_train", id, sv), codes);
+  return bits;
+}
+bool accepted_by_group(const std::vector<std::pair<unsigned, Codes>>& list, const char* start = kFS1) {
+  OnBoard unit(OnBoard::after(start));
+  const Answer answer = unit.pass(200, packets(list));
+  const bool refused = !answer.event({"not decoded [3.16.1.1]"}).empty() || !answer.event({"inconsistent"}).empty();
+  EXPECT_NE(refused, !answer.event({"group 200 accepted"}).empty()) << answer.text();
+  return !refused;
+}
+bool accepted_by_message(unsigned NID_MESSAGE, const std::vector<std::pair<unsigned, Codes>>& list,
+                         const Codes& codes = {}, const char* start = kFS2) {
+  OnBoard unit(OnBoard::after(start));
+  const Answer answer = unit.receive(NID_MESSAGE, codes, packets(list));
+  // Those of a radio infill unit only are refused by 4.8.3.
+  return answer.event({"rejected [3.16.3.1.1]"}).empty() && answer.event({"packet 143 refused [4.8.3]"}).empty() &&
+         answer.event({"packet 254 refused [4.8.3]"}).empty();
+}
+
+/// Each packet of 2.1 in each place in which it may not be.
+TEST(LanguageThroughStep, MediaOfEachPacket) {
+  for (const Json& p : reference("packets_to_train").at("packets")) {
+    const unsigned id = p.at("id");
+    if (find_packet("to_train", id, "2.1") != &p || id == 255) continue;
+    const Json& media = p.at("media");
+    const auto sent_by = [&](const char* medium) { return std::find(media.begin(), media.end(), medium) != media.end(); };
+    EXPECT_EQ(accepted_by_group({{id, {}}}), sent_by("balise")) << "packet " << id << " in a telegram";
+    for (const unsigned message : {2u, 3u, 24u, 28u, 33u}) {
+      const Json& row = *find_message("to_train", message, "2.1");
+      std::vector<std::pair<unsigned, Codes>> list;
+      for (const Json& e : row.at("elements"))
+        if (e.contains("packet")) list.emplace_back(e.at("packet").get<unsigned>(), Codes{});
+      if (!list.empty() && list[0].first == id) continue;
+      list.emplace_back(id, Codes{});
+      const Json& optional = row.contains("optional_packets_by_sender") ? row.at("optional_packets_by_sender").at("RBC")
+                                                                        : row.at("optional_packets");
+      const bool listed = std::find(optional.begin(), optional.end(), id) != optional.end();
+      EXPECT_EQ(accepted_by_message(message, list), listed) << "packet " << id << " in message " << message;
+    }
+  }
+}
+
+TEST(LanguageThroughStep, PacketsThatMayComeAgain) {
+  const std::set<unsigned> again{0, 6, 44, 65, 66, 88, 145, 254};
+  for (const Json& p : reference("packets_to_train").at("packets")) {
+    const unsigned id = p.at("id");
+    const Json& media = p.at("media");
+    if (find_packet("to_train", id, "2.1") != &p || id == 255) continue;
+    if (std::find(media.begin(), media.end(), "balise") == media.end()) continue;
+    // Those with an identity differ in it.
+    Codes first, second;
+    for (const char* identity : {"NID_TSR", "NID_LX", "NID_VBCMK"})
+      for (const Field& f : fields_of(p.at("elements")))
+        if (f.path == identity && again.contains(id)) {
+          first[identity] = 1;
+          second[identity] = 2;
+        }
+    EXPECT_EQ(accepted_by_group({{id, first}, {id, second}}), again.contains(id)) << "packet " << id;
+    // One for each direction is no repetition.
+    if (id == 0 || id == 136) continue;
+    Codes other = first;
+    other["Q_DIR"] = 0;
+    EXPECT_TRUE(accepted_by_group({{id, first}, {id, other}})) << "packet " << id;
+  }
+  for (const unsigned id : {65u, 66u, 88u, 6u}) EXPECT_FALSE(accepted_by_group({{id, {}}, {id, {}}})) << "packet " << id;
+  // 255 is no identity of a restriction (7.5.1.99).
+  EXPECT_TRUE(accepted_by_group({{65, {{"NID_TSR", 255}}}, {65, {{"NID_TSR", 255}}}}));
+  EXPECT_FALSE(accepted_by_message(24, {{21, {}}, {21, {}}}));
+  EXPECT_TRUE(accepted_by_message(24, {{44, {}}, {44, {}}}));
+}
+
+TEST(LanguageThroughStep, OrderOfPackets) {
+  const std::vector<std::pair<unsigned, Codes>> contents{
+      {12, {{"L_ENDSECTION", 2000}}}, {21, {{"D_GRADIENT", 300}, {"G_A", 5}}}, {27, {{"D_STATIC", 700}, {"V_STATIC", 20}}},
+      {65, {{"D_TSR", 900}}}, {68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 100}, {"M_TRACKCOND", 3}}}};
+  std::vector<std::size_t> order{0, 1, 2, 3, 4};
+  Json first;
+  do {
+    OnBoard unit(OnBoard::after(kFS1));
+    std::vector<std::pair<unsigned, Codes>> list;
+    for (const std::size_t i : order) list.push_back(contents[i]);
+    unit.pass(200, packets(list));
+    Json output = unit.output();
+    output.erase("events");
+    if (first.is_null()) first = output;
+    EXPECT_EQ(output, first);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(LanguageThroughStep, PlacesOfPackets) {
+  EXPECT_TRUE(accepted_by_group({{0, {}}, {0, {{"NID_VBCMK", 2}}}, {65, {}}}));
+  EXPECT_FALSE(accepted_by_group({{65, {}}, {0, {}}}));  // 8.4.2.3
+  // 8.4.2.2: the packet ends beyond the telegram.
+  BitList longer;
+  put_packet(longer, *find_packet("to_train", 44, "2.1"), {}, 900);
+  OnBoard unit(OnBoard::after(kFS1));
+  EXPECT_NE(unit.pass(200, longer).event({"not decoded [3.16.1.1]"}), "");
+  // 8.4.4.3, 8.4.4.4: the packets of the message itself stand before the optional ones, and are there.
+  EXPECT_TRUE(accepted_by_message(3, {{15, {}}, {21, {}}}));
+  EXPECT_FALSE(accepted_by_message(3, {{21, {}}, {15, {}}}));
+  EXPECT_FALSE(accepted_by_message(3, {{21, {}}}));
+  EXPECT_FALSE(accepted_by_message(33, {}));
+}
+
+}  // namespace
+}  // namespace evc::through_step
