@@ -12,7 +12,8 @@ struct Sent {
   std::string sv = "1.0";
 };
 /// After groups with one packet each; `with` are packets of 1.0 in the last one.
-Json after_groups(const std::vector<Sent>& groups, const std::string& start = kFS1, const std::vector<Sent>& with = {}) {
+Json after_groups(const std::vector<Sent>& groups, const std::string& start = kFS1,
+                  const std::vector<Sent>& with = {}) {
   OnBoard unit(OnBoard::after(start));
   unsigned NID_BG = 200;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -33,14 +34,18 @@ TEST(LanguageThroughStep, AxleLoadsOfOlderVersions) {  // 6.6.3.2.3 [5]
   const struct {
     std::uint64_t M_AXLELOAD;
     int category;
-  } rows[]{{32, 0}, {33, 1}, {34, 1}, {35, 2}, {36, 2}, {37, 4}, {40, 4}, {41, 7}, {45, 7}, {46, 11}, {80, 11}, {126, 11}};
+  } rows[]{{32, 0}, {33, 1}, {34, 1}, {35, 2},  {36, 2},  {37, 4},
+           {40, 4}, {41, 7}, {45, 7}, {46, 11}, {80, 11}, {126, 11}};
   const Json& names = variable("M_AXLELOADCAT").at("enum");
   for (const auto& row : rows) {
-    const Codes codes{{"D_AXLELOAD", 800}, {"N_ITER_CAT", 1}, {"categories/V_AXLELOAD", 12},
+    const Codes codes{{"D_AXLELOAD", 800},
+                      {"N_ITER_CAT", 1},
+                      {"categories/V_AXLELOAD", 12},
                       {"categories/M_AXLELOAD", row.M_AXLELOAD}};
     for (const int train : {row.category - 1, row.category}) {
       if (train < 0) continue;
-      const Json out = after_groups({{51, codes}}, train_with("axle_load \"" + names.at(std::to_string(train)).get<std::string>() + "\""));
+      const Json out = after_groups(
+          {{51, codes}}, train_with("axle_load \"" + names.at(std::to_string(train)).get<std::string>() + "\""));
       EXPECT_EQ(out["planning"]["mrsp"].size() > 1, train == row.category) << row.M_AXLELOAD << " train " << train;
     }
   }
@@ -63,7 +68,8 @@ TEST(LanguageThroughStep, ModeProfilesOfOlderVersions) {  // [7]: the start is a
 
 TEST(LanguageThroughStep, TrackConditionsOfOlderVersions) {  // [8]
   const auto kind = [](std::uint64_t code) {
-    return after_groups({{68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 300}, {"M_TRACKCOND", code}}}})["track_conditions"];
+    return after_groups(
+        {{68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 300}, {"M_TRACKCOND", code}}}})["track_conditions"];
   };
   ASSERT_EQ(kind(0).size(), 1u);
   EXPECT_EQ(kind(0)[0]["kind"], "non stopping area");
@@ -78,7 +84,8 @@ TEST(LanguageThroughStep, TractionOfOlderVersions) {  // [13], [19]
     int M_VOLTAGE, NID_CTRACTION;
   } rows[]{{1, 3, 10}, {6, 4, 1}, {15, 2, 22}, {34, 1, 17}, {46, 2, 9}};
   for (const auto& row : rows) {
-    const Json system = after_groups({{39, {{"D_TRACTION", 100}, {"M_TRACTION", row.M_TRACTION}}}})["train_orders"]["traction_system"];
+    const Json system =
+        after_groups({{39, {{"D_TRACTION", 100}, {"M_TRACTION", row.M_TRACTION}}}})["train_orders"]["traction_system"];
     ASSERT_TRUE(system.is_object()) << row.M_TRACTION;
     EXPECT_EQ(system["M_VOLTAGE"], row.M_VOLTAGE);
     EXPECT_EQ(system["NID_CTRACTION"], row.NID_CTRACTION);
@@ -123,11 +130,14 @@ TEST(LanguageThroughStep, CategoriesOfOlderVersions) {  // [3]
   for (const auto& [code, name] : variable("NC_DIFF_V1").at("enum").items()) {
     const std::string category = name.get<std::string>();
     const bool cant = category.rfind("CD ", 0) == 0;
-    const std::string own = cant                                        ? "cant_deficiency_mm " + category.substr(3, category.size() - 6)
+    const std::string own = cant ? "cant_deficiency_mm " + category.substr(3, category.size() - 6)
                             : category.find("in P") != std::string::npos ? "other [ \"FreightP\" ]"
                             : category.find("in G") != std::string::npos ? "other [ \"FreightG\" ]"
                                                                          : "other [ \"Passenger\" ]";
-    const Codes profile{{"D_STATIC", 900}, {"V_STATIC", 23}, {"N_ITER_DIFF", 1}, {"diffs/V_DIFF", 14},
+    const Codes profile{{"D_STATIC", 900},
+                        {"V_STATIC", 23},
+                        {"N_ITER_DIFF", 1},
+                        {"diffs/V_DIFF", 14},
                         {"diffs/NC_DIFF", std::stoull(code)}};
     EXPECT_EQ(after_groups({{27, profile}}, train_with(own))["planning"]["mrsp"][1]["v_kmh"], 70) << category;
     if (category == "CD 80 mm") continue;  // each train has this one at least
@@ -140,10 +150,14 @@ TEST(LanguageThroughStep, RunningNumbersOfOlderVersions) {  // [10]
   const std::string RBC =
       "  given standing in SB\n  and driver enters { driver_id 1234 }\n  and driver enters { level 2 }\n  and driver "
       "enters { rbc { NID_C 1, NID_RBC 1, NID_RADIO \"FFFFFFFFFFFFFFFF\" } }\n  and waits 0.2 s\n  and session "
-      "connected\n  and message 32 { M_VERSION 17 }\n  and waits 0.2 s\n  and message 41 version 1.1\n  and driver enters "
-      "{ train_data {} }\n  and driver enters { train_running_number 4711 }\n  and waits 0.3 s\n  and message 8 version "
-      "1.1\n  and waits 0.2 s\n  and driver selects start\n  and waits 0.2 s\n  and message 2 version 1.1 { D_SR unknown "
-      "}\n  and waits 0.2 s\n  and driver acknowledges SR\n  and waits 0.2 s\n  and drives at 20 km/h\n  and passes group "
+      "connected\n  and message 32 { M_VERSION 17 }\n  and waits 0.2 s\n  and message 41 version 1.1\n  and driver "
+      "enters "
+      "{ train_data {} }\n  and driver enters { train_running_number 4711 }\n  and waits 0.3 s\n  and message 8 "
+      "version "
+      "1.1\n  and waits 0.2 s\n  and driver selects start\n  and waits 0.2 s\n  and message 2 version 1.1 { D_SR "
+      "unknown "
+      "}\n  and waits 0.2 s\n  and driver acknowledges SR\n  and waits 0.2 s\n  and drives at 20 km/h\n  and passes "
+      "group "
       "100\n";
   const auto number = [&](std::uint64_t code) {
     OnBoard unit(OnBoard::after(RBC));

@@ -36,7 +36,9 @@ TEST(LanguageThroughStep, MediaOfEachPacket) {
     const unsigned id = p.at("id");
     if (find_packet("to_train", id, "2.1") != &p || id == 255) continue;
     const Json& media = p.at("media");
-    const auto sent_by = [&](const char* medium) { return std::find(media.begin(), media.end(), medium) != media.end(); };
+    const auto sent_by = [&](const char* medium) {
+      return std::find(media.begin(), media.end(), medium) != media.end();
+    };
     EXPECT_EQ(accepted_by_group({{id, {}}}), sent_by("balise")) << "packet " << id << " in a telegram";
     for (const unsigned message : {2u, 3u, 24u, 28u, 33u}) {
       const Json& row = *find_message("to_train", message, "2.1");
@@ -75,7 +77,8 @@ TEST(LanguageThroughStep, PacketsThatMayComeAgain) {
     other["Q_DIR"] = 0;
     EXPECT_TRUE(accepted_by_group({{id, first}, {id, other}})) << "packet " << id;
   }
-  for (const unsigned id : {65u, 66u, 88u, 6u}) EXPECT_FALSE(accepted_by_group({{id, {}}, {id, {}}})) << "packet " << id;
+  for (const unsigned id : {65u, 66u, 88u, 6u})
+    EXPECT_FALSE(accepted_by_group({{id, {}}, {id, {}}})) << "packet " << id;
   // 255 is no identity of a restriction (7.5.1.99).
   EXPECT_TRUE(accepted_by_group({{65, {{"NID_TSR", 255}}}, {65, {{"NID_TSR", 255}}}}));
   EXPECT_FALSE(accepted_by_message(24, {{21, {}}, {21, {}}}));
@@ -84,8 +87,11 @@ TEST(LanguageThroughStep, PacketsThatMayComeAgain) {
 
 TEST(LanguageThroughStep, OrderOfPackets) {
   const std::vector<std::pair<unsigned, Codes>> contents{
-      {12, {{"L_ENDSECTION", 2000}}}, {21, {{"D_GRADIENT", 300}, {"G_A", 5}}}, {27, {{"D_STATIC", 700}, {"V_STATIC", 20}}},
-      {65, {{"D_TSR", 900}}}, {68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 100}, {"M_TRACKCOND", 3}}}};
+      {12, {{"L_ENDSECTION", 2000}}},
+      {21, {{"D_GRADIENT", 300}, {"G_A", 5}}},
+      {27, {{"D_STATIC", 700}, {"V_STATIC", 20}}},
+      {65, {{"D_TSR", 900}}},
+      {68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 100}, {"M_TRACKCOND", 3}}}};
   std::vector<std::size_t> order{0, 1, 2, 3, 4};
   Json first;
   do {
@@ -108,7 +114,7 @@ TEST(LanguageThroughStep, PlacesOfPackets) {
   put_packet(longer, *find_packet("to_train", 44, "2.1"), {}, 900);
   OnBoard unit(OnBoard::after(kFS1));
   EXPECT_NE(unit.pass(200, longer).event({"not decoded [3.16.1.1]"}), "");
-  // 8.4.4.3, 8.4.4.4: the packets of the message itself stand before the optional ones, and are there.
+  // 8.4.4.3, 8.4.4.4: the packets of the message itself come first, then the optional ones; none is missing.
   EXPECT_TRUE(accepted_by_message(3, {{15, {}}, {21, {}}}));
   EXPECT_FALSE(accepted_by_message(3, {{21, {}}, {15, {}}}));
   EXPECT_FALSE(accepted_by_message(3, {{21, {}}}));

@@ -221,6 +221,41 @@ TEST(LanguageThroughStep, MessagesToTrack) {
   }
 }
 
+/// 6.6.3.4.5 [3b], [3d]: train data for an RBC of version 1.1.
+TEST(LanguageThroughStep, TrainDataToOlderVersions) {
+  const struct {
+    int cant_mm;
+    unsigned bit;
+  } cants[]{{80, 1},   {100, 2}, {130, 3},  {150, 4}, {165, 5}, {180, 6},
+            {210, 13}, {225, 7}, {245, 12}, {275, 0}, {300, 8}};
+  const struct {
+    const char* category;
+    std::uint64_t M_AXLELOAD;
+  } axles[]{{"A", 32},  {"HS17", 34}, {"B1", 36}, {"B2", 36},   {"C2", 40}, {"C3", 40}, {"C4", 40},
+            {"D2", 45}, {"D3", 45},   {"D4", 45}, {"D4XL", 45}, {"E4", 50}, {"E5", 50}};
+  const struct {
+    const char* other;
+    std::uint64_t bits;
+  } others[]{{"", 0},
+             {"\"FreightP\"", 1u << 9},
+             {"\"FreightG\"", 1u << 10},
+             {"\"Passenger\"", 1u << 11},
+             {"\"FreightG\" \"Passenger\"", 0}};
+  for (std::size_t i = 0; i < std::size(axles); ++i) {
+    const auto& cant = cants[i % std::size(cants)];
+    const auto& other = others[i % std::size(others)];
+    const std::string category = "cant_deficiency_mm " + std::to_string(cant.cant_mm) + " axle_load \"" +
+                                 axles[i].category + "\" other [ " + other.other + " ]";
+    const Decoded message =
+        OnBoard::after("  given train { category { " + category + " } }\n" + kOld).last_sent(129, "1.1");
+    const Codes* data = message.packet(11);
+    ASSERT_NE(data, nullptr) << category;
+    EXPECT_EQ(data->at("NC_TRAIN"), (std::uint64_t{1} << cant.bit) | other.bits) << category;
+    EXPECT_EQ(data->at("M_AXLELOAD"), axles[i].M_AXLELOAD) << category;
+    EXPECT_EQ(data->at("NID_OPERATIONAL"), 0x4711FFFFu);
+  }
+}
+
 /// The figures of a position report against the outputs (7.4.3.1, 3.6.5.1.1).
 TEST(LanguageThroughStep, PositionReport) {
   OnBoard unit(OnBoard::after(kFS2));
