@@ -150,6 +150,8 @@ TEST(LanguageThroughStep, CodesAndTheirMeaning) {
   const Codes text{{"L_TEXT", 1}, {"text/X_TEXT", 65}};
   const std::vector<Meaning> meanings{
       {{"M_VERSION", "/version", {{2, {}}}}, {{16, "1.1"}, {17, "1.1"}, {32, "2.1"}, {33, "2.1"}}},
+      {{"D_LEVELTR", "/level", {{41, {{"M_LEVELTR", 0}}}}}, {{32767, "0"}, {32766, "1"}, {3000, "1"}}},
+      {{"D_SR", "/data/sr/value/D_sr_m", {}, 0, 2, {}, kSR2}, {{32767, nullptr}}},
       {{"G_A", "/planning/gradient/1/permille", {{21, {{"D_GRADIENT", 500}, {"Q_GDIR", 0}}}}},
        {{1, -1}, {7, -7}, {254, -254}}},
       {{"Q_GDIR", "/planning/gradient/0/permille", {{21, {{"G_A", 3}}}}}, {{0, -3}, {1, 3}}},
@@ -213,6 +215,15 @@ TEST(LanguageThroughStep, NationalValues) {
       }
   }
   EXPECT_EQ(seen, 28u);
+  // D_VALIDNV: now, or from the place on.
+  EXPECT_EQ(national_values({{"V_NVSHUNT", 7}, {"D_VALIDNV", 32767}}).at("V_NVSHUNT"), 35.0);
+  EXPECT_EQ(national_values({{"V_NVSHUNT", 7}, {"D_VALIDNV", 32766}}).at("V_NVSHUNT"), 30.0);
+}
+
+TEST(LanguageThroughStep, DaysOfACover) {
+  const Effect cover{"T_VBC", "/data/vbc/value/0/left_s", {{6, {{"Q_VBCO", 1}}}}};
+  for (const std::uint64_t days : {1u, 7u, 255u})
+    EXPECT_NEAR(shown(cover, days, 1).get<double>(), 86400.0 * static_cast<double>(days), 1.0) << days;
 }
 
 /// The integrated correction factors of packet 3: steps of Kv and Kr, Kt.

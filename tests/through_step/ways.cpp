@@ -5,7 +5,6 @@
 namespace evc::through_step {
 namespace {
 
-constexpr const char* kSR2 = "  given SR level 2\n  and drives at 20 km/h\n  and passes group 100\n";
 constexpr const char* kSH1 = "  given SH level 1\n  and drives at 20 km/h\n";
 /// Group 101 is announced: its infill is accepted.
 constexpr const char* kLinked = "  given FS level 1 linked with link = 1000 m, reaction = 2\n";

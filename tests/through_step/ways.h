@@ -11,6 +11,7 @@ namespace evc::through_step {
 
 inline constexpr const char* kFS1 = "  given FS level 1 with speed = 60 km/h\n";
 inline constexpr const char* kSR1 = "  given SR level 1\n  and drives at 20 km/h\n";
+inline constexpr const char* kSR2 = "  given SR level 2\n  and drives at 20 km/h\n  and passes group 100\n";
 inline constexpr const char* kFS2 = "  given FS level 2 with speed = 60 km/h\n";
 
 /// With a session with radio infill unit 7 in level 1.
