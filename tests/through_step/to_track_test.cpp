@@ -175,6 +175,7 @@ const std::vector<Expected>& expected() {
           {"M_LOADINGGAUGE", 0},
           {"M_AXLELOAD", 45},
           {"M_AIRTIGHT", 1},
+          {"N_ITER_TRACTION", 0},
           {"N_ITER_NTC", 0}}}},
        "1.1"},
       {132,
@@ -280,12 +281,27 @@ TEST(LanguageThroughStep, PositionReport) {
   EXPECT_EQ(report->at("V_TRAIN"), 12u);
 }
 
+/// The rear end that the driver confirms is that of the min safe front end (7.5.1.57, 3.6.5.2.4); in metres whatever
+/// Q_SCALE says.
+TEST(LanguageThroughStep, SafeTrainLength) {
+  const OnBoard& unit =
+      OnBoard::after(with_data("  given FS level 2\n  and stops\n  and waits 1 s\n  and driver selects "
+                               "integrity_confirmed\n  and waits 0.2 s\n"));
+  const Decoded message = unit.last_sent(136);
+  const Codes* report = message.packet(0);
+  ASSERT_NE(report, nullptr);
+  EXPECT_EQ(report->at("Q_LENGTH"), 2u);
+  ASSERT_EQ(report->at("Q_SCALE"), 0u);
+  EXPECT_NEAR(static_cast<double>(report->at("L_TRAININT")),
+              400.0 + 0.1 * static_cast<double>(report->at("L_DOUBTOVER")), 1.0);
+}
+
 TEST(LanguageThroughStep, EveryMessagePacketAndVariableToTheTrack) {
   std::set<unsigned> messages, packets;
   std::set<std::string> variables{"NID_MESSAGE", "L_MESSAGE",   "NID_PACKET",
                                   "L_PACKET",    "T_TRAIN",     "NID_ENGINE",    // of all of them
                                   "D_LRBG",      "L_DOUBTOVER", "L_DOUBTUNDER",  // PositionReport
-                                  "L_TRAININT",  // needs a source of train integrity: scenarios of position
+                                  "L_TRAININT",                                  // SafeTrainLength
                                   "NID_NTC",     // no national system is on board, and a session needs level 2 or 3
                                   "NID_XUSER"};  // packet 44 is never sent (CAVEATS)
   const auto add = [&](const Json& row, const Codes& codes) {
