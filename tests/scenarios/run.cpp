@@ -688,10 +688,17 @@ class Run {
 
 std::string run(const Scenario& scenario) { return Run(scenario).whole(); }
 
+std::string run(const Scenario& scenario, std::string& inputs) {
+  Run one(scenario);
+  std::string failure = one.whole();
+  inputs = one.inputs();
+  return failure;
+}
+
 std::string inputs_of(const Scenario& scenario) {
-  Run run(scenario);
-  (void)run.whole();
-  return run.inputs();
+  std::string inputs;
+  (void)run(scenario, inputs);
+  return inputs;
 }
 
 }  // namespace evc::scenario

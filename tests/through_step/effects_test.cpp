@@ -21,10 +21,6 @@ struct Effect {
   const char* start = kFS1;
 };
 
-std::uint64_t in_scale(std::uint64_t metres, std::uint64_t Q_SCALE) {
-  return Q_SCALE == 0 ? 10 * metres : Q_SCALE == 1 ? metres : metres / 10;
-}
-
 Json shown(const Effect& e, std::uint64_t code, std::uint64_t Q_SCALE) {
   OnBoard unit(OnBoard::after(e.start));
   BitList bits;

@@ -33,9 +33,10 @@ std::string inputs_after(const std::string& statements) {
   const auto file =
       scenario::read("scenario start\n" + statements + "  then mode not NP [4.6.3(4)]\n", "start", library());
   if (!file) throw std::runtime_error(file.error().text());
-  const std::string failure = scenario::run(file->scenarios.at(0));
+  std::string inputs;
+  const std::string failure = scenario::run(file->scenarios.at(0), inputs);
   if (!failure.empty()) throw std::runtime_error(failure);
-  return scenario::inputs_of(file->scenarios.at(0));
+  return inputs;
 }
 
 /// The header of a telegram (8.4.2.1).
@@ -120,9 +121,9 @@ void OnBoard::cycle(Answer& answer) {
   advance();
 }
 
-Json OnBoard::output() {
+Json OnBoard::output(bool planning) {
   std::string line;
-  const bool plans = kernel::plan(unit_->state, unit_->derived, unit_->planning);
+  const bool plans = planning && kernel::plan(unit_->state, unit_->derived, unit_->planning);
   io::append_output(line, in_.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr);
   return Json::parse(line);
 }

@@ -42,8 +42,8 @@ class OnBoard {
   double front() const { return in_.levels.odometry.nominal.from_origin.si; }
   std::int64_t t_ms() const { return in_.t_ms; }
   sim::CycleInputs& inputs() { return in_; }
-  /// The line of `evc replay` of the last cycle, with the advance display.
-  Json output();
+  /// The line of `evc replay` of the last cycle, with the advance display if it is asked for.
+  Json output(bool planning = true);
   /// The file of `evc replay --persistent`.
   Json retained() const;
   /// The last message of that number that the unit sent before this state.

@@ -254,6 +254,10 @@ std::uint64_t usual(const std::string& key, const std::string& name) {
   return known != codes.end() ? known->second : 0;
 }
 
+std::uint64_t in_scale(std::uint64_t metres, std::uint64_t Q_SCALE) {
+  return Q_SCALE == 0 ? 10 * metres : Q_SCALE == 1 ? metres : metres / 10;
+}
+
 void put_packet(BitList& to, const Json& packet, const Codes& codes, int wrong_length) {
   const std::vector<Field> fields = fields_of(packet.at("elements"));
   for (const auto& [path, code] : codes)

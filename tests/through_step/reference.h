@@ -52,6 +52,9 @@ const Json* find_message(const std::string& direction, unsigned NID_MESSAGE, con
 /// A code that is valid where nothing is said.
 std::uint64_t usual(const std::string& variable, const std::string& name);
 
+/// The code of a distance in metres.
+std::uint64_t in_scale(std::uint64_t metres, std::uint64_t Q_SCALE);
+
 /// Writes a packet with its L_PACKET, plus `wrong_length`.
 void put_packet(BitList& to, const Json& packet, const Codes& codes, int wrong_length = 0);
 /// Writes a message with its L_MESSAGE and padding; `packets` are written behind its fields.
