@@ -103,7 +103,7 @@ BufferedSet& keep(Reception& r, const Information& information, const Waiting& w
   set.waiting = waiting.packets;
   set.message_waits = waiting.message;
   set.accepting = accepting;
-  set.M_VERSION = 0;
+  set.M_VERSION = state.radio.partner(accepting ? radio::Peer::other : radio::Peer::supervising).session.M_VERSION;
   set.telegram_bits.clear();
   set.size = 0;
   return set;

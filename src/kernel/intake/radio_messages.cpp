@@ -64,7 +64,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   const Waiting waiting = evaluate(r, information);
   if (!waiting.any()) return;
   BufferedSet& set = keep(r, information, waiting);
-  set.M_VERSION = s.radio.session(from.peer).M_VERSION;
+  set.M_VERSION = s.radio.session(from.peer).M_VERSION;  // of a radio infill unit too
   add_bits(set, bytes);
 }
 
