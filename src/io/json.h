@@ -24,6 +24,9 @@ inline constexpr std::size_t kDeepestJson = 64;
 /// column, or the JSON pointer. Throws ReadError.
 Json parse_json(std::string_view text, const std::string& file, const std::string& where = "");
 
+/// The `schema` of a document; empty where the text is no JSON object with one.
+std::string schema_of(std::string_view text);
+
 /// A place in a JSON document, with the pointer that leads there. Every accessor throws ReadError
 /// with that pointer when the value is not of the wanted kind.
 class JsonPlace {

@@ -134,4 +134,14 @@ Json parse_json(std::string_view text, const std::string& file, const std::strin
   return builder.take();
 }
 
+std::string schema_of(std::string_view text) {
+  try {
+    const Json document = parse_json(text, "");
+    const auto schema = document.find("schema");
+    return document.is_object() && schema != document.end() && schema->is_string() ? schema->get<std::string>() : "";
+  } catch (const ReadError&) {
+    return "";
+  }
+}
+
 }  // namespace evc::io

@@ -66,6 +66,26 @@ class Last {
   std::optional<kernel::Planning> planning_;
 };
 
+/// The error of a stream, or that the file is of another kind and what it is for.
+io::Diagnostic of_stream(const io::Diagnostic& error, const std::string& input) {
+  struct Kind {
+    const char* schema;
+    const char* use;
+  };
+  static constexpr Kind kinds[] = {{"etcs-line/1", "a line: evc run drives it"},
+                                   {"evc-line-description/1", "a description: evc make-line encodes it"},
+                                   {"evc-curves/1", "a query: evc curves answers it"},
+                                   {"etcs-train/1", "a train: its place is /config/train"},
+                                   {"evc-persistent/1", "what a unit kept: --persistent reads it"}};
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(input, none)) return error;  // what came through a pipe cannot be read again
+  const auto text = io::read_text(input);
+  const std::string schema = text ? io::schema_of(*text) : "";
+  for (const Kind& kind : kinds)
+    if (schema == kind.schema) return {input, "/schema", "\"" + schema + "\" (" + kind.use + ")", "a stream of inputs"};
+  return error;
+}
+
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::WholeFile& out,
                                const ReplayOptions& options) {
@@ -120,14 +140,14 @@ int replay(const ReplayOptions& options) {
   const auto lines = std::make_shared<io::Lines>(options.input);
   auto stream = io::InputStream::open(
       options.input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
-  if (!stream) return complain(stream.error());
+  if (!stream) return complain(of_stream(stream.error(), options.input));
   auto on_board = unit_of(*stream, options.persistent);
   if (!on_board) return complain(on_board.error());
   auto out = io::WholeFile::create(options.output);
   if (!out) return complain(out.error());
   const auto replayed = replay_stream(*stream, **on_board, *out, options);
   const auto written = out->commit();
-  if (!replayed) return complain(replayed.error());
+  if (!replayed) return complain(of_stream(replayed.error(), options.input));
   if (!written) return complain(written.error());
   if (const auto kept = keep(**on_board, options.persistent); !kept) return complain(kept.error());
   return 0;

@@ -598,6 +598,21 @@ TEST(Replay, TellsWhatIsWrongInTheFileOfWhatIsKept) {
   EXPECT_EQ(text_of(folder / "new.json"), "");
 }
 
+TEST(Replay, TellsAFileOfAnotherKind) {
+  const Folder folder("replay_kinds");
+  const auto told = [&](const std::string& text) {
+    EXPECT_TRUE(io::write_whole(folder / "in.json", text));
+    const Finished replay = evc("replay '" + (folder / "in.json") + "' -o '" + (folder / "out.jsonl") + "'");
+    EXPECT_EQ(replay.exit_code, 2);
+    return replay.output.substr((folder / "in.json").size());
+  };
+  const std::string line =
+      ": /schema: found \"etcs-line/1\" (a line: evc run drives it), expected a stream of inputs\n";
+  EXPECT_EQ(told("{\n \"schema\": \"etcs-line/1\"\n}\n"), line);
+  EXPECT_EQ(told("{\"schema\": \"etcs-line/1\"}\n"), line);
+  EXPECT_EQ(told("{\n \"schema\": \"x\"\n}\n"), ": line 1 column 2: found the end of the text, expected JSON\n");
+}
+
 TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
   const Folder folder("replay");
   ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));
