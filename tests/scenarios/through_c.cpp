@@ -97,6 +97,7 @@ void set_train(openevc_inputs& in, const port::TrainSignals& t) {
   in.powered = t.powered;
   in.isolated = t.isolated;
   in.desk_open = t.desk_open;
+  in.cab = t.cab == kernel::Cab::B ? 1 : 0;
   in.sleeping = t.sleeping;
   in.non_leading = t.non_leading;
   in.passive_shunting = t.passive_shunting;
