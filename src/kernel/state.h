@@ -70,6 +70,7 @@ struct BufferedSet {
   Place min_safe_front{};  // at reception: a conditional emergency stop is judged with it (4.8.5.7)
   Duration received{};
   std::uint64_t waiting = 0;                      // bit n: the n-th packet
+  std::uint64_t of_authority = 0;                 // likewise: authority, linking or track description
   bool message_waits = false;                     // the information of the radio message itself
   bool accepting = false;                         // by the accepting RBC: it waits for the change of RBC (4.8.2.1)
   std::uint8_t M_VERSION = 0;                     // of the session, for a message

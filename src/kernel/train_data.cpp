@@ -7,13 +7,19 @@
 namespace evc::kernel {
 namespace {
 
+/// 3.18.3.7 b: what RBCs sent with an authority for the level or the RBC ahead is deleted; restrictions, orders and
+/// texts of the same messages stay.
+void forget_buffered_authorities(State& s) {
+  for (BufferedSet& set : s.buffer)
+    if (set.medium == Medium::rbc) set.waiting &= ~set.of_authority;
+  s.buffer.erase_if([](const BufferedSet& set) { return set.waiting == 0 && !set.message_waits; });
+}
+
 /// 3.18.3.7: the authority was received for other train data.
 void forget_authority_of_old_train(State& s, const track::Here& here, Log log) {
-  if (s.track.ma) {
-    shorten(s, track::Situation::j_train_data_changed, here.max_safe_front, here);
-    log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
-  }
-  s.buffer.clear();
+  shorten(s, track::Situation::j_train_data_changed, here.max_safe_front, here);
+  log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
+  forget_buffered_authorities(s);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "kernel/intake/buffer.h"
 
 #include "kernel/intake/filter.h"
+#include "kernel/intake/routes.h"
 #include "lang/messages.h"
 
 namespace evc::kernel {
@@ -34,6 +35,28 @@ Information information_of(const BufferedSet& set) {
   information.judge_packets = set.waiting;
   information.judge_message = set.message_waits;
   return information;
+}
+
+/// Whether the packet is part of an authority, its linking or its track description (3.7.1.1).
+bool of_authority(const lang::PacketView& view) {
+  using enum evc::Information;
+  constexpr Set<evc::Information> kOfAuthority{movement_authority,
+                                               linking,
+                                               gradient,
+                                               ssp,
+                                               asp,
+                                               permitted_braking_distance,
+                                               route_suitability,
+                                               adhesion,
+                                               track_conditions_general,
+                                               track_conditions_horn_stopping,
+                                               reversing_area,
+                                               reversing_supervision};
+  const PacketRoute& route = route_of(view);
+  if (route.turn == Turn::with_authority) return true;
+  for (const evc::Information row : rows_of(route, view))
+    if (kOfAuthority.has(row)) return true;
+  return false;
 }
 
 Waiting evaluate_message(Reception& r, const BufferedSet& set) {
@@ -101,6 +124,9 @@ BufferedSet& keep(Reception& r, const Information& information, const Waiting& w
   set.min_safe_front = information.min_safe_front;
   set.received = information.time;
   set.waiting = waiting.packets;
+  set.of_authority = 0;
+  for (std::size_t i = 0; i < information.packets.size(); ++i)
+    if (of_authority(information.packets[i])) set.of_authority |= std::uint64_t{1} << i;
   set.message_waits = waiting.message;
   set.accepting = accepting;
   set.M_VERSION = state.radio.partner(accepting ? radio::Peer::other : radio::Peer::supervising).session.M_VERSION;
