@@ -246,7 +246,7 @@ typedef struct openevc_rbc {
 
 typedef struct openevc_telegram {
   const uint8_t* bytes; /* user bits, left aligned */
-  uint32_t bits;
+  uint32_t bits;        /* 0: something was read that is no telegram (3.16.2.4) */
   uint32_t reserved;
   double at; /* nominal counter when the antenna passed the balise's centre, metres */
 } openevc_telegram;

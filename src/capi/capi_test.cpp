@@ -350,6 +350,14 @@ TEST_F(CUnit, WhatIsRefused) {
   in = at(1);
   in.link = 4;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  in = at(1);
+  openevc_telegram failed{};
+  in.telegrams = &failed;
+  in.telegrams_count = 1;
+  EXPECT_EQ(step(in), OPENEVC_OK) << why;  // no telegram (3.16.2.4)
+  failed.bits = 8;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  EXPECT_STREQ(why, "inputs.telegrams: without bytes");
   in = at(20);
   in.level = 5;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);

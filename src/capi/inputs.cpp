@@ -76,7 +76,7 @@ const char* take_telegrams(Cycle& cycle, const openevc_inputs& in) {
   if (in.telegrams_count > cycle.telegrams.capacity()) return "inputs.telegrams: more than 64";
   for (std::size_t i = 0; i < in.telegrams_count; ++i) {
     const openevc_telegram& from = in.telegrams[i];
-    if (from.bytes == nullptr || from.bits == 0) return "inputs.telegrams: without bits";
+    if (from.bytes == nullptr && from.bits != 0) return "inputs.telegrams: without bytes";
     kernel::BaliseTelegram& telegram = *cycle.telegrams.grow();
     telegram = {};
     telegram.bytes = {from.bytes, (std::size_t{from.bits} + 7) / 8};

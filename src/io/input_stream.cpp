@@ -81,6 +81,13 @@ std::size_t user_bits(const JsonPlace& place, std::size_t digits) {
   return bits == 832 ? 830u : bits == 216 ? 210u : static_cast<std::size_t>(bits);
 }
 
+void read_passage(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place, CycleInputs::Telegram t) {
+  t.passed = read_time(place, t_ms);
+  if (t.passed && place.find("at_m")) place["at_m"].fail("either at_m or at_ms");
+  if (!t.passed) t.at = {{place["at_m"].number(-kFarMetres, kFarMetres)}};
+  cycle.balises.push_back(std::move(t));
+}
+
 void read_balise(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place) {
   place.know_only({"telegram", "at_m", "at_ms", "bits"});
   CycleInputs::Telegram t;
@@ -89,10 +96,13 @@ void read_balise(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place) 
   t.bits.size = user_bits(place, hex.string().size());
   if (t.bits.size > 830) hex.fail(std::to_string(t.bits.size) + " bits", "at most 830");
   t.bits.bytes.resize((t.bits.size + 7) / 8);
-  t.passed = read_time(place, t_ms);
-  if (t.passed && place.find("at_m")) place["at_m"].fail("either at_m or at_ms");
-  if (!t.passed) t.at = {{place["at_m"].number(-kFarMetres, kFarMetres)}};
-  cycle.balises.push_back(std::move(t));
+  read_passage(cycle, t_ms, place, std::move(t));
+}
+
+/// A telegram without bits.
+void read_balise_failed(CycleInputs& cycle, std::int64_t t_ms, const JsonPlace& place) {
+  place.know_only({"at_m", "at_ms"});
+  read_passage(cycle, t_ms, place, {});
 }
 
 sim::Bits read_message(const JsonPlace& hex) {
@@ -359,11 +369,12 @@ void read_clock(CycleInputs& cycle, const JsonPlace& place) {
 
 void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
                  const JsonPlace& place) {
-  place.know_only({"t_ms", "config", "odometer", "balise", "loop", "radio", "radio_in_fill", "driver", "train", "power",
-                   "national_system", "fault", "clock"});
+  place.know_only({"t_ms", "config", "odometer", "balise", "balise_failed", "loop", "radio", "radio_in_fill", "driver",
+                   "train", "power", "national_system", "fault", "clock"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
+  if (const auto p = place.find("balise_failed")) read_balise_failed(cycle, t_ms, *p);
   if (const auto p = place.find("loop")) read_loop(cycle, *p);
   if (const auto p = place.find("radio")) read_radio(cycle, radio, *p);
   if (const auto p = place.find("radio_in_fill")) read_radio_infill(radio, *p);

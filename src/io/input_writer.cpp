@@ -221,18 +221,23 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   safety_fault_ = cycle.levels.safety_fault;
   out += "}\n";
   for (const auto& t : cycle.balises) {
-    out += opened(cycle.t_ms) + ",\"balise\":{\"telegram\":\"";
-    append_hex(out, t.bits.bytes);
-    out += '"';
+    out += opened(cycle.t_ms);
+    if (t.bits.size == 0) {
+      out += ",\"balise_failed\":{";
+    } else {
+      out += ",\"balise\":{\"telegram\":\"";
+      append_hex(out, t.bits.bytes);
+      out += "\",";
+    }
     if (t.passed) {
-      out += ",\"at_ms\":";
+      out += "\"at_ms\":";
       append_number(out, t.passed->si * 1000.0);
     } else {
-      out += ",\"at_m\":";
+      out += "\"at_m\":";
       append_number(out, t.at.from_origin.si);
     }
     // 830 and 210 bits follow from the number of digits (the reader's user_bits).
-    if (t.bits.size != 830 && t.bits.size != 210) {
+    if (t.bits.size != 0 && t.bits.size != 830 && t.bits.size != 210) {
       out += ",\"bits\":";
       append_number(out, static_cast<std::int64_t>(t.bits.size));
     }

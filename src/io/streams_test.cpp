@@ -257,6 +257,9 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
             "/power/moved: found true, expected on, which it belongs to");
   EXPECT_EQ(error(R"("balise":{"telegram":"9002","at_m":1,"at_ms":0})"),
             "/balise/at_m: found 1, expected either at_m or at_ms");
+  EXPECT_EQ(error(R"("balise_failed":{})"), "/balise_failed: found no key \"at_m\", expected one");
+  EXPECT_EQ(error(R"("balise_failed":{"telegram":"9002","at_m":1})"),
+            "/balise_failed/telegram: found an unknown key, expected one of at_m, at_ms");
   EXPECT_EQ(error(R"("train":{"integrity":"yes"})"),
             "/train/integrity: found \"yes\", expected one of unknown, confirmed, lost");
   EXPECT_EQ(error(R"("train":{"train_length_m":100})"),

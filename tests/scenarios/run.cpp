@@ -342,8 +342,10 @@ class Run {
       auto bits = io::encode_balise_json(a.balises[k].telegram);
       if (!bits) fail("a telegram", bits.error().why, false);
       // Without a header there is no telegram.
-      if (a.balises[k].spoiled) *bits = io::Bits{{0}, 8};
-      if (!spoil(*bits, a.balises[k].damage)) fail("bits of the telegram", "beyond its end", false);
+      if (a.balises[k].spoiled)
+        *bits = {};
+      else if (!spoil(*bits, a.balises[k].damage))
+        fail("bits of the telegram", "beyond its end", false);
       balises_.push_back({at, io::hex_of_bits(bits->bytes, bits->bits), bits->bits});
     }
   }
@@ -455,7 +457,9 @@ class Run {
     std::sort(read.begin(), read.end(),
               [&](const TrackBalise& x, const TrackBalise& y) { return forwards ? x.at < y.at : x.at > y.at; });
     for (const TrackBalise& b : read)
-      give(Json{{"t_ms", next_ms()}, {"balise", {{"telegram", b.hex}, {"bits", b.bits}, {"at_m", counter(b.at)}}}}
+      give((b.bits == 0 ? Json{{"t_ms", next_ms()}, {"balise_failed", {{"at_m", counter(b.at)}}}}
+                        : Json{{"t_ms", next_ms()},
+                               {"balise", {{"telegram", b.hex}, {"bits", b.bits}, {"at_m", counter(b.at)}}}})
                .dump());
   }
 

@@ -27,7 +27,7 @@ struct Odometry {
 /// The user bits of one balise telegram and the nominal counter when its centre was passed by the antenna.
 struct BaliseTelegram {
   std::span<const std::uint8_t> bytes;  // left aligned
-  std::size_t bits = 0;
+  std::size_t bits = 0;                 // none: something was read that is no telegram (3.16.2.4)
   OdometerPlace at;
   std::optional<Duration> passed = {};  // the time instead: the unit finds the counter
 };
