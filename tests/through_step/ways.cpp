@@ -94,10 +94,8 @@ std::vector<std::uint8_t> loop_message(const BitList& packets) {
 Way way_of_packet(unsigned NID_PACKET) {
   switch (NID_PACKET) {
     case 0:    // a marker that no cover names: the group counts (3.15.9.3)
-    case 145:  // inhibits a reaction to what is not wrong here (3.16.2.4.4.1)
-      return {.says = "group 200 accepted"};
     case 200:  // is 0 (6.6.3.2.3 [15])
-      return {.says = "group 200 accepted"};
+      return {.says = "packet 0 not used"};
     case 206:  // takes the place of 68 (6.6.3.2.3 [9]), 207 of 70 ([18]), 239 of 39 ([19])
       return {.says = "packet 68 accepted"};
     case 207:
@@ -110,7 +108,7 @@ Way way_of_packet(unsigned NID_PACKET) {
       return {.by = By::RBC, .start = kFS2, .NID_MESSAGE = 3};
     case 49:
     case 80:  // belongs to the authority (3.12.4.1, 3.8.4)
-      return {.before = {12}, .says = "packet 12 accepted"};
+      return {.before = {12}};
     case 57:
     case 58:
     case 64:
@@ -118,7 +116,7 @@ Way way_of_packet(unsigned NID_PACKET) {
     case 140:
       return {.by = By::RBC, .start = kFS2};
     case 63:
-      return {.by = By::RBC, .start = kSR2, .NID_MESSAGE = 2, .says = "message 2 accepted"};
+      return {.by = By::RBC, .start = kSR2, .NID_MESSAGE = 2};
     case 90:
       return {.start = kBorder};
     case 132:
@@ -126,7 +124,7 @@ Way way_of_packet(unsigned NID_PACKET) {
     case 135:
       return {.start = kPS1};
     case 136:
-      return {.start = kLinked, .behind = {12}, .says = "packet 12 accepted", .codes = {{"NID_BG", 101}}};
+      return {.start = kLinked, .behind = {12}, .codes = {{"NID_BG", 101}}};
     case 137:
       return {.start = kSR1};
     case 143:

@@ -1,6 +1,7 @@
 #include "kernel/intake/authority.h"
 
 #include "kernel/intake/filter.h"
+#include "kernel/intake/message_events.h"
 #include "kernel/intake/routes.h"
 #include "kernel/stored.h"
 #include "terms/message_numbers.h"
@@ -107,7 +108,9 @@ void evaluate_authority(Evaluation& e) {
     e.context.described_over_whole_ma = track::complete(e.r.state.track, c, *offered.ma, e.r.out.here);
     const bool stop = offered.V_MAIN && *offered.V_MAIN == 0 && !c.infill;
     if (stop && judge_trip_order(e)) c.V_MAIN = offered.V_MAIN;
-    if (judge_packet(e, i) != Verdict::accepted) {
+    const modes::Acceptance judged_as = judge_packet(e, i);
+    tell_belonging(e, judged_as);
+    if (judged_as.verdict != Verdict::accepted) {
       if ((e.waiting.packets >> i & 1u) != 0) wait_with_authority(e);
       continue;
     }

@@ -4,6 +4,7 @@
 #include "kernel/intake/authority.h"
 #include "kernel/intake/infill.h"
 #include "kernel/intake/levels.h"
+#include "kernel/intake/message_events.h"
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
 #include "kernel/intake/shortening.h"
@@ -39,29 +40,7 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   return c;
 }
 
-What what_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::buffered:
-      return What::packet_buffered;
-    case Verdict::order_stored:
-      return What::packet_kept;
-    case Verdict::rejected:
-      return What::packet_refused;
-    case Verdict::only_contact_stored:
-      return What::packet_contact_stored;
-    case Verdict::accepted:
-      break;
-  }
-  return What::packet_accepted;
-}
-
-void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, bool not_used) {
-  not_used = not_used && a.verdict == Verdict::accepted;
-  e.r.log.note({.what = not_used ? What::packet_not_used : what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
-  if (a.verdict == Verdict::rejected) refuse(e, a.clause);
-}
-
-bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i) == Verdict::accepted; }
+bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i).verdict == Verdict::accepted; }
 
 // --- Level transition orders first (4.8.1.3)
 
@@ -77,7 +56,7 @@ void evaluate_level_orders(Evaluation& e) {
     const auto order = order_of(view);
     if (!order) continue;
     e.context.order = order->kind;
-    const Verdict verdict = judge_packet(e, i);
+    const Verdict verdict = judge_packet(e, i).verdict;
     if (verdict != Verdict::accepted && verdict != Verdict::order_stored) continue;
     const modes::OrderDecision decision = give_order(e.r, *order);
     if (order->kind == modes::OrderKind::announcement || decision.effect == modes::OrderEffect::execute)
@@ -170,7 +149,7 @@ void evaluate_rest(Evaluation& e) {
     if (route.turn != Turn::rest || !judged(e, i)) continue;
     add_facts(e, view);
     if (route.number == packet::lssma_display) e.context.front_in_ls_area_of_message = front_in_LS_area(e);
-    const Verdict verdict = judge_packet(e, i);
+    const Verdict verdict = judge_packet(e, i).verdict;
     if (route.take != nullptr && (verdict == Verdict::accepted || verdict == Verdict::only_contact_stored))
       route.take(e, view, verdict);
   }
@@ -187,18 +166,13 @@ void evaluate_message(Evaluation& e) {
   const Acceptance a = modes::accept(*row, e.context);
   if (a.verdict == Verdict::buffered) e.waiting.message = true;
   if (a.verdict == Verdict::rejected) refuse(e, a.clause);
-  if (a.verdict != Verdict::accepted) return;
-  if (const Clause clause = take_message(e, message)) refuse(e, clause);
-}
-
-void tell_message(Evaluation& e) {
-  const bool refused = e.refused != 0;
-  e.r.log.note({.what = refused && e.refused_because ? What::message_refused
-                        : refused                    ? What::message_refused_no_room
-                        : e.waiting.any()            ? What::message_buffered
-                                                     : What::message_accepted,
-                .id = e.information.message->NID_MESSAGE,
-                .clause = refused ? e.refused_because : Clause{}});
+  Acceptance of_packets = a;
+  if (a.verdict == Verdict::accepted)
+    if (const Clause clause = take_message(e, message)) {
+      refuse(e, clause);
+      of_packets = {Verdict::rejected, clause};
+    }
+  tell_belonging(e, of_packets);
 }
 
 void evaluate_part(Evaluation& e) {
@@ -217,6 +191,8 @@ bool accept_infill(Evaluation& e, const Infill& infill) {
   const Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, e.context);
   if (a.verdict == Verdict::rejected)
     e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = a.clause});
+  if (a.verdict == Verdict::accepted)
+    e.r.log.note({.what = What::packet_accepted, .id = packet::infill_location_reference});
   if (a.verdict != Verdict::buffered) return a.verdict == Verdict::accepted;
   for (std::size_t i = 0; i < e.information.packets.size(); ++i)
     if (judged(e, i)) tell_packet(e, e.information.packets[i].NID_PACKET, a, false);
@@ -249,7 +225,7 @@ Clause clause_of_reference(Medium medium) { return medium == Medium::loop ? "3.6
 
 }  // namespace
 
-Verdict judge_packet(Evaluation& e, std::size_t i) {
+Acceptance judge_packet(Evaluation& e, std::size_t i) {
   const lang::PacketView& view = e.information.packets[i];
   const PacketRoute& route = route_of(view);
   Acceptance worst{Verdict::accepted, {}};
@@ -261,7 +237,7 @@ Verdict judge_packet(Evaluation& e, std::size_t i) {
   if (no_reference && has_place(route, view)) worst = {Verdict::rejected, clause_of_reference(e.information.medium)};
   tell_packet(e, view.NID_PACKET, worst, not_used(route));
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
-  return worst.verdict;
+  return worst;
 }
 
 Waiting evaluate(Reception& r, const Information& information) {
@@ -272,6 +248,7 @@ Waiting evaluate(Reception& r, const Information& information) {
   const Infills infills = find_infills(information);
   e.judge = information.judge_packets;
   for (const Infill& infill : infills) e.judge &= ~infill.packets;
+  tell_evaluated_before(e);
   evaluate_part(e);
   if (information.message != nullptr) evaluate_message(e);
   store_contents(e);

@@ -9,6 +9,6 @@ namespace evc::kernel {
 Waiting evaluate(Reception& r, const Information& information);
 
 /// Judges packet `i` by the rows of its route (4.8.3, 4.8.4), logs it, and buffers it if the filter requires it.
-modes::Verdict judge_packet(Evaluation& e, std::size_t i);
+modes::Acceptance judge_packet(Evaluation& e, std::size_t i);
 
 }  // namespace evc::kernel

@@ -54,7 +54,7 @@ std::optional<std::uint8_t> ordered_X(Evaluation& e) {
     const lang::PacketView& view = e.information.packets[i];
     if (view.NID_PACKET != packet::system_version_order || !judged(e, i)) continue;
     lang::Packet2 p;
-    if (judge_packet(e, i) != modes::Verdict::accepted || lang::decode(view, p) != lang::Fault::none) continue;
+    if (judge_packet(e, i).verdict != modes::Verdict::accepted || lang::decode(view, p) != lang::Fault::none) continue;
     X = X_of(p.M_VERSION.raw);
   }
   return X;

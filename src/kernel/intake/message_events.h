@@ -1,0 +1,21 @@
+#pragma once
+#include "kernel/intake/evaluation.h"
+#include "modes/acceptance.h"
+
+// What became of a message and of each of its packets, as events.
+namespace evc::kernel {
+
+/// `not_used`: nothing needs the contents of such a packet. What is rejected counts as refused by the message.
+void tell_packet(Evaluation& e, int NID_PACKET, const modes::Acceptance& a, bool not_used);
+
+/// Packets of the evaluated part that belong to an authority, or to a message that authorises: what becomes of them is
+/// what becomes of that.
+void tell_belonging(Evaluation& e, const modes::Acceptance& a);
+
+/// Packets that were evaluated before the filters (4.8.2.2).
+void tell_evaluated_before(Evaluation& e);
+
+/// The message itself, after all its packets.
+void tell_message(Evaluation& e);
+
+}  // namespace evc::kernel
