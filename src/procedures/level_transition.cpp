@@ -1,5 +1,6 @@
 #include "procedures/level_transition.h"
 
+#include "modes/mode_properties.h"
 #include "modes/stored_information.h"
 
 namespace evc::procedures::level_transition {
@@ -7,6 +8,12 @@ namespace {
 
 using modes::OrderedLevel;
 using modes::OrderEffect;
+
+/// PT and RV belong to levels 1 to 3 (4.4), and no change of level leads out of them (4.6.2): a transition to another
+/// level waits until the mode is left.
+bool waits(Mode mode, const OrderedLevel& to) {
+  return (mode == Mode::PT || mode == Mode::RV) && !modes::possible_in(mode, to.level);
+}
 
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
@@ -32,7 +39,8 @@ void take_table(State& state, const Order& order, const modes::OrderDecision& de
 }
 
 void take(State& state, const Inputs& in, const Order& order, const modes::OrderDecision& decision, Result& out) {
-  if (decision.effect == OrderEffect::keep_until_mode_left) {
+  if (decision.effect == OrderEffect::keep_until_mode_left ||
+      (decision.effect == OrderEffect::execute && waits(in.mode, decision.to))) {
     state.kept = true;  // only one, the newest (4.4.8.1.5)
     state.kept_order = order;
     return;
@@ -89,7 +97,8 @@ Result step(State& state, const Inputs& in) {
     out.table = state.announced_table->table;
     state.announced_table.reset();
   }
-  if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front)) {
+  if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front) &&
+      !waits(in.mode, state.pending->to)) {
     const modes::PendingTransition due = *state.pending;
     if (due.to.same_level(in.current)) {
       state.pending.reset();

@@ -40,7 +40,7 @@ struct State {
   bool unacknowledged = false;  // a transition was executed and is not acknowledged yet
   Level unacknowledged_level = Level::L0;
   Duration deadline{};  // T_ACK after the transition
-  bool kept = false;    // an order waits until SH or PS is left (4.4.8.1.5)
+  bool kept = false;    // an order waits until SH or PS is left (4.4.8.1.5), or PT or RV
   Order kept_order;
 };
 

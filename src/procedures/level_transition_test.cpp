@@ -110,6 +110,28 @@ TEST(LevelTransition, In_SB_4_0_0_asks_only_at_the_change) {
   }
 }
 
+/// 4.4: PT and RV belong to levels 1 to 3, and no change of level leads out of them.
+TEST(LevelTransition, A_level_that_the_mode_excludes_waits_until_it_is_left) {
+  for (const Mode mode : {Mode::PT, Mode::RV}) {
+    for (const Level to : {Level::L0, Level::NTC}) {
+      Border b(level(Level::L2), Mode::FS);
+      b.give(OrderKind::announcement, level(to, 1), 1000.0);
+      EXPECT_FALSE(b.cycle(990.0).switch_to.has_value());
+      b.in.mode = mode;
+      EXPECT_FALSE(b.cycle(1000.0).switch_to.has_value());
+      b.in.mode = Mode::SR;
+      const auto r = b.cycle(1000.0);
+      ASSERT_TRUE(r.switch_to.has_value());
+      EXPECT_EQ(r.switch_to->level, to);
+    }
+    Border b(level(Level::L2), Mode::FS);
+    b.give(OrderKind::announcement, level(Level::L1), 1000.0);
+    b.cycle(990.0);
+    b.in.mode = mode;
+    EXPECT_TRUE(b.cycle(1000.0).switch_to.has_value());
+  }
+}
+
 TEST(LevelTransition, The_newest_order_counts) {
   Border b(level(Level::L2), Mode::FS);
   b.give(OrderKind::announcement, level(Level::NTC, 1), 1000.0);

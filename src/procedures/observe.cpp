@@ -24,6 +24,8 @@ modes::Conditions observe(const Facts& f) {
   const bool usable_ma = f.ma_accepted && f.ma_ssp_gradient_stored;
 
   modes::Conditions c;
+  // What the driver is asked for or may select is of the level before: where the level changes in the same cycle, it
+  // counts only for a mode that the new level has (4.4).
   // clang-format off
   c.set( 1, f.isolated);
   c.set( 2, f.desk_open);
@@ -32,12 +34,12 @@ modes::Conditions observe(const Facts& f) {
   c.set( 5, f.standstill && (in_0_ntc || in_1) && f.selects_SH);
   c.set( 6, f.standstill && in_2_3 && f.SH_granted);
   c.set( 7, acknowledges_trip && !in_0_ntc);
-  c.set( 8, acknowledges(Ack::SR));
+  c.set( 8, acknowledges(Ack::SR) && !in_0_ntc);
   c.set(10, f.train_data_valid && full);
   c.set(12, in_1 && f.min_safe_antenna_beyond_eoa);
   c.set(13, f.safety_fault);
   c.set(14, f.sleeping && f.standstill && desks_closed);
-  c.set(15, acknowledges(Ack::OS));
+  c.set(15, acknowledges(Ack::OS) && !in_0_ntc);
   c.set(16, in_2_3 && (f.min_safe_front_beyond_eoa || f.group_at_eoa_in_RSM));
   c.set(17, f.linking_reaction_trip);
   c.set(18, f.trip_order && !f.override_active);
@@ -57,7 +59,7 @@ modes::Conditions observe(const Facts& f) {
   c.set(34, to_1_2_3 && f.profile_demands_OS);
   c.set(35, f.selects_SH && f.national_trip);
   c.set(36, f.group_passed_not_in_SR_list && !f.override_active);
-  c.set(37, f.selects_override);
+  c.set(37, f.selects_override && !in_0_ntc);
   c.set(38, (to_0 || to_1_2_3) && f.national_trip);
   c.set(39, to_1_2_3 && !usable_ma);
   c.set(40, f.profile_demands_OS);
@@ -75,8 +77,8 @@ modes::Conditions observe(const Facts& f) {
   c.set(54, f.stop_if_in_SR && !f.group_passed_in_SR_list && !f.override_active);
   c.set(56, to_ntc && !f.level_order_changed_national_system_only);
   c.set(58, f.level == Level::NTC && acknowledges(Ack::SN));
-  c.set(59, f.standstill && acknowledges(Ack::RV));
-  c.set(60, acknowledges(Ack::UN));
+  c.set(59, f.standstill && acknowledges(Ack::RV) && !in_0_ntc);
+  c.set(60, acknowledges(Ack::UN) && f.level == Level::L0);
   c.set(61, to_1_2_3 && f.profile_demands_SH);
   c.set(62, acknowledges_trip && f.level == Level::L0 && f.train_data_valid);
   c.set(63, acknowledges_trip && f.level == Level::NTC && f.train_data_valid);
@@ -85,7 +87,7 @@ modes::Conditions observe(const Facts& f) {
   c.set(67, to_1 && f.trip_order && !f.override_active);
   c.set(68, acknowledges_trip && in_0_ntc && !f.train_data_valid);
   c.set(69, f.front_in_rear_of_track_description);
-  c.set(70, acknowledges(Ack::LS));
+  c.set(70, acknowledges(Ack::LS) && !in_0_ntc);
   c.set(71, to_1_2_3 && f.profile_demands_LS);
   c.set(72, f.profile_demands_LS);
   c.set(73, f.profile_demands_OS && !f.front_in_LS_ack_area);

@@ -112,7 +112,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
-  // 4.4: no change leads to such a pair. It can only be a fault of the machine, as in.safety_fault is.
+  // 4.4: no change leads to such a pair, as a transition waits in PT and RV (5.10). It is a fault of the machine.
   const bool coherent = modes::possible_in(s.mode, s.level.level);
   if (!coherent) log.note({.what = What::mode_not_of_level, .clause = "4.4.5"_srs});
   out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault);
