@@ -193,7 +193,8 @@ TEST(RadioInfillUnits, TheOneCalledLastIsRemembered) {
   s.session(Peer::infill_2).phase = Phase::connecting;
   s.session(Peer::infill_2).rbc = {426, 2, 8, true};
   (void)supervise(s, in, out);
-  EXPECT_EQ(out.connect, s.session(Peer::infill_2).rbc);
+  ASSERT_EQ(out.connect, s.session(Peer::infill_2).rbc);
+  note_called(s, *out.connect);
   EXPECT_EQ(peer_of(s, std::nullopt, true), Peer::infill_2);
   EXPECT_EQ(peer_of(s, std::nullopt), Peer::supervising);
 }

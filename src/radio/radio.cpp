@@ -146,6 +146,17 @@ void stamp(State& s, Duration now, Outbox& out) {
   }
 }
 
+/// One order to release a connection in a cycle.
+void order_bearer(State& s, Outbox& out) {
+  for (const Rbc& rbc : out.also_disconnect) (void)s.disconnect_later.push_back(rbc);  // four sessions: there is room
+  if (!out.disconnect && !s.disconnect_later.empty()) {
+    out.disconnect = s.disconnect_later.front();
+    s.disconnect_later.erase(0);
+  }
+}
+
+}  // namespace
+
 void note_called(State& s, const Rbc& called) {
   if (!called.infill_unit) {
     s.other_called_last = s.other.session.active() && called == s.other.session.rbc;
@@ -153,18 +164,6 @@ void note_called(State& s, const Rbc& called) {
     s.infill_called_last = *peer;
   }
 }
-
-/// One order to release a connection in a cycle; who was called last.
-void order_bearer(State& s, Outbox& out) {
-  for (const Rbc& rbc : out.also_disconnect) (void)s.disconnect_later.push_back(rbc);  // four sessions: there is room
-  if (!out.disconnect && !s.disconnect_later.empty()) {
-    out.disconnect = s.disconnect_later.front();
-    s.disconnect_later.erase(0);
-  }
-  if (out.connect) note_called(s, *out.connect);
-}
-
-}  // namespace
 
 Clause clause(Rejected rejected) {
   switch (rejected) {

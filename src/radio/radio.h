@@ -166,6 +166,9 @@ struct Result {
   bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
   bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
 };
+/// The connection to this partner is ordered: reports of the bearer that name none are of it (3.5.3.7).
+void note_called(State& state, const Rbc& called);
+
 /// One cycle: sessions, contact supervision, train data, position reports (to both RBCs, 3.15.1.3.4), MA requests,
 /// repetitions. Afterwards every message of the outbox has its own time stamp; messages without a connection are
 /// removed (3.5.4.5).

@@ -251,7 +251,8 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
 
 void withdraw_request(Session& s) {
   s.request_connection = false;
-  if (s.tries > 0 && s.tries < 255) --s.tries;
+  if (s.tries > 0) --s.tries;
+  if (s.tries == 0) s.status_timer.reset();  // 3.5.7.3: it runs from the first request
 }
 
 void end(Session& s, Duration now, Outbox& out) {

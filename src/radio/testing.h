@@ -29,6 +29,7 @@ struct Unit {
     // As the kernel asks in modes that report both events (3.6.5.1.4 h, l).
     given.report_due = in.report_due || s.supervising.established_now || !s.errors.empty();
     const Result r = supervise(s, given, out);
+    if (out.connect) note_called(s, *out.connect);
     now += 0.1;
     return r;
   }

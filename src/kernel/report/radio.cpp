@@ -161,9 +161,9 @@ void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
   const auto named = named_rbc(inputs.radio_link_with, of_infill_unit);
   const auto peer = radio::peer_of(s.radio, named, of_infill_unit);
   if (!peer) return;
-  // Of the short number only the one that answers has a name; another one that ends was called before.
+  // Of the short number only the one that answers or refuses has a name; another one that ends was called before.
   const radio::Session& session = s.radio.session(*peer);
-  const bool answered = inputs.radio_link == RadioLink::connected || session.phase != radio::Phase::connecting;
+  const bool answered = inputs.radio_link != RadioLink::lost || session.phase != radio::Phase::connecting;
   if (named && !session.rbc.same_id(*named) && !answered) return;
   in.link = inputs.radio_link;
   in.link_of = *peer;
@@ -218,6 +218,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   const bool powered_up = decided.mode_changed && s.previous_mode == Mode::NP;
   out.network = register_terminals(s, powered_up);
   await_registration(s, out.network.has_value() && !powered_up, outbox);
+  if (outbox.connect) radio::note_called(s.radio, *outbox.connect);
   s.contact_trip = r.trip;
   complete_handover(s, r, log);
   delete_with_sessions(s, sessions);

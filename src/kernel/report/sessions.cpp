@@ -113,6 +113,7 @@ void end_without_power(State& s, radio::Outbox& outbox) {
   s.radio.disconnect_later = later;
   s.handover = {};
   s.radio_infill = {};
+  s.network.awaited = false;
   delete_with_sessions(s, before);
 }
 
