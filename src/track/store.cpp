@@ -131,8 +131,9 @@ void store_level_crossings(const Filing& f, const Contents& c) {
   Description& d = f.d;
   for (LevelCrossing lx : c.lx) {
     for (const LevelCrossing& old : d.lx)
-      if (old.NID_LX == lx.NID_LX && lx.unprotected) {
-        // Received again while its speed already applies: it continues to apply (A.3.5.1).
+      if (old.NID_LX == lx.NID_LX && lx.unprotected && f.here.min_safe_front <= old.to) {
+        // Received again while its speed already applies: it continues to apply (A.3.5.1). One that was passed is
+        // another crossing.
         lx.substituted = old.substituted && !asks_to_stop(lx, old, f.here);
         lx.V_LX_from = old.V_LX_from;
         lx.informed = old.informed;
@@ -287,7 +288,7 @@ Stored store(Description& d, const Contents& c, const Here& here, Clause refuse_
   store_conditions(f, c);
   store_texts(f, c);
   store_orders(f, c);
-  if (report.lost_from) end_before(d, *report.lost_from, here);
+  if (report.lost_from) report.track_description_deleted = end_before(d, *report.lost_from, here);
   if (matters_to_monitoring(c)) ++d.revision;
   return report;
 }

@@ -19,6 +19,7 @@ struct Stored {
   bool trip_order = false;  ///< V_MAIN = 0, not infill (3.11.6.2)
   /// Restrictive data from this place on did not fit: the authority was ended there.
   std::optional<Place> lost_from;
+  bool track_description_deleted = false;  ///< at the train: a reason to ask for an authority (3.8.2.7.3)
   InplaceVector<Note, 40> notes;
 };
 

@@ -269,11 +269,8 @@ std::uint8_t stop_at(Description& d, Place stop, const Here& here) {
   return answer;
 }
 
-void end_before(Description& d, Place place, const Here& here) {
-  if (place <= here.max_safe_front) {
-    (void)shorten(d, Situation::l_rams_supervision, place, here);
-    return;
-  }
+bool end_before(Description& d, Place place, const Here& here) {
+  if (place <= here.max_safe_front) return shorten(d, Situation::l_rams_supervision, place, here);
   if (d.ma && place < d.ma->far_end()) {
     if (place <= d.ma->end()) {
       end_at(*d.ma, place);
@@ -282,7 +279,7 @@ void end_before(Description& d, Place place, const Here& here) {
       d.ma->fixed_release = Release{};
     }
   }
-  (void)shorten(d, Situation::b_shortened_ma, place, here);
+  return shorten(d, Situation::b_shortened_ma, place, here);
 }
 
 void turn(Description& d) {

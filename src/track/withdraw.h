@@ -38,8 +38,8 @@ void end_signalling_speed(Description& d, Place at);
 std::uint8_t stop_at(Description& d, Place stop, const Here& here);
 
 /// Ends authority and track description at `place`, or at the train if that is nearer: beyond it data are missing
-/// (3.7.2.3).
-void end_before(Description& d, Place place, const Here& here);
+/// (3.7.2.3). Returns whether the track description was deleted there, which is a reason to ask for an authority.
+[[nodiscard]] bool end_before(Description& d, Place place, const Here& here);
 
 /// Events of the running supervision of stored data.
 struct Elapsed {

@@ -232,7 +232,7 @@ TEST(Withdraw, A_stop_between_EOA_and_SvL_moves_the_SvL) {  // 3.10.2.2
 TEST(Withdraw, What_is_not_known_ends_the_authority_or_stops_the_train) {  // 3.7.2.3
   const auto ended = [](double place) {
     Description d = with_everything();
-    end_before(d, at(place), front_at(0));  // max safe front end at 5
+    (void)end_before(d, at(place), front_at(0));  // max safe front end at 5
     return d;
   };
   EXPECT_EQ(ended(5.0).ma->SvL(), at(5)) << "at the train: EOA at the estimated, SvL at the max safe front end";

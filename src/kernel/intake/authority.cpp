@@ -84,11 +84,13 @@ void tell_end_of_description(Evaluation& e, Place from) {
   e.r.log.note({.what = What::track_description_ended, .clause = "3.7.2.3"_srs});
 }
 
-void end_where_undescribed(Evaluation& e) {
+/// Returns whether the track description was deleted at the train.
+bool end_where_undescribed(Evaluation& e) {
   const std::optional<Place> from = track::undescribed_from(e.r.state.track, e.r.out.here);
-  if (!from) return;
-  track::end_before(e.r.state.track, *from, e.r.out.here);
+  if (!from) return false;
+  const bool deleted = track::end_before(e.r.state.track, *from, e.r.out.here);
   tell_end_of_description(e, *from);
+  return deleted;
 }
 
 }  // namespace
@@ -136,9 +138,12 @@ void store_contents(Evaluation& e) {
     cut_beyond(s, s.track.ma->far_end(), e.brought);  // what was stored before the message (3.8.5.1.3, 3.8.5.1.5)
   }
   if (stored.lost_from) tell_end_of_description(e, *stored.lost_from);
-  if (e.contents.ssp || e.contents.gradient || e.contents.repositioned_section) end_where_undescribed(e);
+  bool deleted = stored.track_description_deleted;
+  if (e.contents.ssp || e.contents.gradient || e.contents.repositioned_section)
+    deleted = end_where_undescribed(e) || deleted;
+  if (stored.ma_accepted) s.track_description_deleted = false;  // 3.8.2.7.3
+  if (deleted) s.track_description_deleted = true;
   if (stored.ma_accepted) {
-    s.track_description_deleted = false;  // 3.8.2.7.3
     s.ma_with_trip_order = out.trip_order;
     if (e.information.medium == Medium::rbc)
       out.ma_from_rbc = true;
