@@ -218,8 +218,9 @@ void run_train_data_change(State& s, const Received& received, Decided& out, Log
   in.route_matters = route_matters(s.train, *change.pending);
   in.train_data_valid = valid(s.data.train_data_status);
   in.standstill = out.here.standstill;
-  // Any information of the RBC that waits counts (D5): which packets it has is known when it is released.
-  for (const BufferedSet& set : s.buffer) in.authority_waits = in.authority_waits || set.medium == Medium::rbc;
+  // Of what waits, authority and track description count (D5).
+  for (const BufferedSet& set : s.buffer)
+    in.authority_waits = in.authority_waits || (set.medium == Medium::rbc && (set.waiting & set.of_authority) != 0);
   in.brake_commanded = s.brakes.active.has(brakes::Cause::train_data_changed);
   in.driver_validated = received.entered.has(Entered::train_data);
   const auto r = procedures::train_data_change::step(change.procedure, in);

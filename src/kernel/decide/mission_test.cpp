@@ -633,15 +633,17 @@ TEST_F(DataChange, ThatDoesNotConcernTheRouteCountsAtOnce) {  // 5.17.2 D1
 }
 
 TEST_F(DataChange, InSRConcernsWhatWaitsOfAnRBC) {  // 5.17.2 D5
-  for (const Medium medium : {Medium::balise, Medium::rbc}) {
+  for (const auto& [medium, waiting] : {std::pair{Medium::balise, 1u}, {Medium::rbc, 1u}, {Medium::rbc, 2u}}) {
     restart(Mode::SR, Level::L1);
     change(false);
     decided.here.standstill = false;
     ASSERT_NE(state.buffer.grow(), nullptr);
     state.buffer[0].medium = medium;
+    state.buffer[0].of_authority = 1;
+    state.buffer[0].waiting = waiting;
     ASSERT_NE(state.buffer.grow(), nullptr);
     run();
-    EXPECT_EQ(brakes(), medium == Medium::rbc);
+    EXPECT_EQ(brakes(), medium == Medium::rbc && waiting == 1);
   }
 }
 
