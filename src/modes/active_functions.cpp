@@ -3,7 +3,7 @@
 namespace evc::modes {
 namespace {
 
-/// Position reports that 4.0.0 added, all in a session that there is.
+/// Position reports that 4.5.2 of 4.0.0 has and 3.x has not.
 bool reported_in_4_0_0(Function function, Mode mode) {
   switch (function) {
     case Function::report_standstill:

@@ -262,6 +262,21 @@ TEST(Functions, Are_4_5_2) {
   ASSERT_EQ(file["functions"].size(), kFunctions);
   const std::map<std::string, Activity> marks{
       {"X", Activity::active}, {"O", Activity::optional}, {"-", Activity::inactive}};
+  // The marks of 4.0.0 that 3.x has not.
+  const std::set<std::pair<std::string, std::string>> added{
+      {"report_standstill", "SB"},
+      {"report_integrity_confirmed", "UN"},
+      {"report_integrity_confirmed", "SN"},
+      {"report_integrity_lost", "UN"},
+      {"report_integrity_lost", "SN"},
+      {"report_rbc_border", "SL"},
+      {"report_rbc_border", "NL"},
+      {"report_level_border_rear", "SL"},
+      {"report_level_change_trackside", "SL"},
+      {"report_rbc_requested", "SL"},
+      {"report_every_bg", "SB"},
+      {"report_every_bg", "SL"},
+  };
   for (std::size_t i = 0; i < kFunctions; ++i) {
     const json& f = file["functions"][i];
     const Function function = static_cast<Function>(i);
@@ -274,6 +289,9 @@ TEST(Functions, Are_4_5_2) {
       if (f.value("since", "").rfind("3.6.0", 0) == 0) old = Activity::inactive;
       EXPECT_EQ(activity(function, in), now) << f["id"] << name(in);
       EXPECT_EQ(activity(function, in, SrsVersion::v3_4_0), old) << f["id"] << name(in);
+      EXPECT_EQ(activity(function, in, SrsVersion::v4_0_0),
+                added.count({name(function), name(in)}) != 0 ? Activity::active : now)
+          << f["id"] << name(in);
       EXPECT_EQ(active(function, in), now == Activity::active) << f["id"] << name(in);
     }
   }
