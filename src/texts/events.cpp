@@ -108,6 +108,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::cab_changed, "cab", Takes::nothing, "changed"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
     {What::mode_not_of_level, "mode", Takes::nothing, "not possible in the level"},
+    {What::received_without_power, "telegram or message", Takes::nothing, "not received: no power"},
 });
 // clang-format on
 

@@ -106,6 +106,7 @@ enum class What : std::uint8_t {
   cab_changed,                ///< the other cab is active: position and orientation are mirrored
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
   mode_not_of_level,          ///< the stored mode and level exclude each other
+  received_without_power,     ///< a telegram or message that nobody receives (4.5.1.4)
   count
 };
 

@@ -103,6 +103,22 @@ bool acts(State& s, bool fault) {
   return false;
 }
 
+/// 4.5.1.4: without power nothing is received. Each telegram and message is an event all the same.
+void lose_without_power(const Reception& r) {
+  const std::size_t lost = r.in.balise_telegrams.size() + r.in.loop_messages.size() + r.in.radio_messages.size();
+  for (std::size_t i = 0; i < lost; ++i) r.log.note({.what = What::received_without_power, .clause = "4.5.1.4"_srs});
+}
+
+/// What the trackside sends. The places of telegrams may be no numbers if the odometer is not `sound`.
+void receive_trackside(Reception& r, bool sound) {
+  if (!r.in.train.powered) return lose_without_power(r);
+  if (sound) receive_balises(r);
+  receive_loops(r);
+  const Sessions sessions = sessions_of(r.state);
+  receive_radio(r);
+  delete_with_sessions(r.state, sessions);
+}
+
 }  // namespace
 
 Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Outbox& outbox, Log log,
@@ -126,11 +142,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   change_rbc(r);
   receive_driver(r);
   receive_external_train_data(r);
-  if (can_go_on) receive_balises(r);  // their places may be no numbers
-  receive_loops(r);
-  const Sessions sessions = sessions_of(s);
-  receive_radio(r);
-  delete_with_sessions(s, sessions);
+  receive_trackside(r, can_go_on);
   out.here = here(s);
   advance_track(r);
   run_level_transition(r);
