@@ -109,15 +109,21 @@ void lowest_under_train(Segments& out, const Extended& f, Distance L) {
   }
 }
 
-/// 3.13.4.1.2-3: the default gradient applies at places that are not covered, without length compensation; a known fall
-/// under the rest of the train is kept (safe side): where the front is not covered, only such a fall is below 0.
-void put_default_gradient(Segments& segments, const GradientProfile& profile, double unknown) {
+/// 3.13.4.1.2-3: the default gradient applies at places that are not covered, without length compensation. Two falls
+/// count on the safe side: a known one under the rest of the train where the front is not covered (only such a fall is
+/// below 0 there), and the default under the rear that is not covered yet.
+void put_default_gradient(Segments& segments, const GradientProfile& profile, double unknown, Distance L_TRAIN) {
   const KnownPart cover = known_part(profile);
+  const Place rear_covered = cover.from + L_TRAIN;
   split(segments, cover.from);
   split(segments, cover.to);
+  if (unknown < 0.0) split(segments, rear_covered);
   std::size_t kept = 0;
   for (Segment& s : segments) {
-    if (s.from < cover.from || s.from >= cover.to) s.grad = s.grad < 0.0 ? std::min(s.grad, unknown) : unknown;
+    if (s.from < cover.from || s.from >= cover.to)
+      s.grad = s.grad < 0.0 ? std::min(s.grad, unknown) : unknown;
+    else if (unknown < 0.0 && s.from < rear_covered)
+      s.grad = std::min(s.grad, unknown);
     if (kept == 0 || segments[kept - 1].grad != s.grad) segments[kept++] = s;
   }
   segments.erase(kept, segments.size());
@@ -128,7 +134,7 @@ void gradient_segments(Segments& out, const GradientProfile& profile, Distance L
   out.clear();
   lowest_under_train(out, Extended(profile), L_TRAIN);
   if (target_due_to_TSR && profile.default_for_TSR.has_value())
-    put_default_gradient(out, profile, *profile.default_for_TSR);
+    put_default_gradient(out, profile, *profile.default_for_TSR, L_TRAIN);
 }
 
 template <class Steps>

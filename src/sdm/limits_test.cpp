@@ -302,6 +302,8 @@ TEST(Gradient, DefaultForTargetsOfATSRWhereNothingIsKnown) {
   p.default_for_TSR = -15.0;
   const CompensatedGradient c = compensated_gradient(p, {200.0}, true);
   EXPECT_EQ(c.permille.at({{-5.0}}), -15.0);
+  EXPECT_EQ(c.permille.at({{100.0}}), -15.0);  // under the rear
+  EXPECT_EQ(c.permille.at({{200.0}}), 4.0);
   EXPECT_EQ(c.permille.at({{500.0}}), 4.0);
   EXPECT_EQ(c.permille.at({{1001.0}}), -15.0);
   EXPECT_EQ(c.permille.at({{5000.0}}), -15.0);
@@ -314,6 +316,8 @@ TEST(Gradient, DefaultForTargetsOfATSRWhereNothingIsKnown) {
   const CompensatedGradient up = compensated_gradient(p, {200.0}, true);
   EXPECT_EQ(up.permille.at({{1100.0}}), -20.0);
   EXPECT_EQ(up.permille.at({{1201.0}}), 6.0);
+  EXPECT_EQ(up.permille.at({{-1.0}}), 6.0);
+  EXPECT_EQ(up.permille.at({{100.0}}), -20.0);
   // It applies to targets due to a TSR.
   Inputs in = simple_inputs();
   in.gradient.permille = {};

@@ -69,7 +69,9 @@ struct Reference {
       lowest = std::min(lowest, pieces[i].known ? pieces[i].value : 0.0);
       if (pieces[i].known) lowest_known = std::min(lowest_known, pieces[i].value);
     }
-    if (!due_to_TSR || !in.gradient.default_for_TSR.has_value() || known(x)) return lowest;
+    if (!due_to_TSR || !in.gradient.default_for_TSR.has_value()) return lowest;
+    // A default that falls counts under a rear that the profile does not cover yet.
+    if (known(x)) return known(rear) ? lowest : std::min(lowest, *in.gradient.default_for_TSR);
     // Beyond the profile a known fall under the rest of the train is kept.
     const double unknown = *in.gradient.default_for_TSR;
     return lowest_known < 0.0 ? std::min(unknown, lowest_known) : unknown;

@@ -17,8 +17,8 @@ namespace evc::sdm {
 
 inline constexpr std::size_t kGradientSteps = 96;
 inline constexpr std::size_t kZones = 16;
-/// Change points of the gradient, starts and ends of adhesion zones, starts of brake inhibitions.
-inline constexpr std::size_t kSegments = kGradientSteps + 8 + 2 * kZones + 5;
+/// Change points of the gradient and of its default, starts and ends of adhesion zones, starts of brake inhibitions.
+inline constexpr std::size_t kSegments = kGradientSteps + 9 + 2 * kZones + 5;
 
 /// Per mille, positive uphill.
 using GradientFunction = StepFunction<Place, double, kGradientSteps>;
