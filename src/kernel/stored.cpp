@@ -121,6 +121,9 @@ void apply_all(State& s, FateOf fate_of) {
 
 void keep_for_mode(State& state, Mode to, Mode from) {
   apply_all(state, [&](Stored stored) { return modes::on_entry(to, from, stored, state.srs); });
+  // [1] of 4.0.0: no procedure of SL would validate it.
+  if (state.srs == SrsVersion::v4_0_0 && to == Mode::SL && state.position.status == DataStatus::invalid)
+    position::forget(state.position);
 }
 
 void revalidate_after_power_off(State& state, const std::optional<bool>& moved) {

@@ -12,26 +12,38 @@ Fate of_3_4_0(Mode to, Stored stored, Fate fate) {
   return fate;
 }
 
-/// Where 4.0.0 differs from the table.
+/// Where 4.0.0 differs from the table. Its row of announced level transitions has no exceptions [1] and [2].
 Fate of_4_0_0(Mode to, Stored stored, Fate fate) {
-  return stored == Stored::eolm && (to == Mode::PS || to == Mode::SH) ? Fate::deleted : fate;
+  if (stored == Stored::eolm && (to == Mode::PS || to == Mode::SH)) return Fate::deleted;
+  if (stored == Stored::train_data && to == Mode::NL) return Fate::to_be_revalidated;
+  return fate;
 }
 
 }  // namespace
 
 Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs) {
   const StoredRow::Cell& cell = srs_4_10[static_cast<std::size_t>(stored)].on_entry[index(to)];
+  if (srs == SrsVersion::v4_0_0) return of_4_0_0(to, stored, cell.fate);
   if ((cell.notes & 2u) != 0 && from == Mode::SH) return Fate::unchanged;
   if ((cell.notes & 4u) != 0 && from == Mode::PS) return Fate::unchanged;
-  switch (srs) {
-    case SrsVersion::v3_4_0:
-      return of_3_4_0(to, stored, cell.fate);
-    case SrsVersion::v3_6_0:
-      break;
-    case SrsVersion::v4_0_0:
-      return of_4_0_0(to, stored, cell.fate);
+  return srs == SrsVersion::v3_4_0 ? of_3_4_0(to, stored, cell.fate) : cell.fate;
+}
+
+Fate kept_level_order_on_entry(Mode to, Mode from, SrsVersion srs) {
+  if (srs != SrsVersion::v4_0_0) return on_entry(to, from, Stored::level_transition_order, srs);
+  switch (to) {
+    case Mode::SB:
+    case Mode::PS:
+    case Mode::SH:
+    case Mode::SL:
+    case Mode::NL:
+    case Mode::TR:
+    case Mode::SF:
+    case Mode::IS:
+      return Fate::unchanged;
+    default:
+      return Fate::deleted;
   }
-  return cell.fate;
 }
 
 Fate on_level_entry(Level to, Stored stored) {

@@ -47,7 +47,8 @@ struct StoredRow {
 
 // clang-format off
 /// 4.10.1.3 of 3.6.0: on entry of the mode of the column. In 3.4.0 the texts are kept in NL and the RBC identity and
-/// phone number are deleted in UN and SN; in 4.0.0 the announcement of a loop is deleted in PS and SH.
+/// phone number are deleted in UN and SN. In 4.0.0 the announcement of a loop is deleted in PS and SH, train data are to be
+/// revalidated in NL, and an announced level transition has no exceptions.
 inline constexpr auto srs_4_10 = [] {
   using enum Stored;
   return std::to_array<StoredRow>({
@@ -119,6 +120,10 @@ static_assert(
 
 /// 4.10: what to do with `stored` when mode `to` is entered from mode `from`.
 Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs = SrsVersion::v3_6_0);
+
+/// 4.10: the same for a level order that waits until SH or PS is left (4.4.8.1.5). Before 4.0.0 it is in the row of
+/// `level_transition_order`; 4.0.0 has a row of its own. NP: deleted in each edition, see CAVEATS.
+Fate kept_level_order_on_entry(Mode to, Mode from, SrsVersion srs);
 
 /// 4.9.1: what to do with `stored` when level `to` is entered; any other level change changes nothing.
 Fate on_level_entry(Level to, Stored stored);

@@ -220,6 +220,33 @@ TEST(Stored, Is_4_10_in_3_4_0_and_3_6_0) {
   }
 }
 
+/// The cells of 4.10 that differ from 3.6.0, and the row that was split; read from the page of 4.0.0.
+TEST(Stored, Is_4_10_in_4_0_0) {
+  const std::map<std::pair<Stored, Mode>, Fate> differing{{{Stored::eolm, Mode::PS}, Fate::deleted},
+                                                          {{Stored::eolm, Mode::SH}, Fate::deleted},
+                                                          {{Stored::train_data, Mode::NL}, Fate::to_be_revalidated}};
+  const std::set<Mode> keeps{Mode::SB, Mode::PS, Mode::SH, Mode::SL, Mode::NL, Mode::TR, Mode::SF, Mode::IS};
+  for (std::size_t m = 0; m < kModes; ++m) {
+    const Mode to = static_cast<Mode>(m);
+    for (const Mode from : {Mode::FS, Mode::SH, Mode::PS}) {
+      for (std::size_t i = 0; i < kStored; ++i) {
+        const Stored stored = static_cast<Stored>(i);
+        const auto cell = differing.find({stored, to});
+        // No exceptions: the cell of a mode that they do not name.
+        const Fate same = on_entry(to, Mode::FS, stored, SrsVersion::v3_6_0);
+        EXPECT_EQ(on_entry(to, from, stored, SrsVersion::v4_0_0), cell != differing.end() ? cell->second : same)
+            << name(stored) << name(to);
+      }
+      EXPECT_EQ(kept_level_order_on_entry(to, from, SrsVersion::v4_0_0),
+                keeps.count(to) != 0 ? Fate::unchanged : Fate::deleted)
+          << name(to);
+      EXPECT_EQ(kept_level_order_on_entry(to, from, SrsVersion::v3_6_0),
+                on_entry(to, from, Stored::level_transition_order, SrsVersion::v3_6_0))
+          << name(to);
+    }
+  }
+}
+
 TEST(Stored, On_level_entry_on_power_up_and_on_a_closed_desk) {
   const json file = reference("stored_information.json");
   for (std::size_t i = 0; i < kStored; ++i) {

@@ -189,7 +189,7 @@ TEST(LevelTransition, Another_level_ahead_is_acknowledged_anew) {
   EXPECT_EQ(other.effects.requests, Set<Ack>{Ack::level});
   // One that a mode change deleted, and that comes again.
   t.acknowledge(830.0);
-  level_transition::on_mode_change(t.state, Mode::FS, Mode::SR);
+  level_transition::on_mode_change(t.state, Mode::FS, Mode::SR, SrsVersion::v3_6_0);
   EXPECT_EQ(t.give(OrderKind::announcement, Level::NTC, 1000.0, 840.0, 2).effects.requests, Set<Ack>{Ack::level});
 }
 
@@ -243,7 +243,7 @@ TEST(LevelTransition, Modes_that_revoke_the_brake_command_of_a_missing_acknowled
     Transition t(Level::L2, Mode::FS);
     t.give(OrderKind::immediate, Level::L0);
     EXPECT_TRUE(t.state.unacknowledged);
-    level_transition::on_mode_change(t.state, Mode::FS, to);
+    level_transition::on_mode_change(t.state, Mode::FS, to, SrsVersion::v3_6_0);
     const bool goes_on =
         to == Mode::FS || to == Mode::LS || to == Mode::SR || to == Mode::OS || to == Mode::UN || to == Mode::SN;
     EXPECT_EQ(t.state.unacknowledged, goes_on) << name(to);

@@ -128,22 +128,30 @@ void announce(State& state, const JudgedOrder& announcement) {
   take(state, {}, announcement.order, announcement.decision, none);
 }
 
-void forget_order(State& state) {
+namespace {
+
+void forget_announcement(State& state) {
   state.pending.reset();
   state.announced_table.reset();  // 5.10.2.10 b
   state.acknowledged = false;
+}
+
+}  // namespace
+
+void forget_order(State& state) {
+  forget_announcement(state);
   state.kept = false;
 }
 
 void turn(State& state) {
-  const bool kept = state.kept;
-  forget_order(state);
-  state.kept = kept;
+  forget_announcement(state);
   state.kept_order.placed = false;
 }
 
-void on_mode_change(State& state, Mode from, Mode to) {
-  if (modes::on_entry(to, from, Stored::level_transition_order) == modes::Fate::deleted) forget_order(state);
+void on_mode_change(State& state, Mode from, Mode to, SrsVersion srs) {
+  using modes::Fate;
+  if (modes::on_entry(to, from, Stored::level_transition_order, srs) == Fate::deleted) forget_announcement(state);
+  if (modes::kept_level_order_on_entry(to, from, srs) == Fate::deleted) state.kept = false;
   switch (to) {  // 4.12 of 4.0.0: the brake command that waits for the acknowledgement is revoked
     case Mode::NP:
     case Mode::SB:

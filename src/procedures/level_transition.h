@@ -83,6 +83,6 @@ void turn(State& state);
 
 /// To be called at every mode transition; the level order is handled by 4.10: it is deleted, or an order stored in SH
 /// or PS is judged in the next cycle.
-void on_mode_change(State& state, Mode from, Mode to);
+void on_mode_change(State& state, Mode from, Mode to, SrsVersion srs);
 
 }  // namespace evc::procedures::level_transition

@@ -88,7 +88,7 @@ TEST(LevelTransition, Not_acknowledged_brakes_after_5_s) {
   auto r = b.cycle(0.0);
   EXPECT_EQ(r.switch_to->level, Level::L0);
   EXPECT_EQ(r.effects.requests, Set<Ack>{Ack::level});
-  level_transition::on_mode_change(b.state, Mode::FS, Mode::UN);
+  level_transition::on_mode_change(b.state, Mode::FS, Mode::UN, SrsVersion::v3_6_0);
   b.in.mode = Mode::UN;
   for (int i = 0; i < 4; ++i) EXPECT_FALSE(b.cycle(10.0).overdue.has_value());
   r = b.cycle(10.0);
@@ -181,31 +181,50 @@ TEST(LevelTransition, Kept_in_shunting) {
   b.give(OrderKind::immediate, level(Level::L2));
   EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
   EXPECT_FALSE(b.cycle(0.0).switch_to.has_value());
-  level_transition::on_mode_change(b.state, Mode::SH, Mode::SB);
+  level_transition::on_mode_change(b.state, Mode::SH, Mode::SB, SrsVersion::v3_6_0);
   b.in.mode = Mode::SB;
   EXPECT_EQ(b.cycle(0.0).switch_to->level, Level::L2);
   // SH is left for a mode that deletes the order (4.10).
   Border d(level(Level::L1), Mode::SH);
   d.give(OrderKind::immediate, level(Level::L2));
   d.cycle(0.0);
-  level_transition::on_mode_change(d.state, Mode::SH, Mode::NP);
+  level_transition::on_mode_change(d.state, Mode::SH, Mode::NP, SrsVersion::v3_6_0);
   d.in.mode = Mode::SB;
   EXPECT_FALSE(d.cycle(0.0).switch_to.has_value());
+}
+
+TEST(LevelTransition, Kept_in_shunting_in_4_0_0) {
+  for (const Mode to : {Mode::SB, Mode::TR, Mode::NL, Mode::SR}) {
+    Border b(level(Level::L1), Mode::SH);
+    b.give(OrderKind::immediate, level(Level::L2));
+    b.cycle(0.0);
+    level_transition::on_mode_change(b.state, Mode::SH, to, SrsVersion::v4_0_0);
+    b.in.mode = to;
+    EXPECT_EQ(b.cycle(0.0).switch_to.has_value(), to != Mode::SR);
+  }
+  // An announcement is deleted on the same way, and stays in PS.
+  Border a(level(Level::L2), Mode::FS);
+  a.give(OrderKind::announcement, level(Level::L1), 1000.0);
+  a.cycle(500.0);
+  level_transition::on_mode_change(a.state, Mode::SH, Mode::PS, SrsVersion::v4_0_0);
+  EXPECT_TRUE(a.state.pending.has_value());
+  level_transition::on_mode_change(a.state, Mode::PS, Mode::SB, SrsVersion::v4_0_0);
+  EXPECT_FALSE(a.state.pending.has_value());
 }
 
 TEST(LevelTransition, Mode_entries_delete_what_4_10_says) {
   Border b(level(Level::L2), Mode::FS);
   b.give(OrderKind::announcement, level(Level::L1), 1000.0);
   b.cycle(500.0);
-  level_transition::on_mode_change(b.state, Mode::FS, Mode::OS);
+  level_transition::on_mode_change(b.state, Mode::FS, Mode::OS, SrsVersion::v3_6_0);
   EXPECT_TRUE(b.state.pending.has_value());
-  level_transition::on_mode_change(b.state, Mode::OS, Mode::SR);
+  level_transition::on_mode_change(b.state, Mode::OS, Mode::SR, SrsVersion::v3_6_0);
   EXPECT_FALSE(b.state.pending.has_value());
   // In TR no acknowledgement of a level is asked for.
   Border t(level(Level::L2), Mode::FS);
   t.give(OrderKind::immediate, level(Level::L0));
   t.cycle(0.0);
-  level_transition::on_mode_change(t.state, Mode::FS, Mode::TR);
+  level_transition::on_mode_change(t.state, Mode::FS, Mode::TR, SrsVersion::v3_6_0);
   t.in.mode = Mode::TR;
   EXPECT_TRUE(t.cycle(0.0).effects.requests.empty());
 }
