@@ -119,22 +119,48 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
-/// While there is no connection, messages that are due count as sent (3.5.4.5).
-bool reaches(const Session& session, const Outbox& out) {
+/// Whether the session ends in this cycle: what was due before its message 156 is still sent.
+bool ends_now(const Session& session, Peer peer, const Outbox& out) {
+  if (session.repetitions != 0) return false;
+  for (const Intent& intent : out.messages)
+    if (intent.to == peer && intent.NID_MESSAGE == message::session_terminated) return true;
+  return false;
+}
+
+/// While there is no connection, messages that are due count as sent (3.5.4.5). Before the session is established only
+/// its initiation is sent (3.5.3.7), after message 156 nothing but its repetitions (3.5.5.3). `terminated`: 156 was
+/// sent.
+bool reaches(const Session& session, std::uint8_t NID_MESSAGE, bool& terminated) {
   switch (session.phase) {
+    case Phase::up:
+      return true;
+    case Phase::waiting_version:
+      return NID_MESSAGE == message::session_initiated;
     case Phase::lost:
     case Phase::connecting:
       return false;
-    case Phase::idle:  // the last ones of a session that ended in this cycle
-      return out.disconnect && out.disconnect->same_id(session.rbc);
-    default:
-      return true;
+    case Phase::idle:
+    case Phase::terminating:
+      break;
   }
+  const bool ends = NID_MESSAGE == message::session_terminated;
+  const bool sent = ends || !terminated;
+  terminated = terminated || ends;
+  return sent;
+}
+
+/// Of all peers, in the order of the messages.
+void drop_unsent(const State& s, Outbox& out) {
+  std::array<bool, kPeers.size()> terminated{};
+  for (const Peer peer : kPeers) terminated[static_cast<std::size_t>(peer)] = !ends_now(s.session(peer), peer, out);
+  out.messages.erase_if([&](const Intent& intent) {
+    return !reaches(s.session(intent.to), intent.NID_MESSAGE, terminated[static_cast<std::size_t>(intent.to)]);
+  });
 }
 
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
-  out.messages.erase_if([&](const Intent& intent) { return !reaches(s.session(intent.to), out); });
+  drop_unsent(s, out);
   for (Intent& intent : out.messages) {
     std::uint32_t T_TRAIN = T_TRAIN_of(now);
     if (s.last_sent && !later(T_TRAIN, *s.last_sent)) T_TRAIN = *s.last_sent + 1;
