@@ -14,19 +14,14 @@ namespace {
 
 using modes::Verdict;
 
+constexpr modes::Acceptance kUnreadable{Verdict::rejected, "3.16.1.1"_srs};
+
 /// The signalling related speed restriction "0" has a row of its own: a trip order (3.11.6.2). Returns whether it
 /// counts; then it is stored, even if the authority is refused (store_contents).
 bool judge_trip_order(Evaluation& e) {
   if (modes::accept(evc::Information::signalling_speed, e.context).verdict != Verdict::accepted) return false;
   e.r.log.note({.what = What::trip_ordered, .clause = "3.11.6.2"_srs});
   return true;
-}
-
-/// Packets that belong to the authority are buffered with it.
-void wait_with_authority(Evaluation& e) {
-  for (std::size_t k = 0; k < e.information.packets.size(); ++k)
-    if (route_of(e.information.packets[k]).turn == Turn::with_authority && judged(e, k))
-      e.waiting.packets |= std::uint64_t{1} << k;
 }
 
 /// Of the same part: packets after packet 136 belong to the infill authority.
@@ -106,16 +101,18 @@ void evaluate_authority(Evaluation& e) {
     authority = true;
     track::AuthorityContents& offered = e.r.scratch.proposal;
     offered = {};
-    if (track::add(offered, c.time, view, e.reference) != track::Added::added) continue;
+    if (track::add(offered, c.time, view, e.reference) != track::Added::added) {
+      // Does not occur: the bits were checked on reception.
+      tell_packet(e, view.NID_PACKET, kUnreadable, false);
+      tell_belonging(e, kUnreadable);
+      continue;
+    }
     e.context.described_over_whole_ma = track::complete(e.r.state.track, c, *offered.ma, e.r.out.here);
     const bool stop = offered.V_MAIN && *offered.V_MAIN == 0 && !c.infill;
     if (stop && judge_trip_order(e)) c.V_MAIN = offered.V_MAIN;
     const modes::Acceptance judged_as = judge_packet(e, i);
     tell_belonging(e, judged_as);
-    if (judged_as.verdict != Verdict::accepted) {
-      if ((e.waiting.packets >> i & 1u) != 0) wait_with_authority(e);
-      continue;
-    }
+    if (judged_as.verdict != Verdict::accepted) continue;
     c.ma = offered.ma;
     if (offered.V_MAIN) c.V_MAIN = offered.V_MAIN;
     add_with_authority(e);

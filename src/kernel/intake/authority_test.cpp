@@ -133,6 +133,17 @@ TEST_F(Authority, OnlyWhatWaitsIsBufferedAgain) {  // 4.8.5
   EXPECT_EQ(evaluate_now().packets, 3u);
 }
 
+TEST_F(Authority, ThatCannotBeReadIsRefusedWithWhatBelongsToIt) {  // 3.16.1.1: gather() lets none of them through
+  describe_track();
+  add(authority<lang::Packet15>(2000));
+  add(lang::Packet80{});
+  information.packets[0].Q_DIR = 0;
+  evaluate_now();
+  expect(15, What::packet_refused, "3.16.1.1"_srs);
+  expect(80, What::packet_refused, "3.16.1.1"_srs);
+  EXPECT_FALSE(state.track.ma.has_value());
+}
+
 TEST_F(Authority, EndsTheReasonOfARequest) {  // 3.8.2.7.3
   describe_track();
   state.track_description_deleted = true;

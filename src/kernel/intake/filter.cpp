@@ -185,33 +185,41 @@ void evaluate_part(Evaluation& e) {
   evaluate_authority(e);
 }
 
+/// Linking names the place of the group, that of the same message too.
+std::optional<Place> place_by_linking(const State& s, GroupId group) {
+  std::optional<Place> place;
+  for (const balise::Link& link : s.balise.linking.links)
+    if (link.id == group) place = link.place;
+  return place;
+}
+
 /// The row of packet 136 counts for all that follows it: infill waits for level 1 as a whole, and where the linking
-/// that names its group waits with it, the group is looked for then. False: it waits or is refused.
-bool accept_infill(Evaluation& e, const Infill& infill) {
+/// that names its group waits with it, the group is looked for then.
+Acceptance accept_infill(const Evaluation& e, const std::optional<Place>& place) {
   const Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, e.context);
-  if (a.verdict == Verdict::rejected)
-    e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = a.clause});
-  if (a.verdict == Verdict::accepted)
-    e.r.log.note({.what = What::packet_accepted, .id = packet::infill_location_reference});
-  if (a.verdict != Verdict::buffered) return a.verdict == Verdict::accepted;
-  for (std::size_t i = 0; i < e.information.packets.size(); ++i)
-    if (judged(e, i)) tell_packet(e, e.information.packets[i].NID_PACKET, a, false);
-  e.waiting.packets |= e.judge;
-  return false;
+  return a.verdict == Verdict::accepted && !place ? Acceptance{Verdict::rejected, "3.6.2.3.1"_srs} : a;
+}
+
+/// Packet 136 of each telegram; a system version is not ordered by infill (3.17.2.5).
+void tell_accepted_infill(Evaluation& e) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const auto number = e.information.packets[i].NID_PACKET;
+    const bool version = number == packet::system_version_order;
+    if (judged(e, i) && (version || number == packet::infill_location_reference))
+      e.r.log.note({.what = version ? What::packet_not_used : What::packet_accepted, .id = number});
+  }
 }
 
 /// An infill part, after the rest of the message (4.8.1.5).
 void evaluate_infill(Evaluation& e, const Infill& infill) {
   e.judge = e.information.judge_packets & infill.packets;
-  if (e.judge == 0 || !accept_infill(e, infill)) return;
-  // Linking of the same message also gives the place of the group.
-  std::optional<Place> place;
-  for (const balise::Link& link : e.r.state.balise.linking.links)
-    if (link.id == infill.group) place = link.place;
-  if (!place) {
-    e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = "3.6.2.3.1"_srs});
-    return;
-  }
+  if (e.judge == 0) return;
+  const std::optional<Place> place = place_by_linking(e.r.state, infill.group);
+  const Acceptance a = accept_infill(e, place);
+  if (a.verdict == Verdict::rejected)
+    e.r.log.note({.what = What::infill_refused, .id = infill.group.NID_BG, .clause = a.clause});
+  if (a.verdict != Verdict::accepted) return tell_infill(e, a);
+  tell_accepted_infill(e);
   e.context.infill = true;
   e.reference.place = *place;
   e.reference.infill = infill.group;
@@ -247,8 +255,8 @@ Waiting evaluate(Reception& r, const Information& information) {
   track::begin(e.contents, e.reference, information.time);
   const Infills infills = find_infills(information);
   e.judge = information.judge_packets;
-  for (const Infill& infill : infills) e.judge &= ~infill.packets;
   tell_evaluated_before(e);
+  for (const Infill& infill : infills) e.judge &= ~infill.packets;
   evaluate_part(e);
   if (information.message != nullptr) evaluate_message(e);
   store_contents(e);

@@ -467,7 +467,7 @@ TEST_F(InfillPart, OfAnotherCountryIsOfThatCountry) {  // 7.4.2.32
   p.NID_BG.raw = 101;
   receive_infill(p);
   EXPECT_TRUE(happened(What::infill_refused));
-  EXPECT_EQ(told(5).times, 0);
+  expect(5, What::packet_refused, "3.6.2.3.1"_srs);
   state.balise.linking.links[0].id = {9, 101};
   receive_infill(p);
   EXPECT_FALSE(happened(What::infill_refused));

@@ -24,6 +24,14 @@ What what_of(Verdict verdict) {
   return What::packet_accepted;
 }
 
+bool evaluated_before(int NID_PACKET) {
+  return NID_PACKET == packet::inhibition_of_consistency_reaction || NID_PACKET == packet::virtual_balise_cover_marker;
+}
+
+void wait_if_buffered(Evaluation& e, std::size_t i, const Acceptance& a) {
+  if (a.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
+}
+
 }  // namespace
 
 void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, bool not_used) {
@@ -38,19 +46,28 @@ void tell_belonging(Evaluation& e, const Acceptance& a) {
     const Turn turn = route_of(view).turn;
     const bool of_proposal = turn == Turn::authority && e.information.message != nullptr &&
                              e.information.message->NID_MESSAGE == message::request_to_shorten_ma;
-    if (judged(e, i) && (turn == Turn::with_authority || of_proposal))
-      e.r.log.note({.what = what_of(a.verdict), .id = view.NID_PACKET, .clause = a.clause});
+    if (!judged(e, i) || (turn != Turn::with_authority && !of_proposal)) continue;
+    e.r.log.note({.what = what_of(a.verdict), .id = view.NID_PACKET, .clause = a.clause});
+    wait_if_buffered(e, i, a);
   }
 }
 
 void tell_evaluated_before(Evaluation& e) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const auto number = e.information.packets[i].NID_PACKET;
-    if (!judged(e, i)) continue;
-    if (number == packet::inhibition_of_consistency_reaction)
-      e.r.log.note({.what = What::packet_accepted, .id = number});
+    if (!judged(e, i) || !evaluated_before(number)) continue;
     // Of a cover that is stored the telegram would not have come here.
-    if (number == packet::virtual_balise_cover_marker) e.r.log.note({.what = What::packet_not_used, .id = number});
+    const bool cover = number == packet::virtual_balise_cover_marker;
+    e.r.log.note({.what = cover ? What::packet_not_used : What::packet_accepted, .id = number});
+  }
+}
+
+void tell_infill(Evaluation& e, const Acceptance& a) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const auto number = e.information.packets[i].NID_PACKET;
+    if (!judged(e, i) || evaluated_before(number)) continue;
+    tell_packet(e, number, a, false);
+    wait_if_buffered(e, i, a);
   }
 }
 

@@ -9,11 +9,14 @@ namespace evc::kernel {
 void tell_packet(Evaluation& e, int NID_PACKET, const modes::Acceptance& a, bool not_used);
 
 /// Packets of the evaluated part that belong to an authority, or to a message that authorises: what becomes of them is
-/// what becomes of that.
+/// what becomes of that; they wait with it.
 void tell_belonging(Evaluation& e, const modes::Acceptance& a);
 
-/// Packets that were evaluated before the filters (4.8.2.2).
+/// Packets that were evaluated before the filters (4.8.2.2), of all parts.
 void tell_evaluated_before(Evaluation& e);
+
+/// The evaluated part is infill that waits or is refused as a whole: all other packets of it.
+void tell_infill(Evaluation& e, const modes::Acceptance& a);
 
 /// The message itself, after all its packets.
 void tell_message(Evaluation& e);
