@@ -38,6 +38,13 @@ void shift_reference(Information& information, const lang::MessageToTrainView& v
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
 }
 
+/// Nothing of the message can be used.
+void refuse(Reception& r, const lang::MessageToTrainView& view, Clause clause) {
+  for (const lang::PacketView& packet : view.packets)
+    r.log.note({.what = What::packet_refused, .id = packet.NID_PACKET, .clause = clause});
+  r.log.note({.what = What::message_refused, .id = view.NID_MESSAGE, .clause = clause});
+}
+
 struct Sender {
   radio::Peer peer{};
   SessionRole role = SessionRole::supervising;
@@ -54,10 +61,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
-  if (!information.located && has_place(view.NID_MESSAGE)) {
-    r.log.note({.what = What::message_refused, .id = view.NID_MESSAGE, .clause = "3.6.2.2.2"_srs});
-    return;
-  }
+  if (!information.located && has_place(view.NID_MESSAGE)) return refuse(r, view, "3.6.2.2.2"_srs);
   shift_reference(information, view);
   (void)gather(information, view.packets, &r.log);  // all packets of a message fit
   drop_superseded(information, &r.log);
@@ -71,14 +75,12 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
 /// Message 37 is sent by radio infill units only (8.7.15): that of an RBC is judged by its row of 4.8.3, and where that
 /// accepts it (level 1) there is no session with an infill unit that sent it (3.9.3.4). It says nothing about the
 /// contact with the RBC and is not acknowledged.
-void refuse_radio_infill(Reception& r) {
+void refuse_radio_infill(Reception& r, const lang::MessageToTrainView& view) {
   modes::AcceptanceContext context;
   context.level = r.state.level.level;
   context.medium = Medium::riu;
   const modes::Acceptance a = modes::accept_by_level(evc::Information::infill_location_reference, context);
-  r.log.note({.what = What::message_refused,
-              .id = message::infill_movement_authority,
-              .clause = a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause});
+  refuse(r, view, a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause);
 }
 
 void receive_version(Reception& r, const lang::MessageToTrainView& view, const Sender& from) {
@@ -133,7 +135,8 @@ void receive_message(Reception& r, const RadioMessage& message) {
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
     return receive_unknown(r, view, message.bytes, from, known.has_value());
   if (view.fault != lang::Fault::none) return reject_inconsistent(r, view.NID_MESSAGE, from, known.has_value());
-  if (view.NID_MESSAGE == message::infill_movement_authority && !from.infill_unit()) return refuse_radio_infill(r);
+  if (view.NID_MESSAGE == message::infill_movement_authority && !from.infill_unit())
+    return refuse_radio_infill(r, view);
   if (!passes(r, {view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1}, from, known.has_value())) return;
   if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
   evaluate_radio(r, view, message.bytes, from);
