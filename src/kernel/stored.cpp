@@ -194,10 +194,13 @@ void cut_beyond(State& state, Place beyond, Brought brought) {
     state.pending_national_values.reset();
 }
 
-void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here) {
-  if (track::shorten(state.track, situation, beyond, here, state.mode == Mode::SH))
-    state.track_description_deleted = true;
+bool shorten(State& state, track::Situation situation, Place beyond, const track::Here& here) {
+  const auto far_end = [&] { return state.track.ma ? std::optional(state.track.ma->far_end()) : std::nullopt; };
+  const std::optional<Place> before = far_end();
+  const bool described = track::shorten(state.track, situation, beyond, here, state.mode == Mode::SH);
+  if (described) state.track_description_deleted = true;
   cut_beyond(state, beyond);
+  return described || far_end() != before;
 }
 
 }  // namespace evc::kernel

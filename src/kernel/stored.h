@@ -44,7 +44,8 @@ struct Brought {
 /// Linking and pending national values beyond a place are deleted (A.3.4).
 void cut_beyond(State& state, Place beyond, Brought brought = {});
 /// A.3.4, a situation that shortens the track description to `beyond`: linking and pending national values as well. An
-/// MA request reports this until a new MA is received (3.8.2.7.3).
-void shorten(State& state, track::Situation situation, Place beyond, const track::Here& here);
+/// MA request reports this until a new MA is received (3.8.2.7.3). Returns whether there was an authority or track
+/// description to shorten.
+bool shorten(State& state, track::Situation situation, Place beyond, const track::Here& here);
 
 }  // namespace evc::kernel

@@ -17,8 +17,8 @@ void forget_buffered_authorities(State& s) {
 
 /// 3.18.3.7: the authority was received for other train data.
 void forget_authority_of_old_train(State& s, const track::Here& here, Log log) {
-  shorten(s, track::Situation::j_train_data_changed, here.max_safe_front, here);
-  log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
+  if (shorten(s, track::Situation::j_train_data_changed, here.max_safe_front, here))
+    log.note({.what = What::track_description_shortened, .clause = "3.18.3.7"_srs});
   forget_buffered_authorities(s);
 }
 

@@ -88,6 +88,11 @@ TEST_F(TrainDataOfTheUnit, EndWhatWasReceivedForOthers) {  // 3.18.3.7, A.3.4 j
 TEST_F(TrainDataOfTheUnit, WithoutAnAuthorityTheRestEndsAtTheTrainToo) {  // 3.18.3.7 a
   state.track.ma.reset();
   change_train_data(state, other_route(), here, Log{outputs->events});
+  EXPECT_FALSE(happened(What::track_description_shortened)) << "nothing is stored";
+  restart();
+  state.track.ma.reset();
+  ASSERT_TRUE(state.track.ssp.append(evc::test::at(0.0), {.V_STATIC = 20}));
+  change_train_data(state, other_route(), here, Log{outputs->events});
   EXPECT_TRUE(happened(What::track_description_shortened));
 }
 

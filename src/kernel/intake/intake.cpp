@@ -82,8 +82,8 @@ void advance_track(Reception& r) {
   if (elapsed.track_description_deleted) s.track_description_deleted = true;
   if (s.shorten_at_standstill && r.out.here.standstill) {
     s.shorten_at_standstill = false;
-    shorten(s, track::Situation::h_linking_reaction, r.out.here.max_safe_front, r.out.here);
-    r.log.note({.what = What::track_description_shortened, .clause = "A.3.4"_srs});
+    if (shorten(s, track::Situation::h_linking_reaction, r.out.here.max_safe_front, r.out.here))
+      r.log.note({.what = What::track_description_shortened, .clause = "A.3.4"_srs});
   }
 }
 

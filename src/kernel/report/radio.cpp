@@ -225,10 +225,8 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   if (r.session_established) log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
   if (r.session_lost) log.note({.what = What::session_lost, .clause = "3.5.4"_srs});
   out.asked.add(brakes::Cause::T_NVCONTACT, r.service_brake);
-  if (r.shorten) {
-    shorten(s, track::Situation::i_radio_contact_lost, here.max_safe_front, here);
+  if (r.shorten && shorten(s, track::Situation::i_radio_contact_lost, here.max_safe_front, here))
     log.note({.what = What::track_description_shortened, .clause = "3.16.3.4.5"_srs});
-  }
   return out;
 }
 

@@ -526,6 +526,7 @@ TEST_F(RadioReport, ShortensWhatIsStoredWhenTheContactIsLost) {  // 3.16.3.4.5, 
   EXPECT_FALSE(result.asked.empty());
   EXPECT_FALSE(state.contact_trip);
   decided.here.standstill = true;
+  ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
   run();
   EXPECT_TRUE(happened(What::track_description_shortened));
   state.radio.contact_lost = false;
