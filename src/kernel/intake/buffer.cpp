@@ -129,7 +129,7 @@ BufferedSet& keep(Reception& r, const Information& information, const Waiting& w
     if (of_authority(information.packets[i])) set.of_authority |= std::uint64_t{1} << i;
   set.message_waits = waiting.message;
   set.accepting = accepting;
-  set.M_VERSION = state.radio.partner(accepting ? radio::Peer::other : radio::Peer::supervising).session.M_VERSION;
+  set.M_VERSION = information.M_VERSION;
   set.telegram_bits.clear();
   set.size = 0;
   return set;

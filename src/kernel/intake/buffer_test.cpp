@@ -151,9 +151,8 @@ TEST_F(Buffer, AMessageHasTheVersionOfItsSession) {  // 6.6.3.4
   stop.Q_SCALE.raw = 1;
   stop.Q_DIR.raw = 1;
   stop.D_EMERGENCYSTOP.raw = 500;
-  state.radio.supervising.session.M_VERSION = 17;
+  information.M_VERSION = 17;
   keep_message(stop);
-  state.radio.supervising.session.M_VERSION = 33;
   release();
   ASSERT_EQ(state.emergency_stops.pending.size(), 1u);
   EXPECT_EQ(state.emergency_stops.pending[0].at, at(1400.0));
@@ -224,7 +223,7 @@ TEST_F(Buffer, ANewerFormTakesThePlaceOfTheOlderOne) {  // 6.6.3.2.3 [13]
   lang::encode_message(writer, m, older, newer);
   information.medium = Medium::rbc;
   state.level.level = Level::L2;
-  state.radio.supervising.session.M_VERSION = 17;
+  information.M_VERSION = 17;
   add_bits(keep_packets(1), {bytes.data(), writer.position() / 8});
   release();
   EXPECT_EQ(taken(), 7);
@@ -299,7 +298,7 @@ TEST_F(Buffer, OfAnUnlinkedGroupHangsOnIt) {  // 3.6.4.7, 3.6.4.2.4 of 4.0.0
 
 TEST_F(Buffer, ASetHoldsWhatIsGivenToIt) {  // 4.8.5.1
   information.orientation = Direction::reverse;
-  state.radio.supervising.session.M_VERSION = 17;
+  information.M_VERSION = 17;
   BufferedSet& set = keep(reception, information, {5, true});
   EXPECT_EQ(set.medium, Medium::balise);
   EXPECT_EQ(set.group, (GroupId{1, 100}));

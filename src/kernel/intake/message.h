@@ -35,6 +35,7 @@ struct Information {
   std::optional<SenderVersion> version;  // absent: by radio, or from the transition buffer
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
+  std::uint8_t M_VERSION = 0;                         // of its session
   // The packets to judge: all, or the buffered ones of a set released from the transition buffer.
   std::uint64_t judge_packets = ~std::uint64_t{0};
   bool judge_message = true;

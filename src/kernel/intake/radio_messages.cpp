@@ -58,6 +58,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.medium = from.infill_unit() ? Medium::riu : Medium::rbc;
   information.sender = from.role;
   information.message = &view;
+  information.M_VERSION = s.radio.session(from.peer).M_VERSION;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
@@ -66,10 +67,7 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   (void)gather(information, view.packets, &r.log);  // all packets of a message fit
   drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
-  if (!waiting.any()) return;
-  BufferedSet& set = keep(r, information, waiting);
-  set.M_VERSION = s.radio.session(from.peer).M_VERSION;  // of a radio infill unit too
-  add_bits(set, bytes);
+  if (waiting.any()) add_bits(keep(r, information, waiting), bytes);
 }
 
 /// Message 37 is sent by radio infill units only (8.7.15): that of an RBC is judged by its row of 4.8.3, and where that
