@@ -61,7 +61,7 @@ struct MovementAuthority {
   std::optional<EndSectionTimer> end_section;
   std::optional<DangerPoint> danger_point;
   std::optional<Overlap> overlap;
-  std::optional<Place> fixed_SvL;        ///< set when the MA was shortened (3.8.4.1.2, 3.10.2.2, A.3.4 [11])
+  std::optional<Place> fixed_SvL;        ///< set when the MA was shortened (3.8.4.1.2, 3.10.2.2, 3.7.2.3, A.3.4 [11])
   std::optional<Release> fixed_release;  ///< set when the MA was shortened: V_NVREL or none
   bool level_1 = false;
   Anchor anchor{};

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/set.h"
 #include "track/store_parts.h"
 #include "track/withdraw.h"
@@ -198,12 +200,41 @@ void store_signalling_speed(const Filing& f, const Contents& c) {
   if (!f.d.signalling.push_back({*c.infill, *c.V_MAIN, std::nullopt})) f.lost(12, *c.infill, "3.11.6.2"_srs);
 }
 
+namespace {
+
+/// The end data of an MA move with the section in rear of them.
+void shift_end(MovementAuthority& ma, Distance shift) {
+  if (ma.end_section) ma.end_section->start = ma.end_section->start + shift;
+  if (ma.danger_point) ma.danger_point->at = ma.danger_point->at + shift;
+  if (ma.overlap) {
+    ma.overlap->start = ma.overlap->start + shift;
+    ma.overlap->end = ma.overlap->end + shift;
+  }
+}
+
+/// A place set by a shortening lies on the line and does not move. The authority does not go beyond it again before a
+/// new one arrives, and its SvL is no farther than overlap, danger point or end section give it now (3.8.4.5.1).
+void keep_shortened(MovementAuthority& ma) {
+  if (!ma.fixed_SvL) return;
+  const Place limit = *ma.fixed_SvL;
+  while (ma.sections.size() > 1 && ma.sections.back().begin >= limit) ma.sections.pop_back();
+  Section& last = ma.sections.back();
+  last.end = std::min(last.end, limit);
+  last.begin = std::min(last.begin, last.end);
+  ma.fixed_SvL.reset();
+  ma.fixed_SvL = std::min(limit, ma.SvL_without_LOA());
+}
+
+}  // namespace
+
 /// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).
+/// In advance of all sections there is none to be updated (3.8.5.2.2).
 void reposition(const Filing& f, const Contents& c) {
   if (!c.repositioned_section || !f.d.ma) return;
   MovementAuthority& ma = *f.d.ma;
+  if (ma.end() <= f.here.est_front) return f.note(16, Note::What::refused, "3.8.5.2.2"_srs);
   std::size_t k = 0;
-  while (k + 1 < ma.sections.size() && ma.sections[k].end <= f.here.est_front) ++k;
+  while (ma.sections[k].end <= f.here.est_front) ++k;
   const Distance shift = c.reference + *c.repositioned_section - ma.sections[k].end;
   ma.sections[k].end = ma.sections[k].end + shift;
   if (ma.sections[k].begin > ma.sections[k].end) ma.sections[k].begin = ma.sections[k].end;
@@ -212,12 +243,8 @@ void reposition(const Filing& f, const Contents& c) {
     ma.sections[i].end = ma.sections[i].end + shift;
     ma.sections[i].stop = ma.sections[i].stop + shift;
   }
-  if (ma.end_section) ma.end_section->start = ma.end_section->start + shift;
-  if (ma.danger_point) ma.danger_point->at = ma.danger_point->at + shift;
-  if (ma.overlap) {
-    ma.overlap->start = ma.overlap->start + shift;
-    ma.overlap->end = ma.overlap->end + shift;
-  }
+  shift_end(ma, shift);
+  keep_shortened(ma);
   f.note(16, Note::What::stored, {});
 }
 

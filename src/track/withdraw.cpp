@@ -112,6 +112,12 @@ void end_at(MovementAuthority& ma, Place end) {
   ma.fixed_release = Release{};
 }
 
+/// The MA ends at a place that lies on the line, whatever length its sections are given later (3.8.5.2).
+void end_on_line(MovementAuthority& ma, Place end) {
+  end_at(ma, end);
+  ma.fixed_SvL = end;
+}
+
 /// The MA ends at the train (A.3.4 e, g-j, l, m): EOA at the estimated, SvL at the max safe front end, without release
 /// speed. An end that is nearer stays: a shortening gives no more than there was.
 void end_at_train(MovementAuthority& ma, const Here& here) {
@@ -255,10 +261,10 @@ std::uint8_t stop_at(Description& d, Place stop, const Here& here) {
     MovementAuthority& ma = *d.ma;
     const std::optional<Place> SvL = ma.SvL();
     if (stop <= ma.end()) {
-      end_at(ma, stop);
+      end_on_line(ma, stop);
       answer = 0;
     } else if (!SvL) {
-      end_at(ma, ma.end());
+      end_on_line(ma, ma.end());
       answer = 0;
     } else if (stop <= *SvL) {
       ma.fixed_SvL = stop;
@@ -273,7 +279,7 @@ bool end_before(Description& d, Place place, const Here& here) {
   if (place <= here.max_safe_front) return shorten(d, Situation::l_rams_supervision, place, here);
   if (d.ma && place < d.ma->far_end()) {
     if (place <= d.ma->end()) {
-      end_at(*d.ma, place);
+      end_on_line(*d.ma, place);
     } else {
       d.ma->fixed_SvL = place;
       d.ma->fixed_release = Release{};

@@ -203,7 +203,8 @@ TEST(Withdraw, Where_the_MA_ends_anew_nothing_of_its_old_end_is_left) {
   EXPECT_EQ(ma.sections.size(), 2u);
   EXPECT_EQ(ma.end(), at(1500));
   EXPECT_EQ(ma.SvL(), at(1500));
-  EXPECT_FALSE(ma.limited() || ma.end_section || ma.danger_point || ma.overlap || ma.fixed_SvL);
+  EXPECT_FALSE(ma.limited() || ma.end_section || ma.danger_point || ma.overlap);
+  EXPECT_EQ(ma.fixed_SvL, at(1500)) << "a repositioning does not move it";
   EXPECT_EQ(ma.loa_timer, Timer{});
   EXPECT_EQ(ma.release().kind, Release{}.kind);
   // At the beginning of a section that section goes; in rear of the MA its section has no length.
