@@ -142,6 +142,7 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   if (state.open && same_passage(*state.open, header, reading)) return;
 
   OpenGroup& open = group_of(state, header, reading, situation, outcome);
+  if (situation.srs == SrsVersion::v4_0_0) end_with_last_window(state.linking);
   Telegram* telegram = open.telegrams.grow();
   EVC_REQUIRE(telegram != nullptr);  // at most one for each N_PIG
   look_into(*telegram, reading.bytes, reading.bits, header);
@@ -173,6 +174,7 @@ void expect(State& state, const PlaceInterval& antenna, const Situation& situati
       reading = state.open->id;
   }
   end_windows(state.linking, antenna, situation.linking_checked, reading, outcome);
+  if (situation.srs == SrsVersion::v4_0_0) end_with_last_window(state.linking);
 }
 
 void abandon(State& state) { state.open.reset(); }

@@ -238,6 +238,10 @@ void clear_beyond(LinkingState& linking, Place place) {
   if (!linking.links.empty()) linking.used_until = end_of(linking);
 }
 
+void end_with_last_window(LinkingState& linking) {
+  if (linking.links.empty()) linking.used_until.reset();
+}
+
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked) {
   // A window counts as passed only after it was judged: the group may still be under the antenna.
   return linking_checked && (!linking.links.empty() || (linking.used_until && antenna.min <= *linking.used_until));

@@ -133,6 +133,8 @@ bool second_repositioning(const LinkingState& linking, GroupId id, Direction cro
 void end_windows(LinkingState& linking, const PlaceInterval& antenna, bool linking_checked,
                  const std::optional<GroupId>& reading, Outcome& outcome);
 
+/// 4.0.0: linking ends when the farthest window is no longer supervised (3.4.4.2.1.1 c, 3.4.4.4.6), before its end too.
+void end_with_last_window(LinkingState& linking);
 /// Whether linking is used now: groups are announced, and the farthest window is not passed
 /// (3.4.4.2.1.1).
 bool used(const LinkingState& linking, const PlaceInterval& antenna, bool linking_checked);
