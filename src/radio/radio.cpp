@@ -50,7 +50,8 @@ bool note_running_number(State& s, const Inputs& in) {
   return report;
 }
 
-/// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether the other one got it.
+/// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether it went to the other one: while its
+/// connection is lost it counts as sent (3.5.4.5).
 bool send_report(State& s, const Inputs& in, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = in.start_of_mission ? 157 : 136;
@@ -69,7 +70,7 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     p.running_number_due = p.running_number_due && !intent.running_number;
     out.send(intent);
   }
-  return other;
+  return s.other.session.established();
 }
 
 /// A session in this cycle. True when it is lost for good.
@@ -102,8 +103,9 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   if (!s.ma_request || !s.ma_request->T_MAR) reasons = static_cast<std::uint8_t>(reasons & ~kBeforePerturbation);
   if (!s.ma_request || !s.ma_request->T_TIMEOUTRQST) reasons = static_cast<std::uint8_t>(reasons & ~kBeforeTimeout);
   s.reasons = static_cast<std::uint8_t>(s.reasons & reasons);
-  if (s.supervising.session.phase != Phase::up)
-    return;  // a reason that waits counts as new when the session is established
+  // A reason that waits for a session counts as new then; while the connection is lost a request counts as sent
+  // (3.5.4.5).
+  if (!s.supervising.session.established()) return;
   const bool fresh = (reasons & ~s.reasons) != 0;
   const bool repeatable = (reasons & ~kTrackAheadFree) != 0;
   std::optional<Duration> cycle = kDefaultRequestCycle;
