@@ -590,6 +590,12 @@ class Reader {
       damage.bits.push_back(b);
     }
   }
+  /// Other bits of a telegram that nobody decodes would say nothing.
+  static void check_damage(const Balise& b, int line) {
+    if ((b.spoiled || b.missing) && !b.damage.bits.empty())
+      throw ReadError{line, std::string("bits of a balise that is ") + (b.missing ? "missing" : "spoiled"),
+                      "bits of one that is read"};
+  }
   static std::int64_t bytes_of(Words& words) {
     words.require("by");
     const std::int64_t n = words.integer(1, 100, "1 to 100 bytes");
@@ -647,10 +653,13 @@ class Reader {
       const lang::SystemVersion sv = version_of(b.telegram);
       read_packets(words, b.telegram, sv.x, sv.y);
       read_damage(words, b.damage);
+      check_damage(b, words.place());
       if (!words.take("balise")) break;
       of = static_cast<std::size_t>(words.integer(1, balises, "the number of the balise in the group")) - 1;
-      a.balises[of].missing = words.take("missing");
-      a.balises[of].spoiled = !a.balises[of].missing && words.take("spoiled");
+      if (words.take("missing")) a.balises[of].missing = true;
+      if (words.take("spoiled")) a.balises[of].spoiled = true;
+      if (a.balises[of].missing && a.balises[of].spoiled)
+        throw ReadError{words.place(), "balise " + std::to_string(of + 1) + " both spoiled and missing", "one of them"};
       if (words.peek() == "{") {
         const Value own = words.object();
         const Json header = telegram(own, false);
