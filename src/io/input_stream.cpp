@@ -450,7 +450,7 @@ void InputStream::read_ahead() {
 
 Result<bool> InputStream::next(sim::CycleInputs& cycle) {
   return guarded([&] {
-    if (!pending_ && radio_.empty()) return false;
+    if (empty()) return false;
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
     while (pending_ && pending_->t_ms <= cycle.t_ms) {

@@ -55,6 +55,8 @@ class InputStream {
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});
 
   const Configuration& configuration() const { return configuration_; }
+  /// Nothing is left to deliver.
+  bool empty() const { return !pending_ && radio_.empty(); }
   /// Fills `cycle` with the inputs of the next cycle and keeps the signals; false when there is none. An error names
   /// the line; the cycles before it are complete.
   Result<bool> next(sim::CycleInputs& cycle);

@@ -141,6 +141,7 @@ int replay(const ReplayOptions& options) {
   auto stream = io::InputStream::open(
       options.input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
   if (!stream) return complain(of_stream(stream.error(), options.input));
+  if (stream->empty()) return complain({options.input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
   auto on_board = unit_of(*stream, options.persistent);
   if (!on_board) return complain(on_board.error());
   auto out = io::WholeFile::create(options.output);

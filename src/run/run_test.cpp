@@ -613,6 +613,20 @@ TEST(Replay, TellsAFileOfAnotherKind) {
   EXPECT_EQ(told("{\n \"schema\": \"x\"\n}\n"), ": line 1 column 2: found the end of the text, expected JSON\n");
 }
 
+TEST(Replay, AStreamWithoutInputIsToldAndLeavesNothing) {
+  const Folder folder("replay_empty");
+  for (const char* text : {"", "\n \r\n\n", "{\"config\":{}}\n"}) {
+    ASSERT_TRUE(io::write_whole(folder / "in.jsonl", text));
+    const Finished replay = evc("replay '" + (folder / "in.jsonl") + "' -o '" + (folder / "out.jsonl") +
+                                "' --persistent '" + (folder / "kept.json") + "'");
+    EXPECT_EQ(replay.exit_code, 2) << text;
+    EXPECT_EQ(replay.output,
+              (folder / "in.jsonl") + ": found no input, expected a line with t_ms, as {\"t_ms\":0}\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.jsonl"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "kept.json"));
+  }
+}
+
 TEST(Replay, EndsAtALineThatDoesNotParseWithWholeOutputs) {
   const Folder folder("replay");
   ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0,\"config\":{}}\n{\"t_ms\":100}\n{\"t_ms\":\n"));
