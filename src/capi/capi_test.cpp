@@ -361,6 +361,18 @@ TEST_F(CUnit, WhatIsRefused) {
   in = at(20);
   in.level = 5;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  const auto contact = [&](std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO) {
+    in = at(1);
+    in.entered = 1u << OPENEVC_ENTRY_RBC_CONTACT;
+    in.NID_C = NID_C;
+    in.NID_RBC = NID_RBC;
+    in.NID_RADIO = NID_RADIO;
+    EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+    return std::string(why);
+  };
+  EXPECT_EQ(contact(1024, 1, 0), "inputs.NID_C: above 1023");
+  EXPECT_EQ(contact(1, 16384, 0), "inputs.NID_RBC: above 16383");
+  EXPECT_EQ(contact(1, 1, 0x12ABu), "inputs.NID_RADIO: a digit from A to E (7.5.1.95)");
   in = at(40);
   in.train_data_length -= 1;
   EXPECT_EQ(step(in), OPENEVC_REFUSED);

@@ -6,6 +6,7 @@
 #include "capi/codes.h"
 #include "io/json.h"
 #include "io/train_file.h"
+#include "lang/schema.h"
 
 namespace evc::capi {
 namespace {
@@ -133,6 +134,9 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
     driver.nid_ntc = static_cast<std::uint8_t>(in.NID_NTC);
   }
   if (entered(in, OPENEVC_ENTRY_RBC_CONTACT)) {
+    if (in.NID_C > 1023) return "inputs.NID_C: above 1023";
+    if (in.NID_RBC > 16383) return "inputs.NID_RBC: above 16383";
+    if (lang::is_in(lang::decimal_digits, in.NID_RADIO)) return "inputs.NID_RADIO: a digit from A to E (7.5.1.95)";
     kernel::DriverActions::RbcContact& contact = driver.rbc_contact.emplace();
     contact.NID_C = in.NID_C;
     contact.NID_RBC = in.NID_RBC;

@@ -96,8 +96,17 @@ TEST(LineFile, TheRbc) {
   ASSERT_TRUE(absent) << absent.error().text();
   EXPECT_EQ(absent->rbc.contact.NID_C, absent->balises[0].telegram.number(25, 10));
   EXPECT_FALSE(absent->rbc.grants_shunting);
-  EXPECT_NE(line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":"1"},)").error().text().find("16 hexadecimal digits"),
+  EXPECT_NE(line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":"1"},)").error().text().find("16 digits"),
             std::string::npos);
+  // 7.5.1.95: decimal digits, then F.
+  for (const char* wrong : {"004179000000000A", "E041790000000001", "00417900F0000001", "FFFFFFFFFFFFFFF0"}) {
+    const auto refused = line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":")" + std::string(wrong) + R"("},)");
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().text(), "l.json: /rbc/NID_RADIO: found \"" + std::string(wrong) +
+                                          "\", expected 16 digits: decimal ones, filled up with F");
+  }
+  for (const char* right : {"0041790000000001", "0041790FFFFFFFFF", "FFFFFFFFFFFFFFFF"})
+    EXPECT_TRUE(line(R"("rbc":{"NID_C":3,"NID_RBC":4,"NID_RADIO":")" + std::string(right) + R"("},)")) << right;
 }
 
 TEST(LineFile, WithoutBitsIsRefused) {

@@ -1,15 +1,35 @@
 #include "io/rbc_contact.h"
 
+#include <algorithm>
+
 #include "io/number.h"
 
 namespace evc::io {
+namespace {
 
-std::uint64_t read_NID_RADIO(const JsonPlace& place) {
-  if (place.string().size() != 16) place.fail("16 hexadecimal digits");
+constexpr const char* kDigits = "16 digits: decimal ones, filled up with F";
+
+/// `of_trackside`: as it was sent, digits A to E are no spare value there (7.5.1.95).
+std::uint64_t read_digits(const JsonPlace& place, bool of_trackside) {
+  const std::string& text = place.string();
+  const std::size_t filled = std::min(text.find_first_not_of("0123456789"), text.size());
+  const bool typed = text.find_first_not_of("Ff", filled) == std::string::npos;
+  if (text.size() != 16 || (!typed && !of_trackside)) place.fail(kDigits);
   std::uint64_t NID_RADIO = 0;
   for (const std::uint8_t byte : place.hex()) NID_RADIO = NID_RADIO << 8 | byte;
   return NID_RADIO;
 }
+
+port::RbcAddress address(const JsonPlace& place, bool of_trackside) {
+  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
+  return {static_cast<std::uint16_t>(place["NID_C"].integer(0, 1023)),
+          static_cast<std::uint16_t>(place["NID_RBC"].integer(0, 16383)),
+          read_digits(place["NID_RADIO"], of_trackside)};
+}
+
+}  // namespace
+
+std::uint64_t read_NID_RADIO(const JsonPlace& place) { return read_digits(place, false); }
 
 std::uint32_t read_NID_MN(const JsonPlace& place) {
   const std::string& digits = place.string();
@@ -32,11 +52,8 @@ port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place) {
           static_cast<std::uint16_t>(place["NID_RBC"].integer(0, 16383)), read_NID_RADIO(place["NID_RADIO"])};
 }
 
-port::RbcAddress read_address(const JsonPlace& place) {
-  place.know_only({"NID_C", "NID_RBC", "NID_RADIO"});
-  const port::DriverActions::RbcContact contact = read_rbc_contact(place);
-  return {contact.NID_C, contact.NID_RBC, contact.NID_RADIO};
-}
+port::RbcAddress read_address(const JsonPlace& place) { return address(place, false); }
+port::RbcAddress read_kept_address(const JsonPlace& place) { return address(place, true); }
 
 void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO) {
   std::uint8_t bytes[8];

@@ -8,7 +8,7 @@
 
 namespace evc::io {
 
-/// NID_RADIO (7.5.1.95) as 16 hexadecimal digits. Throws ReadError.
+/// NID_RADIO (7.5.1.95): 16 digits, decimal ones filled up with F, or F alone: the stored number. Throws ReadError.
 std::uint64_t read_NID_RADIO(const JsonPlace& place);
 
 /// NID_MN (7.5.1.91.1) from 1 to 6 decimal digits: BCD, left adjusted, filled with F. Throws ReadError.
@@ -20,6 +20,8 @@ std::string digits_of_NID_MN(std::uint32_t NID_MN);
 port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place);
 /// The same where the object has no other members.
 port::RbcAddress read_address(const JsonPlace& place);
+/// The same of what a unit kept: its number may be one of trackside, with any digits.
+port::RbcAddress read_kept_address(const JsonPlace& place);
 
 /// NID_RADIO as it is read, without quotes.
 void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO);

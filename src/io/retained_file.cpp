@@ -87,7 +87,7 @@ Retained read_document(const JsonPlace& place) {
   r.network = read_optional(place["radio_network"], read_NID_MN);
   r.level = read_optional(place["level"], read_level);
   r.level_table = read_list<decltype(r.level_table)>(place["level_table"], read_level);
-  r.contact = read_optional(place["rbc"], read_address);
+  r.contact = read_optional(place["rbc"], read_kept_address);
   r.position = read_optional(place["position"], read_position);
   return r;
 }

@@ -25,6 +25,15 @@ TEST(RetainedFile, WhatIsWrittenIsRead) {  // 3.18.2.7, 4.10
   }
 }
 
+/// A unit reads its own file, whatever digits trackside has sent.
+TEST(RetainedFile, TheNumberOfTheRbcMayBeOneOfTrackside) {  // 7.5.1.95
+  kernel::Retained r = kernel::everything_retained();
+  r.contact->NID_RADIO = 0x12F4E6FFFFFFFFFFu;
+  const auto read = read_retained(retained_text(r), "kept.json");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_TRUE(*read == r);
+}
+
 TEST(RetainedFile, EveryKeyIsRequired) {
   const Json whole = Json::parse(retained_text(kernel::everything_retained()));
   for (const auto& [key, value] : whole.items()) {

@@ -139,6 +139,11 @@ TEST(InputStream, ErrorsNameTheLine) {
       error_in("{\"t_ms\":0,\"odometer\":{\"nominal_m\":1,\"min_m\":2,\"max_m\":3,\"speed_mps\":0}}").find("min_m"),
       std::string::npos);
   EXPECT_NE(error_in("{\"odometer\":{}}"), "");
+  EXPECT_EQ(error_in(R"({"t_ms":0,"driver":{"enter":{"rbc":{"NID_C":1,"NID_RBC":1,"NID_RADIO":"12ABFFFFFFFFFFFF"}}}})"),
+            "in.jsonl: line 1 /driver/enter/rbc/NID_RADIO: found \"12ABFFFFFFFFFFFF\", expected 16 digits: decimal "
+            "ones, filled up with F");
+  EXPECT_NE(error_in(R"({"config":{"telephone_numbers":["C041790000000001"]}})").find("/telephone_numbers/0: found"),
+            std::string::npos);
   EXPECT_NE(error_in("{\"t_ms\":0,\"radio\":{\"message\":\"123\"}}").find("even"), std::string::npos);
   EXPECT_NE(error_in("{\"t_ms\":9000000000}"), "");
 }

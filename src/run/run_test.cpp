@@ -620,8 +620,7 @@ TEST(Replay, AStreamWithoutInputIsToldAndLeavesNothing) {
     const Finished replay = evc("replay '" + (folder / "in.jsonl") + "' -o '" + (folder / "out.jsonl") +
                                 "' --persistent '" + (folder / "kept.json") + "'");
     EXPECT_EQ(replay.exit_code, 2) << text;
-    EXPECT_EQ(replay.output,
-              (folder / "in.jsonl") + ": found no input, expected a line with t_ms, as {\"t_ms\":0}\n");
+    EXPECT_EQ(replay.output, (folder / "in.jsonl") + ": found no input, expected a line with t_ms, as {\"t_ms\":0}\n");
     EXPECT_FALSE(std::filesystem::exists(folder / "out.jsonl"));
     EXPECT_FALSE(std::filesystem::exists(folder / "kept.json"));
   }
