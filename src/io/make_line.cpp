@@ -549,8 +549,14 @@ EncodedMessage message_of_orders(Encoder& encoder, const JsonPlace& orders, cons
   return encoded;
 }
 
+/// A comment for the reader of the description.
+void check_comment(const JsonPlace& of, const char* key) {
+  if (const auto comment = of.find(key)) (void)comment->string();
+}
+
 ordered_json radio_message(Encoder& encoder, const JsonPlace& place, int seq) {
   place.know_only({"at_m", "delay_s", "lrbg", "orders", "message", "note"});
+  check_comment(place, "note");
   const Group& reference = encoder.group(place["lrbg"]);
   const double at = place["at_m"].number(reference.position_m, 1e6);
   const auto message = place.find("message");
@@ -591,6 +597,7 @@ ordered_json line_of(const JsonPlace& root) {
   root.require_schema("evc-line-description/1");
   root.know_only(
       {"schema", "name", "about", "NID_C", "length_m", "start", "rbc", "gradient", "ssp", "groups", "radio"});
+  check_comment(root, "about");
   const auto gradient = read_profile(root["gradient"], [](const JsonPlace& p) { return p.number(-50.0, 50.0); });
   const auto ssp = read_profile(root["ssp"], [](const JsonPlace& p) { return speed(p, 5.0, 500.0); });
   const JsonPlace list = root["groups"];
@@ -598,6 +605,7 @@ ordered_json line_of(const JsonPlace& root) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].know_only({"NID_BG", "at_m", "balises", "orders", "note"});
+    check_comment(list[i], "note");
     const double at = list[i]["at_m"].number(-1e5, 1e6);
     if (!groups.empty() && at <= groups.back().position_m) list[i]["at_m"].fail("a place beyond the group before");
     const auto NID_BG = static_cast<std::uint16_t>(list[i]["NID_BG"].integer(0, 16382));

@@ -84,6 +84,23 @@ TEST(MakeLine, ErrorsNameThePlace) {
             std::string::npos);
 }
 
+/// What is for the reader only is text, too: another value is misplaced.
+TEST(MakeLine, CommentsAreText) {
+  const auto error_of = [](const std::string& about, const std::string& of_group, const std::string& of_message) {
+    const auto made = io::make_line(
+        R"({"schema":"evc-line-description/1","name":"x","about":)" + about +
+            R"(,"NID_C":1,"length_m":900,"start":{},"gradient":[[0,3000,0]],"ssp":[[0,3000,80]],"groups":[{"NID_BG":7,
+        "at_m":100,"note":)" +
+            of_group + R"(}],"radio":[{"at_m":200,"lrbg":7,"orders":[],"note":)" + of_message + "}]}",
+        "d.json");
+    return made ? std::string() : made.error().text();
+  };
+  EXPECT_EQ(error_of(R"("a")", R"("b")", R"("c")"), "");
+  EXPECT_EQ(error_of("[1]", R"("b")", R"("c")"), "d.json: /about: found an array of 1, expected a string");
+  EXPECT_EQ(error_of(R"("a")", "5", R"("c")"), "d.json: /groups/0/note: found 5, expected a string");
+  EXPECT_EQ(error_of(R"("a")", R"("b")", "{}"), "d.json: /radio/0/note: found an object, expected a string");
+}
+
 /// A line of two groups in level 1 with the given orders of the first group and radio messages.
 json line_with(const std::string& first_group, const std::string& radio) {
   const auto made = io::make_line(
