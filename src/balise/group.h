@@ -8,24 +8,13 @@
 #include "base/location.h"
 #include "base/units.h"
 #include "terms/clause.h"
+#include "terms/error_report.h"
 #include "terms/reaction.h"
 #include "terms/what.h"
 
 // The results of this room: checked balise groups with their orientation (SUBSET-026-3 3.4,
 // 3.16.2).
 namespace evc::balise {
-
-/// Q_LINKREACTION and the reactions of 3.16.2. The larger one is the more severe.
-
-/// M_ERROR of packet 4, for the report to the RBC (3.16.4).
-enum class ErrorReport : std::uint8_t {
-  linking = 0,
-  linked_message = 1,
-  unlinked_message = 2,
-  double_linking = 7,
-  double_repositioning = 8,
-  none = 255
-};
 
 /// The most balises a group has (3.4.1.1), the longest telegram in bytes (830 user bits).
 inline constexpr std::size_t kBalises = 8;

@@ -12,6 +12,7 @@
 #include "lang/packets/train_packet_4.h"
 #include "lang/packets/train_packet_5.h"
 #include "lang/packets/train_packet_9.h"
+#include "lang/translate.h"
 #include "terms/mode.h"
 
 namespace evc::radio {
@@ -76,14 +77,13 @@ void put_position(const Composer& c) {
 
 /// Packets 4 and 5 of 136 and 157; X = 1 has no packet 5 and fewer error codes (6.6.3.4.5 [2]).
 void put_error_and_number(const Composer& c) {
-  if (c.intent.M_ERROR && c.version_1) {
-    lang::TrainPacket4_v1_0 p;
-    p.M_ERROR.raw = *c.intent.M_ERROR == 6 ? std::uint8_t{7} : *c.intent.M_ERROR;
-    if (*c.intent.M_ERROR <= 6) lang::encode(c.out, p);
-  } else if (c.intent.M_ERROR) {
+  if (c.intent.M_ERROR) {
     lang::TrainPacket4 p;
-    p.M_ERROR.raw = *c.intent.M_ERROR;
-    lang::encode(c.out, p);
+    p.M_ERROR.raw = static_cast<std::uint8_t>(*c.intent.M_ERROR);
+    if (!c.version_1)
+      lang::encode(c.out, p);
+    else if (*c.intent.M_ERROR <= ErrorReport::safety_critical_fault)
+      lang::encode(c.out, lang::for_version_1(p));
   }
   if (!c.version_1 && c.intent.running_number && c.train.NID_OPERATIONAL) {
     lang::TrainPacket5 p;

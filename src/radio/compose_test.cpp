@@ -115,7 +115,7 @@ TEST(Compose, PositionReport) {
 
 TEST(Compose, ErrorsAndRunningNumber) {
   Intent i = intent_of(136);
-  i.M_ERROR = 6;
+  i.M_ERROR = ErrorReport::safety_critical_fault;
   i.running_number = true;
   TrainDataReport train;
   train.NID_OPERATIONAL = 0x12345FFF;
@@ -123,7 +123,7 @@ TEST(Compose, ErrorsAndRunningNumber) {
   EXPECT_EQ(Sent(i, 0x21, {}, train).packet<lang::TrainPacket5>().NID_OPERATIONAL.raw, 0x12345FFFu);
   EXPECT_EQ(Sent(i, 0x10, {}, train).packet<lang::TrainPacket4_v1_0>().M_ERROR.raw, 7);
   EXPECT_FALSE(Sent(i, 0x10, {}, train).has(5));
-  i.M_ERROR = 8;
+  i.M_ERROR = ErrorReport::double_repositioning;
   EXPECT_FALSE(Sent(i, 0x10, {}, train).has(4)) << "X = 1 has no such error";
   EXPECT_TRUE(Sent(i, 0x20, {}, train).has(4));
 }

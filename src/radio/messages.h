@@ -6,6 +6,7 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "terms/error_report.h"
 #include "terms/message_numbers.h"
 
 namespace evc::radio {
@@ -67,7 +68,7 @@ struct Intent {
   std::uint8_t NID_TEXTMESSAGE = 0;              ///< 158
   std::uint8_t Q_INFILL = 0;                     ///< 153: 0 the area is entered, 1 its signal was read or missed
   GroupId signal;                                ///< 153: at the next main signal
-  std::optional<std::uint8_t> M_ERROR;           ///< packet 4 in 136, 157
+  std::optional<ErrorReport> M_ERROR;            ///< packet 4 in 136, 157
   std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
   bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
 };

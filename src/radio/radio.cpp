@@ -15,7 +15,7 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
   if (!s.contact_lost) {
     s.contact_lost = true;
     s.contact_brake_released = false;
-    report_error(s, 5);
+    report_error(s, ErrorReport::radio_connection);
   }
   if (in.contact.M_NVCONTACT == Reaction::trip) result.trip = true;
   if (in.contact.M_NVCONTACT == Reaction::service_brake && !s.contact_brake_released) {
@@ -216,7 +216,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
   if (session.phase == Phase::waiting_version && header.NID_MESSAGE != message::trackside_system_version)
     return Rejected::no_session;
   if (header.T_TRAIN == kUnknownTime || (session.last_T_TRAIN && !later(header.T_TRAIN, *session.last_T_TRAIN))) {
-    if (!is_infill_unit(from)) report_error(s, 4);
+    if (!is_infill_unit(from)) report_error(s, ErrorReport::radio_sequence);
     return Rejected::time_stamp;
   }
   session.last_T_TRAIN = header.T_TRAIN;
@@ -240,7 +240,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
 }
 
 void receive_inconsistent(State& s, Peer from) {
-  if (s.partner(from).session.established()) report_error(s, 3);
+  if (s.partner(from).session.established()) report_error(s, ErrorReport::radio_message);
 }
 
 bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
@@ -266,11 +266,11 @@ void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
   from.train_data_acknowledged = true;
 }
 
-void report_error(State& s, std::uint8_t M_ERROR) {
-  for (const std::uint8_t error : s.errors)
-    if (error == M_ERROR) return;
+void report_error(State& s, ErrorReport error) {
+  for (const ErrorReport known : s.errors)
+    if (known == error) return;
   if (s.errors.full()) s.errors.erase(0);
-  (void)s.errors.push_back(M_ERROR);  // there is room now
+  (void)s.errors.push_back(error);  // there is room now
 }
 
 Result supervise(State& s, const Inputs& in, Outbox& out) {

@@ -72,7 +72,7 @@ struct State {
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and still apply
   std::optional<Duration> requested_at;
-  InplaceVector<std::uint8_t, 4> errors;  ///< M_ERROR to report (3.16.4)
+  InplaceVector<ErrorReport, 4> errors;  ///< to report (3.16.4)
 
   Partner& partner(Peer peer) { return peer == Peer::supervising ? supervising : other; }
   const Partner& partner(Peer peer) const { return peer == Peer::supervising ? supervising : other; }
@@ -109,8 +109,8 @@ void receive_inconsistent(State& state, Peer from = Peer::supervising);
 bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
-/// An error of balises or radio, to be reported when a session is established (3.16.4): M_ERROR.
-void report_error(State& state, std::uint8_t M_ERROR);
+/// An error of balises or radio, to be reported when a session is established (3.16.4).
+void report_error(State& state, ErrorReport error);
 
 /// Packet 42, packet 131 as an order to establish, or the driver's choice (3.5.3).
 struct SessionOrder {

@@ -21,7 +21,7 @@ TEST(Messages, OrderOfTimeStamps) {  // 3.16.3.3
   EXPECT_EQ(stamped(base - 1), Rejected::time_stamp);
   EXPECT_EQ(stamped(kUnknownTime), Rejected::time_stamp);
   EXPECT_EQ(u.s.errors.size(), 1u) << "reported once";
-  EXPECT_EQ(u.s.errors[0], 4);
+  EXPECT_EQ(u.s.errors[0], ErrorReport::radio_sequence);
   EXPECT_EQ(stamped(base + 1), Rejected::no);
   EXPECT_EQ(*u.s.supervising.session.last_T_TRAIN, base + 1);
   EXPECT_TRUE(later(5, 0xFFFFFFF0u)) << "the counter runs over";
@@ -116,11 +116,12 @@ TEST(Messages, ErrorsAreReportedOneByOne) {  // 3.16.4
   Unit u;
   u.up();
   receive_inconsistent(u.s);
-  for (const std::uint8_t e : std::array<std::uint8_t, 5>{0, 1, 2, 4, 0}) report_error(u.s, e);
+  using enum ErrorReport;
+  for (const ErrorReport e : {linking, linked_message, unlinked_message, radio_sequence, linking}) report_error(u.s, e);
   EXPECT_EQ(u.s.errors.size(), 4u) << "the oldest made room";
   u.cycle();
   ASSERT_EQ(u.messages(), Ids{136});
-  EXPECT_EQ(u.out.messages[0].M_ERROR, 0);
+  EXPECT_EQ(u.out.messages[0].M_ERROR, linking);
   EXPECT_EQ(u.run(1).size(), 3u);
 }
 

@@ -53,8 +53,7 @@ void react(Reception& r, const balise::Outcome& outcome) {
     // The contents of the group are logged where they are evaluated.
     if (e.what == What::group_accepted) continue;
     r.log.note({.what = e.what, .id = e.id.NID_BG, .clause = e.clause});
-    if (e.report != balise::ErrorReport::none && level_2_or_3(s.level.level))
-      radio::report_error(s.radio, static_cast<std::uint8_t>(e.report));
+    if (e.report != ErrorReport::none && level_2_or_3(s.level.level)) radio::report_error(s.radio, e.report);
     if (e.what == What::linking_error_missed || e.what == What::linking_error_later)
       note_signal_of_radio_infill(s, e.id);
     linking = linking || e.what == What::linking_error_early || e.what == What::linking_error_missed ||

@@ -158,7 +158,7 @@ TEST_F(Groups, AnInconsistentOneBrakesNotInEveryMode) {
 TEST_F(Groups, ErrorsAreReportedToAnRBCOnly) {  // 3.16.4.1
   pass_incomplete();
   ASSERT_EQ(state.radio.errors.size(), 1u);
-  EXPECT_EQ(state.radio.errors[0], 2);  // M_ERROR
+  EXPECT_EQ(state.radio.errors[0], ErrorReport::unlinked_message);
   restart(Mode::FS, Level::L1);
   runs(900.0, 1000.0);
   pass_incomplete();

@@ -20,8 +20,6 @@
 namespace evc::kernel {
 namespace {
 
-constexpr std::uint8_t kSafetyCriticalFault = 6;  // M_ERROR (7.5.1.64)
-
 position::Odometry odometry_of(const Odometry& in) {
   return {{in.nominal, in.min, in.max}, in.V_est, in.V_min, in.V_max, in.A_est};
 }
@@ -98,7 +96,7 @@ TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
 bool acts(State& s, bool fault) {
   if (s.mode == Mode::NP) s.safety_fault_memorised = false;
   if (s.mode != Mode::SL && s.mode != Mode::NL) return fault || s.safety_fault_memorised;
-  if (fault && !s.safety_fault_memorised) radio::report_error(s.radio, kSafetyCriticalFault);
+  if (fault && !s.safety_fault_memorised) radio::report_error(s.radio, ErrorReport::safety_critical_fault);
   s.safety_fault_memorised = s.safety_fault_memorised || fault;
   return false;
 }

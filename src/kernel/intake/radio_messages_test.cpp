@@ -149,7 +149,7 @@ TEST_F(RadioReception, AnUnknownMessageIsSkippedOnlyInALaterVersion) {  // 3.17.
   receive(unknown);
   expect_event(What::message_rejected, 99, "3.16.3.1.1"_srs);
   ASSERT_EQ(state.radio.errors.size(), 1u);
-  EXPECT_EQ(state.radio.errors[0], 3);  // M_ERROR
+  EXPECT_EQ(state.radio.errors[0], ErrorReport::radio_message);
   state.radio.errors.clear();
   state.radio.supervising.session.M_VERSION = M_VERSION_2_2;
   receive(unknown);

@@ -208,14 +208,14 @@ TEST_F(RadioReport, HasTheLengthOfATrainThatIsComplete) {  // 3.6.5.2.4, 7.5.1.5
 TEST_F(RadioReport, ReportsSessionsAndErrorsInTheirModes) {  // 3.6.5.1.4 l, m, 4.5.2
   expect_in_modes(modes::Function::report_session_established, [&] { state.radio.supervising.established_now = true; });
   expect_in_modes(modes::Function::report_data_consistency_error,
-                  [&] { ASSERT_TRUE(state.radio.errors.push_back(1)); });
+                  [&] { ASSERT_TRUE(state.radio.errors.push_back(ErrorReport::linked_message)); });
 }
 
 TEST_F(RadioReport, HasTheErrorInItsModesOnly) {  // 3.16.4, 4.5.2
   for (const Mode mode : {Mode::FS, Mode::SL, Mode::SH}) {
     restart(mode);
     state.radio.supervising.established_now = true;
-    ASSERT_TRUE(state.radio.errors.push_back(1));
+    ASSERT_TRUE(state.radio.errors.push_back(ErrorReport::linked_message));
     for (const radio::Intent& m : run())
       EXPECT_EQ(m.M_ERROR.has_value(), m.NID_MESSAGE == 136 && mode != Mode::SH) << static_cast<int>(mode);
     EXPECT_EQ(state.radio.errors.empty(), mode != Mode::SH);
@@ -368,7 +368,7 @@ TEST_F(RadioReport, ReportsANewLevel) {  // 3.6.5.1.4 g
 
 TEST_F(RadioReport, ReportsAnError) {  // 3.6.5.1.4 l, 3.16.4
   EXPECT_FALSE(sends(136));
-  ASSERT_TRUE(state.radio.errors.push_back(1));
+  ASSERT_TRUE(state.radio.errors.push_back(ErrorReport::linked_message));
   EXPECT_TRUE(sends(136));
 }
 

@@ -233,7 +233,7 @@ TEST_F(OwnSessions, InSBAndOtherLevelsTheProceduresAsk) {
 TEST_F(OwnSessions, WithoutPowerThereIsNone) {
   establish_both();
   state.handover.order.emplace();
-  ASSERT_TRUE(state.radio.errors.push_back(1));
+  ASSERT_TRUE(state.radio.errors.push_back(ErrorReport::linked_message));
   outbox = {};
   outbox.send(message::request_for_shunting);
   outbox.connect = kOther;
