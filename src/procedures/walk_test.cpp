@@ -5,6 +5,7 @@
 
 #include "modes/mode_properties.h"
 #include "modes/srs_4_6_2.h"
+#include "procedures/level_transition.h"
 #include "procedures/observe.h"
 
 // A random walk through modes and levels: after any events of a cycle, the unit is never in a mode that the level does
@@ -77,21 +78,50 @@ Facts anything(Dice& dice, Mode mode, Level level) {
   return f;
 }
 
-/// Modes in which a transition of level leads to another mode or none is needed. PT and RV handle none in 3.x (4.8.4
-/// [5], 3.15.4.6), SF and IS are final.
-bool level_may_change(Mode mode) {
-  return mode != Mode::PT && mode != Mode::RV && mode != Mode::SF && mode != Mode::IS && mode != Mode::NP;
-}
+/// SF and IS are final, and in NP nothing is received.
+bool receives_orders(Mode mode) { return mode != Mode::SF && mode != Mode::IS && mode != Mode::NP; }
+
+/// Level transitions as trackside orders them: at once, or announced for a place ahead.
+class LevelOrders {
+ public:
+  LevelOrders() { in_.available.national_systems[0] = ~std::uint64_t{0}; }
+  /// The level after one cycle.
+  Level cycle(Dice& dice, Mode mode, Level level) {
+    if (!receives_orders(mode)) return level;
+    in_.now += Duration{0.1};
+    in_.mode = mode;
+    in_.current = {level, 0, {}};
+    in_.est_front = in_.max_safe_front = in_.est_front + Distance{10.0};
+    level_transition::JudgedOrder judged;
+    in_.order = nullptr;
+    if (dice.one_in(8)) {
+      judged.order.kind = dice.one_in(2) ? modes::OrderKind::announcement : modes::OrderKind::immediate;
+      judged.order.border = in_.est_front + Distance{static_cast<double>(dice.roll(100))};
+      EXPECT_TRUE(judged.order.table.push_back({static_cast<Level>(dice.roll(kLevels)), 0, {}}));
+      judged.decision = modes::judge(judged.order.kind, judged.order.table, in_.current, mode, in_.available);
+      in_.order = &judged;
+    }
+    const auto result = level_transition::step(state_, in_);
+    return result.switch_to ? result.switch_to->level : level;
+  }
+
+ private:
+  level_transition::State state_;
+  level_transition::Inputs in_;
+};
 
 TEST(Walk, The_mode_is_always_one_of_the_level) {
   Dice dice{20240517};
   std::array<std::uint64_t, kModes> visits{};
+  std::uint64_t changes_in_PT_or_RV = 0;
   for (int journey = 0; journey < 2000; ++journey) {
     Mode mode = Mode::NP;
     Level level = static_cast<Level>(dice.roll(kLevels));
+    LevelOrders orders;
     for (int cycle = 0; cycle < 200; ++cycle) {
       const Level before = level;
-      if (dice.one_in(8) && level_may_change(mode)) level = static_cast<Level>(dice.roll(kLevels));
+      level = orders.cycle(dice, mode, level);
+      if ((mode == Mode::PT || mode == Mode::RV) && level != before) ++changes_in_PT_or_RV;
       Facts f = anything(dice, mode, level);
       f.level = level;
       if (level != before) f.level_switched_to = level;
@@ -102,6 +132,7 @@ TEST(Walk, The_mode_is_always_one_of_the_level) {
           << name(mode) << " in level " << name(level) << " by [" << (went ? went->number : 0) << "]";
     }
   }
+  EXPECT_GT(changes_in_PT_or_RV, 0u);  // among levels 1 to 3
   for (std::size_t m = 0; m < kModes; ++m) EXPECT_GT(visits[m], 0u) << name(static_cast<Mode>(m));
 }
 

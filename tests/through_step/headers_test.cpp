@@ -56,6 +56,7 @@ TEST(LanguageThroughStep, LengthOfEachPacket) {
     if (id == 44) continue;  // its contents end where L_PACKET says (7.4.2.11 packet 44)
     for (const int wrong : {-1, 1}) {
       const auto answer = send_packet(id, "2.1", {}, wrong);
+      ASSERT_TRUE(answer) << "packet " << id;
       EXPECT_TRUE(!answer->event({"telegram not decoded [3.16.1.1]"}).empty() ||
                   !answer->event({"rejected [3.16.3.1.1]"}).empty() ||
                   !answer->event({"loop", "refused [3.16"}).empty())

@@ -16,6 +16,7 @@ namespace evc::through_step {
 namespace {
 
 constexpr std::int64_t kCycle_ms = 100;
+constexpr int kLongestWait = 600;  // cycles; 3 m take 11 at 10 km/h
 
 const std::vector<scenario::Block>& library() {
   static const std::vector<scenario::Block> blocks = [] {
@@ -154,7 +155,10 @@ Answer OnBoard::pass(unsigned NID_BG, const BitList& packets, const std::string&
   group_ = front();
   in_.balises.push_back({{telegram(codes, "0", packets), 830}, {{group_}}, {}});
   cycle(answer);
-  while (front() < group_ + 3.0) cycle(answer);
+  for (int cycles = 0; front() < group_ + 3.0; ++cycles) {
+    if (cycles == kLongestWait) throw std::runtime_error("the train does not reach the second balise");
+    cycle(answer);
+  }
   in_.balises.push_back({{telegram(codes, "1", {}), 830}, {{group_ + 3.0}}, {}});
   cycle(answer);
   cycle(answer);

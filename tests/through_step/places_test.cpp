@@ -141,7 +141,8 @@ TEST(LanguageThroughStep, LinkingDistances) {
                {{"Q_SCALE", Q_SCALE}, {"D_LINK", in_scale(150, Q_SCALE)}, {"NID_BG", 101}, {"Q_LOCACC", 5}});
     unit.pass(200, bits, "2.1", {{"Q_LINK", 1}});
     const double from = unit.group();
-    while (unit.front() < from + 148.0) unit.run(1);
+    for (int cycle = 0; cycle < 400 && unit.front() < from + 148.0; ++cycle) unit.run(1);
+    ASSERT_GE(unit.front(), from + 148.0) << Q_SCALE;
     EXPECT_NE(unit.pass(101, {}, "2.1", {{"Q_LINK", 1}}).event({"linking BG 101 ok"}), "") << Q_SCALE;
   }
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
 
 #include "ways.h"
@@ -92,18 +93,27 @@ TEST(LanguageThroughStep, OrderOfPackets) {
       {27, {{"D_STATIC", 700}, {"V_STATIC", 20}}},
       {65, {{"D_TSR", 900}}},
       {68, {{"D_TRACKCOND", 200}, {"L_TRACKCOND", 100}, {"M_TRACKCOND", 3}}}};
-  std::vector<std::size_t> order{0, 1, 2, 3, 4};
-  Json first;
-  do {
+  // What the unit shows and, in any order, what it has said.
+  const auto after = [&](const std::vector<std::size_t>& order) {
     OnBoard unit(OnBoard::after(kFS1));
     std::vector<std::pair<unsigned, Codes>> list;
     for (const std::size_t i : order) list.push_back(contents[i]);
-    unit.pass(200, packets(list));
+    const Answer answer = unit.pass(200, packets(list));
+    for (const auto& [id, codes] : list)
+      EXPECT_NE(answer.event({"packet " + std::to_string(id) + " accepted"}), "") << id << answer.text();
     Json output = unit.output();
     output.erase("events");
-    if (first.is_null()) first = output;
-    EXPECT_EQ(output, first);
-  } while (std::next_permutation(order.begin(), order.end()));
+    return std::pair(output, std::multiset<std::string>(answer.events.begin(), answer.events.end()));
+  };
+  std::vector<std::size_t> order{0, 1, 2, 3, 4};
+  const auto whole = after(order);
+  // Each of them is seen in the outputs.
+  for (std::size_t without = 0; without < contents.size(); ++without) {
+    std::vector<std::size_t> others = order;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(without));
+    EXPECT_NE(after(others).first, whole.first) << "packet " << contents[without].first;
+  }
+  while (std::next_permutation(order.begin(), order.end())) EXPECT_EQ(after(order), whole);
 }
 
 TEST(LanguageThroughStep, PlacesOfPackets) {

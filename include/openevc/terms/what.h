@@ -47,7 +47,7 @@ enum class What : std::uint8_t {
   buffer_full,             ///< the newest set in place of the oldest of three (4.8.5.3)
   packet_kept,             ///< a level order, until another mode than SH or PS is entered (4.8.4 [7])
   packet_contact_stored,   ///< the rest of the packet is not used (4.8.4 [3], [8])
-  packet_not_used,         ///< accepted, and its contents are used by nobody: unknown, or in CAVEATS
+  packet_not_used,         ///< accepted, without effect: no authority beside it, no cover of it, or of another version
   packet_other_direction,  ///< ignored: not for the direction of the train
   packet_superseded,       ///< ignored: another of the same message takes its place
   packet_no_room,
