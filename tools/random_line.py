@@ -7,6 +7,7 @@ radio block centre that extends, shortens and withdraws authorities. It has grad
 restrictions, mode profiles (OS, LS, SH), track conditions, texts, emergency messages and rarer packets, some of which
 the on-board has to reject. Usage: tools/random_line.py --seed N"""
 import argparse
+import dataclasses
 import json
 import random
 import sys
@@ -17,6 +18,37 @@ SPEEDS = (40, 60, 80, 100, 120, 140, 160)
 STOPPING = {46, 51, 52, 70, 88, 132, 137}  # packets that stop a train, or may
 CALM_AHEAD = 2800  # m, more than the way from the Indication limit to standstill from any speed of the line
 BEYOND = 3000  # profiles reach so far beyond the last group
+
+
+@dataclasses.dataclass(frozen=True)
+class Sizes:
+    """In what an ordinary line and a calm one differ. Places in m, ranges (least, most)."""
+    length: tuple
+    more_per_step: tuple  # of gradient and speed
+    beyond: int  # profiles reach so far beyond the end
+    sections: int  # at most, of one level each
+    level_2_again: bool
+    between_groups: tuple
+    between_signals: tuple  # in groups
+    ahead: int  # what restricts the train lies so far ahead of where it is sent; 0: anywhere
+    last_authority: int  # beyond the end of the line, at most
+    before_border: tuple  # where a level is announced
+    all_announce: bool
+    V_NVUNFIT: tuple  # one of them
+    consents: tuple  # Q_TEXTCONFIRM, one of them
+    stops: bool  # signals at danger, shunting, orders that take something back, packets that stop the train or are refused
+    balises: int  # of a group with orders; 0: as they need
+
+
+ORDINARY = Sizes(length=(6000, 15000), more_per_step=(0, 0), beyond=BEYOND, sections=4, level_2_again=True,
+                 between_groups=(400, 1000), between_signals=(2, 4), ahead=0, last_authority=1500, before_border=(1700, 300),
+                 all_announce=False, V_NVUNFIT=(80, 100), consents=(1, 2, 3), stops=True, balises=0)
+# Long authorities have to fit into telegrams; level 2 is announced before its first authority, and entered once: the
+# session ends after the next call.
+CALM = Sizes(length=(12000, 20000), more_per_step=(1400, 2400), beyond=BEYOND + 2 * CALM_AHEAD, sections=3,
+             level_2_again=False, between_groups=(800, 1400), between_signals=(2, 2), ahead=CALM_AHEAD,
+             last_authority=CALM_AHEAD, before_border=(2400, 900), all_announce=True, V_NVUNFIT=(60,), consents=(1,),
+             stops=False, balises=8)
 
 
 class Dice:
@@ -35,7 +67,8 @@ class Dice:
         return 10 * self.whole(least // 10, most // 10)
 
     def one_of(self, items):
-        return items[self.whole(0, len(items) - 1)]
+        """One item needs no throw."""
+        return items[0] if len(items) == 1 else items[self.whole(0, len(items) - 1)]
 
     def some_of(self, items, share):
         return [item for item in items if self.chance(share)]
@@ -47,16 +80,16 @@ class RandomLine:
 
     def __init__(self, seed, calm=False):
         self.dice = Dice(seed)
-        self.calm = calm
+        self.sizes = CALM if calm else ORDINARY
         self.seed = seed
-        self.length = self.dice.tens(12000, 20000) if calm else self.dice.tens(6000, 15000)
+        self.length = self.dice.tens(*self.sizes.length)
         self.gradient = self.profile(500, 1800, lambda: self.dice.whole(-18, 18))
         self.ssp = self.profile(600, 3500, lambda: self.dice.one_of(SPEEDS))
         self.groups = []
         self.radio = []
         self.next_TSR = 1
         self.place_levels()
-        if calm:
+        if self.sizes.ahead:
             self.keep_speed_at_borders()
         self.place_groups()
         self.first_group()
@@ -68,24 +101,23 @@ class RandomLine:
     # What the line is like.
     def profile(self, least, most, value):
         steps, at = [], -500
-        if self.calm:  # long authorities have to fit into telegrams
-            least, most = least + 1400, most + 2400
-        beyond = BEYOND + (2 * CALM_AHEAD if self.calm else 0)
-        while at < self.length + beyond:
-            end = min(at + self.dice.tens(least, most), self.length + beyond)
+        least, most = least + self.sizes.more_per_step[0], most + self.sizes.more_per_step[1]
+        last = self.length + self.sizes.beyond
+        while at < last:
+            end = min(at + self.dice.tens(least, most), last)
             steps.append([at, end, value()])
             at = end
         return steps
 
     def place_levels(self):
         """[{level, from_m, to_m}]; no two neighbours have the same level."""
-        count = self.dice.whole(1, 3 if self.calm else 4)
+        count = self.dice.whole(1, self.sizes.sections)
         levels = [self.dice.one_of(("0", "1", "1", "NTC"))]
         if count == 1:
             levels = ["1"]
         while len(levels) < count:
             ahead = self.dice.one_of(("0", "1", "1", "2", "2", "2", "NTC"))
-            if self.calm and "2" in levels and ahead == "2":  # the end of a session after the next call
+            if not self.sizes.level_2_again and "2" in levels and ahead == "2":
                 continue
             if ahead != levels[-1]:
                 levels.append(ahead)
@@ -116,7 +148,7 @@ class RandomLine:
         places = {60}
         at = 60
         while at < self.length:
-            at += self.dice.tens(800 if self.calm else 400, 1400 if self.calm else 1000)
+            at += self.dice.tens(*self.sizes.between_groups)
             places.add(at)
         borders = [section["from_m"] for section in self.sections[1:]]
         places = {p for p in places if all(abs(p - b) > 60 for b in borders)} | set(borders)
@@ -139,7 +171,7 @@ class RandomLine:
             "V_NVONSIGHT": dice.one_of((30, 40)),
             "V_NVSTFF": dice.one_of((40, 60)),
             "V_NVLIMSUPERV": dice.one_of((60, 100)),
-            "V_NVUNFIT": 60 if self.calm else dice.one_of((80, 100)),
+            "V_NVUNFIT": dice.one_of(self.sizes.V_NVUNFIT),
             "D_NVROLL": dice.one_of((2, 5)),
             "M_NVCONTACT": dice.one_of((0, 1, 2)),
             "T_NVCONTACT": dice.one_of((25, 40)),
@@ -171,24 +203,24 @@ class RandomLine:
         signals = []
         while groups:
             signals.append(groups[0])
-            groups = groups[self.dice.whole(2, 2 if self.calm else 4):]
+            groups = groups[self.dice.whole(*self.sizes.between_signals):]
         for i, signal in enumerate(signals):
             target = signals[min(i + 2, len(signals) - 1)]["at_m"] + self.dice.tens(60, 200)
             if i + 2 >= len(signals):
                 target = min(section["to_m"], self.length) + self.dice.tens(400, 900)
-            if self.dice.chance(0.15) and i + 1 < len(signals) and not self.calm:  # the next signal is at danger
+            if self.dice.chance(0.15) and i + 1 < len(signals) and self.sizes.stops:  # the next signal is at danger
                 target = signals[i + 1]["at_m"] + 40
             target = min(target, signal["at_m"] + 3000)
-            if self.calm:
-                target = (signals[i + 1]["at_m"] if i + 1 < len(signals) else section["to_m"]) + CALM_AHEAD
+            if self.sizes.ahead:
+                target = (signals[i + 1]["at_m"] if i + 1 < len(signals) else section["to_m"]) + self.sizes.ahead
             signal["orders"].append(self.authority(target))
             self.mode_profile(signal["orders"], signal["at_m"], target)
             between = [g for g in self.groups if i + 1 < len(signals) and signal["at_m"] < g["at_m"] < signals[i + 1]["at_m"]]
             if between and i + 1 < len(signals) and self.dice.chance(0.4):
                 main = signals[i + 1]
                 further = min(main["at_m"] + self.dice.tens(900, 2200), self.length + 1200)
-                if self.calm:
-                    further = main["at_m"] + CALM_AHEAD + self.dice.tens(0, 900)
+                if self.sizes.ahead:
+                    further = main["at_m"] + self.sizes.ahead + self.dice.tens(0, 900)
                 between[-1]["orders"] += [{"infill": main["NID_BG"]}, self.authority(further)]
 
     def mode_profile(self, orders, begin, to, share=0.25):
@@ -196,11 +228,11 @@ class RandomLine:
         if not dice.chance(share) or to - begin < 900:
             return
         start = begin + dice.tens(300, (to - begin) // 2)
-        if self.calm:
-            start = begin + CALM_AHEAD + 300
+        if self.sizes.ahead:
+            start = begin + self.sizes.ahead + 300
             if start + 200 > to:
                 return
-        shunting = start > 0.6 * self.length and not self.calm
+        shunting = start > 0.6 * self.length and self.sizes.stops
         mode = dice.one_of(("OS", "OS", "LS", "LS", "SH") if shunting else ("OS", "OS", "LS"))
         profile = {"mode": mode, "from_m": start, "to_m": min(to, start + dice.tens(200, 1500)), "acknowledge_m": dice.tens(100, 300)}
         if dice.chance(0.5):
@@ -229,8 +261,8 @@ class RandomLine:
             {"position_reports": {"every_s": dice.whole(5, 20), "at_groups": dice.chance(0.5)}}])
         at, to = first, begin
         while to < min(end + 800, self.length + 1500):
-            least = CALM_AHEAD + 1500 if self.calm else 1500
-            to = min(max(to, at) + dice.tens(least, 3500 + least - 1500), self.length + (CALM_AHEAD if self.calm else 1500))
+            far = max(to, at) + dice.tens(1500 + self.sizes.ahead, 3500 + self.sizes.ahead)
+            to = min(far, self.length + self.sizes.last_authority)
             orders = [self.authority(to)]
             self.mode_profile(orders, max(at, begin), to, 0.3)
             for _ in range(dice.whole(0, 2)):
@@ -238,18 +270,18 @@ class RandomLine:
             self.send(at, orders)
             for _ in range(dice.whole(0, 2)):
                 place = at + dice.tens(0, 300)
-                if self.calm and place < begin:  # the transition buffer keeps the authority and two more
+                if self.sizes.ahead and place < begin:  # the transition buffer keeps the authority and two more
                     continue
                 self.send(place, [self.rare(self.behind(place)["at_m"], by_radio=True)])
             self.trouble(max(at, begin), to)
-            at = max(at + 400, to - dice.tens(900, 1600) - (CALM_AHEAD if self.calm else 0))
+            at = max(at + 400, to - dice.tens(900, 1600) - self.sizes.ahead)
         if end < self.length and (last := self.ahead(end + 300)) is not None:
             last["orders"].append({"session": {"establish": False, **RBC}})
 
     def trouble(self, at, to):
         """Now and then the radio block centre takes something back on the way, and lifts it when the train has stood."""
         dice = self.dice
-        if self.calm or not dice.chance(0.6) or to - at < 1200:
+        if not self.sizes.stops or not dice.chance(0.6) or to - at < 1200:
             return
         at += dice.tens(100, 400)
         stop = at + dice.tens(700, 1000)
@@ -309,8 +341,8 @@ class RandomLine:
 
     def restriction(self, begin, end):
         dice = self.dice
-        if self.calm:
-            begin += CALM_AHEAD
+        if self.sizes.ahead:
+            begin += self.sizes.ahead
             end = max(end, begin + 500)
         start = begin + dice.tens(0, max(0, end - begin - 100))
         restriction = {"NID_TSR": self.next_TSR, "from_m": start, "to_m": start + dice.tens(100, 900),
@@ -325,18 +357,18 @@ class RandomLine:
             if section["level"] == "NTC":
                 order["nid_ntc"] = 1
             for group in self.groups:
-                announces = border - 1700 <= group["at_m"] < border - 300 and self.dice.chance(0.8)
-                if self.calm:  # before the first authority of level 2
-                    announces = border - 2400 <= group["at_m"] < border - 900
+                first, last = self.sizes.before_border
+                by_chance = border - 1700 <= group["at_m"] < border - 300 and self.dice.chance(0.8)
+                announces = (by_chance or self.sizes.all_announce) and border - first <= group["at_m"] < border - last
                 if announces:
                     acknowledge = self.dice.tens(100, 300)
                     group["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": acknowledge}})
             if section["level"] == "1":
                 # Without an authority the train would trip at the border: it waits for it in the transition buffer.
                 last = self.behind(border - 300)
-                if not (self.calm and any("level_transition" in o for o in last["orders"])):  # two make the group inconsistent
+                if self.sizes.stops or not any("level_transition" in o for o in last["orders"]):  # two make the group inconsistent
                     last["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": 200}})
-                last["orders"].append(self.authority(border + (CALM_AHEAD if self.calm else self.dice.tens(300, 600))))
+                last["orders"].append(self.authority(border + (self.sizes.ahead or self.dice.tens(300, 600))))
             at_border = next(g for g in self.groups if g["at_m"] == border)
             at_border["orders"].insert(0, {"level_transition": {**order, "acknowledge_m": 0}})
 
@@ -359,7 +391,7 @@ class RandomLine:
         text = {**profile, "Q_TEXTCLASS": dice.whole(0, 1), "Q_TEXTDISPLAY": dice.whole(0, 1), "D_TEXTDISPLAY": dice.tens(0, 500),
                 "M_MODETEXTDISPLAY_START": 15, "M_LEVELTEXTDISPLAY_START": 5, "L_TEXTDISPLAY": dice.tens(100, 1500),
                 "T_TEXTDISPLAY": dice.whole(5, 60), "M_MODETEXTDISPLAY_END": 15, "M_LEVELTEXTDISPLAY_END": 5}
-        confirm = {"Q_TEXTCONFIRM": 1 if self.calm else dice.whole(1, 3), "Q_CONFTEXTDISPLAY": dice.whole(0, 1), "Q_TEXTREPORT": 0}
+        confirm = {"Q_TEXTCONFIRM": dice.one_of(self.sizes.consents), "Q_CONFTEXTDISPLAY": dice.whole(0, 1), "Q_TEXTREPORT": 0}
         choices = [
             lambda: self.restriction(at + 200, at + 2500),
             lambda: self.restriction(at + 100, at + 1500),
@@ -404,7 +436,7 @@ class RandomLine:
         order = dice.one_of(choices + (by_radio_only if by_radio else in_groups_only))()
         number = order.get("packet", {}).get("NID_PACKET")
         misplaced = number == 141 if by_radio else number == 140  # the message is inconsistent
-        if self.calm and (number in STOPPING or misplaced):
+        if not self.sizes.stops and (number in STOPPING or misplaced):
             return {"text": {"text": "Nothing here", "for_s": 10}}
         return order
 
@@ -415,11 +447,11 @@ class RandomLine:
             start["nid_ntc"] = 1
         levels = " > ".join(section["level"] for section in self.sections)
         for group in self.groups:
-            if group["orders"] and self.calm:
-                group["balises"] = 8
+            if group["orders"] and self.sizes.balises:
+                group["balises"] = self.sizes.balises
             elif len(group["orders"]) > 2:
                 group["balises"] = 5
-            elif not group["orders"] and not self.calm and self.dice.chance(0.15):  # of one balise: without an orientation
+            elif not group["orders"] and self.sizes.stops and self.dice.chance(0.15):  # of one balise: without an orientation
                 group["balises"] = 1
         return {"schema": "evc-line-description/1", "name": f"random line {self.seed}", "about": f"levels {levels}", "NID_C": NID_C,
                 "length_m": self.length, "start": start, "gradient": self.gradient, "ssp": self.ssp,
