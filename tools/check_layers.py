@@ -28,7 +28,9 @@ MAY_INCLUDE = {
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
     "io": BELOW_KERNEL | {"kernel", "texts", "sim"},
     "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
-    "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
+    # Cycles by the clock and hand-over between threads, of values of any type.
+    "realtime": set(),
+    "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},

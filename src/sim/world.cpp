@@ -35,6 +35,10 @@ World::World(const Line& line, const train::TrainData& train, const Dynamics& dy
 
 CycleInputs& World::advance() {
   inputs_.clear();
+  return advance_further();
+}
+
+CycleInputs& World::advance_further() {
   if (first_)
     first_ = false;
   else

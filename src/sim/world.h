@@ -42,6 +42,8 @@ class World {
 
   /// The inputs of the next cycle; the first one is for t = 0, before anything moves.
   CycleInputs& advance();
+  /// The same for an on-board that did not take the inputs of the last cycle: what belonged to it comes with this one.
+  CycleInputs& advance_further();
   void observe(const port::Outputs& outputs);
   /// The rear end has passed the last group, the front end has passed the end of the line, or the
   /// train has stopped and will not move again.
