@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -23,6 +24,8 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("curves --explain 900"), "evc curves: --explain: found 900, expected a number from 0 to 600\n");
   EXPECT_EQ(refused("run --train"), "evc run: --train: found nothing after it, expected a value\n");
   EXPECT_EQ(refused("run --seed 1 --seed 2"), "evc run: --seed: found it 2 times, expected it once\n");
+  EXPECT_EQ(refused("run --cycle 0"), "evc run: --cycle: found 0, expected a number from 1 to 1000\n");
+  EXPECT_EQ(refused("run --real-time --cycle 1.5"), "evc run: --cycle: found 1.5, expected a number\n");
   EXPECT_EQ(refused("run --foo"), "evc run: found --foo, expected an option that `evc run --help` lists\n");
   EXPECT_EQ(refused("run a b c"), "evc run: found \"b\", expected no further argument\n");
   EXPECT_EQ(refused("replay"), "evc replay: found no input, expected JSON Lines of inputs; - for standard input\n");
@@ -79,6 +82,7 @@ TEST(CommandLine, AnEmptyArgumentIsAnError) {
                                  "run --driver ''",
                                  "run --last-ma ''",
                                  "run --seed ''",
+                                 "run --cycle ''",
                                  "run -o ''",
                                  "replay in --config ''",
                                  "replay in -o ''",
@@ -221,6 +225,44 @@ TEST(Signals, LeaveNoPartOfAFile) {
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
     EXPECT_EQ(files(), 0) << signal;
     ::close(feed[1]);
+  }
+}
+
+/// A run by the clock has its files when it is stopped: they are those of the simulated run up to there.
+TEST(Signals, EndARunInRealTime) {
+  const Folder whole("real_time_whole");
+  ASSERT_EQ(ended("run --cycle 50 -o '" + whole.path() + "'").exit_code, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Folder out("real_time");
+    const std::string data = test::source_folder() + "/data";
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      (void)::signal(signal, SIG_DFL);
+      (void)::setenv("OPENEVC_DATA", data.c_str(), 1);
+      ::dup2(::open("/dev/null", O_WRONLY), 1);
+      ::execl(evc::test::evc_command().c_str(), "evc", "run", "--real-time", "--cycle", "50", "-o", out.path().c_str(),
+              static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    // It drives when it has a second thread.
+    const std::string threads = "/proc/" + std::to_string(child) + "/task";
+    const auto running = [&] {
+      return std::distance(std::filesystem::directory_iterator(threads), std::filesystem::directory_iterator{});
+    };
+    while (running() < 2 && ::waitpid(child, nullptr, WNOHANG) == 0) ::usleep(1000);
+    ::kill(child, signal);
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << signal;
+    const std::string outputs = text_of(out / "outputs.jsonl");
+    EXPECT_FALSE(outputs.empty());
+    EXPECT_NE(text_of(out / "summary.json").find("\"real_time\""), std::string::npos);
+    // A machine that hangs may make the world late; then a replay is what equals.
+    const bool in_time = text_of(out / "summary.json").find("\"without_inputs\": 0,") != std::string::npos;
+    EXPECT_TRUE(!in_time || text_of(whole / "outputs.jsonl").starts_with(outputs));
+    const Ended replay = ended("replay '" + (out / "inputs.jsonl") + "'");
+    EXPECT_TRUE(replay.output == outputs);
   }
 }
 

@@ -70,6 +70,9 @@ void add_run(CLI::App& app, int& exit_code) {
     return seed_of(given) ? std::string()
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
   });
+  command->add_flag("--real-time", options->real_time, "cycles by the clock, to the end of the run or SIGINT");
+  command->add_option("--cycle", options->cycle_ms, "length of a cycle in ms; default: 100")
+      ->check(number_between(1, 1000));
   command->add_option("-o,--output", options->output, "folder for the report and the records");
   command->callback([options, seed, &exit_code] {
     options->seed = *seed_of(*seed);

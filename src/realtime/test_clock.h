@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <functional>
 #include <thread>
 #include <utility>
@@ -14,17 +15,17 @@ class TestClock final : public Clock {
   TestClock() = default;
   explicit TestClock(std::function<bool(Nanoseconds)> ready) : ready_(std::move(ready)) {}
 
-  Nanoseconds now() override { return now_; }
+  Nanoseconds now() override { return now_.load(); }
   void wait_until(Nanoseconds at, const std::stop_token& stop) override {
     while (ready_ && !ready_(at) && !stop.stop_requested()) std::this_thread::yield();
-    if (at > now_) now_ = at;
+    if (at > now_.load()) now_ = at;
   }
   /// Something takes this long.
-  void pass(Nanoseconds time) { now_ += time; }
+  void pass(Nanoseconds time) { now_ = now_.load() + time; }
 
  private:
   std::function<bool(Nanoseconds)> ready_;
-  Nanoseconds now_{0};
+  std::atomic<Nanoseconds> now_{Nanoseconds{0}};  // one thread waits, any may ask
 };
 
 }  // namespace evc::realtime

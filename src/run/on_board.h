@@ -8,7 +8,7 @@
 
 namespace evc::run {
 
-/// Heap allocations of the whole program so far.
+/// Heap allocations of this thread so far.
 std::size_t allocations();
 
 /// The kernel with its state, and the cost of its steps.

@@ -16,15 +16,14 @@
 #include <vector>
 
 #include "io/file.h"
-#include "io/input_writer.h"
-#include "io/output_lines.h"
 #include "io/train_file.h"
+#include "run/drive.h"
 #include "run/journey.h"
 #include "run/load.h"
 #include "run/on_board.h"
-#include "run/progress.h"
 #include "run/report.h"
 #include "run/sha256.h"
+#include "run/stop_signals.h"
 
 namespace evc::run {
 namespace {
@@ -33,11 +32,6 @@ using io::complain;
 using nlohmann::ordered_json;
 
 constexpr const char* kDriverNames[] = {"perfect", "late", "reckless"};
-
-/// The complete files of a run.
-struct Records {
-  std::string inputs, outputs, trace = io::trace_header();
-};
 
 /// Distribution of the cost of a cycle, in microseconds.
 struct Cost {
@@ -118,6 +112,21 @@ ordered_json summary_of(const Journey& journey, const sim::World& world, const s
   return s;
 }
 
+ordered_json json_of(const realtime::Times& times, double unit_ns) {
+  const auto in_unit = [&](realtime::Nanoseconds t) { return tenth(static_cast<double>(t.count()) / unit_ns); };
+  return {{"median", in_unit(times.share(0.5))}, {"p99_9", in_unit(times.share(0.999))}, {"max", in_unit(times.max())}};
+}
+
+ordered_json json_of(const RealTime& r) {
+  return {{"cycle_ms", r.cycle_ms},
+          {"missed", r.timing.missed},
+          {"without_inputs", r.without_inputs},
+          {"lost", r.lost},
+          {"jitter_us", json_of(r.timing.jitter, 1e3)},
+          {"response_us", json_of(r.timing.response, 1e3)},
+          {"inputs_age_ms", json_of(r.age, 1e6)}};
+}
+
 std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, " > ")); }
 
 void print_summary(const ordered_json& s, const std::string& train, const std::string& driver) {
@@ -150,25 +159,17 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
   fmt::print("cost of a cycle     median {} us, 99.9 % {} us, max {} us; {} cycles, {} times real time\n",
              number(c["median"]), number(c["p99_9"]), number(c["max"]), number(s["cycles"]),
              s["real_time_factor"].get<double>());
-}
-
-/// Drives to the end. `inputs.jsonl` begins with the configuration of the on-board.
-Records drive(sim::World& world, OnBoard& on_board, Journey& journey, const io::Configuration& configuration) {
-  Records records;
-  io::InputWriter writer(configuration);
-  Progress progress("driving");
-  const double way = world.end_m() - world.start_m();
-  do {
-    sim::CycleInputs& inputs = world.advance();
-    writer.append(records.inputs, inputs);
-    const kernel::Outputs& outputs = on_board.step(inputs.view());
-    world.observe(outputs);
-    journey.record(inputs, outputs);
-    io::append_output(records.outputs, inputs.t_ms, outputs);
-    io::append_trace(records.trace, inputs.t_ms, outputs);
-    progress.show((world.front_m() - world.start_m()) / way, inputs.t_ms, world.motion().speed() * 3.6);
-  } while (!world.finished());
-  return records;
+  if (!s.contains("real_time")) return;
+  const auto& r = s["real_time"];
+  const auto times = [&](const char* key) {
+    return fmt::format("median {}, 99.9 % {}, max {}", number(r[key]["median"]), number(r[key]["p99_9"]),
+                       number(r[key]["max"]));
+  };
+  fmt::print("real time           cycle of {} ms: {} missed, {} without inputs, {} lost\n", number(r["cycle_ms"]),
+             number(r["missed"]), number(r["without_inputs"]), number(r["lost"]));
+  fmt::print("  begin after due   {} us\n", times("jitter_us"));
+  fmt::print("  end after due     {} us\n", times("response_us"));
+  fmt::print("  age of inputs     {} ms\n", times("inputs_age_ms"));
 }
 
 io::Result<bool> write_records(const std::string& folder, const Records& records, const ordered_json& summary,
@@ -233,17 +234,33 @@ int run(const RunOptions& options) {
   sim::World::Settings settings;
   settings.driver = driver;
   settings.seed = options.seed;
+  settings.cycle_ms = options.cycle_ms;
   if (options.odometer != "random")
     settings.odometer = options.odometer == "over" ? sim::Odometer::Errors::over() : sim::Odometer::Errors::under();
   if (options.last_ma >= 0) settings.last_ma = options.last_ma;
   io::Configuration configuration;
+  configuration.cycle_ms = options.cycle_ms;
   configuration.train = *train;
   configuration.document = io::configuration_document(configuration);
   const auto world = std::make_unique<sim::World>(*line, train->data, train->dynamics, settings);
   OnBoard on_board(configuration.for_kernel(), OnBoard::Costs::kept);
   Journey journey(*world);
-  const Records records = drive(*world, on_board, journey, configuration);
-  const ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
+  Recorder recorder(*world, journey, configuration);
+  std::optional<RealTime> real_time;
+  bool stopped = false;
+  if (options.real_time) {
+    const StopSignals signals;
+    realtime::MonotonicClock clock;
+    Exchange exchange;
+    real_time = drive_in_real_time(*world, on_board, recorder, options.cycle_ms, clock, exchange,
+                                   [&] { return signals.seen(); });
+    stopped = signals.seen();
+  } else {
+    drive(*world, on_board, recorder);
+  }
+  const Records& records = recorder.records();
+  ordered_json summary = summary_of(journey, *world, *line, on_board, records.outputs);
+  if (real_time) summary["real_time"] = json_of(*real_time);
   io::Result<bool> written = true;
   // The files first: they do not depend on standard output.
   if (!options.output.empty())
@@ -255,7 +272,7 @@ int run(const RunOptions& options) {
     fmt::print("(-o DIR writes report.html, trace.csv, inputs.jsonl, outputs.jsonl and summary.json)\n");
   else
     fmt::print("report              {}/report.html\n", options.output);
-  return verdict(line_file(options.line), *world, journey);
+  return stopped ? 0 : verdict(line_file(options.line), *world, journey);
 }
 
 }  // namespace evc::run

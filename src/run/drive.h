@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "io/input_stream.h"
+#include "io/input_writer.h"
+#include "io/output_lines.h"
+#include "realtime/clock.h"
+#include "realtime/exchange.h"
+#include "realtime/timing.h"
+#include "run/journey.h"
+#include "run/on_board.h"
+#include "run/progress.h"
+#include "sim/world.h"
+
+namespace evc::run {
+
+/// The complete files of a run.
+struct Records {
+  std::string inputs, outputs, trace = io::trace_header();
+};
+
+/// Keeps what every cycle of a run had and gave. `inputs.jsonl` begins with the configuration of the on-board.
+class Recorder {
+ public:
+  Recorder(const sim::World& world, Journey& journey, const io::Configuration& configuration)
+      : world_(world), journey_(journey), writer_(configuration) {}
+  void add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs);
+  Records& records() { return records_; }
+
+ private:
+  const sim::World& world_;
+  Journey& journey_;
+  io::InputWriter writer_;
+  Records records_;
+  Progress progress_{"driving"};
+};
+
+/// Drives to the end: the world waits for the on-board and the on-board for the world.
+void drive(sim::World& world, OnBoard& on_board, Recorder& recorder);
+
+/// What a run in real time measures in addition.
+struct RealTime {
+  std::int64_t cycle_ms = 0;
+  realtime::Timing timing;
+  realtime::Times age;               ///< of the inputs of a cycle at its begin, since they were offered
+  std::uint64_t without_inputs = 0;  ///< cycles that began before the world had made their inputs
+  std::uint64_t lost = 0;            ///< cycles that are missing in the records
+};
+
+/// The hand-over between the world and the on-board.
+struct Exchange : realtime::Exchange<sim::CycleInputs, kernel::Outputs> {
+  /// More than a second of cycles of 10 ms: an outside that does not take results for so long has failed.
+  Exchange() : realtime::Exchange<sim::CycleInputs, kernel::Outputs>(128) {}
+};
+
+/// Drives by the clock: the on-board in a thread of its own, once in each period, with what the world has made by then.
+/// Until the world has ended, or `stopped` says so, which is asked after each cycle.
+RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& recorder, std::int64_t cycle_ms,
+                            realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped);
+
+}  // namespace evc::run

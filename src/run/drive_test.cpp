@@ -1,0 +1,148 @@
+#include "run/drive.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "base/test_paths.h"
+#include "realtime/test_clock.h"
+#include "run/load.h"
+
+namespace evc::run {
+namespace {
+
+using realtime::Nanoseconds;
+using realtime::TestClock;
+
+/// A journey on the shipped line, ready to be driven.
+struct Drive {
+  explicit Drive(std::int64_t cycle_ms = 100) {
+    settings.cycle_ms = configuration.cycle_ms = cycle_ms;
+    configuration.document = io::configuration_document(configuration);
+    world = std::make_unique<sim::World>(line, configuration.train.data, configuration.train.dynamics, settings);
+    on_board = std::make_unique<OnBoard>(configuration.for_kernel());
+    journey = std::make_unique<Journey>(*world);
+    recorder = std::make_unique<Recorder>(*world, *journey, configuration);
+  }
+  RealTime in_real_time(
+      realtime::Clock& clock, const std::function<bool()>& stopped = [] { return false; }) {
+    return drive_in_real_time(*world, *on_board, *recorder, configuration.cycle_ms, clock, exchange, stopped);
+  }
+  std::int64_t cycle_of(Nanoseconds due) const { return due / std::chrono::milliseconds(configuration.cycle_ms); }
+  /// What a replay of the recorded inputs gives.
+  std::string replayed() {
+    auto stream = io::InputStream::open("inputs", io::lines_of(recorder->records().inputs));
+    if (!stream) return stream.error().text();
+    OnBoard other(stream->configuration().for_kernel());
+    sim::CycleInputs inputs;
+    std::string outputs;
+    for (auto more = stream->next(inputs); more && *more; more = stream->next(inputs))
+      io::append_output(outputs, inputs.t_ms, other.step(inputs.view()));
+    return outputs;
+  }
+
+  sim::Line line = load_line(test::source_folder() + "/data/lines/brunnental.json").value();
+  sim::World::Settings settings;
+  io::Configuration configuration;
+  std::unique_ptr<sim::World> world;
+  std::unique_ptr<OnBoard> on_board;
+  std::unique_ptr<Journey> journey;
+  std::unique_ptr<Recorder> recorder;
+  Exchange exchange;
+};
+
+void real_time_equals_simulated(std::int64_t cycle_ms) {
+  Drive simulated(cycle_ms);
+  drive(*simulated.world, *simulated.on_board, *simulated.recorder);
+  Drive timed(cycle_ms);
+  TestClock clock([&](Nanoseconds due) { return timed.exchange.ready(timed.cycle_of(due)); });
+  const RealTime measured = timed.in_real_time(clock);
+  EXPECT_EQ(measured.without_inputs, 0u);
+  EXPECT_EQ(measured.lost, 0u);
+  EXPECT_EQ(timed.on_board->allocations_in_step(), 0u);
+  // Not EXPECT_EQ: it would print both.
+  EXPECT_TRUE(simulated.recorder->records().inputs == timed.recorder->records().inputs);
+  EXPECT_TRUE(simulated.recorder->records().outputs == timed.recorder->records().outputs);
+  EXPECT_TRUE(simulated.recorder->records().trace == timed.recorder->records().trace);
+  EXPECT_EQ(timed.journey->cycles(), simulated.journey->cycles());
+}
+
+/// A world that makes its inputs in time: the same bytes as without a clock.
+TEST(RealTime, GivesTheBytesOfTheSimulatedRun) { real_time_equals_simulated(100); }
+TEST(RealTime, GivesThemWithAShorterCycle) { real_time_equals_simulated(40); }
+
+/// The world hangs from cycle 500 to 505. The unit goes on with the signals and the last reading of the odometer; what
+/// the world makes meanwhile comes later; a replay gives the same outputs.
+TEST(RealTime, AWorldThatIsLateIsNotWaitedFor) {
+  Drive timed;
+  std::atomic<std::int64_t> begun = -1;
+  TestClock clock([&](Nanoseconds due) {
+    begun = timed.cycle_of(due);
+    return (begun > 500 && begun <= 505) || timed.exchange.ready(begun);
+  });
+  std::int64_t seen = -1;
+  const RealTime measured = timed.in_real_time(clock, [&] {
+    if (++seen == 500)
+      while (begun < 506) std::this_thread::yield();
+    return false;
+  });
+  EXPECT_EQ(measured.without_inputs, 5u);
+  EXPECT_EQ(measured.lost, 0u);
+  const Records& records = timed.recorder->records();
+  std::size_t held = 0;
+  for (std::size_t at = 0; (at = records.inputs.find("\"at_ms\":", at)) != std::string::npos; ++at, ++held)
+    EXPECT_EQ(records.inputs.substr(at, 14), "\"at_ms\":50000}");
+  EXPECT_EQ(held, 5u);
+  EXPECT_TRUE(timed.replayed() == records.outputs);
+  EXPECT_EQ(timed.journey->interventions().eb, 0);
+  EXPECT_EQ(timed.world->ending(), sim::World::Ending::end_of_line);
+}
+
+/// The odometer's last reading is older than 1 s while it shows movement: system failure (4.4.5).
+TEST(RealTime, WithoutTheWorldATrainThatMovesIsBraked) {
+  Drive timed;
+  std::atomic<std::int64_t> begun = -1;
+  TestClock clock([&](Nanoseconds due) {
+    begun = timed.cycle_of(due);
+    return begun > 500 || timed.exchange.ready(begun);
+  });
+  std::int64_t seen = -1;
+  (void)timed.in_real_time(clock, [&] {
+    if (++seen == 500)
+      while (begun < 520) std::this_thread::yield();
+    return seen >= 514;
+  });
+  const auto& samples = timed.journey->samples();
+  ASSERT_EQ(samples.size(), 515u);
+  EXPECT_NE(static_cast<Mode>(samples[510].mode), Mode::SF);  // 1 s old
+  EXPECT_EQ(static_cast<Mode>(samples[511].mode), Mode::SF);
+  EXPECT_EQ(samples[511].brakes & 4, 4);
+}
+
+/// SUBSET-041 5.2.1.1: a unit that is later than the brake order has to come has failed.
+TEST(RealTime, AUnitThatIsASecondLateFails) {
+  for (const int late_ms : {1000, 1001}) {
+    Drive timed;
+    TestClock* time = nullptr;
+    TestClock clock([&](Nanoseconds due) {
+      if (!timed.exchange.ready(timed.cycle_of(due))) return false;
+      if (timed.cycle_of(due) == 300) time->pass(std::chrono::milliseconds(100 + late_ms));
+      return true;
+    });
+    time = &clock;
+    std::int64_t seen = -1;
+    const RealTime measured = timed.in_real_time(clock, [&] { return ++seen >= 301; });
+    EXPECT_GE(measured.timing.missed, 1u);
+    EXPECT_EQ(measured.timing.jitter.max(), Nanoseconds{std::chrono::milliseconds(late_ms)});
+    ASSERT_EQ(timed.journey->samples().size(), 302u);
+    EXPECT_NE(static_cast<Mode>(timed.journey->samples()[299].mode), Mode::SF);
+    EXPECT_EQ(static_cast<Mode>(timed.journey->samples()[300].mode) == Mode::SF, late_ms > 1000);
+    EXPECT_TRUE(timed.replayed() == timed.recorder->records().outputs);
+  }
+}
+
+}  // namespace
+}  // namespace evc::run
