@@ -2,6 +2,8 @@
 #   make run      drives the shipped line with the on-board unit; report in out/run/
 #   make test     all tests
 #   make bench    benchmarks and instruction counts
+#   make reactions  reaction times in simulated and in real time, with their margins to SUBSET-041
+#   make real-time  a run by the clock beside a busy core: SECONDS_EACH=600 at CYCLES="100 10" ms; no cycle of 100 ms missed
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
 # Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-mutants
@@ -13,7 +15,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run test bench fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-mutants
+.PHONY: help run test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -36,6 +38,14 @@ bench:
 	@tools/setup build bench
 	@tools/build release evc benches
 	@tools/run_benches
+
+reactions:
+	@tools/setup build
+	@tools/build release evc reactions
+	@build/release/benches/reactions $(or $(TIMES),20)
+
+real-time: evc
+	@tools/measure_real_time $(or $(SECONDS_EACH),600) $(or $(CYCLES),100 10)
 
 fuzz:
 	@tools/setup build fuzz

@@ -111,6 +111,8 @@ class Ride {
 
   const kernel::Outputs& outputs() const { return *outputs_; }
   kernel::Inputs& inputs() { return inputs_; }
+  const kernel::State& state() const { return *state_; }
+  const kernel::Derived& derived() const { return *derived_; }
 
   /// Moves the train 100 ms at `v` m/s and makes the inputs of that cycle; the caller measures step().
   void prepare(double v) {

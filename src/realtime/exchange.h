@@ -13,11 +13,11 @@ namespace evc::realtime {
 
 /// Hand-over of whole values between two threads: the *outside*, which makes inputs and uses outputs, and the *unit*,
 /// whose cycles the executor calls. Who owns what:
-/// - inputs: the outside owns its own object, the exchange the offered one, the unit the one it computes with. A
-///   hand-over swaps two of them under the lock, so that nobody sees a value that is half written.
-/// - results: a ring. The slots behind the published ones belong to the unit, the published ones to the outside, which
-///   gives one back by taking it. Slots are filled and emptied without the lock, which guards their numbers only.
-/// The unit never waits for the outside. An outside that is so late that the ring is full loses results: counted.
+/// - inputs: a ring. An offer swaps the outside's object with one of it, the unit takes it by swapping too, under the
+///   lock: nobody sees a value that is half written, and none is copied.
+/// - results: another ring. The slots behind the published ones belong to the unit, the published ones to the outside,
+///   which gives one back by taking it. Slots are filled and emptied without the lock, which guards their numbers.
+/// The unit never waits for the outside. A full ring loses what would come into it: counted.
 template <class In, class Out>
 class Exchange {
  public:
@@ -27,16 +27,24 @@ class Exchange {
     In in{};
     Out out{};
   };
-  explicit Exchange(std::size_t capacity) : ring_(capacity) {}
+  explicit Exchange(std::size_t capacity) : inputs_(capacity), results_(capacity) {}
 
-  /// The outside: inputs for a cycle; `in` becomes an object for the next ones. They replace what was offered and not
-  /// taken. Returns `cycle`; or, where that has begun without them, the first that has not: nothing changes owner.
+  /// The outside: inputs for a cycle, not before that of the last offer; a second offer for it replaces the first. `in`
+  /// becomes an object for the next ones. Returns `cycle`; or, where that has begun, the first that has not: `in`
+  /// stays.
   std::int64_t offer(std::int64_t cycle, In& in, Nanoseconds now) {
     const std::lock_guard lock(mutex_);
     if (cycle < next_) return next_;
-    std::swap(offered_, in);
-    offered_for_ = cycle;
-    offered_at_ = now;
+    const bool again = offered_ != taken_ && inputs_[(offered_ - 1) % inputs_.size()].cycle == cycle;
+    if (!again && offered_ - taken_ == inputs_.size()) {
+      ++lost_;
+      return cycle;
+    }
+    if (!again) ++offered_;
+    Offer& slot = inputs_[(offered_ - 1) % inputs_.size()];
+    std::swap(slot.in, in);
+    slot.cycle = cycle;
+    slot.at = now;
     return cycle;
   }
 
@@ -44,9 +52,10 @@ class Exchange {
   std::optional<Nanoseconds> take(std::int64_t cycle, In& in) {
     const std::lock_guard lock(mutex_);
     next_ = cycle + 1;
-    if (offered_for_ != cycle) return std::nullopt;
-    std::swap(offered_, in);
-    return offered_at_;
+    if (!has(cycle)) return std::nullopt;
+    Offer& slot = inputs_[taken_++ % inputs_.size()];
+    std::swap(slot.in, in);
+    return slot.at;
   }
 
   /// The unit, at the end of a cycle: `fill` writes its result into a slot.
@@ -55,13 +64,13 @@ class Exchange {
     std::size_t at = 0;
     {
       const std::lock_guard lock(mutex_);
-      if (published_ - taken_ == ring_.size()) {
+      if (published_ - used_ == results_.size()) {
         ++lost_;
         return;
       }
-      at = published_ % ring_.size();
+      at = published_ % results_.size();
     }
-    fill(ring_[at]);
+    fill(results_[at]);
     {
       const std::lock_guard lock(mutex_);
       ++published_;
@@ -74,13 +83,13 @@ class Exchange {
     std::size_t at = 0;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return published_ != taken_ || closed_; });
-      if (published_ == taken_) return false;
-      at = taken_ % ring_.size();
+      changed_.wait(lock, [&] { return published_ != used_ || closed_; });
+      if (published_ == used_) return false;
+      at = used_ % results_.size();
     }
-    std::swap(into, ring_[at]);
+    std::swap(into, results_[at]);
     const std::lock_guard lock(mutex_);
-    ++taken_;
+    ++used_;
     return true;
   }
 
@@ -93,10 +102,10 @@ class Exchange {
     changed_.notify_one();
   }
 
-  /// Whether inputs wait for this cycle; from any thread.
+  /// Whether inputs wait for this cycle, the next one; from any thread.
   bool ready(std::int64_t cycle) const {
     const std::lock_guard lock(mutex_);
-    return offered_for_ == cycle;
+    return has(cycle);
   }
   std::size_t lost() const {
     const std::lock_guard lock(mutex_);
@@ -104,14 +113,22 @@ class Exchange {
   }
 
  private:
+  struct Offer {
+    std::int64_t cycle = -1;
+    Nanoseconds at{0};
+    In in{};
+  };
+  /// No cycle is left out: the oldest offer is of the next cycle or a later one.
+  bool has(std::int64_t cycle) const { return offered_ != taken_ && inputs_[taken_ % inputs_.size()].cycle == cycle; }
+
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  In offered_{};
-  std::int64_t offered_for_ = -1;
-  Nanoseconds offered_at_{0};
-  std::int64_t next_ = 0;  ///< the first cycle that has not begun
-  std::vector<Result> ring_;
-  std::size_t published_ = 0, taken_ = 0, lost_ = 0;
+  std::vector<Offer> inputs_;
+  std::vector<Result> results_;
+  std::size_t offered_ = 0, taken_ = 0;   // numbers of inputs
+  std::size_t published_ = 0, used_ = 0;  // numbers of results
+  std::size_t lost_ = 0;
+  std::int64_t next_ = 0;  // the first cycle that has not begun
   bool closed_ = false;
 };
 

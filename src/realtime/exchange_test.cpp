@@ -48,6 +48,34 @@ TEST(Exchange, InputsAreForTheirCycle) {
   EXPECT_FALSE(exchange.take(2, units));
 }
 
+/// A unit that is late gets the inputs of each cycle, none replaces those of another one.
+TEST(Exchange, InputsWaitForALateUnit) {
+  Values exchange(2);
+  Value mine, units;
+  for (const std::int64_t cycle : {0, 1, 1, 2}) {
+    mine.set(10 * (cycle + 1));
+    EXPECT_EQ(exchange.offer(cycle, mine, Nanoseconds{cycle}), cycle);
+  }
+  EXPECT_EQ(exchange.lost(), 1u);  // those of cycle 2: the ring has two places
+  EXPECT_EQ(exchange.take(0, units), Nanoseconds{0});
+  EXPECT_EQ(units.whole(), 10);
+  EXPECT_EQ(exchange.take(1, units), Nanoseconds{1});
+  EXPECT_EQ(units.whole(), 20);
+  EXPECT_FALSE(exchange.take(2, units));
+}
+
+TEST(Exchange, ASecondOfferForACycleReplacesTheFirst) {
+  Values exchange(2);
+  Value mine, units;
+  mine.set(1);
+  (void)exchange.offer(0, mine, Nanoseconds{1});
+  mine.set(2);
+  (void)exchange.offer(0, mine, Nanoseconds{2});
+  EXPECT_EQ(exchange.take(0, units), Nanoseconds{2});
+  EXPECT_EQ(units.whole(), 2);
+  EXPECT_FALSE(exchange.take(1, units));
+}
+
 TEST(Exchange, ACycleThatHasBegunTakesNoMoreInputs) {
   Values exchange(4);
   Value mine, units;
@@ -101,7 +129,7 @@ TEST(Exchange, BetweenTwoThreadsValuesAreWholeAndNoneIsLeftOut) {
   ASSERT_EQ(exchange.offer(0, mine, {}), 0);
   std::jthread thread([&](const std::stop_token& stop) {
     Value value;
-    executor.run(stop, [&](const Cycle& cycle) {
+    executor.run({}, stop, [&](const Cycle& cycle) {
       const bool fresh = exchange.take(cycle.number, value).has_value();
       exchange.publish([&](Values::Result& result) {
         result.cycle = cycle.number;

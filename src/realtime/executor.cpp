@@ -2,8 +2,7 @@
 
 namespace evc::realtime {
 
-void Executor::run(const std::stop_token& stop, const Work& work) {
-  const Nanoseconds begin = clock_.now();
+void Executor::run(Nanoseconds begin, const std::stop_token& stop, const Work& work) {
   for (std::int64_t n = 0;; ++n) {
     CycleTimes times;
     times.due = begin + n * period_;

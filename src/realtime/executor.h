@@ -24,8 +24,8 @@ class Executor {
   using Work = std::function<void(const Cycle&)>;
   Executor(Clock& clock, Nanoseconds period) : clock_(clock), period_(period) {}
 
-  /// Cycle n is due n periods after this call. Returns when a stop is requested; a cycle that has begun is ended.
-  void run(const std::stop_token& stop, const Work& work);
+  /// Cycle n is due n periods after `begin`. Returns when a stop is requested; a cycle that has begun is ended.
+  void run(Nanoseconds begin, const std::stop_token& stop, const Work& work);
 
   /// What was measured so far; from any thread.
   Timing timing() const;

@@ -19,7 +19,7 @@ struct Executed {
   explicit Executed(const std::vector<Nanoseconds>& costs) {
     std::stop_source stop;
     Executor executor(clock, kPeriod);
-    executor.run(stop.get_token(), [&](const Cycle& cycle) {
+    executor.run(clock.now(), stop.get_token(), [&](const Cycle& cycle) {
       cycles.push_back(cycle);
       clock.pass(costs[cycles.size() - 1]);
       if (cycles.size() == costs.size()) stop.request_stop();
@@ -71,7 +71,7 @@ TEST(Executor, AStopBeforeTheFirstCycleLeavesNone) {
   stop.request_stop();
   TestClock clock;
   Executor executor(clock, kPeriod);
-  executor.run(stop.get_token(), [](const Cycle&) { FAIL(); });
+  executor.run(clock.now(), stop.get_token(), [](const Cycle&) { FAIL(); });
   EXPECT_EQ(executor.timing().cycles, 0u);
 }
 
@@ -80,7 +80,8 @@ TEST(Executor, StopsAnExecutorThatWaits) {
   Executor executor(clock, std::chrono::hours(1));
   std::atomic<int> cycles = 0;
   {
-    std::jthread thread([&](const std::stop_token& stop) { executor.run(stop, [&](const Cycle&) { ++cycles; }); });
+    std::jthread thread(
+        [&](const std::stop_token& stop) { executor.run(clock.now(), stop, [&](const Cycle&) { ++cycles; }); });
     while (cycles == 0) std::this_thread::yield();
     // The next one is due in an hour. The destructor asks for the stop and waits for the end of the thread.
   }

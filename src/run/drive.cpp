@@ -95,7 +95,7 @@ RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& reco
   sim::CycleInputs mine;
   std::int64_t offered = offer(world, exchange, mine, cycle_ms, clock);
   std::jthread thread([&](const std::stop_token& stop) {
-    executor.run(stop, [&](const realtime::Cycle& cycle) { unit.cycle(cycle); });
+    executor.run(clock.now(), stop, [&](const realtime::Cycle& cycle) { unit.cycle(cycle); });
     exchange.close();
   });
   Exchange::Result result;
