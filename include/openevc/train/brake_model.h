@@ -138,8 +138,8 @@ constexpr bool service_brake_feedback_available(const TrainData& t, const Nation
 /// A_gradient of 3.13.4.3.2 for a gradient in per mille (uphill positive).
 Acceleration A_gradient(double grad, const TrainData& train, const FixedValues& fixed);
 
-/// The speed measurement accuracy that SUBSET-041 5.3.1.2 requires: f41(V). From memory of two public
-/// implementations: 2 km/h up to 30 km/h, then linear to 12 km/h at 500 km/h.
+/// The speed measurement accuracy that SUBSET-041 5.3.1.2 requires: f41(V), 2 km/h up to 30 km/h,
+/// then linear to 12 km/h at 500 km/h.
 Speed f41(Speed V);
 
 }  // namespace evc::train

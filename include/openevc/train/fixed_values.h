@@ -30,7 +30,7 @@ struct FixedValues {
   double d_trip_relative = 0.1;       // 3.13.9.4.8.2: twice SUBSET-041's 5 %
   Speed PBD_rounding{5.0 / 3.6};      // 3.11.11
   Speed search_tolerance{1.0 / 3.6};  // 3.13.9.4.8, 3.11.11
-  // SUBSET-041, from memory: two clauses, two parameters (5.2.1.1 and 5.2.1.13).
+  // SUBSET-041 of the set of 4.0.0: two clauses, two parameters (5.2.1.1 and 5.2.1.13).
   Duration T41_balise{1.0};
   Duration T41_eoa{1.0};
 
