@@ -2,6 +2,7 @@
 
 #include "io/rbc_contact.h"
 #include "io/train_file.h"
+#include "lang/translate.h"
 #include "texts/texts.h"
 
 namespace evc::io {
@@ -18,6 +19,11 @@ constexpr const char* kDirections[] = {"reverse", "nominal", "unknown"};
 // --- From JSON
 
 std::uint16_t read_NID_C(const JsonPlace& place) { return static_cast<std::uint16_t>(place.integer(0, 1023)); }
+
+/// Of national values that name no country too.
+std::uint16_t read_area(const JsonPlace& place) {
+  return static_cast<std::uint16_t>(place.integer(0, lang::kNoCountry));
+}
 
 template <class List, class Read>
 List read_list(const JsonPlace& place, Read read) {
@@ -78,9 +84,9 @@ Retained read_document(const JsonPlace& place) {
                    "position"});
   Retained r;
   r.national_values = read_national_values(place["national_values"]);
-  r.national_areas = read_list<Retained::Areas>(place["national_areas"], read_NID_C);
-  r.national_areas_of_X_2 = read_list<Retained::Areas>(place["national_areas_of_X_2"], read_NID_C);
-  r.national_areas_of_braking = read_list<Retained::Areas>(place["national_areas_of_braking"], read_NID_C);
+  r.national_areas = read_list<Retained::Areas>(place["national_areas"], read_area);
+  r.national_areas_of_X_2 = read_list<Retained::Areas>(place["national_areas_of_X_2"], read_area);
+  r.national_areas_of_braking = read_list<Retained::Areas>(place["national_areas_of_braking"], read_area);
   r.operated_X = static_cast<std::uint8_t>(place["version_X"].integer(1, 2));
   r.generic_ls_marker = place["generic_ls_marker"].boolean();
   r.covers = read_list<decltype(r.covers)>(place["vbc"], read_cover);

@@ -112,10 +112,9 @@ bool translate(const Packet3_v1_0& from, Packet3& to) {
   to.Q_DIR = from.Q_DIR;
   to.Q_SCALE = from.Q_SCALE;
   to.D_VALIDNV.raw = from.D_VALIDNV.raw;
-  // X = 1 has one list of countries; in X = 2 the first country is before the counter. An empty list (values valid
-  // nowhere) cannot be expressed in X = 2.
-  if (from.areas.empty()) return false;
-  to.NID_C = from.areas[0].NID_C;
+  // X = 1 has one list of countries; in X = 2 the first country is before the counter. The values of an empty list hold
+  // up to the next group (3.18.2.8.1, 3.18.2.10).
+  to.NID_C.raw = from.areas.empty() ? kNoCountry : from.areas[0].NID_C.raw;
   for (std::size_t i = 1; i < from.areas.size(); ++i) (void)to.areas.push_back({from.areas[i].NID_C});
   to.V_NVSHUNT = from.V_NVSHUNT;
   to.V_NVSTFF = from.V_NVSTFF;

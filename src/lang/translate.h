@@ -31,6 +31,9 @@ inline constexpr std::uint8_t kQ_DIFF_by_train = 3;
 /// NID_XUSER of data for a national system, which NID_NTC names (7.4.2.11).
 inline constexpr std::uint16_t kNationalSystem = 102;
 
+/// NID_C of a packet 3 of X = 1 that names no country: that of no group.
+inline constexpr std::uint16_t kNoCountry = 1024;
+
 template <class... P>
 struct Forms {};
 /// The older layouts from which a packet can be made.

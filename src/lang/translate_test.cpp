@@ -98,7 +98,9 @@ TEST(Translate, NationalValues) {
   EXPECT_EQ(p.V_NVSTFF.raw, 8);
   // Values for no country.
   old.areas.clear();
-  EXPECT_EQ(through(old, p), Fault::not_applicable);
+  ASSERT_EQ(through(old, p), Fault::none);
+  EXPECT_EQ(p.NID_C.raw, kNoCountry);
+  EXPECT_TRUE(p.areas.empty());
 }
 
 // [13], [19]
