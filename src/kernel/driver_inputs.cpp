@@ -14,7 +14,7 @@ driver::ActionContext action_context(const State& s, const TrainSignals& train, 
   c.train_data_valid = valid(s.data.train_data_status);
   c.train_running_number_valid = valid(s.data.train_running_number_status);
   c.session_open = s.radio.supervising.session.established();
-  c.train_data_acknowledged = s.radio.supervising.train_data_acknowledged;
+  c.train_data_acknowledged = s.radio.supervising.knows_train_data();
   c.non_leading_signal = train.non_leading;
   c.passive_shunting_signal = train.passive_shunting;
   c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;

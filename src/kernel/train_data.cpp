@@ -48,7 +48,7 @@ void change_train_data(State& s, const train::TrainData& data, const track::Here
   s.train = data;
   s.data.train_data_status = DataStatus::valid;
   ++s.revision;
-  radio::send_train_data(s.radio);
+  radio::note_validated_train_data(s.radio);
   log.note({.what = What::train_data_valid, .clause = "3.18.3"_srs});
 }
 

@@ -88,10 +88,12 @@ Step after_rejection(const Inputs& in, Effects& out) {
   return Step::S10;
 }
 
-/// D10, D11: train data and running number are valid.
+/// D10, D11: train data and running number are valid. The RBC gets train data when they are validated (3.18.3.4); up to
+/// 3.6.0 S11 sends them, also again; in 4.0.0 it only waits, and D15 leaves it out when they are acknowledged.
 Step after_running_number(const Inputs& in, Effects& out) {
   if (!level_2_or_3(in.level)) return Step::S20;
   if (in.session != Session::open) return Step::S10;
+  if (in.srs == SrsVersion::v4_0_0) return in.train_data_acknowledged ? Step::S20 : Step::S11;
   out.send.add(Send::train_data);
   return Step::S11;
 }

@@ -6,6 +6,7 @@
 #include "terms/data_status.h"
 #include "terms/level.h"
 #include "terms/mode.h"
+#include "terms/srs_version.h"
 
 // Start of mission, SUBSET-026-5 5.4. The steps have the standard's names.
 namespace evc::procedures::start_of_mission {
@@ -61,13 +62,14 @@ struct Inputs {
   bool enters_train_data = false;
   bool selects_start = false;
   // The RBC, this cycle.
-  bool train_data_acknowledged = false;  // message 8, or acknowledged earlier and still valid
+  bool train_data_acknowledged = false;  // message 8, or acknowledged earlier and not changed since
   bool position_confirmed = false;       // 43
   bool train_accepted = false;           // 41
   bool train_rejected = false;           // 40
   bool SR_authorised = false;            // 2
   // MA, SSP and gradient are stored and the mode profile requires this mode at the train's position (OS, LS or SH).
   std::optional<Mode> profile_at_front;
+  SrsVersion srs = SrsVersion::v3_6_0;
 };
 
 /// One cycle. Outside SB, or with the desk closed, the procedure has ended (step S0); its session, or the set-up of

@@ -122,4 +122,46 @@ void abort_set_ups(State& s, Duration now, Outbox& out) {
   abort_set_up(s.other.session, now, out);
 }
 
+namespace {
+
+/// Whether the session ends in this cycle: what was due before its message 156 is still sent.
+bool ends_now(const Session& session, Peer peer, const Outbox& out) {
+  if (session.repetitions != 0) return false;
+  for (const Intent& intent : out.messages)
+    if (intent.to == peer && intent.NID_MESSAGE == message::session_terminated) return true;
+  return false;
+}
+
+/// While there is no connection, messages that are due count as sent (3.5.4.5). Before the session is established only
+/// its initiation is sent (3.5.3.7), after message 156 nothing but its repetitions (3.5.5.3). `terminated`: 156 was
+/// sent.
+bool reaches(const Session& session, std::uint8_t NID_MESSAGE, bool& terminated) {
+  switch (session.phase) {
+    case Phase::up:
+      return true;
+    case Phase::waiting_version:
+      return NID_MESSAGE == message::session_initiated;
+    case Phase::lost:
+    case Phase::connecting:
+      return false;
+    case Phase::idle:
+    case Phase::terminating:
+      break;
+  }
+  const bool ends = NID_MESSAGE == message::session_terminated;
+  const bool sent = ends || !terminated;
+  terminated = terminated || ends;
+  return sent;
+}
+
+}  // namespace
+
+void drop_unsent(const State& s, Outbox& out) {
+  std::array<bool, kPeers.size()> terminated{};
+  for (const Peer peer : kPeers) terminated[static_cast<std::size_t>(peer)] = !ends_now(s.session(peer), peer, out);
+  out.messages.erase_if([&](const Intent& intent) {
+    return !reaches(s.session(intent.to), intent.NID_MESSAGE, terminated[static_cast<std::size_t>(intent.to)]);
+  });
+}
+
 }  // namespace evc::radio

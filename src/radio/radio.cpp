@@ -121,45 +121,6 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
   s.requested_at = in.now;
 }
 
-/// Whether the session ends in this cycle: what was due before its message 156 is still sent.
-bool ends_now(const Session& session, Peer peer, const Outbox& out) {
-  if (session.repetitions != 0) return false;
-  for (const Intent& intent : out.messages)
-    if (intent.to == peer && intent.NID_MESSAGE == message::session_terminated) return true;
-  return false;
-}
-
-/// While there is no connection, messages that are due count as sent (3.5.4.5). Before the session is established only
-/// its initiation is sent (3.5.3.7), after message 156 nothing but its repetitions (3.5.5.3). `terminated`: 156 was
-/// sent.
-bool reaches(const Session& session, std::uint8_t NID_MESSAGE, bool& terminated) {
-  switch (session.phase) {
-    case Phase::up:
-      return true;
-    case Phase::waiting_version:
-      return NID_MESSAGE == message::session_initiated;
-    case Phase::lost:
-    case Phase::connecting:
-      return false;
-    case Phase::idle:
-    case Phase::terminating:
-      break;
-  }
-  const bool ends = NID_MESSAGE == message::session_terminated;
-  const bool sent = ends || !terminated;
-  terminated = terminated || ends;
-  return sent;
-}
-
-/// Of all peers, in the order of the messages.
-void drop_unsent(const State& s, Outbox& out) {
-  std::array<bool, kPeers.size()> terminated{};
-  for (const Peer peer : kPeers) terminated[static_cast<std::size_t>(peer)] = !ends_now(s.session(peer), peer, out);
-  out.messages.erase_if([&](const Intent& intent) {
-    return !reaches(s.session(intent.to), intent.NID_MESSAGE, terminated[static_cast<std::size_t>(intent.to)]);
-  });
-}
-
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
   drop_unsent(s, out);
@@ -251,7 +212,7 @@ bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   p.established_now = true;
   p.running_number_due = true;
   p.train_data_pending = true;
-  p.train_data_acknowledged = false;
+  p.train_data_acknowledged = p.train_data_validated_since = false;
   p.train_data_stamp.reset();
   if (from == Peer::other) return true;
   if (p.session.rbc != kUnknownRbc) s.contact = p.session.rbc;  // 3.18.4.3.4: of the short number the one that answered
@@ -264,6 +225,7 @@ void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
   if (!from.train_data_stamp || *from.train_data_stamp != T_TRAIN_REF) return;
   from.train_data_stamp.reset();
   from.train_data_acknowledged = true;
+  from.train_data_validated_since = from.train_data_validated_since && from.train_data_pending;
 }
 
 void report_error(State& s, ErrorReport error) {
@@ -297,5 +259,10 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
 }
 
 void send_train_data(State& s) { s.supervising.train_data_pending = s.other.train_data_pending = true; }
+
+void note_validated_train_data(State& s) {
+  s.supervising.train_data_validated_since = s.other.train_data_validated_since = true;
+  send_train_data(s);
+}
 
 }  // namespace evc::radio

@@ -47,6 +47,9 @@ struct Partner {
   bool train_data_pending = false;                ///< has to be sent
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
   bool train_data_acknowledged = false;           ///< in this session
+  bool train_data_validated_since = false;        ///< anew or others, since the acknowledgement
+  /// It has acknowledged the train data of now; that they are sent again does not matter.
+  bool knows_train_data() const { return train_data_acknowledged && !train_data_validated_since; }
 };
 
 struct State {
@@ -169,6 +172,9 @@ struct Result {
 /// The connection to this partner is ordered: reports of the bearer that name none are of it (3.5.3.7).
 void note_called(State& state, const Rbc& called);
 
+/// Messages that their session does not send now are removed, of all peers (3.5.3.7, 3.5.4.5, 3.5.5.3).
+void drop_unsent(const State& state, Outbox& out);
+
 /// One cycle: sessions, contact supervision, train data, position reports (to both RBCs, 3.15.1.3.4), MA requests,
 /// repetitions. Afterwards every message of the outbox has its own time stamp; messages without a connection are
 /// removed (3.5.4.5).
@@ -178,8 +184,10 @@ Result supervise(State& state, const Inputs& inputs, Outbox& out);
 std::optional<Peer> infill_unit(const State& state, const Rbc& unit);
 std::size_t sessions(const State& state);
 
-/// Train data were validated or changed: 129 is due, to both RBCs (3.18.3.4, 3.15.1.3.3).
+/// 129 is due, to both RBCs (3.15.1.3.3).
 void send_train_data(State& state);
+/// Train data were validated or changed (3.18.3.4).
+void note_validated_train_data(State& state);
 
 /// Message 147; Q_EMERGENCYSTOP in the codes of the RBC's version (for X = 1 from protection/).
 inline void answer_emergency_stop(std::uint8_t NID_EM, std::uint8_t Q_EMERGENCYSTOP, Outbox& out) {

@@ -105,12 +105,13 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.selects_short_number = received.selected.has(Select::short_number);
   som.enters_train_data = received.entered.has(Entered::train_data);
   som.selects_start = received.selected.has(Select::start);
-  som.train_data_acknowledged = s.radio.supervising.train_data_acknowledged;
+  som.train_data_acknowledged = s.radio.supervising.knows_train_data();
   som.position_confirmed = received.position_confirmed;
   som.train_accepted = received.train_accepted;
   som.train_rejected = received.train_rejected;
   som.SR_authorised = received.SR_authorised;
   som.profile_at_front = profile_at_front;
+  som.srs = s.srs;
   const bool was_running = s.start_of_mission.step != procedures::start_of_mission::Step::S0;
   const procedures::Effects effects = procedures::start_of_mission::step(s.start_of_mission, som);
   out.effects |= effects;
