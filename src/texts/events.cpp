@@ -96,6 +96,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     // The driver.
     {What::selection_not_enabled, "driver", Takes::select, nullptr, ": not enabled"},
     {What::entry_not_enabled, "driver", Takes::entered, nullptr, ": not enabled"},
+    {What::entry_out_of_range, "driver", Takes::entered, nullptr, ": out of range"},
     {What::acknowledgement_not_enabled, "driver", Takes::nothing, "acknowledgement", ": not enabled"},
     {What::train_data_valid, "train data", Takes::nothing, "valid"},
     {What::train_data_refused, "train data", Takes::fault, nullptr},

@@ -27,7 +27,8 @@ TEST(Texts, EveryEventSaysWhatHappened) {
     // Without a text, the numbers of the event are the whole text.
     EXPECT_TRUE(row.text != nullptr || (row.takes != Takes::nothing && row.takes != Takes::id)) << i;
     const std::string line = std::string(row.subject) + "|" + (row.text == nullptr ? "" : row.text) + "|" +
-                             std::to_string(static_cast<int>(row.takes));
+                             std::to_string(static_cast<int>(row.takes)) + "|" +
+                             (row.after_clause == nullptr ? "" : row.after_clause);
     EXPECT_TRUE(lines.insert(line).second) << "two events read the same: " << line;
   }
 }

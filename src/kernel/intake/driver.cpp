@@ -123,14 +123,21 @@ void enter_SR_data(Reception& r) {
   State& s = r.state;
   if (!r.in.driver.V_sr && !r.in.driver.D_sr) return;
   if (!may_enter(r, driver::Input::sr_speed_distance, Entered::SR_speed_distance)) return;
-  // A speed up to 600 km/h, a distance up to the greatest that packets give.
+  // A.3.11: a speed up to 600 km/h, a distance up to 100 km.
   const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
   if ((r.in.driver.V_sr && !in_range(r.in.driver.V_sr->si, 600.0 / 3.6)) ||
-      (r.in.driver.D_sr && !in_range(r.in.driver.D_sr->si, 327670.0)))
-    return r.log.note({.what = What::SR_data_out_of_range, .clause = "4.4.11"_srs});
+      (r.in.driver.D_sr && !in_range(r.in.driver.D_sr->si, 100000.0)))
+    return r.log.note({.what = What::SR_data_out_of_range, .clause = "A.3.11"_srs});
   if (r.in.driver.V_sr) s.staff_responsible.V = r.in.driver.V_sr;
   if (r.in.driver.D_sr) set_SR_distance(s, r.out.here, r.in.driver.D_sr);
   ++s.revision;
+}
+
+/// A.3.11: an identity of 24 bits; all ones name no RBC.
+bool is_rbc(const DriverActions::RbcContact& contact) {
+  constexpr std::uint32_t kLast = 16777214, kCountries = 1024, kRbcs = 16384;
+  if (contact.NID_C >= kCountries || contact.NID_RBC >= kRbcs) return false;
+  return contact.NID_C * kRbcs + contact.NID_RBC <= kLast;
 }
 
 /// 5.4.3.2 S3, 3.18.4.3.2: the contact is entered, or the stored one is used.
@@ -142,6 +149,10 @@ void choose_contact(Reception& r) {
     return r.log.note({.what = What::selection_not_enabled,
                        .id = static_cast<std::int32_t>(Select::last_rbc),
                        .clause = "3.18.4.3.1"_srs});
+  if (entered && !is_rbc(*entered))
+    return r.log.note({.what = What::entry_out_of_range,
+                       .id = static_cast<std::int32_t>(Entered::rbc_contact),
+                       .clause = "3.18.4.3.5"_srs});
   if (entered && may_enter(r, driver::Input::rbc_contact, Entered::rbc_contact))
     s.radio.contact = radio::Rbc{entered->NID_C, entered->NID_RBC, entered->NID_RADIO};
   else if (!last)

@@ -257,11 +257,11 @@ TEST_F(Driver, EntersSpeedAndDistanceOnlyInSR) {  // 4.4.11.1.5
   EXPECT_EQ(state.staff_responsible.V, std::nullopt);
   EXPECT_EQ(state.staff_responsible.end, at(1200.0));
   EXPECT_NE(state.revision, revision);
-  EXPECT_TRUE(entered(600.0, 327670.0));
+  EXPECT_TRUE(entered(600.0, 100000.0));
   EXPECT_TRUE(entered(0.0, 0.0));
   EXPECT_FALSE(entered(601.0, 200.0));
   EXPECT_TRUE(happened(What::SR_data_out_of_range));
-  EXPECT_FALSE(entered(30.0, 327671.0));
+  EXPECT_FALSE(entered(30.0, 100000.1));
   EXPECT_FALSE(entered(-1.0, 200.0));
   EXPECT_FALSE(entered(30.0, -1.0));
   state.mode = Mode::FS;
