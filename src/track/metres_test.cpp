@@ -42,6 +42,7 @@ struct Model {
   struct Authority {
     int end = 0;
     std::optional<int> SvL;  // none: an LOA
+    bool shortened = false;
     int far() const { return SvL ? *SvL : end; }
   };
   std::optional<Authority> ma;
@@ -60,7 +61,7 @@ struct Model {
     std::erase_if(suitability, [&](const RouteSuitability& s) { return s.at >= testing::at(at); });
   }
   void cut_at_train(int est, int max) {
-    if (ma) ma = Authority{std::min(ma->end, est), std::min(ma->far(), max)};
+    if (ma) ma = Authority{std::min(ma->end, est), std::min(ma->far(), max), true};
     cut(max);
   }
 };
@@ -323,11 +324,12 @@ class Database {
     if (!c.ma) return;
     const MovementAuthority& ma = *c.ma;
     const int end = whole(ma.end());
-    Model::Authority fresh{end, end};
+    Model::Authority fresh{end, end, false};
     if (ma.danger_point) fresh.SvL = whole(ma.danger_point->at);
     if (ma.overlap) fresh.SvL = whole(ma.overlap->end);  // it comes before a danger point (3.8.4.5)
     if (ma.limited()) fresh.SvL.reset();
     if (c.infill && !model.ma) return;
+    if (c.infill && model.ma->shortened && model.ma->far() < whole(*c.infill)) return;  // 3.8.5.1 b
     if (!known(together, c.infill ? whole(*c.infill) : front_, fresh.far())) return;
     expected_accepted_ = true;
     const std::optional<Model::Authority> old = model.ma;
@@ -348,11 +350,11 @@ class Database {
     if (model.ma) {
       Model::Authority& ma = *model.ma;
       if (stop <= ma.end)
-        ma = {stop, stop};
+        ma = {stop, stop, true};
       else if (!ma.SvL)
-        ma = {ma.end, ma.end};
-      else
-        ma.SvL = std::min(*ma.SvL, stop);
+        ma = {ma.end, ma.end, true};
+      else if (stop <= *ma.SvL)
+        ma = {ma.end, stop, true};
     }
     model.cut(stop);
   }

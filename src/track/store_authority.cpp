@@ -161,6 +161,8 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   if (refuse_ma) return refuse_authority(f, c, refuse_ma);
   // Infill extends an authority: without a stored authority it is refused (3.8.5.1 b).
   if (infill && !d.ma) return refuse_authority(f, c, "3.8.5.1"_srs);
+  // One that was shortened in rear of the infill reference authorises nothing up to there (3.8.5.1 b).
+  if (infill && d.ma->fixed_SvL && *d.ma->fixed_SvL < *infill) return refuse_authority(f, c, "3.8.5.1"_srs);
   if (!described) return refuse_authority(f, c, kIncomplete);
   const Before before = before_of(d.ma);
   if (!infill)
