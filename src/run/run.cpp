@@ -94,7 +94,8 @@ ordered_json summary_of(const Journey& journey, const sim::World& world, const s
                          {"rejected", counts.messages_rejected},
                          {"absent", line.absent_messages},
                          {"withheld", world.radio().withheld()},
-                         {"undelivered", world.radio().undelivered()}};
+                         {"undelivered", world.radio().undelivered()},
+                         {"unanswered_calls", world.radio().unanswered_calls()}};
   s["movement_authorities"] = {{"received", counts.authorities_received}, {"accepted", counts.authorities_accepted}};
   s["interventions"] = {
       {"tco", interventions.tco}, {"sb", interventions.sb}, {"eb", interventions.eb}, {"trip", interventions.trip}};
@@ -146,6 +147,9 @@ void print_summary(const ordered_json& s, const std::string& train, const std::s
   fmt::print("radio messages      {} received: {} accepted, {} refused; {} absent, {} withheld{}\n",
              number(m["received"]), number(m["accepted"]), number(m["refused"]), number(m["absent"]),
              number(m["withheld"]), m["undelivered"] == 0 ? "" : ", " + number(m["undelivered"]) + " undelivered");
+  if (m["unanswered_calls"] != 0)
+    fmt::print("calls unanswered    {}: one RBC is simulated, no other one and no radio infill unit\n",
+               number(m["unanswered_calls"]));
   fmt::print("authorities         {} received, {} accepted\n", number(s["movement_authorities"]["received"]),
              number(s["movement_authorities"]["accepted"]));
   const auto& i = s["interventions"];

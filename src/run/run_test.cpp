@@ -455,6 +455,26 @@ TEST(Run, AMissionStartsInLevel2) {
   EXPECT_EQ(driven(folder, level_2_from_the_start("2", "", 120.0))["modes"], json({"SB", "SR", "FS"}));
 }
 
+/// A handover is told, as there is no RBC that answers (3.15.1).
+TEST(Run, TheCallOfASecondRbcIsTold) {
+  const Folder folder("second_rbc");
+  json description = json::parse(level_2_from_the_start("2", "", 120.0));
+  description["groups"][1]["orders"].push_back({{"packet",
+                                                 {{"NID_PACKET", 131},
+                                                  {"Q_DIR", 1},
+                                                  {"Q_SCALE", 1},
+                                                  {"D_RBCTR", 2000},
+                                                  {"NID_C", 1000},
+                                                  {"NID_RBC", 10},
+                                                  {"NID_RADIO", "0041790000000002"},
+                                                  {"Q_SLEEPSESSION", 0}}}});
+  EXPECT_GT(driven(folder, description.dump())["radio_messages"]["unanswered_calls"], 0);
+  const Finished run = evc("run '" + (folder / "line.json") + "'");
+  EXPECT_NE(run.output.find("\ncalls unanswered    "), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find(": one RBC is simulated, no other one and no radio infill unit\n"), std::string::npos)
+      << run.output;
+}
+
 /// A mission that does not begin ends the run soon, and is reported.
 TEST(Run, AMissionThatCannotStartIsReported) {
   const Folder folder("no_start");

@@ -57,11 +57,21 @@ void TracksideRadio::hear(const port::Outputs& outputs, std::int64_t t_ms) {
     connected_at_ms_.reset();
     replies_.clear();
   }
-  if (outputs.radio_connect && !outputs.radio_connect->infill_unit && !bearer_ && !connected_at_ms_)
-    connected_at_ms_ = t_ms + static_cast<std::int64_t>(random_.between(1500.0, 4000.0));
+  if (outputs.radio_connect) hear_call(*outputs.radio_connect, t_ms);
   if (!bearer_) return;
   for (const port::OutgoingMessage& message : outputs.radio_out)
     if (!message.infill_unit) answer(message, t_ms);
+}
+
+void TracksideRadio::hear_call(const port::RbcAddress& called, std::int64_t t_ms) {
+  const bool busy = bearer_ || connected_at_ms_.has_value();
+  const bool same = called_ && called_->NID_C == called.NID_C && called_->NID_RBC == called.NID_RBC;
+  if (called.infill_unit || (busy && !same)) {
+    ++unanswered_calls_;
+  } else if (!busy) {
+    called_ = called;
+    connected_at_ms_ = t_ms + static_cast<std::int64_t>(random_.between(1500.0, 4000.0));
+  }
 }
 
 void TracksideRadio::answer(const port::OutgoingMessage& message, std::int64_t t_ms) {

@@ -40,6 +40,8 @@ class TracksideRadio {
   std::size_t waiting() const;
   std::size_t withheld() const { return withheld_; }
   bool session() const { return session_; }
+  /// Calls of an RBC other than the one that was called first, or of a radio infill unit: nobody answers them.
+  std::size_t unanswered_calls() const { return unanswered_calls_; }
 
  private:
   struct Reply {
@@ -50,6 +52,7 @@ class TracksideRadio {
     std::int64_t due_ms = 0;
     std::size_t message = 0;  // index in the line
   };
+  void hear_call(const port::RbcAddress& called, std::int64_t t_ms);
   void answer(const port::OutgoingMessage& message, std::int64_t t_ms);
   void answer_ma_request(std::uint32_t Q_MARQSTREASON, std::int64_t t_ms);
   bool is_withheld(const TracksideMessage& message) const;
@@ -61,6 +64,8 @@ class TracksideRadio {
   std::optional<int> last_ma_;
   Random& random_;
   std::uint8_t M_VERSION_ = 33;  // of the line's telegrams
+  std::optional<port::RbcAddress> called_;
+  std::size_t unanswered_calls_ = 0;
   std::optional<std::int64_t> connected_at_ms_;
   bool bearer_ = false, session_ = false;
   std::uint32_t NID_LRBG_ = 0xFFFFFF;  // as last reported

@@ -203,6 +203,28 @@ port::Outputs saying(std::initializer_list<std::uint8_t> first_bytes) {
   return o;
 }
 
+/// One RBC is simulated: a call of another one while it is called or connected is counted.
+TEST(TracksideRadio, CountsCallsThatNobodyAnswers) {
+  const Line line = plain_line();
+  Random random(1);
+  TracksideRadio radio(line, {}, random);
+  const auto called = [&](std::uint16_t NID_RBC, bool infill_unit = false) {
+    port::Outputs o;
+    o.radio_connect = port::RbcAddress{1, NID_RBC, 3};
+    o.radio_connect->infill_unit = infill_unit;
+    radio.hear(o, 0);
+    return radio.unanswered_calls();
+  };
+  EXPECT_EQ(called(2), 0u);
+  EXPECT_EQ(called(2), 0u) << "again, before it has answered";
+  EXPECT_EQ(called(9), 1u);
+  EXPECT_EQ(called(2, true), 2u);
+  port::Outputs end;
+  end.radio_disconnect = port::RbcAddress{1, 2, 3};
+  radio.hear(end, 0);
+  EXPECT_EQ(called(9), 2u) << "now it is the only one";
+}
+
 TEST(TracksideRadio, SetsUpAnswersAndKeepsAlive) {
   Line line = plain_line();
   TracksideMessage recorded;
