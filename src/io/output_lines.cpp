@@ -143,29 +143,19 @@ class OutputRow {
   bool first_ = true;
 };
 
-/// `,"NID_RBC":` or `,"NID_RIU":`.
-const char* number_key(bool infill_unit) { return infill_unit ? ",\"NID_RIU\":" : ",\"NID_RBC\":"; }
-
 void append_radio_address(OutputRow& row, const char* name, const std::optional<kernel::RbcAddress>& address) {
   if (row.json()) {
     row.key(name);
-    if (!address) {
+    if (address)
+      append_contact(row.out(), address->NID_C, address->NID_RBC, address->NID_RADIO, address->infill_unit);
+    else
       row.absent();
-      return;
-    }
-    row.out() += "{\"NID_C\":";
-    append_number(row.out(), static_cast<std::int64_t>(address->NID_C));
-    row.out() += number_key(address->infill_unit);
-    append_number(row.out(), static_cast<std::int64_t>(address->NID_RBC));
-    row.out() += ",\"NID_RADIO\":\"";
-  } else {
-    row.number(name, address.has_value(), address ? address->NID_C : 0);
-    row.number(name, address.has_value(), address ? address->NID_RBC : 0);
-    row.key(name);
-    if (!address) return;
+    return;
   }
-  append_NID_RADIO(row.out(), address->NID_RADIO);
-  if (row.json()) row.out() += "\"}";
+  row.number(name, address.has_value(), address ? address->NID_C : 0);
+  row.number(name, address.has_value(), address ? address->NID_RBC : 0);
+  row.key(name);
+  if (address) append_NID_RADIO(row.out(), address->NID_RADIO);
 }
 
 /// In JSON a text, for another RBC than the supervising one and for a radio infill unit an object; in a CSV field

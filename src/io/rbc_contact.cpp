@@ -55,16 +55,19 @@ port::DriverActions::RbcContact read_rbc_contact(const JsonPlace& place) {
 port::RbcAddress read_address(const JsonPlace& place) { return address(place, false); }
 port::RbcAddress read_kept_address(const JsonPlace& place) { return address(place, true); }
 
+const char* number_key(bool infill_unit) { return infill_unit ? ",\"NID_RIU\":" : ",\"NID_RBC\":"; }
+
 void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO) {
   std::uint8_t bytes[8];
   for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>((NID_RADIO >> (56 - 8 * i)) & 0xffu);
   append_hex(out, bytes);
 }
 
-void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO) {
+void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO,
+                    bool infill_unit) {
   out += "{\"NID_C\":";
   append_number(out, std::int64_t{NID_C});
-  out += ",\"NID_RBC\":";
+  out += number_key(infill_unit);
   append_number(out, std::int64_t{NID_RBC});
   out += ",\"NID_RADIO\":\"";
   append_NID_RADIO(out, NID_RADIO);

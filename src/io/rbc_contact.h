@@ -25,7 +25,10 @@ port::RbcAddress read_kept_address(const JsonPlace& place);
 
 /// NID_RADIO as it is read, without quotes.
 void append_NID_RADIO(std::string& out, std::uint64_t NID_RADIO);
+/// `,"NID_RBC":` or `,"NID_RIU":`.
+const char* number_key(bool infill_unit);
 /// The object with the three members.
-void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO);
+void append_contact(std::string& out, std::uint16_t NID_C, std::uint16_t NID_RBC, std::uint64_t NID_RADIO,
+                    bool infill_unit = false);
 
 }  // namespace evc::io
