@@ -87,7 +87,7 @@ Retained read_document(const JsonPlace& place) {
   r.national_areas = read_list<Retained::Areas>(place["national_areas"], read_area);
   r.national_areas_of_X_2 = read_list<Retained::Areas>(place["national_areas_of_X_2"], read_area);
   r.national_areas_of_braking = read_list<Retained::Areas>(place["national_areas_of_braking"], read_area);
-  r.operated_X = static_cast<std::uint8_t>(place["version_X"].integer(1, 2));
+  r.operated_X = static_cast<std::uint8_t>(place["version_X"].integer(1, Retained::kHighestX));
   r.generic_ls_marker = place["generic_ls_marker"].boolean();
   r.covers = read_list<decltype(r.covers)>(place["vbc"], read_cover);
   r.network = read_optional(place["radio_network"], read_NID_MN);

@@ -38,7 +38,7 @@ namespace evc::kernel {
 
 /// The highest system version number X that the unit supports (6.4.2), operated until another one is determined
 /// (3.17.2.9.1). All from 1 on are supported.
-inline constexpr std::uint8_t kHighestX = 2;
+inline constexpr std::uint8_t kHighestX = Retained::kHighestX;
 /// The operated system version as M_VERSION: of its number X the highest Y that the unit supports (3.17.2.1.1).
 constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>((unsigned{X} << 4) | 1u); }
 

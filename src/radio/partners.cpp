@@ -118,8 +118,7 @@ void terminate_all(State& s, Duration now, Outbox& out) {
 }
 
 void abort_set_ups(State& s, Duration now, Outbox& out) {
-  abort_set_up(s.supervising.session, now, out);
-  abort_set_up(s.other.session, now, out);
+  for (const Peer peer : kRbcs) abort_set_up(s.partner(peer).session, now, out);
 }
 
 namespace {

@@ -237,9 +237,7 @@ void report_error(State& s, ErrorReport error) {
 
 Result supervise(State& s, const Inputs& in, Outbox& out) {
   Result result;
-  const bool first_lost = keep(s, Peer::supervising, in, out);
-  const bool second_lost = keep(s, Peer::other, in, out);
-  result.session_lost = first_lost || second_lost;
+  for (const Peer peer : kRbcs) result.session_lost = keep(s, peer, in, out) || result.session_lost;
   for (const Peer peer : kInfillUnits)
     if (s.session(peer).active()) result.session_lost = keep_session(s, peer, in, out) || result.session_lost;
   supervise_contact(s, in, out, result);

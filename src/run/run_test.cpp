@@ -455,7 +455,7 @@ TEST(Run, AMissionStartsInLevel2) {
   EXPECT_EQ(driven(folder, level_2_from_the_start("2", "", 120.0))["modes"], json({"SB", "SR", "FS"}));
 }
 
-/// A handover is told, as there is no RBC that answers (3.15.1).
+/// A handover is reported, as there is no RBC that answers (3.15.1).
 TEST(Run, TheCallOfASecondRbcIsTold) {
   const Folder folder("second_rbc");
   json description = json::parse(level_2_from_the_start("2", "", 120.0));
