@@ -20,7 +20,11 @@ std::string refused(const std::string& arguments) {
 
 TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("run --driver x"), "evc run: --driver: found x, expected one of perfect, late, reckless\n");
-  EXPECT_EQ(refused("run --last-ma abc"), "evc run: --last-ma: found abc, expected a number from 0 to 1000000\n");
+  EXPECT_EQ(refused("run --last-ma abc"), "evc run: --last-ma: found abc, expected a whole number from 0 to 1000000\n");
+  EXPECT_EQ(refused("replay in --every 1.5"),
+            "evc replay: --every: found 1.5, expected a whole number from 1 to 1000000000\n");
+  EXPECT_EQ(refused("replay --diff - -"), "-: found standard input twice, expected it once\n");
+  EXPECT_EQ(refused("replay /"), "/: found a directory, expected a file that can be read\n");
   EXPECT_EQ(refused("curves --explain 900"), "evc curves: --explain: found 900, expected a number from 0 to 600\n");
   EXPECT_EQ(refused("run --train"), "evc run: --train: found nothing after it, expected a value\n");
   EXPECT_EQ(refused("run --seed 1 --seed 2"), "evc run: --seed: found it 2 times, expected it once\n");
@@ -116,7 +120,7 @@ TEST(CommandLine, ASpeedIsAFiniteNumber) {
     EXPECT_EQ(refused(std::string("curves --explain=") + speed),
               std::string("evc curves: --explain: found ") + speed + ", expected a number from 0 to 600\n");
   for (const char* option : {"replay in --every=nan", "run --last-ma=nan"})
-    EXPECT_NE(refused(option).find("found nan, expected a number from "), std::string::npos) << option;
+    EXPECT_NE(refused(option).find("found nan, expected a whole number from "), std::string::npos) << option;
 }
 
 /// Bytes of the input that are no text do not reach standard error.

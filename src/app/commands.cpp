@@ -45,6 +45,19 @@ CLI::Validator number_between(double least, double most) {
       "");
 }
 
+/// A whole number in a range.
+CLI::Validator whole_number_between(std::int64_t least, std::int64_t most) {
+  return CLI::Validator(
+      [least, most](std::string& given) {
+        std::int64_t number = 0;
+        const auto [stop, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+        const bool whole = error == std::errc{} && stop == given.data() + given.size();
+        if (whole && number >= least && number <= most) return std::string();
+        return fmt::format("found {}, expected a whole number from {} to {}", given, least, most);
+      },
+      "");
+}
+
 /// An empty argument is what a shell makes of an unset variable: it is not taken for an absent one.
 void refuse_empty_arguments(CLI::App& app) {
   for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_items_expected_max() > 0; }))
@@ -58,14 +71,15 @@ void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<run::RunOptions>();
   auto seed = std::make_shared<std::string>("1");
   CLI::App* command = app.add_subcommand("run", "Drive a simulated train along a line, supervised by the on-board");
-  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("line", options->line,
+                      "line file (etcs-line/1), - for standard input; default: the shipped line");
   command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
   command->add_option("--driver", options->driver, "perfect, late or reckless")
       ->check(CLI::IsMember({"perfect", "late", "reckless"}));
   command->add_option("--odometer", options->odometer, "random, or as wrong as it declares possible: over or under")
       ->check(CLI::IsMember({"random", "over", "under"}));
   command->add_option("--last-ma", options->last_ma, "withhold movement authorities with a higher seq")
-      ->check(number_between(0, 1000000));
+      ->check(whole_number_between(0, 1000000));
   command->add_option("--seed", *seed, "seed of odometer errors and delays")->check([](const std::string& given) {
     return seed_of(given) ? std::string()
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
@@ -89,7 +103,8 @@ void add_replay(CLI::App& app, int& exit_code) {
       "--persistent", options->persistent,
       "file of what the unit keeps without power: read if it exists, written at power off and at the end");
   command->add_option("-o,--output", options->output, "file for the outputs; default: standard output");
-  command->add_option("--every", options->every, "print only every Nth cycle")->check(number_between(1, 1000000000));
+  command->add_option("--every", options->every, "print only every Nth cycle")
+      ->check(whole_number_between(1, 1000000000));
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
   command->add_flag("--planning", options->planning, "print the advance display: gradient, speeds, orders ahead");
@@ -228,7 +243,8 @@ void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<check::Options>();
   CLI::App* command =
       app.add_subcommand("check", "Review the trackside data of a line: findings with place and clause");
-  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("line", options->line,
+                      "line file (etcs-line/1), - for standard input; default: the shipped line");
   command->add_option("--train", options->train,
                       "train file (etcs-train/1): also restrictions that reach this train too late to brake");
   command->add_option("--format", options->format, "table or json")
@@ -242,7 +258,8 @@ void add_track(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<matrix::Options>();
   CLI::App* command = app.add_subcommand(
       "track", "What the on-board has stored about the track ahead of a place, as a matrix of distance");
-  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("line", options->line,
+                      "line file (etcs-line/1), - for standard input; default: the shipped line");
   command->add_option("--at", options->at_m, "place of the front end, m along the run")
       ->required()
       ->check(number_between(-1e7, 1e7));

@@ -131,6 +131,8 @@ bool Lines::next(std::string& line) {
     line += static_cast<char>(c);
   }
   error_ = errno;
+  if (std::ferror(stream_) != 0 && error_ == EISDIR)
+    throw ReadError{{file_, "", "a directory", "a file that can be read"}};
   if (std::ferror(stream_) != 0) throw cannot_be_read();
   return !line.empty();
 }

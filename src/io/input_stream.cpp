@@ -17,6 +17,8 @@ constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
 Configuration read_configuration(const JsonPlace& place) {
+  if (const auto p = place.find("schema"); p && !use_of(p->string()).empty())
+    p->fail(quoted_kind(p->string()), "a configuration");
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
                    "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks"});
   Configuration c;

@@ -138,8 +138,30 @@ std::vector<std::uint8_t> JsonPlace::hex() const {
 }
 
 void JsonPlace::require_schema(const char* name) const {
-  const JsonPlace schema = (*this)["schema"];
-  if (schema.string() != name) schema.fail("\"" + std::string(name) + "\"");
+  const auto schema = find("schema");
+  if (!schema) fail("no key \"schema\"", "\"schema\": \"" + std::string(name) + "\"");
+  if (schema->string() != name) schema->fail(quoted_kind(schema->string()), "\"" + std::string(name) + "\"");
+}
+
+std::string use_of(const std::string& schema) {
+  struct Kind {
+    const char* schema;
+    const char* use;
+  };
+  static constexpr Kind kinds[] = {{"etcs-line/1", "a line: evc run drives it"},
+                                   {"evc-line-description/1", "a description: evc make-line encodes it"},
+                                   {"evc-curves/1", "a query: evc curves answers it"},
+                                   {"etcs-train/1", "a train: evc run --train reads it"},
+                                   {"evc-persistent/1", "what a unit kept: evc replay --persistent reads it"},
+                                   {"evc-telegram/1", "a telegram: evc encode encodes it"}};
+  for (const Kind& kind : kinds)
+    if (schema == kind.schema) return kind.use;
+  return "";
+}
+
+std::string quoted_kind(const std::string& schema) {
+  const std::string use = use_of(schema);
+  return "\"" + schema + (use.empty() ? "\"" : "\" (" + use + ")");
 }
 
 }  // namespace evc::io

@@ -26,6 +26,10 @@ Json parse_json(std::string_view text, const std::string& file, const std::strin
 
 /// The `schema` of a document; empty where the text is no JSON object with one.
 std::string schema_of(std::string_view text);
+/// What a file of that schema is for; empty for an unknown one.
+std::string use_of(const std::string& schema);
+/// The schema in quotation marks, with what the file is for.
+std::string quoted_kind(const std::string& schema);
 
 /// A place in a JSON document, with the pointer that leads there. Every accessor throws ReadError
 /// with that pointer when the value is not of the wanted kind.

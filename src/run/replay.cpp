@@ -68,22 +68,12 @@ class Last {
 
 /// The error of a stream, or that the file is of another kind and what it is for.
 io::Diagnostic of_stream(const io::Diagnostic& error, const std::string& input) {
-  struct Kind {
-    const char* schema;
-    const char* use;
-  };
-  static constexpr Kind kinds[] = {{"etcs-line/1", "a line: evc run drives it"},
-                                   {"evc-line-description/1", "a description: evc make-line encodes it"},
-                                   {"evc-curves/1", "a query: evc curves answers it"},
-                                   {"etcs-train/1", "a train: its place is /config/train"},
-                                   {"evc-persistent/1", "what a unit kept: --persistent reads it"}};
   std::error_code none;
   if (!std::filesystem::is_regular_file(input, none)) return error;  // what came through a pipe cannot be read again
   const auto text = io::read_text(input);
   const std::string schema = text ? io::schema_of(*text) : "";
-  for (const Kind& kind : kinds)
-    if (schema == kind.schema) return {input, "/schema", "\"" + schema + "\" (" + kind.use + ")", "a stream of inputs"};
-  return error;
+  if (io::use_of(schema).empty()) return error;
+  return {input, "/schema", io::quoted_kind(schema), "a stream of inputs"};
 }
 
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
@@ -155,6 +145,7 @@ int replay(const ReplayOptions& options) {
 }
 
 int diff(const std::string& a, const std::string& b) {
+  if (a == "-" && b == "-") return complain({"-", "", "standard input twice", "it once"});
   const auto text_a = io::read_text(a, io::kLargestStream);
   if (!text_a) return complain(text_a.error());
   const auto text_b = io::read_text(b, io::kLargestStream);

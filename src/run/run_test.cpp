@@ -622,7 +622,9 @@ TEST(Replay, TellsWhatIsWrongInTheFileOfWhatIsKept) {
   };
   const std::string other = R"({"schema":"etcs-train/1"})";
   ASSERT_TRUE(io::write_whole(file, other));
-  EXPECT_EQ(told(file), file + ": /schema: found \"etcs-train/1\", expected \"evc-persistent/1\"\n");
+  EXPECT_EQ(told(file), file +
+                            ": /schema: found \"etcs-train/1\" (a train: evc run --train reads it), expected "
+                            "\"evc-persistent/1\"\n");
   EXPECT_EQ(text_of(file), other);
   EXPECT_EQ(told(folder / "no/kept.json"),
             (folder / "no") + ": found No such file or directory, expected a folder that can be written\n");
@@ -648,6 +650,31 @@ TEST(Replay, TellsAFileOfAnotherKind) {
   EXPECT_EQ(told("{\n \"schema\": \"etcs-line/1\"\n}\n"), line);
   EXPECT_EQ(told("{\"schema\": \"etcs-line/1\"}\n"), line);
   EXPECT_EQ(told("{\n \"schema\": \"x\"\n}\n"), ": line 1 column 2: found the end of the text, expected JSON\n");
+}
+
+/// Every command says what a file of another kind is for.
+TEST(Files, OfAnotherKind) {
+  const Folder folder("kinds");
+  ASSERT_TRUE(io::write_whole(folder / "d.json", R"({"schema":"evc-line-description/1"})"));
+  ASSERT_TRUE(io::write_whole(folder / "l.json", R"({"schema":"etcs-line/1"})"));
+  ASSERT_TRUE(io::write_whole(folder / "n.json", "{}"));
+  ASSERT_TRUE(io::write_whole(folder / "in.jsonl", "{\"t_ms\":0}\n"));
+  const auto refused = [&](const std::string& before, const char* file, const std::string& after = "") {
+    const Finished run = evc(before + " '" + (folder / file) + "' " + after);
+    EXPECT_EQ(run.exit_code, 2) << before;
+    return run.output.substr(std::min((folder / file).size(), run.output.size()));
+  };
+  const std::string line =
+      ": /schema: found \"evc-line-description/1\" (a description: evc make-line encodes it), expected "
+      "\"etcs-line/1\"\n";
+  EXPECT_EQ(refused("run", "d.json"), line);
+  EXPECT_EQ(refused("check", "d.json"), line);
+  EXPECT_EQ(refused("track --at 1", "d.json"), line);
+  EXPECT_EQ(refused("run", "n.json"), ": /: found no key \"schema\", expected \"schema\": \"etcs-line/1\"\n");
+  EXPECT_EQ(refused("make-line", "l.json"),
+            ": /schema: found \"etcs-line/1\" (a line: evc run drives it), expected \"evc-line-description/1\"\n");
+  EXPECT_EQ(refused("replay '" + (folder / "in.jsonl") + "' --config", "l.json"),
+            ": /schema: found \"etcs-line/1\" (a line: evc run drives it), expected a configuration\n");
 }
 
 TEST(Replay, AStreamWithoutInputIsToldAndLeavesNothing) {
