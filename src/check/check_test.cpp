@@ -333,6 +333,13 @@ const std::vector<Plant> kPlants = {
      error, group(5990, 106), "docs/line.md"},
     {"DescribedPackets", [](Copy& c) { c.balise(5, 0)["contains"] = {"3 National values"}; }, error, group(5990, 106),
      "docs/line.md"},
+    {"DescribedByAText", [](Copy& c) { c.balise(5, 0)["n_pig"] = "0"; }, error, group(5990, 106), "docs/line.md"},
+    {"DescribedByAnObject", [](Copy& c) { c.message(3)["nid_message"] = json::object(); }, error, message(15900, 3),
+     "docs/line.md"},
+    {"DescribedPacketsAreNoList", [](Copy& c) { c.balise(5, 0)["contains"] = 3; }, error, group(5990, 106),
+     "docs/line.md"},
+    {"DescribedPlaceIsNoNumber", [](Copy& c) { c.group(5)["position_m"] = true; }, error, group(5990, 106),
+     "docs/line.md"},
     {"DescribedField",
      [](Copy& c) {
        c.message(3)["packets"] = {{{"nid_packet", 66}, {"fields", {{"Q_DIR", 1}, {"NID_TSR", 200}}}}};

@@ -10,8 +10,8 @@
 #include "io/telegram_json.h"
 #include "lang/schema.h"
 
-// The keys of a line file that describe its bits are read by nobody else: any of them may be absent, or of another
-// type.
+// The keys of a line file that describe its bits are read by nobody else: any of them may be absent. One of another
+// type than that of the bits describes something else.
 namespace evc::check {
 namespace {
 
@@ -26,6 +26,10 @@ const Json* find(const Json& object, const char* key) {
   return at != object.end() ? &*at : nullptr;
 }
 
+std::string shown(const Json& value) {
+  return value.is_object() ? "an object" : value.is_array() ? "a list" : value.dump(-1, ' ', true);
+}
+
 /// The differences of one telegram or message.
 class Comparison {
  public:
@@ -33,7 +37,11 @@ class Comparison {
 
   void number(const Json& object, const char* key, const Json* bits) {
     const Json* given = find(object, key);
-    if (given != nullptr && bits != nullptr) values(key, *given, *bits);
+    if (given == nullptr || given->is_null() || bits == nullptr) return;
+    if (given->is_number_integer())
+      values(key, *given, *bits);
+    else
+      differ(fmt::format("{} {}, the bits have {}", key, shown(*given), bits->dump()));
   }
   void values(const std::string& name, const Json& given, const Json& bits) {
     if (given.is_number_integer() && bits.is_number_integer() && given != bits)
@@ -103,6 +111,8 @@ void compare_packets(Comparison& comparison, const Json& given, const Json& bits
   const std::vector<int> numbers = packets_of(*packets, "NID_PACKET");
   if (const Json* list = find(given, "contains"); list != nullptr && list->is_array())
     comparison.numbers(contained(*list), numbers);
+  else if (list != nullptr && !list->is_null())
+    comparison.differ("contains " + shown(*list) + ", a list of packets is expected");
   const Json* list = find(given, "packets");
   if (list == nullptr || !list->is_array()) return;
   const std::vector<int> described = packets_of(*list, "nid_packet");
@@ -134,10 +144,11 @@ void check_balise(const Group& group, const Telegram& telegram, const Json& give
 
 void check_group_place(const Group& group, const Json& given, Findings& out) {
   const Json* at = find(given, "position_m");
-  if (at == nullptr || !at->is_number() || std::abs(at->get<double>() - group.at_m) < 0.05) return;
+  if (at == nullptr || at->is_null()) return;
+  if (at->is_number() && std::abs(at->get<double>() - group.at_m) < 0.05) return;
   out.add(
       error, group.where(), kLineFile,
-      fmt::format("the file describes the group at {} m, its balise N_PIG 0 is at {:.1f} m", at->dump(), group.at_m));
+      fmt::format("the file describes the group at {} m, its balise N_PIG 0 is at {:.1f} m", shown(*at), group.at_m));
 }
 
 void check_message(const Message& message, lang::SystemVersion sv, const Json& given, Findings& out) {
