@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "kernel/evc.h"
@@ -107,7 +108,7 @@ inline Group group(std::uint16_t NID_BG) {
 
 class Ride {
  public:
-  Ride() { kernel::power_up(*state_, *derived_, config_); }
+  explicit Ride(const kernel::Config& config = {}) : config_(config) { kernel::power_up(*state_, *derived_, config_); }
 
   const kernel::Outputs& outputs() const { return *outputs_; }
   kernel::Inputs& inputs() { return inputs_; }
@@ -140,11 +141,12 @@ class Ride {
     step();
     finish();
   }
-  /// The three balises of a group, 3 m apart, are read in the next cycle.
-  void read(const Group& telegrams) {
-    telegrams_ = telegrams;
-    for (std::size_t i = 0; i < telegrams_.size(); ++i)
-      read_[i] = {telegrams_[i].bytes, Telegram::bits, {{front_ + 0.3 * static_cast<double>(i)}}};
+  /// The balises of a group are read in the next cycle.
+  void read(std::span<const Telegram> telegrams) {
+    telegrams_.assign(telegrams.begin(), telegrams.end());
+    read_.clear();
+    for (const Telegram& t : telegrams_)
+      read_.push_back({t.bytes, Telegram::bits, {{front_ + 0.3 * static_cast<double>(read_.size())}}});
     inputs_.balise_telegrams = read_;
   }
   /// Start of mission in level 1 into SR (5.4).
@@ -183,8 +185,8 @@ class Ride {
   std::unique_ptr<kernel::Derived> derived_ = std::make_unique<kernel::Derived>();
   std::unique_ptr<kernel::Outputs> outputs_ = std::make_unique<kernel::Outputs>();
   kernel::Inputs inputs_;
-  Group telegrams_{};
-  std::array<kernel::BaliseTelegram, 3> read_{};
+  std::vector<Telegram> telegrams_;
+  std::vector<kernel::BaliseTelegram> read_;
   double front_ = 0.0, doubt_ = 0.0, speed_ = 0.0, time_ = 0.0;
 };
 

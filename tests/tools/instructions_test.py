@@ -24,6 +24,11 @@ class Judgement(unittest.TestCase):
     def test_a_figure_without_its_other_half(self):
         self.assertEqual(self.faults(busy=10000, late=1), ["change: was not measured", "late: is not committed"])
 
+    def test_a_limit_that_no_committed_figure_lifts(self):
+        slow = ("g++ 12", {"slowest cycle found": 2_000_001})
+        self.assertEqual(count_instructions.faults(slow, slow),
+                         ["slowest cycle found: 2000001, at most 2000000 are allowed"])
+
     def test_another_compiler(self):
         found = count_instructions.faults(self.COMMITTED, ("g++ 13", self.COMMITTED[1]))
         self.assertEqual(len(found), 1)
