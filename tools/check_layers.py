@@ -34,7 +34,8 @@ MAY_INCLUDE = {
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
-    "app": {"check", "curves", "matrix", "run", "language", "io"},
+    "explain": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
+    "app": {"check", "curves", "explain", "matrix", "run", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

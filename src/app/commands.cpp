@@ -12,6 +12,7 @@
 
 #include "check/command.h"
 #include "curves/command.h"
+#include "explain/command.h"
 #include "io/file.h"
 #include "io/make_line.h"
 #include "language/decode.h"
@@ -275,6 +276,23 @@ void add_track(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = matrix::track(*options); });
 }
 
+void add_explain(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<explain::Options>();
+  CLI::App* command = app.add_subcommand(
+      "explain", "Why a journey was as it was: mode, level, brake, speed, and what hinders each mode transition");
+  command->add_option("input", options->input, "JSON Lines of inputs, as for evc replay; - for standard input")
+      ->required();
+  command->add_option("--at", options->at_ms, "time in ms: the last cycle not after it is explained")
+      ->required()
+      ->check(number_between(0, 1e12));
+  command->add_flag("--why-brake", options->why_brake, "the chain from the first cause to the brake command");
+  command->add_option("--config", options->config, "configuration, instead of the stream's first line");
+  command->add_option("--persistent", options->persistent,
+                      "file of what the unit kept without power, read at the start");
+  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  command->callback([options, &exit_code] { exit_code = explain::explain(*options); });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -308,6 +326,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_make_line(app, exit_code);
   add_check(app, exit_code);
   add_track(app, exit_code);
+  add_explain(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -1,6 +1,7 @@
 #include "kernel/cab.h"
 #include "kernel/decide/decide.h"
 #include "kernel/evc.h"
+#include "kernel/examine.h"
 #include "kernel/intake/intake.h"
 #include "kernel/report/report.h"
 #include "kernel/supervise/supervise.h"
@@ -31,24 +32,33 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
 namespace {
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.
-void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
+Decided run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
   reset(outputs);
   const Log log{outputs.events};
   radio::Outbox outbox;
   const Received received = intake(state, derived.scratch, inputs, outbox, log, &outputs.forwarded);
-  const Decided decided = decide(state, inputs, received, log);
+  Decided decided = decide(state, inputs, received, log);
   const Supervised supervised = supervise(state, derived, inputs.train, decided.here, decided.basis_renewed,
                                           received.acknowledged.has(Ack::brake), log);
   report(state, inputs, received, decided, supervised, outbox, log, outputs);
+  return decided;
+}
+
+Decided run_step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
+  if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs);
+  Inputs closed = inputs;
+  closed.train.desk_open = false;
+  return run_cycle(state, derived, closed, outputs);
 }
 
 }  // namespace
 
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
-  if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs);
-  Inputs closed = inputs;
-  closed.train.desk_open = false;
-  run_cycle(state, derived, closed, outputs);
+  (void)run_step(state, derived, inputs, outputs);
+}
+
+procedures::Facts examine(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
+  return run_step(state, derived, inputs, outputs).facts;
 }
 
 }  // namespace evc::kernel

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 
 #include "modes/conditions.h"
 
@@ -56,6 +57,14 @@ struct ByLeaving {
     first[Modes] = static_cast<std::uint16_t>(n);
   }
 };
+
+/// The cells that leave a mode, in the page's order.
+template <class M, std::size_t N, std::size_t Modes>
+constexpr std::span<const Cell<M>> leaving(const ByLeaving<M, N, Modes>& table, M mode) {
+  const std::size_t m = static_cast<std::size_t>(mode);
+  return std::span<const Cell<M>>(table.cells)
+      .subspan(table.first[m], std::size_t{table.first[m + 1]} - table.first[m]);
+}
 
 /// The cell that fires, if any. If several hold, the priority decides (4.6.2). The standard assumes
 /// that cells of equal priority exclude each other. If two hold in one cycle all the same, a level

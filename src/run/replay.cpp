@@ -15,6 +15,7 @@
 #include "io/outputs_diff.h"
 #include "io/retained_file.h"
 #include "run/on_board.h"
+#include "run/stream.h"
 
 namespace evc::run {
 namespace {
@@ -66,16 +67,6 @@ class Last {
   std::optional<kernel::Planning> planning_;
 };
 
-/// The error of a stream, or that the file is of another kind and what it is for.
-io::Diagnostic of_stream(const io::Diagnostic& error, const std::string& input) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(input, none)) return error;  // what came through a pipe cannot be read again
-  const auto text = io::read_text(input);
-  const std::string schema = text ? io::schema_of(*text) : "";
-  if (io::use_of(schema).empty()) return error;
-  return {input, "/schema", io::quoted_kind(schema), "a stream of inputs"};
-}
-
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::WholeFile& out,
                                const ReplayOptions& options) {
@@ -119,19 +110,8 @@ int replay(const ReplayOptions& options) {
   for (const std::string& input : {options.input, options.config})
     if (const auto apart = io::not_the_input(input, options.persistent); !apart) return complain(apart.error());
   if (const auto possible = can_be_kept(options.persistent); !possible) return complain(possible.error());
-  std::optional<io::Configuration> given;
-  if (!options.config.empty()) {
-    const auto text = io::read_text(options.config);
-    if (!text) return complain(text.error());
-    auto configuration = io::read_configuration(*text, options.config);
-    if (!configuration) return complain(configuration.error());
-    given = *std::move(configuration);
-  }
-  const auto lines = std::make_shared<io::Lines>(options.input);
-  auto stream = io::InputStream::open(
-      options.input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
-  if (!stream) return complain(of_stream(stream.error(), options.input));
-  if (stream->empty()) return complain({options.input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
+  auto stream = open_stream(options.input, options.config);
+  if (!stream) return complain(stream.error());
   auto on_board = unit_of(*stream, options.persistent);
   if (!on_board) return complain(on_board.error());
   auto out = io::WholeFile::create(options.output);

@@ -93,7 +93,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   Decided out;
   out.here = received.here;
   out.effects = received.level;
-  procedures::Facts facts = facts_of(s, in, received);
+  procedures::Facts& facts = out.facts = facts_of(s, in, received);
   std::optional<Mode> profile_at_front = run_mode_profile(s, received, facts, out);
   if (!facts.ma_ssp_gradient_stored) profile_at_front.reset();
   run_start_of_mission(s, in.train.desk_open, received, profile_at_front, out);

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include "explain/brake.h"
+#include "explain/words.h"
+#include "position/position.h"
+#include "train/national_values.h"
+
+// Commands because of movements and of train data.
+namespace evc::explain {
+namespace {
+
+/// How far the counter moved from the reference of a protection, in the direction of the active cab.
+std::optional<Distance> moved(const protection::DistanceGuard& guard, const Moment& m) {
+  if (!guard.reference) return std::nullopt;
+  return position::forward_counter(m.after.position) - *guard.reference;
+}
+
+Step guarded(const Moment& m, const protection::DistanceGuard& guard, const char* clause) {
+  const auto distance = moved(guard, m);
+  const Distance limit = m.after.national_values.D_NVROLL;
+  return {m.t_ms,
+          distance ? fmt::format("the train has moved {} {}, D_NVROLL is {}",
+                                 metres_words(distance->si < 0.0 ? -*distance : *distance),
+                                 distance->si < 0.0 ? "backwards" : "forwards", metres_words(limit))
+                   : fmt::format("the train moves, D_NVROLL is {}", metres_words(limit)),
+          clause};
+}
+
+Steps with_controller(const Journal& journal, const Moment& m, Step step) {
+  Steps steps;
+  if (const Act* act = journal.last(Act::Kind::controller, m.t_ms)) steps.push_back(step_of(*act));
+  steps.push_back(std::move(step));
+  return steps;
+}
+
+Steps window_steps(const Journal& journal, const Moment& m, const char* clause) {
+  Steps steps;
+  if (const Act* act = journal.last(Act::Kind::window, m.t_ms)) steps.push_back(step_of(*act));
+  steps.push_back({m.t_ms, fmt::format("the train moves at {} while it is open", kmh_words(m.outputs.v)), clause});
+  return steps;
+}
+
+Steps mode_and(const Journal& journal, const Moment& m, Step step) {
+  Steps steps;
+  if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
+  steps.push_back(std::move(step));
+  return steps;
+}
+
+}  // namespace
+
+Steps movement_steps(Cause cause, const Journal& journal, const Moment& m) {
+  const protection::MovementGuards& before = m.before.guards;
+  switch (cause) {
+    case Cause::roll_away:
+      return with_controller(journal, m, guarded(m, before.roll_away, "3.14.2"));
+    case Cause::reverse_movement:
+      return with_controller(journal, m, guarded(m, before.reverse_movement, "3.14.3"));
+    case Cause::standstill:
+      return mode_and(journal, m, guarded(m, before.standstill, "3.14.4"));
+    case Cause::post_trip_distance:
+      return mode_and(journal, m,
+                      {m.t_ms,
+                       fmt::format("the train has moved backwards farther than D_NVPOTRP, {}",
+                                   metres_words(m.after.national_values.D_NVPOTRP)),
+                       "4.4.14.1.3"});
+    case Cause::reversing_distance:
+      return mode_and(journal, m, {m.t_ms, "the train is beyond the distance to run in reverse", "3.15.4.8"});
+    case Cause::movement_while_entering_train_data:
+      return window_steps(journal, m, "3.18.3.3.1");
+    default:
+      return window_steps(journal, m, "4.4.11.1.5.1");
+  }
+}
+
+Steps train_data_steps(const Journal& journal, const Moment& m) {
+  Steps steps;
+  if (const Act* act = journal.last(Act::Kind::external_data, m.t_ms)) steps.push_back(step_of(*act));
+  const bool validates = m.after.train_data_change.procedure.step == procedures::train_data_change::Step::S4;
+  steps.push_back(
+      {m.t_ms,
+       fmt::format("in {} at {}: {}; first the train has to stop", name(m.after.mode), kmh_words(m.outputs.v),
+                   validates ? "the driver has to validate them" : "the route may not suit it any more"),
+       "5.17.2.2"});
+  return steps;
+}
+
+}  // namespace evc::explain

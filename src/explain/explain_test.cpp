@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "io/program_test.h"
+
+// `evc explain` as a command. Journeys with their answers: tests/scenarios/explain_test.cpp.
+namespace evc::explain {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A stream of inputs of a desk that is opened, 1 s long, with a fault at 0.5 s.
+struct Stream {
+  explicit Stream(const std::string& more = "") : folder("explain_inputs") {
+    std::ofstream out(file());
+    out << R"({"t_ms":0,"train":{"desk_open":true}})"
+        << "\n"
+        << more << R"({"t_ms":1000,"train":{"desk_open":true}})"
+        << "\n";
+  }
+  std::string file() const { return folder / "inputs.jsonl"; }
+  Ended explain(const std::string& options) const { return ended("explain '" + file() + "' " + options); }
+  Folder folder;
+};
+
+constexpr const char* kFault = "{\"t_ms\":500,\"fault\":{\"safety\":true}}\n";
+
+TEST(ExplainCommand, mode_level_brake_speed_and_position) {
+  const Ended e = Stream().explain("--at 300");
+  EXPECT_EQ(e.exit_code, 0) << e.errors;
+  EXPECT_TRUE(has(e.output, "0.3 s: SB, level 0, 0 km/h\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "0.0 s: mode NP->SB: the unit is supplied [4.6.3(4)]\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "brake      no command\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "no LRBG\n")) << e.output;
+}
+
+TEST(ExplainCommand, every_transition_out_of_the_mode_with_what_hinders_it) {
+  const Ended e = Stream().explain("--at 900");
+  for (const char* line : {"  NP p2  [29] the unit is supplied\n", "  FS p7  [10] train data not valid; MA, SSP and",
+                           "  SL p5  [14] no sleeping signal; a desk is open\n", "  SF p3  [13] no fault\n",
+                           "  IS p1  [1] isolation device not operated\n"})
+    EXPECT_TRUE(has(e.output, line)) << line << e.output;
+}
+
+TEST(ExplainCommand, the_cycle_is_the_last_one_not_after_the_time) {
+  const Ended e = Stream().explain("--at 399");
+  EXPECT_TRUE(has(e.output, "0.3 s: SB")) << e.output;
+}
+
+TEST(ExplainCommand, why_the_brake_of_a_failure) {
+  const Ended e = Stream(kFault).explain("--at 900 --why-brake");
+  EXPECT_EQ(e.exit_code, 0) << e.errors;
+  EXPECT_TRUE(has(e.output, "1     0.5 s  a fault that affects safety is reported\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "2     0.5 s  mode SB->SF: a fault that affects safety [4.6.3(13)]\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "emergency brake at 0 km/h")) << e.output;
+}
+
+TEST(ExplainCommand, no_brake_is_an_answer_too) {
+  const Ended e = Stream(kFault).explain("--at 400 --why-brake");
+  EXPECT_EQ(e.exit_code, 1);
+  EXPECT_EQ(e.output, "0.4 s: no brake has been commanded\n");
+}
+
+TEST(ExplainCommand, a_time_behind_the_end) {
+  const Ended e = Stream().explain("--at 5000");
+  EXPECT_EQ(e.exit_code, 1);
+  EXPECT_TRUE(has(e.errors, "found a journey that ends at 1000 ms, expected a cycle at 5000 ms\n")) << e.errors;
+  EXPECT_TRUE(e.output.empty());
+}
+
+TEST(ExplainCommand, what_is_wrong_is_one_line) {
+  const Stream stream;
+  for (const std::string& arguments :
+       {"explain '" + stream.file() + "'", "explain '" + stream.file() + "' --at x",
+        "explain '" + stream.file() + "' --at -1", std::string("explain no_such_file --at 0"),
+        "explain '" + stream.file() + "' --at 0 --config no_such_file",
+        "explain '" + stream.file() + "' --at 0 --persistent no_such_file",
+        "explain '" + stream.file() + "' --at 0 -o '" + stream.file() + "'",
+        "explain '" + evc::test::source_folder() + "/data/lines/brunnental.json' --at 0"}) {
+    const Ended e = ended(arguments);
+    EXPECT_EQ(e.exit_code, 2) << arguments;
+    EXPECT_TRUE(e.output.empty()) << arguments;
+    EXPECT_EQ(std::count(e.errors.begin(), e.errors.end(), '\n'), 1) << arguments << e.errors;
+  }
+}
+
+TEST(ExplainCommand, an_error_in_a_line_before_the_cycle) {
+  const Ended e = Stream("{\"t_ms\":200,\"trian\":{}}\n").explain("--at 900");
+  EXPECT_EQ(e.exit_code, 2);
+  EXPECT_TRUE(has(e.errors, "line 2")) << e.errors;
+}
+
+}  // namespace
+}  // namespace evc::explain

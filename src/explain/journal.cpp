@@ -1,0 +1,144 @@
+#include "explain/journal.h"
+
+#include <fmt/format.h>
+
+#include "explain/words.h"
+#include "lang/message_table.h"
+#include "lang/telegram.h"
+#include "terms/packet_numbers.h"
+
+namespace evc::explain {
+namespace {
+
+Moment moment_of(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
+                 const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs) {
+  return {cycle.t_ms, before, after, derived.in_force, facts, outputs, cycle.levels.train, cycle.levels.windows};
+}
+
+/// The events of a message come before the event of the message itself, those of a group behind it.
+bool names_group(What what) { return what == What::group_accepted || what == What::loop_accepted; }
+bool names_message(What what) {
+  return what == What::message_accepted || what == What::message_buffered || what == What::message_refused ||
+         what == What::message_refused_no_room;
+}
+
+/// Whether the event is of what the telegram or message says, not of the train or the driver in the same cycle.
+bool of_track(What what) {
+  switch (what) {
+    case What::mode_changed:
+    case What::level_changed:
+    case What::level_changed_by_driver:
+    case What::override_active:
+    case What::override_ended:
+    case What::authority_timer_elapsed:
+    case What::track_description_shortened:
+    case What::linking_error_missed:
+    case What::double_linking_error:
+    case What::session_lost:
+    case What::train_data_valid:
+    case What::train_data_changed_by_source:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::string group_of(const sim::CycleInputs& cycle, const kernel::Outputs& outputs, std::int32_t NID_BG) {
+  for (const auto& t : cycle.balises) {
+    const lang::TelegramView view = lang::scan_telegram(t.bits.bytes, t.bits.size);
+    if (view.fault == lang::Fault::none && static_cast<std::int32_t>(view.NID_BG.raw) == NID_BG)
+      return fmt::format("group {}/{}", view.NID_C.raw, NID_BG);
+  }
+  if (outputs.lrbg && outputs.lrbg->NID_BG == NID_BG) return fmt::format("group {}/{}", outputs.lrbg->NID_C, NID_BG);
+  return fmt::format("group {}", NID_BG);
+}
+
+std::string source_of(const sim::CycleInputs& cycle, const kernel::Outputs& outputs, const port::Event& e) {
+  if (e.what == What::group_accepted) return group_of(cycle, outputs, e.id);
+  if (e.what == What::loop_accepted) return fmt::format("loop {}", e.id);
+  return message_words(static_cast<std::uint8_t>(e.id));
+}
+
+}  // namespace
+
+void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs) {
+  std::size_t open = notes_.size();  // the first one that a message may claim
+  std::string group;
+  for (const port::Event& e : outputs.events) {
+    if (names_group(e.what)) group = source_of(cycle, outputs, e);
+    notes_.push_back({cycle.t_ms, e, of_track(e.what) ? group : ""});
+    if (names_group(e.what)) open = notes_.size();
+    if (!names_message(e.what)) continue;
+    const std::string message = source_of(cycle, outputs, e);
+    for (std::size_t i = open; i < notes_.size(); ++i)
+      if (notes_[i].source.empty() && of_track(notes_[i].event.what)) notes_[i].source = message;
+    open = notes_.size();
+    group.clear();
+  }
+  if (!cycle.radio.empty()) messages_.push_back(cycle.t_ms);
+}
+
+void Journal::take_restrictions(const kernel::State& before, const kernel::State& after) {
+  for (const track::TemporarySpeedRestriction& tsr : after.track.tsr) {
+    bool known = false;
+    for (const track::TemporarySpeedRestriction& old : before.track.tsr)
+      known = known || (old.NID_TSR == tsr.NID_TSR && old.V_TSR == tsr.V_TSR);
+    if (known) continue;
+    if (const Note* note = last(What::packet_accepted, notes_.empty() ? 0 : notes_.back().t_ms,
+                                std::int32_t{packet::temporary_speed_restriction}))
+      restrictions_[{tsr.NID_TSR, tsr.V_TSR}] = *note;
+  }
+}
+
+void Journal::take_brakes(const Moment& moment) {
+  const Set<Cause> now = moment.outputs.brake_reasons;
+  for (std::size_t i = 0; i < terms::index(Cause::count); ++i) {
+    const Cause cause = static_cast<Cause>(i);
+    if (now.has(cause) && !braked_.has(cause)) brakings_[cause] = {std::make_unique<Moment>(moment), {}};
+    if (!now.has(cause) && braked_.has(cause)) brakings_[cause].until = moment.t_ms;
+  }
+  braked_ = now;
+}
+
+void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
+                   const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs) {
+  take_acts(cycle);
+  take_notes(cycle, outputs);
+  take_restrictions(before, after);
+  const bool entered = before.mode != after.mode;
+  if (!entered && outputs.brake_reasons == braked_) return;
+  const Moment moment = moment_of(cycle, before, after, derived, facts, outputs);
+  if (entered) entry_ = std::make_unique<Moment>(moment);
+  take_brakes(moment);
+}
+
+void Journal::stop_here(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
+                        const kernel::Derived& derived, const procedures::Facts& facts,
+                        const kernel::Outputs& outputs) {
+  now_ = std::make_unique<Moment>(moment_of(cycle, before, after, derived, facts, outputs));
+}
+
+const Note* Journal::last(What what, std::int64_t t_ms, std::optional<std::int32_t> id) const {
+  for (std::size_t i = notes_.size(); i-- > 0;)
+    if (notes_[i].t_ms <= t_ms && notes_[i].event.what == what && (!id || notes_[i].event.id == *id)) return &notes_[i];
+  return nullptr;
+}
+
+const Act* Journal::last(Act::Kind kind, std::int64_t t_ms) const {
+  for (std::size_t i = acts_.size(); i-- > 0;)
+    if (acts_[i].t_ms <= t_ms && acts_[i].kind == kind) return &acts_[i];
+  return nullptr;
+}
+
+const Note* Journal::of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const {
+  const auto found = restrictions_.find({NID_TSR, V_TSR});
+  return found == restrictions_.end() ? nullptr : &found->second;
+}
+
+std::optional<std::int64_t> Journal::last_message(std::int64_t t_ms) const {
+  for (std::size_t i = messages_.size(); i-- > 0;)
+    if (messages_[i] <= t_ms) return messages_[i];
+  return std::nullopt;
+}
+
+}  // namespace evc::explain

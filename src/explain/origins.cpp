@@ -1,0 +1,164 @@
+#include "explain/origins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "explain/words.h"
+#include "kernel/here.h"
+#include "terms/packet_numbers.h"
+#include "texts/texts.h"
+
+namespace evc::explain {
+namespace {
+
+using procedures::Fact;
+
+std::optional<Step> step_of_last(const Note* note) {
+  return note == nullptr ? std::nullopt : std::optional(step_of(*note));
+}
+std::optional<Step> step_of_last(const Act* act) {
+  return act == nullptr ? std::nullopt : std::optional(step_of(*act));
+}
+
+/// The later one.
+const Note* later(const Note* a, const Note* b) {
+  if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
+  return a->t_ms >= b->t_ms ? a : b;
+}
+
+/// The packet whose arrival makes a fact true; 0 where none does.
+std::int32_t packet_of(Fact fact) {
+  switch (fact) {
+    case Fact::profile_demands_OS:
+    case Fact::profile_demands_LS:
+    case Fact::profile_demands_SH:
+    case Fact::profile_in_force:
+    case Fact::front_in_OS_ack_area:
+    case Fact::front_in_LS_ack_area:
+      return packet::mode_profile;
+    case Fact::stop_if_in_SH:
+      return packet::danger_for_shunting;
+    case Fact::stop_if_in_SR:
+      return packet::stop_if_in_sr;
+    case Fact::group_passed_not_in_SH_list:
+      return packet::balise_groups_for_sh_area;
+    case Fact::group_passed_not_in_SR_list:
+    case Fact::group_passed_in_SR_list:
+      return packet::balise_groups_in_sr_authority;
+    case Fact::stop_shunting_stored:
+      return packet::stop_shunting_on_desk_opening;
+    default:
+      return 0;
+  }
+}
+
+/// The event that makes a fact true.
+std::optional<What> event_of(Fact fact) {
+  switch (fact) {
+    case Fact::train_data_valid:
+      return What::train_data_valid;
+    case Fact::ma_ssp_gradient_stored:
+    case Fact::ma_accepted:
+    case Fact::ma_with_trip_order:
+      return What::authority_accepted;
+    case Fact::trip_order:
+      return What::trip_ordered;
+    case Fact::linked_group_wrong_direction:
+      return What::group_wrong_direction;
+    case Fact::telegram_version_too_high:
+      return What::telegram_version_new;
+    case Fact::ues_accepted:
+    case Fact::ues_received:
+      return What::emergency_stop_unconditional;
+    case Fact::override_active:
+      return What::override_active;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The act of driver or train interface behind a fact.
+std::optional<Act::Kind> act_of(Fact fact) {
+  switch (fact) {
+    case Fact::isolated:
+      return Act::Kind::isolation;
+    case Fact::powered:
+      return Act::Kind::power;
+    case Fact::desk_open:
+      return Act::Kind::desk;
+    case Fact::sleeping:
+      return Act::Kind::sleeping;
+    case Fact::non_leading:
+      return Act::Kind::non_leading;
+    case Fact::passive_shunting:
+      return Act::Kind::passive_shunting;
+    case Fact::safety_fault:
+      return Act::Kind::fault;
+    case Fact::acknowledged:
+      return Act::Kind::acknowledge;
+    case Fact::selects_SH:
+    case Fact::selects_exit_SH:
+    case Fact::selects_NL:
+    case Fact::selects_override:
+    case Fact::continue_shunting:
+      return Act::Kind::select;
+    case Fact::national_trip:
+      return Act::Kind::national_system;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The last change of level, and the order that it executed.
+std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
+  const Note* change =
+      later(journal.last(What::level_changed, t_ms), journal.last(What::level_changed_by_driver, t_ms));
+  if (change == nullptr) return std::nullopt;
+  Step step = step_of(*change);
+  const Note* order = later(
+      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::level_transition_order}),
+      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::conditional_level_transition_order}));
+  if (change->event.what == What::level_changed && order != nullptr)
+    step.text +=
+        fmt::format(", ordered by {} at {} (packet {})", order->source, time_words(order->t_ms), order->event.id);
+  return step;
+}
+
+bool is_level(Fact fact) { return fact >= Fact::level_0 && fact <= Fact::national_system_only; }
+
+}  // namespace
+
+Step step_of(const Note& note) {
+  std::string text(texts::line_of(note.event).view());
+  std::string clause;
+  if (const std::size_t bracket = text.rfind(" ["); bracket != std::string::npos && text.back() == ']') {
+    clause = text.substr(bracket + 2, text.size() - bracket - 3);
+    text.resize(bracket);
+  }
+  if (note.event.what == What::mode_changed) clause = fmt::format("4.6.3({})", note.event.id);
+  if (!note.source.empty() && note.event.what != What::group_accepted && note.event.what != What::message_accepted)
+    text = note.source + ": " + text;
+  return {note.t_ms, text, clause};
+}
+
+Step step_of(const Act& act) { return {act.t_ms, act.text, ""}; }
+
+std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms) {
+  const Fact fact = literal.fact;
+  if (is_level(fact)) return level_step(journal, t_ms);
+  if (!literal.holds && fact != Fact::desk_open && fact != Fact::powered) return std::nullopt;
+  if (fact == Fact::linking_reaction_trip) {
+    const Note* note = journal.last(What::linking_error_early, t_ms);
+    for (const What what : {What::linking_error_missed, What::linking_error_later})
+      note = later(note, journal.last(what, t_ms));
+    return step_of_last(note);
+  }
+  if (const std::int32_t packet = packet_of(fact))
+    return step_of_last(journal.last(What::packet_accepted, t_ms, packet));
+  if (const auto what = event_of(fact)) return step_of_last(journal.last(*what, t_ms));
+  if (const auto kind = act_of(fact)) return step_of_last(journal.last(*kind, t_ms));
+  return std::nullopt;
+}
+
+}  // namespace evc::explain

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "explain/journal.h"
+#include "procedures/why.h"
+
+// Where facts, restrictions and the authority came from.
+namespace evc::explain {
+
+/// A step of an explanation: at a time, with its clause.
+struct Step {
+  std::optional<std::int64_t> t_ms;
+  std::string text;
+  std::string clause;  ///< "3.8.4"; nothing: none
+};
+using Steps = std::vector<Step>;
+
+/// The step of an event: its words, its source, its clause.
+Step step_of(const Note& note);
+Step step_of(const Act& act);
+
+/// From what a fact of the moment came; nothing where only the position or the time made it so.
+std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms);
+
+/// The authority in force: from what it came, what changed it since, and where it ends.
+Steps authority_steps(const Journal& journal, const Moment& moment);
+
+/// A part of the MRSP.
+struct Restriction {
+  MrspSource source{};
+  Speed V;
+  std::string text;          ///< "TSR 4 of 60 km/h from 500.0 m to 900.0 m"
+  std::optional<Step> from;  ///< what brought it
+};
+Step step_of(const Restriction& restriction);
+/// Those that limit the speed to `V` between two places.
+std::vector<Restriction> restrictions(const Journal& journal, const Moment& moment, Place from, Place to, Speed V);
+
+/// The target of a moment as words: "EOA at 3039.3 m".
+std::string target_words(const Moment& moment, const sdm::TargetId& target);
+/// What brought it.
+Steps target_steps(const Journal& journal, const Moment& moment, const sdm::TargetId& target);
+
+}  // namespace evc::explain

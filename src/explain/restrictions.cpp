@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include "explain/origins.h"
+#include "explain/words.h"
+#include "kernel/curves.h"
+#include "kernel/here.h"
+#include "terms/packet_numbers.h"
+
+// The parts of the MRSP, the authority and the targets of a moment.
+namespace evc::explain {
+namespace {
+
+constexpr Speed kEqual{0.01 / 3.6};
+
+std::optional<Step> packet_step(const Journal& journal, const Moment& m, std::int32_t packet) {
+  const Note* note = journal.last(What::packet_accepted, m.t_ms, packet);
+  return note == nullptr ? std::nullopt : std::optional(step_of(*note));
+}
+
+const char* national_speed(Mode mode) {
+  switch (mode) {
+    case Mode::SR:
+      return "V_NVSTFF";
+    case Mode::OS:
+      return "V_NVONSIGHT";
+    case Mode::LS:
+      return "V_NVLIMSUPERV";
+    case Mode::SH:
+      return "V_NVSHUNT";
+    case Mode::UN:
+      return "V_NVUNFIT";
+    default:
+      return "of the mode";
+  }
+}
+
+/// The speed of the mode: of its area, entered by the driver, or the national one.
+Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
+  const Mode mode = m.after.mode;
+  Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
+  if (mode == Mode::OS || mode == Mode::LS || mode == Mode::SH) r.from = packet_step(journal, m, packet::mode_profile);
+  const Act* entered = journal.last(Act::Kind::enter, m.t_ms);
+  if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
+  if (r.from) return r;
+  const Note* values = journal.last(What::national_values_in_force, m.t_ms);
+  r.from = Step{values != nullptr ? std::optional(values->t_ms) : std::nullopt,
+                fmt::format("national value {}{}", national_speed(mode), values != nullptr ? "" : " as configured"),
+                "A.3.2"};
+  return r;
+}
+
+Restriction of_source(const Journal& journal, const Moment& m, MrspSource source, Place from, Place to, Speed V) {
+  Restriction r{
+      source, V, fmt::format("{} of {}", terms::kNames<kMrspSourceRows>[terms::index(source)], kmh_words(V)), {}};
+  switch (source) {
+    case MrspSource::SSP:
+      r.from = packet_step(journal, m, packet::static_speed_profile);
+      return r;
+    case MrspSource::ASP:
+      r.from = packet_step(journal, m, packet::axle_load_speed_profile);
+      return r;
+    case MrspSource::TSR:
+      for (const track::TemporarySpeedRestriction& t : m.after.track.tsr) {
+        const Place end = t.Q_FRONT ? t.to : t.to + m.after.train.L_TRAIN;
+        if (t.from > to || end < from || track::speed_of(t.V_TSR) > V + kEqual) continue;
+        r.text = fmt::format("TSR {} of {} from {} to {}", t.NID_TSR, kmh_words(track::speed_of(t.V_TSR)),
+                             place_words(m.after, t.from), place_words(m.after, t.to));
+        if (const Note* note = journal.of_tsr(t.NID_TSR, t.V_TSR)) r.from = step_of(*note);
+      }
+      return r;
+    case MrspSource::PBD:
+      r.from = packet_step(journal, m, packet::permitted_braking_distance);
+      return r;
+    case MrspSource::LX:
+      r.from = packet_step(journal, m, packet::level_crossing);
+      return r;
+    case MrspSource::signalling:
+      r.from = packet_step(journal, m, packet::level_1_movement_authority);
+      return r;
+    case MrspSource::train:
+      r.text = fmt::format("{} of the train", kmh_words(V));
+      if (const Note* note = journal.last(What::train_data_valid, m.t_ms)) r.from = step_of(*note);
+      return r;
+    case MrspSource::mode:
+      return mode_limit(journal, m, V);
+    default:
+      r.text = fmt::format("{} of override", kmh_words(V));
+      if (const Note* note = journal.last(What::override_active, m.t_ms)) r.from = step_of(*note);
+      return r;
+  }
+}
+
+/// Why the end in force lies in rear of the end of the stored authority.
+std::string temporary_end(const track::Description& d, Place end) {
+  for (const track::ModeArea& area : d.mode_profile)
+    if (area.from == end) return fmt::format("start of an area of {}", name(area.mode));
+  for (const track::LevelCrossing& lx : d.lx)
+    if (lx.from == end) return fmt::format("level crossing {} is not protected", lx.NID_LX);
+  return "route not suitable";
+}
+
+bool changes_authority(What what) {
+  switch (what) {
+    case What::authority_timer_elapsed:
+    case What::shortening_granted:
+    case What::emergency_stop_accepted:
+    case What::emergency_stop_revoked:
+    case What::track_description_shortened:
+    case What::track_description_ended:
+    case What::level_crossing_speed:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Steps authority_steps(const Journal& journal, const Moment& m) {
+  Steps steps;
+  const Note* accepted = journal.last(What::authority_accepted, m.t_ms);
+  if (accepted != nullptr) steps.push_back(step_of(*accepted));
+  for (const Note& note : journal.notes())
+    if (accepted != nullptr && note.t_ms >= accepted->t_ms && note.t_ms <= m.t_ms && changes_authority(note.event.what))
+      steps.push_back(step_of(note));
+  // The authority before this cycle: a trip deletes it.
+  const kernel::State& s = m.after.basis.authority.EOA_or_LOA() ? m.after : m.before;
+  const track::Authority& a = s.basis.authority;
+  if (steps.empty() || !a.EOA_or_LOA()) return steps;
+  std::string& text = steps.back().text;
+  if (a.LOA) {
+    text += fmt::format(", LOA at {}, {}", place_words(s, *a.LOA), kmh_words(a.V_LOA));
+    return steps;
+  }
+  text += fmt::format(", EOA at {}", place_words(s, *a.EOA));
+  if (const Distance ahead = *a.EOA - kernel::here(s).est_front; ahead > Distance{})
+    text += fmt::format(" ({} ahead)", metres_words(ahead));
+  if (a.SvL && *a.SvL != *a.EOA) text += fmt::format(", SvL at {}", place_words(s, *a.SvL));
+  if (s.track.ma && *a.EOA < s.track.ma->end()) text += " (" + temporary_end(s.track, *a.EOA) + ")";
+  return steps;
+}
+
+Step step_of(const Restriction& r) {
+  return r.from ? Step{r.from->t_ms, r.from->text + ": " + r.text, r.from->clause} : Step{{}, r.text, ""};
+}
+
+std::vector<Restriction> restrictions(const Journal& journal, const Moment& m, Place from, Place to, Speed V) {
+  std::vector<Restriction> out;
+  for (std::size_t i = 0; i < terms::index(MrspSource::count); ++i) {
+    const auto source = static_cast<MrspSource>(i);
+    track::Mrsp part;
+    kernel::mrsp_of(source, part, m.after, m.curves, m.after.basis);
+    if (sdm::V_MRSP(part, from, to) <= V + kEqual) out.push_back(of_source(journal, m, source, from, to, V));
+  }
+  return out;
+}
+
+std::string target_words(const Moment& m, const sdm::TargetId& target) {
+  const std::string at = place_words(m.after, target.d_target);
+  switch (target.kind) {
+    case sdm::TargetKind::EOA_SvL:
+      return "EOA at " + at;
+    case sdm::TargetKind::LOA:
+      return fmt::format("LOA of {} at {}", kmh_words(target.V_target), at);
+    case sdm::TargetKind::SR_end:
+      return "end of the SR distance at " + at;
+    default:
+      return fmt::format("{} at {}", kmh_words(target.V_target), at);
+  }
+}
+
+Steps target_steps(const Journal& journal, const Moment& m, const sdm::TargetId& target) {
+  if (target.kind == sdm::TargetKind::SR_end) return {{{}, target_words(m, target), "4.4.11"}};
+  if (target.kind != sdm::TargetKind::MRSP) return authority_steps(journal, m);
+  Steps steps;
+  for (const Restriction& r : restrictions(journal, m, target.d_target, target.d_target, target.V_target))
+    steps.push_back(step_of(r));
+  return steps;
+}
+
+}  // namespace evc::explain

@@ -1,0 +1,202 @@
+#include "explain/screen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "explain/brake.h"
+#include "explain/words.h"
+#include "kernel/here.h"
+#include "modes/srs_4_6_2.h"
+#include "position/position.h"
+#include "texts/texts.h"
+
+namespace evc::explain {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+
+/// `head` and then `text`, broken at blanks; further lines are indented to the width of the head.
+std::string wrapped(std::string head, const std::string& text) {
+  const std::size_t indent = head.size();
+  std::string out, line = std::move(head);
+  std::size_t at = 0;
+  while (at < text.size()) {
+    std::size_t end = text.find(' ', at);
+    if (end == std::string::npos) end = text.size();
+    const bool first = line.size() <= indent;
+    if (!first && line.size() + 1 + (end - at) > kColumns) {
+      out += line + "\n";
+      line.assign(indent, ' ');
+    } else if (!first) {
+      line += ' ';
+    }
+    line.append(text, at, end - at);
+    at = end + 1;
+  }
+  return out + line + "\n";
+}
+
+std::string with_clause(const Step& step) {
+  return step.clause.empty() ? step.text : fmt::format("{} [{}]", step.text, step.clause);
+}
+std::string origin_line(const Step& step) {
+  return step.t_ms ? fmt::format("{}: {}", time_words(*step.t_ms), with_clause(step)) : with_clause(step);
+}
+
+std::string row(const char* subject, const std::string& text) { return wrapped(fmt::format("{:<11}", subject), text); }
+
+std::string mode_lines(const Journal& journal) {
+  const Moment* entry = journal.mode_entry();
+  const Moment& now = journal.now();
+  if (entry == nullptr) return row("mode", fmt::format("{} since power-up", name(now.after.mode)));
+  std::string text = row("mode", fmt::format("{} since {}, from {}", name(now.after.mode), time_words(entry->t_ms),
+                                             name(entry->before.mode)));
+  for (const Step& step : entry_steps(journal, *entry)) text += row("", origin_line(step));
+  return text;
+}
+
+std::string level_lines(const Journal& journal) {
+  const kernel::State& s = journal.now().after;
+  std::string text = name(s.level.level);
+  const procedures::Literal level{procedures::Fact::level_0, true, {}, 0};
+  const auto origin = origin_of(level, journal, journal.now().t_ms);
+  if (origin) text += ", " + origin_line(*origin);
+  if (s.level_transition.pending) text += fmt::format("; announced: {}", name(s.level_transition.pending->to.level));
+  return row("level", text);
+}
+
+std::string brake_lines(const Journal& journal) {
+  const Moment& now = journal.now();
+  std::string text;
+  for (const auto& [cause, braking] : journal.brakings()) {
+    if (!now.outputs.brake_reasons.has(cause)) continue;
+    const brakes::CauseRow& cause_row = brakes::row(cause);
+    text += row(text.empty() ? "brake" : "",
+                fmt::format("{}: {} [{}] since {}; released {}", words(cause_row.kind), name(cause),
+                            texts::text_of(cause_row.clause), time_words(braking.onset->t_ms),
+                            release_words(cause_row, now.after)));
+  }
+  return text.empty() ? row("brake", "no command") : text;
+}
+
+std::string speed_lines(const Journal& journal) {
+  const Moment& now = journal.now();
+  const kernel::Outputs& o = now.outputs;
+  if (!o.V_P) return row("speed", fmt::format("{}, not supervised in this mode", kmh_words(o.v)));
+  std::string text =
+      row("speed", fmt::format("{} in {}; permitted {}, SBI {}, EBI {}", kmh_words(o.v),
+                               terms::kNames<kMonitoringRows>[terms::index(o.monitoring)], kmh_words(*o.V_P),
+                               o.V_SBI ? kmh_words(*o.V_SBI) : "none", o.V_EBI ? kmh_words(*o.V_EBI) : "none"));
+  const track::Here here = kernel::here(now.after);
+  if (o.V_MRSP)
+    for (const Restriction& r : restrictions(journal, now, here.min_safe_front, here.max_safe_front, *o.V_MRSP))
+      text += row("", fmt::format("{}{}", r.text, r.from ? ", " + origin_line(*r.from) : ""));
+  if (now.after.supervision.has_MRDT) {
+    const sdm::TargetId& target = now.after.supervision.MRDT;
+    text += row("", fmt::format("target {}, {} ahead", target_words(now, target),
+                                metres_words(target.d_target - here.est_front)));
+    for (const Step& step : target_steps(journal, now, target)) text += row("", "  " + origin_line(step));
+  } else {
+    for (const Step& step : authority_steps(journal, now)) text += row("", origin_line(step));
+  }
+  return text;
+}
+
+std::string position_lines(const Journal& journal) {
+  const Moment& now = journal.now();
+  const kernel::Outputs& o = now.outputs;
+  std::string text =
+      fmt::format("front end at {}, between {} and {}", metres_words(o.est_front.from_origin),
+                  metres_words(o.min_safe_front.from_origin), metres_words(o.max_safe_front.from_origin));
+  const position::Reference* lrbg = position::lrbg(now.after.position);
+  if (lrbg == nullptr) return row("position", text + "; no LRBG");
+  const track::Here here = kernel::here(now.after);
+  text += fmt::format("; LRBG {}/{}, {} behind, accuracy {}", lrbg->id.NID_C, lrbg->id.NID_BG,
+                      metres_words(here.est_front - lrbg->place), metres_words(lrbg->Q_LOCACC));
+  if (const Note* read = journal.last(What::group_accepted, now.t_ms, std::int32_t{lrbg->id.NID_BG}))
+    text += fmt::format(", read at {}", time_words(read->t_ms));
+  return row("position", text);
+}
+
+std::string transition_lines(const Journal& journal) {
+  const Moment& now = journal.now();
+  std::string text;
+  const procedures::Reasons reasons = procedures::reasons(now.facts);
+  for (const auto& cell : modes::leaving(modes::srs_4_6_2_by_leaving, now.after.mode)) {
+    std::string hindered;
+    for (const procedures::Reason& reason : reasons) {
+      if (!cell.any.test(reason.number)) continue;
+      hindered += fmt::format("{}[{}] {}{}", hindered.empty() ? "" : " | ", reason.number,
+                              reason.holds ? "holds: " : "", words(reason.because));
+    }
+    text += wrapped(fmt::format("  {:<2} p{}  ", name(cell.to), cell.priority), hindered);
+  }
+  return text;
+}
+
+std::string steps_lines(const Steps& steps) {
+  std::string text;
+  int n = 0;
+  for (const Step& step : steps)
+    text += wrapped(fmt::format("{:>3} {:>9}  ", ++n, step.t_ms ? time_words(*step.t_ms) : ""), with_clause(step));
+  return text;
+}
+
+bool is_overspeed(Cause cause) {
+  return cause == Cause::overspeed_traction || cause == Cause::overspeed_service || cause == Cause::overspeed_emergency;
+}
+
+/// Those that are not released, without them those released last; by their time, the stronger brake behind.
+std::vector<Command> commands(const Journal& journal) {
+  std::vector<Command> out;
+  std::int64_t released = -1;
+  for (const auto& [cause, braking] : journal.brakings())
+    if (!braking.until)
+      out.push_back({cause, &braking});
+    else
+      released = std::max(released, *braking.until);
+  if (out.empty())
+    for (const auto& [cause, braking] : journal.brakings())
+      if (braking.until == released) out.push_back({cause, &braking});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Command& a, const Command& b) { return a.braking->onset->t_ms < b.braking->onset->t_ms; });
+  return out;
+}
+
+}  // namespace
+
+std::string situation(const Journal& journal) {
+  const Moment& now = journal.now();
+  std::string text = fmt::format("{}: {}, level {}, {}\n", time_words(now.t_ms), name(now.after.mode),
+                                 name(now.after.level.level), kmh_words(now.outputs.v));
+  text += mode_lines(journal) + level_lines(journal) + brake_lines(journal) + speed_lines(journal) +
+          position_lines(journal);
+  text += fmt::format("{} is not left, because (4.6.2, 4.6.3; any [condition]; of terms with / one suffices)\n",
+                      name(now.after.mode));
+  return text + transition_lines(journal);
+}
+
+std::string why_brake(const Journal& journal, bool& answered) {
+  const Moment& now = journal.now();
+  answered = !journal.brakings().empty();
+  if (!answered) return fmt::format("{}: no brake has been commanded\n", time_words(now.t_ms));
+  const std::vector<Command> asked = commands(journal);
+  std::string text = time_words(now.t_ms);
+  text += asked.front().braking->until ? ": no brake is commanded; the last command\n" : "\n";
+  std::vector<Command> speed;
+  for (const Command& command : asked)
+    if (is_overspeed(command.cause)) speed.push_back(command);
+  for (const Command& command : asked) {
+    if (is_overspeed(command.cause) && command.cause != speed.back().cause) continue;
+    const brakes::CauseRow& cause_row = brakes::row(command.cause);
+    text += fmt::format("why the {} ({})\n", words(cause_row.kind), name(command.cause));
+    text += steps_lines(is_overspeed(command.cause) ? overspeed_chain(journal, speed)
+                                                    : chain_of(command.cause, journal, *command.braking->onset));
+    text += command.braking->until ? fmt::format("    released at {}\n", time_words(*command.braking->until))
+                                   : fmt::format("    will be released {}\n", release_words(cause_row, now.after));
+  }
+  return text;
+}
+
+}  // namespace evc::explain

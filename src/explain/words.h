@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "base/units.h"
+#include "brakes/brakes.h"
+#include "kernel/state.h"
+#include "procedures/why.h"
+
+// Short phrases of an explanation.
+namespace evc::explain {
+
+/// "12.7 s".
+std::string time_words(std::int64_t t_ms);
+/// "message 3 (Movement Authority)".
+std::string message_words(std::uint8_t NID_MESSAGE);
+/// "40 km/h", rounded to a tenth.
+std::string kmh_words(Speed v);
+/// "12.5 m".
+std::string metres_words(Distance d);
+/// "455.6 m": the nominal counter of a front end at a place, as the outputs have it.
+std::string place_words(const kernel::State& state, Place place);
+/// "MA, SSP and gradient are stored", or what is so instead.
+std::string words(const procedures::Literal& literal);
+/// All of them: alternatives joined by " / ", the others by "; ".
+std::string words(const procedures::Literals& literals);
+/// "service brake".
+const char* words(brakes::Kind kind);
+/// "at standstill": what ends the command of a cause.
+std::string release_words(const brakes::CauseRow& row, const kernel::State& state);
+
+}  // namespace evc::explain

@@ -1,0 +1,38 @@
+#include "run/stream.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "io/file.h"
+
+namespace evc::run {
+
+io::Result<io::InputStream> open_stream(const std::string& input, const std::string& config) {
+  std::optional<io::Configuration> given;
+  if (!config.empty()) {
+    const auto text = io::read_text(config);
+    if (!text) return tl::unexpected(text.error());
+    auto configuration = io::read_configuration(*text, config);
+    if (!configuration) return tl::unexpected(configuration.error());
+    given = *std::move(configuration);
+  }
+  const auto lines = std::make_shared<io::Lines>(input);
+  auto stream = io::InputStream::open(
+      input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
+  if (!stream) return tl::unexpected(of_stream(stream.error(), input));
+  if (stream->empty()) return tl::unexpected(io::Diagnostic{input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
+  return stream;
+}
+
+io::Diagnostic of_stream(const io::Diagnostic& error, const std::string& input) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(input, none)) return error;  // what came through a pipe cannot be read again
+  const auto text = io::read_text(input);
+  const std::string schema = text ? io::schema_of(*text) : "";
+  if (io::use_of(schema).empty()) return error;
+  return {input, "/schema", io::quoted_kind(schema), "a stream of inputs"};
+}
+
+}  // namespace evc::run

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/program_test.h"
+#include "run.h"
+
+// `evc explain` on the journeys of explain.scenario: each ends under a brake command, and the answer why was compared
+// with the clauses by a reader. The answers are tests/data/explain/NAME.txt.
+namespace evc::scenario {
+namespace {
+
+std::string file_name(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+std::vector<Scenario> journeys() {
+  const std::string folder = evc::test::source_folder() + "/tests/scenarios/";
+  const auto library = read(text_of(folder + "library.scenario"), "library.scenario");
+  const auto file = read(text_of(folder + "explain.scenario"), "explain.scenario", library->blocks);
+  return file ? file->scenarios : std::vector<Scenario>();
+}
+
+/// The inputs in a file, and the time of the last one.
+struct Journey {
+  explicit Journey(const Scenario& scenario) : folder("explain") {
+    const std::string inputs = inputs_of(scenario);
+    std::ofstream(file()) << inputs;
+    const std::size_t last = inputs.rfind('\n', inputs.size() - 2);
+    last_ms = nlohmann::json::parse(inputs.substr(last + 1))["t_ms"];
+  }
+  std::string file() const { return folder / "inputs.jsonl"; }
+  Ended explain(const std::string& options) const {
+    return ended("explain '" + file() + "' --at " + std::to_string(last_ms) + " " + options);
+  }
+  Folder folder;
+  std::int64_t last_ms = 0;
+};
+
+void fits_a_screen(const std::string& text) {
+  std::istringstream in(text);
+  int lines = 0;
+  for (std::string line; std::getline(in, line); ++lines) EXPECT_LE(line.size(), 100u) << line;
+  EXPECT_LE(lines, 40) << text;
+}
+
+TEST(Explain, why_the_brake_of_twelve_journeys) {
+  const auto all = journeys();
+  ASSERT_EQ(all.size(), 12u);
+  for (const Scenario& scenario : all) {
+    const Journey journey(scenario);
+    const Ended e = journey.explain("--why-brake");
+    EXPECT_EQ(e.exit_code, 0) << e.errors;
+    EXPECT_EQ(e.output,
+              text_of(evc::test::source_folder() + "/tests/data/explain/" + file_name(scenario.name) + ".txt"))
+        << scenario.name;
+    fits_a_screen(e.output);
+  }
+}
+
+TEST(Explain, the_situation_of_each_fits_a_screen) {
+  for (const Scenario& scenario : journeys()) {
+    const Ended e = Journey(scenario).explain("");
+    EXPECT_EQ(e.exit_code, 0) << e.errors;
+    fits_a_screen(e.output);
+  }
+}
+
+TEST(Explain, the_situation_of_a_train_that_passed_its_end_of_authority) {
+  const Ended e = Journey(journeys().front()).explain("");
+  EXPECT_EQ(e.output, text_of(evc::test::source_folder() + "/tests/data/explain/situation.txt"));
+}
+
+}  // namespace
+}  // namespace evc::scenario
