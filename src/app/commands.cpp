@@ -13,6 +13,7 @@
 #include "check/command.h"
 #include "curves/command.h"
 #include "explain/command.h"
+#include "explain/modes.h"
 #include "io/file.h"
 #include "io/make_line.h"
 #include "language/decode.h"
@@ -220,7 +221,8 @@ void add_encode(CLI::App& app, int& exit_code) {
 }
 
 void add_describe(CLI::App& app, int& exit_code) {
-  CLI::App* describe = app.add_subcommand("describe", "The tables of the ETCS language (SUBSET-026-7, -8)");
+  CLI::App* describe =
+      app.add_subcommand("describe", "The tables of the ETCS language (SUBSET-026-7, -8) and of the modes");
   describe->require_subcommand(1);
   const auto options = std::make_shared<language::DescribeOptions>();
   CLI::App* packets = describe->add_subcommand("packets", "All packets, or the layouts of one with bit offsets");
@@ -235,6 +237,14 @@ void add_describe(CLI::App& app, int& exit_code) {
   packets->add_flag("--index", options->index, "The index of the pages in docs/packets");
   CLI::App* schema = describe->add_subcommand("schema", "The JSON schema of telegrams, messages and packets");
   schema->callback([&exit_code] { exit_code = language::describe_schema(); });
+  CLI::App* modes = describe->add_subcommand("modes", "The table of mode transitions (SUBSET-026-4 4.6.2)");
+  const auto table = std::make_shared<explain::ModesOptions>();
+  modes->add_option("--srs", table->srs, "3.6.0 or 4.0.0")
+      ->check(CLI::IsMember({"3.6.0", "4.0.0"}))
+      ->capture_default_str();
+  modes->add_flag("--svg", table->svg, "A graph instead of the matrix");
+  modes->add_option("-o,--output", table->output, "File to write; standard output if absent");
+  modes->callback([table, &exit_code] { exit_code = explain::describe_modes(*table); });
   packets->callback([options, &exit_code] { exit_code = language::describe_packets(*options); });
   variables->callback([options, &exit_code] { exit_code = language::describe_variables(*options); });
   messages->callback([options, &exit_code] { exit_code = language::describe_messages(*options); });

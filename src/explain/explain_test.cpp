@@ -6,7 +6,7 @@
 
 #include "io/program_test.h"
 
-// `evc explain` as a command. Journeys with their answers: tests/scenarios/explain_test.cpp.
+// `evc explain` and `evc describe modes` as commands. Journeys with their answers: tests/scenarios/explain_test.cpp.
 namespace evc::explain {
 namespace {
 
@@ -92,6 +92,32 @@ TEST(ExplainCommand, an_error_in_a_line_before_the_cycle) {
   EXPECT_EQ(e.exit_code, 2);
   EXPECT_TRUE(has(e.errors, "line 2")) << e.errors;
 }
+
+TEST(DescribeModes, the_matrix_and_its_conditions) {
+  const Ended e = ended("describe modes");
+  EXPECT_EQ(e.exit_code, 0) << e.errors;
+  EXPECT_TRUE(has(e.output, "     NP  SB  PS  SH  FS  LS  SR  OS  SL  NL  UN  TR  PT  SF  IS  SN  RV\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "PS            .  26\n                 p5\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "  59  standstill and the driver acknowledges reversing\n")) << e.output;
+}
+
+TEST(DescribeModes, the_table_of_4_0_0) {
+  const Ended e = ended("describe modes --srs 4.0.0");
+  EXPECT_TRUE(has(e.output, "  SM  FS  AD  LS")) << e.output;
+  EXPECT_TRUE(has(e.output, "  84  of 4.0.0, not observed by this unit\n")) << e.output;
+}
+
+TEST(DescribeModes, the_graph_has_an_arrow_for_each_transition_but_those_of_every_mode) {
+  const Ended e = ended("describe modes --svg");
+  EXPECT_EQ(e.exit_code, 0) << e.errors;
+  std::size_t arrows = 0;
+  for (std::size_t at = 0; (at = e.output.find("marker-end", at)) != std::string::npos; ++at) ++arrows;
+  EXPECT_EQ(arrows, 129u - 15u - 12u - 16u);  // into NP, SF, IS
+  EXPECT_TRUE(has(e.output, "<title>FS to TR: [12, 16, 17, 18, 20, 41, 65, 66, 69], priority 4</title>")) << e.output;
+  EXPECT_EQ(e.output.rfind("</svg>\n"), e.output.size() - 7);
+}
+
+TEST(DescribeModes, another_edition_is_refused) { EXPECT_EQ(ended("describe modes --srs 3.7.0").exit_code, 2); }
 
 }  // namespace
 }  // namespace evc::explain

@@ -1,0 +1,171 @@
+#include "explain/modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "io/file.h"
+#include "modes/srs_4_6_2.h"
+#include "modes/srs_4_6_2_v400.h"
+
+namespace evc::explain {
+namespace {
+
+/// A cell of either table.
+struct Transition {
+  std::size_t to = 0, from = 0;
+  int priority = 0;
+  std::vector<int> numbers;
+};
+struct Table {
+  std::string title;
+  std::vector<std::string> modes;
+  std::vector<Transition> cells;
+};
+
+template <class M, std::size_t N>
+Table table_of(const std::array<modes::Cell<M>, N>& cells, std::size_t count, const char* editions) {
+  Table table;
+  table.title = fmt::format("transitions between modes, SUBSET-026-4 4.6.2 of {}", editions);
+  for (std::size_t i = 0; i < count; ++i) table.modes.push_back(name(static_cast<M>(i)));
+  for (const modes::Cell<M>& cell : cells) {
+    Transition t{static_cast<std::size_t>(cell.to), static_cast<std::size_t>(cell.from), cell.priority, {}};
+    for (const std::uint8_t n : cell.when)
+      if (n != 0) t.numbers.push_back(n);
+    table.cells.push_back(std::move(t));
+  }
+  return table;
+}
+
+const Transition* cell_of(const Table& table, std::size_t to, std::size_t from) {
+  for (const Transition& t : table.cells)
+    if (t.to == to && t.from == from) return &t;
+  return nullptr;
+}
+
+/// As on the page of the standard: a row for each mode entered, a column for each mode left; the numbers of a cell
+/// below each other, its priority last.
+std::string matrix_of(const Table& table) {
+  std::string text =
+      table.title + "\ninto a mode (row) from another (column): any of the conditions, then the priority\n\n   ";
+  for (const std::string& mode : table.modes) text += fmt::format("{:>4}", mode);
+  text += "\n";
+  for (std::size_t to = 0; to < table.modes.size(); ++to) {
+    std::size_t height = 1;
+    for (const Transition& t : table.cells)
+      if (t.to == to) height = std::max(height, t.numbers.size() + 1);
+    for (std::size_t line = 0; line < height; ++line) {
+      std::string row = fmt::format("{:<3}", line == 0 ? table.modes[to] : "");
+      for (std::size_t from = 0; from < table.modes.size(); ++from) {
+        const Transition* t = cell_of(table, to, from);
+        row += t == nullptr                ? fmt::format("{:>4}", from == to && line == 0 ? "." : "")
+               : line < t->numbers.size()  ? fmt::format("{:>4}", t->numbers[line])
+               : line == t->numbers.size() ? fmt::format("{:>4}", fmt::format("p{}", t->priority))
+                                           : "    ";
+      }
+      text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// Those of the table; a number without words is one that the unit does not observe.
+std::string conditions_of(const Table& table) {
+  std::vector<int> numbers;
+  for (const Transition& t : table.cells) numbers.insert(numbers.end(), t.numbers.begin(), t.numbers.end());
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::string text = "conditions, 4.6.3\n";
+  for (const int n : numbers) {
+    const char* meaning = modes::meaning(n);
+    text += fmt::format("{:>4}  {}\n", n, meaning != nullptr ? meaning : "of 4.0.0, not observed by this unit");
+  }
+  return text;
+}
+
+// --- The graph
+
+constexpr double kSize = 1100.0, kRadius = 440.0, kNode = 24.0;
+struct Point {
+  double x, y;
+};
+
+Point place_of(std::size_t mode, std::size_t count) {
+  const double angle =
+      2.0 * 3.14159265358979 * static_cast<double>(mode) / static_cast<double>(count) - 1.5707963267949;
+  return {kSize / 2 + kRadius * std::cos(angle), kSize / 2 + kRadius * std::sin(angle)};
+}
+
+std::string joined(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int n : numbers) text += (text.empty() ? "" : ", ") + std::to_string(n);
+  return text;
+}
+
+/// Modes that are entered from nearly every other one by one condition: a note instead of arrows.
+bool from_everywhere(const std::string& mode) { return mode == "NP" || mode == "SF" || mode == "IS"; }
+
+/// A curve that bends towards the middle; the two directions of a pair apart, the numbers close to the mode left.
+std::string arrow(const Table& table, const Transition& t) {
+  const Point a = place_of(t.from, table.modes.size()), b = place_of(t.to, table.modes.size());
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+  const Point bend{(a.x + b.x) / 2 * 0.75 + kSize / 2 * 0.25 - dy / length * 22,
+                   (a.y + b.y) / 2 * 0.75 + kSize / 2 * 0.25 + dx / length * 22};
+  const auto towards = [](Point from, Point to, double d) {
+    const double l = std::hypot(to.x - from.x, to.y - from.y);
+    return Point{from.x + (to.x - from.x) / l * d, from.y + (to.y - from.y) / l * d};
+  };
+  const Point start = towards(a, bend, kNode), end = towards(b, bend, kNode + 5);
+  const double s = 0.28;
+  const Point label{(1 - s) * (1 - s) * start.x + 2 * s * (1 - s) * bend.x + s * s * end.x,
+                    (1 - s) * (1 - s) * start.y + 2 * s * (1 - s) * bend.y + s * s * end.y};
+  const int hue = static_cast<int>(t.to * 360 / table.modes.size());
+  return fmt::format(
+      "<g><title>{} to {}: [{}], priority {}</title><path d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\" "
+      "stroke=\"hsl({},70%,40%)\" marker-end=\"url(#arrow)\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+      "fill=\"hsl({},70%,30%)\">{}</text></g>\n",
+      table.modes[t.from], table.modes[t.to], joined(t.numbers), t.priority, start.x, start.y, bend.x, bend.y, end.x,
+      end.y, hue, label.x, label.y, hue, joined(t.numbers));
+}
+
+std::string graph_of(const Table& table) {
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {0:g}\" font-family=\"sans-serif\">\n"
+      "<title>{1}</title>\n<rect width=\"{0:g}\" height=\"{0:g}\" fill=\"white\"/>\n"
+      "<defs><marker id=\"arrow\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" "
+      "orient=\"auto\">"
+      "<path d=\"M0 0L8 4L0 8z\" fill=\"#555\"/></marker></defs>\n"
+      "<text x=\"20\" y=\"30\" font-size=\"18\">{1}</text>\n"
+      "<text x=\"20\" y=\"54\" font-size=\"13\">An arrow has the colour of the mode entered; the numbers are its "
+      "conditions of 4.6.3.</text>\n"
+      "<text x=\"20\" y=\"{2:g}\" font-size=\"13\">Not drawn: into NP by [29], SF by [13] and others, IS by "
+      "[1].</text>\n"
+      "<g fill=\"none\" stroke-width=\"1.2\" font-size=\"10\" text-anchor=\"middle\">\n",
+      kSize, table.title, kSize - 20);
+  for (const Transition& t : table.cells)
+    if (!from_everywhere(table.modes[t.to])) text += arrow(table, t);
+  text += "</g>\n<g font-size=\"16\" font-weight=\"bold\" text-anchor=\"middle\">\n";
+  for (std::size_t i = 0; i < table.modes.size(); ++i) {
+    const Point at = place_of(i, table.modes.size());
+    text += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"white\" stroke=\"hsl({},70%,40%)\" "
+        "stroke-width=\"3\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+        at.x, at.y, kNode, i * 360 / table.modes.size(), at.x, at.y + 6, table.modes[i]);
+  }
+  return text + "</g>\n</svg>\n";
+}
+
+}  // namespace
+
+int describe_modes(const ModesOptions& options) {
+  const Table table = options.srs == "4.0.0" ? table_of(modes::v400::srs_4_6_2, modes::v400::kModes, "4.0.0")
+                                             : table_of(modes::srs_4_6_2, kModes, "3.3.0 to 3.6.0");
+  const auto written =
+      io::write_whole(options.output, options.svg ? graph_of(table) : matrix_of(table) + conditions_of(table));
+  return written ? 0 : io::complain(written.error());
+}
+
+}  // namespace evc::explain
