@@ -68,6 +68,7 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
     if (names_group(e.what)) group = source_of(cycle, outputs, e);
     notes_.push_back({cycle.t_ms, e, of_track(e.what) ? group : ""});
     if (names_group(e.what)) open = notes_.size();
+    if (names_message(e.what) || e.what == What::message_unknown) messages_.push_back(cycle.t_ms);
     if (!names_message(e.what)) continue;
     const std::string message = source_of(cycle, outputs, e);
     for (std::size_t i = open; i < notes_.size(); ++i)
@@ -75,7 +76,6 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
     open = notes_.size();
     group.clear();
   }
-  if (!cycle.radio.empty()) messages_.push_back(cycle.t_ms);
 }
 
 void Journal::take_restrictions(const kernel::State& before, const kernel::State& after) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "io/program_test.h"
 #include "run.h"
+#include "terms/cause.h"
 
 // `evc explain` on the journeys of explain.scenario: each ends under a brake command, and the answer why was compared
 // with the clauses by a reader. The answers are tests/data/explain/NAME.txt.
@@ -18,10 +20,10 @@ std::string file_name(std::string name) {
   return name;
 }
 
-std::vector<Scenario> journeys() {
+std::vector<Scenario> journeys(const std::string& name = "explain.scenario") {
   const std::string folder = evc::test::source_folder() + "/tests/scenarios/";
   const auto library = read(text_of(folder + "library.scenario"), "library.scenario");
-  const auto file = read(text_of(folder + "explain.scenario"), "explain.scenario", library->blocks);
+  const auto file = read(text_of(folder + name), name, library->blocks);
   return file ? file->scenarios : std::vector<Scenario>();
 }
 
@@ -68,6 +70,30 @@ TEST(Explain, the_situation_of_each_fits_a_screen) {
     EXPECT_EQ(e.exit_code, 0) << e.errors;
     fits_a_screen(e.output);
   }
+}
+
+/// The two files cover every cause. Of each command there is more to say than the command.
+TEST(Explain, no_cause_is_without_a_reason) {
+  std::set<std::string> causes;
+  std::vector<Scenario> all = journeys("brakes.scenario");
+  for (const Scenario& scenario : journeys()) all.push_back(scenario);
+  for (const Scenario& scenario : all) {
+    const Ended e = Journey(scenario).explain("--why-brake");
+    ASSERT_LE(e.exit_code, 1) << scenario.name << e.errors;
+    std::istringstream in(e.output);
+    int steps = 2;
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("why the ", 0) == 0) {
+        EXPECT_GE(steps, 2) << scenario.name << "\n" << e.output;
+        causes.insert(line.substr(line.find('(') + 1, line.rfind(')') - line.find('(') - 1));
+        steps = 0;
+      }
+      if (line.rfind("  ", 0) == 0 && line[2] >= '1' && line[2] <= '9') ++steps;
+    }
+    EXPECT_GE(steps, 2) << scenario.name << "\n" << e.output;
+  }
+  for (const auto& row : kCauseRows)
+    EXPECT_TRUE(causes.contains(row.name) || row.value == Cause::overspeed_traction) << row.name;
 }
 
 TEST(Explain, the_situation_of_a_train_that_passed_its_end_of_authority) {
