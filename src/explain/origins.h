@@ -35,6 +35,8 @@ struct Restriction {
   std::optional<Step> from;  ///< what brought it
 };
 Step step_of(const Restriction& restriction);
+/// "3.11.5": the clause of the restriction.
+const char* clause_of(MrspSource source);
 /// Those that limit the speed to `V` between two places.
 std::vector<Restriction> restrictions(const Journal& journal, const Moment& moment, Place from, Place to, Speed V);
 

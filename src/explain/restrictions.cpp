@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "explain/origins.h"
 #include "explain/words.h"
 #include "kernel/curves.h"
@@ -140,8 +142,17 @@ Steps authority_steps(const Journal& journal, const Moment& m) {
   return steps;
 }
 
+const char* clause_of(MrspSource source) {
+  // In the order of MrspSource.
+  constexpr const char* kClauses[] = {"3.11.3", "3.11.4", "3.11.5", "3.11.11", "3.11.9",
+                                      "3.11.6", "3.11.8", "3.11.7", "3.11.10"};
+  static_assert(std::size(kClauses) == terms::index(MrspSource::count));
+  return kClauses[terms::index(source)];
+}
+
 Step step_of(const Restriction& r) {
-  return r.from ? Step{r.from->t_ms, r.from->text + ": " + r.text, r.from->clause} : Step{{}, r.text, ""};
+  const std::string clause = clause_of(r.source);
+  return r.from ? Step{r.from->t_ms, r.from->text + ": " + r.text, clause} : Step{{}, r.text, clause};
 }
 
 std::vector<Restriction> restrictions(const Journal& journal, const Moment& m, Place from, Place to, Speed V) {

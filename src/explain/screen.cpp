@@ -44,6 +44,11 @@ std::string origin_line(const Step& step) {
   return step.t_ms ? fmt::format("{}: {}", time_words(*step.t_ms), with_clause(step)) : with_clause(step);
 }
 
+/// Without its clause.
+std::string from_line(const Step& step) {
+  return step.t_ms ? fmt::format("{}: {}", time_words(*step.t_ms), step.text) : step.text;
+}
+
 std::string row(const char* subject, const std::string& text) { return wrapped(fmt::format("{:<11}", subject), text); }
 
 std::string mode_lines(const Journal& journal) {
@@ -91,7 +96,7 @@ std::string speed_lines(const Journal& journal) {
   const track::Here here = kernel::here(now.after);
   if (o.V_MRSP)
     for (const Restriction& r : restrictions(journal, now, here.min_safe_front, here.max_safe_front, *o.V_MRSP))
-      text += row("", fmt::format("{}{}", r.text, r.from ? ", " + origin_line(*r.from) : ""));
+      text += row("", fmt::format("{} [{}]{}", r.text, clause_of(r.source), r.from ? ", " + from_line(*r.from) : ""));
   if (now.after.supervision.has_MRDT) {
     const sdm::TargetId& target = now.after.supervision.MRDT;
     text += row("", fmt::format("target {}, {} ahead", target_words(now, target),
@@ -107,7 +112,7 @@ std::string position_lines(const Journal& journal) {
   const Moment& now = journal.now();
   const kernel::Outputs& o = now.outputs;
   std::string text =
-      fmt::format("front end at {}, between {} and {}", metres_words(o.est_front.from_origin),
+      fmt::format("front end at {}, between {} and {} [3.6.4]", metres_words(o.est_front.from_origin),
                   metres_words(o.min_safe_front.from_origin), metres_words(o.max_safe_front.from_origin));
   const position::Reference* lrbg = position::lrbg(now.after.position);
   if (lrbg == nullptr) return row("position", text + "; no LRBG");
