@@ -32,33 +32,34 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
 namespace {
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.
-Decided run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
+void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, procedures::Facts* seen) {
   reset(outputs);
   const Log log{outputs.events};
   radio::Outbox outbox;
   const Received received = intake(state, derived.scratch, inputs, outbox, log, &outputs.forwarded);
-  Decided decided = decide(state, inputs, received, log);
+  const Decided decided = decide(state, inputs, received, log, seen);
   const Supervised supervised = supervise(state, derived, inputs.train, decided.here, decided.basis_renewed,
                                           received.acknowledged.has(Ack::brake), log);
   report(state, inputs, received, decided, supervised, outbox, log, outputs);
-  return decided;
 }
 
-Decided run_step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) {
-  if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs);
+void run_step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, procedures::Facts* seen) {
+  if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs, seen);
   Inputs closed = inputs;
   closed.train.desk_open = false;
-  return run_cycle(state, derived, closed, outputs);
+  run_cycle(state, derived, closed, outputs, seen);
 }
 
 }  // namespace
 
 void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
-  (void)run_step(state, derived, inputs, outputs);
+  run_step(state, derived, inputs, outputs, nullptr);
 }
 
 procedures::Facts examine(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
-  return run_step(state, derived, inputs, outputs).facts;
+  procedures::Facts seen;
+  run_step(state, derived, inputs, outputs, &seen);
+  return seen;
 }
 
 }  // namespace evc::kernel

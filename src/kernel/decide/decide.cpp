@@ -89,11 +89,11 @@ void run_texts(State& s, bool acknowledges, Decided& out) {
 
 }  // namespace
 
-Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
+Decided decide(State& s, const Inputs& in, const Received& received, Log log, procedures::Facts* seen) {
   Decided out;
   out.here = received.here;
   out.effects = received.level;
-  procedures::Facts& facts = out.facts = facts_of(s, in, received);
+  procedures::Facts facts = facts_of(s, in, received);
   std::optional<Mode> profile_at_front = run_mode_profile(s, received, facts, out);
   if (!facts.ma_ssp_gradient_stored) profile_at_front.reset();
   run_start_of_mission(s, in.train.desk_open, received, profile_at_front, out);
@@ -102,6 +102,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log) {
   run_shunting(s, received, out.here, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
+  if (seen != nullptr) *seen = facts;
   change_mode(s, in, facts, out, log);
   if (out.mode_changed) out.effects.requests.remove(received.acknowledged);  // they asked for what has happened
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);

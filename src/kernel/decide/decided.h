@@ -4,7 +4,6 @@
 #include "base/inplace_vector.h"
 #include "brakes/brakes.h"
 #include "procedures/effects.h"
-#include "procedures/observe.h"
 #include "track/services.h"
 
 namespace evc::kernel {
@@ -14,7 +13,6 @@ namespace evc::kernel {
 struct Decided {
   track::Here here;             ///< the train, after start of mission set the status of its position
   procedures::Effects effects;  ///< of all procedures
-  procedures::Facts facts;      ///< that decided the mode transition
   brakes::CauseSet asked;
   bool mode_changed = false;
   bool mission_ended = false;             ///< by the change of mode (5.5.2)
