@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "io/file.h"
+#include "io/json.h"
 
 namespace evc::run {
 
