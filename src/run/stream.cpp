@@ -23,7 +23,8 @@ io::Result<io::InputStream> open_stream(const std::string& input, const std::str
   auto stream = io::InputStream::open(
       input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
   if (!stream) return tl::unexpected(of_stream(stream.error(), input));
-  if (stream->empty()) return tl::unexpected(io::Diagnostic{input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
+  if (stream->empty())
+    return tl::unexpected(io::Diagnostic{input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
   return stream;
 }
 
