@@ -156,6 +156,7 @@ bool reaches(const Session& session, std::uint8_t NID_MESSAGE, bool& terminated)
 }  // namespace
 
 void drop_unsent(const State& s, Outbox& out) {
+  if (out.messages.empty()) return;
   std::array<bool, kPeers.size()> terminated{};
   for (const Peer peer : kPeers) terminated[static_cast<std::size_t>(peer)] = !ends_now(s.session(peer), peer, out);
   out.messages.erase_if([&](const Intent& intent) {

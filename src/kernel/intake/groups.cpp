@@ -230,9 +230,13 @@ void receive_balises(Reception& r) {
     balise::read(s.balise, reading, situation_of(r), outcome);
     take(r, outcome);
   }
-  balise::close_overdue(s.balise, s.position.now.counter, situation_of(r), outcome);
-  take(r, outcome);
-  balise::expect(s.balise, position::antenna(s.position, L_antenna(s)), situation_of(r), outcome);
+  balise::Situation now = situation_of(r);
+  balise::close_overdue(s.balise, s.position.now.counter, now, outcome);
+  if (!outcome.groups.empty() || !outcome.events.empty()) {
+    take(r, outcome);
+    now = situation_of(r);
+  }
+  balise::expect(s.balise, position::antenna(s.position, L_antenna(s)), now, outcome);
   take(r, outcome);
 }
 
