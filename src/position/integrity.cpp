@@ -8,8 +8,8 @@ constexpr Distance kLongestReported{32766.0};
 
 /// 3.6.5.2.4: without a valid position against an LRBG, or without a length, nothing can be confirmed.
 bool can_confirm(const State& state, const IntegrityFacts& facts) {
-  return facts.train_data_valid && facts.length_acknowledged && state.status == DataStatus::valid &&
-         lrbg(state) != nullptr;
+  return facts.train_data_valid && facts.length_acknowledged && !facts.validated_since &&
+         state.status == DataStatus::valid && lrbg(state) != nullptr;
 }
 
 void confirm(IntegrityStatus& status, Integrity by, const State& state, const IntegrityFacts& facts) {

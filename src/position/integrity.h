@@ -21,6 +21,7 @@ struct IntegrityFacts {
   bool driver_confirms = false;  ///< at standstill (3.6.5.2.2)
   bool train_data_valid = false;
   bool length_acknowledged = false;  ///< by the RBC, and no other length waits for the driver
+  bool validated_since = false;      ///< train data, and the RBC has not acknowledged these: they confirm nothing
   bool session_established = false;  ///< in this cycle (3.6.5.2.6)
   Distance L_TRAIN{};
 };

@@ -153,6 +153,7 @@ TEST_F(TrainIntegrityStatus, WhatCannotBeConfirmed) {
   EXPECT_EQ(confirmed([](State&, IntegrityFacts&) {}), Integrity::by_driver);
   EXPECT_EQ(confirmed([](State&, IntegrityFacts& f) { f.train_data_valid = false; }), Integrity::none);
   EXPECT_EQ(confirmed([](State&, IntegrityFacts& f) { f.length_acknowledged = false; }), Integrity::none);
+  EXPECT_EQ(confirmed([](State&, IntegrityFacts& f) { f.validated_since = true; }), Integrity::none);
   EXPECT_EQ(confirmed([](State& s, IntegrityFacts&) { invalidate(s); }), Integrity::none);
   EXPECT_EQ(confirmed([](State& s, IntegrityFacts&) { forget(s); }), Integrity::none);
   // 8: only the source is not believed while the train moves backward.

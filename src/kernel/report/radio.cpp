@@ -89,6 +89,7 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
   facts.driver_confirms = received.selected.has(Select::integrity_confirmed);
   facts.train_data_valid = valid(s.data.train_data_status);
   facts.length_acknowledged = s.radio.supervising.train_data_acknowledged && !s.train_data_change.pending;
+  facts.validated_since = s.radio.supervising.train_data_validated_since;
   facts.session_established = s.radio.supervising.established_now;
   facts.L_TRAIN = s.train.L_TRAIN;
   return position::supervise(s.integrity, s.position, facts);
