@@ -37,6 +37,8 @@ Result step(State& state, const Inputs& in) {
     out.report = in.reports;
   }
   if (state.step == Step::announced) return out;
+  // The first report beyond the border that reaches the accepting RBC makes it the supervising one (3.15.1.3.5).
+  if (state.step == Step::at_border && in.accepting_connected) out.report = in.reports;
   leave(state, in, out);
   if (in.one_session && state.step == Step::at_border && in.ended) {
     state.step = Step::handed_over;

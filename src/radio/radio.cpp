@@ -50,8 +50,8 @@ bool note_running_number(State& s, const Inputs& in) {
   return report;
 }
 
-/// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether it went to the other one: while its
-/// connection is lost it counts as sent (3.5.4.5).
+/// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether it went to the other one; while its
+/// connection is lost none is due to it.
 bool send_report(State& s, const Inputs& in, Outbox& out) {
   Intent intent;
   intent.NID_MESSAGE = in.start_of_mission ? 157 : 136;
@@ -70,7 +70,7 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     p.running_number_due = p.running_number_due && !intent.running_number;
     out.send(intent);
   }
-  return s.other.session.established();
+  return other;
 }
 
 /// A session in this cycle. True when it is lost for good.

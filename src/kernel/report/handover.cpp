@@ -65,6 +65,7 @@ procedures::rbc_handover::Inputs inputs_of(const State& s, const track::Here& he
   in.max_safe_front = here.max_safe_front >= s.handover.order->at;
   in.min_safe_rear = here.min_safe_front - length_of(s) >= s.handover.order->at;
   in.one_session = s.terminals < 2;
+  in.accepting_connected = s.radio.other_accepts && s.radio.other.session.phase == radio::Phase::up;
   in.reports = modes::activity(modes::Function::report_rbc_border, s.mode, s.srs) == modes::Activity::active;
   const radio::Session& session = s.radio.partner(handing_over(s)).session;
   in.established = session.established();

@@ -195,6 +195,7 @@ TEST_F(RbcHandover, TheMinSafeRearEndReportsThatItLeft) {  // 3.15.1.3.1 c, 3.15
   (void)run();
   answer_of_the_second();
   (void)run_at(1600.0);
+  complete(true);
   here.min_safe_front = at(1699.9);  // the rear end is 200 m behind
   EXPECT_FALSE(run());
   here.min_safe_front = at(1700.0);
@@ -215,6 +216,7 @@ TEST_F(RbcHandover, TheSetUpWithTheRBCThatIsLeftEnds) {  // 3.5.3.8 f
   (void)run();
   answer_of_the_second();
   (void)run_at(1600.0);
+  complete(true);
   state.radio.supervising.session.phase = radio::Phase::connecting;
   (void)run_at(1699.9);
   EXPECT_EQ(state.radio.supervising.session.phase, radio::Phase::connecting);
