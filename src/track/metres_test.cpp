@@ -329,7 +329,7 @@ class Database {
     if (ma.overlap) fresh.SvL = whole(ma.overlap->end);  // it comes before a danger point (3.8.4.5)
     if (ma.limited()) fresh.SvL.reset();
     if (c.infill && !model.ma) return;
-    if (c.infill && model.ma->shortened && model.ma->far() < whole(*c.infill)) return;  // 3.8.5.1 b
+    if (c.infill && model.ma->far() + (model.ma->shortened ? 0 : 22) < whole(*c.infill)) return;  // 3.8.5.1 b
     if (!known(together, c.infill ? whole(*c.infill) : front_, fresh.far())) return;
     expected_accepted_ = true;
     const std::optional<Model::Authority> old = model.ma;

@@ -40,6 +40,16 @@ void carry_timers(MovementAuthority& ma, const Before& old, const Here& here) {
   if (ma.overlap) carry_timer(ma.overlap->timer, old.overlap, ma.overlap->start, here);
 }
 
+/// The group at a signal lies at or in rear of the end that the signal is (3.8.3.7): it seems to lie in advance of it by
+/// the accuracy of a location and the resolution of a length at most.
+constexpr Distance kSignalGap{22.0};
+
+/// Whether the stored MA authorises the way to the infill reference (3.8.5.1 b). One that was shortened, timed out or
+/// given anew in rear of it does not.
+bool reaches(const MovementAuthority& ma, Place infill) {
+  return !(ma.fixed_SvL && *ma.fixed_SvL < infill) && infill <= ma.far_end() + kSignalGap;
+}
+
 /// The old MA up to the infill reference, then the infill one (3.8.5.1 b, 3.8.5.1.2): the section that runs there ends
 /// at the reference, and so does the last one when the old authority ends in rear of it. False when there is no room:
 /// the old one stays.
@@ -161,8 +171,7 @@ void store_authority(const Filing& f, const AuthorityContents& c, const std::opt
   if (refuse_ma) return refuse_authority(f, c, refuse_ma);
   // Infill extends an authority: without a stored authority it is refused (3.8.5.1 b).
   if (infill && !d.ma) return refuse_authority(f, c, "3.8.5.1"_srs);
-  // One that was shortened in rear of the infill reference authorises nothing up to there (3.8.5.1 b).
-  if (infill && d.ma->fixed_SvL && *d.ma->fixed_SvL < *infill) return refuse_authority(f, c, "3.8.5.1"_srs);
+  if (infill && !reaches(*d.ma, *infill)) return refuse_authority(f, c, "3.8.5.1"_srs);
   if (!described) return refuse_authority(f, c, kIncomplete);
   const Before before = before_of(d.ma);
   if (!infill)
@@ -230,9 +239,11 @@ void keep_shortened(MovementAuthority& ma) {
 }  // namespace
 
 /// Packet 16: a new length for the section in which the front end is, the following ones are moved with it (3.8.5.2).
-/// In advance of all sections there is none to be updated (3.8.5.2.2).
+/// In advance of all sections there is none to be updated (3.8.5.2.2). It is meant for the authority that was announced
+/// with the group, not for one that comes with it (3.8.5.2.3).
 void reposition(const Filing& f, const Contents& c) {
   if (!c.repositioned_section || !f.d.ma) return;
+  if (c.ma) return f.note(16, Note::What::refused, "3.8.5.2.3"_srs);
   MovementAuthority& ma = *f.d.ma;
   if (ma.end() <= f.here.est_front) return f.note(16, Note::What::refused, "3.8.5.2.2"_srs);
   std::size_t k = 0;

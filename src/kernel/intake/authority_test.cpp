@@ -316,6 +316,7 @@ TEST_F(InfillAuthority, IsRefusedWithoutAnAuthority) {  // 3.8.5.1 b
 TEST_F(InfillAuthority, IsRefusedWithoutRoomForItsSections) {  // 3.8.5.1 b: the old one stays
   track::MovementAuthority& ma = state.track.ma.emplace();
   for (double x = 0.0; !ma.sections.full(); x += 10.0) ASSERT_TRUE(ma.sections.push_back({at(x), at(x + 10.0)}));
+  ma.sections.back().end = at(10000.0);  // beyond the infill reference
   const Place end = ma.end();
   receive_infill();
   EXPECT_TRUE(happened(What::packet_refused_no_room));
