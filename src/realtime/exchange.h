@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,8 @@ namespace evc::realtime {
 ///   lock: nobody sees a value that is half written, and none is copied.
 /// - results: another ring. The slots behind the published ones belong to the unit, the published ones to the outside,
 ///   which gives one back by taking it. Slots are filled and emptied without the lock, which guards their numbers.
-/// The unit never waits for the outside. A full ring loses what would come into it: counted.
+/// The unit never waits for what the outside makes or does, only for the lock: for the time of a swap at most. A full
+/// ring loses what would come into it, and a cycle that is left out its inputs: counted.
 template <class In, class Out>
 class Exchange {
  public:
@@ -29,13 +31,16 @@ class Exchange {
   };
   explicit Exchange(std::size_t capacity) : inputs_(capacity), results_(capacity) {}
 
-  /// The outside: inputs for a cycle, not before that of the last offer; a second offer for it replaces the first. `in`
-  /// becomes an object for the next ones. Returns `cycle`; or, where that has begun, the first that has not: `in`
-  /// stays.
+  /// The outside: inputs for a cycle; a second offer for it replaces the first. `in` becomes an object for the next
+  /// ones. Returns `cycle`; or, where that has begun or is before that of the last offer, the first that can still be
+  /// offered: `in` stays.
   std::int64_t offer(std::int64_t cycle, In& in, Nanoseconds now) {
     const std::lock_guard lock(mutex_);
-    if (cycle < next_) return next_;
-    const bool again = offered_ != taken_ && inputs_[(offered_ - 1) % inputs_.size()].cycle == cycle;
+    const bool waiting = offered_ != taken_;
+    const std::int64_t last = waiting ? inputs_[(offered_ - 1) % inputs_.size()].cycle : -1;
+    const std::int64_t first = std::max(next_, last);
+    if (cycle < first) return first;
+    const bool again = waiting && last == cycle;
     if (!again && offered_ - taken_ == inputs_.size()) {
       ++lost_;
       return cycle;
@@ -52,6 +57,7 @@ class Exchange {
   std::optional<Nanoseconds> take(std::int64_t cycle, In& in) {
     const std::lock_guard lock(mutex_);
     next_ = cycle + 1;
+    for (; offered_ != taken_ && inputs_[taken_ % inputs_.size()].cycle < cycle; ++taken_) ++lost_;
     if (!has(cycle)) return std::nullopt;
     Offer& slot = inputs_[taken_++ % inputs_.size()];
     std::swap(slot.in, in);
@@ -93,6 +99,12 @@ class Exchange {
     return true;
   }
 
+  /// Whether a result waits to be taken.
+  bool waiting() const {
+    const std::lock_guard lock(mutex_);
+    return published_ != used_;
+  }
+
   /// The unit: nothing more is published.
   void close() {
     {
@@ -102,7 +114,7 @@ class Exchange {
     changed_.notify_one();
   }
 
-  /// Whether inputs wait for this cycle, the next one; from any thread.
+  /// Whether inputs wait for this cycle; from any thread.
   bool ready(std::int64_t cycle) const {
     const std::lock_guard lock(mutex_);
     return has(cycle);
@@ -118,8 +130,11 @@ class Exchange {
     Nanoseconds at{0};
     In in{};
   };
-  /// No cycle is left out: the oldest offer is of the next cycle or a later one.
-  bool has(std::int64_t cycle) const { return offered_ != taken_ && inputs_[taken_ % inputs_.size()].cycle == cycle; }
+  bool has(std::int64_t cycle) const {
+    for (std::size_t n = taken_; n != offered_; ++n)
+      if (inputs_[n % inputs_.size()].cycle == cycle) return true;
+    return false;
+  }
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

@@ -92,10 +92,12 @@ TEST(Exchange, ResultsComeInOrder) {
   exchange.close();
   Values::Result result;
   for (const std::int64_t cycle : {0, 1, 2}) {
+    EXPECT_TRUE(exchange.waiting());
     ASSERT_TRUE(exchange.next(result));
     EXPECT_EQ(result.cycle, cycle);
     EXPECT_EQ(result.out.whole(), cycle);
   }
+  EXPECT_FALSE(exchange.waiting());
   EXPECT_FALSE(exchange.next(result));
   EXPECT_EQ(exchange.lost(), 0u);
 }
@@ -112,6 +114,33 @@ TEST(Exchange, AFullRingLosesResultsAndCountsThem) {
   EXPECT_EQ(result.cycle, 1);
   ASSERT_TRUE(exchange.next(result));
   EXPECT_EQ(result.cycle, 4);
+}
+
+/// An offer for a cycle that the unit has left out does not stop those behind it.
+TEST(Exchange, InputsOfACycleThatIsLeftOutAreLost) {
+  Values exchange(4);
+  Value mine, units;
+  for (const std::int64_t cycle : {0, 1, 2}) {
+    mine.set(cycle);
+    (void)exchange.offer(cycle, mine, Nanoseconds{cycle});
+  }
+  EXPECT_TRUE(exchange.ready(2));
+  EXPECT_EQ(exchange.take(2, units), Nanoseconds{2});
+  EXPECT_EQ(units.whole(), 2);
+  EXPECT_EQ(exchange.lost(), 2u);
+}
+
+TEST(Exchange, InputsAreOfferedInTheOrderOfCycles) {
+  Values exchange(4);
+  Value mine, units;
+  mine.set(3);
+  EXPECT_EQ(exchange.offer(3, mine, Nanoseconds{3}), 3);
+  mine.set(2);
+  EXPECT_EQ(exchange.offer(2, mine, Nanoseconds{2}), 3);
+  EXPECT_EQ(mine.whole(), 2);
+  EXPECT_FALSE(exchange.take(2, units));
+  EXPECT_EQ(exchange.take(3, units), Nanoseconds{3});
+  EXPECT_EQ(units.whole(), 3);
 }
 
 /// The unit doubles its inputs, or what it had last; the outside answers each result with inputs for a later cycle.
