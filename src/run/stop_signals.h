@@ -2,8 +2,8 @@
 
 namespace evc::run {
 
-/// While it lives, SIGINT and SIGTERM ask for an end of the drive instead of ending the program; one that the caller
-/// ignores stays ignored. Afterwards they do what they did before. One at a time.
+/// While it lives, the first SIGINT or SIGTERM asks for an end of the drive instead of ending the program; one that the
+/// caller ignores stays ignored. A second signal, and one afterwards, does what it did before. One at a time.
 class StopSignals {
  public:
   StopSignals();
