@@ -1,9 +1,10 @@
 #include "run/drive.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <thread>
-#include <utility>
+#include <vector>
 
 #include "realtime/executor.h"
 
@@ -55,36 +56,69 @@ class Unit {
   realtime::Times age_;
 };
 
-/// Makes the inputs of the next cycle, and while the unit begins that without them, those of the cycles behind it.
-std::int64_t offer(sim::World& world, Exchange& exchange, sim::CycleInputs& mine, std::int64_t cycle_ms,
-                   realtime::Clock& clock) {
-  const sim::CycleInputs* made = &world.advance();
-  for (;;) {
-    mine = *made;
-    const std::int64_t cycle = made->t_ms / cycle_ms;
-    const std::int64_t taken_for = exchange.offer(cycle, mine, clock.now());
-    if (taken_for == cycle) return cycle;
-    while (made->t_ms < taken_for * cycle_ms) made = &world.advance_further();
+/// The outside's side: it makes the inputs, and knows where the train was at each cycle.
+class Outside {
+ public:
+  Outside(sim::World& world, Exchange& exchange, realtime::Clock& clock, std::int64_t cycle_ms)
+      : world_(world), exchange_(exchange), clock_(clock), cycle_ms_(cycle_ms) {}
+
+  /// Offers the inputs of the next cycle. When that has begun without them: makes those of the cycles behind it, to be
+  /// offered the next time.
+  void offer() {
+    if (!refused_) advance(false);
+    const std::int64_t cycle = made();
+    mine_ = *made_;
+    const std::int64_t taken_for = exchange_.offer(cycle, mine_, clock_.now());
+    refused_ = taken_for != cycle;
+    while (made() < taken_for) advance(true);
   }
-}
+  /// Whether results are to be taken behind this one before the next offer: up to that of the inputs offered, or, when
+  /// they were refused, those that are there.
+  bool waits(const Exchange::Result& result) const { return refused_ ? exchange_.waiting() : result.cycle < made(); }
+
+  /// Of the cycle of a result, whose inputs may be those of an earlier one and whose world may be at a later one.
+  Truth truth_of(const Exchange::Result& result) {
+    if (result.fresh) delivered_ = world_.radio().deliveries().size();
+    const auto cycle = static_cast<std::size_t>(result.cycle);
+    return {fronts_[std::min(cycle, fronts_.size() - 1)], delivered_, cycle < fronts_.size()};
+  }
+
+ private:
+  void advance(bool further) {
+    made_ = further ? &world_.advance_further() : &world_.advance();
+    fronts_.push_back(world_.front_m());
+  }
+  std::int64_t made() const { return made_->t_ms / cycle_ms_; }
+
+  sim::World& world_;
+  Exchange& exchange_;
+  realtime::Clock& clock_;
+  std::int64_t cycle_ms_;
+  sim::CycleInputs mine_;
+  const sim::CycleInputs* made_ = nullptr;
+  bool refused_ = false;
+  std::vector<double> fronts_;  // of all cycles
+  std::size_t delivered_ = 0;   // messages that came with the inputs of a result
+};
 
 }  // namespace
 
-void Recorder::add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs) {
+void Recorder::add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth) {
   writer_.append(records_.inputs, inputs);
-  journey_.record(inputs, outputs);
+  journey_.record(inputs, outputs, truth);
   io::append_output(records_.outputs, inputs.t_ms, outputs);
   io::append_trace(records_.trace, inputs.t_ms, outputs);
-  progress_.show((world_.front_m() - world_.start_m()) / (world_.end_m() - world_.start_m()), inputs.t_ms,
+  progress_.show((truth.front_m - world_.start_m()) / (world_.end_m() - world_.start_m()), inputs.t_ms,
                  world_.motion().speed() * 3.6);
 }
 
 void drive(sim::World& world, OnBoard& on_board, Recorder& recorder) {
   do {
     sim::CycleInputs& inputs = world.advance();
+    const Truth truth{world.front_m(), world.radio().deliveries().size()};
     const kernel::Outputs& outputs = on_board.step(inputs.view());
     world.observe(outputs);
-    recorder.add(inputs, outputs);
+    recorder.add(inputs, outputs, truth);
   } while (!world.finished());
 }
 
@@ -92,8 +126,8 @@ RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& reco
                             realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped) {
   realtime::Executor executor(clock, std::chrono::milliseconds(cycle_ms));
   Unit unit(on_board, exchange, clock, cycle_ms);
-  sim::CycleInputs mine;
-  std::int64_t offered = offer(world, exchange, mine, cycle_ms, clock);
+  Outside outside(world, exchange, clock, cycle_ms);
+  outside.offer();
   std::jthread thread([&](const std::stop_token& stop) {
     executor.run(clock.now(), stop, [&](const realtime::Cycle& cycle) { unit.cycle(cycle); });
     exchange.close();
@@ -102,11 +136,12 @@ RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& reco
   std::uint64_t without_inputs = 0;
   while (exchange.next(result)) {
     world.observe(result.out);
-    recorder.add(result.in, result.out);
+    recorder.add(result.in, result.out, outside.truth_of(result));
     without_inputs += result.fresh ? 0 : 1;
-    if (stopped() || world.finished()) break;
-    if (result.cycle < offered) continue;  // of a cycle without inputs: those offered are of a later one
-    offered = offer(world, exchange, mine, cycle_ms, clock);
+    if (stopped()) break;
+    if (outside.waits(result)) continue;
+    if (world.finished()) break;
+    outside.offer();
   }
   thread.request_stop();
   thread.join();

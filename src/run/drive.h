@@ -26,7 +26,7 @@ class Recorder {
  public:
   Recorder(const sim::World& world, Journey& journey, const io::Configuration& configuration)
       : world_(world), journey_(journey), writer_(configuration) {}
-  void add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs);
+  void add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
   Records& records() { return records_; }
 
  private:
@@ -56,7 +56,8 @@ struct Exchange : realtime::Exchange<sim::CycleInputs, kernel::Outputs> {
 };
 
 /// Drives by the clock: the on-board in a thread of its own, once in each period, with what the world has made by then.
-/// Until the world has ended, or `stopped` says so, which is asked after each cycle.
+/// Until the world has ended, or `stopped` says so, which is asked after each cycle, also when the world never makes
+/// its inputs in time.
 RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& recorder, std::int64_t cycle_ms,
                             realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped);
 

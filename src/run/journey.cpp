@@ -36,14 +36,14 @@ Sample sample_of(double t_s, double x_m, const Outputs& o) {
 
 }  // namespace
 
-void Journey::record(const sim::CycleInputs& inputs, const Outputs& outputs) {
+void Journey::record(const sim::CycleInputs& inputs, const Outputs& outputs, const Truth& truth) {
   const double t_s = static_cast<double>(inputs.t_ms) / 1000.0;
-  samples_.push_back(sample_of(t_s, world_.front_m(), outputs));
+  samples_.push_back(sample_of(t_s, truth.front_m, outputs));
   telegrams_in_cycle_ = !inputs.balises.empty();
   note_changes(outputs);
-  note_position(outputs);
+  if (truth.reached) note_position(outputs, truth.front_m);
   note_events(outputs);
-  count_messages(outputs);
+  count_messages(outputs, truth.deliveries);
   if (outputs.V_EBI) {
     const double margin = (outputs.V_EBI->si - outputs.v.si) * 3.6;
     min_margin_ = min_margin_ ? std::min(*min_margin_, margin) : margin;
@@ -70,13 +70,12 @@ void Journey::note_changes(const Outputs& o) {
 }
 
 /// The true position compared with that of the on-board, both measured from its reference group.
-void Journey::note_position(const Outputs& o) {
+void Journey::note_position(const Outputs& o, double front) {
   const auto reference = o.lrbg ? world_.reference(*o.lrbg) : std::nullopt;
   if (!reference) return;
   const auto on_line = [&](OdometerPlace p) {
     return reference->position_m + (p.from_origin.si - reference->nominal_m);
   };
-  const double front = world_.front_m();
   max_position_error_ = std::max(max_position_error_, std::abs(on_line(o.est_front) - front));
   // A tolerance of a millimetre for the rounding of the counters.
   if (on_line(o.min_safe_front) > front + 1e-3 || on_line(o.max_safe_front) < front - 1e-3) ++violations_;
@@ -150,9 +149,9 @@ bool is_verdict_on_packet(What what) {
 
 }  // namespace
 
-/// The results for the messages delivered in this cycle: for each one, the first event of its number that does not
-/// belong to another one.
-void Journey::count_messages(const Outputs& outputs) {
+/// The results for the messages that came with the inputs of this cycle, up to number `delivered`: for each one, the
+/// first event of its number that does not belong to another one.
+void Journey::count_messages(const Outputs& outputs, std::size_t delivered) {
   struct Verdict {
     std::int32_t NID_MESSAGE;
     Fate fate;
@@ -166,7 +165,7 @@ void Journey::count_messages(const Outputs& outputs) {
     if (is_verdict_on_packet(e.what) && e.id == 12) authority_by_balise = &e;
   }
   const auto& deliveries = world_.radio().deliveries();
-  for (; next_delivery_ < deliveries.size(); ++next_delivery_) {
+  for (; next_delivery_ < delivered; ++next_delivery_) {
     const sim::Delivery& d = deliveries[next_delivery_];
     const auto verdict = std::find_if(verdicts.begin(), verdicts.end(),
                                       [&](const Verdict& v) { return v.NID_MESSAGE == d.NID_MESSAGE; });

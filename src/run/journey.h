@@ -28,13 +28,20 @@ struct JourneyEvent {
   std::string text;
 };
 
+/// The world at a cycle.
+struct Truth {
+  double front_m = 0.0;
+  std::size_t deliveries = 0;  ///< messages that have come with the inputs up to this cycle
+  bool reached = true;         ///< by the world; else it is late, and `front_m` is where the train was last
+};
+
 /// The measurements of a run, cycle by cycle: everything in `summary.json` and the report.
 class Journey {
  public:
   explicit Journey(const sim::World& world) : world_(world) {}
 
   /// After every cycle.
-  void record(const sim::CycleInputs& inputs, const kernel::Outputs& outputs);
+  void record(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
 
   struct Interventions {
     int tco = 0, sb = 0, eb = 0, trip = 0;
@@ -59,10 +66,10 @@ class Journey {
 
  private:
   void note_changes(const kernel::Outputs& outputs);
-  void note_position(const kernel::Outputs& outputs);
+  void note_position(const kernel::Outputs& outputs, double front_m);
   void note_events(const kernel::Outputs& outputs);
   void count(const kernel::Event& event);
-  void count_messages(const kernel::Outputs& outputs);
+  void count_messages(const kernel::Outputs& outputs, std::size_t delivered);
 
   const sim::World& world_;
   std::vector<Sample> samples_;
