@@ -28,8 +28,11 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("curves --explain 900"), "evc curves: --explain: found 900, expected a number from 0 to 600\n");
   EXPECT_EQ(refused("run --train"), "evc run: --train: found nothing after it, expected a value\n");
   EXPECT_EQ(refused("run --seed 1 --seed 2"), "evc run: --seed: found it 2 times, expected it once\n");
-  EXPECT_EQ(refused("run --cycle 0"), "evc run: --cycle: found 0, expected a number from 1 to 1000\n");
-  EXPECT_EQ(refused("run --real-time --cycle 1.5"), "evc run: --cycle: found 1.5, expected a number\n");
+  EXPECT_EQ(refused("run --cycle 0"), "evc run: --cycle: found 0, expected a whole number from 1 to 1000\n");
+  EXPECT_EQ(refused("run --real-time --cycle 1.5"),
+            "evc run: --cycle: found 1.5, expected a whole number from 1 to 1000\n");
+  EXPECT_EQ(refused("explain a --at 1.5"),
+            "evc explain: --at: found 1.5, expected a whole number from 0 to 1000000000000\n");
   EXPECT_EQ(refused("run --foo"), "evc run: found --foo, expected an option that `evc run --help` lists\n");
   EXPECT_EQ(refused("run a b c"), "evc run: found \"b\", expected no further argument\n");
   EXPECT_EQ(refused("replay"), "evc replay: found no input, expected JSON Lines of inputs; - for standard input\n");

@@ -86,9 +86,9 @@ void add_run(CLI::App& app, int& exit_code) {
     return seed_of(given) ? std::string()
                           : "found " + given + ", expected a whole number from 0 to 18446744073709551615";
   });
-  command->add_flag("--real-time", options->real_time, "cycles by the clock, to the end of the run or SIGINT");
+  command->add_flag("--real-time", options->real_time, "cycles by the clock, to the end of the run, SIGINT or SIGTERM");
   command->add_option("--cycle", options->cycle_ms, "length of a cycle in ms; default: 100")
-      ->check(number_between(1, 1000));
+      ->check(whole_number_between(1, 1000));
   command->add_option("-o,--output", options->output, "folder for the report and the records");
   command->callback([options, seed, &exit_code] {
     options->seed = *seed_of(*seed);
@@ -294,7 +294,7 @@ void add_explain(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--at", options->at_ms, "time in ms: the last cycle not after it is explained")
       ->required()
-      ->check(number_between(0, 1e12));
+      ->check(whole_number_between(0, 1000000000000));
   command->add_flag("--why-brake", options->why_brake, "the chain from the first cause to the brake command");
   command->add_option("--config", options->config, "configuration, instead of the stream's first line");
   command->add_option("--persistent", options->persistent,

@@ -11,7 +11,7 @@ struct RunOptions {
   std::string odometer = "random";  ///< random, or at the limit that it declares: over (too much), under (too little)
   std::string output;               ///< folder for the report and the records; empty: none are written
   std::uint64_t seed = 1;           ///< of odometer errors and delays
-  bool real_time = false;           ///< cycles by the clock, until the end of the run or SIGINT
+  bool real_time = false;           ///< cycles by the clock, until the end of the run, SIGINT or SIGTERM
   int cycle_ms = 100;               ///< length of a cycle
   int last_ma = -1;                 ///< movement authorities with a higher seq are withheld; below 0: none are
 };
