@@ -80,7 +80,8 @@ ordered_json summary_of(const Journey& journey, const sim::World& world, const s
   ordered_json s;
   s["schema"] = "evc-summary/1";
   s["line"] = line.name;
-  s["distance_m"] = tenth(world.front_m() - world.start_m());
+  // As recorded: a world that was stopped may have made one more cycle.
+  s["distance_m"] = journey.samples().empty() ? 0.0 : tenth(journey.samples().back().x_m - world.start_m());
   s["duration_s"] = duration;
   s["cycles"] = journey.cycles();
   s["modes"] = journey.modes();
