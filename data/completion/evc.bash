@@ -3,7 +3,7 @@ _evc() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} kind=${COMP_WORDS[2]}
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "run replay curves decode encode describe make-line check track --help --version" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "run replay curves decode encode describe make-line check track explain --help --version" -- "$word")
     return
   fi
   case $before in
@@ -13,7 +13,7 @@ _evc() {
   if [[ $COMP_CWORD -eq 2 ]]; then
     case $command in
       decode | encode) mapfile -t COMPREPLY < <(compgen -W "balise airgap radio packet" -- "$word"); return ;;
-      describe) mapfile -t COMPREPLY < <(compgen -W "packets variables messages schema" -- "$word"); return ;;
+      describe) mapfile -t COMPREPLY < <(compgen -W "packets variables messages schema modes" -- "$word"); return ;;
     esac
   fi
   if [[ $word == -* ]]; then

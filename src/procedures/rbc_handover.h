@@ -25,8 +25,8 @@ struct Inputs {
   bool alone = false;    // there is no session with the second RBC, and none is being set up
   // The border is passed by
   bool est_front = false, max_safe_front = false, min_safe_rear = false;
-  bool one_session = false;  // the unit handles one session at a time (3.15.1.3.2)
-  bool reports = false;      // the mode reports a border (3.6.5.1.4 e, k, 4.5.2)
+  bool one_session = false;          // the unit handles one session at a time (3.15.1.3.2)
+  bool reports = false;              // the mode reports a border (3.6.5.1.4 e, k, 4.5.2)
   bool accepting_connected = false;  // the session with the accepting RBC is established and its connection not lost
   // The session with the handing over RBC:
   bool established = false;  // it is established

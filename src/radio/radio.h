@@ -164,10 +164,10 @@ struct Inputs {
 };
 struct Result {
   bool session_established = false, session_lost = false;  ///< with either RBC
-  bool reported_to_other = false;  ///< a position report was sent to the other RBC as well
-  bool trip = false;               ///< condition [41], as long as it holds
-  bool service_brake = false;      ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
-  bool shorten = false;            ///< standstill under that brake without a message: A.3.4 i, once
+  bool reported_to_other = false;                          ///< a position report was sent to the other RBC as well
+  bool trip = false;                                       ///< condition [41], as long as it holds
+  bool service_brake = false;  ///< T_NVCONTACT expired with M_NVCONTACT 1, until standstill or a new message
+  bool shorten = false;        ///< standstill under that brake without a message: A.3.4 i, once
 };
 /// The connection to this partner is ordered: reports of the bearer that name none are of it (3.5.3.7).
 void note_called(State& state, const Rbc& called);

@@ -40,8 +40,8 @@ void carry_timers(MovementAuthority& ma, const Before& old, const Here& here) {
   if (ma.overlap) carry_timer(ma.overlap->timer, old.overlap, ma.overlap->start, here);
 }
 
-/// The group at a signal lies at or in rear of the end that the signal is (3.8.3.7): it seems to lie in advance of it by
-/// the accuracy of a location and the resolution of a length at most.
+/// The group at a signal lies at or in rear of the end that the signal is (3.8.3.7): it seems to lie in advance of it
+/// by the accuracy of a location and the resolution of a length at most.
 constexpr Distance kSignalGap{22.0};
 
 /// Whether the stored MA authorises the way to the infill reference (3.8.5.1 b). One that was shortened, timed out or
