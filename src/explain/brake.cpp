@@ -75,7 +75,7 @@ Steps first_steps(Cause cause, const Journal& journal, const Moment& m) {
       return train_data_steps(journal, m);
     case Cause::text_service:
     case Cause::text_emergency:
-      return text_steps(journal, m);
+      return text_steps(cause, journal, m);
     case Cause::OS_unacknowledged:
     case Cause::LS_unacknowledged:
     case Cause::SH_unacknowledged:

@@ -23,7 +23,7 @@ Steps trip_steps(const Journal& journal, const Moment& entry, int condition);
 Steps linking_steps(const Journal& journal, const Moment& onset);
 Steps contact_steps(const Journal& journal, const Moment& onset);
 Steps movement_steps(Cause cause, const Journal& journal, const Moment& onset);
-Steps text_steps(const Journal& journal, const Moment& onset);
+Steps text_steps(Cause cause, const Journal& journal, const Moment& onset);
 Steps unacknowledged_steps(Cause cause, const Journal& journal, const Moment& onset);
 Steps train_data_steps(const Journal& journal, const Moment& onset);
 

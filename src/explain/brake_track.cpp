@@ -179,20 +179,20 @@ Steps contact_steps(const Journal& journal, const Moment& m) {
   return steps;
 }
 
-Steps text_steps(const Journal& journal, const Moment& m) {
+Steps text_steps(Cause cause, const Journal& journal, const Moment& m) {
   Steps steps;
+  const std::uint8_t Q_TEXTCONFIRM = cause == Cause::text_service ? 2 : 3;
   for (const track::Text& text : m.after.track.texts) {
-    if (text.acknowledged || text.Q_TEXTCONFIRM < 2 || text.state == track::Text::State::waiting) continue;
-    const Note* plain = journal.last(What::packet_accepted, m.t_ms, packet::plain_text);
-    const Note* fixed = journal.last(What::packet_accepted, m.t_ms, packet::fixed_text);
-    const Note* note = text.Q_TEXT ? fixed : plain;
-    if (note != nullptr) steps.push_back(step_of(*note));
+    if (text.Q_TEXTCONFIRM != Q_TEXTCONFIRM || text.acknowledged || text.state != track::Text::State::shown ||
+        !track::at_end(text))
+      continue;
+    if (const Note* note = journal.of_text(text.id)) steps.push_back(step_of(*note));
     const std::string characters(text.characters.data(), text.length);
     steps.push_back({static_cast<std::int64_t>(text.shown_since.si * 1000.0 + 0.5),
                      text.Q_TEXT ? fmt::format("fixed text {} is shown, to be acknowledged", *text.Q_TEXT)
                                  : fmt::format("text \"{}\" is shown, to be acknowledged", io::printable(characters)),
                      "3.12.3"});
-    steps.push_back({m.t_ms, "its display ends without an acknowledgement", "3.12.3.4"});
+    steps.push_back({m.t_ms, "its end is reached without an acknowledgement", "3.12.3.4.7"});
   }
   return steps;
 }

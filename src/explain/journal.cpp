@@ -90,6 +90,17 @@ void Journal::take_restrictions(const kernel::State& before, const kernel::State
   }
 }
 
+void Journal::take_texts(const kernel::State& before, const kernel::State& after) {
+  for (const track::Text& text : after.track.texts) {
+    bool known = false;
+    for (const track::Text& old : before.track.texts) known = known || old.id == text.id;
+    if (known) continue;
+    if (const Note* note = last(What::packet_accepted, notes_.empty() ? 0 : notes_.back().t_ms,
+                                text.Q_TEXT ? std::int32_t{packet::fixed_text} : std::int32_t{packet::plain_text}))
+      texts_[text.id] = *note;
+  }
+}
+
 void Journal::take_brakes(const Moment& moment) {
   const Set<Cause> now = moment.outputs.brake_reasons;
   for (std::size_t i = 0; i < terms::index(Cause::count); ++i) {
@@ -105,6 +116,7 @@ void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, c
   take_acts(cycle);
   take_notes(cycle, outputs);
   take_restrictions(before, after);
+  take_texts(before, after);
   const bool entered = before.mode != after.mode;
   if (!entered && outputs.brake_reasons == braked_) return;
   const Moment moment = moment_of(cycle, before, after, derived, facts, outputs);
@@ -133,6 +145,11 @@ const Act* Journal::last(Act::Kind kind, std::int64_t t_ms) const {
 const Note* Journal::of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const {
   const auto found = restrictions_.find({NID_TSR, V_TSR});
   return found == restrictions_.end() ? nullptr : &found->second;
+}
+
+const Note* Journal::of_text(std::uint8_t id) const {
+  const auto found = texts_.find(id);
+  return found == texts_.end() ? nullptr : &found->second;
 }
 
 std::optional<std::int64_t> Journal::last_message(std::int64_t t_ms) const {

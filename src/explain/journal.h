@@ -86,6 +86,8 @@ class Journal {
   const Act* last(Act::Kind kind, std::int64_t t_ms) const;
   /// The note with which a TSR came, by NID_TSR and V_TSR.
   const Note* of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const;
+  /// The note with which a text came, by its identity on board.
+  const Note* of_text(std::uint8_t id) const;
   /// When the last message of the RBC came.
   std::optional<std::int64_t> last_message(std::int64_t t_ms) const;
 
@@ -93,6 +95,7 @@ class Journal {
   void take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_acts(const sim::CycleInputs& cycle);
   void take_restrictions(const kernel::State& before, const kernel::State& after);
+  void take_texts(const kernel::State& before, const kernel::State& after);
   void take_brakes(const Moment& moment);
 
   std::vector<Note> notes_;
@@ -101,6 +104,7 @@ class Journal {
   std::unique_ptr<Moment> entry_, now_;
   std::map<Cause, Braking> brakings_;
   std::map<std::pair<std::uint8_t, std::uint8_t>, Note> restrictions_;
+  std::map<std::uint8_t, Note> texts_;
   Set<Cause> braked_;
   port::TrainSignals train_;
   Set<port::Window> windows_;

@@ -114,6 +114,8 @@ struct TextAcknowledgement {
   std::uint8_t id = 0;       ///< of the text, 0 none
   bool always_ends = false;  ///< whatever the text says: X = 1 is operated (6.6.2.1.1)
 };
+/// Whether its end was reached: beyond it a text that waits for an acknowledgement stays (3.12.3.4.7).
+bool at_end(const Text& text);
 /// Updates the texts, once per cycle. `NID_NTC` is used in level NTC. `reports`: those that are due now are added.
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
                        TextAcknowledgement acknowledgement, TextReports& reports);

@@ -50,6 +50,12 @@ void note_transitions(Text& t, const Moment& s) {
 bool ends(Text& t, const Moment& s) {
   t.end_place_passed = t.end_place_passed || (t.end_at && s.est_front >= *t.end_at);
   t.end_time_over = t.end_time_over || (t.T_TEXTDISPLAY && s.now - t.shown_since >= *t.T_TEXTDISPLAY);
+  return at_end(t);
+}
+
+}  // namespace
+
+bool at_end(const Text& t) {
   Parts parts{t.all_parts};
   parts.part(t.end_at.has_value(), t.end_place_passed);
   parts.part(t.T_TEXTDISPLAY.has_value(), t.end_time_over);
@@ -57,8 +63,6 @@ bool ends(Text& t, const Moment& s) {
   parts.part(t.end_level.has_value(), t.end_level_left);
   return parts.fulfilled();
 }
-
-}  // namespace
 
 TextDisplay show_texts(Description& d, const Here& here, Mode mode, Level level, std::uint8_t NID_NTC,
                        TextAcknowledgement acknowledgement, TextReports& reports) {

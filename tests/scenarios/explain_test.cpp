@@ -50,9 +50,9 @@ void fits_a_screen(const std::string& text) {
   EXPECT_LE(lines, 40) << text;
 }
 
-TEST(Explain, why_the_brake_of_twelve_journeys) {
+TEST(Explain, why_the_brake_of_each_journey) {
   const auto all = journeys();
-  ASSERT_EQ(all.size(), 12u);
+  ASSERT_EQ(all.size(), 13u);
   for (const Scenario& scenario : all) {
     const Journey journey(scenario);
     const Ended e = journey.explain("--why-brake");
