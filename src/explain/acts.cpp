@@ -1,26 +1,29 @@
 #include <fmt/format.h>
 
 #include "explain/journal.h"
+#include "explain/words.h"
 #include "texts/texts.h"
 
 // The inputs of driver, train interface and bearer in words.
 namespace evc::explain {
 namespace {
 
-std::string driver_enters(const port::DriverActions& d) {
-  std::string text;
-  const auto add = [&text](bool given, const std::string& what) {
-    if (given) text += (text.empty() ? "driver enters " : ", ") + what;
-  };
-  add(d.driver_id.has_value(), "the driver identity");
-  add(d.level.has_value(), d.level ? fmt::format("level {}", name(*d.level)) : "");
-  add(d.rbc_contact.has_value(), "the RBC contact");
-  add(d.train_data != nullptr, "train data");
-  add(d.train_running_number.has_value(), "the train running number");
-  add(d.V_sr.has_value() || d.D_sr.has_value(), "SR speed or distance");
-  add(d.cover.has_value(), "a virtual balise cover");
-  add(d.network.has_value(), "a radio network");
-  return text;
+bool told(const kernel::Outputs& outputs, What what, std::int32_t id = port::Event::kNone) {
+  for (const port::Event& e : outputs.events)
+    if (e.what == what && e.id == id) return true;
+  return false;
+}
+
+bool refused(const kernel::Outputs& outputs, port::Select select) {
+  return told(outputs, What::selection_not_enabled, static_cast<std::int32_t>(select));
+}
+/// One event for all of them; train data are an entry.
+bool refused(const kernel::Outputs& outputs, Ack ack) {
+  return ack != Ack::train_data && told(outputs, What::acknowledgement_not_enabled);
+}
+bool SR_data_refused(const kernel::Outputs& outputs) {
+  return told(outputs, What::entry_not_enabled, static_cast<std::int32_t>(port::Entered::SR_speed_distance)) ||
+         told(outputs, What::SR_data_out_of_range);
 }
 
 const char* controller(port::DirectionController position) {
@@ -31,6 +34,23 @@ const char* controller(port::DirectionController position) {
 
 }  // namespace
 
+void Journal::take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& outputs) {
+  using Kind = Act::Kind;
+  const port::DriverActions& driver = cycle.levels.driver;
+  const auto note = [&](Kind kind, std::string text, std::uint8_t about = 0) {
+    acts_.push_back({cycle.t_ms, kind, std::move(text), about});
+  };
+  for (std::uint8_t n = 0; n < static_cast<std::uint8_t>(port::Select::count); ++n)
+    if (const auto select = static_cast<port::Select>(n); driver.has(select) && !refused(outputs, select))
+      note(Kind::select, fmt::format("driver selects {}", texts::words_of(select)), n);
+  for (std::uint8_t n = 0; n < static_cast<std::uint8_t>(Ack::count); ++n)
+    if (const auto ack = static_cast<Ack>(n); driver.has(ack) && !refused(outputs, ack))
+      note(Kind::acknowledge, fmt::format("driver acknowledges {}", kAckRows[n].name), n);
+  if (SR_data_refused(outputs)) return;
+  if (driver.V_sr) note(Kind::SR_speed, fmt::format("driver enters the SR speed {}", kmh_words(*driver.V_sr)));
+  if (driver.D_sr) note(Kind::SR_distance, fmt::format("driver enters the SR distance {}", metres_words(*driver.D_sr)));
+}
+
 void Journal::take_acts(const sim::CycleInputs& cycle) {
   using Kind = Act::Kind;
   const port::Inputs& in = cycle.levels;
@@ -38,15 +58,6 @@ void Journal::take_acts(const sim::CycleInputs& cycle) {
   const auto changed = [&](Kind kind, bool was, bool is, const char* yes, const char* no) {
     if (was != is) note(kind, is ? yes : no);
   };
-  for (unsigned n = 0; n < static_cast<unsigned>(port::Select::count); ++n)
-    if (in.driver.has(static_cast<port::Select>(n)))
-      note(Kind::select, fmt::format("driver selects {}", texts::words_of(static_cast<port::Select>(n))));
-  for (unsigned n = 0; n < static_cast<unsigned>(Ack::count); ++n)
-    if (in.driver.has(static_cast<Ack>(n)))
-      note(Kind::acknowledge, fmt::format("driver acknowledges {}", kAckRows[n].name));
-  port::DriverActions driver = in.driver;
-  driver.train_data = cycle.train_data ? &*cycle.train_data : nullptr;
-  if (std::string text = driver_enters(driver); !text.empty()) note(Kind::enter, std::move(text));
   using port::Window;
   changed(Kind::window, windows_.has(Window::train_data), in.windows.has(Window::train_data),
           "driver opens the window of train data", "driver closes the window of train data");

@@ -33,20 +33,28 @@ Steps end_steps(const Journal& journal, const Moment& m, bool level_1) {
   return steps;
 }
 
-/// 4.4.11: where the SR distance came from.
-Steps SR_steps(const Journal& journal, const Moment& m) {
-  Steps steps;
-  const kernel::State& s = m.before;
+/// What gave the SR distance last: the RBC, a loop, the driver; without these it is the national value.
+Step SR_distance_step(const Journal& journal, const Moment& m) {
+  if (m.before.staff_responsible.national_from) return {{}, "the SR distance is the national value D_NVSTFF", "4.4.11"};
   const Note* message = journal.last(What::message_accepted, m.t_ms, 2);
-  const Act* entered = journal.last(Act::Kind::enter, m.t_ms);
-  if (s.staff_responsible.by_rbc && message != nullptr)
-    steps.push_back({message->t_ms, message_words(2) + " gives the SR distance", "4.4.11"});
-  else if (s.staff_responsible.national_from)
-    steps.push_back({{}, "the SR distance is the national value D_NVSTFF", "4.4.11"});
-  else if (entered != nullptr)
-    steps.push_back(step_of(*entered));
-  const Note* mode = journal.last(What::mode_changed, m.t_ms - 1);
-  if (mode != nullptr) steps.push_back(step_of(*mode));
+  const Note* loop = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::sr_distance_from_loop});
+  const Act* entered = journal.last(Act::Kind::SR_distance, m.t_ms);
+  Step step{{}, "the SR distance", "4.4.11"};
+  const auto later = [&step](std::int64_t t_ms) { return !step.t_ms || t_ms >= *step.t_ms; };
+  if (message != nullptr) step = {message->t_ms, message_words(2) + " gives the SR distance", "4.4.11"};
+  if (loop != nullptr && later(loop->t_ms)) step = step_of(*loop);
+  if (entered != nullptr && later(entered->t_ms)) step = step_of(*entered);
+  step.clause = "4.4.11";
+  return step;
+}
+
+Steps SR_steps(const Journal& journal, const Moment& m) {
+  Steps steps{SR_distance_step(journal, m)};
+  const kernel::State& s = m.before;
+  if (const Note* mode = journal.last(What::mode_changed, m.t_ms - 1)) {
+    const bool first = steps[0].t_ms && mode->t_ms < *steps[0].t_ms;
+    steps.insert(first ? steps.begin() : steps.end(), step_of(*mode));
+  }
   if (!s.staff_responsible.end) return steps;
   steps.push_back({m.t_ms,
                    fmt::format("the front end is {:.2f} m beyond the end of the SR distance at {}",

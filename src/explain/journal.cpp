@@ -113,6 +113,7 @@ void Journal::take_brakes(const Moment& moment) {
 
 void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
                    const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs) {
+  take_driver(cycle, outputs);
   take_acts(cycle);
   take_notes(cycle, outputs);
   take_restrictions(before, after);
@@ -136,9 +137,9 @@ const Note* Journal::last(What what, std::int64_t t_ms, std::optional<std::int32
   return nullptr;
 }
 
-const Act* Journal::last(Act::Kind kind, std::int64_t t_ms) const {
+const Act* Journal::last(Act::Kind kind, std::int64_t t_ms, std::optional<std::uint8_t> about) const {
   for (std::size_t i = acts_.size(); i-- > 0;)
-    if (acts_[i].t_ms <= t_ms && acts_[i].kind == kind) return &acts_[i];
+    if (acts_[i].t_ms <= t_ms && acts_[i].kind == kind && (!about || acts_[i].about == *about)) return &acts_[i];
   return nullptr;
 }
 

@@ -23,12 +23,13 @@ struct Note {
   std::string source;  ///< "group 100", "message 3 (Movement authority)"; nothing: of no input from the track
 };
 
-/// What driver, train interface or bearer did.
+/// What driver, train interface or bearer did; not what the unit refused in the same cycle.
 struct Act {
   enum class Kind : std::uint8_t {
     select,
     acknowledge,
-    enter,
+    SR_speed,
+    SR_distance,
     window,
     desk,
     power,
@@ -45,7 +46,8 @@ struct Act {
   };
   std::int64_t t_ms = 0;
   Kind kind{};
-  std::string text;  ///< "driver acknowledges OS"
+  std::string text;        ///< "driver acknowledges OS"
+  std::uint8_t about = 0;  ///< the Select that is selected, the Ack that is given
 };
 
 /// A cycle with the memory of the unit before and after it.
@@ -75,7 +77,6 @@ class Journal {
                  const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs);
 
   const std::vector<Note>& notes() const { return notes_; }
-  const std::vector<Act>& acts() const { return acts_; }
   /// The cycle in which the mode was entered; null: at power-up.
   const Moment* mode_entry() const { return entry_.get(); }
   const std::map<Cause, Braking>& brakings() const { return brakings_; }
@@ -83,7 +84,8 @@ class Journal {
 
   /// The last note of a kind, not after `t_ms`; with `id` of that id. Null: none.
   const Note* last(What what, std::int64_t t_ms, std::optional<std::int32_t> id = {}) const;
-  const Act* last(Act::Kind kind, std::int64_t t_ms) const;
+  /// The same of an act; with `about` of that Select or Ack.
+  const Act* last(Act::Kind kind, std::int64_t t_ms, std::optional<std::uint8_t> about = {}) const;
   /// The note with which a TSR came, by NID_TSR and V_TSR.
   const Note* of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const;
   /// The note with which a text came, by its identity on board.
@@ -94,6 +96,7 @@ class Journal {
  private:
   void take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_acts(const sim::CycleInputs& cycle);
+  void take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_restrictions(const kernel::State& before, const kernel::State& after);
   void take_texts(const kernel::State& before, const kernel::State& after);
   void take_brakes(const Moment& moment);

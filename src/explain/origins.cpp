@@ -78,7 +78,7 @@ std::optional<What> event_of(Fact fact) {
   }
 }
 
-/// The act of driver or train interface behind a fact.
+/// The act of the train interface behind a fact.
 std::optional<Act::Kind> act_of(Fact fact) {
   switch (fact) {
     case Fact::isolated:
@@ -95,19 +95,39 @@ std::optional<Act::Kind> act_of(Fact fact) {
       return Act::Kind::passive_shunting;
     case Fact::safety_fault:
       return Act::Kind::fault;
-    case Fact::acknowledged:
-      return Act::Kind::acknowledge;
-    case Fact::selects_SH:
-    case Fact::selects_exit_SH:
-    case Fact::selects_NL:
-    case Fact::selects_override:
-    case Fact::continue_shunting:
-      return Act::Kind::select;
     case Fact::national_trip:
       return Act::Kind::national_system;
     default:
       return std::nullopt;
   }
+}
+
+/// The selection that makes a fact true.
+std::optional<port::Select> selection_of(Fact fact) {
+  switch (fact) {
+    case Fact::selects_SH:
+      return port::Select::shunting;
+    case Fact::selects_exit_SH:
+      return port::Select::exit_shunting;
+    case Fact::selects_NL:
+      return port::Select::non_leading;
+    case Fact::selects_override:
+      return port::Select::override_;
+    case Fact::continue_shunting:
+      return port::Select::maintain_shunting;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The act behind a fact.
+const Act* act_behind(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms) {
+  if (literal.fact == Fact::acknowledged)
+    return journal.last(Act::Kind::acknowledge, t_ms, static_cast<std::uint8_t>(literal.ack));
+  if (const auto select = selection_of(literal.fact))
+    return journal.last(Act::Kind::select, t_ms, static_cast<std::uint8_t>(*select));
+  const auto kind = act_of(literal.fact);
+  return kind ? journal.last(*kind, t_ms) : nullptr;
 }
 
 /// The last change of level, and the order that it executed.
@@ -157,8 +177,7 @@ std::optional<Step> origin_of(const procedures::Literal& literal, const Journal&
   if (const std::int32_t packet = packet_of(fact))
     return step_of_last(journal.last(What::packet_accepted, t_ms, packet));
   if (const auto what = event_of(fact)) return step_of_last(journal.last(*what, t_ms));
-  if (const auto kind = act_of(fact)) return step_of_last(journal.last(*kind, t_ms));
-  return std::nullopt;
+  return step_of_last(act_behind(literal, journal, t_ms));
 }
 
 }  // namespace evc::explain

@@ -41,7 +41,7 @@ Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Mode mode = m.after.mode;
   Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
   if (mode == Mode::OS || mode == Mode::LS || mode == Mode::SH) r.from = packet_step(journal, m, packet::mode_profile);
-  const Act* entered = journal.last(Act::Kind::enter, m.t_ms);
+  const Act* entered = journal.last(Act::Kind::SR_speed, m.t_ms);
   if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
   if (r.from) return r;
   const Note* values = journal.last(What::national_values_in_force, m.t_ms);

@@ -36,8 +36,9 @@ struct Journey {
     last_ms = nlohmann::json::parse(inputs.substr(last + 1))["t_ms"];
   }
   std::string file() const { return folder / "inputs.jsonl"; }
-  Ended explain(const std::string& options) const {
-    return ended("explain '" + file() + "' --at " + std::to_string(last_ms) + " " + options);
+  Ended explain(const std::string& options) const { return explain_at(last_ms, options); }
+  Ended explain_at(std::int64_t t_ms, const std::string& options = "") const {
+    return ended("explain '" + file() + "' --at " + std::to_string(t_ms) + " " + options);
   }
   Folder folder;
   std::int64_t last_ms = 0;
@@ -52,7 +53,7 @@ void fits_a_screen(const std::string& text) {
 
 TEST(Explain, why_the_brake_of_each_journey) {
   const auto all = journeys();
-  ASSERT_EQ(all.size(), 13u);
+  ASSERT_EQ(all.size(), 14u);
   for (const Scenario& scenario : all) {
     const Journey journey(scenario);
     const Ended e = journey.explain("--why-brake");
@@ -99,6 +100,20 @@ TEST(Explain, no_cause_is_without_a_reason) {
 TEST(Explain, the_situation_of_a_train_that_passed_its_end_of_authority) {
   const Ended e = Journey(journeys().front()).explain("");
   EXPECT_EQ(e.output, text_of(evc::test::source_folder() + "/tests/data/explain/situation.txt"));
+}
+
+const Scenario& journey_of(const std::vector<Scenario>& all, const std::string& name) {
+  for (const Scenario& scenario : all)
+    if (scenario.name == name) return scenario;
+  ADD_FAILURE() << "no scenario " << name;
+  return all.front();
+}
+
+// 4.4.11.1.5: not by what else the driver enters later, and not by what is refused.
+TEST(Explain, the_SR_speed_is_the_one_that_the_driver_entered) {
+  const auto all = journeys();
+  const Ended e = Journey(journey_of(all, "the distance entered by the driver is passed")).explain_at(10000);
+  EXPECT_NE(e.output.find("2.3 s: driver enters the SR speed 30 km/h"), std::string::npos) << e.output;
 }
 
 }  // namespace
