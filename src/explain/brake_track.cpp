@@ -165,25 +165,24 @@ Steps linking_steps(const Journal& journal, const Moment& m) {
 Steps contact_steps(const Journal& journal, const Moment& m) {
   Steps steps;
   const train::NationalValues& n = m.after.national_values;
-  const Note* values = journal.last(What::national_values_in_force, m.t_ms);
-  if (n.T_NVCONTACT)
-    steps.push_back({values == nullptr ? std::nullopt : std::optional(values->t_ms),
-                     fmt::format("{}T_NVCONTACT {:g} s, reaction {}",
-                                 values == nullptr ? "national values as configured: " : values->source + ": ",
-                                 n.T_NVCONTACT->si, reaction_words(n.M_NVCONTACT)),
-                     "3.16.3.4"});
-  const auto last = journal.last_message(m.t_ms);
-  if (last) {
-    const Note* message = journal.last(What::message_accepted, *last);
-    steps.push_back({*last,
-                     message != nullptr && message->t_ms == *last
-                         ? fmt::format("the last message of the RBC, {}",
-                                       message_words(static_cast<std::uint8_t>(message->event.id)))
-                         : std::string("the last message of the RBC"),
-                     ""});
-    steps.push_back(
-        {m.t_ms, fmt::format("no message for {}: the contact is lost", time_words(m.t_ms - *last)), "3.16.3.4.1"});
+  if (n.T_NVCONTACT) {
+    steps.push_back(national_values_step(journal, m.t_ms));
+    steps.back().text +=
+        fmt::format(": T_NVCONTACT {:g} s, reaction {}", n.T_NVCONTACT->si, reaction_words(n.M_NVCONTACT));
+    steps.back().clause = "3.16.3.4";
   }
+  const radio::State& radio = m.before.radio;
+  if (!radio.contact_reference) return steps;
+  const auto since = static_cast<std::int64_t>(radio.contact_reference->si * 1000.0 + 0.5);
+  // T_REF is its stamp; what else begins the time comes after it.
+  const Contact* last = journal.last_of(radio.supervising.session.rbc);
+  const bool of_message = last != nullptr && last->t_ms >= since;
+  Step step{of_message ? last->t_ms : since,
+            "a radio hole, the entry into level 2 or 3, or a handover: the time begins", "3.16.3.4.1.1"};
+  if (of_message) step = {last->t_ms, "the last message of the RBC, " + message_words(last->NID_MESSAGE), ""};
+  steps.insert(!steps.empty() && steps[0].t_ms > step.t_ms ? steps.begin() : steps.end(), step);
+  steps.push_back(
+      {m.t_ms, fmt::format("no message for {}: the contact is lost", time_words(m.t_ms - since)), "3.16.3.4.1"});
   return steps;
 }
 

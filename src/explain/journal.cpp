@@ -22,24 +22,40 @@ bool names_message(What what) {
          what == What::message_refused_no_room;
 }
 
-/// Whether the event is of what the telegram or message says, not of the train or the driver in the same cycle.
+/// Whether the event is of what a telegram or message says. The others of the same cycle are of the train, the driver
+/// or the time, or name their group or message themselves.
 bool of_track(What what) {
   switch (what) {
-    case What::mode_changed:
-    case What::level_changed:
-    case What::level_changed_by_driver:
-    case What::override_active:
-    case What::override_ended:
-    case What::authority_timer_elapsed:
-    case What::track_description_shortened:
-    case What::linking_error_missed:
-    case What::double_linking_error:
-    case What::session_lost:
-    case What::train_data_valid:
-    case What::train_data_changed_by_source:
-      return false;
-    default:
+    case What::packet_accepted:
+    case What::packet_buffered:
+    case What::packet_refused:
+    case What::packet_refused_no_room:
+    case What::packet_kept:
+    case What::packet_contact_stored:
+    case What::packet_not_used:
+    case What::packet_other_direction:
+    case What::packet_superseded:
+    case What::packet_no_room:
+    case What::packet_shortened:
+    case What::infill_refused:
+    case What::buffer_full:
+    case What::linking_capacity:
+    case What::authority_accepted:
+    case What::authority_refused:
+    case What::shortening_granted:
+    case What::shortening_rejected:
+    case What::trip_ordered:
+    case What::track_description_ended:
+    case What::emergency_stop_accepted:
+    case What::emergency_stop_place_passed:
+    case What::emergency_stop_other_direction:
+    case What::emergency_stop_unconditional:
+    case What::emergency_stop_revoked:
+    case What::session_ordered:
+    case What::session_termination_ordered:
       return true;
+    default:
+      return false;
   }
 }
 
@@ -68,13 +84,22 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
     if (names_group(e.what)) group = source_of(cycle, outputs, e);
     notes_.push_back({cycle.t_ms, e, of_track(e.what) ? group : ""});
     if (names_group(e.what)) open = notes_.size();
-    if (names_message(e.what) || e.what == What::message_unknown) messages_.push_back(cycle.t_ms);
     if (!names_message(e.what)) continue;
     const std::string message = source_of(cycle, outputs, e);
     for (std::size_t i = open; i < notes_.size(); ++i)
       if (notes_[i].source.empty() && of_track(notes_[i].event.what)) notes_[i].source = message;
     open = notes_.size();
     group.clear();
+  }
+}
+
+void Journal::take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after) {
+  if (!after.last_T_TRAIN || after.last_T_TRAIN == before.last_T_TRAIN) return;
+  for (const sim::CycleInputs::RadioMessage& message : cycle.radio) {
+    const auto head = lang::head_of_message_to_train(message.bytes);
+    if (message.infill_unit || !head || head->T_TRAIN != *after.last_T_TRAIN) continue;
+    if (message.from && message.from->NID_RBC != after.rbc.NID_RBC) continue;
+    contacts_[{after.rbc.NID_C, after.rbc.NID_RBC}] = {cycle.t_ms, message.bytes[0]};
   }
 }
 
@@ -116,6 +141,8 @@ void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, c
   take_driver(cycle, outputs);
   take_acts(cycle);
   take_notes(cycle, outputs);
+  take_contact(cycle, before.radio.supervising.session, after.radio.supervising.session);
+  take_contact(cycle, before.radio.other.session, after.radio.other.session);
   take_restrictions(before, after);
   take_texts(before, after);
   const bool entered = before.mode != after.mode;
@@ -153,10 +180,9 @@ const Note* Journal::of_text(std::uint8_t id) const {
   return found == texts_.end() ? nullptr : &found->second;
 }
 
-std::optional<std::int64_t> Journal::last_message(std::int64_t t_ms) const {
-  for (std::size_t i = messages_.size(); i-- > 0;)
-    if (messages_[i] <= t_ms) return messages_[i];
-  return std::nullopt;
+const Contact* Journal::last_of(const radio::Rbc& rbc) const {
+  const auto found = contacts_.find({rbc.NID_C, rbc.NID_RBC});
+  return found == contacts_.end() ? nullptr : &found->second;
 }
 
 }  // namespace evc::explain

@@ -50,6 +50,12 @@ struct Act {
   std::uint8_t about = 0;  ///< the Select that is selected, the Ack that is given
 };
 
+/// A message of an RBC.
+struct Contact {
+  std::int64_t t_ms = 0;
+  std::uint8_t NID_MESSAGE = 0;
+};
+
 /// A cycle with the memory of the unit before and after it.
 struct Moment {
   std::int64_t t_ms = 0;
@@ -90,20 +96,21 @@ class Journal {
   const Note* of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const;
   /// The note with which a text came, by its identity on board.
   const Note* of_text(std::uint8_t id) const;
-  /// When the last message of the RBC came.
-  std::optional<std::int64_t> last_message(std::int64_t t_ms) const;
+  /// The last message of an RBC that was not rejected; null: none.
+  const Contact* last_of(const radio::Rbc& rbc) const;
 
  private:
   void take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_acts(const sim::CycleInputs& cycle);
   void take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
+  void take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after);
   void take_restrictions(const kernel::State& before, const kernel::State& after);
   void take_texts(const kernel::State& before, const kernel::State& after);
   void take_brakes(const Moment& moment);
 
   std::vector<Note> notes_;
   std::vector<Act> acts_;
-  std::vector<std::int64_t> messages_;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, Contact> contacts_;  ///< by NID_C and NID_RBC
   std::unique_ptr<Moment> entry_, now_;
   std::map<Cause, Braking> brakings_;
   std::map<std::pair<std::uint8_t, std::uint8_t>, Note> restrictions_;

@@ -130,6 +130,8 @@ const Act* act_behind(const procedures::Literal& literal, const Journal& journal
   return kind ? journal.last(*kind, t_ms) : nullptr;
 }
 
+std::string by_source(const Note& note) { return note.source.empty() ? "" : " by " + note.source; }
+
 /// The last change of level, and the order that it executed.
 std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
   const Note* change =
@@ -141,7 +143,7 @@ std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
       journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::conditional_level_transition_order}));
   if (change->event.what == What::level_changed && order != nullptr)
     step.text +=
-        fmt::format(", ordered by {} at {} (packet {})", order->source, time_words(order->t_ms), order->event.id);
+        fmt::format(", ordered{} at {} (packet {})", by_source(*order), time_words(order->t_ms), order->event.id);
   return step;
 }
 
@@ -160,6 +162,16 @@ Step step_of(const Note& note) {
   if (!note.source.empty() && note.event.what != What::group_accepted && note.event.what != What::message_accepted)
     text = note.source + ": " + text;
   return {note.t_ms, text, clause};
+}
+
+Step national_values_step(const Journal& journal, std::int64_t t_ms) {
+  const Note* values =
+      later(journal.last(What::national_values_in_force, t_ms), journal.last(What::national_values_default, t_ms));
+  if (values == nullptr) return {{}, "national values as configured", ""};
+  if (values->event.what == What::national_values_default) return {values->t_ms, "national values: defaults", ""};
+  const Note* packet = journal.last(What::packet_accepted, values->t_ms, std::int32_t{packet::national_values});
+  const bool given = packet != nullptr && !packet->source.empty();
+  return {values->t_ms, given ? packet->source + ": national values" : "national values", ""};
 }
 
 Step step_of(const Act& act) { return {act.t_ms, act.text, ""}; }

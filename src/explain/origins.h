@@ -21,6 +21,9 @@ using Steps = std::vector<Step>;
 Step step_of(const Note& note);
 Step step_of(const Act& act);
 
+/// The national values in force: since when, and what gave them.
+Step national_values_step(const Journal& journal, std::int64_t t_ms);
+
 /// From what a fact of the moment came; nothing where only the position or the time made it so.
 std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms);
 

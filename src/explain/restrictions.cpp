@@ -44,10 +44,9 @@ Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Act* entered = journal.last(Act::Kind::SR_speed, m.t_ms);
   if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
   if (r.from) return r;
-  const Note* values = journal.last(What::national_values_in_force, m.t_ms);
-  r.from = Step{values != nullptr ? std::optional(values->t_ms) : std::nullopt,
-                fmt::format("national value {}{}", national_speed(mode), values != nullptr ? "" : " as configured"),
-                "A.3.2"};
+  r.from = national_values_step(journal, m.t_ms);
+  r.from->text += fmt::format(": {}", national_speed(mode));
+  r.from->clause = "A.3.2";
   return r;
 }
 
