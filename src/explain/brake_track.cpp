@@ -212,9 +212,7 @@ Steps unacknowledged_steps(Cause cause, const Journal& journal, const Moment& m)
       steps.push_back(step_of(*note));
     if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
   } else {
-    if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet::level_transition_order))
-      steps.push_back(step_of(*note));
-    if (const Note* note = journal.last(What::level_changed, m.t_ms)) steps.push_back(step_of(*note));
+    if (const auto step = level_step(journal, m.t_ms)) steps.push_back(*step);
   }
   steps.push_back(
       {m.t_ms, fmt::format("{} is not acknowledged in time", level ? "the level" : name(m.after.mode)), ""});

@@ -132,21 +132,6 @@ const Act* act_behind(const procedures::Literal& literal, const Journal& journal
 
 std::string by_source(const Note& note) { return note.source.empty() ? "" : " by " + note.source; }
 
-/// The last change of level, and the order that it executed.
-std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
-  const Note* change =
-      later(journal.last(What::level_changed, t_ms), journal.last(What::level_changed_by_driver, t_ms));
-  if (change == nullptr) return std::nullopt;
-  Step step = step_of(*change);
-  const Note* order = later(
-      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::level_transition_order}),
-      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::conditional_level_transition_order}));
-  if (change->event.what == What::level_changed && order != nullptr)
-    step.text +=
-        fmt::format(", ordered{} at {} (packet {})", by_source(*order), time_words(order->t_ms), order->event.id);
-  return step;
-}
-
 bool is_level(Fact fact) { return fact >= Fact::level_0 && fact <= Fact::national_system_only; }
 
 }  // namespace
@@ -162,6 +147,20 @@ Step step_of(const Note& note) {
   if (!note.source.empty() && note.event.what != What::group_accepted && note.event.what != What::message_accepted)
     text = note.source + ": " + text;
   return {note.t_ms, text, clause};
+}
+
+std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
+  const Note* change =
+      later(journal.last(What::level_changed, t_ms), journal.last(What::level_changed_by_driver, t_ms));
+  if (change == nullptr) return std::nullopt;
+  Step step = step_of(*change);
+  const Note* order = later(
+      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::level_transition_order}),
+      journal.last(What::packet_accepted, change->t_ms, std::int32_t{packet::conditional_level_transition_order}));
+  if (change->event.what == What::level_changed && order != nullptr)
+    step.text +=
+        fmt::format(", ordered{} at {} (packet {})", by_source(*order), time_words(order->t_ms), order->event.id);
+  return step;
 }
 
 Step national_values_step(const Journal& journal, std::int64_t t_ms) {

@@ -24,6 +24,9 @@ Step step_of(const Act& act);
 /// The national values in force: since when, and what gave them.
 Step national_values_step(const Journal& journal, std::int64_t t_ms);
 
+/// The last change of level, and the order that it executed; nothing: none.
+std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms);
+
 /// From what a fact of the moment came; nothing where only the position or the time made it so.
 std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms);
 

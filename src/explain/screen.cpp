@@ -64,8 +64,7 @@ std::string mode_lines(const Journal& journal) {
 std::string level_lines(const Journal& journal) {
   const kernel::State& s = journal.now().after;
   std::string text = name(s.level.level);
-  const procedures::Literal level{procedures::Fact::level_0, true, {}, 0};
-  const auto origin = origin_of(level, journal, journal.now().t_ms);
+  const auto origin = level_step(journal, journal.now().t_ms);
   if (origin) text += ", " + origin_line(*origin);
   if (s.level_transition.pending) text += fmt::format("; announced: {}", name(s.level_transition.pending->to.level));
   return row("level", text);
