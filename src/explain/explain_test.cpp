@@ -45,6 +45,14 @@ TEST(ExplainCommand, every_transition_out_of_the_mode_with_what_hinders_it) {
     EXPECT_TRUE(has(e.output, line)) << line << e.output;
 }
 
+TEST(ExplainCommand, the_cycle_of_a_transition_has_the_conditions_of_the_mode_left) {
+  const Ended e = Stream(kFault).explain("--at 500");
+  EXPECT_TRUE(has(e.output, "0.5 s: SF, ")) << e.output;
+  EXPECT_TRUE(has(e.output, "SB is left for SF in this cycle (4.6.2, 4.6.3; any [condition]; ")) << e.output;
+  EXPECT_TRUE(has(e.output, "  SF p3  [13] holds: a fault that affects safety\n")) << e.output;
+  EXPECT_FALSE(has(e.output, "is not left")) << e.output;
+}
+
 TEST(ExplainCommand, the_cycle_is_the_last_one_not_after_the_time) {
   const Ended e = Stream().explain("--at 399");
   EXPECT_TRUE(has(e.output, "0.3 s: SB")) << e.output;

@@ -123,20 +123,32 @@ std::string position_lines(const Journal& journal) {
   return row("position", text);
 }
 
-std::string transition_lines(const Journal& journal) {
-  const Moment& now = journal.now();
+/// The conditions of the transitions out of a mode, with the facts of this cycle.
+std::string transition_lines(const Moment& now, Mode left) {
   std::string text;
   const procedures::Reasons reasons = procedures::reasons(now.facts);
-  for (const auto& cell : modes::leaving(modes::srs_4_6_2_by_leaving, now.after.mode)) {
-    std::string hindered;
+  for (const auto& cell : modes::leaving(modes::srs_4_6_2_by_leaving, left)) {
+    std::string conditions;
     for (const procedures::Reason& reason : reasons) {
       if (!cell.any.test(reason.number)) continue;
-      hindered += fmt::format("{}[{}] {}{}", hindered.empty() ? "" : " | ", reason.number,
-                              reason.holds ? "holds: " : "", words(reason.because));
+      conditions += fmt::format("{}[{}] {}{}", conditions.empty() ? "" : " | ", reason.number,
+                                reason.holds ? "holds: " : "", words(reason.because));
     }
-    text += wrapped(fmt::format("  {:<2} p{}  ", name(cell.to), cell.priority), hindered);
+    text += wrapped(fmt::format("  {:<2} p{}  ", name(cell.to), cell.priority), conditions);
   }
   return text;
+}
+
+/// In the cycle of a transition the facts are those of the mode that is left; of the new one they say nothing.
+std::string leaving_lines(const Moment& now) {
+  const Mode before = now.before.mode;
+  if (before == now.after.mode)
+    return fmt::format("{} is not left, because (4.6.2, 4.6.3; any [condition]; of terms with / one suffices)\n",
+                       name(before)) +
+           transition_lines(now, before);
+  return fmt::format("{} is left for {} in this cycle (4.6.2, 4.6.3; any [condition]; of terms with / one suffices)\n",
+                     name(before), name(now.after.mode)) +
+         transition_lines(now, before);
 }
 
 std::string steps_lines(const Steps& steps) {
@@ -176,9 +188,7 @@ std::string situation(const Journal& journal) {
                                  name(now.after.level.level), kmh_words(now.outputs.v));
   text += mode_lines(journal) + level_lines(journal) + brake_lines(journal) + speed_lines(journal) +
           position_lines(journal);
-  text += fmt::format("{} is not left, because (4.6.2, 4.6.3; any [condition]; of terms with / one suffices)\n",
-                      name(now.after.mode));
-  return text + transition_lines(journal);
+  return text + leaving_lines(now);
 }
 
 std::string why_brake(const Journal& journal, bool& answered) {
