@@ -74,11 +74,23 @@ bool is_linking_error(What what) {
          what == What::group_inconsistent;
 }
 
-/// The links announced before the cycle, by the group that the event names.
+/// The link of the group that the event names, announced before the cycle.
 const balise::Link* link_of(const Moment& m, const port::Event& e) {
   for (const balise::Link& link : m.before.balise.linking.links)
     if (std::int32_t{link.id.NID_BG} == e.id) return &link;
-  return m.before.balise.linking.links.empty() ? nullptr : &m.before.balise.linking.links[0];
+  return nullptr;
+}
+
+/// The error of this cycle that has a reaction, otherwise the first one.
+const Note* linking_error(const Journal& journal, const Moment& m) {
+  const Note* error = nullptr;
+  for (const Note& note : journal.notes()) {
+    if (note.t_ms != m.t_ms || !is_linking_error(note.event.what)) continue;
+    if (error == nullptr) error = &note;
+    const balise::Link* link = link_of(m, note.event);
+    if (link != nullptr && link->reaction != Reaction::none) return &note;
+  }
+  return error;
 }
 
 const char* reaction_words(Reaction reaction) {
@@ -140,10 +152,9 @@ Steps overspeed_chain(const Journal& journal, const std::vector<Command>& comman
 
 Steps linking_steps(const Journal& journal, const Moment& m) {
   Steps steps;
-  const Note* error = nullptr;
-  for (const Note& note : journal.notes())
-    if (note.t_ms <= m.t_ms && is_linking_error(note.event.what)) error = &note;
-  if (const Note* announced = journal.last(What::packet_accepted, m.t_ms, packet::linking)) {
+  const Note* error = linking_error(journal, m);
+  // What a group brings in this cycle announces later ones.
+  if (const Note* announced = journal.last(What::packet_accepted, m.t_ms - 1, packet::linking)) {
     steps.push_back(step_of(*announced));
     steps.back().clause = "3.4.4";
     if (const balise::Link* link = error == nullptr ? nullptr : link_of(m, error->event))

@@ -53,7 +53,7 @@ void fits_a_screen(const std::string& text) {
 
 TEST(Explain, why_the_brake_of_each_journey) {
   const auto all = journeys();
-  ASSERT_EQ(all.size(), 17u);
+  ASSERT_EQ(all.size(), 18u);
   for (const Scenario& scenario : all) {
     const Journey journey(scenario);
     const Ended e = journey.explain("--why-brake");
