@@ -19,9 +19,9 @@ int condition_of(const Moment& entry) {
 }
 
 /// What made the facts of a condition, in the order of time, each once.
-Steps origins_of(const procedures::Reason& reason, const Journal& journal, std::int64_t t_ms) {
+Steps origins_of(const Reason& reason, const Journal& journal, std::int64_t t_ms) {
   Steps steps;
-  for (const procedures::Literal& literal : reason.because) {
+  for (const Literal& literal : reason.because) {
     auto origin = origin_of(literal, journal, t_ms);
     const auto same = [&](const Step& s) { return s.t_ms == origin->t_ms && s.text == origin->text; };
     if (origin && std::none_of(steps.begin(), steps.end(), same)) steps.push_back(*std::move(origin));
@@ -98,7 +98,7 @@ Steps entry_steps(const Journal& journal, const Moment& entry) {
   const int condition = condition_of(entry);
   Steps steps;
   if (entry.after.mode == Mode::TR) steps = trip_steps(journal, entry, condition);
-  for (const procedures::Reason& reason : procedures::reasons(entry.facts)) {
+  for (const Reason& reason : reasons(entry.facts)) {
     if (reason.number != condition) continue;
     if (steps.empty()) steps = origins_of(reason, journal, entry.t_ms);
     steps.push_back(

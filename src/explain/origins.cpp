@@ -12,8 +12,6 @@
 namespace evc::explain {
 namespace {
 
-using procedures::Fact;
-
 std::optional<Step> step_of_last(const Note* note) {
   return note == nullptr ? std::nullopt : std::optional(step_of(*note));
 }
@@ -121,7 +119,7 @@ std::optional<port::Select> selection_of(Fact fact) {
 }
 
 /// The act behind a fact.
-const Act* act_behind(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms) {
+const Act* act_behind(const Literal& literal, const Journal& journal, std::int64_t t_ms) {
   if (literal.fact == Fact::acknowledged)
     return journal.last(Act::Kind::acknowledge, t_ms, static_cast<std::uint8_t>(literal.ack));
   if (const auto select = selection_of(literal.fact))
@@ -175,7 +173,7 @@ Step national_values_step(const Journal& journal, std::int64_t t_ms) {
 
 Step step_of(const Act& act) { return {act.t_ms, act.text, ""}; }
 
-std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms) {
+std::optional<Step> origin_of(const Literal& literal, const Journal& journal, std::int64_t t_ms) {
   const Fact fact = literal.fact;
   if (is_level(fact)) return level_step(journal, t_ms);
   if (!literal.holds && fact != Fact::desk_open && fact != Fact::powered) return std::nullopt;

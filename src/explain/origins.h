@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "explain/journal.h"
-#include "procedures/why.h"
+#include "explain/why.h"
 
 // Where facts, restrictions and the authority came from.
 namespace evc::explain {
@@ -28,7 +28,7 @@ Step national_values_step(const Journal& journal, std::int64_t t_ms);
 std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms);
 
 /// From what a fact of the moment came; nothing where only the position or the time made it so.
-std::optional<Step> origin_of(const procedures::Literal& literal, const Journal& journal, std::int64_t t_ms);
+std::optional<Step> origin_of(const Literal& literal, const Journal& journal, std::int64_t t_ms);
 
 /// The authority in force: from what it came, what changed it since, and where it ends.
 Steps authority_steps(const Journal& journal, const Moment& moment);

@@ -126,10 +126,10 @@ std::string position_lines(const Journal& journal) {
 /// The conditions of the transitions out of a mode, with the facts of this cycle.
 std::string transition_lines(const Moment& now, Mode left) {
   std::string text;
-  const procedures::Reasons reasons = procedures::reasons(now.facts);
+  const Reasons all = reasons(now.facts);
   for (const auto& cell : modes::leaving(modes::srs_4_6_2_by_leaving, left)) {
     std::string conditions;
-    for (const procedures::Reason& reason : reasons) {
+    for (const Reason& reason : all) {
       if (!cell.any.test(reason.number)) continue;
       conditions += fmt::format("{}[{}] {}{}", conditions.empty() ? "" : " | ", reason.number,
                                 reason.holds ? "holds: " : "", words(reason.because));

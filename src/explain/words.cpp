@@ -11,8 +11,6 @@
 namespace evc::explain {
 namespace {
 
-using procedures::Fact;
-
 struct FactWords {
   Fact fact;
   const char* yes;
@@ -108,7 +106,7 @@ std::string place_words(const kernel::State& state, Place place) {
   return metres_words(position::counter_of(state.position, place).from_origin);
 }
 
-std::string words(const procedures::Literal& l) {
+std::string words(const Literal& l) {
   const char* ack = terms::kNames<kAckRows>[terms::index(l.ack)];
   if (l.fact == Fact::requested) return fmt::format("{} {} for", ack, l.holds ? "asked" : "not asked");
   if (l.fact == Fact::acknowledged) return fmt::format("{} {}", ack, l.holds ? "acknowledged" : "not acknowledged");
@@ -116,7 +114,7 @@ std::string words(const procedures::Literal& l) {
   return l.holds ? row.yes : row.no;
 }
 
-std::string words(const procedures::Literals& literals) {
+std::string words(const Literals& literals) {
   std::string text;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (i > 0) text += literals[i].choice == literals[i - 1].choice ? " / " : "; ";

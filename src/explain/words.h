@@ -4,8 +4,8 @@
 
 #include "base/units.h"
 #include "brakes/brakes.h"
+#include "explain/why.h"
 #include "kernel/state.h"
-#include "procedures/why.h"
 
 // Short phrases of an explanation.
 namespace evc::explain {
@@ -21,9 +21,9 @@ std::string metres_words(Distance d);
 /// "455.6 m": the nominal counter of a front end at a place, as the outputs have it.
 std::string place_words(const kernel::State& state, Place place);
 /// "MA, SSP and gradient are stored", or what is so instead.
-std::string words(const procedures::Literal& literal);
+std::string words(const Literal& literal);
 /// All of them: alternatives joined by " / ", the others by "; ".
-std::string words(const procedures::Literals& literals);
+std::string words(const Literals& literals);
 /// "service brake".
 const char* words(brakes::Kind kind);
 /// "at standstill": what ends the command of a cause.

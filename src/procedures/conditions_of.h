@@ -2,7 +2,7 @@
 #include "procedures/observe.h"
 
 // The conditions of 4.6.3 as formulas over the facts, once for all who evaluate them: the cycle with the facts
-// themselves (observe), an explanation with facts that remember their names (why.h).
+// themselves (observe), an explanation with facts that remember their names (explain/why.h).
 namespace evc::procedures {
 
 /// Calls `give(n, holds)` for every condition [n] in the order of the standard. `f` has the members of Facts.

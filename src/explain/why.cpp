@@ -1,8 +1,10 @@
-#include "procedures/why.h"
+#include "explain/why.h"
+
+#include <cstdlib>
 
 #include "procedures/conditions_of.h"
 
-namespace evc::procedures {
+namespace evc::explain {
 namespace {
 
 /// A formula with its value and the literals that decide it: with `and` those that are false, or all if none is; with
@@ -14,7 +16,7 @@ struct Formula {
 
 Formula literal(Fact fact, bool holds, Ack ack = {}) {
   Formula out{holds, {}};
-  (void)out.because.push_back({fact, holds, ack, 0});  // twelve fit
+  (void)out.because.push_back({fact, holds, ack, 0});  // one fits
   return out;
 }
 
@@ -31,7 +33,7 @@ Formula together(const Formula& a, const Formula& b, bool any) {
   const std::uint8_t offset = any ? std::uint8_t{0} : choices(a.because);
   for (Literal l : b.because) {
     l.choice = static_cast<std::uint8_t>(l.choice + offset);
-    (void)out.because.push_back(l);  // the longest formula has seven
+    (void)out.because.push_back(l);  // the longest formula has eight: [32]
   }
   if (any)
     for (Literal& l : out.because) l.choice = 0;
@@ -51,9 +53,20 @@ Formula operator||(const Formula& a, const Formula& b) { return !(!a && !b); }
 struct LevelNow {
   Level level;
 };
+/// No formula compares with level 2 or 3 alone: of it there is no fact.
 Formula operator==(LevelNow now, Level level) {
-  const Fact fact = level == Level::L0 ? Fact::level_0 : level == Level::NTC ? Fact::level_NTC : Fact::level_1;
-  return literal(fact, now.level == level);
+  switch (level) {
+    case Level::L0:
+      return literal(Fact::level_0, now.level == level);
+    case Level::NTC:
+      return literal(Fact::level_NTC, now.level == level);
+    case Level::L1:
+      return literal(Fact::level_1, now.level == level);
+    case Level::L2:
+    case Level::L3:
+      break;
+  }
+  std::abort();
 }
 Formula level_2_or_3(LevelNow now) { return literal(Fact::level_2_or_3, evc::level_2_or_3(now.level)); }
 Formula level_1_2_3(LevelNow now) { return literal(Fact::level_1_2_3, evc::level_1_2_3(now.level)); }
@@ -62,10 +75,18 @@ struct LevelSwitch {
   std::optional<Level> to;
 };
 Formula operator==(LevelSwitch change, Level level) {
-  const Fact fact = level == Level::L0    ? Fact::level_becomes_0
-                    : level == Level::NTC ? Fact::level_becomes_NTC
-                                          : Fact::level_becomes_1;
-  return literal(fact, change.to == level);
+  switch (level) {
+    case Level::L0:
+      return literal(Fact::level_becomes_0, change.to == level);
+    case Level::NTC:
+      return literal(Fact::level_becomes_NTC, change.to == level);
+    case Level::L1:
+      return literal(Fact::level_becomes_1, change.to == level);
+    case Level::L2:
+    case Level::L3:
+      break;
+  }
+  std::abort();
 }
 Formula level_2_or_3(LevelSwitch change) { return literal(Fact::level_becomes_2_or_3, evc::level_2_or_3(change.to)); }
 
@@ -77,8 +98,8 @@ struct Acks {
 
 /// The facts under their names, each a formula.
 struct Named {
-  explicit Named(const Facts& facts) : f(facts) {}
-  const Facts& f;
+  explicit Named(const procedures::Facts& facts) : f(facts) {}
+  const procedures::Facts& f;
   // clang-format off
   LevelNow level{f.level};
   LevelSwitch level_switched_to{f.level_switched_to};
@@ -107,12 +128,12 @@ struct Named {
 
 }  // namespace
 
-Reasons reasons(const Facts& facts) {
+Reasons reasons(const procedures::Facts& facts) {
   Reasons out;
-  conditions_of(Named(facts), [&out](int n, const Formula& f) {
+  procedures::conditions_of(Named(facts), [&out](int n, const Formula& f) {
     (void)out.push_back({static_cast<std::uint8_t>(n), f.holds, f.because});  // one for each
   });
   return out;
 }
 
-}  // namespace evc::procedures
+}  // namespace evc::explain

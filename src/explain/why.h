@@ -6,8 +6,8 @@
 #include "procedures/observe.h"
 #include "terms/requests.h"
 
-// Why a condition of 4.6.3 holds or not: the facts that decide it. For explanations; no cycle needs it.
-namespace evc::procedures {
+// Why a condition of 4.6.3 holds or not: the facts that decide it.
+namespace evc::explain {
 
 /// A member of Facts, or what a condition asks of its levels and acknowledgements.
 enum class Fact : std::uint8_t {
@@ -93,6 +93,6 @@ struct Reason {
 using Reasons = InplaceVector<Reason, modes::srs_4_6_3.size()>;
 
 /// Every condition of 4.6.3, in the order of the standard: the formulas of observe().
-Reasons reasons(const Facts& facts);
+Reasons reasons(const procedures::Facts& facts);
 
-}  // namespace evc::procedures
+}  // namespace evc::explain

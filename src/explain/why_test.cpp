@@ -1,10 +1,10 @@
-#include "procedures/why.h"
+#include "explain/why.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace evc::procedures {
+namespace evc::explain {
 namespace {
 
 const Reason& reason(const Reasons& all, int number) {
@@ -15,7 +15,7 @@ const Reason& reason(const Reasons& all, int number) {
 }
 
 TEST(Why, every_condition_in_the_order_of_the_standard) {
-  const Reasons all = reasons(Facts{});
+  const Reasons all = reasons(procedures::Facts{});
   ASSERT_EQ(all.size(), modes::srs_4_6_3.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i].number, modes::srs_4_6_3[i].number);
@@ -24,9 +24,9 @@ TEST(Why, every_condition_in_the_order_of_the_standard) {
   }
 }
 
-Facts any_facts(std::mt19937& random) {
+procedures::Facts any_facts(std::mt19937& random) {
   const auto coin = [&random] { return (random() & 1u) != 0; };
-  Facts f;
+  procedures::Facts f;
   // The first member up to the last one, each by its name where it is not a flag.
   bool* const flags[] = {&f.isolated,
                          &f.powered,
@@ -89,14 +89,17 @@ Facts any_facts(std::mt19937& random) {
 TEST(Why, says_what_observe_says) {
   std::mt19937 random(1);
   for (int n = 0; n < 2000; ++n) {
-    const Facts facts = any_facts(random);
-    const modes::Conditions observed = observe(facts);
-    for (const Reason& r : reasons(facts)) ASSERT_EQ(r.holds, observed.test(r.number)) << int{r.number};
+    const procedures::Facts facts = any_facts(random);
+    const modes::Conditions observed = procedures::observe(facts);
+    for (const Reason& r : reasons(facts)) {
+      ASSERT_EQ(r.holds, observed.test(r.number)) << int{r.number};
+      ASSERT_LT(r.because.size(), Literals::capacity()) << int{r.number};  // none was left out
+    }
   }
 }
 
 TEST(Why, the_false_terms_of_a_condition) {
-  Facts f;
+  procedures::Facts f;
   f.level = Level::L2;
   f.ma_ssp_gradient_stored = true;
   f.profile_in_force = true;
@@ -112,7 +115,7 @@ TEST(Why, the_false_terms_of_a_condition) {
 }
 
 TEST(Why, an_alternative_that_is_missing) {
-  Facts f;
+  procedures::Facts f;
   f.level = Level::L2;
   const Reasons all = reasons(f);
   const Reason& trip = reason(all, 16);
@@ -121,7 +124,7 @@ TEST(Why, an_alternative_that_is_missing) {
 }
 
 TEST(Why, the_terms_of_a_condition_that_holds) {
-  Facts f;
+  procedures::Facts f;
   f.level = Level::L1;
   f.standstill = f.selects_SH = true;
   const Reasons all = reasons(f);
@@ -132,7 +135,7 @@ TEST(Why, the_terms_of_a_condition_that_holds) {
 }
 
 TEST(Why, an_acknowledgement_is_named) {
-  Facts f;
+  procedures::Facts f;
   f.level = Level::L1;
   f.requested.add(Ack::OS);
   const Reasons all = reasons(f);
@@ -142,4 +145,4 @@ TEST(Why, an_acknowledgement_is_named) {
 }
 
 }  // namespace
-}  // namespace evc::procedures
+}  // namespace evc::explain
