@@ -24,16 +24,20 @@ TEST(Examine, is_a_cycle_as_any_other_and_says_what_it_decided_on) {
     in.now = Duration{0.1 * n};
     in.train.desk_open = n >= 10;
     in.train.sleeping = n == 15;
+    in.train.powered = n != 17;
     step(stepped->state, stepped->derived, in, stepped->outputs);
     const procedures::Facts facts = examine(examined->state, examined->derived, in, examined->outputs);
     EXPECT_EQ(stepped->outputs.mode, examined->outputs.mode) << n;
     EXPECT_EQ(stepped->outputs.events, examined->outputs.events) << n;
     EXPECT_EQ(stepped->outputs.brake_reasons, examined->outputs.brake_reasons) << n;
+    EXPECT_EQ(stepped->outputs.enabled, examined->outputs.enabled) << n;
+    EXPECT_EQ(stepped->state.mode, examined->state.mode) << n;
+    EXPECT_EQ(stepped->state.revision, examined->state.revision) << n;
     EXPECT_EQ(facts.desk_open, n >= 10) << n;
     EXPECT_EQ(facts.sleeping, n == 15) << n;
-    EXPECT_TRUE(facts.powered);
+    EXPECT_EQ(facts.powered, n != 17) << n;
+    EXPECT_EQ(examined->outputs.mode, n == 17 ? Mode::NP : Mode::SB) << n;
   }
-  EXPECT_EQ(examined->outputs.mode, Mode::SB);
 }
 
 }  // namespace

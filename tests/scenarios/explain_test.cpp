@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "io/input_stream.h"
+#include "io/output_lines.h"
 #include "io/program_test.h"
+#include "io/retained_file.h"
+#include "kernel/examine.h"
+#include "kernel/state.h"
 #include "run.h"
 #include "terms/cause.h"
 
@@ -114,6 +120,48 @@ TEST(Explain, the_SR_speed_is_the_one_that_the_driver_entered) {
   const auto all = journeys();
   const Ended e = Journey(journey_of(all, "the distance entered by the driver is passed")).explain_at(10000);
   EXPECT_NE(e.output.find("2.3 s: driver enters the SR speed 30 km/h"), std::string::npos) << e.output;
+}
+
+/// A unit that steps or is examined.
+struct Driven {
+  kernel::State state;
+  kernel::Derived derived;
+  kernel::Outputs outputs;
+  std::string line(std::int64_t t_ms) const {
+    std::string text;
+    io::append_output(text, t_ms, outputs);
+    return text;
+  }
+};
+
+/// The two units take turns: what a cycle of either kind leaves behind counts for the next one of the other kind.
+void examine_as_step(const Scenario& scenario) {
+  std::istringstream lines(inputs_of(scenario));
+  auto stream =
+      io::InputStream::open(scenario.name, [&lines](std::string& line) { return !!std::getline(lines, line); });
+  ASSERT_TRUE(stream) << scenario.name;
+  const auto stepped = std::make_unique<Driven>(), mixed = std::make_unique<Driven>();
+  for (Driven* unit : {stepped.get(), mixed.get()})
+    kernel::power_up(unit->state, unit->derived, stream->configuration().for_kernel());
+  sim::CycleInputs cycle;
+  for (bool examines = false;; examines = !examines) {
+    const auto more = stream->next(cycle);
+    ASSERT_TRUE(more) << scenario.name;
+    if (!*more) break;
+    const port::Inputs& in = cycle.view();
+    kernel::step(stepped->state, stepped->derived, in, stepped->outputs);
+    if (examines)
+      (void)kernel::examine(mixed->state, mixed->derived, in, mixed->outputs);
+    else
+      kernel::step(mixed->state, mixed->derived, in, mixed->outputs);
+    ASSERT_EQ(mixed->line(cycle.t_ms), stepped->line(cycle.t_ms)) << scenario.name;
+  }
+  EXPECT_EQ(io::retained_text(kernel::retained(mixed->state)), io::retained_text(kernel::retained(stepped->state)));
+}
+
+TEST(Explain, an_examined_cycle_answers_as_any_other) {
+  for (const char* file : {"explain.scenario", "no_power.scenario"})
+    for (const Scenario& scenario : journeys(file)) examine_as_step(scenario);
 }
 
 }  // namespace
