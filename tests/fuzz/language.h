@@ -55,7 +55,8 @@ std::uint8_t packet_direction(const P& packet) {
   return 2;
 }
 
-/// Q_DIFF of a packet 27 that was translated has a value by the train and no code (6.6.3.2.3 [3]): written as 2.
+/// What was translated has values without a code: Q_DIFF of a packet 27 by the train (6.6.3.2.3 [3]), written as 2, and
+/// the country of a packet 3 that names none, written as 0.
 template <class P>
 void give_codes(P& packet) {
   if constexpr (std::is_same_v<P, lang::Packet27>) {
@@ -66,6 +67,8 @@ void give_codes(P& packet) {
     give(packet.diffs);
     for (auto& step : packet.steps) give(step.diffs);
   }
+  if constexpr (std::is_same_v<P, lang::Packet3>)
+    if (packet.NID_C.raw == lang::kNoCountry) packet.NID_C.raw = 0;
 }
 
 template <class P>

@@ -32,10 +32,10 @@ struct Information {
   Place min_safe_front{};
   Duration time{};                       // time stamp, or passage of the group's first balise
   bool repositioning = false;            // sent by the group that linking announced with unknown identity (3.8.5.2.2)
+  std::uint8_t M_VERSION = 0;            // of its session
   std::optional<SenderVersion> version;  // absent: by radio, or from the transition buffer
   InplaceVector<lang::PacketView, lang::kPacketsMax> packets;
   const lang::MessageToTrainView* message = nullptr;  // by radio
-  std::uint8_t M_VERSION = 0;                         // of its session
   // The packets to judge: all, or the buffered ones of a set released from the transition buffer.
   std::uint64_t judge_packets = ~std::uint64_t{0};
   bool judge_message = true;
