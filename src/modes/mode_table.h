@@ -75,24 +75,21 @@ constexpr std::optional<Transition<M>> select(const ByLeaving<M, N, Modes>& tabl
                                               const Conditions& holding) {
   constexpr Conditions level_transitions = conditions_of(Nature::level);
   constexpr Conditions events = conditions_of(Nature::event);
-  const std::size_t mode = static_cast<std::size_t>(current);
-  std::size_t chosen = N;  // none
+  const Cell<M>* chosen = nullptr;
   int chosen_rank = 0;
-  for (std::size_t i = table.first[mode]; i < table.first[mode + 1]; ++i) {
-    const Cell<M>& cell = table.cells[i];
+  for (const Cell<M>& cell : leaving(table, current)) {
     if (!cell.any.any_of(holding)) continue;
     const Conditions firing = cell.any & holding;
     const int rank = cell.priority * 4 + (firing.any_of(level_transitions) ? 0 : firing.any_of(events) ? 1 : 2);
-    if (chosen == N || rank < chosen_rank) {
-      chosen = i;
+    if (chosen == nullptr || rank < chosen_rank) {
+      chosen = &cell;
       chosen_rank = rank;
     }
   }
-  if (chosen == N) return std::nullopt;
-  const Cell<M>& cell = table.cells[chosen];
+  if (chosen == nullptr) return std::nullopt;
   std::size_t k = 0;
-  while (!holding.test(cell.when[k])) ++k;
-  return Transition<M>{cell.to, cell.when[k], cell.priority};
+  while (!holding.test(chosen->when[k])) ++k;
+  return Transition<M>{chosen->to, chosen->when[k], chosen->priority};
 }
 
 /// Every mode can be reached from NP.
