@@ -8,7 +8,6 @@
 #include "explain/journal.h"
 #include "explain/screen.h"
 #include "io/file.h"
-#include "io/retained_file.h"
 #include "kernel/examine.h"
 #include "run/stream.h"
 
@@ -29,9 +28,7 @@ io::Result<bool> power_up(Unit& unit, const kernel::Config& config, const std::s
     kernel::power_up(unit.state, unit.derived, config);
     return true;
   }
-  const auto text = io::read_text(persistent);
-  if (!text) return tl::unexpected(text.error());
-  const auto retained = io::read_retained(*text, persistent);
+  const auto retained = run::load_retained(persistent);
   if (!retained) return tl::unexpected(retained.error());
   (void)kernel::power_up(unit.state, unit.derived, config, *retained);
   return true;

@@ -36,9 +36,7 @@ io::Result<std::unique_ptr<OnBoard>> unit_of(const io::InputStream& stream, cons
   std::error_code error;
   if (persistent.empty() || std::filesystem::status(persistent, error).type() == std::filesystem::file_type::not_found)
     return std::make_unique<OnBoard>(config);
-  const auto text = io::read_text(persistent);
-  if (!text) return tl::unexpected(text.error());
-  const auto retained = io::read_retained(*text, persistent);
+  const auto retained = load_retained(persistent);
   if (!retained) return tl::unexpected(retained.error());
   return std::make_unique<OnBoard>(config, *retained);
 }

@@ -7,6 +7,7 @@
 
 #include "io/file.h"
 #include "io/json.h"
+#include "io/retained_file.h"
 
 namespace evc::run {
 
@@ -26,6 +27,12 @@ io::Result<io::InputStream> open_stream(const std::string& input, const std::str
   if (stream->empty())
     return tl::unexpected(io::Diagnostic{input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
   return stream;
+}
+
+io::Result<kernel::Retained> load_retained(const std::string& file) {
+  const auto text = io::read_text(file);
+  if (!text) return tl::unexpected(text.error());
+  return io::read_retained(*text, file);
 }
 
 io::Diagnostic of_stream(const io::Diagnostic& error, const std::string& input) {
