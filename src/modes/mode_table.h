@@ -75,21 +75,23 @@ constexpr std::optional<Transition<M>> select(const ByLeaving<M, N, Modes>& tabl
                                               const Conditions& holding) {
   constexpr Conditions level_transitions = conditions_of(Nature::level);
   constexpr Conditions events = conditions_of(Nature::event);
-  const Cell<M>* chosen = nullptr;
+  const std::span<const Cell<M>> cells = leaving(table, current);
+  std::size_t chosen = N;  // none; a pointer to a cell could not be compared at compile time under a sanitizer
   int chosen_rank = 0;
-  for (const Cell<M>& cell : leaving(table, current)) {
-    if (!cell.any.any_of(holding)) continue;
-    const Conditions firing = cell.any & holding;
-    const int rank = cell.priority * 4 + (firing.any_of(level_transitions) ? 0 : firing.any_of(events) ? 1 : 2);
-    if (chosen == nullptr || rank < chosen_rank) {
-      chosen = &cell;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!cells[i].any.any_of(holding)) continue;
+    const Conditions firing = cells[i].any & holding;
+    const int rank = cells[i].priority * 4 + (firing.any_of(level_transitions) ? 0 : firing.any_of(events) ? 1 : 2);
+    if (chosen == N || rank < chosen_rank) {
+      chosen = i;
       chosen_rank = rank;
     }
   }
-  if (chosen == nullptr) return std::nullopt;
+  if (chosen == N) return std::nullopt;
+  const Cell<M>& cell = cells[chosen];
   std::size_t k = 0;
-  while (!holding.test(chosen->when[k])) ++k;
-  return Transition<M>{chosen->to, chosen->when[k], chosen->priority};
+  while (!holding.test(cell.when[k])) ++k;
+  return Transition<M>{cell.to, cell.when[k], cell.priority};
 }
 
 /// Every mode can be reached from NP.
