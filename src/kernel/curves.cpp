@@ -109,7 +109,7 @@ track::MrspQuery query_of(const State& s, const Derived::Curves& curves, const S
   track::MrspQuery query;
   query.from = basis.min_safe_rear;
   query.train_length = s.train.L_TRAIN;
-  query.category = category_of(s.train, s.srs);
+  query.category = category_of(s.train);
   query.elements = {.ssp = counts(MrspSource::SSP),
                     .asp = counts(MrspSource::ASP),
                     .tsr = counts(MrspSource::TSR),

@@ -8,13 +8,12 @@ constexpr std::array<std::uint16_t, 11> kCantDeficiency{80, 100, 130, 150, 165, 
 
 }  // namespace
 
-track::TrainCategory category_of(const train::TrainData& train, SrsVersion srs) {
+track::TrainCategory category_of(const train::TrainData& train) {
   track::TrainCategory c;
   for (std::size_t i = 0; i < kCantDeficiency.size(); ++i)
     if (kCantDeficiency[i] <= train.cant_deficiency_mm) c.NC_CDTRAIN = static_cast<std::uint8_t>(i);
   c.NC_TRAIN = train.other_categories;
   c.M_AXLELOADCAT = static_cast<std::uint8_t>(train.axle_load);
-  c.own_axle_load_only = srs == SrsVersion::v4_0_0;
   return c;
 }
 

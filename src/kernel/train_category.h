@@ -1,5 +1,4 @@
 #pragma once
-#include "terms/srs_version.h"
 #include "track/conditions.h"
 #include "track/speed_restrictions.h"
 #include "train/train_data.h"
@@ -7,7 +6,7 @@
 namespace evc::kernel {
 
 /// The train as the choice of speeds and the validated train data need it (3.18.3.2, 7.5.1.82).
-track::TrainCategory category_of(const train::TrainData& train, SrsVersion srs);
+track::TrainCategory category_of(const train::TrainData& train);
 /// The train as route suitability needs it (3.12.2).
 track::TrainInterfaces interfaces_of(const train::TrainData& train);
 

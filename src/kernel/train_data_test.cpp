@@ -145,9 +145,9 @@ TEST(TrainCategory, HasTheCodeOfItsCantDeficiency) {  // 7.5.1.82.1
   for (std::uint8_t code = 0; code < 11; ++code) {
     train::TrainData train;
     train.cant_deficiency_mm = mm[code];
-    EXPECT_EQ(category_of(train, SrsVersion::v3_6_0).NC_CDTRAIN, code);
+    EXPECT_EQ(category_of(train).NC_CDTRAIN, code);
     --train.cant_deficiency_mm;
-    EXPECT_EQ(category_of(train, SrsVersion::v3_6_0).NC_CDTRAIN, code > 0 ? code - 1 : 0) << "the next lower one";
+    EXPECT_EQ(category_of(train).NC_CDTRAIN, code > 0 ? code - 1 : 0) << "the next lower one";
   }
 }
 
@@ -158,7 +158,7 @@ TEST(TrainCategory, HasTheCodesOfTheTrain) {  // 7.5.1.62, 7.5.1.82, 3.12.2
   train.loading_gauge = train::LoadingGauge::GC;
   train.traction_systems.clear();
   ASSERT_TRUE(train.traction_systems.push_back({300, 1}));
-  const track::TrainCategory c = category_of(train, SrsVersion::v3_6_0);
+  const track::TrainCategory c = category_of(train);
   EXPECT_EQ(c.NC_TRAIN, 5);
   EXPECT_EQ(c.M_AXLELOADCAT, 9);
   const track::TrainInterfaces i = interfaces_of(train);

@@ -138,7 +138,7 @@ Matrix matrix_of(const kernel::State& state, const kernel::Derived& derived, std
   m.quantum = quantum.value_or(quantum_for(way));
   const bool supervised = derived.built != 0 && !derived.in_force.inputs.mrsp.empty();
   if (!supervised || way <= Distance{}) return m;
-  const Source source{state, derived.in_force, kernel::category_of(state.train, state.srs)};
+  const Source source{state, derived.in_force, kernel::category_of(state.train)};
   take_steps(m, derived.in_force.sdm.decelerations);
   const double count = std::ceil(way.si / m.quantum.si);
   m.cut = count > static_cast<double>(kMostRows);

@@ -20,8 +20,7 @@ SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
 
 SpeedCode AxleLoadRestriction::speed_for(const TrainCategory& train) const {
   SpeedCode lowest = kNoSpeed;
-  for (std::size_t k = train.own_axle_load_only ? train.M_AXLELOADCAT : 0u;
-       k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
+  for (std::size_t k = 0; k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
     if (V_AXLELOAD[k] < lowest) lowest = V_AXLELOAD[k];
   return lowest;
 }

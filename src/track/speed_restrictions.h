@@ -22,8 +22,7 @@ constexpr Speed speed_of(SpeedCode code) { return {static_cast<double>(code * 5)
 struct TrainCategory {
   std::uint8_t NC_CDTRAIN = 0;  ///< index of the cant deficiency, 0..10: 80 100 130 150 165 180 210 225 245 275 300 mm
   std::uint16_t NC_TRAIN = 0;   ///< bit k: other international category k (0 freight P, 1 freight G, 2 passenger)
-  std::uint8_t M_AXLELOADCAT = 0;   ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
-  bool own_axle_load_only = false;  ///< 3.11.4.3 of 4.0.0; before, lower categories count too
+  std::uint8_t M_AXLELOADCAT = 0;  ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
   friend constexpr bool operator==(const TrainCategory&, const TrainCategory&) = default;
 };
 
@@ -65,8 +64,8 @@ struct AxleLoadRestriction {
   bool Q_FRONT = false;
   std::array<SpeedCode, 13> V_AXLELOAD{kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed,
                                        kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed, kNoSpeed};
-  /// The lowest speed of the categories up to that of the train, from 4.0.0 on that of its own (3.11.4.3); absent when
-  /// none applies.
+  /// The lowest speed of the categories up to that of the train; absent when none applies. So in every edition: the
+  /// own category alone counts with version 3 operated (3.11.4.3 of 4.0.0; with 1 and 2 6.6.2.1.4, 6.6.4.1.3).
   SpeedCode speed_for(const TrainCategory& train) const;
   Anchor anchor{};
   friend constexpr bool operator==(const AxleLoadRestriction&, const AxleLoadRestriction&) = default;

@@ -21,7 +21,7 @@ using modes::Function;
 radio::TrainDataReport train_report(const State& s, const NationalSystem& national) {
   const train::TrainData& t = s.train;
   radio::TrainDataReport r;
-  const track::TrainCategory category = category_of(t, s.srs);
+  const track::TrainCategory category = category_of(t);
   r.NC_CDTRAIN = category.NC_CDTRAIN;
   r.NC_TRAIN = category.NC_TRAIN;
   // The reported length and speed must not be too small: rounded up.
