@@ -123,6 +123,9 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
 
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
+  // What answers an earlier request for shunting does not answer the new one, even if this does not leave.
+  for (const Intent& intent : out.messages)
+    if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp.reset();
   drop_unsent(s, out);
   for (Intent& intent : out.messages) {
     std::uint32_t T_TRAIN = T_TRAIN_of(now);
