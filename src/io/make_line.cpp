@@ -52,6 +52,13 @@ struct Stretch {
   double from_m = 0.0, to_m = 0.0, value = 0.0;
 };
 
+/// A place for a message to the user.
+std::string place(double m) {
+  std::string text;
+  append_number(text, m);
+  return text + " m";
+}
+
 /// A packet's fields in one direction (nominal), in metres.
 template <class P>
 P nominal() {
@@ -228,15 +235,15 @@ class Encoder {
     if (!list.push_back(step)) root_.fail("more steps in one authority", "at most 32 steps of gradient, 32 of ssp");
   }
 
-  /// The steps of a profile from the reference to `to`, the first one beginning at the reference.
-  std::vector<Stretch> part(const std::vector<Stretch>& profile, double from, double to) const {
+  /// The steps of the profile `key` from the reference to `to`, the first one beginning at the reference.
+  std::vector<Stretch> part(const char* key, const std::vector<Stretch>& profile, double from, double to) const {
     std::vector<Stretch> steps;
     for (const Stretch& s : profile)
       if (s.to_m > from && s.from_m < to) steps.push_back({std::max(s.from_m, from), std::min(s.to_m, to), s.value});
     if (steps.empty() || steps.front().from_m > from || steps.back().to_m < to)
-      root_.fail("a profile with a gap from " + std::to_string(std::lround(from)) + " m to " +
-                     std::to_string(std::lround(to)) + " m",
-                 "gradient and ssp over the whole of every authority and 100 m beyond");
+      root_[key].fail("an authority over places without " + std::string(key),
+                      std::string(key) + " from " + place(from) + " to " + place(to) +
+                          ": from the group to 100 m beyond the danger point");
     return steps;
   }
 
@@ -259,7 +266,7 @@ class Encoder {
       first = false;
     };
     // G_A is in whole permille (7.5.1.37): further downhill is the safe side.
-    for (const Stretch& s : part(gradient_, reference.position_m, to))
+    for (const Stretch& s : part("gradient", gradient_, reference.position_m, to))
       append(s.from_m, s.value >= 0.0, static_cast<std::uint8_t>(std::abs(std::floor(s.value))));
     append(to, false, 255);
     add(out, packet);
@@ -281,7 +288,7 @@ class Encoder {
       }
       first = false;
     };
-    for (const Stretch& s : part(ssp_, reference.position_m, to)) append(s.from_m, codes_of_5_kmh(s.value));
+    for (const Stretch& s : part("ssp", ssp_, reference.position_m, to)) append(s.from_m, codes_of_5_kmh(s.value));
     append(to, 127);
     add(out, packet);
   }
@@ -579,8 +586,11 @@ std::vector<Stretch> read_profile(const JsonPlace& list, ReadValue read_value) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace row = list[i];
     if (row.size() != 3) row.fail("[from_m, to_m, value]");
-    const double from = row[0].number(-1e5, 1e6);
-    steps.push_back({from, row[1].number(from, 1e6), read_value(row[2])});
+    const double from = row[0].number(-1e5, 1e6), to = row[1].number(-1e5, 1e6);
+    if (!steps.empty() && from != steps.back().to_m)
+      row[0].fail(place(from), place(steps.back().to_m) + ", where the step before ends");
+    if (to <= from) row[1].fail(place(to), "a place beyond " + place(from));
+    steps.push_back({from, to, read_value(row[2])});
   }
   return steps;
 }

@@ -77,11 +77,23 @@ TEST(MakeLine, ErrorsNameThePlace) {
                 .find("/groups/0/orders/0"),
             std::string::npos);
   // The profile must reach 100 m beyond the danger point.
-  EXPECT_NE(error_of(R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
-    "gradient":[[0,100,0]],"ssp":[[0,100,80]],"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],
-    "radio":[]})")
-                .find("a profile with a gap from 0 m to 190 m"),
-            std::string::npos);
+  const auto with_profiles = [&](const std::string& gradient, const std::string& ssp) {
+    const std::string text = R"({"schema":"evc-line-description/1","name":"x","NID_C":1,"length_m":100,"start":{},
+      "gradient":)" + gradient +
+                             R"(,"ssp":)" + ssp +
+                             R"(,"groups":[{"NID_BG":1,"at_m":0,"orders":[{"authority":{"to_m":90}}]}],"radio":[]})";
+    return error_of(text.c_str());
+  };
+  EXPECT_EQ(with_profiles("[[0,190,0]]", "[[0,100,80],[100,190,60]]"), "");
+  EXPECT_EQ(with_profiles("[[0,190,0]]", "[[0,100,80]]"),
+            "d.json: /ssp: found an authority over places without ssp, expected ssp from 0 m to 190 m: from the group "
+            "to 100 m beyond the danger point");
+  EXPECT_EQ(with_profiles("[[0,100,0],[120,190,5]]", "[[0,190,80]]"),
+            "d.json: /gradient/1/0: found 120 m, expected 100 m, where the step before ends");
+  EXPECT_EQ(with_profiles("[[0,190,0]]", "[[0,100,80],[90.5,190,60]]"),
+            "d.json: /ssp/1/0: found 90.5 m, expected 100 m, where the step before ends");
+  EXPECT_EQ(with_profiles("[[0,190,0],[190,190,0]]", "[[0,190,80]]"),
+            "d.json: /gradient/1/1: found 190 m, expected a place beyond 190 m");
 }
 
 /// What is for the reader only is text, too: another value is misplaced.
