@@ -377,6 +377,14 @@ TEST(Check, TheShippedLineHasNoneWithAnyShippedTrain) {
 
 /// Linking of an infill counts from the infill group (3.6.2.3.1): what is announced up to there stays announced, the
 /// group itself too (3.7.3.1).
+TEST(Check, TheExampleOfThePageHasNone) {
+  const std::string page = text_of(evc::test::source_folder() + "/docs/line.md"), fence = "```json\n";
+  const std::size_t from = page.find(fence) + fence.size();
+  const auto reviewed = review(page.substr(from, page.find("```", from) - from), "docs/line.md", nullptr);
+  ASSERT_TRUE(reviewed) << reviewed.error().text();
+  EXPECT_TRUE(reviewed->findings.all().empty()) << all(*reviewed);
+}
+
 TEST(Check, LinkingOfAnInfill) {
   const json authority = {{"authority", {{"to_m", 3000.0}, {"danger_point_m", 3050.0}, {"release_kmh", 20}}}};
   const json further = {{"authority", {{"to_m", 4000.0}, {"danger_point_m", 4050.0}, {"release_kmh", 20}}}};
