@@ -117,12 +117,11 @@ std::size_t JsonPlace::one_of(std::initializer_list<const char*> names) const {
 }
 
 std::size_t JsonPlace::one_of(std::span<const char* const> names) const {
+  const auto it = std::find_if(names.begin(), names.end(), [this](const char* n) { return *value_ == n; });
+  if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
   std::string list;
-  for (const char* n : names) list += (list.empty() ? "" : ", ") + std::string(n);
-  if (!value_->is_string()) fail("one of " + list);
-  const auto it = std::find_if(names.begin(), names.end(), [this](const char* n) { return string() == n; });
-  if (it == names.end()) fail("one of " + list);
-  return static_cast<std::size_t>(it - names.begin());
+  for (const char* n : names) list += (list.empty() ? "\"" : ", \"") + std::string(n) + '"';
+  fail("one of " + list);
 }
 
 std::vector<std::uint8_t> JsonPlace::hex() const {

@@ -250,9 +250,9 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
     return text.starts_with(place) ? text.substr(place.size()) : text;
   };
   EXPECT_EQ(error(R"("driver":{"window":{"opened":"level"}})"),
-            "/driver/window/opened: found \"level\", expected one of train_data, sr_data");
+            "/driver/window/opened: found \"level\", expected one of \"train_data\", \"sr_data\"");
   EXPECT_EQ(error(R"("driver":{"window":{"closed":1}})"),
-            "/driver/window/closed: found 1, expected one of train_data, sr_data");
+            "/driver/window/closed: found 1, expected one of \"train_data\", \"sr_data\"");
   EXPECT_EQ(error(R"("driver":{"window":"train_data"})"), "/driver/window: found \"train_data\", expected an object");
   EXPECT_EQ(error(R"("driver":{"window":{"open":"train_data"}})"),
             "/driver/window/open: found an unknown key, expected one of opened, closed");
@@ -266,7 +266,7 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
   EXPECT_EQ(error(R"("balise_failed":{"telegram":"9002","at_m":1})"),
             "/balise_failed/telegram: found an unknown key, expected one of at_m, at_ms");
   EXPECT_EQ(error(R"("train":{"integrity":"yes"})"),
-            "/train/integrity: found \"yes\", expected one of unknown, confirmed, lost");
+            "/train/integrity: found \"yes\", expected one of \"unknown\", \"confirmed\", \"lost\"");
   EXPECT_EQ(error(R"("train":{"train_length_m":100})"),
             "/train/train_length_m: found 100, expected integrity, which it belongs to");
   EXPECT_EQ(error(R"("train":{"data":true})"), "/train/data: found true, expected an object");
@@ -276,7 +276,7 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
             "/train/data_validation: found \"driver\", expected true or false");
   EXPECT_EQ(error(R"("train":{"data_validation":true})"),
             "/train/data_validation: found true, expected data, which it belongs to");
-  EXPECT_EQ(error(R"("train":{"cab":"C"})"), "/train/cab: found \"C\", expected one of A, B");
+  EXPECT_EQ(error(R"("train":{"cab":"C"})"), "/train/cab: found \"C\", expected one of \"A\", \"B\"");
   EXPECT_EQ(error(R"("national_system":{"service_brake":1})"),
             "/national_system/service_brake: found 1, expected true or false");
   EXPECT_EQ(error(R"("national_system":{"emergency_brake":null})"),

@@ -303,7 +303,8 @@ TEST(MakeLine, TheStartAndTheRbcAreChecked) {
     return made ? *made : made.error().text();
   };
   EXPECT_EQ(with(R"("start":{"front_m":"x"})"), "d.json: /start/front_m: found \"x\", expected a number");
-  EXPECT_EQ(with(R"("start":{"level":7})"), "d.json: /start/level: found 7, expected one of 0, NTC, 1, 2, 3");
+  EXPECT_EQ(with(R"("start":{"level":7})"),
+            "d.json: /start/level: found 7, expected one of \"0\", \"NTC\", \"1\", \"2\", \"3\"");
   EXPECT_EQ(with(R"("start":{"zzz":1})"),
             "d.json: /start/zzz: found an unknown key, expected one of front_m, level, mode, nid_ntc");
   EXPECT_EQ(with(R"("start":[])"), "d.json: /start: found an array of 0, expected an object");
