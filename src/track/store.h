@@ -15,6 +15,7 @@ struct Note {
 };
 struct Stored {
   bool ma_accepted = false, ma_refused = false;
+  Clause ma_refused_by;     ///< what does not permit it; none: no room
   bool shortened = false;   ///< the new MA was a shortening: data beyond the new SvL were deleted (3.8.5.1.3)
   bool trip_order = false;  ///< V_MAIN = 0, not infill (3.11.6.2)
   /// Restrictive data from this place on did not fit: the authority was ended there.

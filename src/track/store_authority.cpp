@@ -126,6 +126,7 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
 /// Without a clause: no room.
 void refuse_authority(const Filing& f, const AuthorityContents& c, Clause clause) {
   f.report.ma_refused = true;
+  f.report.ma_refused_by = clause;
   f.note(c.V_MAIN ? 12 : 15, Note::What::refused, clause);
   if (c.mode_profile) f.note(80, Note::What::refused, clause);
   if (c.sh_list) f.note(49, Note::What::refused, clause);

@@ -123,7 +123,6 @@ void evaluate_authority(Evaluation& e) {
 void store_contents(Evaluation& e) {
   Received& out = e.r.out;
   State& s = e.r.state;
-  const bool authority = e.contents.ma.has_value();
   const Anchor anchor = anchor_of(e);
   if (e.information.medium == Medium::rbc && e.contents.geo) place_geo_references(s.position, *e.contents.geo);
   if (anchor != Anchor::lrbg) track::hang_on_unlinked(e.contents);
@@ -147,8 +146,8 @@ void store_contents(Evaluation& e) {
     else if (!out.trip_order)
       out.balise_proceed = true;
     e.r.log.note({.what = What::authority_accepted, .clause = "3.8.4"_srs});
-  } else if (authority) {
-    e.r.log.note({.what = What::authority_refused, .clause = "3.7.2.3"_srs});
+  } else if (stored.ma_refused) {
+    e.r.log.note({.what = What::authority_refused, .clause = stored.ma_refused_by});
   }
   if (e.contents.stop_if_in_sr && *e.contents.stop_if_in_sr) out.stop_if_in_SR = true;
   if (e.contents.danger_for_shunting && *e.contents.danger_for_shunting) out.stop_if_in_SH = true;
