@@ -6,7 +6,7 @@
 
 #include "io/program_test.h"
 
-// `evc explain` and `evc describe modes` as commands. Journeys with their answers: tests/scenarios/explain_test.cpp.
+// `evc explain` and `evc describe modes` as commands. Journeys with their answers: tests/explain/.
 namespace evc::explain {
 namespace {
 
