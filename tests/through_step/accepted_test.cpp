@@ -23,7 +23,7 @@ const std::set<std::string> kTooLong{"P206 N_ITER 31",     "P207 N_ITER 31", "P2
                                      "P72 L_TEXT 255",     "P79 N_ITER 31",  "P80 N_ITER 31"};
 
 /// `ignored`: the packet is not read (6.6.3.1.1.1).
-void check_field(char of, unsigned number, const Field& f, bool ignored,
+void check_field(char of, unsigned number, const Field& f, bool ignored, const std::string& sv,
                  const std::function<std::optional<Answer>(std::uint64_t)>& send) {
   SCOPED_TRACE(std::string(1, of) + std::to_string(number) + " " + f.path);
   const Json& v = variable(f.variable);
@@ -39,7 +39,7 @@ void check_field(char of, unsigned number, const Field& f, bool ignored,
     const auto answer = send(code);
     EXPECT_EQ(answer.has_value(), !kTooLong.contains(key(code))) << key(code);
     if (!answer) continue;
-    const std::string instead = said_instead(of, number, f.path, code);
+    const std::string instead = said_instead(of, number, f.path, code, sv);
     EXPECT_NE(answer->event({instead.empty() ? accepted : instead}), "")
         << code << " is a code with a meaning" << answer->text();
     EXPECT_EQ(answer->event({"not decoded"}), "") << code << answer->text();
@@ -72,11 +72,11 @@ void check_fields(const std::string& prefix, const std::string& sv = "2.1") {
   std::size_t fields = 0;
   for (const Json& p : reference("packets_to_train").at("packets")) {
     const unsigned id = p.at("id");
-    if (!has_version(p) || (sv != "2.1" && way_of_packet(id).by != By::group)) continue;
+    if (!has_version(p)) continue;
     for (const Field& f : fields_of(p.at("elements"))) {
       if (!begins(f)) continue;
       ++fields;
-      check_field('P', id, f, id == 76 && sv[0] == '1', [&](std::uint64_t code) {
+      check_field('P', id, f, id == 76 && sv[0] == '1', sv, [&](std::uint64_t code) {
         Codes codes = f.needs;
         codes[f.path] = code;
         return send_packet(id, sv, codes);
@@ -84,15 +84,14 @@ void check_fields(const std::string& prefix, const std::string& sv = "2.1") {
     }
   }
   EXPECT_GT(fields, 0u);
-  if (sv != "2.1") return;
   for (const Json& m : reference("messages_to_train").at("messages")) {
     const unsigned id = m.at("id");
     if (!has_version(m)) continue;
     for (const Field& f : fields_of(m.at("elements"))) {
       if (!begins(f)) continue;
       ++fields;
-      check_field('M', id, f, false, [&](std::uint64_t code) {
-        return std::optional(send_message(id, {{f.path, code}}));
+      check_field('M', id, f, false, sv, [&](std::uint64_t code) {
+        return std::optional(send_message(id, {{f.path, code}}, 0, sv));
       });
     }
   }

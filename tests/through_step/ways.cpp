@@ -1,6 +1,7 @@
 #include "ways.h"
 
 #include <algorithm>
+#include <regex>
 
 namespace evc::through_step {
 namespace {
@@ -51,7 +52,9 @@ struct Exception {
   const char* path;
   std::vector<std::uint64_t> codes;  ///< none: each
   const char* says;
+  bool version_1 = false;  ///< of system versions 1.0 and 1.1 only
 };
+constexpr const char* kWithoutTranslation = "not used [6.6.3.2.3]";  // [10], [12], [13]
 const std::vector<Exception>& exceptions() {
   static const std::vector<Exception> rows{
       {'P', 0, "Q_DIR", {0}, "ignored: for the other direction [3.6.3.1.3]"},
@@ -60,6 +63,9 @@ const std::vector<Exception>& exceptions() {
       {'M', 28, "T_TRAIN_REF", {}, "refused [4.6.3]"},
       {'M', 15, "Q_DIR", {0}, "refused [3.6.3.1.3]"},
       {'M', 34, "Q_DIR", {0}, "refused [3.6.3.1.3]"},
+      // The RBC does not initiate a session (3.5.3.1), in an open one still less.
+      {'M', 38, "M_ACK", {}, "refused [4.8.3]"},
+      {'M', 38, "NID_LRBG", {}, "refused [4.8.3]"},
       // Places need a group that the unit has reported (3.6.2.2.2).
       {'M', 3, "NID_LRBG", {}, "refused [3.6.2.2.2]"},
       {'M', 9, "NID_LRBG", {}, "refused [3.6.2.2.2]"},
@@ -74,6 +80,12 @@ const std::vector<Exception>& exceptions() {
       // Only the group that linking announces (3.6.2.3.1).
       {'P', 136, "NID_BG", {}, "refused [3.6.2.3.1]"},
       {'P', 136, "NID_C", {}, "refused [3.6.2.3.1]"},
+      {'P', 39, "M_TRACTION", {255}, kWithoutTranslation, true},
+      {'P', 70, "Q_SUITABILITY", {0, 1}, kWithoutTranslation, true},
+      {'P', 70, "M_AXLELOAD", {}, kWithoutTranslation, true},
+      {'P', 70, "M_LOADINGGAUGE", {}, kWithoutTranslation, true},
+      {'P', 70, "M_TRACTION", {255}, kWithoutTranslation, true},
+      {'P', 140, "NID_OPERATIONAL", {0xFFFFFFFF}, kWithoutTranslation, true},
   };
   return rows;
 }
@@ -90,6 +102,19 @@ std::vector<std::uint8_t> loop_message(const BitList& packets) {
 }
 
 }  // namespace
+
+std::string in_version(const std::string& start, const std::string& sv) {
+  if (sv == "2.1") return start;
+  const std::string M_VERSION = sv == "1.0" ? "16" : sv == "1.1" ? "17" : "32";
+  const std::string with = "version = " + sv + ", M_VERSION = " + M_VERSION;
+  std::string text =
+      std::regex_replace(start, std::regex("(given|and|when) message (\\d+)"), "$1 message $2 version " + sv);
+  text = std::regex_replace(text, std::regex("message 32 version [.0-9]+( from RIU 7)?"),
+                            "message 32$1 { M_VERSION " + M_VERSION + " }");
+  text = std::regex_replace(text, std::regex("((given RBC ready)|([A-Z][A-Z] level 2))(?= with)"), "$1 with " + with);
+  text = std::regex_replace(text, std::regex("((given RBC ready)|([A-Z][A-Z] level 2))\n"), "$1 with " + with + "\n");
+  return std::regex_replace(text, std::regex(M_VERSION + " with "), M_VERSION + ", ");
+}
 
 Way way_of_packet(unsigned NID_PACKET) {
   switch (NID_PACKET) {
@@ -166,9 +191,9 @@ Way way_of_message(unsigned NID_MESSAGE) {
   }
 }
 
-std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code) {
+std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code, const std::string& sv) {
   for (const Exception& e : exceptions())
-    if (e.of == of && (e.number == 0 || e.number == number) && e.path == path &&
+    if (e.of == of && (!e.version_1 || sv[0] == '1') && (e.number == 0 || e.number == number) && e.path == path &&
         (e.codes.empty() || std::find(e.codes.begin(), e.codes.end(), code) != e.codes.end()))
       return e.says;
   return "";
@@ -177,12 +202,13 @@ std::string said_instead(char of, unsigned number, const std::string& path, std:
 std::optional<Answer> send_packet(unsigned NID_PACKET, const std::string& sv, const Codes& given, int wrong_length) {
   const Way way = way_of_packet(NID_PACKET);
   Codes codes = way.codes;
+  if (NID_PACKET == 70 && sv[0] == '1') codes = {{"Q_SUITABILITY", 2}, {"M_TRACTION", 1}};  // 6.6.3.2.3 [12]
   for (const auto& [path, code] : given) codes[path] = code;
   BitList bits;
   for (const unsigned id : way.before) put_packet(bits, *find_packet("to_train", id, sv), {});
   put_packet(bits, *find_packet("to_train", NID_PACKET, sv), codes, wrong_length);
   for (const unsigned id : way.behind) put_packet(bits, *find_packet("to_train", id, sv), {});
-  OnBoard unit(OnBoard::after(way.start));
+  OnBoard unit(OnBoard::after(way.by == By::group ? way.start : in_version(way.start, sv)));
   if (way.by == By::group) {
     if (bits.size() > 830 - 50 - 8) return std::nullopt;
     return unit.pass(200, bits, sv);
@@ -191,18 +217,18 @@ std::optional<Answer> send_packet(unsigned NID_PACKET, const std::string& sv, co
   return unit.receive(way.NID_MESSAGE, {}, bits, sv, way.by == By::RIU);
 }
 
-Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length) {
+Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length, const std::string& sv) {
   const Way way = way_of_message(NID_MESSAGE);
-  OnBoard unit(OnBoard::after(way.start));
-  const Json& message = *find_message("to_train", NID_MESSAGE, "2.1");
+  OnBoard unit(OnBoard::after(in_version(way.start, sv)));
+  const Json& message = *find_message("to_train", NID_MESSAGE, sv);
   Codes codes = way.codes;
-  if (NID_MESSAGE == 27 || NID_MESSAGE == 28) codes["T_TRAIN_REF"] = unit.last_sent(130).codes.at("T_TRAIN");
+  if (NID_MESSAGE == 27 || NID_MESSAGE == 28) codes["T_TRAIN_REF"] = unit.last_sent(130, sv).codes.at("T_TRAIN");
   for (const auto& [path, code] : given) codes[path] = code;
   BitList bits;
   for (const Json& e : message.at("elements"))
     if (e.contains("packet")) {
       const unsigned id = e.at("packet");
-      put_packet(bits, *find_packet("to_train", id, "2.1"), id == 136 ? Codes{{"NID_BG", 101}} : Codes{});
+      put_packet(bits, *find_packet("to_train", id, sv), id == 136 ? Codes{{"NID_BG", 101}} : Codes{});
     }
   codes.try_emplace("T_TRAIN", static_cast<std::uint64_t>(unit.t_ms() / 10));
   BitList whole = message_bits(message, codes, bits);

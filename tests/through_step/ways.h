@@ -35,14 +35,16 @@ struct Way {
   std::string says = {};
   Codes codes = {};  ///< usual ones
 };
+/// The same start with an RBC or radio infill unit of another system version.
+std::string in_version(const std::string& start, const std::string& sv);
 Way way_of_packet(unsigned NID_PACKET);
 Way way_of_message(unsigned NID_MESSAGE);
 
 /// What is said instead of the acceptance of a code with a meaning, of a packet ('P') or message ('M'); or nothing.
-std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code);
+std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code, const std::string& sv);
 
 /// Nothing where the telegram has no room for it.
 std::optional<Answer> send_packet(unsigned NID_PACKET, const std::string& sv, const Codes& given, int wrong_length = 0);
-Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length = 0);
+Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length = 0, const std::string& sv = "2.1");
 
 }  // namespace evc::through_step

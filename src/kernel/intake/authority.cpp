@@ -103,7 +103,7 @@ void evaluate_authority(Evaluation& e) {
     offered = {};
     if (track::add(offered, c.time, view, e.reference) != track::Added::added) {
       // Does not occur: the bits were checked on reception.
-      tell_packet(e, view.NID_PACKET, kUnreadable, false);
+      tell_packet(e, view.NID_PACKET, kUnreadable, std::nullopt);
       tell_belonging(e, kUnreadable);
       continue;
     }

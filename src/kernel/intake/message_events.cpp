@@ -34,9 +34,11 @@ void wait_if_buffered(Evaluation& e, std::size_t i, const Acceptance& a) {
 
 }  // namespace
 
-void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, bool not_used) {
-  not_used = not_used && a.verdict == Verdict::accepted;
-  e.r.log.note({.what = not_used ? What::packet_not_used : what_of(a.verdict), .id = NID_PACKET, .clause = a.clause});
+void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, const std::optional<Clause>& passed_over) {
+  const bool not_used = passed_over && a.verdict == Verdict::accepted;
+  e.r.log.note({.what = not_used ? What::packet_not_used : what_of(a.verdict),
+                .id = NID_PACKET,
+                .clause = not_used ? *passed_over : a.clause});
   if (a.verdict == Verdict::rejected) refuse(e, a.clause);
 }
 
@@ -66,7 +68,7 @@ void tell_infill(Evaluation& e, const Acceptance& a) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const auto number = e.information.packets[i].NID_PACKET;
     if (!judged(e, i) || evaluated_before(number)) continue;
-    tell_packet(e, number, a, false);
+    tell_packet(e, number, a, std::nullopt);
     wait_if_buffered(e, i, a);
   }
 }

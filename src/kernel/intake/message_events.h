@@ -5,8 +5,8 @@
 // What became of a message and of each of its packets, as events.
 namespace evc::kernel {
 
-/// `not_used`: nothing needs the contents of such a packet. What is rejected counts as refused by the message.
-void tell_packet(Evaluation& e, int NID_PACKET, const modes::Acceptance& a, bool not_used);
+/// `passed_over`: why nothing needs the contents of such a packet. What is rejected counts as refused by the message.
+void tell_packet(Evaluation& e, int NID_PACKET, const modes::Acceptance& a, const std::optional<Clause>& passed_over);
 
 /// Packets of the evaluated part that belong to an authority, or to a message that authorises: what becomes of them is
 /// what becomes of that; they wait with it.

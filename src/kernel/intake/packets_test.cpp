@@ -6,10 +6,12 @@
 #include "lang/packets/packet_16.h"
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_39.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_57.h"
 #include "lang/packets/packet_58.h"
 #include "lang/packets/packet_6.h"
+#include "lang/packets/packet_70.h"
 #include "lang/packets/packet_76.h"
 
 // What the packets do that are not stored with the track description (7.4.2).
@@ -60,6 +62,34 @@ TEST_F(Taken, APacketOfOtherVersionsIsToldAsNotUsed) {  // 6.6.3.1.1.1
   information.packets[0].sv = {1, 1};
   evaluate_now();
   expect(76, What::packet_not_used);
+  EXPECT_EQ(told(76).clause, "6.6.3.1.1.1"_srs);
+}
+
+TEST_F(Taken, APacketOfX1WithoutATranslationIsToldAsNotUsed) {  // 6.6.3.2.3 [10], [12], [13]
+  const auto expect_not_used = [&](const auto& used, const auto& passed_over) {
+    for (const bool not_used : {false, true}) {
+      information.packets.clear();
+      not_used ? add(passed_over) : add(used);
+      information.packets[0].sv = {1, 0};
+      evaluate_now();
+      const auto number = used.info.NID_PACKET;
+      EXPECT_EQ(told(number).what, not_used ? What::packet_not_used : What::packet_accepted) << int{number};
+      EXPECT_EQ(told(number).clause, not_used ? "6.6.3.2.3"_srs : Clause{}) << int{number};
+    }
+  };
+  lang::Packet39_v1_0 traction;
+  lang::Packet70_v1_0 suitability;
+  suitability.Q_SUITABILITY.raw = 2;
+  lang::Packet140_v1_0 number;
+  const auto known_traction = traction;
+  const auto known_suitability = suitability;
+  traction.M_TRACTION.raw = suitability.M_TRACTION.raw = 4;
+  expect_not_used(known_traction, traction);
+  expect_not_used(known_suitability, suitability);
+  information.medium = Medium::rbc;
+  const auto known_number = number;
+  number.NID_OPERATIONAL.raw = 0xFFFFFFFF;
+  expect_not_used(known_number, number);
 }
 
 TEST_F(Taken, NationalValuesOfX1LeaveWhatTheyDoNotContain) {  // 6.6.3.2.3 [1a], [1b], [2]

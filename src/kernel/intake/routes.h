@@ -61,8 +61,9 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
-/// Whether its contents are used by nobody: an unknown number.
-inline bool not_used(const PacketRoute& route) { return route.turn == Turn::rest && route.take == nullptr; }
+/// Why its contents are used by nobody: an unknown number, or contents of X = 1 that have no meaning in X = 2. None:
+/// they are used.
+std::optional<Clause> passed_over(const PacketRoute& route, const lang::PacketView& view);
 
 inline bool has_place(const PacketRoute& route, const lang::PacketView& view) {
   return route.place != nullptr && route.place(view);
