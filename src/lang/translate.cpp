@@ -255,8 +255,9 @@ bool translate(const Packet70_v1_0& from, Packet70& to) {
   to.Q_TRACKINIT = from.Q_TRACKINIT;
   to.D_TRACKINIT = from.D_TRACKINIT;
   if (from.Q_TRACKINIT.raw == 1) return true;  // [11]
-  // [12]: only points for known traction systems are used; distances are increments, so those of
-  // the points left out are added to the next one used.
+  // [12]: only points for known traction systems are used; distances are increments, so those of the points left out
+  // are added to the next one used. More than its variable holds: it counts from the farthest place that can be said,
+  // which is nearer.
   std::uint32_t distance = 0;
   bool first = true;
   const auto take = [&](var::D_SUITABILITY D_SUITABILITY, var::Q_SUITABILITY Q_SUITABILITY,
@@ -264,13 +265,13 @@ bool translate(const Packet70_v1_0& from, Packet70& to) {
     distance += D_SUITABILITY.raw;
     const Traction* t = Q_SUITABILITY.raw == 2 ? find_traction(M_TRACTION) : nullptr;
     if (t == nullptr) return true;
-    if (distance > all_ones(var::D_SUITABILITY::bits)) return false;
+    constexpr std::uint32_t kFarthest = all_ones(var::D_SUITABILITY::bits);
     Packet70_points point;
-    point.D_SUITABILITY.raw = static_cast<std::uint16_t>(distance);
+    point.D_SUITABILITY.raw = static_cast<std::uint16_t>(distance < kFarthest ? distance : kFarthest);
     point.Q_SUITABILITY.raw = 2;
     point.M_VOLTAGE.raw = t->M_VOLTAGE;
     point.NID_CTRACTION.raw = t->NID_CTRACTION;
-    distance = 0;
+    distance -= point.D_SUITABILITY.raw;
     if (!first) return to.points.push_back(point);
     first = false;
     to.D_SUITABILITY = point.D_SUITABILITY;

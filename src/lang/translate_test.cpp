@@ -156,13 +156,17 @@ TEST(Translate, RouteSuitability) {
   // No point for traction.
   Packet70_v1_0 gauge;
   EXPECT_EQ(through(gauge, p), Fault::not_applicable);
-  // A distance that cannot be expressed.
+  // A distance that cannot be expressed: the farthest one that can, which is nearer.
   Packet70_v1_0 far;
   far.D_SUITABILITY.raw = 32767;
   point.D_SUITABILITY.raw = 32767;
   point.M_TRACTION.raw = 6;
   (void)far.points.push_back(point);
-  EXPECT_EQ(through(far, p), Fault::not_applicable);
+  (void)far.points.push_back(point);
+  ASSERT_EQ(through(far, p), Fault::none);
+  EXPECT_EQ(p.D_SUITABILITY.raw, 32767);
+  ASSERT_EQ(p.points.size(), 1u);
+  EXPECT_EQ(p.points[0].D_SUITABILITY.raw, 32767);
   far.D_SUITABILITY.raw = 0;
   far.Q_SUITABILITY.raw = 2;
   far.M_TRACTION.raw = 6;
@@ -171,7 +175,13 @@ TEST(Translate, RouteSuitability) {
   (void)far.points.push_back(point);
   point.Q_SUITABILITY.raw = 2;
   (void)far.points.push_back(point);
-  EXPECT_EQ(through(far, p), Fault::not_applicable);
+  point.D_SUITABILITY.raw = 0;
+  (void)far.points.push_back(point);
+  ASSERT_EQ(through(far, p), Fault::none);
+  EXPECT_EQ(p.D_SUITABILITY.raw, 0);
+  ASSERT_EQ(p.points.size(), 2u);
+  EXPECT_EQ(p.points[0].D_SUITABILITY.raw, 32767);
+  EXPECT_EQ(p.points[1].D_SUITABILITY.raw, 32767);
   Packet207 newer;
   newer.Q_SUITABILITY.raw = 0;
   newer.M_LINEGAUGE.raw = 3;
