@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "ways.h"
 
 // What packets of system versions 1.0 and 1.1 are to the unit (6.6.3.2.3), in the outputs.
@@ -78,20 +80,26 @@ TEST(LanguageThroughStep, TrackConditionsOfOlderVersions) {  // [8]
   EXPECT_NE(kind(3), kind(0));
 }
 
+/// M_TRACTION to M_VOLTAGE and NID_CTRACTION (6.6.3.2.3 [13]).
+const std::map<std::uint64_t, std::pair<int, int>>& tractions() {
+  static const std::map<std::uint64_t, std::pair<int, int>> rows{
+      {0, {0, 0}},   {1, {3, 10}},  {2, {1, 12}},  {3, {1, 13}},  {5, {4, 14}},  {6, {4, 1}},
+      {7, {1, 2}},   {8, {1, 3}},   {11, {2, 19}}, {12, {2, 20}}, {13, {2, 21}}, {15, {2, 22}},
+      {26, {1, 11}}, {31, {1, 18}}, {32, {3, 15}}, {33, {3, 16}}, {34, {1, 17}}, {41, {2, 4}},
+      {42, {2, 5}},  {43, {2, 6}},  {44, {2, 7}},  {45, {2, 8}},  {46, {2, 9}}};
+  return rows;
+}
+
 TEST(LanguageThroughStep, TractionOfOlderVersions) {  // [13], [19]
-  const struct {
-    std::uint64_t M_TRACTION;
-    int M_VOLTAGE, NID_CTRACTION;
-  } rows[]{{1, 3, 10}, {6, 4, 1}, {15, 2, 22}, {34, 1, 17}, {46, 2, 9}};
-  for (const auto& row : rows) {
-    const Json system =
-        after_groups({{39, {{"D_TRACTION", 100}, {"M_TRACTION", row.M_TRACTION}}}})["train_orders"]["traction_system"];
-    ASSERT_TRUE(system.is_object()) << row.M_TRACTION;
-    EXPECT_EQ(system["M_VOLTAGE"], row.M_VOLTAGE);
-    EXPECT_EQ(system["NID_CTRACTION"], row.NID_CTRACTION);
+  for (std::uint64_t code = 0; code < 256; ++code) {
+    const Json orders = after_groups({{39, {{"D_TRACTION", 100}, {"M_TRACTION", code}}}})["train_orders"];
+    const Json& system = orders["traction_system"];
+    const auto row = tractions().find(code);
+    ASSERT_EQ(system.is_object(), row != tractions().end()) << code;
+    if (row == tractions().end()) continue;
+    EXPECT_EQ(system["M_VOLTAGE"], row->second.first) << code;
+    EXPECT_EQ(system["NID_CTRACTION"], row->second.second) << code;
   }
-  const auto unknown = after_groups({{39, {{"D_TRACTION", 100}, {"M_TRACTION", 4}}}});
-  EXPECT_TRUE(unknown["train_orders"]["traction_system"].is_null());
   const Json newer = after_groups({{239, {{"D_TRACTION", 100}, {"M_VOLTAGE", 2}, {"NID_CTRACTION", 5}}, "1.1"}});
   EXPECT_EQ(newer["train_orders"]["traction_system"]["NID_CTRACTION"], 5);
 }
@@ -99,8 +107,10 @@ TEST(LanguageThroughStep, TractionOfOlderVersions) {  // [13], [19]
 TEST(LanguageThroughStep, RouteSuitabilityOfOlderVersions) {  // [11], [12], [18]
   const double far = after_groups({{254, {}}})["EOA_m"];
   const auto EOA = [&](const Codes& codes) { return after_groups({{70, codes}})["EOA_m"].get<double>(); };
-  EXPECT_LT(EOA({{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 2}, {"M_TRACTION", 1}}), far - 1000.0);
-  EXPECT_EQ(EOA({{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 2}, {"M_TRACTION", 4}}), far);
+  for (std::uint64_t code = 0; code < 256; ++code) {  // the train has none of them
+    const double end = EOA({{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 2}, {"M_TRACTION", code}});
+    EXPECT_EQ(end < far - 1000.0, tractions().contains(code)) << code;
+  }
   EXPECT_EQ(EOA({{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 1}, {"M_AXLELOAD", 1}}), far);
   EXPECT_EQ(EOA({{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 0}}), far);
   const Json later = after_groups({{207, {{"D_SUITABILITY", 900}, {"Q_SUITABILITY", 2}, {"M_VOLTAGE", 3}}, "1.1"}});

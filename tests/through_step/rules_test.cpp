@@ -15,43 +15,61 @@ BitList packets(const std::vector<std::pair<unsigned, Codes>>& list, const std::
   for (const auto& [id, codes] : list) put_packet(bits, *find_packet("to_train", id, sv), codes);
   return bits;
 }
-bool accepted_by_group(const std::vector<std::pair<unsigned, Codes>>& list, const char* start = kFS1) {
+bool accepted_by_group(const std::vector<std::pair<unsigned, Codes>>& list, const char* start = kFS1,
+                       const std::string& sv = "2.1") {
   OnBoard unit(OnBoard::after(start));
-  const Answer answer = unit.pass(200, packets(list));
+  const Answer answer = unit.pass(200, packets(list, sv), sv);
   const bool refused = !answer.event({"not decoded [3.16.1.1]"}).empty() || !answer.event({"inconsistent"}).empty();
   EXPECT_NE(refused, !answer.event({"group 200 accepted"}).empty()) << answer.text();
   return !refused;
 }
+/// `infill_unit`: of a radio infill unit.
 bool accepted_by_message(unsigned NID_MESSAGE, const std::vector<std::pair<unsigned, Codes>>& list,
-                         const Codes& codes = {}, const char* start = kFS2) {
+                         const Codes& codes = {}, const std::string& start = kFS2, bool infill_unit = false,
+                         const std::string& sv = "2.1") {
   OnBoard unit(OnBoard::after(start));
-  const Answer answer = unit.receive(NID_MESSAGE, codes, packets(list));
+  const Answer answer = unit.receive(NID_MESSAGE, codes, packets(list, sv), sv, infill_unit);
   // Those of a radio infill unit only are refused by 4.8.3.
   return answer.event({"rejected [3.16.3.1.1]"}).empty() && answer.event({"packet 143 refused [4.8.3]"}).empty() &&
          answer.event({"packet 254 refused [4.8.3]"}).empty();
 }
 
-/// Each packet of 2.1 in each place in which it may not be.
+/// Whether message NID_MESSAGE may have a packet behind its own ones (8.4.4.4.1), by the reference data and by the
+/// unit.
+void check_list(unsigned NID_MESSAGE, unsigned id, const std::string& sv) {
+  const Json& row = *find_message("to_train", NID_MESSAGE, sv);
+  std::vector<std::pair<unsigned, Codes>> list;
+  for (const Json& e : row.at("elements")) {
+    if (!e.contains("packet")) continue;
+    const unsigned own = e.at("packet");
+    if (own == id) return;
+    list.emplace_back(own, own == 136 ? Codes{{"NID_BG", 101}} : Codes{});
+  }
+  list.emplace_back(id, Codes{});
+  const bool infill_unit = row.at("media").at(0) == "RIU";
+  const Json& optional = row.contains("optional_packets_by_sender") ? row.at("optional_packets_by_sender").at("RBC")
+                                                                    : row.at("optional_packets");
+  const bool ignored = id == 76 && sv[0] == '1';  // 6.6.3.1.1.1: not read, wherever it is
+  const bool listed = ignored || std::find(optional.begin(), optional.end(), id) != optional.end();
+  const std::string start = in_version(infill_unit ? kInfillUnit : kFS2, sv);
+  EXPECT_EQ(accepted_by_message(NID_MESSAGE, list, {}, start, infill_unit, sv), listed)
+      << "packet " << id << " in message " << NID_MESSAGE << " of " << sv;
+}
+
+/// Each packet in each place in which it may not be.
 TEST(LanguageThroughStep, MediaOfEachPacket) {
   for (const Json& p : reference("packets_to_train").at("packets")) {
     const unsigned id = p.at("id");
-    if (find_packet("to_train", id, "2.1") != &p || id == 255) continue;
+    if (id == 255) continue;
     const Json& media = p.at("media");
     const auto sent_by = [&](const char* medium) {
       return std::find(media.begin(), media.end(), medium) != media.end();
     };
-    EXPECT_EQ(accepted_by_group({{id, {}}}), sent_by("balise")) << "packet " << id << " in a telegram";
-    for (const unsigned message : {2u, 3u, 24u, 28u, 33u}) {
-      const Json& row = *find_message("to_train", message, "2.1");
-      std::vector<std::pair<unsigned, Codes>> list;
-      for (const Json& e : row.at("elements"))
-        if (e.contains("packet")) list.emplace_back(e.at("packet").get<unsigned>(), Codes{});
-      if (!list.empty() && list[0].first == id) continue;
-      list.emplace_back(id, Codes{});
-      const Json& optional = row.contains("optional_packets_by_sender") ? row.at("optional_packets_by_sender").at("RBC")
-                                                                        : row.at("optional_packets");
-      const bool listed = std::find(optional.begin(), optional.end(), id) != optional.end();
-      EXPECT_EQ(accepted_by_message(message, list), listed) << "packet " << id << " in message " << message;
+    for (const char* sv : {"1.0", "1.1", "2.0", "2.1"}) {
+      if (find_packet("to_train", id, sv) != &p) continue;
+      EXPECT_EQ(accepted_by_group({{id, {}}}, kFS1, sv), sent_by("balise") || (id == 76 && sv[0] == '1'))
+          << "packet " << id << " in a telegram of " << sv;
+      for (const unsigned message : {2u, 3u, 9u, 24u, 28u, 33u, 37u}) check_list(message, id, sv);
     }
   }
 }

@@ -187,6 +187,45 @@ const std::vector<Expected>& expected() {
   return rows;
 }
 
+/// Messages that are the same for an RBC or a radio infill unit of X = 1 (6.6.3.4.5, U), with a report of its form.
+const std::vector<Expected>& expected_by_older() {
+  const Codes there{{"NID_LRBG", kGroup | 100}, {"Q_DIRLRBG", 1}, {"Q_DLRBG", 1}, {"V_TRAIN", 12}, {"M_LEVEL", 3}};
+  const std::string FS4 = "  given FS level 2 with authority = 4000 m, speed = 60 km/h\n";
+  const std::string order = "  and message 24\n    packet 42 { Q_RBC 0, NID_RADIO \"FFFFFFFFFFFFFFFF\" }\n";
+  static const std::vector<Expected> rows{
+      {155, kCalled, {}, {}},
+      {157, kCalled + "  and message 32\n", {{"Q_STATUS", 2}}, {{0, {{"M_MODE", 6}, {"V_TRAIN", 0}}}}},
+      {130, "  given RBC ready\n  and driver selects shunting\n  and waits 0.2 s\n", {}, {{0, {{"M_MODE", 6}}}}},
+      {136,
+       FS4 + kReports + "  and passes group 101 of 1 balise { Q_LINK 1 }\n  and waits 0.2 s\n",
+       {},
+       {{1, {{"NID_LRBG", kGroup | 101}, {"NID_PRVLRBG", kGroup | 100}, {"V_TRAIN", 12}, {"M_LEVEL", 3}}}}},
+      {136, FS4 + "  and message 24 longer by 1 bytes\n  and waits 0.2 s\n", {}, {{0, there}, {4, {{"M_ERROR", 3}}}}},
+      {137,
+       FS4 + "  and message 9 { T_TRAIN 7000 } packet 15 { L_ENDSECTION 3000 m }\n",
+       {{"T_TRAIN_REF", 7000}},
+       {{0, there}}},
+      {138,
+       FS4 + "  and message 9 { T_TRAIN 7000 } packet 15 { L_ENDSECTION 200 m }\n",
+       {{"T_TRAIN_REF", 7000}},
+       {{0, there}}},
+      {146, FS4 + "  and message 24 { M_ACK 1, T_TRAIN 7000 }\n", {{"T_TRAIN_REF", 7000}}, {}},
+      {147, FS4 + "  and message 16 { NID_EM 15 }\n", {{"NID_EM", 15}, {"Q_EMERGENCYSTOP", 2}}, {{0, there}}},
+      {149,
+       "  given SR level 2\n  and drives at 30 km/h\n  and passes group 100\n  and message 34 { D_TAFDISPLAY 0 m, "
+       "L_TAFDISPLAY 400 m }\n  and drives for 20 m\n  and driver selects track_ahead_free\n  and waits 0.2 s\n",
+       {},
+       {{0, {{"NID_LRBG", kGroup | 100}, {"M_MODE", 2}, {"M_LEVEL", 3}}}}},
+      {150, FS4 + "  and stops\n  and desk closed\n  and waits 1 s\n", {}, {{0, {{"V_TRAIN", 0}, {"M_MODE", 6}}}}},
+      {153,
+       kInfillUnit,
+       {{"NID_C", 1}, {"NID_BG", 101}, {"Q_INFILL", 0}},
+       {{0, {{"M_LEVEL", 2}, {"NID_LRBG", kGroup | 100}}}}},
+      {156, FS4 + order, {}, {}},
+  };
+  return rows;
+}
+
 void expect_codes(const Codes& wanted, const Codes& found) {
   for (const auto& [path, code] : wanted) {
     const auto at = found.find(path);
@@ -195,31 +234,53 @@ void expect_codes(const Codes& wanted, const Codes& found) {
   }
 }
 
-TEST(LanguageThroughStep, MessagesToTrack) {
-  for (const Expected& e : expected()) {
-    SCOPED_TRACE(std::to_string(e.NID_MESSAGE) + e.start);
-    const OnBoard& unit = OnBoard::after(with_data(e.start));
-    const Decoded message = unit.last_sent(e.NID_MESSAGE, e.sv);
-    EXPECT_TRUE(message.complete);
-    Codes common = e.codes;
-    common["NID_ENGINE"] = kEngine;
-    expect_codes(common, message.codes);
-    EXPECT_NE(message.codes.at("T_TRAIN"), 0u);
-    EXPECT_LE(message.codes.at("T_TRAIN"), static_cast<std::uint64_t>(unit.t_ms() / 10));
-    const Json elements = find_message("to_track", e.NID_MESSAGE, e.sv)->at("elements");
-    bool reports = false;
-    for (const Json& element : elements)
-      reports = reports || (element.contains("packet_one_of") && element.at("packet_one_of")[0] == 0);
-    // 8.4.4.7.2: a position in all but 146, 154, 155, 156 and 159, and one only (8.4.1.5).
-    EXPECT_EQ((message.packet(0) != nullptr) != (message.packet(1) != nullptr), reports);
-    std::set<unsigned> kinds;
-    for (const auto& [id, codes] : message.packets) EXPECT_TRUE(kinds.insert(id).second) << id;
-    for (const auto& [id, codes] : e.packets) {
-      const Codes* packet = message.packet(id);
-      ASSERT_NE(packet, nullptr) << "packet " << id;
-      expect_codes(codes, *packet);
-    }
+void check_sent(const Expected& e, const std::string& sv) {
+  SCOPED_TRACE(std::to_string(e.NID_MESSAGE) + " to " + sv + e.start);
+  const OnBoard& unit = OnBoard::after(with_data(e.start));
+  const Decoded message = unit.last_sent(e.NID_MESSAGE, sv);
+  EXPECT_TRUE(message.complete);
+  Codes common = e.codes;
+  common["NID_ENGINE"] = kEngine;
+  expect_codes(common, message.codes);
+  EXPECT_NE(message.codes.at("T_TRAIN"), 0u);
+  EXPECT_LE(message.codes.at("T_TRAIN"), static_cast<std::uint64_t>(unit.t_ms() / 10));
+  const Json elements = find_message("to_track", e.NID_MESSAGE, sv)->at("elements");
+  bool reports = false;
+  for (const Json& element : elements)
+    reports = reports || (element.contains("packet_one_of") && element.at("packet_one_of")[0] == 0);
+  // 8.4.4.7.2: a position in all but 146, 154, 155, 156 and 159, and one only (8.4.1.5).
+  EXPECT_EQ((message.packet(0) != nullptr) != (message.packet(1) != nullptr), reports);
+  std::set<unsigned> kinds;
+  for (const auto& [id, codes] : message.packets) EXPECT_TRUE(kinds.insert(id).second) << id;
+  for (const auto& [id, codes] : e.packets) {
+    const Codes* packet = message.packet(id);
+    ASSERT_NE(packet, nullptr) << "packet " << id;
+    expect_codes(codes, *packet);
   }
+}
+
+TEST(LanguageThroughStep, MessagesToTrack) {
+  for (const Expected& e : expected()) check_sent(e, e.sv);
+}
+
+TEST(LanguageThroughStep, MessagesToTrackOfOlderVersions) {  // 6.6.3.4.4
+  for (const char* sv : {"1.0", "1.1"})
+    for (Expected e : expected_by_older()) {
+      e.start = in_version(e.start, sv);
+      check_sent(e, sv);
+    }
+}
+
+/// 6.6.3.4.3.1: valid train data follow the report of start of mission.
+TEST(LanguageThroughStep, TrainDataBehindTheReportOfStartOfMission) {
+  const OnBoard& unit = OnBoard::after(
+      "  given data entered\n  and driver enters { level 2 }\n  and driver enters { rbc { NID_C 1, NID_RBC 1, "
+      "NID_RADIO "
+      "\"FFFFFFFFFFFFFFFF\" } }\n  and waits 0.2 s\n  and session connected\n  and message 32 { M_VERSION 17 }\n  and "
+      "waits 0.2 s\n");
+  std::vector<unsigned> sent;
+  for (const auto& message : unit.sent_before()) sent.push_back(message.at(0));
+  EXPECT_EQ(sent, (std::vector<unsigned>{155, 159, 157, 129}));
 }
 
 /// 6.6.3.4.5 [3b], [3d]: train data for an RBC of version 1.1.
