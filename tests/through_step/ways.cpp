@@ -127,6 +127,8 @@ Way way_of_packet(unsigned NID_PACKET) {
       return {.says = "packet 70 accepted"};
     case 239:
       return {.says = "packet 39 accepted"};
+    case 203:  // without the packet 3 that it is appended to (6.6.3.2.3 [16])
+      return {.says = "packet 203 not used [6.6.3.2.3]"};
     case 13:
       return {.by = By::loop, .start = kLoop};
     case 15:

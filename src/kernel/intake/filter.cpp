@@ -243,7 +243,7 @@ Acceptance judge_packet(Evaluation& e, std::size_t i) {
   }
   const bool no_reference = !e.information.located && !e.contents.infill;
   if (no_reference && has_place(route, view)) worst = {Verdict::rejected, clause_of_reference(e.information.medium)};
-  tell_packet(e, view.NID_PACKET, worst, passed_over(route, view));
+  tell_packet(e, view.NID_PACKET, worst, passed_over(e.information, view));
   if (worst.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
   return worst;
 }

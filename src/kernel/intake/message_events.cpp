@@ -1,5 +1,9 @@
 #include "kernel/intake/message_events.h"
 #include "kernel/intake/routes.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_140.h"
+#include "lang/packets/packet_39.h"
+#include "lang/packets/packet_70.h"
 #include "terms/message_numbers.h"
 
 namespace evc::kernel {
@@ -32,7 +36,35 @@ void wait_if_buffered(Evaluation& e, std::size_t i, const Acceptance& a) {
   if (a.verdict == Verdict::buffered) e.waiting.packets |= std::uint64_t{1} << i;
 }
 
+template <class P>
+bool is_not_applicable(const lang::PacketView& view) {
+  P p;
+  return lang::decode(view, p) == lang::Fault::not_applicable;
+}
+/// The set to which packet 203 is appended (6.6.3.2.3 [16]).
+bool has_packet_3_of_version_1(const Information& information) {
+  for (const lang::PacketView& view : information.packets)
+    if (view.NID_PACKET == packet::national_values && view.sv.x == 1) return true;
+  return false;
+}
+/// 6.6.3.2.3 [10], [12], [13].
+bool is_without_translation(const lang::PacketView& view) {
+  const auto number = view.NID_PACKET;
+  return (number == packet::traction_system_change && is_not_applicable<lang::Packet39>(view)) ||
+         (number == packet::route_suitability && is_not_applicable<lang::Packet70>(view)) ||
+         (number == packet::train_running_number_from_rbc && is_not_applicable<lang::Packet140>(view));
+}
+
 }  // namespace
+
+std::optional<Clause> passed_over(const Information& information, const lang::PacketView& view) {
+  const PacketRoute& route = route_of(view);
+  if (route.turn == Turn::rest && route.take == nullptr)
+    return view.NID_PACKET == packet::fixed_text ? "6.6.3.1.1.1"_srs : "3.17.3.11"_srs;
+  const bool alone = view.NID_PACKET == packet::national_values_v1 && !has_packet_3_of_version_1(information);
+  if (alone || (view.sv.x == 1 && is_without_translation(view))) return "6.6.3.2.3"_srs;
+  return std::nullopt;
+}
 
 void tell_packet(Evaluation& e, int NID_PACKET, const Acceptance& a, const std::optional<Clause>& passed_over) {
   const bool not_used = passed_over && a.verdict == Verdict::accepted;

@@ -5,6 +5,10 @@
 // What became of a message and of each of its packets, as events.
 namespace evc::kernel {
 
+/// Why the contents of a packet of the message are used by nobody: an unknown number, contents of X = 1 that have no
+/// meaning in X = 2, or a packet 203 without the packet 3 that it belongs to. None: they are used.
+std::optional<Clause> passed_over(const Information& information, const lang::PacketView& view);
+
 /// `passed_over`: why nothing needs the contents of such a packet. What is rejected counts as refused by the message.
 void tell_packet(Evaluation& e, int NID_PACKET, const modes::Acceptance& a, const std::optional<Clause>& passed_over);
 

@@ -9,13 +9,11 @@
 #include "lang/packets/packet_143.h"
 #include "lang/packets/packet_180.h"
 #include "lang/packets/packet_3.h"
-#include "lang/packets/packet_39.h"
 #include "lang/packets/packet_41.h"
 #include "lang/packets/packet_57.h"
 #include "lang/packets/packet_58.h"
 #include "lang/packets/packet_6.h"
 #include "lang/packets/packet_68.h"
-#include "lang/packets/packet_70.h"
 #include "lang/packets/packet_72.h"
 #include "lang/packets/packet_76.h"
 #include "lang/si.h"
@@ -178,19 +176,6 @@ bool shown_at_a_place(const lang::PacketView& view) {
          lang::metres(p.Q_SCALE, p.L_TEXTDISPLAY).has_value();
 }
 
-template <class P>
-bool is_not_applicable(const lang::PacketView& view) {
-  P p;
-  return lang::decode(view, p) == lang::Fault::not_applicable;
-}
-/// 6.6.3.2.3 [10], [12], [13].
-bool is_without_translation(const lang::PacketView& view) {
-  const auto number = view.NID_PACKET;
-  return (number == packet::traction_system_change && is_not_applicable<lang::Packet39>(view)) ||
-         (number == packet::route_suitability && is_not_applicable<lang::Packet70>(view)) ||
-         (number == packet::train_running_number_from_rbc && is_not_applicable<lang::Packet140>(view));
-}
-
 // clang-format off
 /// The route of each packet from trackside (7.4.2) through the kernel.
 constexpr auto kPacketRoutes = [] {
@@ -276,13 +261,6 @@ const PacketRoute& route_of(const lang::PacketView& view) {
   if (view.NID_PACKET == packet::fixed_text && view.sv.x == 1) return kNone;  // 6.6.3.1.1.1
   const std::uint8_t i = kPlaceOfRoute[view.NID_PACKET & 0xFFu];
   return i < kPacketRoutes.size() ? kPacketRoutes[i] : kNone;
-}
-
-std::optional<Clause> passed_over(const PacketRoute& route, const lang::PacketView& view) {
-  if (route.turn == Turn::rest && route.take == nullptr)
-    return view.NID_PACKET == packet::fixed_text ? "6.6.3.1.1.1"_srs : "3.17.3.11"_srs;
-  if (view.sv.x == 1 && is_without_translation(view)) return "6.6.3.2.3"_srs;
-  return std::nullopt;
 }
 
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view) {

@@ -5,6 +5,7 @@
 #include "lang/packets/packet_140.h"
 #include "lang/packets/packet_16.h"
 #include "lang/packets/packet_180.h"
+#include "lang/packets/packet_203.h"
 #include "lang/packets/packet_3.h"
 #include "lang/packets/packet_39.h"
 #include "lang/packets/packet_42.h"
@@ -90,6 +91,20 @@ TEST_F(Taken, APacketOfX1WithoutATranslationIsToldAsNotUsed) {  // 6.6.3.2.3 [10
   const auto known_number = number;
   number.NID_OPERATIONAL.raw = 0xFFFFFFFF;
   expect_not_used(known_number, number);
+}
+
+TEST_F(Taken, Packet203WithoutItsPacket3IsToldAsNotUsed) {  // 6.6.3.2.3 [16]
+  for (const std::uint8_t X : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{2}}) {
+    information.packets.clear();
+    add(lang::Packet203{});
+    information.packets[0].sv = {1, 1};
+    if (X == 1) add(lang::Packet3_v1_0{});
+    if (X == 2) add(lang::Packet3{});
+    if (X != 0) information.packets[1].sv = {X, 1};
+    evaluate_now();
+    EXPECT_EQ(told(203).what, X == 1 ? What::packet_accepted : What::packet_not_used) << int{X};
+    EXPECT_EQ(told(203).clause, X == 1 ? Clause{} : "6.6.3.2.3"_srs) << int{X};
+  }
 }
 
 TEST_F(Taken, NationalValuesOfX1LeaveWhatTheyDoNotContain) {  // 6.6.3.2.3 [1a], [1b], [2]

@@ -61,10 +61,6 @@ using InformationRows = InplaceVector<evc::Information, 2>;
 /// packet is unknown.
 InformationRows rows_of(const PacketRoute& route, const lang::PacketView& view);
 
-/// Why its contents are used by nobody: an unknown number, or contents of X = 1 that have no meaning in X = 2. None:
-/// they are used.
-std::optional<Clause> passed_over(const PacketRoute& route, const lang::PacketView& view);
-
 inline bool has_place(const PacketRoute& route, const lang::PacketView& view) {
   return route.place != nullptr && route.place(view);
 }
