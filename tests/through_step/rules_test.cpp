@@ -36,7 +36,7 @@ bool accepted_by_message(unsigned NID_MESSAGE, const std::vector<std::pair<unsig
 
 /// Whether message NID_MESSAGE may have a packet behind its own ones (8.4.4.4.1), by the reference data and by the
 /// unit.
-void check_list(unsigned NID_MESSAGE, unsigned id, const std::string& sv) {
+void check_list(unsigned NID_MESSAGE, unsigned id, const std::string& sv, const std::string& sender) {
   const Json& row = *find_message("to_train", NID_MESSAGE, sv);
   std::vector<std::pair<unsigned, Codes>> list;
   for (const Json& e : row.at("elements")) {
@@ -46,14 +46,14 @@ void check_list(unsigned NID_MESSAGE, unsigned id, const std::string& sv) {
     list.emplace_back(own, own == 136 ? Codes{{"NID_BG", 101}} : Codes{});
   }
   list.emplace_back(id, Codes{});
-  const bool infill_unit = row.at("media").at(0) == "RIU";
-  const Json& optional = row.contains("optional_packets_by_sender") ? row.at("optional_packets_by_sender").at("RBC")
+  const bool infill_unit = sender == "RIU";
+  const Json& optional = row.contains("optional_packets_by_sender") ? row.at("optional_packets_by_sender").at(sender)
                                                                     : row.at("optional_packets");
   const bool ignored = id == 76 && sv[0] == '1';  // 6.6.3.1.1.1: not read, wherever it is
   const bool listed = ignored || std::find(optional.begin(), optional.end(), id) != optional.end();
   const std::string start = in_version(infill_unit ? kInfillUnit : kFS2, sv);
   EXPECT_EQ(accepted_by_message(NID_MESSAGE, list, {}, start, infill_unit, sv), listed)
-      << "packet " << id << " in message " << NID_MESSAGE << " of " << sv;
+      << "packet " << id << " in message " << NID_MESSAGE << " of " << sender << " " << sv;
 }
 
 /// Each packet in each place in which it may not be.
@@ -69,7 +69,8 @@ TEST(LanguageThroughStep, MediaOfEachPacket) {
       if (find_packet("to_train", id, sv) != &p) continue;
       EXPECT_EQ(accepted_by_group({{id, {}}}, kFS1, sv), sent_by("balise") || (id == 76 && sv[0] == '1'))
           << "packet " << id << " in a telegram of " << sv;
-      for (const unsigned message : {2u, 3u, 9u, 24u, 28u, 33u, 37u}) check_list(message, id, sv);
+      for (const unsigned message : {2u, 3u, 9u, 24u, 28u, 33u}) check_list(message, id, sv, "RBC");
+      for (const unsigned message : {24u, 37u}) check_list(message, id, sv, "RIU");
     }
   }
 }
