@@ -96,8 +96,8 @@ using M_LEVEL = Variable<"M_LEVEL", 3, all_ones(3), Range{5, 7}>;          ///< 
 using M_LEVELTEXTDISPLAY =
     Variable<"M_LEVELTEXTDISPLAY", 3, all_ones(3), Range{6, 7}>;       ///< level condition of text (7.5.1.66)
 using M_LEVELTR = Variable<"M_LEVELTR", 3, all_ones(3), Range{5, 7}>;  ///< ordered level (7.5.1.67)
-using M_LINEGAUGE = Variable<"M_LINEGAUGE", 8, all_ones(8),
-                             Range{0, 0}>;  ///< gauges allowed on line; bits 4-7 spare; bit 0 = LSB (7.5.1.67.1)
+using M_LINEGAUGE = Variable<"M_LINEGAUGE", 8, all_ones(8), Range{0, 0},
+                             Range{16, 255}>;  ///< gauges allowed on line; bits 4-7 spare; bit 0 = LSB (7.5.1.67.1)
 using M_LOADINGGAUGE = Variable<"M_LOADINGGAUGE", 8, all_ones(8), Range{5, 255}>;  ///< train loading gauge (7.5.1.68)
 using M_LOADINGGAUGE_V1 =
     Variable<"M_LOADINGGAUGE_V1", 8>;  ///< train loading gauge, X=1; 1-255 non interoperable, not spare (6.5.1.5.27.2)
