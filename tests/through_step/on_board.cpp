@@ -122,12 +122,14 @@ void OnBoard::cycle(Answer& answer) {
   advance();
 }
 
-Json OnBoard::output(bool planning) {
+std::string OnBoard::line(bool planning) {
   std::string line;
   const bool plans = planning && kernel::plan(unit_->state, unit_->derived, unit_->planning);
   io::append_output(line, in_.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr);
-  return Json::parse(line);
+  return line;
 }
+
+Json OnBoard::output(bool planning) { return Json::parse(line(planning)); }
 
 Json OnBoard::retained() const { return Json::parse(io::retained_text(kernel::retained(unit_->state))); }
 

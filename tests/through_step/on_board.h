@@ -43,6 +43,7 @@ class OnBoard {
   std::int64_t t_ms() const { return in_.t_ms; }
   sim::CycleInputs& inputs() { return in_; }
   /// The line of `evc replay` of the last cycle, with the advance display if it is asked for.
+  std::string line(bool planning = true);
   Json output(bool planning = true);
   /// The file of `evc replay --persistent`.
   Json retained() const;

@@ -89,7 +89,8 @@ const std::vector<Exception>& exceptions() {
   };
   return rows;
 }
-/// A loop message (8.4.3).
+}  // namespace
+
 std::vector<std::uint8_t> loop_message(const BitList& packets) {
   BitList bits;
   for (const auto& [name, code] : std::vector<std::pair<const char*, std::uint64_t>>{
@@ -100,8 +101,6 @@ std::vector<std::uint8_t> loop_message(const BitList& packets) {
   while (bits.size() % 8 != 0) bits.put(1, 1);
   return bits.bytes();
 }
-
-}  // namespace
 
 std::string in_version(const std::string& start, const std::string& sv) {
   if (sv == "2.1") return start;

@@ -43,6 +43,9 @@ Way way_of_message(unsigned NID_MESSAGE);
 /// What is said instead of the acceptance of a code with a meaning, of a packet ('P') or message ('M'); or nothing.
 std::string said_instead(char of, unsigned number, const std::string& path, std::uint64_t code, const std::string& sv);
 
+/// A message of the loop that is announced where packet 13 is accepted (8.4.3).
+std::vector<std::uint8_t> loop_message(const BitList& packets);
+
 /// Nothing where the telegram has no room for it.
 std::optional<Answer> send_packet(unsigned NID_PACKET, const std::string& sv, const Codes& given, int wrong_length = 0);
 Answer send_message(unsigned NID_MESSAGE, const Codes& given, int wrong_length = 0, const std::string& sv = "2.1");
