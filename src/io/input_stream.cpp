@@ -20,7 +20,8 @@ Configuration read_configuration(const JsonPlace& place) {
   if (const auto p = place.find("schema"); p && !use_of(p->string()).empty())
     p->fail(quoted_kind(p->string()), "a configuration");
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
-                   "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks"});
+                   "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks",
+                   "cold_movement_detection"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -34,6 +35,7 @@ Configuration read_configuration(const JsonPlace& place) {
       if (!c.identity.telephone_numbers.push_back(read_NID_RADIO((*p)[i]))) p->fail("at most 4 telephone numbers");
   if (const auto p = place.find("terminals")) c.terminals = static_cast<std::uint8_t>(p->integer(1, 2));
   if (const auto p = place.find("cabs")) c.cabs = static_cast<int>(p->integer(1, 2));
+  if (const auto p = place.find("cold_movement_detection")) c.cold_movement_detection = p->boolean();
   if (const auto p = place.find("networks"))
     for (std::size_t i = 0; i < p->size(); ++i)
       if (!c.networks.push_back(read_NID_MN((*p)[i]))) p->fail("at most 16 networks");
@@ -372,7 +374,7 @@ void read_clock(CycleInputs& cycle, const JsonPlace& place) {
 void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
                  const JsonPlace& place) {
   place.know_only({"t_ms", "config", "odometer", "balise", "balise_failed", "loop", "radio", "radio_in_fill", "driver",
-                   "train", "power", "national_system", "fault", "clock"});
+                   "train", "power", "national_system", "fault", "clock", "end"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
@@ -386,6 +388,7 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
   if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
   if (const auto p = place.find("fault")) read_fault(cycle, *p);
   if (const auto p = place.find("clock")) read_clock(cycle, *p);
+  if (const auto p = place.find("end"); p && !p->boolean()) p->fail("true");
 }
 
 }  // namespace
@@ -442,9 +445,11 @@ void InputStream::read_ahead() {
       const JsonPlace time = place["t_ms"];
       read.t_ms = time.integer(0, INT64_MAX / 4);
       if (read.t_ms < last_ms_) time.fail("a time not before " + std::to_string(last_ms_));
+      if (read.t_ms <= ended_ms_) time.fail("a time after " + std::to_string(ended_ms_) + ", which was ended");
       if (read.t_ms - last_ms_ > kLongestGapMs) time.fail("a time within 24 h of " + std::to_string(last_ms_));
       last_ms_ = read.t_ms;
     }
+    if (place.find("end")) ended_ms_ = read.t_ms;
     pending_ = std::move(read);
     return;
   }
@@ -452,16 +457,29 @@ void InputStream::read_ahead() {
 
 Result<bool> InputStream::next(sim::CycleInputs& cycle) {
   return guarded([&] {
+    if (cycle_ended_) read_ahead();
+    cycle_ended_ = false;
     if (empty()) return false;
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
+    bool consumed = !radio_.empty();
     while (pending_ && pending_->t_ms <= cycle.t_ms) {
       const JsonPlace object(pending_->object, file_, place_of_line());
       read_object(cycle, pending_->t_ms, radio_, entered_, object);
       if (configuration_.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
         object["train"]["cab"].fail("A: the engine has one cab");
+      if (!configuration_.cold_movement_detection) cycle.levels.moved.reset();
+      // `end` alone is no input: after the last cycle that it completes there is none.
+      consumed = consumed || pending_->object.size() > 2 || ended_ms_ != pending_->t_ms;
+      // The next line may come later than the outputs are wanted.
+      cycle_ended_ = ended_ms_ == cycle.t_ms;
+      if (cycle_ended_) {
+        pending_.reset();
+        break;
+      }
       read_ahead();
     }
+    if (!consumed && !cycle_ended_ && empty()) return false;
     deliver_radio(cycle, radio_);
     next_cycle_ms_ += configuration_.cycle_ms;
     return true;

@@ -22,7 +22,8 @@ struct Configuration {
   train::NationalValues national_values;
   std::array<bool, kLevels> levels{true, true, true, true, true};
   Distance L_engine = kernel::Config{}.L_engine;
-  int cabs = 2;  ///< with one there is no cab B
+  int cabs = 2;                         ///< with one there is no cab B
+  bool cold_movement_detection = true;  ///< fitted; if not, nobody knows whether the engine was moved (3.15.8)
   port::Identity identity;
   std::optional<kernel::RbcAddress> contact = std::nullopt;
   InplaceVector<std::uint32_t, 16> networks;
@@ -78,6 +79,8 @@ class InputStream {
   std::optional<Train> entered_;
   std::size_t line_ = 0;
   std::int64_t last_ms_ = 0;
+  std::int64_t ended_ms_ = -1;  // `end`: no input of this time follows
+  bool cycle_ended_ = false;    // by `end`: the line behind it is not read yet
   std::int64_t next_cycle_ms_ = 0;
 };
 

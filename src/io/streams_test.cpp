@@ -166,6 +166,58 @@ TEST(InputStream, PowerAndColdMovement) {
   }
 }
 
+TEST(InputStream, WithoutADetectorNobodyKnowsWhetherTheEngineWasMoved) {
+  auto stream = open(R"({"t_ms":0,"config":{"cold_movement_detection":false},"power":{"off":true}}
+{"t_ms":100,"power":{"on":true,"moved":false}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_TRUE(cycle.view().train.powered);
+  EXPECT_FALSE(cycle.view().moved);
+}
+
+/// Lines one by one; `read` counts those that were asked for.
+InputStream::NextLine counted(std::vector<std::string> lines, int& read) {
+  return [lines = std::move(lines), &read](std::string& line) {
+    if (static_cast<std::size_t>(read) == lines.size()) return false;
+    line = lines[static_cast<std::size_t>(read++)];
+    return true;
+  };
+}
+
+TEST(InputStream, EndGivesACycleBeforeTheNextLineIsThere) {
+  int read = 0;
+  auto stream =
+      InputStream::open("in.jsonl", counted({R"({"t_ms":0})", R"({"t_ms":100,"end":true,"train":{"sleeping":true}})",
+                                             R"({"t_ms":250,"end":true})", R"({"t_ms":250})"},
+                                            read));
+  ASSERT_TRUE(stream);
+  sim::CycleInputs cycle;
+  for (const int lines : {2, 2, 3}) {
+    ASSERT_TRUE(*stream->next(cycle));
+    EXPECT_EQ(read, lines) << cycle.t_ms;
+  }
+  EXPECT_EQ(cycle.t_ms, 200);
+  EXPECT_TRUE(cycle.view().train.sleeping);
+  const auto late = stream->next(cycle);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().text(), "in.jsonl: line 4 /t_ms: found 250, expected a time after 250, which was ended");
+}
+
+TEST(InputStream, EndIsNoInputOfALaterCycle) {
+  auto stream = open(R"({"t_ms":0}
+{"t_ms":250,"end":true}
+)");
+  sim::CycleInputs cycle;
+  for (const std::int64_t t_ms : {0, 100, 200}) {
+    ASSERT_TRUE(*stream.next(cycle));
+    EXPECT_EQ(cycle.t_ms, t_ms);
+  }
+  EXPECT_FALSE(*stream.next(cycle));
+  EXPECT_EQ(error_in(R"({"t_ms":0,"end":false})"), "in.jsonl: line 1 /end: found false, expected true");
+}
+
 TEST(InputStream, TimesOfMeasurement) {
   auto stream = open(R"({"t_ms":50,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3}}
 {"t_ms":150,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3,"at_ms":120.5},"balise":{"telegram":"9002","at_ms":110}}
