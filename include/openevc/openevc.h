@@ -285,8 +285,8 @@ typedef struct openevc_inputs {
   int32_t level;                 /* openevc_level */
   uint16_t NID_NTC;              /* with OPENEVC_NTC */
   uint16_t NID_C, NID_RBC;
-  uint16_t reserved;
-  uint64_t NID_RADIO; /* 16 BCD digits */
+  uint16_t acknowledged_text; /* with OPENEVC_ACK_TEXT: id of the message, 0: the oldest that waits */
+  uint64_t NID_RADIO;         /* 16 BCD digits */
   double V_sr, D_sr;
   const char* train_data; /* docs/train.md, train_data_length bytes */
   size_t train_data_length;

@@ -348,6 +348,10 @@ TEST_F(CUnit, WhatIsRefused) {
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
   EXPECT_STREQ(why, "inputs.direction: not -1, 0 or 1");
   in = at(1);
+  in.acknowledged_text = 256;
+  EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+  EXPECT_STREQ(why, "inputs.acknowledged_text: above 255");
+  in = at(1);
   in.link = 4;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
   in = at(1);

@@ -125,6 +125,8 @@ bool entered(const openevc_inputs& in, openevc_entry entry) { return ((in.entere
 const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in) {
   driver.selected = in.selected;
   driver.acknowledged = in.acknowledged;
+  if (in.acknowledged_text > 255) return "inputs.acknowledged_text: above 255";
+  driver.acknowledged_text = static_cast<std::uint8_t>(in.acknowledged_text);
   if (entered(in, OPENEVC_ENTRY_DRIVER_ID)) driver.driver_id = in.driver_id;
   if (entered(in, OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER)) driver.train_running_number = in.train_running_number;
   if (entered(in, OPENEVC_ENTRY_LEVEL)) {

@@ -237,12 +237,28 @@ void read_window(Set<kernel::Window>& windows, const JsonPlace& place) {
   if (const auto p = place.find("opened")) windows.add(of(*p));
 }
 
+/// Names of requests, and `{ "id" }`: the text of that id, 1 to 255.
+void read_acknowledgement(kernel::DriverActions& driver, const JsonPlace& place) {
+  if (place.is_array()) {
+    for (std::size_t i = 0; i < place.size(); ++i) read_acknowledgement(driver, place[i]);
+    return;
+  }
+  const auto bit = [](Ack ack) { return 1u << static_cast<unsigned>(ack); };
+  if (!place.is_object()) {
+    driver.acknowledged |= bit(place.term<kAckRows>());
+    return;
+  }
+  place.know_only({"id"});
+  if (driver.acknowledged_text != 0) place.fail("one text in a cycle");
+  driver.acknowledged_text = static_cast<std::uint8_t>(place["id"].integer(1, 255));
+  driver.acknowledged |= bit(Ack::text);
+}
+
 void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"select", "ack", "enter", "window"});
   auto& driver = cycle.levels.driver;
   if (const auto p = place.find("select")) driver.selected |= read_names(*p, texts::kSelectNames);
-  if (const auto p = place.find("ack"))
-    driver.acknowledged |= read_names(*p, std::span<const char* const>(terms::kNames<kAckRows>));
+  if (const auto p = place.find("ack")) read_acknowledgement(driver, *p);
   if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
   if (const auto p = place.find("window")) read_window(cycle.levels.windows, *p);
 }

@@ -186,7 +186,12 @@ void append_driver(std::string& out, const CycleInputs& cycle, const std::string
       if (((set >> n) & 1u) != 0) out += opened(cycle.t_ms) + ",\"driver\":{\"" + key + "\":\"" + names[n] + "\"}}\n";
   };
   bits(cycle.levels.driver.selected, "select", texts::kSelectNames);
-  bits(cycle.levels.driver.acknowledged, "ack", terms::kNames<kAckRows>);
+  std::uint32_t acknowledged = cycle.levels.driver.acknowledged;
+  if (const std::uint8_t id = cycle.levels.driver.acknowledged_text; id != 0) {
+    acknowledged &= ~(1u << static_cast<unsigned>(Ack::text));
+    out += opened(cycle.t_ms) + ",\"driver\":{\"ack\":{\"id\":" + std::to_string(id) + "}}}\n";
+  }
+  bits(acknowledged, "ack", terms::kNames<kAckRows>);
 }
 
 /// `more`: further members.

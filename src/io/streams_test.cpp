@@ -166,6 +166,24 @@ TEST(InputStream, PowerAndColdMovement) {
   }
 }
 
+TEST(InputStream, AnAcknowledgementMayNameTheText) {
+  auto stream = open(R"({"t_ms":0,"driver":{"ack":{"id":3}}}
+{"t_ms":100,"driver":{"ack":["OS",{"id":255}]}}
+{"t_ms":200,"driver":{"ack":"text"}}
+)");
+  sim::CycleInputs cycle;
+  for (const int id : {3, 255, 0}) {
+    ASSERT_TRUE(*stream.next(cycle));
+    EXPECT_TRUE(cycle.view().driver.has(Ack::text));
+    EXPECT_EQ(cycle.view().driver.has(Ack::OS), id == 255);
+    EXPECT_EQ(cycle.view().driver.acknowledged_text, id);
+  }
+  EXPECT_EQ(error_in(R"({"t_ms":0,"driver":{"ack":{"id":0}}})"),
+            "in.jsonl: line 1 /driver/ack/id: found 0, expected an integer from 1 to 255");
+  EXPECT_EQ(error_in(R"({"t_ms":0,"driver":{"ack":[{"id":1},{"id":2}]}})"),
+            "in.jsonl: line 1 /driver/ack/1: found an object, expected one text in a cycle");
+}
+
 TEST(InputStream, WithoutADetectorNobodyKnowsWhetherTheEngineWasMoved) {
   auto stream = open(R"({"t_ms":0,"config":{"cold_movement_detection":false},"power":{"off":true}}
 {"t_ms":100,"power":{"on":true,"moved":false}}

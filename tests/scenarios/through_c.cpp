@@ -62,6 +62,7 @@ void set_trackside(InC& c, const port::Inputs& from) {
 void set_driver(openevc_inputs& in, const port::DriverActions& d) {
   in.selected = d.selected;
   in.acknowledged = d.acknowledged;
+  in.acknowledged_text = d.acknowledged_text;
   const auto entered = [&in](bool given, openevc_entry entry) {
     if (given) in.entered |= 1u << entry;
   };

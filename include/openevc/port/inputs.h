@@ -76,6 +76,7 @@ struct DriverActions {
   std::optional<std::uint32_t> driver_id;  // as entered, 8 BCD digits packed (DRIVER_ID)
   std::optional<Level> level;
   std::uint8_t nid_ntc = 0;                           // with level NTC
+  std::uint8_t acknowledged_text = 0;                 // with Ack::text: id of the message, 0: the oldest that waits
   std::optional<std::uint32_t> train_running_number;  // 8 BCD digits packed (NID_OPERATIONAL)
   const train::TrainData* train_data = nullptr;       // entered and validated by the driver
   struct RbcContact {

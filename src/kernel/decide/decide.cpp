@@ -75,9 +75,17 @@ void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Dec
   out.basis_renewed = renew_basis(s, in.train, out.here) || out.basis_renewed;
 }
 
+/// The text that the driver acknowledges: the one named, or the oldest that waits; 0: none.
+std::uint8_t acknowledged_text(const State& s, std::uint8_t named, Log log) {
+  for (const std::uint8_t waiting : s.texts_to_acknowledge)
+    if (named == 0 || waiting == named) return waiting;
+  if (named != 0) log.note({.what = What::acknowledgement_not_enabled, .clause = "4.7.2"_srs});
+  return 0;
+}
+
 /// Texts of packets 72 and 76 (3.12.3).
-void run_texts(State& s, bool acknowledges, Decided& out) {
-  const std::uint8_t acknowledged = acknowledges && !s.texts_to_acknowledge.empty() ? s.texts_to_acknowledge[0] : 0;
+void run_texts(State& s, const DriverActions& driver, bool acknowledges, Decided& out, Log log) {
+  const std::uint8_t acknowledged = acknowledges ? acknowledged_text(s, driver.acknowledged_text, log) : 0;
   const track::TextAcknowledgement acknowledgement{acknowledged, s.operated_X == 1};
   out.texts = track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledgement,
                                 out.texts_to_report);
@@ -109,7 +117,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, pr
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
   run_end_of_mission(s, received, out);
-  run_texts(s, received.acknowledged.has(Ack::text), out);
+  run_texts(s, in.driver, received.acknowledged.has(Ack::text), out, log);
   out.track_ahead_free_granted =
       protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free));
   return out;
