@@ -6,7 +6,7 @@
 #   make real-time  a run by the clock beside a busy core: SECONDS_EACH=600 at CYCLES="100 10" ms; no cycle of 100 ms missed
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
-# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-mutants
+# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-exploration, make campaign-mutants
 # LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`.
 
 SHELL := /bin/bash
@@ -15,7 +15,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-mutants
+.PHONY: help run test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -71,6 +71,12 @@ campaign-properties:
 	@tools/build dev sdm_test track_test
 	EVC_CASES=$(or $(DATABASES),10000) build/dev/src/track/track_test --gtest_filter='Metres.*'
 	EVC_CASES=$(or $(CASES),100000) build/dev/src/sdm/sdm_test --gtest_filter='Properties.*'
+
+# All orders of DEPTH abstract inputs from power-up, then STATES states of each edition (docs/exploration.md).
+campaign-exploration:
+	@tools/setup build test
+	@tools/build dev exploration_test
+	EVC_DEPTH=$(or $(DEPTH),2) EVC_STATES=$(or $(STATES),10000) build/dev/tests/exploration/exploration_test
 
 # Mutation test of a ROOM. MUTANTS="--rows" or "--sample 500" instead of all.
 campaign-mutants:

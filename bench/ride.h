@@ -153,7 +153,7 @@ class Ride {
   void start() {
     inputs_.train.desk_open = true;
     for (int i = 0; i < 10; ++i) cycle();
-    inputs_.driver.driver_id = 0x1234FFFF;
+    inputs_.driver.driver_id = evc::DriverId("1234");
     cycle();
     inputs_.driver.level = Level::L1;
     cycle();

@@ -19,7 +19,7 @@ constexpr double kCycle_s = 0.1;
 
 /// Actions of the driver in cycle n.
 void drive(kernel::DriverActions& driver, const evc::train::TrainData& train, int n) {
-  if (n == 10) driver.driver_id = 0x00001234;
+  if (n == 10) driver.driver_id = evc::DriverId("1234");
   if (n == 20) driver.level = evc::Level::L0;
   if (n == 30) driver.selected = 1u << static_cast<unsigned>(kernel::Select::train_data);
   if (n == 40) driver.train_data = &train;

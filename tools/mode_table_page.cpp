@@ -24,19 +24,19 @@ std::string conditions(const Cell<M>& cell, const char* between) {
 }
 
 /// The matrix as on the page of the standard: a row for each mode entered, a column for each mode left.
-template <class M, std::size_t N, class Name>
-void print_matrix(const std::array<Cell<M>, N>& table, std::size_t modes, Name name_of) {
+template <std::size_t N, std::size_t Modes>
+void print_matrix(const std::array<Cell<Mode>, N>& table, const std::array<Mode, Modes>& columns) {
   std::printf("| into \\ from |");
-  for (std::size_t from = 0; from < modes; ++from) std::printf(" %s |", name_of(static_cast<M>(from)));
+  for (const Mode from : columns) std::printf(" %s |", name(from));
   std::printf("\n|---|");
-  for (std::size_t from = 0; from < modes; ++from) std::printf("---|");
+  for (std::size_t from = 0; from < Modes; ++from) std::printf("---|");
   std::printf("\n");
-  for (std::size_t to = 0; to < modes; ++to) {
-    std::printf("| **%s** |", name_of(static_cast<M>(to)));
-    for (std::size_t from = 0; from < modes; ++from) {
-      const Cell<M>* found = nullptr;
-      for (const Cell<M>& cell : table)
-        if (cell.to == static_cast<M>(to) && cell.from == static_cast<M>(from)) found = &cell;
+  for (const Mode to : columns) {
+    std::printf("| **%s** |", name(to));
+    for (const Mode from : columns) {
+      const Cell<Mode>* found = nullptr;
+      for (const Cell<Mode>& cell : table)
+        if (cell.to == to && cell.from == from) found = &cell;
       if (found != nullptr)
         std::printf(" %s<br>p%d |", conditions(*found, ", ").c_str(), found->priority);
       else
@@ -44,42 +44,6 @@ void print_matrix(const std::array<Cell<M>, N>& table, std::size_t modes, Name n
     }
     std::printf("\n");
   }
-}
-
-const char* origin(Origin o) {
-  switch (o) {
-    case Origin::train_interface:
-      return "train interface";
-    case Origin::safety_monitor:
-      return "safety monitor";
-    case Origin::driver_selection:
-      return "driver";
-    case Origin::start_of_mission:
-      return "start of mission";
-    case Origin::train_trip:
-      return "train trip";
-    case Origin::mode_profile:
-      return "mode profile";
-    case Origin::shunting:
-      return "shunting";
-    case Origin::override_:
-      return "override";
-    case Origin::level_transition:
-      return "level transition";
-    case Origin::reversing:
-      return "reversing";
-    case Origin::staff_responsible:
-      return "staff responsible";
-    case Origin::authority:
-      return "authority and track";
-    case Origin::balise:
-      return "balise groups";
-    case Origin::emergency_stop:
-      return "emergency stop";
-    case Origin::radio:
-      return "radio";
-  }
-  return "";
 }
 
 const char* nature(Nature n) {
@@ -94,6 +58,12 @@ const char* nature(Nature n) {
   return "";
 }
 
+template <std::size_t N>
+void print_conditions(const std::array<Condition, N>& rows) {
+  std::printf("| number | condition | kind |\n|---|---|---|\n");
+  for (const Condition& row : rows) std::printf("| [%d] | %s | %s |\n", row.number, row.meaning, nature(row.nature));
+}
+
 }  // namespace
 
 int main() {
@@ -105,16 +75,16 @@ int main() {
       "of\n"
       "which leads to the transition, and its priority (p1 is the highest). %zu cells.\n\n",
       srs_4_6_2.size());
-  print_matrix(srs_4_6_2, kModes, [](Mode m) { return name(m); });
+  print_matrix(srs_4_6_2, kColumns);
   std::printf("\n## Conditions (4.6.3)\nShort descriptions; the text of the standard applies.\n\n");
-  std::printf("| number | condition | kind | observed by |\n|---|---|---|---|\n");
-  for (const Condition& row : srs_4_6_3)
-    std::printf("| [%d] | %s | %s | %s |\n", row.number, row.meaning, nature(row.nature), origin(row.origin));
+  print_conditions(srs_4_6_3);
   std::printf(
       "\nTwo cells of equal priority have no condition in common; the compiler checks this. If two hold in one cycle,\n"
       "a level transition comes first, then an event, then the order of the page.\n\n"
       "## The table of 4.0.0\n"
-      "Data only: the unit uses the table of 3.x. %zu cells.\n\n",
+      "Used with that edition. %zu cells.\n\n",
       v400::srs_4_6_2.size());
-  print_matrix(v400::srs_4_6_2, v400::kModes, [](v400::Mode m) { return v400::name(m); });
+  print_matrix(v400::srs_4_6_2, v400::kColumns);
+  std::printf("\nConditions that 3.x has not; those of 3.x count too, level 3 apart.\n\n");
+  print_conditions(srs_4_6_3_v400);
 }

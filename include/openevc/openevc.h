@@ -89,7 +89,9 @@ typedef enum openevc_mode {
   OPENEVC_SF = 13,
   OPENEVC_IS = 14,
   OPENEVC_SN = 15,
-  OPENEVC_RV = 16
+  OPENEVC_RV = 16,
+  OPENEVC_SM = 17, /* 4.0.0 */
+  OPENEVC_AD = 18  /* 4.0.0 */
 } openevc_mode;
 
 /* Report of the radio bearer on the connection to an RBC. */
@@ -115,11 +117,19 @@ typedef enum openevc_select {
   OPENEVC_TRACK_AHEAD_FREE = 10,
   OPENEVC_MAIN = 11, /* a button of the main window: ends some status texts */
   OPENEVC_INTEGRITY_CONFIRMED = 12,
-  OPENEVC_LAST_RBC = 13,     /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
-  OPENEVC_SHORT_NUMBER = 14, /* the short number stored on board is to be called (3.5.3.11) */
-  OPENEVC_VBC_SET = 15,      /* a virtual balise cover is to be entered and set, or */
-  OPENEVC_VBC_REMOVE = 16,   /* removed (3.15.9.2) */
-  OPENEVC_RADIO_NETWORK = 17 /* the radio network is to be changed: sessions end (3.18.4.3.6) */
+  OPENEVC_LAST_RBC = 13,      /* the stored contact of an RBC is to be used (5.4.3.2 S3) */
+  OPENEVC_SHORT_NUMBER = 14,  /* the short number stored on board is to be called (3.5.3.11) */
+  OPENEVC_VBC_SET = 15,       /* a virtual balise cover is to be entered and set, or */
+  OPENEVC_VBC_REMOVE = 16,    /* removed (3.15.9.2) */
+  OPENEVC_RADIO_NETWORK = 17, /* the radio network is to be changed: sessions end (3.18.4.3.6) */
+  OPENEVC_TOGGLE = 18,        /* speeds and distances in OS, SR and SH are switched on or off */
+  OPENEVC_ATO_ENGAGE = 19,    /* 4.0.0: automatic driving is to be entered, or */
+  OPENEVC_ATO_DISENGAGE = 20, /* left (4.4.16.1.2, .3) */
+  OPENEVC_ASK_SM = 21,        /* 4.0.0: supervised manoeuvre is asked for, */
+  OPENEVC_CONTINUE_SM = 22,   /* asked for again at its end (4.4.21.1.10), or */
+  OPENEVC_EXIT_SM = 23,       /* left */
+  OPENEVC_BMM_INHIBIT = 24,   /* 4.0.0: the reaction to the antenna alarm is inhibited (5.22), or */
+  OPENEVC_BMM_REVOKE = 25     /* acts again */
 } openevc_select;
 
 /* Acknowledgements of the driver in this cycle, and those asked for: bit 1u << openevc_ack. */
@@ -148,7 +158,9 @@ typedef enum openevc_entry {
   OPENEVC_ENTRY_SR_SPEED = 5,    /* entered only, not asked for */
   OPENEVC_ENTRY_SR_DISTANCE = 6, /* the same */
   OPENEVC_ENTRY_VBC = 7,         /* the same */
-  OPENEVC_ENTRY_NETWORK = 8      /* the same */
+  OPENEVC_ENTRY_NETWORK = 8,     /* the same */
+  OPENEVC_ENTRY_SET_SPEED = 9,   /* the same */
+  OPENEVC_ENTRY_LANGUAGE = 10    /* the same */
 } openevc_entry;
 
 /* What an external source says of the completeness of the train. */
@@ -280,7 +292,7 @@ typedef struct openevc_inputs {
   uint32_t selected;             /* bits of openevc_select */
   uint32_t acknowledged;         /* bits of openevc_ack */
   uint32_t entered;              /* bits of openevc_entry: which of the following members are valid */
-  uint32_t driver_id;            /* 8 BCD digits */
+  uint32_t driver_id;            /* 8 BCD digits, if driver_id_text is empty */
   uint32_t train_running_number; /* 8 BCD digits */
   int32_t level;                 /* openevc_level */
   uint16_t NID_NTC;              /* with OPENEVC_NTC */
@@ -309,7 +321,9 @@ typedef struct openevc_inputs {
   /* Train integrity by an external source (3.6.5.2), a state; the length of the train with it, not a number: not given.
    */
   int32_t integrity; /* openevc_integrity */
-  uint32_t reserved_3;
+  /* 0 or 1, 4.0.0: automatic train operation asks for automatic driving; its selector is not in stand-by. */
+  uint8_t ato_requests_AD, ato_active;
+  uint16_t reserved_3;
   double length_confirmed;
   /* When the members of the odometer were measured, seconds since power-up; not a number: at `now`. The unit
    * extrapolates them by the speeds; older than 1 s while they show movement they count as failed. */
@@ -329,6 +343,9 @@ typedef struct openevc_inputs {
   int64_t utc;              /* seconds since 1970 */
   uint8_t radio_registered; /* 0 or 1, a state: a mobile terminal is registered with the radio network (3.5.6) */
   uint8_t reserved_4[7];
+  double set_speed;        /* of the speed control, to be shown; 0: none any more */
+  char driver_id_text[16]; /* up to 16 letters and digits, the rest zero */
+  char language[8];        /* two letters of ISO 639-1: "en" */
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;
@@ -381,8 +398,9 @@ typedef struct openevc_text_shown {
 } openevc_text_shown;
 
 typedef struct openevc_status_shown {
-  int32_t text; /* openevc_status_text_name(text) */
-  uint32_t reserved;
+  int32_t text;        /* openevc_status_text_name(text); its id is 256 + text */
+  uint8_t acknowledge; /* the driver is asked to acknowledge it */
+  uint8_t reserved[3];
   double since; /* when its display began */
 } openevc_status_shown;
 
@@ -547,6 +565,14 @@ typedef struct openevc_outputs {
   uint32_t forwarded_count;
   uint32_t reserved_4;
   openevc_forwarded forwarded[OPENEVC_FORWARDED]; /* accepted in this cycle */
+  int32_t dialogue;             /* openevc_dialogue(dialogue): what a procedure waits for; -1: nothing */
+  int32_t dialogue_acknowledge; /* openevc_ack, where that is an acknowledgement; -1: another thing */
+  uint64_t shown;          /* bit n: openevc_output_name(n) is shown to the driver in this mode (SUBSET-026-4 4.7.2) */
+  double set_speed;        /* as entered, where the mode shows it; not a number: none */
+  int32_t network;         /* NID_MN of the radio network, of trackside or driver, or the default; -1: not known */
+  int32_t national_system; /* NID_NTC of the last level NTC, which status texts speak of; -1: none yet */
+  char language[8];        /* of the display: "en" */
+  char driver_id_text[24]; /* of `data`: up to 16 letters and digits, ended by a zero */
 } openevc_outputs;
 
 /* One cycle (docs/replay.md). With OPENEVC_OK the unit has made its step and `outputs` has all of it. With any other
@@ -618,6 +644,15 @@ OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
  */
 OPENEVC_API const char* openevc_status_text_name(int32_t text) OPENEVC_NOEXCEPT;
 OPENEVC_API const char* openevc_input_name(int32_t input) OPENEVC_NOEXCEPT;
+/* "permitted_speed" (the outputs of SUBSET-026-4 4.7.2). */
+OPENEVC_API const char* openevc_output_name(int32_t output) OPENEVC_NOEXCEPT;
+
+/* A step of a procedure of SUBSET-026-5: "start_of_mission", "S12", "train_data"; waits_for is "ack" where it is an
+ * acknowledgement of the driver. Nulls where there is none of that number. */
+typedef struct openevc_dialogue_words {
+  const char *procedure, *step, *waits_for;
+} openevc_dialogue_words;
+OPENEVC_API openevc_dialogue_words openevc_dialogue(int32_t dialogue) OPENEVC_NOEXCEPT;
 
 /* A snapshot is all that a unit remembers, as bytes with a head that says what made it. One that another layout of the
  * unit has made, or that is damaged, is refused: OPENEVC_REFUSED, and the unit is as it was. */

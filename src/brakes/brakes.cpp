@@ -1,5 +1,6 @@
 #include "brakes/brakes.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -29,19 +30,19 @@ struct EntryRow {
 
 // clang-format off
 constexpr auto kOnEntry = std::to_array<EntryRow>({
-    //                                          NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV
-    {Cause::roll_away,                          "R R R M M M M M R R M R M M R R M"},
-    {Cause::reverse_movement,                   "R R R R P P P P R R R R R M R R R"},
-    {Cause::standstill,                         "R R R R R R R R R R R R R M R R R"},
-    {Cause::linking,                            "R R R M M M M M R M M M M M R M M"},
-    {Cause::balise_group_consistency,           "R R R M M M M M R M M M M M R M M"},
-    {Cause::two_groups_missed,                  "R R R M M M M M R M M M M M R M M"},
-    {Cause::T_NVCONTACT,                        "R R R R M M R M R R R R R M R R R"},
-    {Cause::reversing_distance,                 "R R R R R R R R R R R R R M R R M"},
-    {Cause::train_data_changed,                 "R R R R M M M M R R M M M M R M M"},
-    {Cause::movement_while_entering_train_data, "R R R R M M M M R R M M M M R M M"},
-    {Cause::movement_while_entering_SR_data,    "R R R R R R M R R R R R R M R R R"},
-    {Cause::post_trip_distance,                 "R R R R R R R R R R R R M M R R R"},
+    //                                          NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV SM AD
+    {Cause::roll_away,                          "R R R M M M M M R R M R M M R R M M M"},
+    {Cause::reverse_movement,                   "R R R R P P P P R R R R R M R R R M M"},
+    {Cause::standstill,                         "R R R R R R R R R R R R R M R R R R R"},
+    {Cause::linking,                            "R R R M M M M M R M M M M M R M M M M"},
+    {Cause::balise_group_consistency,           "R R R M M M M M R M M M M M R M M M M"},
+    {Cause::two_groups_missed,                  "R R R M M M M M R M M M M M R M M M M"},
+    {Cause::T_NVCONTACT,                        "R R R R M M R M R R R R R M R R R R M"},
+    {Cause::reversing_distance,                 "R R R R R R R R R R R R R M R R M R R"},
+    {Cause::train_data_changed,                 "R R R R M M M M R R M M M M R M M R M"},
+    {Cause::movement_while_entering_train_data, "R R R R M M M M R R M M M M R M M R M"},
+    {Cause::movement_while_entering_SR_data,    "R R R R R R M R R R R R R M R R R R R"},
+    {Cause::post_trip_distance,                 "R R R R R R R R R R R R M M R R R R R"},
 });
 // clang-format on
 
@@ -93,12 +94,55 @@ bool gives(const CauseRow& r, bool asked, bool asked_before, const Context& c) {
   return !asked_before || (r.again_on_movement && !c.standstill);
 }
 
+/// Learns the pressure of the released brake.
+void follow_pressure(State& state, const Context& c) {
+  if (c.feedback && c.feedback->pressure_kpa)
+    state.highest_kpa = std::clamp(*c.feedback->pressure_kpa, state.highest_kpa, kReleasedKpa);
+}
+
+/// Whether a pressure shows that the brake is applied: it fell since the command; or the brake was applied already, so
+/// far that the command lets it fall by less than that.
+bool shows_application(double p_kpa, const ServiceBrakeWatch& watch, double highest_kpa) {
+  if (watch.pressure_kpa && p_kpa <= *watch.pressure_kpa - kApplicationKpa) return true;
+  const double released = highest_kpa < kLowestReleasedKpa ? kReleasedKpa : highest_kpa;
+  return p_kpa <= released - (kFullApplicationKpa - kApplicationKpa);
+}
+
+/// Whether the service brake was not applied within its build-up time, or is not any more.
+bool fails(ServiceBrakeWatch& watch, double highest_kpa, bool commanded, const Context& c) {
+  if (!commanded || !c.feedback) {
+    watch = {};
+    return false;
+  }
+  const ServiceBrakeFeedback& told = *c.feedback;
+  if (!watch.since) {
+    watch.since = c.now;
+    watch.pressure_kpa = told.pressure_kpa;
+  }
+  const bool falls = told.pressure_kpa && shows_application(*told.pressure_kpa, watch, highest_kpa);
+  if (!told.applied && !falls && c.now - *watch.since > c.T_bs) watch.failed = true;
+  return watch.failed;
+}
+
 }  // namespace
+
+bool brakes_now(const State& state) {
+  constexpr CauseSet cut_off = [] {
+    CauseSet causes;
+    for (const CauseRow& r : srs_3_14_1) causes.add(r.cause, r.kind == Kind::traction_cut_off);
+    return causes;
+  }();
+  CauseSet braking = state.active;
+  braking.remove(cut_off);
+  return !braking.empty();
+}
 
 Command command(State& state, CauseSet asked, const Context& c) {
   Command out;
   if (asked.empty() && state.active.empty()) {  // the usual cycle
     state.asked_before = {};
+    state.service_brake = {};
+    follow_pressure(state, c);
     return out;
   }
   const std::optional<std::size_t> acknowledged = acknowledged_clause(state, c);
@@ -121,7 +165,10 @@ Command command(State& state, CauseSet asked, const Context& c) {
   }
   state.asked_before = asked;
   // 3.14.1.2: the emergency brake when the service brake does not act or is not fitted; it is released with its causes.
-  if (out.sb && (c.service_brake_failed || !c.service_brake_fitted)) out.eb = true;
+  const bool failed_before = state.service_brake.failed;
+  const bool failed = fails(state.service_brake, state.highest_kpa, out.sb && c.service_brake_fitted, c);
+  out.service_brake_fails = failed && !failed_before;
+  if (out.sb && (failed || !c.service_brake_fitted)) out.eb = true;
   if (!c.service_brake_fitted) out.sb = false;
   return out;
 }

@@ -2,8 +2,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/set.h"
+#include "base/units.h"
 #include "terms/cause.h"
 #include "terms/clause.h"
 
@@ -77,23 +79,50 @@ static_assert(srs_3_14_1.size() == kCauses);
 
 constexpr const CauseRow& row(Cause cause) { return srs_3_14_1[static_cast<std::size_t>(cause)]; }
 
+/// What the train reports of its service brake.
+struct ServiceBrakeFeedback {
+  bool applied = false;                // says its signal
+  std::optional<double> pressure_kpa;  // of the main pipe; absent: not measured
+};
+/// 3.14.1.2: whether a service brake that is commanded is applied.
+struct ServiceBrakeWatch {
+  std::optional<Duration> since;       // the command; absent: none
+  std::optional<double> pressure_kpa;  // then
+  bool failed = false;                 // until the command ends
+};
+/// The fall of the pressure that shows an application, as that from which on A.3.10 counts.
+inline constexpr double kApplicationKpa = 30.0;
+/// The fall below the pressure of the released brake that is a full application (A.3.10.3).
+inline constexpr double kFullApplicationKpa = 150.0;
+/// The pressure of a released brake: the nominal one, not more is taken for it (a pipe that was overcharged); and the
+/// lowest that A.3.10.2 takes for it.
+inline constexpr double kReleasedKpa = 500.0, kLowestReleasedKpa = 400.0;
+
 struct State {
   CauseSet active;        // commands given and not released
   CauseSet asked_before;  // what was asked for in the cycle before
+  ServiceBrakeWatch service_brake;
+  double highest_kpa = 0.0;  // pressure reported while no brake was commanded
 };
+
+/// Whether the service or the emergency brake was commanded at the end of the cycle before.
+bool brakes_now(const State& state);
 
 struct Context {
   bool standstill = false;
   bool driver_acknowledges = false;     // the brake, in this cycle; counts at standstill only
   bool new_consistent_message = false;  // from the RBC, in this cycle
   bool service_brake_fitted = true;     // otherwise the emergency brake is used instead
-  bool service_brake_failed = false;    // commanded, but the train does not brake (3.14.1.2)
   bool traction_cut_off_fitted = true;
+  Duration now{};
+  std::optional<ServiceBrakeFeedback> feedback;  // absent: the train reports nothing of its service brake
+  Duration T_bs{};                               // after which the service brake acts fully
 };
 
 struct Command {
   bool tco = false, sb = false, eb = false;
   CauseSet reasons;
+  bool service_brake_fails = false;     // found in this cycle (3.14.1.2)
   bool acknowledgement_wanted = false;  // a release waits only for the driver's acknowledgement (3.14.1.8)
 };
 

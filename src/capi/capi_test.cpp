@@ -273,6 +273,14 @@ TEST_F(CUnit, BrakeHasACause) {
   EXPECT_STREQ(openevc_input_name(0), "train_data");
   EXPECT_EQ(openevc_input_name(-1), nullptr);
   EXPECT_EQ(openevc_input_name(64), nullptr);
+  EXPECT_STREQ(openevc_output_name(3), "permitted_speed");
+  EXPECT_EQ(openevc_output_name(-1), nullptr);
+  EXPECT_EQ(openevc_output_name(64), nullptr);
+  EXPECT_STREQ(openevc_dialogue(8).procedure, "start_of_mission");
+  EXPECT_STREQ(openevc_dialogue(8).step, "S12");
+  EXPECT_STREQ(openevc_dialogue(8).waits_for, "train_data");
+  EXPECT_EQ(openevc_dialogue(-1).step, nullptr);
+  EXPECT_EQ(openevc_dialogue(64).step, nullptr);
 }
 
 /// A telegram that cannot be decoded is handled by the unit, not rejected as an argument.
@@ -348,9 +356,9 @@ TEST_F(CUnit, WhatIsRefused) {
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
   EXPECT_STREQ(why, "inputs.direction: not -1, 0 or 1");
   in = at(1);
-  in.acknowledged_text = 256;
+  in.acknowledged_text = 256 + 64;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
-  EXPECT_STREQ(why, "inputs.acknowledged_text: above 255");
+  EXPECT_STREQ(why, "inputs.acknowledged_text: no such id");
   in = at(1);
   in.link = 4;
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);

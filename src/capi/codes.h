@@ -29,7 +29,9 @@ static_assert(same(OPENEVC_SF, Mode::SF));
 static_assert(same(OPENEVC_IS, Mode::IS));
 static_assert(same(OPENEVC_SN, Mode::SN));
 static_assert(same(OPENEVC_RV, Mode::RV));
-static_assert(kModes == 17);
+static_assert(same(OPENEVC_SM, Mode::SM));
+static_assert(same(OPENEVC_AD, Mode::AD));
+static_assert(kModes == 19);
 
 static_assert(same(OPENEVC_L0, Level::L0));
 static_assert(same(OPENEVC_NTC, Level::NTC));
@@ -62,7 +64,15 @@ static_assert(same(OPENEVC_SHORT_NUMBER, kernel::Select::short_number));
 static_assert(same(OPENEVC_VBC_SET, kernel::Select::vbc_set));
 static_assert(same(OPENEVC_VBC_REMOVE, kernel::Select::vbc_remove));
 static_assert(same(OPENEVC_RADIO_NETWORK, kernel::Select::radio_network));
-static_assert(int(kernel::Select::count) == 18);
+static_assert(same(OPENEVC_TOGGLE, kernel::Select::toggle));
+static_assert(same(OPENEVC_ATO_ENGAGE, kernel::Select::ato_engage));
+static_assert(same(OPENEVC_ATO_DISENGAGE, kernel::Select::ato_disengage));
+static_assert(same(OPENEVC_ASK_SM, kernel::Select::sm));
+static_assert(same(OPENEVC_CONTINUE_SM, kernel::Select::continue_sm));
+static_assert(same(OPENEVC_EXIT_SM, kernel::Select::exit_sm));
+static_assert(same(OPENEVC_BMM_INHIBIT, kernel::Select::bmm_inhibit));
+static_assert(same(OPENEVC_BMM_REVOKE, kernel::Select::bmm_revoke));
+static_assert(int(kernel::Select::count) == 26);
 
 static_assert(same(OPENEVC_ACK_OS, Ack::OS));
 static_assert(same(OPENEVC_ACK_LS, Ack::LS));
@@ -86,7 +96,8 @@ static_assert(same(OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER, Entry::train_running_numb
 static_assert(int(Entry::count) == 5);
 // What is entered only has the numbers after them.
 static_assert(OPENEVC_ENTRY_SR_SPEED == int(Entry::count) && OPENEVC_ENTRY_SR_DISTANCE == int(Entry::count) + 1 &&
-              OPENEVC_ENTRY_VBC == int(Entry::count) + 2 && OPENEVC_ENTRY_NETWORK == int(Entry::count) + 3);
+              OPENEVC_ENTRY_VBC == int(Entry::count) + 2 && OPENEVC_ENTRY_NETWORK == int(Entry::count) + 3 &&
+              OPENEVC_ENTRY_SET_SPEED == int(Entry::count) + 4 && OPENEVC_ENTRY_LANGUAGE == int(Entry::count) + 5);
 
 static_assert(same(OPENEVC_INTEGRITY_UNKNOWN, TrainIntegrity::unknown));
 static_assert(same(OPENEVC_INTEGRITY_OK, TrainIntegrity::confirmed));

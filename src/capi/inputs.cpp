@@ -122,12 +122,23 @@ const char* take_radio(Cycle& cycle, const openevc_inputs& in) {
 
 bool entered(const openevc_inputs& in, openevc_entry entry) { return ((in.entered >> entry) & 1u) != 0; }
 
+DriverId driver_id_of(const openevc_inputs& in) {
+  DriverId id;
+  std::memcpy(id.characters.data(), in.driver_id_text, DriverId::kMost);
+  if (id.characters[0] != '\0') return id;
+  std::size_t size = 0;
+  for (int shift = 28; shift >= 0; shift -= 4)
+    if (const std::uint32_t digit = (in.driver_id >> shift) & 15u; digit < 10)
+      id.characters[size++] = static_cast<char>('0' + digit);
+  return id;
+}
+
 const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in) {
   driver.selected = in.selected;
   driver.acknowledged = in.acknowledged;
-  if (in.acknowledged_text > 255) return "inputs.acknowledged_text: above 255";
-  driver.acknowledged_text = static_cast<std::uint8_t>(in.acknowledged_text);
-  if (entered(in, OPENEVC_ENTRY_DRIVER_ID)) driver.driver_id = in.driver_id;
+  if (in.acknowledged_text > kernel::kLastStatusId) return "inputs.acknowledged_text: no such id";
+  driver.acknowledged_text = in.acknowledged_text;
+  if (entered(in, OPENEVC_ENTRY_DRIVER_ID)) driver.driver_id = driver_id_of(in);
   if (entered(in, OPENEVC_ENTRY_TRAIN_RUNNING_NUMBER)) driver.train_running_number = in.train_running_number;
   if (entered(in, OPENEVC_ENTRY_LEVEL)) {
     if (in.level < OPENEVC_L0 || in.level > OPENEVC_L3) return "inputs.level: not an openevc_level";
@@ -156,6 +167,8 @@ const char* take_driver(kernel::DriverActions& driver, const openevc_inputs& in)
     if (in.network > 0xFFFFFF) return "inputs.network: above 24 bits";
     driver.network = in.network;
   }
+  if (entered(in, OPENEVC_ENTRY_LANGUAGE)) driver.language = Language{{in.language[0], in.language[1]}};
+  if (entered(in, OPENEVC_ENTRY_SET_SPEED)) driver.set_speed = Speed{in.set_speed};
   if (entered(in, OPENEVC_ENTRY_SR_SPEED)) driver.V_sr = Speed{in.V_sr};
   if (entered(in, OPENEVC_ENTRY_SR_DISTANCE)) driver.D_sr = Distance{in.D_sr};
   if (entered(in, OPENEVC_ENTRY_TRAIN_DATA) && in.train_data == nullptr) return "inputs.train_data: null";
@@ -196,6 +209,8 @@ const char* take_states(kernel::Inputs& to, const openevc_inputs& in) {
   to.national_system.trip_active = in.national_trip != 0;
   to.national_system.service_brake = in.national_service_brake != 0;
   to.national_system.emergency_brake = in.national_emergency_brake != 0;
+  to.automatic_operation.requests_AD = in.ato_requests_AD != 0;
+  to.automatic_operation.active = in.ato_active != 0;
   to.safety_fault = in.safety_fault != 0;
   if (in.moved < OPENEVC_MOVEMENT_UNKNOWN || in.moved > OPENEVC_MOVED) return "inputs.moved: not an openevc_movement";
   if (in.utc_given != 0) to.utc = in.utc;

@@ -81,6 +81,7 @@ void give_texts(openevc_outputs& to, const kernel::Outputs& o) {
     to.status_texts |= std::uint64_t{1} << terms::index(status.text);
     openevc_status_shown& shown = to.statuses[to.statuses_count++];
     shown.text = static_cast<std::int32_t>(status.text);
+    shown.acknowledge = asks_acknowledgement(status.text);
     shown.since = status.since.si;
   }
 }
@@ -166,11 +167,24 @@ void give_train(openevc_data& to, const kernel::ShownTrainData& train) {
   to.airtight = train.airtight;
 }
 
+/// As BCD, filled up with F; all F for an ID that is no number of 8 digits.
+std::uint32_t digits_of(const DriverId& id) {
+  std::uint32_t packed = 0xFFFFFFFF;
+  if (id.view().size() > 8) return packed;
+  for (std::size_t i = 0; i < id.view().size(); ++i) {
+    const char c = id.characters[i];
+    if (c < '0' || c > '9') return 0xFFFFFFFF;
+    const unsigned shift = 28u - 4u * static_cast<unsigned>(i);
+    packed = (packed & ~(15u << shift)) | (static_cast<std::uint32_t>(c - '0') << shift);
+  }
+  return packed;
+}
+
 /// Stored data (3.18.6).
 void give_data(openevc_data& to, const kernel::Outputs& o) {
   const kernel::ShownData& data = o.data;
   to.driver_id_status = code_of(data.driver_id_status);
-  to.driver_id = data.driver_id;
+  to.driver_id = digits_of(data.driver_id);
   to.train_running_number_status = code_of(data.train_running_number_status);
   to.train_running_number = data.train_running_number;
   to.level_status = code_of(data.level_status);
@@ -217,6 +231,15 @@ void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
   to.memo_status = o.memo_status ? static_cast<std::int32_t>(*o.memo_status) : -1;
   to.trip_reason = o.trip_reason ? static_cast<std::int32_t>(*o.trip_reason) : -1;
   to.enabled = o.enabled.bits();
+  to.dialogue = o.dialogue ? static_cast<std::int32_t>(o.dialogue->step) : -1;
+  const bool acknowledges = o.dialogue && o.dialogue->acknowledges;
+  to.shown = o.shown.bits();
+  std::memcpy(to.language, o.language.letters.data(), o.language.letters.size());
+  std::memcpy(to.driver_id_text, o.data.driver_id.characters.data(), DriverId::kMost);
+  to.national_system = o.national_system ? std::int32_t{*o.national_system} : -1;
+  to.network = o.data.network ? static_cast<std::int32_t>(*o.data.network) : -1;
+  to.set_speed = of(o.set_speed);
+  to.dialogue_acknowledge = acknowledges ? static_cast<std::int32_t>(*o.dialogue->acknowledges) : -1;
 }
 
 }  // namespace

@@ -176,6 +176,26 @@ TEST(COutputs, TextsAndHowTheyAreShown) {
   EXPECT_TRUE(out->statuses[1].text == 0 && out->statuses[1].since == 8.0);
 }
 
+TEST(COutputs, WhatAProcedureWaitsFor) {
+  const auto o = std::make_unique<kernel::Outputs>();
+  EXPECT_EQ(given(*o)->national_system, -1);
+  EXPECT_EQ(given(*o)->network, -1);
+  o->national_system = 7;
+  o->data.network = 0x26210F;
+  o->set_speed = Speed{10.0};
+  EXPECT_EQ(given(*o)->national_system, 7);
+  EXPECT_EQ(given(*o)->network, 0x26210F);
+  EXPECT_EQ(given(*o)->set_speed, 10.0);
+  o->shown = {DriverOutput::level};
+  EXPECT_EQ(given(*o)->shown, 2u);
+  EXPECT_EQ(given(*o)->dialogue, -1);
+  o->dialogue = kernel::ShownDialogue{Dialogue::start_S12, {}};
+  EXPECT_EQ(given(*o)->dialogue, 8);
+  EXPECT_EQ(given(*o)->dialogue_acknowledge, -1);
+  o->dialogue = kernel::ShownDialogue{Dialogue::start_S24, Ack::SR};
+  EXPECT_EQ(given(*o)->dialogue_acknowledge, OPENEVC_ACK_SR);
+}
+
 TEST(COutputs, RadioWithTwoRbcs) {
   const auto o = std::make_unique<kernel::Outputs>();
   kernel::OutgoingMessage message;
@@ -272,7 +292,7 @@ TEST(COutputs, StoredData) {
   d.train_running_number_status = d.level_status = DataStatus::invalid;
   d.train_status = d.SR.status = DataStatus::valid;
   d.slippery_rail = true;
-  d.driver_id = 0x4711FFFF;
+  d.driver_id = DriverId("4711");
   d.train_running_number = 0x12FFFFFF;
   d.rbc = {1, 2, 0x123F};
   d.train = {Distance{300.0}, {40.0}, 120.0, 150, 5, train::AxleLoad::C2, train::LoadingGauge::GB, true};
@@ -282,6 +302,12 @@ TEST(COutputs, StoredData) {
   const auto out = given(*o);
   const openevc_data& data = out->data;
   EXPECT_TRUE(data.driver_id_status == OPENEVC_DATA_VALID && data.driver_id == 0x4711FFFF);
+  EXPECT_STREQ(out->driver_id_text, "4711");
+  EXPECT_STREQ(out->language, "en");
+  d.driver_id = DriverId("A1");
+  EXPECT_EQ(given(*o)->data.driver_id, 0xFFFFFFFF);
+  d.driver_id = DriverId("123456789");
+  EXPECT_EQ(given(*o)->data.driver_id, 0xFFFFFFFF);
   EXPECT_TRUE(data.train_running_number_status == OPENEVC_DATA_INVALID && data.train_running_number == 0x12FFFFFF);
   EXPECT_TRUE(data.level_status == OPENEVC_DATA_INVALID && data.rbc_status == OPENEVC_DATA_VALID);
   EXPECT_TRUE(data.rbc.given == 1 && data.rbc.NID_C == 1 && data.rbc.NID_RBC == 2 && data.rbc.NID_RADIO == 0x123F);

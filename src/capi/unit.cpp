@@ -103,9 +103,19 @@ const char* openevc_status_text_name(int32_t text) noexcept {
   return evc::name(static_cast<evc::StatusText>(text));
 }
 
+const char* openevc_output_name(int32_t output) noexcept {
+  if (output < 0 || output >= int(evc::DriverOutput::count)) return nullptr;
+  return evc::name(static_cast<evc::DriverOutput>(output));
+}
 const char* openevc_input_name(int32_t input) noexcept {
   if (input < 0 || input >= int(evc::DriverInput::count)) return nullptr;
   return evc::name(static_cast<evc::DriverInput>(input));
+}
+
+openevc_dialogue_words openevc_dialogue(int32_t dialogue) noexcept {
+  if (dialogue < 0 || dialogue >= int(evc::Dialogue::count)) return {};
+  const evc::DialogueRow& row = evc::kDialogueRows[static_cast<std::size_t>(dialogue)];
+  return {row.procedure, row.step, row.waits_for};
 }
 
 size_t openevc_snapshot_size(void) noexcept { return kernel::snapshot_size(); }

@@ -203,7 +203,7 @@ void Journey::take_level_orders(Source& source, const Part& part) {
       });
   for (const lang::PacketView* view : part.packets) {
     if (!is_order(view)) continue;
-    const auto order = kernel::order_of(*view);
+    const auto order = kernel::order_of(*view, SrsVersion::v3_6_0);
     if (!order || !passes(source, *view)) continue;
     const modes::OrderDecision decision = modes::judge(order->kind, order->table, level_, Mode::FS, every_level());
     if (decision.cancels_pending) pending_.reset();

@@ -69,6 +69,7 @@ std::optional<Ack> acknowledged_by(Input input) {
       return Ack::level;
     case Input::ack_fixed_text:
     case Input::ack_plain_text:
+    case Input::ack_nl_no_longer_permitted:
       return Ack::text;
     case Input::ack_roll_away:
     case Input::ack_reverse_movement:
@@ -82,14 +83,26 @@ std::optional<Ack> acknowledged_by(Input input) {
   }
 }
 
-/// The inputs that each mode allows, further conditions left aside.
-constexpr std::array<Set<Input>, kModes> kAllowed = [] {
-  std::array<Set<Input>, kModes> out{};
-  for (std::size_t m = 0; m < kModes; ++m)
-    for (std::size_t i = 0; i < kInputs; ++i)
-      if (allowed(static_cast<Input>(i), static_cast<Mode>(m))) out[m].add(static_cast<Input>(i));
+/// What each mode allows in each edition, further conditions left aside.
+template <class What, std::size_t count>
+constexpr auto kAllowed = [] {
+  std::array<std::array<Set<What>, kModes>, kSrsVersionRows.size()> out{};
+  for (std::size_t e = 0; e < kSrsVersionRows.size(); ++e)
+    for (std::size_t m = 0; m < kModes; ++m)
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto what = static_cast<What>(i);
+        out[e][m].add(what, allowed(what, static_cast<Mode>(m), static_cast<SrsVersion>(e)));
+      }
   return out;
 }();
+
+constexpr Set<Input> allowed_inputs(Mode mode, SrsVersion srs) {
+  return kAllowed<Input, kInputs>[terms::index(srs)][terms::index(mode)];
+}
+
+constexpr Set<Output> allowed_outputs(Mode mode, SrsVersion srs) {
+  return kAllowed<Output, kOutputs>[terms::index(srs)][terms::index(mode)];
+}
 
 /// The acknowledgements that are asked for.
 Set<Input> acknowledgements(Set<Ack> requests) {
@@ -106,7 +119,8 @@ Set<Input> choices(const ActionContext& c) {
   const bool level = c.level.has_value();
   const bool in_standby = c.mode == Mode::SB;
   const bool entry = c.standstill && c.driver_id_valid;
-  Set<Input> out{Input::language};
+  Set<Input> out;
+  out.add(Input::language, !in_standby || c.standstill);
   out.add(Input::start, level && start_possible(c));
   out.add(Input::shunting, level && shunting_possible(c));
   out.add(Input::override_, override_possible(c));
@@ -124,6 +138,14 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::vbc, c.standstill && c.offers.has(Offer::vbc));  // 3.15.9.2
   out.add(Input::integrity_confirmation, entry && c.train_data_valid && level);
   out.add(Input::track_ahead_free, c.track_ahead_free_asked);
+  out.add(Input::ato_engage, c.automatic_driving_asked);
+  out.add(Input::ato_disengage);
+  // Not sm: an RBC of a version up to 2.1 grants no supervised manoeuvre (6.6.5.3.7).
+  out.add(Input::exit_sm, c.standstill);
+  // 5.4.5.3 l, 5.22.2.1
+  out.add(Input::bmm_inhibit, c.standstill && c.alarm_may_be_inhibited && !c.alarm_inhibited &&
+                                  (!in_standby || c.offers.has(Offer::bmm_inhibition)));
+  out.add(Input::bmm_revoke, c.alarm_inhibited);
   return out;
 }
 
@@ -134,7 +156,7 @@ Set<Input> enabled(const ActionContext& context) {
   // 015560 5.4: the menus are closed while an acknowledgement is asked for.
   if (context.desk_open) out = context.requests.empty() ? choices(context) : acknowledgements(context.requests);
   out.add(Input::isolation);
-  return out & kAllowed[static_cast<std::size_t>(context.mode)];
+  return out & allowed_inputs(context.mode, context.srs);
 }
 
 namespace {
@@ -156,7 +178,7 @@ void put_c1(Show& show, const ShowContext& c) {
   const bool level = c.requests.has(Ack::level);
   // After the transition, the level to be acknowledged is shown.
   const std::optional<Level> shown = c.announced.has_value() ? c.announced : level ? c.level : std::nullopt;
-  if (shown.has_value() && (level || allowed(Output::level_announcement, c.mode)))
+  if (shown.has_value() && (level || allowed(Output::level_announcement, c.mode, c.srs)))
     put(show, announcement_symbol(*shown, level));
 }
 
@@ -169,11 +191,11 @@ Show show(const ShowContext& c) {
   Show out;
   const bool nothing = !c.desk_open && c.mode != Mode::SF && c.mode != Mode::IS;
   if (nothing || c.mode == Mode::NP || c.mode == Mode::PS || c.mode == Mode::SL) return out;
-  put(out, symbol(c.mode));                               // B7
-  if (allowed(Output::level, c.mode)) put_level(out, c);  // C8
-  put_c1(out, c);                                         // C1
+  put(out, symbol(c.mode));                                      // B7
+  if (allowed(Output::level, c.mode, c.srs)) put_level(out, c);  // C8
+  put_c1(out, c);                                                // C1
   const auto where = [&](bool when, Output output, Symbol which) {
-    if (when && allowed(output, c.mode)) put(out, which);
+    if (when && allowed(output, c.mode, c.srs)) put(out, which);
   };
   where(c.slippery_rail, Output::slippery_rail, Symbol::ST02);        // A4
   where(c.lssma, Output::lssma, Symbol::LS01);                        // A1
@@ -191,6 +213,51 @@ Show show(const ShowContext& c) {
   return out;
 }
 
+namespace {
+
+/// Hooks, digits of release speed and distance, planning area, time to indication (015560 8.2.2.4, tables 10 and 11).
+constexpr Set<Output> kToggled{Output::permitted_speed,
+                               Output::target_speed,
+                               Output::target_distance,
+                               Output::release_speed,
+                               Output::time_to_indication,
+                               Output::gradient,
+                               Output::mrsp,
+                               Output::first_indication_location,
+                               Output::eoa_loa};
+
+}  // namespace
+
+Set<Output> shown(Set<Output> given, Mode mode, SrsVersion srs, bool desk_open, bool toggled_on) {
+  if (!desk_open && mode != Mode::SF && mode != Mode::IS) return {};
+  given &= allowed_outputs(mode, srs);
+  if (can_be_toggled(mode) && !toggled_on) given.remove(kToggled);
+  return given;
+}
+
+std::optional<Output> output_of(Symbol symbol) {
+  if (symbol >= Symbol::LE06 && symbol <= Symbol::LE15) return Output::level_announcement;
+  switch (symbol) {
+    case Symbol::ST01:
+      return Output::brake_indication;
+    case Symbol::ST02:
+      return Output::slippery_rail;
+    case Symbol::ST03:
+    case Symbol::ST04:
+      return Output::radio_link_status;
+    case Symbol::ST06:
+      return Output::reversing_allowed;
+    case Symbol::MO03:
+      return Output::override_status;
+    case Symbol::LX01:
+      return Output::lx_not_protected;
+    case Symbol::DR02:
+      return Output::taf_request;
+    default:
+      return std::nullopt;
+  }
+}
+
 std::optional<Symbol> symbol(Mode mode) {
   constexpr std::array<std::optional<Symbol>, kModes> symbols{
       /* NP */ std::nullopt, /* SB */ Symbol::MO13, /* PS */ std::nullopt,
@@ -198,7 +265,8 @@ std::optional<Symbol> symbol(Mode mode) {
       /* SR */ Symbol::MO09, /* OS */ Symbol::MO07, /* SL */ std::nullopt,
       /* NL */ Symbol::MO12, /* UN */ Symbol::MO16, /* TR */ Symbol::MO04,
       /* PT */ Symbol::MO06, /* SF */ Symbol::MO18, /* IS */ std::nullopt,
-      /* SN */ Symbol::MO19, /* RV */ Symbol::MO14};
+      /* SN */ Symbol::MO19, /* RV */ Symbol::MO14,
+      /* SM */ Symbol::MO24, /* AD */ Symbol::MO23};
   return symbols[static_cast<std::size_t>(mode)];
 }
 
@@ -247,6 +315,7 @@ std::optional<StatusText> trip_reason(int condition) {
       return StatusText::SH_refused;
     case 65:
       return StatusText::trackside_not_compatible;
+    case 11:
     case 12:
     case 16:
     case 18:

@@ -9,6 +9,7 @@
 #include "terms/mode.h"
 #include "terms/radio_link.h"
 #include "terms/requests.h"
+#include "terms/srs_version.h"
 #include "terms/status_text.h"
 #include "terms/symbol.h"
 #include "terms/track_condition.h"
@@ -19,6 +20,7 @@ namespace evc::driver {
 
 /// What enables inputs in addition to the mode (windows Main, Override and Special).
 struct ActionContext {
+  SrsVersion srs = SrsVersion::v3_6_0;
   Mode mode = Mode::NP;
   std::optional<Level> level;  // none when it is not valid
   bool desk_open = false;
@@ -35,8 +37,11 @@ struct ActionContext {
   bool driver_may_change_adhesion = false;  // Q_NVDRIVER_ADHES
   bool driver_id_while_running = false;     // M_NVDERUN
   bool track_ahead_free_asked = false;
-  Set<Offer> offers;  // choices offered by start of mission and train trip
-  Set<Ack> requests;  // acknowledgements asked for
+  bool automatic_driving_asked = false;  // 4.0.0: by automatic train operation
+  bool alarm_may_be_inhibited = false;   // 4.0.0: level 1 or 2 (5.22.2.1)
+  bool alarm_inhibited = false;          // that of the balise antenna
+  Set<Offer> offers;                     // choices offered by start of mission and train trip
+  Set<Ack> requests;                     // acknowledgements asked for
 };
 
 /// The inputs of 4.7.2 that are enabled now. While an acknowledgement is asked for, only acknowledgements and isolation
@@ -44,6 +49,7 @@ struct ActionContext {
 Set<Input> enabled(const ActionContext& context);
 
 struct ShowContext {
+  SrsVersion srs = SrsVersion::v3_6_0;
   Mode mode = Mode::NP;
   bool desk_open = false;
   std::optional<Level> level;      // none when it is not valid
@@ -67,6 +73,15 @@ struct Show {
 /// What is shown now. With no desk open only the system failure is shown (4.7.2 marks the other outputs A in SB and
 /// TR).
 Show show(const ShowContext& context);
+
+/// Whether the driver switches speeds and distances on and off in the mode (015560 8.2.2.4).
+constexpr bool can_be_toggled(Mode mode) { return mode == Mode::OS || mode == Mode::SR || mode == Mode::SH; }
+/// Of the outputs for which there is something to show (`given`) those that are shown: in the mode (4.7.2), with an
+/// open desk but for the modes SF and IS, and toggled on where the driver toggles them.
+Set<Output> shown(Set<Output> given, Mode mode, SrsVersion srs, bool desk_open, bool toggled_on);
+/// The row of 4.7.2 of a symbol; none for those of acknowledgements and of the advance display. Track conditions:
+/// output_of.
+std::optional<Output> output_of(Symbol symbol);
 
 /// The symbol of a mode (MO11), none for NP, PS, SL and IS.
 std::optional<Symbol> symbol(Mode mode);

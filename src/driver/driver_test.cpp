@@ -28,11 +28,20 @@ std::string text(Mark mark) {
   return texts[static_cast<int>(mark)];
 }
 
+using Cells = std::map<std::string, std::map<std::string, std::string>>;
+
+Cells cells_of(const json& rows) {
+  Cells out;
+  for (const json& r : rows) out[r["id"]] = r["marks"].get<std::map<std::string, std::string>>();
+  return out;
+}
+
+Cells rows_of_3_4_0(const std::string& kind) { return cells_of(reference()[kind]); }
+
 /// The rows of 3.6.0, computed from those of 3.4.0 and the listed differences.
-std::map<std::string, std::map<std::string, std::string>> rows(const std::string& kind) {
+Cells rows_of_3_6_0(const std::string& kind) {
   const json file = reference();
-  std::map<std::string, std::map<std::string, std::string>> out;
-  for (const json& r : file[kind]) out[r["id"]] = r["marks"].get<std::map<std::string, std::string>>();
+  Cells out = rows_of_3_4_0(kind);
   const json& newer = file["differences_3_6_0"];
   for (const auto& [id, change] : newer[kind + "_changed"].items()) {
     const json& marks = change.contains("marks") ? change["marks"] : change;
@@ -46,21 +55,50 @@ std::map<std::string, std::map<std::string, std::string>> rows(const std::string
   return out;
 }
 
-template <class What, class Rows>
-void expect_rows(const Rows& table, const std::string& kind) {
-  const auto expected = rows(kind);
-  EXPECT_EQ(table.size(), expected.size());
-  for (const auto& row : table) {
-    ASSERT_EQ(expected.count(name(row.what)), 1u) << name(row.what);
-    for (std::size_t m = 0; m < kModes; ++m) {
-      const Mode mode = static_cast<Mode>(m);
-      EXPECT_EQ(text(mark(row.what, mode)), expected.at(name(row.what)).at(name(mode))) << name(row.what) << name(mode);
-    }
+/// The rows of 4.0.0 that the on-board has. The shade of SN (left to the national system) is lost in the text read: the
+/// mark of 3.6.0 stays.
+Cells rows_of_4_0_0(const std::string& kind) {
+  const std::map<std::string, std::string> ours{{"radio_network", "radio_network_id"},
+                                                {"bmm_inhibition", "bmm_inhibit"},
+                                                {"revoke_bmm_inhibition", "bmm_revoke"},
+                                                {"sm_request", "sm"}};
+  Cells older = rows_of_3_6_0(kind), out;
+  for (auto& [id, marks] : cells_of(reference()["table_4_0_0"][kind])) {
+    const std::string name = kind == "inputs" || id == "radio_network" ? ours.count(id) ? ours.at(id) : id : id;
+    if (older[name]["SN"] == "NS") marks["SN"] = "NS";
+    out[name] = marks;
   }
+  return out;
 }
 
-TEST(Driver, Inputs_are_4_7_2) { expect_rows<Input>(srs_4_7_2_inputs, "inputs"); }
-TEST(Driver, Outputs_are_4_7_2) { expect_rows<Output>(srs_4_7_2_outputs, "outputs"); }
+/// `without`: how many rows the edition does not have.
+template <class Rows>
+void expect_rows(const Rows& table, const Cells& expected, SrsVersion srs, std::size_t modes, std::size_t without) {
+  std::size_t compared = 0;
+  for (const auto& row : table) {
+    if (expected.count(name(row.what)) == 0) continue;
+    ++compared;
+    for (std::size_t m = 0; m < modes; ++m) {
+      const Mode mode = static_cast<Mode>(m);
+      EXPECT_EQ(text(mark(row.what, mode, srs)), expected.at(name(row.what)).at(name(mode)))
+          << name(row.what) << name(mode) << name(srs);
+    }
+  }
+  // A row that an edition does not have is used by none of its functions.
+  EXPECT_EQ(compared + without, table.size()) << name(srs);
+}
+
+TEST(Driver, Inputs_are_4_7_2) {
+  expect_rows(srs_4_7_2_inputs, rows_of_3_4_0("inputs"), SrsVersion::v3_4_0, kModesOf3, 8);
+  expect_rows(srs_4_7_2_inputs, rows_of_3_6_0("inputs"), SrsVersion::v3_6_0, kModesOf3, 7);
+  expect_rows(srs_4_7_2_inputs, rows_of_4_0_0("inputs"), SrsVersion::v4_0_0, kModes, 0);
+}
+
+TEST(Driver, Outputs_are_4_7_2) {
+  expect_rows(srs_4_7_2_outputs, rows_of_3_4_0("outputs"), SrsVersion::v3_4_0, kModesOf3, 12);
+  expect_rows(srs_4_7_2_outputs, rows_of_3_6_0("outputs"), SrsVersion::v3_6_0, kModesOf3, 2);
+  expect_rows(srs_4_7_2_outputs, rows_of_4_0_0("outputs"), SrsVersion::v4_0_0, kModes, 0);
+}
 
 /// Everything that can be true is true.
 ActionContext everything(Mode mode, Level level) {
@@ -70,7 +108,8 @@ ActionContext everything(Mode mode, Level level) {
   c.desk_open = c.standstill = c.driver_id_valid = c.train_data_valid = c.train_running_number_valid = true;
   c.session_open = c.train_data_acknowledged = c.non_leading_signal = true;
   c.passive_shunting_signal = c.slow_enough_for_override = c.driver_may_change_adhesion = c.network_offered = true;
-  c.driver_id_while_running = c.track_ahead_free_asked = true;
+  c.driver_id_while_running = c.track_ahead_free_asked = c.automatic_driving_asked = true;
+  c.alarm_may_be_inhibited = true;
   c.offers = Set<Offer>::of_bits(~0u);
   return c;
 }
@@ -85,7 +124,9 @@ TEST(Driver, With_every_condition_met_exactly_the_inputs_of_the_mode_are_enabled
     for (std::size_t i = 0; i < kInputs; ++i) {
       const Input input = static_cast<Input>(i);
       const bool is_ack = std::string(name(input)).rfind("ack_", 0) == 0;
-      EXPECT_EQ((is_ack ? acks : choices).has(input), allowed(input, mode)) << name(mode) << name(input);
+      EXPECT_EQ((is_ack ? acks : choices).has(input),
+                allowed(input, mode, SrsVersion::v3_6_0) && input != Input::sm && input != Input::bmm_revoke)
+          << name(mode) << name(input);
     }
   }
 }
@@ -205,7 +246,7 @@ TEST(Driver, Mode_and_level_are_shown) {
   std::set<std::string> symbols;
   for (std::size_t m = 0; m < kModes; ++m)
     if (const auto s = symbol(static_cast<Mode>(m))) symbols.insert(name(*s));
-  EXPECT_EQ(symbols.size(), 13u);
+  EXPECT_EQ(symbols.size(), 15u);
 }
 
 TEST(Driver, Nothing_is_shown_without_a_desk_or_power) {

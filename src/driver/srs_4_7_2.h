@@ -6,9 +6,12 @@
 
 #include "modes/page.h"
 #include "terms/driver_input.h"
+#include "terms/driver_output.h"
 #include "terms/mode.h"
+#include "terms/srs_version.h"
 
-// SUBSET-026-4 4.7.2: the inputs and outputs of the driver interface in each mode, of 3.6.0.
+// SUBSET-026-4 4.7.2: the inputs and outputs of the driver interface in each mode, of 3.6.0, and the cells of the other
+// editions that differ.
 namespace evc::driver {
 
 /// `X` always in the mode; `A` when further conditions hold; `-` not; `NA` cannot be decided (SF, IS); `NS` left to the
@@ -55,108 +58,81 @@ struct InputRow {
 inline constexpr auto srs_4_7_2_inputs = [] {
   using enum DriverInput;
   return std::to_array<InputRow>({
-    //                         NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV
-    {train_data,             "-  A  -  -  A  A  A  A  -  -  A  -  -  NA NA A  -"},
-    {language,               "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {driver_id,              "-  A  -  A  A  A  A  A  -  A  A  -  -  NA NA A  -"},
-    {train_running_number,   "-  A  -  -  A  A  A  A  -  A  A  -  -  NA NA A  -"},
-    {level,                  "-  A  -  -  A  A  A  A  -  A  A  -  -  NA NA A  -"},
-    {adhesion,               "-  A  -  -  A  A  A  A  -  -  A  -  -  NA NA A  -"},
-    {rbc_contact,            "-  A  -  -  A  A  A  A  -  A  -  -  A  NA NA -  -"},
-    {integrity_confirmation, "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  -"},
-    {start,                  "-  A  -  -  -  -  A  -  -  -  -  -  A  NA NA -  -"},
-    {override_,              "-  A  -  A  A  A  A  A  -  -  A  -  A  NA NA A  -"},
-    {shunting,               "-  A  -  -  A  A  A  A  -  -  A  -  A  NA NA A  -"},
-    {continue_shunting,      "-  -  -  A  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {exit_shunting,          "-  -  -  X  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {non_leading,            "-  A  -  A  A  A  A  A  -  -  -  -  -  NA NA -  -"},
-    {ack_fixed_text,         "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A"},
-    {ack_plain_text,         "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A"},
-    {ack_level,              "-  A  -  -  A  A  A  A  -  -  A  A  -  NA NA A  -"},
-    {ack_LS,                 "-  A  -  -  A  A  -  A  -  -  -  -  A  NA NA -  -"},
-    {ack_OS,                 "-  A  -  -  A  A  -  A  -  -  -  -  A  NA NA -  -"},
-    {ack_SH,                 "-  A  -  A  A  A  -  A  -  -  -  -  A  NA NA -  -"},
-    {ack_SR,                 "-  A  -  -  -  -  -  -  -  -  -  -  A  NA NA -  -"},
-    {ack_UN,                 "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {ack_RV,                 "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  -"},
-    {ack_SN,                 "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {ack_trip,               "-  -  -  -  -  -  -  -  -  -  -  A  -  NA NA -  -"},
-    {ack_roll_away,          "-  -  -  A  A  A  A  A  -  -  A  -  A  NA NA -  A"},
-    {ack_reverse_movement,   "-  -  -  -  A  A  A  A  -  -  -  -  A  NA NA -  A"},
-    {ack_standstill,         "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {ack_pt_distance,        "-  -  -  -  -  -  -  -  -  -  -  -  A  NA NA -  -"},
-    {ack_train_data_change,  "-  -  -  -  A  A  A  A  -  -  A  A  -  NA NA A  -"},
-    {ack_rv_distance,        "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  A"},
-    {track_ahead_free,       "-  A  -  -  -  A  A  A  -  -  -  -  A  NA NA -  -"},
-    {sr_speed_distance,      "-  -  -  -  -  -  A  -  -  -  -  -  -  NA NA -  -"},
-    {vbc,                    "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {isolation,              "X  X  X  X  X  X  X  X  X  X  X  X  X  X  X  X  X"},
-    {radio_network_id,       "-  A  -  -  A  A  A  A  -  A  A  -  A  NA NA A  -"},
+    //                         NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV SM AD
+    {train_data,             "-  A  -  -  A  A  A  A  -  -  A  -  -  NA NA A  - - A"},
+    {language,               "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {driver_id,              "-  A  -  A  A  A  A  A  -  A  A  -  -  NA NA A  - A A"},
+    {train_running_number,   "-  A  -  -  A  A  A  A  -  A  A  -  -  NA NA A  - A A"},
+    {level,                  "-  A  -  -  A  A  A  A  -  A  A  -  -  NA NA A  - - A"},
+    {adhesion,               "-  A  -  -  A  A  A  A  -  -  A  -  -  NA NA A  - A A"},
+    {rbc_contact,            "-  A  -  -  A  A  A  A  -  A  -  -  A  NA NA -  - A A"},
+    {integrity_confirmation, "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {start,                  "-  A  -  -  -  -  A  -  -  -  -  -  A  NA NA -  - - -"},
+    {override_,              "-  A  -  A  A  A  A  A  -  -  A  -  A  NA NA A  - - A"},
+    {shunting,               "-  A  -  -  A  A  A  A  -  -  A  -  A  NA NA A  - A A"},
+    {continue_shunting,      "-  -  -  A  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {exit_shunting,          "-  -  -  X  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {non_leading,            "-  A  -  A  A  A  A  A  -  -  -  -  -  NA NA -  - A A"},
+    {ack_fixed_text,         "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A A A"},
+    {ack_plain_text,         "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A A A"},
+    {ack_level,              "-  A  -  -  A  A  A  A  -  -  A  A  -  NA NA A  - - A"},
+    {ack_LS,                 "-  A  -  -  A  A  -  A  -  -  -  -  A  NA NA -  - - A"},
+    {ack_OS,                 "-  A  -  -  A  A  -  A  -  -  -  -  A  NA NA -  - - A"},
+    {ack_SH,                 "-  A  -  A  A  A  -  A  -  -  -  -  A  NA NA -  - - A"},
+    {ack_SR,                 "-  A  -  -  -  -  -  -  -  -  -  -  A  NA NA -  - - -"},
+    {ack_UN,                 "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {ack_RV,                 "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  - - A"},
+    {ack_SN,                 "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {ack_trip,               "-  -  -  -  -  -  -  -  -  -  -  A  -  NA NA -  - - -"},
+    {ack_roll_away,          "-  -  -  A  A  A  A  A  -  -  A  -  A  NA NA -  A A -"},
+    {ack_reverse_movement,   "-  -  -  -  A  A  A  A  -  -  -  -  A  NA NA -  A A -"},
+    {ack_standstill,         "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {ack_pt_distance,        "-  -  -  -  -  -  -  -  -  -  -  -  A  NA NA -  - - -"},
+    {ack_train_data_change,  "-  -  -  -  A  A  A  A  -  -  A  A  -  NA NA A  - - A"},
+    {ack_rv_distance,        "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  A - -"},
+    {track_ahead_free,       "-  A  -  -  -  A  A  A  -  -  -  -  A  NA NA -  - - -"},
+    {sr_speed_distance,      "-  -  -  -  -  -  A  -  -  -  -  -  -  NA NA -  - - -"},
+    {vbc,                    "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {isolation,              "X  X  X  X  X  X  X  X  X  X  X  X  X  X  X  X  X X X"},
+    {radio_network_id,       "-  A  -  -  A  A  A  A  -  A  A  -  A  NA NA A  - A A"},
+    // 4.0.0
+    {ato_engage,             "-  -  -  -  A  -  -  -  -  -  -  -  -  NA NA -  - - A"},
+    {ato_disengage,          "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - A"},
+    {sm,                     "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {exit_sm,                "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - A -"},
+    {bmm_inhibit,            "-  A  -  A  -  -  A  -  -  -  -  -  -  NA NA -  - - -"},
+    {bmm_revoke,             "-  A  -  A  -  -  A  -  -  -  -  -  -  NA NA -  - - -"},
+    {ack_nl_no_longer_permitted, "-  -  -  -  -  -  -  -  -  A  -  -  -  NA NA -  - - -"},
   });
 }();
 // clang-format on
 static_assert(srs_4_7_2_inputs.size() == kInputs && in_order(srs_4_7_2_inputs));
 
-constexpr Mark mark(Input which, Mode mode) {
+/// A cell of another edition than 3.6.0.
+template <class What>
+struct CellOfEdition {
+  SrsVersion srs{};
+  What what{};
+  Mode mode{};
+  Mark mark{};
+};
+
+inline constexpr auto srs_4_7_2_inputs_of_editions = std::to_array<CellOfEdition<Input>>({
+    {SrsVersion::v3_4_0, Input::ack_fixed_text, Mode::NL, Mark::available},
+    {SrsVersion::v3_4_0, Input::ack_plain_text, Mode::NL, Mark::available},
+    {SrsVersion::v4_0_0, Input::integrity_confirmation, Mode::UN, Mark::available},
+    {SrsVersion::v4_0_0, Input::integrity_confirmation, Mode::SN, Mark::available},
+    {SrsVersion::v4_0_0, Input::exit_shunting, Mode::SH, Mark::available},
+    {SrsVersion::v4_0_0, Input::ack_level, Mode::SH, Mark::available},
+});
+
+constexpr Mark mark(Input which, Mode mode, SrsVersion srs) {
+  for (const CellOfEdition<Input>& cell : srs_4_7_2_inputs_of_editions)
+    if (cell.srs == srs && cell.what == which && cell.mode == mode) return cell.mark;
   return srs_4_7_2_inputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];
 }
 
-/// 4.7.2: the outputs to the driver.
-enum class Output : std::uint8_t {
-  mode,
-  level,
-  train_speed,
-  permitted_speed,
-  sbi_speed,
-  target_speed,
-  target_distance,
-  release_speed,
-  lssma,
-  monitoring_status,
-  trip_reason,
-  train_data,
-  driver_id,
-  train_running_number,
-  rbc_contact,
-  vbc,
-  brake_indication,
-  fixed_text,
-  plain_text,
-  reversing_allowed,
-  track_cond_general,
-  track_cond_horn_stopping,
-  geo_position,
-  override_status,
-  lx_not_protected,
-  sh_refused,
-  sh_no_answer,
-  level_announcement,
-  taf_request,
-  slippery_rail,
-  trackside_malfunction,
-  train_data_changed,
-  operated_version,
-  network_registration_failed,
-  radio_link_status,
-  local_time,
-  gradient,
-  mrsp,
-  brake_reason,
-  trackside_incompatible,
-  train_rejected,
-  route_unsuitability,
-  radio_network_id,
-  time_to_indication,
-  entry_fs,
-  entry_os,
-  first_indication_location,
-  eoa_loa,
-  set_speed,
-  ntc_not_available,
-  ntc_data_need,
-  ntc_failed,
-  count
-};
+using Output = DriverOutput;
 inline constexpr std::size_t kOutputs = static_cast<std::size_t>(Output::count);
 
 struct OutputRow {
@@ -167,74 +143,90 @@ struct OutputRow {
 
 // clang-format off
 inline constexpr auto srs_4_7_2_outputs = [] {
-  using enum Output;
+  using enum DriverOutput;
   return std::to_array<OutputRow>({
-    //                              NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV
-    {mode,                        "-  A  -  X  X  X  X  X  -  X  X  A  X  A  X  X  X"},
-    {level,                       "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA X  X"},
-    {train_speed,                 "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA A  X"},
-    {permitted_speed,             "-  -  -  A  X  -  A  A  -  -  -  -  -  NA NA NS X"},
-    {sbi_speed,                   "-  -  -  -  A  -  -  -  -  -  -  -  -  NA NA NS -"},
-    {target_speed,                "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA NS -"},
-    {target_distance,             "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA NS X"},
-    {release_speed,               "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA NS -"},
-    {lssma,                       "-  -  -  -  -  A  -  -  -  -  -  -  -  NA NA -  -"},
-    {monitoring_status,           "-  -  -  A  A  A  A  A  -  -  A  -  A  NA NA NS A"},
-    {trip_reason,                 "-  -  -  -  -  -  -  -  -  -  -  A  X  NA NA -  -"},
-    {train_data,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  A"},
-    {driver_id,                   "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {train_running_number,        "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {rbc_contact,                 "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {vbc,                         "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {brake_indication,            "-  A  -  A  A  A  A  A  -  -  A  A  A  NA NA A  A"},
-    {fixed_text,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A"},
-    {plain_text,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A"},
-    {reversing_allowed,           "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  -"},
-    {track_cond_general,          "-  -  -  -  A  A  -  A  -  A  -  A  A  NA NA -  -"},
-    {track_cond_horn_stopping,    "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  -"},
-    {geo_position,                "-  A  -  -  A  A  A  A  -  A  A  A  A  NA NA -  -"},
-    {override_status,             "-  -  -  A  -  -  A  -  -  -  A  -  -  NA NA A  -"},
-    {lx_not_protected,            "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  -"},
-    {sh_refused,                  "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  -"},
-    {sh_no_answer,                "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  -"},
-    {level_announcement,          "-  -  -  -  A  A  A  A  -  A  A  A  A  NA NA A  -"},
-    {taf_request,                 "-  A  -  -  -  A  A  A  -  -  -  -  A  NA NA -  -"},
-    {slippery_rail,               "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  A"},
-    {trackside_malfunction,       "-  A  -  A  A  A  A  A  -  -  A  A  A  NA NA A  A"},
-    {train_data_changed,          "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  -"},
-    {operated_version,            "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {network_registration_failed, "-  A  -  -  A  A  A  A  -  A  -  -  A  NA NA -  -"},
-    {radio_link_status,           "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {local_time,                  "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA A  X"},
-    {gradient,                    "-  -  -  -  X  -  -  A  -  -  -  -  -  NA NA -  -"},
-    {mrsp,                        "-  -  -  -  X  -  -  A  -  -  -  -  -  NA NA -  -"},
-    {brake_reason,                "-  A  -  A  A  A  A  A  -  -  A  -  A  NA NA A  A"},
-    {trackside_incompatible,      "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {train_rejected,              "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {route_unsuitability,         "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  -"},
-    {radio_network_id,            "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {time_to_indication,          "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA -  -"},
-    {entry_fs,                    "-  -  -  -  A  -  -  -  -  -  -  -  -  NA NA -  -"},
-    {entry_os,                    "-  -  -  -  -  -  -  A  -  -  -  -  -  NA NA -  -"},
-    {first_indication_location,   "-  -  -  -  A  -  -  A  -  -  -  -  -  NA NA -  -"},
-    {eoa_loa,                     "-  -  -  -  A  -  -  A  -  -  -  -  -  NA NA -  -"},
-    {set_speed,                   "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A"},
-    {ntc_not_available,           "-  -  -  -  -  -  -  -  -  A  -  -  -  NA NA A  -"},
-    {ntc_data_need,               "-  -  -  -  A  A  A  A  -  -  A  A  A  NA NA A  -"},
-    {ntc_failed,                  "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  -"},
+    //                              NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV SM AD
+    {mode,                        "-  A  -  X  X  X  X  X  -  X  X  A  X  A  X  X  X X X"},
+    {level,                       "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA X  X X X"},
+    {train_speed,                 "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA A  X X X"},
+    {permitted_speed,             "-  -  -  A  X  -  A  A  -  -  -  -  -  NA NA NS X X X"},
+    {sbi_speed,                   "-  -  -  -  A  -  -  -  -  -  -  -  -  NA NA NS - A A"},
+    {target_speed,                "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA NS - A A"},
+    {target_distance,             "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA NS X A A"},
+    {release_speed,               "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA NS - A A"},
+    {lssma,                       "-  -  -  -  -  A  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {monitoring_status,           "-  -  -  A  A  A  A  A  -  -  A  -  A  NA NA NS A A A"},
+    {trip_reason,                 "-  -  -  -  -  -  -  -  -  -  -  A  X  NA NA -  - - -"},
+    {train_data,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  A - A"},
+    {driver_id,                   "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {train_running_number,        "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {rbc_contact,                 "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {vbc,                         "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {brake_indication,            "-  A  -  A  A  A  A  A  -  -  A  A  A  NA NA A  A A -"},
+    {fixed_text,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A A A"},
+    {plain_text,                  "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA -  A A A"},
+    {reversing_allowed,           "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  - - A"},
+    {track_cond_general,          "-  -  -  -  A  A  -  A  -  A  -  A  A  NA NA -  - A A"},
+    {track_cond_horn_stopping,    "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  - A A"},
+    {geo_position,                "-  A  -  -  A  A  A  A  -  A  A  A  A  NA NA -  - A A"},
+    {override_status,             "-  -  -  A  -  -  A  -  -  -  A  -  -  NA NA A  - - -"},
+    {lx_not_protected,            "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  - A A"},
+    {sh_refused,                  "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {sh_no_answer,                "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {level_announcement,          "-  -  -  -  A  A  A  A  -  A  A  A  A  NA NA A  - - A"},
+    {taf_request,                 "-  A  -  -  -  A  A  A  -  -  -  -  A  NA NA -  - - -"},
+    {slippery_rail,               "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  A A A"},
+    {trackside_malfunction,       "-  A  -  A  A  A  A  A  -  -  A  A  A  NA NA A  A A A"},
+    {train_data_changed,          "-  A  -  -  A  A  A  A  -  -  A  A  A  NA NA A  - - A"},
+    {operated_version,            "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {network_registration_failed, "-  A  -  -  A  A  A  A  -  A  -  -  A  NA NA -  - A A"},
+    {radio_link_status,           "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {local_time,                  "-  A  -  X  X  X  X  X  -  X  X  A  X  NA NA A  X X X"},
+    {gradient,                    "-  -  -  -  X  -  -  A  -  -  -  -  -  NA NA -  - X X"},
+    {mrsp,                        "-  -  -  -  X  -  -  A  -  -  -  -  -  NA NA -  - X X"},
+    {brake_reason,                "-  A  -  A  A  A  A  A  -  -  A  -  A  NA NA A  A A -"},
+    {trackside_incompatible,      "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {train_rejected,              "-  A  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {route_unsuitability,         "-  -  -  -  A  A  -  A  -  -  -  -  -  NA NA -  - - A"},
+    {radio_network_id,            "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {time_to_indication,          "-  -  -  -  A  -  A  A  -  -  -  -  -  NA NA -  - A A"},
+    {entry_fs,                    "-  -  -  -  A  -  -  -  -  -  -  -  -  NA NA -  - - -"},
+    {entry_os,                    "-  -  -  -  -  -  -  A  -  -  -  -  -  NA NA -  - - -"},
+    {first_indication_location,   "-  -  -  -  A  -  -  A  -  -  -  -  -  NA NA -  - A A"},
+    {eoa_loa,                     "-  -  -  -  A  -  -  A  -  -  -  -  -  NA NA -  - A A"},
+    {set_speed,                   "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  A A A"},
+    {ntc_not_available,           "-  -  -  -  -  -  -  -  -  A  -  -  -  NA NA A  - - -"},
+    {ntc_data_need,               "-  -  -  -  A  A  A  A  -  -  A  A  A  NA NA A  - - A"},
+    {ntc_failed,                  "-  A  -  A  A  A  A  A  -  A  A  A  A  NA NA A  - A A"},
+    // 4.0.0
+    {nl_no_longer_permitted,      "-  -  -  -  -  -  -  -  -  A  -  -  -  NA NA -  - - -"},
+    {odometer_impaired,           "-  -  -  -  A  A  A  A  -  -  -  -  -  NA NA -  - A A"},
   });
 }();
 // clang-format on
 static_assert(srs_4_7_2_outputs.size() == kOutputs && in_order(srs_4_7_2_outputs));
 
-constexpr Mark mark(Output which, Mode mode) {
+inline constexpr auto srs_4_7_2_outputs_of_editions = std::to_array<CellOfEdition<Output>>({
+    {SrsVersion::v3_4_0, Output::trip_reason, Mode::PT, Mark::no},
+    {SrsVersion::v3_4_0, Output::fixed_text, Mode::NL, Mark::available},
+    {SrsVersion::v3_4_0, Output::plain_text, Mode::NL, Mark::available},
+    {SrsVersion::v3_4_0, Output::gradient, Mode::FS, Mark::available},
+    {SrsVersion::v3_4_0, Output::gradient, Mode::OS, Mark::no},
+    {SrsVersion::v3_4_0, Output::mrsp, Mode::FS, Mark::available},
+    {SrsVersion::v3_4_0, Output::mrsp, Mode::OS, Mark::no},
+    {SrsVersion::v4_0_0, Output::brake_reason, Mode::TR, Mark::available},
+});
+
+constexpr Mark mark(Output which, Mode mode, SrsVersion srs) {
+  for (const CellOfEdition<Output>& cell : srs_4_7_2_outputs_of_editions)
+    if (cell.srs == srs && cell.what == which && cell.mode == mode) return cell.mark;
   return srs_4_7_2_outputs[static_cast<std::size_t>(which)].modes[static_cast<std::size_t>(mode)];
 }
 
 /// Whether the mode allows it, without further conditions.
 template <class What>
-constexpr bool allowed(What which, Mode mode) {
-  const Mark m = mark(which, mode);
+constexpr bool allowed(What which, Mode mode, SrsVersion srs) {
+  const Mark m = mark(which, mode, srs);
   return m == Mark::always || m == Mark::available || m == Mark::national;
 }
 

@@ -21,6 +21,8 @@ bool over(const StatusTexts::Row& state, const StatusRow& row, bool reason, cons
       return !reason;
     case TextEnd::main_window:
       return facts.main_window_selection && !reason;
+    case TextEnd::acknowledged:
+      return facts.acknowledged;
     case TextEnd::s30_after_its_reason:
     case TextEnd::s30_and_its_reason:
     case TextEnd::s30:
@@ -32,7 +34,7 @@ bool over(const StatusTexts::Row& state, const StatusRow& row, bool reason, cons
 
 void run(StatusTexts::Row& state, const StatusRow& row, const StatusFacts& facts) {
   // 15.1.1.2: a mode that does not show it ends it; while its reason holds, the next mode that shows it starts it anew.
-  if (!allowed(row.output, facts.mode)) {
+  if (!allowed(row.output, facts.mode, facts.srs)) {
     state.on = false;
     return;
   }
@@ -53,7 +55,7 @@ void step(StatusTexts& texts, const StatusFacts& facts) {
   if (texts.idle() && facts.brakes.empty() && facts.inform.empty() && facts.unsuitable.empty() &&
       facts.described_under_train)
     return;
-  if (facts.mode != Mode::TR && facts.mode != Mode::PT) texts.trip_reason.reset();
+  if (!allowed(Output::trip_reason, facts.mode, facts.srs)) texts.trip_reason.reset();
   Set<StatusText> shown;
   if (texts.trip_reason.has_value()) shown.add(*texts.trip_reason);
   for (std::size_t i = 0; i < srs_status_texts.size(); ++i) {

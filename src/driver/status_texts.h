@@ -20,6 +20,7 @@ namespace evc::driver {
 struct StatusFacts {
   Duration now{};
   Mode mode = Mode::NP;
+  SrsVersion srs = SrsVersion::v3_6_0;
   Set<Cause> brakes;                   ///< that command a brake
   Set<Cause> revoked;                  ///< by the entry of a mode in this cycle (4.12)
   Set<Inform> inform;                  ///< what happened in this cycle
@@ -27,6 +28,7 @@ struct StatusFacts {
   bool described_under_train = true;   ///< SSP and gradient are known for the whole length of the train (4.4.9.1.4)
   bool main_window_selection = false;  ///< a button of the main window was selected
   bool moving = false;                 ///< a train movement is detected
+  bool acknowledged = false;           ///< the text that asks for it was acknowledged
 };
 
 /// How a text ends, beside a mode in which 4.7.2 does not show it (15.1.1.2) and one whose entry revokes the brake
@@ -38,7 +40,8 @@ enum class TextEnd : std::uint8_t {
   s30_and_its_reason,    ///< after 30 s, and not before its reason has ended
   s30,                   ///< after 30 s
   s30_of_movement,       ///< 30 s after the train moved first
-  main_window            ///< with the next selection in the main window
+  main_window,           ///< with the next selection in the main window
+  acknowledged           ///< with its acknowledgement
 };
 
 /// One row of Table 68 without the trip reasons: what starts the text, and its row of 4.7.2.
@@ -75,6 +78,9 @@ inline constexpr auto srs_status_texts = [] {
       {StatusText::train_data_changed, Output::train_data_changed,       s30_of_movement,      {}, Inform::train_data_changed},
       {StatusText::train_data_changed, Output::brake_reason,             with_its_reason,      {Cause::train_data_changed}},
       {network_registration_failed, Output::network_registration_failed, main_window,          {}, Inform::network_registration_failed},
+      {national_system_not_available, Output::ntc_not_available,       with_its_reason,      {}, Inform::national_system_not_available},
+      {NL_no_longer_permitted,      Output::nl_no_longer_permitted,      acknowledged,         {}, Inform::NL_no_longer_permitted},
+      {StatusText::odometer_impaired, Output::odometer_impaired,       with_its_reason,      {}, Inform::odometer_impaired},
   });
 }();
 // clang-format on

@@ -65,6 +65,10 @@ TEST(StatusTexts, RowsAreThoseOfTable68) {
       caused(StatusText::train_data_changed, with_its_reason, {Cause::train_data_changed}),
       informed(StatusText::network_registration_failed, Output::network_registration_failed, main_window,
                Inform::network_registration_failed),
+      informed(national_system_not_available, Output::ntc_not_available, with_its_reason,
+               Inform::national_system_not_available),
+      informed(NL_no_longer_permitted, Output::nl_no_longer_permitted, acknowledged, Inform::NL_no_longer_permitted),
+      informed(StatusText::odometer_impaired, Output::odometer_impaired, with_its_reason, Inform::odometer_impaired),
   };
   ASSERT_EQ(expected.size(), srs_status_texts.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {

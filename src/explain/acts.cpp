@@ -54,15 +54,20 @@ void Journal::take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& 
 void Journal::take_acts(const sim::CycleInputs& cycle) {
   using Kind = Act::Kind;
   const port::Inputs& in = cycle.levels;
-  const auto note = [&](Kind kind, std::string text) { acts_.push_back({cycle.t_ms, kind, std::move(text)}); };
+  const auto note = [&](Kind kind, std::string text, std::uint8_t about = 0) {
+    acts_.push_back({cycle.t_ms, kind, std::move(text), about});
+  };
   const auto changed = [&](Kind kind, bool was, bool is, const char* yes, const char* no) {
     if (was != is) note(kind, is ? yes : no);
   };
-  using port::Window;
-  changed(Kind::window, windows_.has(Window::train_data), in.windows.has(Window::train_data),
-          "driver opens the window of train data", "driver closes the window of train data");
-  changed(Kind::window, windows_.has(Window::SR_data), in.windows.has(Window::SR_data),
-          "driver opens the window of SR speed and distance", "driver closes the window of SR speed and distance");
+  const auto window = [&](port::Window which, const char* words) {
+    const bool opens = in.windows.has(which);
+    if (windows_.has(which) != opens)
+      note(Kind::window, fmt::format("driver {} the window of {}", opens ? "opens" : "closes", words),
+           static_cast<std::uint8_t>(which));
+  };
+  window(port::Window::train_data, "train data");
+  window(port::Window::SR_data, "SR speed and distance");
   const port::TrainSignals& t = in.train;
   changed(Kind::desk, train_.desk_open, t.desk_open, "a desk is opened", "the desk is closed");
   changed(Kind::power, train_.powered, t.powered, "power on", "power off");
@@ -76,12 +81,21 @@ void Journal::take_acts(const sim::CycleInputs& cycle) {
   if (first_ || train_.direction_controller != t.direction_controller)
     note(Kind::controller, controller(t.direction_controller));
   if (cycle.external_train_data) note(Kind::external_data, "an external source changes the train data");
-  if (!(national_system_ == in.national_system)) note(Kind::national_system, "the national system reports a change");
+  const port::NationalSystem &was = national_system_, &is = in.national_system;
+  const auto order = [&](bool before, bool now, std::uint8_t about, const char* what) {
+    if (before != now)
+      note(Kind::national_system, fmt::format("the national system {} {}", now ? "orders" : "withdraws", what), about);
+  };
+  order(was.service_brake, is.service_brake, kNationalService, "the service brake");
+  order(was.emergency_brake, is.emergency_brake, kNationalEmergency, "the emergency brake");
+  order(was.trip_active, is.trip_active, kNationalTrip, "the trip");
   changed(Kind::fault, fault_, in.safety_fault, "a fault that affects safety is reported", "the fault is over");
   if (in.radio_link != RadioLink::unchanged)
-    note(Kind::session, in.radio_link == RadioLink::connected ? "the radio is connected"
-                        : in.radio_link == RadioLink::lost    ? "the radio connection is lost"
-                                                              : "the radio connection is refused");
+    note(Kind::session,
+         in.radio_link == RadioLink::connected ? "the radio is connected"
+         : in.radio_link == RadioLink::lost    ? "the radio connection is lost"
+                                               : "the radio connection is refused",
+         in.radio_link == RadioLink::connected ? std::uint8_t{0} : kNotConnected);
   train_ = t;
   windows_ = in.windows;
   national_system_ = in.national_system;

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "explain/words.h"
+#include "protection/antenna.h"
 #include "terms/packet_numbers.h"
-#include "texts/texts.h"
 
 namespace evc::explain {
 namespace {
@@ -21,7 +21,10 @@ int condition_of(const Moment& entry) {
 /// What made the facts of a condition, in the order of time, each once.
 Steps origins_of(const Reason& reason, const Journal& journal, std::int64_t t_ms) {
   Steps steps;
+  // The level alone has led to nothing, where it did not change now.
+  const auto is_level = [](const Literal& l) { return l.fact >= Fact::level_0 && l.fact <= Fact::level_1_2_3; };
   for (const Literal& literal : reason.because) {
+    if (is_level(literal)) continue;
     auto origin = origin_of(literal, journal, t_ms);
     const auto same = [&](const Step& s) { return s.t_ms == origin->t_ms && s.text == origin->text; };
     if (origin && std::none_of(steps.begin(), steps.end(), same)) steps.push_back(*std::move(origin));
@@ -30,30 +33,23 @@ Steps origins_of(const Reason& reason, const Journal& journal, std::int64_t t_ms
   return steps;
 }
 
-Step last_act(const Journal& journal, Act::Kind kind, const Moment& m, const char* otherwise) {
-  const Act* act = journal.last(kind, m.t_ms);
-  return act != nullptr ? step_of(*act) : Step{m.t_ms, otherwise, ""};
+/// The order of the national system, whose level is NTC or is announced.
+Steps national_steps(const Journal& journal, const Moment& m, std::uint8_t order) {
+  const Act* act = journal.last(Act::Kind::national_system, m.t_ms, order);
+  Step step = act != nullptr ? step_of(*act) : Step{m.t_ms, "the national system orders the brake", ""};
+  if (m.after.level.level == Level::NTC) step.text += fmt::format(" (level NTC, system {})", m.after.level.nid_ntc);
+  return {step};
 }
 
-Steps group_steps(const Journal& journal, const Moment& m, What what) {
-  Steps steps;
-  for (const Note& note : journal.notes())
-    if (note.t_ms == m.t_ms && note.event.what == what) steps.push_back(step_of(note));
-  if (const Note* note = journal.last(what, m.t_ms); steps.empty() && note != nullptr) steps.push_back(step_of(*note));
-  return steps;
-}
-
-/// Both groups that were missed since linking announced them.
-Steps two_groups_steps(const Journal& journal, const Moment& m) {
-  Steps steps;
-  const Note* announced = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::linking});
-  for (const Note& note : journal.notes()) {
-    if (announced == nullptr || note.t_ms < announced->t_ms || note.t_ms > m.t_ms) continue;
-    const What what = note.event.what;
-    if (&note == announced || what == What::linking_error_missed || what == What::double_linking_error ||
-        what == What::double_repositioning)
-      steps.push_back(step_of(note));
-  }
+/// 3.15.7.2: in levels 0 and NTC the alarm is ignored for a distance.
+Steps antenna_steps(const Journal& journal, const Moment& m) {
+  const Act* act = journal.last(Act::Kind::antenna, m.t_ms);
+  Steps steps{act != nullptr ? step_of(*act) : Step{m.t_ms, "alarm of the balise antenna", ""}};
+  if (!level_1_2_3(m.after.level.level))
+    steps.push_back({m.t_ms,
+                     fmt::format("it has lasted for {}, for which it is ignored in level {}",
+                                 metres_words(protection::D_METAL), name(m.after.level.level)),
+                     "3.15.7.2"});
   return steps;
 }
 
@@ -64,9 +60,8 @@ Steps first_steps(Cause cause, const Journal& journal, const Moment& m) {
     case Cause::no_power_or_failure:
       return entry_steps(journal, m);  // the command begins with the mode
     case Cause::linking:
-      return linking_steps(journal, m);
     case Cause::balise_group_consistency:
-      return group_steps(journal, m, What::group_inconsistent);
+      return linking_steps(journal, m);
     case Cause::two_groups_missed:
       return two_groups_steps(journal, m);
     case Cause::T_NVCONTACT:
@@ -84,9 +79,10 @@ Steps first_steps(Cause cause, const Journal& journal, const Moment& m) {
       return unacknowledged_steps(cause, journal, m);
     case Cause::national_system_service:
     case Cause::national_system_emergency:
-      return {last_act(journal, Act::Kind::national_system, m, "the national system orders the brake")};
+      return national_steps(journal, m,
+                            cause == Cause::national_system_service ? kNationalService : kNationalEmergency);
     case Cause::balise_antenna:
-      return {last_act(journal, Act::Kind::antenna, m, "alarm of the balise antenna")};
+      return antenna_steps(journal, m);
     default:
       return movement_steps(cause, journal, m);
   }
@@ -98,7 +94,8 @@ Steps entry_steps(const Journal& journal, const Moment& entry) {
   const int condition = condition_of(entry);
   Steps steps;
   if (entry.after.mode == Mode::TR) steps = trip_steps(journal, entry, condition);
-  for (const Reason& reason : reasons(entry.facts)) {
+  if (condition == 13) steps = fault_steps(journal, entry);
+  for (const Reason& reason : reasons(entry.facts, entry.after.srs)) {
     if (reason.number != condition) continue;
     if (steps.empty()) steps = origins_of(reason, journal, entry.t_ms);
     steps.push_back(
@@ -109,16 +106,18 @@ Steps entry_steps(const Journal& journal, const Moment& entry) {
   return steps;
 }
 
-Steps chain_of(Cause cause, const Journal& journal, const Moment& m) {
-  const brakes::CauseRow& row = brakes::row(cause);
-  Steps steps = first_steps(cause, journal, m);
+Steps chain_of(const Command& command, const Journal& journal) {
+  const Moment& m = *command.braking->onset;
+  const brakes::CauseRow& row = brakes::row(command.cause);
+  Steps steps = first_steps(command.cause, journal, m);
   // 3.14.1.2: without an interface to the service brake the emergency brake takes its place.
   const bool instead = row.kind == brakes::Kind::service_brake && !m.outputs.sb && m.outputs.eb;
   steps.push_back({m.t_ms,
                    fmt::format("{} at {}, front end at {}",
                                instead ? "emergency brake, no service brake is fitted," : words(row.kind),
                                kmh_words(m.outputs.v), metres_words(m.outputs.est_front.from_origin)),
-                   texts::text_of(row.clause)});
+                   clause_of(command.cause, m)});
+  if (command.braking->failed) steps.push_back(failed_step(*command.braking->failed));
   return steps;
 }
 

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "explain/brake.h"
 #include "explain/words.h"
+#include "kernel/here.h"
 #include "position/position.h"
+#include "terms/packet_numbers.h"
 #include "train/national_values.h"
 
 // Commands because of movements and of train data.
@@ -33,17 +37,56 @@ Steps with_controller(const Journal& journal, const Moment& m, Step step) {
   return steps;
 }
 
-Steps window_steps(const Journal& journal, const Moment& m, const char* clause) {
+Steps window_steps(const Journal& journal, const Moment& m, port::Window window, const char* clause) {
   Steps steps;
-  if (const Act* act = journal.last(Act::Kind::window, m.t_ms)) steps.push_back(step_of(*act));
+  if (const Act* act = journal.last(Act::Kind::window, m.t_ms, static_cast<std::uint8_t>(window)))
+    steps.push_back(step_of(*act));
   steps.push_back({m.t_ms, fmt::format("the train moves at {} while it is open", kmh_words(m.outputs.v)), clause});
   return steps;
+}
+
+/// What is wrong with the readings of the odometer.
+Step odometry_step(const Moment& m) {
+  const port::Odometry& o = m.odometry;
+  const auto age = o.measured ? static_cast<double>(m.t_ms) / 1000.0 - o.measured->si : 0.0;
+  if (age > 1.0)
+    return {m.t_ms,
+            fmt::format("the odometer is silent: its last reading, of {:.1f} s, is {:.1f} s old, more than 1 s",
+                        o.measured->si, age),
+            "4.4.5.1.1"};
+  const bool place = o.min <= o.nominal && o.nominal <= o.max;
+  const bool speed = o.V_min <= o.V_est && o.V_est <= o.V_max;
+  return {m.t_ms,
+          !place   ? "the odometer is not sound: its place lies outside of its interval"
+          : !speed ? "the odometer is not sound: its speed lies outside of its interval"
+                   : "odometer or time is not sound: out of range, or earlier than before",
+          "4.4.5.1.1"};
 }
 
 Steps mode_and(const Journal& journal, const Moment& m, Step step) {
   Steps steps;
   if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
   steps.push_back(std::move(step));
+  return steps;
+}
+
+/// The distance of packet 139, from the end of the area of packet 138.
+Steps reversing_steps(const Journal& journal, const Moment& m) {
+  Steps steps;
+  if (const Note* note = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::reversing_area}))
+    steps.push_back(step_of(*note));
+  const auto& supervision = m.after.track.reversing_supervision;
+  if (const Note* note = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::reversing_supervision})) {
+    steps.push_back(step_of(*note));
+    if (supervision && supervision->D_REVERSE)
+      steps.back().text += fmt::format(": D_REVERSE {}", metres_words(*supervision->D_REVERSE));
+  }
+  if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
+  const auto left = track::reversing_left(m.after.track, kernel::here(m.after));
+  steps.push_back({m.t_ms,
+                   fmt::format("the train is {}beyond the distance to run in reverse",
+                               left ? fmt::format("{:.2f} m ", std::abs(left->si)) : ""),
+                   "3.15.4.8"});
   return steps;
 }
 
@@ -65,11 +108,11 @@ Steps movement_steps(Cause cause, const Journal& journal, const Moment& m) {
                                    metres_words(m.after.national_values.D_NVPOTRP)),
                        "4.4.14.1.3"});
     case Cause::reversing_distance:
-      return mode_and(journal, m, {m.t_ms, "the train is beyond the distance to run in reverse", "3.15.4.8"});
+      return reversing_steps(journal, m);
     case Cause::movement_while_entering_train_data:
-      return window_steps(journal, m, "3.18.3.3.1");
+      return window_steps(journal, m, port::Window::train_data, "3.18.3.3.1");
     default:
-      return window_steps(journal, m, "4.4.11.1.5.1");
+      return window_steps(journal, m, port::Window::SR_data, "4.4.11.1.5.1");
   }
 }
 
@@ -82,6 +125,20 @@ Steps train_data_steps(const Journal& journal, const Moment& m) {
        fmt::format("in {} at {}: {}; first the train has to stop", name(m.after.mode), kmh_words(m.outputs.v),
                    validates ? "the driver has to validate them" : "the route may not suit it any more"),
        "5.17.2.2"});
+  return steps;
+}
+
+Steps fault_steps(const Journal& journal, const Moment& m) {
+  Steps steps;
+  const Act* reported = journal.last(Act::Kind::fault, m.t_ms);
+  if (m.safety_fault && reported != nullptr) steps.push_back(step_of(*reported));
+  for (const Note& note : journal.notes()) {
+    if (note.t_ms != m.t_ms) continue;
+    if (note.event.what == What::odometry_not_sound) steps.push_back(odometry_step(m));
+    if (note.event.what == What::mode_not_of_level) steps.push_back(step_of(note));
+  }
+  if (m.after.configuration_refused)
+    steps.push_back({m.t_ms, "the configuration is out of range: train data or national values", "4.4.5.1.1"});
   return steps;
 }
 

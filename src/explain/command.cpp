@@ -20,6 +20,7 @@ using io::complain;
 struct Unit {
   kernel::State before, state;
   kernel::Derived derived;
+  kernel::Examined seen;
   kernel::Outputs outputs;
 };
 
@@ -43,11 +44,11 @@ io::Result<bool> run_to(std::int64_t at_ms, io::InputStream& stream, Unit& unit,
     const auto more = stream.next(cycle);
     if (!more || !*more) return more;
     unit.before = unit.state;
-    const procedures::Facts facts = kernel::examine(unit.state, unit.derived, cycle.view(), unit.outputs);
-    journal.take(cycle, unit.before, unit.state, unit.derived, facts, unit.outputs);
+    kernel::examine(unit.state, unit.derived, cycle.view(), unit.outputs, unit.seen);
+    journal.take(cycle, unit.before, unit.state, unit.derived, unit.seen, unit.outputs);
     last_ms = cycle.t_ms;
     if (cycle.t_ms + cycle_ms <= at_ms) continue;
-    journal.stop_here(cycle, unit.before, unit.state, unit.derived, facts, unit.outputs);
+    journal.stop_here(cycle, unit.before, unit.state, unit.derived, unit.seen, unit.outputs);
     return true;
   }
 }

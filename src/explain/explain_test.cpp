@@ -66,6 +66,20 @@ TEST(ExplainCommand, why_the_brake_of_a_failure) {
   EXPECT_TRUE(has(e.output, "emergency brake at 0 km/h")) << e.output;
 }
 
+// A reading that shows movement holds for 1 s.
+TEST(ExplainCommand, why_the_brake_of_an_odometer_that_stops) {
+  const std::string moving =
+      R"({"t_ms":200,"odometer":{"accel_mps2":0,"min_m":0,"nominal_m":0,"max_m":0,"speed_mps":1}})";
+  const Stream stream(moving + "\n");
+  std::ofstream(stream.file(), std::ios::app) << R"({"t_ms":2000})"
+                                              << "\n";
+  const Ended e = stream.explain("--at 1500 --why-brake");
+  EXPECT_TRUE(has(e.output, "the odometer is silent: its last reading, of 0.2 s, is 1.1 s old, more than 1 s"))
+      << e.output;
+  EXPECT_TRUE(has(e.output, "emergency brake at")) << e.output;
+  EXPECT_TRUE(has(e.output, "[4.4.5.1.2]\n    will not be released: it is permanent")) << e.output;
+}
+
 TEST(ExplainCommand, no_brake_is_an_answer_too) {
   const Ended e = Stream(kFault).explain("--at 400 --why-brake");
   EXPECT_EQ(e.exit_code, 1);
@@ -112,7 +126,8 @@ TEST(DescribeModes, the_matrix_and_its_conditions) {
 TEST(DescribeModes, the_table_of_4_0_0) {
   const Ended e = ended("describe modes --srs 4.0.0");
   EXPECT_TRUE(has(e.output, "  SM  FS  AD  LS")) << e.output;
-  EXPECT_TRUE(has(e.output, "  84  of 4.0.0, not observed by this unit\n")) << e.output;
+  EXPECT_TRUE(has(e.output, "  84  the accumulated error of the odometer is beyond the safety threshold\n"))
+      << e.output;
 }
 
 TEST(DescribeModes, the_graph_has_an_arrow_for_each_transition_but_those_of_every_mode) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "brakes/brakes.h"
+#include "explain/origins.h"
 #include "explain/words.h"
 #include "lang/message_table.h"
 #include "lang/telegram.h"
@@ -11,8 +13,16 @@ namespace evc::explain {
 namespace {
 
 Moment moment_of(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
-                 const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs) {
-  return {cycle.t_ms, before, after, derived.in_force, facts, outputs, cycle.levels.train, cycle.levels.windows};
+                 const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs) {
+  return {cycle.t_ms,
+          before,
+          seen.deciding,
+          after,
+          derived.in_force,
+          seen.facts,
+          outputs,
+          cycle.levels.odometry,
+          cycle.levels.safety_fault};
 }
 
 /// The events of a message come before the event of the message itself, those of a group behind it.
@@ -75,6 +85,24 @@ std::string source_of(const sim::CycleInputs& cycle, const kernel::Outputs& outp
   return message_words(static_cast<std::uint8_t>(e.id));
 }
 
+/// "balise 2 of 2 was not read"; nothing if all were.
+std::string missing_words(const GroupRead& group) {
+  for (unsigned n = 0; n < group.total; ++n)
+    if ((group.read >> n & 1u) == 0) return fmt::format("balise {} of {} was not read", n + 1, group.total);
+  return "";
+}
+
+/// The service brake of this command fails, and did not before.
+bool fails(Cause cause, const Braking& braking, const kernel::State& after) {
+  return brakes::row(cause).kind == brakes::Kind::service_brake && !braking.until && !braking.failed &&
+         after.brakes.service_brake.failed;
+}
+/// The EBI limit is exceeded too, after an emergency brake in place of the service brake.
+bool passes_EBI(Cause cause, const Braking& braking, const kernel::State& after) {
+  return cause == Cause::overspeed_emergency && !braking.until && !braking.beyond_EBI && after.supervision.eb &&
+         !braking.onset->after.supervision.eb;
+}
+
 }  // namespace
 
 void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs) {
@@ -82,7 +110,10 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
   std::string group;
   for (const port::Event& e : outputs.events) {
     if (names_group(e.what)) group = source_of(cycle, outputs, e);
-    notes_.push_back({cycle.t_ms, e, of_track(e.what) ? group : ""});
+    notes_.push_back({cycle.t_ms, e, of_track(e.what) || e.what == What::group_accepted ? group : "", "", ""});
+    const auto read = groups_read_.find(e.id);
+    if (e.what == What::group_inconsistent && read != groups_read_.end())
+      notes_.back().detail = missing_words(read->second);
     if (names_group(e.what)) open = notes_.size();
     if (!names_message(e.what)) continue;
     const std::string message = source_of(cycle, outputs, e);
@@ -91,6 +122,34 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
     open = notes_.size();
     group.clear();
   }
+}
+
+void Journal::take_groups(const sim::CycleInputs& cycle) {
+  constexpr std::int64_t kApart = 60000;  // one passage of a group is shorter
+  for (const auto& t : cycle.balises) {
+    const lang::TelegramView view = lang::scan_telegram(t.bits.bytes, t.bits.size);
+    if (view.fault != lang::Fault::none) continue;
+    GroupRead& group = groups_read_[static_cast<std::int32_t>(view.NID_BG.raw)];
+    if (cycle.t_ms - group.t_ms > kApart) group = {};
+    group.t_ms = cycle.t_ms;
+    group.total = static_cast<unsigned>(view.N_TOTAL.raw) + 1;
+    group.read |= 1u << view.N_PIG.raw;
+  }
+}
+
+void Journal::take_links(const kernel::State& s) {
+  const Note* note = notes_.empty() ? nullptr : last(What::packet_accepted, notes_.back().t_ms, packet::linking);
+  if (note == nullptr || note->t_ms != notes_.back().t_ms) return;
+  for (const balise::Link& link : s.balise.linking.links)
+    announced_[link.id.NID_BG] = {*note, link, place_words(s, link.place)};
+}
+
+void Journal::take_end(const kernel::State& before, const kernel::State& after) {
+  if (notes_.empty() || before.basis.number == after.basis.number) return;
+  const std::string ended = end_words(before);
+  if (ended == end_words(after)) return;
+  const std::int64_t t_ms = notes_.back().t_ms;
+  for (std::size_t i = notes_.size(); i-- > 0 && notes_[i].t_ms == t_ms;) notes_[i].ended = ended;
 }
 
 void Journal::take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after) {
@@ -126,36 +185,51 @@ void Journal::take_texts(const kernel::State& before, const kernel::State& after
   }
 }
 
+bool Journal::brakes_change(const kernel::State& after, const kernel::Outputs& outputs) const {
+  if (outputs.brake_reasons != braked_) return true;
+  for (const auto& [cause, braking] : brakings_)
+    if (fails(cause, braking, after) || passes_EBI(cause, braking, after)) return true;
+  return false;
+}
+
 void Journal::take_brakes(const Moment& moment) {
   const Set<Cause> now = moment.outputs.brake_reasons;
   for (std::size_t i = 0; i < terms::index(Cause::count); ++i) {
     const Cause cause = static_cast<Cause>(i);
-    if (now.has(cause) && !braked_.has(cause)) brakings_[cause] = {std::make_unique<Moment>(moment), {}};
+    if (now.has(cause) && !braked_.has(cause)) brakings_[cause] = {std::make_unique<Moment>(moment), {}, {}, {}};
     if (!now.has(cause) && braked_.has(cause)) brakings_[cause].until = moment.t_ms;
+  }
+  for (auto& [cause, braking] : brakings_) {
+    if (fails(cause, braking, moment.after)) braking.failed = moment.t_ms;
+    if (passes_EBI(cause, braking, moment.after)) braking.beyond_EBI = std::make_unique<Moment>(moment);
   }
   braked_ = now;
 }
 
 void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
-                   const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs) {
+                   const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs) {
   take_driver(cycle, outputs);
   take_acts(cycle);
+  take_groups(cycle);
   take_notes(cycle, outputs);
+  if (!outputs.events.empty()) {
+    take_links(seen.deciding);
+    take_end(before, seen.deciding);
+  }
   take_contact(cycle, before.radio.supervising.session, after.radio.supervising.session);
   take_contact(cycle, before.radio.other.session, after.radio.other.session);
   take_restrictions(before, after);
   take_texts(before, after);
   const bool entered = before.mode != after.mode;
-  if (!entered && outputs.brake_reasons == braked_) return;
-  const Moment moment = moment_of(cycle, before, after, derived, facts, outputs);
+  if (!entered && !brakes_change(after, outputs)) return;
+  const Moment moment = moment_of(cycle, before, after, derived, seen, outputs);
   if (entered) entry_ = std::make_unique<Moment>(moment);
   take_brakes(moment);
 }
 
 void Journal::stop_here(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
-                        const kernel::Derived& derived, const procedures::Facts& facts,
-                        const kernel::Outputs& outputs) {
-  now_ = std::make_unique<Moment>(moment_of(cycle, before, after, derived, facts, outputs));
+                        const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs) {
+  now_ = std::make_unique<Moment>(moment_of(cycle, before, after, derived, seen, outputs));
 }
 
 const Note* Journal::last(What what, std::int64_t t_ms, std::optional<std::int32_t> id) const {
@@ -178,6 +252,11 @@ const Note* Journal::of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const {
 const Note* Journal::of_text(std::uint8_t id) const {
   const auto found = texts_.find(id);
   return found == texts_.end() ? nullptr : &found->second;
+}
+
+const Announced* Journal::announced(std::int32_t NID_BG) const {
+  const auto found = announced_.find(NID_BG);
+  return found == announced_.end() ? nullptr : &found->second;
 }
 
 const Contact* Journal::last_of(const radio::Rbc& rbc) const {

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/state.h"
-#include "procedures/observe.h"
+#include "kernel/examine.h"
 #include "sim/cycle_inputs.h"
 #include "terms/mrsp_source.h"
 
@@ -21,6 +20,8 @@ struct Note {
   std::int64_t t_ms = 0;
   port::Event event;
   std::string source;  ///< "group 100", "message 3 (Movement authority)"; nothing: of no input from the track
+  std::string detail;  ///< what the event does not say: which balise of a group was not read
+  std::string ended;   ///< the end of the authority before the cycle, where it changed in it
 };
 
 /// What driver, train interface or bearer did; not what the unit refused in the same cycle.
@@ -47,8 +48,13 @@ struct Act {
   std::int64_t t_ms = 0;
   Kind kind{};
   std::string text;        ///< "driver acknowledges OS"
-  std::uint8_t about = 0;  ///< the Select that is selected, the Ack that is given
+  std::uint8_t about = 0;  ///< the Select that is selected, the Ack that is given, the Window, the national order
 };
+
+/// Of the radio: lost or refused.
+inline constexpr std::uint8_t kNotConnected = 1;
+/// The orders of a national system.
+inline constexpr std::uint8_t kNationalService = 0, kNationalEmergency = 1, kNationalTrip = 2;
 
 /// A message of an RBC.
 struct Contact {
@@ -56,31 +62,46 @@ struct Contact {
   std::uint8_t NID_MESSAGE = 0;
 };
 
+/// A group that linking announced last, with its place as of then.
+struct Announced {
+  Note note;
+  balise::Link link;
+  std::string place;
+};
+
+/// The telegrams of a group that was read last: bit n for N_PIG n.
+struct GroupRead {
+  std::int64_t t_ms = 0;
+  unsigned total = 0, read = 0;
+};
+
 /// A cycle with the memory of the unit before and after it.
 struct Moment {
   std::int64_t t_ms = 0;
-  kernel::State before, after;
+  kernel::State before, deciding, after;  ///< `deciding`: with the inputs of the cycle, in the mode before it
   kernel::Derived::Curves curves;
   procedures::Facts facts;
   kernel::Outputs outputs;
-  port::TrainSignals train;
-  Set<port::Window> windows;
+  port::Odometry odometry;
+  bool safety_fault = false;  ///< reported from outside
 };
 
 /// A brake command by one cause: its first cycle, and the first one without it.
 struct Braking {
   std::unique_ptr<Moment> onset;
   std::optional<std::int64_t> until;
+  std::optional<std::int64_t> failed;  ///< the service brake was not applied, or is not any more (3.14.1.2)
+  std::unique_ptr<Moment> beyond_EBI;  ///< after an emergency brake in place of the service brake
 };
 
 class Journal {
  public:
   /// A cycle that was answered. `before` is the state before it.
   void take(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
-            const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs);
+            const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs);
   /// Keeps the last cycle as `now`.
   void stop_here(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
-                 const kernel::Derived& derived, const procedures::Facts& facts, const kernel::Outputs& outputs);
+                 const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs);
 
   const std::vector<Note>& notes() const { return notes_; }
   /// The cycle in which the mode was entered; null: at power-up.
@@ -96,6 +117,8 @@ class Journal {
   const Note* of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const;
   /// The note with which a text came, by its identity on board.
   const Note* of_text(std::uint8_t id) const;
+  /// Of a group, by NID_BG; null: never announced.
+  const Announced* announced(std::int32_t NID_BG) const;
   /// The last message of an RBC that was not rejected; null: none.
   const Contact* last_of(const radio::Rbc& rbc) const;
 
@@ -103,16 +126,22 @@ class Journal {
   void take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_acts(const sim::CycleInputs& cycle);
   void take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
+  void take_groups(const sim::CycleInputs& cycle);
+  void take_links(const kernel::State& deciding);
+  void take_end(const kernel::State& before, const kernel::State& after);
   void take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after);
   void take_restrictions(const kernel::State& before, const kernel::State& after);
   void take_texts(const kernel::State& before, const kernel::State& after);
   void take_brakes(const Moment& moment);
+  bool brakes_change(const kernel::State& after, const kernel::Outputs& outputs) const;
 
   std::vector<Note> notes_;
   std::vector<Act> acts_;
   std::map<std::pair<std::uint16_t, std::uint16_t>, Contact> contacts_;  ///< by NID_C and NID_RBC
   std::unique_ptr<Moment> entry_, now_;
   std::map<Cause, Braking> brakings_;
+  std::map<std::int32_t, Announced> announced_;    ///< by NID_BG
+  std::map<std::int32_t, GroupRead> groups_read_;  ///< by NID_BG
   std::map<std::pair<std::uint8_t, std::uint8_t>, Note> restrictions_;
   std::map<std::uint8_t, Note> texts_;
   Set<Cause> braked_;

@@ -25,13 +25,18 @@ struct Table {
   std::vector<Transition> cells;
 };
 
-template <class M, std::size_t N>
-Table table_of(const std::array<modes::Cell<M>, N>& cells, std::size_t count, const char* editions) {
+/// The modes of a table in the order of its columns.
+std::size_t column_of(const std::vector<Mode>& columns, Mode mode) {
+  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), mode) - columns.begin());
+}
+
+template <std::size_t N>
+Table table_of(const std::array<modes::Cell<Mode>, N>& cells, const std::vector<Mode>& columns, const char* editions) {
   Table table;
   table.title = fmt::format("transitions between modes, SUBSET-026-4 4.6.2 of {}", editions);
-  for (std::size_t i = 0; i < count; ++i) table.modes.push_back(name(static_cast<M>(i)));
-  for (const modes::Cell<M>& cell : cells) {
-    Transition t{static_cast<std::size_t>(cell.to), static_cast<std::size_t>(cell.from), cell.priority, {}};
+  for (const Mode mode : columns) table.modes.emplace_back(name(mode));
+  for (const modes::Cell<Mode>& cell : cells) {
+    Transition t{column_of(columns, cell.to), column_of(columns, cell.from), cell.priority, {}};
     for (const std::uint8_t n : cell.when)
       if (n != 0) t.numbers.push_back(n);
     table.cells.push_back(std::move(t));
@@ -72,17 +77,14 @@ std::string matrix_of(const Table& table) {
   return text;
 }
 
-/// Those of the table; a number without words is one that the unit does not observe.
+/// Those of the table.
 std::string conditions_of(const Table& table) {
   std::vector<int> numbers;
   for (const Transition& t : table.cells) numbers.insert(numbers.end(), t.numbers.begin(), t.numbers.end());
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::string text = "conditions, 4.6.3\n";
-  for (const int n : numbers) {
-    const char* meaning = modes::meaning(n);
-    text += fmt::format("{:>4}  {}\n", n, meaning != nullptr ? meaning : "of 4.0.0, not observed by this unit");
-  }
+  for (const int n : numbers) text += fmt::format("{:>4}  {}\n", n, modes::meaning(n));
   return text;
 }
 
@@ -161,8 +163,10 @@ std::string graph_of(const Table& table) {
 }  // namespace
 
 int describe_modes(const ModesOptions& options) {
-  const Table table = options.srs == "4.0.0" ? table_of(modes::v400::srs_4_6_2, modes::v400::kModes, "4.0.0")
-                                             : table_of(modes::srs_4_6_2, kModes, "3.3.0 to 3.6.0");
+  const std::vector<Mode> of_4(modes::v400::kColumns.begin(), modes::v400::kColumns.end());
+  const std::vector<Mode> of_3(modes::kColumns.begin(), modes::kColumns.end());
+  const Table table = options.srs == "4.0.0" ? table_of(modes::v400::srs_4_6_2, of_4, "4.0.0")
+                                             : table_of(modes::srs_4_6_2, of_3, "3.3.0 to 3.6.0");
   const auto written =
       io::write_whole(options.output, options.svg ? graph_of(table) : matrix_of(table) + conditions_of(table));
   return written ? 0 : io::complain(written.error());

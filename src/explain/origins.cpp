@@ -113,6 +113,10 @@ std::optional<port::Select> selection_of(Fact fact) {
       return port::Select::override_;
     case Fact::continue_shunting:
       return port::Select::maintain_shunting;
+    case Fact::selects_ATO_engage:
+      return port::Select::ato_engage;
+    case Fact::ATO_disengaged:
+      return port::Select::ato_disengage;
     default:
       return std::nullopt;
   }
@@ -125,12 +129,22 @@ const Act* act_behind(const Literal& literal, const Journal& journal, std::int64
   if (const auto select = selection_of(literal.fact))
     return journal.last(Act::Kind::select, t_ms, static_cast<std::uint8_t>(*select));
   const auto kind = act_of(literal.fact);
+  if (literal.fact == Fact::national_trip) return journal.last(Act::Kind::national_system, t_ms, kNationalTrip);
   return kind ? journal.last(*kind, t_ms) : nullptr;
 }
 
 std::string by_source(const Note& note) { return note.source.empty() ? "" : " by " + note.source; }
 
 bool is_level(Fact fact) { return fact >= Fact::level_0 && fact <= Fact::national_system_only; }
+
+/// The timer of the authority, by the clause of its event.
+const char* timer_words(const std::string& clause) {
+  return clause == "3.8.4.1.2"   ? "timer of the end section elapsed"
+         : clause == "3.8.4.2.2" ? "section timer elapsed"
+         : clause == "3.8.4.3.2" ? "timer of the LOA speed elapsed"
+         : clause == "3.8.4.4.2" ? "overlap timer elapsed"
+                                 : "standstill ends the overlap";
+}
 
 }  // namespace
 
@@ -141,9 +155,12 @@ Step step_of(const Note& note) {
     clause = text.substr(bracket + 2, text.size() - bracket - 3);
     text.resize(bracket);
   }
+  if (note.event.what == What::trip_ordered) text += " (V_MAIN 0, signal at danger)";
+  if (note.event.what == What::authority_timer_elapsed) text = timer_words(clause);
   if (note.event.what == What::mode_changed) clause = fmt::format("4.6.3({})", note.event.id);
   if (!note.source.empty() && note.event.what != What::group_accepted && note.event.what != What::message_accepted)
     text = note.source + ": " + text;
+  if (!note.detail.empty()) text += ": " + note.detail;
   return {note.t_ms, text, clause};
 }
 

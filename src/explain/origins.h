@@ -30,6 +30,9 @@ std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms);
 /// From what a fact of the moment came; nothing where only the position or the time made it so.
 std::optional<Step> origin_of(const Literal& literal, const Journal& journal, std::int64_t t_ms);
 
+/// "EOA at 600.0 m, SvL at 700.0 m, release speed 30 km/h"; nothing without an authority.
+std::string end_words(const kernel::State& state);
+
 /// The authority in force: from what it came, what changed it since, and where it ends.
 Steps authority_steps(const Journal& journal, const Moment& moment);
 
@@ -45,6 +48,9 @@ Step step_of(const Restriction& restriction);
 const char* clause_of(MrspSource source);
 /// Those that limit the speed to `V` between two places.
 std::vector<Restriction> restrictions(const Journal& journal, const Moment& moment, Place from, Place to, Speed V);
+
+/// What gave the SR distance last: the RBC, a loop, the driver; without these it is the national value.
+Step SR_distance_step(const Journal& journal, const Moment& moment);
 
 /// The target of a moment as words: "EOA at 3039.3 m".
 std::string target_words(const Moment& moment, const sdm::TargetId& target);

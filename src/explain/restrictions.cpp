@@ -8,7 +8,7 @@
 #include "kernel/here.h"
 #include "terms/packet_numbers.h"
 
-// The parts of the MRSP, the authority and the targets of a moment.
+// The parts of the MRSP and the targets of a moment.
 namespace evc::explain {
 namespace {
 
@@ -36,14 +36,22 @@ const char* national_speed(Mode mode) {
   }
 }
 
-/// The speed of the mode: of its area, entered by the driver, or the national one.
+/// Whether the speed is that of an area of packet 80, not the national one.
+bool of_area(const kernel::State& s) {
+  if (s.mode == Mode::SH) return s.V_SH != track::kNoSpeed;  // the area itself is deleted (4.10)
+  const auto area = track::area_due(s.track, kernel::here(s));
+  return area && area->mode == s.mode && area->V_MAMODE != track::kNoSpeed;
+}
+
+/// The speed of the mode: of its area, of reversing, entered by the driver, or the national one.
 Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Mode mode = m.after.mode;
   Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
-  if (mode == Mode::OS || mode == Mode::LS || mode == Mode::SH) r.from = packet_step(journal, m, packet::mode_profile);
+  if (of_area(m.after)) r.from = packet_step(journal, m, packet::mode_profile);
+  if (mode == Mode::RV) r.from = packet_step(journal, m, packet::reversing_supervision);
   const Act* entered = journal.last(Act::Kind::SR_speed, m.t_ms);
   if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
-  if (r.from) return r;
+  if (r.from || mode == Mode::RV) return r;
   r.from = national_values_step(journal, m.t_ms);
   r.from->text += fmt::format(": {}", national_speed(mode));
   r.from->clause = "A.3.2";
@@ -91,55 +99,7 @@ Restriction of_source(const Journal& journal, const Moment& m, MrspSource source
   }
 }
 
-/// Why the end in force lies in rear of the end of the stored authority.
-std::string temporary_end(const track::Description& d, Place end) {
-  for (const track::ModeArea& area : d.mode_profile)
-    if (area.from == end) return fmt::format("start of an area of {}", name(area.mode));
-  for (const track::LevelCrossing& lx : d.lx)
-    if (lx.from == end) return fmt::format("level crossing {} is not protected", lx.NID_LX);
-  return "route not suitable";
-}
-
-bool changes_authority(What what) {
-  switch (what) {
-    case What::authority_timer_elapsed:
-    case What::shortening_granted:
-    case What::emergency_stop_accepted:
-    case What::emergency_stop_revoked:
-    case What::track_description_shortened:
-    case What::track_description_ended:
-    case What::level_crossing_speed:
-      return true;
-    default:
-      return false;
-  }
-}
-
 }  // namespace
-
-Steps authority_steps(const Journal& journal, const Moment& m) {
-  Steps steps;
-  const Note* accepted = journal.last(What::authority_accepted, m.t_ms);
-  if (accepted != nullptr) steps.push_back(step_of(*accepted));
-  for (const Note& note : journal.notes())
-    if (accepted != nullptr && note.t_ms >= accepted->t_ms && note.t_ms <= m.t_ms && changes_authority(note.event.what))
-      steps.push_back(step_of(note));
-  // The authority before this cycle: a trip deletes it.
-  const kernel::State& s = m.after.basis.authority.EOA_or_LOA() ? m.after : m.before;
-  const track::Authority& a = s.basis.authority;
-  if (steps.empty() || !a.EOA_or_LOA()) return steps;
-  std::string& text = steps.back().text;
-  if (a.LOA) {
-    text += fmt::format(", LOA at {}, {}", place_words(s, *a.LOA), kmh_words(a.V_LOA));
-    return steps;
-  }
-  text += fmt::format(", EOA at {}", place_words(s, *a.EOA));
-  if (const Distance ahead = *a.EOA - kernel::here(s).est_front; ahead > Distance{})
-    text += fmt::format(" ({} ahead)", metres_words(ahead));
-  if (a.SvL && *a.SvL != *a.EOA) text += fmt::format(", SvL at {}", place_words(s, *a.SvL));
-  if (s.track.ma && *a.EOA < s.track.ma->end()) text += " (" + temporary_end(s.track, *a.EOA) + ")";
-  return steps;
-}
 
 const char* clause_of(MrspSource source) {
   // In the order of MrspSource.
@@ -180,7 +140,11 @@ std::string target_words(const Moment& m, const sdm::TargetId& target) {
 }
 
 Steps target_steps(const Journal& journal, const Moment& m, const sdm::TargetId& target) {
-  if (target.kind == sdm::TargetKind::SR_end) return {{{}, target_words(m, target), "4.4.11"}};
+  if (target.kind == sdm::TargetKind::SR_end) {
+    Step step = SR_distance_step(journal, m);
+    step.text += ", " + target_words(m, target);
+    return {step};
+  }
   if (target.kind != sdm::TargetKind::MRSP) return authority_steps(journal, m);
   Steps steps;
   for (const Restriction& r : restrictions(journal, m, target.d_target, target.d_target, target.V_target))

@@ -7,9 +7,8 @@
 #include "explain/brake.h"
 #include "explain/words.h"
 #include "kernel/here.h"
-#include "modes/srs_4_6_2.h"
+#include "modes/next_mode.h"
 #include "position/position.h"
-#include "texts/texts.h"
 
 namespace evc::explain {
 namespace {
@@ -75,13 +74,20 @@ std::string brake_lines(const Journal& journal) {
   std::string text;
   for (const auto& [cause, braking] : journal.brakings()) {
     if (!now.outputs.brake_reasons.has(cause)) continue;
-    const brakes::CauseRow& cause_row = brakes::row(cause);
-    text += row(text.empty() ? "brake" : "",
-                fmt::format("{}: {} [{}] since {}; released {}", words(cause_row.kind), name(cause),
-                            texts::text_of(cause_row.clause), time_words(braking.onset->t_ms),
-                            release_words(cause_row, now.after)));
+    const Command command{cause, &braking};
+    const auto release = release_words(command, now);
+    text +=
+        row(text.empty() ? "brake" : "",
+            fmt::format("{}: {} [{}] since {}; {}", brake_words(command), name(cause), clause_of(cause, *braking.onset),
+                        time_words(braking.onset->t_ms), release ? "released " + *release : "permanent"));
   }
   return text.empty() ? row("brake", "no command") : text;
+}
+
+/// To keep one screen: the first cause and the last two.
+Steps shortest(Steps steps) {
+  if (steps.size() > 3) steps.erase(steps.begin() + 1, steps.end() - 2);
+  return steps;
 }
 
 std::string speed_lines(const Journal& journal) {
@@ -100,9 +106,9 @@ std::string speed_lines(const Journal& journal) {
     const sdm::TargetId& target = now.after.supervision.MRDT;
     text += row("", fmt::format("target {}, {} ahead", target_words(now, target),
                                 metres_words(target.d_target - here.est_front)));
-    for (const Step& step : target_steps(journal, now, target)) text += row("", "  " + origin_line(step));
+    for (const Step& step : shortest(target_steps(journal, now, target))) text += row("", "  " + origin_line(step));
   } else {
-    for (const Step& step : authority_steps(journal, now)) text += row("", origin_line(step));
+    for (const Step& step : shortest(authority_steps(journal, now))) text += row("", origin_line(step));
   }
   return text;
 }
@@ -126,8 +132,8 @@ std::string position_lines(const Journal& journal) {
 /// The conditions of the transitions out of a mode, with the facts of this cycle.
 std::string transition_lines(const Moment& now, Mode left) {
   std::string text;
-  const Reasons all = reasons(now.facts);
-  for (const auto& cell : modes::leaving(modes::srs_4_6_2_by_leaving, left)) {
+  const Reasons all = reasons(now.facts, now.after.srs);
+  for (const auto& cell : modes::cells_leaving(left, now.after.srs)) {
     std::string conditions;
     for (const Reason& reason : all) {
       if (!cell.any.test(reason.number)) continue;
@@ -203,12 +209,12 @@ std::string why_brake(const Journal& journal, bool& answered) {
     if (is_overspeed(command.cause)) speed.push_back(command);
   for (const Command& command : asked) {
     if (is_overspeed(command.cause) && command.cause != speed.back().cause) continue;
-    const brakes::CauseRow& cause_row = brakes::row(command.cause);
-    text += fmt::format("why the {} ({})\n", words(cause_row.kind), name(command.cause));
-    text += steps_lines(is_overspeed(command.cause) ? overspeed_chain(journal, speed)
-                                                    : chain_of(command.cause, journal, *command.braking->onset));
+    text += fmt::format("why the {} ({})\n", brake_words(command), name(command.cause));
+    text += steps_lines(is_overspeed(command.cause) ? overspeed_chain(journal, speed) : chain_of(command, journal));
+    const auto release = release_words(command, now);
     text += command.braking->until ? fmt::format("    released at {}\n", time_words(*command.braking->until))
-                                   : fmt::format("    will be released {}\n", release_words(cause_row, now.after));
+            : release              ? fmt::format("    will be released {}\n", *release)
+                                   : "    will not be released: it is permanent\n";
   }
   return text;
 }

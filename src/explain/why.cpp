@@ -121,18 +121,23 @@ struct Named {
   EVC_FACT(group_passed_not_in_SR_list); EVC_FACT(group_passed_in_SR_list); EVC_FACT(ues_accepted);
   EVC_FACT(ues_received); EVC_FACT(T_NVCONTACT_trip); EVC_FACT(SH_granted); EVC_FACT(override_active);
   EVC_FACT(former_eoa_passed); EVC_FACT(SR_distance_passed); EVC_FACT(continue_shunting);
-  EVC_FACT(stop_shunting_stored); EVC_FACT(national_trip);
+  EVC_FACT(stop_shunting_stored); EVC_FACT(national_trip); EVC_FACT(level_crossing_approach_shown);
+  EVC_FACT(brake_commanded); EVC_FACT(AD_requested); EVC_FACT(described_for_whole_train);
+  EVC_FACT(selects_ATO_engage); EVC_FACT(ATO_disengaged); EVC_FACT(SM_authorised); EVC_FACT(selects_exit_SM);
+  EVC_FACT(consist_in_front); EVC_FACT(odometer_beyond_threshold);
 #undef EVC_FACT
   // clang-format on
 };
 
 }  // namespace
 
-Reasons reasons(const procedures::Facts& facts) {
+Reasons reasons(const procedures::Facts& facts, SrsVersion srs) {
   Reasons out;
-  procedures::conditions_of(Named(facts), [&out](int n, const Formula& f) {
+  const auto give = [&out](int n, const Formula& f) {
     (void)out.push_back({static_cast<std::uint8_t>(n), f.holds, f.because});  // one for each
-  });
+  };
+  procedures::conditions_of(Named(facts), give);
+  if (srs == SrsVersion::v4_0_0) procedures::conditions_of_4_0_0(Named(facts), give);
   return out;
 }
 

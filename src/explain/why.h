@@ -70,6 +70,16 @@ enum class Fact : std::uint8_t {
   continue_shunting,
   stop_shunting_stored,
   national_trip,
+  level_crossing_approach_shown,
+  brake_commanded,
+  AD_requested,
+  described_for_whole_train,
+  selects_ATO_engage,
+  ATO_disengaged,
+  SM_authorised,
+  selects_exit_SM,
+  consist_in_front,
+  odometer_beyond_threshold,
   count
 };
 
@@ -90,9 +100,10 @@ struct Reason {
   bool holds = false;
   Literals because;
 };
-using Reasons = InplaceVector<Reason, modes::srs_4_6_3.size()>;
+using Reasons = InplaceVector<Reason, modes::srs_4_6_3.size() + modes::srs_4_6_3_v400.size()>;
 
-/// Every condition of 4.6.3, in the order of the standard: the formulas of observe().
-Reasons reasons(const procedures::Facts& facts);
+/// Every condition of 4.6.3, in the order of the standard, those that only 4.0.0 has behind them: the formulas of
+/// observe().
+Reasons reasons(const procedures::Facts& facts, SrsVersion srs = SrsVersion::v3_6_0);
 
 }  // namespace evc::explain

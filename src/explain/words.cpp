@@ -77,6 +77,16 @@ constexpr auto kFacts = std::to_array<FactWords>({
     {Fact::continue_shunting, "shunting goes on", "shunting does not go on"},
     {Fact::stop_shunting_stored, "shunting has to stop at the opening of a desk", "no order to stop shunting"},
     {Fact::national_trip, "national trip", "no national trip"},
+    {Fact::level_crossing_approach_shown, "the approach of a level crossing begins to be shown", "no approach of a level crossing begins to be shown"},
+    {Fact::brake_commanded, "a brake is commanded", "no brake is commanded"},
+    {Fact::AD_requested, "automatic driving asked for", "automatic driving not asked for"},
+    {Fact::described_for_whole_train, "SSP and gradient known for the whole train", "SSP or gradient not known for the whole train"},
+    {Fact::selects_ATO_engage, "automatic operation engaged", "automatic operation not engaged"},
+    {Fact::ATO_disengaged, "automatic operation disengaged or in stand-by", "automatic operation neither disengaged nor in stand-by"},
+    {Fact::SM_authorised, "supervised manoeuvre authorised", "supervised manoeuvre not authorised"},
+    {Fact::selects_exit_SM, "exit of supervised manoeuvre selected", "exit of supervised manoeuvre not selected"},
+    {Fact::consist_in_front, "a consist in front of the engine", "no change of the consist in front of the engine"},
+    {Fact::odometer_beyond_threshold, "odometer error beyond the safety threshold", "odometer error within the safety threshold"},
 });
 // clang-format on
 static_assert(
@@ -131,43 +141,6 @@ const char* words(brakes::Kind kind) {
       return "service brake";
     default:
       return "emergency brake";
-  }
-}
-
-std::string release_words(const brakes::CauseRow& row, const kernel::State& state) {
-  switch (row.cause) {
-    case Cause::trip:
-      return "at standstill, when the driver acknowledges the trip";
-    case Cause::no_power_or_failure:
-      return "when the mode is left";
-    case Cause::overspeed_traction:
-    case Cause::overspeed_service:
-      return "at the permitted speed";
-    case Cause::overspeed_emergency:
-      return state.national_values.Q_NVEMRRLS ? "at the permitted speed (Q_NVEMRRLS 1)"
-                                              : "at standstill (Q_NVEMRRLS 0)";
-    case Cause::text_service:
-    case Cause::text_emergency:
-    case Cause::OS_unacknowledged:
-    case Cause::LS_unacknowledged:
-    case Cause::SH_unacknowledged:
-    case Cause::level_NTC_unacknowledged:
-    case Cause::level_0_unacknowledged:
-      return "when the driver acknowledges it";
-    default:
-      break;
-  }
-  switch (row.release) {
-    case brakes::Release::at_standstill:
-      return "at standstill";
-    case brakes::Release::at_standstill_or_message:
-      return "at standstill, or by a message of the RBC";
-    case brakes::Release::acknowledged_at_standstill:
-      return "at standstill, when the driver acknowledges the brake";
-    case brakes::Release::gone_or_acknowledged_at_standstill:
-      return "when its cause ends, or at standstill with the driver's acknowledgement";
-    default:
-      return "when its cause ends";
   }
 }
 

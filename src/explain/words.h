@@ -24,9 +24,9 @@ std::string place_words(const kernel::State& state, Place place);
 std::string words(const Literal& literal);
 /// All of them: alternatives joined by " / ", the others by "; ".
 std::string words(const Literals& literals);
+/// "service brake", "trip", "none" of a link or of T_NVCONTACT.
+const char* reaction_words(Reaction reaction);
 /// "service brake".
 const char* words(brakes::Kind kind);
-/// "at standstill": what ends the command of a cause.
-std::string release_words(const brakes::CauseRow& row, const kernel::State& state);
 
 }  // namespace evc::explain

@@ -16,12 +16,32 @@ using sim::CycleInputs;
 constexpr std::int64_t kLongestGapMs = 24LL * 3600 * 1000;
 constexpr double kFarMetres = 1e9;
 
+/// Texts by the digits of NID_NTC.
+NationalSystemNames read_ntc_names(const JsonPlace& place) {
+  NationalSystemNames names;
+  for (const auto& member : place.value().items()) {
+    const std::string& key = member.key();
+    const bool digits = !key.empty() && key.size() <= 3 && key.find_first_not_of("0123456789") == std::string::npos;
+    const int NID_NTC = digits ? std::stoi(key) : 256;
+    if (NID_NTC > 255) place[key.c_str()].fail("a NID_NTC, 0 to 255, as its name");
+    names[static_cast<std::uint8_t>(NID_NTC)] = place[key.c_str()].string();
+  }
+  return names;
+}
+
+/// The ranges of the speed dial (015560 8.2.1.1).
+Speed read_dial(const JsonPlace& place) {
+  const std::int64_t kmh = place.integer(140, 400);
+  if (kmh != 140 && kmh != 180 && kmh != 250 && kmh != 400) place.fail("140, 180, 250 or 400");
+  return Speed{static_cast<double>(kmh) / 3.6};
+}
+
 Configuration read_configuration(const JsonPlace& place) {
   if (const auto p = place.find("schema"); p && !use_of(p->string()).empty())
     p->fail(quoted_kind(p->string()), "a configuration");
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
                    "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks",
-                   "cold_movement_detection"});
+                   "cold_movement_detection", "dial_kmh", "ntc_names"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -39,6 +59,8 @@ Configuration read_configuration(const JsonPlace& place) {
   if (const auto p = place.find("networks"))
     for (std::size_t i = 0; i < p->size(); ++i)
       if (!c.networks.push_back(read_NID_MN((*p)[i]))) p->fail("at most 16 networks");
+  if (const auto p = place.find("ntc_names")) c.ntc_names = read_ntc_names(*p);
+  if (const auto p = place.find("dial_kmh")) c.dial = read_dial(*p);
   if (const auto p = place.find("rbc")) c.contact = read_address(*p);
   if (const auto p = place.find("local_time_offset_min"))
     c.local_time_offset_min = static_cast<std::int16_t>(p->integer(-1440, 1440));
@@ -189,6 +211,24 @@ std::uint32_t packed_digits(const JsonPlace& place) {
   return packed;
 }
 
+/// 1 to 16 letters and digits, or a number.
+DriverId read_driver_id(const JsonPlace& place) {
+  const std::string text = place.is_string() ? place.string() : std::to_string(place.integer(0, 99999999));
+  const DriverId id(text);
+  if (text.size() > DriverId::kMost || id.view().size() != text.size() || !id.valid())
+    place.fail("1 to 16 letters and digits");
+  return id;
+}
+
+/// Two letters: "en".
+Language read_language(const JsonPlace& place) {
+  const std::string& text = place.string();
+  Language language;
+  if (text.size() == language.letters.size()) language.letters = {text[0], text[1]};
+  if (text != language.view() || !language.valid()) place.fail("two letters of ISO 639-1, as en");
+  return language;
+}
+
 /// A virtual balise cover; one to be removed needs no period.
 kernel::DriverActions::Cover read_vbc(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_VBCMK", "T_VBC"});
@@ -201,9 +241,9 @@ kernel::DriverActions::Cover read_vbc(const JsonPlace& place) {
 
 void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"driver_id", "level", "nid_ntc", "train_data", "train_running_number", "rbc", "V_sr_kmh", "D_sr_m",
-                   "vbc", "network"});
+                   "vbc", "network", "set_speed_kmh", "language"});
   auto& driver = cycle.levels.driver;
-  if (const auto p = place.find("driver_id")) driver.driver_id = packed_digits(*p);
+  if (const auto p = place.find("driver_id")) driver.driver_id = read_driver_id(*p);
   if (const auto p = place.find("level")) driver.level = p->term<kLevelRows>();
   if (const auto p = place.find("nid_ntc")) driver.nid_ntc = static_cast<std::uint8_t>(p->integer(0, 255));
   if (const auto p = place.find("train_running_number")) driver.train_running_number = packed_digits(*p);
@@ -215,17 +255,25 @@ void read_enter(CycleInputs& cycle, std::optional<Train>& entered, const JsonPla
   if (const auto p = place.find("vbc")) driver.cover = read_vbc(*p);
   if (const auto p = place.find("V_sr_kmh")) driver.V_sr = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("D_sr_m")) driver.D_sr = Distance{p->number(0.0, 327670.0)};
+  if (const auto p = place.find("language")) driver.language = read_language(*p);
+  if (const auto p = place.find("set_speed_kmh")) driver.set_speed = Speed{p->number(0.0, 600.0) / 3.6};
   if (const auto p = place.find("train_data")) {
     entered = read_entered_train(*p);
     cycle.train_data = entered->data;
   }
 }
 
+/// The button that opens train data again after they were valid is that of the first time.
+std::uint32_t read_selection(const JsonPlace& place) {
+  if (place.value() == "new_train_data") return 1u << terms::index(kernel::Select::train_data);
+  return 1u << place.one_of(texts::kSelectNames);
+}
+
 /// One name or an array of names, each a bit.
-std::uint32_t read_names(const JsonPlace& place, std::span<const char* const> names) {
-  if (!place.is_array()) return 1u << place.one_of(names);
+std::uint32_t read_selections(const JsonPlace& place) {
+  if (!place.is_array()) return read_selection(place);
   std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < place.size(); ++i) bits |= 1u << place[i].one_of(names);
+  for (std::size_t i = 0; i < place.size(); ++i) bits |= read_selection(place[i]);
   return bits;
 }
 
@@ -237,7 +285,7 @@ void read_window(Set<kernel::Window>& windows, const JsonPlace& place) {
   if (const auto p = place.find("opened")) windows.add(of(*p));
 }
 
-/// Names of requests, and `{ "id" }`: the text of that id, 1 to 255.
+/// Names of requests, and `{ "id" }`: the text of that id.
 void read_acknowledgement(kernel::DriverActions& driver, const JsonPlace& place) {
   if (place.is_array()) {
     for (std::size_t i = 0; i < place.size(); ++i) read_acknowledgement(driver, place[i]);
@@ -250,14 +298,14 @@ void read_acknowledgement(kernel::DriverActions& driver, const JsonPlace& place)
   }
   place.know_only({"id"});
   if (driver.acknowledged_text != 0) place.fail("one text in a cycle");
-  driver.acknowledged_text = static_cast<std::uint8_t>(place["id"].integer(1, 255));
+  driver.acknowledged_text = static_cast<std::uint16_t>(place["id"].integer(1, kernel::kLastStatusId));
   driver.acknowledged |= bit(Ack::text);
 }
 
 void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"select", "ack", "enter", "window"});
   auto& driver = cycle.levels.driver;
-  if (const auto p = place.find("select")) driver.selected |= read_names(*p, texts::kSelectNames);
+  if (const auto p = place.find("select")) driver.selected |= read_selections(*p);
   if (const auto p = place.find("ack")) read_acknowledgement(driver, *p);
   if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
   if (const auto p = place.find("window")) read_window(cycle.levels.windows, *p);
@@ -283,6 +331,18 @@ void read_integrity(kernel::TrainSignals& t, const JsonPlace& place) {
     length->fail("integrity, which it belongs to");
   }
   if (length && !length->is_null()) t.length_confirmed = {length->number(0.0, 4095.0)};
+}
+
+/// 4.0.0: from the cab to each end of the shunting consist, nominal, least, greatest. Nothing uses it yet.
+void check_consist_length(const JsonPlace& place) {
+  place.know_only({"front_m", "rear_m"});
+  for (const char* end : {"front_m", "rear_m"}) {
+    const JsonPlace lengths = place[end];
+    if (lengths.size() != 3) lengths.fail("[nominal, min, max]");
+    const double nominal = lengths[0].number(0.0, 4095.0);
+    if (lengths[1].number(0.0, 4095.0) > nominal || lengths[2].number(0.0, 4095.0) < nominal)
+      lengths.fail("min <= nominal <= max");
+  }
 }
 
 /// The desk that is open: `cab` names it, `desk_open` alone speaks of cab A.
@@ -318,7 +378,10 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
                    "data",
                    "data_validation",
                    "integrity",
-                   "train_length_m"});
+                   "train_length_m",
+                   "safe_consist_length",
+                   "traction_system",
+                   "main_switch"});  // the last three are not used (CAVEATS)
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
@@ -340,6 +403,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.radio_registered, "radio_registered");
   read_external_train_data(cycle, place);
   read_integrity(t, place);
+  if (const auto p = place.find("safe_consist_length"); p && !p->is_null()) check_consist_length(*p);
   if (const auto p = place.find("direction_controller"))
     t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {
@@ -375,6 +439,14 @@ void read_national_system(CycleInputs& cycle, const JsonPlace& place) {
   if (const auto p = place.find("emergency_brake")) national.emergency_brake = p->boolean();
 }
 
+void read_automatic_operation(CycleInputs& cycle, const JsonPlace& place) {
+  place.know_only({"requests_AD", "selector"});
+  constexpr std::array<const char*, 2> selectors{"stand_by", "active"};
+  auto& operation = cycle.levels.automatic_operation;
+  if (const auto p = place.find("requests_AD")) operation.requests_AD = p->boolean();
+  if (const auto p = place.find("selector")) operation.active = p->one_of(selectors) == 1;
+}
+
 void read_fault(CycleInputs& cycle, const JsonPlace& place) {
   place.know_only({"safety"});
   if (const auto p = place.find("safety")) cycle.levels.safety_fault = p->boolean();
@@ -390,7 +462,7 @@ void read_clock(CycleInputs& cycle, const JsonPlace& place) {
 void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radio, std::optional<Train>& entered,
                  const JsonPlace& place) {
   place.know_only({"t_ms", "config", "odometer", "balise", "balise_failed", "loop", "radio", "radio_in_fill", "driver",
-                   "train", "power", "national_system", "fault", "clock", "end"});
+                   "train", "power", "national_system", "ato", "fault", "clock", "end"});
   if (const auto p = place.find("config")) p->fail("config on the first line only");
   if (const auto p = place.find("odometer")) read_odometer(cycle, t_ms, *p);
   if (const auto p = place.find("balise")) read_balise(cycle, t_ms, *p);
@@ -402,6 +474,7 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
   if (const auto p = place.find("train")) read_signals(cycle, *p);
   if (const auto p = place.find("power")) read_power(cycle, *p);
   if (const auto p = place.find("national_system")) read_national_system(cycle, *p);
+  if (const auto p = place.find("ato")) read_automatic_operation(cycle, *p);
   if (const auto p = place.find("fault")) read_fault(cycle, *p);
   if (const auto p = place.find("clock")) read_clock(cycle, *p);
   if (const auto p = place.find("end"); p && !p->boolean()) p->fail("true");
@@ -419,6 +492,7 @@ kernel::Config Configuration::for_kernel() const {
   config.identity = identity;
   config.contact = contact;
   config.networks = networks;
+  config.dial = dial;
   config.terminals = terminals.value_or(config.terminals);
   config.local_time_offset_min = local_time_offset_min;
   return config;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "io/json.h"
+#include "io/output_lines.h"
 #include "io/train_file.h"
 #include "kernel/evc.h"
 #include "sim/cycle_inputs.h"
@@ -27,6 +28,8 @@ struct Configuration {
   port::Identity identity;
   std::optional<kernel::RbcAddress> contact = std::nullopt;
   InplaceVector<std::uint32_t, 16> networks;
+  Speed dial = kernel::Config{}.dial;
+  NationalSystemNames ntc_names = {};
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given
   std::int16_t local_time_offset_min = 0;
   std::string document = "{}";  // as read, on one line

@@ -121,6 +121,14 @@ void append_national(std::string& out, kernel::NationalSystem& before, const ker
   out += now.emergency_brake ? ",\"emergency_brake\":true}" : ",\"emergency_brake\":false}";
 }
 
+void append_automatic_operation(std::string& out, kernel::AutomaticOperation& before,
+                                const kernel::AutomaticOperation& now) {
+  if (before == now) return;
+  before = now;
+  out += now.requests_AD ? ",\"ato\":{\"requests_AD\":true" : ",\"ato\":{\"requests_AD\":false";
+  out += now.active ? ",\"selector\":\"active\"}" : ",\"selector\":\"stand_by\"}";
+}
+
 /// The windows that opened or closed.
 void append_windows(std::string& out, std::int64_t t_ms, Set<kernel::Window>& before, Set<kernel::Window> now) {
   for (std::size_t n = 0; n < texts::kWindowNames.size(); ++n) {
@@ -142,7 +150,10 @@ void append_digits_member(std::string& out, const char* key, std::uint32_t packe
 void append_enter(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
   const auto& d = cycle.levels.driver;
   std::string fields;
-  if (d.driver_id) append_digits_member(fields, ",\"driver_id\":", *d.driver_id);
+  if (d.driver_id) {
+    fields += ",\"driver_id\":";
+    append_string(fields, d.driver_id->view());
+  }
   if (d.level) {
     fields += ",\"level\":\"";
     fields += name(*d.level);
@@ -174,6 +185,14 @@ void append_enter(std::string& out, const CycleInputs& cycle, const std::string&
     fields += ",\"D_sr_m\":";
     append_number(fields, d.D_sr->si);
   }
+  if (d.language) {
+    fields += ",\"language\":";
+    append_string(fields, d.language->view());
+  }
+  if (d.set_speed) {
+    fields += ",\"set_speed_kmh\":";
+    append_number(fields, d.set_speed->si * 3.6);
+  }
   if (cycle.train_data) fields += ",\"train_data\":" + train_document;
   if (d.train_running_number) append_digits_member(fields, ",\"train_running_number\":", *d.train_running_number);
   if (!fields.empty()) out += opened(cycle.t_ms) + ",\"driver\":{\"enter\":{" + fields.substr(1) + "}}}\n";
@@ -187,7 +206,7 @@ void append_driver(std::string& out, const CycleInputs& cycle, const std::string
   };
   bits(cycle.levels.driver.selected, "select", texts::kSelectNames);
   std::uint32_t acknowledged = cycle.levels.driver.acknowledged;
-  if (const std::uint8_t id = cycle.levels.driver.acknowledged_text; id != 0) {
+  if (const std::uint16_t id = cycle.levels.driver.acknowledged_text; id != 0) {
     acknowledged &= ~(1u << static_cast<unsigned>(Ack::text));
     out += opened(cycle.t_ms) + ",\"driver\":{\"ack\":{\"id\":" + std::to_string(id) + "}}}\n";
   }
@@ -221,6 +240,7 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
   append_signals(out, signals_, cycle.levels.train);
   append_moved(out, moved_, cycle.levels);
   append_national(out, national_, cycle.levels.national_system);
+  append_automatic_operation(out, automatic_operation_, cycle.levels.automatic_operation);
   if (safety_fault_ != cycle.levels.safety_fault)
     out += cycle.levels.safety_fault ? ",\"fault\":{\"safety\":true}" : ",\"fault\":{\"safety\":false}";
   safety_fault_ = cycle.levels.safety_fault;

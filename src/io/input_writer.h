@@ -21,6 +21,7 @@ class InputWriter {
   std::string train_document_;
   kernel::TrainSignals signals_;
   kernel::NationalSystem national_;
+  kernel::AutomaticOperation automatic_operation_;
   std::optional<bool> moved_;
   Set<kernel::Window> windows_;
   bool safety_fault_ = false;

@@ -93,7 +93,7 @@ void append_datum(std::string& out, const char* key, DataStatus status, AppendVa
 void append_data(std::string& out, const kernel::Outputs& o) {
   const kernel::ShownData& d = o.data;
   out += '{';
-  append_datum(out, "driver_id", d.driver_id_status, [&] { append_digits(out, d.driver_id); });
+  append_datum(out, "driver_id", d.driver_id_status, [&] { append_string(out, d.driver_id.view()); });
   append_datum(out, "train_running_number", d.train_running_number_status,
                [&] { append_digits(out, d.train_running_number); });
   append_datum(out, "level", d.level_status, [&] { append_string(out, name(o.level)); });
@@ -103,6 +103,8 @@ void append_data(std::string& out, const kernel::Outputs& o) {
   append_datum(out, "vbc", DataStatus::valid, [&] { append_covers(out, o); });
   append_datum(out, "adhesion", DataStatus::valid,
                [&] { out += d.slippery_rail ? "\"slippery rail\"" : "\"non slippery rail\""; });
+  append_datum(out, "network", d.network ? DataStatus::valid : DataStatus::unknown,
+               [&] { append_string(out, digits_of_NID_MN(*d.network)); });
   out += '}';
 }
 

@@ -274,8 +274,17 @@ void append_speeds(OutputRow& row, const Outputs& o) {
   row.place("SvL_m", o.SvL);
 }
 
+/// With the name of the national system, where it is known.
+std::string words_of(StatusText text, const Outputs& o, const NationalSystemNames& names) {
+  std::string words = name(text);
+  if (!o.national_system || !names_national_system(text)) return words;
+  const auto known = names.find(*o.national_system);
+  if (known == names.end()) return words;
+  return known->second + words.substr(std::string_view("National system").size());
+}
+
 /// Single values of the second edition; distances, times and speeds are null without a value.
-void append_second_values(OutputRow& row, const Outputs& o) {
+void append_second_values(OutputRow& row, const Outputs& o, const NationalSystemNames& names) {
   const auto micro = [&row](const char* name, std::optional<double> value) {
     row.key(name);
     if (value)
@@ -291,7 +300,8 @@ void append_second_values(OutputRow& row, const Outputs& o) {
   micro("d_indication_m", metres(o.d_indication));
   row.text("memo_status", o.memo_status ? terms::kNames<kMemoStatusRows>[terms::index(*o.memo_status)] : nullptr);
   row.flag("level_valid", o.level_valid);
-  row.text("trip_reason", o.trip_reason ? name(*o.trip_reason) : nullptr);
+  const std::string reason = o.trip_reason ? words_of(*o.trip_reason, o, names) : "";
+  row.text("trip_reason", o.trip_reason ? reason.c_str() : nullptr);
   micro("geo_m", metres(o.geo));
   micro("rv_left_m", metres(o.rv_left));
   std::string version;
@@ -301,6 +311,8 @@ void append_second_values(OutputRow& row, const Outputs& o) {
   if (o.radio_register)
     network = *o.radio_register == port::kDefaultNetwork ? "default" : digits_of_NID_MN(*o.radio_register);
   row.text("radio_register", o.radio_register ? network.c_str() : nullptr);
+  row.speed("set_speed_kmh", o.set_speed);
+  row.text("language", std::string(o.language.view()).c_str());
 }
 
 /// The keys of `select` and `enter` that are enabled, in the order of 4.7.2.
@@ -321,9 +333,6 @@ struct Message {
   bool important, acknowledge;
   Duration since;
 };
-/// Status texts have the numbers from here on: those of the trackside are below (an octet).
-constexpr int kFirstStatusId = 256;
-
 void append_message(std::string& out, const Message& m) {
   out += "{\"id\":";
   append_number(out, static_cast<std::int64_t>(m.id));
@@ -339,14 +348,15 @@ void append_message(std::string& out, const Message& m) {
 }
 
 /// The texts of the trackside, then those of the unit.
-std::vector<Message> messages_of(const Outputs& o) {
+std::vector<Message> messages_of(const Outputs& o, const NationalSystemNames& names) {
   std::vector<Message> messages;
   for (const kernel::ShownText& text : o.texts) {
     messages.push_back({text.id, text.Q_TEXT ? "fixed" : "plain", {}, text.important, text.acknowledge, text.since});
     append_shown_text(messages.back().text, text);
   }
   for (const kernel::ShownStatus& s : o.status_texts)
-    messages.push_back({kFirstStatusId + static_cast<int>(s.text), "status", name(s.text), true, false, s.since});
+    messages.push_back({kernel::kFirstStatusId + static_cast<int>(s.text), "status", words_of(s.text, o, names), true,
+                        asks_acknowledgement(s.text), s.since});
   return messages;
 }
 
@@ -517,14 +527,31 @@ void append_clock(OutputRow& row, const std::optional<kernel::DateTime>& clock) 
   row.out() += "\"}";
 }
 
+void append_dialogue(OutputRow& row, const std::optional<kernel::ShownDialogue>& dialogue) {
+  row.key("dialogue");
+  if (!dialogue) {
+    row.absent();
+    return;
+  }
+  const DialogueRow& words = kDialogueRows[terms::index(dialogue->step)];
+  std::string& out = row.out();
+  out += std::string("{\"procedure\":\"") + words.procedure + "\",\"step\":\"" + words.step + "\",\"waits_for\":";
+  if (dialogue->acknowledges)
+    append_string(out, std::string(terms::kNames<kAckRows>[terms::index(*dialogue->acknowledges)]) + "_ack");
+  else
+    append_string(out, words.waits_for);
+  out += '}';
+}
+
 /// What CSV has no room for.
-void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Planning* planning) {
+void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Planning* planning,
+                         const NationalSystemNames& names) {
   std::vector<const char*> levels;
   for (const auto& level : kLevelRows)
     if (o.levels_allowed.has(level.value)) levels.push_back(level.name);
   row.list("levels_allowed", levels, append_text);
   row.list("enabled", enabled_keys(o), append_text);
-  row.objects("messages", messages_of(o), append_message);
+  row.objects("messages", messages_of(o, names), append_message);
   std::vector<std::pair<kernel::RbcSession, const char*>> sessions;
   for (const kernel::RbcSession& s : o.sessions)
     sessions.emplace_back(s, terms::kNames<kSessionRoleRows>[terms::index(s.role)]);
@@ -560,13 +587,18 @@ void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Plannin
     out += "\"}";
   });
   append_clock(row, o.clock);
+  append_dialogue(row, o.dialogue);
+  std::vector<const char*> shown;
+  append_names(shown, o.shown, terms::kNames<kDriverOutputRows>);
+  row.list("shown", shown, append_text);
   if (planning != nullptr)
     append_planning(row, o, *planning);
   else
     row.text("planning", nullptr);
 }
 
-void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel::Planning* planning) {
+void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel::Planning* planning,
+                const NationalSystemNames& names) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
   row.text("mode", name(o.mode));
@@ -585,22 +617,23 @@ void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel
   append_radio_address(row, "radio_connect", o.radio_connect);
   append_radio_address(row, "radio_disconnect", o.radio_disconnect);
   row.list("events", o.events, append_event);
-  append_second_values(row, o);
-  if (row.json()) append_second_lists(row, o, planning);
+  append_second_values(row, o, names);
+  if (row.json()) append_second_lists(row, o, planning, names);
 }
 
 }  // namespace
 
 void append_event(std::string& out, const kernel::Event& event) { out += texts::line_of(event).view(); }
 
-void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs, const kernel::Planning* planning) {
+void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs, const kernel::Planning* planning,
+                   const NationalSystemNames& names) {
   out += '{';
-  append_row(OutputRow(out, true), t_ms, outputs, planning);
+  append_row(OutputRow(out, true), t_ms, outputs, planning, names);
   out += "}\n";
 }
 
 void append_trace(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
-  append_row(OutputRow(out, false), t_ms, outputs, nullptr);
+  append_row(OutputRow(out, false), t_ms, outputs, nullptr, {});
   out += '\n';
 }
 
@@ -610,7 +643,7 @@ std::string trace_header() {
          "driver.texts,driver.symbols,radio_out,radio_connect.NID_C,radio_connect.NID_RBC,radio_connect.NID_RADIO,"
          "radio_disconnect.NID_C,radio_disconnect.NID_RBC,radio_disconnect.NID_RADIO,events,V_I,tti_s,"
          "lssma_kmh,mrdt_changed,d_indication_m,memo_status,level_valid,trip_reason,geo_m,rv_left_m,version,"
-         "radio_register\n";
+         "radio_register,set_speed_kmh,language\n";
 }
 
 namespace {
@@ -622,7 +655,8 @@ bool differ_in_data(const kernel::Outputs& before, const kernel::Outputs& after)
                       d.SR.status, d.slippery_rail);
   };
   const auto values = [](const kernel::ShownData& d) {
-    return std::tuple(d.driver_id, d.train_running_number, d.rbc.NID_C, d.rbc.NID_RBC, d.rbc.NID_RADIO, d.SR.V);
+    return std::tuple(d.network, d.driver_id.view(), d.train_running_number, d.rbc.NID_C, d.rbc.NID_RBC,
+                      d.rbc.NID_RADIO, d.SR.V);
   };
   const auto train = [](const kernel::ShownTrainData& t) {
     return std::tuple(t.L_TRAIN, t.V_MAXTRAIN, t.brake_percentage, t.cant_deficiency_mm, t.other_categories,
@@ -635,9 +669,10 @@ bool differ_in_data(const kernel::Outputs& before, const kernel::Outputs& after)
 }
 
 bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
-  const bool values = a.LSSMA == b.LSSMA && a.MRDT_changed == b.MRDT_changed && a.memo_status == b.memo_status &&
+  const bool values = a.dialogue == b.dialogue && a.set_speed == b.set_speed && a.language == b.language &&
+                      a.LSSMA == b.LSSMA && a.MRDT_changed == b.MRDT_changed && a.memo_status == b.memo_status &&
                       a.level_valid == b.level_valid && a.trip_reason == b.trip_reason && a.M_VERSION == b.M_VERSION;
-  const bool lists = a.levels_allowed == b.levels_allowed && a.enabled == b.enabled &&
+  const bool lists = a.levels_allowed == b.levels_allowed && a.enabled == b.enabled && a.shown == b.shown &&
                      alike(a.texts, b.texts, [](const auto& t) { return t.acknowledge; }) &&
                      alike(a.status_texts, b.status_texts, [](const auto& s) { return s.text; }) &&
                      std::equal(a.sessions.begin(), a.sessions.end(), b.sessions.begin(), b.sessions.end()) &&

@@ -51,6 +51,15 @@ Retained::StoredLevel read_level(const JsonPlace& place) {
   return {place["level"].term<kLevelRows>(), static_cast<std::uint8_t>(place["nid_ntc"].integer(0, 255))};
 }
 
+Retained::LevelOrder read_level_order(const JsonPlace& place) {
+  place.know_only({"conditional", "levels"});
+  Retained::LevelOrder order;
+  order.conditional = place["conditional"].boolean();
+  order.table = read_list<decltype(order.table)>(place["levels"], read_level);
+  if (order.table.empty()) place["levels"].fail("a level");
+  return order;
+}
+
 kernel::NidLrbg read_group(const JsonPlace& place) {
   place.know_only({"NID_C", "NID_BG"});
   return {read_NID_C(place["NID_C"]), static_cast<std::uint16_t>(place["NID_BG"].integer(0, 16383))};
@@ -80,8 +89,8 @@ Retained::Position read_position(const JsonPlace& place) {
 Retained read_document(const JsonPlace& place) {
   place.require_schema(kSchema);
   place.know_only({"schema", "national_values", "national_areas", "national_areas_of_X_2", "national_areas_of_braking",
-                   "version_X", "generic_ls_marker", "vbc", "radio_network", "level", "level_table", "rbc",
-                   "position"});
+                   "version_X", "generic_ls_marker", "vbc", "radio_network", "level", "level_table", "level_order",
+                   "rbc", "position"});
   Retained r;
   r.national_values = read_national_values(place["national_values"]);
   r.national_areas = read_list<Retained::Areas>(place["national_areas"], read_area);
@@ -93,6 +102,7 @@ Retained read_document(const JsonPlace& place) {
   r.network = read_optional(place["radio_network"], read_NID_MN);
   r.level = read_optional(place["level"], read_level);
   r.level_table = read_list<decltype(r.level_table)>(place["level_table"], read_level);
+  if (const auto p = place.find("level_order")) r.level_order = read_optional(*p, read_level_order);
   r.contact = read_optional(place["rbc"], read_kept_address);
   r.position = read_optional(place["position"], read_position);
   return r;
@@ -122,6 +132,10 @@ Out cover_json(const Retained::Cover& c) {
 }
 
 Out level_json(const Retained::StoredLevel& l) { return {{"level", name(l.level)}, {"nid_ntc", l.nid_ntc}}; }
+
+Out level_order_json(const Retained::LevelOrder& order) {
+  return {{"conditional", order.conditional}, {"levels", list_of(order.table, level_json)}};
+}
 
 Out address_json(const kernel::RbcAddress& a) {
   std::string digits;
@@ -166,6 +180,7 @@ std::string retained_text(const Retained& r) {
                 {"radio_network", optional_of(r.network, digits_of_NID_MN)},
                 {"level", optional_of(r.level, level_json)},
                 {"level_table", list_of(r.level_table, level_json)},
+                {"level_order", optional_of(r.level_order, level_order_json)},
                 {"rbc", optional_of(r.contact, address_json)},
                 {"position", optional_of(r.position, position_json)}};
   return out.dump(2) + "\n";

@@ -90,7 +90,7 @@ TEST(InputStream, ACycleConsumesEveryInputUpToItsTime) {
   EXPECT_TRUE(cycle.levels.driver.has(Ack::OS));
   EXPECT_TRUE(cycle.levels.driver.has(Ack::level));
   EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::override_));
-  EXPECT_EQ(cycle.levels.driver.driver_id, 0x12FFFFFFu);
+  EXPECT_EQ(cycle.levels.driver.driver_id, DriverId("12"));
   EXPECT_FALSE(*stream.next(cycle));
 }
 
@@ -179,7 +179,8 @@ TEST(InputStream, AnAcknowledgementMayNameTheText) {
     EXPECT_EQ(cycle.view().driver.acknowledged_text, id);
   }
   EXPECT_EQ(error_in(R"({"t_ms":0,"driver":{"ack":{"id":0}}})"),
-            "in.jsonl: line 1 /driver/ack/id: found 0, expected an integer from 1 to 255");
+            "in.jsonl: line 1 /driver/ack/id: found 0, expected an integer from 1 to " +
+                std::to_string(kernel::kLastStatusId));
   EXPECT_EQ(error_in(R"({"t_ms":0,"driver":{"ack":[{"id":1},{"id":2}]}})"),
             "in.jsonl: line 1 /driver/ack/1: found an object, expected one text in a cycle");
 }
@@ -271,6 +272,29 @@ TEST(InputStream, TrainIntegrityIsKeptUntilChanged) {
   }
 }
 
+TEST(InputStream, TrainDataOpenedAgainAreTheButtonOfTheFirstTime) {
+  auto stream = open(R"({"t_ms":0,"driver":{"select":"new_train_data"}}
+{"t_ms":100,"driver":{"select":["start","new_train_data"]}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::train_data));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::train_data));
+  EXPECT_TRUE(cycle.levels.driver.has(kernel::Select::start));
+}
+
+TEST(InputStream, SignalsThatNothingUsesAreAccepted) {
+  auto stream = open(
+      R"({"t_ms":0,"train":{"safe_consist_length":{"front_m":[0,0,0],"rear_m":[100,99,101]},"main_switch":"closed"}}
+{"t_ms":100,"train":{"safe_consist_length":null,"traction_system":"AC 15 kV 16.7 Hz","desk_open":true}}
+)");
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream.next(cycle));
+  ASSERT_TRUE(*stream.next(cycle));
+  EXPECT_TRUE(cycle.view().train.desk_open);
+}
+
 TEST(InputStream, TrainDataOfAnotherSourceAreForOneCycle) {
   auto stream = open(R"({"t_ms":0,"train":{"data":{"length_m":300}}}
 {"t_ms":100,"train":{"antenna_alarm":true}}
@@ -339,6 +363,10 @@ TEST(InputStream, ErrorsInWindowsSignalsAndNationalSystem) {
             "/train/integrity: found \"yes\", expected one of \"unknown\", \"confirmed\", \"lost\"");
   EXPECT_EQ(error(R"("train":{"train_length_m":100})"),
             "/train/train_length_m: found 100, expected integrity, which it belongs to");
+  EXPECT_EQ(error(R"("train":{"safe_consist_length":{"front_m":[0,0,0],"rear_m":[100,101,102]}})"),
+            "/train/safe_consist_length/rear_m: found an array of 3, expected min <= nominal <= max");
+  EXPECT_EQ(error(R"("train":{"safe_consist_length":{"front_m":[0]}})"),
+            "/train/safe_consist_length/front_m: found an array of 1, expected [nominal, min, max]");
   EXPECT_EQ(error(R"("train":{"data":true})"), "/train/data: found true, expected an object");
   EXPECT_EQ(error(R"("train":{"data":{"length_m":0.5}})"),
             "/train/data/length_m: found 0.5, expected 1 to 4095 m (SUBSET-026 A.3.11)");
@@ -405,12 +433,14 @@ TEST(InputWriter, RoundTrip) {
   auto& d = first.levels.driver;
   d.selected = 5;
   d.acknowledged = 0x801;
-  d.driver_id = 0x4711FFFF;
+  d.driver_id = DriverId("Driver4711");
   d.level = Level::NTC;
   d.nid_ntc = 1;
   d.train_running_number = 0x12345678;
   d.rbc_contact = {426, 7, 0x0031840880150FFFu};
   d.D_sr = 500_m;
+  d.set_speed = 18_km_h;
+  d.language = Language{{'d', 'e'}};
   first.train_data = train::TrainData{};
   first.balises.push_back({{std::vector<std::uint8_t>(104, 0xAB), 830}, {{12.345}}});
   first.balises.push_back({{{0x90, 0x02}, 13}, {{13.5}}});
@@ -443,6 +473,8 @@ TEST(InputWriter, RoundTrip) {
   EXPECT_EQ(rd.train_running_number, d.train_running_number);
   EXPECT_EQ(rd.rbc_contact->NID_RADIO, d.rbc_contact->NID_RADIO);
   EXPECT_EQ(rd.D_sr, d.D_sr);
+  EXPECT_EQ(rd.set_speed, d.set_speed);
+  EXPECT_EQ(rd.language, d.language);
   EXPECT_EQ(read.train_data->L_TRAIN, 123_m);
   EXPECT_EQ(read.levels.radio_link, RadioLink::connected);
   EXPECT_EQ(read.levels.train.brake_pressure_kpa, 480.5);
@@ -497,6 +529,40 @@ kernel::Outputs some_outputs() {
   return o;
 }
 
+TEST(InputStream, RefusesWhatIsNoDriverIdOrLanguage) {
+  const auto reads = [](const std::string& entered) {
+    auto stream = open(R"({"t_ms":0,"driver":{"enter":{)" + entered + "}}}\n");
+    sim::CycleInputs cycle;
+    const auto next = stream.next(cycle);
+    return next.has_value() && *next;
+  };
+  for (const char* good : {R"("driver_id":"Abc4567890123456")", R"("driver_id":7)", R"("language":"de")"})
+    EXPECT_TRUE(reads(good)) << good;
+  for (const char* bad : {R"("driver_id":"")", R"("driver_id":"12345678901234567")", R"("driver_id":"a b")",
+                          R"("language":"d")", R"("language":"deu")", R"("language":"DE")"})
+    EXPECT_FALSE(reads(bad)) << bad;
+}
+
+TEST(OutputLines, NamesOfNationalSystems) {
+  const auto c = read_configuration(R"({"ntc_names":{"1":"PZB","255":"ASFA"}})", "c");
+  ASSERT_TRUE(c);
+  kernel::Outputs o;
+  o.national_system = 1;
+  o.trip_reason = StatusText::national_system_brake_demand;
+  (void)o.status_texts.push_back({StatusText::national_system_not_available, {}});
+  const auto line = [&o, &c] {
+    std::string out;
+    append_output(out, 0, o, nullptr, c->ntc_names);
+    return out;
+  };
+  EXPECT_NE(line().find("\"trip_reason\":\"PZB brake demand\""), std::string::npos);
+  EXPECT_NE(line().find("\"text\":\"PZB is not available\""), std::string::npos);
+  o.national_system = 2;  // without a name
+  EXPECT_NE(line().find("\"trip_reason\":\"National system brake demand\""), std::string::npos);
+  for (const char* wrong : {"256", "-1", "x", "", "0001"})
+    EXPECT_FALSE(read_configuration(std::string(R"({"ntc_names":{")") + wrong + R"(":"PZB"}})", "c")) << wrong;
+}
+
 TEST(OutputLines, Json) {
   std::string line;
   append_output(line, 12300, some_outputs());
@@ -511,7 +577,7 @@ TEST(OutputLines, Json) {
       "\"radio_disconnect\":null,\"events\":[\"mode SR->FS [31]\",\"linking BG 353 ok\",\"packet 65 refused "
       "[4.8.3]\"],\"V_I\":null,\"tti_s\":null,\"lssma_kmh\":null,\"mrdt_changed\":false,\"d_indication_m\":null,"
       "\"memo_status\":null,\"level_valid\":false,\"trip_reason\":null,\"geo_m\":null,\"rv_left_m\":null,\"version\":"
-      "\"0.0\",\"radio_register\":null,"
+      "\"0.0\",\"radio_register\":null,\"set_speed_kmh\":null,\"language\":\"en\","
       "\"levels_allowed\":[],\"enabled\":[],\"messages\":[],\"sessions\":[],\"track_conditions\":[],"
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
@@ -523,7 +589,9 @@ TEST(OutputLines, Json) {
       "\"train_data\":{\"value\":null,\"status\":\"unknown\"},\"sr\":{\"value\":null,\"status\":\"unknown\"},"
       "\"vbc\":{\"value\":[],\"status\":\"valid\"},"
       "\"adhesion\":{\"value\":\"non slippery "
-      "rail\",\"status\":\"valid\"}},\"forwarded\":[],\"clock\":null,\"planning\":null}\n");
+      "rail\",\"status\":\"valid\"},\"network\":{\"value\":null,\"status\":\"unknown\"}},\"forwarded\":[],\"clock\":"
+      "null,\"dialogue\":null,\"shown\":[],\"planning\":null}"
+      "\n");
   EXPECT_TRUE(Json::accept(line));
 }
 
@@ -542,6 +610,8 @@ kernel::Outputs second_edition() {
   o.rv_left = 80_m;
   o.M_VERSION = 0x21;
   o.radio_register = 0x26210F;
+  o.set_speed = 18_km_h;
+  o.language = {{'d', 'e'}};
   o.levels_allowed = {Level::L0, Level::L2};
   o.enabled = {DriverInput::adhesion, DriverInput::ack_OS, DriverInput::isolation};
   kernel::ShownText text;
@@ -568,14 +638,17 @@ kernel::Outputs second_edition() {
   o.remote_shunting = o.sound_horn = true;
   o.data.driver_id_status = o.data.level_status = o.data.train_status = o.data.SR.status = DataStatus::valid;
   o.data.train_running_number_status = o.data.rbc_status = DataStatus::invalid;
-  o.data.driver_id = 0x4711FFFF;
+  o.data.driver_id = DriverId("4711");
   o.data.train_running_number = 0x12FFFFFF;
   o.data.rbc = {1, 2, 0x123F};
   o.data.train = {300_m, 144_km_h, 120.0, 150, 5, train::AxleLoad::C2, train::LoadingGauge::GB, true};
   o.data.SR.V = 36_km_h;
   o.data.SR.D = 55_m;
   o.data.slippery_rail = true;
+  o.data.network = 0x26210F;
   o.clock = kernel::DateTime{1795342500, 120};
+  o.dialogue = kernel::ShownDialogue{Dialogue::start_S24, Ack::SR};
+  o.shown = {DriverOutput::mode, DriverOutput::set_speed};
   kernel::ForwardedData data{102, 11, 12, {}};
   (void)(data.bytes.push_back(0xAB) && data.bytes.push_back(0xC0));
   (void)o.forwarded.push_back(data);
@@ -592,7 +665,9 @@ TEST(OutputLines, SecondEdition) {
   const std::string expected =
       "\"V_I\":36,\"tti_s\":12.5,\"lssma_kmh\":72,\"mrdt_changed\":true,\"d_indication_m\":250.5,"
       "\"memo_status\":\"SB\",\"level_valid\":true,\"trip_reason\":\"SH stop order\",\"geo_m\":25000,"
-      "\"rv_left_m\":80,\"version\":\"2.1\",\"radio_register\":\"26210\",\"levels_allowed\":[\"0\",\"2\"],"
+      "\"rv_left_m\":80,\"version\":\"2.1\",\"radio_register\":\"26210\",\"set_speed_kmh\":18,\"language\":\"de\","
+      "\"levels_allowed\":["
+      "\"0\",\"2\"],"
       "\"enabled\":[\"slippery_rail\",\"adhesion_normal\",\"isolate\"],\"messages\":["
       "{\"id\":3,\"kind\":\"plain\",\"text\":\"OK\",\"class\":\"important\",\"ack\":true,\"since_ms\":1500},"
       "{\"id\":256,\"kind\":\"status\",\"text\":\"Balise read error\",\"class\":\"important\",\"ack\":false,"
@@ -618,15 +693,17 @@ TEST(OutputLines, SecondEdition) {
       "\"sr\":{\"value\":{\"V_sr_kmh\":36,\"D_sr_m\":55},\"status\":\"valid\"},"
       "\"vbc\":{\"value\":[{\"NID_C\":7,\"NID_VBCMK\":9,\"left_s\":60},{\"NID_C\":7,\"NID_VBCMK\":10,\"left_s\":90}],"
       "\"status\":\"valid\"},"
-      "\"adhesion\":{\"value\":\"slippery rail\",\"status\":\"valid\"}},"
+      "\"adhesion\":{\"value\":\"slippery rail\",\"status\":\"valid\"},"
+      "\"network\":{\"value\":\"26210\",\"status\":\"valid\"}},"
       "\"forwarded\":[{\"NID_XUSER\":102,\"NID_NTC\":11,\"bits\":12,\"data\":\"ABC0\"},"
       "{\"NID_XUSER\":5,\"NID_NTC\":null,\"bits\":0,\"data\":\"\"}],\"clock\":{\"utc\":\"2026-11-22T10:15:00Z\","
-      "\"local\":\"2026-11-22T12:15:00\"},\"planning\":null}\n";
+      "\"local\":\"2026-11-22T12:15:00\"},\"dialogue\":{\"procedure\":\"start_of_mission\",\"step\":\"S24\","
+      "\"waits_for\":\"SR_ack\"},\"shown\":[\"mode\",\"set_speed\"],\"planning\":null}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
   append_trace(row, 0, second_edition());
-  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1,26210\n";
+  const std::string end = ",36,12.5,72,true,250.5,SB,true,SH stop order,25000,80,2.1,26210,18,de\n";
   ASSERT_GE(row.size(), end.size());
   EXPECT_EQ(row.substr(row.size() - end.size()), end);
 }
@@ -728,7 +805,7 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_FALSE(changed([](Out& o) { o.data.SR.D = 1_m; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.SR.V = 36_km_h; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.train_status = DataStatus::invalid; }));
-  EXPECT_TRUE(changed([](Out& o) { o.data.driver_id = 1; }));
+  EXPECT_TRUE(changed([](Out& o) { o.data.driver_id = DriverId("1"); }));
   EXPECT_TRUE(changed([](Out& o) { o.data.rbc.NID_RADIO = 1; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.train.airtight = true; }));
   EXPECT_TRUE(changed([](Out& o) { o.data.slippery_rail = true; }));

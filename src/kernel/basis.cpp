@@ -15,7 +15,7 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
   };
   switch (modes::properties(s.mode).speed_limit) {
     case modes::SpeedLimit::V_NVSHUNT:
-      return of_area(Mode::SH, nv.V_NVSHUNT);
+      return s.V_SH == track::kNoSpeed ? nv.V_NVSHUNT : track::speed_of(s.V_SH);
     case modes::SpeedLimit::V_NVSTFF:
       return s.staff_responsible.V ? *s.staff_responsible.V : nv.V_NVSTFF;
     case modes::SpeedLimit::V_NVONSIGHT:
@@ -26,6 +26,8 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
       return nv.V_NVUNFIT;
     case modes::SpeedLimit::V_REVERSE:
       return s.track.reversing_supervision ? track::speed_of(s.track.reversing_supervision->V_REVERSE) : Speed{};
+    case modes::SpeedLimit::V_SM:
+      return Speed{};  // of a message that this unit does not read: no movement
     case modes::SpeedLimit::no_limit:
     case modes::SpeedLimit::standstill:
     case modes::SpeedLimit::profile_only:
@@ -60,6 +62,10 @@ std::uint32_t inaccuracy(const State& s, const track::Here& here) {
 }
 
 }  // namespace
+
+bool memorises_faults(const State& s) {
+  return s.mode == Mode::SL || s.mode == Mode::NL || (s.mode == Mode::PS && s.srs == SrsVersion::v4_0_0);
+}
 
 bool supervises_speed(Mode mode) {
   return modes::properties(mode).supervision != modes::Supervision::unsupervised && mode != Mode::SN;

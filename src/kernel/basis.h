@@ -11,6 +11,10 @@ bool supervises_speed(Mode mode);
 /// The supervision of speed in the current mode.
 bool supervises(const State& state, modes::Supervision kind);
 
+/// Whether a fault that affects safety does not stop the train in the mode: it is memorised and handled when the mode
+/// is left (4.4.6.1.6, 4.4.15.1.5; in PS of 4.0.0 4.4.20.1.10, the table before has [13] there).
+bool memorises_faults(const State& state);
+
 /// Renews State::basis when the track description, the train, the national values or the mode changed since it was
 /// built. Returns whether it did. Without a change it does nothing. Its key is taken with the authority that was in
 /// force before: what a new authority changes in it is found by the next call, of which each cycle has two at least.

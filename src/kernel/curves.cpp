@@ -181,6 +181,7 @@ sdm::Motion motion_of(const State& s, const track::Here& here, const TrainSignal
   m.V_ura = run.V_ura;
   m.A_est = run.A;
   m.standstill = here.standstill;
+  m.automatic = s.mode == Mode::AD;
   m.now = s.now;
   m.brake_pressure_kpa = train.brake_pressure_kpa;
   if (s.radio.ma_request) m.T_MAR = s.radio.ma_request->T_MAR;

@@ -4,8 +4,10 @@
 
 namespace evc::kernel {
 
-driver::ActionContext action_context(const State& s, const TrainSignals& train, const track::Here& here) {
+driver::ActionContext action_context(const State& s, const Inputs& in, const track::Here& here) {
+  const TrainSignals& train = in.train;
   driver::ActionContext c;
+  c.srs = s.srs;
   c.mode = s.mode;
   if (valid(s.data.level_status)) c.level = s.level.level;
   c.desk_open = train.desk_open;
@@ -22,6 +24,11 @@ driver::ActionContext action_context(const State& s, const TrainSignals& train, 
   c.driver_id_while_running = s.national_values.M_NVDERUN;
   c.network_offered = !s.network.offered.empty();
   c.track_ahead_free_asked = s.track_ahead_free.asking;
+  // With the selector in position "On" only (4.4.16.1.2).
+  c.automatic_driving_asked =
+      s.srs == SrsVersion::v4_0_0 && in.automatic_operation.requests_AD && in.automatic_operation.active;
+  c.alarm_may_be_inhibited = s.srs == SrsVersion::v4_0_0 && c.level && level_1_2_3(*c.level);
+  c.alarm_inhibited = s.antenna_alarm.inhibited.has_value();
   c.offers = s.offers;
   // What start of mission asks for is offered too (S12).
   c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));

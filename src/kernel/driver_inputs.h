@@ -7,7 +7,7 @@
 namespace evc::kernel {
 
 /// What decides which inputs of the driver are enabled now (4.7.2).
-driver::ActionContext action_context(const State& state, const TrainSignals& train, const track::Here& here);
+driver::ActionContext action_context(const State& state, const Inputs& inputs, const track::Here& here);
 
 /// The levels that this unit can run in now (5.10.2.4).
 modes::AvailableLevels available_levels(const State& state, const NationalSystem& national_system);

@@ -17,6 +17,7 @@ struct Twin {
 
 TEST(Examine, is_a_cycle_as_any_other_and_says_what_it_decided_on) {
   const auto stepped = std::make_unique<Twin>(), examined = std::make_unique<Twin>();
+  const auto seen = std::make_unique<Examined>();
   power_up(stepped->state, stepped->derived, Config{});
   power_up(examined->state, examined->derived, Config{});
   Inputs in;
@@ -26,7 +27,11 @@ TEST(Examine, is_a_cycle_as_any_other_and_says_what_it_decided_on) {
     in.train.sleeping = n == 15;
     in.train.powered = n != 17;
     step(stepped->state, stepped->derived, in, stepped->outputs);
-    const procedures::Facts facts = examine(examined->state, examined->derived, in, examined->outputs);
+    const Mode before = examined->state.mode;
+    examine(examined->state, examined->derived, in, examined->outputs, *seen);
+    const procedures::Facts& facts = seen->facts;
+    EXPECT_EQ(seen->deciding.now, in.now) << n;
+    EXPECT_EQ(seen->deciding.mode, before) << n;
     EXPECT_EQ(stepped->outputs.mode, examined->outputs.mode) << n;
     EXPECT_EQ(stepped->outputs.events, examined->outputs.events) << n;
     EXPECT_EQ(stepped->outputs.brake_reasons, examined->outputs.brake_reasons) << n;

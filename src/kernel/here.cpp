@@ -19,10 +19,11 @@ track::Here here(const State& state) {
   h.min_safe_rear = rear.min;
   h.min_safe_antenna = antenna.min;
   // 3.12.1.2.1.5: 3.x names no ends of the engine; the front end reaches the hole as every area, and leaves it.
-  const bool engine = state.srs == SrsVersion::v4_0_0;
-  h.hole_front = engine ? front.est : front.max;
-  h.hole_rear = engine ? front.est - state.L_engine : front.est;
+  const bool v4 = state.srs == SrsVersion::v4_0_0;
+  h.hole_front = v4 ? front.est : front.max;
+  h.hole_rear = v4 ? front.est - state.L_engine : front.est;
   h.now = state.now;
+  h.ran_back = v4 && position::last_motion(state.position) == position::Motion::backward;
   h.standstill = position::at_standstill(state.position);
   return h;
 }

@@ -89,7 +89,7 @@ class Unit : public ::testing::Test {
   void start_of_mission(Level level, std::uint8_t nid_ntc, Ack ack) {
     in.train.desk_open = true;
     for (int i = 0; i < 10; ++i) cycle();
-    in.driver.driver_id = 0x1234FFFF;
+    in.driver.driver_id = DriverId("1234");
     cycle();
     in.driver.level = level;
     in.driver.nid_ntc = nid_ntc;

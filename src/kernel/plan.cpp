@@ -106,7 +106,7 @@ class Planner {
 
   void plan_conditions() {
     for (const track::TrackCondition& c : s_.track.conditions) {
-      if (!driver::allowed(driver::output_of(c.kind), s_.mode)) continue;
+      if (!driver::allowed(driver::output_of(c.kind), s_.mode, s_.srs)) continue;
       add_condition(driver::planning_symbol(c.kind, false), c.kind, c.from, track::passes_start(c.kind, here_));
       add_condition(driver::planning_symbol(c.kind, true), c.kind, c.to, track::passes_end(c.kind, here_));
     }

@@ -3,6 +3,7 @@
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
 #include "kernel/state.h"
+#include "modes/stored_information.h"
 
 // What is kept without power (3.15.9.5, 3.17.2.9, 3.18.2.7, 4.10) as a value.
 namespace evc::kernel {
@@ -19,11 +20,18 @@ bool plausible(const Retained::Position& p) {
 }
 bool plausible(const Retained::StoredLevel& level) { return static_cast<std::size_t>(level.level) < kLevels; }
 
+bool plausible(const Retained::LevelOrder& order) {
+  for (const Retained::StoredLevel& level : order.table)
+    if (!plausible(level)) return false;
+  return !order.table.empty();
+}
+
 bool plausible(const Retained& r) {
   for (const Retained::Cover& cover : r.covers)
     if (!between(cover.left.si, 0.0, Retained::kLongestCover.si)) return false;
   for (const Retained::StoredLevel& level : r.level_table)
     if (!plausible(level)) return false;
+  if (r.level_order && !plausible(*r.level_order)) return false;
   return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, kHighestX) &&
          (!r.network || *r.network < port::kDefaultNetwork) && (!r.level || plausible(*r.level)) &&
          (!r.position || plausible(*r.position));
@@ -66,21 +74,54 @@ position::Kept kept_of(const Retained::Position& p) {
   return kept;
 }
 
-bool fitted_for(const State& s, const Retained::StoredLevel& level) {
-  return s.fitted_levels[static_cast<std::size_t>(level.level)];
+/// In 4.0.0 the level 3 of a table is what trackside ordered (6.6.3.4.5 [1b]), or was kept by a unit of an older
+/// edition.
+modes::OrderedLevel level_of(const State& s, const Retained::StoredLevel& kept) {
+  modes::OrderedLevel to;
+  to.level = modes::level_in(s.srs, kept.level);
+  to.nid_ntc = kept.nid_ntc;
+  to.ordered_as_level_3 = to.level != kept.level;
+  return to;
+}
+Retained::StoredLevel kept_of(const modes::OrderedLevel& l) {
+  return {l.ordered_as_level_3 ? Level::L3 : l.level, l.nid_ntc};
+}
+
+/// 4.10, column NP of 4.0.0: the order that waits is unchanged.
+std::optional<Retained::LevelOrder> order_kept(const State& s) {
+  const procedures::level_transition::State& transition = s.level_transition;
+  if (!transition.kept || modes::kept_level_order_on_entry(Mode::NP, s.mode, s.srs) == modes::Fate::deleted)
+    return std::nullopt;
+  Retained::LevelOrder order;
+  order.conditional = transition.kept_order.kind == modes::OrderKind::conditional;
+  for (const modes::OrderedLevel& l : transition.kept_order.table) (void)order.table.push_back(kept_of(l));  // as many
+  return order;
+}
+/// It is judged when No Power is left (4.11.1.4).
+void restore(State& s, const Retained::LevelOrder& order) {
+  if (modes::kept_level_order_on_entry(Mode::NP, Mode::SB, s.srs) == modes::Fate::deleted) return;
+  procedures::level_transition::State& transition = s.level_transition;
+  transition.kept = transition.kept_without_power = true;
+  transition.kept_order = {};
+  transition.kept_order.kind = order.conditional ? modes::OrderKind::conditional : modes::OrderKind::immediate;
+  for (const Retained::StoredLevel& l : order.table)
+    (void)transition.kept_order.table.push_back(level_of(s, l));  // as many
 }
 
 /// Position, level, its table and RBC contact: invalid until the mode NP is left (4.10, 4.11).
 void restore_to_be_revalidated(State& s, const Retained& r) {
-  if (r.level && fitted_for(s, *r.level)) {
-    s.level = {r.level->level, r.level->nid_ntc, {}};
-    s.data.level_status = DataStatus::invalid;
+  if (r.level) {
+    const Level level = modes::level_in(s.srs, r.level->level);
+    if (s.fitted_levels[static_cast<std::size_t>(level)]) {
+      s.level = {.level = level, .nid_ntc = r.level->nid_ntc};
+      s.data.level_status = DataStatus::invalid;
+    }
   }
   if (!r.level_table.empty()) {
     s.level_table.emplace();
-    for (const Retained::StoredLevel& l : r.level_table)
-      (void)s.level_table->push_back({l.level, l.nid_ntc, {}});  // as many
+    for (const Retained::StoredLevel& l : r.level_table) (void)s.level_table->push_back(level_of(s, l));  // as many
   }
+  if (r.level_order) restore(s, *r.level_order);
   s.radio.contact.reset();
   s.contact_status = DataStatus::unknown;
   if (r.contact) {
@@ -107,7 +148,8 @@ Retained retained(const State& s) noexcept {
   r.network = s.network.NID_MN;
   if (s.data.level_status != DataStatus::unknown) r.level = Retained::StoredLevel{s.level.level, s.level.nid_ntc};
   if (s.level_table)
-    for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back({l.level, l.nid_ntc});
+    for (const modes::OrderedLevel& l : *s.level_table) (void)r.level_table.push_back(kept_of(l));
+  r.level_order = order_kept(s);
   if (s.radio.contact) r.contact = address_of(*s.radio.contact);
   if (const auto position = position::kept(s.position, s.L_engine)) {
     r.position = position_of(*position);

@@ -24,6 +24,24 @@ TEST(Retention, AUnitTakesWhatIsRead) {
   EXPECT_TRUE(retained(*state) == r);
 }
 
+TEST(Retention, ALevelOrderThatWaitsIsKeptBy4_0_0Only) {  // 4.10
+  const auto state = std::make_unique<State>();
+  const auto derived = std::make_unique<Derived>();
+  Retained r = everything_retained();
+  r.level_order.emplace();
+  ASSERT_TRUE(r.level_order->table.push_back({Level::L3, 0}) && r.level_order->table.push_back({Level::L0, 0}));
+  for (const bool conditional : {false, true}) {
+    r.level_order->conditional = conditional;
+    Config config;
+    config.srs = SrsVersion::v4_0_0;
+    ASSERT_TRUE(power_up(*state, *derived, config, r));
+    EXPECT_TRUE(retained(*state) == r);
+    EXPECT_EQ(state->level_transition.kept_order.table[0].level, Level::L2);
+  }
+  ASSERT_TRUE(power_up(*state, *derived, {}, r));
+  EXPECT_FALSE(retained(*state).level_order.has_value());
+}
+
 TEST(Retention, AUnitRefusesWhatNoUnitKeeps) {
   const auto state = std::make_unique<State>();
   const auto derived = std::make_unique<Derived>();
@@ -41,6 +59,11 @@ TEST(Retention, AUnitRefusesWhatNoUnitKeeps) {
   EXPECT_TRUE(refused([](auto& r) { r.covers[0].left = Duration{std::numeric_limits<double>::quiet_NaN()}; }));
   EXPECT_TRUE(refused([](auto& r) { r.level->level = static_cast<Level>(5); }));
   EXPECT_TRUE(refused([](auto& r) { r.level_table[1].level = static_cast<Level>(5); }));
+  EXPECT_TRUE(refused([](auto& r) { r.level_order.emplace(); }));
+  EXPECT_TRUE(refused([](auto& r) {
+    r.level_order.emplace();
+    EXPECT_TRUE(r.level_order->table.push_back({static_cast<Level>(5), 0}));
+  }));
   EXPECT_TRUE(refused([](auto& r) { r.position->orientation = 3; }));
   EXPECT_TRUE(refused([](auto& r) { r.position->pair_orientation = 3; }));
   EXPECT_TRUE(refused([](auto& r) { r.position->ahead = Distance{1e8}; }));

@@ -9,9 +9,11 @@
 #include "base/units.h"
 #include "brakes/brakes.h"
 #include "driver/status_texts.h"
+#include "kernel/buffered_set.h"
 #include "kernel/evc.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
+#include "position/odometer_accuracy.h"
 #include "position/position.h"
 #include "position/report.h"
 #include "procedures/end_of_mission.h"
@@ -36,8 +38,7 @@
 // The memory of the unit (State) and the data computed from it (Derived).
 namespace evc::kernel {
 
-/// The highest system version number X that the unit supports (6.4.2), operated until another one is determined
-/// (3.17.2.9.1). All from 1 on are supported.
+/// The highest number X of a system version that is supported (6.4.2), as all from 1 on; operated first (3.17.2.9.1).
 inline constexpr std::uint8_t kHighestX = Retained::kHighestX;
 /// The operated system version as M_VERSION: of its number X the highest Y that the unit supports (3.17.2.1.1).
 constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>((unsigned{X} << 4) | 1u); }
@@ -58,29 +59,6 @@ struct PendingNationalValues {
   Anchor anchor{};
   NationalSet set;
 };
-
-/// One set of information in the transition buffer (4.8.5): the bits as received, and the packets that are buffered.
-struct BufferedSet {
-  Medium medium = Medium::balise;
-  GroupId group;
-  Place reference{};
-  Anchor anchor{};      // what the reference hangs on
-  Relocation widening;  // of what was unlinked, up to now
-  Direction orientation = Direction::unknown;
-  Place min_safe_front{};  // at reception: a conditional emergency stop is judged with it (4.8.5.7)
-  Duration received{};
-  std::uint64_t waiting = 0;                      // bit n: the n-th packet
-  std::uint64_t of_authority = 0;                 // likewise: authority, linking or track description
-  bool message_waits = false;                     // the information of the radio message itself
-  bool accepting = false;                         // by the accepting RBC: it waits for the change of RBC (4.8.2.1)
-  std::uint8_t M_VERSION = 0;                     // of the session, for a message
-  InplaceVector<std::uint16_t, 8> telegram_bits;  // of each telegram, in order of reading
-  std::array<std::uint8_t, 1024> bytes{};         // consecutive telegrams, or one message
-  std::uint16_t size = 0;
-};
-/// 4.8.5.1: three sets of information for a change of level, and three for a change of RBC.
-inline constexpr std::size_t kBufferedSetsOfOneCause = 3;
-inline constexpr std::size_t kBufferedSets = 2 * kBufferedSetsOfOneCause;
 
 /// The loop that a balise group announced (packet 134, 3.4.5.1).
 struct AnnouncedLoop {
@@ -121,7 +99,7 @@ struct DriverData {
   DataStatus train_running_number_status = DataStatus::unknown;
   DataStatus train_data_status = DataStatus::unknown;
   DataStatus level_status = DataStatus::unknown;
-  std::uint32_t driver_id = 0;
+  DriverId driver_id;
   std::uint32_t train_running_number = 0xFFFFFFFF;       // NID_OPERATIONAL, unknown
   std::optional<RbcIdentity> train_running_number_from;  // the RBC that gave it; absent: entered
 };
@@ -198,6 +176,7 @@ struct State {
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
   port::Identity identity;
   std::uint8_t terminals = 2;
+  track::SpeedCode V_SH = track::kNoSpeed;  // of the area that led to SH, deleted by 4.10 (3.11.7.1.1)
   std::int16_t local_time_offset_min = 0;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
@@ -216,7 +195,8 @@ struct State {
   std::optional<ClockReading> clock;
 
   position::State position;
-  Set<Anchor> anchors;  // of stored data; those of the LRBG do not count
+  position::OdometerAccuracy odometer_accuracy;  // 4.0.0 (3.6.8)
+  Set<Anchor> anchors;                           // of stored data; those of the LRBG do not count
   position::ReportState reports;
   position::IntegrityStatus integrity;
   balise::State balise;
@@ -241,12 +221,20 @@ struct State {
   Set<Offer> offers;   // choices offered by the procedures, and
   Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
+  Speed dial;                                   // the highest speed on the dial of the display
+  std::optional<Speed> set_speed;               // as entered
+  Language language;                            // of the display: never deleted (4.10)
+  std::optional<std::uint8_t> national_system;  // NID_NTC of the last level NTC
   LssmaDisplay lssma;
   bool safety_fault_memorised = false;  // it occurred in SL or NL, and these have to be left (4.4.6.1.6, 4.4.15.1.5)
+  bool safety_fault_reported = false;   // to the RBC
   bool start_in_SR = false;             // selected by the driver: an MA is requested (4.4.11.1.6)
   bool slippery_rail = false;           // selected by the driver
   bool removes_cover = false;           // selected by the driver: the next one entered is removed
+  bool toggled_on = false;              // by the driver: speeds and distances are shown in OS, SR and SH
   bool ma_with_trip_order = false;
+  bool NL_was_permitted = false;      // by the train interface, in the cycle before
+  bool level_crossing_shown = false;  // its approach began to be shown in the cycle before (5.16.1.4)
 
   protection::EmergencyStops emergency_stops;
   protection::MovementGuards guards;
@@ -266,6 +254,7 @@ struct State {
   bool desk_was_open = false;                       // in the cycle before
   bool asks_for_contact = false;                    // the driver, for a session after his change of level (5.10.3.15.2)
   bool contact_trip = false;                        // [41], found at the end of the cycle before
+  bool edition_told = false;                        // what it lacks
   bool configuration_refused = false;               // train data or national values out of their range at power-up
 };
 static_assert(std::is_trivially_copyable_v<State>);

@@ -13,8 +13,11 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   derived.built = 0;
   state.srs = config.srs;
   state.fitted_levels = config.levels;
+  if (config.srs == SrsVersion::v4_0_0)
+    state.fitted_levels[static_cast<std::size_t>(Level::L3)] = false;  // 2.6 has none
   state.identity = config.identity;
   state.terminals = config.terminals;
+  state.dial = config.dial;
   if (config.contact) {
     state.radio.contact = radio::Rbc{config.contact->NID_C, config.contact->NID_RBC, config.contact->NID_RADIO};
     state.contact_status = DataStatus::invalid;
@@ -32,7 +35,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
 namespace {
 
 /// One cycle: the picture of docs/architecture.md, from top to bottom.
-void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, procedures::Facts* seen) {
+void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, Examined* seen) {
   reset(outputs);
   const Log log{outputs.events};
   radio::Outbox outbox;
@@ -43,7 +46,7 @@ void run_cycle(State& state, Derived& derived, const Inputs& inputs, Outputs& ou
   report(state, inputs, received, decided, supervised, outbox, log, outputs);
 }
 
-void run_step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, procedures::Facts* seen) {
+void run_step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, Examined* seen) {
   if (!skips_closing(state, inputs.train)) return run_cycle(state, derived, inputs, outputs, seen);
   Inputs closed = inputs;
   closed.train.desk_open = false;
@@ -56,10 +59,8 @@ void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs
   run_step(state, derived, inputs, outputs, nullptr);
 }
 
-procedures::Facts examine(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs) noexcept {
-  procedures::Facts seen;
+void examine(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs, Examined& seen) noexcept {
   run_step(state, derived, inputs, outputs, &seen);
-  return seen;
 }
 
 }  // namespace evc::kernel

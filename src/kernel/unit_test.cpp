@@ -33,7 +33,7 @@ class Drive {
     const double x = n < 50 ? 0.0 : 0.005 * (n - 50) * (n - 50);
     in.odometry = {{{x}}, {{x * 0.99}}, {{x * 1.01}}, {v}, {v * 0.99}, {v * 1.01}, {v > 0.0 ? 1.0 : 0.0}};
     in.train.desk_open = n >= 2;
-    if (n == 5) in.driver.driver_id = 0x12345678;
+    if (n == 5) in.driver.driver_id = DriverId("12345678");
     if (n == 10) in.driver.level = static_cast<decltype(in.driver.level)::value_type>(0);
     if (n == 15) in.driver.train_running_number = 0x00004711;
     if (n == 20) in.driver.selected = 1u << static_cast<unsigned>(Select::train_data);

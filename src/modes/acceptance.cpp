@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "modes/acceptance_tables.h"
+#include "modes/acceptance_tables_v400.h"
 
 namespace evc::modes {
 namespace {
@@ -21,8 +21,8 @@ static_assert(
 
 constexpr Clause k483 = "4.8.3"_srs;
 constexpr Clause k484 = "4.8.4"_srs;
-constexpr std::size_t kNotes483 = 15;  // one more than the number of the last exception
-constexpr std::size_t kNotes484 = 10;
+constexpr std::size_t kNotes483 = 17;  // one more than the number of the last exception
+constexpr std::size_t kNotes484 = 12;
 
 constexpr Acceptance kAccepted{Verdict::accepted, {}};
 
@@ -49,8 +49,10 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return c.text_awaits_acknowledgement;
     case 13:
       return !c.immediate_order_to_1_2_3;
-    default:  // 14
+    case 14:
       return c.srs != SrsVersion::v3_4_0 && c.names_rbc_of_transition;
+    default:  // 16
+      return c.unlinked_with_level_1;
   }
 }
 
@@ -94,6 +96,10 @@ bool mode_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return !c.null_distance;
     case 9:
       return !c.front_in_ls_area_of_message;
+    case 10:
+      return !c.front_in_ls_area_of_message || c.front_in_OS_ack_area;
+    case 11:
+      return !c.train_running_number;
     default:
       return false;
   }
@@ -141,7 +147,7 @@ Acceptance accept_by_level(Information information, const AcceptanceContext& c) 
   if (i >= srs_4_8_3.size()) return {Verdict::rejected, k483};
   // 3.6.0 has no initiation of a session by the RBC.
   if (information == Information::session_initiation && c.srs != SrsVersion::v3_4_0) return {Verdict::rejected, k483};
-  const AcceptanceByLevel& row = srs_4_8_3[i];
+  const AcceptanceByLevel& row = (c.srs == SrsVersion::v4_0_0 ? srs_4_8_3_v400 : srs_4_8_3)[i];
   return judge_level_cell((c.medium == Medium::rbc ? row.rbc : row.not_rbc)[static_cast<std::size_t>(c.level)], c);
 }
 
@@ -158,8 +164,10 @@ Acceptance accept_by_rbc(Information information, const AcceptanceContext& c) {
 }
 
 Acceptance accept_by_mode(Information information, const AcceptanceContext& c) {
-  if (c.infill && c.mode != Mode::FS && c.mode != Mode::LS) return {Verdict::rejected, "4.8.4 infill"_srs};
-  const AcceptanceCell& cell = srs_4_8_4[static_cast<std::size_t>(information)].modes[static_cast<std::size_t>(c.mode)];
+  if (c.infill && c.mode != Mode::FS && c.mode != Mode::AD && c.mode != Mode::LS)
+    return {Verdict::rejected, "4.8.4 infill"_srs};
+  const auto& table = c.srs == SrsVersion::v4_0_0 ? srs_4_8_4_v400 : srs_4_8_4;
+  const AcceptanceCell& cell = table[static_cast<std::size_t>(information)].modes[static_cast<std::size_t>(c.mode)];
   const bool text = information == Information::plain_text || information == Information::fixed_text;
   if (text && c.mode == Mode::NL && c.srs == SrsVersion::v3_4_0) return kAccepted;
   if (cell.mark != Mark::accepted) return {Verdict::rejected, k484};

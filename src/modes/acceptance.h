@@ -36,6 +36,7 @@ struct AcceptanceContext {
   bool text_awaits_acknowledgement = false;     // [12]: same message identity, report asked for, not yet acknowledged
   bool immediate_order_to_1_2_3 = false;        // [13]: comes with the message
   bool names_rbc_of_transition = false;         // [14]: the RBC of a stored or same-message RBC transition order
+  bool unlinked_with_level_1 = false;           // [16] of 4.0.0: by a group marked as unlinked, level 1 in its table
   // 4.8.4
   bool exit_from_trip_recognised = false;    // [1]: recognition received, and this information is later than it
   bool desk_open = false;                    // [2]
@@ -44,7 +45,9 @@ struct AcceptanceContext {
   OrderKind order = OrderKind::immediate;    // [5][7], of a level transition order
   bool override_active = false;              // [6]
   bool null_distance = false;                // [8]: RBC transition order to be executed at once
-  bool front_in_ls_area_of_message = false;  // [9]: max safe front in the LS area of a profile in this message
+  bool front_in_ls_area_of_message = false;  // [9][10]: in the LS area of a profile in this message
+  bool front_in_OS_ack_area = false;         // [10] of 4.0.0: the estimated front end
+  bool train_running_number = false;         // [11] of 4.0.0: valid, or in this message
   SrsVersion srs = SrsVersion::v3_6_0;
 };
 

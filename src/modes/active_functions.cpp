@@ -3,25 +3,31 @@
 namespace evc::modes {
 namespace {
 
-/// Position reports that 4.5.2 of 4.0.0 has and 3.x has not.
-bool reported_in_4_0_0(Function function, Mode mode) {
-  switch (function) {
-    case Function::report_standstill:
-      return mode == Mode::SB;
-    case Function::report_integrity_confirmed:
-    case Function::report_integrity_lost:
-      return mode == Mode::UN || mode == Mode::SN;
-    case Function::report_rbc_border:
-      return mode == Mode::SL || mode == Mode::NL;
-    case Function::report_level_border_rear:
-    case Function::report_level_change_trackside:
-    case Function::report_rbc_requested:
-      return mode == Mode::SL;
-    case Function::report_every_bg:
-      return mode == Mode::SB || mode == Mode::SL;
-    default:
-      return false;
-  }
+struct FunctionInMode {
+  Function function{};
+  Mode mode{};
+};
+
+/// The marks of 4.5.2 of 4.0.0 that 3.x has not.
+constexpr auto srs_4_5_2_changes_v400 = std::to_array<FunctionInMode>({
+    {Function::report_standstill, Mode::SB},
+    {Function::report_integrity_confirmed, Mode::UN},
+    {Function::report_integrity_confirmed, Mode::SN},
+    {Function::report_integrity_lost, Mode::UN},
+    {Function::report_integrity_lost, Mode::SN},
+    {Function::report_rbc_border, Mode::SL},
+    {Function::report_rbc_border, Mode::NL},
+    {Function::report_level_border_rear, Mode::SL},
+    {Function::report_level_change_trackside, Mode::SL},
+    {Function::report_rbc_requested, Mode::SL},
+    {Function::report_every_bg, Mode::SB},
+    {Function::report_every_bg, Mode::SL},
+});
+
+bool added_in_4_0_0(Function function, Mode mode) {
+  for (const FunctionInMode& added : srs_4_5_2_changes_v400)
+    if (added.function == function && added.mode == mode) return true;
+  return false;
 }
 
 }  // namespace
@@ -32,7 +38,7 @@ Activity activity(Function function, Mode mode, SrsVersion srs) {
     if (function == Function::advance_route_display) return mode == Mode::FS ? Activity::optional : Activity::inactive;
     if (function == Function::report_data_consistency_error) return Activity::inactive;
   }
-  if (srs == SrsVersion::v4_0_0 && reported_in_4_0_0(function, mode)) return Activity::active;
+  if (srs == SrsVersion::v4_0_0 && added_in_4_0_0(function, mode)) return Activity::active;
   return srs_4_5_2[static_cast<std::size_t>(function)].modes[static_cast<std::size_t>(mode)];
 }
 

@@ -183,7 +183,8 @@ TEST(ModeProperties, Speed_limit_and_desk) {  // 4.4.3 to 4.4.20, the national v
     SpeedLimit limit = SpeedLimit::no_limit;
     if (mode == Mode::SB) limit = SpeedLimit::standstill;
     if (mode == Mode::SH) limit = SpeedLimit::V_NVSHUNT;
-    if (mode == Mode::FS) limit = SpeedLimit::profile_only;
+    if (mode == Mode::FS || mode == Mode::AD) limit = SpeedLimit::profile_only;
+    if (mode == Mode::SM) limit = SpeedLimit::V_SM;
     if (mode == Mode::LS) limit = SpeedLimit::V_NVLIMSUPERV;
     if (mode == Mode::SR) limit = SpeedLimit::V_NVSTFF;
     if (mode == Mode::OS) limit = SpeedLimit::V_NVONSIGHT;

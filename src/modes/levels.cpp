@@ -21,7 +21,7 @@ OrderDecision judge(OrderKind kind, const LevelTable& table, const OrderedLevel&
   if (table.empty() || mode == Mode::RV) return decision;
   decision.to = select_level(table, available);
   const bool announcement = kind == OrderKind::announcement;
-  if (mode == Mode::SH || mode == Mode::PS) {
+  if (mode == Mode::SH || mode == Mode::PS || mode == Mode::SM) {
     decision.effect = announcement ? OrderEffect::rejected : OrderEffect::keep_until_mode_left;
     return decision;
   }

@@ -18,7 +18,8 @@ namespace evc::modes {
 /// in rear of the border in which the transition may be acknowledged.
 struct OrderedLevel {
   Level level = Level::L0;
-  std::uint8_t nid_ntc = 0;  // 0 unless level is NTC
+  std::uint8_t nid_ntc = 0;         // 0 unless level is NTC
+  bool ordered_as_level_3 = false;  // 4.0.0: level 2, of an order for level 3
   Distance L_ack{};
   friend constexpr bool operator==(const OrderedLevel&, const OrderedLevel&) = default;
   /// Same level, and in level NTC the same national system.
@@ -26,6 +27,11 @@ struct OrderedLevel {
     return level == b.level && (level != Level::NTC || nid_ntc == b.nid_ntc);
   }
 };
+
+/// 4.0.0 has no level 3: where an older trackside names it, level 2 is meant (6.6.3.2.3 [21], [22], 6.6.5.2).
+constexpr Level level_in(SrsVersion srs, Level level) {
+  return srs == SrsVersion::v4_0_0 && level == Level::L3 ? Level::L2 : level;
+}
 
 /// A table of priority of levels, the highest first; 1 + N_ITER entries, N_ITER is a 5-bit number.
 using LevelTable = InplaceVector<OrderedLevel, 32>;

@@ -18,6 +18,7 @@ enum class SpeedLimit : std::uint8_t {
   V_NVLIMSUPERV,  // unless the mode profile gives another one
   V_NVUNFIT,
   V_REVERSE,  // packet 139
+  V_SM,       // given with the authorisation of the supervised manoeuvre
   national,   // given by the national system through the STM
 };
 
@@ -39,10 +40,11 @@ struct ModeProperties {
 inline constexpr std::uint8_t kAnyLevel = 0b11111;
 inline constexpr std::uint8_t kLevel0 = 0b00001;
 inline constexpr std::uint8_t kLevelNTC = 0b00010;
+inline constexpr std::uint8_t kLevel2 = 0b01000;
 inline constexpr std::uint8_t kLevels123 = 0b11100;
 
 // clang-format off
-/// 4.4.3 to 4.4.20, in the order of `Mode`. The comment of a row: responsibility of the unit | responsibility of the
+/// 4.4.3 to 4.4.21, in the order of `Mode`. The comment of a row: responsibility of the unit | responsibility of the
 /// driver.
 inline constexpr auto srs_4_4 = [] {
   using enum SpeedLimit;
@@ -66,10 +68,19 @@ inline constexpr auto srs_4_4 = [] {
     {Mode::IS, kAnyLevel,  no_limit,         unsupervised,          nothing, false},  // nothing | everything
     {Mode::SN, kLevelNTC,  national,         ceiling,              nothing, true},  // what the national system asks for | as the national system says
     {Mode::RV, kLevels123, V_REVERSE,        ceiling,              nothing, true},  // ceiling speed and reversing distance | keep within the distance
+    {Mode::SM, kLevel2,    V_SM,     full,                 nothing, true},  // the train, with default train data | the EOA below the release speed; what is on the track
+    {Mode::AD, kLevels123, profile_only,     full,                 nothing, true},  // everything | to engage it again after a stop
   });
 }();
 // clang-format on
 static_assert(srs_4_4.size() == kModes);
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kModes; ++i)
+        if (static_cast<std::size_t>(srs_4_4[i].mode) != i) return false;
+      return true;
+    }(),
+    "one row for each, in order");
 
 constexpr const ModeProperties& properties(Mode mode) { return srs_4_4[static_cast<std::size_t>(mode)]; }
 constexpr bool possible_in(Mode mode, Level level) {

@@ -2,8 +2,7 @@
 
 #include "modes/acceptance.h"
 #include "modes/levels.h"
-#include "modes/srs_4_6_2.h"
-#include "modes/srs_4_6_2_v400.h"
+#include "modes/next_mode.h"
 
 // The tables of this room together.
 namespace evc::modes {
@@ -23,13 +22,18 @@ TEST(NextMode, Nothing_holds_nothing_happens) {
 TEST(NextMode, Isolation_goes_before_all_and_power_before_the_rest) {
   Conditions all;
   for (const Condition& c : srs_4_6_3) all.set(c.number);
+  for (const Condition& c : srs_4_6_3_v400) all.set(c.number);
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode mode = static_cast<Mode>(m);
     if (mode == Mode::IS) continue;
-    EXPECT_EQ(next_mode(mode, all)->to, Mode::IS) << name(mode);
     Conditions rest = all;
     rest.set(1, false);
-    EXPECT_EQ(next_mode(mode, rest)->to, mode == Mode::NP ? Mode::SB : Mode::NP) << name(mode);
+    const Mode without = mode == Mode::NP ? Mode::SB : Mode::NP;
+    EXPECT_EQ(next_mode(mode, all, SrsVersion::v4_0_0)->to, Mode::IS) << name(mode);
+    EXPECT_EQ(next_mode(mode, rest, SrsVersion::v4_0_0)->to, without) << name(mode);
+    if (mode == Mode::SM || mode == Mode::AD) continue;
+    EXPECT_EQ(next_mode(mode, all)->to, Mode::IS) << name(mode);
+    EXPECT_EQ(next_mode(mode, rest)->to, without) << name(mode);
   }
 }
 
@@ -56,10 +60,22 @@ TEST(NextMode, Of_equal_priorities_what_would_be_lost_goes_first) {
 }
 
 TEST(NextMode, Of_4_0_0_knows_the_new_modes) {
-  EXPECT_EQ(v400::next_mode(v400::Mode::FS, {80})->to, v400::Mode::AD);
-  EXPECT_EQ(v400::next_mode(v400::Mode::PT, {77})->to, v400::Mode::UN);
-  EXPECT_STREQ(v400::name(v400::Mode::SM), "SM");
-  EXPECT_FALSE(v400::next_mode(v400::Mode::PS, {13}).has_value());
+  constexpr SrsVersion of_4 = SrsVersion::v4_0_0;
+  EXPECT_EQ(next_mode(Mode::FS, {80}, of_4)->to, Mode::AD);
+  EXPECT_EQ(next_mode(Mode::SB, {81}, of_4)->to, Mode::SM);
+  EXPECT_EQ(next_mode(Mode::PT, {77}, of_4)->to, Mode::UN);
+  EXPECT_FALSE(next_mode(Mode::PS, {13}, of_4).has_value());
+  for (const SrsVersion of_3 : {SrsVersion::v3_4_0, SrsVersion::v3_6_0}) {
+    EXPECT_FALSE(next_mode(Mode::FS, {80}, of_3).has_value());
+    EXPECT_FALSE(next_mode(Mode::PT, {77}, of_3).has_value());
+    EXPECT_EQ(next_mode(Mode::PS, {13}, of_3)->to, Mode::SF);
+  }
+}
+
+TEST(NextMode, The_cells_that_leave_a_mode_are_those_of_the_edition) {
+  EXPECT_EQ(cells_leaving(Mode::AD, SrsVersion::v4_0_0).size(), 15u);
+  EXPECT_EQ(cells_leaving(Mode::AD, SrsVersion::v3_6_0).size(), 0u);
+  EXPECT_EQ(cells_leaving(Mode::PT, SrsVersion::v4_0_0).size(), 12u);
 }
 
 TEST(Conditions, Are_a_set_of_numbers) {
@@ -72,7 +88,7 @@ TEST(Conditions, Are_a_set_of_numbers) {
   EXPECT_TRUE(Conditions{}.none());
   EXPECT_EQ(c | Conditions{1}, (Conditions{1, 74}));
   EXPECT_EQ((Conditions{1, 2, 70} & Conditions{2, 70, 71}), (Conditions{2, 70}));
-  EXPECT_EQ(meaning(9), nullptr);
+  EXPECT_EQ(meaning(55), nullptr);
 }
 
 AcceptanceContext prepared(Mode mode, Level level, Medium medium) {
@@ -191,13 +207,20 @@ TEST(Accept, Every_exception_of_4_8_4_decides) {
   expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [9]"_srs);
   c.front_in_ls_area_of_message = true;
   expect(accept(Information::lssma_toggle_on, c), Verdict::accepted, {});
+  c = prepared(Mode::OS, Level::L1, Medium::balise);
+  c.srs = SrsVersion::v4_0_0;
+  expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [10]"_srs);
+  c.front_in_ls_area_of_message = true;
+  expect(accept(Information::lssma_toggle_on, c), Verdict::accepted, {});
+  c.front_in_OS_ack_area = true;
+  expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [10]"_srs);
 }
 
 TEST(Accept, Infill_counts_in_FS_and_LS_only) {
   for (std::size_t m = 0; m < kModes; ++m) {
     AcceptanceContext c = prepared(static_cast<Mode>(m), Level::L1, Medium::balise);
     c.infill = true;
-    const bool runs = c.mode == Mode::FS || c.mode == Mode::LS;
+    const bool runs = c.mode == Mode::FS || c.mode == Mode::LS || c.mode == Mode::AD;
     EXPECT_EQ(accept(Information::gradient, c).verdict == Verdict::accepted, runs) << name(c.mode);
   }
 }
@@ -247,7 +270,9 @@ TEST(Accept, National_systems) {
   expect(accept_from_stm(Information::stm_system_speed_distance, false, true, c), Verdict::accepted, {});
 }
 
-OrderedLevel at(Level level, std::uint8_t nid_ntc = 0) { return {level, nid_ntc, Distance{100.0}}; }
+OrderedLevel at(Level level, std::uint8_t nid_ntc = 0) {
+  return {.level = level, .nid_ntc = nid_ntc, .L_ack = Distance{100.0}};
+}
 LevelTable table(std::initializer_list<OrderedLevel> levels) {
   LevelTable t;
   for (const OrderedLevel& l : levels) EXPECT_TRUE(t.push_back(l));

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 
 #include "modes/mode_table.h"
@@ -129,8 +130,13 @@ inline constexpr auto srs_4_6_2 = [] {
 }();
 // clang-format on
 
+/// The modes in the column order of the standard.
+inline constexpr std::array<Mode, kModesOf3> kColumns{Mode::NP, Mode::SB, Mode::PS, Mode::SH, Mode::FS, Mode::LS,
+                                                      Mode::SR, Mode::OS, Mode::SL, Mode::NL, Mode::UN, Mode::TR,
+                                                      Mode::PT, Mode::SF, Mode::IS, Mode::SN, Mode::RV};
+
 static_assert(srs_4_6_2.size() == 129);
-static_assert(every_mode_is_reachable(srs_4_6_2, kModes));
+static_assert(every_mode_is_reachable(srs_4_6_2, kModesOf3));
 static_assert(no_cell_twice(srs_4_6_2));
 static_assert(equal_priority_means_disjoint_conditions(srs_4_6_2));
 

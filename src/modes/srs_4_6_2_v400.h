@@ -1,21 +1,18 @@
 #pragma once
+#include <array>
 #include <optional>
 
 #include "modes/mode_table.h"
+#include "terms/mode.h"
 
 // The mode table of SRS 4.0.0: it has, in addition to 3.x, the modes SM (Supervised Manoeuvre) and AD (Automatic
-// Driving) and no level 3. Data only: the conditions 9, 11, 24, 33, 48, 53 and 75 to 84 are not observed by this unit.
+// Driving) and no level 3. The unit uses it with that edition.
 namespace evc::modes::v400 {
 
-/// The modes of 4.0.0 in its column order.
-enum class Mode : std::uint8_t { NP, SB, PS, SH, SM, FS, AD, LS, SR, OS, SL, NL, UN, TR, PT, SF, IS, SN, RV };
-inline constexpr std::size_t kModes = 19;
-
-constexpr const char* name(Mode mode) {
-  constexpr const char* names[kModes] = {"NP", "SB", "PS", "SH", "SM", "FS", "AD", "LS", "SR", "OS",
-                                         "SL", "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV"};
-  return names[static_cast<std::size_t>(mode)];
-}
+/// The modes in the column order of 4.0.0.
+inline constexpr std::array<Mode, kModes> kColumns{Mode::NP, Mode::SB, Mode::PS, Mode::SH, Mode::SM, Mode::FS, Mode::AD,
+                                                   Mode::LS, Mode::SR, Mode::OS, Mode::SL, Mode::NL, Mode::UN, Mode::TR,
+                                                   Mode::PT, Mode::SF, Mode::IS, Mode::SN, Mode::RV};
 
 // clang-format off
 inline constexpr auto srs_4_6_2 = [] {

@@ -12,12 +12,29 @@ Fate of_3_4_0(Mode to, Stored stored, Fate fate) {
   return fate;
 }
 
-/// Where 4.0.0 differs from the table. Its row of announced level transitions has no exceptions [1] and [2].
+struct FateChange {
+  Stored what{};
+  Mode to{};
+  Fate fate{};
+};
+
+/// The cells of 4.10.1.3 of 4.0.0 that differ; its row of announced level transitions has no exceptions [1] and [2].
+constexpr auto srs_4_10_changes_v400 = std::to_array<FateChange>({
+    {Stored::eolm, Mode::PS, Fate::deleted},
+    {Stored::eolm, Mode::SH, Fate::deleted},
+    {Stored::train_data, Mode::NL, Fate::to_be_revalidated},
+});
+
 Fate of_4_0_0(Mode to, Stored stored, Fate fate) {
-  if (stored == Stored::eolm && (to == Mode::PS || to == Mode::SH)) return Fate::deleted;
-  if (stored == Stored::train_data && to == Mode::NL) return Fate::to_be_revalidated;
+  for (const FateChange& change : srs_4_10_changes_v400)
+    if (change.what == stored && change.to == to) return change.fate;
   return fate;
 }
+
+/// The row of 4.0.0 for an immediate or conditional level order that waits.
+constexpr StoredRow kKeptOrder{Stored::level_transition_order,
+                               //  NP SB PS SH FS LS SR OS SL NL UN TR PT SF IS SN RV SM AD
+                               "U  U  U  U  D  D  D  D  U  U  D  U  D  NR NR D  D  D  D"};
 
 }  // namespace
 
@@ -31,19 +48,7 @@ Fate on_entry(Mode to, Mode from, Stored stored, SrsVersion srs) {
 
 Fate kept_level_order_on_entry(Mode to, Mode from, SrsVersion srs) {
   if (srs != SrsVersion::v4_0_0) return on_entry(to, from, Stored::level_transition_order, srs);
-  switch (to) {
-    case Mode::SB:
-    case Mode::PS:
-    case Mode::SH:
-    case Mode::SL:
-    case Mode::NL:
-    case Mode::TR:
-    case Mode::SF:
-    case Mode::IS:
-      return Fate::unchanged;
-    default:
-      return Fate::deleted;
-  }
+  return kKeptOrder.on_entry[index(to)].fate;
 }
 
 Fate on_level_entry(Level to, Stored stored) {

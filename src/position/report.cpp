@@ -154,6 +154,7 @@ std::uint16_t due(ReportState& reports, const State& state, const ReportEvents& 
   const auto add = [&why](Due d) { why = static_cast<std::uint16_t>(why | static_cast<std::uint16_t>(d)); };
   const bool stands = at_standstill(state);
   if (stands && !reports.stood && events.standstill_active) add(Due::standstill);
+  if (!stands && reports.stood && events.leaving_active) add(Due::standstill);
   reports.stood = stands;
   if (events.mode_change || events.integrity_confirmed || events.integrity_lost || events.level_change ||
       events.session_established || events.error_to_report)

@@ -63,6 +63,7 @@ struct ReportEvents {
   bool parameters_active = true;     // the mode reports by parameters
   bool groups_active = true;         // j, without parameters
   bool standstill_active = true;     // a
+  bool leaving_active = false;       // i
   bool borders_active = true;        // e, f, k
 };
 

@@ -257,6 +257,23 @@ TEST(ReportTriggers, StandstillOnce) {
   EXPECT_EQ(due(reports, s, e, 200_m), 0);
 }
 
+TEST(ReportTriggers, StandstillLeftOnce) {  // 3.6.5.1.4 i of 4.0.0
+  ReportEvents left;
+  left.leaving_active = true;
+  left.standstill_active = false;
+  for (const ReportEvents& e : {left, ReportEvents{}}) {
+    ReportState reports;
+    State s = after(100);
+    EXPECT_EQ(due(reports, s, e, 200_m), 0) << "it was not at standstill";
+    update(s, moving(spread(100), 0.0), 20_s);
+    (void)due(reports, s, e, 200_m);
+    update(s, moving(spread(110)), 21_s);
+    EXPECT_EQ(has(due(reports, s, e, 200_m), Due::standstill), e.leaving_active);
+    update(s, moving(spread(120)), 22_s);
+    EXPECT_EQ(due(reports, s, e, 200_m), 0);
+  }
+}
+
 TEST(ReportTriggers, EveryEvent) {
   State s = after(100);
   for (int i = 0; i < 6; ++i) {

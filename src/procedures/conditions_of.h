@@ -45,7 +45,7 @@ constexpr void conditions_of(const F& f, Give give) {
   give(13, f.safety_fault);
   give(14, f.sleeping && f.standstill && desks_closed);
   give(15, acknowledges(Ack::OS) && !in_0_ntc);
-  give(16, in_2_3 && (f.min_safe_front_beyond_eoa || f.group_at_eoa_in_RSM));
+  give(16, in_2_3 && f.min_safe_front_beyond_eoa);
   give(17, f.linking_reaction_trip);
   give(18, f.trip_order && !f.override_active);
   give(19, f.standstill && f.selects_exit_SH);
@@ -97,6 +97,32 @@ constexpr void conditions_of(const F& f, Give give) {
   give(72, f.profile_demands_LS);
   give(73, f.profile_demands_OS && !f.front_in_LS_ack_area);
   give(74, f.profile_demands_LS && !f.front_in_OS_ack_area);
+  // clang-format on
+}
+
+/// The same for the conditions that 4.0.0 has and 3.x has not.
+template <class F, class Give>
+constexpr void conditions_of_4_0_0(const F& f, Give give) {
+  const auto to_0 = f.level_switched_to == Level::L0;
+  const auto to_ntc = f.level_switched_to == Level::NTC;
+  const auto described = f.ma_ssp_gradient_stored;
+  // clang-format off
+  give( 9, described && f.level_crossing_approach_shown);
+  give(11, level_2_or_3(f.level) && f.group_at_eoa_in_RSM);
+  give(24, described && f.brake_commanded);
+  give(33, described && !f.AD_requested);
+  give(48, described && !f.described_for_whole_train);
+  give(53, described && f.ATO_disengaged);
+  give(75, !f.front_in_OS_ack_area && !f.profile_in_force);
+  give(76, !f.front_in_LS_ack_area && !f.profile_in_force);
+  give(77, to_0 && f.train_data_valid);
+  give(78, (to_0 || to_ntc) && !f.train_data_valid);
+  give(79, to_ntc && f.train_data_valid);
+  give(80, f.AD_requested && f.described_for_whole_train && !f.brake_commanded && f.selects_ATO_engage);
+  give(81, f.SM_authorised);
+  give(82, f.selects_exit_SM && f.standstill);
+  give(83, f.train_data_valid && f.consist_in_front);
+  give(84, f.odometer_beyond_threshold);
   // clang-format on
 }
 

@@ -131,7 +131,7 @@ struct Transition {
   level_transition::Inputs in;
   level_transition::Order order;
   Transition(Level level, Mode mode) {
-    in.current = {level, 0, Distance{300.0}};
+    in.current = {level, 0, false, Distance{300.0}};
     in.mode = mode;
     in.available.national_systems[0] = ~std::uint64_t{0};
   }
@@ -148,7 +148,7 @@ struct Transition {
   level_transition::Result give(OrderKind kind, Level level, double border = 0.0, double front = 0.0,
                                 std::uint8_t ntc = 1) {
     order = {kind, at(border), {}};
-    EXPECT_TRUE(order.table.push_back({level, level == Level::NTC ? ntc : std::uint8_t{0}, Distance{300.0}}));
+    EXPECT_TRUE(order.table.push_back({level, level == Level::NTC ? ntc : std::uint8_t{0}, false, Distance{300.0}}));
     const level_transition::JudgedOrder judged{
         order, modes::judge(order.kind, order.table, in.current, in.mode, in.available)};
     in.order = &judged;
@@ -159,7 +159,7 @@ struct Transition {
     return cycle(front);
   }
   level_transition::Result driver_chooses(Level level, double front = 0.0) {
-    in.driver_level = {level, 0, Distance{300.0}};
+    in.driver_level = {level, 0, false, Distance{300.0}};
     return cycle(front);
   }
 };
@@ -244,8 +244,8 @@ TEST(LevelTransition, Modes_that_revoke_the_brake_command_of_a_missing_acknowled
     t.give(OrderKind::immediate, Level::L0);
     EXPECT_TRUE(t.state.unacknowledged);
     level_transition::on_mode_change(t.state, Mode::FS, to, SrsVersion::v3_6_0);
-    const bool goes_on =
-        to == Mode::FS || to == Mode::LS || to == Mode::SR || to == Mode::OS || to == Mode::UN || to == Mode::SN;
+    const bool goes_on = to == Mode::FS || to == Mode::LS || to == Mode::SR || to == Mode::OS || to == Mode::UN ||
+                         to == Mode::SN || to == Mode::AD;
     EXPECT_EQ(t.state.unacknowledged, goes_on) << name(to);
   }
 }
@@ -333,7 +333,7 @@ TEST(Reversing, In_which_modes_and_where) {
   in.stored = reversing::Area{at(0.0), at(100.0)};
   for (std::size_t m = 0; m < kModes; ++m) {
     in.mode = static_cast<Mode>(m);
-    const bool possible = in.mode == Mode::FS || in.mode == Mode::LS || in.mode == Mode::OS;
+    const bool possible = full_supervision(in.mode) || in.mode == Mode::LS || in.mode == Mode::OS;
     for (const auto& [front, in_area] : {std::pair{-0.1, false}, {0.0, true}, {100.0, true}, {100.1, false}}) {
       in.est_front = at(front);
       EXPECT_EQ(reversing::step(in).possible, possible && in_area) << name(in.mode) << " " << front;
@@ -527,8 +527,9 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
     Set<Offer> offers;
     Set<Ack> requests;
   };
-  const Set<Offer> all = {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
-                          Offer::driver_id, Offer::train_running_number, Offer::level,      Offer::vbc};
+  const Set<Offer> all = {Offer::shunting,  Offer::non_leading, Offer::train_data,
+                          Offer::override_, Offer::driver_id,   Offer::train_running_number,
+                          Offer::level,     Offer::vbc,         Offer::bmm_inhibition};
   const Row rows[] = {
       {SoM::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number, Offer::vbc}, {}},
       {SoM::S2, Level::L1, {Entry::level}, {}, {}},
@@ -544,6 +545,7 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
   for (const Row& row : rows) {
     Starting s(row.step, row.level);
     if (row.step == SoM::S1) s.in.driver_id = DataStatus::unknown;
+    s.in.entry_of_train_data_open = s.state.entry_was_open = row.step == SoM::S12;
     s.in.mobile_terminal_registered = true;
     const Effects out = s.cycle();
     EXPECT_EQ(s.state.step, row.step);
@@ -634,10 +636,55 @@ TEST(StartOfMission, A_session_that_is_open_when_the_desk_is_opened_is_terminate
   s.in.session = Session::open;
   EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
   EXPECT_EQ(s.state.step, SoM::S0);
-  EXPECT_TRUE(s.cycle().send.empty()) << "one that is open later is not its own";
+  EXPECT_TRUE(s.cycle().send.empty()) << "once";
   s.in.session = Session::terminating;
   (void)s.cycle();
   EXPECT_NE(s.state.step, SoM::S0);
+}
+
+TEST(StartOfMission, A_session_that_comes_before_the_start_is_terminated_once_it_was_used) {  // 5.4.1.4, S0
+  Starting s(SoM::S0, Level::L2);
+  s.state.desk_was_open = true;
+  s.in.session = Session::establishing;
+  EXPECT_TRUE(s.cycle().send.empty());
+  s.in.session = Session::open;
+  EXPECT_TRUE(s.cycle().send.empty()) << "stand by is reported";
+  EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
+  EXPECT_TRUE(s.cycle().send.empty()) << "once";
+  EXPECT_EQ(s.state.step, SoM::S0);
+  s.in.session = Session::none;
+  (void)s.cycle();
+  s.state.step = SoM::S0;
+  s.in.session = Session::open;
+  EXPECT_TRUE(s.cycle().send.empty()) << "another one";
+  EXPECT_EQ(s.cycle().send, Set<Send>{Send::terminate_session});
+}
+
+TEST(StartOfMission, The_entry_of_train_data_is_left_as_it_was_entered) {  // E11, S12
+  for (const bool known : {false, true}) {
+    Starting s(SoM::S20, Level::L2);
+    s.in.session = Session::open;
+    s.in.train_data = s.in.train_running_number = DataStatus::valid;
+    s.in.train_data_acknowledged = known;
+    s.in.entry_of_train_data_open = true;
+    (void)s.cycle();
+    EXPECT_EQ(s.state.step, SoM::S12);
+    (void)s.cycle();
+    EXPECT_EQ(s.state.step, SoM::S12);
+    s.in.entry_of_train_data_open = false;
+    EXPECT_TRUE(s.cycle().send.empty());
+    EXPECT_EQ(s.state.step, known ? SoM::S20 : SoM::S10);
+  }
+  Starting s(SoM::S10, Level::L1);
+  s.in.entry_of_train_data_open = true;
+  (void)s.cycle();
+  s.in.train_data = s.in.train_running_number = DataStatus::valid;
+  s.in.enters_train_data = true;
+  (void)s.cycle();
+  EXPECT_EQ(s.state.step, SoM::S20);
+  s.in.enters_train_data = false;
+  (void)s.cycle();
+  EXPECT_EQ(s.state.step, SoM::S20) << "the entry is still open, and was made";
 }
 
 TEST(StartOfMission, Knows_whether_it_had_a_session) {  // 3.5.3.4 g
@@ -655,7 +702,7 @@ TEST(StartOfMission, What_is_sent_in_a_cycle_is_not_answered_in_it) {
   Starting data(SoM::S12, Level::L2);
   data.in.session = Session::open;
   data.in.train_data = data.in.train_running_number = DataStatus::valid;
-  data.in.train_data_acknowledged = true;
+  data.in.train_data_acknowledged = data.in.enters_train_data = true;
   EXPECT_EQ(data.cycle().send, Set<Send>{Send::train_data});
   EXPECT_EQ(data.state.step, SoM::S11);
   Starting request(SoM::S20, Level::L2);

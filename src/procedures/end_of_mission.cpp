@@ -12,6 +12,8 @@ void report(const State& state, Effects& out) {
 bool is_mission(Mode mode) {
   switch (mode) {
     case Mode::FS:
+    case Mode::AD:
+    case Mode::SM:
     case Mode::LS:
     case Mode::SR:
     case Mode::OS:

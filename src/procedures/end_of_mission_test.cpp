@@ -26,7 +26,8 @@ TEST(EndOfMission, Transitions_of_5_5_2) {
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode from = static_cast<Mode>(m);
     const bool to_sb = from == Mode::FS || from == Mode::LS || from == Mode::OS || from == Mode::UN ||
-                       from == Mode::NL || from == Mode::SR || from == Mode::RV || from == Mode::SN || from == Mode::PT;
+                       from == Mode::NL || from == Mode::SR || from == Mode::RV || from == Mode::SN ||
+                       from == Mode::PT || from == Mode::SM || from == Mode::AD;
     EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SB, true), to_sb) << name(from);
     const bool to_sh = to_sb && from != Mode::NL && from != Mode::RV;
     EXPECT_EQ(end_of_mission::ends_mission(from, Mode::SH, true), to_sh) << name(from);

@@ -10,15 +10,16 @@ using modes::OrderedLevel;
 using modes::OrderEffect;
 
 /// PT and RV belong to levels 1 to 3 (4.4), and no change of level leads out of them (4.6.2): a transition to another
-/// level waits until the mode is left.
-bool waits(Mode mode, const OrderedLevel& to) {
-  return (mode == Mode::PT || mode == Mode::RV) && !modes::possible_in(mode, to.level);
+/// level waits until the mode is left. 4.0.0 leads out of PT: [77] to [79].
+bool waits(Mode mode, const OrderedLevel& to, SrsVersion srs) {
+  const bool stays = mode == Mode::RV || (mode == Mode::PT && srs != SrsVersion::v4_0_0);
+  return stays && !modes::possible_in(mode, to.level);
 }
 
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
-  const bool needed = modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
+  const bool needed = !out.after_no_power && modes::acknowledgement_needed(in.current, to, in.mode, in.srs);
   // 5.10.4.3: within T_ACK after the transition, unless the driver acknowledged before.
   state.unacknowledged = needed && !state.acknowledged;
   state.unacknowledged_level = to.level;
@@ -40,7 +41,7 @@ void take_table(State& state, const Order& order, const modes::OrderDecision& de
 
 void take(State& state, const Inputs& in, const Order& order, const modes::OrderDecision& decision, Result& out) {
   if (decision.effect == OrderEffect::keep_until_mode_left ||
-      (decision.effect == OrderEffect::execute && waits(in.mode, decision.to))) {
+      (decision.effect == OrderEffect::execute && waits(in.mode, decision.to, in.srs))) {
     state.kept = true;  // only one, the newest (4.4.8.1.5)
     state.kept_order = order;
     return;
@@ -88,7 +89,9 @@ Result step(State& state, const Inputs& in) {
   Result out;
   if (in.order != nullptr) {
     take(state, in, in.order->order, in.order->decision, out);
-  } else if (state.kept) {
+  } else if (state.kept && in.mode != Mode::NP) {
+    out.after_no_power = state.kept_without_power;
+    state.kept_without_power = false;
     state.kept = false;  // take() keeps it again as long as the mode is SH or PS
     const Order& order = state.kept_order;
     take(state, in, order, modes::judge(order.kind, order.table, in.current, in.mode, in.available), out);
@@ -98,7 +101,7 @@ Result step(State& state, const Inputs& in) {
     state.announced_table.reset();
   }
   if (state.pending.has_value() && modes::border_reached(*state.pending, in.est_front) &&
-      !waits(in.mode, state.pending->to)) {
+      !waits(in.mode, state.pending->to, in.srs)) {
     const modes::PendingTransition due = *state.pending;
     if (due.to.same_level(in.current)) {
       state.pending.reset();
@@ -152,11 +155,13 @@ void on_mode_change(State& state, Mode from, Mode to, SrsVersion srs) {
   using modes::Fate;
   if (modes::on_entry(to, from, Stored::level_transition_order, srs) == Fate::deleted) forget_announcement(state);
   if (modes::kept_level_order_on_entry(to, from, srs) == Fate::deleted) state.kept = false;
+  state.kept_without_power = state.kept && (to == Mode::NP || state.kept_without_power);
   switch (to) {  // 4.12 of 4.0.0: the brake command that waits for the acknowledgement is revoked
     case Mode::NP:
     case Mode::SB:
     case Mode::PS:
     case Mode::SH:
+    case Mode::SM:
     case Mode::SL:
     case Mode::NL:
     case Mode::TR:

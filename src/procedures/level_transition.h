@@ -39,8 +39,9 @@ struct State {
   bool acknowledged = false;    // the pending transition is acknowledged already
   bool unacknowledged = false;  // a transition was executed and is not acknowledged yet
   Level unacknowledged_level = Level::L0;
-  Duration deadline{};  // T_ACK after the transition
-  bool kept = false;    // an order waits until SH or PS is left (4.4.8.1.5), or PT or RV
+  Duration deadline{};              // T_ACK after the transition
+  bool kept = false;                // an order waits until SH or PS is left (4.4.8.1.5), or PT or RV
+  bool kept_without_power = false;  // and No Power was entered meanwhile (4.11.1.4 of 4.0.0)
   Order kept_order;
 };
 
@@ -60,6 +61,7 @@ struct Result {
   Effects effects;                               // request Ack::level, service brake
   std::optional<modes::OrderedLevel> switch_to;  // execute a transition in this cycle
   bool by_driver = false;
+  bool after_no_power = false;             // an order was judged that had waited in No Power (4.11.1.4)
   std::optional<Place> border;             // of the transition that is executed, where it is known
   std::optional<modes::LevelTable> table;  // becomes applicable in this cycle (5.10.2.9)
   std::optional<Level>

@@ -9,7 +9,9 @@ namespace {
 
 using evc::test::at;
 
-modes::OrderedLevel level(Level l, std::uint8_t ntc = 0) { return {l, ntc, Distance{300.0}}; }
+modes::OrderedLevel level(Level l, std::uint8_t ntc = 0) {
+  return {.level = l, .nid_ntc = ntc, .L_ack = Distance{300.0}};
+}
 
 struct Border {
   level_transition::State state;

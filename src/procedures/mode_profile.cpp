@@ -30,7 +30,7 @@ bool overlap_demands(const Inputs& in) {
 /// From these modes the driver may acknowledge ahead of the area (4.6.2: [15], [50], [70]); from SR, UN, SN the train
 /// enters FS or LS first.
 bool may_acknowledge_ahead(Mode mode, Mode area) {
-  return mode != area && (mode == Mode::FS || mode == Mode::LS || mode == Mode::OS);
+  return mode != area && (full_supervision(mode) || mode == Mode::LS || mode == Mode::OS);
 }
 
 /// The nearest area ahead that requires another mode.

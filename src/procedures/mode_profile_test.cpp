@@ -103,7 +103,7 @@ TEST(ModeProfile, Only_from_FS_LS_and_OS_is_asked_ahead) {
   for (std::size_t m = 0; m < kModes; ++m) {
     Profile p(Mode::OS);
     p.in.mode = static_cast<Mode>(m);
-    EXPECT_EQ(!p.cycle(850.0).effects.requests.empty(), p.in.mode == Mode::FS || p.in.mode == Mode::LS)
+    EXPECT_EQ(!p.cycle(850.0).effects.requests.empty(), full_supervision(p.in.mode) || p.in.mode == Mode::LS)
         << name(p.in.mode);
   }
 }

@@ -5,6 +5,7 @@
 #include "modes/conditions.h"
 #include "procedures/effects.h"
 #include "terms/level.h"
+#include "terms/srs_version.h"
 
 namespace evc::procedures {
 
@@ -46,7 +47,7 @@ struct Facts {
   // authority
   bool min_safe_antenna_beyond_eoa = false;         // [12]
   bool min_safe_front_beyond_eoa = false;           // [16]
-  bool group_at_eoa_in_RSM = false;                 // [11] of 4.0.0, to TR from the modes of [16]
+  bool group_at_eoa_in_RSM = false;                 // [11] of 4.0.0
   bool front_in_rear_of_track_description = false;  // [69]: est front in rear of a stored SSP or gradient
   // balise
   bool linking_reaction_trip = false;         // [17]
@@ -70,9 +71,20 @@ struct Facts {
   bool continue_shunting = false;     // [26][27] (shunting.h)
   bool stop_shunting_stored = false;  // [22][23]: packet 135 stored
   bool national_trip = false;         // [35][38]: the national system reports it
+  // 4.0.0 only
+  bool level_crossing_approach_shown = false;  // [9]: shown since this cycle
+  bool brake_commanded = false;                // [24][80]: service or emergency brake, in the cycle before
+  bool AD_requested = false;                   // [33][80]: by automatic train operation
+  bool described_for_whole_train = false;      // [48][80]: SSP and gradient
+  bool selects_ATO_engage = false;             // [80]
+  bool ATO_disengaged = false;                 // [53]: by the driver, or by its selector
+  bool SM_authorised = false;                  // [81]
+  bool selects_exit_SM = false;                // [82]
+  bool consist_in_front = false;               // [83]: other than zero since this cycle
+  bool odometer_beyond_threshold = false;      // [84]
 };
 
-/// All conditions of 4.6.3 that hold, in the order of the standard.
-modes::Conditions observe(const Facts& facts);
+/// All conditions of 4.6.3 that hold; those that only 4.0.0 has with that edition.
+modes::Conditions observe(const Facts& facts, SrsVersion srs = SrsVersion::v3_6_0);
 
 }  // namespace evc::procedures

@@ -43,6 +43,13 @@ Term acknowledged(Ack ack) {
   return {"acknowledged", [=](Facts& f) { f.acknowledged.add(ack); }, [=](Facts& f) { f.acknowledged.remove(ack); }};
 }
 Term standstill() { return is("standstill", &Facts::standstill); }
+Term described() { return is("ma", &Facts::ma_ssp_gradient_stored); }
+/// Whether 3.x has the condition.
+bool in_3(int number) {
+  for (const modes::Condition& row : modes::srs_4_6_3)
+    if (row.number == number) return true;
+  return false;
+}
 Term no_override() { return is("override", &Facts::override_active, false); }
 
 std::vector<Case> cases() {
@@ -132,6 +139,26 @@ std::vector<Case> cases() {
       {72, {is("LS", &F::profile_demands_LS)}},
       {73, {is("OS", &F::profile_demands_OS), is("ack area", &F::front_in_LS_ack_area, false)}},
       {74, {is("LS", &F::profile_demands_LS), is("ack area", &F::front_in_OS_ack_area, false)}},
+      // 4.0.0
+      {9, {described(), is("level crossing", &F::level_crossing_approach_shown)}},
+      {11, {level(Level::L2, Level::L1), is("group", &F::group_at_eoa_in_RSM)}},
+      {24, {described(), is("brake", &F::brake_commanded)}},
+      {33, {described(), is("AD", &F::AD_requested, false)}},
+      {48, {described(), is("whole train", &F::described_for_whole_train, false)}},
+      {53, {described(), is("disengaged", &F::ATO_disengaged)}},
+      {75, {is("ack area", &F::front_in_OS_ack_area, false), is("profile", &F::profile_in_force, false)}},
+      {76, {is("ack area", &F::front_in_LS_ack_area, false), is("profile", &F::profile_in_force, false)}},
+      {77, {switched(Level::L0, Level::NTC), is("train data", &F::train_data_valid)}},
+      {78, {switched(Level::L0, Level::L1), is("train data", &F::train_data_valid, false)}},
+      {78, {switched(Level::NTC, Level::L2), is("train data", &F::train_data_valid, false)}},
+      {79, {switched(Level::NTC, Level::L0), is("train data", &F::train_data_valid)}},
+      {80,
+       {is("AD", &F::AD_requested), is("whole train", &F::described_for_whole_train),
+        is("brake", &F::brake_commanded, false), is("engaged", &F::selects_ATO_engage)}},
+      {81, {is("authorised", &F::SM_authorised)}},
+      {82, {is("exit", &F::selects_exit_SM), standstill()}},
+      {83, {is("train data", &F::train_data_valid), is("consist", &F::consist_in_front)}},
+      {84, {is("odometer", &F::odometer_beyond_threshold)}},
   };
 }
 
@@ -140,11 +167,12 @@ TEST(Observe, Every_term_of_every_condition_decides) {
     Facts facts;
     facts.powered = c.number != 29;
     for (const Term& t : c.terms) t.make_true(facts);
-    EXPECT_TRUE(observe(facts).test(c.number)) << c.number;
+    EXPECT_TRUE(observe(facts, SrsVersion::v4_0_0).test(c.number)) << c.number;
+    EXPECT_EQ(observe(facts).test(c.number), in_3(c.number)) << c.number;
     for (const Term& t : c.terms) {
       Facts without = facts;
       t.make_false(without);
-      EXPECT_FALSE(observe(without).test(c.number)) << c.number << " without " << t.what;
+      EXPECT_FALSE(observe(without, SrsVersion::v4_0_0).test(c.number)) << c.number << " without " << t.what;
     }
   }
 }
@@ -153,12 +181,13 @@ TEST(Observe, Every_condition_of_the_standard_has_a_case_and_no_other_is_set) {
   modes::Conditions covered;
   for (const Case& c : cases()) covered.set(c.number);
   for (const modes::Condition& row : modes::srs_4_6_3) EXPECT_TRUE(covered.test(row.number)) << int{row.number};
+  for (const modes::Condition& row : modes::srs_4_6_3_v400) EXPECT_TRUE(covered.test(row.number)) << int{row.number};
   for (int n = 0; n < modes::Conditions::kNumbers; ++n)
     if (modes::meaning(n) == nullptr) {
       for (const Case& c : cases()) {
         Facts facts;
         for (const Term& t : c.terms) t.make_true(facts);
-        EXPECT_FALSE(observe(facts).test(n)) << n;
+        EXPECT_FALSE(observe(facts, SrsVersion::v4_0_0).test(n)) << n;
       }
     }
 }

@@ -6,11 +6,13 @@ namespace {
 /// Starts or restarts the supervision of override (5.8.3.1).
 void start(State& state, const Inputs& in) {
   state.active = true;
+  state.selected_outside_NTC = in.level != Level::NTC;
   state.since = in.now;
   state.start = in.odometer;
   state.sr_distance_end = in.mode == Mode::SR ? in.sr_distance_end : std::nullopt;
   switch (in.mode) {
     case Mode::FS:
+    case Mode::AD:
     case Mode::LS:
     case Mode::OS:
       state.former_eoa = in.eoa_or_loa;

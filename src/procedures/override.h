@@ -12,9 +12,10 @@ namespace evc::procedures::override_ {
 
 struct State {
   bool active = false;
-  Duration since{};                 // a: time of the selection
-  OdometerPlace start{};            // b: place of the selection
-  std::optional<Place> former_eoa;  // c and [43]; stored beyond the end of override, deleted when SR is left
+  bool selected_outside_NTC = false;  // in another level than NTC (5.8.3.7.2 of 4.0.0)
+  Duration since{};                   // a: time of the selection
+  OdometerPlace start{};              // b: place of the selection
+  std::optional<Place> former_eoa;    // c and [43]; stored beyond the end of override, deleted when SR is left
   bool former_eoa_passed = false;
   std::optional<Place> sr_distance_end;  // h: the SR distance supervised before the selection
 };

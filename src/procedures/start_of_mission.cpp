@@ -115,21 +115,28 @@ Step choose(State& state, const Inputs& in, Effects& out) {
     out.status |= {Status::rbc_contact_invalid, Status::level_valid};
     return level_2_or_3(in.level) ? Step::S3 : Step::S10;
   }
-  if (in.enters_train_data) return Step::S12;
+  if (in.enters_train_data || (in.entry_of_train_data_open && !state.entry_was_open)) return Step::S12;  // E11
   if (state.step == Step::S20 && session_lost(in)) return Step::S10;
   if (in.selects_start && valid(in.train_data) && valid(in.train_running_number)) return after_start(state, in);
   return state.step;
 }
 
+/// S12 is left as it was entered.
+Step without_entry(const Inputs& in) {
+  const bool ready = valid(in.train_data) && valid(in.train_running_number);
+  return ready && (!level_2_or_3(in.level) || in.train_data_acknowledged) ? Step::S20 : Step::S10;
+}
+
 /// S22 to S25: the acknowledgement is asked for while the level does not change. Loss of the session leads back
 /// (5.4.5.1), except after a start without a session.
-Step while_acknowledging(const State& state, const Inputs& in) {
+Step while_acknowledging(State& state, const Inputs& in) {
   switch (state.step) {
     case Step::S22:
       return in.level == Level::NTC ? Step::S22 : Step::S20;
     case Step::S23:
       return in.level == Level::L0 ? Step::S23 : Step::S20;
-    case Step::S25:  // the RBC sent the mode profile
+    case Step::S25:  // the RBC sent the mode profile, and may have sent another one since
+      if (in.profile_at_front.has_value()) state.profile = *in.profile_at_front;
       if (!level_2_or_3(in.level)) return Step::S20;
       return session_lost(in) ? Step::S10 : Step::S25;
     default:
@@ -160,7 +167,8 @@ Step next(State& state, const Inputs& in, Effects& out) {
     case Step::S20:
       return choose(state, in, out);
     case Step::S12:
-      if (!valid(in.train_data)) return Step::S12;
+      if (!in.enters_train_data && in.entry_of_train_data_open) return Step::S12;
+      if (!in.enters_train_data) return without_entry(in);
       return valid(in.train_running_number) ? after_running_number(in, out) : Step::S13;
     case Step::S13:
       return valid(in.train_running_number) ? after_running_number(in, out) : Step::S13;
@@ -189,8 +197,9 @@ void ask(const State& state, const Inputs& in, Effects& out) {
       break;
     case Step::S10:
     case Step::S20:
-      out.offers |= {Offer::shunting,  Offer::non_leading,          Offer::train_data, Offer::override_,
-                     Offer::driver_id, Offer::train_running_number, Offer::level,      Offer::vbc};
+      out.offers |= {Offer::shunting,  Offer::non_leading, Offer::train_data,
+                     Offer::override_, Offer::driver_id,   Offer::train_running_number,
+                     Offer::level,     Offer::vbc,         Offer::bmm_inhibition};
       out.offers.add(Offer::start, valid(in.train_data) && valid(in.train_running_number));
       // The standard does not require this request, but without train data only shunting and non leading are possible.
       out.entries.add(Entry::train_data, !valid(in.train_data));
@@ -218,6 +227,18 @@ void ask(const State& state, const Inputs& in, Effects& out) {
   }
 }
 
+/// 5.4.1.4: S0 ends a session that is open when the desk is opened. One that comes later, in which the end of shunting
+/// is reported, is ended in its second cycle: the RBC has the report, and the driver does not depend on its order.
+bool ends_session(State& state, const Inputs& in) {
+  if (state.step != Step::S0 || in.session != Session::open) {
+    state.cycles_in_session = 0;
+    return false;
+  }
+  if (state.cycles_in_session == 2) return false;
+  state.cycles_in_session = state.desk_was_open && state.cycles_in_session == 0 ? 1 : 2;
+  return state.cycles_in_session == 2;
+}
+
 }  // namespace
 
 bool without_session(const State& state) { return state.step != Step::S0 && !state.had_session; }
@@ -233,7 +254,7 @@ Effects step(State& state, const Inputs& in) {
     state.desk_was_open = in.desk_open;
     return out;
   }
-  out.send.add(Send::terminate_session, !state.desk_was_open && in.session == Session::open);
+  out.send.add(Send::terminate_session, ends_session(state, in));
   state.desk_was_open = true;
   state.had_session = state.had_session || (state.step != Step::S0 && in.session == Session::open);
   // Decisions take no time: continue until a step waits. Every step is executed at most once in a cycle.
@@ -242,11 +263,13 @@ Effects step(State& state, const Inputs& in) {
     const Step before = state.step;
     state.step = next(state, now, out);
     if (before == Step::S10 || before == Step::S20 || before == Step::S2) now.enters_level = false;
-    if (before == Step::S10 || before == Step::S20) now.enters_train_data = now.selects_start = false;
+    if (before == Step::S10 || before == Step::S20) now.selects_start = false;
+    if (before == Step::S12) now.enters_train_data = now.entry_of_train_data_open = false;
     if (state.step == before) break;
     // A request in the outputs of this cycle is answered in the next one at the earliest.
     if (state.step == Step::D31 || state.step == Step::S11 || state.step == Step::S21) break;
   }
+  state.entry_was_open = in.entry_of_train_data_open;
   ask(state, in, out);
   return out;
 }

@@ -36,10 +36,12 @@ enum class Step : std::uint8_t {
 
 struct State {
   Step step = Step::S0;
-  Mode profile = Mode::OS;       // S25: the mode to acknowledge
-  bool without_session = false;  // S24: Start was chosen in level 2/3 without a session
-  bool had_session = false;      // since the desk was opened
-  bool desk_was_open = false;    // in the cycle before
+  Mode profile = Mode::OS;             // S25: the mode to acknowledge
+  bool without_session = false;        // S24: Start was chosen in level 2/3 without a session
+  bool had_session = false;            // since the desk was opened
+  bool desk_was_open = false;          // in the cycle before
+  bool entry_was_open = false;         // the entry of train data, in the cycle before
+  std::uint8_t cycles_in_session = 0;  // S0: with an open session, up to 2; then it is being terminated
 };
 
 struct Inputs {
@@ -60,6 +62,7 @@ struct Inputs {
   bool enters_rbc_contact = false;    // entered, revalidated or "last RBC" chosen
   bool selects_short_number = false;  // the identity of the RBC is not known yet (3.5.3.11)
   bool enters_train_data = false;
+  bool entry_of_train_data_open = false;  // selected (E11), and not left since
   bool selects_start = false;
   // The RBC, this cycle.
   bool train_data_acknowledged = false;  // message 8, or acknowledged earlier and not changed since
@@ -74,8 +77,8 @@ struct Inputs {
 
 /// One cycle. Outside SB, or with the desk closed, the procedure has ended (step S0); its session, or the set-up of
 /// one, ends with a desk that is closed meanwhile (3.5.3.8 a, 3.5.5.1). A session that is open when the desk is opened
-/// is terminated first (5.4.1.4). The acknowledgements asked for in S22 to S25 become [58], [60], [8], [15], [70], [50]
-/// in observe(); a plain MA in S21 is [10].
+/// is terminated first (5.4.1.4); so is one that the on-board opens later in S0, once it is open. The acknowledgements
+/// asked for in S22 to S25 become [58], [60], [8], [15], [70], [50] in observe(); a plain MA in S21 is [10].
 Effects step(State& state, const Inputs& inputs);
 
 /// Whether the procedure goes on, or has just led to a mode, without having had a session (3.5.3.4 g).

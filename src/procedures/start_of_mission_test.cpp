@@ -300,7 +300,7 @@ TEST(StartOfMission, Train_data_that_have_to_be_revalidated) {
   cab.cycle();
   cab.give_driver_id();
   cab.enter_level(Level::L1);
-  cab.in.enters_train_data = true;  // selected, not yet valid
+  cab.in.entry_of_train_data_open = true;  // selected, not yet valid
   EXPECT_TRUE(cab.cycle().entries.has(Entry::train_data));
   EXPECT_EQ(cab.state.step, Step::S12);
   cab.cycle();

@@ -7,6 +7,7 @@ namespace {
 bool applies(Mode mode) {
   switch (mode) {
     case Mode::FS:
+    case Mode::AD:
     case Mode::LS:
     case Mode::OS:
     case Mode::SR:
@@ -27,6 +28,7 @@ bool in_trip(Mode mode) { return mode == Mode::TR || mode == Mode::PT; }
 bool concerns_authority(const Inputs& in) {
   switch (in.mode) {
     case Mode::FS:
+    case Mode::AD:
     case Mode::LS:
     case Mode::OS:
       return true;

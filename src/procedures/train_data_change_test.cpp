@@ -30,7 +30,8 @@ TEST(TrainDataChange, Nothing_happens_without_a_change) {
 TEST(TrainDataChange, Only_the_modes_of_S0_begin_it) {
   for (std::size_t m = 0; m < kModes; ++m) {
     const Mode mode = static_cast<Mode>(m);
-    const Set<Mode> modes{Mode::FS, Mode::LS, Mode::OS, Mode::SR, Mode::SB, Mode::SN, Mode::UN, Mode::TR, Mode::PT};
+    const Set<Mode> modes{Mode::FS, Mode::LS, Mode::OS, Mode::SR, Mode::SB,
+                          Mode::SN, Mode::UN, Mode::TR, Mode::PT, Mode::AD};
     Change c(mode, false);
     c.in.standstill = true;
     EXPECT_EQ(c.cycle().data, modes.has(mode) ? Fate::in_force : Fate::kept) << m;
@@ -122,11 +123,12 @@ TEST(TrainDataChange, Who_is_only_informed) {
   };
   for (std::size_t m = 0; m < kModes; ++m) {
     Change c(static_cast<Mode>(m), false);
-    const Set<Mode> modes{Mode::FS, Mode::LS, Mode::OS, Mode::SR, Mode::SB, Mode::SN, Mode::UN, Mode::TR, Mode::PT};
+    const Set<Mode> modes{Mode::FS, Mode::LS, Mode::OS, Mode::SR, Mode::SB,
+                          Mode::SN, Mode::UN, Mode::TR, Mode::PT, Mode::AD};
     if (!modes.has(c.in.mode)) continue;
     EXPECT_TRUE(informed(c)) << m;
     c.in.route_matters = true;
-    const Set<Mode> with_authority{Mode::FS, Mode::LS, Mode::OS};
+    const Set<Mode> with_authority{Mode::FS, Mode::LS, Mode::OS, Mode::AD};
     EXPECT_EQ(informed(c), !with_authority.has(c.in.mode)) << m;
     c.in.authority_waits = true;
     EXPECT_EQ(informed(c), c.in.mode == Mode::SB || c.in.mode == Mode::PT) << m;

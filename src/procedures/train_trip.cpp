@@ -56,7 +56,8 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return level_2_or_3(in.level) && in.session_open ? Step::S150 : Step::S140;
     case Step::S150:
       return after_ma_request(state, in);
-    default:  // S160, S170: an answer of the RBC is valid as long as the session
+    default:  // S160, S170: an answer of the RBC is valid as long as the session, the newest one of S170 counts
+      if (state.step == Step::S170 && in.profile_at_front.has_value()) state.profile = *in.profile_at_front;
       return level_2_or_3(in.level) && !in.session_open ? Step::S140 : state.step;
   }
 }

@@ -257,7 +257,7 @@ TEST(Unset, Level_transition) {
   level_transition::Inputs in;
   level_transition::JudgedOrder judged;
   level_transition::Order& order = judged.order;
-  ASSERT_TRUE(order.table.push_back({Level::L1, 0, Distance{}}));
+  ASSERT_TRUE(order.table.push_back({.level = Level::L1}));
   in.current.level = Level::NTC;
   judged.decision = modes::judge(order.kind, order.table, in.current, in.mode, in.available);
   in.order = &judged;
@@ -316,6 +316,7 @@ TEST(Unset, Start_of_mission) {
   EXPECT_EQ(state.step, Step::S13);
   in.train_data = DataStatus::unknown;
   state.step = Step::S12;
+  in.entry_of_train_data_open = true;
   step(state, in);
   EXPECT_EQ(state.step, Step::S12);
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "modes/mode_properties.h"
-#include "modes/srs_4_6_2.h"
+#include "modes/next_mode.h"
 #include "procedures/level_transition.h"
 #include "procedures/observe.h"
 
@@ -75,6 +75,15 @@ Facts anything(Dice& dice, Mode mode, Level level) {
   f.requested.add(Ack::LS, profile && dice.one_in(3));
   f.requested.add(Ack::SH, profile && dice.one_in(3));
   f.requested.add(Ack::RV, profile && dice.one_in(20));
+  f.brake_commanded = dice.one_in(20);
+  f.AD_requested = !dice.one_in(10);
+  f.described_for_whole_train = !dice.one_in(10);
+  f.selects_ATO_engage = dice.one_in(3);
+  f.ATO_disengaged = dice.one_in(20);
+  f.SM_authorised = level == Level::L2 && dice.one_in(10);  // 4.8.3
+  f.selects_exit_SM = dice.one_in(5);
+  f.consist_in_front = dice.one_in(30);
+  f.odometer_beyond_threshold = dice.one_in(400);
   return f;
 }
 
@@ -84,7 +93,10 @@ bool receives_orders(Mode mode) { return mode != Mode::SF && mode != Mode::IS &&
 /// Level transitions as trackside orders them: at once, or announced for a place ahead.
 class LevelOrders {
  public:
-  LevelOrders() { in_.available.national_systems[0] = ~std::uint64_t{0}; }
+  LevelOrders(SrsVersion srs, std::uint64_t levels) : levels_(levels) {
+    in_.available.national_systems[0] = ~std::uint64_t{0};
+    in_.srs = srs;
+  }
   /// The level after one cycle.
   Level cycle(Dice& dice, Mode mode, Level level) {
     if (!receives_orders(mode)) return level;
@@ -97,27 +109,31 @@ class LevelOrders {
     if (dice.one_in(8)) {
       judged.order.kind = dice.one_in(2) ? modes::OrderKind::announcement : modes::OrderKind::immediate;
       judged.order.border = in_.est_front + Distance{static_cast<double>(dice.roll(100))};
-      EXPECT_TRUE(judged.order.table.push_back({static_cast<Level>(dice.roll(kLevels)), 0, {}}));
+      EXPECT_TRUE(judged.order.table.push_back({static_cast<Level>(dice.roll(levels_)), 0, {}}));
       judged.decision = modes::judge(judged.order.kind, judged.order.table, in_.current, mode, in_.available);
       in_.order = &judged;
     }
     const auto result = level_transition::step(state_, in_);
     return result.switch_to ? result.switch_to->level : level;
   }
+  /// 4.10: an announced transition is deleted in some modes.
+  void entered(Mode from, Mode to) { level_transition::on_mode_change(state_, from, to, in_.srs); }
 
  private:
   level_transition::State state_;
   level_transition::Inputs in_;
+  std::uint64_t levels_;
 };
 
-TEST(Walk, The_mode_is_always_one_of_the_level) {
+void walk(SrsVersion srs, std::size_t modes) {
+  const std::uint64_t levels = srs == SrsVersion::v4_0_0 ? kLevels - 1 : kLevels;  // 4.0.0 has no level 3
   Dice dice{20240517};
   std::array<std::uint64_t, kModes> visits{};
   std::uint64_t changes_in_PT_or_RV = 0;
   for (int journey = 0; journey < 2000; ++journey) {
     Mode mode = Mode::NP;
-    Level level = static_cast<Level>(dice.roll(kLevels));
-    LevelOrders orders;
+    Level level = static_cast<Level>(dice.roll(levels));
+    LevelOrders orders(srs, levels);
     for (int cycle = 0; cycle < 200; ++cycle) {
       const Level before = level;
       level = orders.cycle(dice, mode, level);
@@ -125,16 +141,22 @@ TEST(Walk, The_mode_is_always_one_of_the_level) {
       Facts f = anything(dice, mode, level);
       f.level = level;
       if (level != before) f.level_switched_to = level;
-      const auto went = modes::next_mode(mode, observe(f));
-      if (went.has_value()) mode = went->to;
+      const auto went = modes::next_mode(mode, observe(f, srs), srs);
+      if (went.has_value()) {
+        orders.entered(mode, went->to);
+        mode = went->to;
+      }
       ++visits[static_cast<std::size_t>(mode)];
       ASSERT_TRUE(modes::possible_in(mode, level))
           << name(mode) << " in level " << name(level) << " by [" << (went ? went->number : 0) << "]";
     }
   }
   EXPECT_GT(changes_in_PT_or_RV, 0u);  // among levels 1 to 3
-  for (std::size_t m = 0; m < kModes; ++m) EXPECT_GT(visits[m], 0u) << name(static_cast<Mode>(m));
+  for (std::size_t m = 0; m < modes; ++m) EXPECT_GT(visits[m], 0u) << name(static_cast<Mode>(m));
 }
+
+TEST(Walk, The_mode_is_always_one_of_the_level) { walk(SrsVersion::v3_6_0, kModesOf3); }
+TEST(Walk, The_mode_is_always_one_of_the_level_in_4_0_0) { walk(SrsVersion::v4_0_0, kModes); }
 
 }  // namespace
 }  // namespace evc::procedures

@@ -10,12 +10,6 @@ Distance run_since(const OdometerReading& then, const OdometerReading& now) {
   return forward > backward ? forward : backward;
 }
 
-bool over_metal(const track::Description& d, const AntennaSituation& s) {
-  for (const track::BigMetalMass& mass : d.big_metal)
-    if (s.max_safe_antenna >= mass.from && s.min_safe_antenna <= mass.to) return true;
-  return false;
-}
-
 bool ignored_by_mode(const AntennaSituation& s) {
   switch (s.mode) {
     case Mode::NP:
@@ -29,15 +23,29 @@ bool ignored_by_mode(const AntennaSituation& s) {
   }
 }
 
+/// 5.22.5.1, 5.22.5.2.1: whether the inhibition is over.
+bool inhibition_ends(const OdometerReading& from, const AntennaSituation& s, bool in_metal) {
+  const bool of_mode = s.mode == Mode::SB || s.mode == Mode::SH || s.mode == Mode::SR;
+  return !of_mode || in_metal || run_since(from, s.counter) > D_METAL;
+}
+
 }  // namespace
 
+bool over_metal(const track::Description& d, Place min_safe_antenna, Place max_safe_antenna) {
+  for (const track::BigMetalMass& mass : d.big_metal)
+    if (max_safe_antenna >= mass.from && min_safe_antenna <= mass.to) return true;
+  return false;
+}
+
 bool asks_for_brake(AntennaAlarm& state, const AntennaSituation& s, const track::Description& d) {
+  const bool in_metal = over_metal(d, s.min_safe_antenna, s.max_safe_antenna);
+  if (state.inhibited && inhibition_ends(*state.inhibited, s, in_metal)) state.inhibited.reset();
   if (!s.alarm) {
     state.since.reset();
     return false;
   }
   if (!state.since) state.since = s.counter;
-  if (ignored_by_mode(s) || over_metal(d, s)) return false;
+  if (ignored_by_mode(s) || in_metal || state.inhibited) return false;
   return level_1_2_3(s.level) || run_since(*state.since, s.counter) > D_METAL;
 }
 

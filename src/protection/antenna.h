@@ -14,7 +14,8 @@ namespace evc::protection {
 inline constexpr Distance D_METAL{300.0};
 
 struct AntennaAlarm {
-  std::optional<OdometerReading> since;  ///< the odometer when the alarm began; absent: no alarm
+  std::optional<OdometerReading> since;      ///< the odometer when the alarm began; absent: no alarm
+  std::optional<OdometerReading> inhibited;  ///< the same when its reaction was inhibited; absent: it acts (5.22)
 };
 
 /// What the reaction depends on, in this cycle.
@@ -27,10 +28,15 @@ struct AntennaSituation {
   Place min_safe_antenna{}, max_safe_antenna{};
 };
 
-/// One cycle: whether the safety reaction is asked for (3.15.7.6). The alarm is ignored in a big metal mass (3.15.7.5),
+/// One cycle: whether the safety reaction is due (3.15.7.6). The alarm is ignored in a big metal mass (3.15.7.5),
 /// from where the max safe antenna enters it until the min safe antenna leaves it, and in RV (4.4.18.1.11); in levels 0
 /// and NTC for 300 m from where it began, each at least as far as the train really ran; of 4.0.0 in SB in the other
 /// levels (3.15.7.4).
+/// 4.0.0: the inhibition ends after 300 m, in another mode than SB, SH and SR, or where a big metal mass begins
+/// (5.22.5).
 bool asks_for_brake(AntennaAlarm& state, const AntennaSituation& situation, const track::Description& description);
+
+/// Whether the antenna may be in a big metal mass.
+bool over_metal(const track::Description& description, Place min_safe_antenna, Place max_safe_antenna);
 
 }  // namespace evc::protection

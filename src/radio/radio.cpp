@@ -245,10 +245,15 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
     if (s.session(peer).active()) result.session_lost = keep_session(s, peer, in, out) || result.session_lost;
   supervise_contact(s, in, out, result);
   const bool new_number = note_running_number(s, in);
-  if (in.report_due || in.start_of_mission || new_number) result.reported_to_other = send_report(s, in, out);
+  // A session begins with the report, a mission too (6.6.3.4.3.1); later train data are sent before the report of the
+  // same cycle, which the RBC then reads with them.
+  const bool report = in.report_due || in.start_of_mission || new_number;
+  const bool report_first = in.start_of_mission || s.supervising.established_now || s.other.established_now;
+  if (report && report_first) result.reported_to_other = send_report(s, in, out);
+  for (const Peer peer : kRbcs) send_train_data_to(s.partner(peer), peer, in, out);
+  if (report && !report_first) result.reported_to_other = send_report(s, in, out);
   for (const Peer peer : kRbcs) {
     Partner& p = s.partner(peer);
-    send_train_data_to(p, peer, in, out);
     if (p.session.phase != Phase::up) continue;
     result.session_established = result.session_established || p.established_now;
     p.established_now = false;

@@ -91,7 +91,7 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
     const bool looked_at = options.changes || n % options.every == 0;
     const kernel::Planning* const planning = options.planning && looked_at ? on_board.plan() : nullptr;
     const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning) : n % options.every == 0;
-    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning);
+    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning, stream.configuration().ntc_names);
     if (options.changes) last.keep(outputs, planning);
     if (text.size() < block && !live) continue;
     out.write(text);

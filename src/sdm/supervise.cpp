@@ -173,7 +173,7 @@ void take_target(const Cycle& c, Bounds& b, bool EOA_SvL, Speed Vt, unsigned bey
   const Rules& rules = c.d.rules;
   set_target(b, Vt, c.d.fixed);
   for (const TriggerRow& row : trigger_table(rules, EOA_SvL))
-    if (holds(row, b, c.a.V, beyond)) t.take(row);
+    if (!(c.m.automatic && row.command == Command::SB) && holds(row, b, c.a.V, beyond)) t.take(row);
   bool any = false;
   bool eb = false;
   bool normal = false;

@@ -16,7 +16,7 @@ constexpr double kMargin = 3.0 / kKmh;  // below the permitted speed
 constexpr double kMarginLate = 0.5 / kKmh;
 constexpr double kStopShort = 12.0;             // metres before the end of authority
 constexpr std::int64_t kEntry_ms = 1000;        // time between two entries
-constexpr std::uint32_t kDigits = 0x4711FFFFu;  // driver identity and train running number 4711, packed
+constexpr std::uint32_t kDigits = 0x4711FFFFu;  // train running number 4711, packed
 
 constexpr std::uint32_t bit(Select s) { return 1u << static_cast<unsigned>(s); }
 
@@ -50,7 +50,7 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
   auto& driver = inputs.levels.driver;
   next_entry_ms_ = t_ms + (kind_ == DriverKind::late ? 2 * kEntry_ms : kEntry_ms);
   if (seen.entries.has(Entry::driver_id)) {
-    driver.driver_id = kDigits;
+    driver.driver_id = DriverId("4711");
   } else if (seen.entries.has(Entry::level)) {
     driver.level = line_.start_level;
     driver.nid_ntc = line_.start_nid_ntc;

@@ -57,6 +57,7 @@ void World::move_one_cycle() {
   handle.cut_off = seen_.tco;
   handle.service = seen_.sb;
   handle.emergency = seen_.eb;
+  inputs_.levels.train.service_brake_feedback = train_.service_brake_feedback && seen_.sb;
   for (int i = 0; i < kStepsPerCycle; ++i) {
     const double before = motion_.front();
     const double nominal_before = odometer_.nominal_after(0.0);

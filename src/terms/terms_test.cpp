@@ -28,8 +28,10 @@ TEST(Terms, ModesHaveTheCodesOfMMode) {
     EXPECT_STREQ(name(mode_of(code)), kByCode[code]);
     EXPECT_EQ(M_MODE(mode_of(code)), code);
   }
-  EXPECT_EQ(compared, kModes - 1) << "all but NP";
+  EXPECT_EQ(compared, kModesOf3 - 1) << "all but NP";
   EXPECT_EQ(M_MODE(Mode::NP), M_MODE(Mode::SB)) << "NP is never reported";
+  EXPECT_EQ(M_MODE(Mode::AD), M_MODE(Mode::FS)) << "6.6.5.3.7 [1a]";
+  EXPECT_EQ(M_MODE(Mode::SM), M_MODE(Mode::SH)) << "not with an RBC of a version up to 2.1";
   EXPECT_EQ(mode_of(16), Mode::NP) << "a code that names no mode";
 }
 
@@ -43,7 +45,7 @@ TEST(Terms, ModesThatSuperviseAnAuthority) {
   std::string modes;
   for (const auto& row : kModeRows)
     if (supervises_authority(row.value)) modes += row.name;
-  EXPECT_EQ(modes, "FSLSOS");
+  EXPECT_EQ(modes, "FSLSOSSMAD");
 }
 
 TEST(Terms, Levels) {  // 7.5.1.65, 7.5.1.67

@@ -73,6 +73,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::level_crossing_speed, "level crossing", Takes::id, "speed instead of stop"},
     {What::targets_lost, "supervision", Takes::nothing, "too many targets: kept on the safe side"},
     {What::no_deceleration, "supervision", Takes::nothing, "no deceleration before a target"},
+    {What::service_brake_failed, "service brake", Takes::nothing, "not applied: emergency brake"},
 
     // Session, national values, system version.
     {What::session_ordered, "session", Takes::nothing, "ordered"},
@@ -109,6 +110,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::cab_changed, "cab", Takes::nothing, "changed"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
     {What::mode_not_of_level, "mode", Takes::nothing, "not possible in the level"},
+    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "supervised manoeuvre, consist length, virtual front end, system versions 2.2 to 3.0"},
     {What::received_without_power, "telegram or message", Takes::nothing, "not received: no power"},
 });
 // clang-format on
@@ -139,10 +141,19 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
     "short number",
     "virtual balise cover set",
     "virtual balise cover removed",
-    "radio network"};
+    "radio network",
+    "toggle",
+    "automatic driving",
+    "end of automatic driving",
+    "supervised manoeuvre",
+    "supervised manoeuvre again",
+    "exit of supervised manoeuvre",
+    "inhibition of the antenna alarm",
+    "end of the inhibition of the antenna alarm"};
+static_assert(kSelectWords.back() != nullptr, "one for each");
 constexpr std::array<const char*, static_cast<std::size_t>(port::Entered::count)> kEnteredWords{
-    "driver identity", "train running number",  "train data",           "RBC contact",
-    "level",           "SR speed and distance", "virtual balise cover", "radio network"};
+    "driver identity",       "train running number", "train data",    "RBC contact", "level",
+    "SR speed and distance", "virtual balise cover", "radio network", "set speed",   "language"};
 
 void add_change(ShortText& line, const char* from, const char* to) {
   line.add(" ");

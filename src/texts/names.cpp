@@ -30,59 +30,6 @@ constexpr std::array<const char*, static_cast<std::size_t>(train::Fault::count)>
                                                                                              "M_NVEBCL",
                                                                                              "A_NVMAXREDADH"};
 
-constexpr std::array<const char*, driver::kOutputs> kOutputNames{"mode",
-                                                                 "level",
-                                                                 "train_speed",
-                                                                 "permitted_speed",
-                                                                 "sbi_speed",
-                                                                 "target_speed",
-                                                                 "target_distance",
-                                                                 "release_speed",
-                                                                 "lssma",
-                                                                 "monitoring_status",
-                                                                 "trip_reason",
-                                                                 "train_data",
-                                                                 "driver_id",
-                                                                 "train_running_number",
-                                                                 "rbc_contact",
-                                                                 "vbc",
-                                                                 "brake_indication",
-                                                                 "fixed_text",
-                                                                 "plain_text",
-                                                                 "reversing_allowed",
-                                                                 "track_cond_general",
-                                                                 "track_cond_horn_stopping",
-                                                                 "geo_position",
-                                                                 "override_status",
-                                                                 "lx_not_protected",
-                                                                 "sh_refused",
-                                                                 "sh_no_answer",
-                                                                 "level_announcement",
-                                                                 "taf_request",
-                                                                 "slippery_rail",
-                                                                 "trackside_malfunction",
-                                                                 "train_data_changed",
-                                                                 "operated_version",
-                                                                 "network_registration_failed",
-                                                                 "radio_link_status",
-                                                                 "local_time",
-                                                                 "gradient",
-                                                                 "mrsp",
-                                                                 "brake_reason",
-                                                                 "trackside_incompatible",
-                                                                 "train_rejected",
-                                                                 "route_unsuitability",
-                                                                 "radio_network_id",
-                                                                 "time_to_indication",
-                                                                 "entry_fs",
-                                                                 "entry_os",
-                                                                 "first_indication_location",
-                                                                 "eoa_loa",
-                                                                 "set_speed",
-                                                                 "ntc_not_available",
-                                                                 "ntc_data_need",
-                                                                 "ntc_failed"};
-
 }  // namespace
 
 constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)> kSelectNames{"start",
@@ -102,13 +49,21 @@ constexpr std::array<const char*, static_cast<std::size_t>(port::Select::count)>
                                                                                               "short_number",
                                                                                               "vbc_set",
                                                                                               "vbc_remove",
-                                                                                              "radio_network"};
+                                                                                              "radio_network",
+                                                                                              "toggle",
+                                                                                              "ato_engage",
+                                                                                              "ato_disengage",
+                                                                                              "sm",
+                                                                                              "continue_sm",
+                                                                                              "exit_sm",
+                                                                                              "bmm_inhibit",
+                                                                                              "bmm_revoke"};
+static_assert(kSelectNames.back() != nullptr, "one for each");
 constexpr std::array<const char*, 3> kDirectionNames{"neutral", "forward", "backward"};
 constexpr std::array<const char*, 2> kCabNames{"A", "B"};
 constexpr std::array<const char*, static_cast<std::size_t>(port::Window::count)> kWindowNames{"train_data", "sr_data"};
 
 const char* name(train::Fault fault) { return kFaultNames[static_cast<std::size_t>(fault)]; }
-const char* name(driver::Output output) { return kOutputNames[static_cast<std::size_t>(output)]; }
 
 InputKeys keys_of(DriverInput input) {
   using enum DriverInput;
@@ -123,7 +78,15 @@ InputKeys keys_of(DriverInput input) {
     case train_running_number:
     case train_data:
     case level:
+    case ato_engage:
+    case ato_disengage:
+    case exit_sm:
+    case bmm_inhibit:
+    case bmm_revoke:
+    case language:
       return {name(input)};
+    case sm:
+      return {"sm", "continue_sm"};
     case continue_shunting:
       return {"maintain_shunting"};
     case adhesion:

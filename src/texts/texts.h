@@ -68,8 +68,6 @@ const char* words_of(port::Select select);
 const char* words_of(port::Entered entered);
 /// "brake_percentage".
 const char* name(train::Fault fault);
-/// Outputs of 4.7.2: "trip_reason".
-const char* name(driver::Output output);
 
 /// The keys of `select` and `enter` that stand for an input of 4.7.2; null where there is none (acknowledgements stand
 /// in `driver.requests`) or fewer.

@@ -74,12 +74,10 @@ TEST(Texts, WhatDoesNotFitIsLeftOut) {
 }
 
 TEST(Texts, NamesAreDifferent) {
-  std::set<std::string> faults, selects, outputs;
+  std::set<std::string> faults, selects;
   for (std::size_t i = 0; i < static_cast<std::size_t>(train::Fault::count); ++i)
     EXPECT_TRUE(faults.insert(name(static_cast<train::Fault>(i))).second) << i;
   for (const char* n : kSelectNames) EXPECT_TRUE(selects.insert(n).second) << n;
-  for (std::size_t i = 0; i < driver::kOutputs; ++i)
-    EXPECT_TRUE(outputs.insert(name(static_cast<driver::Output>(i))).second) << i;
   // The names are in the order of the enumerators.
   EXPECT_STREQ(name(train::Fault::A_NVMAXREDADH), "A_NVMAXREDADH");
   EXPECT_STREQ(name(train::Fault::correction_factor), "correction_factor");
@@ -92,14 +90,14 @@ TEST(Texts, KeysOfTheDriversInputs) {
   EXPECT_STREQ(keys_of(DriverInput::continue_shunting)[0], "maintain_shunting");
   EXPECT_STREQ(keys_of(DriverInput::adhesion)[1], "adhesion_normal");
   EXPECT_EQ(keys_of(DriverInput::ack_OS)[0], nullptr);
-  // Every choice of `select` but the request to enter train data and a button of the main window is one of 4.7.2.
+  // Every choice of `select` but a button of the main window and the toggle function is one of 4.7.2.
   std::set<std::string> keys;
   for (std::size_t i = 0; i < static_cast<std::size_t>(DriverInput::count); ++i)
     for (const char* key : keys_of(static_cast<DriverInput>(i)))
       if (key != nullptr) {
         EXPECT_TRUE(keys.insert(key).second) << key;
       }
-  keys.insert("main");
+  keys.insert({"main", "toggle"});
   for (const char* select : kSelectNames) EXPECT_EQ(keys.count(select), 1u) << select;
 }
 

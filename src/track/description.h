@@ -23,6 +23,8 @@ struct Here {
   Place hole_front{}, hole_rear{};  ///< the ends to which a radio hole is related (3.12.1.2.1.5)
   Duration now{};
   bool standstill = false;
+  /// The last movement was against the train orientation; not in editions before 4.0.0, which take no notice of it.
+  bool ran_back = false;
 };
 
 /// Everything that trackside sent about the track ahead. All places are in the track frame, which is fixed to the

@@ -30,6 +30,7 @@ struct Timer {
 struct Section {
   Place begin{}, end{};
   bool timed = false;
+  bool ran_back_behind_stop = false;  ///< the train, after the timer was stopped: timed out at standstill (3.8.4.2.4)
   Timer timer{};  ///< counts from the MA's time stamp; stops when the min safe front end passes `stop` (3.8.4.2)
   Place stop{};
   friend constexpr bool operator==(const Section&, const Section&) = default;
@@ -64,6 +65,7 @@ struct MovementAuthority {
   std::optional<Place> fixed_SvL;        ///< set when the MA was shortened (3.8.4.1.2, 3.10.2.2, 3.7.2.3, A.3.4 [11])
   std::optional<Release> fixed_release;  ///< set when the MA was shortened: V_NVREL or none
   bool level_1 = false;
+  bool ended_at_train = false;  ///< A.3.4 [11]: a section that times out changes nothing any more (3.8.4.2.2)
   Anchor anchor{};
 
   bool limited() const { return V_LOA > Speed{}; }        ///< ends with an LOA

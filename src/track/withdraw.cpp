@@ -124,17 +124,33 @@ void end_at_train(MovementAuthority& ma, const Here& here) {
   const Place SvL = std::min(ma.far_end(), here.max_safe_front);
   end_at(ma, std::min(ma.end(), here.est_front));
   ma.fixed_SvL = SvL;
+  ma.ended_at_train = true;
 }
 
 // --- timers of the MA
 
+/// Whether the section counts as timed out: by its timer, or because the train ran back behind the place where the
+/// timer was stopped, once it stands still (3.8.4.2.3, 3.8.4.2.4).
+bool timed_out(Section& section, const Here& here) {
+  if (section.timer.running) {
+    if (here.min_safe_front > section.stop) section.timer.running = false;
+    return section.timer.expired_at(here.now);
+  }
+  if (section.timed && here.ran_back && here.min_safe_front < section.stop) section.ran_back_behind_stop = true;
+  return section.ran_back_behind_stop && here.standstill;
+}
+
+/// Whether the authority already is what the time-out of this section would make of it.
+bool ends_before(const MovementAuthority& ma, const Section& section) {
+  return ma.fixed_release && ma.fixed_release->kind == ReleaseSpeedChoice::national && ma.far_end() <= section.begin;
+}
+
 void run_section_timers(Description& d, const Here& here, Elapsed& elapsed) {
   MovementAuthority& ma = *d.ma;
+  if (ma.ended_at_train) return;
   for (std::size_t k = 0; k < ma.sections.size(); ++k) {
     Section& section = ma.sections[k];
-    if (!section.timer.running) continue;
-    if (here.min_safe_front > section.stop) section.timer.running = false;
-    if (!section.timer.expired_at(here.now)) continue;
+    if (!timed_out(section, here) || ends_before(ma, section)) continue;
     // The nearest expired section decides (3.8.4.2.2): its start becomes EOA and SvL, with the national release speed.
     end_at(ma, section.begin);
     ma.fixed_release = Release{ReleaseSpeedChoice::national, {}};

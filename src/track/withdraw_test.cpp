@@ -223,6 +223,50 @@ TEST(Timers, SectionTimeout) {  // 3.8.4.2
   EXPECT_FALSE(time_to_timeout(d, Duration{61}));
 }
 
+TEST(Timers, AStoppedSectionTimerEndsAtStandstillBehindItsStop) {  // 3.8.4.2.4
+  Description d = full();
+  d.ma->sections[1].timed = true;
+  d.ma->sections[1].stop = at(1500);
+  Here here = clock(1499, 30);
+  here.standstill = true;
+  EXPECT_FALSE(advance(d, here).section_timeout) << "it did not run back: another position of the same place";
+  here.standstill = false;
+  here.ran_back = true;
+  here.min_safe_front = at(1500);
+  EXPECT_FALSE(advance(d, here).section_timeout);
+  here.standstill = true;
+  EXPECT_FALSE(advance(d, here).section_timeout) << "not in rear of its stop";
+  here.standstill = false;
+  here.min_safe_front = at(1499.9);
+  EXPECT_FALSE(advance(d, here).section_timeout) << "not at standstill";
+  here.min_safe_front = at(1501);
+  here.ran_back = false;
+  EXPECT_FALSE(advance(d, here).section_timeout);
+  here.standstill = true;
+  EXPECT_TRUE(advance(d, here).section_timeout) << "it was in rear of it";
+  EXPECT_EQ(d.ma->end(), at(1000));
+  EXPECT_EQ(d.ma->release().kind, ReleaseSpeedChoice::national);
+  EXPECT_FALSE(advance(d, here).section_timeout) << "once";
+}
+
+TEST(Timers, ASectionWithoutATimerDoesNotEnd) {
+  Description d = full();
+  Here here = clock(200, 30);
+  here.standstill = here.ran_back = true;
+  EXPECT_FALSE(advance(d, here).section_timeout);
+}
+
+TEST(Timers, NoSectionEndsAfterTheAuthorityEndedAtTheTrain) {  // 3.8.4.2.2, A.3.4 [11]
+  Description d = full();
+  d.ma->sections[0].timed = true;
+  d.ma->sections[0].timer = {Duration{10}, Duration{0}, true};
+  d.ma->sections[0].stop = at(900);
+  (void)shorten(d, Situation::h_linking_reaction, {}, clock(300, 5));
+  const Place end = d.ma->end();
+  EXPECT_FALSE(advance(d, clock(300, 11)).section_timeout);
+  EXPECT_EQ(d.ma->end(), end);
+}
+
 TEST(Timers, TheFirstSectionEndsBehindTheFront) {
   Description d = full();
   d.ma->sections[0].timed = true;

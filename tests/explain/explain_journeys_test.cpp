@@ -59,7 +59,7 @@ void fits_a_screen(const std::string& text) {
 
 TEST(Explain, why_the_brake_of_each_journey) {
   const auto all = journeys();
-  ASSERT_EQ(all.size(), 18u);
+  ASSERT_EQ(all.size(), 45u);
   for (const Scenario& scenario : all) {
     const Journey journey(scenario);
     const Ended e = journey.explain("--why-brake");
@@ -143,6 +143,7 @@ void examine_as_step(const Scenario& scenario) {
   const auto stepped = std::make_unique<Driven>(), mixed = std::make_unique<Driven>();
   for (Driven* unit : {stepped.get(), mixed.get()})
     kernel::power_up(unit->state, unit->derived, stream->configuration().for_kernel());
+  const auto seen = std::make_unique<kernel::Examined>();
   sim::CycleInputs cycle;
   for (bool examines = false;; examines = !examines) {
     const auto more = stream->next(cycle);
@@ -151,7 +152,7 @@ void examine_as_step(const Scenario& scenario) {
     const port::Inputs& in = cycle.view();
     kernel::step(stepped->state, stepped->derived, in, stepped->outputs);
     if (examines)
-      (void)kernel::examine(mixed->state, mixed->derived, in, mixed->outputs);
+      kernel::examine(mixed->state, mixed->derived, in, mixed->outputs, *seen);
     else
       kernel::step(mixed->state, mixed->derived, in, mixed->outputs);
     ASSERT_EQ(mixed->line(cycle.t_ms), stepped->line(cycle.t_ms)) << scenario.name;

@@ -93,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 6: {
         const std::uint8_t entry = bytes.next();
-        in.driver.driver_id = 1;
+        in.driver.driver_id = evc::DriverId("1");
         if ((entry & 1) != 0) in.driver.level = static_cast<Level>((entry >> 1) % kLevels);
         in.driver.nid_ntc = 1;
         if ((entry & 16) != 0) in.driver.train_data = &config.train;

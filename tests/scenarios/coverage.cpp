@@ -42,6 +42,12 @@ std::vector<Required> required() {
   const auto reference = nlohmann::json::parse(in);
   for (const auto& row : reference["on_mode_entry"]) all.push_back({"stored", row["id"].get<std::string>(), "4.10"});
   for (Required& r : rows_of(kRoot + "/tests/scenarios/required.txt")) all.push_back(std::move(r));
+  for (Required& r : rows_of(kRoot + "/tests/reference/procedure_steps.txt")) all.push_back(std::move(r));
+  std::ifstream table(kRoot + "/tests/reference/mode_transitions_v400.json");
+  const auto modes = nlohmann::json::parse(table);
+  for (const auto& cell : modes["transitions"])
+    all.push_back({"cell", cell["from"].get<std::string>() + ">" + cell["to"].get<std::string>(),
+                   "4.6.2 " + cell["conditions"].dump()});
   return all;
 }
 
@@ -66,6 +72,8 @@ std::string coverage_page(const Coverage& coverage) {
               std::string(kind == "message"     ? "Messages to the train"
                           : kind == "stored"    ? "Stored information (4.10)"
                           : kind == "procedure" ? "Procedures"
+                          : kind == "step"      ? "Steps and branches of the procedures"
+                          : kind == "cell"      ? "Cells of the mode table of 4.0.0"
                                                 : "Brake causes") +
               "\n| " + kind + " | clause | scenarios |\n|---|---|---|\n";
     }

@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 
+#include "brakes_page.h"
+#include "display.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
 #include "io/retained_file.h"
@@ -13,6 +15,7 @@
 #include "kernel/evc.h"
 #include "kernel/state.h"
 #include "modes/mode_properties.h"
+#include "openevc/terms/dialogue.h"
 #include "sim/cycle_inputs.h"
 
 namespace evc::scenario {
@@ -139,13 +142,48 @@ class Run {
           !scenario_.open.empty() && f.of_the_unit && !f.at->in_block && f.at->kind == Statement::Kind::then;
       return expected ? "" : report(f);
     }
-    if (scenario_.open.empty()) return "";
+    if (scenario_.open.empty()) return steps_not_seen();
     return scenario_.at.text() + ": scenario " + scenario_.name + "\n  is open (" + scenario_.open +
            ") and holds now: move it to the others and delete its line `open`\n";
   }
   const std::string& inputs() const { return inputs_; }
 
  private:
+  /// `covers step PROCEDURE.FROM>TO`: what the output `dialogue` can show of it has been seen, FROM before TO.
+  std::string steps_not_seen() const {
+    std::string text;
+    for (const Cover& c : scenario_.covers) {
+      const std::size_t dot = c.name.find('.'), arrow = c.name.find('>');
+      if (c.kind != "step" || dot == std::string::npos) continue;
+      const std::string procedure = c.name.substr(0, dot);
+      const std::string from = c.name.substr(dot + 1, arrow - dot - 1);
+      const std::string to = arrow == std::string::npos ? "" : c.name.substr(arrow + 1);
+      auto at = steps_.begin();
+      for (const std::string& step : {from, to}) {
+        if (!is_shown(procedure, step)) continue;
+        at = std::find(at, steps_.end(), procedure + "." + step);
+        if (at != steps_.end()) continue;
+        text += scenario_.at.text() + ": scenario " + scenario_.name + "\n  covers step " + c.name + ", and " + step +
+                " was not seen" + (step == to ? " after " + from : "") + "\n";
+        break;
+      }
+    }
+    return text;
+  }
+
+  static bool is_shown(std::string_view procedure, std::string_view step) {
+    return std::any_of(kDialogueRows.begin(), kDialogueRows.end(),
+                       [&](const DialogueRow& row) { return procedure == row.procedure && step == row.step; });
+  }
+
+  void note_step() {
+    const auto& shown = unit_->outputs.dialogue;
+    if (!shown) return;
+    const DialogueRow& row = kDialogueRows[terms::index(shown->step)];
+    std::string now = std::string(row.procedure) + "." + row.step;
+    if (steps_.empty() || steps_.back() != now) steps_.push_back(std::move(now));
+  }
+
   void step(const Statement& s) {
     now_ = &s;
     if (s.kind == Statement::Kind::then) {
@@ -232,6 +270,7 @@ class Run {
   /// By another one, which has only what is in the file of `evc replay --persistent`.
   void replace_unit() {
     start();
+    brakes_ = {};
     const auto kept = io::read_retained(io::retained_text(kernel::retained(unit_->state)), "the file kept");
     if (!kept) fail("a file that can be read", kept.error().text());
     *unit_ = {};
@@ -429,18 +468,30 @@ class Run {
     placeholder_ms_ = next_ms() + cycle_ms_;
     const auto more = stream_->next(inputs_of_cycle_);
     if (!more) fail("inputs that can be read", more.error().text(), false);
-    kernel::step(unit_->state, unit_->derived, inputs_of_cycle_.view(), unit_->outputs);
+    const port::Inputs& in = inputs_of_cycle_.view();
+    kernel::step(unit_->state, unit_->derived, in, unit_->outputs);
     expect_coherent(unit_->outputs);
+    expect_brake_rules(in);
+    note_step();
+    if (stream_->configuration().srs == SrsVersion::v3_6_0) watch_display(unit_->outputs, scenario_.at.text());
     Cycle c;
     c.t_ms = inputs_of_cycle_.t_ms;
     const bool plans = plans_ && kernel::plan(unit_->state, unit_->derived, unit_->planning);
-    io::append_output(c.line, c.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr);
+    io::append_output(c.line, c.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr,
+                      stream_->configuration().ntc_names);
     cycles_.push_back(std::move(c));
   }
   /// 4.4: in every cycle of every scenario.
   void expect_coherent(const kernel::Outputs& out) const {
     if (!modes::possible_in(out.mode, out.level))
       fail("a mode of the level", std::string(name(out.mode)) + " in level " + std::string(name(out.level)));
+  }
+  /// 3.14.1, 4.12: the same.
+  void expect_brake_rules(const port::Inputs& in) {
+    const train::NationalValues& values = stream_->configuration().national_values;
+    const bool until_standstill = !values.Q_NVEMRRLS && values.Q_NVSBTSMPERM;
+    const auto faults = watch_brakes(brakes_, in, unit_->outputs, until_standstill, scenario_.at.text());
+    if (!faults.empty()) fail("brakes by tests/reference/brake_causes.json", faults.front());
   }
   void give(std::string line) {
     inputs_ += line + "\n";
@@ -672,11 +723,13 @@ class Run {
   std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();
   std::unique_ptr<io::InputStream> stream_;
   sim::CycleInputs inputs_of_cycle_;
+  brake_rules::Memory brakes_;
   std::deque<std::string> waiting_;
   std::vector<std::string> queued_;
   std::string inputs_;
   std::int64_t cycle_ms_ = 100, placeholder_ms_ = 0;
   std::vector<Cycle> cycles_;
+  std::vector<std::string> steps_;  ///< of the output `dialogue`, one after the other: PROCEDURE.STEP
   std::size_t window_ = 0;
   bool after_then_ = false, when_before_ = false;
   bool shares_cycle_ = false;  // the next step is in the same cycle as this one

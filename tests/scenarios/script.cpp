@@ -64,17 +64,24 @@ constexpr auto kOutputs = std::to_array<const char*>({
     "planning",
     "data",
     "clock",
+    "shown",
+    "set_speed_kmh",
+    "language",
+    "dialogue",
+    "dialogue.procedure",
+    "dialogue.step",
+    "dialogue.waits_for",
     "forwarded",
 });
 
 /// Outputs with elements and members of their own: "train_orders.pantograph.0.to_end_m".
 constexpr std::array<const char*, 7> kStructured{
     "track_conditions", "train_orders", "sessions", "planning", "data", "clock", "forwarded"};
-constexpr std::array<const char*, 18> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL",
-                                             "NL", "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM"};
+constexpr std::array<const char*, 19> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL", "NL",
+                                             "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM", "AD"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};
 /// The kinds of `covers`; their names are checked elsewhere.
-constexpr std::array<const char*, 4> kCovers{"message", "procedure", "stored", "brake"};
+constexpr std::array<const char*, 6> kCovers{"message", "procedure", "stored", "brake", "step", "cell"};
 
 template <std::size_t N>
 bool is_one(const std::array<const char*, N>& names, std::string_view word) {
@@ -283,7 +290,7 @@ class Reader {
   static void read_covers(Words& words, Scenario& s) {
     do {
       Cover c;
-      c.kind = words.word("message, procedure, stored or brake");
+      c.kind = words.word("message, procedure, stored, brake or step");
       if (!is_one(kCovers, c.kind)) throw ReadError{words.place(), "\"" + c.kind + "\"", "one of " + all(kCovers)};
       c.name = words.next_is_text() ? words.text("a name") : words.word("what is covered");
       s.covers.push_back(std::move(c));

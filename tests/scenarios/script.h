@@ -121,7 +121,7 @@ struct Statement {
 
 /// One `covers` entry of a scenario.
 struct Cover {
-  std::string kind;  ///< "message", "procedure", "stored", "brake"
+  std::string kind;  ///< "message", "procedure", "stored", "brake", "step"
   std::string name;
 };
 

@@ -202,5 +202,21 @@ TEST(Runner, what_is_open_has_to_fail_at_its_own_expectation) {
   EXPECT_TRUE(contains(failure_of(begin + "  when passes group 1\n  then mode FS [4.6.3]\n"), "it stands"));
 }
 
+TEST(Script, a_step_that_is_covered_has_to_be_seen) {
+  const std::string start =
+      "scenario a\n  covers step \"$\"\n  given desk opened\n  and waits 1 s\n"
+      "  when driver enters { driver_id 1234 }\n  then dialogue.step is \"S2\" [5.4.3.2]\n";
+  const auto covering = [&](const std::string& step) {
+    std::string text = start;
+    return failure_of(text.replace(text.find('$'), 1, step));
+  };
+  EXPECT_EQ(covering("start_of_mission.S1>S2"), "");
+  EXPECT_EQ(covering("start_of_mission.D2>S2"), "") << "a decision is not shown";
+  EXPECT_TRUE(contains(covering("start_of_mission.S2>S3"), "covers step start_of_mission.S2>S3, and S3 was not seen"));
+  EXPECT_TRUE(contains(covering("start_of_mission.S20>S1"), "and S20 was not seen"));
+  EXPECT_TRUE(contains(covering("start_of_mission.S2>S1"), "and S1 was not seen after S2"));
+  EXPECT_TRUE(contains(covering("train_trip.S060>D080"), "and S060 was not seen")) << "of its own procedure";
+}
+
 }  // namespace
 }  // namespace evc::scenario

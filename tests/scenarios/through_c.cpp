@@ -74,8 +74,12 @@ void set_driver(openevc_inputs& in, const port::DriverActions& d) {
   entered(d.D_sr.has_value(), OPENEVC_ENTRY_SR_DISTANCE);
   entered(d.cover.has_value(), OPENEVC_ENTRY_VBC);
   entered(d.network.has_value(), OPENEVC_ENTRY_NETWORK);
+  entered(d.set_speed.has_value(), OPENEVC_ENTRY_SET_SPEED);
+  in.set_speed = d.set_speed.value_or(Speed{}).si;
   entered(d.train_data != nullptr, OPENEVC_ENTRY_TRAIN_DATA);
-  in.driver_id = d.driver_id.value_or(0);
+  entered(d.language.has_value(), OPENEVC_ENTRY_LANGUAGE);
+  if (d.language) std::memcpy(in.language, d.language->letters.data(), d.language->letters.size());
+  if (d.driver_id) std::memcpy(in.driver_id_text, d.driver_id->characters.data(), DriverId::kMost);
   in.train_running_number = d.train_running_number.value_or(0);
   in.level = d.level ? static_cast<std::int32_t>(*d.level) : 0;
   in.NID_NTC = d.nid_ntc;

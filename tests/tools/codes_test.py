@@ -14,7 +14,7 @@ HEADER = (ROOT / "include/openevc/openevc.h").read_text(encoding="utf-8")
 OF_C_ALONE = {"openevc_result": None,  # all
               "openevc_movement": None,
               "openevc_entry": {"OPENEVC_ENTRY_SR_SPEED", "OPENEVC_ENTRY_SR_DISTANCE", "OPENEVC_ENTRY_VBC",
-                                "OPENEVC_ENTRY_NETWORK"}}
+                                "OPENEVC_ENTRY_NETWORK", "OPENEVC_ENTRY_SET_SPEED", "OPENEVC_ENTRY_LANGUAGE"}}
 NUMBERED = re.compile(r"\b(OPENEVC_\w+) = (\d+)")
 
 

@@ -316,17 +316,21 @@ class Room:
     def run(self, binary, number, names, seconds, arguments=(), more=None):
         """The exit status of the tests with a mutant; "time" where they do not end."""
         environment = {**os.environ, "EVC_MUTANT": str(number), **(more or {})}
-        chosen = ["--gtest_filter=" + ":".join(names)] if names else []
-        with subprocess.Popen([str(binary), "--gtest_fail_fast", *chosen, *arguments], env=environment, cwd=self.out,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as tests:
-            # Time of the processor: what else the machine does is no fault of the mutant.
-            resource.prlimit(tests.pid, resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
-            try:
-                status = tests.wait(WAITED * math.ceil(seconds))
-            except subprocess.TimeoutExpired:
-                tests.kill()
-                return "time"
-            return "time" if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
+        with tempfile.NamedTemporaryFile("w", dir=self.out) as flags:
+            # In a file: the names of all scenarios are too long for an argument.
+            flags.write("--gtest_filter=" + (":".join(names or ()) or "*") + "\n")
+            flags.flush()
+            command = [str(binary), f"--gtest_flagfile={flags.name}", "--gtest_fail_fast", *arguments]
+            with subprocess.Popen(command, env=environment, cwd=self.out, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL) as tests:
+                # Time of the processor: what else the machine does is no fault of the mutant.
+                resource.prlimit(tests.pid, resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
+                try:
+                    status = tests.wait(WAITED * math.ceil(seconds))
+                except subprocess.TimeoutExpired:
+                    tests.kill()
+                    return "time"
+                return "time" if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
     def tests(self, binary, number, without=frozenset()):
         """The verdict of the tests: those beside the code, the quick ones first, in a program without the scenarios,

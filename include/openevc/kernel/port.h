@@ -10,6 +10,7 @@
 // thread, no random number.
 namespace evc::kernel {
 
+using port::AutomaticOperation;
 using port::BaliseTelegram;
 using port::Cab;
 using port::Config;
@@ -22,6 +23,8 @@ using port::ExternalTrainData;
 using port::Forwarded;
 using port::ForwardedData;
 using port::Inputs;
+using port::kFirstStatusId;
+using port::kLastStatusId;
 using port::LoopMessage;
 using port::NationalSystem;
 using port::NidLrbg;
@@ -45,6 +48,7 @@ using port::Select;
 using port::ShownCondition;
 using port::ShownCover;
 using port::ShownData;
+using port::ShownDialogue;
 using port::ShownSR;
 using port::ShownStatus;
 using port::ShownText;

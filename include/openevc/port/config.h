@@ -32,6 +32,7 @@ struct Config {
   InplaceVector<std::uint32_t, 16> networks;
   std::optional<RbcAddress> contact;       // the last one known (3.18.4.3.1), to be revalidated; data kept replace it
   std::int16_t local_time_offset_min = 0;  // of the local time from UTC (3.18.5.1)
+  Speed dial{400.0 / 3.6};                 // the highest speed on the dial of the display (015560 8.2.1.1)
   std::uint8_t terminals = 2;              // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)
 };
 

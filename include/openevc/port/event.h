@@ -19,6 +19,8 @@ enum class Entered : std::uint8_t {
   SR_speed_distance,
   cover,
   network,
+  set_speed,
+  language,
   count
 };
 

@@ -5,6 +5,7 @@
 
 #include "openevc/base/set.h"
 #include "openevc/base/units.h"
+#include "openevc/terms/driver_id.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/radio_link.h"
 #include "openevc/terms/requests.h"
@@ -65,6 +66,14 @@ enum class Select : std::uint8_t {
   vbc_set,              // a virtual balise cover is to be entered and set, or
   vbc_remove,           // removed (3.15.9.2)
   radio_network,        // the radio network is to be changed: sessions end (3.18.4.3.6)
+  toggle,               // speeds and distances in OS, SR and SH are switched on or off (015560 8.2.2.4)
+  ato_engage,           // automatic driving, 4.0.0: to be entered, and
+  ato_disengage,        // left (4.4.16.1.2, .3)
+  sm,                   // supervised manoeuvre, 4.0.0: asked for,
+  continue_sm,          // asked for again at its end (4.4.21.1.10), and
+  exit_sm,              // left
+  bmm_inhibit,          // the reaction to the antenna alarm, 4.0.0: it is inhibited (5.22), or
+  bmm_revoke,           // acts again
   count
 };
 struct DriverActions {
@@ -73,10 +82,10 @@ struct DriverActions {
   constexpr bool has(Select s) const { return ((selected >> static_cast<unsigned>(s)) & 1u) != 0; }
   constexpr bool has(Ack a) const { return ((acknowledged >> static_cast<unsigned>(a)) & 1u) != 0; }
   /// Entered data (5.4 start of mission); absent when nothing was entered in this cycle.
-  std::optional<std::uint32_t> driver_id;  // as entered, 8 BCD digits packed (DRIVER_ID)
+  std::optional<DriverId> driver_id;
   std::optional<Level> level;
   std::uint8_t nid_ntc = 0;                           // with level NTC
-  std::uint8_t acknowledged_text = 0;                 // with Ack::text: id of the message, 0: the oldest that waits
+  std::uint16_t acknowledged_text = 0;                // with Ack::text: id of the message, 0: the oldest that waits
   std::optional<std::uint32_t> train_running_number;  // 8 BCD digits packed (NID_OPERATIONAL)
   const train::TrainData* train_data = nullptr;       // entered and validated by the driver
   struct RbcContact {
@@ -95,6 +104,8 @@ struct DriverActions {
   std::optional<std::uint32_t> network;  // NID_MN, 6 BCD digits packed (3.18.4.3.6)
   std::optional<Speed> V_sr;             // SR speed and distance (4.4.11)
   std::optional<Distance> D_sr;
+  std::optional<Speed> set_speed;    // of the speed control, to be shown; 0: none any more (015560 8.2.3.9)
+  std::optional<Language> language;  // of the display
 };
 
 /// The windows in which the driver enters data and the train may not move.
@@ -146,6 +157,13 @@ struct NationalSystem {
   friend constexpr bool operator==(const NationalSystem&, const NationalSystem&) = default;
 };
 
+/// The interface of automatic train operation as states, 4.0.0: what the conditions of 4.6.3 ask of it.
+struct AutomaticOperation {
+  bool requests_AD = false;  ///< it asks for automatic driving
+  bool active = false;       ///< its selector is not in stand-by
+  friend constexpr bool operator==(const AutomaticOperation&, const AutomaticOperation&) = default;
+};
+
 struct Inputs {
   Duration now{};  // since power-up
   Odometry odometry;
@@ -160,6 +178,7 @@ struct Inputs {
   TrainSignals train;
   ExternalTrainData external_train_data;
   NationalSystem national_system;
+  AutomaticOperation automatic_operation;
   bool safety_fault = false;
   /// Whether the engine was moved while the power was off, says cold movement detection; absent: not known (3.15.8).
   /// It counts in the cycle in which No Power is left.

@@ -10,7 +10,10 @@
 #include "openevc/port/inputs.h"
 #include "openevc/terms/cause.h"
 #include "openevc/terms/data_status.h"
+#include "openevc/terms/dialogue.h"
+#include "openevc/terms/driver_id.h"
 #include "openevc/terms/driver_input.h"
+#include "openevc/terms/driver_output.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/mode.h"
 #include "openevc/terms/monitoring.h"
@@ -41,6 +44,10 @@ struct ShownText {
   std::uint8_t length = 0;
   std::array<char, 255> characters{};  // ISO 8859-1, not terminated
 };
+
+/// Ids of the system status messages, in the order of StatusText: those of trackside texts are below (an octet).
+inline constexpr std::uint16_t kFirstStatusId = 256;
+inline constexpr std::uint16_t kLastStatusId = kFirstStatusId + terms::index(StatusText::count) - 1;
 
 /// A system status message on the driver interface.
 struct ShownStatus {
@@ -133,11 +140,13 @@ struct ShownData {
   DataStatus rbc_status = DataStatus::unknown;
   DataStatus train_status = DataStatus::unknown;
   bool slippery_rail = false;              // selected by the driver
-  std::uint32_t driver_id = 0;             // 8 BCD digits, as entered
-  std::uint32_t train_running_number = 0;  // the same
+  DriverId driver_id;                      // as entered
+  std::uint32_t train_running_number = 0;  // 8 BCD digits, as entered
   RbcAddress rbc;
   ShownTrainData train;
   ShownSR SR;
+  std::optional<std::uint32_t> network;  // NID_MN of the radio network, of trackside or driver, or the default; absent:
+                                         // that of the terminals, which is not known
 };
 
 /// Date and time (3.18.5): seconds since 1970, the local time by its offset.
@@ -156,6 +165,13 @@ struct ForwardedData {
   InplaceVector<std::uint8_t, 128> bytes;  // left aligned
 };
 using Forwarded = InplaceVector<ForwardedData, 8>;
+
+/// What a procedure of chapter 5 waits for; `acknowledges` where it is an acknowledgement of the driver.
+struct ShownDialogue {
+  Dialogue step{};
+  std::optional<Ack> acknowledges;
+  friend constexpr bool operator==(const ShownDialogue&, const ShownDialogue&) = default;
+};
 
 struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the fields are in the order of an output line
   Duration now{};
@@ -216,9 +232,14 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   bool remote_shunting = false;                  // the mode permits it (4.4.8.1.4)
 
   ShownData data;
-  InplaceVector<ShownCover, 16> covers;  // stored
-  std::optional<DateTime> clock;         // where it is known (3.18.5)
-  Forwarded forwarded;                   // accepted in this cycle
+  InplaceVector<ShownCover, 16> covers;         // stored
+  std::optional<DateTime> clock;                // where it is known (3.18.5)
+  Forwarded forwarded;                          // accepted in this cycle
+  std::optional<ShownDialogue> dialogue;        // none: no procedure waits for somebody
+  Set<DriverOutput> shown;                      // what the driver interface shows of the table in this mode (4.7.2)
+  std::optional<Speed> set_speed;               // where the mode shows it
+  Language language;                            // of the display, as the driver chose it
+  std::optional<std::uint8_t> national_system;  // NID_NTC of the last level NTC, which status texts speak of
 };
 
 }  // namespace evc::port

@@ -12,6 +12,12 @@
 // unit at power-up.
 namespace evc::port {
 
+struct RetainedLevel {
+  Level level = Level::L0;
+  std::uint8_t nid_ntc = 0;  ///< with level NTC
+  friend constexpr bool operator==(const RetainedLevel&, const RetainedLevel&) = default;
+};
+
 struct Retained {
   /// The countries or regions (NID_C) in which national values are applicable.
   using Areas = InplaceVector<std::uint16_t, 32>;
@@ -22,10 +28,12 @@ struct Retained {
     Duration left{};
     friend constexpr bool operator==(const Cover&, const Cover&) = default;
   };
-  struct StoredLevel {
-    Level level = Level::L0;
-    std::uint8_t nid_ntc = 0;  ///< with level NTC
-    friend constexpr bool operator==(const StoredLevel&, const StoredLevel&) = default;
+  using StoredLevel = RetainedLevel;
+  /// A level transition order that waited until SH, PS, PT or RV is left (4.10, 4.11.1.4 of 4.0.0).
+  struct LevelOrder {
+    bool conditional = false;
+    InplaceVector<StoredLevel, 32> table;
+    friend constexpr bool operator==(const LevelOrder&, const LevelOrder&) = default;
   };
   /// The LRBG and the front end of cab A against it. Directions are codes of Q_DIRLRBG.
   struct Position {
@@ -58,6 +66,7 @@ struct Retained {
   // Valid again at power-up only where the engine was not moved (4.11). Absent: unknown.
   std::optional<StoredLevel> level;
   InplaceVector<StoredLevel, 32> level_table;  ///< of trackside; empty: none
+  std::optional<LevelOrder> level_order;       ///< judged at power-up
   std::optional<RbcAddress> contact;           ///< of the RBC (3.18.4.3.1)
   std::optional<Position> position;
   friend constexpr bool operator==(const Retained&, const Retained&) = default;

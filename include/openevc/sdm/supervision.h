@@ -102,6 +102,7 @@ struct Motion {
   Speed V_ura{};  // speed under-reading amount, >= 0
   Acceleration A_est{};
   bool standstill = false;
+  bool automatic = false;  // driven by automatic operation: its SBI limits command no brake (4.4.16.1.4 of 4.0.0)
   Duration now{};
   std::optional<double> brake_pressure_kpa;  // main pipe (or from the cylinder), for the feedback
   std::optional<Duration> T_MAR;             // of the RBC's MA request parameters (packet 57)

@@ -41,6 +41,14 @@ enum class DriverInput : std::uint8_t {
   vbc,
   isolation,
   radio_network_id,
+  // 4.0.0
+  ato_engage,
+  ato_disengage,
+  sm,
+  exit_sm,
+  bmm_inhibit,
+  bmm_revoke,
+  ack_nl_no_longer_permitted,
   count
 };
 
@@ -81,6 +89,13 @@ inline constexpr auto kDriverInputRows = std::to_array<terms::Row<DriverInput>>(
     {DriverInput::vbc, "vbc"},
     {DriverInput::isolation, "isolation"},
     {DriverInput::radio_network_id, "radio_network_id"},
+    {DriverInput::ato_engage, "ato_engage"},
+    {DriverInput::ato_disengage, "ato_disengage"},
+    {DriverInput::sm, "sm"},
+    {DriverInput::exit_sm, "exit_sm"},
+    {DriverInput::bmm_inhibit, "bmm_inhibit"},
+    {DriverInput::bmm_revoke, "bmm_revoke"},
+    {DriverInput::ack_nl_no_longer_permitted, "ack_nl_no_longer_permitted"},
 });
 static_assert(terms::in_order(kDriverInputRows) && kDriverInputRows.size() == terms::index(DriverInput::count));
 

@@ -46,18 +46,22 @@ enum class Offer : std::uint8_t {
   train_running_number,
   level,
   vbc,
+  bmm_inhibition,
   count
 };
 
 /// What happened that the driver is informed of by a text (terms/status_text.h).
 enum class Inform : std::uint8_t {
-  network_registration_failed,  ///< 5.4.3.2 A29
-  train_rejected,               ///< 5.4.3.2 A40
-  SH_refused,                   ///< 5.6.2 A220
-  SH_request_failed,            ///< 5.6.4.1.2
-  trackside_not_compatible,     ///< 3.5.3.7 d
-  trackside_malfunction,        ///< 3.16.2.4.9
-  train_data_changed,           ///< 5.17.2.2 A1
+  network_registration_failed,    ///< 5.4.3.2 A29
+  train_rejected,                 ///< 5.4.3.2 A40
+  SH_refused,                     ///< 5.6.2 A220
+  SH_request_failed,              ///< 5.6.4.1.2
+  trackside_not_compatible,       ///< 3.5.3.7 d
+  trackside_malfunction,          ///< 3.16.2.4.9
+  train_data_changed,             ///< 5.17.2.2 A1
+  national_system_not_available,  ///< in level NTC, that of the level (SUBSET-035 10.3.3.8)
+  NL_no_longer_permitted,         ///< 4.4.15.1.1.3 of 4.0.0
+  odometer_impaired,              ///< 3.6.8.5, 3.6.8.6 of 4.0.0: as long as it is
   count
 };
 

@@ -31,10 +31,14 @@ enum class StatusText : std::uint8_t {
   route_unsuitable_axle_load,
   network_registration_failed,
   train_data_changed,
+  national_system_not_available,
+  NL_no_longer_permitted,
+  odometer_impaired,
   count
 };
 
-/// The texts, spelt as in Table 68; that of condition [38] has the name of the national system there.
+/// The texts, spelt as in Tables 68 and 69; those that begin with "National system" have its name there
+/// (names_national_system).
 inline constexpr auto kStatusTextRows = std::to_array<terms::Row<StatusText>>({
     {StatusText::balise_read_error, "Balise read error"},
     {StatusText::trackside_malfunction, "Trackside malfunction"},
@@ -61,8 +65,19 @@ inline constexpr auto kStatusTextRows = std::to_array<terms::Row<StatusText>>({
     {StatusText::route_unsuitable_axle_load, "Route unsuitable – axle load category"},
     {StatusText::network_registration_failed, "Radio network registration failed"},
     {StatusText::train_data_changed, "Train data changed"},
+    {StatusText::national_system_not_available, "National system is not available"},
+    {StatusText::NL_no_longer_permitted, "NL no longer permitted"},
+    {StatusText::odometer_impaired, "Odometer impaired"},
 });
 static_assert(terms::in_order(kStatusTextRows) && kStatusTextRows.size() == terms::index(StatusText::count));
+
+/// Whether the text begins with the name of the national system.
+constexpr bool names_national_system(StatusText text) {
+  return text == StatusText::national_system_brake_demand || text == StatusText::national_system_not_available;
+}
+
+/// Whether the driver has to acknowledge the text (4.4.15.1.1.3 of 4.0.0).
+constexpr bool asks_acknowledgement(StatusText text) { return text == StatusText::NL_no_longer_permitted; }
 
 /// "Unauthorized passing of EOA / LOA".
 constexpr const char* name(StatusText text) { return terms::kNames<kStatusTextRows>[terms::index(text)]; }

@@ -11,7 +11,7 @@ enum class Symbol : std::uint8_t {
   LE06, LE07, LE08, LE09, LE10, LE11, LE12, LE13, LE14, LE15,
   // Modes and the acknowledgement of modes; MO03 is override.
   MO01, MO02, MO03, MO04, MO05, MO06, MO07, MO08, MO09, MO10, MO11,
-  MO12, MO13, MO14, MO15, MO16, MO17, MO18, MO19, MO20, MO21, MO22,
+  MO12, MO13, MO14, MO15, MO16, MO17, MO18, MO19, MO20, MO21, MO22, MO23, MO24,
   ST01,  ///< service or emergency brake intervention
   ST02,  ///< slippery rail
   ST03,  ///< safe radio connection up
@@ -55,7 +55,7 @@ inline constexpr auto kSymbolRows = std::to_array<terms::Row<Symbol>>({
     {Symbol::MO06, "MO06"}, {Symbol::MO07, "MO07"}, {Symbol::MO08, "MO08"}, {Symbol::MO09, "MO09"}, {Symbol::MO10, "MO10"},
     {Symbol::MO11, "MO11"}, {Symbol::MO12, "MO12"}, {Symbol::MO13, "MO13"}, {Symbol::MO14, "MO14"}, {Symbol::MO15, "MO15"},
     {Symbol::MO16, "MO16"}, {Symbol::MO17, "MO17"}, {Symbol::MO18, "MO18"}, {Symbol::MO19, "MO19"}, {Symbol::MO20, "MO20"},
-    {Symbol::MO21, "MO21"}, {Symbol::MO22, "MO22"}, {Symbol::ST01, "ST01"}, {Symbol::ST02, "ST02"}, {Symbol::ST03, "ST03"},
+    {Symbol::MO21, "MO21"}, {Symbol::MO22, "MO22"}, {Symbol::MO23, "MO23"}, {Symbol::MO24, "MO24"}, {Symbol::ST01, "ST01"}, {Symbol::ST02, "ST02"}, {Symbol::ST03, "ST03"},
     {Symbol::ST04, "ST04"}, {Symbol::ST06, "ST06"}, {Symbol::LS01, "LS01"}, {Symbol::LX01, "LX01"}, {Symbol::DR02, "DR02"},
     {Symbol::TC01, "TC01"}, {Symbol::TC03, "TC03"}, {Symbol::TC05, "TC05"}, {Symbol::TC06, "TC06"}, {Symbol::TC07, "TC07"},
     {Symbol::TC09, "TC09"}, {Symbol::TC10, "TC10"}, {Symbol::TC11, "TC11"}, {Symbol::TC12, "TC12"}, {Symbol::TC13, "TC13"},

@@ -71,6 +71,7 @@ enum class What : std::uint8_t {
   level_crossing_speed,  ///< `id` is NID_LX
   targets_lost,
   no_deceleration,
+  service_brake_failed,
 
   // Session, national values, system version.
   session_ordered,
@@ -107,6 +108,7 @@ enum class What : std::uint8_t {
   cab_changed,                ///< the other cab is active: position and orientation are mirrored
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
   mode_not_of_level,          ///< the stored mode and level exclude each other
+  edition_incomplete,         ///< at power-up: what the edition has and the unit has not
   received_without_power,     ///< a telegram or message that nobody receives (4.5.1.4)
   count
 };

@@ -3,15 +3,28 @@
 #include "kernel/basis.h"
 #include "kernel/decide/enter.h"
 #include "kernel/decide/mission.h"
+#include "kernel/examine.h"
 #include "kernel/here.h"
 #include "kernel/stored.h"
-#include "modes/srs_4_6_2.h"
+#include "modes/next_mode.h"
 #include "procedures/staff_responsible.h"
 #include "protection/authority.h"
 #include "track/store.h"
 
 namespace evc::kernel {
 namespace {
+
+/// Automatic driving (4.4.16) and supervised manoeuvre (4.4.21).
+void add_facts_of_4_0_0(const State& s, const Inputs& in, const Received& r, procedures::Facts& f) {
+  f.level_crossing_approach_shown = s.level_crossing_shown;
+  f.brake_commanded = brakes::brakes_now(s.brakes);
+  f.AD_requested = in.automatic_operation.requests_AD;
+  f.described_for_whole_train = f.ma_ssp_gradient_stored && track::described_under_train(s.track, r.here);
+  f.selects_ATO_engage = r.selected.has(Select::ato_engage);
+  f.ATO_disengaged = r.selected.has(Select::ato_disengage) || !in.automatic_operation.active;
+  f.odometer_beyond_threshold = s.odometer_accuracy.beyond_safety_threshold;
+  f.selects_exit_SM = r.selected.has(Select::exit_sm);
+}
 
 /// Facts of 4.6.3 from the inputs, the train interface, the position and the track description.
 procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) {
@@ -52,6 +65,7 @@ procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) 
   f.T_NVCONTACT_trip = s.contact_trip;
   f.stop_shunting_stored = s.track.stop_shunting_on_desk_opening;
   f.national_trip = in.national_system.trip_active;
+  if (s.srs == SrsVersion::v4_0_0) add_facts_of_4_0_0(s, in, r, f);
   f.SR_distance_passed =
       s.mode == Mode::SR && procedures::staff_responsible::distance_passed(s.staff_responsible.end, r.here.est_front);
   return f;
@@ -67,7 +81,7 @@ void observe_authority(const State& s, const track::Here& here, procedures::Fact
 
 void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Decided& out, Log log) {
   s.previous_mode = s.mode;
-  const auto transition = modes::next_mode(s.mode, procedures::observe(facts));
+  const auto transition = modes::next_mode(s.mode, procedures::observe(facts, s.srs), s.srs);
   if (!transition) return;
   enter_mode(s, transition->to, transition->number, out.here, log);
   if (s.previous_mode == Mode::NP) revalidate_after_power_off(s, in.moved);
@@ -75,20 +89,39 @@ void change_mode(State& s, const Inputs& in, const procedures::Facts& facts, Dec
   out.basis_renewed = renew_basis(s, in.train, out.here) || out.basis_renewed;
 }
 
-/// The text that the driver acknowledges: the one named, or the oldest that waits; 0: none.
-std::uint8_t acknowledged_text(const State& s, std::uint8_t named, Log log) {
+constexpr std::uint16_t kEndOfNL = kFirstStatusId + terms::index(StatusText::NL_no_longer_permitted);
+
+/// Id of the text that the driver acknowledges: the one named, or the oldest that waits; 0: none.
+std::uint16_t acknowledged_text(const State& s, std::uint16_t named, Log log) {
   for (const std::uint8_t waiting : s.texts_to_acknowledge)
     if (named == 0 || waiting == named) return waiting;
+  if (s.status_texts.shown.has(StatusText::NL_no_longer_permitted) && (named == 0 || named == kEndOfNL))
+    return kEndOfNL;
   if (named != 0) log.note({.what = What::acknowledgement_not_enabled, .clause = "4.7.2"_srs});
   return 0;
 }
 
-/// Texts of packets 72 and 76 (3.12.3).
-void run_texts(State& s, const DriverActions& driver, bool acknowledges, Decided& out, Log log) {
-  const std::uint8_t acknowledged = acknowledges ? acknowledged_text(s, driver.acknowledged_text, log) : 0;
-  const track::TextAcknowledgement acknowledgement{acknowledged, s.operated_X == 1};
-  out.texts = track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledgement,
-                                out.texts_to_report);
+/// The engine may not be non leading any more: the driver is informed and acknowledges that (4.4.15.1.1.3 of 4.0.0).
+void end_non_leading(State& s, bool permitted, std::uint16_t acknowledged, Decided& out) {
+  const bool in_NL = s.srs == SrsVersion::v4_0_0 && s.mode == Mode::NL;
+  const bool ends = in_NL && s.NL_was_permitted && !permitted;
+  s.NL_was_permitted = permitted;
+  out.status_acknowledged = acknowledged == kEndOfNL;
+  const bool waits = s.status_texts.shown.has(StatusText::NL_no_longer_permitted) && !out.status_acknowledged;
+  out.effects.inform.add(Inform::NL_no_longer_permitted, ends);
+  out.effects.requests.add(Ack::text, ends || (in_NL && waits));
+}
+
+/// Texts of packets 72 and 76 (3.12.3), and the one of the unit that is acknowledged.
+void run_texts(State& s, const Inputs& in, bool acknowledges, Decided& out, Log log) {
+  const std::uint16_t acknowledged = acknowledges ? acknowledged_text(s, in.driver.acknowledged_text, log) : 0;
+  end_non_leading(s, in.train.non_leading, acknowledged, out);
+  const std::uint8_t of_trackside = acknowledged < kFirstStatusId ? static_cast<std::uint8_t>(acknowledged) : 0;
+  const track::TextAcknowledgement acknowledgement{of_trackside, s.operated_X == 1};
+  // Trackside of a version up to 2.1 knows AD as FS (6.6.2.2.4 to 6.6.2.2.6).
+  const Mode mode = s.mode == Mode::AD ? Mode::FS : s.mode;
+  out.texts =
+      track::show_texts(s.track, out.here, mode, s.level.level, s.level.nid_ntc, acknowledgement, out.texts_to_report);
   s.texts_to_acknowledge = out.texts.to_acknowledge;
   out.effects.requests.add(Ack::text, !out.texts.to_acknowledge.empty());
   out.asked.add(brakes::Cause::text_service, out.texts.service_brake);
@@ -97,7 +130,17 @@ void run_texts(State& s, const DriverActions& driver, bool acknowledges, Decided
 
 }  // namespace
 
-Decided decide(State& s, const Inputs& in, const Received& received, Log log, procedures::Facts* seen) {
+namespace {
+
+/// 5.22: the driver inhibits the reaction to the alarm of the balise antenna, or revokes it.
+void inhibit_antenna_alarm(State& s, Set<Select> selected) {
+  if (selected.has(Select::bmm_inhibit)) s.antenna_alarm.inhibited = s.position.now.counter;
+  if (selected.has(Select::bmm_revoke)) s.antenna_alarm.inhibited.reset();
+}
+
+}  // namespace
+
+Decided decide(State& s, const Inputs& in, const Received& received, Log log, Examined* seen) {
   Decided out;
   out.here = received.here;
   out.effects = received.level;
@@ -110,14 +153,18 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, pr
   run_shunting(s, received, out.here, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
-  if (seen != nullptr) *seen = facts;
+  inhibit_antenna_alarm(s, received.selected);
+  if (seen != nullptr) {
+    seen->facts = facts;
+    seen->deciding = s;
+  }
   change_mode(s, in, facts, out, log);
   if (out.mode_changed) out.effects.requests.remove(received.acknowledged);  // they asked for what has happened
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
   run_end_of_mission(s, received, out);
-  run_texts(s, in.driver, received.acknowledged.has(Ack::text), out, log);
+  run_texts(s, in, received.acknowledged.has(Ack::text), out, log);
   out.track_ahead_free_granted =
       protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free));
   return out;

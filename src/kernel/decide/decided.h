@@ -21,6 +21,7 @@ struct Decided {
   bool reversing_possible = false;        ///< shown to the driver (5.13)
   bool track_ahead_free_granted = false;  ///< message 149 is due
   track::TextDisplay texts;               ///< shown now
+  bool status_acknowledged = false;       ///< the text of the unit that asks for it
   track::TextReports texts_to_report;     ///< acknowledged: messages 158 are due
 };
 

@@ -1,19 +1,39 @@
 #include "kernel/decide/enter.h"
 
+#include "kernel/here.h"
 #include "kernel/stored.h"
 
 namespace evc::kernel {
+namespace {
+
+bool antenna_in_metal(const State& s, const track::Here& here) {
+  return protection::over_metal(s.track, here.min_safe_antenna, here.max_safe_front - L_antenna(s));
+}
+
+/// 3.11.7.1.1: of the area whose order or acknowledgement leads to SH ([50], [51], [61]); 4.10 deletes it then.
+track::SpeedCode speed_of_area(const State& s, int number, const track::Here& here) {
+  if (number != 50 && number != 51 && number != 61) return track::kNoSpeed;
+  const auto area = track::area_due(s.track, here);
+  return area && area->mode == Mode::SH ? area->V_MAMODE : track::kNoSpeed;
+}
+
+}  // namespace
 
 void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log) {
   const Mode from = s.mode;
   log.note(Event::mode_changed(from, to, number));
   // The start of the entered area is no longer an end of authority; before 4.10 deletes the profile (SH).
   if (to == Mode::OS || to == Mode::LS || to == Mode::SH) track::accept_area(s.track, to, here);
+  if (to == Mode::SH && from != Mode::PS) s.V_SH = speed_of_area(s, number, here);
   // By the driver's selection in levels 0, NTC and 1 there is no list; that of an area ahead is another one's.
   if (to == Mode::SH && number == 5) s.track.sh_list.reset();
+  const bool in_metal = antenna_in_metal(s, here);
   keep_for_mode(s, to, from);
+  // 5.22.3.1 of 4.0.0: the area goes, the metal stays.
+  if (s.srs == SrsVersion::v4_0_0 && in_metal && s.track.big_metal.empty() && to != Mode::NP && to != Mode::RV)
+    s.antenna_alarm.inhibited = s.position.now.counter;
   if (to == Mode::LS) s.lssma.on = false;  // 4.4.19.1.4.6; an order of this cycle has its own time
-  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.ma_with_trip_order = false;
+  if (!supervises_authority(to)) s.ma_with_trip_order = false;
   // A group that is only partly read is not continued after power off, nor a change of deleted train data.
   if (to == Mode::NP) {
     balise::abandon(s.balise);
@@ -21,12 +41,13 @@ void enter_mode(State& s, Mode to, int number, const track::Here& here, Log log)
     s.train_data_change.procedure = {};
   }
   s.mode = to;
+  s.toggled_on = false;  // 015560 8.2.2.4: off at each entry
   ++s.revision;
   procedures::level_transition::on_mode_change(s.level_transition, from, to, s.srs);
   procedures::mode_profile::on_mode_change(s.mode_profile, to, number, s.now);
   procedures::override_::on_mode_change(s.override_, from, to);
   if (!s.level_transition.pending) clear_level_buffer(s);
-  if (to != Mode::FS && to != Mode::LS && to != Mode::OS) s.shorten_at_standstill = false;
+  if (!supervises_authority(to)) s.shorten_at_standstill = false;
   brakes::on_mode_entry(s.brakes, to, from);
   if (to == Mode::TR) driver::enter_trip(s.status_texts, number);
   protection::enter_mode(s.guards, protection::guards_of(to), position::forward_counter(s.position));

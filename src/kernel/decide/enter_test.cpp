@@ -82,6 +82,20 @@ TEST_F(Enter, ShuntingOfTheDriverHasNoList) {  // 5.6.2, 4.6.3 [5]
   EXPECT_TRUE(keeps_list(Mode::OS, 5));
 }
 
+TEST_F(Enter, ShuntingHasTheSpeedOfTheAreaThatLedToIt) {  // 3.11.7.1.1
+  for (const int number : {5, 6, 23, 50, 51, 61, 68}) {
+    restart(number == 23 ? Mode::PS : Mode::FS);
+    state.V_SH = 9;
+    track::ModeArea area;
+    area.mode = Mode::SH;
+    area.from = at(990.0);
+    area.V_MAMODE = 4;
+    ASSERT_TRUE(state.track.mode_profile.push_back(area));
+    enter(Mode::SH, number);
+    EXPECT_EQ(state.V_SH, number == 23 ? 9 : number >= 50 && number <= 61 ? 4 : track::kNoSpeed) << number;
+  }
+}
+
 TEST_F(Enter, ATripOrderCountsForItsAuthorityOnly) {  // 4.6.3 [32]
   for (const Mode to : kModesEntered) {
     restart(Mode::FS);

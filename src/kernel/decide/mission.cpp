@@ -59,6 +59,13 @@ void change_statuses(State& s, Set<procedures::Status> status) {
   if (status.has(Status::rbc_contact_valid) && s.radio.contact) s.contact_status = DataStatus::valid;
 }
 
+/// 4.4.11.1.6.2: an authorisation for SR that came before Start was selected does not answer it; in level 1 or without
+/// a session SR is then entered without one.
+void forget_SR_authorisation_at_start(State& s, const Received& received) {
+  const bool starts = (s.mode == Mode::SB || s.mode == Mode::PT) && received.selected.has(Select::start);
+  if (starts && !received.SR_authorised) s.staff_responsible = {};
+}
+
 }  // namespace
 
 std::optional<Mode> run_mode_profile(State& s, const Received& received, procedures::Facts& facts, Decided& out) {
@@ -88,6 +95,7 @@ std::optional<Mode> run_mode_profile(State& s, const Received& received, procedu
 
 void run_start_of_mission(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
                           Decided& out) {
+  forget_SR_authorisation_at_start(s, received);
   procedures::start_of_mission::Inputs som;
   som.mode = s.mode;
   som.level = s.level.level;
@@ -104,6 +112,7 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.enters_rbc_contact = received.entered.has(Entered::rbc_contact);
   som.selects_short_number = received.selected.has(Select::short_number);
   som.enters_train_data = received.entered.has(Entered::train_data);
+  som.entry_of_train_data_open = received.entry_of_train_data_open;
   som.selects_start = received.selected.has(Select::start);
   som.train_data_acknowledged = s.radio.supervising.knows_train_data();
   som.position_confirmed = received.position_confirmed;

@@ -16,11 +16,11 @@ using modes::Verdict;
 
 constexpr modes::Acceptance kUnreadable{Verdict::rejected, "3.16.1.1"_srs};
 
-/// The signalling related speed restriction "0" has a row of its own: a trip order (3.11.6.2). Returns whether it
+/// The signalling related speed restriction "0" has a row of its own: a trip order (3.11.6.4). Returns whether it
 /// counts; then it is stored, even if the authority is refused (store_contents).
 bool judge_trip_order(Evaluation& e) {
   if (modes::accept(evc::Information::signalling_speed, e.context).verdict != Verdict::accepted) return false;
-  e.r.log.note({.what = What::trip_ordered, .clause = "3.11.6.2"_srs});
+  e.r.log.note({.what = What::trip_ordered, .clause = "3.11.6.4"_srs});
   return true;
 }
 

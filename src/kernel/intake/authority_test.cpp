@@ -80,7 +80,7 @@ TEST_F(Authority, OfABaliseIsAProceed) {  // 5.8.4.1
   EXPECT_FALSE(state.ma_with_trip_order);
 }
 
-TEST_F(Authority, WithSignallingSpeed0IsATripOrder) {  // 3.11.6.2
+TEST_F(Authority, WithSignallingSpeed0IsATripOrder) {  // 3.11.6.4
   describe_track();
   by_balise();
   add(level_1(0));
@@ -91,7 +91,7 @@ TEST_F(Authority, WithSignallingSpeed0IsATripOrder) {  // 3.11.6.2
   EXPECT_EQ(state.ma_with_trip_order, state.track.ma.has_value());
 }
 
-TEST_F(Authority, TripsEvenWhereTheAuthorityIsRefused) {  // 3.11.6.2: the speed has a row of its own
+TEST_F(Authority, TripsEvenWhereTheAuthorityIsRefused) {  // 3.11.6.4: the speed has a row of its own
   by_balise();
   add(level_1(0));
   evaluate_now();
@@ -220,7 +220,7 @@ TEST_F(Authority, HasTheModeProfileOfItsMessageInAnyPlace) {  // 3.12.4, 8.4.1.3
   EXPECT_EQ(state.track.mode_profile[0].from, at(1450.0));
 }
 
-TEST_F(Authority, WithTheSpeed0IsNoOrderBeyondAnInfillReference) {  // 3.11.6.2
+TEST_F(Authority, WithTheSpeed0IsNoOrderBeyondAnInfillReference) {  // 3.11.6.4
   describe_track();
   by_balise();
   balise::Link link;
@@ -250,7 +250,7 @@ TEST_F(Authority, ThatIsNoShorteningDeletesNothingBeyond) {  // 3.8.5.1
   expect(15, What::packet_accepted);
 }
 
-TEST_F(Authority, HasTheSignallingSpeedOfItsPacketOnly) {  // 3.11.6.2
+TEST_F(Authority, HasTheSignallingSpeedOfItsPacketOnly) {  // 3.11.6.4
   describe_track();
   by_balise();
   add(level_1());

@@ -26,7 +26,7 @@ bool may_select(const Reception& r, const modes::OrderedLevel& level) {
 
 /// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
-  driver::ActionContext context = action_context(r.state, r.in.train, r.out.here);
+  driver::ActionContext context = action_context(r.state, r.in, r.out.here);
   // A contact for the level that is entered with it (3.18.4.3.2).
   if (input == driver::Input::rbc_contact && r.in.driver.level && may_select(r, entered_level(r)) &&
       driver::enabled(context).has(driver::Input::level))
@@ -35,10 +35,6 @@ bool may(Reception& r, driver::Input input, const Event& otherwise) {
   r.log.note(otherwise);
   return false;
 }
-bool may_enter(Reception& r, driver::Input input, Entered entered) {
-  return may(r, input,
-             {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
-}
 
 /// The enabled selections; the others are ignored.
 Set<Select> enabled_selections(Reception& r) {
@@ -46,7 +42,7 @@ Set<Select> enabled_selections(Reception& r) {
     Select select;
     driver::Input input;
   };
-  constexpr std::array<Row, 15> rows{{
+  constexpr std::array<Row, 22> rows{{
       {Select::start, driver::Input::start},
       {Select::override_, driver::Input::override_},
       {Select::shunting, driver::Input::shunting},
@@ -62,6 +58,13 @@ Set<Select> enabled_selections(Reception& r) {
       {Select::radio_network, driver::Input::radio_network_id},
       {Select::vbc_set, driver::Input::vbc},
       {Select::vbc_remove, driver::Input::vbc},
+      {Select::ato_engage, driver::Input::ato_engage},
+      {Select::ato_disengage, driver::Input::ato_disengage},
+      {Select::sm, driver::Input::sm},
+      {Select::continue_sm, driver::Input::sm},
+      {Select::exit_sm, driver::Input::exit_sm},
+      {Select::bmm_inhibit, driver::Input::bmm_inhibit},
+      {Select::bmm_revoke, driver::Input::bmm_revoke},
   }};
   Set<Select> selected = Set<Select>::of_bits(r.in.driver.selected);
   for (const Row& row : rows)
@@ -69,6 +72,11 @@ Set<Select> enabled_selections(Reception& r) {
         !may(r, row.input,
              {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(row.select), .clause = "4.7.2"_srs}))
       selected.remove(row.select);
+  if (selected.has(Select::toggle) && !(r.in.train.desk_open && driver::can_be_toggled(r.state.mode))) {
+    r.log.note(
+        {.what = What::selection_not_enabled, .id = static_cast<std::int32_t>(Select::toggle), .clause = "4.7.2"_srs});
+    selected.remove(Select::toggle);
+  }
   return selected;
 }
 
@@ -113,9 +121,9 @@ void watch_entries(Reception& r) {
   const bool SR_data = r.in.windows.has(Window::SR_data) || driver.V_sr || driver.D_sr;
   // After the start of mission: in SB any movement brakes (4.4.7.1.5).
   r.out.asked.add(brakes::Cause::movement_while_entering_train_data,
-                  train_data && s.mode != Mode::SB && driver::allowed(driver::Input::train_data, s.mode));
+                  train_data && s.mode != Mode::SB && driver::allowed(driver::Input::train_data, s.mode, s.srs));
   r.out.asked.add(brakes::Cause::movement_while_entering_SR_data,
-                  SR_data && driver::allowed(driver::Input::sr_speed_distance, s.mode));
+                  SR_data && driver::allowed(driver::Input::sr_speed_distance, s.mode, s.srs));
 }
 
 /// Entry of SR speed and distance (4.4.11.1.5): only in SR, the distance from the front end at the entry.
@@ -202,7 +210,25 @@ void enter_cover(Reception& r) {
   r.log.note({.what = What::cover_set, .id = cover->NID_VBCMK, .clause = "3.15.9.2"_srs});
 }
 
+/// 3.18.4.1, A.3.11
+void enter_driver_id(Reception& r) {
+  State& s = r.state;
+  const auto& entered = r.in.driver.driver_id;
+  if (!entered || !may_enter(r, driver::Input::driver_id, Entered::driver_id)) return;
+  if (!entered->valid())
+    return r.log.note(
+        {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(Entered::driver_id), .clause = "A.3.11"_srs});
+  s.data.driver_id = *entered;
+  s.data.driver_id_status = DataStatus::valid;
+  r.out.entered.add(Entered::driver_id);
+}
+
 }  // namespace
+
+bool may_enter(Reception& r, driver::Input input, Entered entered) {
+  return may(r, input,
+             {.what = What::entry_not_enabled, .id = static_cast<std::int32_t>(entered), .clause = "4.7.2"_srs});
+}
 
 std::optional<modes::OrderedLevel> driver_level(Reception& r) {
   if (!r.in.driver.level || !may_enter(r, driver::Input::level, Entered::level)) return {};
@@ -221,21 +247,19 @@ void receive_driver(Reception& r) {
   const DriverActions& driver = r.in.driver;
   if (driver.selected != 0) r.out.selected = enabled_selections(r);
   r.out.acknowledged = acknowledgements(r);
-  if (driver.driver_id && may_enter(r, driver::Input::driver_id, Entered::driver_id)) {
-    s.data.driver_id = *driver.driver_id;
-    s.data.driver_id_status = DataStatus::valid;
-    r.out.entered.add(Entered::driver_id);
-  }
+  enter_driver_id(r);
   if (driver.train_running_number && may_enter(r, driver::Input::train_running_number, Entered::train_running_number)) {
     s.data.train_running_number = *driver.train_running_number;
     s.data.train_running_number_status = DataStatus::valid;
     s.data.train_running_number_from.reset();
     r.out.entered.add(Entered::train_running_number);
   }
+  r.out.entry_of_train_data_open = r.in.windows.has(Window::train_data);
   receive_train_data(r);
   enter_network(r);
   choose_contact(r);
   enter_cover(r);
+  set_display(r);
   if (r.out.selected.has(Select::slippery_rail) && !s.slippery_rail) {
     s.slippery_rail = true;
     ++s.revision;

@@ -37,17 +37,17 @@ class Driver : public test::OneMessage {
 };
 
 TEST_F(Driver, EntersItsIdentity) {  // 5.4.4
-  in.driver.driver_id = 0x4711;
+  in.driver.driver_id = DriverId("4711");
   state.data.driver_id_status = DataStatus::invalid;
   disable();
   act();
-  EXPECT_EQ(state.data.driver_id, 0u);
+  EXPECT_TRUE(state.data.driver_id.view().empty());
   EXPECT_EQ(state.data.driver_id_status, DataStatus::invalid);
   EXPECT_FALSE(received.entered.has(Entered::driver_id));
   EXPECT_TRUE(happened(What::entry_not_enabled));
   in.train.desk_open = true;
   act();
-  EXPECT_EQ(state.data.driver_id, 0x4711u);
+  EXPECT_EQ(state.data.driver_id.view(), "4711");
   EXPECT_EQ(state.data.driver_id_status, DataStatus::valid);
   EXPECT_TRUE(received.entered.has(Entered::driver_id));
   EXPECT_FALSE(happened(What::entry_not_enabled));
@@ -354,7 +354,7 @@ TEST_F(Driver, TheLogNamesWhatWasNotEnabled) {  // 4.7.2
     EXPECT_EQ(out.events.size(), 1u);
     return out.events.empty() ? -1 : out.events[0].id;
   };
-  EXPECT_EQ(named([&](DriverActions& d) { d.driver_id = 1; }), static_cast<int>(Entered::driver_id));
+  EXPECT_EQ(named([&](DriverActions& d) { d.driver_id = DriverId("1"); }), static_cast<int>(Entered::driver_id));
   EXPECT_EQ(named([&](DriverActions& d) { d.train_running_number = 1; }),
             static_cast<int>(Entered::train_running_number));
   EXPECT_EQ(named([&](DriverActions& d) { d.train_data = &data; }), static_cast<int>(Entered::train_data));

@@ -4,6 +4,7 @@
 #include "kernel/intake/authority.h"
 #include "kernel/intake/infill.h"
 #include "kernel/intake/levels.h"
+#include "kernel/intake/lssma.h"
 #include "kernel/intake/message_events.h"
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
@@ -21,6 +22,14 @@ using modes::Acceptance;
 using modes::AcceptanceContext;
 using modes::Verdict;
 
+/// 4.8.4 [11] of 4.0.0: stored, or in the message.
+bool running_number_known(const State& s, const Information& information) {
+  if (valid(s.data.train_running_number_status)) return true;
+  for (const lang::PacketView& view : information.packets)
+    if (view.NID_PACKET == packet::train_running_number_from_rbc) return true;
+  return false;
+}
+
 AcceptanceContext context_of(const Reception& r, const Information& information) {
   const State& s = r.state;
   AcceptanceContext c;
@@ -37,12 +46,19 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.train_data_valid = valid(s.data.train_data_status);
   c.override_active = s.override_.active;
   c.srs = s.srs;
+  if (c.srs == SrsVersion::v4_0_0) c.train_running_number = running_number_known(s, information);
   return c;
 }
 
 bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i).verdict == Verdict::accepted; }
 
 // --- Level transition orders first (4.8.1.3)
+
+bool names_level_1(const modes::LevelTable& table) {
+  for (const modes::OrderedLevel& entry : table)
+    if (entry.level == Level::L1) return true;
+  return false;
+}
 
 void evaluate_level_orders(Evaluation& e) {
   e.level_order.reset();
@@ -53,9 +69,10 @@ void evaluate_level_orders(Evaluation& e) {
   for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
     const lang::PacketView& view = e.information.packets[i];
     if (route_of(view).turn != Turn::level_order || !judged(e, i)) continue;
-    const auto order = order_of(view);
+    const auto order = order_of(view, e.r.state.srs);
     if (!order) continue;
     e.context.order = order->kind;
+    e.context.unlinked_with_level_1 = e.information.marked_unlinked && names_level_1(order->table);
     const Verdict verdict = judge_packet(e, i).verdict;
     if (verdict != Verdict::accepted && verdict != Verdict::order_stored) continue;
     const modes::OrderDecision decision = give_order(e.r, *order);
@@ -126,20 +143,6 @@ void add_facts(Evaluation& e, const lang::PacketView& view) {
     lang::Packet131 p;
     e.context.null_distance = lang::decode(view, p) == lang::Fault::none && p.D_RBCTR.raw == 0;
   }
-}
-
-/// The max safe front end is in an LS area of the mode profile that comes along (4.8.4 [9]).
-bool front_in_LS_area(Evaluation& e) {
-  track::AuthorityContents& along = e.r.scratch.proposal;
-  along = {};
-  for (const lang::PacketView& view : e.information.packets)
-    if (view.NID_PACKET == packet::mode_profile) (void)track::add(along, e.information.time, view, e.reference);
-  if (!along.mode_profile) return false;
-  const track::Here& now = e.r.out.here;
-  for (const track::ModeArea& area : *along.mode_profile)
-    if (area.mode == Mode::LS && now.max_safe_front >= area.from && !(area.to && now.max_safe_front > *area.to))
-      return true;
-  return false;
 }
 
 void evaluate_rest(Evaluation& e) {

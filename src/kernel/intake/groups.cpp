@@ -130,18 +130,20 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
   return *s.position.unlinked;
 }
 
-void check_lists(Reception& r, GroupId id) {
+/// A group whose message is refused is passed all the same (4.6.3 [36], [52]). In 4.0.0 no clause counts it (A.3.3.2,
+/// Table 17); nor the part of a group that a virtual balise cover leaves, if it is refused (A.3.3.5).
+void check_lists(Reception& r, const balise::Group& group) {
   State& s = r.state;
-  const auto named = [id](const track::GroupList& list) {
+  if (s.srs == SrsVersion::v4_0_0 && !group.accepted) return;
+  const auto named = [id = group.id](const track::GroupList& list) {
     for (const GroupId& g : list)
       if (g == id) return true;
     return false;
   };
   if (s.mode == Mode::SR && s.track.sr_list) {
-    if (named(*s.track.sr_list))
-      r.out.group_passed_in_SR_list = true;
-    else
-      r.out.group_passed_not_in_SR_list = true;
+    const bool expected = named(*s.track.sr_list);
+    if (expected && group.accepted) r.out.group_passed_in_SR_list = true;
+    if (!expected) r.out.group_passed_not_in_SR_list = true;
   }
   if (s.mode == Mode::SH && s.track.sh_list && !named(*s.track.sh_list)) r.out.group_passed_not_in_SH_list = true;
 }
@@ -172,6 +174,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   if (group.identified) {
     note_signal_of_loop(s, group.id);
     note_signal_of_radio_infill(s, group.id);
+    check_lists(r, group);
   }
   if (!group.accepted) return;
   const bool other_country = in_another_country(s, group.id.NID_C);
@@ -184,7 +187,6 @@ void receive_group(Reception& r, const balise::Group& group) {
   s.anchors.add(anchor, anchor != Anchor::lrbg);
   track::note_group(s.track, group.id, reference.place, reference.orientation, anchor);
   if (group.default_information) r.out.default_information = true;
-  check_lists(r, group.id);
   r.log.note({.what = What::group_accepted, .id = group.id.NID_BG});
 
   Information information;
@@ -196,6 +198,7 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.orientation = judged_by_crossing(s.mode) ? group.crossing : reference.orientation;
   information.min_safe_front = r.out.here.min_safe_front;
   information.time = group.first_passed;
+  information.marked_unlinked = !group.linked;
   information.repositioning = group.repositioning;
   information.version = SenderVersion{group.X, other_country};
   for (const balise::Telegram& t : group.telegrams) {

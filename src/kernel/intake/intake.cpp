@@ -1,5 +1,6 @@
 #include "kernel/intake/intake.h"
 
+#include "kernel/basis.h"
 #include "kernel/cab.h"
 #include "kernel/here.h"
 #include "kernel/intake/buffer.h"
@@ -67,13 +68,24 @@ void change_rbc(Reception& r) {
   release_buffer(r);
 }
 
+/// An event for each timer of the authority that elapsed; a standstill ends the one of the overlap too (3.8.4.4.3).
+void note_timers(const track::Elapsed& elapsed, bool standstill, Log log) {
+  const auto note = [&log](bool timer, Clause clause) {
+    if (timer) log.note({.what = What::authority_timer_elapsed, .clause = clause});
+  };
+  note(elapsed.end_section_timeout, "3.8.4.1.2"_srs);
+  note(elapsed.section_timeout, "3.8.4.2.2"_srs);
+  note(elapsed.loa_timeout, "3.8.4.3.2"_srs);
+  note(elapsed.overlap_timeout, standstill ? "3.8.4.4.3"_srs : "3.8.4.4.2"_srs);
+}
+
 /// Timers of the authority, data no longer needed, and data shortened by a reaction when the train is at standstill
 /// (3.8.4, A.3.4, A.3.6).
 void advance_track(Reception& r) {
   State& s = r.state;
   const track::Elapsed elapsed = track::advance(s.track, r.out.here);
   if (elapsed.any()) {
-    r.log.note({.what = What::authority_timer_elapsed, .clause = "3.8.4"_srs});
+    note_timers(elapsed, r.out.here.standstill, r.log);
     const bool authority = s.track.ma && !s.track.ma->sections.empty();
     cut_beyond(s, authority ? s.track.ma->far_end() : r.out.here.max_safe_front);
   }
@@ -91,13 +103,16 @@ TrainIntegrity integrity_of(const TrainSignals& train, Distance L_TRAIN) {
   return train.integrity == TrainIntegrity::confirmed && longer ? TrainIntegrity::unknown : train.integrity;
 }
 
-/// Whether a fault that affects safety acts now. In SL and NL it does not stop the train: it is memorised, reported to
-/// the RBC and handled when the mode is left (4.4.6.1.6, 4.4.15.1.5).
-bool acts(State& s, bool fault) {
-  if (s.mode == Mode::NP) s.safety_fault_memorised = false;
-  if (s.mode != Mode::SL && s.mode != Mode::NL) return fault || s.safety_fault_memorised;
-  if (fault && !s.safety_fault_memorised) radio::report_error(s.radio, ErrorReport::safety_critical_fault);
+/// Whether a fault that affects safety acts now. One that is memorised is reported to the RBC once, in SL and NL: also
+/// one of PS, when these are entered.
+bool acts(State& s, bool fault, Received& out) {
+  if (s.mode == Mode::NP) s.safety_fault_memorised = s.safety_fault_reported = false;
+  if (!memorises_faults(s)) return fault || s.safety_fault_memorised;
   s.safety_fault_memorised = s.safety_fault_memorised || fault;
+  out.fault_to_report = s.mode != Mode::PS && s.safety_fault_memorised && !s.safety_fault_reported;
+  if (!out.fault_to_report) return false;
+  s.safety_fault_reported = true;
+  radio::report_error(s.radio, ErrorReport::safety_critical_fault);
   return false;
 }
 
@@ -124,14 +139,19 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   Received out;
   Reception r{s, scratch, in, outbox, log, out, {}, {}, forwarded};
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
+  if (s.srs == SrsVersion::v4_0_0 && !s.edition_told)
+    log.note({.what = What::edition_incomplete, .clause = "4.4.21"_srs});
+  s.edition_told = true;
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
   // 4.4: no change leads to such a pair, as a transition waits in PT and RV (5.10). It is a fault of the machine.
   const bool coherent = modes::possible_in(s.mode, s.level.level);
   if (!coherent) log.note({.what = What::mode_not_of_level, .clause = "4.4.5"_srs});
-  out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault);
+  out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault, out);
   follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
+  if (can_go_on && s.srs == SrsVersion::v4_0_0)
+    position::accumulate(s.odometer_accuracy, {in.odometry.nominal, in.odometry.min, in.odometry.max});
   s.network.registered = in.train.radio_registered;
   s.network.changed = false;
   out.here = here(s);

@@ -1,6 +1,7 @@
 #include "kernel/intake/levels.h"
 
 #include "kernel/driver_inputs.h"
+#include "kernel/here.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/driver.h"
 #include "kernel/intake/system_version.h"
@@ -23,11 +24,13 @@ Distance L_ack(const lang::Packet41& p, const lang::Packet41_levels& e) {
 Distance L_ack(const lang::Packet46&, const lang::Packet46_levels&) { return {}; }
 
 template <class P>
-modes::LevelTable table_of(const P& p) {
+modes::LevelTable table_of(const P& p, SrsVersion srs) {
   modes::LevelTable table;
-  const auto entry = [&p](const auto& e) {
+  const auto entry = [&p, srs](const auto& e) {
     modes::OrderedLevel level;
-    level.level = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was rejected before
+    const Level ordered = level_of(e.M_LEVELTR.raw).value_or(Level::L0);  // a spare code was rejected before
+    level.level = modes::level_in(srs, ordered);
+    level.ordered_as_level_3 = level.level != ordered;
     level.nid_ntc = level.level == Level::NTC ? static_cast<std::uint8_t>(e.NID_NTC.raw) : std::uint8_t{0};
     level.L_ack = L_ack(p, e);
     return level;
@@ -67,26 +70,26 @@ void switch_level(Reception& r, const procedures::level_transition::Result& resu
   r.out.national_system_only = from == Level::NTC && s.level.level == Level::NTC;
   if (level_2_or_3(from) && !level_2_or_3(s.level.level)) {
     s.reports.rear_border = result.by_driver ? std::optional<Place>{} : result.border.value_or(r.out.here.est_front);
-    r.out.level_2_or_3_left = !result.by_driver;
+    (result.by_driver ? r.out.level_2_or_3_left_by_driver : r.out.level_2_or_3_left) = true;
   }
   release_buffer(r);
 }
 
 }  // namespace
 
-std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view) {
+std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view, SrsVersion srs) {
   procedures::level_transition::Order order;
   if (view.NID_PACKET == packet::conditional_level_transition_order) {
     lang::Packet46 p;
     if (lang::decode(view, p) != lang::Fault::none) return {};
     order.kind = modes::OrderKind::conditional;
-    order.table = table_of(p);
+    order.table = table_of(p, srs);
     return order;
   }
   lang::Packet41 p;
   if (lang::decode(view, p) != lang::Fault::none) return {};
   order.kind = lang::metres(p.Q_SCALE, p.D_LEVELTR) ? modes::OrderKind::announcement : modes::OrderKind::immediate;
-  order.table = table_of(p);
+  order.table = table_of(p, srs);
   return order;
 }
 
@@ -155,6 +158,7 @@ void run_level_transition(Reception& r) {
   in.acknowledged = r.out.acknowledged.has(Ack::level);
   in.srs = s.srs;
   if (in.driver_level) s.data.level_status = DataStatus::valid;
+  const DataStatus status = s.data.level_status;
   const auto result = procedures::level_transition::step(s.level_transition, in);
   r.out.level = result.effects;
   if (result.table) s.level_table = *result.table;
@@ -164,6 +168,10 @@ void run_level_transition(Reception& r) {
   // An order of this cycle did this when it was received (give_order).
   if (result.cancelled && (result.by_driver || !r.order)) clear_level_buffer(s);
   if (result.switch_to) switch_level(r, result);
+  if (result.after_no_power) {  // 4.11.1.4 e: as valid as the level before, by cold movement detection
+    s.data.level_status = status;
+    if (!valid(status)) s.level_table.reset();
+  }
   if (r.announcement)
     procedures::level_transition::announce(
         s.level_transition,

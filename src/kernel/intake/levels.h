@@ -10,7 +10,7 @@
 namespace evc::kernel {
 
 /// The order of packet 41 or 46, not placed yet; none when it does not decode.
-std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view);
+std::optional<procedures::level_transition::Order> order_of(const lang::PacketView& view, SrsVersion srs);
 
 /// A level transition order passed the filters: stores its table, judges it and stores it for the level transition of
 /// this cycle. Returns the decision, so that the rest of the message can be judged for the new level (4.8.1.3).

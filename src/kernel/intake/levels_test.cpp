@@ -20,7 +20,7 @@ class Levels : public test::OneMessage {
   procedures::level_transition::Order read(P p) {
     information.packets.clear();
     add(p);
-    const auto order = order_of(information.packets[0]);
+    const auto order = order_of(information.packets[0], SrsVersion::v3_6_0);
     EXPECT_TRUE(order.has_value());
     return order.value_or(procedures::level_transition::Order{});
   }
@@ -92,7 +92,7 @@ TEST_F(Levels, AnOrderThatReplacesNoneLeavesWhatWaits) {  // 4.8.5.4 a, 5.10.2.5
   conditional.M_LEVELTR.raw = 3;  // level 2
   add(conditional);
   reception.order.reset();
-  (void)give_order(reception, *order_of(information.packets[0]));
+  (void)give_order(reception, *order_of(information.packets[0], SrsVersion::v3_6_0));
   EXPECT_EQ(state.buffer.size(), 1u);
 }
 

@@ -31,6 +31,7 @@ struct Information {
   Direction orientation = Direction::unknown;  // of the train relative to it (in SL, PS, SH: crossing direction)
   Place min_safe_front{};
   Duration time{};                       // time stamp, or passage of the group's first balise
+  bool marked_unlinked = false;          // by a group (Q_LINK)
   bool repositioning = false;            // sent by the group that linking announced with unknown identity (3.8.5.2.2)
   std::uint8_t M_VERSION = 0;            // of its session
   std::optional<SenderVersion> version;  // absent: by radio, or from the transition buffer

@@ -30,6 +30,15 @@ void store_with_track(Evaluation& e, const lang::PacketView& view, Verdict) {
   (void)track::add(e.contents, view, e.reference);
 }
 
+void store_text(Evaluation& e, const lang::PacketView& view, Verdict) {
+  track::Contents& contents = e.contents;
+  if (track::add(contents, view, e.reference) != track::Added::added || contents.texts.empty()) return;
+  track::Text& text = contents.texts.back();
+  const SrsVersion srs = e.r.state.srs;
+  if (text.start_level) text.start_level = modes::level_in(srs, *text.start_level);
+  if (text.end_level) text.end_level = modes::level_in(srs, *text.end_level);
+}
+
 /// The section changes its length only by the group that was announced for it (3.8.5.2.2).
 void take_repositioning(Evaluation& e, const lang::PacketView& view, Verdict verdict) {
   if (e.information.repositioning) return store_with_track(e, view, verdict);
@@ -214,8 +223,8 @@ constexpr auto kPacketRoutes = [] {
     {packet::station_platforms,                       Turn::rest,           {track_conditions_general},              always,                 store_with_track},
     {packet::route_suitability,                       Turn::rest,           {route_suitability},                     always,                 store_with_track},
     {packet::adhesion_factor,                         Turn::rest,           {adhesion},                              always,                 store_with_track},
-    {packet::plain_text,                              Turn::rest,           {plain_text},                            shown_at_a_place<lang::Packet72>, store_with_track},
-    {packet::fixed_text,                              Turn::rest,           {fixed_text},                            shown_at_a_place<lang::Packet76>, store_with_track},
+    {packet::plain_text,                              Turn::rest,           {plain_text},                            shown_at_a_place<lang::Packet72>, store_text},
+    {packet::fixed_text,                              Turn::rest,           {fixed_text},                            shown_at_a_place<lang::Packet76>, store_text},
     {packet::geographical_position,                   Turn::rest,           {geo_position},                          always,                 store_with_track},
     {packet::mode_profile,                            Turn::with_authority, {},                                      nullptr,                nullptr},
     {packet::level_crossing,                          Turn::rest,           {level_crossing},                        always,                 store_with_track},

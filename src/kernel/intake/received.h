@@ -13,14 +13,17 @@ namespace evc::kernel {
 /// Inputs of this cycle from the driver, the track and the radio that are not stored: events for the decisions, brakes
 /// asked for.
 struct Received {
-  track::Here here;           ///< the train after relocation
-  bool safety_fault = false;  ///< 4.4.5: nothing can be supervised; not in SL and NL, where it is memorised
+  track::Here here;              ///< the train after relocation
+  bool safety_fault = false;     ///< 4.4.5: nothing can be supervised; not in SL and NL, where it is memorised
+  bool fault_to_report = false;  ///< one that is memorised: the session for it is established (4.4.6.1.10 c)
   brakes::CauseSet asked;
 
   // The driver
   Set<Select> selected;  ///< enabled selections (4.7.2)
   Set<Ack> acknowledged;
   Set<Entered> entered;  ///< data that the driver entered and that were accepted
+
+  bool entry_of_train_data_open = false;
 
   TrainIntegrity integrity{};  ///< says an external source
   // Balise groups
@@ -51,7 +54,8 @@ struct Received {
   procedures::Effects level;               ///< its requests to the driver
   std::optional<Level> level_switched_to;  ///< executed in this cycle
   bool level_changed_by_driver = false;
-  bool level_2_or_3_left = false;     ///< over a border
+  bool level_2_or_3_left = false;  ///< over a border
+  bool level_2_or_3_left_by_driver = false;
   bool national_system_only = false;  ///< from one national system to another
 };
 

@@ -41,6 +41,15 @@ radio::TrainDataReport train_report(const State& s, const NationalSystem& nation
   return r;
 }
 
+/// 6.6.3.4.5 [1b], 6.6.5.3.7 of 4.0.0: level 2 is reported as it was ordered, if the table has an order for level 3
+/// before one for level 2.
+std::uint8_t M_LEVEL_of(const State& s) {
+  if (s.level.level == Level::L2 && s.level_table)
+    for (const modes::OrderedLevel& entry : *s.level_table)
+      if (entry.level == Level::L2) return M_LEVEL(entry.ordered_as_level_3 ? Level::L3 : Level::L2);
+  return M_LEVEL(s.level.level);
+}
+
 radio::PositionReport position_report(const State& s, const position::Report& p) {
   radio::PositionReport r;
   r.Q_SCALE = p.Q_SCALE;
@@ -56,7 +65,7 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
   r.V_TRAIN = p.V_TRAIN;
   r.Q_DIRTRAIN = p.Q_DIRTRAIN;
   r.M_MODE = M_MODE(s.mode);
-  r.M_LEVEL = M_LEVEL(s.level.level);
+  r.M_LEVEL = M_LEVEL_of(s);
   r.NID_NTC = s.level.nid_ntc;
   return r;
 }
@@ -114,6 +123,7 @@ position::ReportEvents events_to_report(const State& s, const Received& received
   e.parameters_active = in_mode(Function::report_rbc_requested);
   e.groups_active = in_mode(Function::report_every_bg);
   e.standstill_active = in_mode(Function::report_standstill);
+  e.leaving_active = e.standstill_active && s.srs == SrsVersion::v4_0_0;
   e.borders_active = in_mode(Function::report_level_border_rear);
   return e;
 }
@@ -200,7 +210,8 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   const std::uint16_t due =
       position::due(s.reports, s.position, events_to_report(s, received, decided, integrity), length_of(s));
   const bool rear_left = (due & static_cast<std::uint16_t>(position::Due::border)) != 0;
-  leave_rbc(s, rear_left, received.termination_ordered, out.effects, outbox);
+  const bool left_by_driver = s.srs == SrsVersion::v4_0_0 && received.level_2_or_3_left_by_driver;  // 5.10.3.15.4
+  leave_rbc(s, rear_left || left_by_driver, received.termination_ordered, out.effects, outbox);
   if (rear_left && s.srs == SrsVersion::v4_0_0 && !in.level_2_or_3)  // 3.5.3.8 d
     radio::abort_set_ups(s.radio, s.now, outbox);
   const bool border = run_handover(s, here, outbox, log);

@@ -4,11 +4,14 @@
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
 #include "kernel/report/data.h"
+#include "kernel/report/dialogue.h"
 #include "kernel/report/handover.h"
 #include "kernel/report/radio.h"
+#include "kernel/report/shown.h"
 #include "kernel/report/texts.h"
 #include "kernel/report/track_conditions.h"
 #include "track/services.h"
+#include "train/brake_model.h"
 
 namespace evc::kernel {
 namespace {
@@ -29,8 +32,18 @@ void ask_for_national_system(Mode mode, const NationalSystem& national_system, b
   }
 }
 
+/// Of a train that reports on its service brake: the signal, and the pressure (3.14.1.2).
+void take_feedback(const State& s, const TrainSignals& train, brakes::Context& context) {
+  if (!s.train.service_brake_feedback) return;
+  context.feedback = {train.service_brake_feedback, train.brake_pressure_kpa};
+  // Without special brakes: not shorter than with them.
+  const train::BrakeStatus none{false, false, false, false, false};
+  if (!s.brakes.active.empty()) context.T_bs = train::build_up_times(s.train, s.national_values, none, true).T_bs;
+}
+
 /// Brake commands from all causes of this cycle (3.14.1). Returns whether a release waits for the driver.
-bool command_brakes(State& s, const Received& received, const Decided& decided, brakes::CauseSet asked, Outputs& out) {
+bool command_brakes(State& s, const TrainSignals& train, const Received& received, const Decided& decided,
+                    brakes::CauseSet asked, Log log, Outputs& out) {
   asked.add(brakes::Cause::trip, s.mode == Mode::TR);
   asked.add(brakes::Cause::no_power_or_failure, s.mode == Mode::NP || s.mode == Mode::SF || received.safety_fault);
   brakes::Context context;
@@ -39,7 +52,10 @@ bool command_brakes(State& s, const Received& received, const Decided& decided, 
   context.new_consistent_message = received.new_radio_message;
   context.service_brake_fitted = s.train.service_brake_interface;
   context.traction_cut_off_fitted = s.train.traction_cut_off_interface;
+  context.now = s.now;
+  take_feedback(s, train, context);
   brakes::Command command = brakes::command(s.brakes, asked, context);
+  if (command.service_brake_fails) log.note({.what = What::service_brake_failed, .clause = "3.14.1.2"_srs});
   if (s.mode == Mode::IS) command = {};  // 4.4.3: isolated from the brakes
   out.tco = command.tco;
   out.sb = command.sb;
@@ -77,17 +93,24 @@ void take_symbols(driver::ShowContext& c, const Outputs& out) {
   }
 }
 
+/// 5.8.3.7.2 of 4.0.0: selected in level 0, 1 or 2 it is not shown in level NTC.
+bool override_shown(const State& s) {
+  const bool hidden = s.srs == SrsVersion::v4_0_0 && s.level.level == Level::NTC && s.override_.selected_outside_NTC;
+  return s.override_.active && !hidden;
+}
+
 driver::ShowContext show_context(const State& s, bool desk_open, const Decided& decided, Set<Ack> requests,
                                  bool brake_commanded, bool LSSMA) {
   const track::Here& here = decided.here;
   driver::ShowContext c;
+  c.srs = s.srs;
   c.mode = s.mode;
   c.desk_open = desk_open;
   if (valid(s.data.level_status)) c.level = s.level.level;
   if (s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level))
     c.announced = s.level_transition.pending->to.level;
   c.requests = requests;
-  c.override_active = s.override_.active;
+  c.override_active = override_shown(s);
   c.brake_commanded = brake_commanded;
   c.radio = indicated_session(s).indication;
   c.lssma = LSSMA;
@@ -100,12 +123,15 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
 }
 
 /// Position, authority, symbols, requests and texts (4.7).
-void show(const State& s, bool desk_open, const Decided& decided, const procedures::Effects& effects, Outputs& out) {
+void show(State& s, bool desk_open, const Decided& decided, const procedures::Effects& effects, Outputs& out) {
   const track::Here& here = decided.here;
   out.now = s.now;
   out.mode = s.mode;
   out.level = s.level.level;
   out.nid_ntc = s.level.nid_ntc;
+  if (s.level.level == Level::NTC) s.national_system = s.level.nid_ntc;
+  out.national_system = s.national_system;
+  out.language = s.language;
   if (const position::Reference* lrbg = position::lrbg(s.position)) out.lrbg = NidLrbg{lrbg->id.NID_C, lrbg->id.NID_BG};
   out.est_front = position::counter_of(s.position, here.est_front);
   out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
@@ -123,6 +149,7 @@ void show(const State& s, bool desk_open, const Decided& decided, const procedur
   out.requests = effects.requests;
   out.entries = effects.entries;
   out.start_offered = effects.offers.has(Offer::start);
+  out.dialogue = dialogue_of(s, desk_open, effects.requests);
 }
 
 /// What the driver may answer in the next cycle.
@@ -156,14 +183,14 @@ void reset(Outputs& out) {
          MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
          radio_register, enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms,
          ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock,
-         forwarded] = out;
+         forwarded, dialogue, shown, set_speed, national_system, language] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
             entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
             MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
             radio_register, enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms,
             ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock,
-            forwarded);
+            forwarded, dialogue, shown, set_speed, national_system, language);
 }
 
 void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,
@@ -180,16 +207,25 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   asked |= supervised.asked;
   asked |= radio.asked;
   ask_for_national_system(s.mode, in.national_system, asked);
-  radio.effects.requests.add(Ack::brake, command_brakes(s, received, decided, asked, out));
+  radio.effects.requests.add(Ack::brake, command_brakes(s, in.train, received, decided, asked, log, out));
+  if (!in.train.desk_open) {  // 4.7.2: nobody is there to answer
+    radio.effects.requests = {};
+    radio.effects.entries = {};
+  }
   show(s, in.train.desk_open, decided, radio.effects, out);
   remember(s, radio.effects);
   Set<Inform> inform = radio.effects.inform;
   inform.add(Inform::trackside_malfunction, received.default_information);
   inform.add(Inform::trackside_not_compatible, outbox.inform_no_version);
+  inform.add(Inform::national_system_not_available,
+             s.level.level == Level::NTC &&
+                 (s.level.nid_ntc > 63 || ((in.national_system.available >> s.level.nid_ntc) & 1u) == 0));
+  inform.add(Inform::odometer_impaired, s.odometer_accuracy.impaired);
   show_texts(s, in.train.desk_open, received, decided, inform, out);
   show_enabled(s, in, decided.here, out);
   show_data(s, decided.here, out);
   show_clock(s, in.utc, out);
+  show_by_mode(s, in.train.desk_open, supervised, out);
 }
 
 }  // namespace evc::kernel

@@ -1,5 +1,6 @@
 #include "kernel/report/sessions.h"
 
+#include "driver/srs_4_7_2.h"
 #include "kernel/here.h"
 #include "kernel/radio_infill.h"
 #include "kernel/stored.h"
@@ -51,8 +52,15 @@ void open_for_mode(State& s, const Decided& decided, radio::Outbox& outbox) {
   establish(s, started ? radio::Cause::start_without_session : radio::Cause::mode_report, outbox);
 }
 
+/// 4.4.6.1.10 c: in SL of level 2 and 3, for the report of a fault that was memorised.
+void open_for_fault(State& s, const Received& received, radio::Outbox& outbox) {
+  if (!received.fault_to_report || s.mode != Mode::SL || !level_2_or_3(s.level.level)) return;
+  if (valid(s.contact_status) && s.radio.supervising.session.phase == radio::Phase::idle)
+    establish(s, radio::Cause::mode_report, outbox);
+}
+
 /// 3.5.3.4 d, h, 5.10.3.15.2: outside start of mission, with a valid contact at once, else when the driver has entered
-/// one. A driver whose change of level led to TR is asked in PT.
+/// one. He is asked in the modes in which he may enter it (4.7.2): after a change of level that led to TR, in PT.
 void open_for_driver(State& s, const Received& received, procedures::Effects& effects, radio::Outbox& outbox) {
   if (s.mode == Mode::SB || !level_2_or_3(s.level.level)) {
     s.asks_for_contact = false;
@@ -66,7 +74,8 @@ void open_for_driver(State& s, const Received& received, procedures::Effects& ef
     s.asks_for_contact = false;
     call(s, received, radio::Cause::driver_level, outbox);
   }
-  effects.entries.add(Entry::rbc_contact, s.asks_for_contact && s.mode != Mode::TR);
+  effects.entries.add(Entry::rbc_contact,
+                      s.asks_for_contact && driver::allowed(driver::Input::rbc_contact, s.mode, s.srs));
 }
 
 }  // namespace
@@ -90,6 +99,7 @@ void order_sessions(State& s, const Received& received, const Decided& decided, 
   follow_procedures(s, received, effects, outbox);
   stop_set_up(s, received, decided, outbox);
   open_for_mode(s, decided, outbox);
+  open_for_fault(s, received, outbox);
   open_for_driver(s, received, effects, outbox);
 }
 

@@ -39,11 +39,13 @@ driver::StatusFacts facts_of(const State& s, const Decided& decided, Set<Inform>
   driver::StatusFacts f;
   f.now = s.now;
   f.mode = s.mode;
+  f.srs = s.srs;
   f.brakes = out.brake_reasons;
   if (decided.mode_changed) f.revoked = revoked_causes(s.mode, s.previous_mode);
   f.inform = inform;
   f.main_window_selection = main_window_selection;
   f.moving = !decided.here.standstill;
+  f.acknowledged = decided.status_acknowledged;
   if (!s.track.suitability.empty()) f.unsuitable = track::unsuitability(s.track, interfaces_of(s.train));
   if (s.mode == Mode::FS || s.mode == Mode::OS)
     f.described_under_train = track::described_under_train(s.track, decided.here);
@@ -85,7 +87,7 @@ void show_enabled(const State& s, const Inputs& in, const track::Here& here, Out
   if (modes::active(modes::Function::geo_position, s.mode))
     if (const auto geo = track::geographical_position(s.track, here)) out.geo = Distance{static_cast<double>(*geo)};
   if (s.mode == Mode::RV) out.rv_left = track::reversing_left(s.track, here);
-  out.enabled = driver::enabled(action_context(s, in.train, here));
+  out.enabled = driver::enabled(action_context(s, in, here));
   for (const radio::Peer peer : radio::kRbcs) {
     const radio::Session& session = s.radio.partner(peer).session;
     if (session.phase != SessionPhase::idle)

@@ -146,7 +146,7 @@ TEST_F(Shown, OfABrakeUntilItsCommandIsRevoked) {  // 4.12, 015560 15.1.1.6
       decided.mode_changed = entered;
       return shows(StatusText::balise_read_error);
     };
-    const bool allowed = driver::allowed(driver::Output::brake_reason, to);
+    const bool allowed = driver::allowed(driver::Output::brake_reason, to, SrsVersion::v3_6_0);
     const bool revokes = brakes::revoked_on_mode_entry(Cause::linking, to, Mode::FS);
     EXPECT_EQ(shown_after(false), allowed) << i;
     EXPECT_EQ(shown_after(true), allowed && !revokes) << i;
@@ -239,7 +239,7 @@ TEST_F(Shown, TheDistanceLeftForReversing) {  // 3.15.4
 
 TEST_F(Shown, TheSelectionsThatArePossible) {  // 4.7.2
   enabled_now();
-  EXPECT_EQ(out.enabled, driver::enabled(action_context(state, in.train, decided.here)));
+  EXPECT_EQ(out.enabled, driver::enabled(action_context(state, in, decided.here)));
   EXPECT_FALSE(out.enabled.empty());
 }
 
@@ -266,7 +266,7 @@ TEST_F(Shown, TheSessions) {  // 3.5.3
 // --- what may be selected or entered, from the state of the unit
 
 TEST_F(Shown, WhatActionsDependOn) {  // 4.7.2, 5.8.2, 5.4
-  const auto context = [&] { return action_context(state, in.train, decided.here); };
+  const auto context = [&] { return action_context(state, in, decided.here); };
   driver::ActionContext c = context();
   EXPECT_EQ(c.mode, Mode::SB);
   EXPECT_EQ(c.level, Level::L1);
@@ -311,7 +311,7 @@ TEST_F(Shown, WhatActionsDependOn) {  // 4.7.2, 5.8.2, 5.4
 
 TEST_F(Shown, WhatActionsDependOnOfTheNationalValues) {  // 5.8.2.1, A.3.2
   train::NationalValues& nv = state.national_values;
-  const auto context = [&] { return action_context(state, in.train, decided.here); };
+  const auto context = [&] { return action_context(state, in, decided.here); };
   nv.V_NVALLOWOVTRP = Speed{2.0};
   state.position.now.V_est = {2.0};
   EXPECT_TRUE(context().slow_enough_for_override);

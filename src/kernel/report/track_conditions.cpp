@@ -20,10 +20,10 @@ void show_to_driver(const State& s, Outputs& out) {
         {*symbol, kind, position::counter_of(s.position, from), position::counter_of(s.position, to), phase});
   };
   for (const track::TrackCondition& c : s.track.conditions)
-    if (driver::allowed(driver::output_of(c.kind), s.mode))
+    if (driver::allowed(driver::output_of(c.kind), s.mode, s.srs))
       show(driver::symbol(c.kind, c.progress.phase), c.kind, c.from, c.to, c.progress.phase);
   const auto& traction = s.track.traction;
-  if (traction && driver::allowed(driver::Output::track_cond_general, s.mode))
+  if (traction && driver::allowed(driver::Output::track_cond_general, s.mode, s.srs))
     show(driver::symbol_of_traction(traction->M_VOLTAGE, traction->progress.phase), std::nullopt, traction->at,
          traction->at, traction->progress.phase);
 }

@@ -48,9 +48,9 @@ void pass_level_crossings(State& s, Derived& d, const track::Here& here, const s
 /// or when its speed takes the place of the stop.
 void inform_of_level_crossings(State& s, const std::optional<sdm::TargetId>& MRDT) {
   for (track::LevelCrossing& lx : s.track.lx)
-    if (lx.unprotected &&
+    if (lx.unprotected && !lx.informed &&
         (lx.substituted || (MRDT && MRDT->kind == sdm::TargetKind::EOA_SvL && s.basis.authority.EOA == lx.from)))
-      lx.informed = true;
+      lx.informed = s.level_crossing_shown = true;
 }
 
 /// The delay of an order is over (4.4.19.1.4.3).
@@ -80,6 +80,7 @@ std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const t
 /// One cycle of 3.13.10.
 void supervise_speed(State& s, Derived& d, const TrainSignals& train, const track::Here& here, Supervised& out,
                      Log log) {
+  s.level_crossing_shown = false;
   if (!supervises_speed(s.mode)) {
     s.supervision = {};
     return;
@@ -125,7 +126,11 @@ void guard_antenna(State& s, bool alarm, const track::Here& here, Supervised& ou
   now.counter = s.position.now.counter;
   now.min_safe_antenna = here.min_safe_antenna;
   now.max_safe_antenna = here.max_safe_front - L_antenna(s);
-  out.asked.add(brakes::Cause::balise_antenna, protection::asks_for_brake(s.antenna_alarm, now, s.track));
+  const bool reacts = protection::asks_for_brake(s.antenna_alarm, now, s.track);
+  if (memorises_faults(s))
+    s.safety_fault_memorised = s.safety_fault_memorised || reacts;
+  else
+    out.asked.add(brakes::Cause::balise_antenna, reacts);
 }
 
 }  // namespace

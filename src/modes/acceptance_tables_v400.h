@@ -1,0 +1,79 @@
+#pragma once
+#include "modes/acceptance_tables.h"
+
+// 4.8.3 and 4.8.4 of SRS 4.0.0: the tables of 3.6.0 with the cells that differ. Left out are the exceptions for packets
+// and messages that no trackside of a version up to 2.1 sends: [13], [14], [17] of supervised manoeuvre, [15] of
+// two radio systems, big metal masses from the RBC. [18], a zero speed by infill, is ignored in every edition
+// (3.11.6.5).
+namespace evc::modes {
+
+struct ModeCellChange {
+  Information what{};
+  Mode mode{};
+  std::string_view cell;
+};
+
+/// A cell of information that is not from the RBC.
+struct LevelCellChange {
+  Information what{};
+  Level level{};
+  std::string_view cell;
+};
+
+// clang-format off
+inline constexpr auto srs_4_8_4_changes_v400 = [] {
+  using enum Information;
+  return std::to_array<ModeCellChange>({
+    // [4] in PT too: without valid train data nothing that depends on them counts.
+    {linking,                        Mode::PT, "A[1][4]"},
+    {signalling_speed,               Mode::PT, "A[1][4]"},
+    {movement_authority,             Mode::PT, "A[1][4]"},
+    {gradient,                       Mode::PT, "A[1][4]"},
+    {ssp,                            Mode::PT, "A[1][4]"},
+    {asp,                            Mode::PT, "A[1][4]"},
+    {sr_authorisation,               Mode::PT, "A[1][4]"},
+    {tsr,                            Mode::PT, "A[1][4]"},
+    {tsr_revocation,                 Mode::PT, "A[1][4]"},
+    {route_suitability,              Mode::PT, "A[1][4]"},
+    {adhesion,                       Mode::PT, "A[1][4]"},
+    {rbc_transition_order,           Mode::PT, "A[1][4]"},
+    {track_conditions_general,       Mode::PT, "A[1][4]"},
+    {track_conditions_horn_stopping, Mode::PT, "A[1][4]"},
+    {track_condition_bmm,            Mode::PT, "A[1][4]"},
+    {reversing_area,                 Mode::PT, "A[1][4]"},
+    {reversing_supervision,          Mode::PT, "A[1][4]"},
+    {permitted_braking_distance,     Mode::PT, "A[1][4]"},
+    {level_crossing,                 Mode::PT, "A[1][4]"},
+    // [11]: not without a running number.
+    {movement_authority,             Mode::SB, "A[2][4][11]"},
+    {sr_authorisation,               Mode::SB, "A[2][4][11]"},
+    {eolm,                           Mode::SH, "R"},
+    {lssma_toggle_on,                Mode::OS, "A[10]"},
+  });
+}();
+
+inline constexpr auto srs_4_8_3_changes_v400 = [] {
+  using enum Information;
+  return std::to_array<LevelCellChange>({
+    // [16]: not from a group that is marked as unlinked, with level 1 in its table.
+    {level_transition_order,             Level::L2, "A[16]"},
+    {conditional_level_transition_order, Level::L2, "A[11][16]"},
+  });
+}();
+// clang-format on
+
+inline constexpr auto srs_4_8_4_v400 = [] {
+  auto table = srs_4_8_4;
+  for (const ModeCellChange& change : srs_4_8_4_changes_v400)
+    table[static_cast<std::size_t>(change.what)].modes[terms::index(change.mode)] = AcceptanceCell(change.cell);
+  return table;
+}();
+
+inline constexpr auto srs_4_8_3_v400 = [] {
+  auto table = srs_4_8_3;
+  for (const LevelCellChange& change : srs_4_8_3_changes_v400)
+    table[static_cast<std::size_t>(change.what)].not_rbc[terms::index(change.level)] = AcceptanceCell(change.cell);
+  return table;
+}();
+
+}  // namespace evc::modes

@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "world.h"
+
+namespace evc::exploration {
+
+/// One abstract input: what the driver, the train or the trackside does, and the cycles in which the unit answers.
+struct Action {
+  std::string name;
+  std::function<void(Runner&)> act;
+};
+const std::vector<Action>& actions();
+
+/// What a driver does to go on from any state: stops, closes and opens the desk, answers what the unit asks, and starts
+/// in the lowest level that is allowed. The RBC answers calls and ends a session that has to end before a start
+/// (5.4.3.2 S0). True: the train may move.
+bool goes_on(Runner& runner);
+
+}  // namespace evc::exploration

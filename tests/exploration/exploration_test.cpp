@@ -1,0 +1,75 @@
+// From power-up, whatever driver, train and trackside do: every change of mode is a cell of 4.6.2, the brakes that a
+// mode needs are there, every mode is reached, and from every state the driver finds a way on (docs/exploration.md).
+// EVC_STATES=N expands N states of each edition instead of some hundreds, EVC_DEPTH=N every way of N actions before.
+// EVC_WAY="input; input; ...", as a fault has it, prints the unit's output after each instead.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "search.h"
+
+namespace evc::exploration {
+namespace {
+
+/// From so many on every mode of an edition is reached.
+constexpr std::size_t kForAllModes = 1200;
+
+std::size_t of_environment(const char* name, std::size_t usual) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? usual : static_cast<std::size_t>(std::atoll(text));
+}
+
+class Exploration : public ::testing::TestWithParam<SrsVersion> {};
+
+TEST_P(Exploration, NoFaultAndEveryMode) {
+  if (const char* way = std::getenv("EVC_WAY")) return print_way(GetParam(), way);
+  const Bounds bounds{static_cast<int>(of_environment("EVC_DEPTH", 1)), of_environment("EVC_STATES", kForAllModes)};
+  const Found found = search(GetParam(), bounds);
+  for (const std::string& fault : found.faults) ADD_FAILURE() << fault;
+  if (found.expanded >= kForAllModes) {
+    for (const std::string& mode : found.modes)
+      EXPECT_EQ(found.cycles.contains(mode), mode != "SM") << mode;  // no RBC up to 2.1 grants SM (6.6.5.3.7)
+  }
+  std::size_t cells = 0;
+  for (const auto& [cell, times] : found.cells) cells += times > 0 ? 1 : 0;
+  std::printf("%s: %zu states, %zu expanded, %zu inputs, ways of up to %d, %zu ways on, %zu of %zu cells\n",
+              name(GetParam()), found.states, found.expanded, found.inputs, found.depth, found.ways_on, cells,
+              found.cells.size());
+  for (const auto& [cell, times] : found.cells)
+    if (times == 0) std::printf("  not seen: %s to %s\n", cell.first.c_str(), cell.second.c_str());
+}
+
+TEST(Watch, TellsEachFault) {
+  Watch watch(SrsVersion::v3_6_0);
+  port::TrainSignals train;
+  train.desk_open = true;
+  port::Outputs out;
+  const auto faults = [&](Mode before, Mode now) {
+    watch.faults.clear();
+    out.mode = now;
+    watch.look(before, out, train);
+    return watch.faults.size();
+  };
+  EXPECT_EQ(faults(Mode::SB, Mode::FS), 0u);
+  EXPECT_EQ(faults(Mode::SL, Mode::FS), 1u) << "no cell";
+  for (const Mode braked : {Mode::TR, Mode::SF, Mode::NP}) {
+    out.eb = false;
+    EXPECT_EQ(faults(braked, braked), 1u);
+    out.eb = true;
+    EXPECT_EQ(faults(braked, braked), 0u);
+  }
+  EXPECT_EQ(faults(Mode::IS, Mode::IS), 1u) << "braked";
+  out = {};
+  train.desk_open = false;
+  out.requests.add(Ack::SR);
+  out.entries.add(Entry::level);
+  out.start_offered = true;
+  EXPECT_EQ(faults(Mode::SB, Mode::SB), 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Editions, Exploration,
+                         ::testing::Values(SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0));
+
+}  // namespace
+}  // namespace evc::exploration

@@ -1,0 +1,263 @@
+#include "brake_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/test_paths.h"
+#include "terms/requests.h"
+
+namespace evc::brake_rules {
+namespace {
+
+/// A train that is slower stands (the standard gives no figure), after a second at the latest.
+constexpr double kSlow = 0.05;
+constexpr Duration kSurely{1.0};
+
+std::optional<bool> stands(const Cycle& c) {
+  if (c.between_moving_and_standing()) return {};
+  return c.standing > Duration{};
+}
+Condition acknowledged(Ack ack) {
+  return [ack](const Cycle& c) { return std::optional(c.in.driver.has(ack)); };
+}
+/// The limits are those of the movement that is permitted; another direction has its own protections (3.14.2, 3.14.3).
+std::optional<bool> speed_permitted(const Cycle& c) {
+  const bool backwards = (c.in.odometry.V_est.si < 0.0) != (c.in.train.cab == port::Cab::B);
+  if (backwards && c.now.mode != Mode::RV) return true;
+  const double V = std::abs(c.in.odometry.V_est.si);
+  return !c.now.V_P || V <= c.now.V_P->si || (c.now.V_release && V <= c.now.V_release->si);
+}
+std::optional<bool> message_of_RBC(const Cycle& c) {
+  return std::any_of(c.in.radio_messages.begin(), c.in.radio_messages.end(),
+                     [](const port::RadioMessage& m) { return !m.infill_unit; });
+}
+std::optional<bool> power_and_no_failure(const Cycle& c) {
+  return c.now.mode != Mode::NP && c.now.mode != Mode::SF && !c.in.safety_fault;
+}
+std::optional<bool> distance_extended(const Cycle& c) { return !c.now.rv_left || *c.now.rv_left > Distance{}; }
+
+Condition condition_of(const std::string& name, const std::string& brake) {
+  static const std::map<std::string, Condition> all{
+      {"standstill", stands},
+      {"speed permitted", speed_permitted},
+      {"no target speed monitoring", [](const Cycle& c) { return std::optional(c.now.monitoring != Monitoring::TSM); }},
+      {"release speed monitoring", [](const Cycle& c) { return std::optional(c.now.monitoring == Monitoring::RSM); }},
+      {"level left", [](const Cycle& c) { return std::optional(c.now.level != c.level_before); }},
+      {"release at speed", [](const Cycle& c) { return std::optional(!c.emergency_until_standstill); }},
+      {"message from the RBC", message_of_RBC},
+      {"no power or failure over", power_and_no_failure},
+      {"distance extended", distance_extended},
+      {"alarm over", [](const Cycle& c) { return std::optional(!c.in.train.antenna_alarm); }},
+      {"not ordered SB", [](const Cycle& c) { return std::optional(!c.in.national_system.service_brake); }},
+      {"not ordered EB", [](const Cycle& c) { return std::optional(!c.in.national_system.emergency_brake); }},
+  };
+  const std::size_t last = name.rfind(' ');
+  if (name.substr(last + 1) == "acknowledged")
+    for (const auto& row : kAckRows)
+      if (name.substr(0, last) == row.name) return acknowledged(row.value);
+  const auto found = all.find(name == "not ordered" ? name + " " + brake : name);
+  if (found == all.end()) throw std::runtime_error("tests/reference/brake_causes.json: no condition " + name);
+  return found->second;
+}
+
+Mode mode_of_name(const std::string& abbreviation) {
+  for (std::size_t m = 0; m < kModes; ++m)
+    if (abbreviation == name(static_cast<Mode>(m))) return static_cast<Mode>(m);
+  throw std::runtime_error("tests/reference/brake_causes.json: no mode " + abbreviation);
+}
+
+std::vector<Rule> read_rules() {
+  std::ifstream in(evc::test::source_folder() + "/tests/reference/brake_causes.json");
+  const auto file = nlohmann::json::parse(in);
+  std::vector<Rule> all;
+  for (const auto& cause : file["causes"]) {
+    Rule rule;
+    rule.id = cause["id"];
+    rule.brake = cause["brake"];
+    rule.clause = cause["clause"];
+    if (cause.value("on_entry_in_level", "") == "0") rule.of_level = Level::L0;
+    for (const auto& conditions : cause["release"]) {
+      Way& way = rule.ways.emplace_back();
+      for (const std::string name : conditions) way.push_back({name, condition_of(name, rule.brake)});
+    }
+    std::istringstream marks(cause.value("on_entry", ""));
+    for (const std::string column : file["_meta"]["columns"]) marks >> rule.marks[terms::index(mode_of_name(column))];
+    if (cause.contains("grey_revoked")) {
+      rule.grey_revoked.emplace();
+      for (const std::string mode : cause["grey_revoked"]) rule.grey_revoked->add(mode_of_name(mode));
+    }
+    all.push_back(std::move(rule));
+  }
+  return all;
+}
+
+/// The faults and what is seen of one cycle.
+class Look {
+ public:
+  Look(const Memory& before, const Cycle& cycle, Seen* seen, const std::string& place)
+      : before_(before), cycle_(cycle), seen_(seen), place_(place) {}
+
+  std::vector<std::string> all() {
+    const Set<Cause> now = cycle_.now.brake_reasons;
+    const bool changed = before_.mode != cycle_.now.mode;
+    for (std::size_t i = 0; i < rules().size(); ++i) {
+      const Cause cause = static_cast<Cause>(i);
+      rule_ = &rules()[i];
+      if (now.has(cause) && !changed) note("in " + std::string(name(cycle_.now.mode)));
+      if (!before_.commanded.has(cause)) {
+        entering.add(cause, changed && now.has(cause) && !rule_->grey_revoked);
+        continue;
+      }
+      const bool late = before_.entering.has(cause);
+      entered_ = late ? before_.mode : cycle_.now.mode;
+      from_ = late ? before_.from : before_.mode;
+      if (changed && !late && now.has(cause) && !rule_->grey_revoked)
+        entering.add(cause);  // what asks for it sees the mode in the next cycle
+      else if (changed || late)
+        now.has(cause) ? kept() : revoked();
+      else
+        now.has(cause) ? held() : released("");
+    }
+    one_acknowledgement();
+    return std::move(faults_);
+  }
+  Set<Cause> entering;  ///< to be judged in the next cycle
+
+ private:
+  void note(const std::string& what) {
+    if (seen_ != nullptr) seen_->try_emplace(rule_->id + " " + what, place_);
+  }
+  void fault(const std::string& what) { faults_.push_back("brake " + rule_->id + " " + what); }
+  std::string entry() const { return std::string(name(entered_)) + (from_ == Mode::PT ? " from PT" : ""); }
+  bool revokes() const {
+    const char mark = rule_->marks[terms::index(entered_)];
+    if (mark == '-' && rule_->grey_revoked) return rule_->grey_revoked->has(entered_);
+    return mark == 'R' || (mark == 'P' && from_ == Mode::PT);
+  }
+
+  /// 3.14.1: a command lasts as long as a condition of each way is missing.
+  void held() {
+    for (const Way& way : rule_->ways) {
+      const NamedCondition* missing = nullptr;
+      std::size_t fulfilled = 0;
+      for (const NamedCondition& c : way) {
+        const std::optional<bool> holds = c.holds(cycle_);
+        if (holds && !*holds) missing = &c;
+        if (holds && *holds) ++fulfilled;
+      }
+      if (missing != nullptr && fulfilled + 1 == way.size())
+        note("without " + missing->name + " (" + name_of(way) + ")");
+      if (fulfilled == way.size() && ends_at_once(way)) fault("is still commanded: " + name_of(way));
+    }
+  }
+  /// Whether nothing but this way decides. One acknowledgement is for the causes of one clause (3.14.1.10); the limits
+  /// have a hysteresis, and one of several texts may have been acknowledged.
+  bool ends_at_once(const Way& way) const {
+    if (way.back().name == "brake acknowledged") {
+      for (std::size_t i = 0; i < rules().size(); ++i)
+        if (before_.commanded.has(static_cast<Cause>(i)) && rules()[i].acknowledged_at_standstill() &&
+            rules()[i].clause != rule_->clause)
+          return false;
+      return cycle_.in.train.desk_open;
+    }
+    return way.front().name == "standstill" && way.size() == 1 && rule_->id != "overspeed_emergency";
+  }
+
+  void released(const std::string& where) {
+    for (const Way& way : rule_->ways) {
+      const bool fulfilled = std::all_of(way.begin(), way.end(), [&](const NamedCondition& c) {
+        const std::optional<bool> holds = c.holds(cycle_);
+        return !holds || *holds;
+      });
+      if (fulfilled) return note("by " + name_of(way));
+    }
+    fault("ended without its release conditions" + where + " in " + name(cycle_.now.mode));
+  }
+
+  /// 3.14.1.10: not of two clauses at once.
+  void one_acknowledgement() {
+    const Rule* first = nullptr;
+    if (before_.mode != cycle_.now.mode) return;
+    for (std::size_t i = 0; i < rules().size(); ++i) {
+      const Rule& rule = rules()[i];
+      const Cause cause = static_cast<Cause>(i);
+      if (!rule.acknowledged_at_standstill() || !before_.commanded.has(cause) || cycle_.now.brake_reasons.has(cause))
+        continue;
+      if (first != nullptr && first->clause != rule.clause)
+        faults_.push_back("brake " + rule.id + " ended with " + first->id + ", which is of another clause");
+      first = &rule;
+    }
+  }
+  void kept() {
+    // The national system goes on to order it: that only the one in charge may is left to its interface.
+    if (rule_->ways[0][0].name == "not ordered" && !*rule_->ways[0][0].holds(cycle_)) return;
+    if (rule_->of_level && before_.level != *rule_->of_level) return;
+    note("kept " + entry());
+    if (revokes()) fault("is not revoked by the entry of " + entry());
+  }
+  void revoked() {
+    const char mark = rule_->marks[terms::index(entered_)];
+    const bool outside = entered_ == Mode::IS || entered_ == Mode::SF || entered_ == Mode::SL || entered_ == Mode::PS;
+    const bool undefined = entered_ == Mode::IS || (outside && mark == '-' && !rule_->grey_revoked);
+    if (revokes() || mark == 'T' || undefined)
+      note("revoked " + entry());
+    else
+      released(" on the entry of " + entry() + " from " + name(from_));
+  }
+
+  const Memory& before_;
+  const Cycle& cycle_;
+  Seen* seen_;
+  const std::string& place_;
+  const Rule* rule_ = nullptr;  // looked at, and the mode entry that is judged
+  Mode entered_ = Mode::NP, from_ = Mode::NP;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+bool Cycle::between_moving_and_standing() const { return standing > Duration{} && standing < kSurely; }
+
+bool Rule::acknowledged_at_standstill() const {
+  return std::any_of(ways.begin(), ways.end(), [](const Way& way) { return way.back().name == "brake acknowledged"; });
+}
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all = read_rules();
+  return all;
+}
+
+std::string name_of(const Way& way) {
+  std::string text;
+  for (const NamedCondition& c : way) text += (text.empty() ? "" : " + ") + c.name;
+  return text;
+}
+
+std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port::Outputs& now,
+                              bool emergency_until_standstill, Seen* seen, const std::string& place) {
+  const bool slow = std::abs(in.odometry.V_est.si) < kSlow;
+  if (!slow) memory.standing_since.reset();
+  if (slow && !memory.standing_since) memory.standing_since = in.now;
+  std::vector<std::string> faults;
+  Set<Cause> entering;
+  if (!memory.commanded.empty() || !now.brake_reasons.empty()) {
+    Cycle cycle{in, now, memory.level, {}, emergency_until_standstill && now.mode != Mode::RV};
+    if (slow) cycle.standing = in.now - *memory.standing_since + Duration{0.001};
+    Look one(memory, cycle, seen, place);
+    faults = one.all();
+    entering = one.entering;
+  }
+  if (now.requests.has(Ack::brake) && !slow) faults.push_back("the release of a brake is asked of a moving train");
+  memory.commanded = now.brake_reasons;
+  memory.entering = entering;
+  memory.from = memory.mode;
+  memory.mode = now.mode;
+  memory.level = now.level;
+  return faults;
+}
+
+}  // namespace evc::brake_rules

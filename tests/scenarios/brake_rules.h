@@ -1,0 +1,71 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "port/inputs.h"
+#include "port/outputs.h"
+#include "terms/cause.h"
+#include "terms/level.h"
+#include "terms/mode.h"
+
+// What the standard says of each brake command (tests/reference/brake_causes.json), and whether the inputs and outputs
+// of a unit keep to it, cycle by cycle. Nothing of src/brakes is used.
+namespace evc::brake_rules {
+
+/// One cycle from outside.
+struct Cycle {
+  const port::Inputs& in;
+  const port::Outputs& now;
+  Level level_before = Level::L0;
+  Duration standing{};                       ///< since the train stands; none: it moves
+  bool emergency_until_standstill = true;    ///< Q_NVEMRRLS 0, and the service brake has not been replaced (3.13.10)
+  bool between_moving_and_standing() const;  ///< the unit may see it as either
+};
+
+/// Whether a condition of a release rule is fulfilled; absent: the unit may see it either way.
+using Condition = std::function<std::optional<bool>(const Cycle&)>;
+struct NamedCondition {
+  std::string name;
+  Condition holds;
+};
+/// All conditions of a way are needed; each way is enough.
+using Way = std::vector<NamedCondition>;
+
+/// 4.12: R revoked, M maintained, P maintained unless from PT, O as M unless the train is turned, T evaluated again, -
+/// grey; empty: no row.
+struct Rule {
+  std::string id, brake, clause;
+  std::vector<Way> ways;
+  std::array<char, kModes> marks{};
+  std::optional<Level> of_level;          ///< in which 4.12 has the row
+  std::optional<Set<Mode>> grey_revoked;  ///< chosen; absent: the command lasts as long as it is asked for
+  bool acknowledged_at_standstill() const;
+};
+/// In the order of `Cause`.
+const std::vector<Rule>& rules();
+std::string name_of(const Way& way);
+
+/// What is known of a unit between two cycles.
+struct Memory {
+  Set<Cause> commanded;
+  Mode mode = Mode::NP;
+  Level level = Level::L0;
+  Set<Cause> entering;  ///< commanded when `mode` was entered from mode `from`, and not judged yet
+  Mode from = Mode::NP;
+  std::optional<Duration> standing_since;
+};
+
+/// What has been seen, each with the first place: "ID in MODE", "ID without CONDITION", "ID by WAY", "ID kept MODE",
+/// "ID revoked MODE"; "from PT" behind the last two if so.
+using Seen = std::map<std::string, std::string>;
+
+/// One cycle of a unit. Returns the faults: commands that ended too early or too late, or that a mode entry should have
+/// revoked or maintained.
+std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port::Outputs& now,
+                              bool emergency_until_standstill, Seen* seen = nullptr, const std::string& place = {});
+
+}  // namespace evc::brake_rules
