@@ -35,7 +35,8 @@ void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) 
 }
 
 /// PT distance and reversing distance: beyond it the brake is commanded; after standstill and acknowledgement any
-/// further movement backwards beyond it brakes again (4.4.14.1.3.2, 3.15.4.8).
+/// further movement backwards beyond it brakes again, also one that follows a movement forward (4.4.14.1.3.2,
+/// 4.4.18.1.4): the place it is measured from follows the train forward.
 void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& released_at, const Movement& m) {
   if (braking) {
     if (m.standstill && m.acknowledged) {
@@ -48,7 +49,11 @@ void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& rel
     released_at.reset();
     return;
   }
-  if (!released_at || m.nominal < *released_at) braking = true;
+  if (!released_at || m.nominal < *released_at) {
+    braking = true;
+    return;
+  }
+  released_at = m.nominal;
 }
 
 }  // namespace

@@ -21,9 +21,8 @@ struct MovementGuards {
   DistanceGuard roll_away, reverse_movement, standstill;
   std::optional<OdometerPlace> post_trip_from;  ///< front end when PT was entered
   bool post_trip_braking = false;
-  std::optional<OdometerPlace>
-      post_trip_released_at;  ///< released while still beyond: any backward movement brakes again
-  std::optional<OdometerPlace> reversing_released_at;
+  /// Released while still beyond, and the front end moved forward since: any movement back from there brakes again.
+  std::optional<OdometerPlace> post_trip_released_at, reversing_released_at;
   bool reversing_braking = false;
 };
 

@@ -194,6 +194,16 @@ TEST(PostTrip, DistanceThenEveryFurtherMove) {  // 4.4.14.1.3
   EXPECT_FALSE(t.to(-300.5).any()) << "left post trip";
 }
 
+TEST(PostTrip, AMovementForwardAllowsNoneBack) {  // 4.4.14.1.3.2: any further movement
+  Train t(PT);
+  t.m.D_NVPOTRP = Distance{200};
+  EXPECT_TRUE(t.to(-205).post_trip);
+  EXPECT_FALSE(t.stop(true).any());
+  EXPECT_FALSE(t.to(-203).post_trip);
+  EXPECT_FALSE(t.to(-203).post_trip);
+  EXPECT_TRUE(t.to(-203.1).post_trip) << "in front of where it was released";
+}
+
 TEST(Reversing, BeyondItsDistance) {  // 3.15.4.8
   Train t(RV);
   EXPECT_FALSE(t.to(-10).any()) << "endless";
@@ -203,6 +213,9 @@ TEST(Reversing, BeyondItsDistance) {  // 3.15.4.8
   EXPECT_TRUE(t.to(-17).reversing);
   EXPECT_FALSE(t.stop(true).any());
   EXPECT_TRUE(t.to(-17.5).reversing);
+  EXPECT_FALSE(t.stop(true).any());
+  EXPECT_FALSE(t.to(-15.6).reversing);
+  EXPECT_TRUE(t.to(-15.7).reversing) << "back after a movement forward";
   t.m.reversing_left = Distance{50};
   EXPECT_FALSE(t.to(-18).any()) << "a longer distance ends it";
 }
