@@ -102,7 +102,7 @@ TEST(Override, Borders_and_levels_of_its_ends) {
   EXPECT_EQ(sr.cycle().ended_by, Clause{});
 }
 
-TEST(Override, What_is_not_active_does_not_end_and_what_starts_does_not_end_in_the_same_cycle) {
+TEST(Override, What_is_not_active_does_not_end_nor_with_an_authority_of_the_cycle_in_which_it_starts) {
   Overriding o(Mode::FS);
   EXPECT_EQ(o.cycle().ended_by, Clause{});
   o.in.balise_proceed = true;

@@ -29,8 +29,9 @@ void start(State& state, const Inputs& in) {
 }
 
 /// 5.8.4.1: the end condition that is met, or none. In UN and SN only a and b are evaluated; in SH there is no SR
-/// distance and no former EOA.
-Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
+/// distance and no former EOA. In the cycle of the selection it is not known what came first: a stop counts as the
+/// later one, and ends it; an authority as the earlier one, and does not.
+Clause end_condition(const State& state, const Inputs& in, bool eoa_passes, bool started) {
   // By the national values of now: a running supervision goes on from the same start (3.18.2.11).
   if (in.now >= state.since + in.T_NVOVTRP) return "5.8.4.1 a"_srs;
   if (in.D_NVOVTRP.has_value() && in.odometer - state.start > *in.D_NVOVTRP) return "5.8.4.1 b"_srs;
@@ -38,8 +39,8 @@ Clause end_condition(const State& state, const Inputs& in, bool eoa_passes) {
   if (in.mode == Mode::UN || in.mode == Mode::SN) return {};
   if (eoa_passes) return "5.8.4.1 c"_srs;
   if (in.stop_if_in_SR || in.stop_if_in_SH) return "5.8.4.1 d"_srs;
-  if (in.balise_proceed) return "5.8.4.1 e"_srs;
-  if (in.ma_from_rbc && (in.level == Level::L2 || in.level == Level::L3)) return "5.8.4.1 f"_srs;
+  if (in.balise_proceed && !started) return "5.8.4.1 e"_srs;
+  if (in.ma_from_rbc && !started && (in.level == Level::L2 || in.level == Level::L3)) return "5.8.4.1 f"_srs;
   if (in.group_not_in_list) return "5.8.4.1 g"_srs;
   if (state.sr_distance_end.has_value() && in.est_front > *state.sr_distance_end) return "5.8.4.1 h"_srs;
   return {};
@@ -61,8 +62,8 @@ Result step(State& state, const Inputs& in) {
   if (eoa_passes) state.former_eoa_passed = true;
   // 4.6.3 [43] is the event of passing, with the override status at that time.
   out.former_eoa_passed = eoa_passes;
-  if (state.active && !out.started) {
-    out.ended_by = end_condition(state, in, eoa_passes);
+  if (state.active) {
+    out.ended_by = end_condition(state, in, eoa_passes, out.started);
     if (out.ended_by) state.active = false;
   }
   // 5.8.3.1.3: a "stop if in SR" deletes the former EOA.

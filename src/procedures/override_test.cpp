@@ -82,6 +82,25 @@ TEST(Override, Every_end_condition_ends_it_and_is_named) {
             Clause{});
 }
 
+TEST(Override, What_comes_in_the_cycle_of_the_selection_ends_it) {
+  const auto ended_by = [](auto&& change) {
+    Driver d;
+    d.select();
+    d.in.selected = true;
+    change(d);
+    const auto r = d.cycle();
+    EXPECT_TRUE(r.started && r.active);  // no trip in this cycle
+    EXPECT_EQ(d.state.active, !r.ended_by);
+    return r.ended_by;
+  };
+  EXPECT_EQ(ended_by([](Driver&) {}), Clause{});
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.min_safe_antenna = at(100.1); }), "5.8.4.1 c"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.stop_if_in_SR = true; }), "5.8.4.1 d"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.group_not_in_list = true; }), "5.8.4.1 g"_srs);
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.balise_proceed = true; }), Clause{});
+  EXPECT_EQ(ended_by([](Driver& d) { d.in.ma_from_rbc = true; }), Clause{});
+}
+
 TEST(Override, In_UN_and_SN_only_time_and_distance_end_it) {
   for (const Mode mode : {Mode::UN, Mode::SN}) {
     Driver d;
