@@ -60,10 +60,12 @@ void change_statuses(State& s, Set<procedures::Status> status) {
 }
 
 /// 4.4.11.1.6.2: an authorisation for SR that came before Start was selected does not answer it; in level 1 or without
-/// a session SR is then entered without one.
+/// a session SR is then entered without one, and without its list of groups.
 void forget_SR_authorisation_at_start(State& s, const Received& received) {
   const bool starts = (s.mode == Mode::SB || s.mode == Mode::PT) && received.selected.has(Select::start);
-  if (starts && !received.SR_authorised) s.staff_responsible = {};
+  if (!starts || received.SR_authorised) return;
+  s.staff_responsible = {};
+  s.track.sr_list.reset();
 }
 
 }  // namespace
