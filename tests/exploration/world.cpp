@@ -103,6 +103,7 @@ void Runner::cycle() {
   const Mode before = w.out.mode;
   const port::Inputs& in = w.in.view();
   kernel::step(w.state, *derived_, in, w.out);
+  w.brakes.srs = w.state.srs;
   for (std::string& fault : brake_rules::look(w.brakes, in, w.out, true)) watch_.faults.push_back(std::move(fault));
   w.in.clear();
   watch_.look(before, w.out, w.in.levels.train);

@@ -29,7 +29,9 @@ std::optional<bool> speed_permitted(const Cycle& c) {
   const bool backwards = (c.in.odometry.V_est.si < 0.0) != (c.in.train.cab == port::Cab::B);
   if (backwards && c.now.mode != Mode::RV) return true;
   const double V = std::abs(c.in.odometry.V_est.si);
-  return !c.now.V_P || V <= c.now.V_P->si || (c.now.V_release && V <= c.now.V_release->si);
+  if (!c.now.V_P || V <= c.now.V_P->si || (c.now.V_release && V <= c.now.V_release->si)) return true;
+  if (c.shown_speed_held) return {};  // that in force may be higher
+  return false;
 }
 std::optional<bool> message_of_RBC(const Cycle& c) {
   return std::any_of(c.in.radio_messages.begin(), c.in.radio_messages.end(),
@@ -79,6 +81,7 @@ std::vector<Rule> read_rules() {
     rule.id = cause["id"];
     rule.brake = cause["brake"];
     rule.clause = cause["clause"];
+    rule.clause_4_0_0 = cause.value("clause_4_0_0", "");
     if (cause.value("on_entry_in_level", "") == "0") rule.of_level = Level::L0;
     for (const auto& conditions : cause["release"]) {
       Way& way = rule.ways.emplace_back();
@@ -160,7 +163,7 @@ class Look {
     if (way.back().name == "brake acknowledged") {
       for (std::size_t i = 0; i < rules().size(); ++i)
         if (before_.commanded.has(static_cast<Cause>(i)) && rules()[i].acknowledged_at_standstill() &&
-            rules()[i].clause != rule_->clause)
+            rules()[i].clause_in(before_.srs) != rule_->clause_in(before_.srs))
           return false;
       return cycle_.in.train.desk_open;
     }
@@ -187,7 +190,7 @@ class Look {
       const Cause cause = static_cast<Cause>(i);
       if (!rule.acknowledged_at_standstill() || !before_.commanded.has(cause) || cycle_.now.brake_reasons.has(cause))
         continue;
-      if (first != nullptr && first->clause != rule.clause)
+      if (first != nullptr && first->clause_in(before_.srs) != rule.clause_in(before_.srs))
         faults_.push_back("brake " + rule.id + " ended with " + first->id + ", which is of another clause");
       first = &rule;
     }
@@ -226,6 +229,10 @@ bool Rule::acknowledged_at_standstill() const {
   return std::any_of(ways.begin(), ways.end(), [](const Way& way) { return way.back().name == "brake acknowledged"; });
 }
 
+const std::string& Rule::clause_in(SrsVersion srs) const {
+  return srs == SrsVersion::v4_0_0 && !clause_4_0_0.empty() ? clause_4_0_0 : clause;
+}
+
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = read_rules();
   return all;
@@ -246,6 +253,8 @@ std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port
   Set<Cause> entering;
   if (!memory.commanded.empty() || !now.brake_reasons.empty()) {
     Cycle cycle{in, now, memory.level, {}, emergency_until_standstill && now.mode != Mode::RV};
+    cycle.shown_speed_held =
+        memory.srs == SrsVersion::v4_0_0 && now.monitoring == Monitoring::TSM && now.V_P && memory.V_P == now.V_P;
     if (slow) cycle.standing = in.now - *memory.standing_since + Duration{0.001};
     Look one(memory, cycle, seen, place);
     faults = one.all();
@@ -257,6 +266,7 @@ std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port
   memory.from = memory.mode;
   memory.mode = now.mode;
   memory.level = now.level;
+  memory.V_P = now.V_P;
   return faults;
 }
 

@@ -11,6 +11,7 @@
 #include "terms/cause.h"
 #include "terms/level.h"
 #include "terms/mode.h"
+#include "terms/srs_version.h"
 
 // What the standard says of each brake command (tests/reference/brake_causes.json), and whether the inputs and outputs
 // of a unit keep to it, cycle by cycle. Nothing of src/brakes is used.
@@ -23,6 +24,7 @@ struct Cycle {
   Level level_before = Level::L0;
   Duration standing{};                       ///< since the train stands; none: it moves
   bool emergency_until_standstill = true;    ///< Q_NVEMRRLS 0, and the service brake has not been replaced (3.13.10)
+  bool shown_speed_held = false;             ///< the permitted speed that is displayed may not rise (3.13.10.4.8.1)
   bool between_moving_and_standing() const;  ///< the unit may see it as either
 };
 
@@ -39,11 +41,13 @@ using Way = std::vector<NamedCondition>;
 /// grey; empty: no row.
 struct Rule {
   std::string id, brake, clause;
+  std::string clause_4_0_0;  ///< empty: the same paragraph as in 3.x
   std::vector<Way> ways;
   std::array<char, kModes> marks{};
   std::optional<Level> of_level;          ///< in which 4.12 has the row
   std::optional<Set<Mode>> grey_revoked;  ///< chosen; absent: the command lasts as long as it is asked for
   bool acknowledged_at_standstill() const;
+  const std::string& clause_in(SrsVersion srs) const;
 };
 /// In the order of `Cause`.
 const std::vector<Rule>& rules();
@@ -51,12 +55,14 @@ std::string name_of(const Way& way);
 
 /// What is known of a unit between two cycles.
 struct Memory {
+  SrsVersion srs = SrsVersion::v3_6_0;
   Set<Cause> commanded;
   Mode mode = Mode::NP;
   Level level = Level::L0;
   Set<Cause> entering;  ///< commanded when `mode` was entered from mode `from`, and not judged yet
   Mode from = Mode::NP;
   std::optional<Duration> standing_since;
+  std::optional<Speed> V_P;  ///< displayed
 };
 
 /// What has been seen, each with the first place: "ID in MODE", "ID without CONDITION", "ID by WAY", "ID kept MODE",

@@ -50,6 +50,35 @@ TEST(BrakeRules, A_command_that_ends_too_early_is_a_fault) {
   EXPECT_TRUE(unit.seen.contains("roll_away without brake acknowledged (standstill + brake acknowledged)"));
 }
 
+TEST(BrakeRules, A_speed_above_one_that_is_held_may_be_permitted) {  // 3.13.10.4.8.1 of 4.0.0
+  const auto faults = [](SrsVersion srs, Monitoring monitoring, double V_P) {
+    Unit unit;
+    unit.memory.srs = srs;
+    unit.out.monitoring = monitoring;
+    unit.out.V_P = Speed{8.0};
+    (void)unit.cycle(Mode::FS, {});
+    (void)unit.cycle(Mode::FS, {Cause::overspeed_service});
+    unit.out.V_P = Speed{V_P};
+    return unit.cycle(Mode::FS, {}).size();
+  };
+  EXPECT_EQ(faults(SrsVersion::v4_0_0, Monitoring::TSM, 8.0), 0u);
+  EXPECT_EQ(faults(SrsVersion::v4_0_0, Monitoring::TSM, 7.9), 1u) << "it is not held";
+  EXPECT_EQ(faults(SrsVersion::v4_0_0, Monitoring::CSM, 8.0), 1u);
+  EXPECT_EQ(faults(SrsVersion::v3_6_0, Monitoring::TSM, 8.0), 1u);
+}
+
+TEST(BrakeRules, Of_two_clauses_in_one_issue_and_of_one_in_another) {  // 3.14.1.5, 3.14.1.7.3
+  const auto faults = [](SrsVersion srs) {
+    Unit unit = in_FS_with(Cause::roll_away);
+    unit.memory.srs = srs;
+    (void)unit.cycle(Mode::FS, {Cause::roll_away, Cause::movement_while_entering_train_data});
+    unit.stand();
+    return unit.cycle(Mode::FS, {}, 0.0, {Ack::brake}).size();
+  };
+  EXPECT_EQ(faults(SrsVersion::v3_6_0), 1u);
+  EXPECT_EQ(faults(SrsVersion::v4_0_0), 0u);
+}
+
 TEST(BrakeRules, A_command_that_does_not_end_is_a_fault) {
   Unit unit = in_FS_with(Cause::linking);
   unit.stand();

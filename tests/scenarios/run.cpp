@@ -490,6 +490,7 @@ class Run {
   void expect_brake_rules(const port::Inputs& in) {
     const train::NationalValues& values = stream_->configuration().national_values;
     const bool until_standstill = !values.Q_NVEMRRLS && values.Q_NVSBTSMPERM;
+    brakes_.srs = stream_->configuration().srs;
     const auto faults = watch_brakes(brakes_, in, unit_->outputs, until_standstill, scenario_.at.text());
     if (!faults.empty()) fail("brakes by tests/reference/brake_causes.json", faults.front());
   }
