@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace evc::brakes {
@@ -50,25 +49,6 @@ constexpr char mark_of(const EntryRow& row, Mode to) { return row.marks[terms::i
 
 bool wants_acknowledgement(Release rule) {
   return rule == Release::acknowledged_at_standstill || rule == Release::gone_or_acknowledged_at_standstill;
-}
-
-/// For each row of the table the first one of the same clause.
-constexpr auto first_of_clause = [] {
-  std::array<std::size_t, srs_3_14_1.size()> first{};
-  for (std::size_t i = 0; i < first.size(); ++i)
-    while (srs_3_14_1[first[i]].clause != srs_3_14_1[i].clause) ++first[i];
-  return first;
-}();
-
-/// 3.14.1.10: an acknowledgement at standstill covers the causes of one clause; another clause needs its own. The
-/// clauses are acknowledged in the order of the table. Returns the first row of the clause; absent: nothing is
-/// acknowledged.
-std::optional<std::size_t> acknowledged_clause(const State& state, const Context& c) {
-  if (!c.standstill || !c.driver_acknowledges) return {};
-  for (std::size_t i = 0; i < srs_3_14_1.size(); ++i)
-    if (state.active.has(srs_3_14_1[i].cause) && wants_acknowledgement(srs_3_14_1[i].release))
-      return first_of_clause[i];
-  return {};
 }
 
 /// Whether the release rule of a command that was given is fulfilled.
@@ -137,6 +117,18 @@ bool brakes_now(const State& state) {
   return !braking.empty();
 }
 
+CauseSet acknowledged_causes(const State& state, SrsVersion srs) {
+  CauseSet causes;
+  Clause first;
+  for (const CauseRow& r : srs_3_14_1) {
+    if (!state.active.has(r.cause) || !wants_acknowledgement(r.release)) continue;
+    const Clause clause = clause_of(r.cause, srs);
+    if (!first) first = clause;
+    causes.add(r.cause, clause == first);
+  }
+  return causes;
+}
+
 Command command(State& state, CauseSet asked, const Context& c) {
   Command out;
   if (asked.empty() && state.active.empty()) {  // the usual cycle
@@ -145,12 +137,12 @@ Command command(State& state, CauseSet asked, const Context& c) {
     follow_pressure(state, c);
     return out;
   }
-  const std::optional<std::size_t> acknowledged = acknowledged_clause(state, c);
-  for (std::size_t i = 0; i < srs_3_14_1.size(); ++i) {
-    const CauseRow& r = srs_3_14_1[i];
+  CauseSet acknowledged;
+  if (c.standstill && c.driver_acknowledges) acknowledged = acknowledged_causes(state, c.srs);
+  for (const CauseRow& r : srs_3_14_1) {
     const bool asks = asked.has(r.cause);
     bool active = state.active.has(r.cause);
-    if (active && released(r.release, asks, acknowledged == first_of_clause[i], c)) active = false;
+    if (active && released(r.release, asks, acknowledged.has(r.cause), c)) active = false;
     if (gives(r, asks, state.asked_before.has(r.cause), c)) active = true;
     if (!active) {
       state.active.remove(r.cause);

@@ -8,8 +8,8 @@
 #include "base/units.h"
 #include "terms/cause.h"
 #include "terms/clause.h"
-
 #include "terms/mode.h"
+#include "terms/srs_version.h"
 
 // Brake command handling, SUBSET-026-3 3.14.1: every cause that may ask for a brake, what it
 // asks for, and what releases it.
@@ -79,6 +79,24 @@ static_assert(srs_3_14_1.size() == kCauses);
 
 constexpr const CauseRow& row(Cause cause) { return srs_3_14_1[static_cast<std::size_t>(cause)]; }
 
+/// A cause that a paragraph of 3.14.1 of one issue includes and not that of `srs_3_14_1`, which has those of 3.x.
+struct ClauseChange {
+  SrsVersion srs{};
+  Cause cause{};
+  Clause clause;
+};
+inline constexpr auto kClausesOfIssue = std::to_array<ClauseChange>({
+    {SrsVersion::v4_0_0, Cause::movement_while_entering_train_data, "3.14.1.5"_srs},
+    {SrsVersion::v4_0_0, Cause::movement_while_entering_SR_data, "3.14.1.5"_srs},
+});
+
+/// The paragraph that includes the cause.
+constexpr Clause clause_of(Cause cause, SrsVersion srs) {
+  for (const ClauseChange& change : kClausesOfIssue)
+    if (change.srs == srs && change.cause == cause) return change.clause;
+  return row(cause).clause;
+}
+
 /// What the train reports of its service brake.
 struct ServiceBrakeFeedback {
   bool applied = false;                // says its signal
@@ -110,7 +128,8 @@ bool brakes_now(const State& state);
 
 struct Context {
   bool standstill = false;
-  bool driver_acknowledges = false;     // the brake, in this cycle; counts at standstill only
+  bool driver_acknowledges = false;  // the brake, in this cycle; counts at standstill only
+  SrsVersion srs = SrsVersion::v3_6_0;
   bool new_consistent_message = false;  // from the RBC, in this cycle
   bool service_brake_fitted = true;     // otherwise the emergency brake is used instead
   bool traction_cut_off_fitted = true;
@@ -125,6 +144,10 @@ struct Command {
   bool service_brake_fails = false;     // found in this cycle (3.14.1.2)
   bool acknowledgement_wanted = false;  // a release waits only for the driver's acknowledgement (3.14.1.8)
 };
+
+/// 3.14.1.10: what an acknowledgement at standstill is for, the commanded causes of one clause; another clause needs
+/// its own. The clauses are acknowledged in the order of the table.
+CauseSet acknowledged_causes(const State& state, SrsVersion srs);
 
 /// One cycle: the causes asked for give commands, and commands whose release rule is fulfilled end. Service brake and
 /// emergency brake are combined over the causes separately.

@@ -106,6 +106,22 @@ TEST(Brakes, One_acknowledgement_is_for_the_causes_of_one_clause) {
   EXPECT_TRUE(command(state, {}, acknowledging()).reasons.empty());  // 3.14.1.7.4
 }
 
+TEST(Brakes, Movement_while_data_are_entered_is_in_another_clause_in_4_0_0) {  // 3.14.1.5, 3.14.1.7.3
+  for (const Cause cause : {Cause::movement_while_entering_train_data, Cause::movement_while_entering_SR_data}) {
+    const auto left_in = [&](SrsVersion srs) {
+      State state;
+      command(state, {Cause::roll_away, cause}, moving());
+      Context c = acknowledging();
+      c.srs = srs;
+      EXPECT_EQ(acknowledged_causes(state, srs).has(cause), srs == SrsVersion::v4_0_0);
+      return command(state, {}, c).reasons;
+    };
+    EXPECT_EQ(left_in(SrsVersion::v3_4_0), CauseSet{cause});
+    EXPECT_EQ(left_in(SrsVersion::v3_6_0), CauseSet{cause});
+    EXPECT_EQ(left_in(SrsVersion::v4_0_0), CauseSet{});
+  }
+}
+
 TEST(Brakes, Two_causes_of_one_brake_release_it_only_together) {
   State state;
   command(state, {Cause::roll_away, Cause::trip}, moving());
@@ -223,6 +239,7 @@ TEST(Brakes, Every_cause_has_the_brake_and_the_rule_of_the_standard) {
     const auto& cause = file["causes"][terms::index(r.cause)];
     EXPECT_EQ(cause["name"], name(r.cause));
     EXPECT_EQ(cause["brake"], kinds.at(r.kind)) << name(r.cause);
+    EXPECT_EQ(clause_of(r.cause, SrsVersion::v4_0_0) != r.clause, cause.contains("clause_4_0_0")) << name(r.cause);
     if (r.release == Release::when_gone) continue;
     const auto has = [&](const nlohmann::json& way) {
       const auto& ways = cause["release"];

@@ -104,16 +104,12 @@ std::string clause_of(Cause cause, const Moment& m) {
       return m.outputs.monitoring == Monitoring::CSM   ? "3.13.10.3.3"
              : m.outputs.monitoring == Monitoring::TSM ? "3.13.10.4.10"
                                                        : "3.13.10.5.4";
-    case Cause::movement_while_entering_train_data:
-    case Cause::movement_while_entering_SR_data:
-      if (m.after.srs == SrsVersion::v4_0_0) return "3.14.1.5";
-      break;
     case Cause::balise_antenna:
       return level_1_2_3(m.after.level.level) ? "3.15.7.6" : "3.15.7.2";
     default:
       break;
   }
-  return texts::text_of(brakes::row(cause).clause);
+  return texts::text_of(brakes::clause_of(cause, m.after.srs));
 }
 
 }  // namespace evc::explain

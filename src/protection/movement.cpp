@@ -19,9 +19,9 @@ Forbidden against_controller(const Movement& m) {
 
 /// The reference follows the train while its movement is allowed; forbidden movement is measured from its start.
 /// Movement back towards the reference reduces the distance.
-void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) {
+void supervise(DistanceGuard& g, Cause cause, const Forbidden& forbidden, const Movement& m) {
   if (g.braking) {
-    if (m.standstill && m.acknowledged) g = {m.nominal, false};
+    if (m.standstill && m.acknowledged.has(cause)) g = {m.nominal, false};
     return;
   }
   if (!g.reference) g.reference = m.nominal;
@@ -37,9 +37,10 @@ void supervise(DistanceGuard& g, const Forbidden& forbidden, const Movement& m) 
 /// PT distance and reversing distance: beyond it the brake is commanded; after standstill and acknowledgement any
 /// further movement backwards beyond it brakes again, also one that follows a movement forward (4.4.14.1.3.2,
 /// 4.4.18.1.4): the place it is measured from follows the train forward.
-void supervise_end(bool beyond, bool& braking, std::optional<OdometerPlace>& released_at, const Movement& m) {
+void supervise_end(bool beyond, Cause cause, bool& braking, std::optional<OdometerPlace>& released_at,
+                   const Movement& m) {
   if (braking) {
-    if (m.standstill && m.acknowledged) {
+    if (m.standstill && m.acknowledged.has(cause)) {
       braking = false;
       released_at = m.nominal;
     }
@@ -71,21 +72,21 @@ GuardSelection guards_of(Mode mode) {
 Commands guard(MovementGuards& g, const GuardSelection& selection, const Movement& m) {
   Commands c;
   const Forbidden against_permitted{m.permitted == Way::backward, m.permitted == Way::forward};
-  if (selection.roll_away) supervise(g.roll_away, against_controller(m), m);
+  if (selection.roll_away) supervise(g.roll_away, Cause::roll_away, against_controller(m), m);
   if (selection.reverse_movement) {
-    supervise(g.reverse_movement, against_permitted, m);
+    supervise(g.reverse_movement, Cause::reverse_movement, against_permitted, m);
   }
-  if (selection.standstill) supervise(g.standstill, {true, true}, m);
+  if (selection.standstill) supervise(g.standstill, Cause::standstill, {true, true}, m);
   if (selection.post_trip) {
     if (!g.post_trip_from) g.post_trip_from = m.nominal;
     const bool beyond = m.D_NVPOTRP && moved(m, *g.post_trip_from, Way::backward) > *m.D_NVPOTRP;
-    supervise_end(beyond, g.post_trip_braking, g.post_trip_released_at, m);
+    supervise_end(beyond, Cause::post_trip_distance, g.post_trip_braking, g.post_trip_released_at, m);
   }
   if (selection.reversing) {
     const bool beyond = m.reversing_left && *m.reversing_left < Distance{};
     // A longer distance ends the cause at once (3.14.1.7.1).
     if (!beyond) g.reversing_braking = false;
-    supervise_end(beyond, g.reversing_braking, g.reversing_released_at, m);
+    supervise_end(beyond, Cause::reversing_distance, g.reversing_braking, g.reversing_released_at, m);
   }
   c.roll_away = g.roll_away.braking;
   c.reverse_movement = g.reverse_movement.braking;

@@ -2,7 +2,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/set.h"
 #include "base/units.h"
+#include "terms/cause.h"
 #include "terms/mode.h"
 
 // Roll away, reverse movement, standstill supervision (3.14.2-4) and post trip distance (4.4.14).
@@ -44,8 +46,8 @@ struct Movement {
   std::optional<Distance> D_NVROLL;  ///< absent: infinite
   std::optional<Distance> D_NVPOTRP;
   std::optional<Distance>
-      reversing_left;         ///< RV: distance to the end of the reversing distance, negative beyond; absent: unlimited
-  bool acknowledged = false;  ///< the driver acknowledged the brake
+      reversing_left;       ///< RV: distance to the end of the reversing distance, negative beyond; absent: unlimited
+  Set<Cause> acknowledged;  ///< the brake commands that the driver acknowledged
 };
 /// Brakes asked for. For roll away, reverse movement and standstill the kind of brake is open (3.14.1.1): the emergency
 /// brake is used.

@@ -97,6 +97,8 @@ TEST(Guards, ByMode) {  // 4.5.2
 }
 
 struct Train {
+  static constexpr Set<Cause> all{Cause::roll_away, Cause::reverse_movement, Cause::standstill,
+                                  Cause::post_trip_distance, Cause::reversing_distance};
   MovementGuards guards;
   GuardSelection selection;
   Movement m;
@@ -112,9 +114,10 @@ struct Train {
   }
   Commands stop(bool acknowledged) {
     m.standstill = true;
-    m.acknowledged = acknowledged;
+    if (acknowledged) m.acknowledged = all;
     const Commands c = guard(guards, selection, m);
-    m.standstill = m.acknowledged = false;
+    m.standstill = false;
+    m.acknowledged = {};
     return c;
   }
 };
@@ -126,7 +129,7 @@ TEST(ReverseMovement, BeyondTheNationalDistance) {
   EXPECT_TRUE(t.to(97.9).reverse_movement);
   EXPECT_TRUE(t.to(120).reverse_movement) << "kept";
   EXPECT_TRUE(t.stop(false).reverse_movement) << "standstill alone does not release";
-  t.m.acknowledged = true;
+  t.m.acknowledged = Train::all;
   EXPECT_TRUE(t.to(120).reverse_movement) << "nor does the acknowledgement alone";
   EXPECT_FALSE(t.stop(true).any());
   EXPECT_FALSE(t.to(118.1).any()) << "counted from the place of release";
@@ -165,6 +168,21 @@ TEST(RollAway, AgainstTheController) {
   t.m.D_NVROLL.reset();
   EXPECT_FALSE(t.stop(true).any());
   EXPECT_FALSE(t.to(500).any()) << "infinite";
+}
+
+TEST(Reversing, AnAcknowledgementIsForItsCommand) {  // 3.14.1.10
+  Train t(RV);
+  t.m.controller = Way::forward;
+  t.m.reversing_left = Distance{-0.1};
+  EXPECT_TRUE(t.to(-17).reversing);
+  EXPECT_TRUE(t.to(-20).roll_away);
+  t.m.standstill = true;
+  t.m.acknowledged = {Cause::roll_away};
+  const Commands c = guard(t.guards, t.selection, t.m);
+  EXPECT_TRUE(c.reversing);
+  EXPECT_FALSE(c.roll_away);
+  t.m.acknowledged = {Cause::reversing_distance};
+  EXPECT_FALSE(guard(t.guards, t.selection, t.m).any());
 }
 
 TEST(Standstill, AnyMovementInStandBy) {

@@ -49,6 +49,7 @@ bool command_brakes(State& s, const TrainSignals& train, const Received& receive
   brakes::Context context;
   context.standstill = decided.here.standstill;
   context.driver_acknowledges = received.acknowledged.has(Ack::brake);
+  context.srs = s.srs;
   context.new_consistent_message = received.new_radio_message;
   context.service_brake_fitted = s.train.service_brake_interface;
   context.traction_cut_off_fitted = s.train.traction_cut_off_interface;

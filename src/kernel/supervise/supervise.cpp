@@ -107,7 +107,8 @@ void guard_movement(State& s, const TrainSignals& train, const track::Here& here
   m.D_NVROLL = s.national_values.D_NVROLL;
   m.D_NVPOTRP = s.national_values.D_NVPOTRP;
   if (s.mode == Mode::RV) m.reversing_left = track::reversing_left(s.track, here);
-  m.acknowledged = acknowledged;
+  // One acknowledgement is for the commands of one clause (3.14.1.10): the others last, and what asks for them as well.
+  if (acknowledged) m.acknowledged = brakes::acknowledged_causes(s.brakes, s.srs);
   const protection::Commands c = protection::guard(s.guards, protection::guards_of(s.mode), m);
   out.asked.add(brakes::Cause::roll_away, c.roll_away);
   out.asked.add(brakes::Cause::reverse_movement, c.reverse_movement);

@@ -121,10 +121,14 @@ TEST_F(Supervision, TheDriverReleasesTheBrakeAtStandstill) {  // 3.14.1.3
   restart(Mode::SB);
   state.national_values.D_NVROLL = Distance{3.0};
   EXPECT_TRUE(brakes_after(3.1, Cause::standstill));
+  state.brakes.active = {Cause::standstill, Cause::train_data_changed};
   acknowledged = true;
   runs(1.0);
   EXPECT_TRUE(run().asked.has(Cause::standstill));
+  state.brakes.active = {Cause::train_data_changed};
   runs(0.0);
+  EXPECT_TRUE(run().asked.has(Cause::standstill)) << "the acknowledgement is for another clause";
+  state.brakes.active = {Cause::standstill, Cause::train_data_changed};
   EXPECT_FALSE(run().asked.has(Cause::standstill));
 }
 
