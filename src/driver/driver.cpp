@@ -39,7 +39,7 @@ bool override_possible(const ActionContext& c) {
     case Mode::SB:
       return c.offers.has(Offer::override_) && c.driver_id_valid && c.train_data_valid &&
              c.train_running_number_valid && level_2_or_3(c.level);
-    case Mode::PT:
+    case Mode::PT:  // in every step of 5.11: with a session and emergency stops too, which SR deletes (5.8.3.4)
       return c.train_data_valid && c.train_running_number_valid;
     default:
       return c.train_data_valid;

@@ -765,9 +765,9 @@ TEST(TrainTrip, Without_emergency_stop_the_driver_may_go_on_in_the_cycle_of_the_
   Post p(train_trip::Step::S060, Level::L2);
   EXPECT_TRUE(p.cycle().requests.empty());
   p.in.exit_recognised = true;
-  EXPECT_EQ(p.cycle().offers, (Set<Offer>{Offer::shunting, Offer::start, Offer::override_}));
+  EXPECT_EQ(p.cycle().offers, (Set<Offer>{Offer::shunting, Offer::start}));
   p.in.session_open = false;
-  EXPECT_EQ(p.cycle().offers, (Set<Offer>{Offer::shunting, Offer::override_}));
+  EXPECT_EQ(p.cycle().offers, Set<Offer>{Offer::shunting});
 }
 
 TEST(TrainTrip, The_MA_request_is_not_answered_in_its_cycle) {

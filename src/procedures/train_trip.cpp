@@ -77,11 +77,6 @@ void ask(const State& state, const Inputs& in, Effects& out) {
     case Step::S140:
       out.offers.add(Offer::shunting);
       out.offers.add(Offer::start, in.train_data_valid && (!level_2_or_3(in.level) || in.session_open));
-      out.offers.add(Offer::override_);
-      break;
-    case Step::S120:
-    case Step::S121:
-      out.offers.add(Offer::override_, !in.session_open);  // 5.11.4.2
       break;
     case Step::S160:
       out.requests.add(Ack::SR);

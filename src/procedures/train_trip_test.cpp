@@ -117,7 +117,7 @@ TEST(TrainTrip, An_RBC_that_does_not_answer_is_left) {
   t.cycle();
   EXPECT_EQ(t.state.step, train_trip::Step::S121);
   t.in.session_open = false;
-  EXPECT_TRUE(t.cycle().offers.has(Offer::override_));
+  EXPECT_TRUE(t.cycle().offers.empty());
   EXPECT_TRUE(t.cycle().send.empty());
   t.in.session_open = true;
   EXPECT_TRUE(t.cycle().send.has(Send::position_report));

@@ -332,15 +332,15 @@ TEST(Unset, Train_trip) {
   EXPECT_TRUE(step(state, in).requests.empty());  // the desk is closed
   in.mode = Mode::PT;
   in.level = Level::L2;
-  EXPECT_EQ(step(state, in).offers, Set<Offer>{Offer::override_});  // no session
+  EXPECT_TRUE(step(state, in).offers.empty());  // no session
   EXPECT_EQ(state.step, Step::S120);
   in.session_open = true;
   EXPECT_EQ(step(state, in).send, Set<Send>{Send::position_report});
   EXPECT_EQ(state.step, Step::S120);  // not recognised
   state.step = Step::S130;
   step(state, in);
-  EXPECT_EQ(state.step, Step::S140);                                                   // no emergency stop
-  EXPECT_EQ(step(state, in).offers, (Set<Offer>{Offer::shunting, Offer::override_}));  // no train data
+  EXPECT_EQ(state.step, Step::S140);                               // no emergency stop
+  EXPECT_EQ(step(state, in).offers, Set<Offer>{Offer::shunting});  // no train data
   in.train_data_valid = true;
   step(state, in);
   EXPECT_EQ(state.step, Step::S140);  // Start is not selected
