@@ -125,6 +125,7 @@ bool spoil(io::Bits& to, const Damage& damage) {
 class Run {
  public:
   explicit Run(const Scenario& scenario) : scenario_(scenario) {
+    if (!scenario.srs.empty()) config_["srs"] = scenario.srs;
     for (const Statement& s : scenario.statements)
       plans_ = plans_ || s.condition.key.rfind("planning", 0) == 0 ||
                (s.action.until && s.action.until->key.rfind("planning", 0) == 0);
@@ -210,6 +211,7 @@ class Run {
           else
             config_[key] = value;
         }
+        if (!scenario_.srs.empty()) config_["srs"] = scenario_.srs;
         break;
       case What::message:
         give_message(a);

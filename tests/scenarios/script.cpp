@@ -6,6 +6,7 @@
 
 #include "io/telegram_json.h"
 #include "lang/message_table.h"
+#include "terms/srs_version.h"
 #include "words.h"
 
 namespace evc::scenario {
@@ -122,8 +123,13 @@ class Reader {
 
   File read(std::string_view text) {
     const std::vector<Line> lines = joined_lines(cut(text));
+    std::string also;
     for (std::size_t i = 0; i < lines.size();) {
       const std::string& head = lines[i][0].text;
+      if (head == "also") {
+        also = issue_of(lines[i++]);
+        continue;
+      }
       std::size_t end = i + 1;
       while (end < lines.size() && lines[end][0].text != "scenario" && lines[end][0].text != "block") ++end;
       const std::vector<Line> body(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1,
@@ -133,13 +139,32 @@ class Reader {
       else if (head == "scenario")
         read_scenario(lines[i], body);
       else
-        throw ReadError{lines[i][0].line, "\"" + head + "\"", "scenario or block"};
+        throw ReadError{lines[i][0].line, "\"" + head + "\"", "scenario, block or also"};
       i = end;
     }
+    if (!also.empty()) repeat(also);
     return std::move(out_);
   }
 
  private:
+  static std::string issue_of(const Line& line) {
+    for (const auto srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0})
+      if (line.size() == 2 && line[1].text == evc::name(srs)) return line[1].text;
+    throw ReadError{line[0].line, name_of(line, 0, line.size()), "also and an issue: 3.4.0, 3.6.0 or 4.0.0"};
+  }
+
+  /// Each scenario again, in another issue. What it covers is of the issue of its `config`.
+  void repeat(const std::string& srs) {
+    const std::size_t n = out_.scenarios.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      Scenario again = out_.scenarios[i];
+      again.name += " in " + srs;
+      again.srs = srs;
+      again.covers.clear();
+      out_.scenarios.push_back(std::move(again));
+    }
+  }
+
   /// Packets and balises on separate lines belong to the line before.
   static std::vector<Line> joined_lines(const std::vector<Line>& lines) {
     std::vector<Line> out;

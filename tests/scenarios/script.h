@@ -130,6 +130,7 @@ struct Scenario {
   std::string name;
   std::vector<Cover> covers;
   std::string open;  ///< the finding for which it is expected to fail; nothing: it is expected to pass
+  std::string srs;   ///< the issue, whatever `config` says; nothing: that of `config`
   std::vector<Statement> statements;
 };
 

@@ -33,6 +33,8 @@ struct Wrong {
 TEST(Script, refuses_what_is_misspelt_and_says_where) {
   constexpr Wrong cases[] = {
       {"scenario a\n  when desk opend\n", "x.scenario: line 2: found \"opend\", expected one of closed, opened"},
+      {"also 3.5.0\nscenario a\n  then mode SB [4.6.3]\n", "line 1: found also 3.5.0, expected also and an issue"},
+      {"scenario a\n  then mode SB [4.6.3]\nalso 4.0.0\n", "line 3: found \"also\", expected given, when, then or and"},
       {"scenario a\n  if desk opened\n", "line 2: found \"if\", expected given, when, then or and"},
       {"scenario a\n  when desk opened\n", "line 1: found a scenario that expects nothing"},
       {"scenario a\n  then mode FX [4.6.3]\n", "line 2: found \"FX\", expected one of NP, SB"},
@@ -72,7 +74,7 @@ TEST(Script, refuses_what_is_misspelt_and_says_where) {
       {"scenario a\n  then mode SB [4.6.3]\nscenario a\n", "line 3: found scenario a again"},
       {"scenario a\n  when waits 1 s\n  and in the same cycle message 6\n",
        "line 3: found the end of the statement, expected a message, a loop message or an input after another of them"},
-      {"something\n", "line 1: found \"something\", expected scenario or block"},
+      {"something\n", "line 1: found \"something\", expected scenario, block or also"},
       {"scenario a\n  when input { t \"unclosed }\n", "line 2: found the end of the line, expected \" that closes"},
   };
   for (const Wrong& c : cases) EXPECT_TRUE(contains(error_of(c.text), c.error)) << c.text << error_of(c.text);
@@ -200,6 +202,20 @@ TEST(Runner, what_is_open_has_to_fail_at_its_own_expectation) {
   EXPECT_TRUE(contains(failure_of(begin + "  when desk opened\n  then mode SB [4.6.3]\n"), "holds now"));
   EXPECT_TRUE(contains(failure_of(begin + "  given b\n  then mode FS [4.6.3]\n"), "x.scenario:3"));
   EXPECT_TRUE(contains(failure_of(begin + "  when passes group 1\n  then mode FS [4.6.3]\n"), "it stands"));
+}
+
+TEST(Script, each_scenario_once_more_in_another_issue) {
+  const auto file =
+      read("also 4.0.0\nscenario a\n  covers cell NP>SB\n  given config { srs 3.6.0 }\n  then mode SB [4.6.2]\n",
+           "x.scenario");
+  ASSERT_TRUE(file && file->scenarios.size() == 2);
+  const Scenario& again = file->scenarios[1];
+  EXPECT_EQ(file->scenarios[0].srs, "");
+  EXPECT_EQ(again.name, "a in 4.0.0");
+  EXPECT_EQ(again.srs, "4.0.0");
+  EXPECT_TRUE(again.covers.empty());
+  EXPECT_TRUE(contains(inputs_of(again), "\"srs\":\"4.0.0\"")) << inputs_of(again);
+  EXPECT_TRUE(contains(inputs_of(file->scenarios[0]), "\"srs\":\"3.6.0\""));
 }
 
 TEST(Script, a_step_that_is_covered_has_to_be_seen) {
