@@ -44,15 +44,14 @@ const Area* next_area(const Inputs& in) {
 }
 
 /// 5.7.3, 5.9.3, 5.19.3: the request ahead of the area. Once shown, it stays even when the train leaves the window
-/// again; it is deleted with the area.
-void ask_ahead(State& state, const Inputs& in) {
+/// again (5.7.3.3); it is for this area alone, and ends with it.
+void ask_ahead(State& state, const Inputs& in, Result& out) {
   const Area* area = next_area(in);
-  if (area == nullptr || (state.shown && state.asked != area->mode)) state.shown = false;
-  if (area == nullptr || state.shown || !in_ack_length(*area, in.est_front)) return;
+  if (area == nullptr) return;
   const bool slow = in.srs == SrsVersion::v4_0_0 ? in.V_est <= area->V : in.V_est < area->V;
-  if (!slow) return;
-  state.shown = true;
+  if (!area->asked && !(slow && in_ack_length(*area, in.est_front))) return;
   state.asked = area->mode;
+  out.asks_for = static_cast<std::size_t>(area - in.areas.data());
 }
 
 }  // namespace
@@ -76,9 +75,9 @@ Result step(State& state, const Inputs& in) {
   if (state.unacknowledged) {
     if (in.acknowledged.has(acknowledgement(state.asked))) state.unacknowledged = false;
   } else {
-    ask_ahead(state, in);
+    ask_ahead(state, in, out);
   }
-  if (state.unacknowledged || state.shown) out.effects.requests.add(acknowledgement(state.asked));
+  if (state.unacknowledged || out.asks_for) out.effects.requests.add(acknowledgement(state.asked));
   if (state.unacknowledged && in.now >= state.deadline) {
     out.overdue = state.asked;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,10 +19,10 @@ struct Area {
   std::optional<Place> end;  // none: to the end of the MA; not read for SH (3.12.4.2)
   Speed V{};                 // the limit in the area
   Distance L_ack{};          // length in rear of the start in which it may be acknowledged
+  bool asked = false;        // the acknowledgement was asked for ahead of it, in an earlier cycle
 };
 
 struct State {
-  bool shown = false;           // an acknowledgement is asked for in advance of the area
   bool unacknowledged = false;  // the mode was entered without acknowledgement
   Mode asked = Mode::OS;
   Duration deadline{};  // T_ACK after the entry
@@ -43,7 +44,8 @@ struct Result {
   bool in_force = false;                                            // Facts::profile_in_force
   bool front_in_OS_ack_area = false, front_in_LS_ack_area = false;  // by the estimated front end
   std::optional<Mode> overdue;                                      // entered and not acknowledged for T_ACK: it brakes
-  std::optional<Mode> at_front;  // the mode of the area in which the train is; for S25 and S170
+  std::optional<Mode> at_front;         // the mode of the area in which the train is; for S25 and S170
+  std::optional<std::size_t> asks_for;  // the area of Inputs::areas for which the acknowledgement is asked ahead of it
 };
 
 /// One cycle, before the mode transition.

@@ -30,7 +30,9 @@ struct Profile {
     in.max_safe_front = at(front + 10.0);
     in.acknowledged = acknowledged;
     in.areas = areas;
-    return step(state, in);
+    const mode_profile::Result r = step(state, in);
+    if (r.asks_for) areas[*r.asks_for].asked = true;
+    return r;
   }
 };
 
@@ -94,6 +96,10 @@ TEST(ModeProfile, The_window_ahead_of_the_area) {
     EXPECT_EQ(r.front_in_LS_ack_area, mode == Mode::LS);
     p.in.V_est = Speed{20.0};
     EXPECT_EQ(p.cycle(820.0).effects.requests, Set<Ack>{ack});  // not withdrawn
+    EXPECT_EQ(p.cycle(790.0).effects.requests, Set<Ack>{ack});
+    Profile next = p;  // an area of the same mode further on: its own conditions count
+    next.areas = {{mode, at(3000.0), at(4000.0), Speed{10.0}, Distance{200.0}}};
+    EXPECT_TRUE(next.cycle(830.0).effects.requests.empty());
     p.areas.clear();
     EXPECT_TRUE(p.cycle(830.0).effects.requests.empty());
   }

@@ -271,9 +271,9 @@ TEST(Unset, Mode_profile) {
   mode_profile::State state;
   const mode_profile::Result r = mode_profile::step(state, {});
   EXPECT_FALSE(r.demands_OS || r.demands_LS || r.demands_SH || r.in_force || r.front_in_OS_ack_area ||
-               r.front_in_LS_ack_area || r.overdue.has_value() || r.at_front.has_value());
+               r.front_in_LS_ack_area || r.overdue.has_value() || r.at_front.has_value() || r.asks_for.has_value());
   EXPECT_TRUE(r.effects.requests.empty());
-  EXPECT_FALSE(state.shown || state.unacknowledged);
+  EXPECT_FALSE(state.unacknowledged);
 }
 
 TEST(Unset, Start_of_mission) {

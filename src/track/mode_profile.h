@@ -19,6 +19,7 @@ struct ModeArea {
   Place ack_from{};               ///< start of the acknowledgement window
   bool also_SvL = true;           ///< Q_MAMODE: the start is the supervised location too
   bool accepted = false;          ///< the mode was entered for this area
+  bool asked = false;             ///< the driver is asked to acknowledge it ahead of its start (5.7.3.3)
   Anchor anchor{};
   friend constexpr bool operator==(const ModeArea&, const ModeArea&) = default;
 };

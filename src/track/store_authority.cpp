@@ -71,16 +71,25 @@ bool is_shortening(const MovementAuthority& ma, const Before& old) {
   return old.existed && SvL && (!old.SvL || *SvL < *old.SvL);
 }
 
-Set<Mode> accepted_modes(const ModeProfile& profile) {
-  Set<Mode> accepted;
-  for (const ModeArea& area : profile) accepted.add(area.mode, area.accepted);
-  return accepted;
+/// Of the areas of a profile that is replaced: the modes that were entered for one, and those asked for ahead of one.
+struct Answered {
+  Set<Mode> accepted, asked;
+};
+Answered answered(const ModeProfile& profile) {
+  Answered out;
+  for (const ModeArea& area : profile) {
+    out.accepted.add(area.mode, area.accepted);
+    out.asked.add(area.mode, area.asked);
+  }
+  return out;
 }
 
-/// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7).
-bool accepted_before(Set<Mode> accepted, const ModeArea& area, const Here& here) {
-  if (here.est_front < area.ack_from && here.max_safe_front < area.from) return false;
-  return accepted.has(area.mode);
+/// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7), and a request is not taken back
+/// (5.7.3.3); an area that begins further on is another one.
+void carry(const Answered& before, ModeArea& area, const Here& here) {
+  const bool further_on = here.est_front < area.ack_from && here.max_safe_front < area.from;
+  area.accepted = !further_on && before.accepted.has(area.mode);
+  area.asked = !further_on && before.asked.has(area.mode);
 }
 
 bool has_shunting(const ModeProfile& profile) {
@@ -101,7 +110,7 @@ bool end_mode_profile(ModeProfile& profile, Place infill) {
 
 void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill) {
   Description& d = f.d;
-  const Set<Mode> accepted = accepted_modes(d.mode_profile);
+  const Answered before = answered(d.mode_profile);
   if (!infill) {
     d.mode_profile.clear();
   } else if (!end_mode_profile(d.mode_profile, *infill)) {
@@ -114,7 +123,7 @@ void store_mode_profile(const Filing& f, const AuthorityContents& c, const std::
   if (has_shunting(*c.mode_profile)) d.sh_list = c.sh_list;
   std::optional<Place> lost;
   for (ModeArea area : *c.mode_profile) {
-    area.accepted = accepted_before(accepted, area, f.here);
+    carry(before, area, f.here);
     if (!d.mode_profile.push_back(area) && !lost) lost = area.from;
   }
   if (lost)
@@ -161,8 +170,8 @@ std::optional<Place> undescribed_from(const Description& d, const Here& here) {
 }
 
 void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here) {
-  const Set<Mode> accepted = accepted_modes(stored.mode_profile);
-  for (ModeArea& area : fresh) area.accepted = accepted_before(accepted, area, here);
+  const Answered before = answered(stored.mode_profile);
+  for (ModeArea& area : fresh) carry(before, area, here);
 }
 
 void store_authority(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill, bool described,

@@ -40,10 +40,13 @@ procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::I
                                                    : s.national_values.V_NVSHUNT;
     area.V = a.V_MAMODE == track::kNoSpeed ? national : track::speed_of(a.V_MAMODE);
     area.L_ack = a.from - a.ack_from;
+    area.asked = a.asked;
     (void)areas.push_back(area);  // both hold 32
   }
   in.areas = {areas.begin(), areas.size()};
-  return procedures::mode_profile::step(s.mode_profile, in);
+  const procedures::mode_profile::Result out = procedures::mode_profile::step(s.mode_profile, in);
+  if (out.asks_for) s.track.mode_profile[*out.asks_for].asked = true;
+  return out;
 }
 
 /// 5.4.3.3: the status of data set by start of mission.
