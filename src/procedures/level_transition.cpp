@@ -47,8 +47,7 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
     return;
   }
   take_table(state, order, decision, out);
-  // An acknowledgement for the same level stays valid when the order is repeated, because the driver has already seen
-  // it.
+  // An acknowledgement for the same level stays valid when the order is repeated (5.10.4.1.3, 5.10.4.1.4).
   const bool same = state.pending.has_value() && state.pending->to.same_level(decision.to);
   if (decision.cancels_pending && state.pending.has_value()) {
     state.pending.reset();
@@ -57,6 +56,8 @@ void take(State& state, const Inputs& in, const Order& order, const modes::Order
   }
   if (decision.effect == OrderEffect::announce) {
     state.pending = modes::PendingTransition{decision.to, order.border, order.anchor};
+    // 5.10.4.1.3: where the place of the acknowledgement lies ahead, the driver is asked there again.
+    if (!modes::in_acknowledgement_length(*state.pending, in.max_safe_front)) state.acknowledged = false;
   } else if (decision.effect == OrderEffect::execute) {
     execute(state, in, decision.to, out);
     if (order.placed) out.border = order.border;
