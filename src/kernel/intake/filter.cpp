@@ -231,6 +231,14 @@ void evaluate_infill(Evaluation& e, const Infill& infill) {
   store_contents(e);
 }
 
+/// 4.4.19.1.4.8: a profile that waited comes with the marker of its message, which counted at once (4.8.3).
+void keep_LS_marker(Evaluation& e) {
+  for (std::size_t i = 0; i < e.information.packets.size(); ++i) {
+    const bool before = ((e.information.judge_packets >> i) & 1u) == 0;
+    if (before && e.information.packets[i].NID_PACKET == packet::generic_ls_marker) e.contents.generic_ls_marker = true;
+  }
+}
+
 /// Why a message that names no place cannot give one.
 Clause clause_of_reference(Medium medium) { return medium == Medium::loop ? "3.6.2.3.1"_srs : "3.6.2.2.2"_srs; }
 
@@ -259,6 +267,7 @@ Waiting evaluate(Reception& r, const Information& information) {
   const Infills infills = find_infills(information);
   e.judge = information.judge_packets;
   tell_evaluated_before(e);
+  keep_LS_marker(e);
   for (const Infill& infill : infills) e.judge &= ~infill.packets;
   evaluate_part(e);
   if (information.message != nullptr) evaluate_message(e);
