@@ -114,28 +114,43 @@ Set<Input> acknowledgements(Set<Ack> requests) {
   return out;
 }
 
+/// 5.4: in SB the driver enters what the step of the start of mission asks for or offers; in other modes its windows
+/// are open.
+Set<Offer> open_offers(const ActionContext& c) { return c.mode == Mode::SB ? c.offers : Set<Offer>::of_bits(~0u); }
+
+/// The data that may be entered, the mode left aside.
+Set<Input> entries(const ActionContext& c) {
+  const bool in_standby = c.mode == Mode::SB;
+  const bool entry = c.standstill && c.driver_id_valid;
+  const Set<Offer> offers = open_offers(c);
+  Set<Input> out;
+  out.add(Input::language, !in_standby || c.standstill);
+  out.add(Input::driver_id,
+          (c.standstill && offers.has(Offer::driver_id)) || (!in_standby && c.driver_id_while_running));
+  out.add(Input::train_data, entry && c.level.has_value() && offers.has(Offer::train_data));
+  out.add(Input::level, entry && offers.has(Offer::level));
+  // 5.4.3.2 S1: before the driver ID too
+  out.add(Input::train_running_number, !in_standby || (c.standstill && offers.has(Offer::train_running_number)));
+  out.add(Input::rbc_contact, entry && level_2_or_3(c.level) && offers.has(Offer::rbc_contact));  // 3.18.4.3.2
+  out.add(Input::radio_network_id, entry && c.network_offered && offers.has(Offer::radio_network));
+  out.add(Input::adhesion, c.driver_may_change_adhesion && (!in_standby || c.standstill));
+  out.add(Input::sr_speed_distance, c.standstill);
+  out.add(Input::vbc, c.standstill && c.offers.has(Offer::vbc));  // 3.15.9.2
+  return out;
+}
+
 /// What is open beside acknowledgements, the mode left aside (windows Main, Override, Special, Settings).
 Set<Input> choices(const ActionContext& c) {
   const bool level = c.level.has_value();
-  const bool in_standby = c.mode == Mode::SB;
   const bool entry = c.standstill && c.driver_id_valid;
-  Set<Input> out;
-  out.add(Input::language, !in_standby || c.standstill);
+  const Set<Offer> offers = open_offers(c);
+  Set<Input> out = entries(c);
   out.add(Input::start, level && start_possible(c));
   out.add(Input::shunting, level && shunting_possible(c));
   out.add(Input::override_, override_possible(c));
-  out.add(Input::driver_id, c.standstill || (!in_standby && c.driver_id_while_running));
-  out.add(Input::train_data, entry && level && (!in_standby || c.offers.has(Offer::train_data)));
-  out.add(Input::level, entry);
-  out.add(Input::train_running_number, !in_standby || c.standstill);  // 5.4.3.2 S1: before the driver ID too
-  out.add(Input::rbc_contact, entry && level_2_or_3(c.level));        // 3.18.4.3.2
-  out.add(Input::radio_network_id, entry && c.network_offered);
-  out.add(Input::non_leading, entry && level && c.non_leading_signal);
+  out.add(Input::non_leading, entry && level && c.non_leading_signal && offers.has(Offer::non_leading));
   out.add(Input::continue_shunting, c.passive_shunting_signal);
-  out.add(Input::adhesion, c.driver_may_change_adhesion && (!in_standby || c.standstill));
-  out.add(Input::sr_speed_distance, c.standstill);
   out.add(Input::exit_shunting, c.standstill);
-  out.add(Input::vbc, c.standstill && c.offers.has(Offer::vbc));  // 3.15.9.2
   out.add(Input::integrity_confirmation, entry && c.train_data_valid && level);
   out.add(Input::track_ahead_free, c.track_ahead_free_asked);
   out.add(Input::ato_engage, c.automatic_driving_asked);
@@ -143,8 +158,8 @@ Set<Input> choices(const ActionContext& c) {
   // Not sm: an RBC of a version up to 2.1 grants no supervised manoeuvre (6.6.5.3.7).
   out.add(Input::exit_sm, c.standstill);
   // 5.4.5.3 l, 5.22.2.1
-  out.add(Input::bmm_inhibit, c.standstill && c.alarm_may_be_inhibited && !c.alarm_inhibited &&
-                                  (!in_standby || c.offers.has(Offer::bmm_inhibition)));
+  out.add(Input::bmm_inhibit,
+          c.standstill && c.alarm_may_be_inhibited && !c.alarm_inhibited && offers.has(Offer::bmm_inhibition));
   out.add(Input::bmm_revoke, c.alarm_inhibited);
   return out;
 }
@@ -157,6 +172,17 @@ Set<Input> enabled(const ActionContext& context) {
   if (context.desk_open) out = context.requests.empty() ? choices(context) : acknowledgements(context.requests);
   out.add(Input::isolation);
   return out & allowed_inputs(context.mode, context.srs);
+}
+
+Set<Ack> answerable(Set<Ack> asked, Mode mode, SrsVersion srs) {
+  const Set<Input> allowed = allowed_inputs(mode, srs);
+  Set<Ack> out;
+  out.add(Ack::train_data, asked.has(Ack::train_data));  // an entry, judged as one
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    const std::optional<Ack> ack = acknowledged_by(static_cast<Input>(i));
+    if (ack.has_value() && asked.has(*ack) && allowed.has(static_cast<Input>(i))) out.add(*ack);
+  }
+  return out;
 }
 
 namespace {

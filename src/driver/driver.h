@@ -48,6 +48,9 @@ struct ActionContext {
 /// are (015560 5.4).
 Set<Input> enabled(const ActionContext& context);
 
+/// Of the acknowledgements asked for those that the driver can give in the mode (4.7.2): nobody is asked for another.
+Set<Ack> answerable(Set<Ack> asked, Mode mode, SrsVersion srs);
+
 struct ShowContext {
   SrsVersion srs = SrsVersion::v3_6_0;
   Mode mode = Mode::NP;

@@ -30,8 +30,13 @@ driver::ActionContext action_context(const State& s, const Inputs& in, const tra
   c.alarm_may_be_inhibited = s.srs == SrsVersion::v4_0_0 && c.level && level_1_2_3(*c.level);
   c.alarm_inhibited = s.antenna_alarm.inhibited.has_value();
   c.offers = s.offers;
-  // What start of mission asks for is offered too (S12).
-  c.offers.add(Offer::train_data, s.entries.has(Entry::train_data));
+  // What start of mission asks for is offered too (S1, S2, S3, S12, S13).
+  const auto asked = [&](Offer offer, Entry entry) { c.offers.add(offer, s.entries.has(entry)); };
+  asked(Offer::driver_id, Entry::driver_id);
+  asked(Offer::level, Entry::level);
+  asked(Offer::rbc_contact, Entry::rbc_contact);
+  asked(Offer::train_data, Entry::train_data);
+  asked(Offer::train_running_number, Entry::train_running_number);
   c.requests = s.requested;
   return c;
 }

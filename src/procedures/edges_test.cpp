@@ -273,7 +273,9 @@ struct Ahead {
     in.min_safe_front = at(front - interval);
     in.max_safe_front = at(front + interval);
     in.areas = areas;
-    return step(state, in);
+    const mode_profile::Result r = step(state, in);
+    if (r.asks_for) areas[*r.asks_for].asked = true;
+    return r;
   }
 };
 
@@ -313,6 +315,7 @@ TEST(ModeProfile, A_mode_change_ends_what_was_asked) {
   a.in.V_est = Speed{11.0};  // once shown it stays
   EXPECT_EQ(a.cycle(910.0).effects.requests, Set<Ack>{Ack::OS});
   mode_profile::on_mode_change(a.state, Mode::LS, 70, a.in.now);
+  a.areas[0].asked = false;  // by the kernel
   a.in.mode = Mode::LS;
   EXPECT_TRUE(a.cycle(920.0).effects.requests.empty());
   // Entered by the area and not acknowledged: a trip ends that too.
@@ -527,13 +530,14 @@ TEST(StartOfMission, Each_step_asks_for_its_own_entry_only) {
     Set<Offer> offers;
     Set<Ack> requests;
   };
-  const Set<Offer> all = {Offer::shunting,  Offer::non_leading, Offer::train_data,
-                          Offer::override_, Offer::driver_id,   Offer::train_running_number,
-                          Offer::level,     Offer::vbc,         Offer::bmm_inhibition};
+  const Set<Offer> all = {Offer::shunting,  Offer::non_leading,   Offer::train_data,
+                          Offer::override_, Offer::driver_id,     Offer::train_running_number,
+                          Offer::level,     Offer::rbc_contact,   Offer::radio_network,
+                          Offer::vbc,       Offer::bmm_inhibition};
   const Row rows[] = {
       {SoM::S1, Level::L1, {Entry::driver_id}, {Offer::train_running_number, Offer::vbc}, {}},
       {SoM::S2, Level::L1, {Entry::level}, {}, {}},
-      {SoM::S3, Level::L2, {Entry::rbc_contact}, {}, {}},
+      {SoM::S3, Level::L2, {Entry::rbc_contact}, {Offer::radio_network}, {}},
       {SoM::S10, Level::L1, {Entry::train_data}, all, {}},
       {SoM::S20, Level::L1, {Entry::train_data}, all, {}},
       {SoM::S12, Level::L1, {Entry::train_data}, {}, {}},

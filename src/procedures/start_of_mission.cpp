@@ -194,12 +194,14 @@ void ask(const State& state, const Inputs& in, Effects& out) {
       break;
     case Step::S3:
       out.entries.add(Entry::rbc_contact, in.mobile_terminal_registered);
+      out.offers.add(Offer::radio_network);
       break;
     case Step::S10:
     case Step::S20:
-      out.offers |= {Offer::shunting,  Offer::non_leading, Offer::train_data,
-                     Offer::override_, Offer::driver_id,   Offer::train_running_number,
-                     Offer::level,     Offer::vbc,         Offer::bmm_inhibition};
+      out.offers |= {Offer::shunting,  Offer::non_leading,   Offer::train_data,
+                     Offer::override_, Offer::driver_id,     Offer::train_running_number,
+                     Offer::level,     Offer::rbc_contact,   Offer::radio_network,
+                     Offer::vbc,       Offer::bmm_inhibition};
       out.offers.add(Offer::start, valid(in.train_data) && valid(in.train_running_number));
       // The standard does not require this request, but without train data only shunting and non leading are possible.
       out.entries.add(Entry::train_data, !valid(in.train_data));

@@ -45,6 +45,8 @@ enum class Offer : std::uint8_t {
   driver_id,
   train_running_number,
   level,
+  rbc_contact,
+  radio_network,
   vbc,
   bmm_inhibition,
   count

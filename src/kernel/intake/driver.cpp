@@ -24,13 +24,20 @@ bool may_select(const Reception& r, const modes::OrderedLevel& level) {
   return modes::driver_may_select(level, table, available_levels(s, r.in.national_system));
 }
 
+/// 5.4.3.2 D2: start of mission asks for the level.
+bool asks_for_level(const State& s) { return !valid(s.position.status) || !valid(s.data.level_status); }
+
 /// Whether the driver may do it now; an action that is not enabled has no effect and is logged.
 bool may(Reception& r, driver::Input input, const Event& otherwise) {
   driver::ActionContext context = action_context(r.state, r.in, r.out.here);
-  // A contact for the level that is entered with it (3.18.4.3.2).
+  // With the driver's identity the level that is asked for behind it (5.4.3.2 D2), and with the level the contact for
+  // it (3.18.4.3.2).
+  context.offers.add(Offer::level, r.out.entered.has(Entered::driver_id) && asks_for_level(r.state));
   if (input == driver::Input::rbc_contact && r.in.driver.level && may_select(r, entered_level(r)) &&
-      driver::enabled(context).has(driver::Input::level))
+      driver::enabled(context).has(driver::Input::level)) {
     context.level = r.in.driver.level;
+    context.offers.add(Offer::rbc_contact);
+  }
   if (driver::enabled(context).has(input)) return true;
   r.log.note(otherwise);
   return false;

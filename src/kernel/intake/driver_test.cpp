@@ -14,7 +14,7 @@ using test::at;
 
 using evc::test::kmh;
 
-/// At standstill in SB, with an open desk and all data entered.
+/// At standstill in SB, with an open desk and all data entered, in a step that offers all entries (5.4.3.2 S20).
 class Driver : public test::OneMessage {
  protected:
   Driver() {
@@ -24,7 +24,9 @@ class Driver : public test::OneMessage {
         state.data.train_running_number_status = DataStatus::valid;
     received.here.standstill = true;
     state.radio.supervising.session.phase = radio::Phase::up;
-    for (const Offer offer : {Offer::train_data, Offer::start}) state.offers.add(offer);
+    for (const Offer offer : {Offer::train_data, Offer::start, Offer::driver_id, Offer::train_running_number,
+                              Offer::level, Offer::rbc_contact, Offer::non_leading})
+      state.offers.add(offer);
   }
   void act() {
     out = {};
@@ -65,6 +67,32 @@ TEST_F(Driver, EntersTheTrainRunningNumber) {  // 5.4.4
   EXPECT_EQ(state.data.train_running_number, 0x99u);
   EXPECT_EQ(state.data.train_running_number_status, DataStatus::valid);
   EXPECT_TRUE(received.entered.has(Entered::train_running_number));
+}
+
+TEST_F(Driver, EntersOnlyWhatStartOfMissionAsksForOrOffers) {  // 5.4.3.2, 5.4.5.3
+  in.train.desk_open = true;
+  state.offers = {};
+  state.entries = {};
+  in.driver.driver_id = DriverId("4711");
+  in.driver.train_running_number = 0x99;
+  act();
+  EXPECT_TRUE(received.entered.empty());
+  state.entries.add(Entry::driver_id);  // S1
+  act();
+  EXPECT_EQ(received.entered, Set<Entered>{Entered::driver_id});
+  state.entries = {Entry::train_running_number};  // S13
+  act();
+  EXPECT_EQ(received.entered, Set<Entered>{Entered::train_running_number});
+  // With the driver's identity the level, where it is asked for behind it (D2).
+  state.entries = {Entry::driver_id};
+  in.driver.level = Level::L1;
+  state.data.level_status = DataStatus::invalid;
+  act();
+  EXPECT_TRUE(driver_level(reception).has_value());
+  state.data.level_status = DataStatus::valid;
+  state.position.status = DataStatus::valid;
+  act();
+  EXPECT_FALSE(driver_level(reception).has_value());
 }
 
 TEST_F(Driver, EntersTheContactWithItsLevel) {  // 3.18.4.3.2

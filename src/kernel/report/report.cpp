@@ -213,6 +213,7 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
     radio.effects.requests = {};
     radio.effects.entries = {};
   }
+  radio.effects.requests = driver::answerable(radio.effects.requests, s.mode, s.srs);
   show(s, in.train.desk_open, decided, radio.effects, out);
   remember(s, radio.effects);
   Set<Inform> inform = radio.effects.inform;
