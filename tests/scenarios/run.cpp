@@ -1,14 +1,20 @@
 #include "run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
+#include <initializer_list>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "brakes_page.h"
 #include "display.h"
 #include "io/input_stream.h"
+#include "io/number.h"
 #include "io/output_lines.h"
 #include "io/retained_file.h"
 #include "io/telegram_json.h"
@@ -30,17 +36,53 @@ struct Failure {
   bool of_the_unit = true;  ///< false: the scenario itself cannot continue
 };
 
-struct Cycle {
-  std::int64_t t_ms = 0;
-  std::string line;
-  /// The line, read on demand: most cycles of a run are not checked.
-  const Json& output() const {
-    if (read_.is_null()) read_ = Json::parse(line);
-    return read_;
+/// The end of the text that begins at `at` in a JSON document.
+std::size_t end_of_text(std::string_view document, std::size_t at) {
+  for (std::size_t i = at + 1;;) {
+    i = document.find_first_of("\"\\", i);
+    if (i == std::string_view::npos || document[i] == '"') return i;
+    i += 2;
   }
+}
 
- private:
-  mutable Json read_;
+/// The end of the value that begins at `at` in an object: the comma or bracket behind it.
+std::size_t end_of_value(std::string_view document, std::size_t at) {
+  int depth = 0;
+  for (std::size_t i = at; i < document.size(); ++i) {
+    const char c = document[i];
+    if (c == '"')
+      i = end_of_text(document, i);
+    else if (c == '{' || c == '[')
+      ++depth;
+    else if (depth == 0 && (c == ',' || c == '}'))
+      return i;
+    else if (c == '}' || c == ']')
+      --depth;
+  }
+  return document.size();
+}
+
+/// The member `key` of an object as io::append_output writes it: keys without escapes, no blanks between what is
+/// written. Empty: there is none.
+std::string_view text_of_member(std::string_view object, std::string_view key) {
+  for (std::size_t at = 1; at < object.size() && object[at] == '"';) {
+    const std::size_t name_ends = end_of_text(object, at);
+    const std::size_t from = name_ends + 2;  // behind the colon
+    const std::size_t end = end_of_value(object, from);
+    if (object.substr(at + 1, name_ends - at - 1) == key) return object.substr(from, end - from);
+    at = end + 1;
+  }
+  return {};
+}
+
+/// A cycle that was run. The outputs of the last ones are kept; of others there is the line if it may be looked at
+/// later.
+struct Cycle {
+  static constexpr std::size_t kKept = 3;  ///< cycles: as many as a report shows
+  std::int64_t t_ms = 0;
+  bool momentary = false;                         ///< it has events, messages or orders of the radio
+  std::string line;                               ///< empty: not written yet
+  std::map<std::string, Json, std::less<>> read;  ///< members of the line that were looked at
 };
 
 /// `*` stands for any characters.
@@ -258,8 +300,7 @@ class Run {
 
   void start() {
     if (stream_) return;
-    waiting_.push_back(Json{{"config", config_}}.dump());
-    inputs_ += waiting_.back() + "\n";
+    give(Json{{"config", config_}}.dump());
     auto opened = io::InputStream::open(scenario_.at.file, [this](std::string& line) { return next_line(line); });
     if (!opened) fail("inputs that can be read", opened.error().text(), false);
     stream_ = std::make_unique<io::InputStream>(std::move(*opened));
@@ -280,11 +321,10 @@ class Run {
       fail("data that a unit takes", "they are refused");
   }
 
-  /// The stream reads one line ahead: the lines of a cycle are followed by an empty one of the
-  /// next.
+  /// The stream reads one line ahead, where a cycle does not say that it is complete: at the beginning.
   bool next_line(std::string& line) {
     if (waiting_.empty()) {
-      line = Json{{"t_ms", placeholder_ms_}}.dump();
+      line = R"({"t_ms":0})";
       return true;
     }
     line = std::move(waiting_.front());
@@ -333,26 +373,29 @@ class Run {
     give_bits(a.from && a.from->infill_unit ? "radio_in_fill" : "radio", bits, more);
   }
   std::int64_t last_lrbg() const {
-    if (cycles_.empty() || !cycles_.back().output()["lrbg"].is_object()) return 0xFFFFFF;
-    const Json& lrbg = cycles_.back().output()["lrbg"];
+    if (cycles_.empty()) return 0xFFFFFF;
+    const Json& lrbg = last("lrbg");
+    if (!lrbg.is_object()) return 0xFFFFFF;
     return lrbg["NID_C"].get<std::int64_t>() << 14 | lrbg["NID_BG"].get<std::int64_t>();
   }
 
   /// `to`: the recipient, if it matters.
   std::int64_t last_T_TRAIN(int NID_MESSAGE, const std::optional<Partner>& to) const {
-    for (auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
-      for (const Json& hex : c->output()["radio_out"]) {
-        if (!is_sent_to(to, hex, c->output())) continue;
+    for (std::size_t i = cycles_.size(); i-- > 0;) {
+      if (!cycles_[i].momentary) continue;
+      for (const Json& hex : output(i, "radio_out")) {
+        if (!is_sent_to(to, hex, i)) continue;
         const Json message = decoded(text_of(hex));
         if (message.is_object() && message.value("NID_MESSAGE", 0) == NID_MESSAGE) return message.value("T_TRAIN", 0);
       }
+    }
     fail("message " + std::to_string(NID_MESSAGE) + " sent before", "none was sent", false);
   }
   /// A message that does not name its RBC is sent to the one that supervises.
-  static bool is_sent_to(const std::optional<Partner>& to, const Json& sent, const Json& output) {
+  bool is_sent_to(const std::optional<Partner>& to, const Json& sent, std::size_t cycle) const {
     if (!to) return true;
     if (sent.is_object()) return sent["to"].value(to->key(), std::int64_t{-1}) == to->number;
-    for (const Json& session : output["sessions"])
+    for (const Json& session : output(cycle, "sessions"))
       if (session["role"] == "supervising") return !to->infill_unit && session["NID_RBC"] == to->number;
     return false;
   }
@@ -458,16 +501,15 @@ class Run {
     v_ = v;
     doubt_ += std::abs(front_ - from) * error_;
     const double nominal = counter(front_);
-    const Json odometer{{"nominal_m", nominal},
-                        {"min_m", nominal - doubt_},
-                        {"max_m", nominal + doubt_},
-                        {"speed_mps", v_ * reads_},
-                        {"accel_mps2", a * reads_}};
-    give(Json{{"t_ms", next_ms()}, {"odometer", odometer}}.dump());
+    give_odometer({{"nominal_m", nominal},
+                   {"min_m", nominal - doubt_},
+                   {"max_m", nominal + doubt_},
+                   {"speed_mps", v_ * reads_},
+                   {"accel_mps2", a * reads_}});
     give_balises(from);
     for (std::string& line : queued_) give(std::move(line));
     queued_.clear();
-    placeholder_ms_ = next_ms() + cycle_ms_;
+    waiting_.back().insert(waiting_.back().size() - 1, R"(,"end":true)");  // complete: the stream reads no line ahead
     const auto more = stream_->next(inputs_of_cycle_);
     if (!more) fail("inputs that can be read", more.error().text(), false);
     const port::Inputs& in = inputs_of_cycle_.view();
@@ -476,12 +518,18 @@ class Run {
     expect_brake_rules(in);
     note_step();
     if (stream_->configuration().srs == SrsVersion::v3_6_0) watch_display(unit_->outputs, scenario_.at.text());
-    Cycle c;
+    keep();
+  }
+  /// The line of a cycle whose events, messages and orders may be looked for later is written at once.
+  void keep() {
+    const kernel::Outputs& now = unit_->outputs;
+    Kept& kept = *kept_[cycles_.size() % Cycle::kKept];
+    kept.outputs = now;
+    kept.plans = plans_ && kernel::plan(unit_->state, unit_->derived, kept.planning);
+    Cycle& c = cycles_.emplace_back();
     c.t_ms = inputs_of_cycle_.t_ms;
-    const bool plans = plans_ && kernel::plan(unit_->state, unit_->derived, unit_->planning);
-    io::append_output(c.line, c.t_ms, unit_->outputs, plans ? &unit_->planning : nullptr,
-                      stream_->configuration().ntc_names);
-    cycles_.push_back(std::move(c));
+    c.momentary = !now.events.empty() || !now.radio_out.empty() || now.radio_connect || now.radio_disconnect;
+    if (c.momentary) (void)line(cycles_.size() - 1);
   }
   /// 4.4: in every cycle of every scenario.
   void expect_coherent(const kernel::Outputs& out) const {
@@ -495,6 +543,16 @@ class Run {
     brakes_.srs = stream_->configuration().srs;
     const auto faults = watch_brakes(brakes_, in, unit_->outputs, until_standstill, scenario_.at.text());
     if (!faults.empty()) fail("brakes by tests/reference/brake_causes.json", faults.front());
+  }
+  void give_odometer(std::initializer_list<std::pair<const char*, double>> members) {
+    std::string text = R"({"t_ms":)" + std::to_string(next_ms()) + R"(,"odometer":{)";
+    for (const auto& [key, value] : members) {
+      text += text.back() == '{' ? "\"" : ",\"";
+      text += key;
+      text += "\":";
+      io::append_number(text, value);
+    }
+    give(text + "}}");
   }
   void give(std::string line) {
     inputs_ += line + "\n";
@@ -560,27 +618,55 @@ class Run {
     return "";
   }
 
+  /// What the unit put out in a cycle, through the line of `evc replay`.
+  const std::string& line(std::size_t i) const {
+    Cycle& c = cycles_[i];
+    if (!c.line.empty()) return c.line;
+    if (i + Cycle::kKept < cycles_.size()) throw std::logic_error("the outputs of a cycle that are not kept");
+    const Kept& kept = *kept_[i % Cycle::kKept];
+    io::append_output(c.line, c.t_ms, kept.outputs, kept.plans ? &kept.planning : nullptr,
+                      stream_->configuration().ntc_names);
+    return c.line;
+  }
+  /// One output of a cycle. Nothing: there is none of that name.
+  const Json* find_output(std::size_t i, std::string_view key) const {
+    Cycle& c = cycles_[i];
+    if (const auto known = c.read.find(key); known != c.read.end()) return &known->second;
+    const std::string_view text = text_of_member(line(i), key);
+    return text.empty() ? nullptr : &c.read.emplace(key, Json::parse(text)).first->second;
+  }
+  const Json& output(std::size_t i, std::string_view key) const {
+    const Json* found = find_output(i, key);
+    if (found == nullptr) throw std::logic_error("no output " + std::string(key));
+    return *found;
+  }
+  const Json& last(std::string_view key) const { return output(cycles_.size() - 1, key); }
+
   template <class Is>
   std::string momentary(const Condition& c, std::size_t from, const char* key, Is is) const {
     std::string seen;
-    for (std::size_t i = from; i < cycles_.size(); ++i)
-      for (const Json& e : cycles_[i].output()[key]) {
+    for (std::size_t i = from; i < cycles_.size(); ++i) {
+      if (!cycles_[i].momentary) continue;
+      for (const Json& e : output(i, key)) {
         if (is(e)) return c.negated ? "\"" + e.get<std::string>() + "\" at " + time(i) : "";
         seen += "\n      " + time(i) + "  " + e.get<std::string>();
       }
+    }
     if (c.negated) return "";
     return seen.empty() ? "no event" : "only" + seen;
   }
 
   std::string sent(const Condition& c, std::size_t from) const {
     std::string seen;
-    for (std::size_t i = from; i < cycles_.size(); ++i)
-      for (const Json& hex : cycles_[i].output()["radio_out"]) {
+    for (std::size_t i = from; i < cycles_.size(); ++i) {
+      if (!cycles_[i].momentary) continue;
+      for (const Json& hex : output(i, "radio_out")) {
         const Json message = decoded(text_of(hex));
-        if (is_sent_to(c.message.to, hex, cycles_[i].output()) && is_sent(c.message, message))
+        if (is_sent_to(c.message.to, hex, i) && is_sent(c.message, message))
           return c.negated ? "sent at " + time(i) + ": " + message.dump() : "";
         seen += "\n      " + time(i) + "  " + message.dump();
       }
+    }
     if (c.negated) return "";
     return seen.empty() ? "nothing sent" : "only" + seen;
   }
@@ -588,7 +674,8 @@ class Run {
   std::string called(const Condition& c, std::size_t from, const char* key) const {
     std::string seen;
     for (std::size_t i = from; i < cycles_.size(); ++i) {
-      const Json& address = cycles_[i].output()[key];
+      if (!cycles_[i].momentary) continue;
+      const Json& address = output(i, key);
       if (!address.is_object()) continue;
       if (c.negated) return address.dump() + " at " + time(i);
       if (holds(c.address, address)) return "";
@@ -598,30 +685,31 @@ class Run {
   }
 
   std::string braked(const Condition& c) const {
-    const Json& o = cycles_.back().output();
-    const bool tco = o["tco"], sb = o["sb"], eb = o["eb"];
+    const bool tco = last("tco"), sb = last("sb"), eb = last("eb");
+    const Json& reasons = last("brake_reasons");
     const std::string found = std::string(eb    ? "emergency brake"
                                           : sb  ? "service brake"
                                           : tco ? "traction cut-off"
                                                 : "none") +
-                              " " + o["brake_reasons"].dump();
+                              " " + reasons.dump();
     const bool any = c.tco || c.sb || c.eb;
     if (!any) return tco || sb || eb ? found : "";
     if (c.eb ? !eb : c.sb ? !sb || eb : !tco || sb || eb) return found;
     for (const std::string& reason : c.reasons)
-      if (std::find(o["brake_reasons"].begin(), o["brake_reasons"].end(), reason) == o["brake_reasons"].end())
-        return found;
+      if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) return found;
     return "";
   }
 
   /// A member or, by its number, an element; null where the list is shorter or has no member below.
   const Json* value_of(const std::string& key) const {
     static const Json nothing;
-    const Json* at = &cycles_.back().output();
-    for (std::size_t from = 0;;) {
-      const std::size_t dot = key.find('.', from);
+    std::size_t dot = key.find('.');
+    const Json* at = find_output(cycles_.size() - 1, key.substr(0, dot));
+    while (at != nullptr && dot != std::string::npos) {
+      const std::size_t from = dot + 1;
+      dot = key.find('.', from);
       const std::string name = key.substr(from, dot - from);
-      if (at->is_null() && from != 0) return &nothing;
+      if (at->is_null()) return &nothing;
       if (at->is_array() && name.find_first_not_of("0123456789") == std::string::npos) {
         const std::size_t i = std::stoul(name);
         at = i < at->size() ? &(*at)[i] : &nothing;
@@ -629,9 +717,8 @@ class Run {
         if (!at->is_object() || !at->contains(name)) return nullptr;
         at = &(*at)[name];
       }
-      if (dot == std::string::npos) return at;
-      from = dot + 1;
     }
+    return at;
   }
 
   /// An element that is the text, or an object one of whose members is.
@@ -666,7 +753,7 @@ class Run {
       if (group == groups_.end()) return "no group " + std::to_string(*w.from_group) + " was passed";
       base = group->second - antenna_m_;
     } else if (w.from_front) {
-      base = cycles_.back().output()["est_front_m"].get<double>();
+      base = last("est_front_m").get<double>();
     }
     const double x = found->get<double>() - base;
     const double y = w.value.get<double>();
@@ -699,11 +786,13 @@ class Run {
     text += "  found:    " + f.found + "\n";
     if (cycles_.empty()) return text;
     text += "  events since the last when:\n";
-    for (std::size_t i = std::min(window_, cycles_.size()); i < cycles_.size(); ++i)
-      for (const Json& e : cycles_[i].output()["events"]) text += "    " + time(i) + "  " + e.get<std::string>() + "\n";
+    for (std::size_t i = std::min(window_, cycles_.size()); i < cycles_.size(); ++i) {
+      if (!cycles_[i].momentary) continue;
+      for (const Json& e : output(i, "events")) text += "    " + time(i) + "  " + e.get<std::string>() + "\n";
+    }
     text += "  last outputs:\n";
-    for (std::size_t i = cycles_.size() > 3 ? cycles_.size() - 3 : 0; i < cycles_.size(); ++i)
-      text += "    " + cycles_[i].line;
+    for (std::size_t i = cycles_.size() > Cycle::kKept ? cycles_.size() - Cycle::kKept : 0; i < cycles_.size(); ++i)
+      text += "    " + line(i);
     return text;
   }
 
@@ -716,7 +805,12 @@ class Run {
     kernel::State state;
     kernel::Derived derived;
     kernel::Outputs outputs;
+  };
+  /// The outputs of one of the last cycles.
+  struct Kept {
+    kernel::Outputs outputs;
     kernel::Planning planning;
+    bool plans = false;
   };
 
   const Scenario& scenario_;
@@ -724,15 +818,17 @@ class Run {
   const Statement* now_ = nullptr;
   Json config_ = Json::object();
   std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();
+  std::array<std::unique_ptr<Kept>, Cycle::kKept> kept_{std::make_unique<Kept>(), std::make_unique<Kept>(),
+                                                        std::make_unique<Kept>()};
   std::unique_ptr<io::InputStream> stream_;
   sim::CycleInputs inputs_of_cycle_;
   brake_rules::Memory brakes_;
   std::deque<std::string> waiting_;
   std::vector<std::string> queued_;
   std::string inputs_;
-  std::int64_t cycle_ms_ = 100, placeholder_ms_ = 0;
-  std::vector<Cycle> cycles_;
-  std::vector<std::string> steps_;  ///< of the output `dialogue`, one after the other: PROCEDURE.STEP
+  std::int64_t cycle_ms_ = 100;
+  mutable std::vector<Cycle> cycles_;  // lines and members are written and read when they are looked at
+  std::vector<std::string> steps_;     ///< of the output `dialogue`, one after the other: PROCEDURE.STEP
   std::size_t window_ = 0;
   bool after_then_ = false, when_before_ = false;
   bool shares_cycle_ = false;  // the next step is in the same cycle as this one
