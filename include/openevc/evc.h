@@ -54,6 +54,12 @@ void step(Unit& unit, const Inputs& inputs, Outputs& outputs) noexcept;
 /// and OS, without an authority, and between `restore` and the next step.
 [[nodiscard]] bool plan(const Unit& unit, Planning& planning) noexcept;
 
+/// The record of the display (015560) after the last step, whose outputs are `outputs`: what the mode shows (4.7.2),
+/// whether the driver has toggled it on or not. With a closed desk nothing is shown but the system failure and the
+/// isolation: the record then is of mode NP. Of `display.config` the edition, the dial, the names of national systems,
+/// the radio systems and T_dispTTI are written; the rest is the host's.
+void show(const Unit& unit, const Outputs& outputs, Display& display) noexcept;
+
 /// A snapshot is the whole state of the unit, preceded by a header that identifies the format and the build; in the
 /// byte order of this machine, to be stored or passed to another process.
 std::size_t snapshot_size() noexcept;

@@ -4,29 +4,28 @@
 
 namespace evc::kernel {
 
-driver::ActionContext action_context(const State& s, const Inputs& in, const track::Here& here) {
-  const TrainSignals& train = in.train;
+namespace {
+
+/// The longest train that a position report can give: L_TRAININT, 15 bits, m (7.5.1.55).
+constexpr Distance kLongestTold{32767.0};
+
+/// What the memory of the unit says.
+driver::ActionContext context_of_state(const State& s, const track::Here& here) {
   driver::ActionContext c;
   c.srs = s.srs;
   c.mode = s.mode;
   if (valid(s.data.level_status)) c.level = s.level.level;
-  c.desk_open = train.desk_open;
   c.standstill = here.standstill;
   c.driver_id_valid = valid(s.data.driver_id_status);
   c.train_data_valid = valid(s.data.train_data_status);
   c.train_running_number_valid = valid(s.data.train_running_number_status);
   c.session_open = s.radio.supervising.session.established();
   c.train_data_acknowledged = s.radio.supervising.knows_train_data();
-  c.non_leading_signal = train.non_leading;
-  c.passive_shunting_signal = train.passive_shunting;
   c.slow_enough_for_override = run_of(s.position.now).V <= s.national_values.V_NVALLOWOVTRP;
   c.driver_may_change_adhesion = s.national_values.Q_NVDRIVER_ADHES;
   c.driver_id_while_running = s.national_values.M_NVDERUN;
   c.network_offered = !s.network.offered.empty();
   c.track_ahead_free_asked = s.track_ahead_free.asking;
-  // With the selector in position "On" only (4.4.16.1.2).
-  c.automatic_driving_asked =
-      s.srs == SrsVersion::v4_0_0 && in.automatic_operation.requests_AD && in.automatic_operation.active;
   c.alarm_may_be_inhibited = s.srs == SrsVersion::v4_0_0 && c.level && level_1_2_3(*c.level);
   c.alarm_inhibited = s.antenna_alarm.inhibited.has_value();
   c.offers = s.offers;
@@ -38,6 +37,42 @@ driver::ActionContext action_context(const State& s, const Inputs& in, const tra
   asked(Offer::train_data, Entry::train_data);
   asked(Offer::train_running_number, Entry::train_running_number);
   c.requests = s.requested;
+  return c;
+}
+
+}  // namespace
+
+driver::ActionContext action_context(const State& s, const Inputs& in, const track::Here& here) {
+  driver::ActionContext c = context_of_state(s, here);
+  c.desk_open = in.train.desk_open;
+  c.non_leading_signal = in.train.non_leading;
+  c.passive_shunting_signal = in.train.passive_shunting;
+  // With the selector in position "On" only (4.4.16.1.2).
+  c.automatic_driving_asked =
+      s.srs == SrsVersion::v4_0_0 && in.automatic_operation.requests_AD && in.automatic_operation.active;
+  return c;
+}
+
+driver::ButtonContext button_context(const State& s, Set<DriverInput> enabled, const track::Here& here) {
+  const radio::Session& session = s.radio.supervising.session;
+  driver::ButtonContext c;
+  c.action = context_of_state(s, here);
+  c.action.desk_open = s.desk_was_open;
+  c.action.non_leading_signal = s.NL_was_permitted;
+  c.action.passive_shunting_signal = s.displayed.passive_shunting;
+  c.action.requests = {};
+  c.inputs = s.requested.empty() ? enabled : driver::enabled(c.action);
+  c.emergency_stop_pending = s.emergency_stops.any();
+  c.position_valid = s.position.status == DataStatus::valid && position::lrbg(s.position) != nullptr;
+  c.length_in_range = here.est_front - here.min_safe_rear <= kLongestTold;
+  c.cover_stored = !s.balise.covers.empty();
+  c.covers_full = s.balise.covers.full();
+  c.contact_known = s.radio.contact && s.contact_status != DataStatus::unknown;
+  c.network_type = driver::NetworkType::gsmr;
+  c.gsmr = {.fitted = true, .registered = s.network.registered};
+  c.session_above_2_2 = session.M_VERSION > 0x22;
+  c.second_session = s.radio.other.session.established();
+  c.RBC_transition_ordered = s.track.rbc_transition.has_value() || s.handover.order.has_value();
   return c;
 }
 

@@ -26,4 +26,10 @@ void step(State& state, Derived& derived, const Inputs& inputs, Outputs& outputs
 /// The advance display (3.15.10) after the last step. False where there is none.
 [[nodiscard]] bool plan(const State& state, const Derived& derived, Planning& planning) noexcept;
 
+/// The record of the display (015560) after the last step, whose outputs are `outputs`: what the mode shows (4.7.2),
+/// whether the driver has toggled it on or not. With a closed desk nothing is shown but the system failure and the
+/// isolation: the record then is of mode NP. Of `display.config` the edition, the dial, the names of national systems,
+/// the radio systems and T_dispTTI are written; the rest is the host's.
+void show(const State& state, const Derived& derived, const Outputs& outputs, Display& display) noexcept;
+
 }  // namespace evc::kernel

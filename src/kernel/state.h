@@ -10,6 +10,7 @@
 #include "brakes/brakes.h"
 #include "driver/status_texts.h"
 #include "kernel/buffered_set.h"
+#include "kernel/displayed.h"
 #include "kernel/evc.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
@@ -245,6 +246,7 @@ struct State {
   bool track_description_deleted = false;               // reason of the MA request until a new MA (3.8.2.7.3)
   InplaceVector<std::uint8_t, 6> texts_to_acknowledge;  // ids, the first is acknowledged first
   driver::StatusTexts status_texts;
+  Displayed displayed;
 
   sdm::Supervision supervision;
   SupervisionBasis basis;

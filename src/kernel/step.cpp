@@ -18,6 +18,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.identity = config.identity;
   state.terminals = config.terminals;
   state.dial = config.dial;
+  state.displayed.ntc_names = config.ntc_names;
   if (config.contact) {
     state.radio.contact = radio::Rbc{config.contact->NID_C, config.contact->NID_RBC, config.contact->NID_RADIO};
     state.contact_status = DataStatus::invalid;

@@ -76,6 +76,11 @@ bool plan(const Unit& unit, Planning& planning) noexcept {
   return plan(c.state, c.derived, planning);
 }
 
+void show(const Unit& unit, const Outputs& outputs, Display& display) noexcept {
+  const Content& c = UnitAccess::of(unit);
+  show(c.state, c.derived, outputs, display);
+}
+
 std::size_t snapshot_size() noexcept { return sizeof(SnapshotHead) + sizeof(State); }
 
 bool snapshot(const Unit& unit, std::span<std::byte> out) noexcept {

@@ -167,6 +167,7 @@ void show_first_indication(const Cycle& c, const Seen* seen, Result& out) {
   if (first == kTargets) return;
   distance = std::max(distance, 0.0);
   out.first_indication = Distance{distance};
+  out.first_indication_of = id_of(c.d.targets[first]);
   if (c.d.csm_display == train::MaxReducedAdhesion::Display::target_information) show_target(c, first, out);
   if (c.d.csm_display == train::MaxReducedAdhesion::Display::time_to_indication &&
       Distance{distance} < c.a.V * c.d.fixed.T_dispTTI)

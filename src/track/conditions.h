@@ -13,6 +13,7 @@ namespace evc::track {
 /// How far a condition has come for driver and train (indication.h).
 struct Progress {
   ConditionPhase phase = ConditionPhase::ahead;
+  std::uint16_t shown_as = 0;         ///< its number on the driver interface while it is shown there; 0: it is not
   std::optional<Duration> rear_left;  ///< since then the min safe rear end has left the area or the place
   friend constexpr bool operator==(const Progress&, const Progress&) = default;
 };

@@ -23,6 +23,7 @@ Place passes_end(TrackConditionKind kind, const Here& here);
 constexpr Progress sent_again(const Progress& before) {
   Progress again;
   if (before.phase != ConditionPhase::ahead) again.phase = ConditionPhase::announced;
+  again.shown_as = before.shown_as;
   return again;
 }
 

@@ -165,7 +165,8 @@ const Progress kTold{announced, {}}, kNew{};
 TEST(SentAgain, AnAnnouncementIsNotTakenBackButMadeAnew) {  // A.3.5.1
   EXPECT_EQ(sent_again(Progress{}), kNew);
   for (const ConditionPhase phase : {announced, active, ending, over})
-    EXPECT_EQ(sent_again({phase, Duration{3}}), kTold) << "it has to be judged at its new place";
+    EXPECT_EQ(sent_again({phase, 0, Duration{3}}), kTold) << "it has to be judged at its new place";
+  EXPECT_EQ(sent_again({active, 7, {}}).shown_as, 7) << "for the driver it is the same";
 }
 
 template <class T>

@@ -1,5 +1,6 @@
 #pragma once
 #include "openevc/port/config.h"
+#include "openevc/port/display.h"
 #include "openevc/port/event.h"
 #include "openevc/port/inputs.h"
 #include "openevc/port/outputs.h"
@@ -16,6 +17,7 @@ using port::Cab;
 using port::Config;
 using port::DateTime;
 using port::DirectionController;
+using port::Display;
 using port::DriverActions;
 using port::Entered;
 using port::Event;

@@ -4,6 +4,7 @@
 
 #include "openevc/base/inplace_vector.h"
 #include "openevc/base/units.h"
+#include "openevc/port/display.h"
 #include "openevc/port/outputs.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/srs_version.h"
@@ -33,6 +34,7 @@ struct Config {
   std::optional<RbcAddress> contact;       // the last one known (3.18.4.3.1), to be revalidated; data kept replace it
   std::int16_t local_time_offset_min = 0;  // of the local time from UTC (3.18.5.1)
   Speed dial{400.0 / 3.6};                 // the highest speed on the dial of the display (015560 8.2.1.1)
+  InplaceVector<NtcName, 16> ntc_names;    // of the national systems, for the display
   std::uint8_t terminals = 2;              // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)
 };
 

@@ -158,10 +158,11 @@ struct Result {
   std::optional<Speed> V_target;
   std::optional<Distance> d_target;
   std::optional<TargetId> MRDT;
-  std::optional<Speed> V_release;            // when to be shown
-  std::optional<Distance> first_indication;  // CSM: distance to the first Indication location
-  std::optional<Duration> TTI;               // CSM: shown when asked for and below T_dispTTI
-  bool MA_request = false;                   // perturbation location minus T_MAR passed (3.13.11.8)
+  std::optional<Speed> V_release;               // when to be shown
+  std::optional<Distance> first_indication;     // CSM: distance to the first Indication location
+  std::optional<TargetId> first_indication_of;  // and the target to which it belongs
+  std::optional<Duration> TTI;                  // CSM: shown when asked for and below T_dispTTI
+  bool MA_request = false;                      // perturbation location minus T_MAR passed (3.13.11.8)
   bool truncated = false, no_deceleration = false;
 };
 

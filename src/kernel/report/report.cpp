@@ -3,6 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/here.h"
 #include "kernel/radio_address.h"
+#include "kernel/report/asked.h"
 #include "kernel/report/data.h"
 #include "kernel/report/dialogue.h"
 #include "kernel/report/handover.h"
@@ -10,6 +11,7 @@
 #include "kernel/report/shown.h"
 #include "kernel/report/texts.h"
 #include "kernel/report/track_conditions.h"
+#include "kernel/reset.h"
 #include "track/services.h"
 #include "train/brake_model.h"
 
@@ -65,8 +67,10 @@ bool command_brakes(State& s, const TrainSignals& train, const Received& receive
   return command.acknowledgement_wanted;
 }
 
-void show_limits(const State& s, const Supervised& supervised, Outputs& out) {
+void show_limits(State& s, const Supervised& supervised, Outputs& out) {
   const sdm::Result& r = *supervised.limits;
+  s.displayed.indication = r.first_indication_of;
+  if (r.MRDT_changed) ++s.displayed.MRDT;
   out.monitoring = r.monitoring;
   out.status = r.status;
   out.V_P = r.V_P;
@@ -145,6 +149,12 @@ void show(State& s, bool desk_open, const Decided& decided, const procedures::Ef
   show_track_conditions(s, desk_open, here, out);
   driver::ShowContext context =
       show_context(s, desk_open, decided, effects.requests, out.sb || out.eb, out.LSSMA.has_value());
+  const bool LX01 =
+      desk_open && context.lx_not_protected && driver::allowed(driver::Output::lx_not_protected, s.mode, s.srs);
+  if (!LX01)
+    s.displayed.level_crossing = 0;
+  else if (s.displayed.level_crossing == 0)
+    s.displayed.level_crossing = s.displayed.next_condition();
   take_symbols(context, out);
   out.symbols = driver::show(context).symbols;
   out.requests = effects.requests;
@@ -158,20 +168,6 @@ void remember(State& s, const procedures::Effects& effects) {
   s.requested = effects.requests;
   s.offers = effects.offers;
   s.entries = effects.entries;
-}
-
-template <class T>
-void reset(T& field) {
-  field = T{};
-}
-/// Elements are not read before they are written: 7 KB need not be cleared in each cycle.
-template <class T, std::size_t N>
-void reset(InplaceVector<T, N>& list) {
-  list.clear();
-}
-template <class... Fields>
-void reset_all(Fields&... fields) {
-  (reset(fields), ...);
 }
 
 }  // namespace
@@ -224,6 +220,9 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
                  (s.level.nid_ntc > 63 || ((in.national_system.available >> s.level.nid_ntc) & 1u) == 0));
   inform.add(Inform::odometer_impaired, s.odometer_accuracy.impaired);
   show_texts(s, in.train.desk_open, received, decided, inform, out);
+  queue_acknowledgements(s, radio.effects.requests, out);
+  s.displayed.passive_shunting = in.train.passive_shunting;
+  s.displayed.national_systems = in.national_system.available;
   show_enabled(s, in, decided.here, out);
   show_data(s, decided.here, out);
   show_clock(s, in.utc, out);

@@ -11,21 +11,33 @@ using enum TrackConditionKind;
 
 bool told(const Progress& p) { return p.phase != ConditionPhase::ahead && p.phase != ConditionPhase::over; }
 
-void show_to_driver(const State& s, Outputs& out) {
-  const auto show = [&](const std::optional<Symbol>& symbol, std::optional<TrackConditionKind> kind, Place from,
-                        Place to, ConditionPhase phase) {
-    if (!symbol) return;
+/// Each with its number from its appearance on (015560 8.2.3.5: it keeps its place on the screen).
+void show_to_driver(State& s, Outputs& out) {
+  const auto show = [&](Progress& progress, driver::Output row, const std::optional<Symbol>& symbol,
+                        std::optional<TrackConditionKind> kind, Place from, Place to) {
+    if (!symbol || !driver::allowed(row, s.mode, s.srs)) {
+      progress.shown_as = 0;
+      return;
+    }
+    if (progress.shown_as == 0) progress.shown_as = s.displayed.next_condition();
     // As many as are stored.
     (void)out.track_conditions.push_back(
-        {*symbol, kind, position::counter_of(s.position, from), position::counter_of(s.position, to), phase});
+        {*symbol, kind, position::counter_of(s.position, from), position::counter_of(s.position, to), progress.phase});
   };
-  for (const track::TrackCondition& c : s.track.conditions)
-    if (driver::allowed(driver::output_of(c.kind), s.mode, s.srs))
-      show(driver::symbol(c.kind, c.progress.phase), c.kind, c.from, c.to, c.progress.phase);
-  const auto& traction = s.track.traction;
-  if (traction && driver::allowed(driver::Output::track_cond_general, s.mode, s.srs))
-    show(driver::symbol_of_traction(traction->M_VOLTAGE, traction->progress.phase), std::nullopt, traction->at,
-         traction->at, traction->progress.phase);
+  for (track::TrackCondition& c : s.track.conditions)
+    show(c.progress, driver::output_of(c.kind), driver::symbol(c.kind, c.progress.phase), c.kind, c.from, c.to);
+  if (auto& t = s.track.traction)
+    show(t->progress, driver::Output::track_cond_general, driver::symbol_of_traction(t->M_VOLTAGE, t->progress.phase),
+         std::nullopt, t->at, t->at);
+  s.displayed.conditions = !out.track_conditions.empty();
+}
+
+/// None is shown any more.
+void take_from_driver(State& s) {
+  if (!s.displayed.conditions) return;
+  for (track::TrackCondition& c : s.track.conditions) c.progress.shown_as = 0;
+  if (s.track.traction) s.track.traction->progress.shown_as = 0;
+  s.displayed.conditions = false;
 }
 
 /// The horn, stopping areas and the radio hole concern the unit itself (3.12.1.5 b).
@@ -64,8 +76,9 @@ void order_train(const State& s, const track::Here& here, Outputs& out) {
 
 }  // namespace
 
-void show_track_conditions(const State& s, bool desk_open, const track::Here& here, Outputs& out) {
+void show_track_conditions(State& s, bool desk_open, const track::Here& here, Outputs& out) {
   out.remote_shunting = s.mode == Mode::SH;
+  if (!s.track.watch.shown || !desk_open) take_from_driver(s);
   if (!s.track.watch.shown) return;
   if (desk_open) show_to_driver(s, out);
   for (const ShownCondition& shown : out.track_conditions) out.sound_horn = out.sound_horn || shown.kind == sound_horn;
