@@ -110,6 +110,7 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_flag("--changes", options->changes,
                     "print a cycle only when something other than position and speed changed");
   command->add_flag("--planning", options->planning, "print the advance display: gradient, speeds, orders ahead");
+  command->add_flag("--dmi", options->dmi, "print the record of the display: what the driver is shown and asked");
   auto compared = std::make_shared<std::vector<std::string>>();
   command->add_option("--diff", *compared, "compare two streams of outputs: the first line that differs, by fields")
       ->expected(2)

@@ -26,7 +26,7 @@ enum class Fact : std::uint8_t {
   adhesion_by_driver,       ///< the same of the adhesion factor
   slow_enough_for_override,
   position_valid,       ///< and referred to an LRBG
-  length_in_range,      ///< the train length that a position report would confirm can be told in it
+  length_in_range,      ///< the train length that a position report would confirm fits into it
   cover_stored,         ///< a virtual balise cover
   covers_full,          ///< no further one can be stored
   contact_known,        ///< the RBC contact is valid or invalid

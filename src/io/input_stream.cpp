@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/date_time.h"
+#include "io/latin1.h"
 #include "io/rbc_contact.h"
 #include "texts/texts.h"
 
@@ -26,6 +27,7 @@ NationalSystemNames read_ntc_names(const JsonPlace& place) {
     if (NID_NTC > 255) place[key.c_str()].fail("a NID_NTC, 0 to 255, as its name");
     names[static_cast<std::uint8_t>(NID_NTC)] = place[key.c_str()].string();
   }
+  if (names.size() > decltype(kernel::Config::ntc_names)::capacity()) place.fail("at most 16 names");
   return names;
 }
 
@@ -493,6 +495,11 @@ kernel::Config Configuration::for_kernel() const {
   config.contact = contact;
   config.networks = networks;
   config.dial = dial;
+  for (const auto& [nid_ntc, name] : ntc_names) {
+    port::NtcName short_name{.nid_ntc = nid_ntc};
+    latin1_of(name).copy(short_name.characters.data(), short_name.characters.size());
+    if (!config.ntc_names.push_back(short_name)) break;  // read_ntc_names takes no more
+  }
   config.terminals = terminals.value_or(config.terminals);
   config.local_time_offset_min = local_time_offset_min;
   return config;

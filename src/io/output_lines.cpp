@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "io/date_time.h"
+#include "io/display_json.h"
+#include "io/latin1.h"
 #include "io/number.h"
 #include "io/output_data.h"
 #include "io/rbc_contact.h"
@@ -204,15 +206,7 @@ void append_shown_text(std::string& out, const kernel::ShownText& text) {
     if (*text.Q_TEXT > 1) append_number(out, std::int64_t{*text.Q_TEXT});
     return;
   }
-  for (std::size_t i = 0; i < text.length; ++i) {
-    const auto c = static_cast<unsigned char>(text.characters[i]);
-    if (c < 0x80) {
-      out += static_cast<char>(c);
-    } else {
-      out += static_cast<char>(0xC0 | (c >> 6));
-      out += static_cast<char>(0x80 | (c & 0x3F));
-    }
-  }
+  append_utf8(out, {text.characters.data(), text.length});
 }
 
 /// Whether two lists are alike by what `of` takes of their elements.
@@ -544,8 +538,7 @@ void append_dialogue(OutputRow& row, const std::optional<kernel::ShownDialogue>&
 }
 
 /// What CSV has no room for.
-void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Planning* planning,
-                         const NationalSystemNames& names) {
+void append_second_lists(OutputRow& row, const Outputs& o, const NationalSystemNames& names) {
   std::vector<const char*> levels;
   for (const auto& level : kLevelRows)
     if (o.levels_allowed.has(level.value)) levels.push_back(level.name);
@@ -571,7 +564,7 @@ void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Plannin
   row.objects("track_conditions", o.track_conditions, append_condition);
   append_train_orders(row, o);
   row.key("data");
-  append_data(row.out(), o);
+  append_data(row.out(), o.data, o.level, o.covers);
   row.objects("forwarded", o.forwarded, [](std::string& out, const kernel::ForwardedData& data) {
     out += "{\"NID_XUSER\":";
     append_number(out, std::int64_t{data.NID_XUSER});
@@ -591,14 +584,23 @@ void append_second_lists(OutputRow& row, const Outputs& o, const kernel::Plannin
   std::vector<const char*> shown;
   append_names(shown, o.shown, terms::kNames<kDriverOutputRows>);
   row.list("shown", shown, append_text);
+}
+
+/// What options ask for.
+void append_optional(OutputRow& row, const Outputs& o, const kernel::Planning* planning, const kernel::Display* dmi) {
   if (planning != nullptr)
     append_planning(row, o, *planning);
   else
     row.text("planning", nullptr);
+  row.key("dmi");
+  if (dmi != nullptr)
+    append_display(row.out(), *dmi);
+  else
+    row.absent();
 }
 
-void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel::Planning* planning,
-                const NationalSystemNames& names) {
+/// The columns of a trace, and of a JSON line what is in front of the lists of the second edition.
+void append_row(OutputRow& row, std::int64_t t_ms, const Outputs& o, const NationalSystemNames& names) {
   row.key("t_ms");
   append_number(row.out(), t_ms);
   row.text("mode", name(o.mode));
@@ -618,7 +620,6 @@ void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel
   append_radio_address(row, "radio_disconnect", o.radio_disconnect);
   row.list("events", o.events, append_event);
   append_second_values(row, o, names);
-  if (row.json()) append_second_lists(row, o, planning, names);
 }
 
 }  // namespace
@@ -626,14 +627,18 @@ void append_row(OutputRow row, std::int64_t t_ms, const Outputs& o, const kernel
 void append_event(std::string& out, const kernel::Event& event) { out += texts::line_of(event).view(); }
 
 void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs, const kernel::Planning* planning,
-                   const NationalSystemNames& names) {
+                   const NationalSystemNames& names, const kernel::Display* dmi) {
   out += '{';
-  append_row(OutputRow(out, true), t_ms, outputs, planning, names);
+  OutputRow row(out, true);
+  append_row(row, t_ms, outputs, names);
+  append_second_lists(row, outputs, names);
+  append_optional(row, outputs, planning, dmi);
   out += "}\n";
 }
 
 void append_trace(std::string& out, std::int64_t t_ms, const Outputs& outputs) {
-  append_row(OutputRow(out, false), t_ms, outputs, nullptr, {});
+  OutputRow row(out, false);
+  append_row(row, t_ms, outputs, {});
   out += '\n';
 }
 

@@ -590,7 +590,7 @@ TEST(OutputLines, Json) {
       "\"vbc\":{\"value\":[],\"status\":\"valid\"},"
       "\"adhesion\":{\"value\":\"non slippery "
       "rail\",\"status\":\"valid\"},\"network\":{\"value\":null,\"status\":\"unknown\"}},\"forwarded\":[],\"clock\":"
-      "null,\"dialogue\":null,\"shown\":[],\"planning\":null}"
+      "null,\"dialogue\":null,\"shown\":[],\"planning\":null,\"dmi\":null}"
       "\n");
   EXPECT_TRUE(Json::accept(line));
 }
@@ -698,7 +698,7 @@ TEST(OutputLines, SecondEdition) {
       "\"forwarded\":[{\"NID_XUSER\":102,\"NID_NTC\":11,\"bits\":12,\"data\":\"ABC0\"},"
       "{\"NID_XUSER\":5,\"NID_NTC\":null,\"bits\":0,\"data\":\"\"}],\"clock\":{\"utc\":\"2026-11-22T10:15:00Z\","
       "\"local\":\"2026-11-22T12:15:00\"},\"dialogue\":{\"procedure\":\"start_of_mission\",\"step\":\"S24\","
-      "\"waits_for\":\"SR_ack\"},\"shown\":[\"mode\",\"set_speed\"],\"planning\":null}\n";
+      "\"waits_for\":\"SR_ack\"},\"shown\":[\"mode\",\"set_speed\"],\"planning\":null,\"dmi\":null}\n";
   ASSERT_GE(line.size(), expected.size());
   EXPECT_EQ(line.substr(line.size() - expected.size()), expected);
   std::string row;
@@ -732,15 +732,16 @@ TEST(OutputLines, Planning) {
                   R"("mrsp":[{"at_m":0,"v_kmh":140,"from":["SSP","train"]}],)"
                   R"("orders":[{"symbol":"PL02","kind":"powerless section, lower pantograph","at_m":600},)"
                   R"({"symbol":"PL28","kind":"change of traction system","at_m":700}],)"
-                  R"("indication_m":250.5,"EOA_m":2000,"LOA_m":null,"V_LOA_kmh":null}})"
+                  R"("indication_m":250.5,"EOA_m":2000,"LOA_m":null,"V_LOA_kmh":null},"dmi":null})"
                   "\n");
   p = {};
   p.LOA = 900_m;
   p.V_LOA = 36_km_h;
   o.d_indication.reset();
-  EXPECT_EQ(of(),
-            R"({"gradient":[],"mrsp":[],"orders":[],"indication_m":null,"EOA_m":null,"LOA_m":900,"V_LOA_kmh":36}})"
-            "\n");
+  EXPECT_EQ(
+      of(),
+      R"({"gradient":[],"mrsp":[],"orders":[],"indication_m":null,"EOA_m":null,"LOA_m":900,"V_LOA_kmh":36},"dmi":null})"
+      "\n");
 }
 
 TEST(OutputLines, ChangesOfThePlanning) {

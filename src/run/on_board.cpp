@@ -11,6 +11,7 @@ struct OnBoard::Memory {
   kernel::Derived derived;
   kernel::Outputs outputs;
   kernel::Planning planning;
+  kernel::Display display;
 };
 
 OnBoard::OnBoard(const kernel::Config& config, Costs costs) : memory_(std::make_unique<Memory>()), keep_(costs) {
@@ -39,6 +40,11 @@ const kernel::Outputs& OnBoard::step(const kernel::Inputs& inputs) {
 
 const kernel::Planning* OnBoard::plan() {
   return kernel::plan(memory_->state, memory_->derived, memory_->planning) ? &memory_->planning : nullptr;
+}
+
+const kernel::Display& OnBoard::show() {
+  kernel::show(memory_->state, memory_->derived, memory_->outputs, memory_->display);
+  return memory_->display;
 }
 
 std::size_t OnBoard::state_bytes() { return sizeof(kernel::State); }

@@ -29,6 +29,8 @@ class OnBoard {
   kernel::Retained retained() const;
   /// The advance display after that cycle; null where there is none. It stays valid until the next call.
   const kernel::Planning* plan();
+  /// The record of the display after that cycle. It stays valid until the next call.
+  const kernel::Display& show();
 
   static std::size_t state_bytes();
   std::size_t allocations_in_step() const { return allocations_; }

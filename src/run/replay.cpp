@@ -8,7 +8,9 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
+#include "io/display_json.h"
 #include "io/file.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
@@ -50,19 +52,21 @@ io::Result<bool> keep(const OnBoard& on_board, const std::string& persistent) {
 /// The outputs of the cycle before, for `--changes`.
 class Last {
  public:
-  bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning) const {
+  bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning, const std::string& dmi) const {
     return io::differ_beyond_motion(outputs_, outputs) ||
-           io::differ_beyond_motion(planning_ ? &*planning_ : nullptr, planning);
+           io::differ_beyond_motion(planning_ ? &*planning_ : nullptr, planning) || dmi_ != dmi;
   }
-  void keep(const kernel::Outputs& outputs, const kernel::Planning* planning) {
+  void keep(const kernel::Outputs& outputs, const kernel::Planning* planning, std::string dmi) {
     outputs_ = outputs;
     planning_.reset();
     if (planning != nullptr) planning_ = *planning;
+    dmi_ = std::move(dmi);
   }
 
  private:
   kernel::Outputs outputs_;
   std::optional<kernel::Planning> planning_;
+  std::string dmi_;  // motionless
 };
 
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
@@ -90,9 +94,12 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
       }
     const bool looked_at = options.changes || n % options.every == 0;
     const kernel::Planning* const planning = options.planning && looked_at ? on_board.plan() : nullptr;
-    const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning) : n % options.every == 0;
-    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning, stream.configuration().ntc_names);
-    if (options.changes) last.keep(outputs, planning);
+    const kernel::Display* const dmi = options.dmi && looked_at ? &on_board.show() : nullptr;
+    std::string at_rest;
+    if (options.changes && dmi != nullptr) at_rest = io::motionless(*dmi);
+    const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning, at_rest) : n % options.every == 0;
+    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning, stream.configuration().ntc_names, dmi);
+    if (options.changes) last.keep(outputs, planning, std::move(at_rest));
     if (text.size() < block && !live) continue;
     out.write(text);
     text.clear();

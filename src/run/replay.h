@@ -13,6 +13,7 @@ struct ReplayOptions {
   std::int64_t every = 1;  ///< print only every Nth cycle
   bool changes = false;    ///< print a cycle only when something other than position and speed changed
   bool planning = false;   ///< print the advance display (3.15.10)
+  bool dmi = false;        ///< print the record of the display (015560)
 };
 /// `evc replay`: passes a recorded or live stream of inputs to the on-board and prints its outputs. Returns the exit
 /// status: 0, or 2 with one line on standard error.

@@ -168,9 +168,13 @@ class Run {
  public:
   explicit Run(const Scenario& scenario) : scenario_(scenario) {
     if (!scenario.srs.empty()) config_["srs"] = scenario.srs;
-    for (const Statement& s : scenario.statements)
-      plans_ = plans_ || s.condition.key.rfind("planning", 0) == 0 ||
-               (s.action.until && s.action.until->key.rfind("planning", 0) == 0);
+    const auto asks = [](const Statement& s, const char* output) {
+      return s.condition.key.rfind(output, 0) == 0 || (s.action.until && s.action.until->key.rfind(output, 0) == 0);
+    };
+    for (const Statement& s : scenario.statements) {
+      plans_ = plans_ || asks(s, "planning");
+      shows_ = shows_ || asks(s, "dmi");
+    }
   }
 
   std::string whole() {
@@ -526,6 +530,7 @@ class Run {
     Kept& kept = *kept_[cycles_.size() % Cycle::kKept];
     kept.outputs = now;
     kept.plans = plans_ && kernel::plan(unit_->state, unit_->derived, kept.planning);
+    if (shows_) kernel::show(unit_->state, unit_->derived, now, kept.display.emplace());
     Cycle& c = cycles_.emplace_back();
     c.t_ms = inputs_of_cycle_.t_ms;
     c.momentary = !now.events.empty() || !now.radio_out.empty() || now.radio_connect || now.radio_disconnect;
@@ -625,7 +630,7 @@ class Run {
     if (i + Cycle::kKept < cycles_.size()) throw std::logic_error("the outputs of a cycle that are not kept");
     const Kept& kept = *kept_[i % Cycle::kKept];
     io::append_output(c.line, c.t_ms, kept.outputs, kept.plans ? &kept.planning : nullptr,
-                      stream_->configuration().ntc_names);
+                      stream_->configuration().ntc_names, kept.display ? &*kept.display : nullptr);
     return c.line;
   }
   /// One output of a cycle. Nothing: there is none of that name.
@@ -811,10 +816,12 @@ class Run {
     kernel::Outputs outputs;
     kernel::Planning planning;
     bool plans = false;
+    std::optional<kernel::Display> display;
   };
 
   const Scenario& scenario_;
   bool plans_ = false;  // an expectation asks for the advance display
+  bool shows_ = false;  // or for the record of the display
   const Statement* now_ = nullptr;
   Json config_ = Json::object();
   std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();

@@ -63,6 +63,7 @@ constexpr auto kOutputs = std::to_array<const char*>({
     "train_orders",
     "sessions",
     "planning",
+    "dmi",
     "data",
     "clock",
     "shown",
@@ -76,8 +77,8 @@ constexpr auto kOutputs = std::to_array<const char*>({
 });
 
 /// Outputs with elements and members of their own: "train_orders.pantograph.0.to_end_m".
-constexpr std::array<const char*, 7> kStructured{
-    "track_conditions", "train_orders", "sessions", "planning", "data", "clock", "forwarded"};
+constexpr std::array<const char*, 8> kStructured{
+    "track_conditions", "train_orders", "sessions", "planning", "dmi", "data", "clock", "forwarded"};
 constexpr std::array<const char*, 19> kModes{"NP", "SB", "PS", "SH", "FS", "LS", "SR", "OS", "SL", "NL",
                                              "UN", "TR", "PT", "SF", "IS", "SN", "RV", "SM", "AD"};
 constexpr std::array<const char*, 5> kLevels{"0", "NTC", "1", "2", "3"};
