@@ -122,7 +122,7 @@ static_assert(terms::in_order(kAreaRows) && kAreaRows.size() == terms::index(Are
 constexpr const char* name(Area area) { return terms::kNames<kAreaRows>[terms::index(area)]; }
 constexpr Rect rect_of(Area area) { return kAreaRows[terms::index(area)].at; }
 
-/// A short text in ISO 8859-1; what does not fit is cut off.
+/// A short text in UTF-8; what does not fit is cut off.
 template <std::size_t Capacity>
 struct Text {
   std::array<char, Capacity> characters{};
@@ -254,7 +254,7 @@ struct Screen {
   InplaceVector<Item, kMostItems> items;
   InplaceVector<Area, 8> flashing;  ///< areas whose frame flashes now (also while it is in its invisible half)
   InplaceVector<Touch, 64> touch;
-  InplaceVector<SoundOrder, 16> sounds;       ///< that the last call of show, press, slide, release or tick ordered
+  InplaceVector<SoundOrder, 16> sounds;       ///< ordered since the last `take`
   std::uint8_t brightness = 50, volume = 50;  ///< percent
 };
 static_assert(std::is_trivially_copyable_v<Screen>);

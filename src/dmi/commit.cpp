@@ -1,0 +1,217 @@
+#include "dmi/commit.h"
+
+#include "dmi/entry.h"
+#include "dmi/labels.h"
+#include "dmi/windows.h"
+
+namespace evc::dmi {
+namespace {
+
+using port::Select;
+
+void tell(State& state, Select what) { state.commands.actions.selected |= 1u << static_cast<unsigned>(what); }
+
+std::uint64_t number_of(const State& state, FieldId id) {
+  const Value* value = value_of(state.entry, id);
+  const auto number = value != nullptr ? typed_number(*value) : std::nullopt;
+  return number ? *number : 0;
+}
+int choice_of(const State& state, FieldId id) {
+  const Value* value = value_of(state.entry, id);
+  return value != nullptr ? value->choice : -1;
+}
+std::string_view characters_of(const State& state, FieldId id) {
+  const Value* value = value_of(state.entry, id);
+  return value != nullptr ? value->typed.view() : std::string_view{};
+}
+
+/// The system of a choice of the level window.
+std::uint8_t system_of(const State& state, int choice) {
+  const Words wanted = choice_label(state, FieldId::level, static_cast<std::size_t>(choice));
+  for (const std::uint8_t nid_ntc : state.display.data.ntcs)
+    if (ntc_label(state.display, nid_ntc) == wanted) return nid_ntc;
+  return 0;
+}
+
+void commit_level(State& state, Duration now) {
+  constexpr std::array<Level, 4> kLevelOfChoice{Level::L1, Level::L2, Level::L3, Level::L0};
+  const int choice = choice_of(state, FieldId::level);
+  if (choice < 0) return;
+  const bool national = static_cast<std::size_t>(choice) >= kLevelOfChoice.size();
+  const Level level = national ? Level::NTC : kLevelOfChoice[static_cast<std::size_t>(choice)];
+  state.commands.actions.level = level;
+  if (national) state.commands.actions.nid_ntc = system_of(state, choice);
+  if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows
+  if (!level_2_or_3(level)) return open_window(state, WindowId::main);
+  // 11.7.3 D5
+  if (state.display.data.stored.rbc_status == DataStatus::valid) return await(state, WindowId::main, now);
+  open_window(state, WindowId::radio_data);
+}
+
+void commit_number(State& state) {
+  const std::string_view digits = characters_of(state, FieldId::train_running_number);
+  state.commands.actions.train_running_number = static_cast<std::uint32_t>(to_bcd(digits, 8));
+  state.running_number_next = false;
+  if (state.from_driver_id) {
+    state.from_driver_id = false;
+    return open_window(state, WindowId::driver_id);
+  }
+  open_window(state, WindowId::main);
+}
+
+void commit_rbc(State& state, Duration now) {
+  const std::uint64_t id = number_of(state, FieldId::rbc_id);
+  port::DriverActions::RbcContact contact{};
+  contact.NID_RBC = static_cast<std::uint16_t>(id & 0x3FFF);
+  contact.NID_C = static_cast<std::uint16_t>((id >> 14) & 0x3FF);
+  contact.NID_RADIO = to_bcd(characters_of(state, FieldId::rbc_phone), 16);
+  state.commands.actions.rbc_contact = contact;
+  await(state, WindowId::main, now);
+}
+
+void commit_network(State& state) {
+  const int choice = choice_of(state, FieldId::network);
+  if (choice >= 0 && static_cast<std::size_t>(choice) < state.display.data.networks.size())
+    state.commands.actions.network = state.display.data.networks[static_cast<std::size_t>(choice)];
+  open_window(state, WindowId::radio_data);
+}
+
+void commit_sr(State& state) {
+  state.commands.actions.V_sr = Speed{static_cast<double>(number_of(state, FieldId::sr_speed)) / kKmh};
+  state.commands.actions.D_sr = Distance{static_cast<double>(number_of(state, FieldId::sr_distance))};
+  open_window(state, WindowId::special);
+}
+
+/// The codes of virtual balise covers: the bits stand in another order to set than to remove (11.3.6, 11.3.7).
+port::DriverActions::Cover cover_of(std::uint64_t code, bool remove) {
+  port::DriverActions::Cover cover{};
+  if (remove) {
+    cover.NID_C = static_cast<std::uint16_t>(code & 0x3FF);
+    cover.NID_VBCMK = static_cast<std::uint8_t>((code >> 10) & 0x3F);
+  } else {
+    cover.NID_VBCMK = static_cast<std::uint8_t>(code & 0x3F);
+    cover.NID_C = static_cast<std::uint16_t>((code >> 6) & 0x3FF);
+    cover.T_VBC = static_cast<std::uint8_t>((code >> 16) & 0xFF);
+  }
+  return cover;
+}
+
+/// The window of the entry that a validation window asks about.
+WindowId validated_window(WindowId window) {
+  return window == WindowId::validate_set_vbc      ? WindowId::set_vbc
+         : window == WindowId::validate_remove_vbc ? WindowId::remove_vbc
+                                                   : WindowId::train_data;
+}
+WindowId validation_of(WindowId window) {
+  return window == WindowId::set_vbc      ? WindowId::validate_set_vbc
+         : window == WindowId::remove_vbc ? WindowId::validate_remove_vbc
+                                          : WindowId::validate_train_data;
+}
+
+void commit_validation(State& state, Duration now) {
+  const WindowId window = state.window;
+  const bool yes = choice_of(state, FieldId::validation) == 1;
+  const Entry entered = state.validated;
+  if (!yes) {
+    // Back to the entry, which proposes the values of before; its process begins again (11.7.3 S3-2).
+    open_window(state, validated_window(window));
+    state.entry = entered;
+    state.entry.selected = 0;
+    for (Field& field : state.entry.fields) field.accepted = field.typed = false;
+    return;
+  }
+  state.entry = entered;
+  if (window != WindowId::validate_train_data) {
+    const bool remove = window == WindowId::validate_remove_vbc;
+    state.commands.actions.cover =
+        cover_of(number_of(state, remove ? FieldId::vbc_to_remove : FieldId::vbc_to_set), remove);
+    tell(state, remove ? Select::vbc_remove : Select::vbc_set);
+    return open_window(state, WindowId::settings);
+  }
+  state.commands.train_data = entered_train_data(state, entered);
+  if (const Value* type = value_of(entered, FieldId::train_type); type != nullptr && type->choice >= 0)
+    state.commands.train_type = static_cast<std::uint8_t>(type->choice);
+  // 11.7.3 D6: without a valid train running number it is entered next.
+  if (state.display.data.stored.train_running_number_status != DataStatus::valid) {
+    open_window(state, WindowId::train_running_number);
+    state.running_number_next = true;
+    return;
+  }
+  if (level_2_or_3(state.display.level) && state.display.radio == RadioIndication::up)
+    return await(state, WindowId::main, now);
+  open_window(state, WindowId::main);
+}
+
+/// The windows of the settings, whose values stay in the display but for language and ATO.
+void commit_settings(State& state) {
+  switch (state.window) {
+    case WindowId::language: {
+      const int choice = choice_of(state, FieldId::language);
+      if (choice >= 0 && static_cast<std::size_t>(choice) < state.display.config.languages.size())
+        state.commands.actions.language = state.display.config.languages[static_cast<std::size_t>(choice)];
+      break;
+    }
+    case WindowId::volume:
+      state.volume = static_cast<std::uint8_t>(20 * (choice_of(state, FieldId::volume) + 1));
+      break;
+    case WindowId::brightness:
+      state.brightness = static_cast<std::uint8_t>(20 * (choice_of(state, FieldId::brightness) + 1));
+      break;
+    default:
+      state.commands.ato_on = choice_of(state, FieldId::ato) == 1;
+      break;
+  }
+  open_window(state, WindowId::settings);
+}
+
+void commit_one_system(State& state, Duration now) {
+  const bool yes = choice_of(state, FieldId::one_radio_system) == 1;
+  state.commands.one_radio_system = yes;
+  if (state.display.start_of_mission) return await(state, WindowId::main, now);
+  open_window(state, yes ? WindowId::radio_data : WindowId::main);  // 11.7.3 S10
+}
+
+}  // namespace
+
+void complete_entry(State& state, Duration now) {
+  switch (state.window) {
+    case WindowId::driver_id:
+      state.commands.actions.driver_id = DriverId{characters_of(state, FieldId::driver_id)};
+      if (state.display.start_of_mission) return await(state, WindowId::main, now);  // D2 of 11.7.2
+      return open_window(state, WindowId::main);
+    case WindowId::train_running_number:
+      return commit_number(state);
+    case WindowId::level:
+      return commit_level(state, now);
+    case WindowId::adhesion:
+      tell(state, choice_of(state, FieldId::adhesion) == 1 ? Select::slippery_rail : Select::adhesion_normal);
+      return open_window(state, WindowId::special);
+    case WindowId::sr_data:
+      return commit_sr(state);
+    case WindowId::rbc_data:
+      return commit_rbc(state, now);
+    case WindowId::network_id:
+      return commit_network(state);
+    case WindowId::radio_type:
+      state.commands.radio = static_cast<port::RadioNetworkType>(choice_of(state, FieldId::radio_type) % 3);
+      return open_window(state, WindowId::radio_data);
+    case WindowId::one_radio_system:
+      return commit_one_system(state, now);
+    case WindowId::train_data:
+    case WindowId::set_vbc:
+    case WindowId::remove_vbc: {
+      const Entry entered = state.entry;
+      open_window(state, validation_of(state.window));
+      state.validated = entered;
+      return;
+    }
+    case WindowId::validate_train_data:
+    case WindowId::validate_set_vbc:
+    case WindowId::validate_remove_vbc:
+      return commit_validation(state, now);
+    default:
+      return commit_settings(state);
+  }
+}
+
+}  // namespace evc::dmi

@@ -1,0 +1,72 @@
+#include "dmi/labels.h"
+
+namespace evc::dmi {
+namespace {
+
+struct LanguageRow {
+  std::string_view code, name;
+};
+constexpr std::array kLanguages{
+    LanguageRow{"bg", "Български"}, LanguageRow{"cs", "Čeština"},    LanguageRow{"da", "Dansk"},
+    LanguageRow{"de", "Deutsch"},   LanguageRow{"en", "English"},    LanguageRow{"es", "Español"},
+    LanguageRow{"fi", "Suomi"},     LanguageRow{"fr", "Français"},   LanguageRow{"hr", "Hrvatski"},
+    LanguageRow{"hu", "Magyar"},    LanguageRow{"it", "Italiano"},   LanguageRow{"nl", "Nederlands"},
+    LanguageRow{"no", "Norsk"},     LanguageRow{"pl", "Polski"},     LanguageRow{"pt", "Português"},
+    LanguageRow{"ro", "Română"},    LanguageRow{"sk", "Slovenčina"}, LanguageRow{"sl", "Slovenščina"},
+    LanguageRow{"sv", "Svenska"}};
+
+constexpr std::array<std::string_view, static_cast<std::size_t>(FieldId::count)> kLabels{
+    "Driver ID",
+    "Train running number",
+    "Level",
+    "Language",
+    "Volume",
+    "Brightness",
+    "VBC code",
+    "VBC code",
+    "ATO",
+    "Adhesion",
+    "SR speed (km/h)",
+    "SR distance (m)",
+    "RBC ID",
+    "RBC phone number",
+    "GSM-R network ID",
+    "Radio network type",
+    "Mission with one radio system",
+    "Train type",
+    "Train category",
+    "Length (m)",
+    "Brake percentage",
+    "Maximum speed (km/h)",
+    "Axle load category",
+    "Airtight",
+    "Loading gauge",
+    "Validation"};
+
+}  // namespace
+
+Words ntc_label(const port::Display& display, std::uint8_t nid_ntc) {
+  Words words;
+  for (const port::NtcName& named : display.config.ntc_names)
+    if (named.nid_ntc == nid_ntc) append_latin(words, until_zero(named.characters));
+  if (!words.empty()) return words;
+  words.append("NTC ");
+  append_number(words, nid_ntc);
+  return words;
+}
+
+std::string_view fixed_text(std::uint8_t Q_TEXT) {
+  return Q_TEXT == 0 ? "Level crossing not protected" : Q_TEXT == 1 ? "Acknowledgement" : "Text of the trackside";
+}
+
+std::string_view label(FieldId id) {
+  return id < FieldId::count ? kLabels[static_cast<std::size_t>(id)] : std::string_view{};
+}
+
+std::string_view language_name(Language language) {
+  for (const LanguageRow& row : kLanguages)
+    if (row.code == language.view()) return row.name;
+  return language.view();
+}
+
+}  // namespace evc::dmi

@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "dmi/acks.h"
+#include "dmi/dmi.h"
+#include "dmi/drawing.h"
+#include "dmi/windows.h"
+
+namespace evc::dmi {
+namespace {
+
+bool may_toggle(Mode mode) { return mode == Mode::OS || mode == Mode::SR || mode == Mode::SH; }
+
+/// B3 to B5 (8.2.3.7): a symbol takes the first free place and keeps it; when all are taken the others wait in the
+/// order of their appearance.
+void assign_slots(State& state) {
+  const auto& conditions = state.display.conditions;
+  const auto shown = [&](std::uint16_t id) {
+    return std::any_of(conditions.begin(), conditions.end(), [&](const auto& condition) { return condition.id == id; });
+  };
+  for (std::uint16_t& slot : state.slots)
+    if (slot != 0 && !shown(slot)) slot = 0;
+  for (const port::DisplayedCondition& condition : conditions) {
+    if (condition.id == 0 || std::find(state.slots.begin(), state.slots.end(), condition.id) != state.slots.end())
+      continue;
+    const auto free = std::find(state.slots.begin(), state.slots.end(), std::uint16_t{0});
+    if (free == state.slots.end()) return;
+    *free = condition.id;
+  }
+}
+
+bool same_text(const port::DisplayedText& a, const port::DisplayedText& b) {
+  return a.id == b.id && a.since == b.since && a.kind == b.kind;
+}
+
+/// Texts that are new: a sound with the important ones (14.2), and scrolling begins again.
+void take_texts(State& state, const port::Display& before, bool first) {
+  for (const port::DisplayedText& text : state.display.texts) {
+    const bool known = !first && std::any_of(before.texts.begin(), before.texts.end(),
+                                             [&](const auto& old) { return same_text(old, text); });
+    if (known) continue;
+    state.scroll = 0;
+    if (text.important && !text.acknowledge) order_sound(state, Sound::Sinfo);
+  }
+  while (state.scroll > 0 && !can_scroll(state, false)) {
+    --state.scroll;
+    if (can_scroll(state, false)) {
+      ++state.scroll;
+      break;
+    }
+  }
+}
+
+/// Sounds of speed and distance monitoring (14.2, 14.3).
+void monitoring_sounds(State& state, const port::Display& before) {
+  const port::Display& display = state.display;
+  const bool silent = display.mode == Mode::LS || display.mode == Mode::AD;
+  const bool was_CSM = before.monitoring == Monitoring::CSM,
+             both_TSM = before.monitoring == Monitoring::TSM && display.monitoring == Monitoring::TSM;
+  const bool entered = was_CSM && (display.monitoring == Monitoring::TSM || display.monitoring == Monitoring::RSM);
+  if (!silent && (entered || (both_TSM && before.MRDT != display.MRDT))) order_sound(state, Sound::Sinfo);
+  if (display.mode != Mode::AD && both_TSM && before.status < Status::Overspeed && display.status >= Status::Overspeed)
+    order_sound(state, Sound::S1);
+}
+
+void warning_sound(State& state) {
+  const port::Display& display = state.display;
+  const bool monitored = display.monitoring == Monitoring::CSM || display.monitoring == Monitoring::TSM;
+  const bool warns = (monitored && display.status == Status::Warning && display.mode != Mode::AD) ||
+                     (display.ato.warning_sound && is_400(display));
+  if (warns == state.warning_sounds) return;
+  state.warning_sounds = warns;
+  order_sound(state, Sound::S2, warns ? SoundDo::loop : SoundDo::stop);
+}
+
+void symbol_sounds(State& state, const port::Display& before) {
+  const port::Display& display = state.display;
+  if (before.brake && !display.brake) {
+    if (!state.brake_acknowledged && !before.brake_for_missing_ack) order_sound(state, Sound::Sinfo);
+  }
+  if (!display.brake) state.brake_acknowledged = false;
+  if (before.sm && display.sm && *before.sm != *display.sm) order_sound(state, Sound::Sinfo);
+}
+
+}  // namespace
+
+void show(State& state, const port::Display& display) {
+  const bool first = !state.shown_once;
+  const bool had_TTI = !first && shows_TTI(state);
+  // The record of before is needed in parts only, but a copy is simple and has no pointers.
+  const port::Display before = state.display;
+  state.display = display;
+  if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (8.2.2.4.3)
+  if (!may_toggle(display.mode)) state.toggles.speed = false;
+  assign_slots(state);
+  if (!first) {
+    monitoring_sounds(state, before);
+    symbol_sounds(state, before);
+  }
+  warning_sound(state);
+  if (shows_TTI(state) && !had_TTI && display.mode != Mode::AD) order_sound(state, Sound::Sinfo);
+  follow_dialogue(state, first ? port::Display{} : before);
+  take_texts(state, before, first);
+  offer_acks(state, before);
+  state.shown_once = true;
+  tick(state, display.now);
+}
+
+train::TrainData with_entered(const train::TrainData& base, const port::ShownTrainData& entered) {
+  train::TrainData data = base;
+  data.L_TRAIN = entered.L_TRAIN;
+  data.V_MAXTRAIN = entered.V_MAXTRAIN;
+  if (entered.brake_percentage) data.brake_percentage = *entered.brake_percentage;
+  data.cant_deficiency_mm = entered.cant_deficiency_mm;
+  data.other_categories = entered.other_categories;
+  data.brake_position = (entered.other_categories & train::kFreightG) != 0   ? train::BrakePosition::FreightG
+                        : (entered.other_categories & train::kFreightP) != 0 ? train::BrakePosition::FreightP
+                                                                             : train::BrakePosition::PassengerP;
+  data.axle_load = entered.axle_load;
+  data.loading_gauge = entered.loading_gauge;
+  data.airtight = entered.airtight;
+  return data;
+}
+
+}  // namespace evc::dmi
