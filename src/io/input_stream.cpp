@@ -1,5 +1,6 @@
 #include "io/input_stream.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -512,19 +513,46 @@ Result<Configuration> read_configuration(std::string_view text, const std::strin
   });
 }
 
+void InputStream::begin(std::optional<Configuration> given) {
+  read_ahead();
+  if (pending_ && pending_->object.contains("config")) {
+    const JsonPlace place(pending_->object, file_, place_of_line());
+    configuration_ = read_configuration(place["config"]);
+    pending_->object.erase("config");
+    if (pending_->object.empty()) read_ahead();
+  }
+  if (given) configuration_ = *std::move(given);
+}
+
 Result<InputStream> InputStream::open(std::string file, NextLine next_line, std::optional<Configuration> given) {
   return guarded([&] {
     InputStream stream(std::move(file), std::move(next_line));
-    stream.read_ahead();
-    if (stream.pending_ && stream.pending_->object.contains("config")) {
-      const JsonPlace place(stream.pending_->object, stream.file_, stream.place_of_line());
-      stream.configuration_ = read_configuration(place["config"]);
-      stream.pending_->object.erase("config");
-      if (stream.pending_->object.empty()) stream.read_ahead();
-    }
-    if (given) stream.configuration_ = *std::move(given);
+    stream.begin(std::move(given));
     return stream;
   });
+}
+
+Result<InputStream> InputStream::open_by_clock(std::string file, NextLine next_line, ByClock by_clock) {
+  return guarded([&] {
+    InputStream stream(std::move(file), std::move(next_line));
+    stream.by_clock_ = std::move(by_clock);
+    stream.begin({});
+    stream.configuration_.cycle_ms = stream.by_clock_->cycle_ms.value_or(stream.configuration_.cycle_ms);
+    return stream;
+  });
+}
+
+std::int64_t InputStream::time_of(const JsonPlace& line) const {
+  if (by_clock_) return by_clock_->arrived_ms();
+  const auto t = line.find("t_ms");
+  // `config` has no time: it may be on a line without `t_ms`.
+  if (!t && line.find("config")) return 0;
+  const JsonPlace time = line["t_ms"];
+  const std::int64_t t_ms = time.integer(0, INT64_MAX / 4);
+  if (t_ms < last_ms_) time.fail("a time not before " + std::to_string(last_ms_));
+  if (t_ms <= ended_ms_) time.fail("a time after " + std::to_string(ended_ms_) + ", which was ended");
+  if (t_ms - last_ms_ > kLongestGapMs) time.fail("a time within 24 h of " + std::to_string(last_ms_));
+  return t_ms;
 }
 
 void InputStream::read_ahead() {
@@ -536,36 +564,32 @@ void InputStream::read_ahead() {
     if (text.find_first_not_of(" \t") == std::string::npos) continue;
     Pending read{parse_json(text, file_, place_of_line()), 0};
     const JsonPlace place(read.object, file_, place_of_line());
-    const auto t = place.find("t_ms");
-    // `config` has no time: it may be on a line without `t_ms`.
-    if (t || !place.find("config")) {
-      const JsonPlace time = place["t_ms"];
-      read.t_ms = time.integer(0, INT64_MAX / 4);
-      if (read.t_ms < last_ms_) time.fail("a time not before " + std::to_string(last_ms_));
-      if (read.t_ms <= ended_ms_) time.fail("a time after " + std::to_string(ended_ms_) + ", which was ended");
-      if (read.t_ms - last_ms_ > kLongestGapMs) time.fail("a time within 24 h of " + std::to_string(last_ms_));
-      last_ms_ = read.t_ms;
-    }
-    if (place.find("end")) ended_ms_ = read.t_ms;
+    read.t_ms = time_of(place);
+    last_ms_ = std::max(last_ms_, read.t_ms);
+    if (!by_clock_ && place.find("end")) ended_ms_ = read.t_ms;
     pending_ = std::move(read);
     return;
   }
 }
 
+void InputStream::consume(sim::CycleInputs& cycle) {
+  const JsonPlace object(pending_->object, file_, place_of_line());
+  read_object(cycle, pending_->t_ms, radio_, entered_, object);
+  if (configuration_.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
+    object["train"]["cab"].fail("A: the engine has one cab");
+  if (!configuration_.cold_movement_detection) cycle.levels.moved.reset();
+}
+
 Result<bool> InputStream::next(sim::CycleInputs& cycle) {
   return guarded([&] {
-    if (cycle_ended_) read_ahead();
+    if (cycle_ended_ || (by_clock_ && !pending_)) read_ahead();
     cycle_ended_ = false;
-    if (empty()) return false;
+    if (!by_clock_ && empty()) return false;
     cycle.clear();
     cycle.t_ms = next_cycle_ms_;
-    bool consumed = !radio_.empty();
+    bool consumed = by_clock_ || !radio_.empty();
     while (pending_ && pending_->t_ms <= cycle.t_ms) {
-      const JsonPlace object(pending_->object, file_, place_of_line());
-      read_object(cycle, pending_->t_ms, radio_, entered_, object);
-      if (configuration_.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
-        object["train"]["cab"].fail("A: the engine has one cab");
-      if (!configuration_.cold_movement_detection) cycle.levels.moved.reset();
+      consume(cycle);
       // `end` alone is no input: after the last cycle that it completes there is none.
       consumed = consumed || pending_->object.size() > 2 || ended_ms_ != pending_->t_ms;
       // The next line may come later than the outputs are wanted.

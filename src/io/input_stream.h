@@ -58,6 +58,15 @@ class InputStream {
   /// `given` replaces a `config` in the stream.
   static Result<InputStream> open(std::string file, NextLine next_line, std::optional<Configuration> given = {});
 
+  /// Cycles by a clock: the time of a line is that of its arrival, and its `t_ms`, which may be absent, is not looked
+  /// at; nor is `end`. No line means none yet. Every call of `next` gives a cycle, with the lines that are there and
+  /// arrived until its time.
+  struct ByClock {
+    std::function<std::int64_t()> arrived_ms;  ///< of the line that came last, ms since power-up; never falls
+    std::optional<std::int64_t> cycle_ms;      ///< instead of that of the configuration
+  };
+  static Result<InputStream> open_by_clock(std::string file, NextLine next_line, ByClock by_clock);
+
   const Configuration& configuration() const { return configuration_; }
   /// Nothing is left to deliver.
   bool empty() const { return !pending_ && radio_.empty(); }
@@ -71,11 +80,17 @@ class InputStream {
     std::int64_t t_ms = 0;
   };
   InputStream(std::string file, NextLine next_line) : file_(std::move(file)), next_line_(std::move(next_line)) {}
+  /// Reads the first line, and what is in the place of its `config`.
+  void begin(std::optional<Configuration> given);
   void read_ahead();
+  std::int64_t time_of(const JsonPlace& line) const;
+  /// The line that is pending becomes inputs of the cycle.
+  void consume(sim::CycleInputs& cycle);
   std::string place_of_line() const { return "line " + std::to_string(line_); }
 
   std::string file_;
   NextLine next_line_;
+  std::optional<ByClock> by_clock_;
   Configuration configuration_;
   std::optional<Pending> pending_;
   Radio radio_;  // not delivered yet

@@ -237,6 +237,57 @@ TEST(InputStream, EndIsNoInputOfALaterCycle) {
   EXPECT_EQ(error_in(R"({"t_ms":0,"end":false})"), "in.jsonl: line 1 /end: found false, expected true");
 }
 
+/// Lines that have arrived at a time each, until `now`.
+struct Arriving {
+  std::vector<std::pair<std::int64_t, std::string>> lines;
+  std::int64_t now = 0;
+  std::size_t read = 0;
+
+  Result<InputStream> open(std::optional<std::int64_t> cycle_ms = {}) {
+    return InputStream::open_by_clock("in.jsonl",
+                                      [this](std::string& line) {
+                                        if (read == lines.size() || lines[read].first > now) return false;
+                                        line = lines[read++].second;
+                                        return true;
+                                      },
+                                      {[this] { return lines[read - 1].first; }, cycle_ms});
+  }
+};
+
+TEST(InputStream, ByTheClockEveryCallGivesACycleWithWhatHasArrived) {
+  Arriving arriving{{{0, R"({"config":{"cycle_ms":200}})"},
+                     {150, R"({"odometer":{"nominal_m":1,"min_m":1,"max_m":1,"speed_mps":0}})"},
+                     {150, R"({"t_ms":99,"end":true,"train":{"sleeping":true}})"},
+                     {450, R"({"t_ms":0,"train":{"sleeping":false}})"},
+                     {450, R"({"config":{}})"}}};
+  auto stream = arriving.open();
+  ASSERT_TRUE(stream);
+  sim::CycleInputs cycle;
+  ASSERT_TRUE(*stream->next(cycle));
+  EXPECT_EQ(cycle.t_ms, 0);
+  arriving.now = 205;
+  ASSERT_TRUE(*stream->next(cycle));
+  EXPECT_EQ(cycle.t_ms, 200);
+  EXPECT_TRUE(cycle.view().train.sleeping);
+  EXPECT_EQ(cycle.view().odometry.nominal, OdometerPlace{{1.0}});
+  ASSERT_TRUE(cycle.view().odometry.measured);
+  EXPECT_EQ(*cycle.view().odometry.measured, Duration{0.15});
+  arriving.now = 460;  // late: what came after the time of the cycle is of the next one
+  ASSERT_TRUE(*stream->next(cycle));
+  EXPECT_EQ(cycle.t_ms, 400);
+  EXPECT_TRUE(cycle.view().train.sleeping);
+  const auto second = stream->next(cycle);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().text(), "in.jsonl: line 5 /config: found an object, expected config on the first line only");
+  EXPECT_FALSE(cycle.view().train.sleeping);
+
+  Arriving shorter{{{0, R"({"config":{"cycle_ms":200}})"}}};
+  auto given = shorter.open(20);
+  ASSERT_TRUE(*given->next(cycle));
+  ASSERT_TRUE(*given->next(cycle));
+  EXPECT_EQ(cycle.t_ms, 20);
+}
+
 TEST(InputStream, TimesOfMeasurement) {
   auto stream = open(R"({"t_ms":50,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3}}
 {"t_ms":150,"odometer":{"nominal_m":1,"min_m":0.5,"max_m":2,"speed_mps":3,"at_ms":120.5},"balise":{"telegram":"9002","at_ms":110}}

@@ -11,12 +11,6 @@
 namespace evc::run {
 namespace {
 
-using realtime::Nanoseconds;
-
-/// Brake orders have to come within 1 s (SUBSET-041 5.2.1.1, 5.2.1.6, 5.2.1.13). A unit that begins a cycle later than
-/// that does not supervise any more: it has failed (4.4.5).
-constexpr Nanoseconds kLatest = std::chrono::seconds(1);
-
 /// The on-board's side of the exchange: one call is one cycle.
 class Unit {
  public:
@@ -28,7 +22,7 @@ class Unit {
     if (!offered_at) hold();
     if (offered_at) age_.add(clock_.now() - *offered_at);
     inputs_.t_ms = cycle.number * cycle_ms_;
-    if (cycle.late > kLatest) inputs_.levels.safety_fault = true;
+    if (cycle.late > kLatestCycle) inputs_.levels.safety_fault = true;
     const kernel::Outputs& outputs = on_board_.step(inputs_.view());
     exchange_.publish([&](Exchange::Result& result) {
       result.cycle = cycle.number;

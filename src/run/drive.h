@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -39,6 +40,10 @@ class Recorder {
 
 /// Drives to the end: the world waits for the on-board and the on-board for the world.
 void drive(sim::World& world, OnBoard& on_board, Recorder& recorder);
+
+/// Brake orders have to come within 1 s (SUBSET-041 5.2.1.1, 5.2.1.6, 5.2.1.13). A unit that begins a cycle later than
+/// that does not supervise any more: it has failed (4.4.5).
+inline constexpr realtime::Nanoseconds kLatestCycle = std::chrono::seconds(1);
 
 /// What a run in real time measures in addition.
 struct RealTime {

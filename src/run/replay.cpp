@@ -5,17 +5,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 
-#include "io/display_json.h"
 #include "io/file.h"
 #include "io/input_stream.h"
-#include "io/output_lines.h"
 #include "io/outputs_diff.h"
 #include "io/retained_file.h"
+#include "run/answers.h"
 #include "run/on_board.h"
 #include "run/stream.h"
 
@@ -49,42 +46,22 @@ io::Result<bool> keep(const OnBoard& on_board, const std::string& persistent) {
   return io::write_whole(persistent, io::retained_text(on_board.retained()));
 }
 
-/// The outputs of the cycle before, for `--changes`.
-class Last {
- public:
-  bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning, const std::string& dmi) const {
-    return io::differ_beyond_motion(outputs_, outputs) ||
-           io::differ_beyond_motion(planning_ ? &*planning_ : nullptr, planning) || dmi_ != dmi;
-  }
-  void keep(const kernel::Outputs& outputs, const kernel::Planning* planning, std::string dmi) {
-    outputs_ = outputs;
-    planning_.reset();
-    if (planning != nullptr) planning_ = *planning;
-    dmi_ = std::move(dmi);
-  }
-
- private:
-  kernel::Outputs outputs_;
-  std::optional<kernel::Planning> planning_;
-  std::string dmi_;  // motionless
-};
-
 /// Answers every cycle of the stream. After an error the outputs up to there are complete.
 io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::WholeFile& out,
                                const ReplayOptions& options) {
   constexpr std::size_t block = 1 << 16;
   sim::CycleInputs cycle;
   bool powered = true;
-  Last last;
+  Answers answers(on_board, stream.configuration().ntc_names, options);
   std::string text;
   const bool live = options.input == "-";
-  for (std::int64_t n = 0;; ++n) {
+  for (;;) {
     const auto more = stream.next(cycle);
     if (!more || !*more) {
       out.write(text);
       return more;
     }
-    const kernel::Outputs& outputs = on_board.step(cycle.view());
+    answers.append(text, cycle);
     const bool goes_off = powered && !cycle.levels.train.powered;
     powered = cycle.levels.train.powered;
     if (goes_off)
@@ -92,14 +69,6 @@ io::Result<bool> replay_stream(io::InputStream& stream, OnBoard& on_board, io::W
         out.write(text);
         return kept;
       }
-    const bool looked_at = options.changes || n % options.every == 0;
-    const kernel::Planning* const planning = options.planning && looked_at ? on_board.plan() : nullptr;
-    const kernel::Display* const dmi = options.dmi && looked_at ? &on_board.show() : nullptr;
-    std::string at_rest;
-    if (options.changes && dmi != nullptr) at_rest = io::motionless(*dmi);
-    const bool wanted = options.changes ? n == 0 || last.differs(outputs, planning, at_rest) : n % options.every == 0;
-    if (wanted) io::append_output(text, cycle.t_ms, outputs, planning, stream.configuration().ntc_names, dmi);
-    if (options.changes) last.keep(outputs, planning, std::move(at_rest));
     if (text.size() < block && !live) continue;
     out.write(text);
     text.clear();

@@ -1,19 +1,16 @@
 #pragma once
-#include <cstdint>
 #include <string>
+
+#include "run/answers.h"
 
 namespace evc::run {
 
-struct ReplayOptions {
+struct ReplayOptions : Printed {
   std::string input;       ///< JSON Lines; "-": standard input, answered cycle by cycle
   std::string config;      ///< configuration, instead of the stream's first line
   std::string persistent;  ///< what the unit keeps without power: read at the start if it exists, written at power off
                            ///< and at the end
   std::string output = "-";
-  std::int64_t every = 1;  ///< print only every Nth cycle
-  bool changes = false;    ///< print a cycle only when something other than position and speed changed
-  bool planning = false;   ///< print the advance display (3.15.10)
-  bool dmi = false;        ///< print the record of the display (015560)
 };
 /// `evc replay`: passes a recorded or live stream of inputs to the on-board and prints its outputs. Returns the exit
 /// status: 0, or 2 with one line on standard error.

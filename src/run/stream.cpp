@@ -24,9 +24,12 @@ io::Result<io::InputStream> open_stream(const std::string& input, const std::str
   auto stream = io::InputStream::open(
       input, [lines](std::string& line) { return lines->next(line); }, std::move(given));
   if (!stream) return tl::unexpected(of_stream(stream.error(), input));
-  if (stream->empty())
-    return tl::unexpected(io::Diagnostic{input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"});
+  if (stream->empty()) return tl::unexpected(no_input(input));
   return stream;
+}
+
+io::Diagnostic no_input(const std::string& input) {
+  return {input, "", "no input", "a line with t_ms, as {\"t_ms\":0}"};
 }
 
 io::Result<kernel::Retained> load_retained(const std::string& file) {

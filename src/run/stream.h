@@ -10,6 +10,9 @@ namespace evc::run {
 /// Opens it, with the configuration of a file of its own where one is named.
 io::Result<io::InputStream> open_stream(const std::string& input, const std::string& config);
 
+/// The error of a stream without any input.
+io::Diagnostic no_input(const std::string& input);
+
 /// What a unit kept, from the file of --persistent.
 io::Result<kernel::Retained> load_retained(const std::string& file);
 
