@@ -35,11 +35,12 @@ MAY_INCLUDE = {
     # Cycles by the clock and hand-over between threads, of values of any type.
     "realtime": set(),
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime"},
+    "serve": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime", "run"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "explain": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
-    "app": {"check", "curves", "explain", "matrix", "run", "language", "io"},
+    "app": {"check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

@@ -22,6 +22,7 @@
 #include "matrix/command.h"
 #include "run/replay.h"
 #include "run/run.h"
+#include "serve/command.h"
 
 // The command line with the texts of `evc COMMAND --help`. The commands themselves are in their rooms.
 namespace evc::app {
@@ -119,6 +120,21 @@ void add_replay(CLI::App& app, int& exit_code) {
     if (compared->empty() && input->count() == 0) throw CLI::RequiredError("input");
     exit_code = compared->empty() ? run::replay(*options) : run::diff((*compared)[0], (*compared)[1]);
   });
+}
+
+void add_serve(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<serve::Options>();
+  CLI::App* command =
+      app.add_subcommand("serve", "Units behind a port of this machine: lines as of evc replay over TCP or WebSocket");
+  command->add_option("--port", options->port, "port of the loopback interface, 0 for a free one; default: 8026")
+      ->check(whole_number_between(0, 65535));
+  CLI::Option* real_time = command->add_flag("--real-time", options->real_time, "cycles by the clock");
+  command
+      ->add_option("--cycle", options->cycle_ms,
+                   "length of a cycle in ms, with --real-time; default: that of the configuration")
+      ->check(whole_number_between(1, 1000))
+      ->needs(real_time);
+  command->callback([options, &exit_code] { exit_code = serve::serve(*options); });
 }
 
 void add_curves(CLI::App& app, int& exit_code) {
@@ -330,6 +346,7 @@ void add_make_line(CLI::App& app, int& exit_code) {
 void add_commands(CLI::App& app, int& exit_code) {
   add_run(app, exit_code);
   add_replay(app, exit_code);
+  add_serve(app, exit_code);
   add_curves(app, exit_code);
   add_decode(app, exit_code);
   add_encode(app, exit_code);

@@ -80,7 +80,7 @@ class InputStream {
     std::int64_t t_ms = 0;
   };
   InputStream(std::string file, NextLine next_line) : file_(std::move(file)), next_line_(std::move(next_line)) {}
-  /// Reads the first line, and what is in the place of its `config`.
+  /// Reads the first line, and its configuration if it has one.
   void begin(std::optional<Configuration> given);
   void read_ahead();
   std::int64_t time_of(const JsonPlace& line) const;

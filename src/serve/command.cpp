@@ -1,0 +1,25 @@
+#include "serve/command.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "run/stop_signals.h"
+#include "serve/server.h"
+
+namespace evc::serve {
+
+int serve(const Options& options) {
+  const run::StopSignals signals;
+  ServerOptions wanted;
+  wanted.port = options.port;
+  wanted.pace = {options.real_time, options.cycle_ms};
+  const auto server = Server::open(wanted);
+  if (!server) return io::complain(server.error());
+  fmt::print("http://127.0.0.1:{}/\n", (*server)->port());
+  std::fflush(stdout);
+  (*server)->run([&] { return signals.seen(); });
+  return 0;
+}
+
+}  // namespace evc::serve

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "io/diagnostic.h"
+#include "realtime/clock.h"
+#include "serve/conversation.h"
+
+namespace evc::serve {
+
+/// How the cycles of a session come.
+struct Pace {
+  bool by_clock = false;                 ///< else by the times of the lines, as `evc replay`
+  std::optional<std::int64_t> cycle_ms;  ///< with the clock: instead of `cycle_ms` of the configuration
+};
+
+/// `{"error":"line 12 /odometer: found X, expected Y"}` with its end: what a session says last.
+std::string error_line(io::Diagnostic error);
+
+/// One session: a unit of its own answers the lines of a partner, cycle by cycle, until they end or one of them is
+/// wrong, which the partner is told; until the partner has gone, takes nothing, or a stop is requested. Then the
+/// conversation is finished, whatever happened. Lines that have arrived later than a cycle of the clock is due belong
+/// to a later one; the clock is that of their `arrived`.
+void answer(Conversation& partner, const Pace& pace, realtime::Clock& clock, const std::stop_token& stop);
+
+}  // namespace evc::serve
