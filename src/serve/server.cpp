@@ -66,7 +66,7 @@ class Hub {
   std::uint16_t port() const { return port_; }
 
   bool has_room() const;
-  /// Further ones, which are only told that there is no room.
+  /// Further ones, which only get the error that there is no room.
   bool can_refuse() const { return sessions_.size() < 2 * options_.most_sessions; }
   io::Diagnostic full() const {
     return {"session", "", std::to_string(options_.most_sessions) + " sessions", "a session less"};
@@ -115,7 +115,7 @@ class Session : public std::enable_shared_from_this<Session> {
     }
     advance();
   }
-  /// No unit: the partner is told why.
+  /// No unit: the partner gets the reason.
   void refuse(const io::Diagnostic& why) {
     refused_ = true;
     conversation_.end_inputs();
@@ -168,7 +168,7 @@ class Session : public std::enable_shared_from_this<Session> {
  protected:
   virtual void read() = 0;
   virtual void send(std::vector<std::string> lines) = 0;
-  /// Everything is said: the partner is told the end in the manner of the protocol.
+  /// Everything is said: the partner learns the end in the manner of the protocol.
   virtual void leave() = 0;
   virtual void close() = 0;
   /// Whether what still comes is read and dropped while leaving: bytes that nobody reads would make the system forget
@@ -349,7 +349,7 @@ class WebSession final : public Session {
   bool ended_ = false;
 };
 
-/// A connection that is no session yet: its first byte tells which protocol it speaks. Every method of HTTP begins with
+/// A connection that is no session yet: its first byte shows which protocol it speaks. Every method of HTTP begins with
 /// a capital letter, no line of JSON does; so no page of a browser can begin a session of lines.
 class Visitor : public std::enable_shared_from_this<Visitor> {
  public:

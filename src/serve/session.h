@@ -20,9 +20,9 @@ struct Pace {
 std::string error_line(io::Diagnostic error);
 
 /// One session: a unit of its own answers the lines of a partner, cycle by cycle, until they end or one of them is
-/// wrong, which the partner is told; until the partner has gone, takes nothing, or a stop is requested. Then the
-/// conversation is finished, whatever happened. Lines that have arrived later than a cycle of the clock is due belong
-/// to a later one; the clock is that of their `arrived`.
+/// wrong, which is the last line that the partner gets; until the partner has gone, takes nothing, or a stop is
+/// requested. Then the conversation is finished, whatever happened. Lines that have arrived later than a cycle of the
+/// clock is due belong to a later one; the clock is that of their `arrived`.
 void answer(Conversation& partner, const Pace& pace, realtime::Clock& clock, const std::stop_token& stop);
 
 }  // namespace evc::serve
