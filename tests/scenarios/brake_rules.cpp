@@ -40,6 +40,11 @@ std::optional<bool> message_of_RBC(const Cycle& c) {
 std::optional<bool> power_and_no_failure(const Cycle& c) {
   return c.now.mode != Mode::NP && c.now.mode != Mode::SF && !c.in.safety_fault;
 }
+/// 5.22.4.2 of 4.0.0, seen by the possibility to revoke it; while an acknowledgement is asked for the menus are closed.
+std::optional<bool> alarm_inhibited(const Cycle& c) {
+  if (!c.now.requests.empty()) return {};
+  return c.now.enabled.has(DriverInput::bmm_revoke);
+}
 std::optional<bool> distance_extended(const Cycle& c) { return !c.now.rv_left || *c.now.rv_left > Distance{}; }
 
 Condition condition_of(const std::string& name, const std::string& brake) {
@@ -54,6 +59,7 @@ Condition condition_of(const std::string& name, const std::string& brake) {
       {"no power or failure over", power_and_no_failure},
       {"distance extended", distance_extended},
       {"alarm over", [](const Cycle& c) { return std::optional(!c.in.train.antenna_alarm); }},
+      {"alarm inhibited", alarm_inhibited},
       {"not ordered SB", [](const Cycle& c) { return std::optional(!c.in.national_system.service_brake); }},
       {"not ordered EB", [](const Cycle& c) { return std::optional(!c.in.national_system.emergency_brake); }},
   };
