@@ -40,6 +40,8 @@ MAY_INCLUDE = {
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "explain": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
+    # Pictures of the display list.
+    "paint": {"base", "terms", "port", "dmi"},
     "app": {"check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
