@@ -10,8 +10,9 @@ import sys
 from fontTools.pens.basePen import BasePen
 from fontTools.ttLib import TTFont
 
-# The printable characters of ISO 8859-1 and of Latin Extended-A, and the dash of the status texts: kRanges of font.cpp.
-CHARACTERS = [*range(0x20, 0x7F), *range(0xA0, 0x180), 0x2013]
+# The printable characters of ISO 8859-1 and of Latin Extended-A, Cyrillic letters, and the dash of the status texts:
+# kRanges of font.cpp.
+CHARACTERS = [*range(0x20, 0x7F), *range(0xA0, 0x180), *range(0x410, 0x450), 0x2013]
 COLUMNS = 116
 
 

@@ -20,7 +20,8 @@ struct Range {
   char32_t first, last;
   std::size_t place;
 };
-constexpr std::array<Range, 3> kRanges{{{0x20, 0x7E, 0}, {0xA0, 0x17F, 95}, {0x2013, 0x2013, 319}}};
+constexpr std::array<Range, 4> kRanges{
+    {{0x20, 0x7E, 0}, {0xA0, 0x17F, 95}, {0x410, 0x44F, 319}, {0x2013, 0x2013, 383}}};
 static_assert(kRanges.back().place + 1 == kGlyphs);
 
 const Range* range_of(char32_t character) {

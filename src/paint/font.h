@@ -16,7 +16,7 @@ struct Glyph {
 };
 
 inline constexpr double kCapital = 1409.0;
-inline constexpr std::size_t kGlyphs = 320;  ///< U+0020 to U+007E, U+00A0 to U+017F, U+2013
+inline constexpr std::size_t kGlyphs = 384;  ///< U+0020 to U+007E, U+00A0 to U+017F, U+0410 to U+044F, U+2013
 extern const Glyph kRegular[kGlyphs];
 extern const Glyph kBold[kGlyphs];
 

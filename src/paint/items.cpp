@@ -283,9 +283,30 @@ void edge(Shapes& shapes, const Item& item) {
   if ((item.sides & dmi::kRight) != 0) fill(shapes, r.x + r.w - 1, r.y, 1, r.h, item.colour);
 }
 
+/// The geographical position: its metres are less high than its kilometres (8.4.4.9).
+void geo(Shapes& shapes, const Item& item, const Rect& r) {
+  constexpr double metres_height = 10.0;
+  const std::string_view text = item.text.view();
+  const std::size_t split = std::min(text.find(' ') + 1, text.size());
+  const std::string_view km = text.substr(0, split), m = text.substr(split);
+  const double km_width = width_of(km, height_of(item), item.bold);
+  const double width = km_width + width_of(m, metres_height, item.bold);
+  const Point left{r.x + (r.w - width) / 2.0, r.y + (r.h + height_of(item)) / 2.0};
+  write(shapes, km, left, height_of(item), item.colour, item.bold);
+  write(shapes, m, {left.x + km_width, left.y}, metres_height, item.colour, item.bold);
+}
+
 void text(Shapes& shapes, const Item& item) {
   const Rect r = dmi::absolute(item);
   fill(shapes, r, item.background);
+  if (item.name.view() == "geo") return geo(shapes, item, r);
+  if (item.name.view() == "dwell" && !item.text.empty()) {
+    // The number ends at the indent, its unit follows (8.5.5.4).
+    const std::string_view unit = item.text.view().substr(item.text.length - 1U);
+    return write_in(shapes, r, item.text.view(),
+                    {height_of(item), item.colour, item.bold, item.align,
+                     item.indent - width_of(unit, height_of(item), item.bold)});
+  }
   write_in(shapes, r, item.text.view(),
            {height_of(item), item.colour, item.bold, item.align, static_cast<double>(item.indent)});
 }

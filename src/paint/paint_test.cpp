@@ -232,6 +232,10 @@ TEST(Font, EveryPrintableCharacterHasAnOutline) {
     }
     ++outlines;
   }
+  for (char32_t character = 0x410; character < 0x450; ++character) {
+    EXPECT_NE(*glyph_of(character, false).outline, '\0') << static_cast<int>(character);
+    ++outlines;
+  }
   EXPECT_EQ(outlines + 1, static_cast<int>(kGlyphs));
   EXPECT_EQ(glyph_of(0x2013, false).advance, 1139);
   EXPECT_EQ(&glyph_of(0x2014, false), &glyph_of(U'?', false));
