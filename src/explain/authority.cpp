@@ -5,6 +5,7 @@
 #include "explain/brake.h"
 #include "explain/words.h"
 #include "kernel/here.h"
+#include "kernel/train_category.h"
 #include "terms/packet_numbers.h"
 
 // The authority of a moment, and what changed it.
@@ -17,30 +18,53 @@ std::string release_speed(const track::Release& release) {
       return ", release speed " + kmh_words(release.V);
     case ReleaseSpeedChoice::on_board:
       return ", release speed calculated on board";
+    case ReleaseSpeedChoice::national:
+      return ", release speed V_NVREL";
     default:
       return "";
   }
 }
 
-/// Why the end in force lies in rear of the end of the stored authority, and the packet that says so.
-struct TemporaryEnd {
-  std::string why;
-  std::int32_t packet = 0;
-};
-std::optional<TemporaryEnd> temporary_end(const kernel::State& s) {
-  const track::Authority& a = s.basis.authority;
-  if (!a.EOA || !s.track.ma || *a.EOA >= s.track.ma->end()) return std::nullopt;
-  for (const track::ModeArea& area : s.track.mode_profile)
-    if (area.from == *a.EOA)
-      return TemporaryEnd{fmt::format("start of an area of {}", name(area.mode)), packet::mode_profile};
-  for (const track::LevelCrossing& lx : s.track.lx)
-    if (lx.from == *a.EOA)
-      return TemporaryEnd{fmt::format("level crossing {} is not protected", lx.NID_LX), packet::level_crossing};
-  return TemporaryEnd{"route not suitable", packet::route_suitability};
+/// The end of the stored authority itself, without what replaces it (3.12).
+track::Authority own_end(const kernel::State& s) {
+  return s.track.ma ? track::authority(*s.track.ma, {}, s.mode) : track::Authority{};
 }
 
-bool changes_authority(What what) {
-  switch (what) {
+/// What makes an end or a supervised location in rear of that of the authority, and the packet that brought it (3.12).
+struct Temporary {
+  std::string what;
+  const char* clause = "";
+  const Note* packet = nullptr;
+};
+
+/// The one that begins at a place. `SvL`: as a supervised location.
+std::optional<Temporary> temporary_at(const Journal& journal, const kernel::State& s, Place at, bool SvL) {
+  for (const track::LevelCrossing& lx : s.track.lx)
+    if (lx.from == at && lx.unprotected && !lx.substituted)
+      return Temporary{fmt::format("level crossing {} is not protected", lx.NID_LX), "3.12.5.8",
+                       journal.note(journal.brought().lx.of(lx))};
+  for (const track::RouteSuitability& item : s.track.suitability)
+    if (item.at == at && track::unsuitable(item, kernel::interfaces_of(s.train))) {
+      const char* const what = item.kind == Suitability::gauge       ? "its loading gauge"
+                               : item.kind == Suitability::axle_load ? "its axle load"
+                                                                     : "its traction system";
+      return Temporary{fmt::format("the route does not suit the train by {}", what), "3.12.2.4",
+                       journal.note(journal.brought().suitability.of(item))};
+    }
+  for (const track::ModeArea& area : s.track.mode_profile)
+    if (area.from == at && !area.accepted && area.mode != s.mode && (area.also_SvL || !SvL))
+      // The profile is replaced with the authority that it belongs to (3.12.4.3): the last one.
+      return Temporary{fmt::format("an area of {} begins", name(area.mode)), "3.12.4.7",
+                       journal.last_packet(packet::mode_profile)};
+  return std::nullopt;
+}
+
+bool is_repositioning(const port::Event& e) {
+  return e.what == What::packet_accepted && e.id == packet::repositioning_information;
+}
+
+bool changes_authority(const port::Event& e) {
+  switch (e.what) {
     case What::authority_timer_elapsed:
     case What::shortening_granted:
     case What::emergency_stop_accepted:
@@ -50,7 +74,7 @@ bool changes_authority(What what) {
     case What::level_crossing_speed:
       return true;
     default:
-      return false;
+      return is_repositioning(e);
   }
 }
 
@@ -74,51 +98,88 @@ Steps shortening_steps(const Journal& journal, std::int64_t t_ms) {
   return stopped.braking == nullptr ? Steps{} : chain_of(stopped, journal);
 }
 
-void add_end(std::string& text, const kernel::State& s) {
-  const track::Authority& a = s.basis.authority;
-  text += (text.find(": was ") == std::string::npos ? ", " : "; is ") + end_words(s);
-  if (!a.EOA) return;
+/// `words` of an authority, with how far its EOA is ahead.
+std::string with_distance(std::string words, const kernel::State& s, const track::Authority& a) {
+  if (!a.EOA) return words;
   const Distance ahead = *a.EOA - kernel::here(s).est_front;
   const std::string place = place_words(s, *a.EOA);
-  if (ahead > Distance{})
-    text.insert(text.rfind(place) + place.size(), fmt::format(" ({} ahead)", metres_words(ahead)));
+  const std::size_t at = words.find(place);  // the EOA is the first place in them
+  if (ahead > Distance{} && at != std::string::npos)
+    words.insert(at + place.size(), fmt::format(" ({} ahead)", metres_words(ahead)));
+  return words;
+}
+
+/// A change of the authority: what it was, where a new one does not only go on, and what it is: `end`, without one what
+/// it became then.
+Step change_step(const Note& note, const std::string& end) {
+  Step step = step_of(note);
+  if (is_repositioning(note.event)) step.clause = "3.8.5.2";
+  const bool tells = note.event.what != What::authority_accepted || note.nearer;
+  const std::string& is = end.empty() ? note.became : end;
+  if (tells && !note.ended.empty())
+    step.text += fmt::format(": was {}; is {}", note.ended, is.empty() ? "none" : is);
+  else if (!is.empty())
+    step.text += ", " + is;
+  return step;
+}
+
+/// The end in force where it is not the authority's own.
+std::optional<Step> temporary_step(const Journal& journal, const kernel::State& s) {
+  const track::Authority &a = s.basis.authority, own = own_end(s);
+  const auto EOA = a.EOA ? temporary_at(journal, s, *a.EOA, false) : std::nullopt;
+  const auto SvL = a.SvL ? temporary_at(journal, s, *a.SvL, true) : std::nullopt;
+  const auto& temporary = EOA ? EOA : SvL;
+  if (!temporary) return std::nullopt;
+  Step step = temporary->packet != nullptr ? step_of(*temporary->packet) : Step{};
+  const std::string end = EOA ? end_words(a, s.position) : "SvL at " + place_words(s, *a.SvL);
+  step.text += fmt::format("{}{}: {}", step.text.empty() ? "" : ": ", temporary->what, with_distance(end, s, a));
+  if (EOA && own.EOA_or_LOA() && *own.EOA_or_LOA() > *a.EOA) step.text += ", not that of the MA";
+  step.clause = temporary->clause;
+  return step;
 }
 
 }  // namespace
 
-std::string end_words(const kernel::State& s) {
-  const track::Authority& a = s.basis.authority;
-  if (a.LOA) return fmt::format("LOA at {}, {}", place_words(s, *a.LOA), kmh_words(a.V_LOA));
+std::string end_words(const track::Authority& a, const position::State& position) {
+  if (a.LOA) return fmt::format("LOA at {}, {}", place_words(position, *a.LOA), kmh_words(a.V_LOA));
   if (!a.EOA) return "";
-  std::string text = "EOA at " + place_words(s, *a.EOA);
-  if (a.SvL && *a.SvL != *a.EOA) text += ", SvL at " + place_words(s, *a.SvL);
+  const bool together = a.SvL == a.EOA;
+  std::string text = (together ? "EOA and SvL at " : "EOA at ") + place_words(position, *a.EOA);
+  if (a.SvL && !together) text += ", SvL at " + place_words(position, *a.SvL);
   return text + release_speed(a.release);
 }
 
 Steps authority_steps(const Journal& journal, const Moment& m) {
   const Note* accepted = journal.last(What::authority_accepted, m.t_ms);
   if (accepted == nullptr) return {};
-  Steps steps{step_of(*accepted)};
+  std::vector<const Note*> changes{accepted};
+  Steps steps, shortening;
   const Note* refused = nullptr;
   for (const Note& note : journal.notes()) {
     if (note.t_ms < accepted->t_ms || note.t_ms > m.t_ms) continue;
     if (refuses_authority(note.event)) refused = &note;
-    if (note.event.what == What::track_description_shortened)
-      for (Step& step : shortening_steps(journal, note.t_ms)) steps.push_back(std::move(step));
-    if (changes_authority(note.event.what)) steps.push_back(step_of(note));
-    if (changes_authority(note.event.what) && !note.ended.empty()) steps.back().text += ": was " + note.ended;
+    if (note.event.what == What::track_description_shortened) shortening = shortening_steps(journal, note.t_ms);
+    // What comes with the authority itself is part of it.
+    if (changes_authority(note.event) && (note.t_ms > accepted->t_ms || !is_repositioning(note.event)))
+      changes.push_back(&note);
   }
   // A trip deletes the authority that led to it.
   const kernel::State& s = m.after.basis.authority.EOA_or_LOA() ? m.after : m.deciding;
-  if (s.basis.authority.EOA_or_LOA()) {
-    const auto temporary = temporary_end(s);
-    const Note* packet = temporary ? journal.last(What::packet_accepted, m.t_ms, temporary->packet) : nullptr;
-    if (packet != nullptr && packet->t_ms != steps.back().t_ms) steps.push_back(step_of(*packet));
-    add_end(steps.back().text, s);
-    if (temporary) steps.back().text += " (" + temporary->why + ")";
+  const track::Authority& a = s.basis.authority;
+  const auto temporary = a.EOA_or_LOA() ? temporary_step(journal, s) : std::nullopt;
+  for (const Note* note : changes) {
+    std::string end;
+    if (note == changes.back() && a.EOA_or_LOA())
+      end = temporary ? end_words(own_end(s), s.position) : with_distance(end_words(a, s.position), s, a);
+    steps.push_back(change_step(*note, end));
   }
-  if (refused != nullptr) steps.push_back(step_of(*refused));
-  std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.t_ms < b.t_ms; });
+  for (Step& step : shortening) steps.push_back(std::move(step));
+  if (temporary) steps.push_back(*temporary);
+  if (refused != nullptr) {
+    steps.push_back(step_of(*refused));
+    if (m.after.emergency_stops.any()) steps.back().text += ": an emergency stop is not revoked (3.10.2.4)";
+  }
+  std::stable_sort(steps.begin(), steps.end(), [](const Step& x, const Step& y) { return x.t_ms < y.t_ms; });
   return steps;
 }
 

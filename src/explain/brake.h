@@ -19,6 +19,8 @@ std::string clause_of(Cause cause, const Moment& m);
 Steps chain_of(const Command& command, const Journal& journal);
 /// The same of the limits that a speed exceeded one after the other: their commands follow what set the limits.
 Steps overspeed_chain(const Journal& journal, const std::vector<Command>& commands);
+/// What else moved the braking curve of a moment: without it the EBI limit would be higher.
+Steps curve_steps(const Journal& journal, const Moment& m);
 /// The emergency brake because the service brake fails.
 Step failed_step(std::int64_t t_ms);
 /// Why the mode was entered: what made its condition true, then the transition.

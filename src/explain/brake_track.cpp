@@ -51,46 +51,76 @@ Steps SR_steps(const Journal& journal, const Moment& m) {
   return steps;
 }
 
-Steps of_last(const Journal& journal, const Moment& m, What what, std::optional<std::int32_t> id = {}) {
-  const Note* note = journal.last(what, m.t_ms, id);
-  return note == nullptr ? Steps{} : Steps{step_of(*note)};
+/// Why override ended, by the bullet of 5.8.4.1.
+std::string override_end_words(const std::string& clause, const train::NationalValues& n) {
+  switch (clause.empty() ? ' ' : clause.back()) {
+    case 'a':
+      return fmt::format("its time T_NVOVTRP, {:g} s, is over", n.T_NVOVTRP.si);
+    case 'b':
+      return fmt::format("its distance D_NVOVTRP, {}, is passed", metres_words(n.D_NVOVTRP));
+    case 'c':
+      return "the former EOA was passed";
+    case 'd':
+      return "a group that stops the train was passed";
+    case 'e':
+      return "a balise group gave an MA or a signalling speed";
+    case 'f':
+      return "the RBC gave an MA";
+    case 'g':
+      return "a group that is not in the list was passed";
+    case 'h':
+      return "the SR distance of before was passed";
+    default:
+      return "";
+  }
 }
 
-/// The target that limits the speed; null: the ceiling does.
-const sdm::TargetId* target_of(const Moment& m) {
-  const bool ceiling = m.outputs.monitoring == Monitoring::CSM || !m.after.supervision.has_MRDT;
-  return ceiling ? nullptr : &m.after.supervision.MRDT;
-}
-
-/// What brought the limit of the moment.
-Steps limit_origins(const Journal& journal, const Moment& m) {
-  if (const sdm::TargetId* target = target_of(m)) return target_steps(journal, m, *target);
+/// The override that was on before in the mode that is left, and its end: without it the train had not been tripped.
+Steps override_steps(const Journal& journal, const Moment& m) {
+  const Note* active = journal.last(What::override_active, m.t_ms);
+  const Note* entered = journal.last(What::mode_changed, m.t_ms - 1);
+  if (active == nullptr || (entered != nullptr && active->t_ms < entered->t_ms)) return {};
   Steps steps;
-  const track::Here here = kernel::here(m.after);
-  if (m.outputs.V_MRSP)
-    for (const Restriction& r : restrictions(journal, m, here.min_safe_front, here.max_safe_front, *m.outputs.V_MRSP))
-      steps.push_back(step_of(r));
+  const Act* selected = journal.last(Act::Kind::select, m.t_ms, static_cast<std::uint8_t>(port::Select::override_));
+  steps.push_back(selected != nullptr ? step_of(*selected) : step_of(*active));
+  steps.back().clause = "5.8.3";
+  const auto& former = m.deciding.override_.former_eoa;
+  if (former) steps.back().text += fmt::format("; former EOA at {}", place_words(m.deciding, *former));
+  const Note* ended = journal.last(What::override_ended, m.t_ms);
+  if (ended == nullptr || ended->t_ms < active->t_ms) return steps;
+  steps.push_back(step_of(*ended));
+  const std::string why = override_end_words(steps.back().clause, m.deciding.national_values);
+  if (!why.empty()) steps.back().text += ": " + why;
   return steps;
 }
 
-/// The place of an end differs between two moments.
-void add_once(Steps& steps, Step step) {
-  const auto what = [](const Step& s) { return s.text.substr(0, s.text.find(',')); };
-  for (const Step& s : steps)
-    if (s.t_ms == step.t_ms && what(s) == what(step)) return;
-  steps.push_back(std::move(step));
+/// [43]: the former end of authority (5.8.3.1.1) is passed without override.
+Steps former_end_steps(const Journal& journal, const Moment& m) {
+  Steps steps;
+  const Note* active = journal.last(What::override_active, m.t_ms);
+  const Note* authority = active != nullptr ? journal.last(What::authority_accepted, active->t_ms) : nullptr;
+  if (authority != nullptr) steps.push_back(step_of(*authority));
+  for (Step& step : override_steps(journal, m)) steps.push_back(std::move(step));
+  const track::Here here = kernel::here(m.deciding);
+  if (const auto& former = m.deciding.override_.former_eoa)
+    steps.push_back({m.t_ms,
+                     fmt::format("the min safe antenna is {:.2f} m beyond the former EOA, front end at {}",
+                                 (here.min_safe_antenna - *former).si, place_words(m.deciding, here.est_front)),
+                     "5.8.3.1.1"});
+  return steps;
 }
 
-/// A gradient that came after the target moved the braking curve (3.13.4).
-void add_gradient(Steps& steps, const Journal& journal, const Moment& m) {
-  const Note* gradient = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::gradient_profile});
-  if (gradient == nullptr) return;
-  for (const Step& step : steps)
-    if (step.t_ms && *step.t_ms >= gradient->t_ms) return;
-  Step step = step_of(*gradient);
-  step.text += ": gradient, for the braking curve";
-  step.clause = "3.11.12";
-  steps.push_back(std::move(step));
+/// The steps of a trip that override would have inhibited, behind the override that ended before.
+Steps after_override(const Journal& journal, const Moment& m, Steps steps) {
+  Steps all = override_steps(journal, m);
+  for (Step& step : steps) all.push_back(std::move(step));
+  std::stable_sort(all.begin(), all.end(), [](const Step& a, const Step& b) { return a.t_ms < b.t_ms; });
+  return all;
+}
+
+Steps of_last(const Journal& journal, const Moment& m, What what, std::optional<std::int32_t> id = {}) {
+  const Note* note = journal.last(what, m.t_ms, id);
+  return note == nullptr ? Steps{} : Steps{step_of(*note)};
 }
 
 /// Its words (7.5.1.137), or the number of one without.
@@ -100,43 +130,13 @@ std::string fixed_text(std::uint8_t Q_TEXT) {
                        : fmt::format("{} (fixed)", Q_TEXT);
 }
 
-/// Why an emergency brake takes the place of a service brake.
-const char* instead_words(const Moment& m) {
-  return m.after.mode == Mode::RV                ? " in place of the service brake, in RV"
-         : m.after.train.service_brake_interface ? " in place of the service brake, not permitted in TSM"
-                                                 : " in place of the service brake, none is fitted";
-}
-
-/// The speed against the limit, and the command.
-Step limit_step(const Command& command, const Moment& m) {
-  const kernel::Outputs& o = m.outputs;
-  const bool warning = command.cause == Cause::overspeed_traction;
-  const bool instead = command.cause == Cause::overspeed_emergency && !m.after.supervision.eb;
-  const bool service = command.cause == Cause::overspeed_service || instead;
-  const std::optional<Speed> limit = warning ? o.V_W : service ? o.V_SBI : o.V_EBI;
-  const char* const limit_name = warning ? "warning" : service ? "SBI" : "EBI";
-  std::string text =
-      fmt::format("{}, front end at {}: {:.2f} km/h", terms::kNames<kMonitoringRows>[terms::index(o.monitoring)],
-                  metres_words(o.est_front.from_origin), std::abs(o.v.si) * 3.6);
-  if (limit && std::abs(o.v.si) > limit->si)
-    text += fmt::format(" above the {} limit of {:.2f} km/h", limit_name, limit->si * 3.6);
-  else  // towards a target speed of 0 any speed is too much beyond the place of the limit
-    text += fmt::format(" beyond the place of the {} limit", limit_name);
-  if (m.after.supervision.has_MRDT && o.monitoring != Monitoring::CSM)
-    text += fmt::format(" for {}", target_words(m, m.after.supervision.MRDT));
-  text += fmt::format(": {}{}", words(brakes::row(command.cause).kind), instead ? instead_words(m) : "");
-  return {m.t_ms, text, clause_of(command.cause, m)};
-}
-
 }  // namespace
 
 Step SR_distance_step(const Journal& journal, const Moment& m) {
   if (m.deciding.staff_responsible.national_from) {
-    Step step = national_values_step(journal, m.t_ms);
     const auto& D_NVSTFF = m.deciding.national_values.D_NVSTFF;
-    step.text += ": SR distance D_NVSTFF" + (D_NVSTFF ? " " + metres_words(*D_NVSTFF) : "");
-    step.clause = "4.4.11";
-    return step;
+    return national_values_step(journal, m.t_ms,
+                                "SR distance D_NVSTFF" + (D_NVSTFF ? " " + metres_words(*D_NVSTFF) : ""), "4.4.11");
   }
   const Note* message = journal.last(What::message_accepted, m.t_ms, 2);
   const Note* loop = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::sr_distance_from_loop});
@@ -160,63 +160,73 @@ Steps trip_steps(const Journal& journal, const Moment& m, int condition) {
       return linking_steps(journal, m);
     case 36:
     case 52:
-      return list_steps(journal, m, m.before.mode == Mode::SH ? m.deciding.track.sh_list : m.deciding.track.sr_list);
+      return after_override(
+          journal, m,
+          list_steps(journal, m, m.before.mode == Mode::SH ? m.deciding.track.sh_list : m.deciding.track.sr_list));
     case 18:
     case 67:
-      return of_last(journal, m, What::trip_ordered);
+      return after_override(journal, m, of_last(journal, m, What::trip_ordered));
     case 41:
       return contact_steps(journal, m);
     case 42:
-      return SR_steps(journal, m);
+      return after_override(journal, m, SR_steps(journal, m));
+    case 43:
+      return former_end_steps(journal, m);
+    case 49:
+      return after_override(journal, m, of_last(journal, m, What::packet_accepted, packet::danger_for_shunting));
+    case 54:
+      return after_override(journal, m, of_last(journal, m, What::packet_accepted, packet::stop_if_in_sr));
     default:
       return {};  // its facts are the reason
   }
 }
 
-Steps overspeed_chain(const Journal& journal, const std::vector<Command>& commands) {
+/// From when the time without a message counts (3.16.3.4.1), the last message first.
+Steps contact_reference_steps(const Journal& journal, const Moment& m, std::int64_t since) {
   Steps steps;
-  const sdm::TargetId* told = nullptr;
-  // The target of the last command first; of an earlier command only another one.
-  for (std::size_t i = commands.size(); i-- > 0;) {
-    const Moment& m = *commands[i].braking->onset;
-    const sdm::TargetId* target = target_of(m);
-    if (i + 1 < commands.size() && (target == nullptr || told == nullptr || *target == *told)) continue;
-    told = target;
-    for (Step& step : limit_origins(journal, m)) add_once(steps, std::move(step));
+  const Contact* last = journal.last_of(m.deciding.radio.supervising.session.rbc);
+  const auto message = [](const Contact& contact) {
+    return Step{contact.t_ms, "the last message of the RBC, " + message_words(contact.NID_MESSAGE), "3.16.3.4.1"};
+  };
+  // T_REF is its stamp; what else begins the time comes after it.
+  if (last != nullptr && last->t_ms >= since) return {message(*last)};
+  if (last != nullptr) steps.push_back(message(*last));
+  const auto& hole = journal.radio_hole();
+  if (hole && hole->to_ms == since) {
+    if (const Note* packet = journal.note(hole->packet)) {
+      steps.push_back(step_of(*packet));
+      steps.back().text += ": radio hole " + hole->place;
+      steps.back().clause = "3.12.1";
+    }
+    steps.push_back(
+        {since,
+         fmt::format("the radio hole, entered at {}, is left: the time counts from here", time_words(hole->from_ms)),
+         "3.16.3.4.1.3"});
+  } else if (const Note* over = journal.last(What::rbc_handed_over, m.t_ms); over != nullptr && over->t_ms >= since) {
+    steps.push_back(step_of(*over));
+    steps.back().text += ": the time counts from here";
+    steps.back().clause = "3.16.3.4.1.2";
+  } else {
+    if (const auto level = level_step(journal, m.t_ms)) steps.push_back(*level);
+    steps.push_back({since, "without a session the time counts from the transition to level 2", "3.16.3.4.1.1"});
   }
-  if (target_of(*commands.back().braking->onset) != nullptr)
-    add_gradient(steps, journal, *commands.back().braking->onset);
-  for (const Command& command : commands) {
-    const Braking& braking = *command.braking;
-    steps.push_back(limit_step(command, *braking.onset));
-    if (braking.failed) steps.push_back(failed_step(*braking.failed));
-    if (braking.beyond_EBI) steps.push_back(limit_step(command, *braking.beyond_EBI));
-  }
-  std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.t_ms < b.t_ms; });
   return steps;
 }
 
 Steps contact_steps(const Journal& journal, const Moment& m) {
   Steps steps;
   const train::NationalValues& n = m.after.national_values;
-  if (n.T_NVCONTACT) {
-    steps.push_back(national_values_step(journal, m.t_ms));
-    steps.back().text +=
-        fmt::format(": T_NVCONTACT {:g} s, reaction {}", n.T_NVCONTACT->si, reaction_words(n.M_NVCONTACT));
-    steps.back().clause = "3.16.3.4";
-  }
+  if (n.T_NVCONTACT)
+    steps.push_back(national_values_step(
+        journal, m.t_ms,
+        fmt::format("T_NVCONTACT {:g} s, reaction {}", n.T_NVCONTACT->si, reaction_words(n.M_NVCONTACT)), "3.16.3.4"));
   const radio::State& radio = m.deciding.radio;
   if (!radio.contact_reference) return steps;
   const auto since = static_cast<std::int64_t>(radio.contact_reference->si * 1000.0 + 0.5);
-  // T_REF is its stamp; what else begins the time comes after it.
-  const Contact* last = journal.last_of(radio.supervising.session.rbc);
-  const bool of_message = last != nullptr && last->t_ms >= since;
-  Step step{of_message ? last->t_ms : since,
-            "a radio hole, the entry into level 2 or 3, or a handover: the time begins", "3.16.3.4.1.1"};
-  if (of_message) step = {last->t_ms, "the last message of the RBC, " + message_words(last->NID_MESSAGE), ""};
-  steps.insert(!steps.empty() && steps[0].t_ms > step.t_ms ? steps.begin() : steps.end(), step);
+  for (Step& step : contact_reference_steps(journal, m, since)) steps.push_back(std::move(step));
   const Act* connection = journal.last(Act::Kind::session, m.t_ms, kNotConnected);
-  if (connection != nullptr && connection->t_ms >= step.t_ms) steps.push_back(step_of(*connection));
+  if (connection != nullptr && connection->t_ms >= since) steps.push_back(step_of(*connection));
+  std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.t_ms < b.t_ms; });
   steps.push_back(
       {m.t_ms, fmt::format("no message for {}: the contact is lost", time_words(m.t_ms - since)), "3.16.3.4.1"});
   return steps;

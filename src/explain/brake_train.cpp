@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "explain/brake.h"
@@ -19,22 +20,35 @@ std::optional<Distance> moved(const protection::DistanceGuard& guard, const Mome
   return position::forward_counter(m.after.position) - *guard.reference;
 }
 
+/// The source of the distance that a movement may not exceed.
+Step distance_step(const Journal& journal, const Moment& m, const char* name, Distance limit, const char* clause) {
+  return national_values_step(journal, m.t_ms, fmt::format("{} {}", name, metres_words(limit)), clause);
+}
+Step D_NVROLL_step(const Journal& journal, const Moment& m, const char* clause) {
+  return distance_step(journal, m, "D_NVROLL", m.after.national_values.D_NVROLL, clause);
+}
+
 Step guarded(const Moment& m, const protection::DistanceGuard& guard, const char* clause) {
   const auto distance = moved(guard, m);
   const Distance limit = m.after.national_values.D_NVROLL;
   return {m.t_ms,
-          distance ? fmt::format("the train has moved {} {}, D_NVROLL is {}",
-                                 metres_words(distance->si < 0.0 ? -*distance : *distance),
+          distance ? fmt::format("the train has moved {:.2f} m {}, D_NVROLL is {}", std::abs(distance->si),
                                  distance->si < 0.0 ? "backwards" : "forwards", metres_words(limit))
                    : fmt::format("the train moves, D_NVROLL is {}", metres_words(limit)),
           clause};
 }
 
-Steps with_controller(const Journal& journal, const Moment& m, Step step) {
-  Steps steps;
-  if (const Act* act = journal.last(Act::Kind::controller, m.t_ms)) steps.push_back(step_of(*act));
-  steps.push_back(std::move(step));
+/// `last` behind what came before it, in the order of time.
+Steps behind(Steps steps, Step last) {
+  std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.t_ms < b.t_ms; });
+  steps.push_back(std::move(last));
   return steps;
+}
+
+Steps with_controller(const Journal& journal, const Moment& m, Step step) {
+  Steps steps{D_NVROLL_step(journal, m, step.clause.c_str())};
+  if (const Act* act = journal.last(Act::Kind::controller, m.t_ms)) steps.push_back(step_of(*act));
+  return behind(std::move(steps), std::move(step));
 }
 
 Steps window_steps(const Journal& journal, const Moment& m, port::Window window, const char* clause) {
@@ -63,11 +77,11 @@ Step odometry_step(const Moment& m) {
           "4.4.5.1.1"};
 }
 
-Steps mode_and(const Journal& journal, const Moment& m, Step step) {
-  Steps steps;
+/// The mode and the source of the distance.
+Steps with_mode(const Journal& journal, const Moment& m, Step distance, Step step) {
+  Steps steps{std::move(distance)};
   if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
-  steps.push_back(std::move(step));
-  return steps;
+  return behind(std::move(steps), std::move(step));
 }
 
 /// The distance of packet 139, from the end of the area of packet 138.
@@ -93,20 +107,21 @@ Steps reversing_steps(const Journal& journal, const Moment& m) {
 }  // namespace
 
 Steps movement_steps(Cause cause, const Journal& journal, const Moment& m) {
-  const protection::MovementGuards& before = m.before.guards;
+  const protection::MovementGuards& guards = m.before.guards;
   switch (cause) {
     case Cause::roll_away:
-      return with_controller(journal, m, guarded(m, before.roll_away, "3.14.2"));
+      return with_controller(journal, m, guarded(m, guards.roll_away, "3.14.2"));
     case Cause::reverse_movement:
-      return with_controller(journal, m, guarded(m, before.reverse_movement, "3.14.3"));
+      return with_controller(journal, m, guarded(m, guards.reverse_movement, "3.14.3"));
     case Cause::standstill:
-      return mode_and(journal, m, guarded(m, before.standstill, "3.14.4"));
+      return with_mode(journal, m, D_NVROLL_step(journal, m, "3.14.4"), guarded(m, guards.standstill, "3.14.4"));
     case Cause::post_trip_distance:
-      return mode_and(journal, m,
-                      {m.t_ms,
-                       fmt::format("the train has moved backwards farther than D_NVPOTRP, {}",
-                                   metres_words(m.after.national_values.D_NVPOTRP)),
-                       "4.4.14.1.3"});
+      return with_mode(journal, m,
+                       distance_step(journal, m, "D_NVPOTRP", m.after.national_values.D_NVPOTRP, "4.4.14.1.3"),
+                       {m.t_ms,
+                        fmt::format("the train has moved backwards farther than D_NVPOTRP, {}",
+                                    metres_words(m.after.national_values.D_NVPOTRP)),
+                        "4.4.14.1.3"});
     case Cause::reversing_distance:
       return reversing_steps(journal, m);
     case Cause::movement_while_entering_train_data:

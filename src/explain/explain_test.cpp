@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "io/program_test.h"
 
@@ -109,6 +112,18 @@ TEST(ExplainCommand, what_is_wrong_is_one_line) {
   }
 }
 
+TEST(ExplainCommand, what_else_a_run_writes_is_named_and_what_to_give_instead) {
+  const Stream stream;
+  const std::string expected = ", expected a stream of inputs, as inputs.jsonl of evc run\n";
+  const std::string outputs = stream.folder / "outputs.jsonl", summary = stream.folder / "summary.json";
+  ASSERT_EQ(ended("replay '" + stream.file() + "' -o '" + outputs + "'").exit_code, 0);
+  EXPECT_EQ(ended("explain '" + outputs + "' --at 0").errors, outputs + ": line 1: found a line of outputs" + expected);
+  std::ofstream(summary) << "{\n  \"schema\": \"evc-summary/1\",\n  \"line\": \"Brunnental\"\n}\n";
+  const Ended e = ended("explain '" + summary + "' --at 0");
+  EXPECT_EQ(e.exit_code, 2);
+  EXPECT_EQ(e.errors, summary + ": /schema: found \"evc-summary/1\" (the summary of a run)" + expected);
+}
+
 TEST(ExplainCommand, an_error_in_a_line_before_the_cycle) {
   const Ended e = Stream("{\"t_ms\":200,\"trian\":{}}\n").explain("--at 900");
   EXPECT_EQ(e.exit_code, 2);
@@ -138,6 +153,31 @@ TEST(DescribeModes, the_graph_has_an_arrow_for_each_transition_but_those_of_ever
   EXPECT_EQ(arrows, 129u - 15u - 12u - 16u);  // into NP, SF, IS
   EXPECT_TRUE(has(e.output, "<title>FS to TR: [12, 16, 17, 18, 20, 41, 65, 66, 69], priority 4</title>")) << e.output;
   EXPECT_EQ(e.output.rfind("</svg>\n"), e.output.size() - 7);
+}
+
+/// The labels of a graph: middle and half width, of digits in font size 10.
+struct Label {
+  double x, y, width;
+};
+std::vector<Label> labels_of(const std::string& svg) {
+  std::vector<Label> labels;
+  const std::regex label("<text class=\"label\" x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>([^<]*)</text>");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at)
+    labels.push_back({std::stod((*at)[1]), std::stod((*at)[2]), 2.8 * static_cast<double>((*at)[3].length())});
+  return labels;
+}
+
+TEST(DescribeModes, no_label_of_the_graph_covers_another) {
+  for (const char* options : {"describe modes --svg", "describe modes --svg --srs 4.0.0"}) {
+    const std::vector<Label> labels = labels_of(ended(options).output);
+    EXPECT_GE(labels.size(), 86u) << options;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const Label &a = labels[i], &b = labels[k];
+        EXPECT_FALSE(std::abs(a.x - b.x) < a.width + b.width && std::abs(a.y - b.y) < 10.0)
+            << options << ": labels at " << a.x << ", " << a.y << " and " << b.x << ", " << b.y;
+      }
+  }
 }
 
 TEST(DescribeModes, another_edition_is_refused) { EXPECT_EQ(ended("describe modes --srs 3.7.0").exit_code, 2); }

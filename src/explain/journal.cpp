@@ -22,6 +22,7 @@ Moment moment_of(const sim::CycleInputs& cycle, const kernel::State& before, con
           seen.facts,
           outputs,
           cycle.levels.odometry,
+          cycle.levels.train,
           cycle.levels.safety_fault};
 }
 
@@ -85,11 +86,18 @@ std::string source_of(const sim::CycleInputs& cycle, const kernel::Outputs& outp
   return message_words(static_cast<std::uint8_t>(e.id));
 }
 
-/// "balise 2 of 2 was not read"; nothing if all were.
-std::string missing_words(const GroupRead& group) {
-  for (unsigned n = 0; n < group.total; ++n)
-    if ((group.read >> n & 1u) == 0) return fmt::format("balise {} of {} was not read", n + 1, group.total);
-  return "";
+/// The number of a packet in X = 2: X = 1 has some of them under another one (6.5.1.5).
+std::int32_t number_in_X_2(std::int32_t NID_PACKET) {
+  switch (NID_PACKET) {
+    case packet::national_values_v1:
+      return packet::national_values;
+    case packet::track_condition_v1:
+      return packet::track_condition;
+    case packet::route_suitability_v1:
+      return packet::route_suitability;
+    default:
+      return NID_PACKET;
+  }
 }
 
 /// The service brake of this command fails, and did not before.
@@ -110,10 +118,10 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
   std::string group;
   for (const port::Event& e : outputs.events) {
     if (names_group(e.what)) group = source_of(cycle, outputs, e);
-    notes_.push_back({cycle.t_ms, e, of_track(e.what) || e.what == What::group_accepted ? group : "", "", ""});
-    const auto read = groups_read_.find(e.id);
-    if (e.what == What::group_inconsistent && read != groups_read_.end())
-      notes_.back().detail = missing_words(read->second);
+    notes_.push_back(
+        {cycle.t_ms, e, of_track(e.what) || e.what == What::group_accepted ? group : "", "", "", "", false});
+    if (e.what == What::packet_accepted) packets_[number_in_X_2(e.id)] = notes_.size() - 1;
+    if (e.what == What::group_inconsistent) notes_.back().detail = error_words(e.id);
     if (names_group(e.what)) open = notes_.size();
     if (!names_message(e.what)) continue;
     const std::string message = source_of(cycle, outputs, e);
@@ -124,13 +132,30 @@ void Journal::take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& o
   }
 }
 
+/// Which balise of a group was not read or not decoded (3.16.2.4.1); nothing if its telegrams were used and differ.
+std::string Journal::error_words(std::int32_t NID_BG) const {
+  const auto found = groups_read_.find(NID_BG);
+  if (found == groups_read_.end()) return "";
+  constexpr std::int64_t kBefore = 10000;  // one that was not decoded may be the first: its group is not known then
+  const GroupRead& group = found->second;
+  bool undecoded = false;
+  for (std::size_t i = notes_.size(); i-- > 0 && notes_[i].t_ms >= group.began_ms - kBefore;) {
+    const port::Event& e = notes_[i].event;
+    undecoded = undecoded || (e.what == What::telegram_not_decoded && (e.id == NID_BG || e.id <= 0));
+  }
+  const char* const error = undecoded ? "was not decoded" : "was not read";
+  for (unsigned n = 0; n < group.total; ++n)
+    if ((group.read >> n & 1u) == 0) return fmt::format("balise {} of {} {}", n + 1, group.total, error);
+  return undecoded ? "a telegram of it is not as specified (3.16.1.1)" : "";
+}
+
 void Journal::take_groups(const sim::CycleInputs& cycle) {
   constexpr std::int64_t kApart = 60000;  // one passage of a group is shorter
   for (const auto& t : cycle.balises) {
     const lang::TelegramView view = lang::scan_telegram(t.bits.bytes, t.bits.size);
     if (view.fault != lang::Fault::none) continue;
     GroupRead& group = groups_read_[static_cast<std::int32_t>(view.NID_BG.raw)];
-    if (cycle.t_ms - group.t_ms > kApart) group = {};
+    if (group.total == 0 || cycle.t_ms - group.t_ms > kApart) group = {cycle.t_ms, 0, 0, cycle.t_ms};
     group.t_ms = cycle.t_ms;
     group.total = static_cast<unsigned>(view.N_TOTAL.raw) + 1;
     group.read |= 1u << view.N_PIG.raw;
@@ -146,10 +171,16 @@ void Journal::take_links(const kernel::State& s) {
 
 void Journal::take_end(const kernel::State& before, const kernel::State& after) {
   if (notes_.empty() || before.basis.number == after.basis.number) return;
-  const std::string ended = end_words(before);
-  if (ended == end_words(after)) return;
+  const track::Authority &was = before.basis.authority, &is = after.basis.authority;
+  if (was == is) return;
   const std::int64_t t_ms = notes_.back().t_ms;
-  for (std::size_t i = notes_.size(); i-- > 0 && notes_[i].t_ms == t_ms;) notes_[i].ended = ended;
+  const auto behind = [](const track::Authority& a) { return a.SvL ? a.SvL : a.EOA_or_LOA(); };
+  for (std::size_t i = notes_.size(); i-- > 0 && notes_[i].t_ms == t_ms;) {
+    notes_[i].ended = end_words(was, after.position);
+    notes_[i].became = end_words(is, after.position);
+    notes_[i].nearer =
+        was.EOA_or_LOA() && is.EOA_or_LOA() && (*is.EOA_or_LOA() < *was.EOA_or_LOA() || *behind(is) < *behind(was));
+  }
 }
 
 void Journal::take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after) {
@@ -162,16 +193,38 @@ void Journal::take_contact(const sim::CycleInputs& cycle, const radio::Session& 
   }
 }
 
-void Journal::take_restrictions(const kernel::State& before, const kernel::State& after) {
-  for (const track::TemporarySpeedRestriction& tsr : after.track.tsr) {
-    bool known = false;
-    for (const track::TemporarySpeedRestriction& old : before.track.tsr)
-      known = known || (old.NID_TSR == tsr.NID_TSR && old.V_TSR == tsr.V_TSR);
-    if (known) continue;
-    if (const Note* note = last(What::packet_accepted, notes_.empty() ? 0 : notes_.back().t_ms,
-                                std::int32_t{packet::temporary_speed_restriction}))
-      restrictions_[{tsr.NID_TSR, tsr.V_TSR}] = *note;
-  }
+void Journal::take_track(const track::Description& now) {
+  const auto last = [&](std::int32_t number) {
+    const auto found = packets_.find(number);
+    return found == packets_.end() ? std::nullopt : std::optional(found->second);
+  };
+  brought_.ssp.take(now.ssp.steps, last(packet::static_speed_profile));
+  brought_.asp.take(now.asp, last(packet::axle_load_speed_profile));
+  brought_.tsr.take(now.tsr, last(packet::temporary_speed_restriction));
+  brought_.pbd.take(now.pbd, last(packet::permitted_braking_distance));
+  brought_.lx.take(now.lx, last(packet::level_crossing));
+  brought_.areas.take(now.mode_profile, last(packet::mode_profile));
+  brought_.suitability.take(now.suitability, last(packet::route_suitability));
+  brought_.adhesion.take(now.adhesion, last(packet::adhesion_factor));
+  brought_.conditions.take(now.conditions, last(packet::track_condition));
+}
+
+void Journal::take_radio_hole(std::int64_t t_ms, const kernel::State& before, const kernel::State& after) {
+  if (!before.radio.was_in_hole && after.radio.was_in_hole) in_radio_hole_since_ = t_ms;
+  if (!before.radio.was_in_hole || after.radio.was_in_hole) return;
+  radio_hole_ = RadioHole{in_radio_hole_since_, t_ms, {}, "", {}};
+  // Of several the farthest one that the train has entered.
+  for (const track::TrackCondition& c : before.track.conditions)
+    if (c.kind == TrackConditionKind::radio_hole && c.progress.phase == ConditionPhase::active) {
+      radio_hole_->packet = brought_.conditions.of(c);
+      radio_hole_->place = fmt::format("from {} to {}", place_words(before, c.from), place_words(before, c.to));
+    }
+  if (const Contact* last = last_of(after.radio.supervising.session.rbc)) radio_hole_->last = *last;
+}
+
+void Journal::take_values(std::int64_t t_ms, const kernel::State& before, const kernel::State& after) {
+  if (before.national_values == after.national_values || notes_.empty() || notes_.back().t_ms != t_ms) return;
+  replaced_values_ = ReplacedValues{t_ms, before.national_values};
 }
 
 void Journal::take_texts(const kernel::State& before, const kernel::State& after) {
@@ -208,6 +261,7 @@ void Journal::take_brakes(const Moment& moment) {
 
 void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, const kernel::State& after,
                    const kernel::Derived& derived, const kernel::Examined& seen, const kernel::Outputs& outputs) {
+  if (first_) starts_with_defaults_ = before.national_values == train::NationalValues{};
   take_driver(cycle, outputs);
   take_acts(cycle);
   take_groups(cycle);
@@ -218,7 +272,9 @@ void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, c
   }
   take_contact(cycle, before.radio.supervising.session, after.radio.supervising.session);
   take_contact(cycle, before.radio.other.session, after.radio.other.session);
-  take_restrictions(before, after);
+  take_radio_hole(cycle.t_ms, before, after);
+  if (!outputs.events.empty() || before.track.revision != after.track.revision) take_track(after.track);
+  if (!outputs.events.empty()) take_values(cycle.t_ms, before, after);
   take_texts(before, after);
   const bool entered = before.mode != after.mode;
   if (!entered && !brakes_change(after, outputs)) return;
@@ -244,9 +300,9 @@ const Act* Journal::last(Act::Kind kind, std::int64_t t_ms, std::optional<std::u
   return nullptr;
 }
 
-const Note* Journal::of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const {
-  const auto found = restrictions_.find({NID_TSR, V_TSR});
-  return found == restrictions_.end() ? nullptr : &found->second;
+const Note* Journal::last_packet(std::int32_t NID_PACKET) const {
+  const auto found = packets_.find(NID_PACKET);
+  return found == packets_.end() ? nullptr : &notes_[found->second];
 }
 
 const Note* Journal::of_text(std::uint8_t id) const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "explain/brought.h"
 #include "kernel/examine.h"
 #include "sim/cycle_inputs.h"
 #include "terms/mrsp_source.h"
@@ -21,7 +22,9 @@ struct Note {
   port::Event event;
   std::string source;  ///< "group 100", "message 3 (Movement authority)"; nothing: of no input from the track
   std::string detail;  ///< what the event does not say: which balise of a group was not read
-  std::string ended;   ///< the end of the authority before the cycle, where it changed in it
+  // Of an event of a cycle in which the end of the authority changed:
+  std::string ended, became;  ///< before and after it; nothing: without one
+  bool nearer = false;        ///< the end or what is supervised behind it came nearer
 };
 
 /// What driver, train interface or bearer did; not what the unit refused in the same cycle.
@@ -62,6 +65,20 @@ struct Contact {
   std::uint8_t NID_MESSAGE = 0;
 };
 
+/// The last radio hole that was left (3.16.3.4.1.3).
+struct RadioHole {
+  std::int64_t from_ms = 0, to_ms = 0;
+  std::optional<NoteIndex> packet;  ///< that announced it
+  std::string place;                ///< "from 332.0 m to 532.0 m"
+  std::optional<Contact> last;      ///< the last message of the supervising RBC before its end
+};
+
+/// The national values that the last set replaced.
+struct ReplacedValues {
+  std::int64_t t_ms = 0;  ///< when
+  train::NationalValues values;
+};
+
 /// A group that linking announced last, with its place as of then.
 struct Announced {
   Note note;
@@ -73,6 +90,7 @@ struct Announced {
 struct GroupRead {
   std::int64_t t_ms = 0;
   unsigned total = 0, read = 0;
+  std::int64_t began_ms = 0;
 };
 
 /// A cycle with the memory of the unit before and after it.
@@ -83,6 +101,7 @@ struct Moment {
   procedures::Facts facts;
   kernel::Outputs outputs;
   port::Odometry odometry;
+  port::TrainSignals train;
   bool safety_fault = false;  ///< reported from outside
 };
 
@@ -113,24 +132,34 @@ class Journal {
   const Note* last(What what, std::int64_t t_ms, std::optional<std::int32_t> id = {}) const;
   /// The same of an act; with `about` of that Select or Ack.
   const Act* last(Act::Kind kind, std::int64_t t_ms, std::optional<std::uint8_t> about = {}) const;
-  /// The note with which a TSR came, by NID_TSR and V_TSR.
-  const Note* of_tsr(std::uint8_t NID_TSR, std::uint8_t V_TSR) const;
+  /// The last packet accepted with that number, as of X = 2. Null: none.
+  const Note* last_packet(std::int32_t NID_PACKET) const;
+  const Brought& brought() const { return brought_; }
+  /// Null: none.
+  const Note* note(std::optional<NoteIndex> index) const { return index ? &notes_[*index] : nullptr; }
   /// The note with which a text came, by its identity on board.
   const Note* of_text(std::uint8_t id) const;
   /// Of a group, by NID_BG; null: never announced.
   const Announced* announced(std::int32_t NID_BG) const;
   /// The last message of an RBC that was not rejected; null: none.
   const Contact* last_of(const radio::Rbc& rbc) const;
+  const std::optional<RadioHole>& radio_hole() const { return radio_hole_; }
+  /// Whether the national values were the default ones when the journey began.
+  bool starts_with_defaults() const { return starts_with_defaults_; }
+  const std::optional<ReplacedValues>& replaced_values() const { return replaced_values_; }
 
  private:
   void take_notes(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_acts(const sim::CycleInputs& cycle);
   void take_driver(const sim::CycleInputs& cycle, const kernel::Outputs& outputs);
   void take_groups(const sim::CycleInputs& cycle);
+  std::string error_words(std::int32_t NID_BG) const;
   void take_links(const kernel::State& deciding);
   void take_end(const kernel::State& before, const kernel::State& after);
   void take_contact(const sim::CycleInputs& cycle, const radio::Session& before, const radio::Session& after);
-  void take_restrictions(const kernel::State& before, const kernel::State& after);
+  void take_track(const track::Description& now);
+  void take_radio_hole(std::int64_t t_ms, const kernel::State& before, const kernel::State& after);
+  void take_values(std::int64_t t_ms, const kernel::State& before, const kernel::State& after);
   void take_texts(const kernel::State& before, const kernel::State& after);
   void take_brakes(const Moment& moment);
   bool brakes_change(const kernel::State& after, const kernel::Outputs& outputs) const;
@@ -142,7 +171,11 @@ class Journal {
   std::map<Cause, Braking> brakings_;
   std::map<std::int32_t, Announced> announced_;    ///< by NID_BG
   std::map<std::int32_t, GroupRead> groups_read_;  ///< by NID_BG
-  std::map<std::pair<std::uint8_t, std::uint8_t>, Note> restrictions_;
+  std::map<std::int32_t, NoteIndex> packets_;      ///< the last one of each NID_PACKET
+  Brought brought_;
+  std::optional<RadioHole> radio_hole_;
+  std::int64_t in_radio_hole_since_ = 0;
+  std::optional<ReplacedValues> replaced_values_;
   std::map<std::uint8_t, Note> texts_;
   Set<Cause> braked_;
   port::TrainSignals train_;
@@ -150,6 +183,7 @@ class Journal {
   port::NationalSystem national_system_;
   bool fault_ = false;
   bool first_ = true;
+  bool starts_with_defaults_ = false;
 };
 
 }  // namespace evc::explain

@@ -90,10 +90,21 @@ std::string conditions_of(const Table& table) {
 
 // --- The graph
 
-constexpr double kSize = 1100.0, kRadius = 440.0, kNode = 24.0;
+constexpr double kSize = 1400.0, kRadius = 590.0, kNode = 24.0;
 struct Point {
   double x, y;
 };
+/// A label or a node: its middle and half its width and height.
+struct Box {
+  Point at;
+  double width, height;
+};
+double overlap(const Box& a, const Box& b) {
+  const double x = a.width + b.width - std::abs(a.at.x - b.at.x), y = a.height + b.height - std::abs(a.at.y - b.at.y);
+  return x > 0.0 && y > 0.0 ? x * y : 0.0;
+}
+/// Numbers in font size 10, with some room around them.
+Box label_box(Point at, const std::string& text) { return {at, 3.0 * static_cast<double>(text.size()) + 2.0, 6.0}; }
 
 Point place_of(std::size_t mode, std::size_t count) {
   const double angle =
@@ -110,8 +121,15 @@ std::string joined(const std::vector<int>& numbers) {
 /// Modes that are entered from nearly every other one by one condition: a note instead of arrows.
 bool from_everywhere(const std::string& mode) { return mode == "NP" || mode == "SF" || mode == "IS"; }
 
-/// A curve that bends towards the middle; the two directions of a pair apart, the numbers close to the mode left.
-std::string arrow(const Table& table, const Transition& t) {
+/// A curve that bends towards the middle; the two directions of a pair apart.
+struct Curve {
+  Point start, bend, end;
+  Point at(double s) const {
+    return {(1 - s) * (1 - s) * start.x + 2 * s * (1 - s) * bend.x + s * s * end.x,
+            (1 - s) * (1 - s) * start.y + 2 * s * (1 - s) * bend.y + s * s * end.y};
+  }
+};
+Curve curve_of(const Table& table, const Transition& t) {
   const Point a = place_of(t.from, table.modes.size()), b = place_of(t.to, table.modes.size());
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
   const Point bend{(a.x + b.x) / 2 * 0.75 + kSize / 2 * 0.25 - dy / length * 22,
@@ -120,17 +138,58 @@ std::string arrow(const Table& table, const Transition& t) {
     const double l = std::hypot(to.x - from.x, to.y - from.y);
     return Point{from.x + (to.x - from.x) / l * d, from.y + (to.y - from.y) / l * d};
   };
-  const Point start = towards(a, bend, kNode), end = towards(b, bend, kNode + 5);
-  const double s = 0.28;
-  const Point label{(1 - s) * (1 - s) * start.x + 2 * s * (1 - s) * bend.x + s * s * end.x,
-                    (1 - s) * (1 - s) * start.y + 2 * s * (1 - s) * bend.y + s * s * end.y};
-  const int hue = static_cast<int>(t.to * 360 / table.modes.size());
+  return {towards(a, bend, kNode), bend, towards(b, bend, kNode + 5)};
+}
+
+/// A place on the curve for the numbers, as close to the mode left as the labels and modes in `taken` permit.
+Point label_place(const Curve& curve, const std::string& text, const std::vector<Box>& taken) {
+  Point best = curve.at(0.28);
+  double least = -1.0;
+  for (int step = 0; step <= 35; ++step) {
+    const double s = 0.15 + 0.02 * step;
+    double sum = 0.0;
+    for (const Box& box : taken) sum += overlap(label_box(curve.at(s), text), box);
+    if (least >= 0.0 && sum >= least) continue;
+    best = curve.at(s);
+    least = sum;
+    if (sum <= 0.0) break;
+  }
+  return best;
+}
+
+int hue_of(const Table& table, const Transition& t) { return static_cast<int>(t.to * 360 / table.modes.size()); }
+
+std::string arrow(const Table& table, const Transition& t, const Curve& c) {
   return fmt::format(
       "<g><title>{} to {}: [{}], priority {}</title><path d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\" "
-      "stroke=\"hsl({},70%,40%)\" marker-end=\"url(#arrow)\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-      "fill=\"hsl({},70%,30%)\">{}</text></g>\n",
-      table.modes[t.from], table.modes[t.to], joined(t.numbers), t.priority, start.x, start.y, bend.x, bend.y, end.x,
-      end.y, hue, label.x, label.y, hue, joined(t.numbers));
+      "stroke=\"hsl({},70%,40%)\" marker-end=\"url(#arrow)\"/></g>\n",
+      table.modes[t.from], table.modes[t.to], joined(t.numbers), t.priority, c.start.x, c.start.y, c.bend.x, c.bend.y,
+      c.end.x, c.end.y, hue_of(table, t));
+}
+
+/// The arrows, and above them their labels, apart from each other: the longest ones are placed first.
+std::string arrows_of(const Table& table) {
+  std::vector<const Transition*> drawn;
+  for (const Transition& t : table.cells)
+    if (!from_everywhere(table.modes[t.to])) drawn.push_back(&t);
+  std::stable_sort(drawn.begin(), drawn.end(), [](const Transition* a, const Transition* b) {
+    return joined(a->numbers).size() > joined(b->numbers).size();
+  });
+  std::vector<Box> taken;
+  for (std::size_t i = 0; i < table.modes.size(); ++i) taken.push_back({place_of(i, table.modes.size()), kNode, kNode});
+  std::string arrows, labels;
+  for (const Transition* t : drawn) {
+    const Curve curve = curve_of(table, *t);
+    const Point at = label_place(curve, joined(t->numbers), taken);
+    taken.push_back(label_box(at, joined(t->numbers)));
+    arrows += arrow(table, *t, curve);
+    labels += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"hsl({},70%,30%)\">{}</text>\n", at.x,
+                          at.y + 3.5, hue_of(table, *t), joined(t->numbers));
+  }
+  return arrows +
+         "</g>\n<g font-size=\"10\" text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"white\" "
+         "stroke-width=\"3\">\n" +
+         labels;
 }
 
 std::string graph_of(const Table& table) {
@@ -145,11 +204,9 @@ std::string graph_of(const Table& table) {
       "conditions of 4.6.3.</text>\n"
       "<text x=\"20\" y=\"{2:g}\" font-size=\"13\">Not drawn: into NP by [29], SF by [13] and others, IS by "
       "[1].</text>\n"
-      "<g fill=\"none\" stroke-width=\"1.2\" font-size=\"10\" text-anchor=\"middle\">\n",
+      "<g fill=\"none\" stroke-width=\"1.2\">\n",
       kSize, table.title, kSize - 20);
-  for (const Transition& t : table.cells)
-    if (!from_everywhere(table.modes[t.to])) text += arrow(table, t);
-  text += "</g>\n<g font-size=\"16\" font-weight=\"bold\" text-anchor=\"middle\">\n";
+  text += arrows_of(table) + "</g>\n<g font-size=\"16\" font-weight=\"bold\" text-anchor=\"middle\">\n";
   for (std::size_t i = 0; i < table.modes.size(); ++i) {
     const Point at = place_of(i, table.modes.size());
     text += fmt::format(

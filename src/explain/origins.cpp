@@ -12,9 +12,6 @@
 namespace evc::explain {
 namespace {
 
-std::optional<Step> step_of_last(const Note* note) {
-  return note == nullptr ? std::nullopt : std::optional(step_of(*note));
-}
 std::optional<Step> step_of_last(const Act* act) {
   return act == nullptr ? std::nullopt : std::optional(step_of(*act));
 }
@@ -151,7 +148,7 @@ const char* timer_words(const std::string& clause) {
 Step step_of(const Note& note) {
   std::string text(texts::line_of(note.event).view());
   std::string clause;
-  if (const std::size_t bracket = text.rfind(" ["); bracket != std::string::npos && text.back() == ']') {
+  if (const std::size_t bracket = text.find(" ["); bracket != std::string::npos && text.back() == ']') {
     clause = text.substr(bracket + 2, text.size() - bracket - 3);
     text.resize(bracket);
   }
@@ -162,6 +159,10 @@ Step step_of(const Note& note) {
     text = note.source + ": " + text;
   if (!note.detail.empty()) text += ": " + note.detail;
   return {note.t_ms, text, clause};
+}
+
+std::optional<Step> step_of_last(const Note* note) {
+  return note == nullptr ? std::nullopt : std::optional(step_of(*note));
 }
 
 std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
@@ -178,14 +179,19 @@ std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms) {
   return step;
 }
 
-Step national_values_step(const Journal& journal, std::int64_t t_ms) {
-  const Note* values =
+Step national_values_step(const Journal& journal, std::int64_t t_ms, const std::string& values, const char* clause) {
+  const Note* note =
       later(journal.last(What::national_values_in_force, t_ms), journal.last(What::national_values_default, t_ms));
-  if (values == nullptr) return {{}, "national values as configured", ""};
-  if (values->event.what == What::national_values_default) return {values->t_ms, "national values: defaults", ""};
-  const Note* packet = journal.last(What::packet_accepted, values->t_ms, std::int32_t{packet::national_values});
-  const bool given = packet != nullptr && !packet->source.empty();
-  return {values->t_ms, given ? packet->source + ": national values" : "national values", ""};
+  if (note == nullptr)
+    return {{},
+            (journal.starts_with_defaults() ? "default national values (A.3.2): " : "national values as configured: ") +
+                values,
+            clause};
+  if (note->event.what == What::national_values_default)
+    return {note->t_ms, "default national values (A.3.2): " + values, clause};
+  const Note* packet = journal.last_packet(packet::national_values);
+  const bool given = packet != nullptr && packet->t_ms <= note->t_ms && !packet->source.empty();
+  return {note->t_ms, (given ? packet->source + ": " : "") + "national values in force: " + values, clause};
 }
 
 Step step_of(const Act& act) { return {act.t_ms, act.text, ""}; }

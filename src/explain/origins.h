@@ -19,10 +19,12 @@ using Steps = std::vector<Step>;
 
 /// The step of an event: its words, its source, its clause.
 Step step_of(const Note& note);
+/// Nothing for null.
+std::optional<Step> step_of_last(const Note* note);
 Step step_of(const Act& act);
 
-/// The national values in force: since when, and what gave them.
-Step national_values_step(const Journal& journal, std::int64_t t_ms);
+/// The national values in force: since when, and what gave them. `values`: those that matter here, "D_NVROLL 2.0 m".
+Step national_values_step(const Journal& journal, std::int64_t t_ms, const std::string& values, const char* clause);
 
 /// The last change of level, and the order that it executed; nothing: none.
 std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms);
@@ -31,7 +33,7 @@ std::optional<Step> level_step(const Journal& journal, std::int64_t t_ms);
 std::optional<Step> origin_of(const Literal& literal, const Journal& journal, std::int64_t t_ms);
 
 /// "EOA at 600.0 m, SvL at 700.0 m, release speed 30 km/h"; nothing without an authority.
-std::string end_words(const kernel::State& state);
+std::string end_words(const track::Authority& authority, const position::State& position);
 
 /// The authority in force: from what it came, what changed it since, and where it ends.
 Steps authority_steps(const Journal& journal, const Moment& moment);
@@ -54,6 +56,9 @@ Step SR_distance_step(const Journal& journal, const Moment& moment);
 
 /// The target of a moment as words: "EOA at 3039.3 m".
 std::string target_words(const Moment& moment, const sdm::TargetId& target);
+/// The same with its distance, from the front end that counts for it (3.13.9.3): "EOA at 3039.3 m, 900.0 m ahead of the
+/// front end; SvL at 3139.3 m, 988.0 m ahead of the max safe front end".
+std::string target_distance_words(const Moment& moment, const sdm::TargetId& target);
 /// What brought it.
 Steps target_steps(const Journal& journal, const Moment& moment, const sdm::TargetId& target);
 

@@ -6,6 +6,7 @@
 #include "explain/words.h"
 #include "kernel/curves.h"
 #include "kernel/here.h"
+#include "kernel/train_category.h"
 #include "terms/packet_numbers.h"
 
 // The parts of the MRSP and the targets of a moment.
@@ -15,9 +16,65 @@ namespace {
 constexpr Speed kEqual{0.01 / 3.6};
 
 std::optional<Step> packet_step(const Journal& journal, const Moment& m, std::int32_t packet) {
-  const Note* note = journal.last(What::packet_accepted, m.t_ms, packet);
-  return note == nullptr ? std::nullopt : std::optional(step_of(*note));
+  return step_of_last(journal.last(What::packet_accepted, m.t_ms, packet));
 }
+
+/// The packet that brought an element, among those that lie between two places and are as slow as `V`; of several the
+/// last one. `speed` and `end` of an element: its speed for the train, and where it no longer counts.
+template <class Elements, class Of, class Speed_, class End>
+std::optional<Step> slowest(const Journal& journal, const Elements& elements, const Of& brought, Place from, Place to,
+                            Speed V, const Speed_& speed, const End& end) {
+  std::optional<Step> step;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (elements[i].from <= to && end(i) >= from && speed(i) <= V + kEqual)
+      if (const Note* note = journal.note(brought.of(elements[i]))) step = step_of(*note);
+  return step;
+}
+
+/// The speeds and places of the restrictions of a moment.
+struct Stored {
+  const Journal& journal;
+  const Moment& m;
+  Place from, to;
+  Speed V;
+  const track::Description& d = m.after.track;
+  track::TrainCategory train = kernel::category_of(m.after.train);
+
+  /// A restriction counts until the rear end has left it, unless it is of the front end (Q_FRONT).
+  Place left(Place end, bool Q_FRONT) const { return Q_FRONT ? end : end + m.after.train.L_TRAIN; }
+
+  std::optional<Step> ssp() const {
+    const auto& steps = d.ssp.steps;
+    const auto end = [&](std::size_t i) {
+      return i + 1 < steps.size() ? left(steps[i + 1].from, steps[i].value.Q_FRONT) : to;
+    };
+    const auto speed = [&](std::size_t i) { return track::speed_of(steps[i].value.speed_for(train)); };
+    return slowest(journal, steps, journal.brought().ssp, from, to, V, speed, end);
+  }
+  std::optional<Step> asp() const {
+    const auto end = [&](std::size_t i) { return left(d.asp[i].to, d.asp[i].Q_FRONT); };
+    const auto speed = [&](std::size_t i) { return track::speed_of(d.asp[i].speed_for(train)); };
+    return slowest(journal, d.asp, journal.brought().asp, from, to, V, speed, end);
+  }
+  std::optional<Step> pbd() const {
+    const auto& speeds = m.curves.pbd_speeds;
+    const auto speed = [&](std::size_t i) { return i < speeds.size() ? track::speed_of(speeds[i]) : track::kNoLimit; };
+    return slowest(journal, d.pbd, journal.brought().pbd, from, to, V, speed,
+                   [&](std::size_t i) { return d.pbd[i].to; });
+  }
+  std::optional<Step> lx() const {
+    const auto speed = [&](std::size_t i) {
+      return d.lx[i].substituted ? track::speed_of(d.lx[i].V_LX) : track::kNoLimit;
+    };
+    std::optional<Step> step;
+    for (std::size_t i = 0; i < d.lx.size(); ++i)
+      if (d.lx[i].V_LX_from <= to && d.lx[i].to >= from && speed(i) <= V + kEqual) {
+        if (const Note* note = journal.note(journal.brought().lx.of(d.lx[i]))) step = step_of(*note);
+        if (step) step->text += fmt::format(": level crossing {} is not protected", d.lx[i].NID_LX);
+      }
+    return step;
+  }
+};
 
 const char* national_speed(Mode mode) {
   switch (mode) {
@@ -47,41 +104,43 @@ bool of_area(const kernel::State& s) {
 Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Mode mode = m.after.mode;
   Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
-  if (of_area(m.after)) r.from = packet_step(journal, m, packet::mode_profile);
+  if (of_area(m.after)) {
+    const auto area = track::area_due(m.after.track, kernel::here(m.after));
+    const Note* note = area ? journal.note(journal.brought().areas.of(*area)) : nullptr;
+    r.from = note != nullptr ? step_of(*note) : packet_step(journal, m, packet::mode_profile);
+  }
   if (mode == Mode::RV) r.from = packet_step(journal, m, packet::reversing_supervision);
   const Act* entered = journal.last(Act::Kind::SR_speed, m.t_ms);
   if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
   if (r.from || mode == Mode::RV) return r;
-  r.from = national_values_step(journal, m.t_ms);
-  r.from->text += fmt::format(": {}", national_speed(mode));
-  r.from->clause = "A.3.2";
+  r.from = national_values_step(journal, m.t_ms, national_speed(mode), "A.3.2");
   return r;
 }
 
 Restriction of_source(const Journal& journal, const Moment& m, MrspSource source, Place from, Place to, Speed V) {
   Restriction r{
       source, V, fmt::format("{} of {}", terms::kNames<kMrspSourceRows>[terms::index(source)], kmh_words(V)), {}};
+  const Stored stored{journal, m, from, to, V};
   switch (source) {
     case MrspSource::SSP:
-      r.from = packet_step(journal, m, packet::static_speed_profile);
+      r.from = stored.ssp();
       return r;
     case MrspSource::ASP:
-      r.from = packet_step(journal, m, packet::axle_load_speed_profile);
+      r.from = stored.asp();
       return r;
     case MrspSource::TSR:
       for (const track::TemporarySpeedRestriction& t : m.after.track.tsr) {
-        const Place end = t.Q_FRONT ? t.to : t.to + m.after.train.L_TRAIN;
-        if (t.from > to || end < from || track::speed_of(t.V_TSR) > V + kEqual) continue;
+        if (t.from > to || stored.left(t.to, t.Q_FRONT) < from || track::speed_of(t.V_TSR) > V + kEqual) continue;
         r.text = fmt::format("TSR {} of {} from {} to {}", t.NID_TSR, kmh_words(track::speed_of(t.V_TSR)),
                              place_words(m.after, t.from), place_words(m.after, t.to));
-        if (const Note* note = journal.of_tsr(t.NID_TSR, t.V_TSR)) r.from = step_of(*note);
+        r.from = step_of_last(journal.note(journal.brought().tsr.of(t)));
       }
       return r;
     case MrspSource::PBD:
-      r.from = packet_step(journal, m, packet::permitted_braking_distance);
+      r.from = stored.pbd();
       return r;
     case MrspSource::LX:
-      r.from = packet_step(journal, m, packet::level_crossing);
+      r.from = stored.lx();
       return r;
     case MrspSource::signalling:
       r.from = packet_step(journal, m, packet::level_1_movement_authority);
@@ -137,6 +196,18 @@ std::string target_words(const Moment& m, const sdm::TargetId& target) {
     default:
       return fmt::format("{} at {}", kmh_words(target.V_target), at);
   }
+}
+
+std::string target_distance_words(const Moment& m, const sdm::TargetId& target) {
+  const track::Here here = kernel::here(m.after);
+  const auto from_max_safe = [&](Place at) {
+    return fmt::format("{} ahead of the max safe front end", metres_words(at - here.max_safe_front));
+  };
+  if (target.kind != sdm::TargetKind::EOA_SvL) return target_words(m, target) + ", " + from_max_safe(target.d_target);
+  const std::string EOA = fmt::format("{}, {} ahead of the front end", target_words(m, target),
+                                      metres_words(target.d_target - here.est_front));
+  const auto& SvL = m.after.basis.authority.SvL;
+  return SvL ? fmt::format("{}; SvL at {}, {}", EOA, place_words(m.after, *SvL), from_max_safe(*SvL)) : EOA;
 }
 
 Steps target_steps(const Journal& journal, const Moment& m, const sdm::TargetId& target) {

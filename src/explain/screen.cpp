@@ -104,10 +104,10 @@ std::string speed_lines(const Journal& journal) {
       text += row("", fmt::format("{} [{}]{}", r.text, clause_of(r.source), r.from ? ", " + from_line(*r.from) : ""));
   if (now.after.supervision.has_MRDT) {
     const sdm::TargetId& target = now.after.supervision.MRDT;
-    text += row("", fmt::format("target {}, {} ahead", target_words(now, target),
-                                metres_words(target.d_target - here.est_front)));
+    text += row("", "target " + target_distance_words(now, target));
     for (const Step& step : shortest(target_steps(journal, now, target))) text += row("", "  " + origin_line(step));
-  } else {
+    for (const Step& step : curve_steps(journal, now)) text += row("", "  " + origin_line(step));
+  } else if (now.after.basis.authority.EOA_or_LOA()) {  // in SR, SH, UN none counts (4.5.2)
     for (const Step& step : shortest(authority_steps(journal, now))) text += row("", origin_line(step));
   }
   return text;
@@ -138,7 +138,7 @@ std::string transition_lines(const Moment& now, Mode left) {
     for (const Reason& reason : all) {
       if (!cell.any.test(reason.number)) continue;
       conditions += fmt::format("{}[{}] {}{}", conditions.empty() ? "" : " | ", reason.number,
-                                reason.holds ? "holds: " : "", words(reason.because));
+                                reason.holds ? "holds: " : "", words(reason));
     }
     text += wrapped(fmt::format("  {:<2} p{}  ", name(cell.to), cell.priority), conditions);
   }
@@ -167,6 +167,19 @@ std::string steps_lines(const Steps& steps) {
 
 bool is_overspeed(Cause cause) {
   return cause == Cause::overspeed_traction || cause == Cause::overspeed_service || cause == Cause::overspeed_emergency;
+}
+
+/// Of the commands by speed the strongest, and those before it in the order of time (3.13.10.2.2): the emergency brake
+/// is kept while others come and go.
+std::vector<Command> up_to_strongest(const std::vector<Command>& asked) {
+  std::vector<Command> speed;
+  const Command* strongest = nullptr;
+  for (const Command& command : asked)
+    if (is_overspeed(command.cause) && (strongest == nullptr || command.cause > strongest->cause)) strongest = &command;
+  for (const Command& command : asked)
+    if (is_overspeed(command.cause) && command.braking->onset->t_ms <= strongest->braking->onset->t_ms)
+      speed.push_back(command);
+  return speed;
 }
 
 /// Those that are not released, without them those released last; by their time, the stronger brake behind.
@@ -204,9 +217,7 @@ std::string why_brake(const Journal& journal, bool& answered) {
   const std::vector<Command> asked = commands(journal);
   std::string text = time_words(now.t_ms);
   text += asked.front().braking->until ? ": no brake is commanded; the last command\n" : "\n";
-  std::vector<Command> speed;
-  for (const Command& command : asked)
-    if (is_overspeed(command.cause)) speed.push_back(command);
+  const std::vector<Command> speed = up_to_strongest(asked);
   for (const Command& command : asked) {
     if (is_overspeed(command.cause) && command.cause != speed.back().cause) continue;
     text += fmt::format("why the {} ({})\n", brake_words(command), name(command.cause));

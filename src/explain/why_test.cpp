@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "explain/words.h"
+
 namespace evc::explain {
 namespace {
 
@@ -134,6 +136,18 @@ TEST(Why, the_terms_of_a_condition_that_holds) {
   EXPECT_TRUE(shunting.holds);
   ASSERT_EQ(shunting.because.size(), 3u);
   EXPECT_EQ(shunting.because[2].fact, Fact::selects_SH);
+}
+
+// "or" is what / says: what holds together is joined by "and".
+TEST(Why, the_words_of_a_condition) {
+  procedures::Facts f;
+  f.level = Level::L1;
+  f.standstill = true;
+  EXPECT_EQ(words(reason(reasons(f), 5)), "shunting not selected");
+  f.selects_SH = true;
+  EXPECT_EQ(words(reason(reasons(f), 5)), "standstill and level 1 and shunting selected");
+  f.level = Level::L2;
+  EXPECT_EQ(words(reason(reasons(f), 5)), "level 1, 2 or 3 / not level 1");
 }
 
 TEST(Why, an_acknowledgement_is_named) {

@@ -112,8 +112,18 @@ std::string message_words(std::uint8_t NID_MESSAGE) {
 
 std::string kmh_words(Speed v) { return fmt::format("{:g} km/h", tenth(v.si * 3.6)); }
 std::string metres_words(Distance d) { return fmt::format("{:.1f} m", tenth(d.si)); }
-std::string place_words(const kernel::State& state, Place place) {
-  return metres_words(position::counter_of(state.position, place).from_origin);
+std::string place_words(const position::State& position, Place place) {
+  return metres_words(position::counter_of(position, place).from_origin);
+}
+std::string place_words(const kernel::State& state, Place place) { return place_words(state.position, place); }
+
+std::array<std::string, 2> different_kmh_words(Speed a, Speed b) {
+  std::array<std::string, 2> text;
+  for (int digits = 2; digits <= 6; ++digits) {
+    text = {fmt::format("{:.{}f} km/h", a.si * 3.6, digits), fmt::format("{:.{}f} km/h", b.si * 3.6, digits)};
+    if (text[0] != text[1]) break;
+  }
+  return text;
 }
 
 std::string words(const Literal& l) {
@@ -124,10 +134,12 @@ std::string words(const Literal& l) {
   return l.holds ? row.yes : row.no;
 }
 
-std::string words(const Literals& literals) {
+std::string words(const Reason& reason) {
+  const Literals& literals = reason.because;
   std::string text;
   for (std::size_t i = 0; i < literals.size(); ++i) {
-    if (i > 0) text += literals[i].choice == literals[i - 1].choice ? " / " : "; ";
+    const bool one_choice = i > 0 && literals[i].choice == literals[i - 1].choice;
+    if (i > 0) text += reason.holds ? (one_choice ? " and " : "; also ") : (one_choice ? " / " : "; ");
     text += words(literals[i]);
   }
   return text;

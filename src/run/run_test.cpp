@@ -659,7 +659,8 @@ TEST(Replay, TellsAFileOfAnotherKind) {
     return replay.output.substr((folder / "in.json").size());
   };
   const std::string line =
-      ": /schema: found \"etcs-line/1\" (a line: evc run drives it), expected a stream of inputs\n";
+      ": /schema: found \"etcs-line/1\" (a line: evc run drives it), expected a stream of inputs, as "
+      "inputs.jsonl of evc run\n";
   EXPECT_EQ(told("{\n \"schema\": \"etcs-line/1\"\n}\n"), line);
   EXPECT_EQ(told("{\"schema\": \"etcs-line/1\"}\n"), line);
   EXPECT_EQ(told("{\n \"schema\": \"x\"\n}\n"), ": line 1 column 2: found the end of the text, expected JSON\n");

@@ -59,7 +59,7 @@ void fits_a_screen(const std::string& text) {
 
 TEST(Explain, why_the_brake_of_each_journey) {
   const auto all = journeys();
-  ASSERT_EQ(all.size(), 45u);
+  ASSERT_EQ(all.size(), 63u);
   for (const Scenario& scenario : all) {
     const Journey journey(scenario);
     const Ended e = journey.explain("--why-brake");
@@ -120,6 +120,17 @@ TEST(Explain, the_SR_speed_is_the_one_that_the_driver_entered) {
   const auto all = journeys();
   const Ended e = Journey(journey_of(all, "the distance entered by the driver is passed")).explain_at(10000);
   EXPECT_NE(e.output.find("2.3 s: driver enters the SR speed 30 km/h"), std::string::npos) << e.output;
+}
+
+// 4.5.2: an authority that was there before counts in SR no more; it is not an answer there.
+TEST(Explain, no_authority_in_staff_responsible) {
+  const auto all = journeys();
+  const Journey journey(journey_of(all, "the former end of authority is passed after override"));
+  const Ended in_FS = journey.explain_at(50000), in_SR = journey.explain_at(100000);
+  EXPECT_NE(in_FS.output.find("EOA and SvL at 631.3 m"), std::string::npos) << in_FS.output;
+  EXPECT_EQ(in_SR.output.rfind("100.0 s: SR", 0), 0u) << in_SR.output;
+  EXPECT_EQ(in_SR.output.find("MA accepted"), std::string::npos) << in_SR.output;
+  EXPECT_EQ(in_SR.output.find("EOA and SvL"), std::string::npos) << in_SR.output;
 }
 
 /// A unit that steps or is examined.
