@@ -160,7 +160,7 @@ T area(double from, double to) {
 }
 
 /// Announced already, and not yet.
-const Progress kTold{announced, {}}, kNew{};
+const Progress kTold{announced, 0, {}}, kNew{};
 
 TEST(SentAgain, AnAnnouncementIsNotTakenBackButMadeAnew) {  // A.3.5.1
   EXPECT_EQ(sent_again(Progress{}), kNew);

@@ -246,14 +246,14 @@ TEST_F(Report, ShowsWhatTheDriverHasToAcknowledge) {  // 4.7.2, 015560
 TEST_F(Report, ShowsTrackConditionsInTheModesOf_4_7_2) {
   using enum ConditionPhase;
   const auto tell = [&](TrackConditionKind kind, ConditionPhase phase) {
-    ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), kind, {phase, std::nullopt}}));
+    ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), kind, {phase, 0, {}}}));
   };
   tell(TrackConditionKind::sound_horn, active);
   tell(TrackConditionKind::switch_off_eddy_current_service_brake, announced);
   tell(TrackConditionKind::switch_off_eddy_current_emergency_brake, announced);
   tell(TrackConditionKind::air_tightness, over);
   tell(TrackConditionKind::powerless_main_switch_off, ahead);
-  state.track.traction = track::TractionChange{at(1200.0), 1, 7, {active, std::nullopt}};
+  state.track.traction = track::TractionChange{at(1200.0), 1, 7, {active, 0, {}}};
   EXPECT_TRUE(report_now().track_conditions.empty()) << "the watch says that there is nothing";
   state.track.watch.shown = true;
   report_now();
@@ -286,7 +286,7 @@ TEST_F(Report, ShowsTrackConditionsInTheModesOf_4_7_2) {
 TEST_F(Report, OrdersTheTrainWithTheDistancesOf_5_20) {
   using enum ConditionPhase;
   state.track.watch.shown = true;
-  const track::Progress announced_{announced, std::nullopt}, active_{active, std::nullopt};
+  const track::Progress announced_{announced, 0, {}}, active_{active, 0, {}};
   using Kind = TrackConditionKind;
   ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::powerless_lower_pantograph, announced_}));
   ASSERT_TRUE(state.track.conditions.push_back({at(1000.0), at(1100.0), Kind::air_tightness, announced_}));
@@ -340,7 +340,7 @@ TEST_F(Report, OrdersTheTrainOnlyWhatIsAnnouncedAndNotOver) {  // 5.20
   here.min_safe_front = here.max_safe_front = at(950.0);
   here.min_safe_rear = at(700.0);
   const auto orders = [&](ConditionPhase phase) {
-    const track::Progress p{phase, std::nullopt};
+    const track::Progress p{phase, 0, {}};
     state.track.conditions.clear();
     for (const Kind kind : {Kind::powerless_main_switch_off, Kind::sound_horn, Kind::non_stopping_area,
                             Kind::tunnel_stopping_area, Kind::radio_hole})
