@@ -31,8 +31,8 @@ FILES_WITHOUT_NAME = ("docs/", "tools/", "bench/", "CAVEATS.md", "README.md")
 NUMBER = r"(?:A(?:\.\d+)+|[3-8](?:\.\d+)+)"
 # Numbers of an issue look like clauses; they are none.
 ISSUES = re.compile(r"(?:3\.[0-69]|4\.0)\.0|[34]\.[0-9]")
-# Clauses of another document than SUBSET-026: the coding of telegrams (SUBSET-036).
-OTHER_ROOMS = ("airgap",)
+# Clauses of another document than SUBSET-026: the coding of telegrams (SUBSET-036), the display (ERA_ERTMS_015560).
+OTHER_ROOMS = ("airgap", "dmi", "paint", "screen", "ride", "cab")
 OTHER_DOCUMENT = re.compile(r"(?:SUBSET-0(?!26)\d\d|015560).*")
 # The language names the page of each variable, packet and message, of the trackside's older ones too: data, tested as such.
 LANGUAGE, PAGES_OF_LANGUAGE = "lang", ("6.5.", "7.", "8.")

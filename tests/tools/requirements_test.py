@@ -26,6 +26,7 @@ class Requirements(unittest.TestCase):
         self.write("src/balise/group.cpp", 'int count(const Group& g) {\n  return refuse("3.5.1 a"), g.size;\n}\n')
         self.write("src/balise/group_test.cpp", "TEST(Balise, Counts) {\n")
         self.write("tests/scenarios/radio.scenario", "scenario first message\n")
+        self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.3.\n")
         self.write(".ci/run", "gate layers tools/check_layers.py\n")
         self.write("requirements/clauses.csv", HEAD + GOOD)
         self.write("requirements/seeds.csv", HEAD + "S-001,All,done,test,balise/,gate:layers,\n")
@@ -55,6 +56,10 @@ class Requirements(unittest.TestCase):
         self.assertEqual(self.faults(), [])
         self.assertEqual(check.check(self.root)[3], ["3.9.9"])
 
+    def test_what_is_not_done_is_in_the_caveats(self):
+        self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.31.\n")
+        self.assertEqual(self.faults(), ["requirements/clauses.csv: 4.6.3 [12] is missing, and CAVEATS.md does not name it"])
+
     def test_unknown_test(self):
         self.assertEqual(self.with_row("Balise.Counts", "Balise.Count"),
                          ["requirements/clauses.csv:2: 3.4.1.1: no test Balise.Count"])
@@ -66,6 +71,7 @@ class Requirements(unittest.TestCase):
     def test_unknown_scenario_and_gate(self):
         self.assertEqual(self.with_row("radio.first_message", "radio.second_message"),
                          ["requirements/clauses.csv:5: 3.6.4.2.5 (3.x 3.6.4.3): no test scenario:radio.second_message"])
+        self.write("CAVEATS.md", "Half of 3.6.4.2.5 is missing, and 4.6.3.\n")
         self.write(".ci/run", "gate format tools/check_format\n")
         self.assertIn("requirements/seeds.csv:2: S-001: no test gate:layers", self.faults())
 

@@ -19,7 +19,7 @@
 // absent value is not shown.
 namespace evc::port {
 
-/// The highest speed of the dial (8.2.1.1).
+/// The highest speed of the dial (015560 8.2.1.1).
 enum class Dial : std::uint8_t { to_140, to_180, to_250, to_400 };
 
 /// A national system that the display can name.
@@ -83,7 +83,7 @@ struct AskedAck {
 
 enum class TextKind : std::uint8_t { fixed, plain, status, national };
 
-/// A text in areas E5 to E9 (8.2.3.4).
+/// A text in areas E5 to E9 (015560 8.2.3.4).
 struct DisplayedText {
   std::uint16_t id = 0;  ///< as in ShownText, or that of a status text
   TextKind kind = TextKind::plain;
@@ -111,13 +111,13 @@ struct TunnelStoppingArea {
 };
 
 /// An order or announcement ahead in the planning area: the distance at which its symbol in B3 to B5 will appear
-/// (8.3.4).
+/// (015560 8.3.4).
 struct PlannedOrder {
   Picture picture{};
   Distance at;
 };
 
-/// The announced level (8.2.3.2). Its acknowledgement is in the queue.
+/// The announced level (015560 8.2.3.2). Its acknowledgement is in the queue.
 struct AnnouncedLevel {
   Level level{};
   std::uint8_t nid_ntc = 0;
