@@ -172,7 +172,9 @@ void draw_release_gauge(const Drawing& to, Speed V_P, Speed V_release, Colour pe
   draw_arc(to, zero, inner_end, kPermittedOut, kReleaseIn, Colour::dark_blue);
   draw_arc(to, zero, inner_end, kReleaseIn, kGaugeOut, Colour::medium_grey);
   draw_arc(to, released, limit, kGaugeIn, kGaugeOut, permitted);
-  draw_arc(to, limit, released, kGaugeIn, kGaugeOut, Colour::medium_grey);
+  // Where the permitted speed is the lower one the release speed has the whole width beyond it.
+  draw_arc(to, limit, released, kGaugeIn, kReleaseIn, Colour::medium_grey);
+  draw_arc(to, limit, released, kReleaseIn, kGaugeOut, Colour::medium_grey);
 }
 
 /// The band from the permitted speed to that of the intervention (Table 9); none where it is not drawn.

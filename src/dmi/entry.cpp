@@ -112,8 +112,13 @@ void changed(State& state, Field& field) {
   }
 }
 
-void type_character(Field& field, char c, bool fresh) {
-  if (fresh) field.value.typed.clear();
+/// The first key since the field was selected, or since a check rejected the value, replaces what is shown (10.3.2.3).
+bool replaces(const Field& field) {
+  return !field.typed || field.check == Check::technical_range || field.check == Check::operational_range;
+}
+
+void type_character(Field& field, char c) {
+  if (replaces(field)) field.value.typed.clear();
   if (field.value.typed.length < most_characters(field.id)) field.value.typed.append(c);
 }
 
@@ -128,7 +133,7 @@ void tap(State& state, Field& field, int number, Duration now) {
     field.value.typed.characters[field.value.typed.length - 1u] = letters[entry.tap_count];
   } else {
     entry.tap_count = 0;
-    type_character(field, letters[0], !field.typed);
+    type_character(field, letters[0]);
   }
   entry.tap_key = static_cast<std::uint8_t>(number);
   entry.tap_at = now;
@@ -289,7 +294,7 @@ void press_key(State& state, int number, Duration now) {
     if (!field->value.typed.empty()) --field->value.typed.length;
     state.entry.tap_key = 0;
   } else if (number == kZeroKey || keyboard == Keyboard::numeric) {
-    type_character(*field, static_cast<char>('0' + (number == kZeroKey ? 0 : number)), !field->typed);
+    type_character(*field, static_cast<char>('0' + (number == kZeroKey ? 0 : number)));
     state.entry.tap_key = 0;
   } else {
     tap(state, *field, number, now);

@@ -66,7 +66,7 @@ std::string_view label(FieldId id) {
 std::string_view language_name(Language language) {
   for (const LanguageRow& row : kLanguages)
     if (row.code == language.view()) return row.name;
-  return language.view();
+  return {};
 }
 
 }  // namespace evc::dmi

@@ -237,12 +237,12 @@ void draw_planning(const Drawing& to) {
     Item border = to.item(Kind::border, Area::D, Colour::medium_grey, {0, 50, 162, 50});
     border.border = Border::field;
     to.add(border);
+    to.rect(Area::D, Colour::medium_grey, {162, 50, 82, 50}, "answer");
+    Item words = to.text_item(Area::D, "Yes", Colour::black, 12, Align::centre, 0);
+    words.at = {162, 50, 82, 50};
+    to.add(words);
     Item yes = to.item(Kind::button, Area::D, Colour::black, {162, 50, 82, 50});
-    yes.background = Colour::medium_grey;
     yes.name.append("Yes");
-    yes.text.append("Yes");
-    yes.height = 12;
-    yes.align = Align::centre;
     yes.border = Border::field;
     yes.pressed = looks_pressed(to.state, {ActionKind::track_ahead_free, 0}, to.now);
     to.add(yes);

@@ -221,7 +221,8 @@ Value stored_value(const State& state, FieldId id) {
   Value value;
   switch (id) {
     case FieldId::driver_id:
-      if (stored.driver_id_status != DataStatus::unknown) value.typed.append(stored.driver_id.view());
+      if (stored.driver_id_status != DataStatus::unknown && stored.driver_id.valid())
+        value.typed.append(stored.driver_id.view());
       return value;
     case FieldId::train_running_number:
       if (stored.train_running_number_status != DataStatus::unknown)

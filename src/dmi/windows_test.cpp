@@ -1,0 +1,443 @@
+#include "dmi/windows.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "dmi/commit.h"
+#include "dmi/dmi.h"
+#include "dmi/entry.h"
+#include "dmi/test_display.h"
+#include "dmi/touch.h"
+
+// Windows, data entry and dialogues.
+namespace evc::dmi {
+namespace {
+
+using port::Display;
+using port::Waiting;
+using test::drawn;
+
+class Windows : public ::testing::Test {
+ protected:
+  Windows() {
+    display.buttons = test::all_buttons();
+    display.level_valid = true;
+    display.level = Level::L1;
+    display.data.stored.level_status = DataStatus::valid;
+    display.data.levels = 0x1F;
+    cycle(0.0);
+  }
+  void cycle(double seconds) {
+    when += seconds;
+    display.now = Duration{when};
+    show(state, display);
+  }
+  bool tap(const std::string& name) { return test::tap(state, name, when); }
+  void keys(const std::string& numbers) {
+    for (const char key : numbers) EXPECT_TRUE(tap(key == '0' ? "key 11" : std::string("key ") + key)) << key;
+  }
+  std::string field_text(int number) const {
+    const Screen screen = drawn(state, Duration{when});
+    for (const Item& item : screen.items)
+      if (item.kind == Kind::field && item.number == number) return std::string(item.text.view());
+    return "no field";
+  }
+  const Item& item(Kind kind, const std::string& name) {
+    last = drawn(state, Duration{when});
+    const Item* found = test::find_item(last, kind, name);
+    EXPECT_NE(found, nullptr) << name;
+    static const Item kNone;
+    return found != nullptr ? *found : kNone;
+  }
+  void open(WindowId window) { open_window(state, window); }
+
+  Display display = test::neutral();
+  State state;
+  Screen last;
+  double when = 100.0;
+};
+
+TEST_F(Windows, PartsHaveTheirPlaces) {
+  open(WindowId::main);
+  EXPECT_EQ(absolute(item(Kind::rect, "title")), (Rect{334, 15, 306, 24}));
+  EXPECT_EQ(absolute(item(Kind::button, "Start")), (Rect{334, 65, 153, 50}));
+  EXPECT_EQ(absolute(item(Kind::button, "Driver ID")), (Rect{487, 65, 153, 50}));
+  EXPECT_EQ(absolute(item(Kind::button, "Radio data")), (Rect{487, 265, 153, 50}));
+  EXPECT_EQ(item(Kind::button, "close").picture, Picture::NA11);
+  open(WindowId::train_data);
+  EXPECT_EQ(absolute(item(Kind::rect, "title")), (Rect{0, 15, 334, 24}));
+  EXPECT_EQ(absolute(item(Kind::field, "Train category")), (Rect{334, 15, 306, 50}));
+  EXPECT_EQ(absolute(Area::full, item(Kind::field, "Maximum speed (km/h)").data_at), (Rect{538, 165, 102, 50}));
+  EXPECT_EQ(item(Kind::rect, "title").text.view(), "Train data (1/2)");
+  EXPECT_EQ(item(Kind::echo, "Length (m)").baseline, 151);
+}
+
+TEST_F(Windows, HourGlassWanders) {
+  open(WindowId::main);
+  display.waiting = Waiting::session;
+  display.start_of_mission = true;
+  cycle(0.0);
+  const double begin = when;
+  for (const auto& [seconds, x] :
+       {std::pair{0.0, 376}, std::pair{3.5, 454}, std::pair{9.5, 610}, std::pair{10.5, 376}}) {
+    when = begin + seconds;
+    last = drawn(state, Duration{when});
+    const Item* glass = test::find_symbol(last, Picture::ST05);
+    ASSERT_NE(glass, nullptr);
+    EXPECT_EQ(absolute(*glass).x, x);
+    EXPECT_EQ(absolute(*glass).y, 17);
+  }
+  for (const Touch& touch : last.touch) EXPECT_FALSE(touch.enabled) << touch.name.view();
+}
+
+TEST_F(Windows, DisabledButtonsDoNothing) {
+  display.buttons = {};
+  cycle(0.1);
+  for (const WindowId window :
+       {WindowId::main, WindowId::override_, WindowId::special, WindowId::settings, WindowId::radio_data}) {
+    open(window);
+    for (const MenuButton& button : menu_buttons(state, window)) {
+      EXPECT_FALSE(press(state, test::middle(menu_place(button.number)), Duration{when}));
+      when += 3.0;
+      release(state, Duration{when});
+      choose(state, button.button, Duration{when});
+      EXPECT_EQ(state.window, window);
+      EXPECT_EQ(take(state).actions.selected, 0u);
+    }
+  }
+}
+
+TEST_F(Windows, EveryMenuButtonActs) {
+  for (const WindowId window :
+       {WindowId::main, WindowId::override_, WindowId::special, WindowId::settings, WindowId::radio_data})
+    for (const MenuButton& button : menu_buttons(state, window)) {
+      open(window);
+      EXPECT_TRUE(tap(name(button.button))) << name(button.button);
+      const Commands commands = take(state);
+      EXPECT_TRUE(state.window != window || commands.actions.selected != 0) << name(button.button);
+      state.awaited = Awaited{};
+    }
+}
+
+TEST_F(Windows, RunningNumberIsTyped) {
+  display.data.stored.train_running_number_status = DataStatus::valid;
+  display.data.stored.train_running_number = static_cast<std::uint32_t>(to_bcd("45678", 8));
+  cycle(0.1);
+  ASSERT_TRUE(tap("F1") && tap("Train running number"));
+  EXPECT_EQ(field_text(1), "45678");
+  keys("9");
+  EXPECT_EQ(field_text(1), "9") << "the first key replaces";
+  keys("1023456");
+  EXPECT_EQ(field_text(1), "9102 3456");
+  ASSERT_TRUE(tap("key 10"));
+  EXPECT_EQ(field_text(1), "9102 345");
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(take(state).actions.train_running_number, 0x9102345Fu);
+  EXPECT_EQ(state.window, WindowId::main);
+}
+
+TEST_F(Windows, LettersByMultiTap) {
+  open(WindowId::driver_id);
+  const auto key = [&](int number, double at) {
+    EXPECT_TRUE(press(state, test::middle(key_place(number)), Duration{at}));
+    release(state, Duration{at + 0.05});
+  };
+  key(2, 200.0), key(2, 201.0), key(3, 201.5);
+  EXPECT_EQ(state.entry.fields[0].value.typed.view(), "a3");
+  open(WindowId::driver_id);
+  key(2, 300.0), key(2, 302.5);
+  EXPECT_EQ(state.entry.fields[0].value.typed.view(), "22");
+  when = 303.0;
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(take(state).actions.driver_id->view(), "22");
+}
+
+TEST_F(Windows, FieldsAreSelectedAndAccepted) {
+  open(WindowId::train_data);
+  EXPECT_EQ(item(Kind::field, "Train category").state, FieldState::selected);
+  EXPECT_EQ(item(Kind::field, "Length (m)").colour, Colour::grey);
+  EXPECT_FALSE(item(Kind::button, "Yes").enabled);
+  ASSERT_TRUE(tap("key 5") && tap("field 1"));
+  EXPECT_EQ(item(Kind::field, "Train category").state, FieldState::accepted);
+  EXPECT_EQ(item(Kind::echo, "Train category").colour, Colour::white);
+  EXPECT_EQ(item(Kind::field, "Length (m)").state, FieldState::selected);
+  keys("1");
+  ASSERT_TRUE(tap("field 3"));
+  EXPECT_EQ(item(Kind::field, "Length (m)").text.view(), "") << "not accepted: erased";
+}
+
+TEST_F(Windows, RangesAreChecked) {
+  open(WindowId::train_data);
+  ASSERT_TRUE(tap("field 2"));
+  keys("9999");
+  ASSERT_TRUE(tap("field 2"));
+  EXPECT_EQ(item(Kind::echo, "Length (m)").text.view(), "++++");
+  EXPECT_EQ(item(Kind::echo, "Length (m)").colour, Colour::red);
+  EXPECT_FALSE(tap("field 2")) << "until a key is pressed";
+  EXPECT_FALSE(tap("next"));
+  state.display.config.L_TRAIN.operational_most = 750.0;
+  keys("0800");
+  ASSERT_TRUE(tap("field 2"));
+  EXPECT_EQ(item(Kind::echo, "Length (m)").colour, Colour::yellow);
+  EXPECT_EQ(item(Kind::field, "Length (m)").type, ButtonType::delay);
+  ASSERT_TRUE(tap("field 2")) << "the driver insists";
+  EXPECT_EQ(item(Kind::field, "Length (m)").state, FieldState::accepted);
+}
+
+class TrainData : public Windows {
+ protected:
+  void enter_all() {
+    ASSERT_TRUE(tap("F1") && tap("Train data"));
+    ASSERT_TRUE(tap("key 1") && tap("field 1"));
+    keys("400");
+    ASSERT_TRUE(tap("field 2"));
+    keys("120");
+    ASSERT_TRUE(tap("field 3"));
+    keys("140");
+    ASSERT_TRUE(tap("field 4"));
+    ASSERT_EQ(state.page, 1);
+    ASSERT_TRUE(tap("key 4") && tap("field 5") && tap("key 8") && tap("field 6") && tap("key 2") && tap("field 7"));
+  }
+};
+
+TEST_F(TrainData, GoToTheOnBoardAfterValidation) {
+  enter_all();
+  ASSERT_TRUE(tap("Yes"));
+  EXPECT_EQ(state.window, WindowId::validate_train_data);
+  EXPECT_FALSE(take(state).train_data);
+  ASSERT_TRUE(tap("field 1"));
+  const auto commands = take(state);
+  ASSERT_TRUE(commands.train_data);
+  EXPECT_EQ(commands.train_data->L_TRAIN, Distance{400.0});
+  EXPECT_EQ(commands.train_data->V_MAXTRAIN.si, 140.0 / 3.6);
+  EXPECT_EQ(commands.train_data->brake_percentage, 120.0);
+  EXPECT_EQ(commands.train_data->cant_deficiency_mm, 80);
+  EXPECT_EQ(commands.train_data->other_categories, train::kPassenger);
+  EXPECT_EQ(commands.train_data->axle_load, train::AxleLoad::B2);
+  EXPECT_TRUE(commands.train_data->airtight);
+  EXPECT_EQ(commands.train_data->loading_gauge, train::LoadingGauge::G1);
+  EXPECT_EQ(state.window, WindowId::train_running_number) << "it is not valid";
+  const train::TrainData data = with_entered(train::TrainData{}, *commands.train_data);
+  EXPECT_EQ(data.L_TRAIN, Distance{400.0});
+}
+
+TEST_F(TrainData, AreNotStoredAfterNo) {
+  enter_all();
+  ASSERT_TRUE(tap("Yes") && tap("key 7") && tap("field 1"));
+  EXPECT_FALSE(take(state).train_data);
+  EXPECT_EQ(state.window, WindowId::train_data);
+  EXPECT_EQ(state.page, 0);
+  EXPECT_EQ(field_text(2), "400");
+}
+
+TEST_F(TrainData, AreCheckedAcross) {
+  port::CrossCheck check{.categories = Set<TrainCategory>{TrainCategory::PASS1}, .V_most = Speed{120.0 / 3.6}};
+  EXPECT_TRUE(display.config.cross_checks.push_back(check));
+  cycle(0.1);
+  enter_all();
+  ASSERT_TRUE(tap("Yes"));
+  EXPECT_EQ(state.window, WindowId::train_data);
+  EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "????");
+  EXPECT_EQ(item(Kind::echo, "Maximum speed (km/h)").colour, Colour::red);
+  EXPECT_FALSE(tap("Yes"));
+  state.display.config.cross_checks[0].operational = true;
+  ASSERT_TRUE(tap("key 1") && tap("field 1") && tap("Yes"));
+  EXPECT_EQ(item(Kind::echo, "Train category").colour, Colour::yellow);
+  ASSERT_TRUE(tap("Yes")) << "a delay button now";
+  EXPECT_EQ(state.window, WindowId::validate_train_data);
+}
+
+TEST_F(TrainData, CloseWhenTheTrainMoves) {
+  enter_all();
+  display.buttons.remove(Button::train_data);
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::main);
+}
+
+TEST_F(TrainData, TypesOrData) {
+  port::TrainType type;
+  type.name = {'I', 'C', 'E'};
+  type.data.L_TRAIN = Distance{200.0};
+  EXPECT_TRUE(display.config.train_types.push_back(type));
+  display.config.train_data_entry = port::TrainDataEntry::switchable;
+  cycle(0.1);
+  ASSERT_TRUE(tap("F1") && tap("Train data"));
+  EXPECT_EQ(item(Kind::button, "switch").text.view(), "Select type");
+  ASSERT_TRUE(tap("switch"));
+  EXPECT_EQ(item(Kind::button, "switch").text.view(), "Enter data");
+  ASSERT_TRUE(tap("key 1") && tap("field 1") && tap("Yes") && tap("field 1"));
+  const auto commands = take(state);
+  EXPECT_EQ(commands.train_type, 0);
+  EXPECT_EQ(commands.train_data->L_TRAIN, Distance{200.0});
+}
+
+TEST_F(Windows, CodesOfCovers) {
+  open(WindowId::set_vbc);
+  keys("321456");
+  ASSERT_TRUE(tap("field 1") && tap("Yes") && tap("field 1"));
+  auto commands = take(state);
+  ASSERT_TRUE(commands.actions.cover);
+  EXPECT_EQ(commands.actions.cover->NID_VBCMK, 48);
+  EXPECT_EQ(commands.actions.cover->NID_C, 926);
+  EXPECT_EQ(commands.actions.cover->T_VBC, 4);
+  open(WindowId::remove_vbc);
+  keys("50078");
+  ASSERT_TRUE(tap("field 1") && tap("Yes") && tap("field 1"));
+  commands = take(state);
+  EXPECT_EQ(commands.actions.cover->NID_VBCMK, 48);
+  EXPECT_EQ(commands.actions.cover->NID_C, 926);
+  EXPECT_TRUE(commands.actions.has(port::Select::vbc_remove));
+}
+
+TEST_F(Windows, RbcContact) {
+  open(WindowId::rbc_data);
+  keys("12345678");
+  ASSERT_TRUE(tap("field 1"));
+  keys("0123");
+  ASSERT_TRUE(tap("field 2") && tap("Yes"));
+  const auto commands = take(state);
+  ASSERT_TRUE(commands.actions.rbc_contact);
+  EXPECT_EQ(commands.actions.rbc_contact->NID_RBC, 8526);
+  EXPECT_EQ(commands.actions.rbc_contact->NID_C, 753);
+  EXPECT_EQ(commands.actions.rbc_contact->NID_RADIO, 0x0123FFFFFFFFFFFFu);
+  state.awaited = Awaited{};
+  display.data.radio = port::RadioNetworkType::frmcs;
+  cycle(0.1);
+  open(WindowId::rbc_data);
+  EXPECT_EQ(state.entry.fields.size(), 1u);
+}
+
+TEST_F(Windows, LevelsByThePriorityTable) {
+  port::NtcName pzb{.nid_ntc = 6};
+  pzb.characters = {'P', 'Z', 'B'};
+  EXPECT_TRUE(display.config.ntc_names.push_back(pzb));
+  EXPECT_TRUE(display.data.ntcs.push_back(6));
+  display.data.levels = 1 << 0 | 1 << 2;  // levels 0 and 1
+  cycle(0.1);
+  open(WindowId::level);
+  const auto key = [&](int number) { return key_at(state, number); };
+  EXPECT_EQ(key(1).label.view(), "Level 1");
+  EXPECT_TRUE(key(1).enabled);
+  EXPECT_EQ(key(2).label.view(), "Level 2");
+  EXPECT_FALSE(key(2).enabled);
+  EXPECT_TRUE(key(3).label.empty());
+  EXPECT_TRUE(key(4).enabled);
+  EXPECT_EQ(key(5).label.view(), "PZB");
+  ASSERT_TRUE(tap("key 5") && tap("field 1"));
+  const auto commands = take(state);
+  EXPECT_EQ(commands.actions.level, Level::NTC);
+  EXPECT_EQ(commands.actions.nid_ntc, 6);
+}
+
+TEST_F(Windows, MoreChoicesThanKeys) {
+  open(WindowId::train_data);  // 18 categories
+  EXPECT_EQ(key_at(state, 12).picture, Picture::NA23);
+  EXPECT_EQ(key_at(state, 11).label.view(), "FP 1");
+  ASSERT_TRUE(tap("key 12"));
+  EXPECT_EQ(key_at(state, 1).label.view(), "FP 2");
+  EXPECT_TRUE(key_at(state, 8).label.empty());
+  ASSERT_TRUE(tap("key 12"));
+  EXPECT_EQ(key_at(state, 1).label.view(), "PASS 1");
+}
+
+TEST_F(Windows, SrProposesTheLongestForInfinite) {
+  display.data.stored.SR = {DataStatus::valid, Speed{40.0 / 3.6}, std::nullopt};
+  display.data.D_sr_most = Distance{327670.0};
+  cycle(0.1);
+  open(WindowId::sr_data);
+  EXPECT_EQ(field_text(2), "327 670");
+  EXPECT_TRUE(take(state).windows.has(port::Window::SR_data));
+}
+
+TEST_F(Windows, DataViewHasPages) {
+  display.data.stored.driver_id_status = DataStatus::valid;
+  display.data.stored.driver_id = DriverId{"1234"};
+  cycle(0.1);
+  ASSERT_TRUE(tap("F3"));
+  EXPECT_EQ(item(Kind::rect, "title").text.view(), "Data view (1/2)");
+  EXPECT_EQ(item(Kind::view_item, "Driver ID").text.view(), "1234");
+  EXPECT_EQ(item(Kind::view_item, "Driver ID").baseline, 77);
+  EXPECT_EQ(item(Kind::button, "previous").picture, Picture::NA19);
+  EXPECT_EQ(item(Kind::button, "next").picture, Picture::NA17);
+  ASSERT_TRUE(tap("next"));
+  EXPECT_EQ(item(Kind::view_item, "RBC ID").text.view(), "");
+  ASSERT_TRUE(tap("close"));
+  EXPECT_EQ(state.window, WindowId::default_);
+}
+
+TEST_F(Windows, StartOfMission) {
+  display.start_of_mission = true;
+  display.step = Dialogue::start_S1;
+  display.level_valid = false;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::driver_id);
+  EXPECT_FALSE(tap("close"));
+  ASSERT_TRUE(tap("TRN"));
+  keys("12");
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(state.window, WindowId::driver_id);
+  ASSERT_TRUE(tap("SE04"));
+  ASSERT_TRUE(tap("close"));
+  EXPECT_EQ(state.window, WindowId::driver_id);
+  keys("77");
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(state.window, WindowId::main);
+  display.step = Dialogue::start_S2;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::level);
+  EXPECT_FALSE(tap("close"));
+  ASSERT_TRUE(tap("key 1") && tap("field 1"));
+  EXPECT_EQ(take(state).actions.level, Level::L1);
+  display.step = Dialogue::start_S10;
+  display.start_of_mission = false;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::main);
+  cycle(2.0);
+  ASSERT_TRUE(tap("Start"));
+  EXPECT_TRUE(take(state).actions.has(port::Select::start));
+  EXPECT_EQ(state.window, WindowId::default_);
+}
+
+TEST_F(Windows, StartInLevel2WaitsForTheRbc) {
+  display.level = Level::L2;
+  display.radio = RadioIndication::up;
+  cycle(0.1);
+  ASSERT_TRUE(tap("F1") && tap("Start"));
+  EXPECT_EQ(state.window, WindowId::main);
+  EXPECT_FALSE(tap("Driver ID")) << "disabled while it waits";
+  EXPECT_FALSE(tap("close"));
+  display.waiting = Waiting::answer_to_ma_request;
+  cycle(0.1);
+  cycle(20.0);
+  EXPECT_EQ(state.window, WindowId::main);
+  display.waiting = Waiting::nothing;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::default_);
+}
+
+TEST_F(Windows, RefusedShuntingStaysInMain) {
+  display.level = Level::L2;
+  for (const bool accepted : {false, true}) {
+    cycle(0.1);
+    open(WindowId::main);
+    ASSERT_TRUE(tap("Shunting"));
+    display.waiting = Waiting::answer_to_sh_request;
+    cycle(0.1);
+    display.waiting = Waiting::nothing;
+    if (accepted) display.mode = Mode::SH;
+    cycle(1.0);
+    EXPECT_EQ(state.window, accepted ? WindowId::default_ : WindowId::main);
+  }
+}
+
+TEST_F(Windows, OldEditionsHaveNoNewButtons) {
+  display.config.srs = SrsVersion::v3_6_0;
+  cycle(0.1);
+  for (const MenuButton& button : menu_buttons(state, WindowId::main)) EXPECT_NE(button.button, Button::initiate_sm);
+  open(WindowId::level);
+  EXPECT_EQ(key_at(state, 3).label.view(), "Level 3");
+}
+
+}  // namespace
+}  // namespace evc::dmi
