@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <string_view>
+
 #include "dmi/drawing.h"
 #include "dmi/entry.h"
 #include "dmi/labels.h"
@@ -23,8 +26,13 @@ FieldState field_state(const State& state, std::size_t place) {
 void draw_cursor(const Drawing& to, const Item& field) {
   if (whole(to.now.si / 0.25 - 0.5, 0, 2000000000) % 2 != 0) return;
   const Rect data = field.data_at;
-  const double x = data.x + 10 + width_of(field.text.view(), 12, false);
-  to.add(to.item(Kind::cursor, field.area, Colour::black, {cells(x), static_cast<std::int16_t>(data.y + 34), 9, 2}));
+  const std::string_view shown = field.text.view();
+  const std::size_t line = shown.rfind('\n');  // the end of the last line
+  const bool lower = line != std::string_view::npos;
+  const std::int16_t end = cells(data.x + 10 + width_of(lower ? shown.substr(line + 1) : shown, 12, false));
+  const auto last = static_cast<std::int16_t>(data.x + data.w - 10);
+  to.add(to.item(Kind::cursor, field.area, Colour::black,
+                 {std::min(end, last), static_cast<std::int16_t>(data.y + (lower ? 44 : 34)), 9, 2}));
 }
 
 void draw_field(const Drawing& to, std::size_t place, std::size_t line) {
