@@ -16,6 +16,12 @@ bool waits(Mode mode, const OrderedLevel& to, SrsVersion srs) {
   return stays && !modes::possible_in(mode, to.level);
 }
 
+/// The pending transition is gone, and an acknowledgement given ahead of it: it counts for no other (5.10.4.1.3).
+void drop_pending(State& state) {
+  state.pending.reset();
+  state.acknowledged = false;
+}
+
 /// The transition is executed in this cycle.
 void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out) {
   out.switch_to = to;
@@ -24,8 +30,7 @@ void execute(State& state, const Inputs& in, const OrderedLevel& to, Result& out
   state.unacknowledged = needed && !state.acknowledged;
   state.unacknowledged_level = to.level;
   state.deadline = in.now + T_ACK;
-  state.pending.reset();
-  state.acknowledged = false;
+  drop_pending(state);
 }
 
 /// 5.10.2.9, 5.10.2.10 a: the table of an announcement applies from its place on, that of another order at once; one
@@ -105,7 +110,7 @@ Result step(State& state, const Inputs& in) {
       !waits(in.mode, state.pending->to, in.srs)) {
     const modes::PendingTransition due = *state.pending;
     if (due.to.same_level(in.current)) {
-      state.pending.reset();
+      drop_pending(state);
     } else {
       execute(state, in, due.to, out);
       out.border = due.border;
@@ -117,7 +122,7 @@ Result step(State& state, const Inputs& in) {
     state.unacknowledged = false;  // the level to be acknowledged is left
     if (in.srs == SrsVersion::v4_0_0) {
       out.cancelled = state.pending.has_value();
-      state.pending.reset();
+      drop_pending(state);
       state.announced_table.reset();  // 5.10.2.10 b
     }
   }
@@ -135,9 +140,8 @@ void announce(State& state, const JudgedOrder& announcement) {
 namespace {
 
 void forget_announcement(State& state) {
-  state.pending.reset();
+  drop_pending(state);
   state.announced_table.reset();  // 5.10.2.10 b
-  state.acknowledged = false;
 }
 
 }  // namespace

@@ -176,6 +176,25 @@ TEST(LevelTransition, A_pending_level_that_the_driver_chose_meanwhile_is_no_tran
   EXPECT_FALSE(n.cycle(600.0).switch_to.has_value());
 }
 
+/// 5.10.4.1.3: what the driver acknowledged ahead counts for the transition that was pending, and for no later one.
+TEST(LevelTransition, An_acknowledgement_ahead_goes_with_its_transition) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Border b(level(Level::L1), Mode::FS);
+    b.in.srs = srs;
+    b.give(OrderKind::announcement, level(Level::L0), 1000.0);
+    EXPECT_EQ(b.cycle(800.0).effects.requests, Set<Ack>{Ack::level});
+    b.in.acknowledged = true;
+    EXPECT_TRUE(b.cycle(800.0).effects.requests.empty());
+    // 4.0.0: the driver's level deletes the order (5.10.1.6.1); 3.x: the place of a level that he chose is passed.
+    b.in.driver_level = level(srs == SrsVersion::v4_0_0 ? Level::L2 : Level::L0);
+    b.cycle(800.0);
+    b.cycle(1000.0);
+    b.in.current = level(Level::L1);
+    b.give(OrderKind::immediate, level(Level::L0));
+    EXPECT_EQ(b.cycle(1100.0).effects.requests, Set<Ack>{Ack::level});
+  }
+}
+
 TEST(LevelTransition, Kept_in_shunting) {
   Border b(level(Level::L1), Mode::SH);
   b.give(OrderKind::announcement, level(Level::L2), 100.0);
