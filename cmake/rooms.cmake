@@ -47,16 +47,26 @@ if(EVC_TESTS)
                              $<$<TARGET_EXISTS:evc>:EVC_COMMAND="$<$<TARGET_EXISTS:evc>:$<TARGET_FILE:evc>>">)
 endif()
 
-# evc_test(name [JSON] [MAIN library] SOURCES... LINKS libraries...): the executable of tests; JSON if they include the JSON library.
-# MAIN: gtest where the sources have a main of their own.
+# evc_link_first(target PRIVATE|INTERFACE libraries...): these are linked whole, in front of all objects.
+function(evc_link_first target scope)
+  foreach(library IN LISTS ARGN)
+    target_link_options(${target} ${scope} LINKER:--whole-archive,$<TARGET_FILE:${library}>,--no-whole-archive)
+  endforeach()
+endfunction()
+
+# evc_test(name [JSON] [MAIN library] SOURCES... LINKS libraries... [FIRST libraries...]): the executable of tests;
+# JSON if they include the JSON library. MAIN: gtest where the sources have a main of their own. FIRST, for tests that
+# run long: of an inline function or an instance of a template the linker takes the first copy that it meets, for all.
+# Those of these libraries come before those of the test's sources, which are compiled with EVC_TEST_OPTIONS (-O0).
 function(evc_test name)
-  cmake_parse_arguments(TEST "JSON" "MAIN" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(TEST "JSON" "MAIN" "SOURCES;LINKS;FIRST" ${ARGN})
   if(NOT TEST_MAIN)
     set(TEST_MAIN gtest_main)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LINKS} evc_private evc_test_paths GTest::${TEST_MAIN})
   target_compile_options(${name} PRIVATE ${EVC_TEST_OPTIONS})
+  evc_link_first(${name} PRIVATE ${TEST_FIRST})
   if(TEST_JSON)
     evc_precompiled(${name} TEST JSON)
   else()
