@@ -121,6 +121,9 @@ Diagnostic explain(const CLI::App& command, const std::string& name, const std::
   } else if (const auto two = split(what, " excludes ")) {
     d.found = two->before + " and " + two->behind;
     d.expected = "one of them";
+  } else if (const auto alone = split(what, " requires ")) {
+    d.found = alone->before + " alone";
+    d.expected = alone->behind + " with it";
   } else if (take_end(rest, " is required")) {
     explain_missing(d, command, rest);
   } else {

@@ -24,6 +24,8 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(refused("run --last-ma abc"), "evc run: --last-ma: found abc, expected a whole number from 0 to 1000000\n");
   EXPECT_EQ(refused("replay in --every 1.5"),
             "evc replay: --every: found 1.5, expected a whole number from 1 to 1000000000\n");
+  EXPECT_EQ(refused("serve --cycle 10"), "evc serve: found --cycle alone, expected --real-time with it\n");
+  EXPECT_EQ(refused("serve --port 65536"), "evc serve: --port: found 65536, expected a whole number from 0 to 65535\n");
   EXPECT_EQ(refused("replay --diff - -"), "-: found standard input twice, expected it once\n");
   EXPECT_EQ(refused("replay /"), "/: found a directory, expected a file that can be read\n");
   EXPECT_EQ(refused("curves --explain 900"), "evc curves: --explain: found 900, expected a number from 0 to 600\n");
@@ -96,6 +98,8 @@ TEST(CommandLine, AnEmptyArgumentIsAnError) {
                                  "replay in --config ''",
                                  "replay in -o ''",
                                  "replay in --every ''",
+                                 "serve --port ''",
+                                 "serve --real-time --cycle ''",
                                  "curves --format ''",
                                  "curves --model ''",
                                  "curves --explain ''",
