@@ -5,7 +5,7 @@
 // The two halves of kernel::show (evc.h).
 namespace evc::kernel {
 
-/// What the driver is told and asked, and what he may do: texts, acknowledgements, stored data, buttons. `may`: what
+/// What the driver reads, is asked and may do: texts, acknowledgements, stored data, buttons. `may`: what
 /// the mode shows (4.7.2). The local time is in `display` already.
 void show_to_driver(const State& state, const Outputs& outputs, Set<DriverOutput> may, const track::Here& here,
                     Display& display);

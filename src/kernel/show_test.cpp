@@ -6,7 +6,7 @@
 #include "kernel/evc.h"
 #include "kernel/state.h"
 
-// The record of the display. What stands in it in a journey is in tests/scenarios/dmi.scenario.
+// The record of the display. A journey with it is in tests/scenarios/dmi.scenario.
 namespace evc::kernel {
 namespace {
 
@@ -242,7 +242,7 @@ TEST_F(Show, ButtonsDoNotDependOnWhatIsToBeAcknowledged) {
   state.data.driver_id_status = DataStatus::valid;
   outputs->enabled = {DriverInput::isolation};
   state.requested.add(Ack::OS);
-  EXPECT_TRUE(shown().buttons.has(Button::sr_speed_distance));
+  EXPECT_TRUE(shown().buttons.has(Button::train_running_number));
   EXPECT_TRUE(shown().enabled == Set<DriverInput>{DriverInput::isolation});
 }
 

@@ -16,7 +16,7 @@ bool waits(Mode mode, const OrderedLevel& to, SrsVersion srs) {
   return stays && !modes::possible_in(mode, to.level);
 }
 
-/// The pending transition is gone, and an acknowledgement given ahead of it: it counts for no other (5.10.4.1.3).
+/// The pending transition ends, and an acknowledgement given ahead of it: it counts for no other (5.10.4.1.3).
 void drop_pending(State& state) {
   state.pending.reset();
   state.acknowledged = false;
