@@ -134,6 +134,8 @@ void add_serve(CLI::App& app, int& exit_code) {
                    "length of a cycle in ms, with --real-time; default: that of the configuration")
       ->check(whole_number_between(1, 1000))
       ->needs(real_time);
+  command->add_flag("--planning", options->planning, "with the advance display (3.15.10) in each line");
+  command->add_flag("--dmi", options->dmi, "with the record of the display (ERA_ERTMS_015560) in each line");
   command->callback([options, &exit_code] { exit_code = serve::serve(*options); });
 }
 

@@ -13,7 +13,10 @@ int serve(const Options& options) {
   const run::StopSignals signals;
   ServerOptions wanted;
   wanted.port = options.port;
-  wanted.pace = {options.real_time, options.cycle_ms};
+  wanted.manner.by_clock = options.real_time;
+  wanted.manner.cycle_ms = options.cycle_ms;
+  wanted.manner.printed.planning = options.planning;
+  wanted.manner.printed.dmi = options.dmi;
   const auto server = Server::open(wanted);
   if (!server) return io::complain(server.error());
   fmt::print("http://127.0.0.1:{}/\n", (*server)->port());

@@ -108,7 +108,7 @@ class Session : public std::enable_shared_from_this<Session> {
     work_.emplace(hub_.io().get_executor());
     try {
       unit_ = std::jthread(
-          [this](const std::stop_token& stop) { answer(conversation_, hub_.options().pace, clock_, stop); });
+          [this](const std::stop_token& stop) { answer(conversation_, hub_.options().manner, clock_, stop); });
     } catch (const std::system_error& failure) {
       work_.reset();
       return refuse({"session", "", failure.code().message(), "a thread for its unit"});

@@ -12,7 +12,7 @@ namespace evc::serve {
 
 struct ServerOptions {
   std::uint16_t port = 0;  ///< 0: any that is free
-  Pace pace;
+  Manner manner;
   std::size_t most_sessions = 64;
   Room room;
 };

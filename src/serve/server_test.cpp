@@ -228,7 +228,7 @@ TEST(Server, GivesAPage) {
 
 TEST(Server, InRealTimeCyclesComeByThemselves) {
   ServerOptions options;
-  options.pace = {true, 20};
+  options.manner = {true, 20};
   const RunningServer server(options);
   Client client(server.port());
   client.send("{\"config\":{\"cycle_ms\":5000}}\n");
@@ -245,7 +245,7 @@ TEST(Server, InRealTimeCyclesComeByThemselves) {
 TEST(Server, InRealTimeAPartnerWhoReadsNothingLosesItsUnit) {
   ServerOptions options;
   options.most_sessions = 1;
-  options.pace = {true, 1};
+  options.manner = {true, 1};
   options.room.outputs = 100'000;
   const RunningServer server(options);
   Client stuck(server.port());

@@ -9,7 +9,6 @@
 #include "io/input_stream.h"
 #include "io/json.h"
 #include "realtime/executor.h"
-#include "run/answers.h"
 #include "run/drive.h"
 #include "run/on_board.h"
 #include "run/stream.h"
@@ -57,13 +56,13 @@ class Source {
 };
 
 /// Cycles by the times of the lines.
-io::Result<bool> by_lines(Conversation& partner) {
+io::Result<bool> by_lines(Conversation& partner, const Manner& manner) {
   Source source(partner, true);
   auto stream = io::InputStream::open(kName, [&](std::string& text) { return source.next(text); });
   if (!stream) return tl::unexpected(stream.error());
   if (stream->empty()) return tl::unexpected(run::no_input(kName));
   run::OnBoard on_board(stream->configuration().for_kernel());
-  run::Answers answers(on_board, stream->configuration().ntc_names);
+  run::Answers answers(on_board, stream->configuration().ntc_names, manner.printed);
   sim::CycleInputs cycle;
   for (;;) {
     const auto more = stream->next(cycle);
@@ -77,15 +76,15 @@ io::Result<bool> by_lines(Conversation& partner) {
 }
 
 /// Cycles by the clock, from the first line on. Nothing is waited for but the time of the next cycle.
-io::Result<bool> by_clock(Conversation& partner, const Pace& pace, realtime::Clock& clock,
+io::Result<bool> by_clock(Conversation& partner, const Manner& manner, realtime::Clock& clock,
                           const std::stop_token& stop) {
   Source source(partner, false);
   auto stream = io::InputStream::open_by_clock(kName, [&](std::string& text) { return source.next(text); },
-                                               {[&] { return source.arrived_ms(); }, pace.cycle_ms});
+                                               {[&] { return source.arrived_ms(); }, manner.cycle_ms});
   if (!stream) return tl::unexpected(stream.error());
   if (!source.begun()) return tl::unexpected(run::no_input(kName));
   run::OnBoard on_board(stream->configuration().for_kernel());
-  run::Answers answers(on_board, stream->configuration().ntc_names);
+  run::Answers answers(on_board, stream->configuration().ntc_names, manner.printed);
   sim::CycleInputs cycle;
   io::Result<bool> result = true;
   std::stop_source over;
@@ -119,10 +118,10 @@ std::string error_line(io::Diagnostic error) {
   return io::Json{{"error", error.text()}}.dump() + "\n";
 }
 
-void answer(Conversation& partner, const Pace& pace, realtime::Clock& clock, const std::stop_token& stop) {
+void answer(Conversation& partner, const Manner& manner, realtime::Clock& clock, const std::stop_token& stop) {
   io::Result<bool> ended = true;
   try {
-    ended = pace.by_clock ? by_clock(partner, pace, clock, stop) : by_lines(partner);
+    ended = manner.by_clock ? by_clock(partner, manner, clock, stop) : by_lines(partner, manner);
   } catch (const std::exception& failure) {  // no memory for a line, for one
     ended = tl::unexpected(io::Diagnostic{kName, "", failure.what(), "no failure"});
   }

@@ -6,14 +6,16 @@
 
 #include "io/diagnostic.h"
 #include "realtime/clock.h"
+#include "run/answers.h"
 #include "serve/conversation.h"
 
 namespace evc::serve {
 
-/// How the cycles of a session come.
-struct Pace {
+/// How the cycles of a session come, and what is added to their lines.
+struct Manner {
   bool by_clock = false;                 ///< else by the times of the lines, as `evc replay`
   std::optional<std::int64_t> cycle_ms;  ///< with the clock: instead of `cycle_ms` of the configuration
+  run::Printed printed = {};             ///< each cycle; with the advance display or the record of the display
 };
 
 /// `{"error":"line 12 /odometer: found X, expected Y"}` with its end: what a session says last.
@@ -23,6 +25,6 @@ std::string error_line(io::Diagnostic error);
 /// wrong, which is the last line that the partner gets; until the partner has gone, takes nothing, or a stop is
 /// requested. Then the conversation is finished, whatever happened. Lines that have arrived later than a cycle of the
 /// clock is due belong to a later one; the clock is that of their `arrived`.
-void answer(Conversation& partner, const Pace& pace, realtime::Clock& clock, const std::stop_token& stop);
+void answer(Conversation& partner, const Manner& manner, realtime::Clock& clock, const std::stop_token& stop);
 
 }  // namespace evc::serve

@@ -63,14 +63,14 @@ TEST(Lines, OneMayHaveAMebibyteAndNoMore) {
 using Arrival = std::pair<std::int64_t, std::string>;  // ms, line
 
 /// What a session without a network says to these lines.
-std::string said(const std::vector<Arrival>& lines, const Pace& pace = {}, const Room& room = {},
+std::string said(const std::vector<Arrival>& lines, const Manner& manner = {}, const Room& room = {},
                  std::int64_t begin_ms = 0) {
   Conversation partner(room, [] {});
   for (const auto& [ms, text] : lines) partner.put({text, std::chrono::milliseconds(begin_ms + ms)});
   partner.end_inputs();
   realtime::TestClock clock;
   std::stop_source nobody;
-  answer(partner, pace, clock, nobody.get_token());
+  answer(partner, manner, clock, nobody.get_token());
   EXPECT_TRUE(partner.finished());
   std::string all;
   for (const std::string& line : partner.take(std::size_t{1} << 30)) all += line;
@@ -253,6 +253,16 @@ TEST(Access, OwnNamesOnly) {
   for (const char* origin : {"", "null", "https://localhost:8026", "http://localhost:8027", "http://127.0.0.1:8026",
                              "http://localhost:8026.example.org", "http://localhost:8026/"})
     EXPECT_FALSE(is_own_origin(origin, "localhost:8026")) << origin;
+}
+
+TEST(Session, WhatIsAskedForIsInEachLine) {
+  const std::vector<Arrival> lines{{0, R"({"t_ms":0,"train":{"desk_open":true}})"}, {0, R"({"t_ms":200,"end":true})"}};
+  EXPECT_NE(said(lines).find(R"("dmi":null)"), std::string::npos);
+  Manner manner;
+  manner.printed.dmi = manner.printed.planning = true;
+  const std::string with = said(lines, manner);
+  EXPECT_EQ(with.find(R"("dmi":null)"), std::string::npos);
+  EXPECT_NE(with.find(R"("schema":"evc-dmi/1")"), std::string::npos);
 }
 
 }  // namespace
