@@ -169,7 +169,9 @@ Steps authority_steps(const Journal& journal, const Moment& m) {
   const auto temporary = a.EOA_or_LOA() ? temporary_step(journal, s) : std::nullopt;
   for (const Note* note : changes) {
     std::string end;
-    if (note == changes.back() && a.EOA_or_LOA())
+    // Where something else ends it, a change other than the authority itself has what it changed then, or nothing.
+    const bool told = temporary && note->event.what != What::authority_accepted;
+    if (note == changes.back() && a.EOA_or_LOA() && !told)
       end = temporary ? end_words(own_end(s), s.position) : with_distance(end_words(a, s.position), s, a);
     steps.push_back(change_step(*note, end));
   }

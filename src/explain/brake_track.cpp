@@ -254,8 +254,12 @@ Steps unacknowledged_steps(Cause cause, const Journal& journal, const Moment& m)
   Steps steps;
   const bool level = cause == Cause::level_NTC_unacknowledged || cause == Cause::level_0_unacknowledged;
   if (!level) {
-    if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet::mode_profile))
+    if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet::mode_profile)) {
       steps.push_back(step_of(*note));
+      if (const auto area = track::area_due(m.after.track, kernel::here(m.after)); area && area->mode == m.after.mode)
+        steps.back().text += fmt::format(": an area of {} from {}", name(area->mode), place_words(m.after, area->from));
+      steps.back().clause = "3.12.4";
+    }
     if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));
   } else {
     if (const auto step = level_step(journal, m.t_ms)) steps.push_back(*step);

@@ -268,7 +268,8 @@ void Journal::take(const sim::CycleInputs& cycle, const kernel::State& before, c
   take_notes(cycle, outputs);
   if (!outputs.events.empty()) {
     take_links(seen.deciding);
-    take_end(before, seen.deciding);
+    // What the supervision changes counts too (5.16.2), the mode that was entered not.
+    take_end(before, before.mode == after.mode ? after : seen.deciding);
   }
   take_contact(cycle, before.radio.supervising.session, after.radio.supervising.session);
   take_contact(cycle, before.radio.other.session, after.radio.other.session);

@@ -6,6 +6,7 @@
 
 #include "explain/words.h"
 #include "kernel/here.h"
+#include "modes/conditions.h"
 #include "terms/packet_numbers.h"
 #include "texts/texts.h"
 
@@ -154,7 +155,11 @@ Step step_of(const Note& note) {
   }
   if (note.event.what == What::trip_ordered) text += " (V_MAIN 0, signal at danger)";
   if (note.event.what == What::authority_timer_elapsed) text = timer_words(clause);
-  if (note.event.what == What::mode_changed) clause = fmt::format("4.6.3({})", note.event.id);
+  if (note.event.what == What::mode_changed) {
+    text += fmt::format(": {}", modes::meaning(note.event.id));
+    clause = fmt::format("4.6.3({})", note.event.id);
+  }
+  if (note.event.what == What::emergency_stop_revoked) text += " (the end stays as it is until a new MA)";
   if (!note.source.empty() && note.event.what != What::group_accepted && note.event.what != What::message_accepted)
     text = note.source + ": " + text;
   if (!note.detail.empty()) text += ": " + note.detail;

@@ -56,8 +56,8 @@ Step SR_distance_step(const Journal& journal, const Moment& moment);
 
 /// The target of a moment as words: "EOA at 3039.3 m".
 std::string target_words(const Moment& moment, const sdm::TargetId& target);
-/// The same with its distance, from the front end that counts for it (3.13.9.3): "EOA at 3039.3 m, 900.0 m ahead of the
-/// front end; SvL at 3139.3 m, 988.0 m ahead of the max safe front end".
+/// The same with its distance, from the front end that counts for it (3.13.9.3): "EOA at 3039.3 m, 900.0 m ahead; SvL
+/// at 3139.3 m, 988.0 m ahead of the max safe front end".
 std::string target_distance_words(const Moment& moment, const sdm::TargetId& target);
 /// What brought it.
 Steps target_steps(const Journal& journal, const Moment& moment, const sdm::TargetId& target);

@@ -70,7 +70,13 @@ struct Stored {
     for (std::size_t i = 0; i < d.lx.size(); ++i)
       if (d.lx[i].V_LX_from <= to && d.lx[i].to >= from && speed(i) <= V + kEqual) {
         if (const Note* note = journal.note(journal.brought().lx.of(d.lx[i]))) step = step_of(*note);
-        if (step) step->text += fmt::format(": level crossing {} is not protected", d.lx[i].NID_LX);
+        const Note* instead = journal.last(What::level_crossing_speed, m.t_ms, std::int32_t{d.lx[i].NID_LX});
+        if (step)
+          step->text += fmt::format(
+              ": level crossing {} is not protected{}", d.lx[i].NID_LX,
+              instead == nullptr
+                  ? ""
+                  : fmt::format(", its speed instead of the stop since {} (5.16.2)", time_words(instead->t_ms)));
       }
     return step;
   }
@@ -200,14 +206,21 @@ std::string target_words(const Moment& m, const sdm::TargetId& target) {
 
 std::string target_distance_words(const Moment& m, const sdm::TargetId& target) {
   const track::Here here = kernel::here(m.after);
-  const auto from_max_safe = [&](Place at) {
-    return fmt::format("{} ahead of the max safe front end", metres_words(at - here.max_safe_front));
+  const auto ahead = [](Place at, Place front) {
+    return at > front ? metres_words(at - front) + " ahead" : std::string("passed");
   };
-  if (target.kind != sdm::TargetKind::EOA_SvL) return target_words(m, target) + ", " + from_max_safe(target.d_target);
-  const std::string EOA = fmt::format("{}, {} ahead of the front end", target_words(m, target),
-                                      metres_words(target.d_target - here.est_front));
+  if (target.kind != sdm::TargetKind::EOA_SvL)
+    return target_words(m, target) +
+           (target.d_target > here.max_safe_front
+                ? ", " + ahead(target.d_target, here.max_safe_front) + " of the max safe front end"
+                : ", passed by the max safe front end");
+  const std::string EOA = fmt::format("{}, {}", target_words(m, target), ahead(target.d_target, here.est_front));
   const auto& SvL = m.after.basis.authority.SvL;
-  return SvL ? fmt::format("{}; SvL at {}, {}", EOA, place_words(m.after, *SvL), from_max_safe(*SvL)) : EOA;
+  if (!SvL) return EOA;
+  const std::string at = *SvL == target.d_target ? " there" : " at " + place_words(m.after, *SvL);
+  return *SvL > here.max_safe_front
+             ? fmt::format("{}; SvL{}, {} of the max safe front end", EOA, at, ahead(*SvL, here.max_safe_front))
+             : fmt::format("{}; SvL{}, passed by the max safe front end", EOA, at);
 }
 
 Steps target_steps(const Journal& journal, const Moment& m, const sdm::TargetId& target) {

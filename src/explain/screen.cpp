@@ -9,6 +9,7 @@
 #include "kernel/here.h"
 #include "modes/next_mode.h"
 #include "position/position.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::explain {
 namespace {
@@ -65,8 +66,26 @@ std::string level_lines(const Journal& journal) {
   std::string text = name(s.level.level);
   const auto origin = level_step(journal, journal.now().t_ms);
   if (origin) text += ", " + origin_line(*origin);
-  if (s.level_transition.pending) text += fmt::format("; announced: {}", name(s.level_transition.pending->to.level));
+  const auto& pending = s.level_transition.pending;
+  if (!pending) return row("level", text);
+  text += fmt::format("; announced: {} at {}", name(pending->to.level), place_words(s, pending->border));
+  const Note* order = journal.last_packet(packet::level_transition_order);
+  if (order != nullptr && !order->source.empty())
+    text += fmt::format(", ordered by {} at {} (packet 41)", order->source, time_words(order->t_ms));
   return row("level", text);
+}
+
+/// For whom or what a procedure of chapter 5 waits; nothing: for nobody.
+std::string waiting_lines(const Moment& now) {
+  const auto& shown = now.outputs.dialogue;
+  if (!shown) return "";
+  const DialogueRow& of = kDialogueRows[terms::index(shown->step)];
+  std::string what = of.waits_for;
+  if (shown->acknowledges)
+    what = fmt::format("acknowledgement of {}", kAckRows[terms::index(*shown->acknowledges)].name);
+  std::string text = fmt::format("for {} ({} {})", what, of.procedure, of.step);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return row("waits", text);
 }
 
 std::string brake_lines(const Journal& journal) {
@@ -205,8 +224,8 @@ std::string situation(const Journal& journal) {
   const Moment& now = journal.now();
   std::string text = fmt::format("{}: {}, level {}, {}\n", time_words(now.t_ms), name(now.after.mode),
                                  name(now.after.level.level), kmh_words(now.outputs.v));
-  text += mode_lines(journal) + level_lines(journal) + brake_lines(journal) + speed_lines(journal) +
-          position_lines(journal);
+  text += mode_lines(journal) + level_lines(journal) + waiting_lines(now) + brake_lines(journal) +
+          speed_lines(journal) + position_lines(journal);
   return text + leaving_lines(now);
 }
 

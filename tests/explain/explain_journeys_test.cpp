@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -35,7 +36,7 @@ std::vector<Scenario> journeys(const std::string& name = "explain.scenario") {
 
 /// The inputs in a file, and the time of the last one.
 struct Journey {
-  explicit Journey(const Scenario& scenario) : folder("explain") {
+  explicit Journey(const Scenario& scenario) : folder(("explain_" + file_name(scenario.name)).c_str()) {
     const std::string inputs = inputs_of(scenario);
     std::ofstream(file()) << inputs;
     const std::size_t last = inputs.rfind('\n', inputs.size() - 2);
@@ -50,6 +51,24 @@ struct Journey {
   std::int64_t last_ms = 0;
 };
 
+/// The journeys of a file with their answers why, each replayed once for all tests.
+struct Answered {
+  Scenario scenario;
+  std::unique_ptr<Journey> journey;
+  Ended why;
+};
+const std::vector<Answered>& answered(const std::string& name = "explain.scenario") {
+  static std::map<std::string, std::vector<Answered>> files;
+  std::vector<Answered>& all = files[name];
+  if (all.empty())
+    for (Scenario& scenario : journeys(name)) {
+      auto journey = std::make_unique<Journey>(scenario);
+      Ended why = journey->explain("--why-brake");
+      all.push_back({std::move(scenario), std::move(journey), std::move(why)});
+    }
+  return all;
+}
+
 void fits_a_screen(const std::string& text) {
   std::istringstream in(text);
   int lines = 0;
@@ -58,22 +77,19 @@ void fits_a_screen(const std::string& text) {
 }
 
 TEST(Explain, why_the_brake_of_each_journey) {
-  const auto all = journeys();
-  ASSERT_EQ(all.size(), 63u);
-  for (const Scenario& scenario : all) {
-    const Journey journey(scenario);
-    const Ended e = journey.explain("--why-brake");
-    EXPECT_EQ(e.exit_code, 0) << e.errors;
-    EXPECT_EQ(e.output,
-              text_of(evc::test::source_folder() + "/tests/data/explain/" + file_name(scenario.name) + ".txt"))
-        << scenario.name;
-    fits_a_screen(e.output);
+  ASSERT_EQ(answered().size(), 66u);
+  for (const Answered& each : answered()) {
+    EXPECT_EQ(each.why.exit_code, 0) << each.why.errors;
+    EXPECT_EQ(each.why.output,
+              text_of(evc::test::source_folder() + "/tests/data/explain/" + file_name(each.scenario.name) + ".txt"))
+        << each.scenario.name;
+    fits_a_screen(each.why.output);
   }
 }
 
 TEST(Explain, the_situation_of_each_fits_a_screen) {
-  for (const Scenario& scenario : journeys()) {
-    const Ended e = Journey(scenario).explain("");
+  for (const Answered& each : answered()) {
+    const Ended e = each.journey->explain("");
     EXPECT_EQ(e.exit_code, 0) << e.errors;
     fits_a_screen(e.output);
   }
@@ -82,55 +98,59 @@ TEST(Explain, the_situation_of_each_fits_a_screen) {
 /// The two files cover every cause. Of each command there is more to say than the command.
 TEST(Explain, no_cause_is_without_a_reason) {
   std::set<std::string> causes;
-  std::vector<Scenario> all = journeys("brakes.scenario");
-  for (const Scenario& scenario : journeys()) all.push_back(scenario);
-  for (const Scenario& scenario : all) {
-    const Ended e = Journey(scenario).explain("--why-brake");
-    ASSERT_LE(e.exit_code, 1) << scenario.name << e.errors;
-    std::istringstream in(e.output);
-    int steps = 2;
-    for (std::string line; std::getline(in, line);) {
-      if (line.rfind("why the ", 0) == 0) {
-        EXPECT_GE(steps, 2) << scenario.name << "\n" << e.output;
-        causes.insert(line.substr(line.find('(') + 1, line.rfind(')') - line.find('(') - 1));
-        steps = 0;
+  for (const char* file : {"brakes.scenario", "explain.scenario"})
+    for (const Answered& each : answered(file)) {
+      const std::string& output = each.why.output;
+      ASSERT_LE(each.why.exit_code, 1) << each.scenario.name << each.why.errors;
+      std::istringstream in(output);
+      int steps = 2;
+      for (std::string line; std::getline(in, line);) {
+        if (line.rfind("why the ", 0) == 0) {
+          EXPECT_GE(steps, 2) << each.scenario.name << "\n" << output;
+          causes.insert(line.substr(line.find('(') + 1, line.rfind(')') - line.find('(') - 1));
+          steps = 0;
+        }
+        if (line.rfind("  ", 0) == 0 && line[2] >= '1' && line[2] <= '9') ++steps;
       }
-      if (line.rfind("  ", 0) == 0 && line[2] >= '1' && line[2] <= '9') ++steps;
+      EXPECT_GE(steps, 2) << each.scenario.name << "\n" << output;
     }
-    EXPECT_GE(steps, 2) << scenario.name << "\n" << e.output;
-  }
   for (const auto& row : kCauseRows)
     EXPECT_TRUE(causes.contains(row.name) || row.value == Cause::overspeed_traction) << row.name;
 }
 
-TEST(Explain, the_situation_of_a_train_that_passed_its_end_of_authority) {
-  const Ended e = Journey(journeys().front()).explain("");
-  EXPECT_EQ(e.output, text_of(evc::test::source_folder() + "/tests/data/explain/situation.txt"));
+const Journey& journey_of(const std::string& name) {
+  for (const Answered& each : answered())
+    if (each.scenario.name == name) return *each.journey;
+  ADD_FAILURE() << "no scenario " << name;
+  return *answered().front().journey;
 }
 
-const Scenario& journey_of(const std::vector<Scenario>& all, const std::string& name) {
-  for (const Scenario& scenario : all)
-    if (scenario.name == name) return scenario;
-  ADD_FAILURE() << "no scenario " << name;
-  return all.front();
+TEST(Explain, the_situation_of_a_train_that_passed_its_end_of_authority) {
+  const Ended e = journey_of("the end of authority is passed").explain("");
+  EXPECT_EQ(e.output, text_of(evc::test::source_folder() + "/tests/data/explain/situation.txt"));
 }
 
 // 4.4.11.1.5: not by what else the driver enters later, and not by what is refused.
 TEST(Explain, the_SR_speed_is_the_one_that_the_driver_entered) {
-  const auto all = journeys();
-  const Ended e = Journey(journey_of(all, "the distance entered by the driver is passed")).explain_at(10000);
+  const Ended e = journey_of("the distance entered by the driver is passed").explain_at(10000);
   EXPECT_NE(e.output.find("2.3 s: driver enters the SR speed 30 km/h"), std::string::npos) << e.output;
 }
 
 // 4.5.2: an authority that was there before counts in SR no more; it is not an answer there.
 TEST(Explain, no_authority_in_staff_responsible) {
-  const auto all = journeys();
-  const Journey journey(journey_of(all, "the former end of authority is passed after override"));
+  const Journey& journey = journey_of("the former end of authority is passed after override");
   const Ended in_FS = journey.explain_at(50000), in_SR = journey.explain_at(100000);
   EXPECT_NE(in_FS.output.find("EOA and SvL at 631.3 m"), std::string::npos) << in_FS.output;
   EXPECT_EQ(in_SR.output.rfind("100.0 s: SR", 0), 0u) << in_SR.output;
   EXPECT_EQ(in_SR.output.find("MA accepted"), std::string::npos) << in_SR.output;
   EXPECT_EQ(in_SR.output.find("EOA and SvL"), std::string::npos) << in_SR.output;
+}
+
+// 5.4.3.2: for whom the start of mission waits.
+TEST(Explain, what_is_waited_for) {
+  const Ended e = journey_of("the distance of staff responsible is passed").explain_at(3300);
+  EXPECT_NE(e.output.find("\nwaits      for acknowledgement of SR (start of mission S24)\n"), std::string::npos)
+      << e.output;
 }
 
 /// A unit that steps or is examined.
