@@ -47,6 +47,24 @@ if(EVC_TESTS)
                              $<$<TARGET_EXISTS:evc>:EVC_COMMAND="$<$<TARGET_EXISTS:evc>:$<TARGET_FILE:evc>>">)
 endif()
 
+# Those that take longest, under sanitizers too, the longest first: what starts last must not be left alone at the end.
+set(EVC_LONG_TESTS scenarios whole.journey exploration app through_step run track airgap sdm lang curves)
+# Journeys do not count as coverage, because they do not check every line that they reach (tools/check_sanitizers).
+set(EVC_JOURNEYS "^(whole[.].*|app|sim|run|curves|language|readme|random_lines)$")
+
+# evc_add_test(name COMMAND...): add_test, with what it needs when all tests run (ctest -j).
+function(evc_add_test name)
+  add_test(NAME ${name} COMMAND ${ARGN})
+  list(FIND EVC_LONG_TESTS ${name} place)
+  if(place GREATER_EQUAL 0)
+    math(EXPR cost "100 - ${place}")
+    set_tests_properties(${name} PROPERTIES COST ${cost})
+  endif()
+  if(EVC_COVERAGE AND name MATCHES "${EVC_JOURNEYS}")
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT GCOV_PREFIX=${PROJECT_BINARY_DIR}-journeys)
+  endif()
+endfunction()
+
 # evc_link_first(target PRIVATE|INTERFACE libraries...): these are linked whole, in front of all objects.
 function(evc_link_first target scope)
   foreach(library IN LISTS ARGN)
@@ -120,7 +138,7 @@ function(evc_room name)
     if(ROOM_PROGRAM_TESTS)
       add_dependencies(${name}_test evc)
     endif()
-    add_test(NAME ${name} COMMAND ${name}_test)
+    evc_add_test(${name} ${name}_test)
   endif()
 endfunction()
 
