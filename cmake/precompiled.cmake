@@ -1,5 +1,5 @@
-# Two ways to a build in less time, both with -DEVC_PRECOMPILE=ON (presets dev and asan; why and at what price:
-# docs/decisions/0016-sources-are-compiled-together.md).
+# Two ways to a build in less time, both with -DEVC_PRECOMPILE=ON (presets dev, asan and fuzz, determinism builds; why and
+# at what price: docs/decisions/0016-sources-are-compiled-together.md).
 # Headers of other libraries that many sources include (half of a build's time goes into reading them), compiled once:
 # evc_precompiled(target [TEST] [JSON]) lets the sources of a target use them. Ours are not among them.
 # Sources of a target compiled together: evc_together(target).

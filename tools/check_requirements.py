@@ -88,7 +88,7 @@ class Tree:
             if "corpus" not in path.parts:
                 self.read_scenarios(path)
         ci = self.root / ".ci" / "run"
-        self.gates = set(re.findall(r"^(?:\S+=\S+ )*gate (\w[\w-]*)", ci.read_text(), re.M)) if ci.exists() else set()
+        self.gates = set(re.findall(r"^(?:\S+=\S+ )*(?:gate|beside) (\w[\w-]*)", ci.read_text(), re.M)) if ci.exists() else set()
         self.words = {name: set(re.findall(r"[A-Za-z_]\w*", text)) for name, text in self.sources.items()}
         self.by_name = collections.defaultdict(list)
         for name in self.sources:
