@@ -8,8 +8,8 @@ namespace {
 constexpr Duration kGap{1.0};         // between two acknowledgements
 constexpr Duration kAnswerLost{5.0};  // an answer that the on-board did not take by then is asked for again
 
-/// The order of requests of the same moment (5.4.1): level, mode, fixed text, plain text, system status, brake, NTC
-/// text.
+/// The order of requests of the same moment (015560 5.4.1): level, mode, fixed text, plain text, system status, brake,
+/// NTC text.
 int rank_of(const port::Display& display, const port::AskedAck& ack) {
   switch (ack.what) {
     case Ack::level:
@@ -79,7 +79,7 @@ std::optional<Picture> ack_picture(const port::Display& display, Ack what) {
       return Picture::ST01;
     case Ack::level: {
       const Level level = display.announced_level ? display.announced_level->level : display.level;
-      // 4.0.0 has no acknowledgement of levels 1 and 2 (8.2.3.2).
+      // 4.0.0 has no acknowledgement of levels 1 and 2 (015560 8.2.3.2).
       constexpr std::array<Picture, kLevels> kAcknowledged{Picture::LE07, Picture::LE09, Picture::LE11, Picture::LE13,
                                                            Picture::LE15};
       return kAcknowledged[static_cast<std::size_t>(level) % kLevels];

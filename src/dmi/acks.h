@@ -2,7 +2,7 @@
 #include "dmi/screen.h"
 #include "dmi/state.h"
 
-// Acknowledgements (5.4): one request at a time, in order of arrival, the next one a second after the last.
+// Acknowledgements (015560 5.4): one request at a time, in order of arrival, the next one a second after the last.
 namespace evc::dmi {
 
 /// Where an acknowledgement stands, and where it is touched.
@@ -20,10 +20,10 @@ std::optional<Picture> ack_picture(const port::Display&, Ack);
 bool is_answered(const State&, const port::AskedAck&);
 /// Whether a text to be acknowledged waits, shown or not.
 bool text_ack_waits(const State&);
-/// Whether the driver has something to acknowledge: the buttons of the menus are disabled then (11.2).
+/// Whether the driver has something to acknowledge: the buttons of the menus are disabled then (015560 11.2).
 bool ack_pending(const State&);
 
-/// Takes the queue of the display: withdraws, offers. Data entry windows are left for it (11.7.1.8).
+/// Takes the queue of the display: withdraws, offers. Data entry windows are left for it (015560 11.7.1.8).
 void offer_acks(State&, const port::Display& before);
 /// The driver acknowledges what is on offer.
 void acknowledge(State&, Duration now);

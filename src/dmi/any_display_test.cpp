@@ -10,7 +10,7 @@
 #include "dmi/test_display.h"
 #include "dmi/windows.h"
 
-// Whatever the on-board says and wherever the driver touches: no trap, nothing outside the screen's lists.
+// For every display of the on-board and every place of a touch: no trap, nothing outside the screen's lists.
 namespace evc::dmi {
 namespace {
 

@@ -43,7 +43,7 @@ void commit_level(State& state, Duration now) {
   if (national) state.commands.actions.nid_ntc = system_of(state, choice);
   if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows
   if (!level_2_or_3(level)) return open_window(state, WindowId::main);
-  // 11.7.3 D5
+  // 015560 11.7.3 D5
   if (state.display.data.stored.rbc_status == DataStatus::valid) return await(state, WindowId::main, now);
   open_window(state, WindowId::radio_data);
 }
@@ -82,7 +82,7 @@ void commit_sr(State& state) {
   open_window(state, WindowId::special);
 }
 
-/// The codes of virtual balise covers: the bits stand in another order to set than to remove (11.3.6, 11.3.7).
+/// The codes of virtual balise covers: the bits have another order to set than to remove (015560 11.3.6, 11.3.7).
 port::DriverActions::Cover cover_of(std::uint64_t code, bool remove) {
   port::DriverActions::Cover cover{};
   if (remove) {
@@ -113,7 +113,7 @@ void commit_validation(State& state, Duration now) {
   const bool yes = choice_of(state, FieldId::validation) == 1;
   const Entry entered = state.validated;
   if (!yes) {
-    // Back to the entry, which proposes the values of before; its process begins again (11.7.3 S3-2).
+    // Back to the entry, which proposes the values of before; its process begins again (015560 11.7.3 S3-2).
     open_window(state, validated_window(window));
     state.entry = entered;
     state.entry.selected = 0;
@@ -131,7 +131,7 @@ void commit_validation(State& state, Duration now) {
   state.commands.train_data = entered_train_data(state, entered);
   if (const Value* type = value_of(entered, FieldId::train_type); type != nullptr && type->choice >= 0)
     state.commands.train_type = static_cast<std::uint8_t>(type->choice);
-  // 11.7.3 D6: without a valid train running number it is entered next.
+  // 015560 11.7.3 D6: without a valid train running number it is entered next.
   if (state.display.data.stored.train_running_number_status != DataStatus::valid) {
     open_window(state, WindowId::train_running_number);
     state.running_number_next = true;
@@ -168,7 +168,7 @@ void commit_one_system(State& state, Duration now) {
   const bool yes = choice_of(state, FieldId::one_radio_system) == 1;
   state.commands.one_radio_system = yes;
   if (state.display.start_of_mission) return await(state, WindowId::main, now);
-  open_window(state, yes ? WindowId::radio_data : WindowId::main);  // 11.7.3 S10
+  open_window(state, yes ? WindowId::radio_data : WindowId::main);  // 015560 11.7.3 S10
 }
 
 }  // namespace
@@ -177,7 +177,7 @@ void complete_entry(State& state, Duration now) {
   switch (state.window) {
     case WindowId::driver_id:
       state.commands.actions.driver_id = DriverId{characters_of(state, FieldId::driver_id)};
-      if (state.display.start_of_mission) return await(state, WindowId::main, now);  // D2 of 11.7.2
+      if (state.display.start_of_mission) return await(state, WindowId::main, now);  // D2 of 015560 11.7.2
       return open_window(state, WindowId::main);
     case WindowId::train_running_number:
       return commit_number(state);

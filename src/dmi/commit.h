@@ -1,7 +1,7 @@
 #pragma once
 #include "dmi/state.h"
 
-// What the driver completed, for the on-board, and the window that follows (11.7).
+// What the driver completed, for the on-board, and the window that follows (015560 11.7).
 namespace evc::dmi {
 
 /// The window's data are entered: a half window at Enter, a full one at Yes, a validation window at its choice.

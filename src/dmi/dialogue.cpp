@@ -61,7 +61,7 @@ static_assert([] {
 
 bool session_open(const State& state) { return state.display.radio == RadioIndication::up; }
 
-/// The window in which the driver waits (11.7).
+/// The window in which the driver waits (015560 11.7).
 WindowId waits_in(const State& state) {
   const bool radio_windows = state.window == WindowId::radio_data || state.window == WindowId::network_id ||
                              state.window == WindowId::radio_type;
@@ -70,7 +70,7 @@ WindowId waits_in(const State& state) {
   return WindowId::main;
 }
 
-/// The window that a step of the start of mission opens (11.7.2); none: it stays.
+/// The window that a step of the start of mission opens (015560 11.7.2); none: it stays.
 std::optional<WindowId> opens(Dialogue step) {
   switch (step) {
     case Dialogue::start_S0:
@@ -95,9 +95,10 @@ void follow_step(State& state, const port::Display& before, bool first) {
   const bool asked_before = !first && before.data.asks_one_radio_system;
   if (display.data.asks_one_radio_system && !asked_before) return open_window(state, WindowId::one_radio_system);
   if (!display.step || (!first && before.step == display.step)) return;
+  if (before.start_of_mission) state.awaited = Awaited{};  // the step is the answer
   const auto window = opens(*display.step);
   if (!window || *window == state.window) return;
-  // After the start-up dialogue a window that the driver has opened stays (11.7.3).
+  // After the start-up dialogue a window that the driver has opened stays (015560 11.7.3).
   if (*display.step == Dialogue::start_S10 && !first && !before.start_of_mission && state.window != WindowId::default_)
     return;
   state.from_driver_id = false;
@@ -119,14 +120,18 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
   if (waits) awaited.seen = true;
   const bool over = awaited.seen ? !waits : display.now - awaited.since > kAnswerBegins;
   if (!over) return;
-  // What was asked for may have been refused: then the Main window stays (11.7.3, Shunting and SM).
+  // What was asked for may have been refused: then the Main window stays (015560 11.7.3, Shunting and SM).
   const bool refused = awaited.then == WindowId::default_ && display.mode == awaited.mode && awaited.needs_mode;
   const WindowId then = refused ? WindowId::main : awaited.then;
   awaited = Awaited{};
-  if (!display.start_of_mission) open_window(state, then);
+
+  if (!display.start_of_mission) return open_window(state, then);
+  // The on-board went no step further, as after data that it did not take: the window of its step is open again.
+  const auto window = display.step ? opens(*display.step) : std::nullopt;
+  if (window && *window != state.window) open_window(state, *window);
 }
 
-/// Windows close when the condition of their button is lost, after the start-up dialogue (11.7.1.7).
+/// Windows close when the condition of their button is lost, after the start-up dialogue (015560 11.7.1.7).
 void close_lost(State& state) {
   const port::Display& display = state.display;
   const WindowRow& row = row_of(state.window);
@@ -145,15 +150,13 @@ void await(State& state, WindowId then, Duration now, bool needs_mode) {
 
 void choose(State& state, Button button, Duration now) {
   if (!button_enabled(state, button)) return;
-  if (layout_of(state.window) == Layout::menu &&
-      (state.window == WindowId::main || state.window == WindowId::radio_data))
-    give(state, Select::main);
+  if (state.window == WindowId::main) give(state, Select::main);
   const Effect& effect = kEffects[terms::index(button)];
   if (effect.select != Select::count) give(state, effect.select);
   if (effect.opens != WindowId::count) return open_window(state, effect.opens);
   switch (button) {
     case Button::start:
-      // 11.7.3 D7: in level 2 with a session the RBC answers to the request of an authority.
+      // 015560 11.7.3 D7: in level 2 with a session the RBC answers to the request of an authority.
       if (level_2_or_3(state.display.level) && session_open(state)) return await(state, WindowId::default_, now);
       return open_window(state, WindowId::default_);
     case Button::shunting:

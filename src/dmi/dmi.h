@@ -18,15 +18,15 @@ struct Cell {
 /// offered one at a time, sounds start and stop. To be called in every cycle.
 void show(State&, const port::Display&);
 
-/// A finger touches the screen, moves while it touches, leaves it (5.3.2.6). Press: whether something enabled was hit;
-/// a second finger is ignored. `now` as in Display.
+/// A finger touches the screen, moves while it touches, leaves it (015560 5.3.2.6). Press: whether something enabled
+/// was hit; a second finger is ignored. `now` as in Display.
 bool press(State&, Cell, Duration now);
 void slide(State&, Cell, Duration now);
 void release(State&, Duration now);
 /// Time passes between cycles: a held button repeats.
 void tick(State&, Duration now);
 
-/// What the driver did, and the sounds ordered, since the last call: each is handed out once; `windows` are those open
+/// What the driver did, and the sounds ordered, since the last call: each is given once; `windows` are those open
 /// now.
 Commands take(State&);
 

@@ -13,7 +13,7 @@ void draw_border(const Drawing& to, Area area) {
   to.add(border);
 }
 
-/// The borders of layers -1 and -2 (8.1.1.4); D and G have none below a half window.
+/// The borders of layers -1 and -2 (015560 8.1.1.4); D and G have none below a half window.
 void draw_borders(const Drawing& to, bool whole_default) {
   for (const Area area : {Area::A1, Area::A2_A3, Area::A4, Area::B,        Area::B3, Area::B4,   Area::B5, Area::B6,
                           Area::B7, Area::B8,    Area::C1, Area::C2_C3_C4, Area::C5, Area::C6,   Area::C7, Area::C8,
@@ -24,7 +24,7 @@ void draw_borders(const Drawing& to, bool whole_default) {
     draw_border(to, area);
 }
 
-/// The flashing frame of what is to be acknowledged: half a second, of which it is visible half (5.4.1.3).
+/// The flashing frame of what is to be acknowledged: half a second, of which it is visible half (015560 5.4.1.3).
 void draw_frame(const Drawing& to) {
   const State& state = to.state;
   if (!state.offered || is_full(state.window)) return;

@@ -47,7 +47,7 @@ struct Drawing {
   }
 };
 
-/// How the toggle of 8.2.2.4 stands: in OS, SR and SH as the driver set it, else as if on.
+/// How the toggle of 015560 8.2.2.4 stands: in OS, SR and SH as the driver set it, else as if on.
 inline bool toggled_on(const State& state) {
   const Mode mode = state.display.mode;
   return (mode != Mode::OS && mode != Mode::SR && mode != Mode::SH) || state.toggles.speed;
@@ -57,7 +57,7 @@ inline bool is_400(const port::Display& display) { return display.config.srs == 
 // dial.cpp: areas A1 to A3 and B.
 void draw_distance(const Drawing&);
 void draw_speed(const Drawing&);
-/// Whether the time to Indication stands in A1 (8.2.2.5).
+/// Whether the time to Indication is shown in A1 (015560 8.2.2.5).
 bool shows_TTI(const State&);
 // planning.cpp: area D.
 bool shows_planning(const State&);

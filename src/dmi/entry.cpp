@@ -42,7 +42,7 @@ constexpr std::array kFieldRows{
     FieldRow{WindowId::validate_remove_vbc, FieldId::validation},
 };
 
-constexpr Duration kTapTime{2.0};  // of a multi-tap (10.3.3.4)
+constexpr Duration kTapTime{2.0};  // of a multi-tap (015560 10.3.3.4)
 constexpr int kDeleteKey = 10, kZeroKey = 11, kLastKey = 12, kNoKey = 7, kYesKey = 8;
 constexpr std::array<std::string_view, 9> kLetters{"1",    "2abc",  "3def", "4ghi", "5jkl",
                                                    "6mno", "7pqrs", "8tuv", "9wxyz"};
@@ -52,7 +52,7 @@ bool uses_train_types(const State& state) {
   return kind == port::TrainDataEntry::fixed || (kind == port::TrainDataEntry::switchable && state.fixed_train_entry);
 }
 
-/// The phone number is entered where GSM-R is used (11.3.12).
+/// The phone number is entered where GSM-R is used (015560 11.3.12).
 bool has_field(const State& state, FieldId id) {
   if (id != FieldId::rbc_phone) return true;
   return state.display.data.radio != port::RadioNetworkType::frmcs && state.display.config.gsmr_fitted;
@@ -76,7 +76,7 @@ const port::EntryRange* range_of(const State& state, FieldId id) {
   }
 }
 
-/// The check of a value at Enter (10.3.4.1).
+/// The check of a value at Enter (015560 10.3.4.1).
 Check check_range(const State& state, const Field& field) {
   const auto number = typed_number(field.value);
   if (field.id == FieldId::rbc_id) return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
@@ -112,7 +112,8 @@ void changed(State& state, Field& field) {
   }
 }
 
-/// The first key since the field was selected, or since a check rejected the value, replaces what is shown (10.3.2.3).
+/// The first key since the field was selected, or since a check rejected the value, replaces what is shown
+/// (015560 10.3.2.3).
 bool replaces(const Field& field) {
   return !field.typed || field.check == Check::technical_range || field.check == Check::operational_range;
 }
@@ -122,7 +123,7 @@ void type_character(Field& field, char c) {
   if (field.value.typed.length < most_characters(field.id)) field.value.typed.append(c);
 }
 
-/// A key with letters: pressed again in time it changes the last character (10.3.3.4).
+/// A key with letters: pressed again in time it changes the last character (015560 10.3.3.4).
 void tap(State& state, Field& field, int number, Duration now) {
   Entry& entry = state.entry;
   const std::string_view letters = kLetters[static_cast<std::size_t>(number - 1) % kLetters.size()];
@@ -147,7 +148,7 @@ void select(State& state, std::size_t place) {
   state.page = static_cast<std::uint8_t>(place / kFieldsPerPage);
 }
 
-/// A check of train data across fields (10.3.4.2): whether the train is too fast for its category.
+/// A check of train data across fields (015560 10.3.4.2): whether the train is too fast for its category.
 bool fails(const port::CrossCheck& check, const port::ShownTrainData& train, std::optional<std::size_t> category) {
   if (!category || !check.categories.has(static_cast<TrainCategory>(*category))) return false;
   return train.V_MAXTRAIN > check.V_most;
@@ -248,7 +249,7 @@ Key key_at(const State& state, int number) {
     if (key.choice < 0 || static_cast<std::size_t>(key.choice) >= choices_of(state, field->id)) return key;
     key.label = choice_label(state, field->id, static_cast<std::size_t>(key.choice));
     key.enabled = choice_enabled(state, field->id, static_cast<std::size_t>(key.choice));
-    // The key of level 3 exists up to 3.6.0 (11.3.3).
+    // The key of level 3 exists up to 3.6.0 (015560 11.3.3).
     if (field->id == FieldId::level && key.choice == 2 && !key.enabled &&
         state.display.config.srs == SrsVersion::v4_0_0)
       key.label.clear();
@@ -321,7 +322,7 @@ bool touch_field(State& state, std::size_t place) {
   if (place >= entry.fields.size()) return false;
   Field& current = entry.fields[entry.selected % entry.fields.size()];
   if (place != entry.selected) {
-    // A new value that was not accepted is erased, and the old one is deleted (10.3.2.9).
+    // A new value that was not accepted is erased, and the old one is deleted (015560 10.3.2.9).
     if (current.typed && !current.accepted) current.value = Value{};
     if (current.check == Check::technical_range || current.check == Check::operational_range)
       current.check = Check::passed;
@@ -399,7 +400,7 @@ Words shown_value(const State& state, const Field& field) {
   if (field.value.choice >= 0) return choice_label(state, field.id, static_cast<std::size_t>(field.value.choice));
   const std::string_view typed = field.value.typed.view();
   Words words;
-  // More than five characters of a line: two groups with a blank; a line has eight (5.1.5.4).
+  // More than five characters of a line: two groups with a blank; a line has eight (015560 5.1.5.4).
   for (std::size_t line = 0; line < typed.size(); line += 8) {
     const std::string_view part = typed.substr(line, 8);
     if (line > 0) words.append('\n');

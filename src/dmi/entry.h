@@ -55,7 +55,7 @@ std::size_t choices_of(const State&, FieldId);
 Words choice_label(const State&, FieldId, std::size_t choice);
 bool choice_enabled(const State&, FieldId, std::size_t choice);
 
-/// A value as the driver reads it, with its blanks (5.1.5).
+/// A value as the driver reads it, with its blanks (015560 5.1.5).
 Words shown_value(const State&, const Field&);
 /// As `shown_value`, or what the last check found, and its colour.
 struct Echo {
@@ -68,7 +68,7 @@ Echo echo_of(const State&, const Field&);
 std::optional<std::uint64_t> typed_number(const Value&);
 /// The value of a field of the process; null: not in it.
 const Value* value_of(const Entry&, FieldId);
-/// What is stored of a field, as the window proposes it (10.6).
+/// What is stored of a field, as the window proposes it (015560 10.6).
 Value stored_value(const State&, FieldId);
 /// Left aligned decimal digits, filled with F to `places`.
 std::uint64_t to_bcd(std::string_view digits, int places);

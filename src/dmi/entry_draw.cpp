@@ -22,7 +22,7 @@ FieldState field_state(const State& state, std::size_t place) {
   return field.accepted ? FieldState::accepted : FieldState::not_selected;
 }
 
-/// The cursor: half of half a second (10.3.2.4).
+/// The cursor: half of half a second (015560 10.3.2.4).
 void draw_cursor(const Drawing& to, const Item& field) {
   if (whole(to.now.si / 0.25 - 0.5, 0, 2000000000) % 2 != 0) return;
   const Rect data = field.data_at;
@@ -128,7 +128,7 @@ void draw_validation_keys(const Drawing& to) {
   to.add(key);
 }
 
-/// "Train data entry complete?" with its answer (10.3.5).
+/// "Train data entry complete?" with its answer (015560 10.3.5).
 void draw_question(const Drawing& to) {
   Words question{row_of(to.state.window).title};
   question.append(" entry complete?");

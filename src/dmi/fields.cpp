@@ -52,7 +52,7 @@ void draw_conditions(const Drawing& to) {
       }
 }
 
-/// Tunnel stopping area (8.2.3.6).
+/// Tunnel stopping area (015560 8.2.3.6).
 void draw_tunnel(const Drawing& to) {
   if (!to.display.tunnel) return;
   if (!to.state.toggles.tunnel) return to.symbol(Area::C2_C3_C4, Picture::DR05);
@@ -102,7 +102,7 @@ Words time_words(std::uint32_t second_of_day) {
   return time;
 }
 
-/// Geographical position (8.2.3.5); its metres are 10 high.
+/// Geographical position (015560 8.2.3.5); its metres are 10 high.
 void draw_geo(const Drawing& to) {
   if (!to.display.geo) return;
   if (!to.state.toggles.geo) return to.symbol(Area::G12, Picture::DR03);
@@ -119,7 +119,7 @@ void draw_geo(const Drawing& to) {
   to.add(item);
 }
 
-/// The dwell time (8.5.5): "59s", "1:09".
+/// The dwell time (015560 8.5.5): "59s", "1:09".
 void draw_dwell(const Drawing& to, std::uint16_t seconds) {
   Words words;
   if (seconds <= 59) {
@@ -135,7 +135,7 @@ void draw_dwell(const Drawing& to, std::uint16_t seconds) {
   to.text(Area::G3, words, Colour::grey, 12, Align::right, 11);
 }
 
-/// Automatic train operation in G1 to G5 (8.5).
+/// Automatic train operation in G1 to G5 (015560 8.5).
 void draw_ato(const Drawing& to) {
   const port::DisplayedAto& ato = to.display.ato;
   if (!is_400(to.display) || !ato.on) return;

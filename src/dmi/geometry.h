@@ -7,7 +7,7 @@
 #include "openevc/base/units.h"
 #include "openevc/port/display.h"
 
-// Where values stand on the screen: dial (8.2.1.1), target distance bar (8.2.2.1), planning area (8.3.3).
+// Where values stand on the screen: dial (015560 8.2.1.1), target distance bar (8.2.2.1), planning area (8.3.3).
 namespace evc::dmi {
 
 /// The nearest whole number within the bounds, halves upwards; `least` for what is no number.

@@ -8,7 +8,7 @@
 // The words of the display that are no terms of the standard's tables elsewhere: in English, in one place.
 namespace evc::dmi {
 
-/// The abbreviation of a national system (8.2.3.1.2), or its number.
+/// The abbreviation of a national system (015560 8.2.3.1.2), or its number.
 Words ntc_label(const port::Display&, std::uint8_t nid_ntc);
 /// A fixed text of the trackside (A.3.4 of SUBSET-026, Q_TEXT).
 std::string_view fixed_text(std::uint8_t Q_TEXT);

@@ -18,7 +18,7 @@ struct Ahead {
   }
 };
 
-/// The end of what is shown in metres: MA end or first target of zero speed (8.3.2).
+/// The end of what is shown in metres: MA end or first target of zero speed (015560 8.3.2).
 double planning_end(const port::Planning& planning, double range) {
   double end = range;
   if (planning.EOA) end = std::min(end, planning.EOA->si);
@@ -52,7 +52,7 @@ void draw_scale(const Drawing& to, std::int32_t range) {
   }
 }
 
-/// The quarters of the width for a speed below the ceiling speed at the front end (8.3.7.4).
+/// The quarters of the width for a speed below the ceiling speed at the front end (015560 8.3.7.4).
 int quarters_of(Speed V, Speed ceiling) {
   if (!(V > Speed{}) || !(ceiling > Speed{})) return 0;
   const double part = V.si / ceiling.si + 1e-9;
@@ -71,8 +71,8 @@ void draw_step(const Drawing& to, const Ahead& ahead, double from, double until,
   to.add(step);
 }
 
-/// The planning area speed profile (8.3.7): up to three decreases below the ceiling at the front end, none after an
-/// increase.
+/// The planning area speed profile (015560 8.3.7): up to three decreases below the ceiling at the front end, none after
+/// an increase.
 void draw_profile(const Drawing& to, const Ahead& ahead) {
   to.rect(Area::D7_D8, Colour::pasp_dark, {0, 0, 99, 270}, "background");
   const auto& speeds = to.display.planning.speeds;
@@ -99,7 +99,7 @@ void draw_profile(const Drawing& to, const Ahead& ahead) {
 void draw_marker(const Drawing& to, const Ahead& ahead) {
   const port::Display& display = to.display;
   if (is_400(display) && display.ato.on && display.ato.advice_change && display.ato.advice_change->si <= ahead.end) {
-    // Dashes of 5 to 10 cells with gaps of 10 (8.5.11).
+    // Dashes of 5 to 10 cells with gaps of 10 (015560 8.5.11).
     for (std::int16_t x = 0; x < 93; x = static_cast<std::int16_t>(x + 20))
       to.rect(Area::D7, Colour::grey,
               {x, static_cast<std::int16_t>(ahead.row(display.ato.advice_change->si) - 1),
@@ -113,7 +113,7 @@ void draw_marker(const Drawing& to, const Ahead& ahead) {
           {0, static_cast<std::int16_t>(ahead.row(at) - 1), 93, 2}, "indication marker");
 }
 
-/// Orders and announcements in D2 to D4 (8.3.4): neighbours in different columns, the nearer one on top.
+/// Orders and announcements in D2 to D4 (015560 8.3.4): neighbours in different columns, the nearer one on top.
 void draw_orders(const Drawing& to, const Ahead& ahead) {
   constexpr std::array<Area, 3> kColumns{Area::D2, Area::D3, Area::D4};
   struct Mark {
@@ -171,7 +171,7 @@ void draw_gradient(const Drawing& to, const Ahead& ahead, const port::PlannedGra
   if (signs) write(down ? "-" : "+", static_cast<std::int16_t>(bottom - 12), "bottom");
 }
 
-/// A speed discontinuity (8.3.6) with its symbol.
+/// A speed discontinuity (015560 8.3.6) with its symbol.
 struct Change {
   double at;
   Speed V;

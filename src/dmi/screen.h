@@ -14,7 +14,7 @@
 // down; angles are degrees, 0 up, clockwise positive.
 namespace evc::dmi {
 
-/// The colours of 5.2.1.3, and 8.3.6 for the planning area.
+/// The colours of 015560 5.2.1.3, and 8.3.6 for the planning area.
 enum class Colour : std::uint8_t {
   none,
   white,
@@ -63,7 +63,7 @@ struct Rect {
 constexpr bool inside(const Rect& r, int x, int y) { return x >= r.x && y >= r.y && x < r.x + r.w && y < r.y + r.h; }
 
 // clang-format off
-/// The areas of 6.3, the areas that objects span, and the parts of windows.
+/// The areas of 015560 6.3, the areas that objects span, and the parts of windows.
 enum class Area : std::uint8_t {
   screen, Z, Y, A, B, C, D, E, F, G,
   A1, A2, A3, A4, B0, B1, B2, B3, B4, B5, B6, B7, B8, C1, C2, C3, C4, C5, C6, C7, C8, C9,
@@ -179,8 +179,8 @@ constexpr const char* name(Kind kind) { return kKindNames[terms::index(kind)]; }
 enum class Align : std::uint8_t { left, centre, right };
 enum class ButtonType : std::uint8_t { up, down, down_repeat, delay };
 enum class FieldState : std::uint8_t { not_selected, selected, accepted };
-/// Borders of 5.1.1: an area has one line (left and top black, right and bottom shadow), a button two, an input field
-/// one of medium grey.
+/// Borders of 015560 5.1.1: an area has one line (left and top black, right and bottom shadow), a button two, an input
+/// field one of medium grey.
 enum class Border : std::uint8_t { none, area, button, field };
 inline constexpr std::uint8_t kTop = 1, kLeft = 2, kBottom = 4, kRight = 8;  ///< sides of Kind::edge
 
@@ -239,7 +239,7 @@ struct SoundOrder {
   friend constexpr bool operator==(const SoundOrder&, const SoundOrder&) = default;
 };
 
-/// The shape of the pointer (8.2.1.2), in cells.
+/// The shape of the pointer (015560 8.2.1.2), in cells.
 struct PointerShape {
   std::int16_t hub_radius = 25, tip_radius = 105, tip_width = 3, base_width = 9, taper_from = 82, taper_to = 90;
 };

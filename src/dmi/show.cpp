@@ -10,8 +10,13 @@ namespace {
 
 bool may_toggle(Mode mode) { return mode == Mode::OS || mode == Mode::SR || mode == Mode::SH; }
 
-/// B3 to B5 (8.2.3.7): a symbol takes the first free place and keeps it; when all are taken the others wait in the
-/// order of their appearance.
+/// The modes in which the driver has no windows: without power, passive, isolated or failed (SUBSET-026-4 4.7.2).
+bool has_no_windows(Mode mode) {
+  return mode == Mode::NP || mode == Mode::PS || mode == Mode::SL || mode == Mode::SF || mode == Mode::IS;
+}
+
+/// B3 to B5 (015560 8.2.3.7): a symbol takes the first free place and keeps it; when all are taken the others wait in
+/// the order of their appearance.
 void assign_slots(State& state) {
   const auto& conditions = state.display.conditions;
   const auto shown = [&](std::uint16_t id) {
@@ -32,7 +37,7 @@ bool same_text(const port::DisplayedText& a, const port::DisplayedText& b) {
   return a.id == b.id && a.since == b.since && a.kind == b.kind;
 }
 
-/// Texts that are new: a sound with the important ones (14.2), and scrolling begins again.
+/// Texts that are new: a sound with the important ones (015560 14.2), and scrolling begins again.
 void take_texts(State& state, const port::Display& before, bool first) {
   for (const port::DisplayedText& text : state.display.texts) {
     const bool known = !first && std::any_of(before.texts.begin(), before.texts.end(),
@@ -50,7 +55,7 @@ void take_texts(State& state, const port::Display& before, bool first) {
   }
 }
 
-/// Sounds of speed and distance monitoring (14.2, 14.3).
+/// Sounds of speed and distance monitoring (015560 14.2, 14.3).
 void monitoring_sounds(State& state, const port::Display& before) {
   const port::Display& display = state.display;
   const bool silent = display.mode == Mode::LS || display.mode == Mode::AD;
@@ -89,8 +94,15 @@ void show(State& state, const port::Display& display) {
   // The record of before is needed in parts only, but a copy is simple and has no pointers.
   const port::Display before = state.display;
   state.display = display;
-  if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (8.2.2.4.3)
+  if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (015560 8.2.2.4.3)
   if (!may_toggle(display.mode)) state.toggles.speed = false;
+
+  if (has_no_windows(display.mode) && state.window != WindowId::default_) {
+    state.awaited = Awaited{};
+    state.from_driver_id = false;
+    state.running_number_next = false;
+    open_window(state, WindowId::default_);
+  }
   assign_slots(state);
   if (!first) {
     monitoring_sounds(state, before);
@@ -98,7 +110,8 @@ void show(State& state, const port::Display& display) {
   }
   warning_sound(state);
   if (shows_TTI(state) && !had_TTI && display.mode != Mode::AD) order_sound(state, Sound::Sinfo);
-  follow_dialogue(state, first ? port::Display{} : before);
+
+  if (!has_no_windows(display.mode)) follow_dialogue(state, first ? port::Display{} : before);
   take_texts(state, before, first);
   offer_acks(state, before);
   state.shown_once = true;

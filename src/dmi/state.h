@@ -85,7 +85,7 @@ struct Value {
   friend constexpr bool operator==(const Value&, const Value&) = default;
 };
 
-/// What a check of 10.3.4 found.
+/// What a check of 015560 10.3.4 found.
 enum class Check : std::uint8_t {
   passed,
   technical_range,    ///< "++++" red
@@ -103,7 +103,7 @@ struct Field {
   Check check = Check::passed;
 };
 
-/// The data entry process that runs (10.6).
+/// The data entry process that runs (015560 10.6).
 struct Entry {
   InplaceVector<Field, 8> fields;
   std::uint8_t selected = 0;
@@ -154,7 +154,7 @@ struct Target {
 };
 using Targets = InplaceVector<Target, 64>;
 
-/// The button that is held (5.3.2.6): only one at a time.
+/// The button that is held (015560 5.3.2.6): only one at a time.
 struct Pressed {
   bool held = false;
   Target target;
@@ -164,7 +164,7 @@ struct Pressed {
   std::uint16_t repeats = 0;
 };
 
-/// The acknowledgement on offer (5.4).
+/// The acknowledgement on offer (015560 5.4).
 struct Offered {
   port::AskedAck ack;
   Duration since{};
@@ -209,9 +209,10 @@ struct State {
   std::uint8_t page = 0;
   bool from_driver_id = false;  ///< settings or train running number, opened in the window Driver ID
   Entry entry;
-  Entry validated;                   ///< the entry that a validation window asks about
-  bool fixed_train_entry = false;    ///< switchable entry: the layout used last
-  bool running_number_next = false;  ///< the train running number belongs to the entry of train data (11.7.3 S3-3)
+  Entry validated;                 ///< the entry that a validation window asks about
+  bool fixed_train_entry = false;  ///< switchable entry: the layout used last
+  bool running_number_next =
+      false;  ///< the train running number belongs to the entry of train data (015560 11.7.3 S3-3)
   Awaited awaited;
   Duration waiting_since{};  ///< of Display::waiting
   Toggles toggles;

@@ -8,7 +8,7 @@ namespace evc::dmi {
 namespace {
 
 constexpr std::uint8_t kTextHeight = 12, kTimeHeight = 10;
-constexpr double kTextFrom = 3 + 36 + 10;  // indent, time, gap (8.2.3.4.3)
+constexpr double kTextFrom = 3 + 36 + 10;  // indent, time, gap (015560 8.2.3.4.3)
 constexpr double kTextRoom = 234.0 - kTextFrom - 3.0;
 constexpr std::size_t kLines = 5;
 
@@ -93,7 +93,7 @@ void each_line(const port::Display& display, const port::DisplayedText& text, F 
   } while (!rest.empty());
 }
 
-/// Whether `a` stands above `b`: group 1 first, then the newer one.
+/// Whether `a` is above `b`: group 1 first, then the newer one.
 bool above(const port::DisplayedText& a, const port::DisplayedText& b) {
   if (a.important != b.important) return a.important;
   return a.since > b.since;

@@ -118,7 +118,7 @@ bool press(State& state, Cell at, Duration now) {
     if (!inside(target.abs, at.x, at.y)) continue;
     if (!target.enabled) return false;
     state.pressed = Pressed{.held = true, .target = target, .since = now};
-    // Places without a look of a button make no sound (8.2.2.4).
+    // Places without a look of a button make no sound (015560 8.2.2.4).
     if (target.action.kind != ActionKind::toggle_speed) order_sound(state, Sound::click);
     if (down_type(target.type)) act(state, target.action, now);
     return true;

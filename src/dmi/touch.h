@@ -26,7 +26,7 @@ inline constexpr Rect kNumberPlace{476, 415, 82, 50}, kSettingsPlace{558, 415, 8
 
 /// Whether the window offers the switch between train types and train data.
 bool has_switch(const State&);
-/// Whether the window Driver ID offers the settings and the train running number (11.7.2 S1).
+/// Whether the window Driver ID offers the settings and the train running number (015560 11.7.2 S1).
 bool has_shortcuts(const State&);
 
 }  // namespace evc::dmi

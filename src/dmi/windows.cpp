@@ -89,6 +89,9 @@ constexpr std::array kMenuRows{
     MenuRow{radio_data, 7, Button::one_radio_system, kNoButton, ButtonType::up, true, kText},
 };
 
+/// The windows with the hour glass.
+bool waits_here(const State& state) { return state.window == main || state.window == radio_data; }
+
 bool takes_place(const port::Display& display, Button instead) {
   switch (instead) {
     case Button::exit_shunting:
@@ -148,7 +151,7 @@ void add_covers(ViewItems& items, const State& state) {
     Words label_words{"VBC #"};
     append_number(label_words, ++number);
     label_words.append(" set code");
-    // NID_VBCMK in the low 6 bits, then NID_C, then the days that are left (11.3.6).
+    // NID_VBCMK in the low 6 bits, then NID_C, then the days that are left (015560 11.3.6).
     const std::int64_t days =
         cover.left.si > 0.0 && cover.left.si < 86400.0 * 255 ? static_cast<std::int64_t>(cover.left.si / 86400.0) : 0;
     const std::int64_t code = (days << 16) | (std::int64_t{cover.NID_C & 0x3FFu} << 6) | (cover.NID_VBCMK & 0x3F);
@@ -180,18 +183,19 @@ MenuButtons menu_buttons(const State& state, WindowId window) {
 bool is_waiting(const State& state) { return state.display.waiting != port::Waiting::nothing || state.awaited.on; }
 
 bool button_enabled(const State& state, Button button) {
-  return button < Button::count && state.display.buttons.has(button) && !ack_pending(state) && !is_waiting(state);
+  return button < Button::count && state.display.buttons.has(button) && !ack_pending(state) &&
+         !(waits_here(state) && is_waiting(state));
 }
 
 bool close_enabled(const State& state) {
-  if ((state.window == main || state.window == radio_data) && is_waiting(state)) return false;
+  if (waits_here(state) && is_waiting(state)) return false;
   if (!state.display.start_of_mission) return !state.running_number_next;
   switch (state.window) {
     case settings:
     case network_id:
     case rbc_data:
     case radio_type:
-      return true;  // S1-1, S3-2-2, S3-3, S3-4 (11.7.2)
+      return true;  // S1-1, S3-2-2, S3-3, S3-4 (015560 11.7.2)
     case train_running_number:
       return state.from_driver_id;  // S1-2
     case driver_id:

@@ -52,11 +52,11 @@ std::uint8_t pages_of(const State&);
 void open_window(State&, WindowId);
 /// To the parent.
 void close_window(State&);
-/// Leaves data entry for an acknowledgement or because its condition is lost (11.7.1.6, .8).
+/// Leaves data entry for an acknowledgement or because its condition is lost (015560 11.7.1.6, .8).
 void abort_entry(State&);
 /// A button of a menu acts.
 void choose(State&, Button, Duration now);
-/// The on-board's dialogue opens windows and waits (11.7).
+/// The on-board's dialogue opens windows and waits (015560 11.7).
 void follow_dialogue(State&, const port::Display& before);
 
 /// A line of a view window: an empty label separates topics.

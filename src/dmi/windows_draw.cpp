@@ -65,7 +65,7 @@ void draw_window_buttons(const Drawing& to, Area area) {
   to.add(button);
 }
 
-/// The hour glass in the title: ten places, one a second (11.2.1.8).
+/// The hour glass in the title: ten places, one a second (015560 11.2.1.8).
 void draw_hour_glass(const Drawing& to) {
   if (!is_waiting(to.state)) return;
   const double passed = (to.now - to.state.waiting_since).si;

@@ -399,6 +399,25 @@ TEST_F(Windows, StartOfMission) {
   EXPECT_EQ(state.window, WindowId::default_);
 }
 
+TEST_F(Windows, RejectedDriverIdIsAskedForAgain) {
+  display.start_of_mission = true;
+  display.step = Dialogue::start_S1;
+  cycle(0.1);
+  keys("7");
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_EQ(state.window, WindowId::main);
+  cycle(1.5);
+  EXPECT_EQ(state.window, WindowId::driver_id);
+}
+
+TEST_F(Windows, CloseWhereTheDriverHasNone) {
+  open(WindowId::train_data);
+  display.mode = Mode::SL;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::default_);
+  EXPECT_TRUE(take(state).windows.empty());
+}
+
 TEST_F(Windows, StartInLevel2WaitsForTheRbc) {
   display.level = Level::L2;
   display.radio = RadioIndication::up;

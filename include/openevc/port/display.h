@@ -28,21 +28,21 @@ struct NtcName {
   std::array<char, 8> characters{};  ///< ISO 8859-1, the rest zero
 };
 
-/// The limits of an entry (10.3.4), in the unit of its label: outside the technical ones a value is rejected, outside
-/// the operational ones the driver has to insist on it.
+/// The limits of an entry (015560 10.3.4), in the unit of its label: outside the technical ones a value is rejected,
+/// outside the operational ones the driver has to insist on it.
 struct EntryRange {
   double least = 0.0, most = 0.0, step = 1.0;
   std::optional<double> operational_least = {}, operational_most = {};
 };
 
-/// A check across fields of the train data: a train of one of these categories is at most this fast (10.3.4.2).
+/// A check across fields of the train data: a train of one of these categories is at most this fast (015560 10.3.4.2).
 struct CrossCheck {
   Set<TrainCategory> categories;
   Speed V_most;
   bool operational = false;  ///< the driver may insist; else the values are rejected
 };
 
-/// How train data are entered (11.3.9.6).
+/// How train data are entered (015560 11.3.9.6).
 enum class TrainDataEntry : std::uint8_t { flexible, fixed, switchable };
 
 /// A train type of the fixed entry, with the data for which it stands.
@@ -73,7 +73,7 @@ struct DisplayConfig {
 };
 
 /// What the driver has to acknowledge, in order of arrival. `since` separates requests of one moment, which the display
-/// orders by their kind (5.4.1), from those that came one after another.
+/// orders by their kind (015560 5.4.1), from those that came one after another.
 struct AskedAck {
   Ack what{};
   std::uint16_t id = 0;  ///< with Ack::text: id of the text
@@ -123,7 +123,7 @@ struct AnnouncedLevel {
   std::uint8_t nid_ntc = 0;
 };
 
-/// For what the procedure waits, so that the display shows the hour glass (11.7).
+/// For what the procedure waits, so that the display shows the hour glass (015560 11.7).
 enum class Waiting : std::uint8_t {
   nothing,
   end_of_session,
@@ -144,7 +144,7 @@ enum class AtoStop : std::uint8_t { none, overshoot, undershoot, accurate };
 enum class AtoDoors : std::uint8_t { none, open_both, open_left, open_right, are_open, close, closing, closed };
 enum class AtoSkip : std::uint8_t { none, inactive, by_trackside, by_driver };
 
-/// Automatic train operation, 4.0.0 (8.5).
+/// Automatic train operation, 4.0.0 (015560 8.5).
 struct DisplayedAto {
   bool on = false;  ///< the selector
   AtoStatus status = AtoStatus::none;
@@ -163,7 +163,7 @@ struct DisplayedAto {
   std::optional<Distance> advice_change;
 };
 
-/// Stored data with status, and what the driver may choose (11.3).
+/// Stored data with status, and what the driver may choose (015560 11.3).
 struct DisplayedData {
   ShownData stored;
   std::optional<std::uint8_t> train_type;     ///< of the fixed entry: place in DisplayConfig::train_types
@@ -174,7 +174,7 @@ struct DisplayedData {
   std::uint8_t M_VERSION = 0;  ///< operated system version
   RadioNetworkType radio = RadioNetworkType::gsmr;
   bool gsmr_registered = false, frmcs_registered = false;
-  bool asks_one_radio_system = false;  ///< the start of mission asks for it (11.7.2 S5)
+  bool asks_one_radio_system = false;  ///< the start of mission asks for it (015560 11.7.2 S5)
   std::optional<Distance> D_sr_most;   ///< proposed for SR where the stored distance is infinite or longer
 };
 
@@ -232,7 +232,7 @@ struct Display {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   Set<Button> buttons;            // enabled, but for an acknowledgement that is pending
   Set<DriverInput> enabled;       // as in the outputs
   std::optional<Dialogue> step;   // of the procedure that waits for somebody
-  bool start_of_mission = false;  // its dialogue runs (11.7.2), up to the Main window
+  bool start_of_mission = false;  // its dialogue runs (015560 11.7.2), up to the Main window
   Waiting waiting = Waiting::nothing;
   DisplayedAto ato;  // 4.0.0
 };
