@@ -115,6 +115,8 @@ Step choose(State& state, const Inputs& in, Effects& out) {
     out.status |= {Status::rbc_contact_invalid, Status::level_valid};
     return level_2_or_3(in.level) ? Step::S3 : Step::S10;
   }
+  // 5.4.5.3 j: another RBC, or the same one, is called from S3 on.
+  if ((in.enters_rbc_contact || in.selects_short_number) && level_2_or_3(in.level)) return Step::S3;
   if (in.enters_train_data || (in.entry_of_train_data_open && !state.entry_was_open)) return Step::S12;  // E11
   if (state.step == Step::S20 && session_lost(in)) return Step::S10;
   if (in.selects_start && valid(in.train_data) && valid(in.train_running_number)) return after_start(state, in);
@@ -266,6 +268,7 @@ Effects step(State& state, const Inputs& in) {
     state.step = next(state, now, out);
     if (before == Step::S10 || before == Step::S20 || before == Step::S2) now.enters_level = false;
     if (before == Step::S10 || before == Step::S20) now.selects_start = false;
+    if (before == Step::S3) now.enters_rbc_contact = now.selects_short_number = false;
     if (before == Step::S12) now.enters_train_data = now.entry_of_train_data_open = false;
     if (state.step == before) break;
     // A request in the outputs of this cycle is answered in the next one at the earliest.

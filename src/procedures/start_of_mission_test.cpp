@@ -295,6 +295,42 @@ TEST(StartOfMission, Level_entered_again) {
   EXPECT_EQ(cab.state.step, Step::S20);
 }
 
+/// 5.4.5.3 j: radio data that are entered again at S10 and S20 lead to S3, and so to the call; in levels without an RBC
+/// they lead nowhere.
+TEST(StartOfMission, Radio_data_entered_again) {
+  for (const bool short_number : {false, true}) {
+    Cab cab;
+    cab.to_S20_in_level_2();
+    cab.in.enters_rbc_contact = !short_number;
+    cab.in.selects_short_number = short_number;
+    EXPECT_TRUE(cab.cycle().send.has(Send::open_session));
+    EXPECT_EQ(cab.state.step, Step::D31);
+    cab.in.selects_short_number = false;
+    cab.in.session = Session::establishing;
+    cab.cycle();
+    EXPECT_EQ(cab.state.step, Step::D31);
+    cab.in.session = Session::none;  // failed: at S10 the same again
+    cab.cycle();
+    EXPECT_EQ(cab.state.step, Step::S10);
+    cab.in.enters_rbc_contact = true;
+    EXPECT_TRUE(cab.cycle().send.has(Send::open_session));
+    EXPECT_EQ(cab.state.step, Step::D31);
+  }
+  Cab unregistered;
+  unregistered.to_S20_in_level_2();
+  unregistered.in.mobile_terminal_registered = false;
+  unregistered.in.enters_rbc_contact = true;
+  EXPECT_TRUE(unregistered.cycle().inform.has(Inform::network_registration_failed));
+  EXPECT_FALSE(unregistered.last.send.has(Send::open_session));
+  EXPECT_EQ(unregistered.state.step, Step::S10);
+  Cab level_1;
+  level_1.to_S20_in_level_2();
+  level_1.enter_level(Level::L1);
+  level_1.in.enters_rbc_contact = true;
+  EXPECT_FALSE(level_1.cycle().send.has(Send::open_session));
+  EXPECT_EQ(level_1.state.step, Step::S10);
+}
+
 TEST(StartOfMission, Train_data_that_have_to_be_revalidated) {
   Cab cab;
   cab.cycle();

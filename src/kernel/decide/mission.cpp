@@ -13,15 +13,16 @@ namespace {
 procedures::start_of_mission::Session session_of(const State& s) {
   using procedures::start_of_mission::Session;
   const bool left_over = s.radio.supervising.session.phase == radio::Phase::idle;
-  switch ((left_over ? s.radio.other : s.radio.supervising).session.phase) {
+  const radio::Session& session = (left_over ? s.radio.other : s.radio.supervising).session;
+  switch (session.phase) {
     case radio::Phase::connecting:
     case radio::Phase::waiting_version:
       return Session::establishing;
     case radio::Phase::up:
     case radio::Phase::lost:
       return Session::open;
-    case radio::Phase::terminating:
-      return Session::terminating;
+    case radio::Phase::terminating:  // D31 waits for the session that follows with another RBC (3.5.3.5.2)
+      return session.remembered ? Session::establishing : Session::terminating;
     case radio::Phase::idle:
       break;
   }
