@@ -8,7 +8,7 @@ namespace {
 
 using port::Display;
 
-// Rings round the centre of the dial (015560 8.2.1).
+// Rings round the centre of the dial (8.2.1).
 constexpr double kDialOut = 125.0;
 constexpr double kGaugeIn = 128.0, kGaugeOut = 137.0, kHookIn = 117.0;
 constexpr double kReleaseIn = 132.0, kPermittedOut = 131.0;
@@ -91,7 +91,7 @@ Colour pointer_colour(const Display& display) {
       case Mode::SN:
         return kGrey;
       default:
-        return kNo;  // 015560 7.1: nothing is shown in NP, SL, PS, SF, IS
+        return kNo;  // 7.1: nothing is shown in NP, SL, PS, SF, IS
     }
   }
   const Kinds kind = kind_of(display);
@@ -164,7 +164,7 @@ void draw_hook(const Drawing& to, Speed v, std::int16_t tangential, Colour colou
   to.add(hook);
 }
 
-/// The part of the gauge from 0 to the permitted and the release speed (015560 8.2.1.6.4).
+/// The part of the gauge from 0 to the permitted and the release speed (8.2.1.6.4).
 void draw_release_gauge(const Drawing& to, Speed V_P, Speed V_release, Colour permitted) {
   const double zero = angle_of(to, Speed{}), released = angle_of(to, V_release), limit = angle_of(to, V_P);
   const double inner_end = limit < released ? limit : released;
@@ -172,7 +172,6 @@ void draw_release_gauge(const Drawing& to, Speed V_P, Speed V_release, Colour pe
   draw_arc(to, zero, inner_end, kPermittedOut, kReleaseIn, Colour::dark_blue);
   draw_arc(to, zero, inner_end, kReleaseIn, kGaugeOut, Colour::medium_grey);
   draw_arc(to, released, limit, kGaugeIn, kGaugeOut, permitted);
-  // Where the permitted speed is the lower one the release speed has the whole width beyond it.
   draw_arc(to, limit, released, kGaugeIn, kReleaseIn, Colour::medium_grey);
   draw_arc(to, limit, released, kReleaseIn, kGaugeOut, Colour::medium_grey);
 }
@@ -185,7 +184,7 @@ Colour band_colour(const Display& display, Kinds kind) {
   return over ? kOrange : display.status == Status::Intervention ? kRed : kNo;
 }
 
-/// The circular speed gauge (015560 8.2.1.4).
+/// The circular speed gauge (8.2.1.4).
 void draw_gauge(const Drawing& to) {
   const Display& display = to.display;
   const Kinds kind = kind_of(display);
@@ -212,7 +211,7 @@ void draw_gauge(const Drawing& to) {
   draw_hook(to, V_P, 6, permitted);
 }
 
-/// The basic speed hooks (015560 8.2.1.5, Table 10).
+/// The basic speed hooks (8.2.1.5, Table 10).
 void draw_hooks(const Drawing& to) {
   const Display& display = to.display;
   const Mode mode = display.mode;
@@ -251,7 +250,7 @@ bool shows_target(const Display& display) {
   return kind == Kinds::CSM_target || kind == Kinds::TSM || kind == Kinds::RSM;
 }
 
-/// The bar with its scale (015560 8.2.2.1).
+/// The bar with its scale (8.2.2.1).
 void draw_bar(const Drawing& to, Distance d) {
   struct Line {
     std::int16_t x, y;
