@@ -164,7 +164,7 @@ endfunction()
 # evc_link_rooms(target): links every room that exists, for tests, benchmarks and fuzz targets that
 # concern the whole program.
 function(evc_link_rooms target)
-  foreach(room IN ITEMS sim io texts kernel driver procedures protection sdm radio track balise brakes modes position
+  foreach(room IN ITEMS paint dmi sim io texts kernel driver procedures protection sdm radio track balise brakes modes position
                         train airgap lang port terms base)
     if(TARGET evc_${room})
       target_link_libraries(${target} PRIVATE evc_${room})

@@ -42,7 +42,9 @@ MAY_INCLUDE = {
     "explain": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     # Pictures of the display list.
     "paint": {"base", "terms", "port", "dmi"},
-    "app": {"check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
+    # The screen of a replay: the unit with its display.
+    "screen": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "dmi", "paint"},
+    "app": {"screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

@@ -22,6 +22,7 @@
 #include "matrix/command.h"
 #include "run/replay.h"
 #include "run/run.h"
+#include "screen/command.h"
 #include "serve/command.h"
 
 // The command line with the texts of `evc COMMAND --help`. The commands themselves are in their rooms.
@@ -322,6 +323,39 @@ void add_explain(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = explain::explain(*options); });
 }
 
+void add_dmi(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<screen::Options>();
+  auto at_s = std::make_shared<std::optional<double>>();
+  auto presses = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand("dmi", "The screen of the driver-machine interface at a moment of a replay");
+  CLI::Option* input =
+      command->add_option("input", options->input,
+                          "JSON Lines of inputs, as for evc replay; - for standard input; default: the shipped line");
+  CLI::Option* at = command->add_option("--at", *at_s, "time in s: the screen then; default: after the last cycle")
+                        ->check(number_between(0.0, 1e9));
+  CLI::Option* press =
+      command->add_option("--press", *presses, "X,Y@SECONDS: the driver touches this place; repeatable")
+          ->check([](const std::string& given) {
+            return screen::press_of(given) ? std::string()
+                                           : "found " + given + ", expected X,Y@SECONDS on the screen of 640 x 480";
+          });
+  CLI::Option* config =
+      command->add_option("--config", options->config, "configuration, instead of the stream's first line");
+  command
+      ->add_option("--cases", options->cases, "file of described cases: what the screen has of each, one line a case")
+      ->excludes(input)
+      ->excludes(at)
+      ->excludes(press)
+      ->excludes(config);
+  command->add_option("-o,--output", options->output,
+                      "FILE.svg, FILE.png or FILE.json; default: JSON on standard output");
+  command->callback([options, at_s, presses, &exit_code] {
+    if (*at_s) options->at_ms = static_cast<std::int64_t>(**at_s * 1000.0 + 0.5);
+    for (const std::string& given : *presses) options->presses.push_back(*screen::press_of(given));
+    exit_code = screen::show(*options);
+  });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -357,6 +391,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_check(app, exit_code);
   add_track(app, exit_code);
   add_explain(app, exit_code);
+  add_dmi(app, exit_code);
   refuse_empty_arguments(app);
 }
 

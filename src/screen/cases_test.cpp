@@ -1,0 +1,318 @@
+#include "screen/cases.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "base/test_paths.h"
+#include "dmi/screen.h"
+
+// The 495 cases of tests/data/dmi_test_cases.json against their `expect`, as the head of that file explains it.
+namespace evc::screen {
+namespace {
+
+using io::Json;
+
+const Json& file() {
+  static const Json cases = Json::parse(std::ifstream(test::source_folder() + "/tests/data/dmi_test_cases.json"));
+  return cases;
+}
+
+/// Cases that are not compared, each with its reason.
+const std::map<std::string, std::string>& exempted() {
+  static const std::map<std::string, std::string> all{
+      {"HOOK-13",
+       "FS has no basic hooks, but the hook of the gauge at the permitted speed, which CSG-01 asks for, is of "
+       "the kind hook too"},
+  };
+  return all;
+}
+
+constexpr double kAngle = 0.1, kCells = 1.0, kCentre = 0.5;
+
+bool is_angle(const std::string& key) { return key.find("deg") != std::string::npos; }
+
+/// Words and properties of a case that are not members of an item of that name.
+bool is_rule(const std::string& key) { return key == "tol" || key == "over" || key == "area_one_of"; }
+
+bool near(const Json& a, const Json& b, double tolerance) {
+  return a.is_number() && b.is_number() && std::abs(a.get<double>() - b.get<double>()) <= tolerance + 1e-9;
+}
+
+/// Whether a member of an item is what the case expects.
+bool agrees(const std::string& key, const Json& wanted, const Json& found, double tolerance) {
+  if (key == "max_w" || key == "max_h") return found.is_number() && found.get<double>() <= wanted.get<double>();
+  if (is_angle(key)) return near(found, wanted, kAngle);
+  if (key == "centre" || key == "abs" || key == "touch" || key == "rect") {
+    if (!found.is_array() || !wanted.is_array() || found.size() < wanted.size()) return false;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (!near(found[i], wanted[i], key == "centre" ? kCentre : 0.0)) return false;
+    return true;
+  }
+  // Sizes of letters, numbers of fields and counts are exact; places are to a cell.
+  const bool exact = key == "height" || key == "label_height" || key == "n" || key == "quarters" || key == "speed" ||
+                     key == "from_m" || key == "to_m" || key == "length" || key == "r_out" || key == "r_in";
+  if (wanted.is_number()) return near(found, wanted, exact ? 0.0 : tolerance);
+  return found == wanted;
+}
+
+bool matches(const Json& wanted, const Json& item) {
+  const double tolerance = wanted.value("tol", kCells);
+  for (const auto& [key, value] : wanted.items()) {
+    if (is_rule(key)) continue;
+    if (key == "value_starts") {
+      if (item.value("value", "").rfind(value.get<std::string>(), 0) != 0) return false;
+      continue;
+    }
+    if (!item.contains(key) || !agrees(key, value, item[key], tolerance)) return false;
+  }
+  if (wanted.contains("area_one_of")) {
+    bool one = false;
+    for (const Json& area : wanted["area_one_of"]) one |= item.value("area", "") == area.get<std::string>();
+    if (!one) return false;
+  }
+  return true;
+}
+
+/// Whether the item lies inside the area: "E5-E9" has those of E5.
+bool in_area(const Json& item, const std::string& area) {
+  if (item.value("area", "") == area) return true;
+  if (!item.contains("abs")) return false;
+  for (const dmi::AreaRow& row : dmi::kAreaRows) {
+    if (row.name != area || area.find_first_of("+-") == std::string::npos) continue;
+    const Json& a = item["abs"];
+    return a[0] >= row.at.x && a[1] >= row.at.y && a[0].get<int>() + a[2].get<int>() <= row.at.x + row.at.w &&
+           a[1].get<int>() + a[3].get<int>() <= row.at.y + row.at.h;
+  }
+  return false;
+}
+
+/// For `must_not`: only the properties that the case names are compared, and areas that consist of several count.
+bool is_forbidden(const Json& wanted, Json item) {
+  if (wanted.contains("area") && in_area(item, wanted["area"])) item["area"] = wanted["area"];
+  return matches(wanted, item);
+}
+
+int count_of(const std::string& what, const Json& items) {
+  int count = 0;
+  for (const Json& item : items) {
+    const std::string kind = item["kind"], area = item.value("area", "");
+    if (what == "A3 scale lines")
+      count += kind == "rect" && area == "A3" ? 1 : 0;
+    else if (what == "D1 numbers")
+      count += kind == "text" && area == "D1" ? 1 : 0;
+    else if (what == "long")
+      count += kind == "dial_line" && item["length"] == 25.0 ? 1 : 0;
+    else
+      count += kind == what ? 1 : 0;
+  }
+  return count;
+}
+
+/// The layers of PLO-05.
+bool is_layer(const std::string& layer, const Json& item) {
+  const std::string kind = item["kind"], area = item.value("area", ""), name = item.value("name", "");
+  if (layer == "PASP") return kind == "pasp_step";
+  if (layer == "distance scale") return kind == "rect" && area == "D" && item["w"] == 200;
+  if (layer == "ATO next advice marker") return name == "advice change";
+  if (layer == "indication marker") return name == "indication marker";
+  return area == "D5" || ((area == "D2" || area == "D3" || area == "D4" || area == "D6+D7") && kind == "symbol");
+}
+
+/// Faults found in a case.
+class Faults {
+ public:
+  template <class... Parts>
+  void add(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    text_ += (text_.empty() ? "" : "; ") + text.str();
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void check_items(const Json& expect, const Json& items, Faults& faults) {
+  if (expect.contains("must"))
+    for (const Json& wanted : expect["must"]) {
+      if (wanted["kind"] == "count") {
+        const int count = count_of(wanted["of"], items);
+        if (count != wanted["value"]) faults.add(wanted["of"], ": ", count, ", expected ", wanted["value"]);
+        continue;
+      }
+      bool found = false;
+      for (const Json& item : items) found |= matches(wanted, item);
+      if (!found) faults.add("nothing is ", wanted.dump());
+    }
+  if (expect.contains("must_not"))
+    for (const Json& forbidden : expect["must_not"])
+      for (const Json& item : items)
+        if (is_forbidden(forbidden, item)) faults.add("there is ", item.dump());
+  if (expect.contains("count"))
+    for (const auto& [what, number] : expect["count"].items())
+      if (count_of(what, items) != number) faults.add(what, ": ", count_of(what, items), ", expected ", number);
+}
+
+void check_order(const Json& order, const Json& items, Faults& faults) {
+  std::size_t at = 0;
+  for (const Json& wanted : order) {
+    const auto fits = [&](const Json& item) {
+      return wanted.is_string() ? is_layer(wanted, item) : matches(wanted, item);
+    };
+    // The first of the kind behind those before; of a layer every item is behind them.
+    const std::size_t begin = at;
+    while (at < items.size() && !fits(items[at])) ++at;
+    if (at == items.size()) return faults.add("not in this order: ", wanted.dump());
+    for (std::size_t before = 0; wanted.is_string() && before < begin; ++before)
+      if (fits(items[before])) return faults.add("too early: ", wanted.dump());
+  }
+}
+
+void check_lines(const Json& wanted, const Json& found, Faults& faults) {
+  bool same = found.size() == wanted.size();
+  for (std::size_t i = 0; same && i < wanted.size(); ++i)
+    for (std::size_t k = 0; k < wanted[i].size(); ++k) same &= wanted[i][k] == "*" || wanted[i][k] == found[i][k];
+  if (!same) faults.add("lines ", found.dump(), ", expected ", wanted.dump());
+}
+
+/// Each member that the case names is what was found; of -_min and -_max it is a bound.
+void check_members(const Json& wanted, const Json& found, const char* where, Faults& faults) {
+  for (const auto& [key, value] : wanted.items()) {
+    const Json seen = found.contains(key) ? found[key] : Json("nothing");
+    bool same = seen == value;
+    if (key == "activations_min") same = seen.is_number() && seen >= value;
+    if (key == "activations_max" || key == "max_group") same = seen.is_number() && seen <= value;
+    if (!same) faults.add(where, " ", key, ": ", seen.dump(), ", expected ", value.dump());
+  }
+}
+
+/// The cases with a rule in words.
+void check_rule(const std::string& id, const Json& items, Faults& faults) {
+  const auto find = [&](const char* kind, const std::string& key, const Json& value) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      if (items[i]["kind"] == kind && items[i].value(key, Json()) == value) places.push_back(i);
+    return places;
+  };
+  if (id == "TXT-02") {
+    const auto first = find("text", "area", "E5"), second = find("text", "area", "E6");
+    if (first.size() != 2 || second.size() != 1) return faults.add("lines ", first.size(), " ", second.size());
+    const Json &time = items[first[0]], &words = items[first[1]], &rest = items[second[0]];
+    if (time["height"] != 10 || words["x"] != rest["x"]) faults.add("time or second line");
+    if (words["value"].get<std::string>() + " " + rest["value"].get<std::string>() !=
+        "No MA received at level transition")
+      faults.add("words ", words["value"], rest["value"]);
+    if (rest["abs"][0].get<int>() + rest["abs"][2].get<int>() > 288) faults.add("beyond 288");
+  } else if (id == "PLO-02") {
+    std::set<std::string> columns;
+    for (const char* symbol : {"PL02", "PL06", "PL24"})
+      for (const std::size_t i : find("symbol", "id", symbol)) columns.insert(items[i]["area"].get<std::string>());
+    if (columns.size() != 3) faults.add("columns: ", columns.size());
+  } else if (id == "PLO-03") {
+    // The nearest and the farthest share a column.
+    const auto near_one = find("symbol", "id", "PL02"), far_one = find("symbol", "id", "PL10");
+    if (near_one.size() != 1 || far_one.size() != 1) return faults.add("symbols");
+    if (items[near_one[0]]["area"] != items[far_one[0]]["area"]) faults.add("columns");
+    if (near_one[0] < far_one[0]) faults.add("the nearer one is below");
+  } else if (id == "WIN-25") {
+    for (const std::size_t i : find("field", "label", "SR distance (m)"))
+      if (items[i].value("value", "").find_first_of("123456789") == std::string::npos) faults.add("no value");
+    if (find("field", "label", "SR distance (m)").empty()) faults.add("no field");
+  } else {
+    faults.add("an unknown rule");
+  }
+}
+
+std::string faults_of(const Json& one) {
+  Faults faults;
+  const Json& expect = one["expect"];
+  Json found;
+  try {
+    found = Json::parse(answer(io::JsonPlace(one, one["id"].get<std::string>())).dump());
+  } catch (const io::ReadError& error) {
+    return error.diagnostic.text();
+  }
+  const Json items = found.value("items", Json::array());
+  check_items(expect, items, faults);
+  if (expect.contains("order")) check_order(expect["order"], items, faults);
+  if (expect.contains("rule")) check_rule(one["id"], items, faults);
+  if (expect.contains("lines")) check_lines(expect["lines"], found["lines"], faults);
+  if (expect.contains("buttons"))
+    for (const Json& item : items)
+      if (item["kind"] == "button" && item.value("enabled", false)) faults.add("enabled: ", item["id"]);
+  for (const char* key : {"result", "display"})
+    if (expect.contains(key)) check_members(expect[key], found[key], key, faults);
+  for (const char* key : {"sounds", "touch", "ack_required"})
+    if (expect.contains(key) && found[key] != expect[key])
+      faults.add(key, ": ", found[key].dump(), ", expected ", expect[key].dump());
+  if (expect.contains("timeline"))
+    for (std::size_t i = 0; i < expect["timeline"].size(); ++i)
+      check_members(expect["timeline"][i], found["timeline"][i], "timeline", faults);
+  return faults.text();
+}
+
+TEST(Cases, AreAllAsExpected) {
+  const Json& cases = file()["cases"];
+  ASSERT_EQ(cases.size(), 495U);
+  std::size_t compared = 0;
+  for (const Json& one : cases) {
+    const std::string id = one["id"];
+    if (exempted().contains(id)) continue;
+    EXPECT_EQ(faults_of(one), "") << id << ": " << one["given"].dump();
+    ++compared;
+  }
+  EXPECT_EQ(compared + exempted().size(), 495U);
+}
+
+// A case that is exempted does contradict the display; else it need not be.
+TEST(Cases, ThatAreExemptedWouldFail) {
+  for (const Json& one : file()["cases"]) {
+    if (!exempted().contains(one["id"].get<std::string>())) continue;
+    EXPECT_NE(faults_of(one), "") << one["id"];
+  }
+}
+
+// The comparison sees what is wrong: a changed expectation is a fault.
+TEST(Cases, WithAnotherExpectationFail) {
+  const std::map<std::string, std::function<void(Json&)>> changes{
+      {"PTR-01", [](Json& e) { e["must"][0]["deg"] = -19.5; }},
+      {"PTR-02", [](Json& e) { e["must"][0]["colour"] = "red"; }},
+      {"CSG-01",
+       [](Json& e) {
+         e["must_not"].push_back({{"kind", "arc"}, {"colour", "dark_grey"}});
+       }},
+      {"TD-01", [](Json& e) { e["must"][0]["right_edge"] = 40; }},
+      {"SYM-01",
+       [](Json& e) {
+         e["must"][0]["centre"] = {309.0, 289.0};
+       }},
+      {"DIAL-21", [](Json& e) { e["count"]["dial_line"] = 40; }},
+      {"TXT-01", [](Json& e) { e["lines"][0][1] = "D"; }},
+      {"SND-01", [](Json& e) { e["sounds"] = Json::array(); }},
+      {"ACK-03", [](Json& e) { e["timeline"][1]["shown"] = "MO08"; }},
+      {"PLZ-01", [](Json& e) { e["result"]["range_m"] = 8000; }},
+      {"SETV-02", [](Json& e) { std::swap(e["order"][0], e["order"][1]); }},
+      {"GEO-03",
+       [](Json& e) {
+         e["touch"] = {397, 415, 120, 50};
+       }},
+      {"BTN-01", [](Json& e) { e["must"][0]["enabled"] = false; }},
+  };
+  for (Json one : file()["cases"]) {
+    const auto change = changes.find(one["id"]);
+    if (change == changes.end()) continue;
+    change->second(one["expect"]);
+    EXPECT_NE(faults_of(one), "") << one["id"];
+  }
+}
+
+}  // namespace
+}  // namespace evc::screen
