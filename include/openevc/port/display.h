@@ -90,12 +90,12 @@ struct DisplayedText {
   bool important = false;    ///< group 1: system status, and Q_TEXTCLASS 1
   bool acknowledge = false;  ///< an acknowledgement is asked for and was not given yet
   Duration since{};
-  std::optional<std::uint16_t> minute_of_day;  ///< local time of its begin; absent: not known
-  std::uint8_t Q_TEXT = 0;                     ///< with kind fixed
-  StatusText status{};                         ///< with kind status
-  std::uint8_t nid_ntc = 0;                    ///< with kind status, where the text names a national system
-  std::uint8_t length = 0;                     ///< with kind plain or national
-  std::array<char, 255> characters{};          ///< ISO 8859-1
+  std::optional<std::uint16_t> minute_of_day = {};  ///< local time of its begin; absent: not known
+  std::uint8_t Q_TEXT = 0;                          ///< with kind fixed
+  StatusText status{};                              ///< with kind status
+  std::uint8_t nid_ntc = 0;                         ///< with kind status, where the text names a national system
+  std::uint8_t length = 0;                          ///< with kind plain or national
+  std::array<char, 255> characters{};               ///< ISO 8859-1
 };
 
 /// A symbol of areas B3 to B5: track conditions and level crossings, in order of appearance.
