@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <cairo.h>
+#include <cairo/cairo.h>
 
 #include <cmath>
 #include <filesystem>

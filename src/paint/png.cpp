@@ -1,6 +1,6 @@
 #include "paint/png.h"
 
-#include <cairo.h>
+#include <cairo/cairo.h>
 
 #include <algorithm>
 #include <memory>
