@@ -31,6 +31,8 @@ MAY_INCLUDE = {
     "sim": BELOW_KERNEL | {"texts"},
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
     "io": BELOW_KERNEL | {"kernel", "texts", "sim"},
+    # A journey driven from outside: the page of `evc cab`.
+    "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
     # Cycles by the clock and hand-over between threads, of values of any type.
     "realtime": set(),
@@ -44,7 +46,8 @@ MAY_INCLUDE = {
     "paint": {"base", "terms", "port", "dmi"},
     # The screen of a replay: the unit with its display.
     "screen": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "dmi", "paint"},
-    "app": {"screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
+    "cab": {"run", "io", "ride"},
+    "app": {"cab", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

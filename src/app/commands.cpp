@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cab/command.h"
 #include "check/command.h"
 #include "curves/command.h"
 #include "explain/command.h"
@@ -138,6 +139,15 @@ void add_serve(CLI::App& app, int& exit_code) {
   command->add_flag("--planning", options->planning, "with the advance display (3.15.10) in each line");
   command->add_flag("--dmi", options->dmi, "with the record of the display (ERA_ERTMS_015560) in each line");
   command->callback([options, &exit_code] { exit_code = serve::serve(*options); });
+}
+
+void add_cab(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<cab::Options>();
+  CLI::App* command = app.add_subcommand("cab", "A driver's cab as one page for the browser: display, desk, line");
+  command->add_option("line", options->line, "line file (etcs-line/1); default: the shipped line");
+  command->add_option("--train", options->train, "train file (etcs-train/1); default: the standard train");
+  command->add_option("-o,--output", options->output, "the page")->capture_default_str();
+  command->callback([options, &exit_code] { exit_code = cab::cab(*options); });
 }
 
 void add_curves(CLI::App& app, int& exit_code) {
@@ -392,6 +402,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_track(app, exit_code);
   add_explain(app, exit_code);
   add_dmi(app, exit_code);
+  add_cab(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -33,6 +33,7 @@ struct ReadError {
   Diagnostic diagnostic;
 };
 
+#if defined(__cpp_exceptions)  // WebAssembly has the writers of this room only
 /// Runs a reader; an exception becomes the error of the Result.
 template <class F>
 auto guarded(F&& read) -> Result<decltype(read())> {
@@ -42,5 +43,6 @@ auto guarded(F&& read) -> Result<decltype(read())> {
     return tl::unexpected(std::move(e.diagnostic));
   }
 }
+#endif
 
 }  // namespace evc::io

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "io/date_time.h"
-#include "io/latin1.h"
 #include "io/rbc_contact.h"
 #include "texts/texts.h"
 
@@ -484,27 +483,6 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
 }
 
 }  // namespace
-
-kernel::Config Configuration::for_kernel() const {
-  kernel::Config config;
-  config.srs = srs;
-  config.train = train.data;
-  config.national_values = national_values;
-  config.L_engine = L_engine;
-  config.levels = levels;
-  config.identity = identity;
-  config.contact = contact;
-  config.networks = networks;
-  config.dial = dial;
-  for (const auto& [nid_ntc, name] : ntc_names) {
-    port::NtcName short_name{.nid_ntc = nid_ntc};
-    latin1_of(name).copy(short_name.characters.data(), short_name.characters.size());
-    if (!config.ntc_names.push_back(short_name)) break;  // read_ntc_names takes no more
-  }
-  config.terminals = terminals.value_or(config.terminals);
-  config.local_time_offset_min = local_time_offset_min;
-  return config;
-}
 
 Result<Configuration> read_configuration(std::string_view text, const std::string& file) {
   return guarded([&] {

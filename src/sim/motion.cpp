@@ -93,7 +93,7 @@ void Motion::move(const Handle& handle, double step_s) {
   traction_level_ =
       cut ? 0.0 : towards(traction_level_, std::clamp(handle.traction, 0.0, 1.0), step_s / kTractionBuildUp_s);
   const double traction = traction_level_ * full_traction();
-  const double free = coasting() + traction;
+  const double free = coasting() + traction * handle.sense;
   const double before = v_;
   if (v_ == 0.0) {
     // The brake can hold a train at standstill but never moves it.

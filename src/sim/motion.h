@@ -25,6 +25,7 @@ struct Handle {
   double traction = 0.0;  // 0..1 of the tractive effort
   double brake = 0.0;     // 0..1 of the service brake
   bool cut_off = false, service = false, emergency = false;
+  double sense = 1.0;  // of the traction: 1 forwards, -1 backwards
 };
 
 /// A train on a track: its mass, resistance, traction, brakes with build-up, and gradient along its

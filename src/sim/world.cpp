@@ -45,7 +45,12 @@ CycleInputs& World::advance_further() {
     move_one_cycle();
   inputs_.levels.odometry = odometer_.read(motion_.speed());
   radio_.deliver(inputs_.t_ms, motion_.front(), inputs_);
-  driver_.act(seen_, inputs_.t_ms, inputs_);
+  if (settings_.by_hand) {
+    inputs_.levels.train.desk_open = desk_.open;
+    inputs_.levels.train.direction_controller = desk_.direction;
+  } else {
+    driver_.act(seen_, inputs_.t_ms, inputs_);
+  }
   return inputs_;
 }
 
@@ -53,10 +58,10 @@ void World::move_one_cycle() {
   inputs_.t_ms += settings_.cycle_ms;
   const double cycle_s = static_cast<double>(settings_.cycle_ms) / 1000.0;
   const double step_s = cycle_s / kStepsPerCycle;
-  Handle handle = driver_.handle(seen_, motion_, cycle_s);
+  Handle handle = settings_.by_hand ? handle_of(desk_) : driver_.handle(seen_, motion_, cycle_s);
   handle.cut_off = seen_.tco;
   handle.service = seen_.sb;
-  handle.emergency = seen_.eb;
+  handle.emergency = handle.emergency || seen_.eb;
   inputs_.levels.train.service_brake_feedback = train_.service_brake_feedback && seen_.sb;
   for (int i = 0; i < kStepsPerCycle; ++i) {
     const double before = motion_.front();
@@ -110,7 +115,8 @@ void World::observe(const port::Outputs& outputs) {
 std::optional<World::Ending> World::ending() const {
   if (motion_.front() >= end_m_) return Ending::end_of_line;
   if (inputs_.t_ms >= kLongest_ms) return Ending::too_long;
-  if (inputs_.t_ms - moved_at_ms_ > kStandsForGood_ms && radio_.waiting() == 0) return Ending::stands_for_good;
+  if (!settings_.by_hand && inputs_.t_ms - moved_at_ms_ > kStandsForGood_ms && radio_.waiting() == 0)
+    return Ending::stands_for_good;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/cycle_inputs.h"
+#include "sim/desk.h"
 #include "sim/driver.h"
 #include "sim/line.h"
 #include "sim/motion.h"
@@ -32,6 +33,7 @@ class World {
     std::int64_t cycle_ms = 100;
     double adhesion_mps2 = 1.5;  // maximum deceleration that adhesion allows
     Odometer::Errors odometer;
+    bool by_hand = false;  // driven at the desk from outside, not by the simulated driver
   };
   /// `line` and `train` must outlive the world: temporaries are refused.
   World(const Line& line, const train::TrainData& train, const Dynamics& dynamics, const Settings& settings);
@@ -45,8 +47,11 @@ class World {
   /// The same for an on-board that did not take the inputs of the last cycle: what belonged to it comes with this one.
   CycleInputs& advance_further();
   void observe(const port::Outputs& outputs);
+  /// Where the controls of the desk are from the next cycle on; it counts in a world that is driven by hand. What is
+  /// entered and acknowledged goes into the inputs that `advance` returns.
+  void set_desk(const Desk& desk) { desk_ = desk; }
   /// The rear end has passed the last group, the front end has passed the end of the line, or the
-  /// train has stopped and will not move again.
+  /// train has stopped and will not move again, which nobody knows of one that is driven by hand.
   bool finished() const { return ending().has_value(); }
   /// How the run has ended, absent while it goes on.
   enum class Ending : std::uint8_t { end_of_line, stands_for_good, too_long };
@@ -83,6 +88,7 @@ class World {
   Odometer odometer_;
   TracksideRadio radio_;
   Driver driver_;
+  Desk desk_;
   CycleInputs inputs_;
   port::Outputs seen_;
   bool first_ = true;

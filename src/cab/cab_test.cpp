@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/test_paths.h"
+#include "cab/command.h"
+#include "io/file.h"
+#include "ride/given.h"
+#include "run/load.h"
+
+namespace evc::cab {
+namespace {
+
+/// Data of its own for the command, which `io::data_file` finds through the environment.
+class Cab : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) / "evc_cab";
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "cab");
+    const char* before = std::getenv("OPENEVC_DATA");
+    if (before != nullptr) before_ = before;
+    std::filesystem::create_directories(folder_ / "lines");
+    std::filesystem::copy_file(std::filesystem::path(source_data()) / "lines/brunnental.json",
+                               folder_ / "lines/brunnental.json");
+    setenv("OPENEVC_DATA", folder_.c_str(), 1);
+  }
+  void TearDown() override {
+    if (before_.empty())
+      unsetenv("OPENEVC_DATA");
+    else
+      setenv("OPENEVC_DATA", before_.c_str(), 1);
+    std::filesystem::remove_all(folder_);
+  }
+  static std::string source_data() { return test::source_folder() + "/data"; }
+  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  /// What the command said on standard error, after its exit status.
+  static std::string said(const Options& options) {
+    ::testing::internal::CaptureStderr();
+    const int status = cab(options);
+    return std::to_string(status) + " " + ::testing::internal::GetCapturedStderr();
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string before_;
+};
+
+TEST_F(Cab, ThePageGetsTheLineAndTheTrain) {
+  write("cab/page.html", "<a>@given@</a>");
+  const Options options{"", "", in_folder("cab.html")};
+  EXPECT_EQ(said(options), "0 ");
+  const std::string page = io::read_text(options.output).value();
+  ride::Given given;
+  given.line = run::load_line("").value();
+  const io::Train standard;
+  given.train_name = standard.name;
+  given.train_document = standard.document;
+  EXPECT_EQ(page, "<a>" + base64(ride::bytes_of(given)) + "</a>");
+}
+
+TEST_F(Cab, WithoutTheCompiledPageItSaysHowToGetIt) {
+  const std::string text = said({"", "", in_folder("cab.html")});
+  EXPECT_EQ(text.rfind("2 ", 0), 0u) << text;
+  EXPECT_NE(text.find("page.html: found no file, expected the compiled page: `make cab` makes it"), std::string::npos)
+      << text;
+  EXPECT_FALSE(std::filesystem::exists(in_folder("cab.html")));
+}
+
+TEST_F(Cab, WrongFilesAreErrors) {
+  write("cab/page.html", "no place for it");
+  EXPECT_NE(said({"", "", in_folder("cab.html")}).find("found no @given@"), std::string::npos);
+  EXPECT_EQ(said({in_folder("none.json"), "", in_folder("cab.html")}).rfind("2 ", 0), 0u);
+  write("line.json", "{}");
+  EXPECT_EQ(said({in_folder("line.json"), "", in_folder("cab.html")}).rfind("2 ", 0), 0u);
+  EXPECT_EQ(said({in_folder("line.json"), "", in_folder("line.json")}).rfind("2 ", 0), 0u);
+}
+
+TEST(Base64, AgreesWithTheVectorsOfItsStandard) {
+  // RFC 4648 10.
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFF\xFE\xFD"), "//79");
+}
+
+}  // namespace
+}  // namespace evc::cab

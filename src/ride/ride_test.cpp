@@ -1,0 +1,157 @@
+#include "ride/ride.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "base/test_paths.h"
+#include "io/file.h"
+#include "io/input_stream.h"
+#include "io/line_file.h"
+#include "kernel/state.h"
+
+namespace evc::ride {
+namespace {
+
+Given shipped(const std::string& train_file = "") {
+  const std::string data = test::source_folder() + "/data/";
+  Given given;
+  given.line = io::read_line(io::read_text(data + "lines/brunnental.json").value(), "line").value();
+  io::Train train;
+  if (!train_file.empty()) train = io::read_train(io::read_text(train_file).value(), train_file).value();
+  given.train_name = train.name;
+  given.train = train.data;
+  given.dynamics = train.dynamics;
+  given.train_document = train.document;
+  return given;
+}
+
+/// Drives to the end, `cycles` at a time: all outputs, and the journal.
+struct Driven {
+  std::string outputs, inputs;
+};
+Driven drive(Ride& ride, int cycles, int most = 100000) {
+  Driven driven;
+  for (int n = 0; n < most && !(n > 0 && ride.finished());) {
+    n += ride.advance(cycles);
+    driven.outputs += ride.outputs();
+    driven.inputs += ride.inputs();
+  }
+  return driven;
+}
+
+std::string replayed(const std::string& inputs) {
+  auto stream = io::InputStream::open("inputs", io::lines_of(inputs));
+  if (!stream) return stream.error().text();
+  const auto state = std::make_unique<kernel::State>();
+  const auto derived = std::make_unique<kernel::Derived>();
+  const auto answer = std::make_unique<kernel::Outputs>();
+  kernel::power_up(*state, *derived, stream->configuration().for_kernel());
+  sim::CycleInputs cycle;
+  std::string outputs;
+  for (auto more = stream->next(cycle); more && *more; more = stream->next(cycle)) {
+    kernel::step(*state, *derived, cycle.view(), *answer);
+    io::append_output(outputs, cycle.t_ms, *answer);
+  }
+  return outputs;
+}
+
+TEST(Ride, TheSizeOfAStepDoesNotMatterAndTheJournalReplaysToTheSameBytes) {
+  Ride::Settings settings;
+  settings.driver = sim::DriverKind::perfect;
+  Ride a(shipped(), settings);
+  Ride b(shipped(), settings);
+  const Driven one = drive(a, 7);
+  const Driven other = drive(b, 1000);
+  EXPECT_TRUE(a.finished());
+  EXPECT_EQ(one.outputs, other.outputs);
+  EXPECT_EQ(one.inputs, other.inputs);
+  EXPECT_EQ(a.summary(), b.summary());
+  EXPECT_EQ(replayed(one.inputs), one.outputs);
+  Sha256 hash;
+  hash.add(one.outputs);
+  EXPECT_NE(a.summary().find(hash.digest()), std::string::npos) << a.summary();
+}
+
+TEST(Ride, DrivenByHandTheTrainObeysTheDeskAndTheJournalReplays) {
+  Ride ride(shipped(), {});
+  sim::Desk desk;
+  desk.open = true;
+  desk.direction = port::DirectionController::forward;
+  desk.lever = 1.0;
+  std::string outputs, inputs;
+  const auto run = [&](int cycles) {
+    ride.set_desk(desk);
+    EXPECT_EQ(ride.advance(cycles), cycles);
+    outputs += ride.outputs();
+    inputs += ride.inputs();
+    return ride.points().back();
+  };
+  // Without a mission the standstill supervision holds the train after a few metres (3.14.4).
+  const Point held = run(300);
+  EXPECT_GT(held.x_m, -40.0);
+  EXPECT_LT(held.x_m, 0.0);
+  EXPECT_NE(static_cast<int>(held.brakes) & 2, 0);
+  desk.lever = -1.0;
+  EXPECT_EQ(run(100).v, 0.0);
+  // It never ends by itself (a driver may wait).
+  (void)run(1200);
+  EXPECT_FALSE(ride.finished());
+  EXPECT_EQ(replayed(inputs), outputs);
+}
+
+TEST(Given, IsTheSameAfterItsBytes) {
+  const std::string folder = test::source_folder() + "/data/trains";
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const Given given = shipped(entry.path().string());
+    const std::string bytes = bytes_of(given);
+    const auto read = given_of(bytes);
+    ASSERT_TRUE(read) << entry.path();
+    EXPECT_EQ(read->train, given.train) << entry.path();
+    EXPECT_EQ(bytes_of(*read), bytes) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+TEST(Given, BytesOfAnotherKindAreRefused) {
+  const std::string bytes = bytes_of(shipped());
+  EXPECT_FALSE(given_of(""));
+  EXPECT_FALSE(given_of(std::string(100, '\0')));
+  EXPECT_FALSE(given_of(bytes + '\0'));
+  // Every end, coarse steps: nothing is read beyond it.
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 16) EXPECT_FALSE(given_of(bytes.substr(0, size)));
+  // Sizes that are too large are not believed.
+  for (std::size_t at = 8; at < 400; ++at) {
+    std::string wrong = bytes;
+    wrong[at] = '\xFF';
+    (void)given_of(wrong);
+  }
+}
+
+TEST(Sha256, AgreesWithTheVectorsOfTheStandard) {
+  // FIPS 180-4, examples of NIST.
+  const auto of = [](std::string_view text) {
+    Sha256 hash;
+    hash.add(text);
+    return hash.digest();
+  };
+  EXPECT_EQ(of(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(of(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  // In pieces of every length.
+  Sha256 pieces;
+  std::string whole;
+  for (std::size_t n = 0; n < 200; ++n) {
+    pieces.add(std::string(n, static_cast<char>(n)));
+    whole += std::string(n, static_cast<char>(n));
+  }
+  EXPECT_EQ(pieces.digest(), of(whole));
+}
+
+}  // namespace
+}  // namespace evc::ride
