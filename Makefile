@@ -1,13 +1,15 @@
 # The main targets. Each one does its whole set-up: packages, configuration, build.
 #   make run      drives the shipped line with the on-board unit; report in out/run/
 #   make test     all tests
+#   make cab      a driver's cab as one page for the browser: out/cab/cab.html
+#   make test-cab the tests of that page: node, and headless Chromium
 #   make bench    benchmarks and instruction counts
 #   make reactions  reaction times in simulated and in real time, with their margins to SUBSET-041
 #   make real-time  a run by the clock beside a busy core: SECONDS_EACH=600 at CYCLES="100 10" ms; no cycle of 100 ms missed
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
 # Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-exploration, make campaign-mutants
-# LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`.
+# LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`, LINE=file.json CAB_ARGS="--train file.json" to `evc cab`.
 
 SHELL := /bin/bash
 JOBS ?= $(shell nproc)
@@ -15,7 +17,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
+.PHONY: help run cab test-cab test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -28,6 +30,18 @@ run: evc
 	@mkdir -p out/run
 	build/release/evc run $(LINE) $(RUN_ARGS) -o out/run
 	@echo "report: $(CURDIR)/out/run/report.html"
+
+cab: evc
+	@tools/setup cab
+	@tools/build_cab
+	@mkdir -p out/cab
+	build/release/evc cab $(LINE) $(CAB_ARGS) -o out/cab/cab.html
+	@echo "page: $(CURDIR)/out/cab/cab.html"
+
+test-cab: evc
+	@tools/setup cab report
+	@tools/build_cab test
+	node --test build/web/test
 
 test:
 	@tools/setup build test

@@ -46,7 +46,9 @@ MAY_INCLUDE = {
     "paint": {"base", "terms", "port", "dmi"},
     # The screen of a replay: the unit with its display.
     "screen": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "dmi", "paint"},
-    "cab": {"run", "io", "ride"},
+    # A journey driven from outside: the page of `evc cab`.
+    "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "dmi", "paint"},
+    "cab": {"base", "run", "io", "ride"},
     "app": {"cab", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},

@@ -1,5 +1,7 @@
 #include "io/input_writer.h"
 
+#include <cmath>
+
 #include "io/date_time.h"
 #include "io/number.h"
 #include "io/rbc_contact.h"
@@ -147,6 +149,28 @@ void append_digits_member(std::string& out, const char* key, std::uint32_t packe
   out += '"';
 }
 
+/// The train's document with what a driver may have entered otherwise (015560 11.3.9.6).
+std::string entered_document(const std::string& train_document, const train::TrainData& data) {
+  Json document = Json::parse(train_document, nullptr, false);
+  if (!document.is_object()) document = Json::object();
+  document["length_m"] = data.L_TRAIN.si;
+  // A speed that was entered is a whole number of km/h.
+  document["max_speed_kmh"] = std::nearbyint(data.V_MAXTRAIN.si * 3.6e6) / 1e6;
+  if (data.brake_model == train::BrakeModel::lambda) document["brake_percentage"] = data.brake_percentage;
+  constexpr const char* kPositions[] = {"PassengerP", "FreightP", "FreightG"};
+  document["brake_position"] = kPositions[static_cast<std::size_t>(data.brake_position)];
+  Json& category = document["category"];
+  if (!category.is_object()) category = Json::object();
+  category["cant_deficiency_mm"] = data.cant_deficiency_mm;
+  category["other"] = Json::array();
+  for (std::size_t n = 0; n < kOtherCategoryNames.size(); ++n)
+    if (((data.other_categories >> n) & 1u) != 0) category["other"].push_back(kOtherCategoryNames[n]);
+  category["axle_load"] = kAxleLoadNames[static_cast<std::size_t>(data.axle_load)];
+  category["loading_gauge"] = kLoadingGaugeNames[static_cast<std::size_t>(data.loading_gauge)];
+  category["airtight"] = data.airtight;
+  return document.dump();
+}
+
 void append_enter(std::string& out, const CycleInputs& cycle, const std::string& train_document) {
   const auto& d = cycle.levels.driver;
   std::string fields;
@@ -275,7 +299,9 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
            named(cycle.levels.radio_link_with, cycle.levels.radio_link_of_infill_unit) + "}}\n";
   for (const auto& message : cycle.radio)
     append_received(out, cycle.t_ms, radio_key(message.infill_unit), message, named(message.from, message.infill_unit));
-  append_driver(out, cycle, train_document_);
+  // Of data that were not changed the document stays as it was given.
+  const bool changed = cycle.train_data && !(*cycle.train_data == train_);
+  append_driver(out, cycle, changed ? entered_document(train_document_, *cycle.train_data) : train_document_);
   append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
   if (!cycle.levels.utc) return;
   out += opened(cycle.t_ms) + ",\"clock\":{\"utc\":\"";

@@ -10,7 +10,8 @@ namespace evc::io {
 /// a world has no source of train data but its driver.
 class InputWriter {
  public:
-  explicit InputWriter(const Configuration& configuration) : train_document_(configuration.train.document) {
+  explicit InputWriter(const Configuration& configuration)
+      : train_(configuration.train.data), train_document_(configuration.train.document) {
     config_line_ = "{\"t_ms\":0,\"config\":" + configuration.document + "}\n";
   }
   /// Appends the lines of one cycle; the first call also the line with `config`.
@@ -18,6 +19,7 @@ class InputWriter {
 
  private:
   std::string config_line_;
+  train::TrainData train_;
   std::string train_document_;
   kernel::TrainSignals signals_;
   kernel::NationalSystem national_;

@@ -463,6 +463,34 @@ TEST(InputStream, AnEngineWithOneCabHasNoCabB) {
             std::string::npos);
 }
 
+/// Train data that the driver entered otherwise than they were given are written with the whole train, and read back.
+TEST(InputWriter, ChangedTrainDataAreWritten) {
+  Configuration configuration;
+  configuration.train =
+      read_train(R"({"schema":"etcs-train/1","length_m":123,"category":{"axles":8}})", "train").value();
+  configuration.document = configuration_document(configuration);
+  InputWriter writer(configuration);
+  sim::CycleInputs cycle;
+  train::TrainData entered = configuration.train.data;
+  entered.L_TRAIN = 321.0_m;
+  entered.V_MAXTRAIN = Speed{115.0 / 3.6};
+  entered.brake_percentage = 98;
+  entered.brake_position = train::BrakePosition::FreightG;
+  entered.other_categories = train::kFreightG | train::kPassenger;
+  entered.cant_deficiency_mm = 80;
+  entered.axle_load = train::AxleLoad::D4XL;
+  entered.loading_gauge = train::LoadingGauge::GC;
+  entered.airtight = true;
+  cycle.train_data = entered;
+  std::string text;
+  writer.append(text, cycle);
+  auto stream = open(text);
+  sim::CycleInputs read;
+  ASSERT_TRUE(stream.next(read).value()) << text;
+  ASSERT_TRUE(read.train_data) << text;
+  EXPECT_EQ(*read.train_data, entered) << text;
+}
+
 /// Everything that a cycle of a simulated world can contain is written and read back unchanged.
 TEST(InputWriter, RoundTrip) {
   Configuration configuration;

@@ -19,7 +19,7 @@ struct Page {
   std::string_view last;  ///< the part asked for last
 };
 
-enum class Part : int { outputs, inputs, points, events, summary, scene };
+enum class Part : int { outputs, inputs, points, events, summary, scene, drawing };
 
 std::string_view part_of(Page& page, Part part) {
   const evc::ride::Ride& ride = page.ride;
@@ -38,6 +38,9 @@ std::string_view part_of(Page& page, Part part) {
       return page.text;
     case Part::scene:
       page.text = ride.scene();
+      return page.text;
+    case Part::drawing:
+      page.text = page.ride.panel().drawing();
       return page.text;
   }
   return {};
@@ -65,6 +68,11 @@ EVC_EXPORT(finished)(const Page* page)->bool { return page->ride.finished(); }
 EVC_EXPORT(desk)(Page* page, double lever, int direction, bool open, bool emergency)->void {
   page->ride.set_desk({lever, static_cast<evc::port::DirectionController>(direction), open, emergency});
 }
+
+/// A finger on the display: cells of the screen.
+EVC_EXPORT(touch)(Page* page, int x, int y)->bool { return page->ride.panel().touch({x, y}); }
+EVC_EXPORT(slide)(Page* page, int x, int y)->void { page->ride.panel().slide({x, y}); }
+EVC_EXPORT(lift)(Page* page)->void { page->ride.panel().lift(); }
 
 /// Where a part is in the memory; `part_size` gives the bytes of the one asked for last.
 EVC_EXPORT(part)(Page* page, int part)->const char* {

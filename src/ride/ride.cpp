@@ -77,7 +77,7 @@ struct Ride::World {
   kernel::Outputs outputs;
 };
 
-Ride::Ride(Given given, const Settings& settings) : given_(std::move(given)) {
+Ride::Ride(Given given, const Settings& settings) : given_(std::move(given)), by_hand_(!settings.driver) {
   world_ = std::make_unique<World>(given_, configuration_of(given_, settings.cycle_ms), settings);
 }
 
@@ -100,14 +100,25 @@ int Ride::advance(int cycles) {
 void Ride::cycle() {
   World& w = *world_;
   sim::CycleInputs& inputs = w.outside.advance();
+  const dmi::Commands commands = panel_->take();
+  if (by_hand_) obey(commands, inputs);
   w.writer.append(inputs_, inputs);
   kernel::step(w.state, w.derived, inputs.view(), w.outputs);
   w.outside.observe(w.outputs);
+  kernel::show(w.state, w.derived, w.outputs, panel_->record_at(inputs.levels.now));
+  panel_->shown();
   const std::size_t before = outputs_.size();
   io::append_output(outputs_, inputs.t_ms, w.outputs);
   hash_.add(std::string_view(outputs_).substr(before));
   ++cycles_;
   note();
+}
+
+/// What the driver did at the display.
+void Ride::obey(const dmi::Commands& commands, sim::CycleInputs& inputs) const {
+  inputs.levels.driver = commands.actions;
+  inputs.levels.windows = commands.windows;
+  if (commands.train_data) inputs.train_data = dmi::with_entered(given_.train, *commands.train_data);
 }
 
 /// The point and the events of the cycle.

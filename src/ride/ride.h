@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "ride/given.h"
+#include "ride/panel.h"
 #include "ride/sha256.h"
+#include "sim/cycle_inputs.h"
 #include "sim/desk.h"
 #include "sim/driver_kind.h"
 
@@ -46,6 +48,9 @@ class Ride {
   bool finished() const;
 
   void set_desk(const sim::Desk& desk);
+  /// The display. What is touched there is done in the next cycle; with a simulated driver it changes the display
+  /// alone.
+  Panel& panel() { return *panel_; }
 
   /// The cycles of the last call: the lines of `evc replay`, those of inputs.jsonl, the points, and the events, each a
   /// line `{"t_s":..,"x_m":..,"text":".."}`.
@@ -63,10 +68,13 @@ class Ride {
  private:
   struct World;
   void cycle();
+  void obey(const dmi::Commands& commands, sim::CycleInputs& inputs) const;
   void note();
 
   Given given_;
+  bool by_hand_;
   std::unique_ptr<World> world_;
+  std::unique_ptr<Panel> panel_ = std::make_unique<Panel>();
   std::string outputs_, inputs_, events_;
   std::vector<Point> points_;
   std::vector<const char*> modes_;

@@ -101,6 +101,53 @@ TEST(Ride, DrivenByHandTheTrainObeysTheDeskAndTheJournalReplays) {
   EXPECT_EQ(replayed(inputs), outputs);
 }
 
+/// Touches the place with this name for as long as its type needs; false: it is not there or disabled.
+bool tap(Ride& ride, const std::string& name, std::string& outputs, std::string& inputs) {
+  for (const dmi::Touch& touch : ride.panel().screen().touch) {
+    if (touch.name.view() != name) continue;
+    if (!ride.panel().touch({touch.abs.x + touch.abs.w / 2, touch.abs.y + touch.abs.h / 2})) return false;
+    const auto run = [&](int cycles) {
+      (void)ride.advance(cycles);
+      outputs += ride.outputs();
+      inputs += ride.inputs();
+    };
+    run(touch.type == dmi::ButtonType::delay ? 21 : 1);
+    ride.panel().lift();
+    run(5);
+    return true;
+  }
+  return false;
+}
+
+/// Those of the places that react now, for a message.
+std::string places(Ride& ride) {
+  std::string names = std::string(ride.panel().screen().window.view()) + ":";
+  for (const dmi::Touch& touch : ride.panel().screen().touch)
+    names += " [" + std::string(touch.name.view()) + (touch.enabled ? "]" : " -]");
+  return names;
+}
+
+TEST(Ride, WhatIsEnteredAtTheDisplayIsInTheJournal) {
+  Ride ride(shipped(), {});
+  sim::Desk desk;
+  desk.open = true;
+  desk.direction = port::DirectionController::forward;
+  ride.set_desk(desk);
+  std::string outputs, inputs;
+  (void)ride.advance(20);
+  outputs += ride.outputs();
+  inputs += ride.inputs();
+  // The start of mission asks for the driver ID first (5.4.3.2 S1).
+  EXPECT_EQ(ride.panel().screen().window.view(), "Driver ID") << places(ride);
+  for (const char* name : {"key 4", "key 7", "field 1"}) EXPECT_TRUE(tap(ride, name, outputs, inputs)) << places(ride);
+  EXPECT_NE(inputs.find("\"driver_id\":\"47\""), std::string::npos) << places(ride);
+  EXPECT_NE(outputs.find("\"driver_id\":{\"value\":\"47\""), std::string::npos);
+  EXPECT_EQ(replayed(inputs), outputs);
+  const std::string drawing = ride.panel().drawing();
+  EXPECT_EQ(drawing.rfind("[[\"#031122\",0,\"M0 0L640 0", 0), 0u) << drawing.substr(0, 100);
+  EXPECT_NE(drawing.find("],[\"#"), std::string::npos);
+}
+
 TEST(Given, IsTheSameAfterItsBytes) {
   const std::string folder = test::source_folder() + "/data/trains";
   int files = 0;

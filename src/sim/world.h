@@ -51,7 +51,7 @@ class World {
   /// entered and acknowledged goes into the inputs that `advance` returns.
   void set_desk(const Desk& desk) { desk_ = desk; }
   /// The rear end has passed the last group, the front end has passed the end of the line, or the
-  /// train has stopped and will not move again, which nobody knows of one that is driven by hand.
+  /// train has stopped and will not move again, which is not said of one that is driven by hand.
   bool finished() const { return ending().has_value(); }
   /// How the run has ended, absent while it goes on.
   enum class Ending : std::uint8_t { end_of_line, stands_for_good, too_long };

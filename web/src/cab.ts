@@ -1,0 +1,249 @@
+// The cab: joins the journey, the display, the desk, the strip and the clock.
+
+import { DESK_KEYS, DeskView } from "./desk.js";
+import { CYCLE_S, Journey, lastValue } from "./journey.js";
+import { DRIVERS, type Desk, type Direction, type Driver, type Ride, type Summary } from "./module.js";
+import { Painter } from "./painter.js";
+import { Strip } from "./strip.js";
+import { brakeText, timeText, Why } from "./why.js";
+
+export const SPEEDS = [1, 2, 5, 10, 20] as const;
+/// Cycles of a step of `speed=max` between two pictures.
+const CYCLES_AT_MAX = 3000;
+const BACK_S = 30;
+
+const KEYS = [
+  ...DESK_KEYS,
+  { keys: "P", does: "pause, go on" },
+  { keys: "1 to 5", does: "1, 2, 5, 10, 20 times as fast" },
+  { keys: "← / backspace", does: `${BACK_S} s back` },
+  { keys: "J", does: "save the journal, inputs.jsonl" },
+  { keys: "?", does: "this sheet" },
+];
+
+/// What the address asks for: `?auto=perfect&speed=max`.
+export interface Wanted {
+  driver?: Driver;
+  /// Times real time; Infinity for max.
+  speed: number;
+}
+export function wantedOf(query: string): Wanted {
+  const asked = new URLSearchParams(query);
+  const speed = asked.get("speed");
+  const wanted: Wanted = { speed: speed === "max" ? Infinity : Math.min(20, Math.max(1, Number(speed) || 1)) };
+  const driver = DRIVERS.find((name) => name === asked.get("auto"));
+  if (driver !== undefined) wanted.driver = driver;
+  return wanted;
+}
+
+/// For tests and for those who look into it: `window.evc`.
+export interface Evc {
+  state(): unknown;
+  screen(): unknown;
+  press(x: number, y: number): boolean;
+  desk(part: { lever?: number; direction?: Direction; key?: boolean; emergency?: boolean }): void;
+  advance(seconds: number): void;
+  inputs(): string;
+}
+
+function element<T extends Element>(selector: string): T {
+  const found = document.querySelector<T>(selector);
+  if (found === null) throw new Error(`the page has no ${selector}`);
+  return found;
+}
+
+export class Cab implements Evc {
+  private readonly journey: Journey;
+  private readonly painter = new Painter(element("#dmi"));
+  private readonly strip: Strip;
+  private readonly desk_: DeskView;
+  private readonly why = new Why(element("#events"), element("#brakes"), element("#cause"));
+  private paused: boolean;
+  private speed: number;
+  private before: number | undefined;
+  private owed = 0;
+
+  constructor(
+    private readonly ride: Ride,
+    private readonly wanted: Wanted,
+  ) {
+    const scene = ride.scene();
+    document.title = `${scene.line}: cab`;
+    element("#title").textContent = `${scene.line} · ${scene.train}${wanted.driver ? ` · driver: ${wanted.driver}` : ""}`;
+    this.journey = new Journey(ride);
+    this.speed = wanted.speed;
+    this.paused = false;
+    this.strip = new Strip(element("#strip"), scene);
+    this.desk_ = new DeskView(element("#desk"), this.journey.desk, (desk) => this.journey.setDesk(desk));
+    element<HTMLElement>("#desk").toggleAttribute("inert", wanted.driver !== undefined);
+    this.connect();
+    // The first cycle shows what the unit says at power-up.
+    this.journey.advance(1);
+    this.show();
+  }
+
+  /// Begins to let time pass.
+  go(): void {
+    if (this.speed === Infinity) this.goToTheEnd();
+    else requestAnimationFrame((now) => this.frame(now));
+  }
+
+  // window.evc
+  state(): unknown {
+    return this.journey.output === "" ? null : (JSON.parse(this.journey.output) as unknown);
+  }
+  screen(): unknown {
+    return this.ride.screen();
+  }
+  press(x: number, y: number): boolean {
+    const hit = this.journey.touch(x, y);
+    this.journey.advance(1);
+    this.journey.lift();
+    this.journey.advance(1);
+    this.show();
+    return hit;
+  }
+  desk(part: Partial<Desk>): void {
+    this.journey.setDesk({ ...this.journey.desk, ...part });
+    this.show();
+  }
+  advance(seconds: number): void {
+    this.journey.advance(Math.round(seconds / CYCLE_S));
+    this.show();
+  }
+  inputs(): string {
+    return this.journey.inputs;
+  }
+
+  private frame(now: number): void {
+    const passed = this.before === undefined ? 0 : Math.min(0.25, (now - this.before) / 1000);
+    this.before = now;
+    if (!this.paused) {
+      this.owed += passed * this.speed;
+      const cycles = Math.floor(this.owed / CYCLE_S);
+      if (cycles > 0) {
+        this.owed -= cycles * CYCLE_S;
+        if (this.journey.advance(cycles) < cycles) this.end();
+        this.show();
+      }
+    }
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  private goToTheEnd(): void {
+    const done = this.journey.advance(CYCLES_AT_MAX);
+    this.show();
+    if (done < CYCLES_AT_MAX) this.end();
+    else setTimeout(() => this.goToTheEnd(), 0);
+  }
+
+  private end(): void {
+    this.paused = true;
+    const summary: Summary = this.ride.summary();
+    document.body.dataset["evcDone"] = JSON.stringify(summary);
+    element("#done").textContent = `end of the journey: ${summary.cycles} cycles, outputs ${summary.output_hash.slice(0, 12)}…`;
+  }
+
+  private goBack(seconds: number): void {
+    this.journey.goBack(Math.max(0, Math.round(seconds / CYCLE_S)));
+    delete document.body.dataset["evcDone"];
+    element("#done").textContent = "";
+    this.desk_.show(this.journey.desk);
+    this.show();
+  }
+
+  private show(): void {
+    this.painter.paint(this.ride.drawing());
+    this.strip.draw(this.journey);
+    this.why.show(this.journey);
+    this.desk_.show(this.journey.desk);
+    const brakes = lastValue(this.journey.points, "brakes") ?? 0;
+    const lamp = element<HTMLElement>("#lamp");
+    lamp.textContent = brakes === 0 ? "no brake command" : brakeText(brakes);
+    lamp.dataset["on"] = `${brakes !== 0}`;
+    element("#clock").textContent = timeText(this.journey.seconds);
+    element<HTMLElement>("#clock").style.color = this.journey.colour;
+    element("#pause").textContent = this.paused ? "▶" : "❚❚";
+    for (const button of document.querySelectorAll<HTMLButtonElement>("[data-speed]"))
+      button.setAttribute("aria-pressed", `${Number(button.dataset["speed"]) === this.speed}`);
+    const slider = element<HTMLInputElement>("#moment");
+    if (document.activeElement !== slider) {
+      slider.max = `${this.journey.cycles}`;
+      slider.value = slider.max;
+    }
+  }
+
+  private connect(): void {
+    const dmi = element<HTMLCanvasElement>("#dmi");
+    dmi.addEventListener("pointerdown", (event) => {
+      dmi.setPointerCapture(event.pointerId);
+      const cell = this.painter.cellOf(event);
+      this.journey.touch(cell.x, cell.y);
+    });
+    dmi.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) return;
+      const cell = this.painter.cellOf(event);
+      this.journey.slide(cell.x, cell.y);
+    });
+    for (const kind of ["pointerup", "pointercancel"]) dmi.addEventListener(kind, () => this.journey.lift());
+    element("#pause").addEventListener("click", () => this.pause());
+    element("#back").addEventListener("click", () => this.goBack(this.journey.seconds - BACK_S));
+    for (const button of document.querySelectorAll<HTMLButtonElement>("[data-speed]"))
+      button.addEventListener("click", () => (this.speed = Number(button.dataset["speed"])));
+    const slider = element<HTMLInputElement>("#moment");
+    slider.addEventListener("change", () => {
+      this.goBack(Number(slider.value) * CYCLE_S);
+      slider.blur();
+    });
+    element("#save").addEventListener("click", () => this.save());
+    element("#help").addEventListener("click", () => this.help());
+    element("#keys").replaceChildren(
+      ...KEYS.flatMap(({ keys, does }) => {
+        const term = document.createElement("dt");
+        term.textContent = keys;
+        const meaning = document.createElement("dd");
+        meaning.textContent = does;
+        return [term, meaning];
+      }),
+    );
+    document.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("resize", () => this.show());
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (this.wanted.driver === undefined && this.desk_.press(key)) {
+      event.preventDefault();
+      return;
+    }
+    const number = Number(key);
+    if (key === "p") this.pause();
+    else if (key === "j") this.save();
+    else if (key === "?") this.help();
+    else if (key === "ArrowLeft" || key === "Backspace") this.goBack(this.journey.seconds - BACK_S);
+    else if (number >= 1 && number <= SPEEDS.length) this.speed = SPEEDS[number - 1] ?? 1;
+    else return;
+    event.preventDefault();
+    this.show();
+  }
+
+  private pause(): void {
+    this.paused = !this.paused;
+    this.show();
+  }
+
+  private help(): void {
+    const sheet = element<HTMLDialogElement>("#sheet");
+    if (sheet.open) sheet.close();
+    else sheet.showModal();
+  }
+
+  private save(): void {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([this.journey.inputs], { type: "application/x-ndjson" }));
+    link.download = "inputs.jsonl";
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+}

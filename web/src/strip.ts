@@ -1,0 +1,246 @@
+// The strip of the line: speed over position, the gradient, balise groups, the train, and what the on-board supervises.
+
+import type { Journey } from "./journey.js";
+import { AT, POINT_SIZE, type PointField, type Scene } from "./module.js";
+import { fitToPixels } from "./painter.js";
+
+const COLOURS = {
+  ground: "#141a22", grid: "#2a3440", text: "#93a1b0", line: "#3c4a59", group: "#8fa3b8", train: "#e8eef5",
+  V_P: "#c9d4df", V_SBI: "#e6a04a", V_EBI: "#e0564f", SvL: "#e0564f", EOA: "#f0d060", target: "#f0d060",
+} as const;
+const LEFT = 46;
+const BELOW = 92;
+const CURVES: readonly [PointField, string, number][] = [
+  ["V_EBI", COLOURS.V_EBI, 1],
+  ["V_SBI", COLOURS.V_SBI, 1],
+  ["V_P", COLOURS.V_P, 1],
+];
+
+/// From metres and km/h to the canvas.
+interface Frame {
+  width: number;
+  height: number;
+  x(m: number): number;
+  y(kmh: number): number;
+  fastest: number;
+}
+
+export class Strip {
+  private readonly context: CanvasRenderingContext2D;
+  private from: number;
+  private to: number;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly scene: Scene,
+  ) {
+    const context = canvas.getContext("2d", { alpha: false });
+    if (context === null) throw new Error("no canvas");
+    this.context = context;
+    this.from = Math.min(scene.start_m - scene.train_length_m, 0);
+    this.to = scene.end_m;
+    canvas.addEventListener("wheel", (event) => this.zoom(event), { passive: false });
+    canvas.addEventListener("dblclick", () => this.show(Math.min(scene.start_m - scene.train_length_m, 0), scene.end_m));
+  }
+
+  /// The place under a pointer, in metres.
+  placeAt(clientX: number): number {
+    const box = this.canvas.getBoundingClientRect();
+    const share = (clientX - box.left - LEFT) / Math.max(1, box.width - LEFT);
+    return this.from + share * (this.to - this.from);
+  }
+
+  draw(journey: Journey): void {
+    const ratio = fitToPixels(this.canvas) / Math.max(1, this.canvas.clientWidth);
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    const c = this.context;
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.fillStyle = COLOURS.ground;
+    c.fillRect(0, 0, width, height);
+    const fastest = 20 * Math.ceil((Math.max(60, ...this.scene.speeds.map((s) => s[2])) + 25) / 20);
+    const frame: Frame = {
+      width,
+      height,
+      fastest,
+      x: (m) => LEFT + ((m - this.from) / (this.to - this.from)) * (width - LEFT),
+      y: (kmh) => (height - BELOW) * (1 - kmh / fastest) + 6,
+    };
+    this.drawGrid(frame);
+    this.drawTrack(frame);
+    for (const branch of journey.branches) this.drawCurve(frame, branch.points, "v", branch.colour, 1, branch.from);
+    for (const [field, colour, line] of CURVES) this.drawCurve(frame, journey.points, field, colour, line, 0);
+    this.drawCurve(frame, journey.points, "v", journey.colour, 2, 0);
+    this.drawNow(frame, journey);
+  }
+
+  private show(from: number, to: number): void {
+    this.from = from;
+    this.to = to;
+  }
+
+  private zoom(event: WheelEvent): void {
+    event.preventDefault();
+    const at = this.placeAt(event.clientX);
+    const factor = Math.exp(event.deltaY / 500);
+    const length = Math.min((this.to - this.from) * factor, 2 * (this.scene.end_m - this.scene.start_m));
+    if (length < 200) return;
+    const share = (at - this.from) / (this.to - this.from);
+    this.show(at - share * length, at + (1 - share) * length);
+  }
+
+  private drawGrid(f: Frame): void {
+    const c = this.context;
+    c.font = "11px sans-serif";
+    c.fillStyle = COLOURS.text;
+    c.strokeStyle = COLOURS.grid;
+    c.lineWidth = 1;
+    c.beginPath();
+    c.textAlign = "right";
+    for (let v = 0; v <= f.fastest; v += 20) {
+      c.moveTo(LEFT, f.y(v));
+      c.lineTo(f.width, f.y(v));
+      if (v % 40 === 0) c.fillText(`${v}`, LEFT - 6, f.y(v) + 4);
+    }
+    c.stroke();
+    c.fillText("km/h", LEFT - 6, f.y(f.fastest) + 16);
+    c.textAlign = "center";
+    const step = niceStep((this.to - this.from) / Math.max(2, f.width / 90));
+    for (let m = Math.ceil(this.from / step) * step; m <= this.to; m += step)
+      c.fillText(step >= 1000 ? `${m / 1000} km` : `${(m / 1000).toFixed(step >= 100 ? 1 : 2)} km`, f.x(m), f.height - 4);
+  }
+
+  /// The gradient as its course of height, with its figures, and the balise groups.
+  private drawTrack(f: Frame): void {
+    const c = this.context;
+    const base = f.height - 46;
+    let height = 0;
+    let top = 1;
+    const course: [number, number][] = [];
+    for (const [from, to, permille] of this.scene.gradient) {
+      course.push([from, height]);
+      height += ((to - from) * permille) / 1000;
+      course.push([to, height]);
+      top = Math.max(top, Math.abs(height));
+    }
+    c.strokeStyle = COLOURS.line;
+    c.lineWidth = 2;
+    c.beginPath();
+    for (const [m, h] of course) c.lineTo(f.x(m), base - (h / top) * 16);
+    if (course.length === 0) {
+      c.moveTo(LEFT, base);
+      c.lineTo(f.width, base);
+    }
+    c.stroke();
+    c.fillStyle = COLOURS.text;
+    c.font = "10px sans-serif";
+    c.textAlign = "center";
+    for (const [from, to, permille] of this.scene.gradient)
+      if (f.x(to) - f.x(from) > 26) c.fillText(`${permille > 0 ? "+" : ""}${permille} ‰`, f.x((from + to) / 2), base + 22);
+    c.fillStyle = COLOURS.group;
+    for (const m of this.scene.groups) {
+      c.beginPath();
+      c.moveTo(f.x(m) - 3, f.height - 60 + 46);
+      c.lineTo(f.x(m) + 3, f.height - 60 + 46);
+      c.lineTo(f.x(m), f.height - 66 + 46);
+      c.fill();
+    }
+    // The speeds of the line.
+    c.strokeStyle = COLOURS.line;
+    c.setLineDash([4, 3]);
+    c.lineWidth = 1;
+    c.beginPath();
+    for (const [from, to, kmh] of this.scene.speeds) {
+      c.moveTo(f.x(from), f.y(kmh));
+      c.lineTo(f.x(to), f.y(kmh));
+    }
+    c.stroke();
+    c.setLineDash([]);
+  }
+
+  /// A field over the position, from a cycle on. Cycles on the same pixel are one point.
+  private drawCurve(
+    f: Frame, chunks: readonly Float64Array[], field: PointField, colour: string, line: number, from: number,
+  ): void {
+    const c = this.context;
+    c.save();
+    c.beginPath();
+    c.rect(LEFT, 0, f.width - LEFT, f.height - BELOW + 8);
+    c.clip();
+    c.strokeStyle = colour;
+    c.lineWidth = line;
+    c.beginPath();
+    let drawing = false;
+    let lastX = NaN;
+    let cycle = 0;
+    for (const chunk of chunks)
+      for (let i = 0; i < chunk.length; i += POINT_SIZE, ++cycle) {
+        if (cycle < from) continue;
+        const value = chunk[i + AT[field]] ?? NaN;
+        const x = f.x(chunk[i + AT.x_m] ?? 0);
+        if (Number.isNaN(value)) {
+          drawing = false;
+          continue;
+        }
+        if (drawing && Math.abs(x - lastX) < 0.4 && cycle % 16 !== 0) continue;
+        if (drawing) c.lineTo(x, f.y(value));
+        else c.moveTo(x, f.y(value));
+        drawing = true;
+        lastX = x;
+      }
+    c.stroke();
+    c.restore();
+  }
+
+  /// The train, and the ends of its authority.
+  private drawNow(f: Frame, journey: Journey): void {
+    const chunk = journey.points[journey.points.length - 1];
+    if (chunk === undefined) return;
+    const value = (field: PointField): number => chunk[chunk.length - POINT_SIZE + AT[field]] ?? NaN;
+    const c = this.context;
+    const front = value("x_m");
+    const base = f.height - 36;
+    c.fillStyle = COLOURS.train;
+    const rear = f.x(front - this.scene.train_length_m);
+    c.fillRect(Math.min(rear, f.x(front) - 6), base - 26, Math.max(6, f.x(front) - rear), 6);
+    c.strokeStyle = COLOURS.train;
+    c.beginPath();
+    c.moveTo(f.x(front), 4);
+    c.lineTo(f.x(front), base - 20);
+    c.globalAlpha = 0.35;
+    c.stroke();
+    c.globalAlpha = 1;
+    this.mark(f, value("SvL_m"), COLOURS.SvL, "SvL");
+    this.mark(f, value("EOA_m"), COLOURS.EOA, "EOA");
+    const target = value("target_m");
+    if (!Number.isNaN(target)) {
+      const speed = value("V_target");
+      c.fillStyle = COLOURS.target;
+      c.beginPath();
+      c.arc(f.x(target), f.y(Number.isNaN(speed) ? 0 : speed), 4, 0, 2 * Math.PI);
+      c.fill();
+    }
+  }
+
+  private mark(f: Frame, m: number, colour: string, label: string): void {
+    if (Number.isNaN(m)) return;
+    const c = this.context;
+    c.strokeStyle = colour;
+    c.fillStyle = colour;
+    c.setLineDash([2, 3]);
+    c.beginPath();
+    c.moveTo(f.x(m), 16);
+    c.lineTo(f.x(m), f.height - 56);
+    c.stroke();
+    c.setLineDash([]);
+    c.textAlign = "center";
+    c.fillText(label, f.x(m), label === "EOA" ? 14 : 26);
+  }
+}
+
+/// 1, 2 or 5 times a power of ten, at least `least`.
+export function niceStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));
+  for (const factor of [1, 2, 5]) if (factor * power >= least) return factor * power;
+  return 10 * power;
+}

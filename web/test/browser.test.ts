@@ -1,0 +1,48 @@
+// The page in a browser, opened from a file: it drives the shipped line by itself and gives the hash of evc run.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { promisify } from "node:util";
+
+import { evc, folder } from "./page.js";
+
+const CHROMIUM = process.env["CHROMIUM"] ?? "chromium";
+
+/// The document after its script has driven to the end.
+async function domOf(page: string, query: string): Promise<string> {
+  const words = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", `--user-data-dir=${folder()}`, "--window-size=1400,1000",
+    "--virtual-time-budget=600000", "--dump-dom", `${pathToFileURL(page).href}${query}`,
+  ];
+  const { stdout } = await promisify(execFile)(CHROMIUM, words, { maxBuffer: 1 << 28, timeout: 300_000 });
+  return stdout;
+}
+
+test("the page drives by itself in Chromium and gives the bytes of evc run", { timeout: 320_000 }, async () => {
+  const page = join(folder(), "cab.html");
+  evc("cab", "-o", page);
+  const dom = await domOf(page, "?auto=perfect&speed=max");
+  const done = /data-evc-done="([^"]*)"/.exec(dom)?.[1]?.replaceAll("&quot;", '"');
+  assert.ok(done !== undefined, dom.replace(/<script id="(given|module)"[^<]*</g, "<").slice(0, 2000));
+  const out = folder();
+  evc("run", "-o", out);
+  const summary = JSON.parse(readFileSync(join(out, "summary.json"), "utf8")) as Record<string, unknown>;
+  assert.deepEqual(JSON.parse(done), {
+    output_hash: summary["output_hash"],
+    modes: summary["modes"],
+    cycles: summary["cycles"],
+  });
+});
+
+test("the page asks nobody for anything", () => {
+  const page = join(folder(), "cab.html");
+  evc("cab", "-o", page);
+  const text = readFileSync(page, "utf8");
+  for (const address of text.match(/(src|href)="[^"]*"/g) ?? []) assert.fail(address);
+  assert.ok(!/https?:\/\//.test(text.replace(/<script id="(given|module)"[^<]*</g, "")));
+});

@@ -1,0 +1,105 @@
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { Journey, lastValue } from "../src/journey.js";
+import { DRIVERS, type Desk } from "../src/module.js";
+import { evc, folder, rideOf } from "./page.js";
+
+const FORWARD: Desk = { lever: 1, direction: "forward", key: true, emergency: false };
+
+function summaryOf(words: string[]): { output_hash: string; modes: string[]; cycles: number } {
+  const out = folder();
+  evc("run", ...words, "-o", out);
+  return JSON.parse(readFileSync(join(out, "summary.json"), "utf8")) as ReturnType<typeof summaryOf>;
+}
+
+for (const driver of DRIVERS)
+  test(`the ${driver} driver in WebAssembly gives the bytes of evc run`, async () => {
+    const ride = await rideOf([], driver);
+    while (ride.advance(5000).cycles > 0);
+    const { output_hash, modes, cycles } = summaryOf(["--driver", driver]);
+    assert.deepEqual(ride.summary(), { output_hash, modes, cycles });
+  });
+
+test("with a train of a file it gives the bytes of evc run", async () => {
+  const train = ["--train", "data/trains/freight_P.json"];
+  const ride = await rideOf(train, "perfect");
+  while (ride.advance(5000).cycles > 0);
+  assert.equal(ride.summary().output_hash, summaryOf(train).output_hash);
+});
+
+test("the journal of a journey by hand replays outside to the same bytes", async () => {
+  const journey = new Journey(await rideOf([]));
+  let outputs = "";
+  const drive = (cycles: number): void => {
+    for (let n = 0; n < cycles; ++n) {
+      journey.advance(1);
+      outputs += `${journey.output}\n`;
+    }
+  };
+  drive(10);
+  journey.setDesk(FORWARD);
+  drive(200);
+  journey.setDesk({ ...FORWARD, lever: -0.5, direction: "backward" });
+  drive(50);
+  journey.setDesk({ ...FORWARD, key: false });
+  drive(20);
+  const file = join(folder(), "inputs.jsonl");
+  writeFileSync(file, journey.inputs);
+  assert.equal(evc("replay", file), outputs);
+});
+
+test("gone back and driven on in the same way, a journey is the same", async () => {
+  const script = (journey: Journey): void => {
+    journey.setDesk(FORWARD);
+    journey.advance(900);
+    journey.setDesk({ ...FORWARD, lever: -1 });
+    journey.advance(700);
+  };
+  const straight = new Journey(await rideOf([]));
+  straight.advance(100);
+  script(straight);
+  const back = new Journey(await rideOf([]));
+  back.advance(100);
+  back.setDesk({ ...FORWARD, direction: "backward" });
+  back.advance(1300);
+  const branchAt = back.cycles;
+  back.goBack(100);
+  assert.equal(back.cycles, 100);
+  assert.ok(branchAt > 1000);
+  script(back);
+  assert.equal(back.inputs, straight.inputs);
+  assert.equal(back.output, straight.output);
+  assert.deepEqual(back.ride.summary(), straight.ride.summary());
+  assert.equal(back.branches.length, 1);
+  assert.notEqual(back.branches[0]?.colour, back.colour);
+});
+
+test("going back keeps what was done between the snapshot and the moment", async () => {
+  const journey = new Journey(await rideOf([]));
+  journey.advance(650);
+  journey.setDesk(FORWARD);
+  journey.advance(100);
+  const { inputs, output } = journey;
+  const at = lastValue(journey.points, "x_m");
+  journey.advance(500);
+  journey.goBack(750);
+  assert.equal(journey.inputs, inputs);
+  assert.equal(journey.output, output);
+  assert.equal(lastValue(journey.points, "x_m"), at);
+  assert.deepEqual(journey.desk, FORWARD);
+});
+
+test("a brake command has its cause", async () => {
+  const journey = new Journey(await rideOf([]));
+  journey.setDesk(FORWARD);
+  journey.advance(300);
+  // 3.14.4: at standstill without a mission the train may not roll.
+  const command = journey.brakeCommands[0];
+  assert.ok(command !== undefined);
+  assert.ok(command.reasons.length > 0);
+  const line = JSON.parse(journey.output) as { brake_reasons: string[] };
+  assert.ok(Array.isArray(line.brake_reasons));
+});
