@@ -6,6 +6,8 @@ import { AT, POINT_SIZE, type Desk, type Driven, type PointField, type Ride, typ
 export const CYCLE_S = 0.1;
 /// Cycles between two snapshots: a minute of the journey. A snapshot has the size of the module's memory.
 const BETWEEN_SNAPSHOTS = 600;
+/// Cycles of one call of the module: its memory has to hold what they give.
+const CYCLES_OF_CALL = 100;
 const COLOURS = ["#4aa3ff", "#ffb14a", "#7bd88f", "#d58cff", "#ff7d7d", "#6fe0e0"] as const;
 
 /// What the driver did before a cycle.
@@ -120,7 +122,7 @@ export class Journey {
     while (done < cycles) {
       // A snapshot is between two calls.
       const most = BETWEEN_SNAPSHOTS - (this.cycle % BETWEEN_SNAPSHOTS);
-      const driven = this.ride.advance(Math.min(cycles - done, most));
+      const driven = this.ride.advance(Math.min(cycles - done, most, CYCLES_OF_CALL));
       if (driven.cycles === 0) break;
       this.add(driven);
       done += driven.cycles;

@@ -18,7 +18,7 @@ function summaryOf(words: string[]): { output_hash: string; modes: string[]; cyc
 for (const driver of DRIVERS)
   test(`the ${driver} driver in WebAssembly gives the bytes of evc run`, async () => {
     const ride = await rideOf([], driver);
-    while (ride.advance(5000).cycles > 0);
+    while (ride.advance(100).cycles > 0);
     const { output_hash, modes, cycles } = summaryOf(["--driver", driver]);
     assert.deepEqual(ride.summary(), { output_hash, modes, cycles });
   });
@@ -26,7 +26,7 @@ for (const driver of DRIVERS)
 test("with a train of a file it gives the bytes of evc run", async () => {
   const train = ["--train", "data/trains/freight_P.json"];
   const ride = await rideOf(train, "perfect");
-  while (ride.advance(5000).cycles > 0);
+  while (ride.advance(100).cycles > 0);
   assert.equal(ride.summary().output_hash, summaryOf(train).output_hash);
 });
 
