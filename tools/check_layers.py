@@ -31,8 +31,6 @@ MAY_INCLUDE = {
     "sim": BELOW_KERNEL | {"texts"},
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
     "io": BELOW_KERNEL | {"kernel", "texts", "sim"},
-    # A journey driven from outside: the page of `evc cab`.
-    "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
     # Cycles by the clock and hand-over between threads, of values of any type.
     "realtime": set(),
