@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 /// tests/reference/dmi_buttons.json: the conditions of 015560 11.2, the modes, and cases.
-const json& reference() {
+const json& buttons_reference() {
   static const json file = [] {
     std::ifstream in(evc::test::source_folder() + "/tests/reference/dmi_buttons.json");
     return json::parse(in);
@@ -167,7 +167,7 @@ bool alternative_holds(const json& alternative, const ButtonContext& c) {
 /// Each button of the reference with its alternatives.
 std::vector<std::pair<std::string, json>> conditions() {
   std::vector<std::pair<std::string, json>> out;
-  for (const auto& [window, of_window] : reference()["conditions"].items())
+  for (const auto& [window, of_window] : buttons_reference()["conditions"].items())
     for (const auto& [button, alternatives] : of_window.items()) out.emplace_back(button, alternatives);
   return out;
 }
@@ -251,7 +251,7 @@ TEST(Buttons, In_any_situation_they_are_those_of_the_tables) {
     if (random() % 4 == 0) c.action.level.reset();
     const Set<Button> enabled_now = buttons_of(c);
     for (const auto& [button, alternatives] : conditions()) {
-      const bool of_edition = newer || !in(reference()["only_4_0_0"], button);
+      const bool of_edition = newer || !in(buttons_reference()["only_4_0_0"], button);
       const bool expected = of_edition && any_holds(alternatives, c) && !narrowed_by_4_7_2(button, c);
       ASSERT_EQ(enabled_now.has(button_named(button)), expected)
           << button << ' ' << name(c.action.mode) << ' ' << name(c.action.srs);
@@ -309,7 +309,7 @@ TEST(Buttons, Are_in_the_modes_of_the_standard) {
         }
       }
   int compared = 0;
-  for (const auto& [buttons, expected] : reference()["buttons_by_mode"].items()) {
+  for (const auto& [buttons, expected] : buttons_reference()["buttons_by_mode"].items()) {
     // Rows that several buttons share are separated by a slash, as is one label.
     std::vector<std::string> labels;
     if (buttons == "SR speed / distance") {
@@ -360,8 +360,8 @@ ButtonContext given(const json& g) {
 }
 
 TEST(Buttons, Are_enabled_in_the_cases_of_the_reference) {
-  EXPECT_EQ(reference()["cases"].size(), 60u);
-  for (const json& one : reference()["cases"])
+  EXPECT_EQ(buttons_reference()["cases"].size(), 60u);
+  for (const json& one : buttons_reference()["cases"])
     EXPECT_EQ(buttons_of(given(one["given"])).has(button_named(one["button"])), one["enabled"].get<bool>())
         << one.dump();
 }

@@ -25,7 +25,7 @@ void clear(Planning& planning) {
 }
 
 /// All but the configuration.
-void reset(Display& display) {
+void clear_display(Display& display) {
   // All members by name: a new member that is not named here does not compile.
   auto& [config, now, second_of_day, mode, level, level_valid, nid_ntc, standstill, language, v, monitoring, status,
          V_P, V_SBI, V_target, V_release, target_information, MRDT, d_target, TTI, LSSMA, set_speed, slippery_rail, sm,
@@ -61,7 +61,7 @@ class Shower {
                            true)) {}
 
   void show() {
-    reset(to_);
+    clear_display(to_);
     show_configuration();
     to_.now = out_.now;
     to_.mode = has(DriverOutput::mode) ? out_.mode : Mode::NP;

@@ -92,7 +92,7 @@ TEST(Ride, DrivenByHandTheTrainObeysTheDeskAndTheJournalReplays) {
   const Point held = run(300);
   EXPECT_GT(held.x_m, -40.0);
   EXPECT_LT(held.x_m, 0.0);
-  EXPECT_NE(static_cast<int>(held.brakes) & 2, 0);
+  EXPECT_NE(static_cast<int>(held.brakes) & 4, 0);
   desk.lever = -1.0;
   EXPECT_EQ(run(100).v, 0.0);
   // It never ends by itself (a driver may wait).
