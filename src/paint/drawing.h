@@ -57,7 +57,7 @@ struct Group {
   std::vector<Shape> shapes;
 };
 
-/// The whole screen, 640 x 480 cells, in drawing order, on the background of 5.2.1.3.
+/// The whole screen, 640 x 480 cells, in drawing order, on the background of 015560 5.2.1.3.
 using Drawing = std::vector<Group>;
 
 /// The smallest rectangle round the shapes: with their strokes, and with the control points of curves, so that it may

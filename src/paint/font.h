@@ -23,8 +23,8 @@ extern const Glyph kBold[kGlyphs];
 /// The outline of a character; of those without one it is that of '?'.
 const Glyph& glyph_of(char32_t character, bool bold);
 
-/// Takes the first character from a text in UTF-8 that is not empty. Bytes that are none, and characters without an
-/// outline, are '?'.
+/// Takes the first character from a text in UTF-8 that is not empty. Bytes that are not UTF-8, and characters without
+/// an outline, are '?'.
 char32_t take_character(std::string_view& text);
 
 /// How wide a text in UTF-8 is, in cells. `height` of its capital letters in cells.

@@ -18,7 +18,7 @@ using dmi::Kind;
 using dmi::Rect;
 using Shapes = std::vector<Shape>;
 
-constexpr double kDefaultHeight = 12.0;  // 5.1.2
+constexpr double kDefaultHeight = 12.0;  // 015560 5.1.2
 constexpr Point kDial{dmi::kDialX, dmi::kDialY};
 
 void fill(Shapes& shapes, double x, double y, double w, double h, Colour colour) {
@@ -38,7 +38,7 @@ void write(Shapes& shapes, std::string_view text, Point left, double height, Col
   if (!shape.path.steps().empty()) shapes.push_back(std::move(shape));
 }
 
-/// How a text stands in its rectangle: vertically centred.
+/// The style of a text in its rectangle, in which it is vertically centred.
 struct Style {
   double height = kDefaultHeight;
   Colour colour = Colour::grey;
@@ -72,7 +72,8 @@ std::vector<std::string_view> lines_of(std::string_view text, double width, doub
   return lines;
 }
 
-/// Lines one below the other, two heights apart (5.1.2), as a whole vertically centred; closer where they do not fit.
+/// Lines one below the other, two heights apart (015560 5.1.2), as a whole vertically centred; closer where they do not
+/// fit.
 void write_lines_in(Shapes& shapes, const Rect& box, std::string_view text, const Style& style) {
   const double margin = std::max(style.indent, 3.0);
   const auto lines = lines_of(text, box.w - 2.0 * margin, style.height, style.bold);
@@ -90,7 +91,7 @@ void write_lines_in(Shapes& shapes, const Rect& box, std::string_view text, cons
   }
 }
 
-/// One line on each side of a rectangle, `inset` cells inside (5.1.1).
+/// One line on each side of a rectangle, `inset` cells inside (015560 5.1.1).
 void line_round(Shapes& shapes, const Rect& r, int inset, Colour left_and_top, Colour right_and_bottom) {
   const double x = r.x + inset, y = r.y + inset, w = r.w - 2 * inset, h = r.h - 2 * inset;
   if (w <= 0 || h <= 0) return;
@@ -157,7 +158,7 @@ void pointer(Shapes& shapes, const Item& item) {
   shapes.push_back(std::move(hub));
 }
 
-/// Each digit on the right of its third of B1 (8.2.1.3).
+/// Each digit on the right of its third of B1 (015560 8.2.1.3).
 void digits(Shapes& shapes, const Item& item) {
   const Rect b1 = dmi::rect_of(dmi::Area::B1);
   const double height = height_of(item);
@@ -199,7 +200,7 @@ void disc(Shapes& shapes, const Item& item) {
   shapes.push_back(std::move(shape));
 }
 
-/// An abbreviation in the place of the letters NTC of its symbol, at most 48 x 19 (8.2.3.2).
+/// An abbreviation instead of the letters NTC of its symbol, at most 48 x 19 (015560 8.2.3.2).
 void text_symbol(Shapes& shapes, const Item& item) {
   constexpr double arrow = 20.0;  // width of the arrow of LE08 and LE09
   Rect box = dmi::absolute(item);
@@ -223,7 +224,7 @@ void frame(Shapes& shapes, const Item& item) {
   for (int i = 0; i < lines; ++i) line_round(shapes, r, i, item.colour, item.colour);
 }
 
-/// The sides of a button or key with what stands in it: a picture, or words in the middle.
+/// The sides of a button or key and in its middle a picture or words.
 void button(Shapes& shapes, const Item& item) {
   const Rect r = dmi::absolute(item);
   fill(shapes, r, item.background);
@@ -232,7 +233,7 @@ void button(Shapes& shapes, const Item& item) {
   write_lines_in(shapes, r, item.text.view(), {height_of(item), item.colour, item.bold, dmi::Align::centre, 0.0});
 }
 
-/// A digit is larger than the letters behind it (5.1.2).
+/// A digit is larger than the letters behind it (015560 5.1.2).
 void key(Shapes& shapes, const Item& item) {
   const std::string_view text = item.text.view();
   const bool digit_and_letters = text.size() > 2 && text[0] >= '0' && text[0] <= '9' && text[1] == ' ';
@@ -283,7 +284,7 @@ void edge(Shapes& shapes, const Item& item) {
   if ((item.sides & dmi::kRight) != 0) fill(shapes, r.x + r.w - 1, r.y, 1, r.h, item.colour);
 }
 
-/// The geographical position: its metres are less high than its kilometres (8.4.4.9).
+/// The geographical position: its metres are less high than its kilometres (015560 8.4.4.9).
 void geo(Shapes& shapes, const Item& item, const Rect& r) {
   constexpr double metres_height = 10.0;
   const std::string_view text = item.text.view();
@@ -301,7 +302,7 @@ void text(Shapes& shapes, const Item& item) {
   fill(shapes, r, item.background);
   if (item.name.view() == "geo") return geo(shapes, item, r);
   if (item.name.view() == "dwell" && !item.text.empty()) {
-    // The number ends at the indent, its unit follows (8.5.5.4).
+    // The number ends at the indent, its unit follows (015560 8.5.5.4).
     const std::string_view unit = item.text.view().substr(item.text.length - 1U);
     return write_in(shapes, r, item.text.view(),
                     {height_of(item), item.colour, item.bold, item.align,

@@ -106,7 +106,7 @@ std::array<int, 3> rgb(Colour colour) {
   return {row[0], row[1], row[2]};
 }
 
-/// A reader of XML that knows no more than elements with attributes and text: why it is not well-formed, or nothing.
+/// A reader of XML for elements with attributes and text alone: why it is not well-formed, or nothing.
 std::string fault_of_xml(const std::string& text) {
   std::vector<std::string> open;
   std::size_t at = 0;

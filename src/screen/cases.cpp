@@ -41,7 +41,7 @@ OrderedJson lines_of(const dmi::Screen& screen) {
   for (const dmi::Item& item : screen.items) {
     if (item.kind != dmi::Kind::text || item.area < dmi::Area::E5 || item.area > dmi::Area::E9) continue;
     OrderedJson& row = rows.try_emplace(item.area, OrderedJson{"", "", ""}).first->second;
-    const bool time = item.height == 10;  // 8.2.3.4.6
+    const bool time = item.height == 10;  // 015560 8.2.3.4.6
     row[time ? 0 : 1] = std::string(item.text.view());
     row[2] = item.bold ? "bold" : "regular";
   }
@@ -50,7 +50,7 @@ OrderedJson lines_of(const dmi::Screen& screen) {
   return out;
 }
 
-/// One moment of a timeline, with what the case wants to know of it.
+/// One moment of a timeline, with what the case asks for.
 OrderedJson moment_of(const Scene& scene, const JsonPlace& asked, std::int64_t begin) {
   OrderedJson out{{"t", asked["t"].number()}};
   const auto screen = scene.player.screen();
@@ -215,7 +215,7 @@ OrderedJson result_of(const Scene& scene, const JsonPlace& asked) {
   return out;
 }
 
-/// How the value of the first field stands on its lines (5.1.5).
+/// How the value of the first field stands on its lines (015560 5.1.5).
 OrderedJson display_of(const Scene& scene) {
   const dmi::State& state = scene.player.state();
   if (state.entry.fields.empty()) return nullptr;

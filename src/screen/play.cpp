@@ -75,7 +75,7 @@ std::optional<std::size_t> field_labelled(const Scene& scene, std::string_view l
   return std::nullopt;
 }
 
-/// Enters what stands in the fields of a window, and says Yes.
+/// Enters the values of the fields of a window, and says Yes.
 void complete(Scene& scene) {
   for (std::size_t page = 0; page < dmi::pages_of(scene.player.state()); ++page)
     for (std::size_t i = 0; i < dmi::kFieldsPerPage; ++i) (void)touch_field(scene, scene.player.state().entry.selected);
@@ -294,7 +294,7 @@ void play_status_texts(Scene& scene, const JsonPlace& list, const JsonPlace& giv
   scene.player.run_to(scene.player.now_ms() + kBegin);
 }
 
-// ---- Buttons (5.3.2.6) -----------------------------------------------------------------------------------
+// ---- Buttons (015560 5.3.2.6) -----------------------------------------------------------------------------------
 
 /// How often the watched button has acted.
 int acts_of(const Scene& scene, const Action& action) {

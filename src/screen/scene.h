@@ -24,9 +24,9 @@ struct Scene {
   std::map<std::uint16_t, std::string> names;  ///< of texts, as the case calls them
   std::uint16_t next_text = 1;
   std::map<std::string, std::string> labels;  ///< of choices, as the case calls them
-  std::vector<bool> toggled;                  ///< how the toggle stood after each touch
+  std::vector<bool> toggled;                  ///< of the speed toggle, after each touch
 
-  // How a button behaved (5.3.2.6).
+  // How a button behaved (015560 5.3.2.6).
   struct Watched {
     std::optional<dmi::Target> target;
     std::map<std::int64_t, bool> pressed;  ///< how it looked, by time in ms

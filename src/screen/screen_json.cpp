@@ -86,7 +86,7 @@ void add_place(OrderedJson& out, const Rect& abs) {
   out["centre_y_rel_D"] = rounded(abs.y + abs.h / 2.0 - d.y);
 }
 
-/// The lowest row of the bar of a speed change, on which its place is (8.3.6): 18 of PL21, 4 of the others.
+/// The lowest row of the bar of a speed change, on which its place is (015560 8.3.6): 18 of PL21, 4 of the others.
 void add_bar(OrderedJson& out, const Item& item, const Rect& abs) {
   constexpr int bar_above = 4, bar_below = 18;
   const Picture p = *item.picture;
@@ -175,7 +175,7 @@ void add_dial_item(OrderedJson& out, const Item& item) {
   }
 }
 
-/// What stands in a button or key.
+/// The picture or words of a button or key.
 void add_label(OrderedJson& out, const Item& item) {
   if (item.picture) {
     out["symbol"] = name(*item.picture);
