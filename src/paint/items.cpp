@@ -54,17 +54,18 @@ void write_in(Shapes& shapes, const Rect& box, std::string_view text, const Styl
   write(shapes, text, {left, box.y + (box.h + style.height) / 2.0}, style.height, style.colour, style.bold);
 }
 
-/// The lines of a text: where it has line ends, and between words where it is wider than `width`.
+/// The lines of a text: where it has line ends, and between words or at hyphens where it is wider than `width`.
 std::vector<std::string_view> lines_of(std::string_view text, double width, double height, bool bold) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     std::size_t end = std::min(text.find('\n'), text.size());
     std::size_t next = std::min(end + 1, text.size());
     while (width_of(text.substr(0, end), height, bold) > width) {
-      const std::size_t space = text.substr(0, end).rfind(' ');
-      if (space == std::string_view::npos || space == 0) break;
-      end = space;
-      next = space + 1;
+      // A hyphen stays on its line: "Over-ride".
+      const std::size_t place = text.substr(0, end - 1).find_last_of(" -");
+      if (place == std::string_view::npos || place == 0) break;
+      next = place + 1;
+      end = text[place] == '-' ? next : place;
     }
     lines.push_back(text.substr(0, end));
     text.remove_prefix(next);

@@ -299,6 +299,15 @@ TEST(Drawing, LongLabelsAreBrokenBetweenWordsInsideTheButton) {
   EXPECT_LE(bounds.most.y, 150.0);
 }
 
+TEST(Drawing, ALabelIsBrokenAtItsHyphen) {
+  Item item = item_of(Kind::button);
+  item.at = {100, 100, 60, 50};
+  item.text = "Over-ride";
+  const Bounds bounds = bounds_of(draw(*screen_with({item}))[0].shapes);
+  EXPECT_GE(bounds.least.x, 100.0);
+  EXPECT_LE(bounds.most.x, 160.0);
+}
+
 TEST(Drawing, EveryKindOfItemIsPainted) {
   for (std::size_t k = 0; k < dmi::kKindNames.size(); ++k) {
     const auto kind = static_cast<Kind>(k);
