@@ -51,7 +51,8 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
 
 TEST(CommandLine, NamesTheCommandsThereAre) {
   const std::string all =
-      "expected one of run, replay, serve, curves, decode, encode, describe, make-line, check, track, explain, dmi, cab\n";
+      "expected one of run, replay, serve, curves, decode, encode, describe, make-line, check, track, explain, dmi, "
+      "cab\n";
   EXPECT_EQ(refused(""), "evc: found no command, " + all);
   EXPECT_EQ(refused("sing"), "evc: found \"sing\", " + all);
   EXPECT_EQ(refused("decode"), "evc decode: found no command, expected one of balise, airgap, radio, packet\n");

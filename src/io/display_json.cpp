@@ -16,8 +16,6 @@
 namespace evc::io {
 namespace {
 
-using port::Display;
-
 constexpr std::array<int, 4> kDials{140, 180, 250, 400};
 constexpr std::array<const char*, 3> kEntryNames{"flexible", "fixed", "switchable"};
 constexpr std::array<const char*, 4> kTextKindNames{"fixed", "plain", "status", "national"};
@@ -213,7 +211,7 @@ void append_level(Writer& w, const char* key, Level level, std::uint8_t nid_ntc)
 }
 
 /// Areas A and B.
-void append_speeds(Writer& w, const Display& d) {
+void append_speeds(Writer& w, const port::Display& d) {
   w.kmh("v_kmh", d.v);
   w.text("monitoring", terms::kNames<kMonitoringRows>[terms::index(d.monitoring)]);
   w.text("status", terms::kNames<kStatusRows>[terms::index(d.status)]);
@@ -229,7 +227,7 @@ void append_speeds(Writer& w, const Display& d) {
   w.kmh("set_speed_kmh", d.set_speed);
 }
 
-void append_symbols(Writer& w, const Display& d) {
+void append_symbols(Writer& w, const port::Display& d) {
   w.flag("slippery_rail", d.slippery_rail);
   d.sm ? w.term("sm", kSmNames, *d.sm) : w.null("sm");
   w.flag("override_active", d.override_active);
@@ -261,7 +259,7 @@ void append_symbols(Writer& w, const Display& d) {
   w.flag("track_ahead_free", d.track_ahead_free);
 }
 
-void append_planning(Writer& w, const Display& d) {
+void append_planning(Writer& w, const port::Display& d) {
   const auto& [speeds, gradients, conditions, EOA, LOA, V_LOA] = d.planning;
   w.open("planning");
   w.list("gradient", gradients, [&w](const port::PlannedGradient& g) {
@@ -294,7 +292,7 @@ void append_planning(Writer& w, const Display& d) {
   w.close();
 }
 
-void append_text(Writer& w, const port::DisplayedText& t) {
+void append_displayed_text(Writer& w, const port::DisplayedText& t) {
   w.open();
   w.whole("id", t.id);
   w.term("kind", kTextKindNames, t.kind);
@@ -318,7 +316,7 @@ void append_text(Writer& w, const port::DisplayedText& t) {
   w.close();
 }
 
-void append_acks(Writer& w, const Display& d) {
+void append_acks(Writer& w, const port::Display& d) {
   w.list("acks", d.acks, [&w](const port::AskedAck& asked) {
     w.open();
     w.text("what", terms::kNames<kAckRows>[terms::index(asked.what)]);
@@ -328,7 +326,7 @@ void append_acks(Writer& w, const Display& d) {
   });
 }
 
-void append_displayed_data(Writer& w, const Display& d) {
+void append_displayed_data(Writer& w, const port::Display& d) {
   const auto& [stored, train_type, levels, ntcs, networks, covers, M_VERSION, radio, gsmr_registered, frmcs_registered,
                asks_one_radio_system, D_sr_most] = d.data;
   w.open("data");
@@ -377,9 +375,9 @@ void append_step(Writer& w, const std::optional<Dialogue>& step) {
   w.close();
 }
 
-/// All members by name where they are few: a new one that is not named does not compile. For Display itself the test
-/// changes each member.
-void append_members(Writer& w, const Display& d) {
+/// All members by name where they are few: a new one that is not named does not compile. For port::Display itself the
+/// test changes each member.
+void append_members(Writer& w, const port::Display& d) {
   w.text("schema", "evc-dmi/1");
   append_config(w, d.config);
   w.number("now_ms", d.now.si * 1000.0);
@@ -392,7 +390,7 @@ void append_members(Writer& w, const Display& d) {
   append_speeds(w, d);
   append_symbols(w, d);
   append_planning(w, d);
-  w.list("texts", d.texts, [&w](const port::DisplayedText& text) { append_text(w, text); });
+  w.list("texts", d.texts, [&w](const port::DisplayedText& text) { append_displayed_text(w, text); });
   append_acks(w, d);
   append_displayed_data(w, d);
   w.set("buttons", d.buttons, [](Button button) { return name(button); });
@@ -411,7 +409,7 @@ constexpr void forget(std::optional<Speed>& v) {
   if (v) v = Speed{};
 }
 
-void forget_planning(Display& d) {
+void forget_planning(port::Display& d) {
   for (auto& gradient : d.planning.gradients) gradient.from = gradient.to = {};
   for (auto& speed : d.planning.speeds) speed.at = {};
   for (auto& order : d.orders) order.at = {};
@@ -423,15 +421,15 @@ void forget_planning(Display& d) {
 
 }  // namespace
 
-void append_display(std::string& out, const Display& display) {
+void append_display(std::string& out, const port::Display& display) {
   Writer w(out);
   w.open();
   append_members(w, display);
   w.close();
 }
 
-std::string motionless(const Display& display) {
-  const auto d = std::make_unique<Display>(display);
+std::string motionless(const port::Display& display) {
+  const auto d = std::make_unique<port::Display>(display);
   d->now = {};
   d->second_of_day.reset();
   d->v = {};

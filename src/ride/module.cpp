@@ -19,7 +19,7 @@ struct Page {
   std::string_view last;  ///< the part asked for last
 };
 
-enum class Part : int { outputs, inputs, points, events, summary, scene, drawing };
+enum class Part : int { outputs, inputs, points, events, summary, scene, drawing, screen };
 
 std::string_view part_of(Page& page, Part part) {
   const evc::ride::Ride& ride = page.ride;
@@ -41,6 +41,9 @@ std::string_view part_of(Page& page, Part part) {
       return page.text;
     case Part::drawing:
       page.text = page.ride.panel().drawing();
+      return page.text;
+    case Part::screen:
+      page.text = page.ride.panel().display_list();
       return page.text;
   }
   return {};

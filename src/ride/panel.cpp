@@ -4,6 +4,7 @@
 
 #include "io/number.h"
 #include "paint/drawing.h"
+#include "screen/screen_json.h"
 
 namespace evc::ride {
 namespace {
@@ -77,6 +78,8 @@ const dmi::Screen& Panel::screen() {
   dmi::draw(state_, record_.now, screen_);
   return screen_;
 }
+
+std::string Panel::display_list() { return screen::screen_json(screen()); }
 
 std::string Panel::drawing() {
   // The background of 5.2.1.3.

@@ -24,6 +24,8 @@ class Panel {
   dmi::Commands take() { return dmi::take(state_); }
 
   const dmi::Screen& screen();
+  /// The display list, evc-screen/1.
+  std::string display_list();
   /// The screen as a JSON list of shapes in drawing order, `["#C3C3C3", 0, "M1 2L3 4Z"]`: the colour, the width of the
   /// line (0: filled), and the path as in SVG, in cells.
   std::string drawing();
