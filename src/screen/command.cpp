@@ -1,4 +1,5 @@
 #include "screen/command.h"
+#include "screen/player.h"
 
 #include <fmt/format.h>
 
@@ -25,9 +26,6 @@ namespace evc::screen {
 namespace {
 
 using io::complain;
-
-constexpr std::int64_t kTap = 100;       // ms, that the finger touches a button
-constexpr std::int64_t kDelayed = 2100;  // ms, of a delay button: more than the two seconds of 015560 5.3.2.6.6
 
 bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;

@@ -5,9 +5,7 @@
 namespace evc::screen {
 namespace {
 
-constexpr std::int64_t kCycle = 100;            // ms
-constexpr std::int64_t kTap = 100;              // ms, that a finger touches a button
-constexpr std::int64_t kDelayed = 2000 + kTap;  // ms, a delay button (015560 5.3.2.6.6)
+constexpr std::int64_t kCycle = 100;  // ms
 
 bool sent_anything(const dmi::Commands& c) {
   const port::DriverActions& a = c.actions;

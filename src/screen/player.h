@@ -11,6 +11,10 @@
 
 namespace evc::screen {
 
+inline constexpr std::int64_t kTap = 100;  ///< ms, that a finger touches a button
+inline constexpr std::int64_t kDelayed =
+    2100;  ///< ms, of a delay button: more than the two seconds of 015560 5.3.2.6.6
+
 /// A display with a driver and a stand-in for the on-board: it takes acknowledgements and data, and does nothing else.
 class Player {
  public:
