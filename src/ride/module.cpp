@@ -8,7 +8,11 @@
 
 // What the WebAssembly module exports; web/src/module.ts is its caller. A ride is a handle; texts are read from the
 // memory of the module, where they stay until the next call.
+#ifdef __wasm__
 #define EVC_EXPORT(name) extern "C" __attribute__((export_name(#name))) auto name
+#else  // compiled for the checks of sources alone
+#define EVC_EXPORT(name) extern "C" auto name
+#endif
 
 namespace {
 
