@@ -88,7 +88,7 @@ TEST(Ride, DrivenByHandTheTrainObeysTheDeskAndTheJournalReplays) {
     inputs += ride.inputs();
     return ride.points().back();
   };
-  // Without a mission the standstill supervision holds the train after a few metres (3.14.4).
+  // In SB the standstill supervision holds the train after a few metres (3.14.4).
   const Point held = run(300);
   EXPECT_GT(held.x_m, -40.0);
   EXPECT_LT(held.x_m, 0.0);

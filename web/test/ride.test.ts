@@ -96,10 +96,65 @@ test("a brake command has its cause", async () => {
   const journey = new Journey(await rideOf([]));
   journey.setDesk(FORWARD);
   journey.advance(300);
-  // 3.14.4: at standstill without a mission the train may not roll.
+  // 3.14.4: at standstill in SB the train may not roll.
   const command = journey.brakeCommands[0];
   assert.ok(command !== undefined);
   assert.ok(command.reasons.length > 0);
   const line = JSON.parse(journey.output) as { brake_reasons: string[] };
   assert.ok(Array.isArray(line.brake_reasons));
+});
+
+/// The place of the display with this name, touched as long as its type needs.
+function tap(journey: Journey, name: string): void {
+  interface Touch {
+    name: string;
+    abs: [number, number, number, number];
+    type: string;
+    enabled: boolean;
+  }
+  const { window, touch } = journey.ride.screen() as { window: string; touch: Touch[] };
+  const place = touch.find((candidate) => candidate.name === name);
+  assert.ok(place?.enabled, `${window} has no ${name}`);
+  const [x, y, w, h] = place.abs;
+  assert.ok(journey.touch(Math.floor(x + w / 2), Math.floor(y + h / 2)));
+  journey.advance(place.type === "delay" ? 21 : 1);
+  journey.lift();
+  journey.advance(5);
+}
+/// How far the start of mission is.
+function dialogue(journey: Journey): string {
+  const line = JSON.parse(journey.output) as { dialogue: { step: string; waits_for: string }; level: string };
+  return `${line.dialogue.step} ${line.dialogue.waits_for} ${line.level}`;
+}
+
+test("the start of mission goes on by touches of the display (5.4.3.2)", async () => {
+  const journey = new Journey(await rideOf([]));
+  journey.setDesk({ ...FORWARD, lever: -1 });
+  journey.advance(20);
+  assert.equal((journey.ride.screen() as { window: string }).window, "Driver ID");
+  tap(journey, "key 4");
+  tap(journey, "field 1");
+  assert.equal(dialogue(journey), "S2 level 0");
+  tap(journey, "key 1");
+  tap(journey, "field 1");
+  assert.equal(dialogue(journey), "S10 train_data 1");
+  const before = journey.inputs;
+  tap(journey, "Train data");
+  assert.equal((journey.ride.screen() as { window: string }).window, "Train data");
+  assert.ok(journey.inputs.slice(before.length).includes('"window":{"opened":"train_data"}'));
+  // Back before the level was entered: the display is there too.
+  journey.goBack(30);
+  assert.equal(dialogue(journey), "S2 level 0");
+  assert.equal((journey.ride.screen() as { window: string }).window, "Level");
+  const file = join(folder(), "inputs.jsonl");
+  writeFileSync(file, journey.inputs);
+  assert.equal(evc("replay", file).trimEnd().split("\n").at(-1), journey.output);
+});
+
+test("a touch of nothing is not taken", async () => {
+  const journey = new Journey(await rideOf([]));
+  journey.setDesk({ ...FORWARD, lever: -1 });
+  journey.advance(20);
+  assert.equal(journey.touch(2, 2), false);
+  assert.equal(journey.touch(-5, 9999), false);
 });
