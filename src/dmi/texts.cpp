@@ -67,7 +67,7 @@ std::size_t line_length(std::string_view rest, bool bold) {
     if (rest[fits] == ' ') blank = fits;
     fits = next;
   }
-  if (fits == rest.size() || fits == 0) return rest.size() < 1 || fits > 0 ? fits : 1;
+  if (fits == rest.size() || fits == 0) return rest.empty() || fits > 0 ? fits : 1;
   if (rest[fits] == ' ') return fits;
   return blank > 0 ? blank : fits;
 }
