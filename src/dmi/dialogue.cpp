@@ -1,3 +1,5 @@
+#include <array>
+
 #include "dmi/commit.h"
 #include "dmi/entry.h"
 #include "dmi/windows.h"
@@ -19,7 +21,7 @@ struct Effect {
   Select select;  ///< count: nothing is sent
   WindowId opens;
 };
-constexpr std::array kEffects{
+constexpr auto kEffects = std::to_array<Effect>({
     Effect{Button::start, Select::start, WindowId::count},
     Effect{Button::driver_id, Select::count, WindowId::driver_id},
     Effect{Button::train_data, Select::train_data, WindowId::train_data},
@@ -52,7 +54,7 @@ constexpr std::array kEffects{
     Effect{Button::set_vbc, Select::vbc_set, WindowId::set_vbc},
     Effect{Button::remove_vbc, Select::vbc_remove, WindowId::remove_vbc},
     Effect{Button::ato, Select::count, WindowId::ato},
-};
+});
 static_assert([] {
   for (std::size_t i = 0; i < kEffects.size(); ++i)
     if (terms::index(kEffects[i].button) != i) return false;

@@ -1,6 +1,4 @@
 #pragma once
-#include <string_view>
-
 #include "dmi/geometry.h"
 #include "dmi/screen.h"
 #include "dmi/state.h"
@@ -27,7 +25,7 @@ struct Drawing {
     made.at = at;
     return made;
   }
-  void rect(Area area, Colour colour, Rect at, std::string_view name = {}) const {
+  void rect(Area area, Colour colour, Rect at, const char* name = "") const {
     Item made = item(Kind::rect, area, colour, at);
     made.name.append(name);
     add(made);

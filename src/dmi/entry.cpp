@@ -4,6 +4,7 @@
 
 #include "dmi/acks.h"
 #include "dmi/windows.h"
+#include "dmi/words.h"
 
 namespace evc::dmi {
 namespace {
@@ -12,7 +13,7 @@ struct FieldRow {
   WindowId window;
   FieldId field;
 };
-constexpr std::array kFieldRows{
+constexpr auto kFieldRows = std::to_array<FieldRow>({
     FieldRow{WindowId::driver_id, FieldId::driver_id},
     FieldRow{WindowId::train_running_number, FieldId::train_running_number},
     FieldRow{WindowId::level, FieldId::level},
@@ -40,7 +41,7 @@ constexpr std::array kFieldRows{
     FieldRow{WindowId::validate_train_data, FieldId::validation},
     FieldRow{WindowId::validate_set_vbc, FieldId::validation},
     FieldRow{WindowId::validate_remove_vbc, FieldId::validation},
-};
+});
 
 constexpr Duration kTapTime{2.0};  // of a multi-tap (015560 10.3.3.4)
 constexpr int kDeleteKey = 10, kZeroKey = 11, kLastKey = 12, kNoKey = 7, kYesKey = 8;
@@ -266,10 +267,10 @@ Key key_at(const State& state, int number) {
     key.label.append('.');
   } else if (number >= 1 && number <= 9) {
     const std::string_view letters = kLetters[static_cast<std::size_t>(number - 1)];
-    key.label.append(letters.substr(0, 1));
+    key.label.append(part_of(letters, 0, 1));
     if (keyboard == Keyboard::alphanumeric && letters.size() > 1) {
       key.label.append(' ');
-      key.label.append(letters.substr(1));
+      key.label.append(part_of(letters, 1));
     }
   }
   return key;
@@ -402,13 +403,13 @@ Words shown_value(const State& state, const Field& field) {
   Words words;
   // More than five characters of a line: two groups with a blank; a line has eight (015560 5.1.5.4).
   for (std::size_t line = 0; line < typed.size(); line += 8) {
-    const std::string_view part = typed.substr(line, 8);
+    const std::string_view part = part_of(typed, line, 8);
     if (line > 0) words.append('\n');
     const std::size_t first = part.size() > 5 ? (part.size() + 1) / 2 : part.size();
-    words.append(part.substr(0, first));
+    words.append(part_of(part, 0, first));
     if (first < part.size()) {
       words.append(' ');
-      words.append(part.substr(first));
+      words.append(part_of(part, first));
     }
   }
   return words;

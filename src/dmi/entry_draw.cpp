@@ -29,7 +29,7 @@ void draw_cursor(const Drawing& to, const Item& field) {
   const std::string_view shown = field.text.view();
   const std::size_t line = shown.rfind('\n');  // the end of the last line
   const bool lower = line != std::string_view::npos;
-  const std::int16_t end = cells(data.x + 10 + width_of(lower ? shown.substr(line + 1) : shown, 12, false));
+  const std::int16_t end = cells(data.x + 10 + width_of(lower ? part_of(shown, line + 1) : shown, 12, false));
   const auto last = static_cast<std::int16_t>(data.x + data.w - 10);
   to.add(to.item(Kind::cursor, field.area, Colour::black,
                  {std::min(end, last), static_cast<std::int16_t>(data.y + (lower ? 44 : 34)), 9, 2}));
@@ -151,8 +151,7 @@ void draw_question(const Drawing& to) {
 }
 
 void draw_extra(const Drawing& to) {
-  const auto button = [&](Rect abs, Action action, std::string_view called, std::string_view shown,
-                          std::uint8_t height) {
+  const auto button = [&](Rect abs, Action action, const char* called, const char* shown, std::uint8_t height) {
     Item made = to.item(Kind::button, is_full(to.state.window) ? Area::full : Area::half, Colour::grey,
                         within(is_full(to.state.window) ? Area::full : Area::half, abs));
     made.name.append(called);
@@ -171,7 +170,7 @@ void draw_extra(const Drawing& to) {
   to.add(button(kNumberPlace, {ActionKind::open, static_cast<std::uint8_t>(WindowId::train_running_number)}, "TRN",
                 "TRN", 10));
   Item settings =
-      button(kSettingsPlace, {ActionKind::open, static_cast<std::uint8_t>(WindowId::settings)}, "SE04", {}, 12);
+      button(kSettingsPlace, {ActionKind::open, static_cast<std::uint8_t>(WindowId::settings)}, "SE04", "", 12);
   settings.picture = Picture::SE04;
   to.add(settings);
 }

@@ -1,3 +1,4 @@
+#include <array>
 #include <optional>
 
 #include "dmi/acks.h"
@@ -172,9 +173,10 @@ void draw_menu_buttons(const Drawing& to) {
     const char* label;
     WindowId opens;
   };
-  constexpr std::array kRows{Row{Area::F1, "Main", WindowId::main}, Row{Area::F2, "Over-ride", WindowId::override_},
-                             Row{Area::F3, "Data view", WindowId::data_view}, Row{Area::F4, "Spec", WindowId::special},
-                             Row{Area::F5, "", WindowId::settings}};
+  constexpr auto kRows =
+      std::to_array<Row>({Row{Area::F1, "Main", WindowId::main}, Row{Area::F2, "Over-ride", WindowId::override_},
+                          Row{Area::F3, "Data view", WindowId::data_view}, Row{Area::F4, "Spec", WindowId::special},
+                          Row{Area::F5, "", WindowId::settings}});
   for (const Row& row : kRows) {
     Item button = to.item(Kind::button, row.area, Colour::grey, {0, 0, 60, 50});
     button.name.append(name(row.area));

@@ -1,19 +1,21 @@
 #include "dmi/labels.h"
 
+#include <array>
+
 namespace evc::dmi {
 namespace {
 
 struct LanguageRow {
   std::string_view code, name;
 };
-constexpr std::array kLanguages{
-    LanguageRow{"bg", "Български"}, LanguageRow{"cs", "Čeština"},    LanguageRow{"da", "Dansk"},
-    LanguageRow{"de", "Deutsch"},   LanguageRow{"en", "English"},    LanguageRow{"es", "Español"},
-    LanguageRow{"fi", "Suomi"},     LanguageRow{"fr", "Français"},   LanguageRow{"hr", "Hrvatski"},
-    LanguageRow{"hu", "Magyar"},    LanguageRow{"it", "Italiano"},   LanguageRow{"nl", "Nederlands"},
-    LanguageRow{"no", "Norsk"},     LanguageRow{"pl", "Polski"},     LanguageRow{"pt", "Português"},
-    LanguageRow{"ro", "Română"},    LanguageRow{"sk", "Slovenčina"}, LanguageRow{"sl", "Slovenščina"},
-    LanguageRow{"sv", "Svenska"}};
+constexpr auto kLanguages = std::to_array<LanguageRow>(
+    {LanguageRow{"bg", "Български"}, LanguageRow{"cs", "Čeština"}, LanguageRow{"da", "Dansk"},
+     LanguageRow{"de", "Deutsch"}, LanguageRow{"en", "English"}, LanguageRow{"es", "Español"},
+     LanguageRow{"fi", "Suomi"}, LanguageRow{"fr", "Français"}, LanguageRow{"hr", "Hrvatski"},
+     LanguageRow{"hu", "Magyar"}, LanguageRow{"it", "Italiano"}, LanguageRow{"nl", "Nederlands"},
+     LanguageRow{"no", "Norsk"}, LanguageRow{"pl", "Polski"}, LanguageRow{"pt", "Português"},
+     LanguageRow{"ro", "Română"}, LanguageRow{"sk", "Slovenčina"}, LanguageRow{"sl", "Slovenščina"},
+     LanguageRow{"sv", "Svenska"}});
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(FieldId::count)> kLabels{
     "Driver ID",
@@ -56,7 +58,9 @@ Words ntc_label(const port::Display& display, std::uint8_t nid_ntc) {
 }
 
 std::string_view fixed_text(std::uint8_t Q_TEXT) {
-  return Q_TEXT == 0 ? "Level crossing not protected" : Q_TEXT == 1 ? "Acknowledgement" : "Text of the trackside";
+  constexpr std::array<std::string_view, 3> kFixed{"Level crossing not protected", "Acknowledgement",
+                                                   "Text of the trackside"};
+  return kFixed[Q_TEXT < 2 ? Q_TEXT : 2];
 }
 
 std::string_view label(FieldId id) {

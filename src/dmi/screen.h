@@ -137,6 +137,9 @@ struct Text {
   constexpr void append(std::string_view text) {
     for (const char c : text) append(c);
   }
+  constexpr void append(const char* text) {
+    for (; *text != '\0'; ++text) append(*text);
+  }
   constexpr std::string_view view() const { return {characters.data(), length}; }
   constexpr bool empty() const { return length == 0; }
   constexpr void clear() { length = 0; }

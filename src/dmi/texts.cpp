@@ -36,11 +36,12 @@ Content content_of(const port::Display& display, const port::DisplayedText& text
       return content;
     case port::TextKind::status: {
       if (text.status >= StatusText::count) return content;
-      const std::string_view words = name(text.status);
+      const Words named{name(text.status)};
+      const std::string_view words = named.view();
       constexpr std::string_view kNational = "National system";
-      if (names_national_system(text.status) && words.substr(0, kNational.size()) == kNational) {
+      if (names_national_system(text.status) && part_of(words, 0, kNational.size()) == kNational) {
         append_name(content, display, text.nid_ntc);
-        content.append(words.substr(kNational.size()));
+        content.append(part_of(words, kNational.size()));
       } else {
         content.append(words);
       }
@@ -63,7 +64,7 @@ std::size_t line_length(std::string_view rest, bool bold) {
   while (fits < rest.size()) {
     std::size_t next = fits + 1;
     while (next < rest.size() && (static_cast<unsigned char>(rest[next]) & 0xC0) == 0x80) ++next;
-    if (next > 60 || width_of(rest.substr(0, next), kTextHeight, bold) > kTextRoom) break;
+    if (next > 60 || width_of(part_of(rest, 0, next), kTextHeight, bold) > kTextRoom) break;
     if (rest[fits] == ' ') blank = fits;
     fits = next;
   }
@@ -86,7 +87,7 @@ void each_line(const port::Display& display, const port::DisplayedText& text, F 
   bool first = true;
   do {
     const std::size_t length = line_length(rest, text.important);
-    f(TextLine{&text, first, rest.substr(0, length)});
+    f(TextLine{&text, first, part_of(rest, 0, length)});
     rest.remove_prefix(length);
     while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
     first = false;

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "dmi/acks.h"
 #include "dmi/dmi.h"
 #include "dmi/drawing.h"
@@ -13,7 +15,7 @@ struct TouchRow {
   const char* name;
   const char* action;
 };
-constexpr std::array kTouchRows{
+constexpr auto kTouchRows = std::to_array<TouchRow>({
     TouchRow{ActionKind::close, "close", "close"},
     TouchRow{ActionKind::next, "next", "next"},
     TouchRow{ActionKind::previous, "previous", "previous"},
@@ -30,7 +32,7 @@ constexpr std::array kTouchRows{
     TouchRow{ActionKind::ato_engage, "G1", "engage"},
     TouchRow{ActionKind::ato_disengage, "G1", "disengage"},
     TouchRow{ActionKind::skip_stop, "G5", "skip_stop"},
-};
+});
 
 /// "F1" opens "Main".
 void name_opening(Touch& touch, const Target& target) {

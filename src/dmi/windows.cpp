@@ -1,5 +1,7 @@
 #include "dmi/windows.h"
 
+#include <array>
+
 #include "dmi/acks.h"
 #include "dmi/entry.h"
 #include "dmi/labels.h"
@@ -57,7 +59,7 @@ struct MenuRow {
   Picture picture;
 };
 constexpr Picture kText = Picture::count;
-constexpr std::array kMenuRows{
+constexpr auto kMenuRows = std::to_array<MenuRow>({
     MenuRow{main, 1, Button::start, kNoButton, ButtonType::up, false, kText},
     MenuRow{main, 2, Button::driver_id, kNoButton, ButtonType::up, false, kText},
     MenuRow{main, 3, Button::train_data, kNoButton, ButtonType::up, false, kText},
@@ -87,7 +89,7 @@ constexpr std::array kMenuRows{
     MenuRow{radio_data, 5, Button::radio_network_type, kNoButton, ButtonType::up, true, kText},
     MenuRow{radio_data, 6, Button::gsmr_network_id, kNoButton, ButtonType::delay, false, kText},
     MenuRow{radio_data, 7, Button::one_radio_system, kNoButton, ButtonType::up, true, kText},
-};
+});
 
 /// The windows with the hour glass.
 bool waits_here(const State& state) { return state.window == main || state.window == radio_data; }
@@ -138,9 +140,9 @@ void add_train_items(ViewItems& items, const State& state) {
   const DataStatus status = state.display.data.stored.train_status;
   if (state.display.config.train_data_entry == port::TrainDataEntry::fixed)
     add_stored(items, state, FieldId::train_type, status);
-  static constexpr std::array kFields{FieldId::category,      FieldId::length,    FieldId::brake_percentage,
-                                      FieldId::maximum_speed, FieldId::axle_load, FieldId::airtight,
-                                      FieldId::gauge};
+  static constexpr auto kFields =
+      std::to_array<FieldId>({FieldId::category, FieldId::length, FieldId::brake_percentage, FieldId::maximum_speed,
+                              FieldId::axle_load, FieldId::airtight, FieldId::gauge});
   for (const FieldId id : kFields) add_stored(items, state, id, status);
 }
 

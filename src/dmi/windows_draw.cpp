@@ -38,7 +38,7 @@ void draw_title(const Drawing& to, Area area) {
 }
 
 /// A button of a window with a picture or a label.
-Item window_button(const Drawing& to, Area area, Rect abs, Action action, bool enabled, std::string_view called) {
+Item window_button(const Drawing& to, Area area, Rect abs, Action action, bool enabled, const char* called) {
   Item button = to.item(Kind::button, area, enabled ? Colour::grey : Colour::dark_grey, relative(area, abs));
   button.name.append(called);
   button.height = 12;

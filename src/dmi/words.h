@@ -51,6 +51,14 @@ constexpr std::string_view until_zero(const std::array<char, N>& characters) {
   return {characters.data(), size};
 }
 
+/// A part of a text, at most to its end: `substr` could throw.
+constexpr std::string_view part_of(std::string_view text, std::size_t from, std::size_t count = ~std::size_t{0}) {
+  if (from > text.size()) from = text.size();
+  text.remove_prefix(from);
+  if (count < text.size()) text.remove_suffix(text.size() - count);
+  return text;
+}
+
 /// The width of a UTF-8 text in cells at a height of capital letters: that of a sans serif face of usual width, which a
 /// painter's face must not exceed by much.
 double width_of(std::string_view text, int height, bool bold);
