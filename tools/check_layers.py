@@ -45,7 +45,7 @@ MAY_INCLUDE = {
     # The screen of a replay: the unit with its display.
     "screen": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "dmi", "paint"},
     # A journey driven from outside: the page of `evc cab`.
-    "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "dmi", "paint"},
+    "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "dmi", "paint", "screen"},
     "cab": {"base", "run", "io", "ride"},
     "app": {"cab", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
