@@ -109,7 +109,8 @@ class Shower {
   }
 
   void show_speeds() {
-    if (has(train_speed)) to_.v = out_.v;
+    // The amount: backwards the speed of the outputs is below 0 (015560 8.2.1.2 knows none).
+    if (has(train_speed)) to_.v = out_.v < Speed{} ? Speed{} - out_.v : out_.v;
     if (has(monitoring_status)) {
       to_.monitoring = out_.monitoring;
       to_.status = out_.status;

@@ -246,6 +246,12 @@ TEST_F(Show, ButtonsDoNotDependOnWhatIsToBeAcknowledged) {
   EXPECT_TRUE(shown().enabled == Set<DriverInput>{DriverInput::isolation});
 }
 
+TEST_F(Show, BackwardsTheSpeedIsAnAmount) {
+  in(Mode::RV);
+  outputs->v = Speed{} - kmh(20.0);
+  EXPECT_EQ(shown().v, kmh(20.0));
+}
+
 TEST_F(Show, AnInhibitedAlarmIsShownIn400) {
   state.antenna_alarm.inhibited.emplace();
   EXPECT_FALSE(shown().bmm_inhibited);

@@ -111,8 +111,9 @@ void Runner::cycle() {
     for (const auto& e : w.out.events) std::printf("  %s\n", std::string(texts::line_of(e).view()).c_str());
   for (const auto& m : w.out.radio_out)
     if (m.bytes.size() >= 7) w.sent[m.bytes[0]] = T_TRAIN_of({m.bytes.begin(), m.bytes.size()});
-  if (w.out.radio_connect) w.calling = true;
+  // Both in one cycle: the connection of the session that has ended, and the call for the one that follows it.
   if (w.out.radio_disconnect) w.calling = false;
+  if (w.out.radio_connect) w.calling = true;
   advance();
 }
 
