@@ -101,9 +101,19 @@ bool text_ack_waits(const State& state) {
   return false;
 }
 
+/// In the start-up dialogue acknowledgements wait (015560 11.7.1.9), unless the on-board takes nothing else.
+bool held_back(const port::Display& display) {
+  constexpr Set<DriverInput> kEntries{DriverInput::driver_id,   DriverInput::level,
+                                      DriverInput::rbc_contact, DriverInput::train_running_number,
+                                      DriverInput::train_data,  DriverInput::radio_network_id};
+  const bool nothing_else = !display.enabled.empty() && (display.enabled & kEntries).empty() && display.step &&
+                            *display.step >= Dialogue::start_S1 && *display.step <= Dialogue::start_S3;
+  return display.start_of_mission && !nothing_else;
+}
+
 bool ack_pending(const State& state) {
   if (state.offered) return true;
-  return !state.display.start_of_mission && next_ack(state) != nullptr;
+  return !held_back(state.display) && next_ack(state) != nullptr;
 }
 
 void order_sound(State& state, Sound sound, SoundDo what) {
@@ -122,11 +132,11 @@ void offer_acks(State& state, const port::Display& before) {
     state.offered.reset();
     state.next_offer = now + kGap;
   }
-  if (before.start_of_mission && !display.start_of_mission) state.next_offer = now + kGap;
-  if (display.start_of_mission || state.offered) return;
+  if (held_back(before) && !held_back(display)) state.next_offer = now + kGap;
+  if (held_back(display) || state.offered) return;
   const port::AskedAck* next = next_ack(state);
   if (next == nullptr) return;
-  if (is_entry(state.window)) {
+  if (is_entry(state.window) && !display.start_of_mission) {
     abort_entry(state);
     state.next_offer = now + kGap;
   }

@@ -25,22 +25,16 @@ std::string_view characters_of(const State& state, FieldId id) {
   return value != nullptr ? value->typed.view() : std::string_view{};
 }
 
-/// The system of a choice of the level window.
-std::uint8_t system_of(const State& state, int choice) {
-  const Words wanted = choice_label(state, FieldId::level, static_cast<std::size_t>(choice));
-  for (const std::uint8_t nid_ntc : state.display.data.ntcs)
-    if (ntc_label(state.display, nid_ntc) == wanted) return nid_ntc;
-  return 0;
-}
-
 void commit_level(State& state, Duration now) {
   constexpr std::array<Level, 4> kLevelOfChoice{Level::L1, Level::L2, Level::L3, Level::L0};
   const int choice = choice_of(state, FieldId::level);
   if (choice < 0) return;
-  const bool national = static_cast<std::size_t>(choice) >= kLevelOfChoice.size();
-  const Level level = national ? Level::NTC : kLevelOfChoice[static_cast<std::size_t>(choice)];
+  const auto number = static_cast<std::size_t>(choice);
+  const std::optional<std::uint8_t> system = system_of_choice(state.display, number);
+  if (!system && number >= kLevelOfChoice.size()) return;  // it is not offered any more
+  const Level level = system ? Level::NTC : kLevelOfChoice[number];
   state.commands.actions.level = level;
-  if (national) state.commands.actions.nid_ntc = system_of(state, choice);
+  if (system) state.commands.actions.nid_ntc = *system;
   if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows
   if (!level_2_or_3(level)) return open_window(state, WindowId::main);
   // 015560 11.7.3 D5

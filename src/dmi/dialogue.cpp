@@ -114,8 +114,7 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
   if (waits && !waited) {
     state.waiting_since = state.awaited.on ? state.awaited.since : display.now;
     const WindowId window = waits_in(state);
-    if (window != state.window && (display.start_of_mission || state.awaited.on || is_entry(state.window)))
-      open_window(state, window);
+    if (window != state.window && (display.start_of_mission || state.awaited.on)) open_window(state, window);
   }
   Awaited& awaited = state.awaited;
   if (!awaited.on) return;

@@ -81,6 +81,8 @@ const port::EntryRange* range_of(const State& state, FieldId id) {
 Check check_range(const State& state, const Field& field) {
   const auto number = typed_number(field.value);
   if (field.id == FieldId::rbc_id) return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
+  // Validity period, country and identity: 8, 10 and 6 bits (015560 11.3.8).
+  if (field.id == FieldId::vbc_to_set) return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
   const port::EntryRange* range = range_of(state, field.id);
   if (range == nullptr) return Check::passed;
   if (!number) return Check::technical_range;

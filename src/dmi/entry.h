@@ -53,6 +53,8 @@ bool check_across(State&);
 /// The number of choices of a dedicated keyboard, and their labels.
 std::size_t choices_of(const State&, FieldId);
 Words choice_label(const State&, FieldId, std::size_t choice);
+/// NID_NTC of a choice of the level window; none where it is another level.
+std::optional<std::uint8_t> system_of_choice(const port::Display&, std::size_t choice);
 bool choice_enabled(const State&, FieldId, std::size_t choice);
 
 /// A value as the driver reads it, with its blanks (015560 5.1.5).

@@ -310,6 +310,42 @@ TEST_F(Session, StartUpHoldsAcksBack) {
   EXPECT_EQ(offered(), "MO08");
 }
 
+TEST_F(Session, InTheStartUpOnlyAnAckThatTheOnBoardWaitsForIsOffered) {
+  display.mode = Mode::SB;
+  display.start_of_mission = true;
+  display.step = Dialogue::start_S1;
+  display.enabled = {DriverInput::driver_id, DriverInput::isolation};
+  at(0);
+  ASSERT_EQ(state.window, WindowId::driver_id);
+  ask(Ack::brake);
+  at(1);
+  EXPECT_EQ(offered(), "");
+  display.enabled = {DriverInput::ack_standstill, DriverInput::isolation};  // it takes nothing else
+  at(2);
+  at(3.1);
+  ASSERT_EQ(offered(), "ST01");
+  EXPECT_EQ(state.window, WindowId::driver_id) << "the entry goes on behind it";
+  acknowledge_at(3.2);
+  display.enabled = {DriverInput::driver_id, DriverInput::isolation};
+  at(3.3);
+  EXPECT_EQ(state.window, WindowId::driver_id);
+}
+
+TEST_F(Session, AHeldFingerAnswersTheRequestThatItTouched) {
+  ask(Ack::OS);
+  at(0);
+  ASSERT_EQ(offered(), "MO08");
+  ASSERT_TRUE(press(state, test::middle(rect_of(Area::C1)), Duration{now}));
+  withdraw(Ack::OS);
+  at(0.1);
+  ask(Ack::SH);
+  at(1.2);
+  ASSERT_EQ(offered(), "MO02");
+  release(state, Duration{now});
+  EXPECT_EQ(take(state).actions.acknowledged, 0u);
+  EXPECT_EQ(offered(), "MO02");
+}
+
 TEST_F(Session, EntryIsLeftForAnAck) {
   display.mode = Mode::SB;
   display.buttons = test::all_buttons();

@@ -94,6 +94,10 @@ void show(State& state, const port::Display& display) {
   // The record of before is needed in parts only, but a copy is simple and has no pointers.
   const port::Display before = state.display;
   state.display = display;
+  // The level and the radio data may be entered again from the Main window: that is no start-up any more.
+  state.main_reached =
+      display.mode == Mode::SB && (state.main_reached || (display.step && *display.step >= Dialogue::start_S10));
+  if (state.main_reached) state.display.start_of_mission = false;
   if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (015560 8.2.2.4.3)
   if (!may_toggle(display.mode)) state.toggles.speed = false;
 

@@ -162,6 +162,7 @@ struct Pressed {
   Duration since{};           ///< since it was touched, or slid into again
   bool started_over = false;  ///< a delay button that was left in between
   std::uint16_t repeats = 0;
+  std::optional<port::AskedAck> ack = {};  ///< with an acknowledgement: what is acknowledged
 };
 
 /// The acknowledgement on offer (015560 5.4).
@@ -205,6 +206,8 @@ struct Toggles {
 struct State {
   port::Display display;
   bool shown_once = false;
+  bool main_reached =
+      false;  ///< the start-up dialogue has led to the Main window, which it is not left for (11.7.2 S10)
   WindowId window = WindowId::default_;
   std::uint8_t page = 0;
   bool from_driver_id = false;  ///< settings or train running number, opened in the window Driver ID

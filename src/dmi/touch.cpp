@@ -103,7 +103,7 @@ void act(State& state, Action action, Duration now) {
 /// The target as it is now; null: it is not there any more, or disabled.
 const Target* still(const Targets& all, const Target& held) {
   for (const Target& target : all)
-    if (target.action == held.action) return target.enabled ? &target : nullptr;
+    if (target.action == held.action && target.abs == held.abs) return target.enabled ? &target : nullptr;
   return nullptr;
 }
 
@@ -118,6 +118,7 @@ bool press(State& state, Cell at, Duration now) {
     if (!inside(target.abs, at.x, at.y)) continue;
     if (!target.enabled) return false;
     state.pressed = Pressed{.held = true, .target = target, .since = now};
+    if (target.action.kind == ActionKind::ack && state.offered) state.pressed.ack = state.offered->ack;
     // Places without a look of a button make no sound (015560 8.2.2.4).
     if (target.action.kind != ActionKind::toggle_speed) order_sound(state, Sound::click);
     if (down_type(target.type)) act(state, target.action, now);
@@ -144,6 +145,8 @@ void release(State& state, Duration now) {
   state.pressed = Pressed{};
   if (!pressed.held || !pressed.inside || down_type(pressed.target.type)) return;
   if (pressed.target.type == ButtonType::delay && now - pressed.since < kDelay) return;
+  // A request that was revoked meanwhile is not answered, nor is the one that came instead.
+  if (pressed.ack && !(state.offered && state.offered->ack == *pressed.ack)) return;
   const Targets all = targets(state);
   if (still(all, pressed.target) != nullptr) act(state, pressed.target.action, now);
 }

@@ -328,6 +328,12 @@ bool choice_enabled(const State& state, FieldId id, std::size_t choice) {
   return std::find(offered.begin(), offered.end(), systems[choice - kFirstNtc]) != offered.end();
 }
 
+std::optional<std::uint8_t> system_of_choice(const Display& display, std::size_t choice) {
+  const auto systems = systems_of(display);
+  if (choice < kFirstNtc || choice - kFirstNtc >= systems.size()) return std::nullopt;
+  return systems[choice - kFirstNtc];
+}
+
 port::ShownTrainData entered_train_data(const State& state, const Entry& entry) {
   const port::DisplayConfig& config = state.display.config;
   port::ShownTrainData train = state.display.data.stored.train;

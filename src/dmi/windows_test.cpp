@@ -366,6 +366,31 @@ TEST_F(Windows, DataViewHasPages) {
   EXPECT_EQ(state.window, WindowId::default_);
 }
 
+TEST_F(Windows, FromTheMainWindowNoStepIsStartUpAgain) {
+  display.start_of_mission = true;
+  display.step = Dialogue::start_S1;
+  cycle(0.1);
+  EXPECT_FALSE(tap("close"));
+  display.step = Dialogue::start_S10;
+  display.start_of_mission = false;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::main);
+  display.step = Dialogue::start_S3;  // level 2 entered from the Main window (11.7.3 S5-1)
+  display.start_of_mission = true;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::radio_data);
+  EXPECT_TRUE(tap("close"));
+  EXPECT_EQ(state.window, WindowId::main);
+  display.step.reset();
+  display.mode = Mode::NP;  // the desk is closed
+  cycle(0.1);
+  display.mode = Mode::SB;
+  display.step = Dialogue::start_S1;
+  cycle(0.1);
+  EXPECT_EQ(state.window, WindowId::driver_id);
+  EXPECT_FALSE(tap("close"));
+}
+
 TEST_F(Windows, StartOfMission) {
   display.start_of_mission = true;
   display.step = Dialogue::start_S1;
