@@ -50,12 +50,21 @@ Explanation explain(const Derived& derived, const Inputs& in, const Target& targ
 
 /// Speeds of one target's curves and limits at a place (3.13.9.3.3.7 ff., not iterated: the supervision
 /// limits invert to these only when V_est equals them): the speed V whose limit location is `x`, found by
-/// bisection to 1e-9 m/s. The train's estimated front is at `x`, its min safe front `under_reading` in rear of it:
-/// the build-up times of 4.0.0 are reduced from there (A.3.12).
+/// bisection to 1e-9 m/s. The train's estimated front is at `x`, its min safe front end `under_reading` in rear of it:
+/// the build-up times of 4.0.0 are reduced from there (A.3.12). Its max safe front end is `over_reading` in advance of
+/// it: the limits of the EBD count for that one (3.13.10.2.2). EBD and SBD are the curves at `x`.
 struct PositionRow {
   Speed EBD, SBD, EBI, SBI, W, P, I;
 };
 PositionRow speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
-                      Acceleration A_est, Distance under_reading = {});
+                      Acceleration A_est, Distance under_reading = {}, Distance over_reading = {});
+
+/// The MRSP at a place, beyond a limit of authority not above its speed (3.13.9.2.7).
+Speed ceiling_at(const Derived& derived, Place x);
+/// The same with the ceilings of the MRSP (3.13.9.2) and the floors of the target, as the on-board supervises and shows
+/// them: never below V_target with its margins (3.13.9.3.3.7, 3.13.9.3.5.7), none for a target speed of 0; up to the
+/// SvL never below the release speed (3.13.10.4.4).
+PositionRow supervised_speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
+                                 Acceleration A_est, Distance under_reading = {}, Distance over_reading = {});
 
 }  // namespace evc::sdm

@@ -708,7 +708,8 @@ typedef struct openevc_distances {
 OPENEVC_API openevc_result openevc_curves_at_speed(const openevc_curves* curves, double speed,
                                                    openevc_distances* distances) OPENEVC_NOEXCEPT;
 
-/* Speeds of curves and limits at a place. */
+/* Speeds of curves and limits for a train whose estimated front end is at a place; the limits with their ceilings
+   (3.13.9.2) and floors (3.13.9.3.3.7, 3.13.9.3.5.7). */
 typedef struct openevc_speeds {
   uint32_t size;
   uint32_t reserved;

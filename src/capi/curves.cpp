@@ -100,8 +100,9 @@ openevc_result openevc_curves_at_position(const openevc_curves* curves, double p
   if (!usable(curves) || !(std::abs(position) <= 1e7)) return OPENEVC_BAD_ARGUMENT;
   const openevc_curves& c = *curves;
   const Distance under_reading = c.motion ? c.motion->est_front - c.motion->min_safe_front : Distance{0.0};
-  const sdm::PositionRow p =
-      sdm::speeds_at(c.derived, c.inputs, c.target, Place{{position}}, c.V_ura, c.A_est, under_reading);
+  const Distance over_reading = c.motion ? c.motion->max_safe_front - c.motion->est_front : Distance{0.0};
+  const sdm::PositionRow p = sdm::supervised_speeds_at(c.derived, c.inputs, c.target, Place{{position}}, c.V_ura,
+                                                       c.A_est, under_reading, over_reading);
   const double SBD = c.target.kind == sdm::TargetKind::EOA_SvL ? p.SBD.si : kNone;
   const openevc_speeds s{0, 0, p.EBD.si, SBD, p.EBI.si, p.SBI.si, p.W.si, p.P.si, p.I.si};
   return evc::capi::give(speeds, s) ? OPENEVC_OK : OPENEVC_BAD_ARGUMENT;

@@ -293,5 +293,79 @@ TEST(CommandCurves, TrainsAndNationalValuesThatShip) {
     EXPECT_EQ(refusal(document), "accepted");
   }
 }
+/// A table by position for a restriction to 60 km/h in an MRSP of 120 km/h.
+json by_position(std::vector<int> places, json state = json::object()) {
+  const json document = {{"schema", "evc-curves/1"},
+                         {"train", {{"length_m", 100}}},
+                         {"track", {{"gradient", {{0, 0}}}, {"mrsp", {{0, 120}}}}},
+                         {"target", {{"type", "MRSP"}, {"location_m", 5000}, {"speed_kmh", 60}}},
+                         {"state", state},
+                         {"query", {{"positions_m", places}}}};
+  return json::parse(
+      curves_text(curves_result(Approached(*io::read_curves(document.dump(), "a"))), Format::json))["by_position"];
+}
+
+TEST(CommandCurves, ByPositionTheLimitsHaveTheirCeilingsAndFloors) {
+  // 3.13.9.2 at 120 and 60 km/h: dV_ebi 8.25 and 7.5, dV_sbi 6.0 and 5.5, dV_warning 4.33 and 4 km/h.
+  const json rows = by_position({1000, 4999, 5000, 5001});
+  EXPECT_NEAR(rows[0]["EBI"].get<double>(), 120 + 7.5 * 1.1, 1e-9);
+  EXPECT_NEAR(rows[0]["P"].get<double>(), 120.0, 1e-9);
+  EXPECT_NEAR(rows[0]["I"].get<double>(), 120.0, 1e-9);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i]["EBI"].get<double>(), 67.5, 1e-9) << i;
+    EXPECT_NEAR(rows[i]["SBI"].get<double>(), 65.5, 1e-9) << i;
+    EXPECT_NEAR(rows[i]["W"].get<double>(), 64.0, 1e-9) << i;
+    EXPECT_NEAR(rows[i]["P"].get<double>(), 60.0, 1e-9) << i;
+    EXPECT_NEAR(rows[i]["I"].get<double>(), 60.0, 1e-9) << i;
+  }
+}
+
+TEST(CommandCurves, ByPositionTheLimitsOfTheEBDCountForTheMaxSafeFrontEnd) {
+  // All limits of a restriction are those of an EBD: 300 m of the confidence interval are 300 m along the line.
+  const json exact = by_position({4300, 4600});
+  const json uncertain =
+      by_position({4300}, {{"est_front_m", 4000}, {"max_safe_front_m", 4300}, {"min_safe_front_m", 3700}});
+  for (const char* limit : {"EBI", "SBI", "W", "P", "I"}) {
+    EXPECT_EQ(uncertain[0][limit], exact[1][limit]) << limit;
+    EXPECT_LT(exact[1][limit], exact[0][limit]) << limit;
+  }
+  EXPECT_EQ(uncertain[0]["EBD"], exact[0]["EBD"]);  // the curve at the place
+}
+
+TEST(CommandCurves, UpToTheSvLNoLimitIsBelowTheReleaseSpeed) {
+  json document = passenger();
+  document["target"]["svl_location_m"] = 7100;
+  document["query"] = {{"positions_m", {7030, 7090, 7101}}};
+  const json rows = json::parse(
+      curves_text(curves_result(Approached(*io::read_curves(document.dump(), "a"))), Format::json))["by_position"];
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const char* limit : {"EBI", "SBI", "W"}) EXPECT_NEAR(rows[i][limit].get<double>(), 30.0, 1e-9) << i << limit;
+  for (const char* limit : {"EBI", "SBI", "W", "P", "I"}) EXPECT_EQ(rows[2][limit], 0.0) << limit;
+}
+
+TEST(CommandCurves, APermittedBrakingDistanceIsNotCutByTheSpeedOfTheTrain) {
+  json document = {{"schema", "evc-curves/1"},
+                   {"train", {{"max_speed_kmh", 100}, {"length_m", 100}}},
+                   {"track", {{"gradient", {{0, 0}}}}},
+                   {"target", {{"type", "EOA_SvL"}, {"location_m", 9000}}},
+                   {"query", {{"speeds_kmh", {50}}, {"PBD", {{{"D_PBD", 3500}, {"G_PBDSR", 0}, {"Q_PBDSR", 0}}}}}}};
+  document["query"]["PBD"].push_back({{"D_PBD", 6000}, {"G_PBDSR", 0}, {"Q_PBDSR", 0}});
+  const auto slow = PBD_rows(Approached(*io::read_curves(document.dump(), "a")));
+  EXPECT_EQ(*slow[0].back().second, 190.0);
+  EXPECT_EQ(*slow[1].back().second, 250.0);
+}
+
+TEST(CommandCurves, ATrainWithoutANameIsCalledByItsBrakes) {
+  const auto name = [](json train) {
+    json document = passenger();
+    document["train"] = std::move(train);
+    return Approached(*io::read_curves(document.dump(), "a")).input().train_name;
+  };
+  EXPECT_EQ(name({{"length_m", 100}}), "passenger, 135 %");
+  EXPECT_EQ(name({{"brake_position", "FreightG"}, {"brake_percentage", 65}}), "freight in G, 65 %");
+  EXPECT_EQ(name({{"brake_position", "FreightP"}, {"brake_percentage", 72.5}}), "freight in P, 72.5 %");
+  EXPECT_EQ(name({{"name", "x"}, {"brake_position", "FreightG"}}), "x");
+}
+
 }  // namespace
 }  // namespace evc::curves

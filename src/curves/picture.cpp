@@ -105,21 +105,13 @@ void add_braking_curves(Picture& p, const Approached& a) {
   curve("GUI", "GUI  guidance", colour::GUI, [](const sdm::Target& t) { return t.GUI; });
 }
 
-/// The MRSP, beyond a limit of authority not above its speed (3.13.9.2.7).
-Speed ceiling_speed(const sdm::Derived& d, double x) {
-  Speed V = d.mrsp.at(Place{{x}});
-  for (const sdm::Target& t : d.targets)
-    if (t.kind == sdm::TargetKind::LOA && x >= m(t.d_target)) V = std::min(V, t.V_target);
-  return V;
-}
-
 void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& tables) {
   const sdm::Derived& d = a.derived();
   for (const LimitKind& kind : kLimits) {
     PictureCurve c{kind.key, kind.name, kind.stroke, {}};
     const auto margin = [&](Speed V) { return kind.margin != nullptr ? kind.margin(V, d.fixed).si * kKmh : 0.0; };
     for (const double x : p.x_m) {
-      const Speed V_MRSP = ceiling_speed(d, x);
+      const Speed V_MRSP = sdm::ceiling_at(d, Place{{x}});
       const double ceiling = V_MRSP.si * kKmh + margin(V_MRSP);
       double lowest = kind.ceiling ? ceiling : kNaN;
       for (const LimitTable& t : tables) {

@@ -7,13 +7,20 @@
 
 // Permitted braking distances and level crossings: the queries of `evc curves` that have no curve to the target.
 namespace evc::curves {
+namespace {
+
+/// Beyond every speed of a train (V_MAXTRAIN: 600 km/h), so that the distance alone decides.
+constexpr Speed kHighestPBD{700.0 / kKmh};
+
+}  // namespace
 
 std::vector<QueryRow> PBD_rows(const Approached& a) {
   std::vector<QueryRow> rows;
   const auto scratch = std::make_unique<sdm::Derived>();
+  sdm::Inputs in = a.input().inputs;
+  in.V_top = kHighestPBD;
   for (const io::PbdQuery& q : a.input().PBD) {
-    const Speed V =
-        sdm::permitted_braking_distance_speed(a.input().inputs, q.D_PBD, q.G_PBDSR, !q.service_brake, *scratch);
+    const Speed V = sdm::permitted_braking_distance_speed(in, q.D_PBD, q.G_PBDSR, !q.service_brake, *scratch);
     rows.push_back({{"D_PBD", q.D_PBD.si},
                     {"G_PBDSR", q.G_PBDSR},
                     {"Q_PBDSR", q.service_brake ? 1.0 : 0.0},

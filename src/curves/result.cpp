@@ -272,8 +272,10 @@ CurvesResult curves_result(const Approached& a) {
     r.scalars.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);
   for (const double v : input.speeds_kmh) r.by_speed.push_back(speed_row(a, v));
   const Distance under_reading = input.motion ? input.motion->est_front - input.motion->min_safe_front : Distance{0.0};
+  const Distance over_reading = input.motion ? input.motion->max_safe_front - input.motion->est_front : Distance{0.0};
   for (const double x : input.positions_m) {
-    const sdm::PositionRow p = sdm::speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est, under_reading);
+    const sdm::PositionRow p = sdm::supervised_speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est,
+                                                         under_reading, over_reading);
     PositionRow row;
     row.position_m = x;
     row.EBD = p.EBD.si * kKmh;

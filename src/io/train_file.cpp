@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/number.h"
 #include "io/refuse.h"
 #include "io/steps.h"
 
@@ -283,6 +284,17 @@ void read_brakes(TrainData& data, const JsonPlace& place) {
     if (!place.find(key)) place.fail("no key \"" + std::string(key) + "\"", "this key: brake_model is gamma");
 }
 
+/// The name of a train in charts if its file gives none.
+std::string name_of(const TrainData& data) {
+  if (data.brake_model == train::BrakeModel::gamma) return "train with its own decelerations";
+  std::string percentage;
+  append_number(percentage, data.brake_percentage);
+  percentage += " %";
+  if (data.brake_position == train::BrakePosition::PassengerP) return "passenger, " + percentage;
+  return data.brake_position == train::BrakePosition::FreightP ? "freight in P, " + percentage
+                                                               : "freight in G, " + percentage;
+}
+
 }  // namespace
 
 Train read_entered_train(const JsonPlace& place) {
@@ -290,8 +302,9 @@ Train read_entered_train(const JsonPlace& place) {
   if (place.find("schema")) place.require_schema("etcs-train/1");
   Train train;
   TrainData& data = train.data;
-  if (const auto p = place.find("name")) train.name = p->string();
   read_brakes(data, place);
+  const auto named = place.find("name");
+  train.name = named ? named->string() : name_of(data);
   if (const auto p = place.find("length_m")) data.L_TRAIN = {number_or(*p, 1.0, 4095.0, train::Fault::train_length)};
   if (const auto p = place.find("max_speed_kmh"))
     data.V_MAXTRAIN = {number_or(*p, 5.0, 600.0, train::Fault::maximum_speed) / kKmh};

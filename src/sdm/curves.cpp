@@ -92,10 +92,11 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
 }
 
 PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura, Acceleration A_est,
-                      Distance under_reading) {
+                      Distance under_reading, Distance over_reading) {
   PositionRow row{};
   Motion here;
-  here.est_front = here.max_safe_front = x;
+  here.est_front = x;
+  here.max_safe_front = x + over_reading;
   here.min_safe_front = x - under_reading;
   const Speed top = in.V_top.value_or(d.V_relevant);
   row.EBD = d.view(t.EBD).speed_at(x);
@@ -103,11 +104,48 @@ PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place
   const auto speed = [&](auto pick) {
     return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est, &here)); }, x, top);
   };
-  row.EBI = speed([](const Explanation& e) { return *e.EBD.d_EBI; });
-  row.SBI = speed([](const Explanation& e) { return e.d_FLOI; });
-  row.W = speed([](const Explanation& e) { return e.d_W; });
-  row.P = speed([](const Explanation& e) { return e.d_P; });
-  row.I = speed([](const Explanation& e) { return e.d_I; });
+  // The limits of the EBD against the max safe front end, those of the SBD against the estimated one.
+  const auto nearest = [&](const Explanation& e, Place Limits::*limit) {
+    const Place EBD = e.EBD.*limit - over_reading;
+    return e.SBD.has_value() ? std::min(EBD, (*e.SBD).*limit) : EBD;
+  };
+  row.EBI = speed([&](const Explanation& e) { return *e.EBD.d_EBI - over_reading; });
+  row.SBI = speed([&](const Explanation& e) { return nearest(e, &Limits::d_SBI); });
+  row.W = speed([&](const Explanation& e) { return nearest(e, &Limits::d_W); });
+  // The official tool of 3.4.0 draws P not beyond the target.
+  row.P = speed([&](const Explanation& e) {
+    const Place d_P = nearest(e, &Limits::d_P);
+    return d.rules.pre_indication ? std::min(d_P, t.d_target) : d_P;
+  });
+  row.I = speed([&](const Explanation& e) { return nearest(e, &Limits::d_I); });
+  return row;
+}
+
+Speed ceiling_at(const Derived& d, Place x) {
+  Speed V = d.mrsp.at(x);
+  for (const Target& t : d.targets)
+    if (t.kind == TargetKind::LOA && x >= t.d_target) V = std::min(V, t.V_target);
+  return V;
+}
+
+PositionRow supervised_speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura,
+                                 Acceleration A_est, Distance under_reading, Distance over_reading) {
+  PositionRow row = speeds_at(d, in, t, x, V_ura, A_est, under_reading, over_reading);
+  const Speed M = ceiling_at(d, x);
+  const auto within = [&](Speed limit, Speed floor, Speed ceiling) {
+    return std::min(std::max(limit, floor), ceiling);
+  };
+  const auto with_margin = [&](Speed limit, Speed (*margin)(Speed, const train::FixedValues&)) {
+    Speed floor{0.0};
+    if (!t.zero) floor = t.V_target + margin(t.V_target, d.fixed);
+    if (t.kind == TargetKind::EOA_SvL && d.release_speed.exists && x <= t.d_target) floor = d.release_speed.V_release;
+    return within(limit, floor, M + margin(M, d.fixed));
+  };
+  row.EBI = with_margin(row.EBI, dV_ebi);
+  row.SBI = with_margin(row.SBI, dV_sbi);
+  row.W = with_margin(row.W, dV_warning);
+  row.P = within(row.P, t.V_target, M);
+  row.I = within(row.I, t.V_target, M);
   return row;
 }
 
