@@ -34,14 +34,14 @@ MAY_INCLUDE = {
     "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
     # Cycles by the clock and hand-over between threads, of values of any type.
     "realtime": set(),
-    "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime"},
+    "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime", "dmi", "paint"},
     "serve": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime", "run"},
     "language": {"base", "terms", "lang", "airgap", "texts", "io"},
     "check": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "matrix": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     "explain": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run"},
     # Pictures of the display list.
-    "paint": {"base", "terms", "port", "dmi"},
+    "paint": {"base", "terms", "port", "dmi", "io"},
     # The screen of a replay: the unit with its display.
     "screen": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "dmi", "paint"},
     # A journey driven from outside: the page of `evc cab`.

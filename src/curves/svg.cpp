@@ -4,25 +4,10 @@
 
 #include <cmath>
 
+#include "io/xml.h"
+
 namespace evc::curves {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
 
 std::string stroke_of(const Stroke& s) {
   std::string out = fmt::format("stroke=\"{}\" stroke-width=\"{:g}\"", s.colour, s.width);
@@ -36,7 +21,7 @@ Svg::Svg(double width, double height, const std::string& title) {
   out_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\" "
       "font-family=\"Verdana, 'DejaVu Sans', Helvetica, Arial, sans-serif\" role=\"img\">\n<title>{2}</title>\n",
-      width, height, escaped(title));
+      width, height, io::escaped_xml(title));
   rect(0, 0, width, height, colour::white);
 }
 
@@ -68,14 +53,14 @@ void Svg::polyline(const std::vector<std::pair<double, double>>& points, const S
 void Svg::text(double x, double y, const std::string& text, double size, const char* fill, const char* anchor,
                bool bold) {
   out_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-                      x, y, size, fill, anchor, bold ? " font-weight=\"bold\"" : "", escaped(text));
+                      x, y, size, fill, anchor, bold ? " font-weight=\"bold\"" : "", io::escaped_xml(text));
 }
 
 void Svg::vertical_text(double x, double y, const std::string& text, double size, const char* fill) {
   out_ += fmt::format(
       "<text transform=\"translate({:.2f} {:.2f}) rotate(-90)\" font-size=\"{:g}\" fill=\"{}\" "
       "text-anchor=\"middle\">{}</text>\n",
-      x, y, size, fill, escaped(text));
+      x, y, size, fill, io::escaped_xml(text));
 }
 
 void Svg::clip(double x, double y, double w, double h) {

@@ -212,6 +212,7 @@ struct Item {
   Rect data_at;   ///< with Kind::field: the data part, relative to the corner of `area`
   Text<32> name;  ///< "title", "button 1 Start", "Length (m)"
   Words text;
+  friend constexpr bool operator==(const Item&, const Item&) = default;
 };
 static_assert(std::is_trivially_copyable_v<Item>);
 

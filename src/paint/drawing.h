@@ -67,7 +67,13 @@ struct Bounds {
 };
 Bounds bounds_of(const std::vector<Shape>& shapes);
 
-/// The shapes of a display list.
+/// What an item of a display list looks like; nothing for one that only reacts to touch.
+std::vector<Shape> shapes_of(const dmi::Item& item);
+
+/// The surface on which everything stands.
+Shape background();
+
+/// The shapes of a display list, without that surface.
 Drawing draw(const dmi::Screen& screen);
 
 }  // namespace evc::paint

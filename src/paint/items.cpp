@@ -373,12 +373,25 @@ std::string words_of(const Item& item) {
 
 }  // namespace
 
+std::vector<Shape> shapes_of(const Item& item) {
+  Shapes shapes;
+  add(shapes, item);
+  return shapes;
+}
+
+Shape background() {
+  constexpr Rect size = dmi::rect_of(dmi::Area::screen);
+  Shape shape{{}, Colour::dark_blue, 0.0};  // 015560 5.2.1.3
+  shape.path.rectangle(0.0, 0.0, size.w, size.h);
+  return shape;
+}
+
 Drawing draw(const dmi::Screen& screen) {
   Drawing drawing;
   drawing.reserve(screen.items.size());
   for (const Item& item : screen.items) {
     Group group;
-    add(group.shapes, item);
+    group.shapes = shapes_of(item);
     if (group.shapes.empty()) continue;
     group.label = words_of(item);
     drawing.push_back(std::move(group));

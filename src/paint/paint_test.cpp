@@ -14,6 +14,7 @@
 #include "base/test_paths.h"
 #include "paint/drawing.h"
 #include "paint/font.h"
+#include "paint/path_text.h"
 #include "paint/png.h"
 #include "paint/svg.h"
 #include "paint/symbols.h"
@@ -402,6 +403,66 @@ TEST(Png, LaterItemsCoverEarlierOnes) {
   above.colour = Colour::grey;
   EXPECT_EQ(Pixels(png_of(*screen_with({below, above}))).at(120, 120), rgb(Colour::grey));
   EXPECT_EQ(Pixels(png_of(*screen_with({above, below}))).at(120, 120), rgb(Colour::red));
+}
+
+std::string form_of(const Shape& shape) {
+  std::string form;
+  append_form(form, shape);
+  return form;
+}
+
+TEST(PathText, CellsHaveTwoDecimalsAtMost) {
+  const auto text_of = [](double cells) {
+    std::string text;
+    append_cells(text, cells);
+    return text;
+  };
+  EXPECT_EQ(text_of(0.0), "0");
+  EXPECT_EQ(text_of(-0.0), "0");
+  EXPECT_EQ(text_of(-0.004), "0");
+  EXPECT_EQ(text_of(-0.05), "-0.05");
+  EXPECT_EQ(text_of(12.5), "12.5");
+  EXPECT_EQ(text_of(639.994), "639.99");
+  EXPECT_EQ(text_of(-3.0), "-3");
+  EXPECT_EQ(text_of(std::nan("")), "0");
+  EXPECT_EQ(text_of(1e300), "1000000");
+}
+
+/// The same form for what looks the same: whole cells further, every shape of every kind of item has the same one.
+TEST(PathText, TheFormOfAShapeDoesNotDependOnItsPlace) {
+  int shapes_seen = 0;
+  for (int kind = 0; kind <= static_cast<int>(Kind::cursor); ++kind) {
+    const Item here = item_of(static_cast<Kind>(kind));
+    Item there = here;
+    there.at.x = static_cast<std::int16_t>(there.at.x + 37);
+    there.at.y = static_cast<std::int16_t>(there.at.y - 11);
+    there.data_at.x = static_cast<std::int16_t>(there.data_at.x + 37);
+    there.data_at.y = static_cast<std::int16_t>(there.data_at.y - 11);
+    const auto before = shapes_of(here), after = shapes_of(there);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i, ++shapes_seen) {
+      const Hundredths a = begin_of(before[i]), b = begin_of(after[i]);
+      const bool moved = b.x - a.x == 3700 && b.y - a.y == -1100;
+      // The dial and the labelled values have places of their own.
+      if (!moved) continue;
+      EXPECT_EQ(form_of(before[i]), form_of(after[i])) << kind;
+      EXPECT_NE(form_of(before[i]).find("\"M0 0"), std::string::npos);
+    }
+  }
+  EXPECT_GT(shapes_seen, 30);
+}
+
+TEST(PathText, AFormHasColourLineAndPath) {
+  Shape shape{{}, Colour::grey, 1.5};
+  shape.path.move_to({10, 20});
+  shape.path.line_to({13, 16.25});
+  shape.path.close();
+  EXPECT_EQ(form_of(shape), "\"#C3C3C3\",1.5,\"M0 0L3 -3.75Z\"");
+  EXPECT_EQ(begin_of(shape), (Hundredths{1000, 2000}));
+  std::string path;
+  append_path(path, shape.path);
+  EXPECT_EQ(path, "M10 20L13 16.25Z");
+  EXPECT_EQ(begin_of(Shape{}), Hundredths{});
 }
 
 }  // namespace

@@ -1,65 +1,22 @@
 #include "ride/panel.h"
 
-#include <cmath>
-
-#include "io/number.h"
 #include "paint/drawing.h"
+#include "paint/path_text.h"
 #include "screen/screen_json.h"
 
 namespace evc::ride {
 namespace {
 
-/// Hundredths of a cell: finer than any screen.
-void append_cells(std::string& out, double value) {
-  io::append_number(out, std::nearbyint(value * 100.0) / 100.0 + 0.0);
-}
-
-void append_point(std::string& out, paint::Point p) {
-  append_cells(out, p.x);
-  out += ' ';
-  append_cells(out, p.y);
-}
-
-void append_path(std::string& out, const paint::Path& path) {
-  for (const paint::Path::Step& step : path.steps()) {
-    switch (step.kind) {
-      case paint::Path::Kind::move:
-        out += 'M';
-        append_point(out, step.end);
-        break;
-      case paint::Path::Kind::line:
-        out += 'L';
-        append_point(out, step.end);
-        break;
-      case paint::Path::Kind::curve:
-        out += 'C';
-        append_point(out, step.a);
-        out += ' ';
-        append_point(out, step.b);
-        out += ' ';
-        append_point(out, step.end);
-        break;
-      case paint::Path::Kind::close:
-        out += 'Z';
-        break;
-    }
-  }
-}
-
-void append_colour(std::string& out, dmi::Colour colour) {
-  out += "\"#";
-  io::append_hex(out, dmi::kColourRows[terms::index(colour)].rgb);
-  out += '"';
-}
-
+/// `["#C3C3C3",0,"M0 0L3 4Z",20,30]`
 void append_shape(std::string& out, const paint::Shape& shape) {
+  const paint::Hundredths at = paint::begin_of(shape);
   out += '[';
-  append_colour(out, shape.colour);
+  paint::append_form(out, shape);
   out += ',';
-  append_cells(out, shape.stroke);
-  out += ",\"";
-  append_path(out, shape.path);
-  out += "\"]";
+  paint::append_hundredths(out, at.x);
+  out += ',';
+  paint::append_hundredths(out, at.y);
+  out += ']';
 }
 
 }  // namespace
@@ -82,10 +39,8 @@ const dmi::Screen& Panel::screen() {
 std::string Panel::display_list() { return screen::screen_json(screen()); }
 
 std::string Panel::drawing() {
-  // The background of 5.2.1.3.
-  std::string out = "[[";
-  append_colour(out, dmi::Colour::dark_blue);
-  out += ",0,\"M0 0L640 0L640 480L0 480Z\"]";
+  std::string out = "[";
+  append_shape(out, paint::background());
   for (const paint::Group& group : paint::draw(screen()))
     for (const paint::Shape& shape : group.shapes) {
       if (shape.colour == dmi::Colour::none) continue;

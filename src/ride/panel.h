@@ -26,8 +26,8 @@ class Panel {
   const dmi::Screen& screen();
   /// The display list, evc-screen/1.
   std::string display_list();
-  /// The screen as a JSON list of shapes in drawing order, `["#C3C3C3", 0, "M1 2L3 4Z"]`: the colour, the width of the
-  /// line (0: filled), and the path as in SVG, in cells.
+  /// The screen as a JSON list of shapes in drawing order, `["#C3C3C3", 0, "M0 0L3 4Z", 20, 30]`: the colour, the width
+  /// of the line (0: filled), the path as in SVG counted from its begin, and where that is, in cells.
   std::string drawing();
 
  private:

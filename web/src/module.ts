@@ -1,5 +1,7 @@
 // The WebAssembly module: kernel, simulator and display. Its exports are those of src/ride/module.cpp.
 
+import type { Shape } from "./painter.js";
+
 export type Direction = "neutral" | "forward" | "backward";
 /// As DirectionController (port/inputs.h).
 const DIRECTIONS: readonly Direction[] = ["neutral", "forward", "backward"];
@@ -58,9 +60,6 @@ export interface Driven {
   points: Float64Array;
   events: RideEvent[];
 }
-
-/// A shape to paint: colour, width of its line (0: filled), and its path as in SVG.
-export type Shape = [colour: string, stroke: number, path: string];
 
 interface Exports {
   memory: WebAssembly.Memory;

@@ -1,24 +1,30 @@
-// The display on a canvas: shapes in cells of 640 x 480, as the module draws them. Symbols and letters are outlines, so
-// they look as in the pictures of `evc dmi`.
+// The display on a canvas: shapes in cells of 640 x 480. Symbols and letters are outlines, so they look as in the pictures of
+// `evc dmi`. The page of `evc cab` and the report of `evc run` have this same source; a report is made without node, so it is
+// no TypeScript, and types are in comments.
 
-import type { Shape } from "./module.js";
+/**
+ * Colour, width of the line (0: filled), path as in SVG counted from its begin, and where that is.
+ * @typedef {[colour: string, stroke: number, path: string, x: number, y: number]} Shape
+ */
 
-export const CELLS = { width: 640, height: 480 } as const;
+export const CELLS = Object.freeze({ width: 640, height: 480 });
 
 export class Painter {
-  private readonly context: CanvasRenderingContext2D;
-  private readonly paths = new Map<string, Path2D>();
-
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
     const context = canvas.getContext("2d", { alpha: false });
     if (context === null) throw new Error("no canvas");
+    this.canvas = canvas;
     this.context = context;
+    /** @type {Map<string, Path2D>} */
+    this.paths = new Map();
   }
 
-  paint(shapes: readonly Shape[]): void {
+  /** @param {readonly Shape[]} shapes */
+  paint(shapes) {
     const scale = fitToPixels(this.canvas) / CELLS.width;
-    this.context.setTransform(scale, 0, 0, scale, 0, 0);
-    for (const [colour, stroke, path] of shapes) {
+    for (const [colour, stroke, path, x, y] of shapes) {
+      this.context.setTransform(scale, 0, 0, scale, x * scale, y * scale);
       const outline = this.pathOf(path);
       if (stroke === 0) {
         this.context.fillStyle = colour;
@@ -31,8 +37,12 @@ export class Painter {
     }
   }
 
-  /// The cell under a pointer.
-  cellOf(event: PointerEvent): { x: number; y: number } {
+  /**
+   * The cell under a pointer.
+   * @param {PointerEvent} event
+   * @returns {{ x: number, y: number }}
+   */
+  cellOf(event) {
     const box = this.canvas.getBoundingClientRect();
     return {
       x: Math.floor(((event.clientX - box.left) / box.width) * CELLS.width),
@@ -40,7 +50,11 @@ export class Painter {
     };
   }
 
-  private pathOf(path: string): Path2D {
+  /**
+   * @param {string} path
+   * @returns {Path2D}
+   */
+  pathOf(path) {
     let known = this.paths.get(path);
     if (known === undefined) {
       // Most shapes return; a moving pointer does not.
@@ -52,8 +66,12 @@ export class Painter {
   }
 }
 
-/// Gives the canvas one pixel of its own for each of the screen; its width in them.
-export function fitToPixels(canvas: HTMLCanvasElement): number {
+/**
+ * Gives the canvas one pixel of its own for each of the screen; its width in them.
+ * @param {HTMLCanvasElement} canvas
+ * @returns {number}
+ */
+export function fitToPixels(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
   const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
