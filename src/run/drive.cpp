@@ -113,11 +113,13 @@ void drive(sim::World& world, OnBoard& on_board, Recorder& recorder) {
     const kernel::Outputs& outputs = on_board.step(inputs.view());
     world.observe(outputs);
     recorder.add(inputs, outputs, truth);
+    if (recorder.keeps_displays()) recorder.show(inputs, on_board.show());
   } while (!world.finished());
 }
 
 RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& recorder, std::int64_t cycle_ms,
-                            realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped) {
+                            realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped,
+                            OnBoard* twin) {
   realtime::Executor executor(clock, std::chrono::milliseconds(cycle_ms));
   Unit unit(on_board, exchange, clock, cycle_ms);
   Outside outside(world, exchange, clock, cycle_ms);
@@ -131,6 +133,10 @@ RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& reco
   while (exchange.next(result)) {
     world.observe(result.out);
     recorder.add(result.in, result.out, outside.truth_of(result));
+    if (twin != nullptr && recorder.keeps_displays()) {
+      (void)twin->step(result.in.view());
+      recorder.show(result.in, twin->show());
+    }
     without_inputs += result.fresh ? 0 : 1;
     if (stopped()) break;
     if (outside.waits(result)) continue;

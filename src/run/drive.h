@@ -10,6 +10,7 @@
 #include "realtime/clock.h"
 #include "realtime/exchange.h"
 #include "realtime/timing.h"
+#include "run/display_lists.h"
 #include "run/journey.h"
 #include "run/on_board.h"
 #include "run/progress.h"
@@ -25,15 +26,24 @@ struct Records {
 /// Keeps what every cycle of a run had and gave. `inputs.jsonl` begins with the configuration of the on-board.
 class Recorder {
  public:
-  Recorder(const sim::World& world, Journey& journey, const io::Configuration& configuration)
-      : world_(world), journey_(journey), writer_(configuration) {}
+  /// `displays`: where the display of each cycle is kept too; none for a run without a report.
+  Recorder(const sim::World& world, Journey& journey, const io::Configuration& configuration,
+           DisplayLists* displays = nullptr)
+      : world_(world), journey_(journey), writer_(configuration), displays_(displays) {}
   void add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
   Records& records() { return records_; }
+
+  bool keeps_displays() const { return displays_ != nullptr; }
+  /// The record of the display after the cycle of `inputs`.
+  void show(const sim::CycleInputs& inputs, const kernel::Display& record) {
+    displays_->add(inputs.t_ms, record, inputs.levels.driver);
+  }
 
  private:
   const sim::World& world_;
   Journey& journey_;
   io::InputWriter writer_;
+  DisplayLists* displays_;
   Records records_;
   Progress progress_{"driving"};
 };
@@ -62,8 +72,10 @@ struct Exchange : realtime::Exchange<sim::CycleInputs, kernel::Outputs> {
 
 /// Drives by the clock: the on-board in a thread of its own, once in each period, with what the world has made by then.
 /// Until the world has ended, or `stopped` says so, which is asked after each cycle, also when the world never makes
-/// its inputs in time.
+/// its inputs in time. `twin`: a unit as `on_board` at power-up, for a recorder that keeps the display: outside the
+/// thread it gets the same inputs, and so has the same record, without a call in the cycles that are by the clock.
 RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& recorder, std::int64_t cycle_ms,
-                            realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped);
+                            realtime::Clock& clock, Exchange& exchange, const std::function<bool()>& stopped,
+                            OnBoard* twin = nullptr);
 
 }  // namespace evc::run

@@ -32,7 +32,12 @@ struct Drive {
   }
   RealTime in_real_time(
       realtime::Clock& clock, const std::function<bool()>& stopped = [] { return false; }) {
-    return drive_in_real_time(*world, *on_board, *recorder, configuration.cycle_ms, clock, exchange, stopped);
+    OnBoard twin(configuration.for_kernel());
+    return drive_in_real_time(*world, *on_board, *recorder, configuration.cycle_ms, clock, exchange, stopped, &twin);
+  }
+  void keep_displays() {
+    displays = std::make_unique<DisplayLists>();
+    recorder = std::make_unique<Recorder>(*world, *journey, configuration, displays.get());
   }
   std::int64_t cycle_of(Nanoseconds due) const { return due / std::chrono::milliseconds(configuration.cycle_ms); }
   /// What a replay of the recorded inputs gives.
@@ -53,6 +58,7 @@ struct Drive {
   std::unique_ptr<sim::World> world;
   std::unique_ptr<OnBoard> on_board;
   std::unique_ptr<Journey> journey;
+  std::unique_ptr<DisplayLists> displays;
   std::unique_ptr<Recorder> recorder;
   Exchange exchange;
 };
@@ -79,6 +85,20 @@ void real_time_equals_simulated(std::int64_t cycle_ms, std::size_t cycles = 1 <<
 /// A world that makes its inputs in time: the same bytes as without a clock.
 TEST(RealTime, GivesTheBytesOfTheSimulatedRun) { real_time_equals_simulated(100); }
 TEST(RealTime, GivesThemWithAShorterCycle) { real_time_equals_simulated(40, 3000); }
+
+/// The display is that of the run without a clock, though nobody asks the unit in its thread for it.
+TEST(RealTime, KeepsTheSameDisplays) {
+  Drive simulated;
+  simulated.keep_displays();
+  drive(*simulated.world, *simulated.on_board, *simulated.recorder);
+  Drive timed;
+  timed.keep_displays();
+  TestClock clock([&](Nanoseconds due) { return timed.exchange.ready(timed.cycle_of(due)); });
+  (void)timed.in_real_time(clock);
+  EXPECT_GT(timed.displays->size(), 100u);
+  EXPECT_TRUE(timed.displays->json(1 << 30) == simulated.displays->json(1 << 30));
+  EXPECT_EQ(timed.on_board->allocations_in_step(), 0u);
+}
 
 /// A journey whose world hangs after cycle `after`: the unit begins the next `cycles` without it.
 struct Hanging : Drive {

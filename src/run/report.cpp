@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "io/number.h"
 
@@ -184,11 +185,14 @@ std::string data_of(const Journey& journey, const sim::World& world, const sim::
 }  // namespace
 
 std::string report_page(const Journey& journey, const sim::World& world, const sim::Line& line,
-                        const std::string& train_name, const std::string& driver_name, const std::string& summary) {
+                        const std::string& train_name, const std::string& driver_name, const std::string& summary,
+                        const DisplayLists& displays) {
   std::string page = report_template;
-  constexpr std::string_view place = "/*DATA*/null";
-  const std::size_t at = page.find(place);
-  page.replace(at, place.size(), safe_in_script(data_of(journey, world, line, train_name, driver_name, summary)));
+  const auto put = [&page](std::string_view place, const std::string& text) {
+    page.replace(page.find(place), place.size(), text);
+  };
+  put("/*DATA*/null", safe_in_script(data_of(journey, world, line, train_name, driver_name, summary)));
+  put("/*DISPLAY*/null", displays.json(kLargestReport - std::min(kLargestReport, page.size())));
   return page;
 }
 

@@ -17,6 +17,7 @@
 
 #include "io/file.h"
 #include "io/train_file.h"
+#include "run/display_lists.h"
 #include "run/drive.h"
 #include "run/journey.h"
 #include "run/load.h"
@@ -250,15 +251,17 @@ int run(const RunOptions& options) {
   const auto world = std::make_unique<sim::World>(*line, train->data, train->dynamics, settings);
   OnBoard on_board(configuration.for_kernel(), OnBoard::Costs::kept);
   Journey journey(*world);
-  Recorder recorder(*world, journey, configuration);
+  DisplayLists displays;
+  Recorder recorder(*world, journey, configuration, options.output.empty() ? nullptr : &displays);
   std::optional<RealTime> real_time;
   bool stopped = false;
   if (options.real_time) {
     const StopSignals signals;
     realtime::MonotonicClock clock;
     Exchange exchange;
-    real_time = drive_in_real_time(*world, on_board, recorder, options.cycle_ms, clock, exchange,
-                                   [&] { return signals.seen(); });
+    OnBoard twin(configuration.for_kernel());
+    real_time = drive_in_real_time(
+        *world, on_board, recorder, options.cycle_ms, clock, exchange, [&] { return signals.seen(); }, &twin);
     stopped = signals.seen();
   } else {
     drive(*world, on_board, recorder);
@@ -270,7 +273,7 @@ int run(const RunOptions& options) {
   // The files first: they do not depend on standard output.
   if (!options.output.empty())
     written = write_records(options.output, records, summary,
-                            report_page(journey, *world, *line, train->name, options.driver, summary.dump()));
+                            report_page(journey, *world, *line, train->name, options.driver, summary.dump(), displays));
   print_summary(summary, train->name, options.driver);
   if (!written) return complain(written.error());
   if (options.output.empty())

@@ -44,6 +44,17 @@ Finished evc(const std::string& arguments) {
 
 std::string shared_line() { return evc::test::shared_folder() + "/lines/amsterdam_utrecht.json"; }
 
+/// The report has the display of the whole run, at most one list a second, and is small enough to be sent.
+void expect_displays(const std::string& page) {
+  EXPECT_LE(page.size(), 2'000'000u);  // of the 5 MB that it may have
+  EXPECT_NE(page.find("export class Painter"), std::string::npos);
+  const std::size_t at = page.find("{\"least_s\":1,\"shapes\":[[\"#031122\",0,\"M0 0L640 0");
+  ASSERT_NE(at, std::string::npos);
+  const json written = json::parse(page.substr(at, page.find(");\nconst D", at) - at));
+  EXPECT_GT(written["lists"].size(), 900u);
+  EXPECT_EQ(written["lists"][0][0], 0);
+}
+
 TEST(ShippedLine, IsWhatItsDescriptionGives) {
   const std::string folder = evc::test::source_folder() + "/data/lines/";
   const auto made = io::make_line(text_of(folder + "brunnental.description.json"), "brunnental.description.json");
@@ -365,6 +376,8 @@ TEST(Run, TheShippedLineAndItsReplay) {
   EXPECT_EQ(lines(text_of(folder / "trace.csv")), lines(outputs) + 1);
   const std::string page = text_of(folder / "report.html");
   EXPECT_EQ(page.find("/*DATA*/null"), std::string::npos);
+  EXPECT_EQ(page.find("/*DISPLAY*/null"), std::string::npos);
+  expect_displays(page);
   EXPECT_EQ(page.find("http"), std::string::npos) << "the page needs no network";
 }
 
@@ -375,6 +388,7 @@ TEST(Run, TheRecordedLine) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const json s = json::parse(text_of(folder / "summary.json"));
   expect_clean_run(s);
+  expect_displays(text_of(folder / "report.html"));
   EXPECT_EQ(s["modes"], json({"SB", "SN", "FS", "SN"}));
   EXPECT_EQ(s["levels"], json({"NTC", "2", "NTC"}));
   EXPECT_EQ(s["balise_groups"]["on_line"], 103);
