@@ -11,6 +11,8 @@ export const SPEEDS = [1, 2, 5, 10, 20] as const;
 /// Cycles of a step of `speed=max` between two pictures.
 const CYCLES_AT_MAX = 3000;
 const BACK_S = 30;
+/// A delay button acts after 2 s (ERA_ERTMS_015560 5.1.2).
+const CYCLES_OF_DELAY = 21;
 
 const KEYS = [
   ...DESK_KEYS,
@@ -97,7 +99,7 @@ export class Cab implements Evc {
   }
   press(x: number, y: number): boolean {
     const hit = this.journey.touch(x, y);
-    this.journey.advance(1);
+    this.journey.advance(this.isDelayedAt(x, y) ? CYCLES_OF_DELAY : 1);
     this.journey.lift();
     this.journey.advance(1);
     this.show();
@@ -113,6 +115,13 @@ export class Cab implements Evc {
   }
   inputs(): string {
     return this.journey.inputs;
+  }
+
+  /// Whether the topmost place of touch at this cell is a delay button.
+  private isDelayedAt(x: number, y: number): boolean {
+    const { touch } = this.ride.screen() as { touch: { abs: [number, number, number, number]; type: string }[] };
+    const place = touch.find(({ abs: [left, top, w, h] }) => x >= left && x < left + w && y >= top && y < top + h);
+    return place?.type === "delay";
   }
 
   private frame(now: number): void {

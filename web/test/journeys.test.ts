@@ -1,0 +1,254 @@
+// Whole journeys by presses alone, on the page in a browser: what a driver does on the display and the desk, and what the
+// on-board makes of it.
+
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import type { Browser } from "puppeteer-core";
+
+import { browserOf, Cabin, madeLine, programOf, type By, type BrowserName } from "./cabin.js";
+import { evc, folder } from "./page.js";
+
+const TRAIN = {
+  "Train category": "PASS 3",
+  "Length (m)": "180",
+  "Brake percentage": "135",
+  "Maximum speed (km/h)": "140",
+  "Axle load category": "C2",
+  Airtight: "No",
+  "Loading gauge": "G1",
+};
+
+/// Start of mission up to the Main window where Start may be pressed (5.4.3): level 1.
+async function prepareLevel1(cab: Cabin): Promise<void> {
+  await cab.openDesk();
+  await cab.enter("Driver ID", "1234");
+  await cab.enter("Level", "Level 1");
+  await enterTrainData(cab);
+}
+async function enterTrainData(cab: Cabin, train: Record<string, string> = TRAIN): Promise<void> {
+  await cab.wait({ window: "Main" }, 60);
+  await cab.press("Train data");
+  await cab.enter("Train data", train);
+  await cab.enter("Validate train data", "Yes");
+  await cab.enter("Train running number", "4711");
+  await cab.wait({ window: "Main" }, 10);
+}
+async function startInSR(cab: Cabin): Promise<void> {
+  await cab.press("Start");
+  await cab.acknowledge("SR");
+  await cab.wait({ mode: "SR" }, 5);
+}
+async function reads(cab: Cabin, text: string): Promise<boolean> {
+  return (await cab.see()).texts.some((shown) => shown.includes(text));
+}
+async function journalReplays(cab: Cabin): Promise<void> {
+  const file = join(folder(), "inputs.jsonl");
+  writeFileSync(file, await cab.inputs());
+  const last = evc("replay", file).trimEnd().split("\n").at(-1) ?? "";
+  assert.deepEqual(JSON.parse(last), await cab.line());
+}
+
+function inBrowser(name: BrowserName, body: (open: (words: string[], by?: By) => Promise<Cabin>) => void): void {
+  const skip = programOf(name) === undefined ? `${name} is not installed` : false;
+  let browser: Browser | undefined;
+  before(async () => {
+    if (skip === false) browser = await browserOf(name);
+  });
+  after(async () => browser?.close());
+  body(async (words, by) => {
+    assert.ok(browser !== undefined, `${name} is not installed`);
+    return Cabin.open(browser, words, by);
+  });
+}
+
+inBrowser("chrome", (open) => {
+  test("start of mission in level 1 by the mouse, with data entry and validation (5.4.3, 015560 11.7.2)", async () => {
+    const cab = await open([madeLine("level_1")], "mouse");
+    await cab.openDesk();
+    await cab.enter("Driver ID", "ab12");
+    await cab.enter("Level", "Level 1");
+    await cab.wait({ window: "Main" }, 5);
+    await cab.press("Train data");
+    await cab.enter("Train data", { ...TRAIN, "Length (m)": "18" });
+    // What was entered is read again before it is valid: a mistake is taken back.
+    assert.deepEqual((await cab.see()).echoes.map((echo) => echo.value), ["PASS 3", "18", "135", "140", "C2", "No", "G1"]);
+    await cab.enter("Validate train data", "No");
+    await cab.expect({ mode: "SB" });
+    assert.equal((await cab.line()).data["train_data"]?.status, "unknown");
+    await cab.enter("Train data", TRAIN);
+    await cab.enter("Validate train data", "Yes");
+    await cab.enter("Train running number", "4711");
+    await cab.wait({ window: "Main" }, 5);
+    const { data } = await cab.line();
+    assert.equal(data["driver_id"]?.value, "ab12");
+    assert.equal(data["train_data"]?.status, "valid");
+    assert.equal(data["train_running_number"]?.status, "valid");
+    await startInSR(cab);
+    await journalReplays(cab);
+    await cab.close();
+  });
+
+  test("a journey in level 1: text, on sight, adhesion, override, shunting area, trip, post trip", async () => {
+    const cab = await open([madeLine("level_1")]);
+    await prepareLevel1(cab);
+    await startInSR(cab);
+    await cab.drive({ mode: "FS" }, 30);
+
+    // A text to be acknowledged (3.12.3.4).
+    await cab.drive({ asks: "text" });
+    assert.ok(await reads(cab, "Works"));
+    await cab.acknowledge("text");
+    await cab.advance(1);
+    assert.ok(!(await reads(cab, "Works")));
+
+    // Adhesion by the driver, at a stand, where the national values allow it (3.18.4.6).
+    await cab.stop();
+    await cab.press("Special");
+    await cab.press("Adhesion");
+    await cab.enter("Adhesion", "Slippery rail");
+    await cab.advance(1);
+    assert.equal((await cab.line()).data["adhesion"]?.value, "slippery rail");
+    assert.ok((await cab.see()).symbols.some((symbol) => symbol.id === "ST02"));
+    await cab.press("Adhesion");
+    await cab.enter("Adhesion", "Non slippery rail");
+    await cab.advance(1);
+    assert.ok(!(await cab.see()).symbols.some((symbol) => symbol.id === "ST02"));
+    await cab.press("close");
+
+    // The speed restriction, then on sight with its acknowledgement (5.9.3).
+    await cab.drive({ group: 103, metres: 320 });
+    assert.ok(((await cab.line()).V_MRSP ?? 999) <= 40);
+    await cab.drive({ asks: "OS" });
+    await cab.acknowledge("OS");
+    await cab.drive({ mode: "OS" });
+    await cab.drive({ mode: "FS" });
+
+    // The signal at danger: override at a stand, and past it in SR (5.8).
+    await cab.drive({ stands: true }, 60);
+    await cab.stop();
+    await cab.press("Override");
+    await cab.press("EOA");
+    await cab.wait({ mode: "SR" }, 5);
+    assert.ok((await cab.see()).symbols.some((symbol) => symbol.id === "MO03"));
+    await cab.drive({ group: 104, metres: 60 }, 30);
+    await cab.expect({ mode: "SR" });
+    await cab.drive({ mode: "FS" }, 30);
+
+    // The shunting area with its acknowledgement, and out of it at a stand (5.6).
+    await cab.drive({ asks: "SH" });
+    await cab.acknowledge("SH");
+    await cab.drive({ mode: "SH" });
+    await cab.advance(3);
+    await cab.stop();
+    await cab.press("Main");
+    await cab.press("Exit Shunting");
+    await cab.wait({ mode: "SB" }, 5);
+
+    // Start again: what was entered is known and only to be confirmed (5.4.3.2).
+    await cab.wait({ window: "Driver ID" }, 5);
+    await cab.press("field 1");
+    await cab.enter("Level", "Level 1");
+    await enterTrainData(cab);
+    await startInSR(cab);
+
+    // The order to stop in SR trips the train (4.4.11, 4.6.3 [49]); acknowledged at a stand, then from post trip on (5.11).
+    await cab.drive({ mode: "TR" }, 30);
+    assert.ok((await cab.line()).eb);
+    await cab.wait({ stands: true }, 60);
+    await cab.acknowledge("trip");
+    await cab.wait({ mode: "PT" }, 5);
+    assert.equal((await cab.line()).eb, false);
+    await cab.openMenu("Main");
+    await startInSR(cab);
+    await cab.drive({ group: 106, metres: 100 }, 30);
+    await cab.stop();
+    await journalReplays(cab);
+    await cab.close();
+  });
+
+  test("speed and distance of SR, entered and in force (4.4.11.1.3)", async () => {
+    const cab = await open([madeLine("level_1")]);
+    await prepareLevel1(cab);
+    await startInSR(cab);
+    await cab.press("Special");
+    await cab.press("SR speed / distance");
+    await cab.enter("SR speed / distance", { "SR speed (km/h)": "25", "SR distance (m)": "120" });
+    await cab.advance(1);
+    const line = await cab.line();
+    assert.equal(Math.round(line.V_MRSP ?? 0), 25);
+    await cab.press("close");
+    // Its end is supervised: with all the traction in the world the train does not get there.
+    await cab.page.evaluate(() => window.evc?.desk({ lever: 0.5 }));
+    await cab.advance(90);
+    await cab.expect({ mode: "SR" });
+    const { est_front_m } = await cab.line();
+    assert.ok(est_front_m > 80 && est_front_m < 120, `${est_front_m}`);
+    await cab.close();
+  });
+
+  test("shunting on the driver's request in level 1, and out of it (5.6.2)", async () => {
+    const cab = await open([madeLine("level_1")]);
+    await prepareLevel1(cab);
+    await cab.press("Shunting");
+    await cab.wait({ mode: "SH" }, 5);
+    await cab.drive({ group: 101, metres: 20 }, 25);
+    await cab.stop();
+    await cab.press("Main");
+    await cab.press("Exit Shunting");
+    await cab.wait({ mode: "SB" }, 5);
+    await cab.close();
+  });
+
+  test("start of mission in level 2 by touch: the RBC's data, the session, an authority", async () => {
+    const cab = await open([madeLine("level_2")], "touch");
+    await prepareLevel2(cab);
+    await cab.press("Start");
+    await cab.acknowledge("SR");
+    await cab.wait({ mode: "SR" }, 10);
+    await cab.drive({ mode: "FS" }, 40);
+    await cab.drive({ asks: "OS" });
+    await cab.acknowledge("OS");
+    await cab.drive({ mode: "OS" });
+    await cab.drive({ mode: "FS" });
+    await cab.drive({ group: 203, metres: 350 });
+    await cab.stop();
+    await journalReplays(cab);
+    await cab.close();
+  });
+
+  test("shunting in level 2 asks the RBC (5.6.2)", async () => {
+    const cab = await open([madeLine("level_2")]);
+    await prepareLevel2(cab);
+    await cab.press("Shunting");
+    await cab.wait({ mode: "SH" }, 30);
+    await cab.press("Main");
+    await cab.press("Exit Shunting");
+    await cab.wait({ mode: "SB" }, 5);
+    await cab.close();
+  });
+});
+
+async function prepareLevel2(cab: Cabin): Promise<void> {
+  await cab.openDesk();
+  await cab.enter("Driver ID", "1234");
+  await cab.enter("Level", "Level 2");
+  await cab.wait({ window: "Radio data" }, 60);
+  await cab.press("Enter RBC data");
+  // NID_C 1000 and NID_RBC 1 in one number (015560 11.3.12).
+  await cab.enter("RBC data", { "RBC ID": `${1000 * 16384 + 1}`, "RBC phone number": "0041790000000001" });
+  await enterTrainData(cab);
+}
+
+inBrowser("firefox", (open) => {
+  test("the page opens and drives in Firefox", async () => {
+    const cab = await open([madeLine("level_1")]);
+    await prepareLevel1(cab);
+    await startInSR(cab);
+    await cab.drive({ mode: "FS" }, 30);
+    await journalReplays(cab);
+    await cab.close();
+  });
+});
