@@ -89,9 +89,8 @@ export interface Until {
   level?: string;
   /// The name of an acknowledgement that the display offers.
   asks?: string;
-  /// Past the reference balise of this group by so many metres, by the estimate of the on-board.
-  group?: number;
-  metres?: number;
+  /// The front end has run so far from where it was at power-up, by the estimate of the on-board.
+  run_m?: number;
   stands?: boolean;
   window?: string;
   /// A place of the display, by its name or what it does, that is enabled.
@@ -324,9 +323,7 @@ export class Cabin {
           if (wanted.mode !== undefined && line.mode !== wanted.mode) return false;
           if (wanted.level !== undefined && line.level !== wanted.level) return false;
           if (wanted.stands === true && line.v_kmh !== 0) return false;
-          if (wanted.group !== undefined) {
-            if (line.lrbg?.NID_BG !== wanted.group || line.est_front_m < wanted.metres!) return false;
-          }
+          if (wanted.run_m !== undefined && line.est_front_m < wanted.run_m) return false;
           const place = wanted.asks === undefined ? wanted.offers : `ack ${wanted.asks}`;
           if (place === undefined && wanted.window === undefined) return true;
           const screen = cab.screen() as { window: string; touch: { name: string; action: string; enabled: boolean }[] };
@@ -347,7 +344,7 @@ export class Cabin {
         }
         return false;
       },
-      until.group === undefined ? until : { metres: 0, ...until },
+      until,
       seconds,
       kmh,
     );
