@@ -2,7 +2,7 @@
 // it shows. So a test reads as a script of what happens in the cab.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -96,6 +96,17 @@ export interface Until {
   /// A place of the display, by its name or what it does, that is enabled.
   offers?: string;
 }
+
+/// The train data that a driver enters in these tests, by the labels of the window.
+export const TRAIN = {
+  "Train category": "PASS 3",
+  "Length (m)": "180",
+  "Brake percentage": "135",
+  "Maximum speed (km/h)": "140",
+  "Axle load category": "C2",
+  Airtight: "No",
+  "Loading gauge": "G1",
+} as const;
 
 const VIEW = { width: 1400, height: 1000 };
 
@@ -226,6 +237,24 @@ export class Cabin {
       await this.enterField(value);
     }
     await this.press("Yes");
+  }
+
+  /// From the Main window through train data, their validation and the train running number, and back (015560 11.7.2).
+  async enterTrainData(): Promise<void> {
+    await this.press("Train data");
+    await this.enter("Train data", TRAIN);
+    await this.enter("Validate train data", "Yes");
+    await this.enter("Train running number", "4711");
+    await this.wait({ window: "Main" }, 10);
+  }
+
+  /// The journal replayed outside (`evc replay`): the output lines, of which the last one is that of the page.
+  async replayed(): Promise<string[]> {
+    const file = join(folder(), "inputs.jsonl");
+    writeFileSync(file, await this.inputs());
+    const lines = evc("replay", file).trimEnd().split("\n");
+    assert.deepEqual(JSON.parse(lines.at(-1) ?? ""), await this.line());
+    return lines;
   }
 
   /// Lets time pass, the train braked as it is, until it is so.

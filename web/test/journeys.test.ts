@@ -2,42 +2,21 @@
 // on-board makes of it.
 
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
-import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import type { Browser } from "puppeteer-core";
 
-import { browserOf, Cabin, madeLine, programOf, type By, type BrowserName } from "./cabin.js";
-import { evc, folder } from "./page.js";
+import { browserOf, Cabin, madeLine, programOf, TRAIN, type By, type BrowserName } from "./cabin.js";
 
 /// From a place of the lines of tests/data/cab, where the train starts at -40 m.
 const ahead = (place_m: number): number => place_m + 40;
-
-const TRAIN = {
-  "Train category": "PASS 3",
-  "Length (m)": "180",
-  "Brake percentage": "135",
-  "Maximum speed (km/h)": "140",
-  "Axle load category": "C2",
-  Airtight: "No",
-  "Loading gauge": "G1",
-};
 
 /// Start of mission up to the Main window where Start may be pressed (5.4.3): level 1.
 async function prepareLevel1(cab: Cabin): Promise<void> {
   await cab.openDesk();
   await cab.enter("Driver ID", "1234");
   await cab.enter("Level", "Level 1");
-  await enterTrainData(cab);
-}
-async function enterTrainData(cab: Cabin, train: Record<string, string> = TRAIN): Promise<void> {
-  await cab.wait({ window: "Main" }, 60);
-  await cab.press("Train data");
-  await cab.enter("Train data", train);
-  await cab.enter("Validate train data", "Yes");
-  await cab.enter("Train running number", "4711");
-  await cab.wait({ window: "Main" }, 10);
+  await cab.enterTrainData();
 }
 async function startInSR(cab: Cabin): Promise<void> {
   await cab.press("Start");
@@ -47,13 +26,6 @@ async function startInSR(cab: Cabin): Promise<void> {
 async function reads(cab: Cabin, text: string): Promise<boolean> {
   return (await cab.see()).texts.some((shown) => shown.includes(text));
 }
-async function journalReplays(cab: Cabin): Promise<void> {
-  const file = join(folder(), "inputs.jsonl");
-  writeFileSync(file, await cab.inputs());
-  const last = evc("replay", file).trimEnd().split("\n").at(-1) ?? "";
-  assert.deepEqual(JSON.parse(last), await cab.line());
-}
-
 function inBrowser(name: BrowserName, body: (open: (words: string[], by?: By) => Promise<Cabin>) => void): void {
   const skip = programOf(name) === undefined ? `${name} is not installed` : false;
   let browser: Browser | undefined;
@@ -90,7 +62,7 @@ inBrowser("chrome", (open) => {
     assert.equal(data["train_data"]?.status, "valid");
     assert.equal(data["train_running_number"]?.status, "valid");
     await startInSR(cab);
-    await journalReplays(cab);
+    await cab.replayed();
     await cab.close();
   });
 
@@ -153,7 +125,7 @@ inBrowser("chrome", (open) => {
     // Start again: the driver ID is only to be confirmed, the level is still valid (5.4.3.2).
     await cab.wait({ window: "Driver ID" }, 5);
     await cab.press("field 1");
-    await enterTrainData(cab);
+    await cab.enterTrainData();
     await startInSR(cab);
 
     // The order to stop in SR trips the train (4.4.11, 4.6.3 [49]); acknowledged at a stand, then from post trip on (5.11).
@@ -167,7 +139,7 @@ inBrowser("chrome", (open) => {
     await startInSR(cab);
     await cab.drive({ run_m: ahead(3400) }, 30);
     await cab.stop();
-    await journalReplays(cab);
+    await cab.replayed();
     await cab.close();
   });
 
@@ -217,7 +189,7 @@ inBrowser("chrome", (open) => {
     await cab.drive({ mode: "FS" });
     await cab.drive({ run_m: ahead(2150) });
     await cab.stop();
-    await journalReplays(cab);
+    await cab.replayed();
     await cab.close();
   });
 
@@ -241,7 +213,7 @@ async function prepareLevel2(cab: Cabin): Promise<void> {
   await cab.press("Enter RBC data");
   // NID_C 1000 and NID_RBC 1 in one number (015560 11.3.12).
   await cab.enter("RBC data", { "RBC ID": `${1000 * 16384 + 1}`, "RBC phone number": "0041790000000001" });
-  await enterTrainData(cab);
+  await cab.enterTrainData();
 }
 
 inBrowser("firefox", (open) => {
@@ -250,7 +222,7 @@ inBrowser("firefox", (open) => {
     await prepareLevel1(cab);
     await startInSR(cab);
     await cab.drive({ mode: "FS" }, 30);
-    await journalReplays(cab);
+    await cab.replayed();
     await cab.close();
   });
 });
