@@ -30,11 +30,12 @@ export class DeskView {
   private readonly key: HTMLButtonElement;
   private readonly emergency: HTMLButtonElement;
   private readonly directions: readonly HTMLButtonElement[];
+  private desk: Desk;
 
   /// `change` is told what the driver does to the desk.
   constructor(
     root: HTMLElement,
-    private desk: Desk,
+    desk: Desk,
     private readonly change: (desk: Desk) => void,
   ) {
     this.lever = element(root, "#lever");
@@ -47,11 +48,13 @@ export class DeskView {
     this.emergency.addEventListener("click", () => this.set({ emergency: !this.desk.emergency }));
     for (const button of this.directions)
       button.addEventListener("click", () => this.set({ direction: button.dataset["direction"] as Direction }));
+    this.desk = { ...desk };
     this.show(desk);
   }
 
   /// Shows a desk as it is now, after a step in time or a call from outside.
   show(desk: Desk): void {
+    if (desk === this.desk) return;
     this.desk = desk;
     const notch = Math.round(desk.lever * NOTCHES);
     this.lever.value = `${notch}`;

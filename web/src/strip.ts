@@ -1,6 +1,6 @@
 // The strip of the line: speed over position, the gradient, balise groups, the train, and what the on-board supervises.
 
-import type { Journey } from "./journey.js";
+import { lastValue, type Journey } from "./journey.js";
 import { AT, POINT_SIZE, type PointField, type Scene } from "./module.js";
 import { fitToPixels } from "./painter.js";
 
@@ -15,6 +15,8 @@ const CURVES: readonly [PointField, string, number][] = [
   ["V_SBI", COLOURS.V_SBI, 1],
   ["V_P", COLOURS.V_P, 1],
 ];
+/// What moves on the strip.
+const NOW: readonly PointField[] = ["x_m", "v", "V_P", "EOA_m", "SvL_m", "target_m", "V_target"];
 
 /// From metres and km/h to the canvas.
 interface Frame {
@@ -29,6 +31,10 @@ export class Strip {
   private readonly context: CanvasRenderingContext2D;
   private from: number;
   private to: number;
+  /// What was driven, as far as it is drawn: it only grows, until something else is to be looked at.
+  private readonly driven = document.createElement("canvas");
+  private drawn = { of: "", chunks: 0 };
+  private shown = "";
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -51,13 +57,10 @@ export class Strip {
   }
 
   draw(journey: Journey): void {
-    const ratio = fitToPixels(this.canvas) / Math.max(1, this.canvas.clientWidth);
+    const pixels = fitToPixels(this.canvas);
+    const ratio = pixels / Math.max(1, this.canvas.clientWidth);
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
-    const c = this.context;
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.fillStyle = COLOURS.ground;
-    c.fillRect(0, 0, width, height);
     const fastest = 20 * Math.ceil((Math.max(60, ...this.scene.speeds.map((s) => s[2])) + 25) / 20);
     const frame: Frame = {
       width,
@@ -66,12 +69,47 @@ export class Strip {
       x: (m) => LEFT + ((m - this.from) / (this.to - this.from)) * (width - LEFT),
       y: (kmh) => (height - BELOW) * (1 - kmh / fastest) + 6,
     };
-    this.drawGrid(frame);
-    this.drawTrack(frame);
-    for (const branch of journey.branches) this.drawCurve(frame, branch.points, "v", branch.colour, 1, branch.from);
-    for (const [field, colour, line] of CURVES) this.drawCurve(frame, journey.points, field, colour, line, 0);
-    this.drawCurve(frame, journey.points, "v", journey.colour, 2, 0);
+    const look = `${pixels} ${height} ${this.from} ${this.to} ${journey.branches.length}`;
+    // Nothing that is as large as half a pixel has changed.
+    const now = `${look} ${NOW.map((field) => this.pixelOf(frame, journey, field)).join(" ")}`;
+    if (now === this.shown) return;
+    this.shown = now;
+    this.drawDriven(frame, journey, look, ratio);
+    const c = this.context;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.drawImage(this.driven, 0, 0);
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.drawNow(frame, journey);
+  }
+
+  private pixelOf(f: Frame, journey: Journey, field: PointField): number {
+    const value = lastValue(journey.points, field) ?? NaN;
+    return Math.round(2 * (field === "v" || field.startsWith("V_") ? f.y(value) : f.x(value)));
+  }
+
+  /// The line and the curves, in a canvas of their own: all of it when the look changes, else what has come.
+  private drawDriven(f: Frame, journey: Journey, look: string, ratio: number): void {
+    const { points } = journey;
+    const c = this.driven.getContext("2d", { alpha: false });
+    if (c === null) throw new Error("no canvas");
+    if (this.drawn.of !== look || this.drawn.chunks > points.length) {
+      this.driven.width = this.canvas.width;
+      this.driven.height = this.canvas.height;
+      c.setTransform(ratio, 0, 0, ratio, 0, 0);
+      c.fillStyle = COLOURS.ground;
+      c.fillRect(0, 0, f.width, f.height);
+      this.drawGrid(c, f);
+      this.drawTrack(c, f);
+      for (const branch of journey.branches) drawCurve(c, f, branch.points, "v", branch.colour, 1, branch.from);
+      this.drawn = { of: look, chunks: 0 };
+    }
+    // One cycle before what has come, so that the lines join.
+    const chunks = points.slice(Math.max(0, this.drawn.chunks - 1));
+    const known = points[this.drawn.chunks - 1];
+    const skip = known === undefined ? 0 : known.length / POINT_SIZE - 1;
+    for (const [field, colour, line] of CURVES) drawCurve(c, f, chunks, field, colour, line, skip);
+    drawCurve(c, f, chunks, "v", journey.colour, 2, skip);
+    this.drawn.chunks = points.length;
   }
 
   private show(from: number, to: number): void {
@@ -89,8 +127,7 @@ export class Strip {
     this.show(at - share * length, at + (1 - share) * length);
   }
 
-  private drawGrid(f: Frame): void {
-    const c = this.context;
+  private drawGrid(c: CanvasRenderingContext2D, f: Frame): void {
     c.font = "11px sans-serif";
     c.fillStyle = COLOURS.text;
     c.strokeStyle = COLOURS.grid;
@@ -111,8 +148,7 @@ export class Strip {
   }
 
   /// The gradient as its course of height, with its figures, and the balise groups.
-  private drawTrack(f: Frame): void {
-    const c = this.context;
+  private drawTrack(c: CanvasRenderingContext2D, f: Frame): void {
     const base = f.height - 46;
     let height = 0;
     let top = 1;
@@ -156,40 +192,6 @@ export class Strip {
     }
     c.stroke();
     c.setLineDash([]);
-  }
-
-  /// A field over the position, from a cycle on. Cycles on the same pixel are one point.
-  private drawCurve(
-    f: Frame, chunks: readonly Float64Array[], field: PointField, colour: string, line: number, from: number,
-  ): void {
-    const c = this.context;
-    c.save();
-    c.beginPath();
-    c.rect(LEFT, 0, f.width - LEFT, f.height - BELOW + 8);
-    c.clip();
-    c.strokeStyle = colour;
-    c.lineWidth = line;
-    c.beginPath();
-    let drawing = false;
-    let lastX = NaN;
-    let cycle = 0;
-    for (const chunk of chunks)
-      for (let i = 0; i < chunk.length; i += POINT_SIZE, ++cycle) {
-        if (cycle < from) continue;
-        const value = chunk[i + AT[field]] ?? NaN;
-        const x = f.x(chunk[i + AT.x_m] ?? 0);
-        if (Number.isNaN(value)) {
-          drawing = false;
-          continue;
-        }
-        if (drawing && Math.abs(x - lastX) < 0.4 && cycle % 16 !== 0) continue;
-        if (drawing) c.lineTo(x, f.y(value));
-        else c.moveTo(x, f.y(value));
-        drawing = true;
-        lastX = x;
-      }
-    c.stroke();
-    c.restore();
   }
 
   /// The train, and the ends of its authority.
@@ -236,6 +238,39 @@ export class Strip {
     c.textAlign = "center";
     c.fillText(label, f.x(m), label === "EOA" ? 14 : 26);
   }
+}
+
+/// A field over the position, from a cycle on. Cycles on the same pixel are one point.
+function drawCurve(
+  c: CanvasRenderingContext2D, f: Frame, chunks: readonly Float64Array[], field: PointField, colour: string, line: number, from: number,
+): void {
+  c.save();
+  c.beginPath();
+  c.rect(LEFT, 0, f.width - LEFT, f.height - BELOW + 8);
+  c.clip();
+  c.strokeStyle = colour;
+  c.lineWidth = line;
+  c.beginPath();
+  let drawing = false;
+  let lastX = NaN;
+  let cycle = 0;
+  for (const chunk of chunks)
+    for (let i = 0; i < chunk.length; i += POINT_SIZE, ++cycle) {
+      if (cycle < from) continue;
+      const value = chunk[i + AT[field]] ?? NaN;
+      const x = f.x(chunk[i + AT.x_m] ?? 0);
+      if (Number.isNaN(value)) {
+        drawing = false;
+        continue;
+      }
+      if (drawing && Math.abs(x - lastX) < 0.4 && cycle % 16 !== 0) continue;
+      if (drawing) c.lineTo(x, f.y(value));
+      else c.moveTo(x, f.y(value));
+      drawing = true;
+      lastX = x;
+    }
+  c.stroke();
+  c.restore();
 }
 
 /// 1, 2 or 5 times a power of ten, at least `least`.

@@ -151,9 +151,6 @@ export class Cabin {
   async line(): Promise<Line> {
     return this.page.evaluate(() => (window.evc as Evc).state() as Line);
   }
-  async inputs(): Promise<string> {
-    return this.page.evaluate(() => (window.evc as Evc).inputs());
-  }
   async advance(seconds: number): Promise<void> {
     await this.page.evaluate((s) => (window.evc as Evc).advance(s), seconds);
   }
@@ -251,9 +248,14 @@ export class Cabin {
   /// The journal replayed outside (`evc replay`): the output lines, of which the last one is that of the page.
   async replayed(): Promise<string[]> {
     const file = join(folder(), "inputs.jsonl");
-    writeFileSync(file, await this.inputs());
+    // Of one moment: time may pass.
+    const [inputs, last] = await this.page.evaluate(() => {
+      const cab = window.evc as Evc;
+      return [cab.inputs(), cab.state()] as const;
+    });
+    writeFileSync(file, inputs);
     const lines = evc("replay", file).trimEnd().split("\n");
-    assert.deepEqual(JSON.parse(lines.at(-1) ?? ""), await this.line());
+    assert.deepEqual(JSON.parse(lines.at(-1) ?? ""), last);
     return lines;
   }
 
@@ -328,10 +330,7 @@ export class Cabin {
       await this.advance(0.3);
       return;
     }
-    const at = await this.page.evaluate(({ x, y }) => {
-      const box = (document.querySelector("#dmi") as HTMLCanvasElement).getBoundingClientRect();
-      return { x: box.left + ((x + 0.5) * box.width) / 640, y: box.top + ((y + 0.5) * box.height) / 480 };
-    }, cell);
+    const at = await this.pixelOf(cell);
     if (this.by === "mouse") {
       await this.page.mouse.move(at.x, at.y);
       await this.page.mouse.down();
@@ -342,6 +341,14 @@ export class Cabin {
     if (this.by === "mouse") await this.page.mouse.up();
     else await this.page.touchscreen.touchEnd();
     await this.advance(0.4);
+  }
+
+  /// Where a cell of the display is on the page.
+  async pixelOf(cell: { x: number; y: number }): Promise<{ x: number; y: number }> {
+    return this.page.evaluate(({ x, y }) => {
+      const box = (document.querySelector("#dmi") as HTMLCanvasElement).getBoundingClientRect();
+      return { x: box.left + ((x + 0.5) * box.width) / 640, y: box.top + ((y + 0.5) * box.height) / 480 };
+    }, cell);
   }
 
   private async until(until: Until, seconds: number, kmh: number | undefined): Promise<Line> {

@@ -1,14 +1,13 @@
-// The recorded line in the browser: by itself, to the hash of `evc run`, with its speed; and the whole passage by presses.
+// The whole passage of the recorded line by presses.
 
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, statSync } from "node:fs";
+import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import type { Browser } from "puppeteer-core";
 
 import { browserOf, Cabin, programOf, type Line } from "./cabin.js";
-import { evc, folder } from "./page.js";
 
 const SHARED = process.env["OPENEVC_SHARED"] ?? "../shared";
 const LINE = join(SHARED, "lines", "amsterdam_utrecht.json");
@@ -21,38 +20,6 @@ before(async () => {
   if (skip === false) browser = await browserOf("chrome");
 });
 after(async () => browser?.close());
-
-interface Summary {
-  output_hash: string;
-  modes: string[];
-  cycles: number;
-}
-function summaryOf(words: string[]): Summary {
-  const out = folder();
-  evc("run", ...words, "-o", out);
-  const { output_hash, modes, cycles } = JSON.parse(readFileSync(join(out, "summary.json"), "utf8")) as Summary;
-  return { output_hash, modes, cycles };
-}
-
-test("by itself it gives the hash of evc run, at least 1000 times as fast as real time", { skip }, async () => {
-  const page = join(folder(), "cab.html");
-  evc("cab", LINE, "-o", page);
-  const { size } = statSync(page);
-  assert.ok(size <= 3_000_000, `${size} bytes`);
-  const cab = await Cabin.begin(browser as Browser, [LINE], "?auto=perfect&speed=max");
-  const ended = await cab.page.waitForFunction(
-    () => (document.body.dataset["evcDone"] === undefined ? 0 : performance.now()),
-    { polling: 20, timeout: 300_000 },
-  );
-  // From the begin of the page, so with the compilation of the module.
-  const seconds = ((await ended.jsonValue()) as number) / 1000;
-  const summary = JSON.parse(await cab.page.evaluate(() => document.body.dataset["evcDone"] ?? "")) as Summary;
-  assert.deepEqual(summary, summaryOf([LINE]));
-  const factor = (summary.cycles * 0.1) / seconds;
-  console.log(`page ${size} bytes; ${summary.cycles} cycles in ${seconds.toFixed(2)} s: ${Math.round(factor)} times real time`);
-  assert.ok(factor >= 1000, `${factor}`);
-  await cab.close();
-});
 
 test("the whole passage by presses: start of mission in level NTC, level 2, and back", { skip }, async () => {
   const cab = await Cabin.open(browser as Browser, [LINE]);

@@ -1,0 +1,20 @@
+import { after, before, test } from "node:test";
+
+import type { Browser } from "puppeteer-core";
+
+import { browserOf, madeLine, programOf } from "./cabin.js";
+import { pressAtRandom } from "./random.js";
+
+const SEED = Number(process.env["SEED"] ?? 1);
+const SECONDS = Number(process.env["SECONDS_EACH"] ?? 8);
+const skip = programOf("chrome") === undefined && "chromium is not installed";
+
+let browser: Browser | undefined;
+before(async () => {
+  if (skip === false) browser = await browserOf("chrome");
+});
+after(async () => browser?.close());
+
+test("pressing at random ends in no error of the console, and the journal replays", { skip }, async () => {
+  console.log(await pressAtRandom(browser as Browser, [madeLine("level_1")], SEED, SECONDS));
+});
