@@ -254,6 +254,7 @@ function drawCurve(
   let drawing = false;
   let lastX = NaN;
   let cycle = 0;
+  const last = chunks.reduce((sum, chunk) => sum + chunk.length / POINT_SIZE, 0) - 1;
   for (const chunk of chunks)
     for (let i = 0; i < chunk.length; i += POINT_SIZE, ++cycle) {
       if (cycle < from) continue;
@@ -263,7 +264,7 @@ function drawCurve(
         drawing = false;
         continue;
       }
-      if (drawing && Math.abs(x - lastX) < 0.4 && cycle % 16 !== 0) continue;
+      if (drawing && Math.abs(x - lastX) < 0.4 && cycle % 16 !== 0 && cycle !== last) continue;
       if (drawing) c.lineTo(x, f.y(value));
       else c.moveTo(x, f.y(value));
       drawing = true;
