@@ -2,13 +2,14 @@
 #   make run      drives the shipped line with the on-board unit; report in out/run/
 #   make test     all tests
 #   make cab      a driver's cab as one page for the browser: out/cab/cab.html
-#   make test-cab the tests of that page: node, and headless Chromium
+#   make test-cab the tests of that page: node, and whole journeys by presses in headless Chromium and Firefox
+#   make bench-cab  what that page costs: size, times real time, the main thread for each frame
 #   make bench    benchmarks and instruction counts
 #   make reactions  reaction times in simulated and in real time, with their margins to SUBSET-041
 #   make real-time  a run by the clock beside a busy core: SECONDS_EACH=600 at CYCLES="100 10" ms; no cycle of 100 ms missed
 #   make fuzz     every fuzz target for a minute
 #   make clean    removes build/ and out/
-# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-exploration, make campaign-mutants
+# Longer campaigns, minutes to hours: make campaign-fuzz, make campaign-lines, make campaign-journeys, make campaign-properties, make campaign-exploration, make campaign-mutants, make campaign-cab
 # LINE=file.json RUN_ARGS="--driver reckless" are passed to `evc run`, LINE=file.json CAB_ARGS="--train file.json" to `evc cab`.
 
 SHELL := /bin/bash
@@ -17,7 +18,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run cab test-cab test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
+.PHONY: help run cab test-cab bench-cab campaign-cab test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -39,9 +40,14 @@ cab: evc
 	@echo "page: $(CURDIR)/out/cab/cab.html"
 
 test-cab: evc
-	@tools/setup cab report
+	@tools/setup cab
 	@tools/build_cab test
 	node --test build/web/test
+
+bench-cab: evc
+	@tools/setup cab
+	@tools/build_cab test
+	node --test build/web/bench/*.mjs
 
 test:
 	@tools/setup build test
@@ -96,6 +102,12 @@ campaign-exploration:
 campaign-mutants:
 	@tools/setup build test
 	@tools/mutate.py $(or $(ROOM),sdm) $(MUTANTS)
+
+# The page of `evc cab`: the passage of the recorded line by presses, and SECONDS_EACH of pressing at random with SEED.
+campaign-cab: evc
+	@tools/setup cab
+	@tools/build_cab test
+	SECONDS_EACH=$(or $(SECONDS_EACH),60) SEED=$(or $(SEED),1) node --test build/web/campaign/*.mjs
 
 clean:
 	rm -rf build out

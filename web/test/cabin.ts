@@ -236,6 +236,24 @@ export class Cabin {
     await this.press("Yes");
   }
 
+  /// Start of mission in level 1 (5.4.3) up to the Main window where Start may be pressed, and on into SR.
+  async prepareLevel1(): Promise<void> {
+    await this.openDesk();
+    await this.enter("Driver ID", "1234");
+    await this.enter("Level", "Level 1");
+    await this.enterTrainData();
+  }
+  async startInLevel1(): Promise<void> {
+    await this.prepareLevel1();
+    await this.startInSR();
+  }
+  /// Start, and the acknowledgement of SR.
+  async startInSR(): Promise<void> {
+    await this.press("Start");
+    await this.acknowledge("SR");
+    await this.wait({ mode: "SR" }, 10);
+  }
+
   /// From the Main window through train data, their validation and the train running number, and back (015560 11.7.2).
   async enterTrainData(): Promise<void> {
     await this.press("Train data");

@@ -11,18 +11,6 @@ import { browserOf, Cabin, madeLine, programOf, TRAIN, type By, type BrowserName
 /// From a place of the lines of tests/data/cab, where the train starts at -40 m.
 const ahead = (place_m: number): number => place_m + 40;
 
-/// Start of mission up to the Main window where Start may be pressed (5.4.3): level 1.
-async function prepareLevel1(cab: Cabin): Promise<void> {
-  await cab.openDesk();
-  await cab.enter("Driver ID", "1234");
-  await cab.enter("Level", "Level 1");
-  await cab.enterTrainData();
-}
-async function startInSR(cab: Cabin): Promise<void> {
-  await cab.press("Start");
-  await cab.acknowledge("SR");
-  await cab.wait({ mode: "SR" }, 5);
-}
 async function reads(cab: Cabin, text: string): Promise<boolean> {
   return (await cab.see()).texts.some((shown) => shown.includes(text));
 }
@@ -61,15 +49,14 @@ inBrowser("chrome", (open) => {
     assert.equal(data["driver_id"]?.value, "ab12");
     assert.equal(data["train_data"]?.status, "valid");
     assert.equal(data["train_running_number"]?.status, "valid");
-    await startInSR(cab);
+    await cab.startInSR();
     await cab.replayed();
     await cab.close();
   });
 
   test("a journey in level 1: text, on sight, adhesion, override, shunting area, trip, post trip", async () => {
     const cab = await open([madeLine("level_1")]);
-    await prepareLevel1(cab);
-    await startInSR(cab);
+    await cab.startInLevel1();
     await cab.drive({ mode: "FS" }, 30);
 
     // A text to be acknowledged (3.12.3.4).
@@ -126,7 +113,7 @@ inBrowser("chrome", (open) => {
     await cab.wait({ window: "Driver ID" }, 5);
     await cab.press("field 1");
     await cab.enterTrainData();
-    await startInSR(cab);
+    await cab.startInSR();
 
     // The order to stop in SR trips the train (4.4.11, 4.6.3 [49]); acknowledged at a stand, then from post trip on (5.11).
     await cab.drive({ mode: "TR" }, 30);
@@ -136,7 +123,7 @@ inBrowser("chrome", (open) => {
     await cab.wait({ mode: "PT" }, 5);
     assert.equal((await cab.line()).eb, false);
     await cab.openMenu("Main");
-    await startInSR(cab);
+    await cab.startInSR();
     await cab.drive({ run_m: ahead(3400) }, 30);
     await cab.stop();
     await cab.replayed();
@@ -145,8 +132,7 @@ inBrowser("chrome", (open) => {
 
   test("speed and distance of SR, entered and in force (4.4.11.1.3)", async () => {
     const cab = await open([madeLine("level_1")]);
-    await prepareLevel1(cab);
-    await startInSR(cab);
+    await cab.startInLevel1();
     await cab.press("Special");
     await cab.press("SR speed / distance");
     await cab.enter("SR speed / distance", { "SR speed (km/h)": "25", "SR distance (m)": "120" });
@@ -165,7 +151,7 @@ inBrowser("chrome", (open) => {
 
   test("shunting on the driver's request in level 1, and out of it (5.6.2)", async () => {
     const cab = await open([madeLine("level_1")]);
-    await prepareLevel1(cab);
+    await cab.prepareLevel1();
     await cab.press("Shunting");
     await cab.wait({ mode: "SH" }, 5);
     await cab.drive({ run_m: ahead(170) }, 25);
@@ -179,9 +165,7 @@ inBrowser("chrome", (open) => {
   test("start of mission in level 2 by touch: the RBC's data, the session, an authority", async () => {
     const cab = await open([madeLine("level_2")], "touch");
     await prepareLevel2(cab);
-    await cab.press("Start");
-    await cab.acknowledge("SR");
-    await cab.wait({ mode: "SR" }, 10);
+    await cab.startInSR();
     await cab.drive({ mode: "FS" }, 40);
     await cab.drive({ asks: "OS" });
     await cab.acknowledge("OS");
@@ -219,8 +203,7 @@ async function prepareLevel2(cab: Cabin): Promise<void> {
 inBrowser("firefox", (open) => {
   test("the page opens and drives in Firefox", async () => {
     const cab = await open([madeLine("level_1")]);
-    await prepareLevel1(cab);
-    await startInSR(cab);
+    await cab.startInLevel1();
     await cab.drive({ mode: "FS" }, 30);
     await cab.replayed();
     await cab.close();

@@ -15,6 +15,7 @@ before(async () => {
 });
 after(async () => browser?.close());
 
-test("pressing at random ends in no error of the console, and the journal replays", { skip }, async () => {
-  console.log(await pressAtRandom(browser as Browser, [madeLine("level_1")], SEED, SECONDS));
-});
+for (const inMission of [false, true])
+  test(`pressing at random ${inMission ? "in a mission" : "from power-up"} ends in no error of the console`, { skip }, async () => {
+    console.log(await pressAtRandom(browser as Browser, [madeLine("level_1")], SEED, SECONDS, inMission));
+  });

@@ -6,7 +6,7 @@ import { browserOf, madeLine, programOf } from "./cabin.js";
 import { pressAtRandom } from "./random.js";
 
 const SEED = Number(process.env["SEED"] ?? 1);
-const SECONDS = Number(process.env["SECONDS_EACH"] ?? 8);
+const SECONDS = Number(process.env["SECONDS_EACH"] ?? 5);
 const skip = programOf("chrome") === undefined && "chromium is not installed";
 
 let browser: Browser | undefined;
@@ -15,6 +15,7 @@ before(async () => {
 });
 after(async () => browser?.close());
 
-test("pressing at random ends in no error of the console, and the journal replays", { skip }, async () => {
-  console.log(await pressAtRandom(browser as Browser, [madeLine("level_1")], SEED, SECONDS));
-});
+for (const inMission of [false, true])
+  test(`pressing at random ${inMission ? "in a mission" : "from power-up"} ends in no error of the console`, { skip }, async () => {
+    console.log(await pressAtRandom(browser as Browser, [madeLine("level_1")], SEED, SECONDS, inMission));
+  });

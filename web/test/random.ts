@@ -28,11 +28,20 @@ const KEYS = [
   "ArrowLeft", "Backspace", "?", "Escape", "Tab", "Enter", "j",
 ] as const;
 
-/// Presses for so many seconds by the clock, at a time that passes twenty times as fast.
-export async function pressAtRandom(browser: Browser, words: string[], seed: number, seconds: number): Promise<string> {
+/// Presses for so many seconds by the clock, at a time that passes twenty times as fast; `inMission`: of a train that drives.
+export async function pressAtRandom(
+  browser: Browser, words: string[], seed: number, seconds: number, inMission: boolean,
+): Promise<string> {
   const chance = new Chance(seed);
   const cab = await Cabin.begin(browser, words, "?speed=20");
-  await cab.openDesk();
+  if (inMission) {
+    await cab.page.keyboard.press("p");
+    await cab.startInLevel1();
+    await cab.drive({ mode: "FS" }, 30);
+    await cab.page.keyboard.press("p");
+  } else {
+    await cab.openDesk();
+  }
   const counts = { places: 0, cells: 0, page: 0, keys: 0 };
   const modes = new Set<string>();
   const end = Date.now() + seconds * 1000;
