@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "io/display_names.h"
 #include "io/latin1.h"
 #include "io/number.h"
 #include "io/output_data.h"
@@ -15,28 +16,6 @@
 
 namespace evc::io {
 namespace {
-
-constexpr std::array<int, 4> kDials{140, 180, 250, 400};
-constexpr std::array<const char*, 3> kEntryNames{"flexible", "fixed", "switchable"};
-constexpr std::array<const char*, 4> kTextKindNames{"fixed", "plain", "status", "national"};
-constexpr std::array<const char*, 2> kSmNames{"forward", "backward"};
-constexpr std::array<const char*, 3> kRadioNames{"none", "failed", "up"};
-constexpr std::array<const char*, 10> kWaitingNames{"nothing",
-                                                    "end_of_session",
-                                                    "radio_registration",
-                                                    "network_list",
-                                                    "session",
-                                                    "train_accepted",
-                                                    "train_data_acknowledged",
-                                                    "answer_to_ma_request",
-                                                    "answer_to_sh_request",
-                                                    "answer_to_sm_request"};
-constexpr std::array<const char*, 3> kNetworkTypeNames{"FRMCS", "FRMCS+GSM-R", "GSM-R"};
-constexpr std::array<const char*, 6> kAtoStatusNames{"none", "selected", "ready", "engaged", "disengaging", "failure"};
-constexpr std::array<const char*, 4> kAtoStopNames{"none", "overshoot", "undershoot", "accurate"};
-constexpr std::array<const char*, 8> kAtoDoorsNames{"none",     "open_both", "open_left", "open_right",
-                                                    "are_open", "close",     "closing",   "closed"};
-constexpr std::array<const char*, 4> kAtoSkipNames{"none", "inactive", "by_trackside", "by_driver"};
 
 /// Objects and lists, with the commas between.
 class Writer {
@@ -171,7 +150,7 @@ void append_config(Writer& w, const port::DisplayConfig& config) {
       config;
   w.open("config");
   w.text("srs", name(srs));
-  w.whole("dial_kmh", kDials[terms::index(dial)]);
+  w.whole("dial_kmh", names::kDials[terms::index(dial)]);
   w.list("ntc_names", ntc_names, [&w](const port::NtcName& ntc) {
     w.open();
     w.whole("nid_ntc", ntc.nid_ntc);
@@ -179,7 +158,7 @@ void append_config(Writer& w, const port::DisplayConfig& config) {
     w.close();
   });
   w.list("languages", languages, [&w](const Language& language) { w.text(nullptr, language.view()); });
-  w.term("train_data_entry", kEntryNames, train_data_entry);
+  w.term("train_data_entry", names::kEntryNames, train_data_entry);
   static_cast<void>(train_types);
   append_train_types(w, config);
   w.set("categories", categories, category_name);
@@ -229,7 +208,7 @@ void append_speeds(Writer& w, const port::Display& d) {
 
 void append_symbols(Writer& w, const port::Display& d) {
   w.flag("slippery_rail", d.slippery_rail);
-  d.sm ? w.term("sm", kSmNames, *d.sm) : w.null("sm");
+  d.sm ? w.term("sm", names::kSmNames, *d.sm) : w.null("sm");
   w.flag("override_active", d.override_active);
   w.flag("reversing_permitted", d.reversing_permitted);
   w.flag("bmm_inhibited", d.bmm_inhibited);
@@ -239,7 +218,7 @@ void append_symbols(Writer& w, const port::Display& d) {
     append_level(w, "announced_level", d.announced_level->level, d.announced_level->nid_ntc);
   else
     w.null("announced_level");
-  w.term("radio", kRadioNames, d.radio);
+  w.term("radio", names::kRadioNames, d.radio);
   w.metres("geo_m", d.geo);
   w.list("conditions", d.conditions, [&w](const port::DisplayedCondition& c) {
     w.open();
@@ -295,7 +274,7 @@ void append_planning(Writer& w, const port::Display& d) {
 void append_displayed_text(Writer& w, const port::DisplayedText& t) {
   w.open();
   w.whole("id", t.id);
-  w.term("kind", kTextKindNames, t.kind);
+  w.term("kind", names::kTextKindNames, t.kind);
   w.text("class", t.important ? "important" : "auxiliary");
   w.flag("ack", t.acknowledge);
   w.number("since_ms", t.since.si * 1000.0);
@@ -337,7 +316,7 @@ void append_displayed_data(Writer& w, const port::Display& d) {
   w.list("ntcs", ntcs, [&w](std::uint8_t nid_ntc) { w.whole(nullptr, nid_ntc); });
   w.list("networks", networks, [&w](std::uint32_t NID_MN) { w.text(nullptr, digits_of_NID_MN(NID_MN)); });
   w.text("version", std::to_string(M_VERSION >> 4) + '.' + std::to_string(M_VERSION & 15));
-  w.term("radio", kNetworkTypeNames, radio);
+  w.term("radio", names::kNetworkTypeNames, radio);
   w.flag("gsmr_registered", gsmr_registered);
   w.flag("frmcs_registered", frmcs_registered);
   w.flag("asks_one_radio_system", asks_one_radio_system);
@@ -350,12 +329,12 @@ void append_ato(Writer& w, const port::DisplayedAto& ato) {
                name, arrival, stopping_points, advice_change] = ato;
   w.open("ato");
   w.flag("on", on);
-  w.term("status", kAtoStatusNames, status);
-  w.term("stop", kAtoStopNames, stop);
+  w.term("status", names::kAtoStatusNames, status);
+  w.term("stop", names::kAtoStopNames, stop);
   w.optional("dwell_s", dwell_s);
   w.flag("hold", hold);
-  w.term("doors", kAtoDoorsNames, doors);
-  w.term("skip", kAtoSkipNames, skip);
+  w.term("doors", names::kAtoDoorsNames, doors);
+  w.term("skip", names::kAtoSkipNames, skip);
   w.flag("coasting_advice", coasting_advice);
   w.flag("warning_sound", warning_sound);
   w.kmh("advice_speed_kmh", advice_speed);
@@ -397,7 +376,7 @@ void append_members(Writer& w, const port::Display& d) {
   w.set("enabled", d.enabled, [](DriverInput input) { return name(input); });
   append_step(w, d.step);
   w.flag("start_of_mission", d.start_of_mission);
-  w.term("waiting", kWaitingNames, d.waiting);
+  w.term("waiting", names::kWaitingNames, d.waiting);
   append_ato(w, d.ato);
 }
 

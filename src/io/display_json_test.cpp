@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/test_units.h"
+#include "io/display_reader.h"
 #include "io/json.h"
 #include "io/latin1.h"
 
@@ -211,6 +212,64 @@ TEST(DisplayJson, EveryMemberIsInTheRecordAndNoTwoLookTheSame) {
     change.make(*after);
     EXPECT_TRUE(seen.insert(record(*after).dump()).second) << change.what;
   }
+}
+
+/// What the record that was read is written as; empty: it is none.
+std::string again(const std::string& text) {
+  const auto read = std::make_unique<Display>();
+  std::string written;
+  if (read_display(text, *read)) append_display(written, *read);
+  return written;
+}
+
+TEST(DisplayReader, EveryMemberIsReadAsItWasWritten) {
+  const auto before = std::make_unique<Display>(filled());
+  std::vector<Change> all = changes();
+  all.push_back({"nothing", [](Display&) {}});
+  all.push_back({"stored data", [](Display& d) {
+                   kernel::ShownData& stored = d.data.stored;
+                   stored.driver_id_status = stored.train_running_number_status = stored.level_status =
+                       stored.rbc_status = stored.train_status = DataStatus::valid;
+                   stored.SR = {DataStatus::valid, 36_km_h, 500_m};
+                   stored.slippery_rail = true;
+                   stored.driver_id = DriverId("Ab4711");
+                   stored.train_running_number = 0x471FFFFF;
+                   stored.rbc = {7, 9, 0x0049170FFFFFFFFF};
+                   stored.network = 0x26210F;
+                   stored.train = {100_m, 36_km_h, 135.0, 130, 5, train::AxleLoad(3), train::LoadingGauge(2), true};
+                 }});
+  for (std::size_t n = 0; n < terms::index(Dialogue::count); ++n)
+    all.push_back({"step", [n](Display& d) { d.step = static_cast<Dialogue>(n); }});
+  for (const Change& change : all) {
+    const auto after = std::make_unique<Display>(*before);
+    change.make(*after);
+    std::string text;
+    append_display(text, *after);
+    EXPECT_EQ(again(text), text) << change.what;
+  }
+}
+
+TEST(DisplayReader, WhatIsNoRecordIsRefused) {
+  std::string text;
+  append_display(text, *std::make_unique<Display>(filled()));
+  ASSERT_EQ(again(text), text);
+  for (std::size_t size = 0; size < text.size(); size += 7) EXPECT_EQ(again(text.substr(0, size)), "") << size;
+  const Json whole = Json::parse(text), flat = whole.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    Json other = whole;
+    other[Json::json_pointer(pointer)] = Json::array({1, "x"});   // of no member
+    if (pointer.find("/stored/") != std::string::npos) continue;  // of a datum that is not known no value is read
+    EXPECT_EQ(again(other.dump()), "") << pointer;
+  }
+  for (const auto& [key, value] : whole.items()) {
+    Json other = whole;
+    other.erase(key);
+    EXPECT_EQ(again(other.dump()), "") << key;
+  }
+  // More than there is room for.
+  Json many = whole;
+  for (int n = 0; n < 64; ++n) many["acks"].push_back(whole["acks"][0]);
+  EXPECT_EQ(again(many.dump()), "");
 }
 
 TEST(DisplayJson, MotionAndTimeDoNotCountAsChanges) {

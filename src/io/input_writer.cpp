@@ -299,14 +299,25 @@ void InputWriter::append(std::string& out, const CycleInputs& cycle) {
            named(cycle.levels.radio_link_with, cycle.levels.radio_link_of_infill_unit) + "}}\n";
   for (const auto& message : cycle.radio)
     append_received(out, cycle.t_ms, radio_key(message.infill_unit), message, named(message.from, message.infill_unit));
-  // Of data that were not changed the document stays as it was given.
-  const bool changed = cycle.train_data && !(*cycle.train_data == train_);
-  append_driver(out, cycle, changed ? entered_document(train_document_, *cycle.train_data) : train_document_);
-  append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
+  append_acts(out, cycle);
   if (!cycle.levels.utc) return;
   out += opened(cycle.t_ms) + ",\"clock\":{\"utc\":\"";
   append_date_time(out, *cycle.levels.utc);
   out += "Z\"}}\n";
+}
+
+void InputWriter::append_acts(std::string& out, const CycleInputs& cycle) {
+  // Of data that were not changed the document stays as it was given.
+  const bool changed = cycle.train_data && !(*cycle.train_data == train_);
+  append_driver(out, cycle, changed ? entered_document(train_document_, *cycle.train_data) : train_document_);
+  append_windows(out, cycle.t_ms, windows_, cycle.levels.windows);
+}
+
+void InputWriter::append_cab(std::string& out, const CycleInputs& cycle) {
+  std::string signals;
+  append_signals(signals, signals_, cycle.levels.train);
+  if (!signals.empty()) out += opened(cycle.t_ms) + signals + "}\n";
+  append_acts(out, cycle);
 }
 
 std::string configuration_document(const Configuration& c) {

@@ -16,8 +16,13 @@ class InputWriter {
   }
   /// Appends the lines of one cycle; the first call also the line with `config`.
   void append(std::string& out, const sim::CycleInputs& cycle);
+  /// What comes from the cab alone: the signals of the train that changed, what the driver did, and the windows that
+  /// opened or closed. Nothing is appended where nothing is new.
+  void append_cab(std::string& out, const sim::CycleInputs& cycle);
 
  private:
+  void append_acts(std::string& out, const sim::CycleInputs& cycle);
+
   std::string config_line_;
   train::TrainData train_;
   std::string train_document_;

@@ -31,6 +31,12 @@ port::Display& Panel::record_at(Duration now) {
   return record_;
 }
 
+void Panel::show(const port::Display& record) {
+  if (record.now < record_.now) return;
+  record_ = record;
+  shown();
+}
+
 const dmi::Screen& Panel::screen() {
   dmi::draw(state_, record_.now, screen_);
   return screen_;

@@ -15,6 +15,9 @@ class Panel {
   /// The record to be filled by the on-board for the cycle at `now`, then `shown`.
   port::Display& record_at(Duration now);
   void shown() { dmi::show(state_, record_); }
+  /// The record of an on-board that runs elsewhere. Time does not fall: one of an earlier moment is of another unit,
+  /// for which a new panel is made.
+  void show(const port::Display& record);
 
   /// Whether something enabled was hit.
   bool touch(dmi::Cell cell) { return dmi::press(state_, cell, record_.now); }

@@ -14,7 +14,7 @@ bool same(std::string_view a, std::string_view b) {
 }  // namespace
 
 bool is_own_host(std::string_view host, std::uint16_t port) {
-  for (const std::string name : {"127.0.0.1", "localhost"}) {
+  for (const std::string name : {"127.0.0.1", "localhost", "[::1]"}) {
     if (same(host, name + ":" + std::to_string(port))) return true;
     if (port == 80 && same(host, name)) return true;  // browsers leave it out
   }

@@ -4,10 +4,26 @@
 
 #include <cstdio>
 
+#include "realtime/timing.h"
 #include "run/stop_signals.h"
 #include "serve/server.h"
 
 namespace evc::serve {
+namespace {
+
+double milliseconds(realtime::Nanoseconds time) { return static_cast<double>(time.count()) / 1e6; }
+
+/// One line at the end of a session with the clock. Of several sessions that end together each line is whole.
+void print_times(const realtime::Timing& timing) {
+  fmt::print(
+      "session ended: {} cycles, {} missed; begin after due median {:.3f}, 99.9 % {:.3f}, max {:.3f} ms; answer "
+      "after due max {:.3f} ms\n",
+      timing.cycles, timing.missed, milliseconds(timing.jitter.share(0.5)), milliseconds(timing.jitter.share(0.999)),
+      milliseconds(timing.jitter.max()), milliseconds(timing.response.max()));
+  std::fflush(stdout);
+}
+
+}  // namespace
 
 int serve(const Options& options) {
   const run::StopSignals signals;
@@ -17,6 +33,7 @@ int serve(const Options& options) {
   wanted.manner.cycle_ms = options.cycle_ms;
   wanted.manner.printed.planning = options.planning;
   wanted.manner.printed.dmi = options.dmi;
+  wanted.manner.measured = print_times;
   const auto server = Server::open(wanted);
   if (!server) return io::complain(server.error());
   fmt::print("http://127.0.0.1:{}/\n", (*server)->port());

@@ -4,6 +4,7 @@
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
@@ -12,6 +13,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
+#include <deque>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -24,12 +26,11 @@
 
 #include "serve/access.h"
 #include "serve/lines.h"
+#include "serve/page.h"
 
 // The only source that knows Boost. One thread runs all handlers of this file, so nothing here is locked; the threads
 // of the units reach it by Conversation alone, which posts `Session::advance`.
 namespace evc::serve {
-
-extern const char unit_page_template[];
 
 namespace {
 
@@ -43,6 +44,8 @@ using boost::system::error_code;
 constexpr std::size_t kBlock = 1 << 16;
 /// How long a connection may be none of a session: until its first byte, and for a request of HTTP.
 constexpr std::chrono::seconds kFirstByte{60}, kRequest{30};
+/// A session of the page at `/`: its lines have the record of the display, whatever the options are.
+constexpr const char* kUnitWithDisplay = "/unit?dmi";
 /// Connections of that kind at a time.
 constexpr std::size_t kMostVisitors = 64;
 /// How often an end of the program is looked for.
@@ -56,7 +59,7 @@ class Visitor;
 /// Everything there is behind the port.
 class Hub {
  public:
-  Hub(const ServerOptions& options) : options_(options), acceptor_(io_), tick_(io_) {}
+  Hub(const ServerOptions& options) : options_(options), page_(page()), tick_(io_) {}
 
   io::Result<bool> listen();
   void run(const std::function<bool()>& stopped);
@@ -64,6 +67,7 @@ class Hub {
   const ServerOptions& options() const { return options_; }
   net::io_context& io() { return io_; }
   std::uint16_t port() const { return port_; }
+  const std::string& page_at_root() const { return page_; }
 
   bool has_room() const;
   /// Further ones, which only get the error that there is no room.
@@ -76,16 +80,24 @@ class Hub {
   void forget(const std::shared_ptr<Visitor>& visitor) { visitors_.erase(visitor); }
 
  private:
-  void accept();
+  /// Where connections come in: one of each family of addresses.
+  struct Door {
+    explicit Door(net::io_context& io) : acceptor(io) {}
+    tcp::acceptor acceptor;
+    bool accepting = false;
+  };
+  /// Takes connections at this address.
+  error_code open(const tcp::endpoint& wanted);
+  void accept(Door& door);
   void look();
   void stop();
 
   ServerOptions options_;
+  std::string page_;
   net::io_context io_{1};
-  tcp::acceptor acceptor_;
+  std::deque<Door> doors_;
   net::steady_timer tick_;
   std::uint16_t port_ = 0;
-  bool accepting_ = false;
   std::function<bool()> stopped_;
   std::set<std::shared_ptr<Session>> sessions_;
   std::set<std::shared_ptr<Visitor>> visitors_;
@@ -95,7 +107,8 @@ class Hub {
 /// and begins what can be begun; each end of something leads to it.
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  explicit Session(Hub& hub) : hub_(hub), deadline_(hub.io()), conversation_(hub.options().room, [this] { call(); }) {}
+  Session(Hub& hub, const Manner& manner)
+      : hub_(hub), manner_(manner), deadline_(hub.io()), conversation_(hub.options().room, [this] { call(); }) {}
   virtual ~Session() {
     conversation_.drop();
     unit_.request_stop();
@@ -107,8 +120,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void begin() {
     work_.emplace(hub_.io().get_executor());
     try {
-      unit_ = std::jthread(
-          [this](const std::stop_token& stop) { answer(conversation_, hub_.options().manner, clock_, stop); });
+      unit_ = std::jthread([this](const std::stop_token& stop) { answer(conversation_, manner_, clock_, stop); });
     } catch (const std::system_error& failure) {
       work_.reset();
       return refuse({"session", "", failure.code().message(), "a thread for its unit"});
@@ -229,6 +241,7 @@ class Session : public std::enable_shared_from_this<Session> {
   }
 
   Hub& hub_;
+  const Manner manner_;
   net::steady_timer deadline_;
   realtime::MonotonicClock clock_;
   Conversation conversation_;
@@ -244,7 +257,7 @@ class Session : public std::enable_shared_from_this<Session> {
 /// Lines over TCP.
 class LineSession final : public Session {
  public:
-  LineSession(Hub& hub, beast::tcp_stream stream) : Session(hub), stream_(std::move(stream)) {
+  LineSession(Hub& hub, beast::tcp_stream stream) : Session(hub, hub.options().manner), stream_(std::move(stream)) {
     stream_.expires_never();
   }
 
@@ -283,7 +296,8 @@ class LineSession final : public Session {
 /// Lines over WebSocket, one a message.
 class WebSession final : public Session {
  public:
-  WebSession(Hub& hub, beast::tcp_stream stream) : Session(hub), socket_(std::move(stream)) {
+  WebSession(Hub& hub, beast::tcp_stream stream, const Manner& manner)
+      : Session(hub, manner), socket_(std::move(stream)) {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     socket_.text(true);
@@ -403,14 +417,16 @@ class Visitor : public std::enable_shared_from_this<Visitor> {
     const std::string_view target = view(request.target());
     if (request.count(http::field::host) != 1 || !is_own_host(host, hub_.port()))
       return answer(http::status::forbidden, "Host is no name of this server.\n");
-    if (target == "/unit") return look_at_upgrade(host);
+    Manner manner = hub_.options().manner;
+    if (target == kUnitWithDisplay) manner.printed.dmi = true;
+    if (target == "/unit" || target == kUnitWithDisplay) return look_at_upgrade(host, manner);
     if (target != "/") return answer(http::status::not_found, "There are / and /unit.\n");
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return answer(http::status::method_not_allowed, "GET and HEAD are answered.\n");
-    answer(http::status::ok, unit_page_template, "text/html; charset=utf-8");
+    answer(http::status::ok, hub_.page_at_root(), "text/html; charset=utf-8");
   }
 
-  void look_at_upgrade(std::string_view host) {
+  void look_at_upgrade(std::string_view host, const Manner& manner) {
     const auto& request = parser_.get();
     if (!websocket::is_upgrade(request))
       return answer(http::status::upgrade_required, "A session is a WebSocket here, or lines over TCP.\n");
@@ -419,7 +435,7 @@ class Visitor : public std::enable_shared_from_this<Visitor> {
       return answer(http::status::forbidden, "Origin is another page than the one of this server.\n");
     if (!hub_.has_room()) return answer(http::status::service_unavailable, hub_.full().text() + "\n");
     go();
-    const auto session = std::make_shared<WebSession>(hub_, std::move(stream_));
+    const auto session = std::make_shared<WebSession>(hub_, std::move(stream_), manner);
     hub_.add(session);
     session->accept(request);
   }
@@ -433,8 +449,9 @@ class Visitor : public std::enable_shared_from_this<Visitor> {
     response_.set("X-Content-Type-Options", "nosniff");
     response_.set("Cross-Origin-Resource-Policy", "same-origin");
     response_.set("Content-Security-Policy",
-                  "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-                  "connect-src 'self' ws://127.0.0.1:* ws://localhost:*; frame-ancestors 'none'");
+                  "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; "
+                  "img-src data: blob:; connect-src 'self' ws://127.0.0.1:* ws://localhost:*; "
+                  "frame-ancestors 'none'");
     if (status == http::status::method_not_allowed) response_.set(http::field::allow, "GET, HEAD");
     if (status == http::status::upgrade_required) response_.set(http::field::upgrade, "websocket");
     response_.body() = std::move(text);
@@ -463,45 +480,58 @@ bool Hub::has_room() const {
 }
 
 io::Result<bool> Hub::listen() {
-  const tcp::endpoint wanted(net::ip::address_v4::loopback(), options_.port);
-  error_code error;
-  (void)acceptor_.open(wanted.protocol(), error);
-  // Connections of a server that has just ended do not hinder the next one; one that listens does.
-  if (!error) (void)acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) (void)acceptor_.bind(wanted, error);
-  if (!error) (void)acceptor_.listen(tcp::acceptor::max_listen_connections, error);
+  error_code error = open({net::ip::address_v4::loopback(), options_.port});
+  if (!error) {
+    port_ = doors_.front().acceptor.local_endpoint().port();
+    error = open({net::ip::address_v6::loopback(), port_});
+    // A machine without IPv6, and a port that was chosen here and is only free at the other address, has one address.
+    if (error != net::error::address_in_use || options_.port == 0) error = {};
+  }
   if (error)
     return tl::unexpected(io::Diagnostic{"evc serve", "--port", std::to_string(options_.port) + ": " + error.message(),
                                          "a port that is free"});
-  port_ = acceptor_.local_endpoint().port();
   return true;
 }
 
-void Hub::accept() {
-  accepting_ = true;
-  acceptor_.async_accept([this](error_code error, tcp::socket socket) {
-    if (!acceptor_.is_open()) return;
-    accepting_ = false;
+error_code Hub::open(const tcp::endpoint& wanted) {
+  tcp::acceptor& acceptor = doors_.emplace_back(io_).acceptor;
+  error_code error;
+  (void)acceptor.open(wanted.protocol(), error);
+  // Connections of a server that has just ended do not hinder the next one; one that listens does.
+  if (!error) (void)acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error && wanted.protocol() == tcp::v6()) (void)acceptor.set_option(net::ip::v6_only(true), error);
+  if (!error) (void)acceptor.bind(wanted, error);
+  if (!error) (void)acceptor.listen(tcp::acceptor::max_listen_connections, error);
+  if (error) doors_.pop_back();
+  return error;
+}
+
+void Hub::accept(Door& door) {
+  door.accepting = true;
+  door.acceptor.async_accept([this, &door](error_code error, tcp::socket socket) {
+    if (!door.acceptor.is_open()) return;
+    door.accepting = false;
     if (error) return;  // as too many open files: the next look tries again
     if (visitors_.size() < kMostVisitors) {
       const auto visitor = std::make_shared<Visitor>(*this, std::move(socket));
       visitors_.insert(visitor);
       visitor->begin();
     }
-    accept();
+    accept(door);
   });
 }
 
 void Hub::look() {
   if (stopped_()) return stop();
-  if (!accepting_) accept();
+  for (Door& door : doors_)
+    if (!door.accepting) accept(door);
   tick_.expires_after(kLook);
   tick_.async_wait([this](error_code) { look(); });
 }
 
 void Hub::stop() {
   error_code none;
-  (void)acceptor_.close(none);
+  for (Door& door : doors_) (void)door.acceptor.close(none);
   for (const auto& visitor : std::set(visitors_)) visitor->close();
   for (const auto& session : std::set(sessions_)) {
     session->cut();

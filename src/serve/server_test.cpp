@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -224,6 +227,72 @@ TEST(Server, GivesAPage) {
   EXPECT_EQ(status_of(port, "POST /", host_of(port)), "405");
   EXPECT_EQ(status_of(port, "GET /unit", host_of(port)), "426");
   EXPECT_EQ(status_of(port, "GET /", host_of(port) + "X: " + std::string(10'000, 'x') + "\r\n"), "431");
+}
+
+/// Data of its own for the server, which `io::data_file` finds through the environment.
+class Served : public ::testing::Test {
+ protected:
+  Served() {
+    if (const char* const before = std::getenv("OPENEVC_DATA")) before_ = before;
+    setenv("OPENEVC_DATA", folder_.path().c_str(), 1);
+  }
+  ~Served() override {
+    if (before_.empty())
+      unsetenv("OPENEVC_DATA");
+    else
+      setenv("OPENEVC_DATA", before_.c_str(), 1);
+  }
+  void compiled(const std::string& page) const {
+    std::filesystem::create_directories(folder_ / "cab");
+    std::ofstream(folder_ / "cab/page.html") << page;
+  }
+  static std::string page() {
+    const RunningServer server;
+    Client client(server.port());
+    const std::string head = asked(client, "GET /", host_of(server.port()));
+    EXPECT_EQ(head.substr(9, 3), "200");
+    EXPECT_NE(head.find("'wasm-unsafe-eval'"), std::string::npos);
+    return client.rest();
+  }
+
+ private:
+  Folder folder_{"served_page"};
+  std::string before_;
+};
+
+TEST_F(Served, ThePageIsThatOfTheCabWithoutALine) {
+  compiled("<a>@given@</a>");
+  EXPECT_EQ(page(), "<a></a>");
+}
+
+TEST_F(Served, WithoutTheCompiledPageItSaysHowToGetIt) {
+  EXPECT_NE(page().find("<code>make cab</code>"), std::string::npos);
+  compiled("of something else");
+  EXPECT_NE(page().find("<code>make cab</code>"), std::string::npos);
+}
+
+TEST(Server, ThePageOfTheCabGetsTheRecordOfTheDisplay) {
+  const RunningServer server;
+  for (const char* const target : {"/unit", "/unit?dmi"}) {
+    WebClient client(server.port(), "", target);
+    ASSERT_TRUE(client.taken()) << client.answer();
+    client.send("{\"t_ms\":0,\"end\":true}");
+    EXPECT_EQ(io::Json::parse(client.message())["dmi"].is_null(), std::string(target) == "/unit") << target;
+  }
+  EXPECT_EQ(
+      status_of(server.port(), "GET /unit?dmi", kUpgrade + host_of(server.port()) + "Origin: http://example.org\r\n"),
+      "403");
+  EXPECT_EQ(status_of(server.port(), "GET /unit?other", kUpgrade + host_of(server.port())), "404");
+}
+
+TEST(Server, ListensAtBothAddressesOfTheMachine) {
+  const RunningServer server;
+  if (!Client::has_ipv6()) GTEST_SKIP() << "this machine has no IPv6";
+  Client client(server.port(), true);
+  client.send("{\"t_ms\":0,\"end\":true}\n");
+  EXPECT_EQ(mode_of(client.line()), "SB");
+  Client browser(server.port(), true);
+  EXPECT_EQ(asked(browser, "GET /", "Host: [::1]:" + std::to_string(server.port()) + "\r\n").substr(9, 3), "200");
 }
 
 TEST(Server, InRealTimeCyclesComeByThemselves) {

@@ -107,6 +107,7 @@ io::Result<bool> by_clock(Conversation& partner, const Manner& manner, realtime:
     partner.drop();
     over.request_stop();
   });
+  if (manner.measured) manner.measured(executor.timing());
   return result;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
 
 #include "io/diagnostic.h"
 #include "realtime/clock.h"
+#include "realtime/timing.h"
 #include "run/answers.h"
 #include "serve/conversation.h"
 
@@ -16,6 +18,8 @@ struct Manner {
   bool by_clock = false;                 ///< else by the times of the lines, as `evc replay`
   std::optional<std::int64_t> cycle_ms;  ///< with the clock: instead of `cycle_ms` of the configuration
   run::Printed printed = {};             ///< each cycle; with the advance display or the record of the display
+  /// Is told the times of a session with the clock when it ends, in the thread of its unit; may be empty.
+  std::function<void(const realtime::Timing&)> measured = {};
 };
 
 /// `{"error":"line 12 /odometer: found X, expected Y"}` with its end: what a session says last.

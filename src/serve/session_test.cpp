@@ -167,7 +167,14 @@ TEST(Session, ByTheClockACycleThatIsMoreThanASecondLateFails) {
   realtime::TestClock clock;
   clock.pass(std::chrono::milliseconds(1050));
   std::stop_source nobody;
-  answer(partner, {true, {}}, clock, nobody.get_token());
+  Manner manner{true, {}};
+  realtime::Timing timing;
+  manner.measured = [&](const realtime::Timing& measured) { timing = measured; };
+  answer(partner, manner, clock, nobody.get_token());
+  // The session tells how late it was: both cycles had become due before the first one began.
+  EXPECT_EQ(timing.cycles, 3u);
+  EXPECT_EQ(timing.missed, 3u);
+  EXPECT_EQ(timing.jitter.max(), std::chrono::milliseconds(1050));
   const auto lines = partner.take(std::size_t{1} << 30);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(io::Json::parse(lines[1])["mode"], "SF");  // from power-up through SB
@@ -244,7 +251,8 @@ TEST(Conversation, ASlowPartnerIsWaitedFor) {
 }
 
 TEST(Access, OwnNamesOnly) {
-  for (const char* host : {"127.0.0.1:8026", "localhost:8026", "LocalHost:8026"}) EXPECT_TRUE(is_own_host(host, 8026));
+  for (const char* host : {"127.0.0.1:8026", "localhost:8026", "LocalHost:8026", "[::1]:8026"})
+    EXPECT_TRUE(is_own_host(host, 8026));
   for (const char* host : {"", "127.0.0.1", "localhost:802", "localhost:80260", "example.org:8026", "127.0.0.2:8026",
                            "localhost.example.org:8026", " localhost:8026"})
     EXPECT_FALSE(is_own_host(host, 8026)) << host;

@@ -44,13 +44,24 @@ constexpr int kForeverMs = 120'000;
 /// A connection. What it waits for too long, and what it cannot send, throws.
 class Client {
  public:
-  explicit Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit Client(std::uint16_t port, bool ipv6 = false)
+      : socket_(::socket(ipv6 ? AF_INET6 : AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(port);
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
-      throw std::runtime_error("cannot connect");
+    const sockaddr_in6 to6 = loopback6(port);
+    const auto* const address = ipv6 ? reinterpret_cast<const sockaddr*>(&to6) : reinterpret_cast<const sockaddr*>(&to);
+    if (::connect(socket_, address, ipv6 ? sizeof to6 : sizeof to) != 0) throw std::runtime_error("cannot connect");
+  }
+  /// Whether ::1 is an address of this machine.
+  static bool has_ipv6() {
+    const int socket = ::socket(AF_INET6, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (socket < 0) return false;
+    const sockaddr_in6 any_port = loopback6(0);
+    const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&any_port), sizeof any_port) == 0;
+    ::close(socket);
+    return bound;
   }
   ~Client() { close(); }
   Client(const Client&) = delete;
@@ -104,6 +115,13 @@ class Client {
   }
 
  private:
+  static sockaddr_in6 loopback6(std::uint16_t port) {
+    sockaddr_in6 address{};
+    address.sin6_family = AF_INET6;
+    address.sin6_port = htons(port);
+    address.sin6_addr = in6addr_loopback;
+    return address;
+  }
   bool more() {
     pollfd wanted{socket_, POLLIN, 0};
     if (::poll(&wanted, 1, kForeverMs) != 1) throw std::runtime_error("nothing comes");
@@ -134,8 +152,9 @@ constexpr const char* kUpgrade =
 /// A WebSocket at /unit (RFC 6455). Masked with zeros, which leaves the bytes as they are.
 class WebClient {
  public:
-  explicit WebClient(std::uint16_t port, const std::string& fields = "") : client_(port) {
-    answer_ = asked(client_, "GET /unit", host_of(port) + kUpgrade + fields);
+  explicit WebClient(std::uint16_t port, const std::string& fields = "", const std::string& target = "/unit")
+      : client_(port) {
+    answer_ = asked(client_, "GET " + target, host_of(port) + kUpgrade + fields);
   }
   /// The header of the answer to the request.
   const std::string& answer() const { return answer_; }
@@ -150,10 +169,22 @@ class WebClient {
     frame.append(4, '\0').append(message);
     (void)client_.try_send(frame);
   }
-  /// The next message; empty at the end of the session.
+  /// The next message, of as many frames as it has; empty at the end of the session.
   std::string message() {
-    const std::string head = client_.bytes(2);
-    if (head.size() < 2 || (head[0] & 0x0F) != 1) return "";
+    std::string text;
+    for (bool last = false; !last;) {
+      const std::string head = client_.bytes(2);
+      if (head.size() < 2 || (head[0] & 0x0F) != (text.empty() ? 1 : 0)) return "";
+      last = (head[0] & 0x80) != 0;
+      text += payload(head);
+    }
+    return text;
+  }
+  void close() { client_.close(); }
+
+ private:
+  /// Of the frame with these two bytes at its begin.
+  std::string payload(const std::string& head) {
     std::size_t size = head[1] & 0x7F;
     if (size < 126) return client_.bytes(size);
     const std::string length = client_.bytes(size == 126 ? 2 : 8);
@@ -161,9 +192,7 @@ class WebClient {
     for (const char c : length) size = size << 8 | static_cast<unsigned char>(c);
     return client_.bytes(size);
   }
-  void close() { client_.close(); }
 
- private:
   Client client_;
   std::string answer_;
 };

@@ -65,10 +65,15 @@ interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;
   take(size: number): number;
+  free_taken(memory: number): void;
   begin(bytes: number, size: number, driver: number, seed: number): number;
   advance(page: number, cycles: number): number;
   finished(page: number): number;
   desk(page: number, lever: number, direction: number, open: number, emergency: number): void;
+  remote_begin(): number;
+  remote_show(page: number, bytes: number, size: number): number;
+  remote_desk(page: number, direction: number, open: number): void;
+  remote_acts(page: number, t_ms: number): void;
   touch(page: number, x: number, y: number): number;
   slide(page: number, x: number, y: number): void;
   lift(page: number): void;
@@ -77,7 +82,7 @@ interface Exports {
 }
 
 /// As Part in module.cpp.
-const PARTS = ["outputs", "inputs", "points", "events", "summary", "scene", "drawing", "screen"] as const;
+const PARTS = ["outputs", "inputs", "points", "events", "summary", "scene", "drawing", "screen", "acts"] as const;
 type Part = (typeof PARTS)[number];
 
 /// The C library of the module asks for these and never needs them: it opens no file and reads no clock. Each answers
@@ -88,19 +93,83 @@ function noSystem(module: WebAssembly.Module): WebAssembly.Imports {
   return imports;
 }
 
-/// A journey in the module.
-export class Ride {
-  private constructor(
-    private readonly exports: Exports,
-    private readonly page: number,
+async function exportsOf(code: BufferSource): Promise<Exports> {
+  const module = await WebAssembly.compile(code);
+  const instance = await WebAssembly.instantiate(module, noSystem(module));
+  const exports = instance.exports as unknown as Exports;
+  exports._initialize();
+  return exports;
+}
+
+/// The driver's place in the module: the display, and texts in the memory of the module.
+class Place {
+  protected constructor(
+    protected readonly exports: Exports,
+    protected readonly page: number,
   ) {}
+
+  /// A finger on the display, in its cells. Whether it touches something that is enabled.
+  touch(x: number, y: number): boolean {
+    return this.exports.touch(this.page, x, y) !== 0;
+  }
+  slide(x: number, y: number): void {
+    this.exports.slide(this.page, x, y);
+  }
+  lift(): void {
+    this.exports.lift(this.page);
+  }
+  /// The display list, evc-screen/1.
+  screen(): unknown {
+    return JSON.parse(this.text("screen"));
+  }
+  /// The display as shapes, in drawing order.
+  drawing(): Shape[] {
+    return JSON.parse(this.text("drawing")) as Shape[];
+  }
+
+  protected bytes(part: Part): Uint8Array {
+    const place = PARTS.indexOf(part);
+    const from = this.exports.part(this.page, place);
+    const size = this.exports.part_size(this.page);
+    return new Uint8Array(this.exports.memory.buffer, from, size).slice();
+  }
+  protected text(part: Part): string {
+    return new TextDecoder().decode(this.bytes(part));
+  }
+}
+
+/// The place at a unit that runs elsewhere (src/ride/remote.h).
+export class Remote extends Place {
+  static async begin(code: BufferSource): Promise<Remote> {
+    const exports = await exportsOf(code);
+    return new Remote(exports, exports.remote_begin());
+  }
+
+  /// Shows the record `dmi` of an output line; false: it is none.
+  show(record: string): boolean {
+    const bytes = new TextEncoder().encode(record);
+    const taken = this.exports.take(bytes.length);
+    new Uint8Array(this.exports.memory.buffer).set(bytes, taken);
+    const shown = this.exports.remote_show(this.page, taken, bytes.length) !== 0;
+    this.exports.free_taken(taken);
+    return shown;
+  }
+  setDesk(desk: Desk): void {
+    this.exports.remote_desk(this.page, DIRECTIONS.indexOf(desk.direction), desk.key ? 1 : 0);
+  }
+  /// The lines of what the driver did up to the cycle at a time; at first, without one, those that begin a session.
+  acts(t_ms?: number): string {
+    if (t_ms !== undefined) this.exports.remote_acts(this.page, t_ms);
+    return this.text("acts");
+  }
+}
+
+/// A journey in the module.
+export class Ride extends Place {
 
   /// `given`: the bytes that `evc cab` wrote. Without a driver it is driven by hand.
   static async begin(code: BufferSource, given: Uint8Array, driver?: Driver, seed = 1): Promise<Ride> {
-    const module = await WebAssembly.compile(code);
-    const instance = await WebAssembly.instantiate(module, noSystem(module));
-    const exports = instance.exports as unknown as Exports;
-    exports._initialize();
+    const exports = await exportsOf(code);
     const bytes = exports.take(given.length);
     new Uint8Array(exports.memory.buffer).set(given, bytes);
     const page = exports.begin(bytes, given.length, driver === undefined ? -1 : DRIVERS.indexOf(driver), seed);
@@ -130,30 +199,11 @@ export class Ride {
     this.exports.desk(this.page, desk.lever, direction, desk.key ? 1 : 0, desk.emergency ? 1 : 0);
   }
 
-  /// A finger on the display, in its cells. Whether it touches something that is enabled.
-  touch(x: number, y: number): boolean {
-    return this.exports.touch(this.page, x, y) !== 0;
-  }
-  slide(x: number, y: number): void {
-    this.exports.slide(this.page, x, y);
-  }
-  lift(): void {
-    this.exports.lift(this.page);
-  }
-
   summary(): Summary {
     return JSON.parse(this.text("summary")) as Summary;
   }
   scene(): Scene {
     return JSON.parse(this.text("scene")) as Scene;
-  }
-  /// The display list, evc-screen/1.
-  screen(): unknown {
-    return JSON.parse(this.text("screen"));
-  }
-  /// The display as shapes, in drawing order.
-  drawing(): Shape[] {
-    return JSON.parse(this.text("drawing")) as Shape[];
   }
 
   /// The whole journey: on-board, world, display and desk. All of it is in the memory of the module.
@@ -164,16 +214,6 @@ export class Ride {
     const memory = new Uint8Array(this.exports.memory.buffer);
     memory.set(snapshot);
     memory.fill(0, snapshot.length);
-  }
-
-  private bytes(part: Part): Uint8Array {
-    const place = PARTS.indexOf(part);
-    const from = this.exports.part(this.page, place);
-    const size = this.exports.part_size(this.page);
-    return new Uint8Array(this.exports.memory.buffer, from, size).slice();
-  }
-  private text(part: Part): string {
-    return new TextDecoder().decode(this.bytes(part));
   }
 }
 

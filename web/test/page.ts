@@ -7,7 +7,7 @@ import { join } from "node:path";
 
 import { bytesOfBase64, Ride, type Driver } from "../src/module.js";
 
-const EVC = process.env["EVC"] ?? "build/release/evc";
+export const EVC = process.env["EVC"] ?? "build/release/evc";
 
 export function evc(...words: string[]): string {
   return execFileSync(EVC, words, { encoding: "utf8", maxBuffer: 1 << 30 });
