@@ -18,7 +18,7 @@ struct Manner {
   bool by_clock = false;                 ///< else by the times of the lines, as `evc replay`
   std::optional<std::int64_t> cycle_ms;  ///< with the clock: instead of `cycle_ms` of the configuration
   run::Printed printed = {};             ///< each cycle; with the advance display or the record of the display
-  /// Is told the times of a session with the clock when it ends, in the thread of its unit; may be empty.
+  /// Gets the times of a session with the clock when it ends, in the thread of its unit; may be empty.
   std::function<void(const realtime::Timing&)> measured = {};
 };
 

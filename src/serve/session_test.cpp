@@ -171,7 +171,7 @@ TEST(Session, ByTheClockACycleThatIsMoreThanASecondLateFails) {
   realtime::Timing timing;
   manner.measured = [&](const realtime::Timing& measured) { timing = measured; };
   answer(partner, manner, clock, nobody.get_token());
-  // The session tells how late it was: both cycles had become due before the first one began.
+  // How late the session was: both cycles had become due before the first one began.
   EXPECT_EQ(timing.cycles, 3u);
   EXPECT_EQ(timing.missed, 3u);
   EXPECT_EQ(timing.jitter.max(), std::chrono::milliseconds(1050));
