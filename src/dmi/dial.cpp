@@ -12,7 +12,7 @@ using port::Display;
 constexpr double kDialOut = 125.0;
 constexpr double kGaugeIn = 128.0, kGaugeOut = 137.0, kHookIn = 117.0;
 constexpr double kReleaseIn = 132.0, kPermittedOut = 131.0;
-constexpr double kNumberRadius = 88.0, kSetSpeedRadius = 111.0;
+constexpr double kLongLine = 25.0, kSetSpeedRadius = 111.0;
 
 /// The kinds of monitoring of Tables 8 and 9.
 enum class Kinds : std::uint8_t { none, CSM, CSM_target, TSM, RSM };
@@ -107,6 +107,24 @@ Colour pointer_colour(const Display& display) {
 
 double angle_of(const Drawing& to, Speed v) { return dial_deg(to.display.config.dial, v.si * kKmh); }
 
+/// The sine of 0 to 180 degrees to 0.002 (Bhaskara), without the mathematics library.
+constexpr double sine(double deg) {
+  const double product = deg * (180.0 - deg);
+  return 4.0 * product / (40500.0 - product);
+}
+
+/// The radius of the centre of a number of so many digits at the inner end of a long line (8.2.1.1.11 gives the line,
+/// no place for its number): the box of the number ends short of the line, at whichever side the line comes.
+constexpr double number_radius(double deg, int digits) {
+  constexpr double kGap = 4.0, kHalfHeight = 8.0, kHalfDigit = 6.2;
+  const double aside = deg < 0.0 ? -deg : deg;  // 0 to 144
+  const double across = sine(aside), along = aside <= 90.0 ? sine(90.0 - aside) : sine(aside - 90.0);
+  const double half_width = kHalfDigit * digits;
+  // The line leaves the box above or below it, else at its left or right side.
+  const double inside = half_width * along < kHalfHeight * across ? half_width / across : kHalfHeight / along;
+  return kDialOut - kLongLine - kGap - inside;
+}
+
 void draw_dial(const Drawing& to) {
   const DialRow& row = dial_row(to.display.config.dial);
   for (std::int16_t v = 0; v <= row.most; v = static_cast<std::int16_t>(v + 10)) {
@@ -114,16 +132,16 @@ void draw_dial(const Drawing& to) {
     Item line = to.item(Kind::dial_line, Area::B0, Colour::white);
     line.from_deg = dial_deg(to.display.config.dial, v);
     line.r_out = kDialOut;
-    line.r_in = kDialOut - (is_long ? 25.0 : 15.0);
+    line.r_in = kDialOut - (is_long ? kLongLine : 15.0);
     line.w = 1;
     line.number = v;
     to.add(line);
     if (!is_long || (row.two_parts && v > 200 && v % 100 != 0)) continue;
     Item number = to.item(Kind::dial_number, Area::B0, Colour::white);
     number.from_deg = line.from_deg;
-    number.r_in = kNumberRadius;
     number.height = 16;
     number.text = number_words(v);
+    number.r_in = number_radius(line.from_deg, v < 10 ? 1 : v < 100 ? 2 : 3);
     number.align = Align::centre;
     to.add(number);
   }
