@@ -454,7 +454,7 @@ typedef enum openevc_data_status {
 typedef struct openevc_cover {
   uint16_t NID_C;
   uint16_t NID_VBCMK;
-  uint32_t reserved;
+  uint32_t T_VBC; /* days: the validity period as it was set */
   double left;
 } openevc_cover;
 

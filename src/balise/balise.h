@@ -44,7 +44,8 @@ struct Reading {
 struct Cover {
   std::uint8_t NID_VBCMK = 0;
   std::uint16_t NID_C = 0;
-  Duration until{};  // since power-up
+  Duration until{};        // since power-up
+  std::uint8_t T_VBC = 0;  // the validity period as it was set, days
   friend constexpr bool operator==(const Cover&, const Cover&) = default;
 };
 

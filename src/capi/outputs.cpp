@@ -200,6 +200,7 @@ void give_data(openevc_data& to, const kernel::Outputs& o) {
     openevc_cover& c = to.covers[to.covers_count++];
     c.NID_C = cover.NID_C;
     c.NID_VBCMK = cover.NID_VBCMK;
+    c.T_VBC = cover.T_VBC;
     c.left = cover.left.si;
   }
 }

@@ -1,6 +1,7 @@
 #include "dmi/acks.h"
 
 #include "dmi/windows.h"
+#include "openevc/terms/mode_symbol.h"
 
 namespace evc::dmi {
 namespace {
@@ -58,35 +59,12 @@ AckPlace place_of(Ack what) {
 }
 
 std::optional<Picture> ack_picture(const port::Display& display, Ack what) {
-  switch (what) {
-    case Ack::OS:
-      return Picture::MO08;
-    case Ack::LS:
-      return Picture::MO22;
-    case Ack::SH:
-      return Picture::MO02;
-    case Ack::SR:
-      return Picture::MO10;
-    case Ack::UN:
-      return Picture::MO17;
-    case Ack::SN:
-      return Picture::MO20;
-    case Ack::RV:
-      return Picture::MO15;
-    case Ack::trip:
-      return Picture::MO05;
-    case Ack::brake:
-      return Picture::ST01;
-    case Ack::level: {
-      const Level level = display.announced_level ? display.announced_level->level : display.level;
-      // 4.0.0 has no acknowledgement of levels 1 and 2 (015560 8.2.3.2).
-      constexpr std::array<Picture, kLevels> kAcknowledged{Picture::LE07, Picture::LE09, Picture::LE11, Picture::LE13,
-                                                           Picture::LE15};
-      return kAcknowledged[static_cast<std::size_t>(level) % kLevels];
-    }
-    default:
-      return std::nullopt;
-  }
+  if (what == Ack::brake) return Picture::ST01;
+  if (what == Ack::level)
+    return picture_of(
+        announcement_symbol(display.announced_level ? display.announced_level->level : display.level, true));
+  const std::optional<Symbol> of_mode = symbol(what);
+  return of_mode ? std::optional(picture_of(*of_mode)) : std::nullopt;
 }
 
 bool is_answered(const State& state, const port::AskedAck& ack) {
@@ -101,15 +79,8 @@ bool text_ack_waits(const State& state) {
   return false;
 }
 
-/// In the start-up dialogue acknowledgements wait (015560 11.7.1.9), unless the on-board takes nothing else.
-bool held_back(const port::Display& display) {
-  constexpr Set<DriverInput> kEntries{DriverInput::driver_id,   DriverInput::level,
-                                      DriverInput::rbc_contact, DriverInput::train_running_number,
-                                      DriverInput::train_data,  DriverInput::radio_network_id};
-  const bool nothing_else = !display.enabled.empty() && (display.enabled & kEntries).empty() && display.step &&
-                            *display.step >= Dialogue::start_S1 && *display.step <= Dialogue::start_S3;
-  return display.start_of_mission && !nothing_else;
-}
+/// In the start-up dialogue acknowledgements wait (015560 11.7.1.9).
+bool held_back(const port::Display& display) { return display.start_of_mission; }
 
 bool ack_pending(const State& state) {
   if (state.offered) return true;

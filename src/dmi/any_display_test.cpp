@@ -63,6 +63,7 @@ class Chance {
     d.config.dial = static_cast<port::Dial>(below(4));
     d.config.train_data_entry = static_cast<port::TrainDataEntry>(below(3));
     d.config.T_dispTTI = Duration{number(14)};
+    d.config.asks_brake_percentage = !one_in(3);
     d.config.axle_loads = static_cast<std::uint16_t>(below(65536));
     d.config.categories = Set<TrainCategory>::of_bits(static_cast<std::uint64_t>(below(1 << 18)));
     d.config.L_TRAIN = {number(1000), number(5000), number(10), number(100), number(1000)};
@@ -103,12 +104,13 @@ class Chance {
     d.track_ahead_free = one_in(4);
   }
   void symbols(Display& d) {
+    d.standstill = one_in(2);
     d.brake = one_in(2), d.override_active = one_in(2), d.slippery_rail = one_in(2), d.reversing_permitted = one_in(2);
     if (one_in(2)) d.sm = static_cast<port::SmDirection>(below(2));
     if (one_in(2)) d.announced_level = port::AnnouncedLevel{static_cast<Level>(below(8)), 7};
     d.geo = maybe<Distance>(1e9);
     if (one_in(2)) d.second_of_day = static_cast<std::uint32_t>(below(1 << 30));
-    for (int i = below(50); i > 0; --i)
+    for (int i = below(51); i > 0; --i)
       if (!d.conditions.push_back({static_cast<std::uint16_t>(below(60)), static_cast<Picture>(below(256)), {}}))
         ADD_FAILURE();
     if (one_in(2)) d.tunnel = port::TunnelStoppingArea{one_in(2), Distance{number(1e6)}};
@@ -155,8 +157,8 @@ class Chance {
     for (int i = below(17); i > 0; --i)
       if (!d.data.ntcs.push_back(static_cast<std::uint8_t>(below(256))) ||
           !d.data.networks.push_back(static_cast<std::uint32_t>(random_())) ||
-          !d.data.covers.push_back(
-              {static_cast<std::uint16_t>(below(65536)), static_cast<std::uint8_t>(below(256)), Duration{number(1e7)}}))
+          !d.data.covers.push_back({static_cast<std::uint16_t>(below(65536)), static_cast<std::uint8_t>(below(256)),
+                                    Duration{number(1e7)}, static_cast<std::uint8_t>(below(256))}))
         ADD_FAILURE();
     d.data.asks_one_radio_system = one_in(6);
     d.data.M_VERSION = static_cast<std::uint8_t>(below(256));
@@ -263,6 +265,106 @@ TEST(AnyDisplay, RandomSessions) {
       ASSERT_LT(state.window, WindowId::count);
     }
   }
+}
+
+/// The buttons of the menus that send a selection (Tables 33 to 37).
+struct Sender {
+  port::Select select;
+  Button button;
+};
+constexpr auto kSenders = std::to_array<Sender>({
+    {port::Select::start, Button::start},
+    {port::Select::override_, Button::eoa},
+    {port::Select::shunting, Button::shunting},
+    {port::Select::exit_shunting, Button::exit_shunting},
+    {port::Select::non_leading, Button::non_leading},
+    {port::Select::maintain_shunting, Button::maintain_shunting},
+    {port::Select::train_data, Button::train_data},
+    {port::Select::integrity_confirmed, Button::train_integrity},
+    {port::Select::last_rbc, Button::contact_last_rbc},
+    {port::Select::short_number, Button::use_short_number},
+    {port::Select::radio_network, Button::gsmr_network_id},
+    {port::Select::sm, Button::initiate_sm},
+    {port::Select::continue_sm, Button::continue_sm},
+    {port::Select::exit_sm, Button::exit_sm},
+    {port::Select::bmm_inhibit, Button::bmm_inhibit},
+    {port::Select::bmm_revoke, Button::bmm_revoke},
+});
+
+/// What the display may send: what `before`, the state at the last touch, enables.
+void check_enabled(const Commands& commands, const State& before) {
+  const Display& display = before.display;
+  const port::DriverActions& done = commands.actions;
+  for (const Sender& sender : kSenders)
+    EXPECT_TRUE(!done.has(sender.select) || display.buttons.has(sender.button)) << name(sender.button);
+  EXPECT_TRUE(!done.has(port::Select::track_ahead_free) || display.track_ahead_free);
+  const bool may_toggle = display.mode == Mode::OS || display.mode == Mode::SR || display.mode == Mode::SH;
+  EXPECT_TRUE(!done.has(port::Select::toggle) || may_toggle);
+  EXPECT_FALSE(done.has(port::Select::isolate)) << "a device of its own";
+  for (unsigned what = 0; what < static_cast<unsigned>(Ack::count); ++what) {
+    bool asked = false;
+    for (const port::AskedAck& ack : display.acks) asked = asked || ack.what == static_cast<Ack>(what);
+    EXPECT_TRUE(asked || !done.has(static_cast<Ack>(what))) << what;
+  }
+  // The windows of Table 48 close with their button (11.7.1.7); in the start-up dialogue they are opened by it.
+  const auto entered = [&](bool given, Button button) {
+    EXPECT_TRUE(!given || display.start_of_mission || display.buttons.has(button)) << name(button);
+  };
+  entered(done.driver_id.has_value(), Button::driver_id);
+  entered(done.level.has_value(), Button::level);
+  entered(done.train_running_number.has_value() && !before.running_number_next, Button::train_running_number);
+  entered(commands.train_data.has_value(), Button::train_data);
+  entered(done.rbc_contact.has_value(), Button::enter_rbc_data);
+  entered(done.network.has_value(), Button::gsmr_network_id);
+  entered(done.V_sr.has_value(), Button::sr_speed_distance);
+  entered(done.language.has_value(), Button::language);
+}
+
+// Presses anywhere, any number, in any order: only what is enabled acts, and only at the place that was touched.
+TEST(AnyDisplay, NothingThatIsNotEnabledActs) {
+  std::size_t acted = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Chance chance(1000 + seed);
+    State state;
+    double now = 100.0;
+    Display display = chance.display(now);
+    for (int touch = 0; touch < 400; ++touch) {
+      now += 0.3;
+      if (chance.one_in(25)) display = chance.display(now);
+      if (chance.one_in(6)) display.buttons = Set<Button>::of_bits(~std::uint64_t{0} >> chance.below(40));
+      if (chance.one_in(8)) display.acks.clear(), display.waiting = port::Waiting::nothing;
+      display.now = Duration{now};
+      show(state, display);
+      (void)take(state);
+      const Targets places = targets(state);
+      Cell cell{chance.below(640), chance.below(480)};
+      if (!places.empty() && !chance.one_in(5))
+        cell = test::middle(places[static_cast<std::size_t>(chance.below(static_cast<int>(places.size())))].abs);
+      const Target* top = nullptr;
+      for (const Target& place : places)
+        if (top == nullptr && inside(place.abs, cell.x, cell.y)) top = &place;
+      const State before = state;
+      const bool hit = press(state, cell, Duration{now + 0.01});
+      ASSERT_EQ(hit, !before.pressed.held && top != nullptr && top->enabled) << seed << " " << touch;
+      if (!hit && !before.pressed.held) {
+        const Commands commands = take(state);
+        EXPECT_EQ(commands.actions.selected, 0u);
+        EXPECT_EQ(commands.actions.acknowledged, 0u);
+        EXPECT_TRUE(commands.sounds.empty());
+        EXPECT_EQ(state.window, before.window);
+      }
+      if (chance.one_in(6)) slide(state, {chance.below(640), chance.below(480)}, Duration{now + 0.02});
+      if (!chance.one_in(10)) {
+        if (chance.one_in(3)) now += 2.5;
+        release(state, Duration{now + 0.05});
+      }
+      const Commands commands = take(state);
+      acted += commands.actions.selected != 0 || commands.actions.acknowledged != 0 ? 1u : 0u;
+      check_enabled(commands, before);
+      if (::testing::Test::HasFailure()) FAIL() << "seed " << seed << ", touch " << touch;
+    }
+  }
+  EXPECT_GT(acted, 500u);
 }
 
 TEST(AnyDisplay, SpeedsBeyondTheDialStandAtItsEnd) {

@@ -26,13 +26,12 @@ std::string_view characters_of(const State& state, FieldId id) {
 }
 
 void commit_level(State& state, Duration now) {
-  constexpr std::array<Level, 4> kLevelOfChoice{Level::L1, Level::L2, Level::L3, Level::L0};
   const int choice = choice_of(state, FieldId::level);
   if (choice < 0) return;
   const auto number = static_cast<std::size_t>(choice);
   const std::optional<std::uint8_t> system = system_of_choice(state.display, number);
-  if (!system && number >= kLevelOfChoice.size()) return;  // it is not offered any more
-  const Level level = system ? Level::NTC : kLevelOfChoice[number];
+  if (!system && number >= kLevelChoices.size()) return;  // it is not offered any more
+  const Level level = system ? Level::NTC : kLevelChoices[number];
   state.commands.actions.level = level;
   if (system) state.commands.actions.nid_ntc = *system;
   if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows

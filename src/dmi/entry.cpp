@@ -53,12 +53,6 @@ bool uses_train_types(const State& state) {
   return kind == port::TrainDataEntry::fixed || (kind == port::TrainDataEntry::switchable && state.fixed_train_entry);
 }
 
-/// The phone number is entered where GSM-R is used (015560 11.3.12).
-bool has_field(const State& state, FieldId id) {
-  if (id != FieldId::rbc_phone) return true;
-  return state.display.data.radio != port::RadioNetworkType::frmcs && state.display.config.gsmr_fitted;
-}
-
 const port::EntryRange* range_of(const State& state, FieldId id) {
   const port::DisplayConfig& config = state.display.config;
   switch (id) {
@@ -206,11 +200,22 @@ std::uint8_t most_characters(FieldId id) {
   }
 }
 
+bool is_entered(const port::Display& display, FieldId id) {
+  switch (id) {
+    case FieldId::rbc_phone:  // where GSM-R is used (015560 11.3.12)
+      return display.data.radio != port::RadioNetworkType::frmcs && display.config.gsmr_fitted;
+    case FieldId::brake_percentage:
+      return display.config.asks_brake_percentage;
+    default:
+      return true;
+  }
+}
+
 void begin_entry(State& state, WindowId window) {
   state.entry = Entry{};
   const bool types = window == WindowId::train_data && uses_train_types(state);
   for (const FieldRow& row : kFieldRows) {
-    if (row.window != window || types || !has_field(state, row.field)) continue;
+    if (row.window != window || types || !is_entered(state.display, row.field)) continue;
     if (!state.entry.fields.push_back({.id = row.field, .value = stored_value(state, row.field)})) return;
   }
   if (types &&

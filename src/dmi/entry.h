@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -15,6 +16,8 @@ std::uint8_t most_characters(FieldId);
 
 inline constexpr std::size_t kFieldsPerPage = 4;
 
+/// Whether the driver enters the field with this train and these radio systems, and the data view shows it.
+bool is_entered(const port::Display&, FieldId);
 /// Begins the process of a window: its fields with what is stored.
 void begin_entry(State&, WindowId);
 /// The fields that stand on the page that is shown: [first, last).
@@ -53,6 +56,8 @@ bool check_across(State&);
 /// The number of choices of a dedicated keyboard, and their labels.
 std::size_t choices_of(const State&, FieldId);
 Words choice_label(const State&, FieldId, std::size_t choice);
+/// The first choices of the level window (015560 11.3.3); the national systems follow.
+inline constexpr std::array<Level, 4> kLevelChoices{Level::L1, Level::L2, Level::L3, Level::L0};
 /// NID_NTC of a choice of the level window; none where it is another level.
 std::optional<std::uint8_t> system_of_choice(const port::Display&, std::size_t choice);
 bool choice_enabled(const State&, FieldId, std::size_t choice);

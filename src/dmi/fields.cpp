@@ -4,43 +4,15 @@
 #include "dmi/acks.h"
 #include "dmi/drawing.h"
 #include "dmi/labels.h"
+#include "openevc/terms/mode_symbol.h"
 
 namespace evc::dmi {
 namespace {
 
+/// SN shows that of the national system (015560 8.1.1.2).
 std::optional<Picture> mode_picture(Mode mode) {
-  switch (mode) {
-    case Mode::SH:
-      return Picture::MO01;
-    case Mode::TR:
-      return Picture::MO04;
-    case Mode::PT:
-      return Picture::MO06;
-    case Mode::OS:
-      return Picture::MO07;
-    case Mode::SR:
-      return Picture::MO09;
-    case Mode::FS:
-      return Picture::MO11;
-    case Mode::NL:
-      return Picture::MO12;
-    case Mode::SB:
-      return Picture::MO13;
-    case Mode::RV:
-      return Picture::MO14;
-    case Mode::UN:
-      return Picture::MO16;
-    case Mode::SF:
-      return Picture::MO18;
-    case Mode::LS:
-      return Picture::MO21;
-    case Mode::AD:
-      return Picture::MO23;
-    case Mode::SM:
-      return Picture::MO24;
-    default:
-      return std::nullopt;  // SN: of the national system; the others show nothing
-  }
+  const std::optional<Symbol> of_mode = mode == Mode::SN ? std::nullopt : symbol(mode);
+  return of_mode ? std::optional(picture_of(*of_mode)) : std::nullopt;
 }
 
 void draw_conditions(const Drawing& to) {
@@ -75,9 +47,7 @@ void draw_level(const Drawing& to) {
     item.align = Align::centre;
     return to.add(item);
   }
-  constexpr std::array<Picture, kLevels> kCurrent{Picture::LE01, Picture::LE02, Picture::LE03, Picture::LE04,
-                                                  Picture::LE05};
-  to.symbol(Area::C8, kCurrent[static_cast<std::size_t>(display.level) % kLevels]);
+  to.symbol(Area::C8, picture_of(symbol(display.level)));
 }
 
 void draw_announcements(const Drawing& to) {
@@ -85,9 +55,7 @@ void draw_announcements(const Drawing& to) {
   if (state.offered && place_of(state.offered->ack.what).frame == Area::C1) {
     if (const auto picture = ack_picture(state.display, state.offered->ack.what)) to.symbol(Area::C1, *picture);
   } else if (to.display.announced_level) {
-    constexpr std::array<Picture, kLevels> kAnnounced{Picture::LE06, Picture::LE08, Picture::LE10, Picture::LE12,
-                                                      Picture::LE14};
-    to.symbol(Area::C1, kAnnounced[static_cast<std::size_t>(to.display.announced_level->level) % kLevels]);
+    to.symbol(Area::C1, picture_of(announcement_symbol(to.display.announced_level->level, false)));
   }
   const bool brake_ack = state.offered && state.offered->ack.what == Ack::brake;
   if (to.display.brake || brake_ack) to.symbol(Area::C9, Picture::ST01);

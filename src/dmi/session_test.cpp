@@ -310,25 +310,28 @@ TEST_F(Session, StartUpHoldsAcksBack) {
   EXPECT_EQ(offered(), "MO08");
 }
 
-TEST_F(Session, InTheStartUpOnlyAnAckThatTheOnBoardWaitsForIsOffered) {
+// 015560 11.7.1.9: also one of a brake, or where the on-board should take nothing else.
+TEST_F(Session, InTheStartUpEveryAckWaits) {
   display.mode = Mode::SB;
   display.start_of_mission = true;
   display.step = Dialogue::start_S1;
-  display.enabled = {DriverInput::driver_id, DriverInput::isolation};
+  display.enabled = {DriverInput::ack_standstill, DriverInput::isolation};
   at(0);
   ASSERT_EQ(state.window, WindowId::driver_id);
-  ask(Ack::brake);
-  at(1);
+  for (const Ack what : {Ack::brake, Ack::level, Ack::OS}) ask(what);
+  ask(Ack::text, 7);
+  for (int i = 1; i < 30; ++i) {
+    at(i / 2.0);
+    ASSERT_EQ(offered(), "");
+    ASSERT_EQ(state.window, WindowId::driver_id);
+  }
+  EXPECT_EQ(take(state).actions.acknowledged, 0u);
+  display.step = Dialogue::start_S10;
+  display.start_of_mission = false;
+  at(20);
   EXPECT_EQ(offered(), "");
-  display.enabled = {DriverInput::ack_standstill, DriverInput::isolation};  // it takes nothing else
-  at(2);
-  at(3.1);
-  ASSERT_EQ(offered(), "ST01");
-  EXPECT_EQ(state.window, WindowId::driver_id) << "the entry goes on behind it";
-  acknowledge_at(3.2);
-  display.enabled = {DriverInput::driver_id, DriverInput::isolation};
-  at(3.3);
-  EXPECT_EQ(state.window, WindowId::driver_id);
+  at(21.1);
+  EXPECT_NE(offered(), "");
 }
 
 TEST_F(Session, AHeldFingerAnswersTheRequestThatItTouched) {
@@ -440,6 +443,40 @@ TEST_F(Session, SoundsOfSymbols) {
   EXPECT_EQ(sounds(), std::vector<std::string>{"S2 loop"});
 }
 
+// 015560 8.2.2.3.6: the driver's acknowledgement of the trip releases its brake; a brake that is released by itself is
+// heard, in PT as everywhere.
+TEST_F(Session, TheBrakeOfATripIsReleasedWithoutASound) {
+  display.mode = Mode::TR;
+  display.brake = true;
+  at(0);
+  ask(Ack::trip);
+  at(0.1);
+  acknowledge_at(1.2);
+  take(state);
+  display.mode = Mode::PT;
+  display.brake = false;
+  at(1.3);
+  EXPECT_TRUE(sounds().empty());
+  display.brake = true;
+  at(1.4);
+  display.brake = false;
+  at(1.5);
+  EXPECT_EQ(sounds(), std::vector<std::string>{"Sinfo"});
+}
+
+// Another brake than that of the trip goes on, and ends without the driver.
+TEST_F(Session, ABrakeThatOutlastsTheTripIsHeard) {
+  display.mode = Mode::TR;
+  display.brake = true;
+  at(0);
+  display.mode = Mode::PT;
+  at(0.1);
+  take(state);
+  display.brake = false;
+  at(0.2);
+  EXPECT_EQ(sounds(), std::vector<std::string>{"Sinfo"});
+}
+
 TEST_F(Session, UpButtonActsOnReleaseInside) {
   at(0);
   const Cell main = test::middle(rect_of(Area::F1));
@@ -516,6 +553,20 @@ TEST_F(Session, ToggleIsOffAtEveryEntry) {
   display.mode = Mode::OS;
   at(2);
   EXPECT_FALSE(state.toggles.speed);
+}
+
+// The on-board has a toggle of its own (4.7.2): both stay in step, however often the driver touches in a cycle.
+TEST_F(Session, TheOnBoardTogglesAsTheDisplayDoes) {
+  display.mode = Mode::SR;
+  bool on_board = false;
+  double when = 100.0;
+  for (int cycle = 0; cycle < 12; ++cycle) {
+    at(10.0 * cycle);
+    when = now;
+    for (int touch = 0; touch < cycle % 4; ++touch) ASSERT_TRUE(test::tap(state, touch % 2 == 0 ? "A" : "B", when));
+    if (take(state).actions.has(port::Select::toggle)) on_board = !on_board;
+    EXPECT_EQ(state.toggles.speed, on_board) << cycle;
+  }
 }
 
 TEST_F(Session, ConditionsKeepTheirPlaces) {

@@ -77,11 +77,21 @@ void warning_sound(State& state) {
   order_sound(state, Sound::S2, warns ? SoundDo::loop : SoundDo::stop);
 }
 
+bool asks(const port::Display& display, Ack what) {
+  return std::any_of(display.acks.begin(), display.acks.end(),
+                     [&](const port::AskedAck& asked) { return asked.what == what; });
+}
+
 void symbol_sounds(State& state, const port::Display& before) {
   const port::Display& display = state.display;
-  if (before.brake && !display.brake) {
-    if (!state.brake_acknowledged && !before.brake_for_missing_ack) order_sound(state, Sound::Sinfo);
-  }
+  // 015560 8.2.2.3.6: without any acknowledgement. The mode Trip is left by the driver's (SUBSET-026-4 4.4.13.1.4),
+  // which releases its brake.
+  const bool trip_acknowledged = before.mode == Mode::TR && display.mode != Mode::TR;
+  // The driver may have acknowledged the brake elsewhere than on this display: the on-board asks no more.
+  const bool brake_answered = asks(before, Ack::brake) && !asks(display, Ack::brake);
+  const bool acknowledged =
+      state.brake_acknowledged || brake_answered || before.brake_for_missing_ack || trip_acknowledged;
+  if (before.brake && !display.brake && !acknowledged) order_sound(state, Sound::Sinfo);
   if (!display.brake) state.brake_acknowledged = false;
   if (before.sm && display.sm && *before.sm != *display.sm) order_sound(state, Sound::Sinfo);
 }

@@ -186,7 +186,6 @@ struct Commands {
   std::optional<std::uint8_t> train_type;       ///< with fixed entry: place in DisplayConfig::train_types
   std::optional<port::RadioNetworkType> radio;  // 4.0.0
   std::optional<bool> one_radio_system, ato_on, skip_stop;
-  bool start_of_mission_left = false;    ///< its dialogue was left by Close
   InplaceVector<SoundOrder, 16> sounds;  ///< that started or stopped since the last `take`
 };
 

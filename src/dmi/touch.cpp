@@ -57,7 +57,10 @@ void act_on_window(State& state, Action action, Duration now) {
   }
 }
 
-void send(State& state, port::Select what) { state.commands.actions.selected |= 1u << static_cast<unsigned>(what); }
+void send(State& state, port::Select what) {
+  std::uint32_t& selected = state.commands.actions.selected;
+  selected = port::with_selection(selected, 1u << static_cast<unsigned>(what));
+}
 
 void act(State& state, Action action, Duration now) {
   switch (action.kind) {

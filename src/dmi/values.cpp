@@ -10,11 +10,8 @@ namespace {
 using port::Display;
 
 constexpr std::size_t kSteps = 5;  // of volume and brightness, 20 % each
-constexpr std::size_t kFirstNtc = 4;
-constexpr std::array<Level, 4> kLevelChoices{Level::L1, Level::L2, Level::L3, Level::L0};
-constexpr std::array<std::string_view, 13> kAxleLoads{"A",  "HS17", "B1", "B2",   "C2", "C3", "C4",
-                                                      "D2", "D3",   "D4", "D4XL", "E4", "E5"};
-constexpr std::array<std::string_view, 5> kGauges{"Out of GC", "G1", "GA", "GB", "GC"};
+constexpr std::size_t kFirstNtc = kLevelChoices.size();
+constexpr std::size_t kAxleLoads = kAxleLoadRows.size(), kGauges = kLoadingGaugeRows.size();
 
 Value typed(std::uint64_t number) {
   Value value;
@@ -101,12 +98,11 @@ Value stored_train(const Display& display, FieldId id) {
     case FieldId::maximum_speed:
       return typed(static_cast<std::uint64_t>(whole_kmh(train.V_MAXTRAIN)));
     case FieldId::axle_load:
-      return choice_among(display.config.axle_loads, static_cast<std::size_t>(train.axle_load) % kAxleLoads.size());
+      return choice_among(display.config.axle_loads, static_cast<std::size_t>(train.axle_load) % kAxleLoads);
     case FieldId::airtight:
       return chosen(train.airtight ? 1 : 0);
     case FieldId::gauge:
-      return choice_among(display.config.loading_gauges,
-                          static_cast<std::size_t>(train.loading_gauge) % kGauges.size());
+      return choice_among(display.config.loading_gauges, static_cast<std::size_t>(train.loading_gauge) % kGauges);
     default:
       return {};
   }
@@ -172,11 +168,12 @@ Words train_label(const Display& display, FieldId id, std::size_t choice) {
     return place ? Words{name(static_cast<TrainCategory>(*place))} : Words{};
   }
   if (id == FieldId::axle_load) {
-    const auto place = nth_offered(display.config.axle_loads, choice, kAxleLoads.size());
-    return place ? Words{kAxleLoads[*place]} : Words{};
+    const auto place = nth_offered(display.config.axle_loads, choice, kAxleLoads);
+    return place ? Words{terms::kNames<kAxleLoadRows>[*place]} : Words{};
   }
-  const auto place = nth_offered(display.config.loading_gauges, choice, kGauges.size());
-  return place ? Words{kGauges[*place]} : Words{};
+  const auto place = nth_offered(display.config.loading_gauges, choice, kGauges);
+  if (!place) return {};
+  return Words{*place == terms::index(LoadingGauge::none) ? "Out of GC" : terms::kNames<kLoadingGaugeRows>[*place]};
 }
 
 Words two(std::string_view first, std::string_view second, std::size_t choice) {
@@ -276,9 +273,9 @@ std::size_t choices_of(const State& state, FieldId id) {
     case FieldId::category:
       return count_offered(display.config.categories.bits(), kCategories);
     case FieldId::axle_load:
-      return count_offered(display.config.axle_loads, kAxleLoads.size());
+      return count_offered(display.config.axle_loads, kAxleLoads);
     case FieldId::gauge:
-      return count_offered(display.config.loading_gauges, kGauges.size());
+      return count_offered(display.config.loading_gauges, kGauges);
     default:
       return 2;
   }
@@ -360,10 +357,10 @@ port::ShownTrainData entered_train_data(const State& state, const Entry& entry) 
     train.cant_deficiency_mm = kTrainCategoryRows[*place].cant_deficiency_mm;
     train.other_categories = international(kTrainCategoryRows[*place].brake);
   }
-  if (const auto place = choice(FieldId::axle_load, config.axle_loads, kAxleLoads.size()))
-    train.axle_load = static_cast<train::AxleLoad>(*place);
-  if (const auto place = choice(FieldId::gauge, config.loading_gauges, kGauges.size()))
-    train.loading_gauge = static_cast<train::LoadingGauge>(*place);
+  if (const auto place = choice(FieldId::axle_load, config.axle_loads, kAxleLoads))
+    train.axle_load = static_cast<AxleLoad>(*place);
+  if (const auto place = choice(FieldId::gauge, config.loading_gauges, kGauges))
+    train.loading_gauge = static_cast<LoadingGauge>(*place);
   if (const Value* airtight = value_of(entry, FieldId::airtight)) train.airtight = airtight->choice == 1;
   return train;
 }

@@ -143,7 +143,8 @@ void add_train_items(ViewItems& items, const State& state) {
   static constexpr auto kFields =
       std::to_array<FieldId>({FieldId::category, FieldId::length, FieldId::brake_percentage, FieldId::maximum_speed,
                               FieldId::axle_load, FieldId::airtight, FieldId::gauge});
-  for (const FieldId id : kFields) add_stored(items, state, id, status);
+  for (const FieldId id : kFields)
+    if (is_entered(state.display, id)) add_stored(items, state, id, status);
 }
 
 void add_covers(ViewItems& items, const State& state) {
@@ -153,10 +154,9 @@ void add_covers(ViewItems& items, const State& state) {
     Words label_words{"VBC #"};
     append_number(label_words, ++number);
     label_words.append(" set code");
-    // NID_VBCMK in the low 6 bits, then NID_C, then the days that are left (015560 11.3.6).
-    const std::int64_t days =
-        cover.left.si > 0.0 && cover.left.si < 86400.0 * 255 ? static_cast<std::int64_t>(cover.left.si / 86400.0) : 0;
-    const std::int64_t code = (days << 16) | (std::int64_t{cover.NID_C & 0x3FFu} << 6) | (cover.NID_VBCMK & 0x3F);
+    // As it is entered (015560 11.3.6): NID_VBCMK in the low 6 bits, then NID_C, then T_VBC.
+    const std::int64_t code =
+        (std::int64_t{cover.T_VBC} << 16) | (std::int64_t{cover.NID_C & 0x3FFu} << 6) | (cover.NID_VBCMK & 0x3F);
     add_item(items, label_words.view(), number_words(code));
   }
 }
@@ -235,7 +235,7 @@ ViewItems view_items(const State& state) {
   add_stored(items, state, FieldId::network, data.stored.network ? DataStatus::valid : DataStatus::unknown);
   add_item(items, {}, {});
   add_stored(items, state, FieldId::rbc_id, data.stored.rbc_status);
-  if (data.radio != port::RadioNetworkType::frmcs && state.display.config.gsmr_fitted)
+  if (is_entered(state.display, FieldId::rbc_phone))
     add_stored(items, state, FieldId::rbc_phone, data.stored.rbc_status);
   add_covers(items, state);
   return items;
@@ -257,8 +257,6 @@ void close_window(State& state) {
     parent = driver_id;
     state.from_driver_id = false;
   }
-  if (state.window == main && state.display.step && !state.display.start_of_mission)
-    state.commands.start_of_mission_left = true;
   state.running_number_next = false;
   open_window(state, parent);
 }

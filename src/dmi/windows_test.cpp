@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "dmi/commit.h"
 #include "dmi/dmi.h"
 #include "dmi/entry.h"
+#include "dmi/labels.h"
 #include "dmi/test_display.h"
 #include "dmi/touch.h"
 
@@ -222,6 +224,22 @@ TEST_F(TrainData, GoToTheOnBoardAfterValidation) {
   EXPECT_EQ(data.L_TRAIN, Distance{400.0});
 }
 
+// SUBSET-026-3 3.18.3.2: with brake model gamma the train has no brake percentage that anybody could enter.
+TEST_F(TrainData, HaveABrakePercentageWithTheConversionModelAlone) {
+  display.config.asks_brake_percentage = false;
+  display.data.stored.train_status = DataStatus::valid;
+  cycle(0.1);
+  open(WindowId::train_data);
+  for (const Field& field : state.entry.fields) EXPECT_NE(field.id, FieldId::brake_percentage);
+  EXPECT_EQ(state.entry.fields.size(), 6u);
+  EXPECT_FALSE(entered_train_data(state, state.entry).brake_percentage);
+  for (const ViewItem& line : view_items(state)) EXPECT_NE(line.label.view(), label(FieldId::brake_percentage));
+  display.config.asks_brake_percentage = true;
+  cycle(0.1);
+  open(WindowId::train_data);
+  EXPECT_EQ(state.entry.fields.size(), 7u);
+}
+
 TEST_F(TrainData, AreNotStoredAfterNo) {
   enter_all();
   ASSERT_TRUE(tap("Yes") && tap("key 7") && tap("field 1"));
@@ -288,6 +306,18 @@ TEST_F(Windows, CodesOfCovers) {
   EXPECT_EQ(commands.actions.cover->NID_VBCMK, 48);
   EXPECT_EQ(commands.actions.cover->NID_C, 926);
   EXPECT_TRUE(commands.actions.has(port::Select::vbc_remove));
+}
+
+// The code with which a cover was set, whatever is left of its time (015560 11.4, 11.3.6).
+TEST_F(Windows, DataViewHasTheCodesOfCovers) {
+  (void)display.data.covers.push_back({.NID_C = 926, .NID_VBCMK = 48, .left = Duration{3.0 * 86400.0}, .T_VBC = 4});
+  (void)display.data.covers.push_back({.NID_C = 1, .NID_VBCMK = 2, .left = Duration{1.0}, .T_VBC = 255});
+  cycle(0.1);
+  std::vector<std::string> codes;
+  open(WindowId::data_view);
+  for (const ViewItem& line : view_items(state))
+    if (line.label.view().substr(0, 3) == "VBC") codes.emplace_back(line.value.view());
+  EXPECT_EQ(codes, (std::vector<std::string>{"321456", std::to_string((255 << 16) | (1 << 6) | 2)}));
 }
 
 TEST_F(Windows, RbcContact) {

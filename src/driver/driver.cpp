@@ -169,7 +169,10 @@ Set<Input> choices(const ActionContext& c) {
 Set<Input> enabled(const ActionContext& context) {
   Set<Input> out;
   // 015560 5.4: the menus are closed while an acknowledgement is asked for.
-  if (context.desk_open) out = context.requests.empty() ? choices(context) : acknowledgements(context.requests);
+  if (context.desk_open) {
+    out = acknowledgements(context.requests);
+    if (context.requests.empty() || context.start_up) out |= choices(context);
+  }
   out.add(Input::isolation);
   return out & allowed_inputs(context.mode, context.srs);
 }
@@ -282,52 +285,6 @@ std::optional<Output> output_of(Symbol symbol) {
     default:
       return std::nullopt;
   }
-}
-
-std::optional<Symbol> symbol(Mode mode) {
-  constexpr std::array<std::optional<Symbol>, kModes> symbols{
-      /* NP */ std::nullopt, /* SB */ Symbol::MO13, /* PS */ std::nullopt,
-      /* SH */ Symbol::MO01, /* FS */ Symbol::MO11, /* LS */ Symbol::MO21,
-      /* SR */ Symbol::MO09, /* OS */ Symbol::MO07, /* SL */ std::nullopt,
-      /* NL */ Symbol::MO12, /* UN */ Symbol::MO16, /* TR */ Symbol::MO04,
-      /* PT */ Symbol::MO06, /* SF */ Symbol::MO18, /* IS */ std::nullopt,
-      /* SN */ Symbol::MO19, /* RV */ Symbol::MO14,
-      /* SM */ Symbol::MO24, /* AD */ Symbol::MO23};
-  return symbols[static_cast<std::size_t>(mode)];
-}
-
-std::optional<Symbol> symbol(Ack ack) {
-  switch (ack) {
-    case Ack::SH:
-      return Symbol::MO02;
-    case Ack::trip:
-      return Symbol::MO05;
-    case Ack::OS:
-      return Symbol::MO08;
-    case Ack::SR:
-      return Symbol::MO10;
-    case Ack::RV:
-      return Symbol::MO15;
-    case Ack::UN:
-      return Symbol::MO17;
-    case Ack::SN:
-      return Symbol::MO20;
-    case Ack::LS:
-      return Symbol::MO22;
-    default:
-      return std::nullopt;
-  }
-}
-
-Symbol symbol(Level level) {
-  constexpr std::array<Symbol, kLevels> symbols{Symbol::LE01, Symbol::LE02, Symbol::LE03, Symbol::LE04, Symbol::LE05};
-  return symbols[static_cast<std::size_t>(level)];
-}
-
-Symbol announcement_symbol(Level level, bool acknowledgement) {
-  constexpr std::array<Symbol, kLevels> grey{Symbol::LE06, Symbol::LE08, Symbol::LE10, Symbol::LE12, Symbol::LE14};
-  constexpr std::array<Symbol, kLevels> yellow{Symbol::LE07, Symbol::LE09, Symbol::LE11, Symbol::LE13, Symbol::LE15};
-  return (acknowledgement ? yellow : grey)[static_cast<std::size_t>(level)];
 }
 
 std::optional<StatusText> trip_reason(int condition) {

@@ -7,6 +7,7 @@
 #include "driver/srs_4_7_2.h"
 #include "terms/level.h"
 #include "terms/mode.h"
+#include "terms/mode_symbol.h"
 #include "terms/radio_link.h"
 #include "terms/requests.h"
 #include "terms/srs_version.h"
@@ -42,10 +43,11 @@ struct ActionContext {
   bool alarm_inhibited = false;          // that of the balise antenna
   Set<Offer> offers;                     // choices offered by start of mission and train trip
   Set<Ack> requests;                     // acknowledgements asked for
+  bool start_up = false;                 // the start of mission, before it has reached S10 (015560 11.7.2)
 };
 
 /// The inputs of 4.7.2 that are enabled now. While an acknowledgement is asked for, only acknowledgements and isolation
-/// are (015560 5.4).
+/// are (015560 5.4), but for the start-up dialogue, which goes on: there acknowledgements wait (11.7.1.9).
 Set<Input> enabled(const ActionContext& context);
 
 /// Of the acknowledgements asked for those that the driver can give in the mode (4.7.2): nobody is asked for another.
@@ -85,16 +87,6 @@ Set<Output> shown(Set<Output> given, Mode mode, SrsVersion srs, bool desk_open, 
 /// The row of 4.7.2 of a symbol; none for those of acknowledgements and of the advance display. Track conditions:
 /// output_of.
 std::optional<Output> output_of(Symbol symbol);
-
-/// The symbol of a mode (MO11), none for NP, PS, SL and IS.
-std::optional<Symbol> symbol(Mode mode);
-/// The symbol that asks for the acknowledgement (MO08), none where there is none.
-std::optional<Symbol> symbol(Ack ack);
-/// The symbol of a level (LE04).
-Symbol symbol(Level level);
-/// The symbol of an announced level, with (yellow) or without acknowledgement. Levels 1, 2 and 3 have a yellow one only
-/// up to 3.6.0, for a transition from level NTC; 015560 of 4.0.0 has none, and LE11, LE13 and LE15 are used instead.
-Symbol announcement_symbol(Level level, bool acknowledgement);
 
 /// The symbol of a track condition (5.18): where the driver may have to act, the one that asks for it (3.12.1.5.1: what
 /// the train does by itself is not known here). None in the phases ahead and over.

@@ -145,6 +145,17 @@ TEST(Driver, While_an_acknowledgement_is_asked_for_the_menus_are_closed) {
   EXPECT_EQ(enabled(c), (Set<Input>{Input::ack_OS, Input::isolation}));
 }
 
+// 015560 11.7.1.9: in the start-up dialogue acknowledgements wait, so the dialogue goes on.
+TEST(Driver, In_the_start_up_an_acknowledgement_closes_nothing) {
+  ActionContext c = everything(Mode::SB, Level::L2);
+  const Set<Input> before = enabled(c);
+  ASSERT_TRUE(before.has(Input::driver_id));
+  c.requests = {Ack::level};
+  EXPECT_FALSE(enabled(c).has(Input::driver_id));
+  c.start_up = true;
+  EXPECT_EQ(enabled(c) & before, before);
+}
+
 TEST(Driver, Each_condition_closes_what_needs_it) {
   struct Case {
     Mode mode;

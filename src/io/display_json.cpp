@@ -146,8 +146,8 @@ void append_train_types(Writer& w, const port::DisplayConfig& c) {
 
 void append_config(Writer& w, const port::DisplayConfig& config) {
   const auto& [srs, dial, ntc_names, languages, train_data_entry, train_types, categories, axle_loads, loading_gauges,
-               L_TRAIN, brake_percentage, V_MAXTRAIN, V_sr, D_sr, cross_checks, gsmr_fitted, frmcs_fitted, T_dispTTI] =
-      config;
+               L_TRAIN, brake_percentage, asks_brake_percentage, V_MAXTRAIN, V_sr, D_sr, cross_checks, gsmr_fitted,
+               frmcs_fitted, T_dispTTI] = config;
   w.open("config");
   w.text("srs", name(srs));
   w.whole("dial_kmh", names::kDials[terms::index(dial)]);
@@ -162,10 +162,11 @@ void append_config(Writer& w, const port::DisplayConfig& config) {
   static_cast<void>(train_types);
   append_train_types(w, config);
   w.set("categories", categories, category_name);
-  w.bits("axle_loads", axle_loads, kAxleLoadNames);
-  w.bits("loading_gauges", loading_gauges, kLoadingGaugeNames);
+  w.bits("axle_loads", axle_loads, terms::kNames<kAxleLoadRows>);
+  w.bits("loading_gauges", loading_gauges, terms::kNames<kLoadingGaugeRows>);
   append_range(w, "length_m", L_TRAIN);
   append_range(w, "brake_percentage", brake_percentage);
+  w.flag("asks_brake_percentage", asks_brake_percentage);
   append_range(w, "max_speed_kmh", V_MAXTRAIN);
   append_range(w, "V_sr_kmh", V_sr);
   append_range(w, "D_sr_m", D_sr);
@@ -400,10 +401,16 @@ void forget_planning(port::Display& d) {
 
 }  // namespace
 
-void append_display(std::string& out, const port::Display& display) {
+void append_display(std::string& out, const port::Display& display, std::span<const NamedSound> sounds) {
   Writer w(out);
   w.open();
   append_members(w, display);
+  w.list("sounds", sounds, [&w](const NamedSound& sound) {
+    w.open();
+    w.text("id", sound.id);
+    sound.what != nullptr ? w.text("do", sound.what) : w.whole("times", 1);
+    w.close();
+  });
   w.close();
 }
 

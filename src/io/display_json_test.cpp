@@ -82,6 +82,7 @@ const std::vector<Change>& changes() {
       {"loading_gauges", [](D& d) { d.config.loading_gauges = 3; }},
       {"L_TRAIN", [](D& d) { d.config.L_TRAIN.least = 1; }},
       {"brake_percentage", [](D& d) { d.config.brake_percentage.most = 1; }},
+      {"asks_brake_percentage", [](D& d) { d.config.asks_brake_percentage = false; }},
       {"V_MAXTRAIN", [](D& d) { d.config.V_MAXTRAIN.step = 2; }},
       {"V_sr", [](D& d) { d.config.V_sr.operational_least = 1; }},
       {"D_sr", [](D& d) { d.config.D_sr.operational_most = 1; }},

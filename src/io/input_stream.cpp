@@ -272,11 +272,12 @@ std::uint32_t read_selection(const JsonPlace& place) {
 }
 
 /// One name or an array of names, each a bit.
-std::uint32_t read_selections(const JsonPlace& place) {
-  if (!place.is_array()) return read_selection(place);
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < place.size(); ++i) bits |= read_selection(place[i]);
-  return bits;
+void read_selections(std::uint32_t& selected, const JsonPlace& place) {
+  if (place.is_array()) {
+    for (std::size_t i = 0; i < place.size(); ++i) read_selections(selected, place[i]);
+    return;
+  }
+  selected = kernel::with_selection(selected, read_selection(place));
 }
 
 /// An entry window that opens or closes.
@@ -307,7 +308,7 @@ void read_acknowledgement(kernel::DriverActions& driver, const JsonPlace& place)
 void read_driver(CycleInputs& cycle, std::optional<Train>& entered, const JsonPlace& place) {
   place.know_only({"select", "ack", "enter", "window"});
   auto& driver = cycle.levels.driver;
-  if (const auto p = place.find("select")) driver.selected |= read_selections(*p);
+  if (const auto p = place.find("select")) read_selections(driver.selected, *p);
   if (const auto p = place.find("ack")) read_acknowledgement(driver, *p);
   if (const auto p = place.find("enter")) read_enter(cycle, entered, *p);
   if (const auto p = place.find("window")) read_window(cycle.levels.windows, *p);

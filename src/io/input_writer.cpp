@@ -165,8 +165,8 @@ std::string entered_document(const std::string& train_document, const train::Tra
   category["other"] = Json::array();
   for (std::size_t n = 0; n < kOtherCategoryNames.size(); ++n)
     if (((data.other_categories >> n) & 1u) != 0) category["other"].push_back(kOtherCategoryNames[n]);
-  category["axle_load"] = kAxleLoadNames[static_cast<std::size_t>(data.axle_load)];
-  category["loading_gauge"] = kLoadingGaugeNames[static_cast<std::size_t>(data.loading_gauge)];
+  category["axle_load"] = terms::kNames<kAxleLoadRows>[terms::index(data.axle_load)];
+  category["loading_gauge"] = terms::kNames<kLoadingGaugeRows>[terms::index(data.loading_gauge)];
   category["airtight"] = data.airtight;
   return document.dump();
 }

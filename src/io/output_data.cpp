@@ -40,6 +40,8 @@ void append_covers(std::string& out, const ShownCovers& covers) {
     append_number(out, std::int64_t{cover.NID_VBCMK});
     out += ",\"left_s\":";
     append_micro(out, cover.left.si);
+    out += ",\"T_VBC\":";
+    append_number(out, std::int64_t{cover.T_VBC});
     out += '}';
   }
   out += ']';
@@ -83,9 +85,9 @@ void append_train_data(std::string& out, const kernel::ShownTrainData& train) {
     out += '"';
   }
   out += "],\"axle_load\":\"";
-  out += kAxleLoadNames[terms::index(train.axle_load)];
+  out += terms::kNames<kAxleLoadRows>[terms::index(train.axle_load)];
   out += "\",\"loading_gauge\":\"";
-  out += kLoadingGaugeNames[terms::index(train.loading_gauge)];
+  out += terms::kNames<kLoadingGaugeRows>[terms::index(train.loading_gauge)];
   out += train.airtight ? "\",\"airtight\":true}}" : "\",\"airtight\":false}}";
 }
 

@@ -587,14 +587,15 @@ void append_second_lists(OutputRow& row, const Outputs& o, const NationalSystemN
 }
 
 /// What options ask for.
-void append_optional(OutputRow& row, const Outputs& o, const kernel::Planning* planning, const kernel::Display* dmi) {
+void append_optional(OutputRow& row, const Outputs& o, const kernel::Planning* planning, const kernel::Display* dmi,
+                     std::span<const NamedSound> sounds) {
   if (planning != nullptr)
     append_planning(row, o, *planning);
   else
     row.text("planning", nullptr);
   row.key("dmi");
   if (dmi != nullptr)
-    append_display(row.out(), *dmi);
+    append_display(row.out(), *dmi, sounds);
   else
     row.absent();
 }
@@ -627,12 +628,12 @@ void append_row(OutputRow& row, std::int64_t t_ms, const Outputs& o, const Natio
 void append_event(std::string& out, const kernel::Event& event) { out += texts::line_of(event).view(); }
 
 void append_output(std::string& out, std::int64_t t_ms, const Outputs& outputs, const kernel::Planning* planning,
-                   const NationalSystemNames& names, const kernel::Display* dmi) {
+                   const NationalSystemNames& names, const kernel::Display* dmi, std::span<const NamedSound> sounds) {
   out += '{';
   OutputRow row(out, true);
   append_row(row, t_ms, outputs, names);
   append_second_lists(row, outputs, names);
-  append_optional(row, outputs, planning, dmi);
+  append_optional(row, outputs, planning, dmi, sounds);
   out += "}\n";
 }
 

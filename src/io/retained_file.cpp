@@ -1,5 +1,7 @@
 #include "io/retained_file.h"
 
+#include <cmath>
+
 #include "io/rbc_contact.h"
 #include "io/train_file.h"
 #include "lang/translate.h"
@@ -41,9 +43,13 @@ auto read_optional(const JsonPlace& place, Read read) -> std::optional<decltype(
 }
 
 Retained::Cover read_cover(const JsonPlace& place) {
-  place.know_only({"NID_C", "NID_VBCMK", "left_s"});
-  return {read_NID_C(place["NID_C"]), static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63)),
-          Duration{place["left_s"].number(0.0, kLongestCover_s)}};
+  place.know_only({"NID_C", "NID_VBCMK", "left_s", "T_VBC"});
+  const double left_s = place["left_s"].number(0.0, kLongestCover_s);
+  // Files of before have no T_VBC: then the days that have begun.
+  const auto given = place.find("T_VBC");
+  const std::int64_t T_VBC = given ? given->integer(0, 255) : static_cast<std::int64_t>(std::ceil(left_s / 86400.0));
+  return {read_NID_C(place["NID_C"]), static_cast<std::uint8_t>(place["NID_VBCMK"].integer(0, 63)), Duration{left_s},
+          static_cast<std::uint8_t>(T_VBC)};
 }
 
 Retained::StoredLevel read_level(const JsonPlace& place) {
@@ -128,7 +134,7 @@ Out areas_of(const Retained::Areas& areas) {
 }
 
 Out cover_json(const Retained::Cover& c) {
-  return {{"NID_C", c.NID_C}, {"NID_VBCMK", c.NID_VBCMK}, {"left_s", c.left.si}};
+  return {{"NID_C", c.NID_C}, {"NID_VBCMK", c.NID_VBCMK}, {"left_s", c.left.si}, {"T_VBC", c.T_VBC}};
 }
 
 Out level_json(const Retained::StoredLevel& l) { return {{"level", name(l.level)}, {"nid_ntc", l.nid_ntc}}; }

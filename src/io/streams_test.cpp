@@ -733,7 +733,7 @@ kernel::Outputs second_edition() {
   (void)o.forwarded.push_back(data);
   (void)o.forwarded.push_back({5, std::nullopt, 0, {}});
   (void)o.covers.push_back({7, 9, Duration{60.0}});
-  (void)o.covers.push_back({7, 10, Duration{90.0}});
+  (void)o.covers.push_back({7, 10, Duration{90.0}, 5});
   return o;
 }
 
@@ -770,7 +770,8 @@ TEST(OutputLines, SecondEdition) {
       "\"category\":{\"cant_deficiency_mm\":150,\"other\":[\"FreightP\",\"Passenger\"],\"axle_load\":\"C2\","
       "\"loading_gauge\":\"GB\",\"airtight\":true}},\"status\":\"valid\"},"
       "\"sr\":{\"value\":{\"V_sr_kmh\":36,\"D_sr_m\":55},\"status\":\"valid\"},"
-      "\"vbc\":{\"value\":[{\"NID_C\":7,\"NID_VBCMK\":9,\"left_s\":60},{\"NID_C\":7,\"NID_VBCMK\":10,\"left_s\":90}],"
+      "\"vbc\":{\"value\":[{\"NID_C\":7,\"NID_VBCMK\":9,\"left_s\":60,\"T_VBC\":0},{\"NID_C\":7,\"NID_VBCMK\":10,"
+      "\"left_s\":90,\"T_VBC\":5}],"
       "\"status\":\"valid\"},"
       "\"adhesion\":{\"value\":\"slippery rail\",\"status\":\"valid\"},"
       "\"network\":{\"value\":\"26210\",\"status\":\"valid\"}},"

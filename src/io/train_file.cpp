@@ -214,10 +214,8 @@ void read_category(TrainData& data, const JsonPlace& category) {
     for (std::size_t i = 0; i < other->size(); ++i)
       data.other_categories =
           static_cast<std::uint16_t>(data.other_categories | (1u << (*other)[i].one_of(kOtherCategoryNames)));
-  if (const auto p = category.find("axle_load"))
-    data.axle_load = static_cast<train::AxleLoad>(p->one_of(kAxleLoadNames));
-  if (const auto p = category.find("loading_gauge"))
-    data.loading_gauge = static_cast<train::LoadingGauge>(p->one_of(kLoadingGaugeNames));
+  if (const auto p = category.find("axle_load")) data.axle_load = p->term<kAxleLoadRows>();
+  if (const auto p = category.find("loading_gauge")) data.loading_gauge = p->term<kLoadingGaugeRows>();
   if (const auto p = category.find("airtight")) data.airtight = p->boolean();
   if (const auto p = category.find("axles")) data.axles = static_cast<std::uint16_t>(p->integer(1, 1022));
   const auto systems = category.find("traction_systems");

@@ -14,11 +14,8 @@ struct Packet3;
 
 namespace evc::io {
 
-/// The names of train categories, axle loads and loading gauges in a train file.
+/// The names of train categories in a train file. Those of axle loads and loading gauges: terms/axle_load.h.
 inline constexpr std::array<const char*, 3> kOtherCategoryNames{"FreightP", "FreightG", "Passenger"};
-inline constexpr std::array<const char*, 13> kAxleLoadNames{"A",  "HS17", "B1", "B2",   "C2", "C3", "C4",
-                                                            "D2", "D3",   "D4", "D4XL", "E4", "E5"};
-inline constexpr std::array<const char*, 5> kLoadingGaugeNames{"none", "G1", "GA", "GB", "GC"};
 
 /// A train as described in a file: the train data of the on-board, and the data of the simulated
 /// world only.

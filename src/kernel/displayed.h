@@ -19,6 +19,7 @@ struct Displayed {
   std::uint16_t last_condition = 0;            ///< the last number given to a track condition or level crossing
   std::uint16_t level_crossing = 0;            ///< that of LX01 while it is shown, else 0
   bool conditions = false;                     ///< track conditions are shown
+  bool ato_active = false;                     ///< 4.0.0: the selector of automatic operation is not in stand-by
 
   /// A number that no condition shown has: 65 535 ones lie between.
   constexpr std::uint16_t next_condition() {

@@ -37,6 +37,7 @@ driver::ActionContext context_of_state(const State& s, const track::Here& here) 
   asked(Offer::train_data, Entry::train_data);
   asked(Offer::train_running_number, Entry::train_running_number);
   c.requests = s.requested;
+  c.start_up = s.mode == Mode::SB && s.start_of_mission.step < procedures::start_of_mission::Step::S10;
   return c;
 }
 

@@ -144,7 +144,8 @@ Retained retained(const State& s) noexcept {
   r.operated_X = s.operated_X;
   r.generic_ls_marker = s.track.generic_ls_marker;
   for (const balise::Cover& cover : s.balise.covers)
-    if (cover.until >= s.now) (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now});
+    if (cover.until >= s.now)
+      (void)r.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now, cover.T_VBC});
   r.network = s.network.NID_MN;
   if (s.data.level_status != DataStatus::unknown) r.level = Retained::StoredLevel{s.level.level, s.level.nid_ntc};
   if (s.level_table)
@@ -168,7 +169,8 @@ bool power_up(State& s, Derived& derived, const Config& config, const Retained& 
   s.operated_X = r.operated_X;
   s.track.generic_ls_marker = r.generic_ls_marker;
   for (const Retained::Cover& cover : r.covers)
-    (void)s.balise.covers.push_back({cover.NID_VBCMK, cover.NID_C, cover.left});  // as many; from time 0 on
+    (void)s.balise.covers.push_back(
+        {cover.NID_VBCMK, cover.NID_C, cover.left, cover.T_VBC});  // as many; from time 0 on
   s.network.NID_MN = r.network;
   restore_to_be_revalidated(s, r);
   return true;

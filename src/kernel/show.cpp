@@ -92,6 +92,7 @@ class Shower {
     config.ntc_names = s_.displayed.ntc_names;
     config.gsmr_fitted = true;
     config.frmcs_fitted = false;
+    config.asks_brake_percentage = s_.train.brake_model == train::BrakeModel::lambda;
     config.T_dispTTI = train::FixedValues{}.T_dispTTI;
   }
 
@@ -136,6 +137,7 @@ class Shower {
     Set<Cause> others = out_.brake_reasons;
     others.remove(kMissingAcknowledgement);
     to_.brake_for_missing_ack = to_.brake && others.empty();
+    to_.ato.on = s_.srs == SrsVersion::v4_0_0 && s_.displayed.ato_active;
     to_.track_ahead_free = out_.shown.has(taf_request);
     to_.geo = of(geo_position, out_.geo);
     for (const Symbol symbol : out_.symbols) {

@@ -225,8 +225,46 @@ TEST_F(Show, WhatIsWaitedForIsToldByTheStep) {
     EXPECT_EQ(shown().step, one.step);
     EXPECT_EQ(shown().start_of_mission, one.step < Dialogue::start_S10);
   }
+}
+
+// 015560 11.7.2 S3-2-3, 11.7.3 S5-2-3: for the network that the driver chose, at standstill. A registration that
+// trackside orders while the train runs closes no menu.
+TEST_F(Show, OnlyTheDriverWhoChoseANetworkWaitsForIt) {
   state.network.awaited = true;
+  EXPECT_EQ(shown().waiting, port::Waiting::nothing);
+  state.network.by_driver = true;
   EXPECT_EQ(shown().waiting, port::Waiting::radio_registration);
+  state.position.now.V_est = kmh(20.0);
+  EXPECT_EQ(shown().waiting, port::Waiting::nothing);
+  state.network.awaited = false;
+  EXPECT_EQ(shown().waiting, port::Waiting::nothing);
+}
+
+TEST_F(Show, ABrakePercentageIsAskedForWithTheConversionModel) {
+  EXPECT_TRUE(shown().config.asks_brake_percentage);
+  state.train.brake_model = train::BrakeModel::gamma;
+  EXPECT_FALSE(shown().config.asks_brake_percentage);
+}
+
+TEST_F(Show, TheSelectorOfAutomaticOperationIsShownIn400) {
+  state.displayed.ato_active = true;
+  EXPECT_FALSE(shown().ato.on);
+  state.srs = SrsVersion::v4_0_0;
+  EXPECT_TRUE(shown().ato.on);
+}
+
+TEST_F(Show, EveryConditionThatIsStoredHasARow) {
+  std::uint16_t id = 0;
+  for (auto* c = state.track.conditions.grow(); c != nullptr; c = state.track.conditions.grow()) {
+    c->kind = TrackConditionKind::sound_horn;
+    c->progress = {.phase = ConditionPhase::active, .shown_as = ++id};
+  }
+  state.track.traction.emplace();
+  state.track.traction->M_VOLTAGE = 1;
+  state.track.traction->progress = {.phase = ConditionPhase::active, .shown_as = ++id};
+  state.displayed.level_crossing = ++id;
+  ASSERT_EQ(shown().conditions.size(), id);
+  EXPECT_EQ(shown().conditions.back().id, id);
 }
 
 TEST_F(Show, InReversingTheDistanceIsThatLeftToRun) {

@@ -128,7 +128,10 @@ class Teller {
     to_.enabled = out_.enabled;
     if (out_.dialogue) to_.step = out_.dialogue->step;
     to_.start_of_mission = to_.step && s_.mode == Mode::SB && *to_.step < Dialogue::start_S10;
-    to_.waiting = s_.network.awaited ? port::Waiting::radio_registration : waiting_in(out_.dialogue);
+    // 015560 11.7.2 S3-2-3, 11.7.3 S5-2-3: the driver waits for the network that he chose, at standstill. The other
+    // registrations, of a network of trackside or of a second terminal, close no menu.
+    const bool registration = s_.network.awaited && s_.network.by_driver && here_.standstill;
+    to_.waiting = registration ? port::Waiting::radio_registration : waiting_in(out_.dialogue);
   }
 
   const State& s_;

@@ -134,6 +134,7 @@ struct RadioNetwork {
   bool changed = false;                      // in this cycle: a registration is due
   bool registered = true;                    // a terminal is, say the terminals
   bool awaited = false;                      // a call waits for the terminal that has to register
+  bool by_driver = false;                    // the network that is awaited is the driver's choice (3.18.4.3.6)
 };
 
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).

@@ -115,9 +115,12 @@ void Ride::cycle() {
 }
 
 /// What the driver did at the display.
-void Ride::obey(const dmi::Commands& commands, sim::CycleInputs& inputs) const {
+void Ride::obey(const dmi::Commands& commands, sim::CycleInputs& inputs) {
   inputs.levels.driver = commands.actions;
   inputs.levels.windows = commands.windows;
+  // A state: the selector stays where the driver put it (4.4.16.1.2 of 4.0.0).
+  if (commands.ato_on) ato_active_ = *commands.ato_on;
+  inputs.levels.automatic_operation.active = ato_active_;
   if (commands.train_data) inputs.train_data = dmi::with_entered(given_.train, *commands.train_data);
 }
 

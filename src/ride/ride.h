@@ -68,11 +68,12 @@ class Ride {
  private:
   struct World;
   void cycle();
-  void obey(const dmi::Commands& commands, sim::CycleInputs& inputs) const;
+  void obey(const dmi::Commands& commands, sim::CycleInputs& inputs);
   void note();
 
   Given given_;
   bool by_hand_;
+  bool ato_active_ = false;  // 4.0.0: where the driver put the selector of automatic operation
   std::unique_ptr<World> world_;
   std::unique_ptr<Panel> panel_ = std::make_unique<Panel>();
   std::string outputs_, inputs_, events_;

@@ -9,17 +9,33 @@ bool Answers::differs(const kernel::Outputs& outputs, const kernel::Planning* pl
          io::differ_beyond_motion(last_planning_ ? &*last_planning_ : nullptr, planning) || last_dmi_ != dmi;
 }
 
+/// The sounds that the display orders in the cycle.
+void Answers::listen(const kernel::Display& record) {
+  dmi::show(*display_, record);
+  const dmi::Commands commands = dmi::take(*display_);
+  for (const dmi::SoundOrder& order : commands.sounds)
+    sounds_.push_back({dmi::name(order.sound), order.what == dmi::SoundDo::once   ? nullptr
+                                               : order.what == dmi::SoundDo::loop ? "loop"
+                                                                                  : "stop"});
+}
+
 void Answers::append(std::string& text, sim::CycleInputs& cycle) {
   const kernel::Outputs& outputs = on_board_.step(cycle.view());
   const std::int64_t n = cycles_++;
   const bool in_turn = n % printed_.every == 0;
   const bool looked_at = printed_.changes || in_turn;
   const kernel::Planning* const planning = printed_.planning && looked_at ? on_board_.plan() : nullptr;
-  const kernel::Display* const dmi = printed_.dmi && looked_at ? &on_board_.show() : nullptr;
+  // Of every cycle: a sound comes from what changes.
+  const kernel::Display* const dmi = printed_.dmi ? &on_board_.show() : nullptr;
+  if (dmi != nullptr) listen(*dmi);
   std::string at_rest;
   if (printed_.changes && dmi != nullptr) at_rest = io::motionless(*dmi);
-  const bool wanted = printed_.changes ? n == 0 || differs(outputs, planning, at_rest) : in_turn;
-  if (wanted) io::append_output(text, cycle.t_ms, outputs, planning, names_, dmi);
+  const bool changed = n == 0 || !sounds_.empty() || differs(outputs, planning, at_rest);
+  const bool wanted = printed_.changes ? changed : in_turn;
+  if (wanted) {
+    io::append_output(text, cycle.t_ms, outputs, planning, names_, dmi, sounds_);
+    sounds_.clear();
+  }
   if (!printed_.changes) return;
   last_ = outputs;
   last_planning_.reset();

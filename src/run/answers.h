@@ -1,9 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "dmi/dmi.h"
 #include "io/output_lines.h"
 #include "run/on_board.h"
 #include "sim/cycle_inputs.h"
@@ -15,7 +18,7 @@ struct Printed {
   std::int64_t every = 1;  ///< print only every Nth cycle
   bool changes = false;    ///< print a cycle only when something other than position and speed changed
   bool planning = false;   ///< print the advance display (3.15.10)
-  bool dmi = false;        ///< print the record of the display (015560)
+  bool dmi = false;        ///< print the record of the display (015560), with its sounds
 };
 
 /// The lines of a unit's outputs, cycle by cycle: `evc replay` and `evc serve` print the same ones.
@@ -23,18 +26,23 @@ class Answers {
  public:
   /// `names`: of national systems, as the configuration has them.
   Answers(OnBoard& on_board, io::NationalSystemNames names, const Printed& printed = {})
-      : on_board_(on_board), names_(std::move(names)), printed_(printed) {}
+      : on_board_(on_board), names_(std::move(names)), printed_(printed) {
+    if (printed_.dmi) display_ = std::make_unique<dmi::State>();
+  }
 
   /// One cycle of the unit; its line, if it is to be printed, is appended to `text`.
   void append(std::string& text, sim::CycleInputs& cycle);
 
  private:
+  void listen(const kernel::Display& record);
   bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning, const std::string& dmi) const;
 
   OnBoard& on_board_;
   io::NationalSystemNames names_;
   Printed printed_;
   std::int64_t cycles_ = 0;
+  std::unique_ptr<dmi::State> display_;  ///< that nobody touches: the driver's actions are in the stream
+  std::vector<io::NamedSound> sounds_;   ///< since the line before
   // Of the cycle before, for `changes`.
   kernel::Outputs last_;
   std::optional<kernel::Planning> last_planning_;

@@ -53,7 +53,8 @@ io::Result<io::InputStream> shipped_journey() {
 
 /// What the driver did on the display, added to the inputs of a cycle.
 void add_actions(port::DriverActions& to, const port::DriverActions& done) {
-  to.selected |= done.selected;
+  for (unsigned n = 0; n < static_cast<unsigned>(port::Select::count); ++n)
+    if (((done.selected >> n) & 1u) != 0) to.selected = port::with_selection(to.selected, 1u << n);
   to.acknowledged |= done.acknowledged;
   if (done.acknowledged_text != 0) to.acknowledged_text = done.acknowledged_text;
   const auto take = [](auto& field, const auto& entered) {

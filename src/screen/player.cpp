@@ -11,7 +11,7 @@ bool sent_anything(const dmi::Commands& c) {
   const port::DriverActions& a = c.actions;
   return a.selected != 0 || a.acknowledged != 0 || a.driver_id || a.level || a.train_running_number || a.rbc_contact ||
          a.cover || a.network || a.V_sr || a.D_sr || a.set_speed || a.language || c.train_data || c.train_type ||
-         c.radio || c.one_radio_system || c.ato_on || c.skip_stop || c.start_of_mission_left;
+         c.radio || c.one_radio_system || c.ato_on || c.skip_stop;
 }
 
 }  // namespace

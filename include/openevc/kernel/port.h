@@ -57,5 +57,6 @@ using port::ShownText;
 using port::ShownTrainData;
 using port::TrainSignals;
 using port::Window;
+using port::with_selection;
 
 }  // namespace evc::kernel

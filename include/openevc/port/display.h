@@ -64,9 +64,11 @@ struct DisplayConfig {
   std::uint8_t loading_gauges = 0x1F;                                              ///< bit n: train::LoadingGauge(n)
   EntryRange L_TRAIN{.least = 0, .most = 4095};                                    ///< m
   EntryRange brake_percentage{.least = 10, .most = 250};                           ///< %
-  EntryRange V_MAXTRAIN{.least = 0, .most = 600, .step = 5};                       ///< km/h
-  EntryRange V_sr{.least = 0, .most = 600, .step = 5};                             ///< km/h
-  EntryRange D_sr{.least = 0, .most = 100000};                                     ///< m
+  /// The driver enters one: with brake model gamma the train has none (SUBSET-026-3 3.13.2.2.1, 3.18.3.2).
+  bool asks_brake_percentage = true;
+  EntryRange V_MAXTRAIN{.least = 0, .most = 600, .step = 5};  ///< km/h
+  EntryRange V_sr{.least = 0, .most = 600, .step = 5};        ///< km/h
+  EntryRange D_sr{.least = 0, .most = 100000};                ///< m
   InplaceVector<CrossCheck, 8> cross_checks;
   bool gsmr_fitted = true, frmcs_fitted = false;  ///< radio systems
   Duration T_dispTTI{14.0};                       ///< the time to Indication is shown below it (SUBSET-026 A.3.1)
@@ -146,7 +148,7 @@ enum class AtoSkip : std::uint8_t { none, inactive, by_trackside, by_driver };
 
 /// Automatic train operation, 4.0.0 (015560 8.5).
 struct DisplayedAto {
-  bool on = false;  ///< the selector
+  bool on = false;  ///< the selector is not in stand-by
   AtoStatus status = AtoStatus::none;
   AtoStop stop = AtoStop::none;
   std::optional<std::uint16_t> dwell_s;
@@ -214,7 +216,7 @@ struct Display {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   std::optional<AnnouncedLevel> announced_level;     // C1
   RadioIndication radio = RadioIndication::none;     // E1
   std::optional<Distance> geo;                       // G12
-  InplaceVector<DisplayedCondition, 49> conditions;  // B3 to B5
+  InplaceVector<DisplayedCondition, 50> conditions;  // B3 to B5: 49 track conditions and a level crossing
   std::optional<TunnelStoppingArea> tunnel;          // C2 to C4; absent: not known on-board
   bool track_ahead_free = false;                     // D: the question
 

@@ -76,6 +76,11 @@ enum class Select : std::uint8_t {
   bmm_revoke,           // acts again
   count
 };
+/// `selected` (bit n: Select(n)) with one more selection of the same cycle, a bit: the same twice is once, but for the
+/// toggle, which is then where it was (015560 8.2.2.4).
+constexpr std::uint32_t with_selection(std::uint32_t selected, std::uint32_t bit) {
+  return bit == 1u << static_cast<unsigned>(Select::toggle) ? selected ^ bit : selected | bit;
+}
 struct DriverActions {
   std::uint32_t selected = 0;      // bit n: Select(n)
   std::uint32_t acknowledged = 0;  // bit n: Ack(n)

@@ -125,11 +125,12 @@ struct ShownSR {
   Speed V;
   std::optional<Distance> D;
 };
-/// A virtual balise cover (3.15.9), and the time that is left of its validity.
+/// A virtual balise cover (3.15.9), and the time that is left of its validity period, which was set as T_VBC days.
 struct ShownCover {
   std::uint16_t NID_C = 0;
   std::uint8_t NID_VBCMK = 0;
   Duration left;
+  std::uint8_t T_VBC = 0;
 };
 /// Stored data with their status (3.18.6). A value counts where its status is valid; the driver may be asked to
 /// revalidate an invalid one.

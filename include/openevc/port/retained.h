@@ -26,6 +26,7 @@ struct Retained {
     std::uint16_t NID_C = 0;
     std::uint8_t NID_VBCMK = 0;
     Duration left{};
+    std::uint8_t T_VBC = 0;  ///< the validity period as it was set, days
     friend constexpr bool operator==(const Cover&, const Cover&) = default;
   };
   using StoredLevel = RetainedLevel;

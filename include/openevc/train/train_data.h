@@ -8,6 +8,7 @@
 #include "openevc/base/inplace_vector.h"
 #include "openevc/base/step_function.h"
 #include "openevc/base/units.h"
+#include "openevc/terms/axle_load.h"
 #include "openevc/train/speed_steps.h"
 
 namespace evc::train {
@@ -77,8 +78,8 @@ inline constexpr std::uint16_t kFreightP = 1;
 inline constexpr std::uint16_t kFreightG = 2;
 inline constexpr std::uint16_t kPassenger = 4;
 
-enum class AxleLoad : std::uint8_t { A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, E5 };  // M_AXLELOADCAT
-enum class LoadingGauge : std::uint8_t { none, G1, GA, GB, GC };                               // M_LOADINGGAUGE
+using evc::AxleLoad;
+using evc::LoadingGauge;
 /// One traction system the train accepts: M_VOLTAGE, and NID_CTRACTION with a voltage other than 0.
 struct TractionSystem {
   std::uint16_t NID_CTRACTION = 0;

@@ -192,6 +192,7 @@ void enter_network(Reception& r) {
   if (s.network.NID_MN == *entered) return;
   s.network.NID_MN = *entered;
   s.network.changed = true;
+  s.network.by_driver = true;
   if (s.srs == SrsVersion::v4_0_0) return invalidate(s.contact_status);
   s.radio.contact.reset();
   s.contact_status = DataStatus::unknown;
@@ -212,7 +213,7 @@ void enter_cover(Reception& r) {
   }
   // From now on (3.15.9.6), in days (7.5.1.155.1).
   const Duration until = s.now + Duration{86400.0 * cover->T_VBC};
-  if (!balise::set_cover(s.balise, {cover->NID_VBCMK, cover->NID_C, until}))
+  if (!balise::set_cover(s.balise, {cover->NID_VBCMK, cover->NID_C, until, cover->T_VBC}))
     return r.log.note({.what = What::cover_capacity});
   r.log.note({.what = What::cover_set, .id = cover->NID_VBCMK, .clause = "3.15.9.2"_srs});
 }

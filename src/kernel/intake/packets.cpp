@@ -114,7 +114,8 @@ void take_cover(Evaluation& e, const lang::PacketView& view, Verdict) {
   if (p.Q_VBCO.raw == 0) return balise::remove_cover(s.balise, static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw);
   // T_VBC in days (7.5.1.155.1).
   const Duration until = s.now + Duration{86400.0 * p.T_VBC.raw};
-  if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until}))
+  if (!balise::set_cover(s.balise, {static_cast<std::uint8_t>(p.NID_VBCMK.raw), p.NID_C.raw, until,
+                                    static_cast<std::uint8_t>(p.T_VBC.raw)}))
     e.r.log.note({.what = What::cover_capacity});
 }
 

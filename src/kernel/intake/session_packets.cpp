@@ -37,6 +37,7 @@ void take_network(Evaluation& e, const lang::PacketView& view, modes::Verdict) {
   if (network.NID_MN == p.NID_MN.raw || p.NID_MN.raw >= port::kDefaultNetwork) return;
   network.NID_MN = p.NID_MN.raw;
   network.changed = true;
+  network.by_driver = false;
 }
 
 }  // namespace evc::kernel

@@ -60,7 +60,8 @@ void show_data(const State& s, const track::Here& here, Outputs& out) {
   data.network = s.network.NID_MN;
   if (!data.network && !s.network.offered.empty()) data.network = s.network.offered[0];
   for (const balise::Cover& cover : s.balise.covers)
-    (void)out.covers.push_back({cover.NID_C, cover.NID_VBCMK, cover.until - s.now});  // as many as are stored
+    (void)out.covers.push_back(
+        {cover.NID_C, cover.NID_VBCMK, cover.until - s.now, cover.T_VBC});  // as many as are stored
 }
 
 }  // namespace evc::kernel

@@ -42,7 +42,9 @@ std::optional<std::uint32_t> register_terminals(State& s, bool powered_up) {
 
 void await_registration(State& s, bool ordered, radio::Outbox& outbox) {
   RadioNetwork& network = s.network;
+  const bool was_awaited = network.awaited;
   network.awaited = ordered || (network.awaited && !network.registered);
+  if (was_awaited && !network.awaited) network.by_driver = false;
   if (!network.awaited || !outbox.connect || radio::sessions(s.radio) < s.terminals) return;
   for (const radio::Peer peer : radio::kPeers) {
     radio::Session& session = s.radio.session(peer);

@@ -223,6 +223,7 @@ void report(State& s, const Inputs& in, const Received& received, const Decided&
   queue_acknowledgements(s, radio.effects.requests, out);
   s.displayed.passive_shunting = in.train.passive_shunting;
   s.displayed.national_systems = in.national_system.available;
+  s.displayed.ato_active = in.automatic_operation.active;
   show_enabled(s, in, decided.here, out);
   show_data(s, decided.here, out);
   show_clock(s, in.utc, out);
