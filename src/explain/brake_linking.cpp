@@ -74,23 +74,31 @@ Steps linking_steps(const Journal& journal, const Moment& m) {
 }
 
 Steps two_groups_steps(const Journal& journal, const Moment& m) {
-  Steps steps;
-  const Note* announced = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::linking});
+  Steps announced, steps;
+  const Note* packet = journal.last(What::packet_accepted, m.t_ms, std::int32_t{packet::linking});
   for (const Note& note : journal.notes()) {
-    if (announced == nullptr || note.t_ms < announced->t_ms || note.t_ms > m.t_ms) continue;
+    if (packet == nullptr || note.t_ms < packet->t_ms || note.t_ms > m.t_ms) continue;
     const What what = note.event.what;
-    if (&note == announced || what == What::linking_error_missed || what == What::double_linking_error ||
-        what == What::double_repositioning)
+    if (what == What::linking_error_missed)
+      if (auto step = announced_step(journal, m, note.event)) announced.push_back(*std::move(step));
+    if (what == What::linking_error_missed || what == What::double_linking_error || what == What::double_repositioning)
       steps.push_back(step_of(note));
   }
-  return steps;
+  if (announced.empty() && packet != nullptr) announced.push_back(step_of(*packet));
+  announced.insert(announced.end(), steps.begin(), steps.end());
+  return announced;
 }
 
 Steps list_steps(const Journal& journal, const Moment& m, const std::optional<track::GroupList>& list) {
   Steps steps;
   const bool SH = m.before.mode == Mode::SH;
   const std::int32_t packet = SH ? packet::balise_groups_for_sh_area : packet::balise_groups_in_sr_authority;
-  if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet)) steps.push_back(step_of(*note));
+  const char* clause = SH ? "4.4.8.1.1 b" : "4.4.11.1.3 c";
+  if (const Note* note = journal.last(What::packet_accepted, m.t_ms, packet)) {
+    steps.push_back(step_of(*note));
+    steps.back().text += fmt::format(": list of the groups that may be passed in {}", SH ? "SH" : "SR");
+    steps.back().clause = clause;
+  }
   std::string groups;
   if (list)
     for (const GroupId& id : *list) groups += fmt::format("{}{}/{}", groups.empty() ? "" : ", ", id.NID_C, id.NID_BG);
@@ -99,7 +107,7 @@ Steps list_steps(const Journal& journal, const Moment& m, const std::optional<tr
     steps.push_back({m.t_ms,
                      fmt::format("{} is read; the list of the groups that may be passed has {}", read->source,
                                  groups.empty() ? "none" : groups),
-                     SH ? "4.4.8.1.1 b" : "4.4.11.1.3 c"});
+                     clause});
   return steps;
 }
 

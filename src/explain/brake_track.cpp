@@ -150,6 +150,17 @@ Step SR_distance_step(const Journal& journal, const Moment& m) {
   return step;
 }
 
+/// The packet of a group that stops a train in SH or SR.
+Steps stop_if_in_steps(const Journal& journal, const Moment& m, std::int32_t packet) {
+  const bool SH = packet == packet::danger_for_shunting;
+  Steps steps = of_last(journal, m, What::packet_accepted, packet);
+  for (Step& step : steps) {
+    step.text += SH ? ": stop if in shunting" : ": stop if in SR";
+    step.clause = SH ? "4.4.8.1.1 c" : "4.4.11.1.3 d";
+  }
+  return steps;
+}
+
 Steps trip_steps(const Journal& journal, const Moment& m, int condition) {
   switch (condition) {
     case 12:
@@ -173,9 +184,9 @@ Steps trip_steps(const Journal& journal, const Moment& m, int condition) {
     case 43:
       return former_end_steps(journal, m);
     case 49:
-      return after_override(journal, m, of_last(journal, m, What::packet_accepted, packet::danger_for_shunting));
+      return after_override(journal, m, stop_if_in_steps(journal, m, packet::danger_for_shunting));
     case 54:
-      return after_override(journal, m, of_last(journal, m, What::packet_accepted, packet::stop_if_in_sr));
+      return after_override(journal, m, stop_if_in_steps(journal, m, packet::stop_if_in_sr));
     default:
       return {};  // its facts are the reason
   }

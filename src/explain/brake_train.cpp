@@ -45,10 +45,26 @@ Steps behind(Steps steps, Step last) {
   return steps;
 }
 
-Steps with_controller(const Journal& journal, const Moment& m, Step step) {
+const char* controller_words(port::DirectionController controller) {
+  return controller == port::DirectionController::forward    ? "forward"
+         : controller == port::DirectionController::backward ? "backward"
+                                                             : "neutral";
+}
+
+/// 3.14.2.2: against the position of the direction controller.
+Steps roll_away_steps(const Journal& journal, const Moment& m) {
+  Step step = guarded(m, m.before.guards.roll_away, "3.14.2");
+  step.text += fmt::format("; the direction controller is {}", controller_words(m.train.direction_controller));
   Steps steps{D_NVROLL_step(journal, m, step.clause.c_str())};
   if (const Act* act = journal.last(Act::Kind::controller, m.t_ms)) steps.push_back(step_of(*act));
   return behind(std::move(steps), std::move(step));
+}
+
+/// 3.14.3.1: against the permitted direction, wherever the direction controller is.
+Steps reverse_movement_steps(const Journal& journal, const Moment& m) {
+  Step step = guarded(m, m.before.guards.reverse_movement, "3.14.3");
+  step.text += fmt::format(", against the permitted direction of {}", name(m.after.mode));
+  return {D_NVROLL_step(journal, m, step.clause.c_str()), std::move(step)};
 }
 
 Steps window_steps(const Journal& journal, const Moment& m, port::Window window, const char* clause) {
@@ -84,6 +100,12 @@ Steps with_mode(const Journal& journal, const Moment& m, Step distance, Step ste
   return behind(std::move(steps), std::move(step));
 }
 
+/// 3.14.4, in 4.0.0 moved to the mode.
+Steps standstill_steps(const Journal& journal, const Moment& m) {
+  const char* clause = m.after.srs == SrsVersion::v4_0_0 ? "4.4.7.1.5.1" : "3.14.4";
+  return with_mode(journal, m, D_NVROLL_step(journal, m, clause), guarded(m, m.before.guards.standstill, clause));
+}
+
 /// The distance of packet 139, from the end of the area of packet 138.
 Steps reversing_steps(const Journal& journal, const Moment& m) {
   Steps steps;
@@ -107,14 +129,13 @@ Steps reversing_steps(const Journal& journal, const Moment& m) {
 }  // namespace
 
 Steps movement_steps(Cause cause, const Journal& journal, const Moment& m) {
-  const protection::MovementGuards& guards = m.before.guards;
   switch (cause) {
     case Cause::roll_away:
-      return with_controller(journal, m, guarded(m, guards.roll_away, "3.14.2"));
+      return roll_away_steps(journal, m);
     case Cause::reverse_movement:
-      return with_controller(journal, m, guarded(m, guards.reverse_movement, "3.14.3"));
+      return reverse_movement_steps(journal, m);
     case Cause::standstill:
-      return with_mode(journal, m, D_NVROLL_step(journal, m, "3.14.4"), guarded(m, guards.standstill, "3.14.4"));
+      return standstill_steps(journal, m);
     case Cause::post_trip_distance:
       return with_mode(journal, m,
                        distance_step(journal, m, "D_NVPOTRP", m.after.national_values.D_NVPOTRP, "4.4.14.1.3"),

@@ -19,16 +19,38 @@ std::optional<Step> packet_step(const Journal& journal, const Moment& m, std::in
   return step_of_last(journal.last(What::packet_accepted, m.t_ms, packet));
 }
 
+/// Where a restriction ends on the track, and where the front end is when it no longer counts: with Q_FRONT 0 until the
+/// rear end has left it (3.11.3.1.3).
+struct End {
+  Place on_track, counts;
+};
+
+/// Of a restriction that the front end has left and the rear end has not.
+std::string rear_words(const Moment& m, const End& end, Place from) {
+  return end.on_track < from && end.counts > end.on_track
+             ? fmt::format(", until the rear end of the train of {} has left it", metres_words(m.after.train.L_TRAIN))
+             : "";
+}
+
+/// A packet, and what there is to say of its element.
+struct Found {
+  std::optional<Step> step;
+  std::string rear;
+};
+
 /// The packet that brought an element, among those that lie between two places and are as slow as `V`; of several the
 /// last one. `speed` and `end` of an element: its speed for the train, and where it no longer counts.
-template <class Elements, class Of, class Speed_, class End>
-std::optional<Step> slowest(const Journal& journal, const Elements& elements, const Of& brought, Place from, Place to,
-                            Speed V, const Speed_& speed, const End& end) {
-  std::optional<Step> step;
+template <class Elements, class Of, class Speed_, class EndOf>
+Found slowest(const Journal& journal, const Moment& m, const Elements& elements, const Of& brought, Place from,
+              Place to, Speed V, const Speed_& speed, const EndOf& end) {
+  Found found;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (elements[i].from <= to && end(i) >= from && speed(i) <= V + kEqual)
-      if (const Note* note = journal.note(brought.of(elements[i]))) step = step_of(*note);
-  return step;
+    if (elements[i].from <= to && end(i).counts >= from && speed(i) <= V + kEqual)
+      if (const Note* note = journal.note(brought.of(elements[i]))) {
+        found = {step_of(*note), rear_words(m, end(i), from)};
+        if (!found.rear.empty()) found.rear = " up to " + place_words(m.after, end(i).on_track) + found.rear;
+      }
+  return found;
 }
 
 /// The speeds and places of the restrictions of a moment.
@@ -41,26 +63,27 @@ struct Stored {
   track::TrainCategory train = kernel::category_of(m.after.train);
 
   /// A restriction counts until the rear end has left it, unless it is of the front end (Q_FRONT).
-  Place left(Place end, bool Q_FRONT) const { return Q_FRONT ? end : end + m.after.train.L_TRAIN; }
+  End left(Place end, bool Q_FRONT) const { return {end, Q_FRONT ? end : end + m.after.train.L_TRAIN}; }
 
-  std::optional<Step> ssp() const {
+  Found ssp() const {
     const auto& steps = d.ssp.steps;
     const auto end = [&](std::size_t i) {
-      return i + 1 < steps.size() ? left(steps[i + 1].from, steps[i].value.Q_FRONT) : to;
+      return i + 1 < steps.size() ? left(steps[i + 1].from, steps[i].value.Q_FRONT) : End{to, to};
     };
     const auto speed = [&](std::size_t i) { return track::speed_of(steps[i].value.speed_for(train)); };
-    return slowest(journal, steps, journal.brought().ssp, from, to, V, speed, end);
+    return slowest(journal, m, steps, journal.brought().ssp, from, to, V, speed, end);
   }
-  std::optional<Step> asp() const {
+  Found asp() const {
     const auto end = [&](std::size_t i) { return left(d.asp[i].to, d.asp[i].Q_FRONT); };
     const auto speed = [&](std::size_t i) { return track::speed_of(d.asp[i].speed_for(train)); };
-    return slowest(journal, d.asp, journal.brought().asp, from, to, V, speed, end);
+    return slowest(journal, m, d.asp, journal.brought().asp, from, to, V, speed, end);
   }
-  std::optional<Step> pbd() const {
+  Found pbd() const {
     const auto& speeds = m.curves.pbd_speeds;
     const auto speed = [&](std::size_t i) { return i < speeds.size() ? track::speed_of(speeds[i]) : track::kNoLimit; };
-    return slowest(journal, d.pbd, journal.brought().pbd, from, to, V, speed,
-                   [&](std::size_t i) { return d.pbd[i].to; });
+    return slowest(journal, m, d.pbd, journal.brought().pbd, from, to, V, speed, [&](std::size_t i) {
+      return End{d.pbd[i].to, d.pbd[i].to};
+    });
   }
   std::optional<Step> lx() const {
     const auto speed = [&](std::size_t i) {
@@ -127,23 +150,29 @@ Restriction of_source(const Journal& journal, const Moment& m, MrspSource source
   Restriction r{
       source, V, fmt::format("{} of {}", terms::kNames<kMrspSourceRows>[terms::index(source)], kmh_words(V)), {}};
   const Stored stored{journal, m, from, to, V};
+  const auto add = [&r](Found found) {
+    r.from = std::move(found.step);
+    r.text += found.rear;
+  };
   switch (source) {
     case MrspSource::SSP:
-      r.from = stored.ssp();
+      add(stored.ssp());
       return r;
     case MrspSource::ASP:
-      r.from = stored.asp();
+      add(stored.asp());
       return r;
     case MrspSource::TSR:
       for (const track::TemporarySpeedRestriction& t : m.after.track.tsr) {
-        if (t.from > to || stored.left(t.to, t.Q_FRONT) < from || track::speed_of(t.V_TSR) > V + kEqual) continue;
+        const End end = stored.left(t.to, t.Q_FRONT);
+        if (t.from > to || end.counts < from || track::speed_of(t.V_TSR) > V + kEqual) continue;
         r.text = fmt::format("TSR {} of {} from {} to {}", t.NID_TSR, kmh_words(track::speed_of(t.V_TSR)),
-                             place_words(m.after, t.from), place_words(m.after, t.to));
+                             place_words(m.after, t.from), place_words(m.after, t.to)) +
+                 rear_words(m, end, from);
         r.from = step_of_last(journal.note(journal.brought().tsr.of(t)));
       }
       return r;
     case MrspSource::PBD:
-      r.from = stored.pbd();
+      add(stored.pbd());
       return r;
     case MrspSource::LX:
       r.from = stored.lx();

@@ -123,7 +123,7 @@ std::string speed_lines(const Journal& journal) {
       text += row("", fmt::format("{} [{}]{}", r.text, clause_of(r.source), r.from ? ", " + from_line(*r.from) : ""));
   if (now.after.supervision.has_MRDT) {
     const sdm::TargetId& target = now.after.supervision.MRDT;
-    text += row("", "target " + target_distance_words(now, target));
+    text += row("", "MRDT: " + target_distance_words(now, target));
     for (const Step& step : shortest(target_steps(journal, now, target))) text += row("", "  " + origin_line(step));
     for (const Step& step : curve_steps(journal, now)) text += row("", "  " + origin_line(step));
   } else if (now.after.basis.authority.EOA_or_LOA()) {  // in SR, SH, UN none counts (4.5.2)
@@ -141,8 +141,10 @@ std::string position_lines(const Journal& journal) {
   const position::Reference* lrbg = position::lrbg(now.after.position);
   if (lrbg == nullptr) return row("position", text + "; no LRBG");
   const track::Here here = kernel::here(now.after);
-  text += fmt::format("; LRBG {}/{}, {} behind, accuracy {}", lrbg->id.NID_C, lrbg->id.NID_BG,
-                      metres_words(here.est_front - lrbg->place), metres_words(lrbg->Q_LOCACC));
+  const bool ahead = lrbg->place > here.est_front;  // the train ran back over it
+  const Distance from_front = ahead ? lrbg->place - here.est_front : here.est_front - lrbg->place;
+  text += fmt::format("; LRBG {}/{}, {} {}, accuracy {}", lrbg->id.NID_C, lrbg->id.NID_BG, metres_words(from_front),
+                      ahead ? "ahead" : "behind", metres_words(lrbg->Q_LOCACC));
   if (const Note* read = journal.last(What::group_accepted, now.t_ms, std::int32_t{lrbg->id.NID_BG}))
     text += fmt::format(", read at {}", time_words(read->t_ms));
   return row("position", text);
