@@ -1,27 +1,11 @@
 // The page in a browser, opened from a file: it drives the shipped line by itself and gives the hash of evc run.
 
 import assert from "node:assert/strict";
-import { execFile } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { pathToFileURL } from "node:url";
-import { promisify } from "node:util";
 
-import { evc, folder } from "./page.js";
-
-const CHROMIUM = process.env["CHROMIUM"] ?? "chromium";
-
-/// The document after its script has driven to the end.
-async function domOf(page: string, query: string): Promise<string> {
-  const words = [
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", `--user-data-dir=${folder()}`, "--window-size=1400,1000",
-    "--virtual-time-budget=600000", "--dump-dom", `${pathToFileURL(page).href}${query}`,
-  ];
-  const { stdout } = await promisify(execFile)(CHROMIUM, words, { maxBuffer: 1 << 28, timeout: 300_000 });
-  return stdout;
-}
+import { domOf, evc, folder } from "./page.js";
 
 test("the page drives by itself in Chromium and gives the bytes of evc run", { timeout: 320_000 }, async () => {
   const page = join(folder(), "cab.html");
