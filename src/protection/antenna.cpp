@@ -40,13 +40,16 @@ bool over_metal(const track::Description& d, Place min_safe_antenna, Place max_s
 bool asks_for_brake(AntennaAlarm& state, const AntennaSituation& s, const track::Description& d) {
   const bool in_metal = over_metal(d, s.min_safe_antenna, s.max_safe_antenna);
   if (state.inhibited && inhibition_ends(*state.inhibited, s, in_metal)) state.inhibited.reset();
+  const bool reacted = state.reacts;
+  state.reacts = false;
   if (!s.alarm) {
     state.since.reset();
     return false;
   }
   if (!state.since) state.since = s.counter;
-  if (ignored_by_mode(s) || in_metal || state.inhibited) return false;
-  return level_1_2_3(s.level) || run_since(*state.since, s.counter) > D_METAL;
+  if (ignored_by_mode(s) || state.inhibited || (in_metal && !reacted)) return false;
+  state.reacts = level_1_2_3(s.level) || run_since(*state.since, s.counter) > D_METAL;
+  return state.reacts;
 }
 
 }  // namespace evc::protection

@@ -16,6 +16,7 @@ inline constexpr Distance D_METAL{300.0};
 struct AntennaAlarm {
   std::optional<OdometerReading> since;      ///< the odometer when the alarm began; absent: no alarm
   std::optional<OdometerReading> inhibited;  ///< the same when its reaction was inhibited; absent: it acts (5.22)
+  bool reacts = false;                       ///< it has its reaction, so that no metal ahead is its cause
 };
 
 /// What the reaction depends on, in this cycle.
@@ -29,11 +30,10 @@ struct AntennaSituation {
 };
 
 /// One cycle: whether the safety reaction is due (3.15.7.6). The alarm is ignored in a big metal mass (3.15.7.5),
-/// from where the max safe antenna enters it until the min safe antenna leaves it, and in RV (4.4.18.1.11); in levels 0
-/// and NTC for 300 m from where it began, each at least as far as the train really ran; of 4.0.0 in SB in the other
-/// levels (3.15.7.4).
-/// 4.0.0: the inhibition ends after 300 m, in another mode than SB, SH and SR, or where a big metal mass begins
-/// (5.22.5).
+/// from where the max safe antenna enters it until the min safe antenna leaves it, unless it had its reaction before:
+/// the metal may not have triggered it. It is ignored in RV (4.4.18.1.11); in levels 0 and NTC for 300 m from where it
+/// began, each at least as far as the train really ran; of 4.0.0 in SB in the other levels (3.15.7.4). 4.0.0: the
+/// inhibition ends after 300 m, in another mode than SB, SH and SR, or where a big metal mass begins (5.22.5).
 bool asks_for_brake(AntennaAlarm& state, const AntennaSituation& situation, const track::Description& description);
 
 /// Whether the antenna may be in a big metal mass.

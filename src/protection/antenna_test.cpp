@@ -58,11 +58,11 @@ TEST(Antenna, The_distance_begins_anew_with_the_alarm) {
 
 TEST(Antenna, It_is_ignored_in_a_big_metal_mass_in_every_level) {
   for (const Level level : {Level::L0, Level::NTC, Level::L1, Level::L2, Level::L3}) {
-    Antenna a(level);
-    EXPECT_EQ(a.brakes(), level_1_2_3(level));
-    a.run_to(500.0);
-    ASSERT_TRUE(a.track->big_metal.push_back({Place{100.0}, Place{150.0}}));
     const auto at = [&](double min, double max) {
+      Antenna a(level);  // an alarm that began with its 300 m in levels 0 and NTC behind it
+      a.state.since = a.s.counter;
+      a.run_to(500.0);
+      EXPECT_TRUE(a.track->big_metal.push_back({Place{100.0}, Place{150.0}}));
       a.s.min_safe_antenna = Place{min};
       a.s.max_safe_antenna = Place{max};
       return a.brakes();
@@ -72,6 +72,36 @@ TEST(Antenna, It_is_ignored_in_a_big_metal_mass_in_every_level) {
     EXPECT_FALSE(at(150.0, 170.0));
     EXPECT_TRUE(at(150.1, 170.0));
   }
+}
+
+TEST(Antenna, Its_reaction_goes_on_in_a_big_metal_mass_that_it_did_not_begin_in) {
+  Antenna a(Level::L1);
+  ASSERT_TRUE(a.track->big_metal.push_back({Place{100.0}, Place{150.0}}));
+  EXPECT_TRUE(a.brakes());
+  a.s.min_safe_antenna = Place{110.0};
+  a.s.max_safe_antenna = Place{120.0};
+  EXPECT_TRUE(a.brakes());
+  a.s.alarm = false;
+  EXPECT_FALSE(a.brakes());
+  a.s.alarm = true;
+  EXPECT_FALSE(a.brakes()) << "another one, in the metal";
+}
+
+// 5.22: the driver ends the reaction, also over metal; behind the inhibition the alarm is as a new one.
+TEST(Antenna, Its_inhibition_ends_a_reaction_that_goes_on) {
+  Antenna a(Level::L1);
+  a.s.srs = SrsVersion::v4_0_0;
+  ASSERT_TRUE(a.track->big_metal.push_back({Place{100.0}, Place{150.0}}));
+  EXPECT_TRUE(a.brakes());
+  a.state.inhibited = a.s.counter;
+  EXPECT_FALSE(a.brakes());
+  a.s.min_safe_antenna = Place{110.0};
+  a.s.max_safe_antenna = Place{120.0};
+  EXPECT_FALSE(a.brakes());
+  EXPECT_FALSE(a.state.inhibited.has_value()) << "5.22.5.2.1";
+  a.s.min_safe_antenna = Place{160.0};
+  a.s.max_safe_antenna = Place{170.0};
+  EXPECT_TRUE(a.brakes());
 }
 
 TEST(Antenna, It_is_ignored_in_reversing_and_where_the_unit_does_not_work) {
