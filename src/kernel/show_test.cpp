@@ -257,11 +257,11 @@ TEST_F(Show, EveryConditionThatIsStoredHasARow) {
   std::uint16_t id = 0;
   for (auto* c = state.track.conditions.grow(); c != nullptr; c = state.track.conditions.grow()) {
     c->kind = TrackConditionKind::sound_horn;
-    c->progress = {.phase = ConditionPhase::active, .shown_as = ++id};
+    c->progress = {ConditionPhase::active, ++id, {}};
   }
   state.track.traction.emplace();
   state.track.traction->M_VOLTAGE = 1;
-  state.track.traction->progress = {.phase = ConditionPhase::active, .shown_as = ++id};
+  state.track.traction->progress = {ConditionPhase::active, ++id, {}};
   state.displayed.level_crossing = ++id;
   ASSERT_EQ(shown().conditions.size(), id);
   EXPECT_EQ(shown().conditions.back().id, id);
