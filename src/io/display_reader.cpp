@@ -164,8 +164,8 @@ port::ShownTrainData train_data_of(const Value& value) {
   const Value category = value["category"];
   train.cant_deficiency_mm = category["cant_deficiency_mm"].whole<std::uint16_t>();
   train.other_categories = static_cast<std::uint16_t>(category["other"].bits(kOtherCategoryNames));
-  train.axle_load = category["axle_load"].named<train::AxleLoad>(kAxleLoadNames);
-  train.loading_gauge = category["loading_gauge"].named<train::LoadingGauge>(kLoadingGaugeNames);
+  train.axle_load = category["axle_load"].term<kAxleLoadRows>();
+  train.loading_gauge = category["loading_gauge"].term<kLoadingGaugeRows>();
   train.airtight = category["airtight"].flag();
   return train;
 }
@@ -200,10 +200,11 @@ void read_config(const Value& value, port::DisplayConfig& c) {
     return type;
   });
   c.categories = value["categories"].set<TrainCategory>(terms::kNames<kTrainCategoryRows>);
-  c.axle_loads = static_cast<std::uint16_t>(value["axle_loads"].bits(kAxleLoadNames));
-  c.loading_gauges = static_cast<std::uint8_t>(value["loading_gauges"].bits(kLoadingGaugeNames));
+  c.axle_loads = static_cast<std::uint16_t>(value["axle_loads"].bits(terms::kNames<kAxleLoadRows>));
+  c.loading_gauges = static_cast<std::uint8_t>(value["loading_gauges"].bits(terms::kNames<kLoadingGaugeRows>));
   c.L_TRAIN = range_of(value["length_m"]);
   c.brake_percentage = range_of(value["brake_percentage"]);
+  c.asks_brake_percentage = value["asks_brake_percentage"].flag();
   c.V_MAXTRAIN = range_of(value["max_speed_kmh"]);
   c.V_sr = range_of(value["V_sr_kmh"]);
   c.D_sr = range_of(value["D_sr_m"]);
