@@ -2,7 +2,8 @@
 """The C interface has a place for every input and output of the kernel: each field of the structs that port::Inputs and
 port::Outputs are made of (include/openevc/port/) is used by src/capi/inputs.cpp or src/capi/outputs.cpp. A field of C that
 nothing uses is found too: every member of openevc_inputs and openevc_outputs is mentioned there. The record of the
-display (port::Display) has no struct in C: src/io/display_json_test.cpp holds that all of it is in `evc replay --dmi`.
+display (port::Display) is openevc_display, taken there by src/capi/display.cpp; what a host configures of it is not, and
+src/io/display_json_test.cpp holds that all of it is in `evc replay --dmi`.
 Usage: tools/check_ports.py"""
 import sys
 

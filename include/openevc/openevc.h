@@ -637,6 +637,152 @@ typedef struct openevc_planning {
  * there is none until the next step. */
 OPENEVC_API openevc_result openevc_plan(openevc_unit* unit, openevc_planning* planning) OPENEVC_NOEXCEPT;
 
+/* What a driver-machine interface of ERA_ERTMS_015560 shows (docs/replay.md, "The record of the display"): masked by
+ * the mode (4.7.2), whether the driver has toggled it on or not. Distances are from the estimated front end. A symbol
+ * is its name in 015560 13, ended by a zero: "TC03". What is fixed for a display, as the languages and the limits of
+ * entries, is the host's; what is to be entered has the status of `data`. */
+#define OPENEVC_DISPLAYED_CONDITIONS 50
+#define OPENEVC_PLANNED_ORDERS 97
+#define OPENEVC_DISPLAYED_TEXTS 32
+#define OPENEVC_ASKED 32
+#define OPENEVC_NATIONAL_SYSTEMS 16
+#define OPENEVC_NETWORKS 16
+
+/* The highest speed of the dial, km/h (015560 8.2.1.1). */
+typedef enum openevc_dial {
+  OPENEVC_DIAL_140 = 0,
+  OPENEVC_DIAL_180 = 1,
+  OPENEVC_DIAL_250 = 2,
+  OPENEVC_DIAL_400 = 3
+} openevc_dial;
+
+/* The symbol of the radio connection (area E1). */
+typedef enum openevc_radio_indication {
+  OPENEVC_RADIO_NOT_SHOWN = 0,
+  OPENEVC_RADIO_FAILED = 1,
+  OPENEVC_RADIO_UP = 2
+} openevc_radio_indication;
+
+typedef enum openevc_text_kind {
+  OPENEVC_TEXT_FIXED = 0,
+  OPENEVC_TEXT_PLAIN = 1,
+  OPENEVC_TEXT_STATUS = 2,
+  OPENEVC_TEXT_NATIONAL = 3
+} openevc_text_kind;
+
+/* For what the display shows the hour glass (015560 11.7). */
+typedef enum openevc_waiting {
+  OPENEVC_WAITING_NOTHING = 0,
+  OPENEVC_WAITING_END_OF_SESSION = 1,
+  OPENEVC_WAITING_RADIO_REGISTRATION = 2,
+  OPENEVC_WAITING_NETWORK_LIST = 3,
+  OPENEVC_WAITING_SESSION = 4,
+  OPENEVC_WAITING_TRAIN_ACCEPTED = 5,
+  OPENEVC_WAITING_TRAIN_DATA_ACKNOWLEDGED = 6,
+  OPENEVC_WAITING_ANSWER_TO_MA_REQUEST = 7,
+  OPENEVC_WAITING_ANSWER_TO_SH_REQUEST = 8,
+  OPENEVC_WAITING_ANSWER_TO_SM_REQUEST = 9
+} openevc_waiting;
+
+/* A symbol of areas B3 to B5, in the order of appearance. */
+typedef struct openevc_displayed_condition {
+  char symbol[8];
+  int32_t phase; /* openevc_condition_phase */
+  uint32_t id;   /* the same as long as it is the same condition */
+} openevc_displayed_condition;
+
+/* A symbol of the planning area (015560 8.3.4). */
+typedef struct openevc_planned_order {
+  char symbol[8];
+  double at;
+} openevc_planned_order;
+
+/* A text of areas E5 to E9 (015560 8.2.3.4). */
+typedef struct openevc_displayed_text {
+  uint16_t id;
+  uint8_t kind;          /* openevc_text_kind */
+  uint8_t important;     /* group 1 */
+  uint8_t acknowledge;   /* it is to be acknowledged, and was not yet */
+  uint8_t Q_TEXT;        /* of a fixed text */
+  uint8_t NID_NTC;       /* of a status text that names a national system */
+  uint8_t length;        /* of a plain or national text */
+  int32_t status;        /* openevc_status_text_name(status); -1: another kind */
+  int32_t minute_of_day; /* local time of its begin; -1: not known */
+  double since;
+  uint8_t characters[256]; /* ISO 8859-1 */
+} openevc_displayed_text;
+
+/* What the driver has to acknowledge, in the order of arrival. */
+typedef struct openevc_asked {
+  int32_t what; /* openevc_ack */
+  uint32_t id;  /* with OPENEVC_ACK_TEXT: of the text */
+  double since;
+} openevc_asked;
+
+typedef struct openevc_display {
+  uint32_t size;
+  int32_t mode;  /* openevc_mode; OPENEVC_NP: nothing is shown */
+  int32_t level; /* openevc_level, where level_valid */
+  int32_t dial;  /* openevc_dial */
+  double now;
+  int32_t second_of_day; /* local time; -1: not known or not shown */
+  uint8_t level_valid;
+  uint8_t NID_NTC; /* with level NTC */
+  uint8_t standstill;
+  uint8_t MRDT;     /* changes when another target is the most relevant displayed one */
+  char language[8]; /* "en" */
+  /* Areas A and B. Not a number: not shown. */
+  double V, V_P, V_SBI, V_target, V_release;
+  double d_target, TTI, LSSMA, set_speed;
+  double T_dispTTI;   /* TTI is shown below it (A.3.1) */
+  int32_t monitoring; /* openevc_monitoring */
+  int32_t status;     /* openevc_status */
+  /* 0 or 1. */
+  uint8_t target_information; /* in CSM the target is shown */
+  uint8_t slippery_rail, override_active, reversing_permitted, bmm_inhibited, track_ahead_free;
+  uint8_t brake;
+  uint8_t brake_for_missing_ack; /* it is released by the acknowledgement of a level, mode or text */
+  uint8_t announced, announced_NID_NTC;
+  uint8_t tunnel;                /* a tunnel stopping area is known; */
+  uint8_t tunnel_inside;         /* the front end is in it */
+  int8_t SM_direction;           /* 4.0.0: -1 backward, 1 forward, 0 not shown */
+  uint8_t ato_on;                /* 4.0.0: the ATO selector is not in stand-by */
+  uint8_t start_of_mission;      /* its dialogue runs, up to the Main window */
+  uint8_t asks_brake_percentage; /* 0: the train has brake model gamma */
+  int32_t announced_level;       /* openevc_level */
+  int32_t radio;                 /* openevc_radio_indication */
+  double tunnel_distance;
+  double geo; /* metres */
+  uint32_t conditions_count, orders_count, texts_count, asked_count, national_systems_count, networks_count;
+  openevc_displayed_condition conditions[OPENEVC_DISPLAYED_CONDITIONS];
+  openevc_planned_order orders[OPENEVC_PLANNED_ORDERS];
+  double indication_marker, indication_target; /* the first Indication location; the place of its target */
+  openevc_displayed_text texts[OPENEVC_DISPLAYED_TEXTS];
+  openevc_asked asked[OPENEVC_ASKED];
+  /* The driver's side. */
+  uint64_t buttons;        /* bit n: openevc_button_name(n) is enabled, but for an acknowledgement that is pending */
+  uint64_t enabled;        /* bit n: openevc_input_name(n) is enabled */
+  int32_t step;            /* openevc_dialogue(step); -1: none */
+  int32_t waiting;         /* openevc_waiting */
+  openevc_data data;       /* stored data as the mode shows them */
+  char driver_id_text[24]; /* of `data` */
+  int32_t network;         /* NID_MN; -1: not known or not shown */
+  uint8_t levels;          /* that the driver may choose: bit 1u << openevc_level */
+  uint8_t M_VERSION;       /* operated system version, as in openevc_outputs */
+  uint8_t radio_registered;
+  uint8_t national_systems[OPENEVC_NATIONAL_SYSTEMS]; /* NID_NTC that the driver may choose */
+  uint8_t reserved;
+  uint32_t networks[OPENEVC_NETWORKS]; /* NID_MN that the driver may choose */
+  double D_sr_most;                    /* the longest SR distance that is proposed; not a number: none */
+  openevc_planning planning;           /* of it `speeds`, `gradients`, EOA and LOA; its conditions are `orders` */
+} openevc_display;
+
+/* The record after the last step, made now; `display->size` is set by the caller. After openevc_power_up and
+ * openevc_restore there is none until the next step: its mode is OPENEVC_NP. */
+OPENEVC_API openevc_result openevc_show(openevc_unit* unit, openevc_display* display) OPENEVC_NOEXCEPT;
+/* "Train running number", the label in English of a button of 015560 11.2; null where there is none of that number. */
+OPENEVC_API const char* openevc_button_name(int32_t button) OPENEVC_NOEXCEPT;
+
 /* "overspeed: SBI"; null if there is no cause with this number. */
 OPENEVC_API const char* openevc_cause_name(int32_t cause) OPENEVC_NOEXCEPT;
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -435,6 +436,63 @@ TEST_F(CUnit, WithoutAnAdvanceDisplayItsNumbersDoNotExist) {
   ASSERT_EQ(openevc_plan(unit, &planning), OPENEVC_OK);
   EXPECT_EQ(planning.given, 0u);
   EXPECT_TRUE(std::isnan(planning.EOA) && std::isnan(planning.LOA) && std::isnan(planning.V_LOA));
+}
+
+/// The driver's display: the steps of the start of mission with the buttons that they leave (015560 11.7.2, 11.2).
+TEST_F(CUnit, TheDisplayFollowsTheStartOfMission) {
+  ASSERT_EQ(power_up(nullptr), OPENEVC_OK) << why;
+  const auto shown = std::make_unique<openevc_display>();
+  shown->size = sizeof *shown;
+  ASSERT_EQ(openevc_show(unit, shown.get()), OPENEVC_OK);
+  EXPECT_EQ(shown->mode, OPENEVC_NP) << "no step was made";
+  const auto has = [&](const char* label) {
+    for (std::int32_t n = 0; openevc_button_name(n) != nullptr; ++n)
+      if (std::strcmp(openevc_button_name(n), label) == 0) return (shown->buttons >> n & 1u) != 0;
+    ADD_FAILURE() << "no button " << label;
+    return false;
+  };
+  const auto after = [&](int from, int to) {
+    run(from, to);
+    ASSERT_EQ(openevc_show(unit, shown.get()), OPENEVC_OK);
+    EXPECT_EQ(shown->mode, out->mode);
+    EXPECT_EQ(shown->now, out->now);
+  };
+  after(0, 10);
+  EXPECT_STREQ(openevc_dialogue(shown->step).step, "S1");
+  EXPECT_EQ(shown->start_of_mission, 1);
+  EXPECT_FALSE(has("Train data"));
+  after(10, 35);
+  EXPECT_EQ(shown->start_of_mission, 0);
+  EXPECT_TRUE(has("Train data") && has("Driver ID") && !has("Start"));
+  EXPECT_STREQ(shown->driver_id_text, out->driver_id_text);
+  EXPECT_EQ(shown->asks_brake_percentage, 1);
+  after(35, 60);
+  EXPECT_TRUE(has("Start"));
+  EXPECT_EQ(shown->data.L_TRAIN, 300.0);
+  after(60, 61);
+  EXPECT_EQ(shown->asked_count, 1u);
+  EXPECT_EQ(shown->asked[0].what, OPENEVC_ACK_UN);
+  after(61, 80);
+  EXPECT_EQ(shown->mode, OPENEVC_UN);
+  EXPECT_EQ(shown->asked_count, 0u);
+  EXPECT_EQ(shown->enabled, out->enabled);
+}
+
+/// Nothing is written behind the size that the caller has, and a size is needed.
+TEST_F(CUnit, TheDisplayOfAnOlderHeaderIsShorter) {
+  run(0, 3);
+  std::vector<unsigned char> bytes(sizeof(openevc_display), 0x5A);
+  auto* const shorter = reinterpret_cast<openevc_display*>(bytes.data());
+  shorter->size = offsetof(openevc_display, now);
+  ASSERT_EQ(openevc_show(unit, shorter), OPENEVC_OK);
+  EXPECT_EQ(shorter->mode, out->mode);
+  EXPECT_EQ(shorter->size, offsetof(openevc_display, now));
+  for (std::size_t i = offsetof(openevc_display, now); i < bytes.size(); ++i) ASSERT_EQ(bytes[i], 0x5A) << i;
+  shorter->size = 3;
+  EXPECT_EQ(openevc_show(unit, shorter), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_show(unit, nullptr), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_show(nullptr, shorter), OPENEVC_BAD_ARGUMENT);
+  EXPECT_EQ(openevc_button_name(-1), nullptr);
 }
 
 /// A report and a message count for the RBC that they name (3.5.3.7).

@@ -181,6 +181,31 @@ static_assert(same(OPENEVC_CONDITION_ENDING, ConditionPhase::ending));
 static_assert(same(OPENEVC_CONDITION_OVER, ConditionPhase::over));
 static_assert(kConditionPhaseRows.size() == 5);
 
+static_assert(same(OPENEVC_DIAL_140, port::Dial::to_140));
+static_assert(same(OPENEVC_DIAL_180, port::Dial::to_180));
+static_assert(same(OPENEVC_DIAL_250, port::Dial::to_250));
+static_assert(same(OPENEVC_DIAL_400, port::Dial::to_400));
+
+static_assert(same(OPENEVC_RADIO_NOT_SHOWN, RadioIndication::none));
+static_assert(same(OPENEVC_RADIO_FAILED, RadioIndication::failed));
+static_assert(same(OPENEVC_RADIO_UP, RadioIndication::up));
+
+static_assert(same(OPENEVC_TEXT_FIXED, port::TextKind::fixed));
+static_assert(same(OPENEVC_TEXT_PLAIN, port::TextKind::plain));
+static_assert(same(OPENEVC_TEXT_STATUS, port::TextKind::status));
+static_assert(same(OPENEVC_TEXT_NATIONAL, port::TextKind::national));
+
+static_assert(same(OPENEVC_WAITING_NOTHING, port::Waiting::nothing));
+static_assert(same(OPENEVC_WAITING_END_OF_SESSION, port::Waiting::end_of_session));
+static_assert(same(OPENEVC_WAITING_RADIO_REGISTRATION, port::Waiting::radio_registration));
+static_assert(same(OPENEVC_WAITING_NETWORK_LIST, port::Waiting::network_list));
+static_assert(same(OPENEVC_WAITING_SESSION, port::Waiting::session));
+static_assert(same(OPENEVC_WAITING_TRAIN_ACCEPTED, port::Waiting::train_accepted));
+static_assert(same(OPENEVC_WAITING_TRAIN_DATA_ACKNOWLEDGED, port::Waiting::train_data_acknowledged));
+static_assert(same(OPENEVC_WAITING_ANSWER_TO_MA_REQUEST, port::Waiting::answer_to_ma_request));
+static_assert(same(OPENEVC_WAITING_ANSWER_TO_SH_REQUEST, port::Waiting::answer_to_sh_request));
+static_assert(same(OPENEVC_WAITING_ANSWER_TO_SM_REQUEST, port::Waiting::answer_to_sm_request));
+
 static_assert(same(OPENEVC_BALISE, language::Form::balise));
 static_assert(same(OPENEVC_LOOP, language::Form::loop));
 static_assert(same(OPENEVC_RADIO, language::Form::radio));

@@ -182,27 +182,8 @@ std::uint32_t digits_of(const DriverId& id) {
 
 /// Stored data (3.18.6).
 void give_data(openevc_data& to, const kernel::Outputs& o) {
-  const kernel::ShownData& data = o.data;
-  to.driver_id_status = code_of(data.driver_id_status);
-  to.driver_id = digits_of(data.driver_id);
-  to.train_running_number_status = code_of(data.train_running_number_status);
-  to.train_running_number = data.train_running_number;
-  to.level_status = code_of(data.level_status);
-  to.rbc_status = code_of(data.rbc_status);
-  to.rbc = of(data.rbc_status == DataStatus::unknown ? std::nullopt : std::optional(data.rbc));
-  to.train_status = code_of(data.train_status);
-  give_train(to, data.train);
-  to.SR_status = code_of(data.SR.status);
-  to.V_sr = data.SR.V.si;
-  to.D_sr = of(data.SR.D);
-  to.slippery_rail = data.slippery_rail;
-  for (const kernel::ShownCover& cover : o.covers) {
-    openevc_cover& c = to.covers[to.covers_count++];
-    c.NID_C = cover.NID_C;
-    c.NID_VBCMK = cover.NID_VBCMK;
-    c.T_VBC = cover.T_VBC;
-    c.left = cover.left.si;
-  }
+  give_stored(to, o.data);
+  for (const kernel::ShownCover& cover : o.covers) give_cover(to, cover);
 }
 
 void give_forwarded(openevc_outputs& to, const kernel::Outputs& o) {
@@ -244,6 +225,30 @@ void give_second_edition(openevc_outputs& to, const kernel::Outputs& o) {
 }
 
 }  // namespace
+
+void give_stored(openevc_data& to, const kernel::ShownData& data) noexcept {
+  to.driver_id_status = code_of(data.driver_id_status);
+  to.driver_id = digits_of(data.driver_id);
+  to.train_running_number_status = code_of(data.train_running_number_status);
+  to.train_running_number = data.train_running_number;
+  to.level_status = code_of(data.level_status);
+  to.rbc_status = code_of(data.rbc_status);
+  to.rbc = of(data.rbc_status == DataStatus::unknown ? std::nullopt : std::optional(data.rbc));
+  to.train_status = code_of(data.train_status);
+  give_train(to, data.train);
+  to.SR_status = code_of(data.SR.status);
+  to.V_sr = data.SR.V.si;
+  to.D_sr = of(data.SR.D);
+  to.slippery_rail = data.slippery_rail;
+}
+
+void give_cover(openevc_data& to, const kernel::ShownCover& cover) noexcept {
+  openevc_cover& c = to.covers[to.covers_count++];
+  c.NID_C = cover.NID_C;
+  c.NID_VBCMK = cover.NID_VBCMK;
+  c.T_VBC = cover.T_VBC;
+  c.left = cover.left.si;
+}
 
 void give_outputs(openevc_outputs& to, const kernel::Outputs& o) noexcept {
   to = {};

@@ -374,6 +374,124 @@ TEST(COutputs, Planning) {
   EXPECT_TRUE(out->speeds_count == 128 && out->gradients_count == 96 && out->conditions_count == 97);
 }
 
+/// Each change of the record changes a member, and nothing else.
+TEST(CDisplay, EveryMemberIsGiven) {
+  const auto record = std::make_unique<kernel::Display>();
+  const auto given = [&] {
+    auto out = std::make_unique<openevc_display>();
+    give_display(*out, *record);
+    return out;
+  };
+  auto before = given();
+  EXPECT_TRUE(std::isnan(before->V_P) && std::isnan(before->TTI) && std::isnan(before->geo));
+  EXPECT_TRUE(before->second_of_day == -1 && before->step == -1 && before->network == -1);
+  using D = kernel::Display;
+  const std::vector<void (*)(D&)> changes{
+      [](D& d) { d.now = Duration{1.0}; },
+      [](D& d) { d.second_of_day = 5; },
+      [](D& d) { d.mode = Mode::FS; },
+      [](D& d) { d.level = Level::L2; },
+      [](D& d) { d.level_valid = true; },
+      [](D& d) { d.nid_ntc = 7; },
+      [](D& d) { d.standstill = false; },
+      [](D& d) {
+        d.language = Language{{'d', 'e'}};
+      },
+      [](D& d) { d.v = Speed{10.0}; },
+      [](D& d) { d.monitoring = Monitoring::TSM; },
+      [](D& d) { d.status = Status::Warning; },
+      [](D& d) { d.V_P = Speed{1.0}; },
+      [](D& d) { d.V_SBI = Speed{1.0}; },
+      [](D& d) { d.V_target = Speed{1.0}; },
+      [](D& d) { d.V_release = Speed{1.0}; },
+      [](D& d) { d.target_information = true; },
+      [](D& d) { d.MRDT = 9; },
+      [](D& d) { d.d_target = Distance{1.0}; },
+      [](D& d) { d.TTI = Duration{1.0}; },
+      [](D& d) { d.LSSMA = Speed{1.0}; },
+      [](D& d) { d.set_speed = Speed{1.0}; },
+      [](D& d) { d.slippery_rail = true; },
+      [](D& d) { d.sm = port::SmDirection::backward; },
+      [](D& d) { d.override_active = true; },
+      [](D& d) { d.reversing_permitted = true; },
+      [](D& d) { d.bmm_inhibited = true; },
+      [](D& d) { d.brake = true; },
+      [](D& d) { d.brake_for_missing_ack = true; },
+      [](D& d) {
+        d.announced_level = port::AnnouncedLevel{Level::NTC, 3};
+      },
+      [](D& d) { d.radio = RadioIndication::up; },
+      [](D& d) { d.geo = Distance{12.0}; },
+      [](D& d) {
+        (void)d.conditions.push_back({4, Picture::TC36, ConditionPhase::active});
+      },
+      [](D& d) {
+        d.tunnel = port::TunnelStoppingArea{true, Distance{5.0}};
+      },
+      [](D& d) { d.track_ahead_free = true; },
+      [](D& d) {
+        (void)d.planning.gradients.push_back({Distance{1.0}, Distance{2.0}, 3});
+      },
+      [](D& d) {
+        (void)d.orders.push_back({Picture::PL37, Distance{6.0}});
+      },
+      [](D& d) { d.indication_marker = Distance{1.0}; },
+      [](D& d) { d.indication_target = Distance{1.0}; },
+      [](D& d) { (void)d.texts.push_back({.id = 300, .kind = port::TextKind::status}); },
+      [](D& d) { d.texts[0].minute_of_day = 61; },
+      [](D& d) { d.texts[0].characters[254] = 'x'; },
+      [](D& d) {
+        (void)d.acks.push_back({Ack::text, 4, Duration{2.0}});
+      },
+      [](D& d) { d.data.stored.train_status = DataStatus::valid; },
+      [](D& d) { d.data.stored.network = 0x26203F; },
+      [](D& d) { d.data.levels = 5; },
+      [](D& d) { (void)d.data.ntcs.push_back(8); },
+      [](D& d) { (void)d.data.networks.push_back(0x26203F); },
+      [](D& d) {
+        (void)d.data.covers.push_back({1, 2, Duration{3.0}, 4});
+      },
+      [](D& d) { d.data.M_VERSION = 0x21; },
+      [](D& d) { d.data.gsmr_registered = true; },
+      [](D& d) { d.data.D_sr_most = Distance{7.0}; },
+      [](D& d) { d.buttons.add(Button::start); },
+      [](D& d) { d.enabled.add(DriverInput::start); },
+      [](D& d) { d.step = Dialogue::start_S1; },
+      [](D& d) { d.start_of_mission = true; },
+      [](D& d) { d.waiting = port::Waiting::session; },
+      [](D& d) { d.ato.on = true; },
+      [](D& d) { d.config.dial = port::Dial::to_140; },
+      [](D& d) { d.config.asks_brake_percentage = false; },
+      [](D& d) { d.config.T_dispTTI = Duration{9.0}; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    changes[i](*record);
+    auto after = given();
+    EXPECT_NE(std::memcmp(before.get(), after.get(), sizeof *after), 0) << i;
+    before = std::move(after);
+  }
+  EXPECT_STREQ(before->conditions[0].symbol, "TC36");
+  EXPECT_STREQ(before->orders[0].symbol, "PL37");
+  EXPECT_TRUE(before->data.covers_count == 1 && before->data.covers[0].T_VBC == 4);
+  EXPECT_EQ(before->SM_direction, -1);
+}
+
+TEST(CDisplay, FullLists) {
+  const auto d = std::make_unique<kernel::Display>();
+  while (d->conditions.grow() != nullptr) d->conditions.back() = {};
+  while (d->orders.grow() != nullptr) d->orders.back() = {};
+  while (d->texts.grow() != nullptr) d->texts.back() = {};
+  while (d->acks.grow() != nullptr) d->acks.back() = {};
+  while (d->data.ntcs.grow() != nullptr) d->data.ntcs.back() = {};
+  while (d->data.networks.grow() != nullptr) d->data.networks.back() = {};
+  while (d->data.covers.grow() != nullptr) d->data.covers.back() = {};
+  const auto out = std::make_unique<openevc_display>();
+  give_display(*out, *d);
+  EXPECT_TRUE(out->conditions_count == 50 && out->orders_count == 97 && out->texts_count == 32);
+  EXPECT_TRUE(out->asked_count == 32 && out->national_systems_count == 16 && out->networks_count == 16);
+  EXPECT_EQ(out->data.covers_count, 16u);
+}
+
 /// Every list is full: nothing is left out, and nothing is written beyond it.
 TEST(COutputs, FullLists) {
   const auto o = std::make_unique<kernel::Outputs>();

@@ -5,6 +5,7 @@
 #include "capi/outputs.h"
 #include "io/input_stream.h"
 #include "openevc/evc.h"
+#include "openevc/terms/button.h"
 
 using evc::capi::Why;
 namespace kernel = evc::kernel;
@@ -18,6 +19,8 @@ struct openevc_unit {
   openevc_outputs given{};
   kernel::Planning planning;
   openevc_planning planned{};
+  kernel::Display display;
+  openevc_display displayed{};
 };
 static_assert(std::is_trivially_copyable_v<openevc_unit>);
 static_assert(alignof(openevc_unit) <= evc::capi::kAlignment);
@@ -91,6 +94,19 @@ openevc_result openevc_plan(openevc_unit* unit, openevc_planning* planning) noex
   evc::capi::give_planning(unit->planned, given ? &unit->planning : nullptr);
   evc::capi::give(planning, unit->planned);
   return OPENEVC_OK;
+}
+
+openevc_result openevc_show(openevc_unit* unit, openevc_display* display) noexcept {
+  if (!usable(unit) || display == nullptr || display->size < sizeof display->size) return OPENEVC_BAD_ARGUMENT;
+  kernel::show(unit->unit, unit->outputs, unit->display);
+  evc::capi::give_display(unit->displayed, unit->display);
+  evc::capi::give(display, unit->displayed);
+  return OPENEVC_OK;
+}
+
+const char* openevc_button_name(int32_t button) noexcept {
+  if (button < 0 || button >= int(evc::Button::count)) return nullptr;
+  return evc::name(static_cast<evc::Button>(button));
 }
 
 const char* openevc_cause_name(int32_t cause) noexcept {
