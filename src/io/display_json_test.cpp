@@ -260,9 +260,11 @@ TEST(DisplayReader, WhatIsNoRecordIsRefused) {
     Json other = whole;
     other[Json::json_pointer(pointer)] = Json::array({1, "x"});   // of no member
     if (pointer.find("/stored/") != std::string::npos) continue;  // of a datum that is not known no value is read
+    if (pointer == "/sounds") continue;                           // a display makes its own
     EXPECT_EQ(again(other.dump()), "") << pointer;
   }
   for (const auto& [key, value] : whole.items()) {
+    if (key == "sounds") continue;
     Json other = whole;
     other.erase(key);
     EXPECT_EQ(again(other.dump()), "") << key;

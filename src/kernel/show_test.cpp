@@ -230,11 +230,14 @@ TEST_F(Show, WhatIsWaitedForIsToldByTheStep) {
 // 015560 11.7.2 S3-2-3, 11.7.3 S5-2-3: for the network that the driver chose, at standstill. A registration that
 // trackside orders while the train runs closes no menu.
 TEST_F(Show, OnlyTheDriverWhoChoseANetworkWaitsForIt) {
+  state.position.started = true;
+  state.position.time = Duration{100.0};
+  state.position.rest_since = Duration{50.0};
   state.network.awaited = true;
   EXPECT_EQ(shown().waiting, port::Waiting::nothing);
   state.network.by_driver = true;
   EXPECT_EQ(shown().waiting, port::Waiting::radio_registration);
-  state.position.now.V_est = kmh(20.0);
+  state.position.rest_since = state.position.time;  // it runs
   EXPECT_EQ(shown().waiting, port::Waiting::nothing);
   state.network.awaited = false;
   EXPECT_EQ(shown().waiting, port::Waiting::nothing);
