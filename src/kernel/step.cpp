@@ -26,6 +26,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.local_time_offset_min = config.local_time_offset_min;
   state.network.offered = config.networks;
   state.train = config.train;
+  state.manoeuvre.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;
   state.configuration_refused = train::check(config.train) != train::Fault::none ||

@@ -5,6 +5,7 @@
 
 #include "base/inplace_vector.h"
 #include "radio/messages.h"
+#include "terms/consist_length.h"
 #include "terms/level.h"
 #include "terms/mode.h"
 
@@ -40,6 +41,7 @@ struct TrainDataReport {
   InplaceVector<Traction, 8> tractions;
   InplaceVector<std::uint8_t, 8> NID_NTC;  ///< fitted national systems
   std::optional<std::uint32_t> NID_OPERATIONAL;
+  std::optional<ConsistLength> consist;  ///< absent: the safe consist length is not known
 };
 
 /// Who the unit is (3.18.4.4).

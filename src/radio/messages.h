@@ -71,6 +71,10 @@ struct Intent {
   std::optional<ErrorReport> M_ERROR;            ///< packet 4 in 136, 157
   std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
   bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
+  bool train_data = false;                       ///< packet 11 in 157, from 2.2 on
+  bool consist_length = false;                   ///< packet 10 in 157, from 2.3 on
+  bool default_train_data = false;               ///< packet 12 in 131
+  bool desk_open = false;                        ///< 150, from 2.3 on
 };
 
 /// Whether the message holds packet 0 or 1, the position report (8.6).

@@ -22,6 +22,10 @@ using modes::Acceptance;
 using modes::AcceptanceContext;
 using modes::Verdict;
 
+bool authorises_manoeuvre(const Information& information) {
+  return information.message != nullptr && information.message->NID_MESSAGE == message::sm_authorised;
+}
+
 /// 4.8.4 [11] of 4.0.0: stored, or in the message.
 bool running_number_known(const State& s, const Information& information) {
   if (valid(s.data.train_running_number_status)) return true;
@@ -29,6 +33,8 @@ bool running_number_known(const State& s, const Information& information) {
     if (view.NID_PACKET == packet::train_running_number_from_rbc) return true;
   return false;
 }
+
+}  // namespace
 
 AcceptanceContext context_of(const Reception& r, const Information& information) {
   const State& s = r.state;
@@ -43,12 +49,15 @@ AcceptanceContext context_of(const Reception& r, const Information& information)
   c.emergency_stop_pending = s.emergency_stops.any();
   c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
   c.desk_open = r.in.train.desk_open;
-  c.train_data_valid = valid(s.data.train_data_status);
+  c.train_data_valid = valid(s.data.train_data_status) || authorises_manoeuvre(information);  // 4.8.4 [4]
+  c.consist_length_unacknowledged = s.radio.supervising.consist_stamp.has_value();
   c.override_active = s.override_.active;
   c.srs = s.srs;
   if (c.srs == SrsVersion::v4_0_0) c.train_running_number = running_number_known(s, information);
   return c;
 }
+
+namespace {
 
 bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i).verdict == Verdict::accepted; }
 
@@ -248,7 +257,10 @@ Acceptance judge_packet(Evaluation& e, std::size_t i) {
   const lang::PacketView& view = e.information.packets[i];
   const PacketRoute& route = route_of(view);
   Acceptance worst{Verdict::accepted, {}};
-  for (const evc::Information row : rows_of(route, view)) {
+  InformationRows rows = rows_of(route, view);
+  if (authorises_manoeuvre(e.information) && view.NID_PACKET == packet::level_2_3_movement_authority)
+    rows[0] = evc::Information::movement_authority_sm;
+  for (const evc::Information row : rows) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }

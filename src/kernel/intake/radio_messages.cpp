@@ -1,9 +1,12 @@
 #include "kernel/intake/radio_messages.h"
 
 #include "kernel/intake/buffer.h"
+#include "kernel/here.h"
 #include "kernel/intake/filter.h"
+#include "kernel/intake/manoeuvre.h"
 #include "kernel/intake/routes.h"
 #include "kernel/intake/system_version.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/radio_address.h"
 #include "lang/decode.h"
 #include "lang/instances.h"
@@ -28,14 +31,18 @@ void refer(Information& information, const State& state, const lang::MessageToTr
   information.orientation = reference->orientation;
 }
 
-/// The reference of message 33 is D_REF away from the LRBG (3.6.3.2.5).
-void shift_reference(Information& information, const lang::MessageToTrainView& view) {
-  if (view.NID_MESSAGE != message::movement_authority_shifted) return;
-  lang::Message33 m;
+template <class M>
+void shift_reference_of(Information& information, const lang::MessageToTrainView& view) {
+  M m;
   if (lang::decode(view, m) != lang::Fault::none) return;
   const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
   information.reference =
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
+}
+/// The reference of messages 4 and 33 is D_REF away from the LRBG (3.6.3.2.5).
+void shift_reference(Information& information, const lang::MessageToTrainView& view) {
+  if (view.NID_MESSAGE == message::movement_authority_shifted) shift_reference_of<lang::Message33>(information, view);
+  if (view.NID_MESSAGE == message::sm_authorised) shift_reference_of<lang::Message4>(information, view);
 }
 
 /// Nothing of the message can be used.
@@ -51,6 +58,21 @@ struct Sender {
   bool infill_unit() const { return radio::is_infill_unit(peer); }
 };
 
+/// Whether the authority of an authorisation was accepted; if not, everything is as it was before, but what turning
+/// deleted.
+void tell_manoeuvre(Reception& r, const ManoeuvreBefore& before) {
+  State& s = r.state;
+  const bool turned = before.opposite != s.manoeuvre.opposite;
+  if (!r.out.SM_authorised) {
+    restore_manoeuvre(s, before);
+    r.out.here = here(s);
+  } else if (turned) {
+    r.out.train_turned = true;
+    brakes::on_turn(s.brakes);
+    r.log.note({.what = What::train_turned, .clause = "4.4.21"_srs});
+  }
+}
+
 void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
                     const Sender& from) {
   State& s = r.state;
@@ -63,10 +85,20 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
   if (!information.located && has_place(view.NID_MESSAGE)) return refuse(r, view, "3.6.2.2.2"_srs);
+  std::optional<ManoeuvreBefore> before;
+  if (view.NID_MESSAGE == message::sm_authorised) {
+    const ManoeuvreAuthorisation judged = judge_manoeuvre(r, information, view);
+    if (judged.refused) return refuse(r, view, judged.refused);
+    before = begin_manoeuvre(s, judged.opposite, judged.V_SM);
+    r.out.here = here(s);
+    information.min_safe_front = r.out.here.min_safe_front;
+    refer(information, s, view);  // against the orientation of now
+  }
   shift_reference(information, view);
   (void)gather(information, view.packets, &r.log);  // all packets of a message fit
   drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
+  if (before) tell_manoeuvre(r, *before);
   if (waiting.any()) add_bits(keep(r, information, waiting), bytes);
 }
 
