@@ -112,6 +112,7 @@ track::MrspQuery query_of(const State& s, const Derived::Curves& curves, const S
   query.from = basis.min_safe_rear;
   query.train_length = supervised_train(s).L_TRAIN;
   query.category = category_of(supervised_train(s));
+  query.category.own_axle_load_only = s.operated_X >= 3;
   query.elements = {.ssp = counts(MrspSource::SSP),
                     .asp = counts(MrspSource::ASP),
                     .tsr = counts(MrspSource::TSR),

@@ -15,6 +15,8 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.fitted_levels = config.levels;
   if (config.srs == SrsVersion::v4_0_0)
     state.fitted_levels[static_cast<std::size_t>(Level::L3)] = false;  // 2.6 has none
+  state.operated_X = highest_X(config.srs);
+  state.radio.newest = lang::newest_version(config.srs);
   state.identity = config.identity;
   state.terminals = config.terminals;
   state.dial = config.dial;

@@ -42,6 +42,9 @@ constexpr SystemVersion as_known(SystemVersion sv, SystemVersion newest) {
   return sv.x == newest.x && sv.y > newest.y ? SystemVersion{sv.x, kLater_Y} : sv;
 }
 
+/// NID_RADIO of an RBC that is interfaced to FRMCS only: no number consists of digits that are not used (7.5.1.95).
+inline constexpr std::uint64_t kNo_number = 0xEEEE'EEEE'EEEE'EEEEu;
+
 /// The known version to read `sv` with: itself, or the newest supported one with the same X (3.17.3.11); 0 if X is
 /// unknown. A later Y of X = 2 occurs in units of Baseline 3 only, which read it as 2.1: no more follow 2.3 (7.5.1.79).
 constexpr Versions known_version(SystemVersion sv) {

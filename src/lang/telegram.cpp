@@ -24,13 +24,16 @@ struct Frame {
   Check check = Check::all;
 };
 
-/// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19; 6.6.5.2.3, 6.6.5.2.4).
+/// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19; 6.6.5.2.3, 6.6.5.2.4); that of the same order to an
+/// RBC with a number.
 std::uint8_t working_number(std::uint8_t nid, Versions version, Direction direction) {
   if (direction == Direction::to_track) return nid;
   if ((version & (v2_2 | v2_3 | v3_0)) != 0)
-    return nid == packet::plain_text_v2_2   ? std::uint8_t{packet::plain_text}
-           : nid == packet::fixed_text_v2_2 ? std::uint8_t{packet::fixed_text}
-                                            : nid;
+    return nid == packet::plain_text_v2_2              ? std::uint8_t{packet::plain_text}
+           : nid == packet::fixed_text_v2_2            ? std::uint8_t{packet::fixed_text}
+           : nid == packet::rbc_transition_order_frmcs ? std::uint8_t{packet::rbc_transition_order}
+           : nid == packet::session_management_frmcs   ? std::uint8_t{packet::session_management}
+                                                       : nid;
   if (version != v1_1) return nid;
   return nid == packet::virtual_balise_cover_marker_v1 ? std::uint8_t{packet::virtual_balise_cover_marker}
          : nid == packet::track_condition_v1           ? std::uint8_t{packet::track_condition}

@@ -8,6 +8,7 @@
 #include "lang/fault.h"
 #include "lang/schema.h"
 #include "lang/variables.h"
+#include "terms/srs_version.h"
 
 // Telegrams and messages as received: header variables and the places of the packets. Nothing is
 // copied or allocated; a view is valid as long as the bytes it was made from.
@@ -17,7 +18,7 @@ namespace evc::lang {
 struct PacketView {
   /// The packet number of version 2.1: 200, 206, 207 and 239 of version 1.1 are 0, 68, 70 and 39 here
   /// (6.6.3.2.3, translations 15, 17, 18, 19), 73 and 74 of 2.2 and later are 72 and 76 (6.6.5.2.3, 6.6.5.2.4
-  /// backwards).
+  /// backwards), 31 and 32 of 2.3 and later 131 and 42.
   std::uint16_t NID_PACKET = 0;
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
   std::uint32_t bit = 0;       ///< of NID_PACKET in `bytes`
@@ -93,6 +94,11 @@ struct MessageToTrackView {
   FaultAt at;
   Fault fault = Fault::none;
 };
+
+/// The highest version of a unit (6.4.2.1, .2): those of SRS 4.0.0 support all from 1.0 to 3.0.
+constexpr SystemVersion newest_version(SrsVersion srs) {
+  return srs == SrsVersion::v4_0_0 ? kNewest : kNewest_of_baseline_3;
+}
 
 /// The checks beyond those needed to find the packets.
 ///

@@ -218,6 +218,15 @@ bool translate(const Packet46_v3_0& from, Packet46& to) {
   return true;
 }
 
+bool translate(const Packet32& from, Packet42& to) {
+  to = {from.Q_DIR, from.Q_RBC, from.NID_C, from.NID_RBC, {kNo_number}, from.Q_SLEEPSESSION};
+  return true;
+}
+bool translate(const Packet31& from, Packet131& to) {
+  to = {from.Q_DIR, from.Q_SCALE, from.D_RBCTR, from.NID_C, from.NID_RBC, {kNo_number}, from.Q_SLEEPSESSION};
+  return true;
+}
+
 bool translate(const Packet44_v1_0& from, Packet44& to) {
   to.Q_DIR = from.Q_DIR;
   to.NID_XUSER = from.NID_XUSER;

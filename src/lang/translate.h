@@ -1,6 +1,7 @@
 #pragma once
 #include "lang/messages.h"
 #include "lang/packets/packet_0.h"
+#include "lang/packets/packet_131.h"
 #include "lang/packets/packet_140.h"
 #include "lang/packets/packet_200.h"
 #include "lang/packets/packet_206.h"
@@ -8,8 +9,11 @@
 #include "lang/packets/packet_239.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_31.h"
+#include "lang/packets/packet_32.h"
 #include "lang/packets/packet_39.h"
 #include "lang/packets/packet_41.h"
+#include "lang/packets/packet_42.h"
 #include "lang/packets/packet_44.h"
 #include "lang/packets/packet_45.h"
 #include "lang/packets/packet_46.h"
@@ -64,6 +68,7 @@ EVC_OLDER_FORMS(Packet3, Packet3_v1_0)
 EVC_OLDER_FORMS(Packet27, Packet27_v1_0)
 EVC_OLDER_FORMS(Packet39, Packet39_v1_0, Packet239)
 EVC_OLDER_FORMS(Packet41, Packet41_v3_0)
+EVC_OLDER_FORMS(Packet42, Packet32)
 EVC_OLDER_FORMS(Packet44, Packet44_v1_0)
 EVC_OLDER_FORMS(Packet45_v3_0, Packet45)
 EVC_OLDER_FORMS(Packet46, Packet46_v3_0)
@@ -75,6 +80,7 @@ EVC_OLDER_FORMS(Packet72, Packet72_v1_0, Packet73_v2_2, Packet73_v2_3, Packet73)
 EVC_OLDER_FORMS(Packet76, Packet76_v1_0, Packet74_v2_2, Packet74_v2_3, Packet74)
 EVC_OLDER_FORMS(Packet79, Packet79_v1_0)
 EVC_OLDER_FORMS(Packet80, Packet80_v1_0)
+EVC_OLDER_FORMS(Packet131, Packet31)
 EVC_OLDER_FORMS(Packet140, Packet140_v1_0)
 #undef EVC_OLDER_FORMS
 
@@ -88,6 +94,9 @@ bool translate(const Packet27_v1_0& from, Packet27& to);
 bool translate(const Packet39_v1_0& from, Packet39& to);
 bool translate(const Packet239& from, Packet39& to);
 bool translate(const Packet41_v3_0& from, Packet41& to);
+/// With kNo_number.
+bool translate(const Packet32& from, Packet42& to);
+bool translate(const Packet31& from, Packet131& to);
 bool translate(const Packet44_v1_0& from, Packet44& to);
 /// GSM-R only (6.6.5.2.7). The receiver reads packet 245 of 2.3 (6.6.5.2.6), and knows NID_MN 901999 of X = 1 ([23]).
 bool translate(const Packet45& from, Packet45_v3_0& to);

@@ -51,6 +51,8 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return !c.immediate_order_to_1_2_3;
     case 14:
       return c.srs != SrsVersion::v3_4_0 && c.names_rbc_of_transition;
+    case 15:
+      return c.network_missing;
     case 17:
       return c.consist_length_unacknowledged;
     default:  // 16

@@ -50,6 +50,15 @@ bool note_running_number(State& s, const Inputs& in) {
   return report;
 }
 
+/// Train data that are due are part of message 157 from 2.2 on (5.4.3.2 A33, A34; before: 6.6.3.4.3.1).
+bool reports_with_train_data(const State& s, Partner& p, const Inputs& in) {
+  constexpr lang::SystemVersion kSince{2, 2};
+  const bool due = in.start_of_mission && p.train_data_pending && in.train_data_valid;
+  if (!due || common_version(s, p.session) < kSince) return false;
+  p.train_data_pending = false;
+  return true;
+}
+
 /// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether it went to the other one; while its
 /// connection is lost none is due to it.
 bool send_report(State& s, const Inputs& in, Outbox& out) {
@@ -68,6 +77,7 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     const Addressed to(out, peer);
     intent.running_number = number_due(p, in);
     p.running_number_due = p.running_number_due && !intent.running_number;
+    intent.train_data = reports_with_train_data(s, p, in);
     intent.consist_length = in.start_of_mission && in.consist_known;
     out.send(intent);
   }
@@ -145,7 +155,8 @@ void stamp(State& s, Duration now, Outbox& out) {
     if (T_TRAIN == kUnknownTime) T_TRAIN = 0;
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
-    if (intent.NID_MESSAGE == message::validated_train_data) s.partner(intent.to).train_data_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::validated_train_data || intent.train_data)
+      s.partner(intent.to).train_data_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::request_for_sm) s.manoeuvre_request_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::safe_consist_length) s.partner(intent.to).consist_stamp = T_TRAIN;
@@ -202,6 +213,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
     end(session, now, out);
     return Rejected::no;
   }
+  if (header.NID_MESSAGE == message::session_establishment_acknowledged) note_acknowledged(session);
   if (from == Peer::supervising) {  // 3.16.3.4.1.2
     s.contact_reference = time_of(header.T_TRAIN, now);
     s.contact_lost = false;
@@ -221,9 +233,15 @@ void receive_inconsistent(State& s, Peer from) {
   if (s.partner(from).session.established()) report_error(s, ErrorReport::radio_message);
 }
 
+lang::SystemVersion common_version(const State& s, const Session& session) {
+  if (session.M_VERSION == 0) return lang::kNewest_of_baseline_3;
+  const lang::SystemVersion of_partner = lang::system_version(session.M_VERSION);
+  return of_partner < s.newest ? of_partner : s.newest;
+}
+
 bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
   const Addressed to(out, from);
-  if (!check_version(s.session(from), M_VERSION, now, out)) return false;
+  if (!check_version(s.session(from), M_VERSION, s.newest, now, out)) return false;
   if (is_infill_unit(from)) return true;
   Partner& p = s.partner(from);
   p.established_now = true;

@@ -59,6 +59,7 @@ struct Partner {
 };
 
 struct State {
+  lang::SystemVersion newest = lang::kNewest_of_baseline_3;  ///< the highest version of the unit (6.4.2.1)
   Partner supervising;             ///< the RBC that supervises; without a handover the only one
   Partner other;                   ///< of a handover (3.15.1): the accepting RBC, after it the former RBC
   bool other_accepts = false;      ///< which of them it is
@@ -117,6 +118,9 @@ Rejected receive(State& state, const Header& header, Duration now, Outbox& out, 
 void receive_inconsistent(State& state, Peer from = Peer::supervising);
 /// Message 32, after `receive`. True when the session is established by it.
 bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
+/// The version in which the unit and this partner speak: the older of theirs (6.6.3.4, 6.6.5.3 to .6); 2.1 before the
+/// partner gave its own.
+lang::SystemVersion common_version(const State& state, const Session& session);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
 /// Message 7 (4.0.0).

@@ -153,6 +153,11 @@ void receive_unknown(Reception& r, const lang::MessageToTrainView& view, std::sp
   r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
 }
 
+/// Message 38 from version 2.3 on (8.7.16); before it was another one.
+bool acknowledges_session(const lang::MessageToTrainView& view) {
+  return view.NID_MESSAGE == message::session_establishment_acknowledged && view.sv >= lang::SystemVersion{2, 3};
+}
+
 void receive_message(Reception& r, const RadioMessage& message) {
   State& s = r.state;
   const std::optional<radio::Peer> known =
@@ -160,7 +165,7 @@ void receive_message(Reception& r, const RadioMessage& message) {
   Sender from{known.value_or(message.infill_unit ? radio::Peer::infill_1 : radio::Peer::supervising)};
   if (!from.infill_unit()) from.role = radio::role_of(s.radio, from.peer);
   const lang::MessageToTrainView view =
-      lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION),
+      lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION, s.srs),
                                   lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
     return receive_unknown(r, view, message.bytes, from, known.has_value());
@@ -169,6 +174,10 @@ void receive_message(Reception& r, const RadioMessage& message) {
     return refuse_radio_infill(r, view);
   if (!passes(r, {view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1}, from, known.has_value())) return;
   if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
+  if (acknowledges_session(view)) {  // it has no row in 4.8: radio::receive has taken it
+    r.log.note({.what = What::message_accepted, .id = view.NID_MESSAGE, .clause = "3.5.3.7.4"_srs});
+    return;
+  }
   evaluate_radio(r, view, message.bytes, from);
 }
 

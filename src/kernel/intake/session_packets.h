@@ -7,7 +7,8 @@ namespace evc::kernel {
 /// Packet 42: a session is established or terminated; without a registered terminal only the contact is stored
 /// (3.5.6.7).
 void take_session_order(Evaluation& evaluation, const lang::PacketView& view, modes::Verdict verdict);
-/// Packet 45 (3.5.6.5).
+/// Packet 45 (3.5.6.5), and 245 of 2.3, which says whether there is GSM-R at all (6.6.5.2.5, 6.6.5.2.6).
 void take_network(Evaluation& evaluation, const lang::PacketView& view, modes::Verdict verdict);
+void take_network_type(Evaluation& evaluation, const lang::PacketView& view, modes::Verdict verdict);
 
 }  // namespace evc::kernel

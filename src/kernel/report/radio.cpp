@@ -64,7 +64,10 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
   if (p.L_TRAININT) r.L_TRAININT = *p.L_TRAININT;
   r.V_TRAIN = p.V_TRAIN;
   r.Q_DIRTRAIN = p.Q_DIRTRAIN;
-  r.M_MODE = M_MODE(s.mode);
+  r.standstill = position::at_standstill(s.position);
+  r.M_MODE = s.mode == Mode::AD   ? radio::kAutomaticDriving
+             : s.mode == Mode::SM ? radio::kSupervisedManoeuvre
+                                  : M_MODE(s.mode);
   r.M_LEVEL = M_LEVEL_of(s);
   r.NID_NTC = s.level.nid_ntc;
   return r;
@@ -277,7 +280,8 @@ void compose_messages(State& s, const NationalSystem& national, const radio::Out
   radio::TrainDataReport t = train_report(s, s.train, national);
   if (s.manoeuvre.available) t.consist = s.manoeuvre.consist;
   const radio::OnBoard unit{s.identity.NID_ENGINE,
-                            {s.identity.telephone_numbers.begin(), s.identity.telephone_numbers.size()}};
+                            {s.identity.telephone_numbers.begin(), s.identity.telephone_numbers.size()},
+                            s.radio.newest};
   bool position_sent = false;
   for (const radio::Intent& intent : outbox.messages) {
     std::array<std::uint8_t, 192> bytes{};

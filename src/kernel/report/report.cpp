@@ -143,7 +143,7 @@ void show(State& s, bool desk_open, const Decided& decided, const procedures::Ef
   out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
   out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
   out.v = s.position.sense > 0 ? s.position.now.V_est : Speed{} - s.position.now.V_est;
-  out.M_VERSION = operated_M_VERSION(s.operated_X);
+  out.M_VERSION = operated_M_VERSION(s.operated_X, s.srs);
   const track::Authority& a = s.basis.authority;
   if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);
