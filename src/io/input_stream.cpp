@@ -344,8 +344,8 @@ ConsistEnd read_consist_end(const JsonPlace& lengths) {
   return end;
 }
 
-/// 4.0.0: from the front end of the engine on the side of the active cab to each end of the shunting consist; null: it is
-/// not available any more.
+/// 4.0.0: from the front end of the engine on the side of the active cab to each end of the shunting consist; null: it
+/// is not available any more.
 std::optional<ConsistLength> read_consist_length(const JsonPlace& place) {
   if (place.is_null()) return std::nullopt;
   place.know_only({"front_m", "rear_m"});

@@ -15,7 +15,9 @@ bool consist_acknowledged(const State& s) {
   return s.manoeuvre.available && !s.radio.supervising.consist_due && !s.radio.supervising.consist_stamp;
 }
 
-bool RBC_transition_ordered(const State& s) { return s.track.rbc_transition.has_value() || s.handover.order.has_value(); }
+bool RBC_transition_ordered(const State& s) {
+  return s.track.rbc_transition.has_value() || s.handover.order.has_value();
+}
 
 /// 5.21.2.2 S0 and 015560 11.2.1, what the mode and standstill say apart.
 bool manoeuvre_possible(const State& s) {

@@ -25,7 +25,8 @@ track::Here here(const State& state) {
   h.max_safe_antenna = antenna.max;
   // 3.12.1.2.1.5: 3.x names no ends of the engine; the front end reaches the hole as every area, and leaves it.
   const bool v4 = state.srs == SrsVersion::v4_0_0;
-  const Place engine = position::engine_front(state.position).est + (state.manoeuvre.opposite ? state.L_engine : Distance{});
+  const Place engine =
+      position::engine_front(state.position).est + (state.manoeuvre.opposite ? state.L_engine : Distance{});
   h.hole_front = v4 ? engine : front.max;
   h.hole_rear = v4 ? engine - state.L_engine : front.est;
   h.now = state.now;

@@ -38,6 +38,11 @@ bool consist_in_front(const State& s) {
   return s.manoeuvre.available && s.manoeuvre.consist && s.manoeuvre.consist->front.max > Distance{};
 }
 
+bool informs_of_consist(const State& s) {
+  return s.radio.supervising.session.established() && s.level.level == Level::L2 &&
+         (s.mode == Mode::SB || s.manoeuvre.informs);
+}
+
 const train::TrainData& supervised_train(const State& s) { return s.manoeuvre.active ? s.manoeuvre.train : s.train; }
 
 ManoeuvreBefore begin_manoeuvre(State& s, bool opposite, track::SpeedCode V_SM) {

@@ -23,6 +23,9 @@ position::Ahead ahead_in_request(const State& state);
 /// Vehicles are in front of the engine: no train data are valid then (3.18.3.5).
 bool consist_in_front(const State& state);
 
+/// 3.18.3.10: the RBC is informed of changes: in SB of level 2, and from the first request for a manoeuvre on.
+bool informs_of_consist(const State& state);
+
 /// The train that speed and distance monitoring counts with: in a manoeuvre the configured one with the length of the
 /// consist (3.18.3.9).
 const train::TrainData& supervised_train(const State& state);
@@ -32,12 +35,13 @@ struct ManoeuvreBefore {
   bool active = false, opposite = false;
   track::SpeedCode V_SM = 0;
 };
-/// 4.4.21.1.7: an authorisation is used, in the direction of the train or in the opposite one, in which the train turns.
+/// 4.4.21.1.7: an authorisation is used, in the direction of the train or in the opposite one, in which the train
+/// turns.
 ManoeuvreBefore begin_manoeuvre(State& state, bool opposite, track::SpeedCode V_SM);
 /// Its contents were refused.
 void restore_manoeuvre(State& state, const ManoeuvreBefore& before);
-/// The mission ended or goes on in NL: the active cab gives the orientation again (3.6.1.5.1). Returns whether the train
-/// turned.
+/// The mission ended or goes on in NL: the active cab gives the orientation again (3.6.1.5.1). Returns whether the
+/// train turned.
 bool end_manoeuvre(State& state);
 
 }  // namespace evc::kernel

@@ -12,6 +12,7 @@
 #include "kernel/buffered_set.h"
 #include "kernel/displayed.h"
 #include "kernel/evc.h"
+#include "kernel/manoeuvre_state.h"
 #include "lang/telegram.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
@@ -26,7 +27,6 @@
 #include "procedures/rbc_handover.h"
 #include "procedures/shunting.h"
 #include "procedures/start_of_mission.h"
-#include "procedures/supervised_manoeuvre.h"
 #include "procedures/train_data_change.h"
 #include "procedures/train_trip.h"
 #include "protection/antenna.h"
@@ -153,20 +153,6 @@ struct StaffResponsible {
   std::optional<Speed> V;
 };
 
-/// Safe consist length and supervised manoeuvre of 4.0.0 (3.18.3.2, 4.4.21).
-struct Manoeuvre {
-  /// As stored: in a mission it stays when its source has it no longer (3.18.3.2.5).
-  std::optional<ConsistLength> consist;
-  bool available = false;      ///< from its source, now
-  bool active = false;         ///< from the first authorisation to the end of the mission, or NL (3.6.1.5.1)
-  bool opposite = false;       ///< the train orientation is not that of the active cab
-  bool authority = false;      ///< the stored authority is of a supervised manoeuvre authorisation
-  bool informs = false;        ///< from the first request on: the RBC is told of changes (3.18.3.10)
-  track::SpeedCode V_SM = 0;   ///< of the last authorisation
-  train::TrainData train;      ///< the default train data (3.18.3.9), of the length of the consist
-  procedures::supervised_manoeuvre::State request;
-};
-
 /// The inputs of the curves in force other than stored data: curves built again from them are the same (3.13.2,
 /// 3.13.9.4.8).
 struct SupervisionBasis {
@@ -188,7 +174,7 @@ struct SupervisionBasis {
   Place min_safe_rear{};
   Distance confidence_interval{};
   Speed V_ura{};
-  Distance L_train_doubt{};  ///< of the front end, in a supervised manoeuvre (3.13.9.4.8.2)
+  Distance L_train_doubt{};        ///< of the front end, in a supervised manoeuvre (3.13.9.4.8.2)
   std::optional<Place> reference;  ///< of the LRBG
   Distance Q_LOCACC{};
   track::Authority authority;  ///< supervised from then on

@@ -20,7 +20,8 @@ void confirm(IntegrityStatus& status, Integrity by, const State& state, const In
 /// Conditions 7, 8, 9, 10 of Table 2c.
 bool outdated(const IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
   const bool length = facts.train_data_valid ? facts.length_acknowledged : facts.consist_known;
-  return !length || facts.turned || facts.L_TRAIN != status.L_TRAIN || motion(state) == Motion::backward || front(state).est - status.min_safe_rear > kLongestReported;
+  return !length || facts.turned || facts.L_TRAIN != status.L_TRAIN || motion(state) == Motion::backward ||
+         front(state).est - status.min_safe_rear > kLongestReported;
 }
 
 }  // namespace

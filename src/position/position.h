@@ -210,8 +210,8 @@ Direction side(const State& state);
 /// The cab at the other end of the engine becomes active: the track frame is mirrored (p -> -p), the
 /// front end is that of the other cab (5.12.2.5). The caller mirrors or deletes its own data in the frame.
 void change_cab(State& state, Distance L_engine);
-/// The train has the other orientation while the cab stays (3.6.1.5.1 of 4.0.0): the track frame is mirrored, the place of
-/// the counter stays the front end of the engine on the side of the active cab.
+/// The train has the other orientation while the cab stays (3.6.1.5.1 of 4.0.0): the track frame is mirrored, the place
+/// of the counter stays the front end of the engine on the side of the active cab.
 void turn(State& state);
 
 // --- Status (4.10, 4.11, 5.4)

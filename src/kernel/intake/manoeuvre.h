@@ -9,8 +9,8 @@ namespace evc::kernel {
 /// The safe consist length of an external source in this cycle (3.18.3.2, 3.18.3.10, 4.4.21.1.12).
 void receive_consist_length(Reception& r);
 
-/// An authorisation for a supervised manoeuvre (message 4) before its contents are evaluated: in the other direction the
-/// train turns first (4.4.21.1.7).
+/// An authorisation for a supervised manoeuvre (message 4) before its contents are evaluated: in the other direction
+/// the train turns first (4.4.21.1.7).
 struct ManoeuvreAuthorisation {
   bool opposite = false;
   track::SpeedCode V_SM = 0;

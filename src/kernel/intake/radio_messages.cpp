@@ -1,7 +1,7 @@
 #include "kernel/intake/radio_messages.h"
 
-#include "kernel/intake/buffer.h"
 #include "kernel/here.h"
+#include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/manoeuvre.h"
 #include "kernel/intake/routes.h"

@@ -116,12 +116,6 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
   return position::supervise(s.integrity, s.position, facts);
 }
 
-/// 3.18.3.10: in SB of level 2, and from the first request for a manoeuvre on.
-bool informs_of_consist(const State& s) {
-  return s.radio.supervising.session.established() && s.level.level == Level::L2 &&
-         (s.mode == Mode::SB || s.manoeuvre.informs);
-}
-
 /// The events of this cycle that are reported in the current mode (4.5.2).
 position::ReportEvents events_to_report(const State& s, const Received& received, const Decided& decided,
                                         const position::IntegrityEvents& integrity) {

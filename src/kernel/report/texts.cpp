@@ -66,9 +66,9 @@ void show_status_texts(State& s, const driver::StatusFacts& facts, bool desk_ope
 /// Whether the driver selected an enabled button of the main window in this cycle, or entered what it leads to
 /// (015560 11.2.1).
 bool selects_in_main_window(const Received& received) {
-  for (const Select button : {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading,
-                              Select::maintain_shunting, Select::train_data, Select::main, Select::sm,
-                              Select::continue_sm, Select::exit_sm})
+  for (const Select button :
+       {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading, Select::maintain_shunting,
+        Select::train_data, Select::main, Select::sm, Select::continue_sm, Select::exit_sm})
     if (received.selected.has(button)) return true;
   return !received.entered.empty();
 }
