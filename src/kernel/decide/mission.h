@@ -25,6 +25,6 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
 void run_start_in_SR(State& s, const Received& received, Decided& out);
 /// 5.17, after the mode transition.
 void run_train_data_change(State& s, const Received& received, Decided& out, Log log);
-void run_end_of_mission(State& s, const Received& received, Decided& out);
+void run_end_of_mission(State& s, bool desk_open, const Received& received, Decided& out);
 
 }  // namespace evc::kernel
