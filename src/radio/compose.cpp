@@ -277,6 +277,11 @@ void put_answer(const Composer& c) {
   put_position(c);
 }
 
+void put_shortening_answer(const Composer& c) {
+  const bool granted = c.intent.NID_MESSAGE == message::shortening_granted;
+  granted ? put_answer<lang::TrainMessage137>(c) : put_answer<lang::TrainMessage138>(c);
+}
+
 void put_acknowledgement(const Composer& c) {
   auto m = message_of<lang::TrainMessage146>(c);
   m.T_TRAIN_REF.raw = c.intent.T_TRAIN_REF;
@@ -317,6 +322,16 @@ void put_text_acknowledged(const Composer& c) {
   put_position(c);
 }
 
+/// Messages 131 and 133, which are those of 2.3 and later.
+bool put_for_supervised_manoeuvre(const Composer& c) {
+  if (!c.since(2, 3)) return false;
+  const bool request = c.intent.NID_MESSAGE == message::request_for_sm;
+  request ? put_plain<lang::TrainMessage131>(c) : put_plain<lang::TrainMessage133>(c);
+  put_consist_length(c);
+  if (request && c.intent.default_train_data) put_default_train_data(c);
+  return true;
+}
+
 /// The whole message except length and padding. False: this message is not sent to this version.
 bool put(const Composer& c) {
   switch (c.intent.NID_MESSAGE) {
@@ -328,16 +343,8 @@ bool put(const Composer& c) {
       put_plain<lang::TrainMessage130>(c);
       return true;
     case message::request_for_sm:
-      if (!c.since(2, 3)) return false;
-      put_plain<lang::TrainMessage131>(c);
-      put_consist_length(c);
-      if (c.intent.default_train_data) put_default_train_data(c);
-      return true;
     case message::safe_consist_length:
-      if (!c.since(2, 3)) return false;
-      put_plain<lang::TrainMessage133>(c);
-      put_consist_length(c);
-      return true;
+      return put_for_supervised_manoeuvre(c);
     case message::ma_request:
       put_ma_request(c);
       return true;
@@ -346,10 +353,8 @@ bool put(const Composer& c) {
       put_error_and_number(c);
       return true;
     case message::shortening_granted:
-      put_answer<lang::TrainMessage137>(c);
-      return true;
     case message::shortening_rejected:
-      put_answer<lang::TrainMessage138>(c);
+      put_shortening_answer(c);
       return true;
     case message::acknowledgement:
       put_acknowledgement(c);
@@ -379,9 +384,8 @@ bool put(const Composer& c) {
       put_start_of_mission_report(c);
       return true;
     case message::text_acknowledged:
-      if (c.version_1()) return false;
-      put_text_acknowledged(c);
-      return true;
+      if (!c.version_1()) put_text_acknowledged(c);
+      return !c.version_1();
     case message::session_established:
       put_established(c);
       return true;

@@ -9,8 +9,8 @@ bool supported(std::uint8_t M_VERSION, lang::SystemVersion newest) {
   return X >= 1 && X <= newest.x;
 }
 
-/// Message 159 is acknowledged (38) between a unit and a trackside that both know 2.3 (3.5.3.7.4, 6.6.3.4.1.2,
-/// 6.5.2.2.2).
+/// Message 159 is acknowledged (38) between a unit and a trackside that both know 2.3 (3.5.3.7.4,
+/// 6.6.3.4.1.2).
 void report_established(Session& s, lang::SystemVersion newest, Duration now, Outbox& out) {
   constexpr lang::SystemVersion kSince{2, 3};
   out.send(message::session_established);
@@ -19,7 +19,7 @@ void report_established(Session& s, lang::SystemVersion newest, Duration now, Ou
   if (newest >= kSince && lang::system_version(s.M_VERSION) >= kSince) s.established_report = now;
 }
 
-/// 3.5.3.7.4, 3.5.3.7.4.1: once more, then a new session.
+/// 3.5.3.7.4, 3.5.3.7.4.1: a second report, then a new session.
 void await_acknowledgement(Session& s, Duration now, Outbox& out) {
   if (!s.established_report || now - *s.established_report < kAcknowledgementWait) return;
   if (!s.established_repeated) {

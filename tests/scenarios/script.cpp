@@ -552,11 +552,10 @@ class Reader {
   /// X and Y of `version 1.1`; default 2.1.
   static void read_version(Words& words, int& X, int& Y) {
     if (!words.take("version")) return;
-    constexpr const char* kExpected = "1.0, 1.1, 2.0, 2.1, 2.2, 2.3 or 3.0";
-    const std::string version = words.word(kExpected);
-    const auto known = {"1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"};
-    if (std::find(known.begin(), known.end(), version) == known.end())
-      throw ReadError{words.place(), "\"" + version + "\"", std::string("version ") + kExpected};
+    constexpr std::array<const char*, lang::kVersions> kNames{"1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"};
+    const std::string version = words.word("1.0, 1.1, 2.0 to 2.3 or 3.0");
+    if (std::none_of(kNames.begin(), kNames.end(), [&](const char* name) { return version == name; }))
+      throw ReadError{words.place(), "\"" + version + "\"", "version 1.0, 1.1, 2.0 to 2.3 or 3.0"};
     X = version[0] - '0';
     Y = version[2] - '0';
   }

@@ -166,7 +166,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
-  run_end_of_mission(s, received, out);
+  run_end_of_mission(s, in.train.desk_open, received, out);
   finish_manoeuvre(s, received, out, log);
   run_texts(s, in, received.acknowledged.has(Ack::text), out, log);
   out.track_ahead_free_granted =

@@ -27,7 +27,7 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
 void run_start_in_SR(State& s, const Received& received, Decided& out);
 /// 5.17, after the mode transition.
 void run_train_data_change(State& s, const Received& received, Decided& out, Log log);
-void run_end_of_mission(State& s, const Received& received, Decided& out);
+void run_end_of_mission(State& s, bool desk_open, const Received& received, Decided& out);
 /// After the end of the mission: its supervised manoeuvre ends with it, and what the consist length changes (4.0.0).
 void finish_manoeuvre(State& s, const Received& received, Decided& out, Log log);
 

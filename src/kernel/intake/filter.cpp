@@ -8,17 +8,13 @@
 #include "kernel/intake/message_events.h"
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
+#include "kernel/intake/session_packets.h"
 #include "kernel/intake/shortening.h"
 #include "kernel/intake/system_version.h"
 #include "lang/decode.h"
 #include "lang/packets/packet_131.h"
-#include "lang/packets/packet_133.h"
-#include "lang/packets/packet_143.h"
-#include "lang/packets/packet_245.h"
 #include "lang/packets/packet_42.h"
-#include "lang/packets/packet_45.h"
 #include "lang/packets/packet_5.h"
-#include "lang/translate.h"
 
 namespace evc::kernel {
 namespace {
@@ -108,6 +104,7 @@ bool names_rbc_of_transition(const Evaluation& e, const lang::Packet42& p) {
   return false;
 }
 
+/// Of orders to call or to change the RBC.
 void add_order_facts(Evaluation& e, const lang::PacketView& view) {
   if (view.NID_PACKET == packet::session_management) {
     lang::Packet42 p;
@@ -120,46 +117,10 @@ void add_order_facts(Evaluation& e, const lang::PacketView& view) {
   }
 }
 
-/// 4.8.3 [15] of 4.0.0, of a unit with GSM-R: an order for a network in this message names another one than that of the
-/// terminals, or FRMCS.
-bool network_missing(const Evaluation& e) {
-  const RadioNetwork& own = e.r.state.network;
-  for (const lang::PacketView& view : e.information.packets) {
-    lang::Packet45_v3_0 order;
-    lang::Packet245 type;
-    if (view.NID_PACKET == packet::radio_network_type && lang::decode(view, type) == lang::Fault::none &&
-        type.Q_NETWORKTYPE.raw == lang::kFrmcs_only)
-      return true;
-    if (view.NID_PACKET != packet::radio_network_registration || lang::decode(view, order) != lang::Fault::none)
-      continue;
-    const bool of_terminals = own.registered && !own.changed && own.NID_MN == order.NID_MN.raw;
-    if (order.Q_NETWORKTYPE.raw == lang::kFrmcs_only || !of_terminals) return true;
-  }
-  return false;
-}
-
-/// Whether the packet orders to establish a session; of packet 42 the context says so already.
-bool calls(const Evaluation& e, const lang::PacketView& view) {
-  lang::Packet133 area;
-  lang::Packet143 neighbour;
-  switch (view.NID_PACKET) {
-    case packet::session_management:
-      return e.context.orders_establishment;
-    case packet::rbc_transition_order:
-      return true;
-    case packet::radio_infill_area:
-      return lang::decode(view, area) == lang::Fault::none && area.Q_RIU.raw == 1;
-    case packet::session_management_riu:
-      return lang::decode(view, neighbour) == lang::Fault::none && neighbour.Q_RIU.raw == 1;
-    default:
-      return false;
-  }
-}
-
 /// The facts of the packet itself for the exceptions of the tables.
 void add_facts(Evaluation& e, const lang::PacketView& view) {
   add_order_facts(e, view);
-  e.context.network_missing = e.context.srs == SrsVersion::v4_0_0 && calls(e, view) && network_missing(e);
+  e.context.network_missing = e.context.srs == SrsVersion::v4_0_0 && calls_without_network(e, view);
 }
 
 void evaluate_rest(Evaluation& e) {

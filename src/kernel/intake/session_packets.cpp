@@ -1,16 +1,19 @@
 #include "kernel/intake/session_packets.h"
 
 #include "lang/decode.h"
+#include "lang/packets/packet_133.h"
+#include "lang/packets/packet_143.h"
 #include "lang/packets/packet_245.h"
 #include "lang/packets/packet_42.h"
 #include "lang/packets/packet_45.h"
 #include "lang/translate.h"
 #include "radio/from_packets.h"
+#include "terms/packet_numbers.h"
 
 namespace evc::kernel {
 namespace {
 
-/// NID_MN of X = 1 that stands for FRMCS (6.5.1.5.34.2 of 4.0.0).
+/// NID_MN of X = 1 that stands for FRMCS (6.6.3.2.3 [23] of 4.0.0).
 bool names_frmcs(const lang::PacketView& view, const lang::Packet45_v3_0& p, SrsVersion srs) {
   constexpr std::uint32_t kFrmcs = 0x901999;
   return srs == SrsVersion::v4_0_0 && view.sv.x == 1 && p.NID_MN.raw == kFrmcs;
@@ -21,6 +24,42 @@ bool expects_level_2(const State& s) {
   for (const modes::OrderedLevel& entry : *s.level_table)
     if (level_2_or_3(entry.level)) return true;
   return false;
+}
+
+/// 4.8.3 [15] of 4.0.0, of a unit with GSM-R: an order for a network in this message names another one than that of the
+/// terminals, or FRMCS.
+bool network_missing(const Evaluation& e) {
+  const RadioNetwork& own = e.r.state.network;
+  for (const lang::PacketView& view : e.information.packets) {
+    lang::Packet45_v3_0 order;
+    lang::Packet245 type;
+    if (view.NID_PACKET == packet::radio_network_type && lang::decode(view, type) == lang::Fault::none &&
+        type.Q_NETWORKTYPE.raw == lang::kFrmcs_only)
+      return true;
+    if (view.NID_PACKET != packet::radio_network_registration || lang::decode(view, order) != lang::Fault::none)
+      continue;
+    const bool of_terminals = own.registered && !own.changed && own.NID_MN == order.NID_MN.raw;
+    if (order.Q_NETWORKTYPE.raw == lang::kFrmcs_only || !of_terminals) return true;
+  }
+  return false;
+}
+
+/// Whether the packet orders to establish a session; of packet 42 the context says so already.
+bool calls(const Evaluation& e, const lang::PacketView& view) {
+  lang::Packet133 area;
+  lang::Packet143 neighbour;
+  switch (view.NID_PACKET) {
+    case packet::session_management:
+      return e.context.orders_establishment;
+    case packet::rbc_transition_order:
+      return true;
+    case packet::radio_infill_area:
+      return lang::decode(view, area) == lang::Fault::none && area.Q_RIU.raw == 1;
+    case packet::session_management_riu:
+      return lang::decode(view, neighbour) == lang::Fault::none && neighbour.Q_RIU.raw == 1;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -72,6 +111,10 @@ void take_network(Evaluation& e, const lang::PacketView& view, modes::Verdict) {
   if (network.NID_MN == p.NID_MN.raw || p.NID_MN.raw >= port::kDefaultNetwork) return;
   network.NID_MN = p.NID_MN.raw;
   network.changed = true;
+}
+
+bool calls_without_network(const Evaluation& e, const lang::PacketView& view) {
+  return calls(e, view) && network_missing(e);
 }
 
 }  // namespace evc::kernel

@@ -11,4 +11,8 @@ void take_session_order(Evaluation& evaluation, const lang::PacketView& view, mo
 void take_network(Evaluation& evaluation, const lang::PacketView& view, modes::Verdict verdict);
 void take_network_type(Evaluation& evaluation, const lang::PacketView& view, modes::Verdict verdict);
 
+/// 4.8.3 [15] of 4.0.0: the packet orders to establish a session, beside an order for a network with which no terminal
+/// is registered. Of packet 42 the context says already whether it does.
+bool calls_without_network(const Evaluation& evaluation, const lang::PacketView& view);
+
 }  // namespace evc::kernel

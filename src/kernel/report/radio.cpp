@@ -74,7 +74,7 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
 }
 
 /// Messages that the procedures require; MA requests and reports follow the conditions of the room `radio`.
-void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
+void send_wishes(State& s, const Decided& decided, bool desk_open, radio::Outbox& outbox) {
   using procedures::Send;
   for (const track::TextReport& text : decided.texts_to_report)
     for (const radio::Peer peer : radio::kRbcs) {  // 3.12.3.5.2: of a handover the former RBC too
@@ -92,10 +92,13 @@ void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
     outbox.send(intent);
   }
   if (wishes.has(Send::end_of_mission)) {  // 3.15.1.3.4.1: to both RBCs
-    outbox.send(message::end_of_mission);
+    radio::Intent end;
+    end.NID_MESSAGE = message::end_of_mission;
+    end.desk_open = desk_open;
+    outbox.send(end);
     if (s.radio.other.session.established()) {
       const radio::Addressed to(outbox, radio::Peer::other);
-      outbox.send(message::end_of_mission);
+      outbox.send(end);
     }
   }
   if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
@@ -216,7 +219,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
     return out;
   }
   order_sessions(s, received, decided, out.effects, outbox);
-  send_wishes(s, decided, outbox);
+  send_wishes(s, decided, inputs.train.desk_open, outbox);
   radio::Inputs in;
   in.now = s.now;
   take_link(s, inputs, in);
