@@ -13,7 +13,9 @@ import os
 import re
 import sys
 
-VERSIONS = ["1.0", "1.1", "2.0", "2.1"]
+VERSIONS = ["1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"]
+# The forms of this version have names without a suffix: the others are translated into them.
+WORKING = "2.1"
 HEAD = "#pragma once\n"
 
 
@@ -255,6 +257,11 @@ def lowest(sv):
     return "v" + sv[0].replace(".", "_")
 
 
+def plain_form(versions):
+    """Of the forms of one number, the newest first: the index of the one whose name has no suffix."""
+    return next((i for i, sv in enumerate(versions) if WORKING in sv), 0)
+
+
 def write_packets(data, prefix, direction, out):
     ids = {}
     for p in data["packets"]:
@@ -263,9 +270,13 @@ def write_packets(data, prefix, direction, out):
     for pid, forms in sorted(ids.items()):
         forms.sort(key=lambda p: VERSIONS.index(p["sv"][-1]), reverse=True)
         body = []
-        # 203 and 207 are 3 and 70 of version 1.1: the groups they repeat are the same (6.5.1.5).
-        family = {203: 3, 207: 70}.get(pid, pid) if direction == "to_train" else pid
+        # 203 and 207 are 3 and 70 of version 1.1, 73 is 72 of 2.2: the groups they repeat are the same (6.5.1.5,
+        # 6.5.2.3). Packet 12 of the train has a group of packet 11.
+        family = ({203: 3, 207: 70, 73: 72} if direction == "to_train" else {12: 11}).get(pid, pid)
         by_body = families.setdefault(family, {})
+        plain = plain_form([p["sv"] for p in forms])
+        # The plain form is first in the file: the groups that forms have in common have its name.
+        forms.insert(0, forms.pop(plain))
         for i, p in enumerate(forms):
             name = "%s%d" % (prefix, pid)
             if i > 0:
@@ -284,7 +295,7 @@ def write_packets(data, prefix, direction, out):
                 body.append(layout_text(s))
             names.append(name)
         file = "src/lang/packets/%s_%d.h" % ("packet" if prefix == "Packet" else "train_packet", pid)
-        include = "lang/packets/packet_%d.h" % family if family != pid else "lang/variables.h"
+        include = "lang/packets/%s_%d.h" % ("packet" if prefix == "Packet" else "train_packet", family) if family != pid else "lang/variables.h"
         out(file, HEAD + '#include "' + include + '"\n\nnamespace evc::lang {\n\n' + "\n".join(body) + "\n}  // namespace evc::lang\n")
     return names
 
@@ -310,9 +321,10 @@ def write_messages(data, prefix, direction, out):
                     break
             else:
                 kinds.append((fields, [m]))
+        plain = plain_form([[v for m in group for v in m["sv"]] for _, group in kinds])
         for i, (fields, group) in enumerate(kinds):
             sv = sorted({v for m in group for v in m["sv"]}, key=VERSIONS.index)
-            name = "%s%d" % (prefix, mid) + ("_" + lowest(sv) if i else "")
+            name = "%s%d" % (prefix, mid) + ("_" + lowest(sv) if i != plain else "")
             builder = Builder(name, {})
             top = Struct(name)
             builder.build(top, fields, [], skip)
@@ -350,7 +362,7 @@ def write_message_table(rows, out):
                 required.append([e["packet"]])
             elif "packet_one_of" in e:
                 required.append(e["packet_one_of"])
-        assert len(required) <= 2
+        assert len(required) <= 3
         req = "{{" + ", ".join(ids(r) for r in required) + "}}" if required else "{}"
         by = m.get("optional_packets_by_sender", {})
         rbc = by.get("RBC", m["optional_packets"] if "RBC" in m["media"] else [])
@@ -399,7 +411,7 @@ def main():
     def macro(name, entries):
         return "#define %s(X) \\\n" % name + " \\\n".join("  X(%s)" % e for e in entries) + "\n"
     text = HEAD + "// Every packet, and the lists from which readers, writers and tables are made.\n" + "".join(includes) + "\n"
-    text += "// Track to train (7.4.2), newest layout first where there are several, in three parts: the readers\n// of each are made in a file of their own.\n"
+    text += "// Track to train (7.4.2), the layout of 2.1 first where there are several, in three parts: the\n// readers of each are made in a file of their own.\n"
     names = lists[0][1]
     cuts = [0, next(i for i, n in enumerate(names) if n == "Packet39"), next(i for i, n in enumerate(names) if n == "Packet80"), len(names)]
     parts = ["EVC_PACKETS_TO_TRAIN_%d" % (k + 1) for k in range(3)]

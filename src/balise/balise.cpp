@@ -145,7 +145,7 @@ void read(State& state, const Reading& reading, const Situation& situation, Outc
   if (situation.srs == SrsVersion::v4_0_0) end_with_last_window(state.linking);
   Telegram* telegram = open.telegrams.grow();
   EVC_REQUIRE(telegram != nullptr);  // at most one for each N_PIG
-  look_into(*telegram, reading.bytes, reading.bits, header);
+  look_into(*telegram, reading.bytes, reading.bits, header, situation.srs);
   telegram->counter = reading.counter;
   telegram->antenna = reading.antenna;
   if (telegram->faulty) tell(outcome, What::telegram_not_decoded, header.id, "3.16.1.1"_srs);

@@ -61,12 +61,13 @@ bool counters_fit(const OpenGroup& open) {
 }
 
 /// 8.4.1.4 for the whole message: the telegrams it is composed of (8.4.1.6), each of which is consistent.
-bool packets_fit(const OpenGroup& open) {
+bool packets_fit(const OpenGroup& open, SrsVersion srs) {
   lang::Instances message;
   for (const Telegram& telegram : open.telegrams) {
     if (!telegram.used) continue;
     message.begin_telegram();
-    const lang::TelegramView view = lang::scan_telegram(telegram.span(), telegram.bits, lang::Check::structure);
+    const lang::TelegramView view =
+        lang::scan_telegram(telegram.span(), telegram.bits, lang::Check::structure, lang::newest_version(srs));
     for (const lang::PacketView& packet : view.packets)
       if (message.add(packet)) return false;
   }
@@ -102,7 +103,7 @@ void examine_missing(OpenGroup& open, Examined& found) {
   if (!any && open.undecoded) found.not_decoded = true;
 }
 
-Examined examine(OpenGroup& open) {
+Examined examine(OpenGroup& open, SrsVersion srs) {
   Examined found;
   found.single = gives_no_orientation(open);
   found.crossing = order_of_reading(open);
@@ -110,7 +111,7 @@ Examined examine(OpenGroup& open) {
   choose_duplicates(open);
   bool faulty = open.header_mismatch;
   for (const Telegram& telegram : open.telegrams) faulty = faulty || (telegram.used && telegram.faulty);
-  if (faulty || (open.telegrams.size() > 1 && !packets_fit(open)))
+  if (faulty || (open.telegrams.size() > 1 && !packets_fit(open, srs)))
     found.content = Finding::invalid_value;
   else if (!counters_fit(open))
     found.content = Finding::counters_differ;
@@ -327,7 +328,7 @@ bool announced_since(const LinkingState& linking, const OpenGroup& open) {
 
 void judge_message(LinkingState& linking, OpenGroup& open, const Situation& situation, Outcome& outcome) {
   using Verdict = Judgement::Verdict;
-  const Examined found = examine(open);
+  const Examined found = examine(open, situation.srs);
   Group* out = outcome.groups.grow();
   EVC_REQUIRE(out != nullptr);
   Group& group = *out;

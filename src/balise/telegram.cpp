@@ -57,7 +57,8 @@ Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits) {
   return header;
 }
 
-void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header) {
+void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header,
+               SrsVersion srs) {
   telegram = {};
   telegram.N_PIG = header.N_PIG;
   telegram.M_DUP = header.M_DUP;
@@ -69,7 +70,8 @@ void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::siz
   telegram.bits = static_cast<std::uint16_t>(bits);
   for (std::size_t i = 0; i < (bits + 7) / 8; ++i) telegram.bytes[i] = bytes[i];
 
-  const lang::TelegramView view = lang::scan_telegram(telegram.span(), bits);
+  const lang::TelegramView view =
+      lang::scan_telegram(telegram.span(), bits, lang::Check::all, lang::newest_version(srs));
   const bool named = header.id.NID_BG != kIdentityUnknown;  // which only packet 5 may contain (7.5.1.85)
   telegram.faulty =
       too_long || view.fault != lang::Fault::none || header.M_DUP == 3 || header.N_PIG > header.N_TOTAL || !named;

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "balise/group.h"
+#include "terms/srs_version.h"
 
 // One telegram: the parts that the rules for groups need.
 namespace evc::balise {
@@ -23,8 +24,9 @@ struct Header {
 
 Header read_header(std::span<const std::uint8_t> bytes, std::size_t bits);
 
-/// Keeps the bits and looks at the packets; place and counter are not set. More bits than a telegram has are faulty
-/// (3.16.1.1).
-void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header);
+/// Keeps the bits and looks at the packets as a unit of this SRS reads them; place and counter are not set. More bits
+/// than a telegram has are faulty (3.16.1.1).
+void look_into(Telegram& telegram, std::span<const std::uint8_t> bytes, std::size_t bits, const Header& header,
+               SrsVersion srs);
 
 }  // namespace evc::balise

@@ -42,6 +42,7 @@ constexpr auto kOnEntry = std::to_array<EntryRow>({
     {Cause::movement_while_entering_train_data, "R R R R M M M M R R M M M M R M M R M"},
     {Cause::movement_while_entering_SR_data,    "R R R R R R M R R R R R R M R R R R R"},
     {Cause::post_trip_distance,                 "R R R R R R R R R R R R M M R R R R R"},
+    {Cause::consist_length,                     "R R R R R R R R R R R R M R R R R R R"},
 });
 // clang-format on
 
@@ -169,6 +170,12 @@ bool revoked_on_mode_entry(Cause cause, Mode to, Mode from) {
   for (const EntryRow& r : kOnEntry)
     if (r.cause == cause) return mark_of(r, to) == 'R' || (mark_of(r, to) == 'P' && from == Mode::PT);
   return false;
+}
+
+void on_turn(State& state) {
+  constexpr CauseSet kOfOrientation{Cause::roll_away, Cause::reverse_movement, Cause::linking,
+                                    Cause::balise_group_consistency, Cause::two_groups_missed};
+  state.active.remove(kOfOrientation);
 }
 
 void on_mode_entry(State& state, Mode to, Mode from) {

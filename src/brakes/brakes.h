@@ -72,6 +72,7 @@ inline constexpr auto srs_3_14_1 = [] {
     {Cause::national_system_service,            sb,  when_gone,                          false, "3.14.1.7.7"_srs},
     {Cause::national_system_emergency,          eb,  when_gone,                          false, "3.14.1.7.7"_srs},
     {Cause::balise_antenna,                     eb,  when_gone,                          false, "3.15.7"_srs},
+    {Cause::consist_length,                     sb,  at_standstill,                      false, "3.14.1.7.6"_srs},
   });
 }();
 // clang-format on
@@ -156,6 +157,9 @@ Command command(State& state, CauseSet asked, const Context& context);
 /// 4.12 of 4.0.0: a mode entry revokes commands. Used for 3.x too, which does not say. Commands that last as long as
 /// they are asked for are not changed here: the rooms that ask for them stop asking.
 void on_mode_entry(State& state, Mode to, Mode from);
+
+/// 4.12 [2] of 4.0.0: an authorisation for a supervised manoeuvre that changes the train orientation revokes commands.
+void on_turn(State& state);
 
 /// Whether the entry of mode `to` from mode `from` revokes the command of a cause.
 bool revoked_on_mode_entry(Cause cause, Mode to, Mode from);

@@ -127,7 +127,7 @@ Set<Input> entries(const ActionContext& c) {
   out.add(Input::language, !in_standby || c.standstill);
   out.add(Input::driver_id,
           (c.standstill && offers.has(Offer::driver_id)) || (!in_standby && c.driver_id_while_running));
-  out.add(Input::train_data, entry && c.level.has_value() && offers.has(Offer::train_data));
+  out.add(Input::train_data, entry && c.level.has_value() && !c.consist_in_front && offers.has(Offer::train_data));
   out.add(Input::level, entry && offers.has(Offer::level));
   // 5.4.3.2 S1: before the driver ID too
   out.add(Input::train_running_number, !in_standby || (c.standstill && offers.has(Offer::train_running_number)));
@@ -151,11 +151,11 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::non_leading, entry && level && c.non_leading_signal && offers.has(Offer::non_leading));
   out.add(Input::continue_shunting, c.passive_shunting_signal);
   out.add(Input::exit_shunting, c.standstill);
-  out.add(Input::integrity_confirmation, entry && c.train_data_valid && level);
+  out.add(Input::integrity_confirmation, entry && (c.train_data_valid || c.consist_acknowledged) && level);
   out.add(Input::track_ahead_free, c.track_ahead_free_asked);
   out.add(Input::ato_engage, c.automatic_driving_asked);
   out.add(Input::ato_disengage);
-  // Not sm: an RBC of a version up to 2.1 grants no supervised manoeuvre (6.6.5.3.7).
+  out.add(Input::sm, c.standstill && c.manoeuvre_possible);
   out.add(Input::exit_sm, c.standstill);
   // 5.4.5.3 l, 5.22.2.1
   out.add(Input::bmm_inhibit,

@@ -39,6 +39,9 @@ struct ActionContext {
   bool driver_id_while_running = false;     // M_NVDERUN
   bool track_ahead_free_asked = false;
   bool automatic_driving_asked = false;  // 4.0.0: by automatic train operation
+  bool consist_in_front = false;         ///< 4.0.0: vehicles are in front of the engine: no train data (3.18.3.5)
+  bool consist_acknowledged = false;     ///< 4.0.0: the RBC knows the safe consist length
+  bool manoeuvre_possible = false;       ///< 4.0.0: 5.21.2.2 S0, standstill apart
   bool alarm_may_be_inhibited = false;   // 4.0.0: level 1 or 2 (5.22.2.1)
   bool alarm_inhibited = false;          // that of the balise antenna
   Set<Offer> offers;                     // choices offered by start of mission and train trip

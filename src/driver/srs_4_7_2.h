@@ -201,6 +201,10 @@ inline constexpr auto srs_4_7_2_outputs = [] {
     // 4.0.0
     {nl_no_longer_permitted,      "-  -  -  -  -  -  -  -  -  A  -  -  -  NA NA -  - - -"},
     {odometer_impaired,           "-  -  -  -  A  A  A  A  -  -  -  -  -  NA NA -  - A A"},
+    {sm_refused,                  "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {sm_no_answer,                "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
+    {entry_sm,                    "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - A -"},
+    {authorised_direction,        "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - X -"},
   });
 }();
 // clang-format on

@@ -81,6 +81,11 @@ inline constexpr auto srs_status_texts = [] {
       {national_system_not_available, Output::ntc_not_available,       with_its_reason,      {}, Inform::national_system_not_available},
       {NL_no_longer_permitted,      Output::nl_no_longer_permitted,      acknowledged,         {}, Inform::NL_no_longer_permitted},
       {StatusText::odometer_impaired, Output::odometer_impaired,       with_its_reason,      {}, Inform::odometer_impaired},
+      {entering_SM,                 Output::entry_sm,                    with_its_reason,      {}, {}, {}, Mode::SM},
+      {SM_refused,                  Output::sm_refused,                  main_window,          {}, Inform::SM_refused},
+      {SM_request_failed,           Output::sm_no_answer,                main_window,          {}, Inform::SM_request_failed},
+      {consist_length_lost,         Output::brake_reason,                s30,                  {}, Inform::consist_length_lost},
+      {consist_length_lost,         Output::brake_reason,                with_its_reason,      {Cause::consist_length}},
   });
 }();
 // clang-format on

@@ -24,7 +24,7 @@ Bits of(tl::expected<io::Bits, io::TelegramError> bits) {
 }
 
 bool known(Version version) { return lang::known_version(of(version)) != 0; }
-constexpr const char* kVersions = "a system version 1.Y or 2.Y is expected";
+constexpr const char* kVersions = "a system version 1.Y, 2.Y or 3.Y is expected";
 
 }  // namespace
 

@@ -83,6 +83,8 @@ Steps first_steps(Cause cause, const Journal& journal, const Moment& m) {
                             cause == Cause::national_system_service ? kNationalService : kNationalEmergency);
     case Cause::balise_antenna:
       return antenna_steps(journal, m);
+    case Cause::consist_length:
+      return {Step{m.t_ms, "the safe consist length is not available any more", "4.4.21"}};
     default:
       return movement_steps(cause, journal, m);
   }

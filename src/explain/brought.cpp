@@ -35,7 +35,7 @@ bool alike(const track::ModeArea& a, const track::ModeArea& b) {
   return a.mode == b.mode && a.V_MAMODE == b.V_MAMODE && at_one_place(a, b, a.from, b.from);
 }
 bool alike(const track::RouteSuitability& a, const track::RouteSuitability& b) {
-  return a.kind == b.kind && a.M_LINEGAUGE == b.M_LINEGAUGE && a.M_AXLELOADCAT == b.M_AXLELOADCAT &&
+  return a.kind == b.kind && a.M_LINEGAUGE == b.M_LINEGAUGE && a.M_LINEAXLELOADCAT == b.M_LINEAXLELOADCAT &&
          a.M_VOLTAGE == b.M_VOLTAGE && a.NID_CTRACTION == b.NID_CTRACTION && at_one_place(a, b, a.at, b.at);
 }
 bool alike(const track::AdhesionArea& a, const track::AdhesionArea& b) {

@@ -106,6 +106,7 @@ std::string time_words(std::int64_t t_ms) { return fmt::format("{:.1f} s", stati
 
 std::string message_words(std::uint8_t NID_MESSAGE) {
   const lang::MessageRules* rules = lang::find_message_rules(lang::Direction::to_train, NID_MESSAGE, {2, 1});
+  if (rules == nullptr) rules = lang::find_message_rules(lang::Direction::to_train, NID_MESSAGE, lang::kNewest);
   return rules == nullptr ? fmt::format("message {}", NID_MESSAGE)
                           : fmt::format("message {} ({})", NID_MESSAGE, rules->name);
 }

@@ -336,16 +336,21 @@ void read_integrity(kernel::TrainSignals& t, const JsonPlace& place) {
   if (length && !length->is_null()) t.length_confirmed = {length->number(0.0, 4095.0)};
 }
 
-/// 4.0.0: from the cab to each end of the shunting consist, nominal, least, greatest. Nothing uses it yet.
-void check_consist_length(const JsonPlace& place) {
+/// One end of the shunting consist: nominal, least, greatest length.
+ConsistEnd read_consist_end(const JsonPlace& lengths) {
+  if (lengths.size() != 3) lengths.fail("[nominal, min, max]");
+  const ConsistEnd end{
+      {lengths[0].number(0.0, 4095.0)}, {lengths[1].number(0.0, 4095.0)}, {lengths[2].number(0.0, 4095.0)}};
+  if (end.min > end.nominal || end.max < end.nominal) lengths.fail("min <= nominal <= max");
+  return end;
+}
+
+/// 4.0.0: from the front end of the engine on the side of the active cab to each end of the shunting consist; null: it
+/// is not available any more.
+std::optional<ConsistLength> read_consist_length(const JsonPlace& place) {
+  if (place.is_null()) return std::nullopt;
   place.know_only({"front_m", "rear_m"});
-  for (const char* end : {"front_m", "rear_m"}) {
-    const JsonPlace lengths = place[end];
-    if (lengths.size() != 3) lengths.fail("[nominal, min, max]");
-    const double nominal = lengths[0].number(0.0, 4095.0);
-    if (lengths[1].number(0.0, 4095.0) > nominal || lengths[2].number(0.0, 4095.0) < nominal)
-      lengths.fail("min <= nominal <= max");
-  }
+  return ConsistLength{read_consist_end(place["front_m"]), read_consist_end(place["rear_m"])};
 }
 
 /// The desk that is open: `cab` names it, `desk_open` alone speaks of cab A.
@@ -384,7 +389,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
                    "train_length_m",
                    "safe_consist_length",
                    "traction_system",
-                   "main_switch"});  // the last three are not used (CAVEATS)
+                   "main_switch"});  // the last two are not used (CAVEATS)
   auto& t = cycle.levels.train;
   const auto flag = [&](bool& signal, const char* key) {
     if (const auto p = place.find(key)) signal = p->boolean();
@@ -406,7 +411,7 @@ void read_signals(CycleInputs& cycle, const JsonPlace& place) {
   flag(t.radio_registered, "radio_registered");
   read_external_train_data(cycle, place);
   read_integrity(t, place);
-  if (const auto p = place.find("safe_consist_length"); p && !p->is_null()) check_consist_length(*p);
+  if (const auto p = place.find("safe_consist_length")) t.consist = read_consist_length(*p);
   if (const auto p = place.find("direction_controller"))
     t.direction_controller = static_cast<kernel::DirectionController>(p->one_of(texts::kDirectionNames));
   if (const auto p = place.find("brake_pressure_kpa")) {

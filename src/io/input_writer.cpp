@@ -50,6 +50,28 @@ void append_integrity(std::string& fields, const kernel::TrainSignals& before, c
   append_number(fields, now.length_confirmed->si);
 }
 
+void append_consist_end(std::string& fields, const char* name, const ConsistEnd& end) {
+  fields += name;
+  append_number(fields, end.nominal.si);
+  fields += ',';
+  append_number(fields, end.min.si);
+  fields += ',';
+  append_number(fields, end.max.si);
+  fields += ']';
+}
+
+void append_consist(std::string& fields, const kernel::TrainSignals& before, const kernel::TrainSignals& now) {
+  if (before.consist == now.consist) return;
+  fields += fields.empty() ? "\"safe_consist_length\":" : ",\"safe_consist_length\":";
+  if (!now.consist) {
+    fields += "null";
+    return;
+  }
+  append_consist_end(fields, "{\"front_m\":[", now.consist->front);
+  append_consist_end(fields, ",\"rear_m\":[", now.consist->rear);
+  fields += '}';
+}
+
 /// Appends what changed in the signals as `,"train":{...}`.
 void append_signals(std::string& out, kernel::TrainSignals& before, const kernel::TrainSignals& now) {
   std::string fields;
@@ -96,6 +118,7 @@ void append_signals(std::string& out, kernel::TrainSignals& before, const kernel
       fields += "null";
   }
   append_integrity(fields, before, now);
+  append_consist(fields, before, now);
   before = now;
   if (!fields.empty()) out += ",\"train\":{" + fields + "}";
 }

@@ -18,9 +18,9 @@ using lang::Versions;
 
 std::string versions_text(Versions versions) {
   std::string text;
-  for (unsigned i = 0; i < 4; ++i)
-    if ((versions & (1u << i)) != 0)
-      text += std::string(text.empty() ? "" : ", ") + (i == 0 ? "1.0" : i == 1 ? "1.1" : i == 2 ? "2.0" : "2.1");
+  constexpr const char* kNames[lang::kVersions]{"1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"};
+  for (unsigned i = 0; i < lang::kVersions; ++i)
+    if ((versions & (1u << i)) != 0) text += std::string(text.empty() ? "" : ", ") + kNames[i];
   return text;
 }
 std::string media_text(lang::Media m) {
@@ -236,7 +236,7 @@ std::string describe_message(std::uint8_t nid, bool markdown) {
     if (*m.note != '\0') facts += std::string("; ") + m.note;
     out += (markdown ? escaped(facts) + ".\n\n" : facts + "\n");
     lang::SystemVersion sv{2, 1};
-    for (const lang::SystemVersion v : {lang::SystemVersion{1, 0}, {1, 1}, {2, 0}, {2, 1}})
+    for (const lang::SystemVersion v : {lang::SystemVersion{1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}, {2, 3}, {3, 0}})
       if ((m.versions & lang::known_version(v)) != 0) sv = v;
     const lang::MessageLayout* layout = lang::find_message_layout(m.direction, sv, nid);
     Rows rows;

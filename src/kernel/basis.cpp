@@ -27,7 +27,7 @@ std::optional<Speed> mode_speed(const State& s, const track::Here& here) {
     case modes::SpeedLimit::V_REVERSE:
       return s.track.reversing_supervision ? track::speed_of(s.track.reversing_supervision->V_REVERSE) : Speed{};
     case modes::SpeedLimit::V_SM:
-      return Speed{};  // of a message that this unit does not read: no movement
+      return track::speed_of(s.manoeuvre.V_SM);
     case modes::SpeedLimit::no_limit:
     case modes::SpeedLimit::standstill:
     case modes::SpeedLimit::profile_only:
@@ -82,6 +82,7 @@ SupervisionBasis basis_of(const State& s, const track::Here& here, const Supervi
   basis.min_safe_rear = here.min_safe_rear;
   basis.confidence_interval = here.max_safe_front - here.min_safe_front;
   basis.V_ura = run_of(s.position.now).V_ura;
+  if (s.manoeuvre.active) basis.L_train_doubt = s.position.ahead.max - s.position.ahead.min;
   if (const position::Reference* lrbg = position::lrbg(s.position)) {
     basis.reference = lrbg->place;
     basis.Q_LOCACC = lrbg->Q_LOCACC;

@@ -34,6 +34,15 @@ void turn(AnnouncedLoop& loop) {
 
 }  // namespace
 
+void turn_train(State& s) {
+  delete_what_was_ahead(s);
+  position::turn(s.position);
+  s.handover = {};
+  if (s.loop) turn(*s.loop);
+  protection::turn(s.guards);
+  ++s.revision;
+}
+
 bool skips_closing(const State& s, const TrainSignals& train) {
   return s.desk_was_open && train.desk_open && train.cab != s.cab;
 }

@@ -10,6 +10,10 @@ namespace evc::kernel {
 bool skips_closing(const State& state, const TrainSignals& train);
 
 /// The desk of the other cab is opened: position and orientation are those of that cab (5.12.2.5, 5.12.4.3).
+/// The train has the other orientation while the cab stays (4.4.21.1.7): as with a change of cab, what lay ahead is
+/// deleted (3.7.3.4 b) and the frame is mirrored.
+void turn_train(State& state);
+
 void follow_cab(State& state, const TrainSignals& train, Log log);
 
 /// The position as it is from the other cab, `cab`.

@@ -4,6 +4,7 @@
 
 #include "kernel/basis.h"
 #include "kernel/here.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/train_category.h"
 #include "modes/active_functions.h"
 #include "sdm/locations.h"
@@ -33,6 +34,7 @@ sdm::Authority authority_of(const SupervisionBasis& basis) {
   }
   out.confidence_interval = basis.confidence_interval;
   out.V_ura = basis.V_ura;
+  out.L_train_doubt = basis.L_train_doubt;
   return out;
 }
 
@@ -62,7 +64,7 @@ void mark_TSR_steps(const State& s, sdm::Inputs& in) {
   in.mrsp_due_to_TSR = {};
   for (std::size_t i = 0; i < in.mrsp.steps.size(); ++i)
     for (const track::TemporarySpeedRestriction& t : s.track.tsr) {
-      const Place end = t.Q_FRONT ? t.to : t.to + s.train.L_TRAIN;
+      const Place end = t.Q_FRONT ? t.to : t.to + supervised_train(s).L_TRAIN;
       const Place at = in.mrsp.steps[i].from;
       if (t.from <= at && at < end && track::speed_of(t.V_TSR) == in.mrsp.steps[i].value) in.mrsp_due_to_TSR[i] = true;
     }
@@ -108,8 +110,9 @@ track::MrspQuery query_of(const State& s, const Derived::Curves& curves, const S
   const auto counts = [&](MrspSource source) { return wanted.has(source) && counts_in(s.mode, source); };
   track::MrspQuery query;
   query.from = basis.min_safe_rear;
-  query.train_length = s.train.L_TRAIN;
-  query.category = category_of(s.train);
+  query.train_length = supervised_train(s).L_TRAIN;
+  query.category = category_of(supervised_train(s));
+  query.category.own_axle_load_only = s.operated_X >= 3;
   query.elements = {.ssp = counts(MrspSource::SSP),
                     .asp = counts(MrspSource::ASP),
                     .tsr = counts(MrspSource::TSR),
@@ -117,7 +120,7 @@ track::MrspQuery query_of(const State& s, const Derived::Curves& curves, const S
                     .lx = counts(MrspSource::LX),
                     .signalling = counts(MrspSource::signalling)};
   query.pbd_speeds = {curves.pbd_speeds.begin(), curves.pbd_speeds.size()};
-  if (counts(MrspSource::train)) add_limit(query, s.train.V_MAXTRAIN);
+  if (counts(MrspSource::train)) add_limit(query, supervised_train(s).V_MAXTRAIN);
   if (counts(MrspSource::mode) && basis.key.mode_limit) add_limit(query, *basis.key.mode_limit);
   if (counts(MrspSource::override_) && s.override_.active) add_limit(query, s.national_values.V_NVSUPOVTRP);
   return query;
@@ -150,8 +153,8 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   sdm::Inputs& in = curves.inputs;
   in.revision = basis.number;
   in.srs = s.srs;
-  in.train = s.train;
-  in.train.L_antenna_front = L_antenna(s);
+  in.train = supervised_train(s);
+  in.train.L_antenna_front = L_antenna_of_train(s);
   in.national_values = s.national_values;
   in.brakes = brake_status(train);
   in.conditions = conditions_of(s, basis.min_safe_rear);

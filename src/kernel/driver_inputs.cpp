@@ -1,6 +1,7 @@
 #include "kernel/driver_inputs.h"
 
 #include "kernel/here.h"
+#include "kernel/manoeuvre.h"
 
 namespace evc::kernel {
 
@@ -8,6 +9,26 @@ namespace {
 
 /// The longest train that a position report can give: L_TRAININT, 15 bits, m (7.5.1.55).
 constexpr Distance kLongestTold{32767.0};
+
+/// 3.18.3.10.1: nothing that was sent waits for its acknowledgement.
+bool consist_acknowledged(const State& s) {
+  return s.manoeuvre.available && !s.radio.supervising.consist_due && !s.radio.supervising.consist_stamp;
+}
+
+bool RBC_transition_ordered(const State& s) {
+  return s.track.rbc_transition.has_value() || s.handover.order.has_value();
+}
+
+/// 5.21.2.2 S0 and 015560 11.2.1, what the mode and standstill say apart.
+bool manoeuvre_possible(const State& s) {
+  const radio::Session& session = s.radio.supervising.session;
+  if (s.srs != SrsVersion::v4_0_0 || !s.manoeuvre.available || s.level.level != Level::L2) return false;
+  if (!valid(s.data.level_status) || !session.established() || !radio::knows_manoeuvres(session)) return false;
+  if (s.position.status != DataStatus::valid || position::lrbg(s.position) == nullptr) return false;
+  if (s.mode == Mode::SB && !valid(s.data.driver_id_status)) return false;
+  if (s.mode == Mode::PT && s.emergency_stops.any()) return false;
+  return s.mode == Mode::SM || !(RBC_transition_ordered(s) || s.radio.other.session.established());
+}
 
 /// What the memory of the unit says.
 driver::ActionContext context_of_state(const State& s, const track::Here& here) {
@@ -28,6 +49,9 @@ driver::ActionContext context_of_state(const State& s, const track::Here& here) 
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   c.alarm_may_be_inhibited = s.srs == SrsVersion::v4_0_0 && c.level && level_1_2_3(*c.level);
   c.alarm_inhibited = s.antenna_alarm.inhibited.has_value();
+  c.consist_in_front = consist_in_front(s);
+  c.consist_acknowledged = consist_acknowledged(s);
+  c.manoeuvre_possible = manoeuvre_possible(s);
   c.offers = s.offers;
   // What start of mission asks for is offered too (S1, S2, S3, S12, S13).
   const auto asked = [&](Offer offer, Entry entry) { c.offers.add(offer, s.entries.has(entry)); };
@@ -71,9 +95,12 @@ driver::ButtonContext button_context(const State& s, Set<DriverInput> enabled, c
   c.contact_known = s.radio.contact && s.contact_status != DataStatus::unknown;
   c.network_type = driver::NetworkType::gsmr;
   c.gsmr = {.fitted = true, .registered = s.network.registered};
-  c.session_above_2_2 = session.M_VERSION > 0x22;
+  c.consist_known = s.manoeuvre.available;
+  c.consist_in_front = c.action.consist_in_front;
+  c.consist_acknowledged = c.action.consist_acknowledged;
+  c.session_above_2_2 = radio::knows_manoeuvres(session);
   c.second_session = s.radio.other.session.established();
-  c.RBC_transition_ordered = s.track.rbc_transition.has_value() || s.handover.order.has_value();
+  c.RBC_transition_ordered = RBC_transition_ordered(s);
   return c;
 }
 

@@ -9,12 +9,16 @@ namespace evc::kernel {
 /// entry (4.4.6.1.4, 4.4.7.1.6, 4.4.8.1.3, 4.4.15.1.3, 4.4.20.1.4).
 Distance length_of(const State& state);
 /// From the front end of the active cab back to the antenna: the train data count from cab A, from cab B it is the rest
-/// of the engine.
+/// of the engine. Below 0 in a supervised manoeuvre whose train orientation is opposite to the cab: the antenna is
+/// ahead of that end.
 inline Distance L_antenna(const State& state) {
   const Distance from_A = state.train.L_antenna_front;
-  if (state.cab == Cab::A) return from_A;
-  return from_A < state.L_engine ? state.L_engine - from_A : Distance{};
+  const Distance from_B = from_A < state.L_engine ? state.L_engine - from_A : Distance{};
+  const Distance from_cab = state.cab == Cab::A ? from_A : from_B;
+  return state.manoeuvre.opposite ? -from_cab : from_cab;
 }
+/// From the front end of the train back to the antenna.
+inline Distance L_antenna_of_train(const State& state) { return state.position.ahead.est + L_antenna(state); }
 /// The train in the track frame now.
 track::Here here(const State& state);
 

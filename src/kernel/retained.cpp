@@ -26,13 +26,13 @@ bool plausible(const Retained::LevelOrder& order) {
   return !order.table.empty();
 }
 
-bool plausible(const Retained& r) {
+bool plausible(const Retained& r, SrsVersion srs) {
   for (const Retained::Cover& cover : r.covers)
     if (!between(cover.left.si, 0.0, Retained::kLongestCover.si)) return false;
   for (const Retained::StoredLevel& level : r.level_table)
     if (!plausible(level)) return false;
   if (r.level_order && !plausible(*r.level_order)) return false;
-  return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, kHighestX) &&
+  return train::check(r.national_values) == train::Fault::none && between(r.operated_X, 1.0, highest_X(srs)) &&
          (!r.network || *r.network < port::kDefaultNetwork) && (!r.level || plausible(*r.level)) &&
          (!r.position || plausible(*r.position));
 }
@@ -161,7 +161,7 @@ Retained retained(const State& s) noexcept {
 
 bool power_up(State& s, Derived& derived, const Config& config, const Retained& r) noexcept {
   power_up(s, derived, config);
-  if (!plausible(r)) return false;
+  if (!plausible(r, s.srs)) return false;
   s.national_values = r.national_values;
   s.national_areas = r.national_areas;
   s.national_areas_of_X_2 = r.national_areas_of_X_2;

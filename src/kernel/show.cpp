@@ -130,6 +130,8 @@ class Shower {
 
   void show_symbols() {
     to_.slippery_rail = out_.shown.has(DriverOutput::slippery_rail);
+    if (has(authorised_direction))  // 4.4.21.1.9
+      to_.sm = s_.manoeuvre.opposite ? port::SmDirection::backward : port::SmDirection::forward;
     to_.override_active = out_.shown.has(override_status);
     to_.reversing_permitted = out_.shown.has(reversing_allowed);
     to_.bmm_inhibited = s_.srs == SrsVersion::v4_0_0 && s_.antenna_alarm.inhibited.has_value();

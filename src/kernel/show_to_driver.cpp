@@ -31,6 +31,8 @@ port::Waiting waiting_in(std::optional<ShownDialogue> dialogue) {
       return port::Waiting::answer_to_ma_request;
     case Dialogue::shunting_S050:
       return port::Waiting::answer_to_sh_request;
+    case Dialogue::manoeuvre_S050:
+      return port::Waiting::answer_to_sm_request;
     default:
       return port::Waiting::nothing;
   }

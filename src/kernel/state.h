@@ -12,6 +12,8 @@
 #include "kernel/buffered_set.h"
 #include "kernel/displayed.h"
 #include "kernel/evc.h"
+#include "kernel/manoeuvre_state.h"
+#include "lang/telegram.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
 #include "position/odometer_accuracy.h"
@@ -40,9 +42,12 @@
 namespace evc::kernel {
 
 /// The highest number X of a system version that is supported (6.4.2), as all from 1 on; operated first (3.17.2.9.1).
-inline constexpr std::uint8_t kHighestX = Retained::kHighestX;
+constexpr std::uint8_t highest_X(SrsVersion srs) { return lang::newest_version(srs).x; }
 /// The operated system version as M_VERSION: of its number X the highest Y that the unit supports (3.17.2.1.1).
-constexpr std::uint8_t operated_M_VERSION(std::uint8_t X) { return static_cast<std::uint8_t>((unsigned{X} << 4) | 1u); }
+constexpr std::uint8_t operated_M_VERSION(std::uint8_t X, SrsVersion srs) {
+  const unsigned Y = srs != SrsVersion::v4_0_0 ? 1u : X == 1 ? 1u : X == 2 ? 3u : 0u;
+  return static_cast<std::uint8_t>((unsigned{X} << 4) | Y);
+}
 
 /// The countries or regions (NID_C) in which national values are applicable.
 using NationalAreas = InplaceVector<std::uint16_t, 32>;
@@ -131,11 +136,15 @@ struct LssmaDisplay {
 struct RadioNetwork {
   InplaceVector<std::uint32_t, 16> offered;  // to the driver, NID_MN; the first is the default
   std::optional<std::uint32_t> NID_MN;       // the last one of trackside or driver
+  bool frmcs_only = false;                   // the type of trackside: it has no GSM-R (3.5.6.5 of 4.0.0)
   bool changed = false;                      // in this cycle: a registration is due
   bool registered = true;                    // a terminal is, say the terminals
   bool awaited = false;                      // a call waits for the terminal that has to register
   bool by_driver = false;                    // the network that is awaited is the driver's choice (3.18.4.3.6)
 };
+
+/// Whether a session with an RBC can be set up: a terminal is registered, and trackside has GSM-R (3.5.6.7).
+constexpr bool callable(const RadioNetwork& network) { return network.registered && !network.frmcs_only; }
 
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
@@ -166,6 +175,7 @@ struct SupervisionBasis {
   Place min_safe_rear{};
   Distance confidence_interval{};
   Speed V_ura{};
+  Distance L_train_doubt{};        ///< of the front end, in a supervised manoeuvre (3.13.9.4.8.2)
   std::optional<Place> reference;  ///< of the LRBG
   Distance Q_LOCACC{};
   track::Authority authority;  ///< supervised from then on
@@ -182,7 +192,8 @@ struct State {
   std::int16_t local_time_offset_min = 0;
   Mode mode = Mode::NP;
   Mode previous_mode = Mode::NP;
-  std::uint8_t operated_X = kHighestX;  // operated system version, number X: kept without power (3.17.2.9)
+  std::uint8_t operated_X =
+      highest_X(SrsVersion::v3_6_0);  // operated system version, number X: kept without power (3.17.2.9)
   modes::OrderedLevel level;
   std::optional<modes::LevelTable> level_table;  // of the last order (5.10.2.7)
 
@@ -223,6 +234,7 @@ struct State {
   Set<Offer> offers;   // choices offered by the procedures, and
   Set<Entry> entries;  // entries, in the cycle before
   StaffResponsible staff_responsible;
+  Manoeuvre manoeuvre;
   Speed dial;                                   // the highest speed on the dial of the display
   std::optional<Speed> set_speed;               // as entered
   Language language;                            // of the display: never deleted (4.10)

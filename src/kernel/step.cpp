@@ -15,6 +15,8 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.fitted_levels = config.levels;
   if (config.srs == SrsVersion::v4_0_0)
     state.fitted_levels[static_cast<std::size_t>(Level::L3)] = false;  // 2.6 has none
+  state.operated_X = highest_X(config.srs);
+  state.radio.newest = lang::newest_version(config.srs);
   state.identity = config.identity;
   state.terminals = config.terminals;
   state.dial = config.dial;
@@ -26,6 +28,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.local_time_offset_min = config.local_time_offset_min;
   state.network.offered = config.networks;
   state.train = config.train;
+  state.manoeuvre.train = config.train;
   state.L_engine = config.L_engine;
   state.national_values = config.national_values;
   state.configuration_refused = train::check(config.train) != train::Fault::none ||

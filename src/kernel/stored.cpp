@@ -120,7 +120,14 @@ void apply_all(State& s, FateOf fate_of) {
 }  // namespace
 
 void keep_for_mode(State& state, Mode to, Mode from) {
-  apply_all(state, [&](Stored stored) { return modes::on_entry(to, from, stored, state.srs); });
+  // 4.10 of 4.0.0 has a row of its own for the authority of a supervised manoeuvre.
+  const bool kept = state.manoeuvre.authority && (to == Mode::SM || to == Mode::PT);
+  apply_all(state, [&](Stored stored) {
+    if (stored == Stored::movement_authority && state.manoeuvre.authority && from != Mode::NP)
+      return kept ? Fate::unchanged : Fate::deleted;
+    return modes::on_entry(to, from, stored, state.srs);
+  });
+  if (!kept) state.manoeuvre.authority = false;
   // [1] of 4.0.0: no procedure of SL would validate it.
   if (state.srs == SrsVersion::v4_0_0 && to == Mode::SL && state.position.status == DataStatus::invalid)
     position::forget(state.position);

@@ -127,14 +127,14 @@ constexpr MessageLayout all_messages[]{EVC_MESSAGES_TO_TRAIN(EVC_ROW) EVC_MESSAG
 #undef EVC_ROW
 
 /// One more than the index of each number in `all_packets`, per direction and version.
-using LayoutIndex = std::array<std::array<std::uint8_t, 256>, 8>;
+using LayoutIndex = std::array<std::array<std::uint8_t, 256>, 2 * kVersions>;
 constexpr LayoutIndex make_index() {
   LayoutIndex index{};
   for (std::size_t i = 0; i < std::size(all_packets); ++i)
-    for (unsigned v = 0; v < 4; ++v)
+    for (unsigned v = 0; v < kVersions; ++v)
       if ((all_packets[i].info->versions & (1u << v)) != 0)
-        index[(all_packets[i].info->direction == Direction::to_track ? 4u : 0u) + v][all_packets[i].info->NID_PACKET] =
-            static_cast<std::uint8_t>(i + 1);
+        index[(all_packets[i].info->direction == Direction::to_track ? kVersions : 0u) + v]
+             [all_packets[i].info->NID_PACKET] = static_cast<std::uint8_t>(i + 1);
   return index;
 }
 constexpr LayoutIndex packet_index = make_index();
@@ -145,8 +145,9 @@ std::span<const PacketLayout> packet_layouts() { return all_packets; }
 std::span<const MessageLayout> message_layouts() { return all_messages; }
 
 const PacketLayout* find_packet_layout(Direction direction, Versions version, std::uint8_t nid) {
-  const unsigned v = version == v1_0 ? 0u : version == v1_1 ? 1u : version == v2_0 ? 2u : 3u;
-  const std::uint8_t i = packet_index[(direction == Direction::to_track ? 4u : 0u) + v][nid];
+  if (version == 0) return nullptr;
+  const unsigned v = index_of(version);
+  const std::uint8_t i = packet_index[(direction == Direction::to_track ? kVersions : 0u) + v][nid];
   return i == 0 ? nullptr : &all_packets[i - 1u];
 }
 

@@ -16,7 +16,7 @@ struct MessageRules {
   Media media;                                            ///< RBC, RIU or both
   const char* priority;                                   ///< "N", "E or N"
   bool version_invariant;                                 ///< the same for every X (8.4.4.1.1)
-  std::array<std::span<const std::uint8_t>, 2> required;  ///< in this order, one packet of each set
+  std::array<std::span<const std::uint8_t>, 3> required;  ///< in this order, one packet of each set
   std::span<const std::uint8_t> optional;
   std::span<const std::uint8_t> optional_from_rbc;
   std::span<const std::uint8_t> optional_from_riu;

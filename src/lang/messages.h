@@ -6,7 +6,10 @@
 #define EVC_MESSAGES_TO_TRAIN(X) \
   X(Message2)                    \
   X(Message3)                    \
+  X(Message4)                    \
+  X(Message5)                    \
   X(Message6)                    \
+  X(Message7)                    \
   X(Message8)                    \
   X(Message9)                    \
   X(Message15)                   \
@@ -22,6 +25,7 @@
   X(Message34_v1_0)              \
   X(Message37)                   \
   X(Message38)                   \
+  X(Message38_v1_0)              \
   X(Message39)                   \
   X(Message40)                   \
   X(Message41)                   \
@@ -31,8 +35,10 @@
 #define EVC_MESSAGES_TO_TRACK(X) \
   X(TrainMessage129)             \
   X(TrainMessage130)             \
+  X(TrainMessage131)             \
   X(TrainMessage132)             \
   X(TrainMessage132_v1_0)        \
+  X(TrainMessage133)             \
   X(TrainMessage136)             \
   X(TrainMessage137)             \
   X(TrainMessage138)             \
@@ -40,6 +46,7 @@
   X(TrainMessage147)             \
   X(TrainMessage147_v1_0)        \
   X(TrainMessage149)             \
+  X(TrainMessage150_v2_3)        \
   X(TrainMessage150)             \
   X(TrainMessage153)             \
   X(TrainMessage154)             \

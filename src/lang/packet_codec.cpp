@@ -31,9 +31,9 @@ constexpr std::array to_track{EVC_PACKETS_TO_TRACK(EVC_ROW)};
 /// One more than the index of every packet number in the lists above; 0: no such packet.
 using Index = std::array<std::uint8_t, 256>;
 template <std::size_t N>
-consteval std::array<Index, 4> index_of(const std::array<const PacketCodec*, N>& list) {
-  std::array<Index, 4> index{};
-  for (unsigned v = 0; v < 4; ++v)
+consteval std::array<Index, kVersions> index_all(const std::array<const PacketCodec*, N>& list) {
+  std::array<Index, kVersions> index{};
+  for (unsigned v = 0; v < kVersions; ++v)
     for (std::size_t i = 0; i < N; ++i)
       if ((list[i]->info->versions & (1u << v)) != 0) {
         if (index[v][list[i]->info->NID_PACKET] != 0) __builtin_trap();  // two layouts in one version
@@ -41,13 +41,14 @@ consteval std::array<Index, 4> index_of(const std::array<const PacketCodec*, N>&
       }
   return index;
 }
-constexpr auto index_to_train = index_of(to_train);
-constexpr auto index_to_track = index_of(to_track);
+constexpr auto index_to_train = index_all(to_train);
+constexpr auto index_to_track = index_all(to_track);
 
 }  // namespace
 
 const PacketCodec* find_packet_codec(Direction direction, Versions version, std::uint8_t nid) {
-  const unsigned v = version == v1_0 ? 0u : version == v1_1 ? 1u : version == v2_0 ? 2u : 3u;
+  if (version == 0) return nullptr;
+  const unsigned v = index_of(version);
   if (direction == Direction::to_train) {
     const std::uint8_t i = index_to_train[v][nid];
     return i == 0 ? nullptr : to_train[i - 1u];

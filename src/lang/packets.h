@@ -27,10 +27,13 @@
 #include "lang/packets/packet_207.h"
 #include "lang/packets/packet_21.h"
 #include "lang/packets/packet_239.h"
+#include "lang/packets/packet_245.h"
 #include "lang/packets/packet_254.h"
 #include "lang/packets/packet_255.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_31.h"
+#include "lang/packets/packet_32.h"
 #include "lang/packets/packet_39.h"
 #include "lang/packets/packet_40.h"
 #include "lang/packets/packet_41.h"
@@ -55,6 +58,8 @@
 #include "lang/packets/packet_70.h"
 #include "lang/packets/packet_71.h"
 #include "lang/packets/packet_72.h"
+#include "lang/packets/packet_73.h"
+#include "lang/packets/packet_74.h"
 #include "lang/packets/packet_76.h"
 #include "lang/packets/packet_79.h"
 #include "lang/packets/packet_80.h"
@@ -62,7 +67,9 @@
 #include "lang/packets/packet_90.h"
 #include "lang/packets/train_packet_0.h"
 #include "lang/packets/train_packet_1.h"
+#include "lang/packets/train_packet_10.h"
 #include "lang/packets/train_packet_11.h"
+#include "lang/packets/train_packet_12.h"
 #include "lang/packets/train_packet_2.h"
 #include "lang/packets/train_packet_3.h"
 #include "lang/packets/train_packet_4.h"
@@ -70,8 +77,8 @@
 #include "lang/packets/train_packet_5.h"
 #include "lang/packets/train_packet_9.h"
 
-// Track to train (7.4.2), newest layout first where there are several, in three parts: the readers
-// of each are made in a file of their own.
+// Track to train (7.4.2), the layout of 2.1 first where there are several, in three parts: the
+// readers of each are made in a file of their own.
 #define EVC_PACKETS_TO_TRAIN_1(X) \
   X(Packet0)                      \
   X(Packet2)                      \
@@ -85,18 +92,23 @@
   X(Packet16)                     \
   X(Packet21)                     \
   X(Packet27)                     \
-  X(Packet27_v1_0)
+  X(Packet27_v1_0)                \
+  X(Packet31)                     \
+  X(Packet32)
 
 #define EVC_PACKETS_TO_TRAIN_2(X) \
   X(Packet39)                     \
   X(Packet39_v1_0)                \
   X(Packet40)                     \
   X(Packet41)                     \
+  X(Packet41_v3_0)                \
   X(Packet42)                     \
   X(Packet44)                     \
   X(Packet44_v1_0)                \
   X(Packet45)                     \
+  X(Packet45_v3_0)                \
   X(Packet46)                     \
+  X(Packet46_v3_0)                \
   X(Packet49)                     \
   X(Packet51)                     \
   X(Packet51_v1_0)                \
@@ -112,10 +124,17 @@
   X(Packet68_v1_0)                \
   X(Packet69)                     \
   X(Packet70)                     \
+  X(Packet70_v3_0)                \
   X(Packet70_v1_0)                \
   X(Packet71)                     \
   X(Packet72)                     \
   X(Packet72_v1_0)                \
+  X(Packet73)                     \
+  X(Packet73_v2_3)                \
+  X(Packet73_v2_2)                \
+  X(Packet74)                     \
+  X(Packet74_v2_3)                \
+  X(Packet74_v2_2)                \
   X(Packet76)                     \
   X(Packet76_v1_0)                \
   X(Packet79)                     \
@@ -147,6 +166,7 @@
   X(Packet206)                    \
   X(Packet207)                    \
   X(Packet239)                    \
+  X(Packet245)                    \
   X(Packet254)                    \
   X(Packet255)
 
@@ -155,15 +175,24 @@
 // Train to track (7.4.3).
 #define EVC_PACKETS_TO_TRACK(X) \
   X(TrainPacket0)               \
+  X(TrainPacket0_v3_0)          \
+  X(TrainPacket0_v2_3)          \
+  X(TrainPacket0_v2_2)          \
   X(TrainPacket0_v1_0)          \
   X(TrainPacket1)               \
+  X(TrainPacket1_v3_0)          \
+  X(TrainPacket1_v2_3)          \
+  X(TrainPacket1_v2_2)          \
   X(TrainPacket1_v1_0)          \
   X(TrainPacket2)               \
   X(TrainPacket3)               \
   X(TrainPacket4)               \
+  X(TrainPacket4_v2_2)          \
   X(TrainPacket4_v1_0)          \
   X(TrainPacket5)               \
   X(TrainPacket9)               \
+  X(TrainPacket10)              \
   X(TrainPacket11)              \
   X(TrainPacket11_v1_0)         \
+  X(TrainPacket12)              \
   X(TrainPacket44)

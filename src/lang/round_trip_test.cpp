@@ -95,7 +95,10 @@ const PacketLayout& layout_named(const std::string& type) {
 }
 
 SystemVersion newest(Versions versions) {
-  return (versions & v2_1) != 0   ? SystemVersion{2, 1}
+  return (versions & v3_0) != 0   ? SystemVersion{3, 0}
+         : (versions & v2_3) != 0 ? SystemVersion{2, 3}
+         : (versions & v2_2) != 0 ? SystemVersion{2, 2}
+         : (versions & v2_1) != 0 ? SystemVersion{2, 1}
          : (versions & v2_0) != 0 ? SystemVersion{2, 0}
          : (versions & v1_1) != 0 ? SystemVersion{1, 1}
                                   : SystemVersion{1, 0};

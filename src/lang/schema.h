@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -23,19 +24,39 @@ constexpr SystemVersion system_version(std::uint64_t M_VERSION) {
   return {static_cast<std::uint8_t>(M_VERSION >> 4), static_cast<std::uint8_t>(M_VERSION & 15u)};
 }
 
-/// A set of the four system versions whose layouts are known.
+/// A set of the seven system versions whose layouts are known.
 using Versions = std::uint8_t;
-inline constexpr Versions v1_0 = 1, v1_1 = 2, v2_0 = 4, v2_1 = 8;
+inline constexpr Versions v1_0 = 1, v1_1 = 2, v2_0 = 4, v2_1 = 8, v2_2 = 16, v2_3 = 32, v3_0 = 64;
+inline constexpr unsigned kVersions = 7;
+/// The place of one version in tables of all of them: 0 for v1_0.
+constexpr unsigned index_of(Versions one) { return static_cast<unsigned>(std::countr_zero(one)); }
+
+/// The newest version of units of Baseline 3 and of SRS 4.0.0 (SUBSET-026-6 6.4.2.1).
+inline constexpr SystemVersion kNewest_of_baseline_3{2, 1}, kNewest{3, 0};
+/// Stands for every Y that a unit does not know (3.17.3.11).
+inline constexpr std::uint8_t kLater_Y = 15;
+/// `sv` as it is to a unit whose newest version is `newest`: a Y that it does not know is kLater_Y; 0.0 if it does not
+/// know X (3.17.3.5).
+constexpr SystemVersion as_known(SystemVersion sv, SystemVersion newest) {
+  if (sv.x > newest.x) return {0, 0};
+  return sv.x == newest.x && sv.y > newest.y ? SystemVersion{sv.x, kLater_Y} : sv;
+}
+
+/// NID_RADIO of an RBC that is interfaced to FRMCS only: no number consists of digits that are not used (7.5.1.95).
+inline constexpr std::uint64_t kNo_number = 0xEEEE'EEEE'EEEE'EEEEu;
+
 /// The known version to read `sv` with: itself, or the newest supported one with the same X (3.17.3.11); 0 if X is
-/// unknown.
+/// unknown. A later Y of X = 2 occurs in units of Baseline 3 only, which read it as 2.1: no more follow 2.3 (7.5.1.79).
 constexpr Versions known_version(SystemVersion sv) {
   if (sv.x == 1) return sv.y == 0 ? v1_0 : v1_1;
-  if (sv.x == 2) return sv.y == 0 ? v2_0 : v2_1;
-  return 0;
+  if (sv.x == 2) return sv.y == 0 ? v2_0 : sv.y == 2 ? v2_2 : sv.y == 3 ? v2_3 : v2_1;
+  return sv.x == 3 ? v3_0 : Versions{0};
 }
 
 /// A version Y later than the supported ones, of a known X (3.17.3.11).
-constexpr bool is_later(SystemVersion sv) { return (sv.x == 1 || sv.x == 2) && sv.y > 1; }
+constexpr bool is_later(SystemVersion sv) {
+  return (sv.x == 1 && sv.y > 1) || (sv.x == 2 && sv.y > 3) || (sv.x == 3 && sv.y > 0);
+}
 
 /// A set of transmission media.
 using Media = std::uint8_t;

@@ -24,8 +24,16 @@ struct Frame {
   Check check = Check::all;
 };
 
-/// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19).
-std::uint8_t newest_number(std::uint8_t nid, Versions version) {
+/// The number of version 2.1 (6.6.3.2.3, translations 15, 17 to 19; 6.6.5.2.3, 6.6.5.2.4); that of the same order to an
+/// RBC with a number.
+std::uint8_t working_number(std::uint8_t nid, Versions version, Direction direction) {
+  if (direction == Direction::to_track) return nid;
+  if ((version & (v2_2 | v2_3 | v3_0)) != 0)
+    return nid == packet::plain_text_v2_2              ? std::uint8_t{packet::plain_text}
+           : nid == packet::fixed_text_v2_2            ? std::uint8_t{packet::fixed_text}
+           : nid == packet::rbc_transition_order_frmcs ? std::uint8_t{packet::rbc_transition_order}
+           : nid == packet::session_management_frmcs   ? std::uint8_t{packet::session_management}
+                                                       : nid;
   if (version != v1_1) return nid;
   return nid == packet::virtual_balise_cover_marker_v1 ? std::uint8_t{packet::virtual_balise_cover_marker}
          : nid == packet::track_condition_v1           ? std::uint8_t{packet::track_condition}
@@ -126,18 +134,21 @@ FaultAt find_packets(const Frame& frame, std::size_t at, PacketViews& packets, s
     if (const FaultAt unmeasured = measure(frame, view, codec)) return unmeasured;
     if (frame.check != Check::structure && !ignored)
       if (!check_found(frame, view, codec, packets, instances, fault)) return fault;
-    view.NID_PACKET = newest_number(nid, version);
+    view.NID_PACKET = working_number(nid, version, frame.direction);
     if (!packets.push_back(view)) return fault_in(Fault::too_many_packets, at, nid, "NID_PACKET", nid);
     at += view.L_PACKET;
   }
   return {};
 }
 
-/// M_VERSION as X.Y, if it can be read further (3.17.3.5).
-FaultAt check_version(var::M_VERSION M_VERSION) {
-  if (var::M_VERSION::is_spare(M_VERSION.raw)) return {Fault::spare_value, 1, -1, "M_VERSION", M_VERSION.raw};
-  if (known_version(system_version(M_VERSION.raw)) == 0)
-    return {Fault::unknown_version, 1, -1, "M_VERSION", M_VERSION.raw};
+/// M_VERSION as X.Y, if it can be read further (3.17.3.5). After 2.3 no Y of X = 2 is valid, which Baseline 3 does not
+/// know (7.5.1.79).
+FaultAt check_version(var::M_VERSION M_VERSION, SystemVersion newest) {
+  const SystemVersion sv = system_version(M_VERSION.raw);
+  const bool after_2_3 = newest == kNewest && sv.x == 2 && sv.y > 3;
+  if (var::M_VERSION::is_spare(M_VERSION.raw) || after_2_3)
+    return {Fault::spare_value, 1, -1, "M_VERSION", M_VERSION.raw};
+  if (known_version(as_known(sv, newest)) == 0) return {Fault::unknown_version, 1, -1, "M_VERSION", M_VERSION.raw};
   return {};
 }
 
@@ -148,11 +159,12 @@ void set_fault(View& view, const FaultAt& at) {
 }
 
 /// Whether the header is complete and for this receiver.
-FaultAt check_header(const codec::Source& from, var::Q_UPDOWN Q_UPDOWN, var::M_VERSION M_VERSION, Check check) {
+FaultAt check_header(const codec::Source& from, var::Q_UPDOWN Q_UPDOWN, var::M_VERSION M_VERSION, Check check,
+                     SystemVersion newest) {
   if (from.in.faulty()) return {Fault::truncated, from.in.position(), -1, from.in.failed_on(), 0};
   if (Q_UPDOWN.raw != 1 && check != Check::structure) return {Fault::wrong_direction, 0, -1, "Q_UPDOWN", Q_UPDOWN.raw};
-  if (const FaultAt at = check_version(M_VERSION)) return at;
-  const SystemVersion sv = system_version(M_VERSION.raw);
+  if (const FaultAt at = check_version(M_VERSION, newest)) return at;
+  const SystemVersion sv = as_known(system_version(M_VERSION.raw), newest);
   const FaultAt spare{Fault::spare_value, from.spare_bit, -1, from.spare_variable, from.spare_value};
   if (from.spare_variable == nullptr || check == Check::structure) return {};
   return check == Check::reading && is_let_through(spare, sv) ? FaultAt{} : spare;
@@ -211,17 +223,24 @@ FaultAt scan_message(View& view, const Codec* (*find)(std::uint8_t, SystemVersio
   return check != Check::structure ? check_list(*rules, view.packets, view.bits_used, check, sender) : FaultAt{};
 }
 
+constexpr std::uint32_t kUnknown_group = 16777215;  // 7.5.1.90
+/// 8.7.16: the acknowledgement of session establishment ends with M_ACK.
+bool has_no_group(std::span<const std::uint8_t> bytes, SystemVersion sv) {
+  return !bytes.empty() && bytes[0] == message::session_establishment_acknowledged &&
+         (known_version(sv) & (v2_3 | v3_0)) != 0;
+}
+
 }  // namespace
 
-TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
+TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check, SystemVersion newest) {
   TelegramView view;
   codec::Source from{BitReader(bytes, bits)};
   codec::get_run(from, view, field(&TelegramView::Q_UPDOWN), field(&TelegramView::M_VERSION),
                  field(&TelegramView::Q_MEDIA), field(&TelegramView::N_PIG), field(&TelegramView::N_TOTAL),
                  field(&TelegramView::M_DUP), field(&TelegramView::M_MCOUNT), field(&TelegramView::NID_C),
                  field(&TelegramView::NID_BG), field(&TelegramView::Q_LINK));
-  view.sv = system_version(view.M_VERSION.raw);
-  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
+  view.sv = as_known(system_version(view.M_VERSION.raw), newest);
+  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check, newest);
   if (!at && check != Check::structure && view.Q_MEDIA.raw != 0) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 1};
   if (!at) {
     const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::balise, Ending::packet_255, check};
@@ -231,13 +250,14 @@ TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits
   return view;
 }
 
-LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check) {
+LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check,
+                                  SystemVersion newest) {
   LoopMessageView view;
   codec::Source from{BitReader(bytes, bits)};
   codec::get_run(from, view, field(&LoopMessageView::Q_UPDOWN), field(&LoopMessageView::M_VERSION),
                  field(&LoopMessageView::Q_MEDIA), field(&LoopMessageView::NID_C), field(&LoopMessageView::NID_LOOP));
-  view.sv = system_version(view.M_VERSION.raw);
-  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check);
+  view.sv = as_known(system_version(view.M_VERSION.raw), newest);
+  FaultAt at = check_header(from, view.Q_UPDOWN, view.M_VERSION, check, newest);
   if (!at && check != Check::structure && view.Q_MEDIA.raw != 1) at = {Fault::wrong_medium, 8, -1, "Q_MEDIA", 0};
   if (!at) {
     const Frame frame{bytes, from.in.end(), Direction::to_train, view.sv, media::loop, Ending::packet_255, check};
@@ -254,7 +274,7 @@ std::optional<MessageHead> head_of_message_to_train(std::span<const std::uint8_t
   MessageHead head;
   head.T_TRAIN = static_cast<std::uint32_t>(in.read(32, "T_TRAIN"));
   head.M_ACK = in.read(1, "M_ACK") != 0;
-  (void)in.read(24, "NID_LRBG");
+  if (bytes.empty() || bytes[0] != message::session_establishment_acknowledged) (void)in.read(24, "NID_LRBG");
   if (in.faulty() || L_MESSAGE != bytes.size()) return std::nullopt;
   return head;
 }
@@ -268,10 +288,11 @@ MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, Sy
   view.T_TRAIN.raw = static_cast<std::uint32_t>(in.read(32));
   view.M_ACK.raw = static_cast<std::uint8_t>(in.read(1));
   view.NID_LRBG.raw = static_cast<std::uint32_t>(in.read(24));
+  if (has_no_group(bytes, sv)) view.NID_LRBG.raw = kUnknown_group;
   set_fault(view, scan_message(view, &find_message_to_train, Direction::to_train, check, sender));
   // 6.6.3.3 [2]: an RBC of X = 1 may give a group here, which has no meaning.
   if (sv.x == 1 && (view.NID_MESSAGE == message::train_rejected || view.NID_MESSAGE == message::train_accepted))
-    view.NID_LRBG.raw = 16777215u;
+    view.NID_LRBG.raw = kUnknown_group;
   return view;
 }
 

@@ -8,6 +8,7 @@
 #include "lang/fault.h"
 #include "lang/schema.h"
 #include "lang/variables.h"
+#include "terms/srs_version.h"
 
 // Telegrams and messages as received: header variables and the places of the packets. Nothing is
 // copied or allocated; a view is valid as long as the bytes it was made from.
@@ -16,7 +17,8 @@ namespace evc::lang {
 /// A packet inside a telegram or message.
 struct PacketView {
   /// The packet number of version 2.1: 200, 206, 207 and 239 of version 1.1 are 0, 68, 70 and 39 here
-  /// (6.6.3.2.3, translations 15, 17, 18, 19).
+  /// (6.6.3.2.3, translations 15, 17, 18, 19), 73 and 74 of 2.2 and later are 72 and 76 (6.6.5.2.3, 6.6.5.2.4
+  /// backwards), 31 and 32 of 2.3 and later 131 and 42.
   std::uint16_t NID_PACKET = 0;
   std::uint16_t L_PACKET = 0;  ///< bits, header included; for packets without L_PACKET their fixed length
   std::uint32_t bit = 0;       ///< of NID_PACKET in `bytes`
@@ -93,11 +95,17 @@ struct MessageToTrackView {
   Fault fault = Fault::none;
 };
 
+/// The highest version of a unit (6.4.2.1, .2): those of SRS 4.0.0 support all from 1.0 to 3.0.
+constexpr SystemVersion newest_version(SrsVersion srs) {
+  return srs == SrsVersion::v4_0_0 ? kNewest : kNewest_of_baseline_3;
+}
+
 /// The checks beyond those needed to find the packets.
 ///
-/// With a later version Y (M_VERSION 2.2 and above) a train skips packets with an unknown number (3.17.3.11). This does
-/// not apply to unknown codes in known packets: the clause mentions NID_PACKET and NID_MESSAGE only, and a speed or
-/// distance without a meaning cannot be used, so the message is inconsistent (3.16.1.1.1).
+/// With a later version Y (3.1 and above; to a unit of Baseline 3 also 2.2) a train skips packets with an unknown
+/// number (3.17.3.11). This does not apply to unknown codes in known packets: the clause mentions NID_PACKET and
+/// NID_MESSAGE only, and a speed or distance without a meaning cannot be used, so the message is inconsistent
+/// (3.16.1.1.1).
 enum class Check : std::uint8_t {
   /// For a train: all rules of 3.16.1, 3.16.2, 7.3 and 8.4, including the contents of every packet, its media, and
   /// 8.4.1.4.
@@ -111,10 +119,13 @@ enum class Check : std::uint8_t {
 /// Reads the user bits of a balise telegram. Every packet is checked (spare values, L_PACKET against
 /// content, medium, duplicates), so decode() of its packets cannot fail. Telegrams of an unknown X
 /// give Fault::unknown_version with the header read.
-TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
-LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all);
-/// Radio messages do not contain a version: `sv` is that of the session (3.5.3.5.2). `bytes` is the whole message: more
-/// or fewer than L_MESSAGE is a fault.
+/// `newest`: the highest version of the unit (6.4.2.1); SystemVersion `sv` of the view is that of as_known().
+TelegramView scan_telegram(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all,
+                           SystemVersion newest = kNewest);
+LoopMessageView scan_loop_message(std::span<const std::uint8_t> bytes, std::size_t bits, Check check = Check::all,
+                                  SystemVersion newest = kNewest);
+/// Radio messages do not contain a version: `sv` is that of the session (3.5.3.5.2) as the unit knows it (as_known()).
+/// `bytes` is the whole message: more or fewer than L_MESSAGE is a fault. Message 38 has no NID_LRBG: unknown.
 /// `sender`: media::RIU, and only what a radio infill unit may send is consistent (8.7); 0: an RBC, or not known.
 MessageToTrainView scan_message_to_train(std::span<const std::uint8_t> bytes, SystemVersion sv,
                                          Check check = Check::all, Media sender = 0);

@@ -15,6 +15,7 @@
 #include "lang/packets/packet_137.h"
 #include "lang/packets/packet_15.h"
 #include "lang/packets/packet_21.h"
+#include "lang/packets/packet_245.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_41.h"
 #include "lang/packets/packet_44.h"
@@ -66,7 +67,9 @@ struct WithBits {
     fill(out);
     end_telegram(out, bits);
   }
-  TelegramView scan(Check check = Check::all) const { return scan_telegram(out.bytes(), out.position(), check); }
+  TelegramView scan(Check check = Check::all, SystemVersion newest = kNewest_of_baseline_3) const {
+    return scan_telegram(out.bytes(), out.position(), check, newest);
+  }
 };
 
 void raw_packet(BitWriter& out, unsigned nid, unsigned Q_DIR, unsigned L_PACKET) {
@@ -243,7 +246,40 @@ TEST(Telegram, Versions) {
   EXPECT_EQ(WithBits(nothing, 48).scan().fault, Fault::unknown_version);
   EXPECT_EQ(WithBits(nothing, 18).scan().fault, Fault::spare_value);
   EXPECT_EQ(WithBits(nothing, 48).scan().NID_BG.raw, 9);
-  for (const SystemVersion unknown : {SystemVersion{0, 0}, SystemVersion{3, 0}}) EXPECT_EQ(known_version(unknown), 0);
+  for (const SystemVersion unknown : {SystemVersion{0, 0}, SystemVersion{4, 0}}) EXPECT_EQ(known_version(unknown), 0);
+}
+
+// 7.5.1.79 of SRS 4.0.0, 6.4.2.2: all versions from 1.0 to 3.0.
+TEST(Telegram, VersionsOf4_0_0) {
+  const auto nothing = [](BitWriter&) {};
+  const auto fault = [&](std::uint8_t M_VERSION) {
+    return WithBits(nothing, M_VERSION).scan(Check::all, kNewest).fault;
+  };
+  for (const std::uint8_t M_VERSION : std::initializer_list<std::uint8_t>{16, 17, 32, 33, 34, 35, 48, 49, 63})
+    EXPECT_EQ(fault(M_VERSION), Fault::none) << unsigned{M_VERSION};
+  for (std::uint8_t M_VERSION = 36; M_VERSION < 48; ++M_VERSION) {
+    EXPECT_EQ(fault(M_VERSION), Fault::spare_value) << unsigned{M_VERSION};
+    EXPECT_EQ(WithBits(nothing, M_VERSION).scan().sv, (SystemVersion{2, kLater_Y}));
+  }
+  for (const std::uint8_t M_VERSION : std::initializer_list<std::uint8_t>{15, 64, 127})
+    EXPECT_EQ(fault(M_VERSION), Fault::unknown_version);
+  EXPECT_EQ(WithBits(nothing, 35).scan(Check::all, kNewest).sv, (SystemVersion{2, 3}));
+  EXPECT_EQ(WithBits(nothing, 34).scan().sv, (SystemVersion{2, kLater_Y}));
+  EXPECT_EQ(known_version({2, kLater_Y}), v2_1);
+  EXPECT_EQ(known_version({3, kLater_Y}), v3_0);
+}
+
+// A packet of 2.3 only: unknown before and in 3.0 (6.5.2.3.16, 7.4.1.1), skipped by a unit of Baseline 3 (3.17.3.11).
+TEST(Telegram, PacketOfOneVersion) {
+  const auto network_type = [](BitWriter& out) { encode(out, Packet245{{1}, {2}}); };
+  const auto of = [&](std::uint8_t M_VERSION, SystemVersion newest) {
+    return WithBits(network_type, M_VERSION).scan(Check::all, newest);
+  };
+  EXPECT_TRUE(of(35, kNewest).packets[0].known);
+  for (const std::uint8_t other : std::initializer_list<std::uint8_t>{33, 34, 48})
+    EXPECT_EQ(of(other, kNewest).fault, Fault::spare_value);
+  ASSERT_EQ(of(35, kNewest_of_baseline_3).fault, Fault::none);
+  EXPECT_FALSE(of(35, kNewest_of_baseline_3).packets[0].known);
 }
 
 TEST(Telegram, Header) {
@@ -420,25 +456,26 @@ TEST(Message, OfARadioInfillUnit) {  // 8.7.9, 8.7.15
 }
 
 // 3.17.3.11 c: where optional packets can be added.
+constexpr SystemVersion kLater = as_known({2, 2}, kNewest_of_baseline_3);
 TEST(Message, UnknownPacketsOfALaterVersion) {
   const auto unknown = [](BitWriter& out) { raw_packet(out, 99, 1, 23); };
   const auto general = message(Message24{}, unknown), stop = message(Message16{}, unknown);
-  EXPECT_EQ(scan_message_to_train(general, {2, 2}).fault, Fault::none);
+  EXPECT_EQ(scan_message_to_train(general, kLater).fault, Fault::none);
   EXPECT_EQ(scan_message_to_train(general, {2, 1}).fault, Fault::spare_value);
   EXPECT_EQ(scan_message_to_train(general, {2, 1}, Check::reading).fault, Fault::none);
-  EXPECT_EQ(scan_message_to_train(stop, {2, 2}).fault, Fault::unexpected_packet);
-  EXPECT_EQ(scan_message_to_train(stop, {2, 2}, Check::reading).fault, Fault::none);
+  EXPECT_EQ(scan_message_to_train(stop, kLater).fault, Fault::unexpected_packet);
+  EXPECT_EQ(scan_message_to_train(stop, kLater, Check::reading).fault, Fault::none);
   // A code without a meaning among the message's own variables.
   Message2 m;
   m.Q_SCALE.raw = 3;
   for (const Check check : {Check::all, Check::reading})
-    EXPECT_STREQ(scan_message_to_train(message(m, no_packets), {2, 2}, check).at.variable, "Q_SCALE");
+    EXPECT_STREQ(scan_message_to_train(message(m, no_packets), kLater, check).at.variable, "Q_SCALE");
 }
 
 TEST(Message, LengthAndVersion) {
   std::vector<std::uint8_t> bytes = message(Message16{}, no_packets);
   EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::none);
-  EXPECT_EQ(scan_message_to_train(bytes, {3, 0}).fault, Fault::unknown_version);
+  EXPECT_EQ(scan_message_to_train(bytes, as_known({3, 0}, kNewest_of_baseline_3)).fault, Fault::unknown_version);
   bytes.push_back(0);
   EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::message_length_mismatch);
   bytes[0] = 200;
@@ -532,6 +569,51 @@ TEST(Encode, NoRoom) {
   p.OTHER_DATA.bits = 9;
   encode(application, p);
   EXPECT_TRUE(application.faulty());
+}
+
+// --- messages of supervised manoeuvre (8.6, 8.7)
+
+TEST(Message, SmAuthorisationNeedsItsThreePackets) {
+  Message4 m;
+  m.T_TRAIN_REF.raw = 77;
+  m.Q_SCALE.raw = 1;
+  m.D_REF.raw = 65436;
+  m.V_SM.raw = 6;
+  const auto whole = message(m, [](BitWriter& out) {
+    encode(out, Packet15{});
+    encode(out, Packet21{});
+    encode(out, Packet27{});
+  });
+  for (const SystemVersion sv : {SystemVersion{2, 3}, SystemVersion{3, 0}}) {
+    const MessageToTrainView view = scan_message_to_train(whole, sv);
+    ASSERT_EQ(view.fault, Fault::none);
+    EXPECT_EQ(view.packets.size(), 3u);
+    Message4 read;
+    ASSERT_EQ(decode(view, read), Fault::none);
+    EXPECT_EQ(read, m);
+  }
+  EXPECT_EQ(scan_message_to_train(whole, {2, 2}).fault, Fault::unknown_message);
+  const auto without_speed = message(m, [](BitWriter& out) {
+    encode(out, Packet15{});
+    encode(out, Packet21{});
+  });
+  EXPECT_EQ(scan_message_to_train(without_speed, {3, 0}).fault, Fault::missing_packet);
+}
+
+// 8.7.16
+TEST(Message, AcknowledgementOfSessionHasNoGroup) {
+  const auto bytes = message(Message38{{5}, {0}}, no_packets);
+  EXPECT_EQ(bytes.size(), 7u);
+  for (const SystemVersion sv : {SystemVersion{2, 3}, SystemVersion{3, 0}}) {
+    const MessageToTrainView view = scan_message_to_train(bytes, sv, Check::all, media::RIU);
+    EXPECT_EQ(view.fault, Fault::none);
+    EXPECT_EQ(view.NID_LRBG.raw, 16777215u);
+    EXPECT_EQ(view.T_TRAIN.raw, 5u);
+  }
+  EXPECT_EQ(scan_message_to_train(bytes, {2, 1}).fault, Fault::unknown_message);
+  const std::optional<MessageHead> head = head_of_message_to_train(bytes);
+  ASSERT_TRUE(head);
+  EXPECT_EQ(head->T_TRAIN, 5u);
 }
 
 }  // namespace

@@ -76,6 +76,12 @@ var::M_TRACKCOND condition(var::M_TRACKCOND_V1 c) {
   return {static_cast<std::uint8_t>(c.raw == 1 || c.raw == 2 ? 0 : c.raw)};
 }
 
+// [22] backwards: in X = 3 "not limited by level" is 4.
+var::M_LEVELTEXTDISPLAY level_of_text(var::M_LEVELTEXTDISPLAY level) { return level; }
+var::M_LEVELTEXTDISPLAY level_of_text(var::M_LEVELTEXTDISPLAY_V3 level) {
+  return {static_cast<std::uint8_t>(level.raw == 4 ? 5 : level.raw)};
+}
+
 template <class From, class To>
 void copy_text_conditions(const From& from, To& to) {
   to.Q_DIR = from.Q_DIR;
@@ -84,20 +90,28 @@ void copy_text_conditions(const From& from, To& to) {
   to.Q_TEXTDISPLAY = from.Q_TEXTDISPLAY;
   to.D_TEXTDISPLAY = from.D_TEXTDISPLAY;
   to.M_MODETEXTDISPLAY_START.raw = from.M_MODETEXTDISPLAY_START.raw;
-  to.M_LEVELTEXTDISPLAY_START = from.M_LEVELTEXTDISPLAY_START;
+  to.M_LEVELTEXTDISPLAY_START = level_of_text(from.M_LEVELTEXTDISPLAY_START);
   to.NID_NTC_START = from.NID_NTC_START;
   to.L_TEXTDISPLAY = from.L_TEXTDISPLAY;
   to.T_TEXTDISPLAY = from.T_TEXTDISPLAY;
   to.M_MODETEXTDISPLAY_END.raw = from.M_MODETEXTDISPLAY_END.raw;
-  to.M_LEVELTEXTDISPLAY_END = from.M_LEVELTEXTDISPLAY_END;
+  to.M_LEVELTEXTDISPLAY_END = level_of_text(from.M_LEVELTEXTDISPLAY_END);
   to.NID_NTC_END = from.NID_NTC_END;
   to.Q_TEXTCONFIRM.raw = from.Q_TEXTCONFIRM.raw;
-  // [6]: no report, and the acknowledgement always ends the display
-  to.Q_CONFTEXTDISPLAY = {};
-  to.Q_TEXTREPORT = {};
-  to.NID_TEXTMESSAGE = {};
-  to.NID_C = {};
-  to.NID_RBC = {};
+  if constexpr (requires { from.Q_TEXTREPORT; }) {
+    to.Q_CONFTEXTDISPLAY = from.Q_CONFTEXTDISPLAY;
+    to.Q_TEXTREPORT = from.Q_TEXTREPORT;
+    to.NID_TEXTMESSAGE = from.NID_TEXTMESSAGE;
+    to.NID_C = from.NID_C;
+    to.NID_RBC = from.NID_RBC;
+  } else {
+    // [6]: no report, and the acknowledgement always ends the display
+    to.Q_CONFTEXTDISPLAY = {};
+    to.Q_TEXTREPORT = {};
+    to.NID_TEXTMESSAGE = {};
+    to.NID_C = {};
+    to.NID_RBC = {};
+  }
 }
 
 }  // namespace
@@ -182,6 +196,37 @@ bool translate(const Packet239& from, Packet39& to) {
   return true;
 }
 
+bool translate(const Packet41_v3_0& from, Packet41& to) {
+  to.Q_DIR = from.Q_DIR;
+  to.Q_SCALE = from.Q_SCALE;
+  to.D_LEVELTR = from.D_LEVELTR;
+  to.M_LEVELTR.raw = from.M_LEVELTR.raw;
+  to.NID_NTC = from.NID_NTC;
+  to.L_ACKLEVELTR = from.L_ACKLEVELTR;
+  each_element(from.levels, to.levels, [](const auto& level) {
+    return Packet41_levels{{level.M_LEVELTR.raw}, level.NID_NTC, level.L_ACKLEVELTR};
+  });
+  return true;
+}
+bool translate(const Packet46_v3_0& from, Packet46& to) {
+  to.Q_DIR = from.Q_DIR;
+  to.M_LEVELTR.raw = from.M_LEVELTR.raw;
+  to.NID_NTC = from.NID_NTC;
+  each_element(from.levels, to.levels, [](const auto& level) {
+    return Packet46_levels{{level.M_LEVELTR.raw}, level.NID_NTC};
+  });
+  return true;
+}
+
+bool translate(const Packet32& from, Packet42& to) {
+  to = {from.Q_DIR, from.Q_RBC, from.NID_C, from.NID_RBC, {kNo_number}, from.Q_SLEEPSESSION};
+  return true;
+}
+bool translate(const Packet31& from, Packet131& to) {
+  to = {from.Q_DIR, from.Q_SCALE, from.D_RBCTR, from.NID_C, from.NID_RBC, {kNo_number}, from.Q_SLEEPSESSION};
+  return true;
+}
+
 bool translate(const Packet44_v1_0& from, Packet44& to) {
   to.Q_DIR = from.Q_DIR;
   to.NID_XUSER = from.NID_XUSER;
@@ -192,6 +237,11 @@ bool translate(const Packet44_v1_0& from, Packet44& to) {
     to.NID_XUSER.raw = 102;
   }
   to.OTHER_DATA = from.OTHER_DATA;
+  return true;
+}
+
+bool translate(const Packet45& from, Packet45_v3_0& to) {
+  to = {from.Q_DIR, {kGsm_r_only}, from.NID_MN};
   return true;
 }
 
@@ -300,16 +350,60 @@ bool translate(const Packet207& from, Packet70& to) {
   return true;
 }
 
-bool translate(const Packet72_v1_0& from, Packet72& to) {
+namespace {
+Packet70_v3_0_points with_categories(const Packet70_points& p) {
+  Packet70_v3_0_points to{p.D_SUITABILITY, p.Q_SUITABILITY, p.M_LINEGAUGE, {}, p.M_VOLTAGE, p.NID_CTRACTION};
+  if (p.Q_SUITABILITY.raw == 1)
+    to.M_LINEAXLELOADCAT.raw = static_cast<std::uint16_t>(all_ones(p.M_AXLELOADCAT.raw + 1u));
+  return to;
+}
+/// Of a packet 70 of 2.0 to 2.3, or 207, which has the same layout.
+template <class From>
+bool translate_suitability(const From& from, Packet70_v3_0& to) {
+  to.Q_DIR = from.Q_DIR;
+  to.Q_SCALE = from.Q_SCALE;
+  to.Q_TRACKINIT = from.Q_TRACKINIT;
+  to.D_TRACKINIT = from.D_TRACKINIT;
+  const Packet70_v3_0_points first = with_categories(from.first_points());
+  to.D_SUITABILITY = first.D_SUITABILITY;
+  to.Q_SUITABILITY = first.Q_SUITABILITY;
+  to.M_LINEGAUGE = first.M_LINEGAUGE;
+  to.M_LINEAXLELOADCAT = first.M_LINEAXLELOADCAT;
+  to.M_VOLTAGE = first.M_VOLTAGE;
+  to.NID_CTRACTION = first.NID_CTRACTION;
+  each_element(from.points, to.points, with_categories);
+  return true;
+}
+}  // namespace
+bool translate(const Packet70& from, Packet70_v3_0& to) { return translate_suitability(from, to); }
+bool translate(const Packet70_v1_0& from, Packet70_v3_0& to) {
+  Packet70 working;
+  return translate(from, working) && translate_suitability(working, to);
+}
+bool translate(const Packet207& from, Packet70_v3_0& to) { return translate_suitability(from, to); }
+
+namespace {
+template <class From>
+bool translate_plain_text(const From& from, Packet72& to) {
   copy_text_conditions(from, to);
   to.text = from.text;
   return true;
 }
-bool translate(const Packet76_v1_0& from, Packet76& to) {
+template <class From>
+bool translate_fixed_text(const From& from, Packet76& to) {
   copy_text_conditions(from, to);
   to.Q_TEXT = from.Q_TEXT;
   return true;
 }
+}  // namespace
+bool translate(const Packet72_v1_0& from, Packet72& to) { return translate_plain_text(from, to); }
+bool translate(const Packet73_v2_2& from, Packet72& to) { return translate_plain_text(from, to); }
+bool translate(const Packet73_v2_3& from, Packet72& to) { return translate_plain_text(from, to); }
+bool translate(const Packet73& from, Packet72& to) { return translate_plain_text(from, to); }
+bool translate(const Packet76_v1_0& from, Packet76& to) { return translate_fixed_text(from, to); }
+bool translate(const Packet74_v2_2& from, Packet76& to) { return translate_fixed_text(from, to); }
+bool translate(const Packet74_v2_3& from, Packet76& to) { return translate_fixed_text(from, to); }
+bool translate(const Packet74& from, Packet76& to) { return translate_fixed_text(from, to); }
 
 bool translate(const Packet79_v1_0& from, Packet79& to) {
   to.Q_DIR = from.Q_DIR;

@@ -8,6 +8,7 @@
 #include "lang/decode.h"
 #include "lang/encode.h"
 #include "lang/packets/packet_0.h"
+#include "lang/packets/packet_131.h"
 #include "lang/packets/packet_140.h"
 #include "lang/packets/packet_200.h"
 #include "lang/packets/packet_203.h"
@@ -16,12 +17,20 @@
 #include "lang/packets/packet_239.h"
 #include "lang/packets/packet_27.h"
 #include "lang/packets/packet_3.h"
+#include "lang/packets/packet_31.h"
+#include "lang/packets/packet_32.h"
 #include "lang/packets/packet_39.h"
+#include "lang/packets/packet_41.h"
+#include "lang/packets/packet_42.h"
 #include "lang/packets/packet_44.h"
+#include "lang/packets/packet_45.h"
+#include "lang/packets/packet_46.h"
 #include "lang/packets/packet_51.h"
 #include "lang/packets/packet_68.h"
 #include "lang/packets/packet_70.h"
 #include "lang/packets/packet_72.h"
+#include "lang/packets/packet_73.h"
+#include "lang/packets/packet_74.h"
 #include "lang/packets/packet_76.h"
 #include "lang/packets/packet_79.h"
 #include "lang/packets/packet_80.h"
@@ -363,6 +372,112 @@ TEST(Translate, Messages) {
   EXPECT_EQ(decode(view, m34), Fault::not_a_packet_of_this_kind);
   TrainMessage136 report;
   EXPECT_EQ(decode(scan_message_to_track(third.bytes(), {2, 1}), report), Fault::not_a_packet_of_this_kind);
+}
+
+// --- 2.2 to 3.0 in the form in which the unit uses them (6.6.5.2 and the other way round)
+
+TEST(Translate, TextOfX3) {
+  Packet73 plain;
+  plain.M_LEVELTEXTDISPLAY_START.raw = 4;
+  plain.M_LEVELTEXTDISPLAY_END.raw = 1;
+  plain.NID_NTC_END.raw = 9;
+  plain.M_MODETEXTDISPLAY_START.raw = 5;
+  plain.M_MODETEXTDISPLAY_END.raw = 15;
+  plain.Q_TEXTCONFIRM.raw = 1;
+  plain.Q_TEXTREPORT.raw = 1;
+  plain.NID_TEXTMESSAGE.raw = 77;
+  (void)plain.text.push_back({{'a'}});
+  Packet72 p;
+  ASSERT_EQ(through(plain, p, {3, 0}), Fault::none);
+  EXPECT_EQ(p.M_LEVELTEXTDISPLAY_START.raw, 5) << "not limited by level";
+  EXPECT_EQ(p.M_LEVELTEXTDISPLAY_END.raw, 1);
+  EXPECT_EQ(p.NID_NTC_END.raw, 9);
+  EXPECT_EQ(p.M_MODETEXTDISPLAY_START.raw, 5);
+  EXPECT_EQ(p.NID_TEXTMESSAGE.raw, 77);
+  ASSERT_EQ(p.text.size(), 1u);
+  Packet74_v2_3 fixed;
+  fixed.M_LEVELTEXTDISPLAY_START.raw = 4;
+  fixed.M_MODETEXTDISPLAY_START.raw = 3;
+  fixed.Q_TEXT.raw = 1;
+  Packet76 q;
+  ASSERT_EQ(through(fixed, q, {2, 3}), Fault::none);
+  EXPECT_EQ(q.M_LEVELTEXTDISPLAY_START.raw, 4) << "level 3, as before X = 3";
+  EXPECT_EQ(q.M_MODETEXTDISPLAY_START.raw, 3);
+  EXPECT_EQ(q.Q_TEXT.raw, 1);
+}
+
+// 7.5.1.66, .67, .73: the codes that are spare in one version and not in another.
+TEST(Translate, SpareCodesByVersion) {
+  Packet72 p;
+  Packet73_v2_2 of_2_2;
+  of_2_2.M_MODETEXTDISPLAY_START.raw = 5;
+  EXPECT_EQ(through(of_2_2, p, {2, 2}), Fault::spare_value) << "SM from 2.3 on";
+  of_2_2.M_MODETEXTDISPLAY_START.raw = 3;
+  EXPECT_EQ(through(of_2_2, p, {2, 2}), Fault::none);
+  Packet73 of_3;
+  of_3.M_LEVELTEXTDISPLAY_START.raw = 5;
+  EXPECT_EQ(through(of_3, p, {3, 0}), Fault::spare_value);
+  Packet41_v3_0 order;
+  Packet41 q;
+  order.M_LEVELTR.raw = 4;
+  EXPECT_EQ(through(order, q, {3, 0}), Fault::spare_value);
+  order.M_LEVELTR.raw = 3;
+  (void)order.levels.push_back({{1}, {22}, {50}});
+  ASSERT_EQ(through(order, q, {3, 0}), Fault::none);
+  EXPECT_EQ(q.M_LEVELTR.raw, 3);
+  ASSERT_EQ(q.levels.size(), 1u);
+  EXPECT_EQ(q.levels[0].NID_NTC.raw, 22);
+  EXPECT_EQ(q.levels[0].L_ACKLEVELTR.raw, 50);
+  Packet46_v3_0 conditional;
+  Packet46 r;
+  (void)conditional.levels.push_back({{1}, {7}});
+  ASSERT_EQ(through(conditional, r, {3, 0}), Fault::none);
+  EXPECT_EQ(r.levels[0].NID_NTC.raw, 7);
+  conditional.M_LEVELTR.raw = 4;
+  EXPECT_EQ(through(conditional, r, {3, 0}), Fault::spare_value);
+}
+
+// [18], 6.6.5.2.2
+TEST(Translate, AxleLoadCategoriesOfALine) {
+  constexpr std::array<std::uint16_t, 13> sets{0x1,  0x3,   0x7,   0xF,   0x1F,  0x3F,  0x7F,
+                                               0xFF, 0x1FF, 0x3FF, 0x7FF, 0xFFF, 0x1FFF};
+  for (std::uint8_t k = 0; k < 13; ++k) {
+    Packet70 of_2;
+    of_2.Q_SUITABILITY.raw = 1;
+    of_2.M_AXLELOADCAT.raw = k;
+    Packet70_v3_0 p;
+    for (const SystemVersion sv : {SystemVersion{2, 0}, SystemVersion{2, 3}}) {
+      ASSERT_EQ(through(of_2, p, sv), Fault::none);
+      EXPECT_EQ(p.M_LINEAXLELOADCAT.raw, sets[k]);
+    }
+    Packet207 of_1;
+    of_1.Q_SUITABILITY.raw = 1;
+    of_1.M_AXLELOADCAT.raw = k;
+    ASSERT_EQ(through(of_1, p, {1, 1}), Fault::none);
+    EXPECT_EQ(p.M_LINEAXLELOADCAT.raw, sets[k]);
+  }
+  Packet70_v1_0 traction;
+  traction.Q_SUITABILITY.raw = 2;
+  traction.M_TRACTION.raw = 2;
+  Packet70_v3_0 p;
+  ASSERT_EQ(through(traction, p), Fault::none);
+  EXPECT_EQ(p.NID_CTRACTION.raw, 12);
+  EXPECT_EQ(p.M_LINEAXLELOADCAT.raw, 0);
+  traction.M_TRACTION.raw = 4;
+  EXPECT_EQ(through(traction, p), Fault::not_applicable);
+}
+
+// 6.6.5.2.7; orders to an RBC without GSM-R have no number.
+TEST(Translate, NetworkAndRbcWithoutNumber) {
+  Packet45_v3_0 network;
+  ASSERT_EQ(through(Packet45{{1}, {0x26210F}}, network, {2, 3}), Fault::none);
+  EXPECT_EQ(network, (Packet45_v3_0{{1}, {2}, {0x26210F}}));
+  Packet42 session;
+  ASSERT_EQ(through(Packet32{{2}, {1}, {426}, {7}, {1}}, session, {2, 3}), Fault::none);
+  EXPECT_EQ(session, (Packet42{{2}, {1}, {426}, {7}, {kNo_number}, {1}}));
+  Packet131 transition;
+  ASSERT_EQ(through(Packet31{{1}, {1}, {500}, {426}, {8}, {0}}, transition, {3, 0}), Fault::none);
+  EXPECT_EQ(transition, (Packet131{{1}, {1}, {500}, {426}, {8}, {kNo_number}, {0}}));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ int encode_text(const EncodeOptions& o, const std::string& name, std::string_vie
   if (!o.sv.empty()) {
     how.sv = io::parse_version(o.sv);
     if (!how.sv || lang::known_version(*how.sv) == 0) {
-      return complain({"--sv", "", o.sv, "a system version 1.Y or 2.Y"});
+      return complain({"--sv", "", o.sv, "a system version 1.Y, 2.Y or 3.Y"});
     }
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)

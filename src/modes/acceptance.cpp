@@ -21,7 +21,7 @@ static_assert(
 
 constexpr Clause k483 = "4.8.3"_srs;
 constexpr Clause k484 = "4.8.4"_srs;
-constexpr std::size_t kNotes483 = 17;  // one more than the number of the last exception
+constexpr std::size_t kNotes483 = 18;  // one more than the number of the last exception
 constexpr std::size_t kNotes484 = 12;
 
 constexpr Acceptance kAccepted{Verdict::accepted, {}};
@@ -51,6 +51,10 @@ bool level_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return !c.immediate_order_to_1_2_3;
     case 14:
       return c.srs != SrsVersion::v3_4_0 && c.names_rbc_of_transition;
+    case 15:
+      return c.network_missing;
+    case 17:
+      return c.consist_length_unacknowledged;
     default:  // 16
       return c.unlinked_with_level_1;
   }

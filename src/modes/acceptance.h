@@ -36,7 +36,10 @@ struct AcceptanceContext {
   bool text_awaits_acknowledgement = false;     // [12]: same message identity, report asked for, not yet acknowledged
   bool immediate_order_to_1_2_3 = false;        // [13]: comes with the message
   bool names_rbc_of_transition = false;         // [14]: the RBC of a stored or same-message RBC transition order
-  bool unlinked_with_level_1 = false;           // [16] of 4.0.0: by a group marked as unlinked, level 1 in its table
+  bool network_missing = false;                // [15] of 4.0.0: no radio of this unit is registered to the network that
+                                               // a network order of the message names
+  bool unlinked_with_level_1 = false;          // [16] of 4.0.0: by a group marked as unlinked, level 1 in its table
+  bool consist_length_unacknowledged = false;  // [17] of 4.0.0: it was sent to the RBC
   // 4.8.4
   bool exit_from_trip_recognised = false;    // [1]: recognition received, and this information is later than it
   bool desk_open = false;                    // [2]

@@ -8,18 +8,20 @@ constexpr Distance kLongestReported{32766.0};
 
 /// 3.6.5.2.4: without a valid position against an LRBG, or without a length, nothing can be confirmed.
 bool can_confirm(const State& state, const IntegrityFacts& facts) {
-  return facts.train_data_valid && facts.length_acknowledged && !facts.validated_since &&
-         state.status == DataStatus::valid && lrbg(state) != nullptr;
+  const bool by_train_data = facts.train_data_valid && facts.length_acknowledged && !facts.validated_since;
+  const bool by_consist = !facts.train_data_valid && facts.consist_known && facts.consist_acknowledged;
+  return (by_train_data || by_consist) && !facts.turned && state.status == DataStatus::valid && lrbg(state) != nullptr;
 }
 
 void confirm(IntegrityStatus& status, Integrity by, const State& state, const IntegrityFacts& facts) {
   status = {by, rear(state, facts.L_TRAIN).min, facts.L_TRAIN};
 }
 
-/// Conditions 7, 8, 9 of Table 2c.
+/// Conditions 7, 8, 9, 10 of Table 2c.
 bool outdated(const IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
-  return !facts.train_data_valid || !facts.length_acknowledged || facts.L_TRAIN != status.L_TRAIN ||
-         motion(state) == Motion::backward || front(state).est - status.min_safe_rear > kLongestReported;
+  const bool length = facts.train_data_valid ? facts.length_acknowledged : facts.consist_known;
+  return !length || facts.turned || facts.L_TRAIN != status.L_TRAIN || motion(state) == Motion::backward ||
+         front(state).est - status.min_safe_rear > kLongestReported;
 }
 
 }  // namespace
@@ -27,10 +29,11 @@ bool outdated(const IntegrityStatus& status, const State& state, const Integrity
 IntegrityEvents supervise(IntegrityStatus& status, const State& state, const IntegrityFacts& facts) {
   if (facts.session_established) status = {};
   const Integrity before = status.integrity;
+  const bool length_known = facts.train_data_valid || facts.consist_known;
   const bool by_driver = facts.driver_confirms && can_confirm(state, facts);  // 2
   const bool by_device =
       facts.device == TrainIntegrity::confirmed && can_confirm(state, facts) && motion(state) != Motion::backward;  // 3
-  const bool lost = facts.device == TrainIntegrity::lost && facts.train_data_valid;                                 // 4
+  const bool lost = facts.device == TrainIntegrity::lost && length_known;                                           // 4
   switch (before) {
     case Integrity::none:
       if (by_driver)
@@ -57,7 +60,7 @@ IntegrityEvents supervise(IntegrityStatus& status, const State& state, const Int
         confirm(status, Integrity::by_driver, state, facts);
       else if (by_device)
         confirm(status, Integrity::by_device, state, facts);
-      else if (!facts.train_data_valid || facts.device == TrainIntegrity::unknown)  // 1, 6
+      else if (!length_known || facts.device == TrainIntegrity::unknown)  // 1, 6
         status = {};
       break;
   }

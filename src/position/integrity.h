@@ -20,10 +20,13 @@ struct IntegrityFacts {
   TrainIntegrity device{};       ///< says the external source now
   bool driver_confirms = false;  ///< at standstill (3.6.5.2.2)
   bool train_data_valid = false;
-  bool length_acknowledged = false;  ///< by the RBC, and no other length waits for the driver
-  bool validated_since = false;      ///< train data, and the RBC has not acknowledged these: they confirm nothing
-  bool session_established = false;  ///< in this cycle (3.6.5.2.6)
-  Distance L_TRAIN{};
+  bool length_acknowledged = false;   ///< by the RBC, and no other length waits for the driver
+  bool validated_since = false;       ///< train data, and the RBC has not acknowledged these: they confirm nothing
+  bool session_established = false;   ///< in this cycle (3.6.5.2.6)
+  bool consist_known = false;         ///< 4.0.0: no valid train data, but the safe consist length is available
+  bool consist_acknowledged = false;  ///< by the RBC, if it was sent
+  bool turned = false;                ///< 4.0.0: the train orientation changed in this cycle
+  Distance L_TRAIN{};                 ///< from the min safe front end to the min safe rear end
 };
 
 /// What is reported by itself (3.6.5.1.4 c, d).

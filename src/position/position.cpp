@@ -128,6 +128,13 @@ OdometerPlace forward_counter(const State& state) {
 }
 
 PlaceInterval front_at(const State& state, const OdometerReading& counter) {
+  const PlaceInterval engine = engine_front_at(state, counter);
+  return {engine.min + state.ahead.min, engine.est + state.ahead.est, engine.max + state.ahead.max};
+}
+
+PlaceInterval engine_front(const State& state) { return engine_front_at(state, state.now.counter); }
+
+PlaceInterval engine_front_at(const State& state, const OdometerReading& counter) {
   const Reference* reference = lrbg(state);
   return reference ? interval(state, *reference, counter) : interval(state, reference_of(state), counter);
 }
@@ -194,8 +201,13 @@ bool assign_orientation(State& state, GroupId id, Direction q_orientation) {
 }
 
 void change_cab(State& state, Distance L_engine) {
+  turn(state);
+  state.offset = state.offset + L_engine;
+}
+
+void turn(State& state) {
   state.sense = -state.sense;
-  state.offset = -state.offset + L_engine;
+  state.offset = -state.offset;
   for (Reference& reference : state.references) mirror(reference);
   if (state.unlinked) mirror(*state.unlinked);
   state.surplus = {state.surplus.under, state.surplus.over};

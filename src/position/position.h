@@ -68,11 +68,19 @@ struct Doubts {
   Distance over{}, under{};
 };
 
+/// How far the front end of the train is ahead of the place of the counter: the vehicles in front of the engine
+/// (3.6.1.3.4 of 4.0.0). min <= est <= max.
+struct Ahead {
+  Distance est{}, min{}, max{};
+  friend constexpr bool operator==(const Ahead&, const Ahead&) = default;
+};
+
 struct State {
   Odometry now, before;  // this cycle and the one before
   Duration time{}, time_before{};
   double sense = 1.0;  // +1: the counter grows when the active cab leads; -1 after a change of cab
-  Distance offset{};   // Place of the front end = sense * counter + offset
+  Distance offset{};   // Place of the front end of the engine = sense * counter + offset
+  Ahead ahead;         // of it: the front end of the train
   DataStatus status = DataStatus::unknown;
   InplaceVector<Reference, kReferences> references;  // oldest first; the last one is the LRBG
   std::optional<Reference> unlinked;                 // the last unlinked group, until a new LRBG (3.6.4.7)
@@ -150,6 +158,9 @@ void restore(State& state, const Kept& position);
 const Reference* lrbg(const State& state);
 /// Front end now: min safe, estimated, max safe (3.6.4.2, 3.6.4.4).
 PlaceInterval front(const State& state);
+/// The same of the engine, on the side of the active cab: without the vehicles in front of it.
+PlaceInterval engine_front(const State& state);
+PlaceInterval engine_front_at(const State& state, const OdometerReading& counter);
 /// The nominal counter as it would grow towards the active cab.
 OdometerPlace forward_counter(const State& state);
 /// Front end when the counters stood at `counter`.
@@ -157,10 +168,10 @@ PlaceInterval front_at(const State& state, const OdometerReading& counter);
 /// Rear end; `min` is safe only while the integrity of the train is known (3.6.4.4.1). In SL, NL, PS
 /// the length is that of the engine.
 inline PlaceInterval rear(const State& state, Distance L_TRAIN) { return front(state) - L_TRAIN; }
-/// The active antenna, `L_antenna` behind the front end (3.4.4.4.3).
-inline PlaceInterval antenna(const State& state, Distance L_antenna) { return front(state) - L_antenna; }
+/// The active antenna, `L_antenna` behind the front end of the engine (3.4.4.4.3); ahead of it if that is below 0.
+inline PlaceInterval antenna(const State& state, Distance L_antenna) { return engine_front(state) - L_antenna; }
 inline PlaceInterval antenna_at(const State& state, const OdometerReading& counter, Distance L_antenna) {
-  return front_at(state, counter) - L_antenna;
+  return engine_front_at(state, counter) - L_antenna;
 }
 /// Distance from the estimated front end back to the min safe one / ahead to the max safe one.
 Distance L_DOUBTOVER(const State& state);
@@ -199,6 +210,9 @@ Direction side(const State& state);
 /// The cab at the other end of the engine becomes active: the track frame is mirrored (p -> -p), the
 /// front end is that of the other cab (5.12.2.5). The caller mirrors or deletes its own data in the frame.
 void change_cab(State& state, Distance L_engine);
+/// The train has the other orientation while the cab stays (3.6.1.5.1 of 4.0.0): the track frame is mirrored, the place
+/// of the counter stays the front end of the engine on the side of the active cab.
+void turn(State& state);
 
 // --- Status (4.10, 4.11, 5.4)
 

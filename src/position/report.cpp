@@ -36,8 +36,7 @@ std::uint8_t finest_scale(Distance longest) {
   return 2;
 }
 
-void put_place(Report& out, const State& state, const Reference& reference) {
-  const PlaceInterval at = front(state);
+void put_place(Report& out, const PlaceInterval& at, const Reference& reference) {
   const Distance ahead = at.est - reference.place;
   const Distance away = ahead.si < 0 ? -ahead : ahead;
   Distance longest = away;
@@ -54,13 +53,13 @@ void put_place(Report& out, const State& state, const Reference& reference) {
   out.L_DOUBTUNDER = length_code(in_steps(at.max - est, out.Q_SCALE));
 }
 
-void put_directions(Report& out, const State& state, const Reference& reference) {
+void put_directions(Report& out, const State& state, Place est_front, const Reference& reference) {
   Direction cab = reference.orientation;
   if (cab == Direction::unknown) {  // 3.4.2.3.3: packet 1
     out.NID_PRVLRBG = reference.previous ? wire(*reference.previous) : kUnknownGroup;
     if (reference.previous) cab = reference.pair_orientation;
   }
-  const bool ahead = front(state).est >= reference.place;
+  const bool ahead = est_front >= reference.place;
   const bool forward = state.last_motion == Motion::forward;
   out.Q_DIRLRBG = static_cast<std::uint8_t>(cab);
   out.Q_DLRBG = static_cast<std::uint8_t>(ahead ? cab : opposite(cab));
@@ -69,20 +68,22 @@ void put_directions(Report& out, const State& state, const Reference& reference)
 
 }  // namespace
 
-Report report(const State& state, const IntegrityStatus& integrity) {
+Report report(const State& state, const IntegrityStatus& integrity, const Ahead& ahead) {
   Report out;
+  const PlaceInterval engine = engine_front(state);
+  const PlaceInterval at{engine.min + ahead.min, engine.est + ahead.est, engine.max + ahead.max};
   const double five_km_h = state.now.V_est.si * 3.6 / 5.0;
   const std::uint32_t V = up(five_km_h < 0 ? -five_km_h : five_km_h);
   out.V_TRAIN = static_cast<std::uint8_t>(V > 120 ? 120 : V);
   out.Q_LENGTH = static_cast<std::uint8_t>(integrity.integrity);
   if (integrity.integrity == Integrity::by_device || integrity.integrity == Integrity::by_driver)
-    out.L_TRAININT = length_code((front(state).est - integrity.min_safe_rear).si);
+    out.L_TRAININT = length_code((at.est - integrity.min_safe_rear).si);
   const Reference* reference = lrbg(state);
   // 3.6.2.2.2.1; an invalid position is reported with its values during start of mission.
   if (reference == nullptr || state.status == DataStatus::unknown) return out;
   out.NID_LRBG = wire(reference->id);
-  put_directions(out, state, *reference);
-  put_place(out, state, *reference);
+  put_directions(out, state, at.est, *reference);
+  put_place(out, at, *reference);
   return out;
 }
 

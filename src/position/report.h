@@ -34,7 +34,11 @@ struct Report {
 /// The report of the current position. D_LRBG is rounded to the nearest step of the finest scale that fits; the
 /// rounding is added to the doubts, which are rounded up: the reported interval contains the supervised one. V_TRAIN
 /// and L_TRAININT are rounded up.
-Report report(const State& state, const IntegrityStatus& integrity);
+/// `ahead`: of the engine, the front end that is reported.
+Report report(const State& state, const IntegrityStatus& integrity, const Ahead& ahead);
+inline Report report(const State& state, const IntegrityStatus& integrity) {
+  return report(state, integrity, state.ahead);
+}
 /// The report was sent: its LRBG (and its PRVLRBG) may be used by the RBC (3.6.2.2.2 c, 3.4.2.3.3.7).
 void note_reported(State& state, const Report& sent);
 

@@ -15,6 +15,7 @@ enum class Send : std::uint8_t {
   terminate_session,
   train_data,               // 129
   shunting_request,         // 130
+  manoeuvre_request,        // 131
   position_report,          // 136 with the new mode or level
   end_of_mission,           // 150
   start_of_mission_report,  // 157

@@ -42,6 +42,11 @@ Effects step(State& state, const Inputs& in) {
     const bool shunting_only = in.mode == Mode::SH && !state.mission && in.level_2_or_3 && in.previous_mode != Mode::PS;
     if (ends || in.mode == Mode::NP) state.mission = false;
     if (is_mission(in.mode)) state.mission = true;
+    if (ends && in.session_open && in.mode == Mode::SB && in.report_ends_it) {
+      state.waits_for_order = false;
+      out.send.add(Send::end_of_mission);
+      return out;
+    }
     if ((ends || shunting_only) && in.session_open) {
       state.waits_for_order = true;
       state.reports_mode_only = !ends;

@@ -21,10 +21,13 @@ struct Inputs {
   bool session_open = false;         // with an RBC; a session with a radio infill unit ends at once (kernel)
   bool termination_ordered = false;  // packet 42, in this cycle
   bool level_2_or_3 = false;
+  /// The desk is closed, and the RBC is of version 2.3 or later (5.5.3.1.3 of 4.0.0).
+  bool report_ends_it = false;
 };
 
-/// One cycle, after the mode transition. Sends 150 (136 for SH without a mission), repeats it three times, terminates
-/// the session when the RBC orders it or at the end of the last wait.
+/// One cycle, after the mode transition. Sends 150; in SB with `report_ends_it` that is all. Else sends 150 (136 for SH
+/// without a mission), repeats it three times, terminates the session when the RBC orders it or at the end of the last
+/// wait.
 Effects step(State& state, const Inputs& inputs);
 
 /// 5.4.7: a mode in which a mission is in progress.

@@ -100,5 +100,20 @@ TEST(EndOfMission, Power_off_forgets_the_mission) {
   EXPECT_FALSE(m.state.mission);
 }
 
+// 5.5.3.1.3 of 4.0.0, an RBC of 2.3 or later: with the desk closed the report is all; in SH the order is awaited.
+TEST(EndOfMission, With_the_desk_closed_the_report_is_all) {
+  Mission m;
+  m.in.session_open = m.in.report_ends_it = true;
+  (void)m.to(Mode::FS);
+  EXPECT_TRUE(m.to(Mode::SB).send.has(Send::end_of_mission));
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(m.cycle().send.empty()) << i;
+  Mission shunting;
+  shunting.in.session_open = shunting.in.report_ends_it = true;
+  (void)shunting.to(Mode::FS);
+  EXPECT_TRUE(shunting.to(Mode::SH).send.has(Send::end_of_mission));
+  shunting.in.termination_ordered = true;
+  EXPECT_TRUE(shunting.cycle().send.has(Send::terminate_session));
+}
+
 }  // namespace
 }  // namespace evc::procedures

@@ -4,12 +4,17 @@
 #include <span>
 
 #include "base/inplace_vector.h"
+#include "lang/schema.h"
 #include "radio/messages.h"
+#include "terms/consist_length.h"
 #include "terms/level.h"
 #include "terms/mode.h"
 
 // Messages to the RBC as bits (8.6), in the version that the RBC gave in its message 32 (6.6.3.4).
 namespace evc::radio {
+
+/// M_MODE of the modes that only versions from 2.2 and 2.3 on have (7.5.1.72).
+inline constexpr std::uint8_t kAutomaticDriving = 16, kSupervisedManoeuvre = 17;
 
 /// The codes of packet 0, of packet 1 when NID_PRVLRBG is present (7.4.3.1-2).
 struct PositionReport {
@@ -22,10 +27,11 @@ struct PositionReport {
   std::uint8_t Q_LENGTH = 0;
   std::uint16_t L_TRAININT = 0;
   std::uint8_t V_TRAIN = 0, Q_DIRTRAIN = 2;
+  bool standstill = false;  ///< V_TRAIN says so from 2.3 on
   std::uint8_t M_MODE = evc::M_MODE(Mode::SB), M_LEVEL = evc::M_LEVEL(Level::L0), NID_NTC = 0;
 };
 
-/// Packet 11 (7.4.3.5).
+/// Packets 10 to 12 (7.4.3.4.3 to 7.4.3.5.1).
 struct TrainDataReport {
   std::uint8_t NC_CDTRAIN = 2;
   std::uint16_t NC_TRAIN = 0;
@@ -40,16 +46,18 @@ struct TrainDataReport {
   InplaceVector<Traction, 8> tractions;
   InplaceVector<std::uint8_t, 8> NID_NTC;  ///< fitted national systems
   std::optional<std::uint32_t> NID_OPERATIONAL;
+  std::optional<ConsistLength> consist;  ///< absent: the safe consist length is not known
 };
 
 /// Who the unit is (3.18.4.4).
 struct OnBoard {
   std::uint32_t NID_ENGINE = 0;
-  std::span<const std::uint64_t> telephone_numbers;  ///< NID_RADIO of the mobile terminals, for packet 3
+  std::span<const std::uint64_t> telephone_numbers;          ///< NID_RADIO of the mobile terminals, for packet 3
+  lang::SystemVersion newest = lang::kNewest_of_baseline_3;  ///< the highest version supported, for packet 2
 };
 
-/// Writes the message. Returns the number of bytes; 0 when it is not sent to this version (158 to X = 1) or `bytes` is
-/// too small. `M_VERSION`: of the RBC, 0 while it is unknown.
+/// Writes the message in the older one of both versions. Returns the number of bytes; 0 when it is not sent to this
+/// version (158 to X = 1; 131, 133 before 2.3) or `bytes` is too small. `M_VERSION`: of the RBC, 0 while it is unknown.
 std::size_t compose(const Intent& intent, const PositionReport& position, const TrainDataReport& train,
                     const OnBoard& unit, std::uint8_t M_VERSION, std::span<std::uint8_t> bytes);
 

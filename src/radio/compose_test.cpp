@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "lang/decode.h"
 #include "lang/messages.h"
 #include "lang/packets/train_packet_0.h"
 #include "lang/packets/train_packet_1.h"
+#include "lang/packets/train_packet_10.h"
 #include "lang/packets/train_packet_11.h"
+#include "lang/packets/train_packet_12.h"
 #include "lang/packets/train_packet_2.h"
 #include "lang/packets/train_packet_3.h"
 #include "lang/packets/train_packet_4.h"
@@ -24,13 +27,16 @@ struct Sent {
   std::size_t size = 0;
   lang::MessageToTrackView view;
 
-  Sent(const Intent& intent, std::uint8_t M_VERSION, const PositionReport& position = {}, TrainDataReport train = {}) {
+  Sent(const Intent& intent, std::uint8_t M_VERSION, const PositionReport& position = {}, TrainDataReport train = {},
+       lang::SystemVersion newest = lang::kNewest) {
     const std::array<std::uint64_t, 1> telephone_numbers{0x0612345678FFFFFF};
-    const OnBoard unit{.NID_ENGINE = 0xABCDEF, .telephone_numbers = telephone_numbers};
+    const OnBoard unit{.NID_ENGINE = 0xABCDEF, .telephone_numbers = telephone_numbers, .newest = newest};
     size = compose(intent, position, train, unit, M_VERSION, bytes);
     if (size == 0) return;
     view = lang::scan_message_to_track(std::span<const std::uint8_t>(bytes).first(size),
-                                       lang::system_version(M_VERSION == 0 ? 0x21 : M_VERSION));
+                                       M_VERSION == 0 || lang::system_version(M_VERSION) > newest
+                                           ? lang::kNewest_of_baseline_3
+                                           : lang::system_version(M_VERSION));
     EXPECT_EQ(view.fault, lang::Fault::none)
         << int{intent.NID_MESSAGE} << " in version " << int{M_VERSION} << ": " << lang::text_of(view.fault);
     EXPECT_EQ(view.T_TRAIN.raw, intent.T_TRAIN);
@@ -70,13 +76,13 @@ Intent intent_of(std::uint8_t NID_MESSAGE) {
 }
 
 TEST(Compose, EveryMessageInEveryVersionReadsBack) {
-  for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 4>{0x10, 0x11, 0x20, 0x21})
-    for (const std::uint8_t id : std::array<std::uint8_t, 17>{129, 130, 132, 136, 137, 138, 146, 147, 149, 150, 153,
-                                                              154, 155, 156, 157, 158, 159}) {
+  for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 7>{0x10, 0x11, 0x20, 0x21, 0x22, 0x23, 0x30})
+    for (const std::uint8_t id : std::array<std::uint8_t, 19>{129, 130, 131, 132, 133, 136, 137, 138, 146, 147, 149,
+                                                              150, 153, 154, 155, 156, 157, 158, 159}) {
       PositionReport two_groups;
       two_groups.NID_PRVLRBG = 17;
-      if (id == 158 && M_VERSION < 0x20) {
-        EXPECT_EQ(Sent(intent_of(id), M_VERSION).size, 0u) << "X = 1 does not know it";
+      if ((id == 158 && M_VERSION < 0x20) || ((id == 131 || id == 133) && M_VERSION < 0x23)) {
+        EXPECT_EQ(Sent(intent_of(id), M_VERSION).size, 0u) << "not in this version";
         continue;
       }
       EXPECT_GT(Sent(intent_of(id), M_VERSION).size, 0u);
@@ -193,9 +199,105 @@ TEST(Compose, VersionsOrTelephoneNumbers) {  // 6.6.3.4.1.1
   ASSERT_EQ(numbers.numbers.size(), 1u);
   EXPECT_EQ(numbers.numbers[0].NID_RADIO.raw, 0x0612345678FFFFFFu);
   EXPECT_TRUE(Sent(intent_of(159), 0x20).has(3));
-  const auto versions = Sent(intent_of(159), 0x21).packet<lang::TrainPacket2>();
+  const auto versions = Sent(intent_of(159), 0x21, {}, {}, lang::kNewest_of_baseline_3).packet<lang::TrainPacket2>();
   EXPECT_EQ(versions.M_VERSION.raw, 0x21);
   EXPECT_EQ(versions.versions.size(), 3u);
+}
+
+TEST(Compose, VersionsOfAUnitOf4_0_0) {  // 6.4.2.2
+  for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 4>{0x21, 0x22, 0x23, 0x30}) {
+    const auto versions = Sent(intent_of(159), M_VERSION).packet<lang::TrainPacket2>();
+    EXPECT_EQ(versions.M_VERSION.raw, 0x30);
+    std::vector<int> further;
+    for (const auto& e : versions.versions) further.push_back(e.M_VERSION.raw);
+    EXPECT_EQ(further, (std::vector<int>{0x23, 0x22, 0x21, 0x20, 0x11, 0x10}));
+  }
+}
+
+// A unit of Baseline 3 speaks 2.1 with an RBC of a later version.
+TEST(Compose, InTheOlderOfBothVersions) {
+  for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 2>{0x22, 0x23}) {
+    const Sent report(intent_of(136), M_VERSION, {}, {}, lang::kNewest_of_baseline_3);
+    EXPECT_EQ(report.packet<lang::TrainPacket0>().M_MODE.raw, 6);
+    EXPECT_EQ(Sent(intent_of(131), M_VERSION, {}, {}, lang::kNewest_of_baseline_3).size, 0u);
+  }
+}
+
+// 6.6.3.4.5 [1], 6.6.5.3.7 [1], 6.6.5.5.6 [1], 6.6.5.6.3 [1].
+TEST(Compose, ModeLevelAndStandstillByVersion) {
+  PositionReport r;
+  r.M_MODE = kAutomaticDriving;
+  r.M_LEVEL = evc::M_LEVEL(Level::L3);  // level 2, ordered as level 3
+  r.standstill = true;
+  const auto of_2_1 = Sent(intent_of(136), 0x21, r).packet<lang::TrainPacket0>();
+  EXPECT_EQ(of_2_1.M_MODE.raw, 0);
+  EXPECT_EQ(of_2_1.M_LEVEL.raw, 4);
+  EXPECT_EQ(of_2_1.V_TRAIN.raw, 0);
+  const auto of_2_2 = Sent(intent_of(136), 0x22, r).packet<lang::TrainPacket0_v2_2>();
+  EXPECT_EQ(of_2_2.M_MODE.raw, 16);
+  EXPECT_EQ(of_2_2.M_LEVEL.raw, 4);
+  EXPECT_EQ(of_2_2.V_TRAIN.raw, 0);
+  r.M_MODE = kSupervisedManoeuvre;
+  r.Q_LENGTH = 2;
+  r.L_TRAININT = 77;
+  const auto of_2_3 = Sent(intent_of(136), 0x23, r).packet<lang::TrainPacket0_v2_3>();
+  EXPECT_EQ(of_2_3.M_MODE.raw, 17);
+  EXPECT_EQ(of_2_3.M_LEVEL.raw, 4);
+  EXPECT_EQ(of_2_3.V_TRAIN.raw, 127);
+  EXPECT_EQ(of_2_3.L_TRAININT.raw, 77);
+  const auto of_3_0 = Sent(intent_of(136), 0x30, r).packet<lang::TrainPacket0_v3_0>();
+  EXPECT_EQ(of_3_0.M_LEVEL.raw, 3);
+  r.standstill = false;
+  r.V_TRAIN = 4;
+  EXPECT_EQ(Sent(intent_of(136), 0x30, r).packet<lang::TrainPacket0_v3_0>().V_TRAIN.raw, 4);
+}
+
+// 8.4.4.4.3, 6.5.2.3.5.2, 6.5.2.3.6.3: what a start of mission reports beside the position.
+TEST(Compose, StartOfMissionReportByVersion) {
+  Intent intent = intent_of(157);
+  intent.train_data = intent.consist_length = true;
+  TrainDataReport train;
+  train.L_TRAIN = 200;
+  train.consist = ConsistLength{};
+  train.consist->front.max = Distance{12.2};
+  const Sent of_2_1(intent, 0x21, {}, train), of_2_2(intent, 0x22, {}, train), of_2_3(intent, 0x23, {}, train);
+  EXPECT_FALSE(of_2_1.has(10) || of_2_1.has(11));
+  EXPECT_TRUE(!of_2_2.has(10) && of_2_2.has(11));
+  EXPECT_EQ(of_2_3.packet<lang::TrainPacket11>().L_TRAIN.raw, 200);
+  const auto consist = of_2_3.packet<lang::TrainPacket10>();
+  EXPECT_EQ(consist.Q_SAFECONSISTLENGTH.raw, 1);
+  EXPECT_EQ(consist.L_CONSISTFRONTENGINEMAX.raw, 13) << "rounded up";
+}
+
+TEST(Compose, MessagesOfSupervisedManoeuvre) {  // 8.6.2.1, 8.6.3.1
+  TrainDataReport train;
+  train.N_AXLE = 4;
+  ASSERT_TRUE(train.tractions.push_back({1, 12}));
+  Intent request = intent_of(message::request_for_sm);
+  EXPECT_FALSE(Sent(request, 0x23, {}, train).has(12));
+  request.default_train_data = true;
+  const Sent sent(request, 0x30, {}, train);
+  EXPECT_EQ(sent.packet<lang::TrainPacket10>().Q_SAFECONSISTLENGTH.raw, 0);
+  const auto data = sent.packet<lang::TrainPacket12>();
+  EXPECT_EQ(data.N_AXLE.raw, 4);
+  ASSERT_EQ(data.tractions.size(), 1u);
+  EXPECT_EQ(data.tractions[0].NID_CTRACTION.raw, 12);
+  train.consist =
+      ConsistLength{{Distance{10.9}, Distance{10.1}, Distance{5000.0}}, {Distance{-1.0}, Distance{}, Distance{30.0}}};
+  const auto length = Sent(intent_of(message::safe_consist_length), 0x23, {}, train).packet<lang::TrainPacket10>();
+  EXPECT_EQ(length.L_CONSISTFRONTENGINENOM.raw, 10);
+  EXPECT_EQ(length.L_CONSISTFRONTENGINEMIN.raw, 10);
+  EXPECT_EQ(length.L_CONSISTFRONTENGINEMAX.raw, 4095);
+  EXPECT_EQ(length.L_CONSISTREARENGINENOM.raw, 0);
+  EXPECT_EQ(length.L_CONSISTREARENGINEMAX.raw, 30);
+}
+
+TEST(Compose, EndOfMissionSaysWhetherADeskIsOpen) {  // 8.6.10, 6.5.2.3.7.2
+  Intent intent = intent_of(150);
+  EXPECT_EQ(Sent(intent, 0x23).message<lang::TrainMessage150_v2_3>().Q_DESK.raw, 0);
+  intent.desk_open = true;
+  EXPECT_EQ(Sent(intent, 0x30).message<lang::TrainMessage150_v2_3>().Q_DESK.raw, 1);
+  EXPECT_EQ(Sent(intent, 0x22).message<lang::TrainMessage150>().NID_ENGINE.raw, 0xABCDEFu);
 }
 
 TEST(Compose, RadioInfillRequest) {  // 8.6.11

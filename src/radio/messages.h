@@ -6,6 +6,7 @@
 #include "base/inplace_vector.h"
 #include "base/location.h"
 #include "base/units.h"
+#include "lang/schema.h"
 #include "terms/error_report.h"
 #include "terms/message_numbers.h"
 
@@ -23,6 +24,9 @@ struct Rbc {
   }
 };
 inline constexpr std::uint16_t kLastKnownRbc = 16383;
+/// An RBC that is interfaced to FRMCS only has no number (packets 31 and 32): this unit, which has GSM-R, cannot call
+/// it.
+inline constexpr std::uint64_t kNoNumber = lang::kNo_number;
 inline constexpr std::uint64_t kStoredNumber = 0xFFFF'FFFF'FFFF'FFFFu;
 /// The RBC that answers the short number, until the bearer reports its identity: all ones (3.5.3.11).
 inline constexpr Rbc kUnknownRbc{1023, 16383, kStoredNumber};
@@ -71,6 +75,10 @@ struct Intent {
   std::optional<ErrorReport> M_ERROR;            ///< packet 4 in 136, 157
   std::optional<std::uint32_t> NID_LTRBG;        ///< packet 9 in 132
   bool running_number = false;                   ///< packet 5 in 136, 157, if there is a number
+  bool train_data = false;                       ///< packet 11 in 157, from 2.2 on
+  bool consist_length = false;                   ///< packet 10 in 157, from 2.3 on
+  bool default_train_data = false;               ///< packet 12 in 131
+  bool desk_open = false;                        ///< 150, from 2.3 on
 };
 
 /// Whether the message holds packet 0 or 1, the position report (8.6).

@@ -50,6 +50,15 @@ bool note_running_number(State& s, const Inputs& in) {
   return report;
 }
 
+/// Train data that are due are part of message 157 from 2.2 on (5.4.3.2 A33, A34; before: 6.6.3.4.3.1).
+bool reports_with_train_data(const State& s, Partner& p, const Inputs& in) {
+  constexpr lang::SystemVersion kSince{2, 2};
+  const bool due = in.start_of_mission && p.train_data_pending && in.train_data_valid;
+  if (!due || common_version(s, p.session) < kSince) return false;
+  p.train_data_pending = false;
+  return true;
+}
+
 /// To both RBCs while the unit is connected to both (3.15.1.3.4). Returns whether it went to the other one; while its
 /// connection is lost none is due to it.
 bool send_report(State& s, const Inputs& in, Outbox& out) {
@@ -68,6 +77,8 @@ bool send_report(State& s, const Inputs& in, Outbox& out) {
     const Addressed to(out, peer);
     intent.running_number = number_due(p, in);
     p.running_number_due = p.running_number_due && !intent.running_number;
+    intent.train_data = reports_with_train_data(s, p, in);
+    intent.consist_length = in.start_of_mission && in.consist_known;
     out.send(intent);
   }
   return other;
@@ -87,6 +98,7 @@ bool keep(State& s, Peer peer, const Inputs& in, Outbox& out) {
   const bool lost = keep_session(s, peer, in, out);
   // In a kept session train data that were not acknowledged are sent again (3.18.3.4.2).
   if (was_lost && p.session.phase == Phase::up && p.train_data_stamp) p.train_data_pending = true;
+  if (was_lost && p.session.phase == Phase::up && p.consist_stamp) p.consist_due = true;  // 3.18.3.10.2
   return lost;
 }
 
@@ -95,6 +107,14 @@ void send_train_data_to(Partner& p, Peer peer, const Inputs& in, Outbox& out) {
   p.train_data_pending = false;
   const Addressed to(out, peer);
   out.send(message::validated_train_data);
+}
+
+void send_consist_length(State& s, const Inputs& in, Outbox& out) {
+  Partner& p = s.supervising;
+  p.consist_due = p.consist_due || in.consist_due;
+  if (!p.consist_due || p.session.phase != Phase::up || !knows_manoeuvres(p.session)) return;
+  p.consist_due = false;
+  out.send(message::safe_consist_length);
 }
 
 void send_ma_request(State& s, const Inputs& in, Outbox& out) {
@@ -124,8 +144,10 @@ void send_ma_request(State& s, const Inputs& in, Outbox& out) {
 /// Every message has its own stamp, even two within one 10 ms tick (3.16.3.3.2).
 void stamp(State& s, Duration now, Outbox& out) {
   // What answers an earlier request for shunting does not answer the new one, even if this does not leave.
-  for (const Intent& intent : out.messages)
+  for (const Intent& intent : out.messages) {
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp.reset();
+    if (intent.NID_MESSAGE == message::request_for_sm) s.manoeuvre_request_stamp.reset();
+  }
   drop_unsent(s, out);
   for (Intent& intent : out.messages) {
     std::uint32_t T_TRAIN = T_TRAIN_of(now);
@@ -133,8 +155,11 @@ void stamp(State& s, Duration now, Outbox& out) {
     if (T_TRAIN == kUnknownTime) T_TRAIN = 0;
     intent.T_TRAIN = T_TRAIN;
     s.last_sent = T_TRAIN;
-    if (intent.NID_MESSAGE == message::validated_train_data) s.partner(intent.to).train_data_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::validated_train_data || intent.train_data)
+      s.partner(intent.to).train_data_stamp = T_TRAIN;
     if (intent.NID_MESSAGE == message::request_for_shunting) s.shunting_request_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::request_for_sm) s.manoeuvre_request_stamp = T_TRAIN;
+    if (intent.NID_MESSAGE == message::safe_consist_length) s.partner(intent.to).consist_stamp = T_TRAIN;
   }
 }
 
@@ -188,6 +213,7 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
     end(session, now, out);
     return Rejected::no;
   }
+  if (header.NID_MESSAGE == message::session_establishment_acknowledged) note_acknowledged(session);
   if (from == Peer::supervising) {  // 3.16.3.4.1.2
     s.contact_reference = time_of(header.T_TRAIN, now);
     s.contact_lost = false;
@@ -207,9 +233,15 @@ void receive_inconsistent(State& s, Peer from) {
   if (s.partner(from).session.established()) report_error(s, ErrorReport::radio_message);
 }
 
+lang::SystemVersion common_version(const State& s, const Session& session) {
+  if (session.M_VERSION == 0) return lang::kNewest_of_baseline_3;
+  const lang::SystemVersion of_partner = lang::system_version(session.M_VERSION);
+  return of_partner < s.newest ? of_partner : s.newest;
+}
+
 bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
   const Addressed to(out, from);
-  if (!check_version(s.session(from), M_VERSION, now, out)) return false;
+  if (!check_version(s.session(from), M_VERSION, s.newest, now, out)) return false;
   if (is_infill_unit(from)) return true;
   Partner& p = s.partner(from);
   p.established_now = true;
@@ -217,6 +249,8 @@ bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   p.train_data_pending = true;
   p.train_data_acknowledged = p.train_data_validated_since = false;
   p.train_data_stamp.reset();
+  p.consist_stamp.reset();
+  p.consist_due = false;
   if (from == Peer::other) return true;
   if (p.session.rbc != kUnknownRbc) s.contact = p.session.rbc;  // 3.18.4.3.4: of the short number the one that answered
   s.reasons = 0;
@@ -229,6 +263,11 @@ void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
   from.train_data_stamp.reset();
   from.train_data_acknowledged = true;
   from.train_data_validated_since = from.train_data_validated_since && from.train_data_pending;
+}
+
+void receive_consist_length_ack(Partner& from, std::uint32_t T_TRAIN_REF) {
+  // Only the acknowledgement of the latest message 133 counts (4.8.3 [17]).
+  if (from.consist_stamp == T_TRAIN_REF) from.consist_stamp.reset();
 }
 
 void report_error(State& s, ErrorReport error) {
@@ -258,6 +297,7 @@ Result supervise(State& s, const Inputs& in, Outbox& out) {
     result.session_established = result.session_established || p.established_now;
     p.established_now = false;
   }
+  send_consist_length(s, in, out);
   send_ma_request(s, in, out);
   stamp(s, in.now, out);
   order_bearer(s, out);

@@ -38,6 +38,9 @@ struct ContactRule {
   Reaction M_NVCONTACT = Reaction::none;
 };
 
+/// An RBC of a version above 2.2 knows supervised manoeuvres (6.6.5.3.7 of 4.0.0).
+constexpr bool knows_manoeuvres(const Session& session) { return session.M_VERSION > 0x22; }
+
 /// An RBC and what is agreed with it in its session.
 struct Partner {
   Session session;
@@ -48,11 +51,15 @@ struct Partner {
   std::optional<std::uint32_t> train_data_stamp;  ///< of the 129 that is not acknowledged yet
   bool train_data_acknowledged = false;           ///< in this session
   bool train_data_validated_since = false;        ///< anew or others, since the acknowledgement
+  // 3.18.3.10 of 4.0.0
+  bool consist_due = false;                    ///< 133 has to be sent
+  std::optional<std::uint32_t> consist_stamp;  ///< of the 133 that is not acknowledged yet
   /// It has acknowledged the train data of now; that they are sent again does not matter.
   bool knows_train_data() const { return train_data_acknowledged && !train_data_validated_since; }
 };
 
 struct State {
+  lang::SystemVersion newest = lang::kNewest_of_baseline_3;  ///< the highest version of the unit (6.4.2.1)
   Partner supervising;             ///< the RBC that supervises; without a handover the only one
   Partner other;                   ///< of a handover (3.15.1): the accepting RBC, after it the former RBC
   bool other_accepts = false;      ///< which of them it is
@@ -70,7 +77,8 @@ struct State {
   bool contact_brake_released = false;  ///< the service brake for it was released at standstill
   bool reconnected = false;             ///< the connection was set up again 60 s later
   bool was_in_hole = false, was_level_2_or_3 = false;
-  std::optional<std::uint32_t> shunting_request_stamp;  ///< of the last 130
+  std::optional<std::uint32_t> shunting_request_stamp;   ///< of the last 130
+  std::optional<std::uint32_t> manoeuvre_request_stamp;  ///< of the last 131 (4.0.0)
   // 3.8.2
   std::optional<MaRequestParameters> ma_request;
   std::uint8_t reasons = 0;  ///< that were sent and still apply
@@ -110,8 +118,13 @@ Rejected receive(State& state, const Header& header, Duration now, Outbox& out, 
 void receive_inconsistent(State& state, Peer from = Peer::supervising);
 /// Message 32, after `receive`. True when the session is established by it.
 bool receive_version(State& state, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from = Peer::supervising);
+/// The version in which the unit and this partner speak: the older of theirs (6.6.3.4, 6.6.5.3 to .6); 2.1 before the
+/// partner gave its own.
+lang::SystemVersion common_version(const State& state, const Session& session);
 /// Message 8, after `receive`: `T_TRAIN_REF` names the 129 that it acknowledges.
 void receive_train_data_ack(Partner& from, std::uint32_t T_TRAIN_REF);
+/// Message 7 (4.0.0).
+void receive_consist_length_ack(Partner& from, std::uint32_t T_TRAIN_REF);
 /// An error of balises or radio, to be reported when a session is established (3.16.4).
 void report_error(State& state, ErrorReport error);
 
@@ -156,6 +169,8 @@ struct Inputs {
   bool report_due = false;        ///< a position report (136), by parameters or event (3.6.5.1.4)
   bool errors_reported = true;    ///< the mode reports errors (4.5.2): the next one is in the report
   bool start_of_mission = false;  ///< a report is due, as 157 with Q_STATUS (5.4)
+  bool consist_known = false;     ///< 4.0.0: 157 holds packet 10 (8.4.4.4.3)
+  bool consist_due = false;       ///< 4.0.0: 133 is due to the supervising RBC (3.18.3.10)
   bool running_number_valid = false, running_number_entered = false;  ///< entered: in this cycle, not by an RBC
   std::optional<Rbc> running_number_from;                             ///< the RBC that gave it
   std::uint8_t Q_STATUS = 1;

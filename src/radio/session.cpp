@@ -3,10 +3,34 @@
 namespace evc::radio {
 namespace {
 
-/// Whether this unit supports the version X (SUBSET-026-6).
-bool supported(std::uint8_t M_VERSION) {
+/// Whether a unit with this highest version supports X (SUBSET-026-6).
+bool supported(std::uint8_t M_VERSION, lang::SystemVersion newest) {
   const unsigned X = M_VERSION >> 4;
-  return X == 1 || X == 2;
+  return X >= 1 && X <= newest.x;
+}
+
+/// Message 159 is acknowledged (38) between a unit and a trackside that both know 2.3 (3.5.3.7.4,
+/// 6.6.3.4.1.2).
+void report_established(Session& s, lang::SystemVersion newest, Duration now, Outbox& out) {
+  constexpr lang::SystemVersion kSince{2, 3};
+  out.send(message::session_established);
+  s.established_repeated = false;
+  s.established_report.reset();
+  if (newest >= kSince && lang::system_version(s.M_VERSION) >= kSince) s.established_report = now;
+}
+
+/// 3.5.3.7.4, 3.5.3.7.4.1: a second report, then a new session.
+void await_acknowledgement(Session& s, Duration now, Outbox& out) {
+  if (!s.established_report || now - *s.established_report < kAcknowledgementWait) return;
+  if (!s.established_repeated) {
+    s.established_repeated = true;
+    s.established_report = now;
+    out.send(message::session_established);
+    return;
+  }
+  s.remembered = s.rbc;
+  s.remembered_cause = s.cause;
+  terminate(s, now, out);
 }
 
 void enter(Session& s, Phase phase, Duration now) {
@@ -51,6 +75,7 @@ void connect_to(Session& s, const Rbc& rbc, Cause cause, Duration now, Outbox& o
   ++s.connections;
   s.tries = 0;
   s.M_VERSION = 0;
+  s.established_report.reset();
   s.last_T_TRAIN.reset();
   s.after_hole = false;
   enter(s, Phase::connecting, now);
@@ -183,6 +208,7 @@ void terminate(Session& s, Duration now, Outbox& out) {
     case Phase::up:
     case Phase::lost:
       enter(s, Phase::terminating, now);
+      s.established_report.reset();
       s.repetitions = 0;
       s.request_connection = false;
       s.status_timer.reset();
@@ -228,15 +254,16 @@ bool maintain(Session& s, RadioLink link, bool in_radio_hole, Duration now, Outb
       if (s.after_hole && !in_radio_hole) connect_to(s, s.rbc, Cause::radio_hole_end, now, out);
       break;
     case Phase::up:
+      await_acknowledgement(s, now, out);
       break;
   }
   return false;
 }
 
-bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out) {
+bool check_version(Session& s, std::uint8_t M_VERSION, lang::SystemVersion newest, Duration now, Outbox& out) {
   if (s.phase != Phase::waiting_version && s.phase != Phase::up) return false;
   s.M_VERSION = M_VERSION;
-  if (!supported(M_VERSION)) {
+  if (!supported(M_VERSION, newest)) {
     out.send(message::no_compatible_version);
     out.inform_no_version = true;
     s.phase = Phase::up;  // so that message 156 terminates it
@@ -245,9 +272,11 @@ bool check_version(Session& s, std::uint8_t M_VERSION, Duration now, Outbox& out
   }
   const bool fresh = s.phase == Phase::waiting_version;
   if (fresh) enter(s, Phase::up, now);
-  out.send(message::session_established);
+  report_established(s, newest, now, out);
   return fresh;
 }
+
+void note_acknowledged(Session& s) { s.established_report.reset(); }
 
 void withdraw_request(Session& s) {
   s.request_connection = false;

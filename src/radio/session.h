@@ -4,6 +4,7 @@
 
 #include "base/inplace_vector.h"
 #include "base/units.h"
+#include "lang/schema.h"
 #include "radio/messages.h"
 #include "terms/radio_link.h"
 
@@ -16,6 +17,7 @@ inline constexpr Duration kRepeatAfter{15.0};
 inline constexpr std::uint8_t kRepetitions = 3;
 inline constexpr Duration kSessionKept{300.0};
 inline constexpr Duration kVersionWait{15.0};
+inline constexpr Duration kAcknowledgementWait{15.0};  ///< of session establishment, SRS 4.0.0
 inline constexpr Duration kContactExtra{60.0};
 inline constexpr Duration kConnectionStatus{45.0};
 
@@ -42,8 +44,11 @@ struct Session {
   RadioIndication indication = RadioIndication::none;
   std::uint8_t M_VERSION = 0;                 ///< of the RBC, from message 32; 0: unknown
   std::optional<std::uint32_t> last_T_TRAIN;  ///< of the last message not rejected: the sequence reference
-  bool request_connection = false;            ///< a request was made that the bearer has not answered yet
-  std::optional<Rbc> remembered;              ///< ordered during termination; set up afterwards
+  // 3.5.3.7.4 of SRS 4.0.0, with an RBC or radio infill unit of version 2.3 or later.
+  std::optional<Duration> established_report;  ///< of the last message 159 that is not acknowledged
+  bool established_repeated = false;           ///< it was the second one
+  bool request_connection = false;             ///< a request was made that the bearer has not answered yet
+  std::optional<Rbc> remembered;               ///< ordered during termination; set up afterwards
   Cause remembered_cause = Cause::trackside_order;
   /// `connections` of the one whose end the terminal awaits to register with another network (3.5.6.6).
   std::optional<std::uint8_t> registers_after;
@@ -73,7 +78,10 @@ void terminate(Session& session, Duration now, Outbox& out);
 /// ends. True in the cycle in which the session is finally lost after kSessionKept.
 bool maintain(Session& session, RadioLink link, bool in_radio_hole, Duration now, Outbox& out);
 /// Message 32 was received: 159 when X is supported, else 154 and termination (3.5.3.8). True when established.
-bool check_version(Session& session, std::uint8_t M_VERSION, Duration now, Outbox& out);
+/// `newest`: the highest version of the unit.
+bool check_version(Session& session, std::uint8_t M_VERSION, lang::SystemVersion newest, Duration now, Outbox& out);
+/// Message 38 of 2.3 and later was received (3.5.3.7.4).
+void note_acknowledged(Session& session);
 /// The connection request of this cycle is not made yet: it follows in the next.
 void withdraw_request(Session& session);
 /// Message 39 was received.

@@ -301,5 +301,100 @@ TEST(Session, WhatTheBearerSaysWithoutASessionIsNothing) {
   EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating) << "its repetitions run out by themselves";
 }
 
+// --- 3.5.3.7.4 of 4.0.0: the session is acknowledged
+
+Unit of_4_0_0() {
+  Unit u;
+  u.s.newest = lang::kNewest;
+  return u;
+}
+
+TEST(Session, AwaitsItsAcknowledgementOnceMore) {
+  Unit u = of_4_0_0();
+  u.up(0x23);
+  EXPECT_EQ(u.run(14.0), Ids{});
+  EXPECT_EQ(u.run(2.0), Ids{159}) << "15 s without it";
+  EXPECT_EQ(u.run(12.0), Ids{});
+  EXPECT_EQ(u.message(message::session_establishment_acknowledged), Rejected::no);
+  EXPECT_EQ(u.run(60.0), Ids{});
+  EXPECT_TRUE(u.s.supervising.session.established());
+}
+
+TEST(Session, BeginsAnewWithoutItsAcknowledgement) {
+  Unit u = of_4_0_0();
+  u.up(0x30);
+  EXPECT_EQ(u.run(16.0), Ids{159});
+  EXPECT_EQ(u.run(15.0), Ids{156}) << "3.5.3.7.4.1";
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::terminating);
+  u.fresh();
+  EXPECT_EQ(u.message(39), Rejected::no);
+  EXPECT_EQ(u.out.connect, kRbc);
+  EXPECT_EQ(u.s.supervising.session.phase, Phase::connecting);
+}
+
+TEST(Session, TheRepeatedVersionIsAnsweredAndAwaitedAnew) {  // 3.5.4.7
+  Unit u = of_4_0_0();
+  u.up(0x30);
+  EXPECT_EQ(u.run(10.0), Ids{});
+  u.version(0x30);
+  u.fresh();
+  EXPECT_EQ(u.run(14.0), Ids{});
+  EXPECT_EQ(u.run(2.0), Ids{159});
+}
+
+TEST(Session, AwaitsNoAcknowledgementOfOlderVersions) {  // 6.6.5.2, 6.6.5.4.2, 6.6.5.5.2
+  for (const std::uint8_t M_VERSION : {std::uint8_t{0x11}, std::uint8_t{0x21}, std::uint8_t{0x22}}) {
+    Unit u = of_4_0_0();
+    u.up(M_VERSION);
+    EXPECT_EQ(u.run(40.0), Ids{}) << unsigned{M_VERSION};
+  }
+  Unit of_baseline_3;
+  of_baseline_3.up(0x23);
+  EXPECT_EQ(of_baseline_3.run(40.0), Ids{}) << "its highest version is 2.1";
+}
+
+TEST(Session, VersionsOfAUnit) {
+  const auto established = [](Unit u, std::uint8_t M_VERSION) {
+    u.order_session();
+    u.cycle();
+    u.fresh();
+    u.cycle(RadioLink::connected);
+    u.version(M_VERSION);
+    return u.s.supervising.session.established();
+  };
+  EXPECT_TRUE(established(of_4_0_0(), 0x30));
+  EXPECT_FALSE(established(of_4_0_0(), 0x40));
+  EXPECT_FALSE(established(Unit{}, 0x30));
+  EXPECT_TRUE(established(Unit{}, 0x23));
+}
+
+TEST(Session, CommonVersion) {
+  Unit u = of_4_0_0();
+  EXPECT_EQ(common_version(u.s, u.s.supervising.session), (lang::SystemVersion{2, 1})) << "not agreed yet";
+  u.s.supervising.session.M_VERSION = 0x22;
+  EXPECT_EQ(common_version(u.s, u.s.supervising.session), (lang::SystemVersion{2, 2}));
+  u.s.newest = lang::kNewest_of_baseline_3;
+  EXPECT_EQ(common_version(u.s, u.s.supervising.session), (lang::SystemVersion{2, 1}));
+}
+
+// 5.4.3.2 A33: from 2.2 on train data are part of the report, before they follow it (6.6.3.4.3.1).
+TEST(Session, StartOfMissionReportsTrainDataFrom2_2On) {
+  for (const std::uint8_t M_VERSION : {std::uint8_t{0x21}, std::uint8_t{0x22}, std::uint8_t{0x30}}) {
+    Unit u = of_4_0_0();
+    u.order_session();
+    u.cycle();
+    u.fresh();
+    u.cycle(RadioLink::connected);
+    u.version(M_VERSION);
+    u.fresh();
+    u.in.start_of_mission = true;
+    u.cycle();
+    const bool within = M_VERSION >= 0x22;
+    EXPECT_EQ(u.messages(), within ? Ids{157} : (Ids{157, 129})) << unsigned{M_VERSION};
+    EXPECT_EQ(u.out.messages[0].train_data, within);
+    EXPECT_TRUE(u.s.supervising.train_data_stamp) << "message 8 names it";
+  }
+}
+
 }  // namespace
 }  // namespace evc::radio

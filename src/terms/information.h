@@ -73,6 +73,9 @@ enum class Information : std::uint8_t {
   lssma_toggle_on,                    // LSSMA display on
   lssma_toggle_off,                   // LSSMA display off
   external_application_data,          // data for applications outside ERTMS/ETCS
+  movement_authority_sm,              // movement authority of a supervised manoeuvre authorisation (4.0.0)
+  sm_refused,                         // supervised manoeuvre refused (4.0.0)
+  safe_consist_length_ack,            // acknowledgement of the safe consist length (4.0.0)
   stm_max_speed,                      // maximum speed of a national system
   stm_system_speed_distance,          // system speed and distance of a national system
   count
@@ -148,6 +151,9 @@ inline constexpr auto kInformationRows = [] {
     {lssma_toggle_on,                    "lssma_toggle_on"},
     {lssma_toggle_off,                   "lssma_toggle_off"},
     {external_application_data,          "external_application_data"},
+    {movement_authority_sm,              "movement_authority_sm"},
+    {sm_refused,                         "sm_refused"},
+    {safe_consist_length_ack,            "safe_consist_length_ack"},
     {stm_max_speed,                      "stm_max_speed"},
     {stm_system_speed_distance,          "stm_system_speed_distance"},
   });

@@ -8,7 +8,10 @@ namespace evc::message {
 enum ToTrain : std::uint8_t {
   sr_authorisation = 2,
   movement_authority = 3,
+  sm_authorised = 4,
+  sm_refused = 5,
   exit_from_trip_recognised = 6,
+  consist_length_acknowledged = 7,
   train_data_acknowledged = 8,
   request_to_shorten_ma = 9,
   conditional_emergency_stop = 15,
@@ -21,7 +24,8 @@ enum ToTrain : std::uint8_t {
   movement_authority_shifted = 33,
   track_ahead_free_request = 34,
   infill_movement_authority = 37,
-  session_initiated_by_rbc = 38,
+  session_initiated_by_rbc = 38,            ///< up to 2.0
+  session_establishment_acknowledged = 38,  ///< from 2.3 on
   session_termination_acknowledged = 39,
   train_rejected = 40,
   train_accepted = 41,
@@ -33,7 +37,9 @@ enum ToTrain : std::uint8_t {
 enum ToTrack : std::uint8_t {
   validated_train_data = 129,
   request_for_shunting = 130,
+  request_for_sm = 131,
   ma_request = 132,
+  safe_consist_length = 133,
   position_report = 136,
   shortening_granted = 137,
   shortening_rejected = 138,

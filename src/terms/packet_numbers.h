@@ -4,7 +4,7 @@
 // NID_PACKET (7.5.1.91) by name. What a packet holds is declared in lang/packets.
 namespace evc::packet {
 
-/// From the trackside (7.4.2), and those of X = 1 that are translated to one of X = 2 (6.5.1.5).
+/// From the trackside (7.4.2), and those of other versions that are translated to one of 2.1 (6.5.1.5, 6.6.5.2).
 enum ToTrain : std::uint8_t {
   virtual_balise_cover_marker = 0,
   system_version_order = 2,
@@ -17,6 +17,8 @@ enum ToTrain : std::uint8_t {
   repositioning_information = 16,
   gradient_profile = 21,
   static_speed_profile = 27,
+  rbc_transition_order_frmcs = 31,
+  session_management_frmcs = 32,
   traction_system_change = 39,
   permitted_current_change = 40,
   level_transition_order = 41,
@@ -39,6 +41,8 @@ enum ToTrain : std::uint8_t {
   route_suitability = 70,
   adhesion_factor = 71,
   plain_text = 72,
+  plain_text_v2_2 = 73,
+  fixed_text_v2_2 = 74,
   fixed_text = 76,
   geographical_position = 79,
   mode_profile = 80,
@@ -64,6 +68,7 @@ enum ToTrain : std::uint8_t {
   track_condition_v1 = 206,
   route_suitability_v1 = 207,
   traction_system_change_v1 = 239,
+  radio_network_type = 245,
   default_information = 254,
   end_of_information = 255,
 };

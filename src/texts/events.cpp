@@ -108,9 +108,12 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::cover_removed, "virtual balise cover", Takes::id, "removed by driver"},
 
     {What::cab_changed, "cab", Takes::nothing, "changed"},
+    {What::train_turned, "train orientation", Takes::nothing, "changed"},
+    {What::consist_changed, "safe consist length", Takes::nothing, "changed"},
+    {What::consist_lost, "safe consist length", Takes::nothing, "no longer available"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
     {What::mode_not_of_level, "mode", Takes::nothing, "not possible in the level"},
-    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "supervised manoeuvre, consist length, virtual front end, system versions 2.2 to 3.0"},
+    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "virtual front end"},
     {What::received_without_power, "telegram or message", Takes::nothing, "not received: no power"},
 });
 // clang-format on

@@ -56,8 +56,8 @@ struct CurrentChange {
 struct RouteSuitability {
   Place at{};
   Suitability kind = Suitability::gauge;
-  std::uint8_t M_LINEGAUGE = 0;  ///< bits G1 = 1, GA = 2, GB = 4, GC = 8
-  std::uint8_t M_AXLELOADCAT = 0;
+  std::uint8_t M_LINEGAUGE = 0;         ///< bits G1 = 1, GA = 2, GB = 4, GC = 8
+  std::uint16_t M_LINEAXLELOADCAT = 0;  ///< the categories allowed, bits A = 1, HS17 = 2, ... E5 = 4096
   std::uint8_t M_VOLTAGE = 0;
   std::uint16_t NID_CTRACTION = 0;
   Anchor anchor{};

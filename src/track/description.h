@@ -19,7 +19,7 @@ namespace evc::track {
 struct Here {
   Place est_front{}, min_safe_front{}, max_safe_front{};
   Place min_safe_rear{};
-  Place min_safe_antenna{};
+  Place min_safe_antenna{}, max_safe_antenna{};
   Place hole_front{}, hole_rear{};  ///< the ends to which a radio hole is related (3.12.1.2.1.5)
   Duration now{};
   bool standstill = false;

@@ -71,17 +71,17 @@ void take(Contents& c, const lang::Packet40& p, const Reference& r) {
   c.current = change;
 }
 
-void take(Contents& c, const lang::Packet70& p, const Reference& r) {
+void take(Contents& c, const lang::Packet70_v3_0& p, const Reference& r) {
   Fresh<RouteSuitability>& fresh = c.suitability.emplace();
   if (p.Q_TRACKINIT.raw == 1) return take_initial_state(fresh, p, r.place);
   Place at = r.place;
-  const auto append = [&](const lang::Packet70_points& e) {
+  const auto append = [&](const lang::Packet70_v3_0_points& e) {
     at = at + metres(p.Q_SCALE, e.D_SUITABILITY);
     RouteSuitability item;
     item.at = at;
     item.kind = suitability_of(e.Q_SUITABILITY.raw).value_or(Suitability::gauge);
     item.M_LINEGAUGE = e.M_LINEGAUGE.raw;
-    item.M_AXLELOADCAT = e.M_AXLELOADCAT.raw;
+    item.M_LINEAXLELOADCAT = e.M_LINEAXLELOADCAT.raw;
     item.M_VOLTAGE = e.M_VOLTAGE.raw;
     item.NID_CTRACTION = e.NID_CTRACTION.raw;
     (void)fresh.elements.push_back(item);
@@ -103,6 +103,8 @@ void take(Contents& c, const lang::Packet71& p, const Reference& r) {
 std::optional<Mode> mode_limit(std::uint8_t M_MODETEXTDISPLAY) {
   constexpr std::uint8_t kNotLimited = 15;
   if (M_MODETEXTDISPLAY == kNotLimited) return std::nullopt;
+  if (M_MODETEXTDISPLAY == 3) return Mode::AD;  // from 2.2 on, before spare
+  if (M_MODETEXTDISPLAY == 5) return Mode::SM;  // from 2.3 on
   return mode_of(M_MODETEXTDISPLAY);
 }
 
@@ -171,7 +173,7 @@ Added add_condition(Contents& contents, const lang::PacketView& view, const Refe
     case packet::station_platforms:
       return take_condition<lang::Packet69>(contents, view, reference);
     case packet::route_suitability:
-      return take_condition<lang::Packet70>(contents, view, reference);
+      return take_condition<lang::Packet70_v3_0>(contents, view, reference);
     case packet::adhesion_factor:
       return take_condition<lang::Packet71>(contents, view, reference);
     case packet::plain_text:

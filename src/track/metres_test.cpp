@@ -248,7 +248,7 @@ class Database {
       s.at = at(from);
       s.kind = static_cast<Suitability>(number(0, 2));
       s.M_LINEGAUGE = static_cast<std::uint8_t>(number(0, 15));
-      s.M_AXLELOADCAT = static_cast<std::uint8_t>(number(0, 12));
+      s.M_LINEAXLELOADCAT = static_cast<std::uint16_t>((2u << number(0, 12)) - 1u);
       s.M_VOLTAGE = static_cast<std::uint8_t>(number(1, 2));
       EXPECT_TRUE(c.suitability->elements.push_back(s));
     }
@@ -477,7 +477,7 @@ class Database {
   }
   static bool closed(const RouteSuitability& s) {
     if (s.kind == Suitability::gauge) return (s.M_LINEGAUGE & 2u) == 0;
-    if (s.kind == Suitability::axle_load) return s.M_AXLELOADCAT < 5;
+    if (s.kind == Suitability::axle_load) return (s.M_LINEAXLELOADCAT & 32u) == 0;
     return s.M_VOLTAGE != 1;
   }
   void compare_authority() const {

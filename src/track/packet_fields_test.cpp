@@ -269,7 +269,7 @@ TEST(PacketFields, Route_suitability_70) {
   EXPECT_EQ(fresh.from, at(1100));
   ASSERT_EQ(fresh.elements.size(), 3u);
   EXPECT_EQ(fresh.elements[0].kind, Suitability::axle_load);
-  EXPECT_EQ(fresh.elements[0].M_AXLELOADCAT, 5);
+  EXPECT_EQ(fresh.elements[0].M_LINEAXLELOADCAT, 0b11'1111);
   EXPECT_EQ(fresh.elements[1].kind, Suitability::traction);
   EXPECT_EQ(fresh.elements[1].M_VOLTAGE, 1);
   EXPECT_EQ(fresh.elements[1].NID_CTRACTION, 12);

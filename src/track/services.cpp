@@ -71,7 +71,7 @@ bool unsuitable(const RouteSuitability& item, const TrainInterfaces& train) {
       // A train without an interoperable profile fits none of those listed.
       return train.M_LOADINGGAUGE == 0 || ((item.M_LINEGAUGE >> (train.M_LOADINGGAUGE - 1)) & 1u) == 0;
     case Suitability::axle_load:
-      return train.M_AXLELOADCAT > item.M_AXLELOADCAT;
+      return ((item.M_LINEAXLELOADCAT >> train.M_AXLELOADCAT) & 1u) == 0;
     case Suitability::traction:
       for (const TrainInterfaces::Traction& t : train.tractions) {
         // 3.12.2.3.1: an engine that runs where there is no traction system needs none.

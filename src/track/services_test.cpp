@@ -91,7 +91,7 @@ TEST(Authority, UnsuitableRouteAndLevelCrossing) {  // 3.12.2, 3.12.5
   RouteSuitability item;
   item.at = at(700);
   item.kind = Suitability::axle_load;
-  item.M_AXLELOADCAT = 3;
+  item.M_LINEAXLELOADCAT = 0b1111;
   ASSERT_TRUE(d.suitability.push_back(item));
   TrainInterfaces train;
   train.M_AXLELOADCAT = 3;
@@ -211,7 +211,7 @@ TEST(Suitability, KindsOfWhatIsStored) {  // 3.12.2.3
   gauge.M_LINEGAUGE = 0b0010;
   RouteSuitability axle_load;
   axle_load.kind = Suitability::axle_load;
-  axle_load.M_AXLELOADCAT = 3;
+  axle_load.M_LINEAXLELOADCAT = 0b1111;
   ASSERT_TRUE(d.suitability.push_back(gauge) && d.suitability.push_back(axle_load));
   TrainInterfaces train;
   train.M_LOADINGGAUGE = 2;

@@ -20,7 +20,8 @@ SpeedCode StaticSpeed::speed_for(const TrainCategory& train) const {
 
 SpeedCode AxleLoadRestriction::speed_for(const TrainCategory& train) const {
   SpeedCode lowest = kNoSpeed;
-  for (std::size_t k = 0; k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
+  const std::size_t first = train.own_axle_load_only ? train.M_AXLELOADCAT : 0;
+  for (std::size_t k = first; k <= train.M_AXLELOADCAT && k < V_AXLELOAD.size(); ++k)
     if (V_AXLELOAD[k] < lowest) lowest = V_AXLELOAD[k];
   return lowest;
 }

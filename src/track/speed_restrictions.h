@@ -23,6 +23,8 @@ struct TrainCategory {
   std::uint8_t NC_CDTRAIN = 0;  ///< index of the cant deficiency, 0..10: 80 100 130 150 165 180 210 225 245 275 300 mm
   std::uint16_t NC_TRAIN = 0;   ///< bit k: other international category k (0 freight P, 1 freight G, 2 passenger)
   std::uint8_t M_AXLELOADCAT = 0;  ///< 0 A, HS17, B1, B2, C2, C3, C4, D2, D3, D4, D4XL, E4, 12 E5
+  /// X = 3 is operated: a restriction for lower axle loads does not hold for this one (3.11.4.3, 6.6.4.1.3).
+  bool own_axle_load_only = false;
   friend constexpr bool operator==(const TrainCategory&, const TrainCategory&) = default;
 };
 

@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace evc;
   if (size < 2) return 0;
   const auto direction = (data[0] & 1) != 0 ? lang::Direction::to_track : lang::Direction::to_train;
-  constexpr lang::SystemVersion versions[]{{1, 0}, {1, 1}, {2, 0}, {2, 1}};
+  constexpr lang::SystemVersion versions[]{{1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}, {2, 3}, {3, 0}};
   const lang::SystemVersion sv = versions[(data[0] >> 1) & 3];
   std::vector<std::uint8_t> message(data + 1, data + size);
   look(message, direction, sv);

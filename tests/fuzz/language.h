@@ -67,6 +67,10 @@ void give_codes(P& packet) {
     give(packet.diffs);
     for (auto& step : packet.steps) give(step.diffs);
   }
+  // Text conditions of 2.2 and later for AD and SM: 2.1 has none.
+  if constexpr (std::is_same_v<P, lang::Packet72> || std::is_same_v<P, lang::Packet76>)
+    for (auto* mode : {&packet.M_MODETEXTDISPLAY_START, &packet.M_MODETEXTDISPLAY_END})
+      if (mode->raw == 3 || mode->raw == 5) mode->raw = 0;
   if constexpr (std::is_same_v<P, lang::Packet3>)
     if (packet.NID_C.raw == lang::kNoCountry) packet.NID_C.raw = 0;
 }
@@ -84,11 +88,13 @@ template <class P>
   lang::encode(out, packet);
   if (!own) {  // translated from an older layout: it is the same in the newest one
     if (out.faulty()) return require(nid_of(view) == 44);  // the longest packet 44 cannot be expressed in X = 2
+    constexpr bool of_2_1 = (P::info.versions & lang::v2_1) != 0;
+    constexpr lang::SystemVersion own_version = of_2_1 ? lang::kNewest_of_baseline_3 : lang::kNewest;
     const lang::PacketView newest{P::info.NID_PACKET,
                                   static_cast<std::uint16_t>(out.position()),
                                   0,
                                   packet_direction(packet),
-                                  {2, 1},
+                                  own_version,
                                   view.direction,
                                   true,
                                   room};

@@ -128,7 +128,7 @@ Json decoded(const std::string& hex) {
   const auto bits = io::bits_of_hex(hex);
   if (!bits) return "no hexadecimal digits";
   std::string why;
-  for (const lang::SystemVersion sv : {lang::SystemVersion{2, 1}, {2, 0}, {1, 1}, {1, 0}}) {
+  for (const lang::SystemVersion sv : {lang::SystemVersion{2, 1}, {2, 0}, {1, 1}, {1, 0}, {3, 0}, {2, 3}, {2, 2}}) {
     std::string text;
     const auto read = io::append_radio_json(text, bits->bytes, lang::Direction::to_track, sv);
     if (read) return Json::parse(text, nullptr, false);

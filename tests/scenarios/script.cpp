@@ -552,11 +552,28 @@ class Reader {
   /// X and Y of `version 1.1`; default 2.1.
   static void read_version(Words& words, int& X, int& Y) {
     if (!words.take("version")) return;
-    const std::string version = words.word("1.0, 1.1, 2.0 or 2.1");
-    if (version != "1.0" && version != "1.1" && version != "2.0" && version != "2.1")
-      throw ReadError{words.place(), "\"" + version + "\"", "version 1.0, 1.1, 2.0 or 2.1"};
+    constexpr std::array<const char*, lang::kVersions> kNames{"1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"};
+    const std::string version = words.word("1.0, 1.1, 2.0 to 2.3 or 3.0");
+    if (std::none_of(kNames.begin(), kNames.end(), [&](const char* name) { return version == name; }))
+      throw ReadError{words.place(), "\"" + version + "\"", "version 1.0, 1.1, 2.0 to 2.3 or 3.0"};
     X = version[0] - '0';
     Y = version[2] - '0';
+  }
+
+  /// The message that one with T_TRAIN_REF answers: 8 train data, 27 and 28 a request for shunting, 4 and 5 one for a
+  /// supervised manoeuvre, 7 the safe consist length.
+  static std::uint8_t answered_by(std::uint8_t nid) {
+    switch (nid) {
+      case 8:
+        return 129;
+      case 4:
+      case 5:
+        return 131;
+      case 7:
+        return 133;
+      default:
+        return 130;
+    }
   }
 
   void read_message(Words& words, Action& a) {
@@ -578,8 +595,7 @@ class Reader {
     a.json = message_json(nid, &members, line, X, Y);
     a.T_TRAIN = a.json.contains("T_TRAIN") && !named("T_TRAIN");
     a.NID_LRBG = a.json.contains("NID_LRBG") && !named("NID_LRBG");
-    // Message 8 answers train data, 27 and 28 a request for shunting.
-    if (a.json.contains("T_TRAIN_REF") && !named("T_TRAIN_REF")) a.answers = nid == 8 ? 129 : 130;
+    if (a.json.contains("T_TRAIN_REF") && !named("T_TRAIN_REF")) a.answers = answered_by(nid);
     a.json["system_version"] = std::to_string(X) + "." + std::to_string(Y);
     read_packets(words, a.json, X, Y);
     read_damage(words, a.damage);

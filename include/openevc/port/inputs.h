@@ -5,6 +5,7 @@
 
 #include "openevc/base/set.h"
 #include "openevc/base/units.h"
+#include "openevc/terms/consist_length.h"
 #include "openevc/terms/driver_id.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/radio_link.h"
@@ -151,6 +152,7 @@ struct TrainSignals {
   bool antenna_alarm = false;    ///< the on-board reports a failure of the balise transmission (3.15.7)
   TrainIntegrity integrity = TrainIntegrity::unknown;  ///< says an external source (3.6.5.2)
   std::optional<Distance> length_confirmed;            ///< of the train, with TrainIntegrity::confirmed
+  std::optional<ConsistLength> consist;                ///< 4.0.0: of an external source; absent: not available
 };
 
 /// The STM interface, as states: bit n of `available` is NID_NTC n (NID_NTC > 63 is not stored

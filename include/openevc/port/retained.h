@@ -54,14 +54,14 @@ struct Retained {
   /// The greatest T_VBC, 255 days, and a distance from the LRBG at which no train is: more is not accepted.
   static constexpr Duration kLongestCover{255.0 * 86400.0};
   static constexpr Distance kFarthest{1e7};
-  /// The highest number X of a system version that the unit can operate.
-  static constexpr std::uint8_t kHighestX = 2;
+  /// The highest number X of a system version that a unit can operate: one of SRS 4.0.0; one of Baseline 3 operates 2.
+  static constexpr std::uint8_t kHighestX = 3;
 
   // National values in force (3.18.2.7). Values that a set of X = 1 left as they were have areas of their own.
   train::NationalValues national_values;
   Areas national_areas, national_areas_of_X_2, national_areas_of_braking;
-  std::uint8_t operated_X = kHighestX;  ///< operated system version, number X (3.17.2.9)
-  bool generic_ls_marker = false;       ///< generic LS function marker (4.10)
+  std::uint8_t operated_X = 2;     ///< operated system version, number X (3.17.2.9)
+  bool generic_ls_marker = false;  ///< generic LS function marker (4.10)
   InplaceVector<Cover, 16> covers;
   std::optional<std::uint32_t> network;  ///< the last one of trackside or driver, NID_MN (3.5.6.2)
   // Valid again at power-up only where the engine was not moved (4.11). Absent: unknown.

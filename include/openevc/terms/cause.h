@@ -32,6 +32,7 @@ enum class Cause : std::uint8_t {
   national_system_service,
   national_system_emergency,
   balise_antenna,  ///< BTM alarm that lasts (3.15.7)
+  consist_length,  ///< of a supervised manoeuvre: it became unavailable (4.4.21.1.12)
   count
 };
 
@@ -64,6 +65,7 @@ inline constexpr auto kCauseRows = std::to_array<terms::Row<Cause>>({
     {Cause::national_system_service, "national system"},
     {Cause::national_system_emergency, "national system"},
     {Cause::balise_antenna, "balise antenna"},
+    {Cause::consist_length, "safe consist length"},
 });
 static_assert(terms::in_order(kCauseRows) && kCauseRows.size() == terms::index(Cause::count));
 

@@ -46,6 +46,7 @@ enum class Dialogue : std::uint8_t {
   SH_entered,
   reversing,
   level_transition,
+  manoeuvre_S050,
   count
 };
 
@@ -104,6 +105,8 @@ inline constexpr auto kDialogueRows = std::to_array<DialogueRow>({
     // 5.13, 5.10.4
     {Dialogue::reversing, "reversing", "R2", "ack"},
     {Dialogue::level_transition, "level_transitions", "ack", "ack"},
+    // 5.21.2.2
+    {Dialogue::manoeuvre_S050, "supervised_manoeuvre", "S050", "answer_to_sm_request"},
 });
 static_assert(terms::in_order(kDialogueRows) && kDialogueRows.size() == terms::index(Dialogue::count));
 

@@ -60,6 +60,10 @@ enum class DriverOutput : std::uint8_t {
   // 4.0.0
   nl_no_longer_permitted,
   odometer_impaired,
+  sm_refused,
+  sm_no_answer,
+  entry_sm,
+  authorised_direction,
   count
 };
 
@@ -118,6 +122,10 @@ inline constexpr auto kDriverOutputRows = std::to_array<terms::Row<DriverOutput>
     {DriverOutput::ntc_failed, "ntc_failed"},
     {DriverOutput::nl_no_longer_permitted, "nl_no_longer_permitted"},
     {DriverOutput::odometer_impaired, "odometer_impaired"},
+    {DriverOutput::sm_refused, "sm_refused"},
+    {DriverOutput::sm_no_answer, "sm_no_answer"},
+    {DriverOutput::entry_sm, "entry_sm"},
+    {DriverOutput::authorised_direction, "authorised_direction"},
 });
 static_assert(terms::in_order(kDriverOutputRows) && kDriverOutputRows.size() == terms::index(DriverOutput::count));
 

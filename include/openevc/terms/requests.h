@@ -64,6 +64,9 @@ enum class Inform : std::uint8_t {
   national_system_not_available,  ///< in level NTC, that of the level (SUBSET-035 10.3.3.8)
   NL_no_longer_permitted,         ///< 4.4.15.1.1.3 of 4.0.0
   odometer_impaired,              ///< 3.6.8.5, 3.6.8.6 of 4.0.0: as long as it is
+  SM_refused,                     ///< 5.21.2.2 A220
+  SM_request_failed,              ///< 5.21.4.1
+  consist_length_lost,            ///< 4.4.21.1.12: the safe consist length became unavailable
   count
 };
 

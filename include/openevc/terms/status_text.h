@@ -34,6 +34,10 @@ enum class StatusText : std::uint8_t {
   national_system_not_available,
   NL_no_longer_permitted,
   odometer_impaired,
+  entering_SM,
+  SM_refused,
+  SM_request_failed,
+  consist_length_lost,
   count
 };
 
@@ -68,6 +72,10 @@ inline constexpr auto kStatusTextRows = std::to_array<terms::Row<StatusText>>({
     {StatusText::national_system_not_available, "National system is not available"},
     {StatusText::NL_no_longer_permitted, "NL no longer permitted"},
     {StatusText::odometer_impaired, "Odometer impaired"},
+    {StatusText::entering_SM, "Entering SM"},
+    {StatusText::SM_refused, "SM refused"},
+    {StatusText::SM_request_failed, "SM request failed"},
+    {StatusText::consist_length_lost, "Safe consist length no longer available"},
 });
 static_assert(terms::in_order(kStatusTextRows) && kStatusTextRows.size() == terms::index(StatusText::count));
 

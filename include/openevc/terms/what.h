@@ -106,6 +106,9 @@ enum class What : std::uint8_t {
   cover_removed,
 
   cab_changed,                ///< the other cab is active: position and orientation are mirrored
+  train_turned,               ///< by the direction of a supervised manoeuvre authorisation, or at its end
+  consist_changed,            ///< the safe consist length, or it became available
+  consist_lost,               ///< it became unavailable
   odometer_out_of_tolerance,  ///< between two groups; `id` is the NID_BG of the second
   mode_not_of_level,          ///< the stored mode and level exclude each other
   edition_incomplete,         ///< at power-up: what the edition has and the unit has not

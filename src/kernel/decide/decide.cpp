@@ -24,6 +24,7 @@ void add_facts_of_4_0_0(const State& s, const Inputs& in, const Received& r, pro
   f.ATO_disengaged = r.selected.has(Select::ato_disengage) || !in.automatic_operation.active;
   f.odometer_beyond_threshold = s.odometer_accuracy.beyond_safety_threshold;
   f.selects_exit_SM = r.selected.has(Select::exit_sm);
+  f.consist_in_front = r.consist_in_front;
 }
 
 /// Facts of 4.6.3 from the inputs, the train interface, the position and the track description.
@@ -45,8 +46,9 @@ procedures::Facts facts_of(const State& s, const Inputs& in, const Received& r) 
   f.selects_exit_SH = r.selected.has(Select::exit_shunting);
   f.selects_NL = r.selected.has(Select::non_leading);
   f.train_data_valid = valid(s.data.train_data_status);
-  f.ma_ssp_gradient_stored = s.track.ma.has_value() && track::complete(s.track, r.here);
-  f.ma_accepted = s.track.ma.has_value();
+  // The authority of a supervised manoeuvre is another information: it leads to SM alone (4.6.3 [10], [81]; 4.10).
+  f.ma_accepted = s.track.ma.has_value() && !s.manoeuvre.authority;
+  f.ma_ssp_gradient_stored = f.ma_accepted && track::complete(s.track, r.here);
   f.ma_with_trip_order = s.ma_with_trip_order;
   f.mode_is_OS = s.mode == Mode::OS;
   f.mode_is_LS = s.mode == Mode::LS;
@@ -151,6 +153,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   out.basis_renewed = renew_basis(s, in.train, out.here);
   run_override(s, received, out.here, facts, log);
   run_shunting(s, received, out.here, facts, out.effects);
+  run_manoeuvre(s, received, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
   inhibit_antenna_alarm(s, received.selected);
@@ -163,7 +166,8 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   run_train_trip(s, in.train.desk_open, received, profile_at_front, out);
   run_start_in_SR(s, received, out);
   run_train_data_change(s, received, out, log);
-  run_end_of_mission(s, received, out);
+  run_end_of_mission(s, in.train.desk_open, received, out);
+  finish_manoeuvre(s, received, out, log);
   run_texts(s, in, received.acknowledged.has(Ack::text), out, log);
   out.track_ahead_free_granted =
       protection::ask(s.track_ahead_free, out.here.est_front, received.selected.has(Select::track_ahead_free));

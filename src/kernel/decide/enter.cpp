@@ -7,7 +7,7 @@ namespace evc::kernel {
 namespace {
 
 bool antenna_in_metal(const State& s, const track::Here& here) {
-  return protection::over_metal(s.track, here.min_safe_antenna, here.max_safe_front - L_antenna(s));
+  return protection::over_metal(s.track, here.min_safe_antenna, here.max_safe_antenna);
 }
 
 /// 3.11.7.1.1: of the area whose order or acknowledgement leads to SH ([50], [51], [61]); 4.10 deletes it then.

@@ -269,7 +269,7 @@ void run_start_in_SR(State& s, const Received& received, Decided& out) {
   if (s.start_in_SR) out.start_selected = true;
 }
 
-void run_end_of_mission(State& s, const Received& received, Decided& out) {
+void run_end_of_mission(State& s, bool desk_open, const Received& received, Decided& out) {
   out.mission_ended =
       out.mode_changed && procedures::end_of_mission::ends_mission(s.previous_mode, s.mode, s.end_of_mission.mission);
   procedures::end_of_mission::Inputs end;
@@ -281,6 +281,9 @@ void run_end_of_mission(State& s, const Received& received, Decided& out) {
   end.session_open = s.radio.supervising.session.established() || other;
   end.termination_ordered = received.termination_ordered && !other;
   end.level_2_or_3 = level_2_or_3(s.level.level);
+  // Up to 2.2 the end of the session is awaited, with the desk closed as well (6.6.4.3.2).
+  end.report_ends_it =
+      !desk_open && radio::common_version(s.radio, s.radio.supervising.session) >= lang::SystemVersion{2, 3};
   out.effects |= procedures::end_of_mission::step(s.end_of_mission, end);
 }
 

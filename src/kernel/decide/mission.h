@@ -17,6 +17,8 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
 void run_override(State& s, const Received& received, const track::Here& here, procedures::Facts& facts, Log log);
 void run_shunting(State& s, const Received& received, const track::Here& here, procedures::Facts& facts,
                   procedures::Effects& effects);
+/// The request for a supervised manoeuvre (5.21 of 4.0.0).
+void run_manoeuvre(State& s, const Received& received, procedures::Facts& facts, procedures::Effects& effects);
 void run_reversing(const State& s, DirectionController controller, Decided& out);
 /// After the mode transition.
 void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,
@@ -25,6 +27,8 @@ void run_train_trip(State& s, bool desk_open, const Received& received, std::opt
 void run_start_in_SR(State& s, const Received& received, Decided& out);
 /// 5.17, after the mode transition.
 void run_train_data_change(State& s, const Received& received, Decided& out, Log log);
-void run_end_of_mission(State& s, const Received& received, Decided& out);
+void run_end_of_mission(State& s, bool desk_open, const Received& received, Decided& out);
+/// After the end of the mission: its supervised manoeuvre ends with it, and what the consist length changes (4.0.0).
+void finish_manoeuvre(State& s, const Received& received, Decided& out, Log log);
 
 }  // namespace evc::kernel

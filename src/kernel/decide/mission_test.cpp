@@ -331,7 +331,7 @@ TEST_F(Mission, TheEndOfTheMissionIsReportedUntilTheRBCEndsTheSession) {  // 5.5
     state.end_of_mission.mission = true;
     if (session) in_session();
     Decided ended;
-    run_end_of_mission(state, received, ended);
+    run_end_of_mission(state, false, received, ended);
     return ended.effects.send.has(Send::end_of_mission);
   };
   EXPECT_TRUE(after(Mode::SB, true));
@@ -340,14 +340,14 @@ TEST_F(Mission, TheEndOfTheMissionIsReportedUntilTheRBCEndsTheSession) {  // 5.5
   ASSERT_TRUE(after(Mode::SB, true));
   state.previous_mode = Mode::SB;
   Decided ended;
-  run_end_of_mission(state, received, ended);
+  run_end_of_mission(state, false, received, ended);
   EXPECT_TRUE(ended.effects.send.empty());
   state.now += Duration{15.0};
-  run_end_of_mission(state, received, ended);
+  run_end_of_mission(state, false, received, ended);
   EXPECT_TRUE(ended.effects.send.has(Send::end_of_mission)) << "again after 15 s";
   received.termination_ordered = true;
   ended = {};
-  run_end_of_mission(state, received, ended);
+  run_end_of_mission(state, false, received, ended);
   EXPECT_TRUE(ended.effects.send.has(Send::terminate_session));
 }
 
@@ -357,7 +357,7 @@ TEST_F(Mission, ShuntingWithoutAMissionIsReportedInLevel2And3) {  // 5.6 A095
     state.previous_mode = Mode::SB;
     in_session();
     Decided ended;
-    run_end_of_mission(state, received, ended);
+    run_end_of_mission(state, false, received, ended);
     EXPECT_EQ(ended.effects.send.has(Send::position_report), level != Level::L1) << static_cast<int>(level);
   }
 }

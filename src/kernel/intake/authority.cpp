@@ -141,6 +141,8 @@ void store_contents(Evaluation& e) {
   if (deleted) s.track_description_deleted = true;
   if (stored.ma_accepted) {
     s.ma_with_trip_order = out.trip_order;
+    s.manoeuvre.authority = authorises_manoeuvre(e.information);
+    out.SM_authorised |= s.manoeuvre.authority;
     if (e.information.medium == Medium::rbc)
       out.ma_from_rbc = true;
     else if (!out.trip_order)

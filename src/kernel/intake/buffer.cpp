@@ -61,19 +61,20 @@ bool of_authority(const lang::PacketView& view) {
 
 Waiting evaluate_message(Reception& r, const BufferedSet& set) {
   Information information = information_of(set);
-  const lang::MessageToTrainView view =
-      lang::scan_message_to_train({set.bytes.data(), set.size}, session_version(set.M_VERSION), lang::Check::structure);
+  const lang::MessageToTrainView view = lang::scan_message_to_train(
+      {set.bytes.data(), set.size}, session_version(set.M_VERSION, r.state.srs), lang::Check::structure);
   information.message = &view;
   (void)gather(information, view.packets, nullptr);  // as many as when it was received
   drop_superseded(information, nullptr);
   return evaluate(r, information);
 }
 
-void gather_telegrams(Information& information, const BufferedSet& set) {
+void gather_telegrams(Information& information, const BufferedSet& set, SrsVersion srs) {
   std::size_t at = 0;
   for (const std::uint16_t bits : set.telegram_bits) {
     const std::size_t length = (bits + 7u) / 8u;
-    const lang::TelegramView view = lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure);
+    const lang::TelegramView view =
+        lang::scan_telegram({set.bytes.data() + at, length}, bits, lang::Check::structure, lang::newest_version(srs));
     (void)gather(information, view.packets, nullptr);
     at += length;
   }
@@ -82,8 +83,8 @@ void gather_telegrams(Information& information, const BufferedSet& set) {
 
 Waiting evaluate_loop(Reception& r, const BufferedSet& set) {
   Information information = information_of(set);
-  const lang::LoopMessageView view =
-      lang::scan_loop_message({set.bytes.data(), set.size}, set.size * std::size_t{8}, lang::Check::structure);
+  const lang::LoopMessageView view = lang::scan_loop_message({set.bytes.data(), set.size}, set.size * std::size_t{8},
+                                                             lang::Check::structure, lang::newest_version(r.state.srs));
   (void)gather(information, view.packets, nullptr);
   drop_superseded(information, nullptr);
   return evaluate(r, information);
@@ -91,7 +92,7 @@ Waiting evaluate_loop(Reception& r, const BufferedSet& set) {
 
 Waiting evaluate_group(Reception& r, const BufferedSet& set) {
   Information information = information_of(set);
-  gather_telegrams(information, set);
+  gather_telegrams(information, set, r.state.srs);
   return evaluate(r, information);
 }
 

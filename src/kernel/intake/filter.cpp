@@ -8,6 +8,7 @@
 #include "kernel/intake/message_events.h"
 #include "kernel/intake/messages.h"
 #include "kernel/intake/routes.h"
+#include "kernel/intake/session_packets.h"
 #include "kernel/intake/shortening.h"
 #include "kernel/intake/system_version.h"
 #include "lang/decode.h"
@@ -19,36 +20,7 @@ namespace evc::kernel {
 namespace {
 
 using modes::Acceptance;
-using modes::AcceptanceContext;
 using modes::Verdict;
-
-/// 4.8.4 [11] of 4.0.0: stored, or in the message.
-bool running_number_known(const State& s, const Information& information) {
-  if (valid(s.data.train_running_number_status)) return true;
-  for (const lang::PacketView& view : information.packets)
-    if (view.NID_PACKET == packet::train_running_number_from_rbc) return true;
-  return false;
-}
-
-AcceptanceContext context_of(const Reception& r, const Information& information) {
-  const State& s = r.state;
-  AcceptanceContext c;
-  c.mode = s.mode;
-  c.level = s.level.level;
-  c.medium = information.medium;
-  c.rbc = information.sender;
-  if (const auto to = ordered_level(r)) c.announced = to->level;
-  const bool supervising = information.sender == SessionRole::supervising;
-  c.train_data_unacknowledged = (supervising ? s.radio.supervising : s.radio.other).train_data_stamp.has_value();
-  c.emergency_stop_pending = s.emergency_stops.any();
-  c.exit_from_trip_recognised = r.out.exit_from_trip || procedures::train_trip::exit_recognised(s.train_trip);
-  c.desk_open = r.in.train.desk_open;
-  c.train_data_valid = valid(s.data.train_data_status);
-  c.override_active = s.override_.active;
-  c.srs = s.srs;
-  if (c.srs == SrsVersion::v4_0_0) c.train_running_number = running_number_known(s, information);
-  return c;
-}
 
 bool accepted(Evaluation& e, std::size_t i) { return judge_packet(e, i).verdict == Verdict::accepted; }
 
@@ -132,8 +104,8 @@ bool names_rbc_of_transition(const Evaluation& e, const lang::Packet42& p) {
   return false;
 }
 
-/// The facts of the packet itself for the exceptions of the tables.
-void add_facts(Evaluation& e, const lang::PacketView& view) {
+/// Of orders to call or to change the RBC.
+void add_order_facts(Evaluation& e, const lang::PacketView& view) {
   if (view.NID_PACKET == packet::session_management) {
     lang::Packet42 p;
     const bool read = lang::decode(view, p) == lang::Fault::none;
@@ -143,6 +115,12 @@ void add_facts(Evaluation& e, const lang::PacketView& view) {
     lang::Packet131 p;
     e.context.null_distance = lang::decode(view, p) == lang::Fault::none && p.D_RBCTR.raw == 0;
   }
+}
+
+/// The facts of the packet itself for the exceptions of the tables.
+void add_facts(Evaluation& e, const lang::PacketView& view) {
+  add_order_facts(e, view);
+  e.context.network_missing = e.context.srs == SrsVersion::v4_0_0 && calls_without_network(e, view);
 }
 
 void evaluate_rest(Evaluation& e) {
@@ -248,7 +226,10 @@ Acceptance judge_packet(Evaluation& e, std::size_t i) {
   const lang::PacketView& view = e.information.packets[i];
   const PacketRoute& route = route_of(view);
   Acceptance worst{Verdict::accepted, {}};
-  for (const evc::Information row : rows_of(route, view)) {
+  InformationRows rows = rows_of(route, view);
+  if (authorises_manoeuvre(e.information) && view.NID_PACKET == packet::level_2_3_movement_authority)
+    rows[0] = evc::Information::movement_authority_sm;
+  for (const evc::Information row : rows) {
     const Acceptance a = modes::accept(row, e.context);
     if (a.verdict != Verdict::accepted) worst = a;
   }

@@ -3,6 +3,11 @@
 
 namespace evc::kernel {
 
+/// The facts of the exceptions that do not depend on the single packet.
+modes::AcceptanceContext context_of(const Reception& r, const Information& information);
+/// Whether it is message 4, an authorisation for a supervised manoeuvre.
+bool authorises_manoeuvre(const Information& information);
+
 /// Evaluates a message (4.8): level orders first, then linking, then the rest together; stores accepted data and
 /// executes orders that are not stored. Events name everything that was accepted, refused or buffered. Returns what is
 /// buffered.

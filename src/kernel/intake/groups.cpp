@@ -42,6 +42,7 @@ balise::Situation situation_of(const Reception& r) {
   now.counter_rises = position::counter_rises(s.position);
   now.level_1_2_3 = level_1_2_3(s.level.level);
   now.srs = s.srs;
+  now.highest_X = highest_X(s.srs);
   return now;
 }
 
@@ -203,7 +204,8 @@ void receive_group(Reception& r, const balise::Group& group) {
   information.version = SenderVersion{group.X, other_country};
   for (const balise::Telegram& t : group.telegrams) {
     if (!t.used) continue;
-    const lang::TelegramView view = lang::scan_telegram(t.span(), t.bits, lang::Check::structure);
+    const lang::TelegramView view =
+        lang::scan_telegram(t.span(), t.bits, lang::Check::structure, lang::newest_version(s.srs));
     if (!gather(information, view.packets, &r.log)) return refuse_group(r, group.id);
   }
   drop_superseded(information, &r.log);

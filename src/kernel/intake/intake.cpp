@@ -8,10 +8,12 @@
 #include "kernel/intake/groups.h"
 #include "kernel/intake/levels.h"
 #include "kernel/intake/loops.h"
+#include "kernel/intake/manoeuvre.h"
 #include "kernel/intake/national_values.h"
 #include "kernel/intake/radio_messages.h"
 #include "kernel/intake/reception.h"
 #include "kernel/intake/system_version.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/stored.h"
 #include "modes/mode_properties.h"
 #include "radio/radio.h"
@@ -150,12 +152,13 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   out.safety_fault = acts(s, !can_go_on || !coherent || s.configuration_refused || in.safety_fault, out);
   follow_cab(s, in.train, log);
   if (can_go_on) update_position(s, in);
+  receive_consist_length(r);
   if (can_go_on && s.srs == SrsVersion::v4_0_0)
     position::accumulate(s.odometer_accuracy, {in.odometry.nominal, in.odometry.min, in.odometry.max});
   s.network.registered = in.train.radio_registered;
   s.network.changed = false;
   out.here = here(s);
-  out.integrity = integrity_of(in.train, s.train.L_TRAIN);
+  out.integrity = integrity_of(in.train, consist_of_train(s) ? length_of(s) : s.train.L_TRAIN);
   operate_version_of_rbc(r, s.level.level);  // beyond the border between two RBCs
   change_rbc(r);
   receive_driver(r);

@@ -67,7 +67,8 @@ Clause refusal(const State& s, const lang::LoopMessageView& view) {
 
 void receive_loop(Reception& r, std::span<const std::uint8_t> bytes) {
   State& s = r.state;
-  const lang::LoopMessageView view = lang::scan_loop_message(bytes, bytes.size() * 8);
+  const lang::LoopMessageView view =
+      lang::scan_loop_message(bytes, bytes.size() * 8, lang::Check::all, lang::newest_version(s.srs));
   if (const Clause clause = refusal(s, view)) {
     r.log.note({.what = What::loop_refused, .id = view.NID_LOOP.raw, .clause = clause});
     return;

@@ -9,8 +9,9 @@
 
 namespace evc::kernel {
 
-lang::SystemVersion session_version(std::uint8_t M_VERSION) {
-  return M_VERSION == 0 ? lang::SystemVersion{2, 1} : lang::system_version(M_VERSION);
+lang::SystemVersion session_version(std::uint8_t M_VERSION, SrsVersion srs) {
+  if (M_VERSION == 0) return {2, 1};
+  return lang::as_known(lang::system_version(M_VERSION), lang::newest_version(srs));
 }
 
 namespace {

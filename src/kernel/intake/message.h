@@ -8,6 +8,7 @@
 #include "lang/telegram.h"
 #include "modes/acceptance.h"
 #include "terms/medium.h"
+#include "terms/srs_version.h"
 
 // One consistent message, from a balise group or by radio.
 namespace evc::kernel {
@@ -49,8 +50,8 @@ struct Waiting {
   bool any() const { return packets != 0 || message; }
 };
 
-/// The version of an RBC with this M_VERSION; 2.1 before it sent its own (0).
-lang::SystemVersion session_version(std::uint8_t M_VERSION);
+/// The version of an RBC with this M_VERSION, as a unit of this SRS knows it; 2.1 before it sent its own (0).
+lang::SystemVersion session_version(std::uint8_t M_VERSION, SrsVersion srs);
 
 /// Adds the packets that count for the train's direction, in the order of reading; their bytes must outlive them. False
 /// when there are more than fit. `log`: of what is ignored; none when the message was logged before (the transition

@@ -51,7 +51,7 @@ bool has_packet_3_of_version_1(const Information& information) {
 bool is_without_translation(const lang::PacketView& view) {
   const auto number = view.NID_PACKET;
   return (number == packet::traction_system_change && is_not_applicable<lang::Packet39>(view)) ||
-         (number == packet::route_suitability && is_not_applicable<lang::Packet70>(view)) ||
+         (number == packet::route_suitability && is_not_applicable<lang::Packet70_v3_0>(view)) ||
          (number == packet::train_running_number_from_rbc && is_not_applicable<lang::Packet140>(view));
 }
 

@@ -1,5 +1,6 @@
 #include "kernel/intake/messages.h"
 
+#include "kernel/intake/manoeuvre.h"
 #include "kernel/intake/routes.h"
 #include "kernel/intake/shortening.h"
 #include "kernel/stored.h"
@@ -125,6 +126,21 @@ Clause take_SH_authorised(Evaluation& e, const lang::MessageToTrainView& view) {
   return {};
 }
 
+/// 5.21.2.2 E215. Of an authorisation (4) the packets are used, after judge_manoeuvre.
+Clause take_SM_refused(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message5 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  if (!answers_manoeuvre_request(e.r.state, m.T_TRAIN_REF.raw)) return "4.8.4"_srs.exception(14);
+  e.r.out.SM_refused = true;
+  return {};
+}
+Clause take_consist_length_acknowledgement(Evaluation& e, const lang::MessageToTrainView& view) {
+  lang::Message7 m;
+  if (lang::decode(view, m) != lang::Fault::none) return "3.16.3.1.1"_srs;
+  radio::receive_consist_length_ack(e.r.state.radio.supervising, m.T_TRAIN_REF.raw);
+  return {};
+}
+
 // Only the fact is used.
 /// 4.8.4 [1]: information of the RBC that is received later has a later time stamp (3.16.3.3.3).
 Clause take_exit_from_trip(Evaluation& e, const lang::MessageToTrainView&) {
@@ -154,11 +170,13 @@ struct MessageRoute {
 };
 
 // clang-format off
-/// 8.4.4. The general message (24) and the authorities (3, 33, 37) have no row of their own: their packets have.
+/// 8.4.4. The general message (24) and the authorities (3, 4, 33, 37) have no row of their own: their packets have.
 constexpr auto kMessageRoutes = [] {
   using enum evc::Information;
   return std::to_array<MessageRoute>({
     {message::sr_authorisation,                 sr_authorisation,             take_SR_authorisation},
+    {message::sm_refused,                       sm_refused,                   take_SM_refused},
+    {message::consist_length_acknowledged,      safe_consist_length_ack,      take_consist_length_acknowledgement},
     {message::exit_from_trip_recognised,        exit_trip_recognition,        take_exit_from_trip},
     {message::train_data_acknowledged,          train_data_ack,               take_train_data_acknowledgement},
     {message::request_to_shorten_ma,            ma_shortening_request,        take_shortening},
@@ -191,6 +209,7 @@ bool has_place(std::uint8_t NID_MESSAGE) {
   switch (NID_MESSAGE) {
     case message::movement_authority:
     case message::movement_authority_shifted:
+    case message::sm_authorised:
     case message::infill_movement_authority:
     case message::request_to_shorten_ma:
     case message::conditional_emergency_stop:

@@ -80,6 +80,7 @@ void take_rbc_transition(Evaluation& e, const lang::PacketView& view, Verdict ve
   if (verdict != Verdict::only_contact_stored) return store_with_track(e, view, verdict);
   lang::Packet131 p;
   if (lang::decode(view, p) != lang::Fault::none) return;
+  if (p.NID_RADIO.raw == radio::kNoNumber) return;
   e.r.state.radio.contact = radio::session_order_of(p).rbc;
   e.r.state.contact_status = DataStatus::valid;
 }
@@ -209,6 +210,7 @@ constexpr auto kPacketRoutes = [] {
     {packet::session_management,                      Turn::rest,           {session_management},                    nullptr,                take_session_order},
     {packet::external_application_data,               Turn::rest,           {external_application_data},             nullptr,                forward_data},
     {packet::radio_network_registration,              Turn::rest,           {radio_network_registration},            nullptr,                take_network},
+    {packet::radio_network_type,                      Turn::rest,           {radio_network_registration},            nullptr,                take_network_type},
     {packet::conditional_level_transition_order,      Turn::level_order,    {conditional_level_transition_order},    nullptr,                nullptr},
     {packet::balise_groups_for_sh_area,               Turn::with_authority, {},                                      nullptr,                nullptr},
     {packet::axle_load_speed_profile,                 Turn::rest,           {asp},                                   always,                 store_with_track},

@@ -1,9 +1,12 @@
 #include "kernel/intake/radio_messages.h"
 
+#include "kernel/here.h"
 #include "kernel/intake/buffer.h"
 #include "kernel/intake/filter.h"
+#include "kernel/intake/manoeuvre.h"
 #include "kernel/intake/routes.h"
 #include "kernel/intake/system_version.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/radio_address.h"
 #include "lang/decode.h"
 #include "lang/instances.h"
@@ -28,14 +31,18 @@ void refer(Information& information, const State& state, const lang::MessageToTr
   information.orientation = reference->orientation;
 }
 
-/// The reference of message 33 is D_REF away from the LRBG (3.6.3.2.5).
-void shift_reference(Information& information, const lang::MessageToTrainView& view) {
-  if (view.NID_MESSAGE != message::movement_authority_shifted) return;
-  lang::Message33 m;
+template <class M>
+void shift_reference_of(Information& information, const lang::MessageToTrainView& view) {
+  M m;
   if (lang::decode(view, m) != lang::Fault::none) return;
   const Distance d = lang::metres(m.Q_SCALE, m.D_REF);
   information.reference =
       information.orientation == Direction::reverse ? information.reference - d : information.reference + d;
+}
+/// The reference of messages 4 and 33 is D_REF away from the LRBG (3.6.3.2.5).
+void shift_reference(Information& information, const lang::MessageToTrainView& view) {
+  if (view.NID_MESSAGE == message::movement_authority_shifted) shift_reference_of<lang::Message33>(information, view);
+  if (view.NID_MESSAGE == message::sm_authorised) shift_reference_of<lang::Message4>(information, view);
 }
 
 /// Nothing of the message can be used.
@@ -51,6 +58,21 @@ struct Sender {
   bool infill_unit() const { return radio::is_infill_unit(peer); }
 };
 
+/// Whether the authority of an authorisation was accepted; if not, everything is as it was before, but what turning
+/// deleted.
+void tell_manoeuvre(Reception& r, const ManoeuvreBefore& before) {
+  State& s = r.state;
+  const bool turned = before.opposite != s.manoeuvre.opposite;
+  if (!r.out.SM_authorised) {
+    restore_manoeuvre(s, before);
+    r.out.here = here(s);
+  } else if (turned) {
+    r.out.train_turned = true;
+    brakes::on_turn(s.brakes);
+    r.log.note({.what = What::train_turned, .clause = "4.4.21"_srs});
+  }
+}
+
 void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::span<const std::uint8_t> bytes,
                     const Sender& from) {
   State& s = r.state;
@@ -63,10 +85,20 @@ void evaluate_radio(Reception& r, const lang::MessageToTrainView& view, std::spa
   information.time = radio::time_of(view.T_TRAIN.raw, s.now);  // timers count from the time stamp (3.8.4.2.1)
   refer(information, s, view);
   if (!information.located && has_place(view.NID_MESSAGE)) return refuse(r, view, "3.6.2.2.2"_srs);
+  std::optional<ManoeuvreBefore> before;
+  if (view.NID_MESSAGE == message::sm_authorised) {
+    const ManoeuvreAuthorisation judged = judge_manoeuvre(r, information, view);
+    if (judged.refused) return refuse(r, view, judged.refused);
+    before = begin_manoeuvre(s, judged.opposite, judged.V_SM);
+    r.out.here = here(s);
+    information.min_safe_front = r.out.here.min_safe_front;
+    refer(information, s, view);  // against the orientation of now
+  }
   shift_reference(information, view);
   (void)gather(information, view.packets, &r.log);  // all packets of a message fit
   drop_superseded(information, &r.log);
   const Waiting waiting = evaluate(r, information);
+  if (before) tell_manoeuvre(r, *before);
   if (waiting.any()) add_bits(keep(r, information, waiting), bytes);
 }
 
@@ -121,6 +153,11 @@ void receive_unknown(Reception& r, const lang::MessageToTrainView& view, std::sp
   r.log.note({.what = What::message_unknown, .id = view.NID_MESSAGE, .clause = "3.17.3.11"_srs});
 }
 
+/// Message 38 from version 2.3 on (8.7.16); before it was another one.
+bool acknowledges_session(const lang::MessageToTrainView& view) {
+  return view.NID_MESSAGE == message::session_establishment_acknowledged && view.sv >= lang::SystemVersion{2, 3};
+}
+
 void receive_message(Reception& r, const RadioMessage& message) {
   State& s = r.state;
   const std::optional<radio::Peer> known =
@@ -128,7 +165,7 @@ void receive_message(Reception& r, const RadioMessage& message) {
   Sender from{known.value_or(message.infill_unit ? radio::Peer::infill_1 : radio::Peer::supervising)};
   if (!from.infill_unit()) from.role = radio::role_of(s.radio, from.peer);
   const lang::MessageToTrainView view =
-      lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION),
+      lang::scan_message_to_train(message.bytes, session_version(s.radio.session(from.peer).M_VERSION, s.srs),
                                   lang::Check::all, from.infill_unit() ? lang::media::RIU : lang::Media{0});
   if (view.fault == lang::Fault::unknown_message && lang::is_later(view.sv))
     return receive_unknown(r, view, message.bytes, from, known.has_value());
@@ -137,6 +174,10 @@ void receive_message(Reception& r, const RadioMessage& message) {
     return refuse_radio_infill(r, view);
   if (!passes(r, {view.NID_MESSAGE, view.T_TRAIN.raw, view.M_ACK.raw == 1}, from, known.has_value())) return;
   if (view.NID_MESSAGE == message::trackside_system_version) receive_version(r, view, from);
+  if (acknowledges_session(view)) {  // it has no row in 4.8: radio::receive has taken it
+    r.log.note({.what = What::message_accepted, .id = view.NID_MESSAGE, .clause = "3.5.3.7.4"_srs});
+    return;
+  }
   evaluate_radio(r, view, message.bytes, from);
 }
 

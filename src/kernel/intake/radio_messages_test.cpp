@@ -190,9 +190,11 @@ TEST_F(RadioReception, AnInfillAuthorityByRadioIsRefusedByLevel) {  // 4.8.3, 3.
 }
 
 TEST(SessionVersion, IsThatOfTheSessionOrOursUntilItIsKnown) {  // 6.5.1.3, 3.5.3.7 d
-  EXPECT_EQ(session_version(0), (lang::SystemVersion{2, 1}));
-  EXPECT_EQ(session_version(16), (lang::SystemVersion{1, 0}));
-  EXPECT_EQ(session_version(34), (lang::SystemVersion{2, 2}));
+  EXPECT_EQ(session_version(0, SrsVersion::v3_6_0), (lang::SystemVersion{2, 1}));
+  EXPECT_EQ(session_version(16, SrsVersion::v3_6_0), (lang::SystemVersion{1, 0}));
+  EXPECT_EQ(session_version(34, SrsVersion::v4_0_0), (lang::SystemVersion{2, 2}));
+  EXPECT_EQ(session_version(48, SrsVersion::v4_0_0), (lang::SystemVersion{3, 0}));
+  EXPECT_TRUE(lang::is_later(session_version(34, SrsVersion::v3_6_0)));
 }
 
 }  // namespace

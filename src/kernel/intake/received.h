@@ -26,6 +26,10 @@ struct Received {
   bool entry_of_train_data_open = false;
 
   TrainIntegrity integrity{};  ///< says an external source
+  // The safe consist length (4.0.0)
+  bool consist_changed = false;   ///< or it became available or unavailable
+  bool consist_lost = false;      ///< it became unavailable
+  bool consist_in_front = false;  ///< it became other than zero in front of the engine
   // Balise groups
   bool new_lrbg = false;
   bool linking_reaction_trip = false;
@@ -45,6 +49,8 @@ struct Received {
   bool ues_accepted = false, ues_received = false;
   bool SR_authorised = false;
   bool SH_authorised = false, SH_refused = false;
+  bool SM_authorised = false, SM_refused = false;
+  bool train_turned = false;  ///< by the direction of the authorisation
   bool exit_from_trip = false;
   bool position_confirmed = false, train_accepted = false, train_rejected = false;
   bool termination_ordered = false;

@@ -17,7 +17,8 @@ constexpr std::uint8_t X_of(std::uint64_t M_VERSION) { return static_cast<std::u
 void operate(Reception& r, std::uint8_t X, Clause clause) {
   if (X == r.state.operated_X) return;
   r.state.operated_X = X;
-  r.log.note({.what = What::version_operated, .id = operated_M_VERSION(X), .clause = clause});
+  ++r.state.revision;  // of axle load restrictions others hold (6.6.4.1.3)
+  r.log.note({.what = What::version_operated, .id = operated_M_VERSION(X, r.state.srs), .clause = clause});
 }
 
 struct RbcVersion {
@@ -89,7 +90,7 @@ void determine_version(Evaluation& e) {
   const Level level = executes_order(r) ? r.order->decision.to.level : r.state.level.level;
   if (const auto rbc = version_of_rbc(r, r.state.level.level, level)) return operate(r, rbc->X, rbc->clause);
   if (ordered) {
-    if (*ordered >= 1 && *ordered <= kHighestX) operate(r, *ordered, "3.17.2.5"_srs);
+    if (*ordered >= 1 && *ordered <= highest_X(r.state.srs)) operate(r, *ordered, "3.17.2.5"_srs);
     return;  // 3.17.2.7: one that is not supported changes nothing
   }
   if (differs_from_own_values(e, group->other_country)) return operate(r, group->X, "3.17.2.6"_srs);

@@ -58,6 +58,7 @@ std::optional<Ack> acknowledgement_of(Dialogue step, Set<Ack> asked) {
 }
 
 std::optional<Dialogue> step_of(const State& s) {
+  if (s.manoeuvre.request.waits_for_answer) return Dialogue::manoeuvre_S050;
   if (s.mode == Mode::TR || s.mode == Mode::PT) {
     if (s.train_trip.step == trip::Step::S010) return std::nullopt;
     const bool alone = s.train_trip.step == trip::Step::S120 && !s.radio.supervising.session.established();

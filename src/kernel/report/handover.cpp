@@ -44,7 +44,7 @@ bool take_order(State& s, radio::Outbox& outbox, Log log) {
   }
   h.order = stored;
   if (s.mode == Mode::SL && !stored->sleeping_too) return true;
-  if (!s.network.registered) {
+  if (!callable(s.network) || accepting.NID_RADIO == radio::kNoNumber) {
     log.note({.what = What::network_missing, .clause = "3.5.6.7"_srs});
     return true;
   }
@@ -94,7 +94,7 @@ bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log 
   const radio::Addressed to(outbox, peer);
   if (r.rear_passed_now) radio::abort_set_up(session, s.now, outbox);
   if (r.terminate) radio::terminate(session, s.now, outbox);
-  if (r.call_accepting && s.network.registered)
+  if (r.call_accepting && callable(s.network) && accepting.NID_RADIO != radio::kNoNumber)
     radio::establish(session, accepting, radio::Cause::trackside_order, s.now, outbox);
   if (r.over) s.track.rbc_transition.reset();
   if (h.procedure.step == Step::none) {

@@ -1,6 +1,7 @@
 #include "kernel/report/radio.h"
 
 #include "kernel/here.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/radio_address.h"
 #include "kernel/radio_infill.h"
 #include "kernel/report/handover.h"
@@ -18,8 +19,7 @@ namespace {
 
 using modes::Function;
 
-radio::TrainDataReport train_report(const State& s, const NationalSystem& national) {
-  const train::TrainData& t = s.train;
+radio::TrainDataReport train_report(const State& s, const train::TrainData& t, const NationalSystem& national) {
   radio::TrainDataReport r;
   const track::TrainCategory category = category_of(t);
   r.NC_CDTRAIN = category.NC_CDTRAIN;
@@ -64,14 +64,17 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
   if (p.L_TRAININT) r.L_TRAININT = *p.L_TRAININT;
   r.V_TRAIN = p.V_TRAIN;
   r.Q_DIRTRAIN = p.Q_DIRTRAIN;
-  r.M_MODE = M_MODE(s.mode);
+  r.standstill = position::at_standstill(s.position);
+  r.M_MODE = s.mode == Mode::AD   ? radio::kAutomaticDriving
+             : s.mode == Mode::SM ? radio::kSupervisedManoeuvre
+                                  : M_MODE(s.mode);
   r.M_LEVEL = M_LEVEL_of(s);
   r.NID_NTC = s.level.nid_ntc;
   return r;
 }
 
 /// Messages that the procedures require; MA requests and reports follow the conditions of the room `radio`.
-void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
+void send_wishes(State& s, const Decided& decided, bool desk_open, radio::Outbox& outbox) {
   using procedures::Send;
   for (const track::TextReport& text : decided.texts_to_report)
     for (const radio::Peer peer : radio::kRbcs) {  // 3.12.3.5.2: of a handover the former RBC too
@@ -82,11 +85,20 @@ void send_wishes(State& s, const Decided& decided, radio::Outbox& outbox) {
   const auto& wishes = decided.effects.send;
   if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
   if (wishes.has(Send::shunting_request)) outbox.send(message::request_for_shunting);
+  if (wishes.has(Send::manoeuvre_request)) {
+    radio::Intent intent;
+    intent.NID_MESSAGE = message::request_for_sm;
+    intent.default_train_data = s.mode != Mode::SM;  // 5.21.2.2 A045
+    outbox.send(intent);
+  }
   if (wishes.has(Send::end_of_mission)) {  // 3.15.1.3.4.1: to both RBCs
-    outbox.send(message::end_of_mission);
+    radio::Intent end;
+    end.NID_MESSAGE = message::end_of_mission;
+    end.desk_open = desk_open;
+    outbox.send(end);
     if (s.radio.other.session.established()) {
       const radio::Addressed to(outbox, radio::Peer::other);
-      outbox.send(message::end_of_mission);
+      outbox.send(end);
     }
   }
   if (decided.track_ahead_free_granted) outbox.send(message::track_ahead_free_granted);
@@ -100,7 +112,10 @@ position::IntegrityEvents supervise_integrity(State& s, const Received& received
   facts.length_acknowledged = s.radio.supervising.train_data_acknowledged && !s.train_data_change.pending;
   facts.validated_since = s.radio.supervising.train_data_validated_since;
   facts.session_established = s.radio.supervising.established_now;
-  facts.L_TRAIN = s.train.L_TRAIN;
+  facts.consist_known = !facts.train_data_valid && s.manoeuvre.available;
+  facts.consist_acknowledged = !s.radio.supervising.consist_stamp && !s.radio.supervising.consist_due;
+  facts.turned = received.train_turned;
+  facts.L_TRAIN = consist_of_train(s) ? length_of(s) : s.train.L_TRAIN;
   return position::supervise(s.integrity, s.position, facts);
 }
 
@@ -181,6 +196,15 @@ void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
   if (named && !of_infill_unit && in.link == RadioLink::connected) radio::identify(s.radio.session(*peer), *named);
 }
 
+/// 5.21.2.2 A045: the front end with the consist, the default train data.
+std::size_t compose_manoeuvre_request(const State& s, const NationalSystem& national, const radio::Intent& intent,
+                                      const radio::OnBoard& unit, std::span<std::uint8_t> bytes) {
+  const position::Report report = position::report(s.position, s.integrity, ahead_in_request(s));
+  radio::TrainDataReport t = train_report(s, s.manoeuvre.train, national);
+  t.consist = s.manoeuvre.consist;
+  return radio::compose(intent, position_report(s, report), t, unit, s.radio.session(intent.to).M_VERSION, bytes);
+}
+
 }  // namespace
 
 RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, const Decided& decided,
@@ -195,7 +219,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
     return out;
   }
   order_sessions(s, received, decided, out.effects, outbox);
-  send_wishes(s, decided, outbox);
+  send_wishes(s, decided, inputs.train.desk_open, outbox);
   radio::Inputs in;
   in.now = s.now;
   take_link(s, inputs, in);
@@ -223,6 +247,8 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.running_number_valid = valid(s.data.train_running_number_status);
   in.running_number_entered = received.entered.has(Entered::train_running_number);
   in.running_number_from = named_rbc(s.data.train_running_number_from);
+  in.consist_known = s.manoeuvre.consist.has_value();
+  in.consist_due = received.consist_changed && informs_of_consist(s);
   in.reasons = request_reasons(s, received, decided, request_before_perturbation);
   in.NID_LTRBG = received.NID_LTRBG;
   note_contact(s);
@@ -248,14 +274,18 @@ void compose_messages(State& s, const NationalSystem& national, const radio::Out
   if (outbox.lost) log.note({.what = What::message_not_sent});
   const position::Report report = position::report(s.position, s.integrity);
   const radio::PositionReport p = position_report(s, report);
-  const radio::TrainDataReport t = train_report(s, national);
+  radio::TrainDataReport t = train_report(s, s.train, national);
+  if (s.manoeuvre.available) t.consist = s.manoeuvre.consist;
   const radio::OnBoard unit{s.identity.NID_ENGINE,
-                            {s.identity.telephone_numbers.begin(), s.identity.telephone_numbers.size()}};
+                            {s.identity.telephone_numbers.begin(), s.identity.telephone_numbers.size()},
+                            s.radio.newest};
   bool position_sent = false;
   for (const radio::Intent& intent : outbox.messages) {
     std::array<std::uint8_t, 192> bytes{};
     const radio::Session& session = s.radio.session(intent.to);
-    const std::size_t n = radio::compose(intent, p, t, unit, session.M_VERSION, bytes);
+    const bool asks_manoeuvre = intent.NID_MESSAGE == message::request_for_sm;
+    const std::size_t n = asks_manoeuvre ? compose_manoeuvre_request(s, national, intent, unit, bytes)
+                                         : radio::compose(intent, p, t, unit, session.M_VERSION, bytes);
     OutgoingMessage message;
     message.infill_unit = session.rbc.infill_unit;
     if (intent.to != radio::Peer::supervising) message.to = RbcIdentity{session.rbc.NID_C, session.rbc.NID_RBC};

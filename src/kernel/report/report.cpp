@@ -2,6 +2,7 @@
 
 #include "driver/driver.h"
 #include "kernel/here.h"
+#include "kernel/manoeuvre.h"
 #include "kernel/radio_address.h"
 #include "kernel/report/asked.h"
 #include "kernel/report/data.h"
@@ -119,7 +120,7 @@ driver::ShowContext show_context(const State& s, bool desk_open, const Decided& 
   c.brake_commanded = brake_commanded;
   c.radio = indicated_session(s).indication;
   c.lssma = LSSMA;
-  c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, s.train.L_TRAIN);
+  c.slippery_rail = s.slippery_rail || track::slippery(s.track, here.est_front, supervised_train(s).L_TRAIN);
   c.reversing_possible = decided.reversing_possible;
   c.track_ahead_free_asked = s.track_ahead_free.asking;
   for (const track::LevelCrossing& lx : s.track.lx)
@@ -141,8 +142,8 @@ void show(State& s, bool desk_open, const Decided& decided, const procedures::Ef
   out.est_front = position::counter_of(s.position, here.est_front);
   out.min_safe_front = position::counter_of(s.position, here.min_safe_front);
   out.max_safe_front = position::counter_of(s.position, here.max_safe_front);
-  out.v = s.cab == Cab::A ? s.position.now.V_est : Speed{} - s.position.now.V_est;
-  out.M_VERSION = operated_M_VERSION(s.operated_X);
+  out.v = s.position.sense > 0 ? s.position.now.V_est : Speed{} - s.position.now.V_est;
+  out.M_VERSION = operated_M_VERSION(s.operated_X, s.srs);
   const track::Authority& a = s.basis.authority;
   if (const auto end = a.EOA_or_LOA()) out.EOA = position::counter_of(s.position, *end);
   if (a.SvL) out.SvL = position::counter_of(s.position, *a.SvL);

@@ -47,7 +47,7 @@ driver::StatusFacts facts_of(const State& s, const Decided& decided, Set<Inform>
   f.moving = !decided.here.standstill;
   f.acknowledged = decided.status_acknowledged;
   if (!s.track.suitability.empty()) f.unsuitable = track::unsuitability(s.track, interfaces_of(s.train));
-  if (s.mode == Mode::FS || s.mode == Mode::OS)
+  if (s.mode == Mode::FS || s.mode == Mode::OS || s.mode == Mode::SM)
     f.described_under_train = track::described_under_train(s.track, decided.here);
   return f;
 }
@@ -66,8 +66,9 @@ void show_status_texts(State& s, const driver::StatusFacts& facts, bool desk_ope
 /// Whether the driver selected an enabled button of the main window in this cycle, or entered what it leads to
 /// (015560 11.2.1).
 bool selects_in_main_window(const Received& received) {
-  for (const Select button : {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading,
-                              Select::maintain_shunting, Select::train_data, Select::main})
+  for (const Select button :
+       {Select::start, Select::shunting, Select::exit_shunting, Select::non_leading, Select::maintain_shunting,
+        Select::train_data, Select::main, Select::sm, Select::continue_sm, Select::exit_sm})
     if (received.selected.has(button)) return true;
   return !received.entered.empty();
 }

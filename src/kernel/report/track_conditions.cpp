@@ -77,7 +77,7 @@ void order_train(const State& s, const track::Here& here, Outputs& out) {
 }  // namespace
 
 void show_track_conditions(State& s, bool desk_open, const track::Here& here, Outputs& out) {
-  out.remote_shunting = s.mode == Mode::SH;
+  out.remote_shunting = s.mode == Mode::SH || s.mode == Mode::SM;  // 4.4.21.1.13
   if (!s.track.watch.shown || !desk_open) take_from_driver(s);
   if (!s.track.watch.shown) return;
   if (desk_open) show_to_driver(s, out);

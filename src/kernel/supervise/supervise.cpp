@@ -103,6 +103,10 @@ void guard_movement(State& s, const TrainSignals& train, const track::Here& here
   m.nominal = position::forward_counter(s.position);
   m.standstill = here.standstill;
   m.controller = way_of(train.direction_controller);
+  if (s.manoeuvre.opposite)  // 4.4.21.1.9
+    m.controller = m.controller == protection::Way::forward    ? protection::Way::backward
+                   : m.controller == protection::Way::backward ? protection::Way::forward
+                                                               : protection::Way::none;
   m.permitted = s.mode == Mode::PT || s.mode == Mode::RV ? protection::Way::backward : protection::Way::forward;
   m.D_NVROLL = s.national_values.D_NVROLL;
   m.D_NVPOTRP = s.national_values.D_NVPOTRP;
@@ -126,7 +130,7 @@ void guard_antenna(State& s, bool alarm, const track::Here& here, Supervised& ou
   now.srs = s.srs;
   now.counter = s.position.now.counter;
   now.min_safe_antenna = here.min_safe_antenna;
-  now.max_safe_antenna = here.max_safe_front - L_antenna(s);
+  now.max_safe_antenna = here.max_safe_antenna;
   const bool reacts = protection::asks_for_brake(s.antenna_alarm, now, s.track);
   if (memorises_faults(s))
     s.safety_fault_memorised = s.safety_fault_memorised || reacts;

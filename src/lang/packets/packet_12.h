@@ -11,12 +11,12 @@ struct Packet12_sections {
   friend constexpr bool operator==(const Packet12_sections&, const Packet12_sections&) = default;
 };
 
-/// Packet 12, Level 1 movement authority (7.4.2.3), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 12, Level 1 movement authority (7.4.2.3), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet12 {
   static constexpr PacketInfo info{12,
                                    "Level 1 movement authority",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RIU,
                                    "7.4.2.3",
                                    "V_EMA/T_EMA were V_LOA/T_LOA up to SRS 3.3.0; bits unchanged"};

@@ -11,12 +11,12 @@ struct Packet13_groups {
   friend constexpr bool operator==(const Packet13_groups&, const Packet13_groups&) = default;
 };
 
-/// Packet 13, SR distance from loop (7.4.2.3.1), system version 2.0, 2.1.
+/// Packet 13, SR distance from loop (7.4.2.3.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet13 {
   static constexpr PacketInfo info{13,
                                    "SR distance from loop",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::loop,
                                    "7.4.2.3.1",
                                    "first group = main signal group, then reference groups"};

@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 131, RBC transition order (7.4.2.27), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 131, RBC transition order (7.4.2.27), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet131 {
   static constexpr PacketInfo info{131,
                                    "RBC transition order",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::RBC,
                                    "7.4.2.27",
                                    ""};

@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 136, Infill location reference (7.4.2.32), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 136, Infill location reference (7.4.2.32), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet136 {
   static constexpr PacketInfo info{136,
                                    "Infill location reference",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RIU,
                                    "7.4.2.32",
                                    "following packets refer to this group"};

@@ -3,10 +3,15 @@
 
 namespace evc::lang {
 
-/// Packet 140, Train running number from RBC (7.4.2.36), system version 2.0, 2.1.
+/// Packet 140, Train running number from RBC (7.4.2.36), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet140 {
-  static constexpr PacketInfo info{
-      140, "Train running number from RBC", Direction::to_train, v2_0 | v2_1, media::RBC, "7.4.2.36", ""};
+  static constexpr PacketInfo info{140,
+                                   "Train running number from RBC",
+                                   Direction::to_train,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::RBC,
+                                   "7.4.2.36",
+                                   ""};
   var::Q_DIR Q_DIR;
   var::NID_OPERATIONAL NID_OPERATIONAL;
   friend constexpr bool operator==(const Packet140&, const Packet140&) = default;

@@ -3,10 +3,11 @@
 
 namespace evc::lang {
 
-/// Packet 143, Neighbouring RIU session (7.4.2.37.1), system version 2.0, 2.1.
+/// Packet 143, Neighbouring RIU session (7.4.2.37.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet143 {
   static constexpr PacketInfo info{
-      143, "Neighbouring RIU session", Direction::to_train, v2_0 | v2_1, media::RIU, "7.4.2.37.1", ""};
+      143, "Neighbouring RIU session", Direction::to_train, v2_0 | v2_1 | v2_2 | v2_3 | v3_0, media::RIU, "7.4.2.37.1",
+      ""};
   var::Q_DIR Q_DIR;
   var::Q_RIU Q_RIU;
   var::NID_C NID_C;

@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 145, Inhibit group consistency reaction (7.4.2.37.2), system version 1.1, 2.0, 2.1.
+/// Packet 145, Inhibit group consistency reaction (7.4.2.37.2), system version 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet145 {
   static constexpr PacketInfo info{145,
                                    "Inhibit group consistency reaction",
                                    Direction::to_train,
-                                   v1_1 | v2_0 | v2_1,
+                                   v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise,
                                    "7.4.2.37.2",
                                    "header only"};

@@ -11,10 +11,15 @@ struct Packet15_sections {
   friend constexpr bool operator==(const Packet15_sections&, const Packet15_sections&) = default;
 };
 
-/// Packet 15, Level 2/3 movement authority (7.4.2.4), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 15, Level 2/3 movement authority (7.4.2.4), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet15 {
-  static constexpr PacketInfo info{
-      15, "Level 2/3 movement authority", Direction::to_train, v1_0 | v1_1 | v2_0 | v2_1, media::RBC, "7.4.2.4", ""};
+  static constexpr PacketInfo info{15,
+                                   "Level 2/3 movement authority",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::RBC,
+                                   "7.4.2.4",
+                                   ""};
   var::Q_DIR Q_DIR;
   var::Q_SCALE Q_SCALE;
   var::V_EMA V_EMA;

@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 180, LSSMA display toggle (7.4.2.37.3), system version 2.0, 2.1.
+/// Packet 180, LSSMA display toggle (7.4.2.37.3), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet180 {
   static constexpr PacketInfo info{180,
                                    "LSSMA display toggle",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.37.3",
                                    "absent from SRS 3.3.0; in 3.6.0, not excluded for SV 2.0"};

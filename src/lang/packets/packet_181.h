@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 181, Generic LS function marker (7.4.2.37.4), system version 2.0, 2.1.
+/// Packet 181, Generic LS function marker (7.4.2.37.4), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet181 {
   static constexpr PacketInfo info{181,
                                    "Generic LS function marker",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise,
                                    "7.4.2.37.4",
                                    "header only; absent from SRS 3.3.0, in 3.6.0"};

@@ -10,12 +10,12 @@ struct Packet21_steps {
   friend constexpr bool operator==(const Packet21_steps&, const Packet21_steps&) = default;
 };
 
-/// Packet 21, Gradient profile (7.4.2.6), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 21, Gradient profile (7.4.2.6), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet21 {
   static constexpr PacketInfo info{21,
                                    "Gradient profile",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.6",
                                    ""};

@@ -19,12 +19,12 @@ struct Packet27_steps {
   friend constexpr bool operator==(const Packet27_steps&, const Packet27_steps&) = default;
 };
 
-/// Packet 27, International static speed profile (7.4.2.7), system version 2.0, 2.1.
+/// Packet 27, International static speed profile (7.4.2.7), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet27 {
   static constexpr PacketInfo info{27,
                                    "International static speed profile",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.7",
                                    "Q_DIFF = 3 is spare: neither category field"};

@@ -34,12 +34,12 @@ struct Packet3_kr_steps {
   friend constexpr bool operator==(const Packet3_kr_steps&, const Packet3_kr_steps&) = default;
 };
 
-/// Packet 3, National values (7.4.2.1.1), system version 2.0, 2.1.
+/// Packet 3, National values (7.4.2.1.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet3 {
   static constexpr PacketInfo info{3,
                                    "National values",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::RBC,
                                    "7.4.2.1.1",
                                    "Q_NVKINT = 1 guards everything from Q_NVKVINTSET to M_NVKTINT; first V_NVKVINT and "

@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 39, Traction system change (7.4.2.8), system version 2.0, 2.1.
+/// Packet 39, Traction system change (7.4.2.8), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet39 {
   static constexpr PacketInfo info{39,
                                    "Traction system change",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.8",
                                    ""};

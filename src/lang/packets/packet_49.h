@@ -10,12 +10,12 @@ struct Packet49_groups {
   friend constexpr bool operator==(const Packet49_groups&, const Packet49_groups&) = default;
 };
 
-/// Packet 49, Balise groups for SH area (7.4.2.12), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 49, Balise groups for SH area (7.4.2.12), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet49 {
   static constexpr PacketInfo info{49,
                                    "Balise groups for SH area",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.12",
                                    ""};

@@ -14,12 +14,12 @@ struct Packet5_links {
   friend constexpr bool operator==(const Packet5_links&, const Packet5_links&) = default;
 };
 
-/// Packet 5, Linking (7.4.2.2), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 5, Linking (7.4.2.2), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet5 {
   static constexpr PacketInfo info{5,
                                    "Linking",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.2",
                                    ""};

@@ -17,15 +17,15 @@ struct Packet51_restrictions {
   friend constexpr bool operator==(const Packet51_restrictions&, const Packet51_restrictions&) = default;
 };
 
-/// Packet 51, Axle load speed profile (7.4.2.13), system version 2.0, 2.1.
+/// Packet 51, Axle load speed profile (7.4.2.13), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet51 {
   static constexpr PacketInfo info{51,
                                    "Axle load speed profile",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.13",
-                                   ""};
+                                   "X=3: for the very category; before: for it and those above (6.6.2.1.4)"};
   var::Q_DIR Q_DIR;
   var::Q_SCALE Q_SCALE;
   var::Q_TRACKINIT Q_TRACKINIT;

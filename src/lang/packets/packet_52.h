@@ -13,12 +13,12 @@ struct Packet52_restrictions {
   friend constexpr bool operator==(const Packet52_restrictions&, const Packet52_restrictions&) = default;
 };
 
-/// Packet 52, Permitted braking distance (7.4.2.13.1), system version 2.0, 2.1.
+/// Packet 52, Permitted braking distance (7.4.2.13.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet52 {
   static constexpr PacketInfo info{52,
                                    "Permitted braking distance",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.13.1",
                                    ""};

@@ -9,10 +9,15 @@ struct Packet58_locations {
   friend constexpr bool operator==(const Packet58_locations&, const Packet58_locations&) = default;
 };
 
-/// Packet 58, Position report parameters (7.4.2.15), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 58, Position report parameters (7.4.2.15), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet58 {
-  static constexpr PacketInfo info{
-      58, "Position report parameters", Direction::to_train, v1_0 | v1_1 | v2_0 | v2_1, media::RBC, "7.4.2.15", ""};
+  static constexpr PacketInfo info{58,
+                                   "Position report parameters",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::RBC,
+                                   "7.4.2.15",
+                                   ""};
   var::Q_DIR Q_DIR;
   var::Q_SCALE Q_SCALE;
   var::T_CYCLOC T_CYCLOC;

@@ -3,10 +3,15 @@
 
 namespace evc::lang {
 
-/// Packet 6, Virtual balise cover order (7.4.2.2.1), system version 1.1, 2.0, 2.1.
+/// Packet 6, Virtual balise cover order (7.4.2.2.1), system version 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet6 {
-  static constexpr PacketInfo info{
-      6, "Virtual balise cover order", Direction::to_train, v1_1 | v2_0 | v2_1, media::balise, "7.4.2.2.1", ""};
+  static constexpr PacketInfo info{6,
+                                   "Virtual balise cover order",
+                                   Direction::to_train,
+                                   v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::balise,
+                                   "7.4.2.2.1",
+                                   ""};
   var::Q_DIR Q_DIR;
   var::Q_VBCO Q_VBCO;
   var::NID_VBCMK NID_VBCMK;

@@ -10,10 +10,15 @@ struct Packet63_groups {
   friend constexpr bool operator==(const Packet63_groups&, const Packet63_groups&) = default;
 };
 
-/// Packet 63, Balise groups in SR authority (7.4.2.16), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 63, Balise groups in SR authority (7.4.2.16), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet63 {
-  static constexpr PacketInfo info{
-      63, "Balise groups in SR authority", Direction::to_train, v1_0 | v1_1 | v2_0 | v2_1, media::RBC, "7.4.2.16", ""};
+  static constexpr PacketInfo info{63,
+                                   "Balise groups in SR authority",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::RBC,
+                                   "7.4.2.16",
+                                   ""};
   var::Q_DIR Q_DIR;
   InplaceVector<Packet63_groups, 31> groups;
   friend constexpr bool operator==(const Packet63&, const Packet63&) = default;

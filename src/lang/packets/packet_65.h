@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 65, Temporary speed restriction (7.4.2.17), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 65, Temporary speed restriction (7.4.2.17), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet65 {
   static constexpr PacketInfo info{65,
                                    "Temporary speed restriction",
                                    Direction::to_train,
-                                   v1_0 | v1_1 | v2_0 | v2_1,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.17",
                                    ""};

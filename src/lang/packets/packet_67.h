@@ -9,10 +9,15 @@ struct Packet67_areas {
   friend constexpr bool operator==(const Packet67_areas&, const Packet67_areas&) = default;
 };
 
-/// Packet 67, Big metal masses (7.4.2.19), system version 1.0, 1.1, 2.0, 2.1.
+/// Packet 67, Big metal masses (7.4.2.19), system version 1.0, 1.1, 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet67 {
-  static constexpr PacketInfo info{
-      67, "Big metal masses", Direction::to_train, v1_0 | v1_1 | v2_0 | v2_1, media::balise, "7.4.2.19", ""};
+  static constexpr PacketInfo info{67,
+                                   "Big metal masses",
+                                   Direction::to_train,
+                                   v1_0 | v1_1 | v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::balise | media::RBC,
+                                   "7.4.2.19",
+                                   "from the RBC: 3.0, and in message 4 of 2.3"};
   var::Q_DIR Q_DIR;
   var::Q_SCALE Q_SCALE;
   var::D_TRACKCOND D_TRACKCOND;

@@ -10,12 +10,12 @@ struct Packet68_conditions {
   friend constexpr bool operator==(const Packet68_conditions&, const Packet68_conditions&) = default;
 };
 
-/// Packet 68, Track condition (7.4.2.20), system version 2.0, 2.1.
+/// Packet 68, Track condition (7.4.2.20), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet68 {
   static constexpr PacketInfo info{68,
                                    "Track condition",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.20",
                                    ""};

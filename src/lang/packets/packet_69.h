@@ -11,12 +11,12 @@ struct Packet69_platforms {
   friend constexpr bool operator==(const Packet69_platforms&, const Packet69_platforms&) = default;
 };
 
-/// Packet 69, Station platforms (7.4.2.20.1), system version 2.0, 2.1.
+/// Packet 69, Station platforms (7.4.2.20.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet69 {
   static constexpr PacketInfo info{69,
                                    "Station platforms",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.20.1",
                                    ""};

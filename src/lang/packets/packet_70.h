@@ -13,12 +13,12 @@ struct Packet70_points {
   friend constexpr bool operator==(const Packet70_points&, const Packet70_points&) = default;
 };
 
-/// Packet 70, Route suitability (7.4.2.21), system version 2.0, 2.1.
+/// Packet 70, Route suitability (7.4.2.21), system version 2.0, 2.1, 2.2, 2.3.
 struct Packet70 {
   static constexpr PacketInfo info{70,
                                    "Route suitability",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.21",
                                    ""};
@@ -58,6 +58,62 @@ inline constexpr auto layout_of<Packet70> =
                 when(&Packet70::Q_SUITABILITY, is(2), &Packet70::M_VOLTAGE,
                      when(&Packet70::M_VOLTAGE, is_not(0), &Packet70::NID_CTRACTION)),
                 repeat<var::N_ITER>("points", &Packet70::points)));
+
+struct Packet70_v3_0_points {
+  var::D_SUITABILITY D_SUITABILITY;
+  var::Q_SUITABILITY Q_SUITABILITY;
+  var::M_LINEGAUGE M_LINEGAUGE;              ///< only if Q_SUITABILITY == 0
+  var::M_LINEAXLELOADCAT M_LINEAXLELOADCAT;  ///< only if Q_SUITABILITY == 1
+  var::M_VOLTAGE M_VOLTAGE;                  ///< only if Q_SUITABILITY == 2
+  var::NID_CTRACTION NID_CTRACTION;          ///< only if Q_SUITABILITY == 2 && M_VOLTAGE != 0
+  friend constexpr bool operator==(const Packet70_v3_0_points&, const Packet70_v3_0_points&) = default;
+};
+
+/// Packet 70, Route suitability (7.4.2.21), system version 3.0.
+struct Packet70_v3_0 {
+  static constexpr PacketInfo info{70,
+                                   "Route suitability",
+                                   Direction::to_train,
+                                   v3_0,
+                                   media::balise | media::loop | media::RBC | media::RIU,
+                                   "7.4.2.21",
+                                   ""};
+  var::Q_DIR Q_DIR;
+  var::Q_SCALE Q_SCALE;
+  var::Q_TRACKINIT Q_TRACKINIT;
+  var::D_TRACKINIT D_TRACKINIT;                    ///< only if Q_TRACKINIT == 1
+  var::D_SUITABILITY D_SUITABILITY;                ///< only if Q_TRACKINIT == 0
+  var::Q_SUITABILITY Q_SUITABILITY;                ///< only if Q_TRACKINIT == 0
+  var::M_LINEGAUGE M_LINEGAUGE;                    ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 0
+  var::M_LINEAXLELOADCAT M_LINEAXLELOADCAT;        ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 1
+  var::M_VOLTAGE M_VOLTAGE;                        ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 2
+  var::NID_CTRACTION NID_CTRACTION;                ///< only if Q_TRACKINIT == 0 && Q_SUITABILITY == 2 && M_VOLTAGE != 0
+  InplaceVector<Packet70_v3_0_points, 31> points;  ///< only if Q_TRACKINIT == 0
+  /// The element before the counter, in the form of the others.
+  constexpr Packet70_v3_0_points first_points() const {
+    return {D_SUITABILITY, Q_SUITABILITY, M_LINEGAUGE, M_LINEAXLELOADCAT, M_VOLTAGE, NID_CTRACTION};
+  }
+  friend constexpr bool operator==(const Packet70_v3_0&, const Packet70_v3_0&) = default;
+};
+
+template <>
+inline constexpr auto layout_of<Packet70_v3_0_points> =
+    layout(&Packet70_v3_0_points::D_SUITABILITY, &Packet70_v3_0_points::Q_SUITABILITY,
+           when(&Packet70_v3_0_points::Q_SUITABILITY, is(0), &Packet70_v3_0_points::M_LINEGAUGE),
+           when(&Packet70_v3_0_points::Q_SUITABILITY, is(1), &Packet70_v3_0_points::M_LINEAXLELOADCAT),
+           when(&Packet70_v3_0_points::Q_SUITABILITY, is(2), &Packet70_v3_0_points::M_VOLTAGE,
+                when(&Packet70_v3_0_points::M_VOLTAGE, is_not(0), &Packet70_v3_0_points::NID_CTRACTION)));
+
+template <>
+inline constexpr auto layout_of<Packet70_v3_0> =
+    layout(&Packet70_v3_0::Q_DIR, &Packet70_v3_0::Q_SCALE, &Packet70_v3_0::Q_TRACKINIT,
+           when(&Packet70_v3_0::Q_TRACKINIT, is(1), &Packet70_v3_0::D_TRACKINIT),
+           when(&Packet70_v3_0::Q_TRACKINIT, is(0), &Packet70_v3_0::D_SUITABILITY, &Packet70_v3_0::Q_SUITABILITY,
+                when(&Packet70_v3_0::Q_SUITABILITY, is(0), &Packet70_v3_0::M_LINEGAUGE),
+                when(&Packet70_v3_0::Q_SUITABILITY, is(1), &Packet70_v3_0::M_LINEAXLELOADCAT),
+                when(&Packet70_v3_0::Q_SUITABILITY, is(2), &Packet70_v3_0::M_VOLTAGE,
+                     when(&Packet70_v3_0::M_VOLTAGE, is_not(0), &Packet70_v3_0::NID_CTRACTION)),
+                repeat<var::N_ITER>("points", &Packet70_v3_0::points)));
 
 struct Packet70_v1_0_points {
   var::D_SUITABILITY D_SUITABILITY;

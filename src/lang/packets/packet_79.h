@@ -13,11 +13,15 @@ struct Packet79_references {
   friend constexpr bool operator==(const Packet79_references&, const Packet79_references&) = default;
 };
 
-/// Packet 79, Geographical position (7.4.2.25), system version 2.0, 2.1.
+/// Packet 79, Geographical position (7.4.2.25), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet79 {
-  static constexpr PacketInfo info{
-      79,         "Geographical position", Direction::to_train, v2_0 | v2_1, media::balise | media::RBC,
-      "7.4.2.25", "M_POSITION has 24 bits"};
+  static constexpr PacketInfo info{79,
+                                   "Geographical position",
+                                   Direction::to_train,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::balise | media::RBC,
+                                   "7.4.2.25",
+                                   "M_POSITION has 24 bits"};
   var::Q_DIR Q_DIR;
   var::Q_SCALE Q_SCALE;
   var::Q_NEWCOUNTRY Q_NEWCOUNTRY;

@@ -13,12 +13,12 @@ struct Packet80_modes {
   friend constexpr bool operator==(const Packet80_modes&, const Packet80_modes&) = default;
 };
 
-/// Packet 80, Mode profile (7.4.2.26), system version 2.0, 2.1.
+/// Packet 80, Mode profile (7.4.2.26), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet80 {
   static constexpr PacketInfo info{80,
                                    "Mode profile",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.26",
                                    ""};

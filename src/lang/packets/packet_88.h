@@ -3,12 +3,12 @@
 
 namespace evc::lang {
 
-/// Packet 88, Level crossing information (7.4.2.26.1), system version 2.0, 2.1.
+/// Packet 88, Level crossing information (7.4.2.26.1), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct Packet88 {
   static constexpr PacketInfo info{88,
                                    "Level crossing information",
                                    Direction::to_train,
-                                   v2_0 | v2_1,
+                                   v2_0 | v2_1 | v2_2 | v2_3 | v3_0,
                                    media::balise | media::loop | media::RBC | media::RIU,
                                    "7.4.2.26.1",
                                    ""};

@@ -14,10 +14,10 @@ struct TrainPacket11_ntcs {
   friend constexpr bool operator==(const TrainPacket11_ntcs&, const TrainPacket11_ntcs&) = default;
 };
 
-/// Packet 11, Validated train data (7.4.3.5), system version 2.0, 2.1.
+/// Packet 11, Validated train data (7.4.3.5), system version 2.0, 2.1, 2.2, 2.3, 3.0.
 struct TrainPacket11 {
-  static constexpr PacketInfo info{11, "Validated train data", Direction::to_track, v2_0 | v2_1, media::RBC, "7.4.3.5",
-                                   ""};
+  static constexpr PacketInfo info{
+      11, "Validated train data", Direction::to_track, v2_0 | v2_1 | v2_2 | v2_3 | v3_0, media::RBC, "7.4.3.5", ""};
   var::NC_CDTRAIN NC_CDTRAIN;
   var::NC_TRAIN NC_TRAIN;
   var::L_TRAIN L_TRAIN;

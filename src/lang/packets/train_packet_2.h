@@ -8,10 +8,15 @@ struct TrainPacket2_versions {
   friend constexpr bool operator==(const TrainPacket2_versions&, const TrainPacket2_versions&) = default;
 };
 
-/// Packet 2, Supported system versions (7.4.3.3), system version 2.1.
+/// Packet 2, Supported system versions (7.4.3.3), system version 2.1, 2.2, 2.3, 3.0.
 struct TrainPacket2 {
-  static constexpr PacketInfo info{
-      2, "Supported system versions", Direction::to_track, v2_1, media::RBC | media::RIU, "7.4.3.3", ""};
+  static constexpr PacketInfo info{2,
+                                   "Supported system versions",
+                                   Direction::to_track,
+                                   v2_1 | v2_2 | v2_3 | v3_0,
+                                   media::RBC | media::RIU,
+                                   "7.4.3.3",
+                                   ""};
   var::M_VERSION M_VERSION;
   InplaceVector<TrainPacket2_versions, 31> versions;
   /// The element before the counter, in the form of the others.
