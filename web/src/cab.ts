@@ -67,6 +67,7 @@ export class Cab implements Evc {
   private before: number | undefined;
   private owed = 0;
   private shown = "";
+  private stale = false;
 
   constructor(
     private readonly ride: Ride,
@@ -107,16 +108,16 @@ export class Cab implements Evc {
     this.journey.advance(this.isDelayedAt(x, y) ? CYCLES_OF_DELAY : 1);
     this.journey.lift();
     this.journey.advance(1);
-    this.show();
+    this.showSoon();
     return hit;
   }
   desk(part: Partial<Desk>): void {
     this.journey.setDesk({ ...this.journey.desk, ...part });
-    this.show();
+    this.showSoon();
   }
   advance(seconds: number): void {
     this.journey.advance(Math.round(seconds / CYCLE_S));
-    this.show();
+    this.showSoon();
   }
   inputs(): string {
     return this.journey.inputs;
@@ -168,6 +169,16 @@ export class Cab implements Evc {
     element("#done").textContent = "";
     this.desk_.show(this.journey.desk);
     this.show();
+  }
+
+  /// With the next frame: a test drives many times between two.
+  private showSoon(): void {
+    if (this.stale) return;
+    this.stale = true;
+    requestAnimationFrame(() => {
+      this.stale = false;
+      this.show();
+    });
   }
 
   /// What stands in the page's other elements is written when it is another: the browser lays out again what is written.
