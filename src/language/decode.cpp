@@ -237,7 +237,8 @@ int decode_to(const DecodeOptions& options, Decoder& decoder, io::WholeFile& out
 
 int decode(const DecodeOptions& options) {
   const auto sv = io::parse_version(options.sv);
-  if (!sv || lang::known_version(*sv) == 0) return complain({"--sv", "", options.sv, "a system version 1.Y, 2.Y or 3.Y"});
+  if (!sv || lang::known_version(*sv) == 0)
+    return complain({"--sv", "", options.sv, "a system version 1.Y, 2.Y or 3.Y"});
   Decoder decoder(options, *sv);
   if (options.pcapng.empty()) {
     auto out = io::WholeFile::create(options.output);

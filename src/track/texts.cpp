@@ -3,6 +3,9 @@
 namespace evc::track {
 namespace {
 
+/// The condition of a text on the mode. Trackside of a version up to 2.1 knows AD as FS (6.6.2.2.4 to 6.6.2.2.6).
+bool holds_in(Mode condition, Mode mode) { return condition == mode || (condition == Mode::FS && mode == Mode::AD); }
+
 /// What conditions of texts are compared with.
 struct Moment {
   Place est_front{};
@@ -31,14 +34,14 @@ struct Parts {
 bool starts(const Text& t, const Moment& s) {
   Parts parts{t.all_parts};
   parts.part(t.start_at.has_value(), t.start_at && s.est_front >= *t.start_at);
-  parts.part(t.start_mode.has_value(), t.start_mode && *t.start_mode == s.mode);
+  parts.part(t.start_mode.has_value(), t.start_mode && holds_in(*t.start_mode, s.mode));
   parts.part(t.start_level.has_value(), t.start_level && level_is(*t.start_level, t.start_NTC, s));
   return parts.used == 0 || parts.fulfilled();
 }
 
 /// The end by a mode or level is the transition from it (3.12.3.4.3), before the start too.
 void note_transitions(Text& t, const Moment& s) {
-  const bool in_mode = t.end_mode && *t.end_mode == s.mode;
+  const bool in_mode = t.end_mode && holds_in(*t.end_mode, s.mode);
   const bool in_level = t.end_level && level_is(*t.end_level, t.end_NTC, s);
   t.end_mode_left = t.end_mode_left || (t.in_end_mode && !in_mode);
   t.end_level_left = t.end_level_left || (t.in_end_level && !in_level);

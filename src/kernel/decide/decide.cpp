@@ -120,10 +120,8 @@ void run_texts(State& s, const Inputs& in, bool acknowledges, Decided& out, Log 
   end_non_leading(s, in.train.non_leading, acknowledged, out);
   const std::uint8_t of_trackside = acknowledged < kFirstStatusId ? static_cast<std::uint8_t>(acknowledged) : 0;
   const track::TextAcknowledgement acknowledgement{of_trackside, s.operated_X == 1};
-  // Trackside of a version up to 2.1 knows AD as FS (6.6.2.2.4 to 6.6.2.2.6).
-  const Mode mode = s.mode == Mode::AD ? Mode::FS : s.mode;
-  out.texts =
-      track::show_texts(s.track, out.here, mode, s.level.level, s.level.nid_ntc, acknowledgement, out.texts_to_report);
+  out.texts = track::show_texts(s.track, out.here, s.mode, s.level.level, s.level.nid_ntc, acknowledgement,
+                                out.texts_to_report);
   s.texts_to_acknowledge = out.texts.to_acknowledge;
   out.effects.requests.add(Ack::text, !out.texts.to_acknowledge.empty());
   out.asked.add(brakes::Cause::text_service, out.texts.service_brake);
