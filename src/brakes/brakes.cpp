@@ -42,7 +42,7 @@ constexpr auto kOnEntry = std::to_array<EntryRow>({
     {Cause::movement_while_entering_train_data, "R R R R M M M M R R M M M M R M M R M"},
     {Cause::movement_while_entering_SR_data,    "R R R R R R M R R R R R R M R R R R R"},
     {Cause::post_trip_distance,                 "R R R R R R R R R R R R M M R R R R R"},
-    {Cause::consist_length,                     "R R R R R R R R R R R R M R R R R R R"},
+    {Cause::consist_length,                     "R R R R R R R R R R R M M R R R R R R"},
 });
 // clang-format on
 

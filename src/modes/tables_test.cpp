@@ -57,6 +57,13 @@ Cells cells_of(const std::array<Cell<M>, N>& table) {
   return cells;
 }
 
+/// Information that only 4.0.0 has, of supervised manoeuvre: tables_v400_test.cpp.
+bool of_manoeuvre(Information what) {
+  return what == Information::movement_authority_sm || what == Information::sm_refused ||
+         what == Information::safe_consist_length_ack;
+}
+constexpr std::size_t kOf_4_0_0 = 3;
+
 TEST(ModeTable, Is_the_matrix_of_4_6_2) {
   EXPECT_EQ(cells_of(srs_4_6_2), cells_of(reference("mode_transitions.json")));
 }
@@ -163,7 +170,7 @@ TEST(Acceptance, By_level_is_4_8_3) {
         EXPECT_EQ(text(rows[id]->rbc[l]), text(r["RBC"][level])) << id << level;
       }
     }
-  EXPECT_EQ(compared, srs_4_8_3.size());
+  EXPECT_EQ(compared + kOf_4_0_0, srs_4_8_3.size());
   const char* columns[] = {"0", "NTC_X", "NTC_Y", "1", "2", "3"};
   for (std::size_t row = 0; row < 2; ++row)
     for (std::size_t c = 0; c < 6; ++c)
@@ -188,7 +195,7 @@ TEST(Acceptance, By_mode_is_4_8_4) {
         EXPECT_EQ(text(rows[id]->modes[m]), expected) << changed;
       }
     }
-  EXPECT_EQ(compared, srs_4_8_4.size());
+  EXPECT_EQ(compared + kOf_4_0_0, srs_4_8_4.size());
 }
 
 /// Read from the pages of 4.0.0: where they differ from 3.6.0, the exceptions left out that acceptance_tables_v400.h
@@ -205,7 +212,7 @@ TEST(Acceptance, Of_4_0_0_differs_in_these_cells_only) {
         "permitted_braking_distance", "level_crossing"})
     by_mode[std::string(id) + "/PT"] = "A[1][4]";
   for (std::size_t i = 0; i < srs_4_8_4.size(); ++i)
-    for (std::size_t m = 0; m < kModes; ++m) {
+    for (std::size_t m = 0; m < kModes && !of_manoeuvre(srs_4_8_4[i].what); ++m) {
       const std::string cell = std::string(name(srs_4_8_4[i].what)) + "/" + name(static_cast<Mode>(m));
       const auto changed = by_mode.find(cell);
       EXPECT_EQ(text(srs_4_8_4_v400[i].modes[m]),
@@ -218,10 +225,6 @@ TEST(Acceptance, Of_4_0_0_differs_in_these_cells_only) {
       {"session_management/1", "A[15]"},     {"session_management/2", "A[14][15]"},
       {"rbc_transition_order/2", "A[15]"},   {"radio_infill_area/1", "A[15]"},
       {"session_management_riu/1", "A[15]"}};
-  const std::map<std::string, std::string> of_rbc{
-      {"session_management/0", "A[15]"},   {"session_management/NTC", "A[15]"},    {"session_management/1", "A[15]"},
-      {"session_management/2", "A[15]"},   {"rbc_transition_order/2", "A[3][15]"}, {"track_condition_bmm/0", "R[2]"},
-      {"track_condition_bmm/NTC", "R[2]"}, {"track_condition_bmm/1", "R[2]"},      {"track_condition_bmm/2", "A"}};
   for (std::size_t i = 0; i < srs_4_8_3.size(); ++i)
     for (std::size_t l = 0; l < kLevels; ++l) {
       const std::string cell = std::string(name(srs_4_8_3[i].what)) + "/" + name(static_cast<Level>(l));
@@ -229,10 +232,7 @@ TEST(Acceptance, Of_4_0_0_differs_in_these_cells_only) {
       EXPECT_EQ(text(srs_4_8_3_v400[i].not_rbc[l]),
                 changed != by_level.end() ? changed->second : text(srs_4_8_3[i].not_rbc[l]))
           << cell;
-      const auto from_rbc = of_rbc.find(cell);
-      EXPECT_EQ(text(srs_4_8_3_v400[i].rbc[l]), from_rbc != of_rbc.end() ? from_rbc->second : text(srs_4_8_3[i].rbc[l]))
-          << cell;
-    }
+    }  // from the RBC: tables_v400_test.cpp
 }
 
 /// 4.0.0 treats AD as FS in 4.5.2, 4.8.4 and 4.10.

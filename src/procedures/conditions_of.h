@@ -113,8 +113,9 @@ constexpr void conditions_of_4_0_0(const F& f, Give give) {
   give(33, described && !f.AD_requested);
   give(48, described && !f.described_for_whole_train);
   give(53, described && f.ATO_disengaged);
-  give(75, !f.front_in_OS_ack_area && !f.profile_in_force);
-  give(76, !f.front_in_LS_ack_area && !f.profile_in_force);
+  // An authorisation for a supervised manoeuvre takes the place of the mode profile: it leads to SM alone.
+  give(75, !f.front_in_OS_ack_area && !f.profile_in_force && !f.SM_authorised);
+  give(76, !f.front_in_LS_ack_area && !f.profile_in_force && !f.SM_authorised);
   give(77, to_0 && f.train_data_valid);
   give(78, (to_0 || to_ntc) && !f.train_data_valid);
   give(79, to_ntc && f.train_data_valid);

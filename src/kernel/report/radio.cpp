@@ -85,12 +85,7 @@ void send_wishes(State& s, const Decided& decided, bool desk_open, radio::Outbox
   const auto& wishes = decided.effects.send;
   if (wishes.has(Send::train_data)) radio::send_train_data(s.radio);
   if (wishes.has(Send::shunting_request)) outbox.send(message::request_for_shunting);
-  if (wishes.has(Send::manoeuvre_request)) {
-    radio::Intent intent;
-    intent.NID_MESSAGE = message::request_for_sm;
-    intent.default_train_data = s.mode != Mode::SM;  // 5.21.2.2 A045
-    outbox.send(intent);
-  }
+  if (wishes.has(Send::manoeuvre_request)) outbox.send(message::request_for_sm);
   if (wishes.has(Send::end_of_mission)) {  // 3.15.1.3.4.1: to both RBCs
     radio::Intent end;
     end.NID_MESSAGE = message::end_of_mission;
@@ -196,12 +191,13 @@ void take_link(State& s, const Inputs& inputs, radio::Inputs& in) {
   if (named && !of_infill_unit && in.link == RadioLink::connected) radio::identify(s.radio.session(*peer), *named);
 }
 
-/// 5.21.2.2 A045: the front end with the consist, the default train data.
-std::size_t compose_manoeuvre_request(const State& s, const NationalSystem& national, const radio::Intent& intent,
+/// 5.21.2.2 A045: the front end with the consist; the default train data, if the mode is not SM.
+std::size_t compose_manoeuvre_request(const State& s, const NationalSystem& national, radio::Intent intent,
                                       const radio::OnBoard& unit, std::span<std::uint8_t> bytes) {
   const position::Report report = position::report(s.position, s.integrity, ahead_in_request(s));
   radio::TrainDataReport t = train_report(s, s.manoeuvre.train, national);
   t.consist = s.manoeuvre.consist;
+  intent.default_train_data = s.mode != Mode::SM;
   return radio::compose(intent, position_report(s, report), t, unit, s.radio.session(intent.to).M_VERSION, bytes);
 }
 
