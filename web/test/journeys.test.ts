@@ -138,8 +138,13 @@ inBrowser("chrome", (open) => {
         const frames = async (): Promise<void> => {
           for (let n = 0; n < 3; ++n) await new Promise((done) => requestAnimationFrame(done));
         };
-        const pixels = (): Uint8ClampedArray =>
-          (canvas.getContext("2d") as CanvasRenderingContext2D).getImageData(0, 0, canvas.width, canvas.height).data;
+        const pixels = (): Uint8ClampedArray => {
+          const copy = document.createElement("canvas");
+          [copy.width, copy.height] = [canvas.width, canvas.height];
+          const context = copy.getContext("2d", { willReadFrequently: true }) as CanvasRenderingContext2D;
+          context.drawImage(canvas, 0, 0);
+          return context.getImageData(0, 0, copy.width, copy.height).data;
+        };
         await frames();
         const grown = pixels();
         // Another size, and all is painted again.
