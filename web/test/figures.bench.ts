@@ -1,5 +1,5 @@
-// What the page costs: its size, how fast it drives by itself, and the main thread for each frame. Printed; judged is what
-// does not depend on what else the machine does.
+// What the page costs: its size, how fast it drives by itself, and the main thread for each frame. The times real time are by
+// the clock and are judged: that needs a machine that does nothing else. The cost of a frame is printed only.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, statSync } from "node:fs";
