@@ -397,4 +397,23 @@ Result<CurvesInput> read_curves(std::string_view text, const std::string& file) 
   });
 }
 
+Result<CurvesInput> curves_of(const Json& document, const std::string& file) {
+  return guarded([&] { return read(JsonPlace(document, file)); });
+}
+
+Result<Json> curves_document(std::string_view text, const std::string& file) {
+  return guarded([&] {
+    Json document = parse_json(text, file);
+    const JsonPlace root(document, file);
+    root.require_schema("evc-curves/1");
+    for (const char* key : {"train", "national_values"}) {
+      const auto named = root.find(key);
+      if (!named || !named->is_string()) continue;
+      Json in_place = Referred(*named, "the name of a file").place().value();
+      document[key] = std::move(in_place);
+    }
+    return document;
+  });
+}
+
 }  // namespace evc::io

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/json.h"
 #include "io/train_file.h"
 #include "io/workbook_inputs.h"
 #include "openevc/curves.h"
@@ -44,6 +45,10 @@ struct CurvesInput {
 /// train data and national values out of range are errors with the clause. `train` and `national_values` may be names
 /// of files, relative to `file`.
 Result<CurvesInput> read_curves(std::string_view text, const std::string& file);
+/// The same from a document that is parsed already.
+Result<CurvesInput> curves_of(const Json& document, const std::string& file);
+/// The document with the files that `train` and `national_values` name read in place.
+Result<Json> curves_document(std::string_view text, const std::string& file);
 
 /// The target of the document among those computed; null when nothing is supervised.
 const sdm::Target* target_of(const CurvesInput& input, const sdm::Derived& derived);

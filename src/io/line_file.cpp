@@ -116,31 +116,34 @@ sim::Rbc read_rbc(const JsonPlace& place) {
   return rbc;
 }
 
+sim::Line read_line(const JsonPlace& root) {
+  root.require_schema("etcs-line/1");
+  sim::Line line;
+  line.name = root["name"].string();
+  line.length_m = root["length_m"].number(0.0, kFar);
+  if (const auto end = root.find("end_m")) line.end_m = end->number(-kFar, kFar);
+  read_groups(line, root);
+  read_messages(line, root);
+  const auto start = root.find("start");
+  const LineStart given = start ? read_line_start(*start) : LineStart{};
+  line.start_front_m = given.front_m.value_or(line.start_front_m);
+  if (const auto track = root.find("physical_track")) {
+    line.gradient = read_segments<sim::GradientSegment>(*track, "gradient", "gradient_permille", -200.0, 200.0);
+    line.ssp = read_segments<sim::SpeedSegment>(*track, "ssp", "v_kmh", 0.0, 600.0);
+    read_level_before_start(line, *track);
+  }
+  line.start_level = given.level.value_or(line.start_level);
+  line.start_nid_ntc = given.nid_ntc.value_or(line.start_nid_ntc);
+  // NID_C of the telegrams' header (8.4.2.1).
+  line.rbc.contact.NID_C = static_cast<std::uint16_t>(line.balises.front().telegram.number(25, 10));
+  if (const auto rbc = root.find("rbc")) line.rbc = read_rbc(*rbc);
+  return line;
+}
+
 Result<sim::Line> read_line(std::string_view text, const std::string& file) {
   return guarded([&] {
     const Json document = parse_json(text, file);
-    const JsonPlace root(document, file);
-    root.require_schema("etcs-line/1");
-    sim::Line line;
-    line.name = root["name"].string();
-    line.length_m = root["length_m"].number(0.0, kFar);
-    if (const auto end = root.find("end_m")) line.end_m = end->number(-kFar, kFar);
-    read_groups(line, root);
-    read_messages(line, root);
-    const auto start = root.find("start");
-    const LineStart given = start ? read_line_start(*start) : LineStart{};
-    line.start_front_m = given.front_m.value_or(line.start_front_m);
-    if (const auto track = root.find("physical_track")) {
-      line.gradient = read_segments<sim::GradientSegment>(*track, "gradient", "gradient_permille", -200.0, 200.0);
-      line.ssp = read_segments<sim::SpeedSegment>(*track, "ssp", "v_kmh", 0.0, 600.0);
-      read_level_before_start(line, *track);
-    }
-    line.start_level = given.level.value_or(line.start_level);
-    line.start_nid_ntc = given.nid_ntc.value_or(line.start_nid_ntc);
-    // NID_C of the telegrams' header (8.4.2.1).
-    line.rbc.contact.NID_C = static_cast<std::uint16_t>(line.balises.front().telegram.number(25, 10));
-    if (const auto rbc = root.find("rbc")) line.rbc = read_rbc(*rbc);
-    return line;
+    return read_line(JsonPlace(document, file));
   });
 }
 

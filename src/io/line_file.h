@@ -12,6 +12,8 @@ namespace evc::io {
 
 /// Reads `etcs-line/1`. Unknown keys are allowed in this schema only. A file in which no group has bits is rejected.
 Result<sim::Line> read_line(std::string_view text, const std::string& file);
+/// The same from a place in a larger document. Throws ReadError.
+sim::Line read_line(const JsonPlace& root);
 
 /// `start` of a line or of its description: what is given there.
 struct LineStart {

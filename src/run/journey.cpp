@@ -38,6 +38,8 @@ Sample sample_of(double t_s, double x_m, const Outputs& o) {
 
 void Journey::record(const sim::CycleInputs& inputs, const Outputs& outputs, const Truth& truth) {
   const double t_s = static_cast<double>(inputs.t_ms) / 1000.0;
+  ++cycles_;
+  if (keep_ == Keep::measures) samples_.clear();
   samples_.push_back(sample_of(t_s, truth.front_m, outputs));
   telegrams_in_cycle_ = !inputs.balises.empty();
   note_changes(outputs);
@@ -90,6 +92,7 @@ void Journey::note_position(const Outputs& o, double front) {
 void Journey::note_events(const Outputs& o) {
   for (const kernel::Event& event : o.events) {
     count(event);
+    if (keep_ == Keep::measures) continue;
     JourneyEvent e{samples_.back().t_s, samples_.back().x_m, {}};
     io::append_event(e.text, event);
     events_.push_back(std::move(e));

@@ -38,7 +38,9 @@ struct Truth {
 /// The measurements of a run, cycle by cycle: everything in `summary.json` and the report.
 class Journey {
  public:
-  explicit Journey(const sim::World& world) : world_(world) {}
+  /// Samples and events are for pages: a summary does not need them. Of the samples the last one is always kept.
+  enum class Keep : std::uint8_t { everything, measures };
+  explicit Journey(const sim::World& world, Keep keep = Keep::everything) : world_(world), keep_(keep) {}
 
   /// After every cycle.
   void record(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
@@ -52,7 +54,7 @@ class Journey {
     int messages_accepted = 0, messages_refused = 0, messages_rejected = 0;
     int authorities_received = 0, authorities_accepted = 0;
   };
-  std::size_t cycles() const { return samples_.size(); }
+  std::size_t cycles() const { return cycles_; }
   const std::vector<Sample>& samples() const { return samples_; }
   const std::vector<JourneyEvent>& events() const { return events_; }
   const std::vector<std::string>& modes() const { return modes_; }
@@ -72,6 +74,8 @@ class Journey {
   void count_messages(const kernel::Outputs& outputs, std::size_t delivered);
 
   const sim::World& world_;
+  Keep keep_;
+  std::size_t cycles_ = 0;
   std::vector<Sample> samples_;
   std::vector<JourneyEvent> events_;
   std::vector<std::string> modes_, levels_;

@@ -106,7 +106,9 @@ void Motion::move(const Handle& handle, double step_s) {
     if (crossed && std::abs(free) <= brake + dynamics_.davis[0] / inertia_kg_) v_ = 0.0;
   }
   a_ = (v_ - before) / step_s;
-  front_ += 0.5 * (before + v_) * step_s;
+  const double way = 0.5 * (before + v_) * step_s;
+  traction_energy_ += std::max(0.0, traction * handle.sense * inertia_kg_ * way);
+  front_ += way;
 }
 
 }  // namespace evc::sim

@@ -41,6 +41,8 @@ class Motion {
   double front() const { return front_; }
   double speed() const { return v_; }
   double acceleration() const { return a_; }
+  /// Work of the traction at the wheels so far, in joules; the brakes give nothing back.
+  double traction_energy() const { return traction_energy_; }
   /// The acceleration with neither traction nor brake (resistance and gradient).
   double coasting() const;
   /// The acceleration that full traction adds, and the deceleration of the full service brake.
@@ -57,6 +59,7 @@ class Motion {
   double service_level_ = 1.0,
          emergency_level_ = 0.0;  // 0..1; at the start the train is at standstill with brakes applied
   double traction_level_ = 0.0;   // 0..1
+  double traction_energy_ = 0.0;  // J
   double adhesion_;
 };
 

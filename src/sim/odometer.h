@@ -20,6 +20,17 @@ class Odometer {
     static constexpr Errors over() { return at_limit(kDeclared / (1.0 - kDeclared)); }
     /// As little as it declares possible: the true distance is always at `max`.
     static constexpr Errors under() { return at_limit(-kDeclared / (1.0 + kDeclared)); }
+    /// With this constant share, above -1; the changing share remains. What it declares covers both.
+    static constexpr Errors constant(double share) {
+      Errors errors;
+      errors.least = errors.most = share;
+      // The true way is the counted one divided by 1 + share + wander; of rounding a billionth is left over.
+      const double too_much = 1.0 - 1.0 / (1.0 + share + errors.wander);
+      const double too_little = 1.0 / (1.0 + share - errors.wander) - 1.0;
+      const double needed = (too_much > too_little ? too_much : too_little) + 1e-9;
+      errors.declared = needed > kDeclared ? needed : kDeclared;
+      return errors;
+    }
 
    private:
     static constexpr double kDeclared = 0.01;
