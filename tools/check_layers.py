@@ -47,7 +47,9 @@ MAY_INCLUDE = {
     # A journey driven from outside: the page of `evc cab`.
     "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "dmi", "paint", "screen"},
     "cab": {"base", "run", "io", "ride"},
-    "app": {"cab", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
+    # Many cases of one description: threads that compute, one that writes.
+    "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves"},
+    "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

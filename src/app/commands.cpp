@@ -25,6 +25,7 @@
 #include "run/run.h"
 #include "screen/command.h"
 #include "serve/command.h"
+#include "sweep/command.h"
 
 // The command line with the texts of `evc COMMAND --help`. The commands themselves are in their rooms.
 namespace evc::app {
@@ -366,6 +367,46 @@ void add_dmi(CLI::App& app, int& exit_code) {
   });
 }
 
+void add_sweep(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<sweep::Options>();
+  auto format = std::make_shared<std::string>("sqlite");
+  CLI::App* command = app.add_subcommand("sweep", "Many journeys, curves or replays from one description, into SQLite");
+  CLI::Option* spec = command->add_option("spec", options->spec, "description (evc-sweep/1); - for standard input");
+  command->add_option("-j,--threads", options->threads, "number of threads; default: one for each processor")
+      ->check(whole_number_between(1, 1024));
+  command->add_flag("--resume", options->resume, "compute what the results do not have yet");
+  command->add_flag("--dry-run", options->dry_run, "check the description and say what would be computed");
+  command->add_option("--format", *format, "sqlite or csv")
+      ->check(CLI::IsMember({"sqlite", "csv"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output,
+                      "results; default: the name of the description with .sqlite, or standard output for csv");
+  command->callback([command, spec, options, format, &exit_code] {
+    if (!command->get_subcommands().empty()) return;
+    if (spec->count() == 0) throw CLI::RequiredError("spec");
+    options->format = *format == "csv" ? sweep::Format::csv : sweep::Format::sqlite;
+    exit_code = sweep::sweep(*options);
+  });
+
+  auto hashed = std::make_shared<std::string>();
+  CLI::App* hash = command->add_subcommand("hash", "A hash of the rows: the same for whoever computed them");
+  hash->add_option("results", *hashed, "results of a sweep")->required();
+  hash->callback([hashed, &exit_code] { exit_code = sweep::hash(*hashed); });
+
+  auto page = std::make_shared<sweep::ReportOptions>();
+  CLI::App* report = command->add_subcommand("report", "A page: distributions, one value over another, worst cases");
+  report->add_option("results", page->results, "results of a sweep")->required();
+  report->add_option("-o,--output", page->output, "the page")->capture_default_str();
+  report->callback([page, &exit_code] { exit_code = sweep::report(*page); });
+
+  auto one = std::make_shared<sweep::CaseOptions>();
+  CLI::App* again = command->add_subcommand("case", "Compute one case again and leave its files in a folder");
+  again->add_option("results", one->results, "results of a sweep")->required();
+  again->add_option("number", one->number, "number of the case, from 0")->required();
+  again->add_option("-o,--output", one->output, "folder")->required();
+  again->callback([one, &exit_code] { exit_code = sweep::again(*one); });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -403,6 +444,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_explain(app, exit_code);
   add_dmi(app, exit_code);
   add_cab(app, exit_code);
+  add_sweep(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -1,0 +1,209 @@
+#include "sweep/command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "io/file.h"
+#include "run/stop_signals.h"
+#include "run/summary.h"
+#include "sweep/plan.h"
+#include "sweep/progress.h"
+#include "sweep/queue.h"
+#include "sweep/report.h"
+#include "sweep/store.h"
+
+namespace evc::sweep {
+namespace {
+
+using io::complain;
+using Clock = std::chrono::steady_clock;
+
+/// What is committed is whole after the process was killed: at most this much is lost.
+constexpr std::chrono::milliseconds kCommitEvery(500);
+/// Results of a fast sweep take less memory if they are not all in one transaction.
+constexpr std::size_t kCommitRows = 20000;
+
+io::Result<std::unique_ptr<const Plan>> load(const std::string& file) {
+  const auto text = io::read_text(file);
+  if (!text) return tl::unexpected(text.error());
+  return Plan::make(*text, file);
+}
+
+/// The name of the results where none is given.
+std::string results_of(const std::string& spec) {
+  return spec == "-" ? "sweep.sqlite" : std::filesystem::path(spec).stem().string() + ".sqlite";
+}
+
+/// A cell of CSV (RFC 4180).
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+io::Result<bool> write_csv(const Store& store, const std::string& file) {
+  auto out = io::WholeFile::create(file);
+  if (!out) return tl::unexpected(out.error());
+  std::string line;
+  for (const std::string& name : store.columns()) line += (line.empty() ? "" : ",") + cell(name);
+  out->write(line + "\n");
+  const auto read = store.each([&](const std::vector<Value>& values) {
+    line.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) line += (i == 0 ? "" : ",") + cell(text_of(values[i]));
+    out->write(line + "\n");
+  });
+  if (!read) return read;
+  return out->commit();
+}
+
+void describe(const Plan& plan) {
+  const Spec& spec = plan.spec();
+  fmt::print("{} cases\n", spec.cases);
+  for (const std::uint64_t number : {std::uint64_t{0}, spec.cases / 2, spec.cases - 1}) {
+    std::string line = fmt::format("case {}", number);
+    const auto values = plan.values(number);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      line += fmt::format("{} {} = {}", i == 0 ? ":" : ",", spec.vary[i].at, text_of(value_of(values[i])));
+    fmt::print("{}\n", io::printable(line, 1000));
+    if (number == spec.cases - 1) break;
+  }
+  std::string names;
+  for (const std::string& name : plan.measures()) names += (names.empty() ? "" : ", ") + name;
+  fmt::print("measures: {}\n", names);
+}
+
+/// The caller's side of the computation: rows become rows of the store, committed at least once a second.
+class Writer {
+ public:
+  Writer(Store& store, Store::Counts before, std::uint64_t all)
+      : store_(store), counts_(before), progress_(before.done, all) {}
+
+  /// Whether all was written.
+  bool take(const std::vector<Row>& rows) {
+    if (written_) written_ = store_.add(rows);
+    if (!written_) return false;
+    pending_ += rows.size();
+    counts_.done += rows.size();
+    counts_.failed += static_cast<std::uint64_t>(
+        std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.outcome.error.empty(); }));
+    progress_.show(counts_.done, counts_.failed);
+    return Clock::now() - committed_ < kCommitEvery && pending_ < kCommitRows ? true : commit();
+  }
+  bool commit() {
+    if (written_) written_ = store_.commit();
+    committed_ = Clock::now();
+    pending_ = 0;
+    return written_.has_value();
+  }
+  const io::Result<bool>& written() const { return written_; }
+  Store::Counts counts() const { return counts_; }
+  Progress& progress() { return progress_; }
+
+ private:
+  Store& store_;
+  Store::Counts counts_;
+  Progress progress_;
+  Clock::time_point committed_ = Clock::now();
+  std::size_t pending_ = 0;
+  io::Result<bool> written_ = true;
+};
+
+/// To the end, or until a signal stops it.
+int compute_into(Store& store, const Plan& plan, const Options& options, const std::string& output) {
+  auto missing = store.missing();
+  if (!missing) return complain(missing.error());
+  const auto before = store.counts();
+  if (!before) return complain(before.error());
+  const std::uint64_t all = plan.spec().cases;
+  Todo todo(*std::move(missing));
+  const auto most = static_cast<unsigned>(std::min<std::uint64_t>(todo.left(), 1024));
+  const unsigned wanted = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  Writer writer(store, *before, all);
+  {
+    const run::StopSignals signals;
+    if (most > 0)
+      compute(plan, todo, std::min(wanted, most),
+              [&](std::vector<Row>&& rows) { return writer.take(rows) && !signals.seen(); });
+    (void)writer.commit();
+  }
+  writer.progress().clear();
+  if (!writer.written()) return complain(writer.written().error());
+  const auto [done, failed] = writer.counts();
+  const double seconds = writer.progress().seconds();
+  if (done == all)
+    if (const auto finished = store.finish(); !finished) return complain(finished.error());
+  if (options.format == Format::csv && done == all)
+    if (const auto written = write_csv(store, output); !written) return complain(written.error());
+  std::string line = fmt::format("{} of {} cases, {} failed; {} computed in {:.1f} s", done, all, failed,
+                                 done - before->done, seconds);
+  if (done < all) line += options.format == Format::csv ? "; stopped" : "; stopped, --resume goes on";
+  // CSV may be on standard output.
+  fmt::print(options.format == Format::csv ? stderr : stdout, "{}{}\n", line,
+             options.format == Format::csv ? "" : " -> " + output);
+  return failed > 0 || done < all ? 1 : 0;
+}
+
+}  // namespace
+
+int sweep(const Options& options) {
+  const auto plan = load(options.spec);
+  if (!plan) return complain(plan.error());
+  if (options.dry_run) {
+    describe(**plan);
+    return 0;
+  }
+  const bool csv = options.format == Format::csv;
+  if (csv && options.resume) return complain({"evc sweep", "", "--resume with --format csv", "--format sqlite"});
+  const std::string output = !options.output.empty() ? options.output : csv ? "-" : results_of(options.spec);
+  if (const auto apart = io::not_the_input(options.spec, output); !apart) return complain(apart.error());
+  if (!csv && output == "-") return complain({"-o", "", "standard output", "a file: SQLite"});
+  const auto how = csv ? Store::Open::in_memory : options.resume ? Store::Open::resumed : Store::Open::created;
+  const auto store = Store::open(output, how, **plan, EVC_VERSION);
+  if (!store) return complain(store.error());
+  return compute_into(**store, **plan, options, output);
+}
+
+int hash(const std::string& results) {
+  const auto store = Store::read(results);
+  if (!store) return complain(store.error());
+  const auto digits = (*store)->hash();
+  if (!digits) return complain(digits.error());
+  fmt::print("{}\n", *digits);
+  return 0;
+}
+
+int again(const CaseOptions& options) {
+  const auto store = Store::read(options.results);
+  if (!store) return complain(store.error());
+  const Header& header = (*store)->header();
+  if (options.number >= header.cases)
+    return complain({options.results, "", fmt::format("no case {}", options.number),
+                     fmt::format("one from 0 to {}", header.cases - 1)});
+  const auto plan = Plan::make(header.spec, header.spec_file);
+  if (!plan) return complain(plan.error());
+  if ((*plan)->identity() != header.identity)
+    return complain({options.results, "", "other files than those of the sweep", "those that it was computed from"});
+  if (const auto folder = run::prepare_folder(options.output); !folder) return complain(folder.error());
+  const auto recorded = (*plan)->record(options.number, options.output);
+  if (!recorded) return complain(recorded.error());
+  fmt::print("case {} -> {}\n", options.number, options.output);
+  return 0;
+}
+
+int report(const ReportOptions& options) {
+  if (const auto apart = io::not_the_input(options.results, options.output); !apart) return complain(apart.error());
+  const auto store = Store::read(options.results);
+  if (!store) return complain(store.error());
+  const auto page = report_page(**store, options.results);
+  if (!page) return complain(page.error());
+  const auto written = io::write_whole(options.output, *page);
+  return written ? 0 : complain(written.error());
+}
+
+}  // namespace evc::sweep

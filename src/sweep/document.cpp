@@ -1,0 +1,134 @@
+#include "sweep/document.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "io/data_files.h"
+#include "io/file.h"
+
+namespace evc::sweep {
+namespace {
+
+using io::Json;
+using io::JsonPlace;
+
+constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
+
+/// A token as the index of a list (RFC 6901: without leading zeros).
+std::size_t index_of(const std::string& token) {
+  std::size_t index = kNoIndex;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  const bool whole = error == std::errc{} && end == token.data() + token.size();
+  return whole && (token.size() == 1 || token.front() != '0') ? index : kNoIndex;
+}
+
+std::string pointer_of(const std::vector<std::string>& tokens, std::size_t count) {
+  std::string pointer;
+  for (std::size_t i = 0; i < count; ++i) pointer += "/" + io::reference_token(tokens[i]);
+  return pointer;
+}
+
+[[noreturn]] void leads_nowhere(const Spec& spec, std::size_t entry, const std::string& expected) {
+  throw io::ReadError{
+      {spec.file, "/vary/" + std::to_string(entry) + "/at", spec.vary[entry].at + ", which leads nowhere", expected}};
+}
+
+std::string keys_of(const Json& object) {
+  std::string list;
+  for (const auto& [key, value] : object.items()) list += (list.empty() ? "" : ", ") + key;
+  return list.empty() ? "another place" : "one of " + list;
+}
+
+/// The way through the document as it is. True when the last token is there.
+bool leads_to_a_value(const Spec& spec, const Places& places, std::size_t entry, const Json& document,
+                      const std::vector<std::string>& complete) {
+  const auto& tokens = places[entry];
+  const Json* at = &document;
+  const bool all_there = std::find(complete.begin(), complete.end(), tokens.front()) != complete.end();
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::string here = i == 0 ? "the case" : pointer_of(tokens, i);
+    if (at->is_array()) {
+      const std::size_t index = index_of(tokens[i]);
+      if (index >= at->size())
+        leads_nowhere(spec, entry, "an index of " + here + ", which has " + std::to_string(at->size()) + " elements");
+      at = &(*at)[index];
+    } else if (at->is_object()) {
+      const auto member = at->find(tokens[i]);
+      if (member == at->end()) {
+        if (i == 0 || all_there) leads_nowhere(spec, entry, keys_of(*at) + " in " + here);
+        return false;
+      }
+      at = &*member;
+    } else {
+      leads_nowhere(spec, entry, "a place: " + here + " has no members");
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Places::below(const std::string& member) const {
+  return std::any_of(tokens_.begin(), tokens_.end(), [&](const auto& tokens) { return tokens.front() == member; });
+}
+
+void Places::put(Json& document, const std::vector<Json>& values) const {
+  for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    Json* at = &document;
+    for (const std::string& token : tokens_[i]) at = at->is_array() ? &at->at(index_of(token)) : &(*at)[token];
+    *at = values[i];
+  }
+}
+
+void require_places(const Spec& spec, const Places& places, const Json& document, const Reader& reader,
+                    const std::vector<std::string>& complete) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (leads_to_a_value(spec, places, i, document, complete)) continue;
+    // The reader decides: it knows the keys that may be absent.
+    Json with = document;
+    Json* at = &with;
+    for (const std::string& token : places[i]) at = at->is_array() ? &at->at(index_of(token)) : &(*at)[token];
+    const Entry& entry = spec.vary[i];
+    *at = entry.how == Entry::How::list ? entry.list.front() : Json(1);
+    try {
+      reader(JsonPlace(with, spec.file));
+    } catch (const io::ReadError& e) {
+      const std::string& where = e.diagnostic.where;
+      const std::string whole = pointer_of(places[i], places[i].size());
+      if (e.diagnostic.found == "an unknown key" && whole.compare(0, where.size(), where) == 0)
+        leads_nowhere(spec, i, e.diagnostic.expected);
+    }
+  }
+}
+
+Named read_named(const JsonPlace& place, const std::string& folder) {
+  if (place.is_object()) return {"", place.value().dump(-1, ' ', false, Json::error_handler_t::replace)};
+  const std::string& name = place.string();
+  const bool shipped = name.find('/') == std::string::npos && name.find('.') == std::string::npos && !name.empty();
+  const std::string file = shipped ? io::data_file(folder + "/" + name + ".json")
+                                   : (std::filesystem::path(place.file()).parent_path() / name).string();
+  if (name.empty() || name == "-") place.fail("the name of a file");
+  auto text = io::read_text(file, io::kLargestDocument);
+  if (!text) place.fail("\"" + name + "\" (" + text.error().found + ")", "a file, or the name of a shipped one");
+  return {file, *std::move(text)};
+}
+
+std::string reason_of(const io::Diagnostic& d) {
+  const std::string text = (d.where.empty() ? "" : d.where + ": ") + "found " + d.found + ", expected " + d.expected;
+  return io::printable(text, 1000);
+}
+
+std::vector<std::string> chosen(const Spec& spec, const std::vector<std::string>& all,
+                                const std::function<bool(const std::string&)>& exists) {
+  if (spec.measure.empty()) return all;
+  for (std::size_t i = 0; i < spec.measure.size(); ++i) {
+    if (exists(spec.measure[i])) continue;
+    std::string list;
+    for (const std::string& name : all) list += (list.empty() ? "" : ", ") + name;
+    throw io::ReadError{{spec.file, "/measure/" + std::to_string(i), "\"" + spec.measure[i] + "\"", "one of " + list}};
+  }
+  return spec.measure;
+}
+
+}  // namespace evc::sweep

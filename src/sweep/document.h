@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/json.h"
+#include "sweep/spec.h"
+
+// The JSON document of a case: that of `base` with the files in place, and the places that vary in it.
+namespace evc::sweep {
+
+/// Where the values of the entries are put.
+class Places {
+ public:
+  Places() = default;
+  explicit Places(std::vector<std::vector<std::string>> tokens) : tokens_(std::move(tokens)) {}
+
+  /// Whether an entry varies this member of the document, or something below it.
+  bool below(const std::string& member) const;
+  /// Puts the values in their places. A member that is missing is made: the reader of the document knows what may be
+  /// there.
+  void put(io::Json& document, const std::vector<io::Json>& values) const;
+  std::size_t size() const { return tokens_.size(); }
+  const std::vector<std::string>& operator[](std::size_t i) const { return tokens_[i]; }
+
+ private:
+  std::vector<std::vector<std::string>> tokens_;
+};
+
+/// Reads a document in full; throws ReadError.
+using Reader = std::function<void(const io::JsonPlace&)>;
+
+/// Refuses an entry whose pointer leads nowhere in the document: to an element that a list does not have, below a value
+/// that has no members, or to a key that the reader does not know. `complete`: members of the document in which every
+/// key must be there, because their reader passes over the keys that it does not know. Throws ReadError.
+void require_places(const Spec& spec, const Places& places, const io::Json& document, const Reader& reader,
+                    const std::vector<std::string>& complete);
+
+/// The document that a member of `base` is, or names: a file beside the spec, or a name without a folder and without
+/// ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
+struct Named {
+  std::string file;  ///< empty: in place
+  std::string text;
+};
+Named read_named(const io::JsonPlace& place, const std::string& folder);
+
+/// "PLACE: found X, expected Y": the reason of a case that cannot be.
+std::string reason_of(const io::Diagnostic& diagnostic);
+
+/// The names that the spec asks for, or all of them. Throws ReadError for one that does not exist.
+std::vector<std::string> chosen(const Spec& spec, const std::vector<std::string>& all,
+                                const std::function<bool(const std::string&)>& exists);
+
+}  // namespace evc::sweep
