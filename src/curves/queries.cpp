@@ -16,6 +16,7 @@ constexpr Speed kHighestPBD{700.0 / kKmh};
 
 std::vector<QueryRow> PBD_rows(const Approached& a) {
   std::vector<QueryRow> rows;
+  if (a.input().PBD.empty()) return rows;  // the memory alone costs more than a curve
   const auto scratch = std::make_unique<sdm::Derived>();
   sdm::Inputs in = a.input().inputs;
   in.V_top = kHighestPBD;
@@ -31,6 +32,7 @@ std::vector<QueryRow> PBD_rows(const Approached& a) {
 
 std::vector<QueryRow> LX_rows(const Approached& a) {
   const io::CurvesInput& c = a.input();
+  if (c.LX.empty()) return {};
   sdm::Motion motion;  // of a train whose position is exactly known
   motion.A_est = c.A_est;
   motion.V_ura = c.V_ura;

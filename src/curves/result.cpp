@@ -141,7 +141,11 @@ std::string as_table(const CurvesResult& r) {
 
 }  // namespace
 
-Approached::Approached(io::CurvesInput input) : input_(std::move(input)), derived_(std::make_unique<sdm::Derived>()) {
+Approached::Approached(io::CurvesInput input) : Approached(std::move(input), std::make_unique<sdm::Derived>()) {}
+
+Approached::Approached(io::CurvesInput input, std::unique_ptr<sdm::Derived> memory)
+    : input_(std::move(input)), derived_(std::move(memory)) {
+  derived_->valid = false;  // of other inputs, whose revision may be the same
   sdm::rebuild(*derived_, input_.inputs);
   target_ = io::target_of(input_, *derived_);
 }

@@ -15,6 +15,10 @@ namespace evc::curves {
 class Approached {
  public:
   explicit Approached(io::CurvesInput input);
+  /// In memory of an earlier one: new memory of this size costs more than the curves.
+  Approached(io::CurvesInput input, std::unique_ptr<sdm::Derived> memory);
+  /// The memory for the next one; this one cannot be used any more.
+  std::unique_ptr<sdm::Derived> release() && { return std::move(derived_); }
 
   const io::CurvesInput& input() const { return input_; }
   const sdm::Derived& derived() const { return *derived_; }

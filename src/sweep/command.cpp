@@ -55,7 +55,7 @@ io::Result<bool> write_csv(const Store& store, const std::string& file) {
   out->write(line + "\n");
   const auto read = store.each([&](const std::vector<Value>& values) {
     line.clear();
-    for (std::size_t i = 0; i < values.size(); ++i) line += (i == 0 ? "" : ",") + cell(text_of(values[i]));
+    for (std::size_t i = 0; i < values.size(); ++i) line += (i == 0 ? "" : ",") + cell(cell_text(values[i]));
     out->write(line + "\n");
   });
   if (!read) return read;
@@ -69,7 +69,7 @@ void describe(const Plan& plan) {
     std::string line = fmt::format("case {}", number);
     const auto values = plan.values(number);
     for (std::size_t i = 0; i < values.size(); ++i)
-      line += fmt::format("{} {} = {}", i == 0 ? ":" : ",", spec.vary[i].at, text_of(value_of(values[i])));
+      line += fmt::format("{} {} = {}", i == 0 ? ":" : ",", spec.vary[i].at, cell_text(value_of(values[i])));
     fmt::print("{}\n", io::printable(line, 1000));
     if (number == spec.cases - 1) break;
   }

@@ -109,6 +109,10 @@ bool is_member_of_document(const std::string& token) {
   return std::find(std::begin(kMembers), std::end(kMembers), token) != std::end(kMembers);
 }
 
+struct Memory final : Scratch {
+  std::unique_ptr<sdm::Derived> derived = std::make_unique<sdm::Derived>();
+};
+
 class CurvesWork final : public Work {
  public:
   explicit CurvesWork(const Spec& spec) {
@@ -136,7 +140,9 @@ class CurvesWork final : public Work {
 
   std::string documents() const override { return document_.dump(); }
 
-  Outcome compute(const std::vector<Json>& values) const override {
+  std::unique_ptr<Scratch> scratch() const override { return std::make_unique<Memory>(); }
+
+  Outcome compute(const std::vector<Json>& values, Scratch& scratch) const override {
     Outcome outcome;
     outcome.measures.resize(measures_.size());
     Json document = document_;
@@ -151,7 +157,10 @@ class CurvesWork final : public Work {
     if (!positions_) input->positions_m.clear();
     input->PBD.clear();
     input->LX.clear();
-    const CurvesResult result = curves::curves_result(Approached(*std::move(input)));
+    auto& memory = dynamic_cast<Memory&>(scratch);
+    Approached approached(*std::move(input), std::move(memory.derived));
+    const CurvesResult result = curves::curves_result(approached);
+    memory.derived = std::move(approached).release();
     for (std::size_t i = 0; i < asked_.size(); ++i) outcome.measures[i] = asked_[i](result);
     return outcome;
   }

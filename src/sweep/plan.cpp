@@ -17,13 +17,13 @@ io::Result<std::unique_ptr<const Plan>> Plan::make(std::string_view text, const 
   return plan;
 }
 
-Row Plan::compute(std::uint64_t number) const {
+Row Plan::compute(std::uint64_t number, Scratch& scratch) const {
   Row row;
   row.number = number;
   const std::vector<io::Json> values = cases_.values(number);
   row.values.reserve(values.size());
   for (const io::Json& value : values) row.values.push_back(value_of(value));
-  row.outcome = work_->compute(values);
+  row.outcome = work_->compute(values, scratch);
   return row;
 }
 

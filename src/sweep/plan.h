@@ -33,8 +33,10 @@ class Plan {
   const std::string& identity() const { return identity_; }
 
   std::vector<io::Json> values(std::uint64_t number) const { return cases_.values(number); }
-  /// The case with this number, below spec().cases. Any thread may call it.
-  Row compute(std::uint64_t number) const;
+  /// Memory for one thread.
+  std::unique_ptr<Scratch> scratch() const { return work_->scratch(); }
+  /// The case with this number, below spec().cases. Any thread may call it, each with a scratch of its own.
+  Row compute(std::uint64_t number, Scratch& scratch) const;
   /// Computes it again, with its files in a folder that exists.
   io::Result<bool> record(std::uint64_t number, const std::string& folder) const;
 

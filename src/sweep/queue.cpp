@@ -26,12 +26,14 @@ std::uint64_t next_size(std::uint64_t size, double seconds) {
 
 /// One of the threads that compute.
 void work_through(const Plan& plan, Todo& todo, Rows& rows) {
+  const auto scratch = plan.scratch();
   std::uint64_t size = 1;
   while (const auto range = todo.take(size)) {
     const auto begin = Clock::now();
     std::vector<Row> block;
     block.reserve(range->end - range->first);
-    for (std::uint64_t number = range->first; number < range->end; ++number) block.push_back(plan.compute(number));
+    for (std::uint64_t number = range->first; number < range->end; ++number)
+      block.push_back(plan.compute(number, *scratch));
     if (!rows.put(std::move(block))) return;
     size = next_size(range->end - range->first, std::chrono::duration<double>(Clock::now() - begin).count());
   }

@@ -116,7 +116,7 @@ class ReplayWork final : public Work {
 
   std::string documents() const override { return document_.dump() + run::sha256(text_); }
 
-  Outcome compute(const std::vector<Json>& values) const override {
+  Outcome compute(const std::vector<Json>& values, Scratch&) const override {
     Outcome outcome;
     outcome.measures.resize(measures_.size());
     Measured measured;

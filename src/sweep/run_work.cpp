@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,13 @@ using nlohmann::ordered_json;
 
 /// What of a summary depends on the machine, or on nothing: no measure.
 constexpr const char* kNoMeasures[] = {"schema", "line", "cycle_us", "real_time_factor"};
+
+/// The members of `base` that are files, and where the shipped ones are.
+struct File {
+  const char* member;
+  const char* folder;
+};
+constexpr File kFiles[] = {{"line", "lines"}, {"train", "trains"}, {"national_values", "national_values"}};
 
 /// The leaves of a summary, with the names of the members on the way joined by dots.
 void append_leaves(std::vector<std::string>& names, const ordered_json& value, const std::string& name) {
@@ -60,17 +68,27 @@ struct Asked {
   sim::World::Settings settings;
 };
 
+sim::DriverKind read_driver(const JsonPlace& place) {
+  return static_cast<sim::DriverKind>(place.one_of(run::kDriverNames));
+}
+std::uint64_t read_seed(const JsonPlace& place) { return static_cast<std::uint64_t>(place.integer(0, INT64_MAX)); }
+std::optional<int> read_last_ma(const JsonPlace& place) {
+  return place.is_null() ? std::nullopt : std::optional(static_cast<int>(place.integer(0, 1000000)));
+}
+sim::Odometer::Errors read_odometer(const JsonPlace& place) {
+  place.know_only({"error"});
+  const auto error = place.find("error");
+  if (!error || error->is_null()) return {};
+  // Beyond that the declared bound would be most of the way.
+  return sim::Odometer::Errors::constant(error->number(-0.3, 0.3));
+}
+
 sim::World::Settings read_settings(const JsonPlace& root) {
   sim::World::Settings settings;
-  settings.driver = static_cast<sim::DriverKind>(root["driver"].one_of(run::kDriverNames));
-  settings.seed = static_cast<std::uint64_t>(root["seed"].integer(0, INT64_MAX));
-  if (const auto p = root.find("last_ma"); p && !p->is_null())
-    settings.last_ma = static_cast<int>(p->integer(0, 1000000));
-  const JsonPlace odometer = root["odometer"];
-  odometer.know_only({"error"});
-  // Beyond that the declared bound would be most of the way.
-  if (const auto p = odometer.find("error"); p && !p->is_null())
-    settings.odometer = sim::Odometer::Errors::constant(p->number(-0.3, 0.3));
+  settings.driver = read_driver(root["driver"]);
+  settings.seed = read_seed(root["seed"]);
+  settings.last_ma = read_last_ma(root["last_ma"]);
+  settings.odometer = read_odometer(root["odometer"]);
   return settings;
 }
 
@@ -82,7 +100,9 @@ class RunWork final : public Work {
     for (const Entry& entry : spec.vary) tokens.push_back(tokens_of(entry.at));
     places_ = Places(std::move(tokens));
     require_places(spec, places_, document_, [](const JsonPlace& root) { read_small(root); }, {"line"});
+    load_named(spec);
     documents_ = document_.dump();
+    for (const auto& [name, read] : named_) documents_ += read.dump();
     // What no entry varies is read once; an error of it is one of the sweep.
     const Json whole{{"base", document_}};
     const auto place = [&](const char* key, const std::string& file) {
@@ -100,7 +120,7 @@ class RunWork final : public Work {
 
   std::string documents() const override { return documents_; }
 
-  Outcome compute(const std::vector<Json>& values) const override {
+  Outcome compute(const std::vector<Json>& values, Scratch&) const override {
     Outcome outcome;
     outcome.measures.resize(measures_.size());
     const auto asked = io::guarded([&] { return read_case(values); });
@@ -167,10 +187,45 @@ class RunWork final : public Work {
       document_[key] = io::parse_json(named.text, named.file);
       return named.file;
     };
-    line_file_ = in_place("line", "lines");
-    train_file_ = in_place("train", "trains");
-    values_file_ = in_place("national_values", "national_values");
+    line_file_ = in_place(kFiles[0].member, kFiles[0].folder);
+    train_file_ = in_place(kFiles[1].member, kFiles[1].folder);
+    values_file_ = in_place(kFiles[2].member, kFiles[2].folder);
     read_scalars(base, spec);
+  }
+
+  /// The files that lists of lines, trains or national values name, as in `base`.
+  void load_named(const Spec& spec) {
+    const Json whole = io::parse_json(spec.text, spec.file);
+    const JsonPlace root(whole, spec.file);
+    for (const Entry& entry : spec.vary) {
+      for (const auto& [member, folder] : kFiles) {
+        if (entry.at != std::string("/") + member) continue;
+        for (std::size_t i = 0; i < entry.list.size(); ++i) {
+          if (!entry.list[i].is_string()) continue;
+          const std::string key = entry.at + entry.list[i].get<std::string>();
+          const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
+          Json read = io::parse_json(named.text, named.file);
+          if (entry.at == "/line")
+            lines_[key] = std::make_shared<const sim::Line>(io::read_line(JsonPlace(read, named.file)));
+          named_[key] = std::move(read);
+        }
+      }
+    }
+  }
+
+  /// The document of a case; of a line that is named the name alone.
+  Json document_of(const std::vector<Json>& values) const {
+    Json document = document_;
+    places_.put(document, values);
+    for (const char* member : {"train", "national_values"})
+      if (Json& part = document[member]; part.is_string())
+        part = named_.at(std::string("/") + member + part.get<std::string>());
+    return document;
+  }
+
+  std::shared_ptr<const sim::Line> line_of(const JsonPlace& place) const {
+    if (place.is_string()) return lines_.at("/line" + place.string());
+    return std::make_shared<const sim::Line>(io::read_line(place));
   }
 
   /// What `base` itself gives and no entry replaces must be readable.
@@ -180,7 +235,10 @@ class RunWork final : public Work {
                          [&](const Entry& entry) { return tokens_of(entry.at).front() == member; });
     };
     if (!varied("srs")) (void)io::read_srs_version(root["srs"]);
-    if (!varied("driver") && !varied("seed") && !varied("last_ma") && !varied("odometer")) (void)read_settings(root);
+    if (!varied("driver")) (void)read_driver(root["driver"]);
+    if (!varied("seed")) (void)read_seed(root["seed"]);
+    if (!varied("last_ma")) (void)read_last_ma(root["last_ma"]);
+    if (!varied("odometer")) (void)read_odometer(root["odometer"]);
   }
 
   /// All but the line.
@@ -191,8 +249,7 @@ class RunWork final : public Work {
   }
 
   Asked read_case(const std::vector<Json>& values) const {
-    Json document = document_;
-    places_.put(document, values);
+    const Json document = document_of(values);
     const JsonPlace root(document, "");
     Asked asked;
     asked.settings = read_settings(root);
@@ -200,16 +257,15 @@ class RunWork final : public Work {
     asked.configuration.train = train_ ? *train_ : io::read_train(root["train"]);
     asked.configuration.national_values =
         national_values_ ? *national_values_ : io::read_national_values(root["national_values"]);
-    asked.line = line_ ? line_ : std::make_shared<const sim::Line>(io::read_line(root["line"]));
+    asked.line = line_ ? line_ : line_of(root["line"]);
     return asked;
   }
 
   /// The configuration of the case for `inputs.jsonl`, so that `evc replay` gives its outputs.
   std::string configuration_document(const Asked& asked, const std::vector<Json>& values) const {
-    Json document = document_;
-    places_.put(document, values);
+    const Json document = document_of(values);
     Json configuration = io::parse_json(io::configuration_document(asked.configuration), "");
-    configuration["national_values"] = document["national_values"];
+    configuration["national_values"] = document.at("national_values");
     return configuration.dump();
   }
 
@@ -239,6 +295,8 @@ class RunWork final : public Work {
   std::shared_ptr<const sim::Line> line_;
   std::optional<io::Train> train_;
   std::optional<train::NationalValues> national_values_;
+  std::map<std::string, Json> named_;  // by place and name
+  std::map<std::string, std::shared_ptr<const sim::Line>> lines_;
   bool hashed_ = false;
 };
 

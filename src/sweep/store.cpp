@@ -402,13 +402,13 @@ io::Result<std::string> Store::hash() const {
   add_row(columns(), [](const std::string& name) { return name; });
   const auto read = each([&](const std::vector<Value>& values) {
     // A text and a number that look the same differ.
-    add_row(values, [](const Value& v) { return std::to_string(v.index()) + text_of(v); });
+    add_row(values, [](const Value& v) { return std::to_string(v.index()) + cell_text(v); });
   });
   if (!read) return tl::unexpected(read.error());
   return hash.digits();
 }
 
-std::string text_of(const Value& value) {
+std::string cell_text(const Value& value) {
   std::string text;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) io::append_number(text, *whole);
   if (const auto* number = std::get_if<double>(&value)) io::append_number(text, *number);

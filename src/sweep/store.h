@@ -71,6 +71,6 @@ class Store {
 };
 
 /// A value as text: the shortest number that reads back to the same double; "" for none.
-std::string text_of(const Value& value);
+std::string cell_text(const Value& value);
 
 }  // namespace evc::sweep

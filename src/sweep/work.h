@@ -15,6 +15,14 @@ struct Outcome {
   std::string error;            ///< empty: it was computed
 };
 
+/// Memory that a thread uses again from case to case. What is in it has no effect on a result.
+struct Scratch {
+  Scratch() = default;
+  virtual ~Scratch() = default;
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+};
+
 /// The kind of a sweep with its files read: from the values of a case to its outcome. Const and without state, so that
 /// any number of threads may use one.
 class Work {
@@ -28,8 +36,10 @@ class Work {
   const std::vector<std::string>& measures() const { return measures_; }
   /// The files of the sweep as they were read, for a hash: the same name may lead to another file later.
   virtual std::string documents() const = 0;
-  /// The case with these values, one for each entry of the spec.
-  virtual Outcome compute(const std::vector<io::Json>& values) const = 0;
+  /// Memory for one thread.
+  virtual std::unique_ptr<Scratch> scratch() const { return std::make_unique<Scratch>(); }
+  /// The case with these values, one for each entry of the spec. The scratch is one of this work.
+  virtual Outcome compute(const std::vector<io::Json>& values, Scratch& scratch) const = 0;
   /// Computes it again and leaves its files in a folder, which exists.
   virtual io::Result<bool> record(const std::vector<io::Json>& values, const std::string& folder) const = 0;
 

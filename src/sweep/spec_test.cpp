@@ -1,0 +1,176 @@
+#include "sweep/spec.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "sweep/cases.h"
+#include "sweep/plan.h"
+
+namespace evc::sweep {
+namespace {
+
+using io::Json;
+
+std::string spec_of(const std::string& vary, const std::string& rest = "") {
+  return R"({"schema":"evc-sweep/1","kind":"run","vary":[)" + vary + "]" + rest + "}";
+}
+
+/// The error of a text, in one line.
+std::string error_of(const std::string& text) {
+  const auto plan = Plan::make(text, "spec.json");
+  return plan ? "none" : plan.error().text();
+}
+
+Spec read(const std::string& text) {
+  auto spec = read_spec(text, "spec.json");
+  EXPECT_TRUE(spec) << spec.error().text();
+  return spec ? *spec : Spec();
+}
+
+TEST(Spec, a_grid_has_all_combinations_once) {
+  const Spec spec = read(spec_of(R"({"at":"/train/length_m","list":[50,75]},
+      {"at":"/driver","list":["late","reckless"]}, {"at":"/odometer/error","uniform":[-0.01,0.01]},
+      {"at":"/seed","count":3})"));
+  ASSERT_EQ(spec.cases, 12U);
+  const Cases cases(spec);
+  std::set<std::string> combinations;
+  for (std::uint64_t n = 0; n < spec.cases; ++n) {
+    auto values = cases.values(n);
+    EXPECT_TRUE(values[2].get<double>() >= -0.01 && values[2].get<double>() < 0.01);
+    values.erase(values.begin() + 2);
+    combinations.insert(Json(values).dump());
+  }
+  EXPECT_EQ(combinations.size(), 12U);
+  EXPECT_EQ(cases.values(0)[3], 1);
+  EXPECT_EQ(cases.values(1)[3], 2);  // the last entry changes first
+}
+
+TEST(Spec, a_range_has_both_ends) {
+  const Spec whole = read(spec_of(R"({"at":"/train/length_m","range":[50,200,50]})"));
+  EXPECT_EQ(Json(whole.vary[0].list).dump(), "[50,100,150,200]");
+  const Spec tenths = read(spec_of(R"({"at":"/odometer/error","range":[0,0.3,0.1]})"));
+  ASSERT_EQ(tenths.cases, 4U);
+  EXPECT_NEAR(tenths.vary[0].list[3].get<double>(), 0.3, 1e-12);
+}
+
+TEST(Spec, draws_of_random_and_sobol_follow_the_distributions) {
+  for (const char* sample : {"random", "sobol"}) {
+    const Spec spec = read(spec_of(R"({"at":"/odometer/error","normal":[0.1,0.02]},{"at":"/seed","count":4},
+        {"at":"/driver","list":["late","perfect"]})",
+                                   std::string(R"(,"cases":4000,"sample":")") + sample + '"'));
+    const Cases cases(spec);
+    double sum = 0.0, squares = 0.0;
+    std::map<std::string, int> seeds, drivers;
+    for (std::uint64_t n = 0; n < spec.cases; ++n) {
+      const auto values = cases.values(n);
+      const double z = (values[0].get<double>() - 0.1) / 0.02;
+      sum += z;
+      squares += z * z;
+      ++seeds[values[1].dump()];
+      ++drivers[values[2].dump()];
+    }
+    EXPECT_NEAR(sum / 4000.0, 0.0, 0.05) << sample;
+    EXPECT_NEAR(squares / 4000.0, 1.0, 0.08) << sample;
+    ASSERT_EQ(seeds.size(), 4U);
+    for (const auto& [seed, count] : seeds) EXPECT_NEAR(count, 1000, 110) << sample << seed;
+    EXPECT_NEAR(drivers["\"late\""], 2000, 140) << sample;
+  }
+}
+
+struct Wrong {
+  const char* text;
+  const char* error;  // its begin
+};
+
+TEST(Spec, errors_name_the_place) {
+  const Wrong all[] = {
+      {"{", "spec.json: line 1 column 2: found the end of the text"},
+      {"[]", "spec.json: /: found an array of 0, expected an object"},
+      {R"({"schema":"etcs-train/1"})", "spec.json: /schema: found \"etcs-train/1\" (a train"},
+      {R"({"schema":"evc-sweep/1","kind":"rum","vary":[]})",
+       "spec.json: /kind: found \"rum\", expected one of \"run\""},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[]})", "spec.json: /vary: found an empty list"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"seed","count":3}]})",
+       "spec.json: /vary/0/at: found \"seed\", expected a JSON pointer"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","list":[]}]})",
+       "spec.json: /vary/0/list: found an empty list, expected at least one value"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed"}]})", "spec.json: /vary/0: found no values"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","count":2,"list":[1]}]})",
+       "spec.json: /vary/0: found 2 kinds of values"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","count":0}]})",
+       "spec.json: /vary/0/count: found 0, expected an integer from 1"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","range":[3,1,1]}]})",
+       "spec.json: /vary/0/range/1: found 1, expected a number from 3.0"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","range":[1,3,0]}]})",
+       "spec.json: /vary/0/range/2: found 0, expected a step above 0"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","count":2},{"at":"/seed","count":2}]})",
+       "spec.json: /vary/1/at: found \"/seed\", expected a place that no other entry replaces"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train","list":[{}]},{"at":"/train/length_m","list":[9]}]})",
+       "spec.json: /vary/1/at: found \"/train/length_m\", expected a place that no other entry replaces"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","count":1000000},{"at":"/last_ma","range":[1,5000,1]}]})",
+       "spec.json: /vary: found more than 1000000000 combinations"},
+      {R"({"schema":"evc-sweep/1","kind":"run","sample":"sobol","vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /: found no key \"cases\""},
+      {R"({"schema":"evc-sweep/1","kind":"run","cases":9,"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /cases: found 9, expected no \"cases\""},
+      {R"({"schema":"evc-sweep/1","kind":"run","measure":[],"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /measure: found an array of 0"},
+      // What needs the files.
+      {R"({"schema":"evc-sweep/1","kind":"run","base":{"lane":1},"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /base/lane: found an unknown key"},
+      {R"({"schema":"evc-sweep/1","kind":"run","base":{"train":"no_such"},"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /base/train: found \"no_such\" ("},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train","list":["push_pull","no_such"]}]})",
+       "spec.json: /vary/0/list/1: found \"no_such\" ("},
+      {R"({"schema":"evc-sweep/1","kind":"run","base":{"driver":"asleep"},"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /base/driver: found \"asleep\""},
+      {R"({"schema":"evc-sweep/1","kind":"run","base":{"train":{"length_m":-3}},"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /base/train/length_m: found -3"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/sed","count":2}]})",
+       "spec.json: /vary/0/at: found /sed, which leads nowhere, expected one of "},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/brake_precentage","list":[100]}]})",
+       "spec.json: /vary/0/at: found /train/brake_precentage, which leads nowhere, expected one of schema, name, "},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/dynamics/mass","list":[100]}]})",
+       "spec.json: /vary/0/at: found /train/dynamics/mass, which leads nowhere, expected one of mass_t"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/line/lenght_m","list":[100]}]})",
+       "spec.json: /vary/0/at: found /line/lenght_m, which leads nowhere"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/line/balise_groups/999/balises","list":[[]]}]})",
+       "spec.json: /vary/0/at: found /line/balise_groups/999/balises, which leads nowhere, expected an index"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed/x","list":[100]}]})",
+       "spec.json: /vary/0/at: found /seed/x, which leads nowhere, expected a place: /seed has no members"},
+      {R"({"schema":"evc-sweep/1","kind":"run","measure":["duration"],"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /measure/0: found \"duration\", expected one of distance_m, duration_s"},
+      {R"({"schema":"evc-sweep/1","kind":"run","measure":["cycle_us.max"],"vary":[{"at":"/seed","count":2}]})",
+       "spec.json: /measure/0: found \"cycle_us.max\""},
+      {R"({"schema":"evc-sweep/1","kind":"curves","base":{"query":"passenger_eoa"},"vary":[{"at":"/target/location","list":[1]}]})",
+       "spec.json: /vary/0/at: found /target/location, which leads nowhere"},
+      {R"({"schema":"evc-sweep/1","kind":"curves","vary":[{"at":"/target/location_m","list":[1]}]})",
+       "spec.json: /base: found no key \"query\""},
+      {R"({"schema":"evc-sweep/1","kind":"replay","base":{"inputs":"none.jsonl"},"vary":[{"at":"/config/srs","list":["3.6.0"]}]})",
+       "spec.json: /base/inputs: found \"none.jsonl\""},
+  };
+  for (const Wrong& wrong : all) {
+    const std::string error = error_of(wrong.text);
+    EXPECT_EQ(error.substr(0, std::string(wrong.error).size()), wrong.error) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Spec, keys_that_may_be_absent_can_vary) {
+  // The standard train is an empty document: its keys are known all the same.
+  for (const char* at : {"/train/brake_percentage", "/train/dynamics/mass_t", "/national_values/V_NVREL", "/last_ma"})
+    EXPECT_EQ(error_of(spec_of(std::string(R"({"at":")") + at + R"(","list":[40]})")), "none") << at;
+}
+
+TEST(Spec, the_identity_is_that_of_spec_and_files) {
+  const auto identity = [](const std::string& text) { return (*Plan::make(text, "spec.json"))->identity(); };
+  const std::string a = spec_of(R"({"at":"/seed","count":2})");
+  EXPECT_EQ(identity(a), identity(spec_of(R"({"count":2,   "at":"/seed"})")));
+  EXPECT_NE(identity(a), identity(spec_of(R"({"at":"/seed","count":3})")));
+  EXPECT_NE(identity(a), identity(spec_of(R"({"at":"/seed","count":2})", R"(,"base":{"train":"push_pull"})")));
+}
+
+}  // namespace
+}  // namespace evc::sweep
