@@ -17,12 +17,12 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// The numbers that are still to be computed, handed out in blocks. Whoever computes takes from it: threads here, the
+/// The numbers that are still to be computed, given in blocks. Whoever computes takes from it: threads here, the
 /// ranks of a cluster through the one that has it.
 class Todo {
  public:
   explicit Todo(std::vector<Range> ranges);
-  /// At most `most` numbers in a row; nothing when all are handed out. Any thread may call it.
+  /// At most `most` numbers in a row; nothing when none is left. Any thread may call it.
   std::optional<Range> take(std::uint64_t most);
   std::uint64_t left() const;
 

@@ -133,7 +133,7 @@ struct Store::Database {
     sqlite3_close(handle);
   }
 
-  /// What went wrong, and what it needs.
+  /// The error of the last call, and what it needs.
   io::Diagnostic error() const {
     const int code = sqlite3_errcode(handle);
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
