@@ -23,7 +23,7 @@ namespace evc::kernel {
 /// copy is a unit that continues from the same moment. Too large for a small stack.
 class Unit {
  public:
-  static constexpr std::size_t kBytes = 344 * 1024;
+  static constexpr std::size_t kBytes = 352 * 1024;
   static constexpr std::size_t kAlignment = 16;
 
   /// Not powered up: call power_up before the first step.

@@ -10,6 +10,7 @@
 #include "io/input_writer.h"
 #include "io/line_file.h"
 #include "io/train_file.h"
+#include "run/display_lists.h"
 #include "run/drive.h"
 #include "run/journey.h"
 #include "run/on_board.h"
@@ -153,14 +154,15 @@ class RunWork final : public Work {
     const auto world = world_of(*asked);
     run::OnBoard on_board(asked->configuration.for_kernel(), run::OnBoard::Costs::kept);
     run::Journey journey(*world);
-    run::Recorder recorder(*world, journey, asked->configuration);
+    run::DisplayLists displays;
+    run::Recorder recorder(*world, journey, asked->configuration, &displays);
     run::drive(*world, on_board, recorder);
     const run::Records& records = recorder.records();
     const ordered_json summary = run::summary_of(journey, *world, *asked->line, on_board, &records.outputs);
     const std::string driver = run::kDriverNames[static_cast<std::size_t>(asked->settings.driver)];
-    return run::write_records(
-        folder, records, summary,
-        run::report_page(journey, *world, *asked->line, asked->configuration.train.name, driver, summary.dump()));
+    return run::write_records(folder, records, summary,
+                              run::report_page(journey, *world, *asked->line, asked->configuration.train.name, driver,
+                                               summary.dump(), displays));
   }
 
  private:
