@@ -273,6 +273,9 @@ typedef struct openevc_message {
 
 /* The inputs of one cycle. Set the defaults with openevc_inputs_init, then fill it in. States (odometer, signals of the
  * train, national system) have to be given in every cycle; the other members are for one cycle. */
+typedef struct openevc_consist_end {
+  double nominal, min, max;
+} openevc_consist_end;
 typedef struct openevc_inputs {
   uint32_t size;
   int32_t link; /* openevc_link */
@@ -346,6 +349,10 @@ typedef struct openevc_inputs {
   double set_speed;        /* of the speed control, to be shown; 0: none any more */
   char driver_id_text[16]; /* up to 16 letters and digits, the rest zero */
   char language[8];        /* two letters of ISO 639-1: "en" */
+  /* 4.0.0, safe consist length by an external source (3.18.3.2 b), a state: metres from the front end of the engine, on
+   * the side of the active cab, to the ends of the shunting consist; the engine is part of what is in rear. All six are
+   * given, min <= nominal <= max, or all are not a number: it is not available. */
+  openevc_consist_end consist_front, consist_rear;
 } openevc_inputs;
 /* `size`: sizeof(openevc_inputs). Power is on, the direction is forward, the special brakes are active. */
 OPENEVC_API openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) OPENEVC_NOEXCEPT;

@@ -225,6 +225,16 @@ TEST_F(CUnit, WindowsAlarmsAndTrainDataOfAnotherSource) {
   EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
   EXPECT_NE(std::strstr(why, "inputs.integrity"), nullptr) << why;
   in.integrity = OPENEVC_INTEGRITY_OK;
+  for (const openevc_consist_end wrong : {openevc_consist_end{300.0, 301.0, 310.0},
+                                          {300.0, 290.0, 299.0},
+                                          {300.0, 290.0, std::nan("")},
+                                          {300.0, 290.0, 4096.0}}) {
+    in.consist_front = {20.0, 19.0, 22.0};
+    in.consist_rear = wrong;
+    EXPECT_EQ(step(in), OPENEVC_BAD_ARGUMENT);
+    EXPECT_NE(std::strstr(why, "inputs.consist"), nullptr) << why;
+  }
+  in.consist_rear = {300.0, 290.0, 310.0};
   in.length_confirmed = 200.0;
   ASSERT_EQ(step(in), OPENEVC_OK) << why;
   EXPECT_TRUE(brakes_for("balise antenna"));

@@ -32,6 +32,23 @@ openevc_result read_train_data(std::optional<train::TrainData>& data, const char
   return OPENEVC_OK;
 }
 
+/// False: not min <= nominal <= max, from 0 to 4095 m.
+bool take_consist_end(ConsistEnd& to, const openevc_consist_end& end) {
+  to = {{end.nominal}, {end.min}, {end.max}};
+  return end.min >= 0.0 && end.min <= end.nominal && end.nominal <= end.max && end.max <= 4095.0;
+}
+
+/// False: not all of them are given, or not as they have to be.
+bool take_consist(std::optional<ConsistLength>& to, const openevc_inputs& in) {
+  const auto absent = [](const openevc_consist_end& end) {
+    return std::isnan(end.nominal) && std::isnan(end.min) && std::isnan(end.max);
+  };
+  to.reset();
+  if (absent(in.consist_front) && absent(in.consist_rear)) return true;
+  to.emplace();
+  return take_consist_end(to->front, in.consist_front) && take_consist_end(to->rear, in.consist_rear);
+}
+
 const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
   s.powered = in.powered != 0;
   s.isolated = in.isolated != 0;
@@ -58,6 +75,7 @@ const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {
     return "inputs.integrity: not an openevc_integrity";
   s.integrity = static_cast<TrainIntegrity>(in.integrity);
   if (!std::isnan(in.length_confirmed)) s.length_confirmed = {in.length_confirmed};
+  if (!take_consist(s.consist, in)) return "inputs.consist: not six numbers 0 <= min <= nominal <= max <= 4095";
   return nullptr;
 }
 

@@ -46,6 +46,16 @@ TEST(CInputs, WithoutAWordTheyAreTheKernelsDefaults) {
   EXPECT_EQ(taken->national_system, kernel::NationalSystem{});
 }
 
+TEST(CInputs, TheSafeConsistLengthIsWholeOrAbsent) {
+  openevc_inputs in = defaults();
+  EXPECT_FALSE(Taken(in)->train.consist.has_value());
+  in.consist_front = {20.0, 19.0, 22.0};
+  in.consist_rear = {300.0, 290.0, 310.0};
+  const Taken taken(in);
+  ASSERT_TRUE(taken->train.consist.has_value());
+  EXPECT_EQ(*taken->train.consist, (ConsistLength{{{20.0}, {19.0}, {22.0}}, {{300.0}, {290.0}, {310.0}}}));
+}
+
 TEST(CInputs, TimesOfOdometerAndBalises) {
   openevc_inputs in = defaults();
   in.now = 5.0;

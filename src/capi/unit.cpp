@@ -67,6 +67,7 @@ openevc_result openevc_inputs_init(openevc_inputs* inputs, uint32_t size) noexce
   in.direction = 1;
   in.regenerative_brake_active = in.eddy_current_brake_active = in.magnetic_shoe_brake_active = in.ep_brake_active = 1;
   in.brake_pressure_kpa = in.length_confirmed = in.measured = evc::capi::kNone;
+  in.consist_front = in.consist_rear = {evc::capi::kNone, evc::capi::kNone, evc::capi::kNone};
   in.size = size;
   std::memcpy(inputs, &in, size < sizeof in ? size : sizeof in);
   return OPENEVC_OK;

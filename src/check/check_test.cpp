@@ -163,7 +163,7 @@ const std::vector<Plant> kPlants = {
        });
      },
      error, group(5990, 106), "7.3.3.10"},
-    {"VersionX", [](Copy& c) { c.set_bits(5, 0, 1, 7, 0x31); }, error, group(5990, 106), "3.17.3.5"},
+    {"VersionX", [](Copy& c) { c.set_bits(5, 0, 1, 7, 0x41); }, error, group(5990, 106), "3.17.3.5"},
     {"MessageLength",
      [](Copy& c) {
        c.message(3)["message_hex"] = c.message(3)["message_hex"].get<std::string>() + "00";

@@ -90,10 +90,13 @@ void check_common_header(const Group& group, Findings& out) {
     if (t.view.Q_LINK.raw != first.Q_LINK.raw)
       return out.add(error, where, "3.4.4.1.2"_srs, "balises marked linked and unlinked in one group");
     const bool both_read = t.view.fault == lang::Fault::none && first.fault == lang::Fault::none;
-    if (both_read && t.view.M_VERSION.raw != first.M_VERSION.raw)
-      return out.add(warning, where, "3.17.2.3"_srs,
-                     fmt::format("system versions {}.{} and {}.{} in one group: the highest X is operated", first.sv.x,
-                                 first.sv.y, t.view.sv.x, t.view.sv.y));
+    if (both_read && t.view.M_VERSION.raw != first.M_VERSION.raw) {
+      const lang::SystemVersion a = lang::system_version(first.M_VERSION.raw);
+      const lang::SystemVersion b = lang::system_version(t.view.M_VERSION.raw);
+      return out.add(
+          warning, where, "3.17.2.3"_srs,
+          fmt::format("system versions {}.{} and {}.{} in one group: the highest X is operated", a.x, a.y, b.x, b.y));
+    }
   }
 }
 

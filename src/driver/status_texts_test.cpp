@@ -69,6 +69,11 @@ TEST(StatusTexts, RowsAreThoseOfTable68) {
                Inform::national_system_not_available),
       informed(NL_no_longer_permitted, Output::nl_no_longer_permitted, acknowledged, Inform::NL_no_longer_permitted),
       informed(StatusText::odometer_impaired, Output::odometer_impaired, with_its_reason, Inform::odometer_impaired),
+      entered(entering_SM, Output::entry_sm, Mode::SM),
+      informed(SM_refused, Output::sm_refused, main_window, Inform::SM_refused),
+      informed(SM_request_failed, Output::sm_no_answer, main_window, Inform::SM_request_failed),
+      informed(consist_length_lost, Output::brake_reason, s30, Inform::consist_length_lost),
+      caused(consist_length_lost, with_its_reason, {Cause::consist_length}),
   };
   ASSERT_EQ(expected.size(), srs_status_texts.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {

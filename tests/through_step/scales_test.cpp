@@ -33,6 +33,11 @@ Act stops_after(double metres) {
     return std::string();
   };
 }
+/// The alarm of the antenna comes and goes: where it begins outside metal there is a reaction (3.15.7).
+std::string alarms(OnBoard& unit, int cycle) {
+  unit.inputs().levels.train.antenna_alarm = cycle % 2 == 0;
+  return "";
+}
 /// What is said to loop messages.
 std::string loops(OnBoard& unit, int cycle) {
   if (cycle % 10 != 0) return "";
@@ -220,7 +225,11 @@ std::vector<Case> cases_of_conditions() {
         {"areas/L_TRACKCOND", 50}},
        {"D_TRACKCOND", "L_TRACKCOND", "areas/D_TRACKCOND", "areas/L_TRACKCOND"},
        By::group,
-       std::string(kFS1) + "  and signal { antenna_alarm true }\n  and waits 0.2 s\n"},
+       kFS1,
+       300,
+       {},
+       24,
+       alarms},
       {68,
        more(condition,
             {{"conditions/D_TRACKCOND", 300}, {"conditions/L_TRACKCOND", 100}, {"conditions/M_TRACKCOND", 3}}),

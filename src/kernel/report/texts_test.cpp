@@ -99,7 +99,8 @@ TEST_F(Shown, ASelectionInTheMainWindowEndsItsTexts) {  // 015560 11.2.1, 15
     const auto select = static_cast<Select>(i);
     const bool main = select == Select::start || select == Select::shunting || select == Select::exit_shunting ||
                       select == Select::non_leading || select == Select::maintain_shunting ||
-                      select == Select::train_data || select == Select::main;
+                      select == Select::train_data || select == Select::main || select == Select::sm ||
+                      select == Select::continue_sm || select == Select::exit_sm;
     EXPECT_EQ(ended_by(select), main) << i;
   }
   restart(Mode::SB);

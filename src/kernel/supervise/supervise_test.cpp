@@ -179,7 +179,7 @@ TEST_F(Supervision, TheAlarmOfTheAntennaIsHiddenByMetalUnderIt) {  // 3.15.7.5
   const auto brakes = [&](double from, double to) {
     restart(Mode::FS);
     state.train.L_antenna_front = {5.0};
-    here.max_safe_front = at(1020.0);  // the antenna is between 995 m and 1015 m
+    here.max_safe_antenna = at(1015.0);  // the min safe one: at 995 m
     track::BigMetalMass mass;
     mass.from = at(from);
     mass.to = at(to);
