@@ -225,12 +225,15 @@ std::string describe_packet(std::uint8_t nid, Direction direction, bool markdown
 
 std::string describe_message(std::uint8_t nid, bool markdown) {
   std::string out;
+  std::string_view first;
   for (const lang::MessageRules& m : lang::message_rules()) {
     if (m.NID_MESSAGE != nid) continue;
     const std::string title = std::string("Message ") + std::to_string(nid) + ": " + m.name;
     if (out.empty()) out += markdown ? "# " + title + "\n\n" : title + "\n";
-    out += (markdown ? "## System version " : "\nsystem version ") + versions_text(m.versions) +
-           (markdown ? "\n\n" : "\n");
+    if (first.empty()) first = m.name;
+    out += (markdown ? "## System version " : "\nsystem version ") + versions_text(m.versions);
+    if (m.name != first) out += std::string(": ") + m.name;  // message 38 has another meaning from 2.3 on
+    out += markdown ? "\n\n" : "\n";
     std::string facts = std::string(direction_text(m.direction)) + "; " + media_text(m.media) + "; priority " +
                         m.priority + "; SUBSET-026 " + m.ref;
     if (*m.note != '\0') facts += std::string("; ") + m.note;

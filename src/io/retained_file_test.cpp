@@ -71,7 +71,7 @@ TEST(RetainedFile, ErrorsNameTheirPlace) {
             std::string::npos);
   EXPECT_NE(error_of(text, "\"over_m\": 20.0", "\"over_m\": 11.0").find("/position/over_m: found 11"),
             std::string::npos);
-  EXPECT_NE(error_of(text, "\"version_X\": 1", "\"version_X\": 3").find("/version_X: found 3, expected "),
+  EXPECT_NE(error_of(text, "\"version_X\": 1", "\"version_X\": 4").find("/version_X: found 4, expected "),
             std::string::npos);
   EXPECT_NE(error_of(text, "\"level\": \"2\"", "\"level\": \"4\"").find("/level_table/0/level: found "),
             std::string::npos);

@@ -111,10 +111,10 @@ TEST(Explain, an_LRBG_that_lies_ahead) {
   ADD_FAILURE() << "no such journey";
 }
 
-/// The two files cover every cause. Of each command there is more to say than the command.
+/// The files cover every cause. Of each command there is more to say than the command.
 TEST(Explain, no_cause_is_without_a_reason) {
   std::set<std::string> causes;
-  for (const char* file : {"brakes.scenario", "explain.scenario"})
+  for (const char* file : {"brakes.scenario", "explain.scenario", "supervised_manoeuvre.scenario"})
     for (const Answered& each : answered(file)) {
       const std::string& output = each.why.output;
       ASSERT_LE(each.why.exit_code, 1) << each.scenario.name << each.why.errors;
