@@ -12,8 +12,6 @@ namespace evc::capi {
 namespace {
 
 // There is room for all that the kernel gives.
-template <class List>
-constexpr std::size_t kRoom = List::capacity();
 static_assert(kRoom<decltype(kernel::Display::conditions)> == OPENEVC_DISPLAYED_CONDITIONS);
 static_assert(kRoom<decltype(kernel::Display::orders)> == OPENEVC_PLANNED_ORDERS);
 static_assert(kRoom<decltype(kernel::Display::texts)> == OPENEVC_DISPLAYED_TEXTS);

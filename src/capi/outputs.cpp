@@ -12,8 +12,6 @@ namespace evc::capi {
 namespace {
 
 // There is room for all that the kernel gives.
-template <class List>
-constexpr std::size_t kRoom = List::capacity();
 static_assert(kRoom<decltype(kernel::Outputs::symbols)> == OPENEVC_SYMBOLS);
 static_assert(kRoom<decltype(kernel::Outputs::texts)> == OPENEVC_TEXTS);
 static_assert(kRoom<decltype(kernel::Outputs::radio_out)> == OPENEVC_RADIO_OUT);

@@ -4,6 +4,10 @@
 
 namespace evc::capi {
 
+/// How many a list of the kernel has room for.
+template <class List>
+inline constexpr std::size_t kRoom = List::capacity();
+
 /// All members of `to` but its size.
 void give_outputs(openevc_outputs& to, const kernel::Outputs& outputs) noexcept;
 

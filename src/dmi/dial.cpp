@@ -116,13 +116,13 @@ constexpr double sine(double deg) {
 /// The radius of the centre of a number of so many digits at the inner end of a long line (8.2.1.1.11 gives the line,
 /// no place for its number): the box of the number ends short of the line, at whichever side the line comes.
 constexpr double number_radius(double deg, int digits) {
-  constexpr double kGap = 4.0, kHalfHeight = 8.0, kHalfDigit = 6.2;
+  constexpr double kClear = 4.0, kHalfHeight = 8.0, kHalfDigit = 6.2;
   const double aside = deg < 0.0 ? -deg : deg;  // 0 to 144
   const double across = sine(aside), along = aside <= 90.0 ? sine(90.0 - aside) : sine(aside - 90.0);
   const double half_width = kHalfDigit * digits;
   // The line leaves the box above or below it, else at its left or right side.
   const double inside = half_width * along < kHalfHeight * across ? half_width / across : kHalfHeight / along;
-  return kDialOut - kLongLine - kGap - inside;
+  return kDialOut - kLongLine - kClear - inside;
 }
 
 void draw_dial(const Drawing& to) {

@@ -219,7 +219,7 @@ void read_config(const Value& value, port::DisplayConfig& c) {
 
 /// A level, and with level NTC the national system.
 template <class Place>
-void read_level(const Value& value, Place& place) {
+void read_shown_level(const Value& value, Place& place) {
   place.level = value["level"].term<kLevelRows>();
   if (place.level == Level::NTC) place.nid_ntc = value["nid_ntc"].whole<std::uint8_t>();
 }
@@ -249,7 +249,7 @@ void read_symbols(const Value& value, port::Display& d) {
   d.bmm_inhibited = value["bmm_inhibited"].flag();
   d.brake = value["brake"].flag();
   d.brake_for_missing_ack = value["brake_for_missing_ack"].flag();
-  if (const Value level = value["announced_level"]; !level.null()) read_level(level, d.announced_level.emplace());
+  if (const Value level = value["announced_level"]; !level.null()) read_shown_level(level, d.announced_level.emplace());
   d.radio = value["radio"].named<RadioIndication>(names::kRadioNames);
   d.geo = value["geo_m"].some_metres();
   value["conditions"].list(d.conditions, [](const Value& c) {
@@ -409,7 +409,7 @@ void read_members(const Value& value, port::Display& d) {
   d.second_of_day = value["second_of_day"].some_whole<std::uint32_t>();
   d.mode = value["mode"].term<kModeRows>();
   d.level_valid = value["level_valid"].flag();
-  read_level(value["level"], d);
+  read_shown_level(value["level"], d);
   d.standstill = value["standstill"].flag();
   d.language = language_of(value["language"]);
   read_speeds(value, d);

@@ -7,7 +7,7 @@ namespace {
 
 namespace start = procedures::start_of_mission;
 namespace trip = procedures::train_trip;
-namespace train_data = procedures::train_data_change;
+namespace data_change = procedures::train_data_change;
 
 /// The step of a procedure whose first step is `first`.
 template <class Step>
@@ -16,7 +16,7 @@ constexpr Dialogue at(Dialogue first, Step first_step, Step step) {
 }
 static_assert(at(Dialogue::start_S0, start::Step::S0, start::Step::S25) == Dialogue::start_S25);
 static_assert(at(Dialogue::trip_S050, trip::Step::S050, trip::Step::S170) == Dialogue::trip_S170);
-static_assert(at(Dialogue::train_data_S2, train_data::Step::S2, train_data::Step::S6) == Dialogue::train_data_S6);
+static_assert(at(Dialogue::train_data_S2, data_change::Step::S2, data_change::Step::S6) == Dialogue::train_data_S6);
 
 /// The acknowledgement asked for at the start of an area of a mode profile.
 struct OfMode {
@@ -66,8 +66,8 @@ std::optional<Dialogue> step_of(const State& s) {
   }
   if (s.shunting.waits_for_answer) return Dialogue::shunting_S050;
   if (s.mode == Mode::SB) return at(Dialogue::start_S0, start::Step::S0, s.start_of_mission.step);
-  if (const train_data::Step step = s.train_data_change.procedure.step; step >= train_data::Step::S2)
-    return at(Dialogue::train_data_S2, train_data::Step::S2, step);
+  if (const data_change::Step step = s.train_data_change.procedure.step; step >= data_change::Step::S2)
+    return at(Dialogue::train_data_S2, data_change::Step::S2, step);
   return std::nullopt;
 }
 
