@@ -35,6 +35,8 @@ std::string quoted(const std::string& name) {
   return out + '"';
 }
 
+}  // namespace
+
 /// A prepared statement.
 class Statement {
  public:
@@ -96,6 +98,8 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
   int code_ = SQLITE_OK;
 };
+
+namespace {
 
 /// SHA-256 piece by piece.
 class Hash {
