@@ -113,12 +113,22 @@ void refuse_radio_infill(Reception& r, const lang::MessageToTrainView& view) {
   refuse(r, view, a.verdict == modes::Verdict::accepted ? "3.9.3.4"_srs : a.clause);
 }
 
+/// 6.6.3.4.1.3 (and 6.6.5.3.4, 6.6.5.4.3, 6.6.5.5.3): an RBC up to 2.2, which has no code for SM, is left at once.
+void leave_in_manoeuvre(Reception& r, radio::Peer peer) {
+  radio::Session& session = r.state.radio.session(peer);
+  if (r.state.mode != Mode::SM || radio::knows_manoeuvres(session)) return;
+  const radio::Addressed to(r.outbox, peer);
+  radio::terminate(session, r.state.now, r.outbox);
+  r.log.note({.what = What::session_termination_ordered, .clause = "6.6.3.4.1.3"_srs});
+}
+
 void receive_version(Reception& r, const lang::MessageToTrainView& view, const Sender& from) {
   State& s = r.state;
   lang::Message32 m;
   if (lang::decode(view, m) != lang::Fault::none) return;
   const auto M_VERSION = static_cast<std::uint8_t>(m.M_VERSION.raw);
   const bool established = radio::receive_version(s.radio, M_VERSION, s.now, r.outbox, from.peer);
+  if (established) leave_in_manoeuvre(r, from.peer);
   if (!from.infill_unit()) return operate_version_of_rbc(r, s.level.level);
   if (!established) return;
   r.log.note({.what = What::session_established, .clause = "3.5.3.7"_srs});
