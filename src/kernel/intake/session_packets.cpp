@@ -38,7 +38,11 @@ bool network_missing(const Evaluation& e) {
       return true;
     if (view.NID_PACKET != packet::radio_network_registration || lang::decode(view, order) != lang::Fault::none)
       continue;
-    const bool of_terminals = own.registered && !own.changed && own.NID_MN == order.NID_MN.raw;
+    // [23] of 6.6.3.2.3: FRMCS beside the GSM-R network stored, or FRMCS alone
+    const bool frmcs_of_version_1 = names_frmcs(view, order, e.r.state.srs);
+    if (frmcs_of_version_1 && !expects_level_2(e.r.state)) return true;
+    const bool same = frmcs_of_version_1 || own.NID_MN == order.NID_MN.raw;
+    const bool of_terminals = own.registered && !own.changed && same;
     if (order.Q_NETWORKTYPE.raw == lang::kFrmcs_only || !of_terminals) return true;
   }
   return false;
