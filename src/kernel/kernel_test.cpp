@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -185,6 +186,33 @@ TEST_F(Unit, fails_safe_on_odometry_that_is_not_sound) {
   in.now = {100.0};
   step(*state, *derived, in, out);
   EXPECT_TRUE(out.eb) << "the nominal counter below its lower bound";
+}
+
+// A source that gives lengths that cannot be does not work: none are available (3.18.3.2.5).
+TEST_F(Unit, uses_no_consist_length_that_cannot_be) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const auto end = [](double nominal, double min, double max) { return ConsistEnd{{nominal}, {min}, {max}}; };
+  config.srs = SrsVersion::v4_0_0;
+  for (const ConsistEnd& wrong : {end(nan, 0, 9), end(5, nan, 9), end(5, 0, nan), end(5, 0, infinite), end(5, -1, 9),
+                                  end(5, 6, 9), end(5, 0, 4), end(5, 0, 4096)})
+    for (const bool in_front : {false, true}) {
+      power_up(*state, *derived, config);
+      t = 0.0;
+      const ConsistEnd right = end(30.0, 20.0, 40.0);
+      in.train.consist = ConsistLength{right, right};
+      cycle();
+      ASSERT_TRUE(state->manoeuvre.available);
+      (in_front ? in.train.consist->front : in.train.consist->rear) = wrong;
+      cycle();
+      EXPECT_TRUE(happened(What::consist_lost));
+      EXPECT_FALSE(state->manoeuvre.available);
+      EXPECT_FALSE(state->manoeuvre.consist.has_value());
+      EXPECT_TRUE(std::isfinite(out.min_safe_front.from_origin.si) && std::isfinite(out.max_safe_front.from_origin.si));
+      const std::uint32_t revision = state->revision;
+      cycle();
+      EXPECT_EQ(state->revision, revision) << "nothing changes any more";
+    }
+  in.train.consist.reset();
 }
 
 TEST_F(Unit, fails_safe_on_a_mode_that_the_level_excludes) {  // 4.4

@@ -11,6 +11,13 @@
 namespace evc::kernel {
 namespace {
 
+/// Lengths that can be, and for which packet 10 has room (12 bits, m). Others, and no numbers, are those of a source
+/// that does not work.
+bool possible(const ConsistEnd& end) {
+  constexpr Distance kLongest{4095.0};
+  return end.min >= Distance{} && end.min <= end.nominal && end.nominal <= end.max && end.max <= kLongest;
+}
+
 /// 3.18.3.8: the track under what was joined to the rear end of a train without valid train data.
 void forget_track_behind(State& s, const ConsistLength& now) {
   const auto before = consist_of_train(s);
@@ -42,7 +49,7 @@ void receive_consist_length(Reception& r) {
   State& s = r.state;
   if (s.srs != SrsVersion::v4_0_0) return;
   const std::optional<ConsistLength>& consist = r.in.train.consist;
-  if (consist) {
+  if (consist && possible(consist->front) && possible(consist->rear)) {
     store(r, *consist);
   } else if (s.manoeuvre.available) {
     s.manoeuvre.available = false;
