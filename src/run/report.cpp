@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/number.h"
+#include "run/rounded.h"
 
 namespace evc::run {
 
@@ -69,7 +70,7 @@ void append_tenths(std::string& out, double v) {
   if (std::isnan(v))
     out += "null";
   else
-    io::append_number(out, std::nearbyint(v * 10.0) / 10.0 + 0.0);
+    io::append_number(out, tenth(v));
 }
 
 template <class Items, class Append>

@@ -23,6 +23,7 @@
 #include "run/load.h"
 #include "run/on_board.h"
 #include "run/report.h"
+#include "run/rounded.h"
 #include "run/stop_signals.h"
 #include "run/summary.h"
 
@@ -31,8 +32,6 @@ namespace {
 
 using io::complain;
 using nlohmann::ordered_json;
-
-double tenth(double v) { return std::nearbyint(v * 10.0) / 10.0 + 0.0; }
 
 ordered_json json_of(const realtime::Times& times, double unit_ns) {
   const auto in_unit = [&](realtime::Nanoseconds t) { return tenth(static_cast<double>(t.count()) / unit_ns); };

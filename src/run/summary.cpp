@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/file.h"
+#include "run/rounded.h"
 #include "run/sha256.h"
 
 namespace evc::run {
@@ -40,7 +41,6 @@ Cost cost_of(std::vector<float> seconds) {
   return cost;
 }
 
-double tenth(double v) { return std::nearbyint(v * 10.0) / 10.0 + 0.0; }
 double thousandth(double v) { return std::nearbyint(v * 1000.0) / 1000.0 + 0.0; }
 
 ordered_json balise_counts(const Journey& journey, const sim::World& world, const sim::Line& line) {
