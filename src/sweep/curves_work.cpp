@@ -117,13 +117,8 @@ class CurvesWork final : public Work {
  public:
   explicit CurvesWork(const Spec& spec) {
     load(spec);
-    std::vector<std::vector<std::string>> tokens;
-    for (const Entry& entry : spec.vary) {
-      tokens.push_back(tokens_of(entry.at));
-      auto& mine = tokens.back();
-      if (mine.size() > 1 && mine[0] == "query" && is_member_of_document(mine[1])) mine.erase(mine.begin());
-    }
-    places_ = Places(std::move(tokens));
+    places_ =
+        places_of(spec, [](const auto& tokens) { return tokens[0] == "query" && is_member_of_document(tokens[1]); });
     require_places(spec, places_, document_,
                    [&](const JsonPlace& root) {
                      if (const auto read = io::curves_of(root.value(), root.file()); !read)

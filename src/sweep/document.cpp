@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <utility>
 
 #include "io/data_files.h"
 #include "io/file.h"
@@ -79,6 +80,22 @@ void Places::put(Json& document, const std::vector<Json>& values) const {
     for (const std::string& token : tokens_[i]) at = at->is_array() ? &at->at(index_of(token)) : &(*at)[token];
     *at = values[i];
   }
+}
+
+Places places_of(const Spec& spec, const std::function<bool(const std::vector<std::string>&)>& left_out) {
+  std::vector<std::vector<std::string>> places;
+  for (const Entry& entry : spec.vary) {
+    std::vector<std::string> tokens = tokens_of(entry.at);
+    if (tokens.size() > 1 && left_out(tokens)) tokens.erase(tokens.begin());
+    for (const auto& other : places) {
+      const auto [mine, theirs] = std::mismatch(tokens.begin(), tokens.end(), other.begin(), other.end());
+      if (mine == tokens.end() || theirs == other.end())
+        throw io::ReadError{{spec.file, "/vary/" + std::to_string(entry.place) + "/at", "\"" + entry.at + "\"",
+                             "a place that no other entry replaces"}};
+    }
+    places.push_back(std::move(tokens));
+  }
+  return Places(std::move(places));
 }
 
 void require_places(const Spec& spec, const Places& places, const Json& document, const Reader& reader,

@@ -27,6 +27,11 @@ class Places {
   std::vector<std::vector<std::string>> tokens_;
 };
 
+/// The places of the entries of a spec. `left_out`: whether the first token of a place is the member of `base` that the
+/// document is, and not one of the document; the last token never is. Throws ReadError for an entry that replaces what
+/// another one replaces.
+Places places_of(const Spec& spec, const std::function<bool(const std::vector<std::string>&)>& left_out);
+
 /// Reads a document in full; throws ReadError.
 using Reader = std::function<void(const io::JsonPlace&)>;
 

@@ -100,13 +100,7 @@ class ReplayWork final : public Work {
  public:
   explicit ReplayWork(const Spec& spec) {
     load(spec);
-    std::vector<std::vector<std::string>> tokens;
-    for (const Entry& entry : spec.vary) {
-      tokens.push_back(tokens_of(entry.at));
-      auto& mine = tokens.back();
-      if (mine.size() > 1 && mine[0] == "inputs") mine.erase(mine.begin());
-    }
-    places_ = Places(std::move(tokens));
+    places_ = places_of(spec, [](const auto& tokens) { return tokens[0] == "inputs"; });
     require_places(spec, places_, document_, [](const JsonPlace& root) { (void)read_configuration(root.value()); }, {});
     const std::vector<std::string> all(std::begin(kMeasures), std::end(kMeasures));
     measures_ = chosen(spec, all,

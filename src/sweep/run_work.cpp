@@ -97,9 +97,7 @@ class RunWork final : public Work {
  public:
   explicit RunWork(const Spec& spec) {
     load(spec);
-    std::vector<std::vector<std::string>> tokens;
-    for (const Entry& entry : spec.vary) tokens.push_back(tokens_of(entry.at));
-    places_ = Places(std::move(tokens));
+    places_ = places_of(spec, [](const auto&) { return false; });
     require_places(spec, places_, document_, [](const JsonPlace& root) { read_small(root); }, {"line"});
     load_named(spec);
     documents_ = document_.dump();

@@ -1,5 +1,6 @@
 #include "sweep/spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -85,6 +86,9 @@ Entry read_entry(const JsonPlace& place, const std::vector<Entry>& before) {
   const JsonPlace at = place["at"];
   entry.at = at.string();
   if (!is_pointer(entry.at)) at.fail("a JSON pointer, such as /train/length_m");
+  // The members that are missing on the way are made: as deep as a document may be, and no deeper.
+  if (static_cast<std::size_t>(std::count(entry.at.begin(), entry.at.end(), '/')) > io::kDeepestJson)
+    at.fail("a place of at most " + std::to_string(io::kDeepestJson) + " levels");
   for (const Entry& other : before)
     if (overlap(lower(entry.at), lower(other.at))) at.fail("a place that no other entry replaces");
   int given = 0;

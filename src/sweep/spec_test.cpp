@@ -148,6 +148,9 @@ TEST(Spec, errors_name_the_place) {
        "spec.json: /vary/0/at: found /target/location, which leads nowhere"},
       {R"({"schema":"evc-sweep/1","kind":"curves","vary":[{"at":"/target/location_m","list":[1]}]})",
        "spec.json: /base: found no key \"query\""},
+      {R"({"schema":"evc-sweep/1","kind":"curves","base":{"query":"passenger_eoa"},
+           "vary":[{"at":"/query/train/brake_percentage","list":[50]},{"at":"/train/brake_percentage","list":[90]}]})",
+       "spec.json: /vary/1/at: found \"/train/brake_percentage\", expected a place that no other entry replaces"},
       {R"({"schema":"evc-sweep/1","kind":"replay","base":{"inputs":"none.jsonl"},"vary":[{"at":"/config/srs","list":["3.6.0"]}]})",
        "spec.json: /base/inputs: found \"none.jsonl\""},
   };
@@ -156,6 +159,15 @@ TEST(Spec, errors_name_the_place) {
     EXPECT_EQ(error.substr(0, std::string(wrong.error).size()), wrong.error) << error;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
+}
+
+// The document of a case is made as deep as a place is.
+TEST(Spec, a_place_is_not_deeper_than_a_document) {
+  std::string deep = "/config";
+  for (int i = 0; i < 500'000; ++i) deep += "/a";
+  const std::string error = error_of(spec_of(R"({"at":")" + deep + R"(","list":[1]})"));
+  EXPECT_EQ(error.substr(0, 37), "spec.json: /vary/0/at: found \"/config");
+  EXPECT_NE(error.find("expected a place of at most 64 levels"), std::string::npos);
 }
 
 TEST(Spec, keys_that_may_be_absent_can_vary) {
