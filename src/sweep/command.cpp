@@ -116,12 +116,12 @@ class Writer {
 
 /// To the end, or until a signal stops it.
 int compute_into(Store& store, const Plan& plan, const Options& options, const std::string& output) {
-  auto missing = store.missing();
+  const auto missing = store.missing();
   if (!missing) return complain(missing.error());
   const auto before = store.counts();
   if (!before) return complain(before.error());
   const std::uint64_t all = plan.spec().cases;
-  Todo todo(*std::move(missing));
+  Todo todo(*missing);
   const auto most = static_cast<unsigned>(std::min<std::uint64_t>(todo.left(), 1024));
   const unsigned wanted = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   Writer writer(store, *before, all);

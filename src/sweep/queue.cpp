@@ -41,7 +41,7 @@ void work_through(const Plan& plan, Todo& todo, Rows& rows) {
 
 }  // namespace
 
-Todo::Todo(std::vector<Range> ranges) {
+Todo::Todo(const std::vector<Range>& ranges) {
   for (const Range& range : ranges)
     if (range.first < range.end) ranges_.push_back(range);
 }

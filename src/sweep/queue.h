@@ -21,7 +21,7 @@ struct Range {
 /// ranks of a cluster through the one that has it.
 class Todo {
  public:
-  explicit Todo(std::vector<Range> ranges);
+  explicit Todo(const std::vector<Range>& ranges);
   /// At most `most` numbers in a row; nothing when none is left. Any thread may call it.
   std::optional<Range> take(std::uint64_t most);
   std::uint64_t left() const;

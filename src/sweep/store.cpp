@@ -69,7 +69,12 @@ class Statement {
     if (code != SQLITE_ROW && code != SQLITE_DONE) code_ = code;
     return code == SQLITE_ROW;
   }
-  void reset() { (void)sqlite3_reset(statement_); }
+  /// Runs one that gives no rows, and makes it ready for the next values. Whether nothing failed since it was made.
+  bool run() {
+    (void)step();
+    if (ok()) (void)sqlite3_reset(statement_);  // of one that failed the database keeps the error
+    return ok();
+  }
   std::int64_t whole(int column) const { return sqlite3_column_int64(statement_, column); }
   std::string text(int column) const {
     const auto* bytes = sqlite3_column_text(statement_, column);
@@ -125,7 +130,7 @@ class Hash {
 
 struct Store::Database {
   sqlite3* handle = nullptr;
-  std::string file;
+  std::string file;  ///< empty: in memory
   Header header;
   std::vector<std::string> varied, measures;
   std::unique_ptr<Statement> insert_case, insert_result;
@@ -155,7 +160,9 @@ struct Store::Database {
   }
 
   io::Result<bool> open(int flags) {
-    if (sqlite3_open_v2(file.c_str(), &handle, flags, nullptr) != SQLITE_OK) return tl::unexpected(error());
+    // For SQLite ":memory:" is no file, and "file:" may begin a URI.
+    const std::string name = file.empty() ? ":memory:" : file.front() == '/' ? file : "./" + file;
+    if (sqlite3_open_v2(name.c_str(), &handle, flags, nullptr) != SQLITE_OK) return tl::unexpected(error());
     (void)sqlite3_extended_result_codes(handle, 0);
     return true;
   }
@@ -169,6 +176,11 @@ struct Store::Database {
     std::string sql = "CREATE TABLE results (number INTEGER PRIMARY KEY";
     for (const std::string& name : measures) sql += ", " + quoted(name);
     return sql + ")";
+  }
+  static std::vector<std::string> places_of(const Plan& plan) {
+    std::vector<std::string> places;
+    for (const Entry& entry : plan.spec().vary) places.push_back(entry.at);
+    return places;
   }
   static std::string insertion(const char* table, std::size_t columns) {
     std::string sql = std::string("INSERT INTO ") + table + " VALUES (?";
@@ -186,7 +198,11 @@ struct Store::Database {
         handle,
         "SELECT spec, spec_file, identity, kind, cases, version, started, finished, varied, measures FROM sweep");
     if (!row.step()) return tl::unexpected(row.ok() ? broken() : error());
-    header = {row.text(0), row.text(1), row.text(2), row.text(3), static_cast<std::uint64_t>(row.whole(4)),
+    const std::int64_t cases = row.whole(4);
+    // The page of a report has the spec unchanged.
+    if (cases < 1 || cases > static_cast<std::int64_t>(kMostCases) || !io::Json::accept(row.text(0)))
+      return tl::unexpected(broken());
+    header = {row.text(0), row.text(1), row.text(2), row.text(3), static_cast<std::uint64_t>(cases),
               row.text(5), row.text(6), row.text(7)};
     const auto names = [](const std::string& list) {
       return io::Json::parse(list, nullptr, false).get<std::vector<std::string>>();
@@ -199,7 +215,7 @@ struct Store::Database {
     }
     return true;
   }
-  io::Diagnostic broken() const { return {file, "", "a table sweep without its row", "results of evc sweep"}; }
+  io::Diagnostic broken() const { return {file, "", "a table sweep that is not whole", "results of evc sweep"}; }
 
   io::Result<bool> create(const Plan& plan, const std::string& version) {
     const Spec& spec = plan.spec();
@@ -207,7 +223,7 @@ struct Store::Database {
     const std::string place = spec.file == "-" ? "-" : std::filesystem::absolute(spec.file, ignored).string();
     header = {spec.text,  place,   plan.identity(), kKinds[static_cast<std::size_t>(spec.kind)],
               spec.cases, version, now(),           ""};
-    for (const Entry& entry : spec.vary) varied.push_back(entry.at);
+    varied = places_of(plan);
     measures = plan.measures();
     if (const auto begun = run("BEGIN EXCLUSIVE"); !begun) return begun;
     if (const auto made = run(fmt::format("PRAGMA application_id = {}", kApplication)); !made) return made;
@@ -230,8 +246,7 @@ struct Store::Database {
     row.bind(8, header.started);
     row.bind(9, varied_list);
     row.bind(10, measure_list);
-    (void)row.step();
-    if (!row.ok()) return tl::unexpected(error());
+    if (!row.run()) return tl::unexpected(error());
     return run("COMMIT");
   }
 
@@ -240,6 +255,8 @@ struct Store::Database {
     if (header.identity != plan.identity())
       return tl::unexpected(io::Diagnostic{file, "", "results of another spec, or of other files",
                                            "those of " + plan.spec().file + ", or a file that does not exist"});
+    if (header.cases != plan.spec().cases || varied != places_of(plan) || measures != plan.measures())
+      return tl::unexpected(broken());
     if (header.version != version)
       return tl::unexpected(io::Diagnostic{file, "", "results of version " + header.version, "of version " + version});
     return true;
@@ -265,7 +282,7 @@ io::Result<std::unique_ptr<Store>> Store::open(const std::string& file, Open how
     return tl::unexpected(io::Diagnostic{file, "", "a file", "a new name, or --resume to go on with it"});
   if (there && std::filesystem::is_directory(file, error))
     return tl::unexpected(io::Diagnostic{file, "", "a folder", "a file"});
-  d->file = how == Open::in_memory ? ":memory:" : file;
+  if (how != Open::in_memory) d->file = file;
   if (const auto opened = d->open(SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); !opened)
     return tl::unexpected(opened.error());
   // The lock is kept from the first transaction to the end: a second sweep finds it. With the write-ahead log a commit
@@ -312,6 +329,9 @@ io::Result<std::vector<Range>> Store::missing() const {
   Statement rows(database_->handle, "SELECT number FROM cases ORDER BY number");
   while (rows.step()) {
     const auto number = static_cast<std::uint64_t>(rows.whole(0));
+    if (number >= database_->header.cases)
+      return tl::unexpected(io::Diagnostic{database_->file, "", fmt::format("a case {}", rows.whole(0)),
+                                           fmt::format("cases from 0 to {}", database_->header.cases - 1)});
     if (number > next) missing.push_back({next, number});
     next = number + 1;
   }
@@ -343,14 +363,12 @@ io::Result<bool> Store::add(const std::vector<Row>& rows) {
     d.insert_case->bind(++at, failed ? kFailed : kDone);
     const Value reason = failed ? Value(row.outcome.error) : Value();
     d.insert_case->bind(++at, reason);
-    (void)d.insert_case->step();
-    d.insert_case->reset();
+    // A failure may have ended the transaction: nothing may be added after it.
+    if (!d.insert_case->run()) return tl::unexpected(d.error());
     at = 1;
     d.insert_result->bind(at, number);
     for (const Value& value : row.outcome.measures) d.insert_result->bind(++at, value);
-    (void)d.insert_result->step();
-    d.insert_result->reset();
-    if (!d.insert_case->ok() || !d.insert_result->ok()) return tl::unexpected(d.error());
+    if (!d.insert_result->run()) return tl::unexpected(d.error());
   }
   return true;
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -268,6 +269,50 @@ TEST(Store, values_survive) {
   EXPECT_EQ(back.size(), (*store)->columns().size());
 }
 
+// What fails does not let the rest of the row, or the next one, be kept without it.
+TEST(Store, a_row_that_does_not_fit_is_refused_with_the_reason) {
+  const auto plan = plan_of(curves_spec(1));
+  ASSERT_TRUE(plan);
+  Row row;
+  row.values.resize(5);  // of 4 entries
+  row.outcome.measures.resize(4);
+  const auto store = Store::open("", Store::Open::in_memory, *plan, "1");
+  ASSERT_TRUE(store);
+  const auto added = (*store)->add({row});
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().found, "column index out of range");
+}
+
+/// Does this to a file of results.
+void change(const std::string& file, const std::string& sql) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+  sqlite3_close(database);
+}
+
+// A file of results may come from anybody.
+TEST(Store, a_file_that_was_changed_is_refused) {
+  const Folder folder("sweep_changed");
+  const auto plan = plan_of(curves_spec(3));
+  ASSERT_TRUE(plan);
+  const std::string file = folder / "r.sqlite";
+  for (const char* sql :
+       {"UPDATE sweep SET cases = 0", "UPDATE sweep SET cases = -1", "UPDATE sweep SET cases = 1e12",
+        "UPDATE sweep SET spec = 'alert(1)'", "UPDATE sweep SET measures = '[1]'", "UPDATE sweep SET varied = '[]'",
+        "DELETE FROM sweep", "UPDATE cases SET number = -1", "UPDATE cases SET number = 3"}) {
+    std::filesystem::remove(file);
+    {
+      const auto store = Store::open(file, Store::Open::created, *plan, "1");
+      ASSERT_TRUE(store) << store.error().text();
+      ASSERT_TRUE((*store)->add({plan->compute(2, *plan->scratch())}) && (*store)->commit());
+    }
+    change(file, sql);
+    const auto store = Store::open(file, Store::Open::resumed, *plan, "1");
+    EXPECT_TRUE(!store || !(*store)->missing()) << sql;
+  }
+}
+
 class Program : public ::testing::Test {
  protected:
   std::string write(const char* name, const std::string& text) {
@@ -358,6 +403,14 @@ TEST_F(Program, a_full_disk_is_a_sentence_and_resume_goes_on) {
   EXPECT_NE(errors.find("expected room for the results"), std::string::npos) << errors;
   EXPECT_EQ(ended("sweep " + spec + " --resume -o " + file("full.sqlite")).exit_code, 1);
   EXPECT_EQ(hash("full.sqlite"), hash("whole.sqlite"));
+}
+
+// SQLite itself would take it for a database in memory.
+TEST_F(Program, any_name_is_that_of_a_file) {
+  const std::string spec = write("spec.json", curves_spec(5));
+  (void)write("here.sh", "cd '" + folder_.path() + "' && " + program() + "sweep spec.json -o :memory: >/dev/null");
+  EXPECT_LE(WEXITSTATUS(std::system(("bash " + file("here.sh")).c_str())), 1);
+  EXPECT_EQ(done(":memory:"), 5U);
 }
 
 TEST_F(Program, csv_has_the_rows_in_order) {
