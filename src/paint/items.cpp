@@ -46,26 +46,33 @@ struct Style {
   dmi::Align align = dmi::Align::left;
   double indent = 0.0;
 };
-void write_in(Shapes& shapes, const Rect& box, std::string_view text, const Style& style) {
-  const double width = width_of(text, style.height, style.bold);
+void write_in(Shapes& shapes, const Rect& box, std::string_view text, Style style) {
+  double width = width_of(text, style.height, style.bold);
+  // The time fills G13: a text in the middle that is wider than its box is less high, so that it stays inside.
+  const double room = box.w - 2.0;  // without the border
+  if (style.align == dmi::Align::centre && width > room && room > 0.0) {
+    style.height *= room / width;
+    width = room;
+  }
   double left = box.x + style.indent;
   if (style.align == dmi::Align::right) left = box.x + box.w - style.indent - width;
   if (style.align == dmi::Align::centre) left = box.x + (box.w - width) / 2.0;
   write(shapes, text, {left, box.y + (box.h + style.height) / 2.0}, style.height, style.colour, style.bold);
 }
 
-/// The lines of a text: where it has line ends, and between words or at hyphens where it is wider than `width`.
+/// The lines of a text: where it has line ends, and between words or at a hyphen or plus where it is wider than
+/// `width`.
 std::vector<std::string_view> lines_of(std::string_view text, double width, double height, bool bold) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     std::size_t end = std::min(text.find('\n'), text.size());
     std::size_t next = std::min(end + 1, text.size());
     while (width_of(text.substr(0, end), height, bold) > width) {
-      // A hyphen stays on its line: "Over-ride".
-      const std::size_t place = text.substr(0, end - 1).find_last_of(" -");
+      // A hyphen stays on its line: "Over-ride". So does a plus: "FRMCS+GSM-R".
+      const std::size_t place = text.substr(0, end - 1).find_last_of(" -+");
       if (place == std::string_view::npos || place == 0) break;
       next = place + 1;
-      end = text[place] == '-' ? next : place;
+      end = text[place] == ' ' ? place : next;
     }
     lines.push_back(text.substr(0, end));
     text.remove_prefix(next);

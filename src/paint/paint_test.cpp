@@ -309,6 +309,30 @@ TEST(Drawing, ALabelIsBrokenAtItsHyphen) {
   EXPECT_LE(bounds.most.x, 160.0);
 }
 
+TEST(Drawing, ALabelIsBrokenAtItsPlus) {
+  Item item = item_of(Kind::key);
+  item.name.clear();
+  item.at = {100, 100, 102, 50};
+  item.text = "FRMCS+GSM-R";
+  const Bounds bounds = bounds_of(draw(*screen_with({item}))[0].shapes);
+  EXPECT_GE(bounds.least.x, 100.0);
+  EXPECT_LE(bounds.most.x, 202.0);
+}
+
+// The local time is wider than G13 at the height of other texts (015560 5.1.2, 8.4.4).
+TEST(Drawing, ATextInTheMiddleStaysInItsArea) {
+  Item item = text_item("12:34:56");
+  item.area = Area::G13;
+  const dmi::Rect area = dmi::rect_of(Area::G13);
+  item.at = {0, 0, area.w, area.h};
+  item.align = dmi::Align::centre;
+  const Bounds bounds = bounds_of(draw(*screen_with({item}))[0].shapes);
+  EXPECT_GE(bounds.least.x, area.x);
+  EXPECT_LE(bounds.most.x, area.x + area.w);
+  EXPECT_NEAR((bounds.least.x + bounds.most.x) / 2.0, area.x + area.w / 2.0, 1.0);
+  EXPECT_NEAR((bounds.least.y + bounds.most.y) / 2.0, area.y + area.h / 2.0, 0.5);
+}
+
 TEST(Drawing, EveryKindOfItemIsPainted) {
   for (std::size_t k = 0; k < dmi::kKindNames.size(); ++k) {
     const auto kind = static_cast<Kind>(k);
