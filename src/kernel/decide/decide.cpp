@@ -151,7 +151,7 @@ Decided decide(State& s, const Inputs& in, const Received& received, Log log, Ex
   out.basis_renewed = renew_basis(s, in.train, out.here);
   run_override(s, received, out.here, facts, log);
   run_shunting(s, received, out.here, facts, out.effects);
-  run_manoeuvre(s, received, facts, out.effects);
+  run_manoeuvre(s, in.train.desk_open, received, facts, out.effects);
   run_reversing(s, in.train.direction_controller, out);
   observe_authority(s, out.here, facts);
   inhibit_antenna_alarm(s, received.selected);

@@ -5,8 +5,10 @@
 
 namespace evc::kernel {
 
-void run_manoeuvre(State& s, const Received& received, procedures::Facts& facts, procedures::Effects& effects) {
+void run_manoeuvre(State& s, bool desk_open, const Received& received, procedures::Facts& facts,
+                   procedures::Effects& effects) {
   if (s.srs != SrsVersion::v4_0_0) return;
+  if (!desk_open) s.manoeuvre.request = {};  // who asked has gone, and no answer is accepted (4.8.4 [2])
   procedures::supervised_manoeuvre::Inputs in;
   in.now = s.now;
   in.mode = s.mode;

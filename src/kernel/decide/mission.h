@@ -18,7 +18,8 @@ void run_override(State& s, const Received& received, const track::Here& here, p
 void run_shunting(State& s, const Received& received, const track::Here& here, procedures::Facts& facts,
                   procedures::Effects& effects);
 /// The request for a supervised manoeuvre (5.21 of 4.0.0).
-void run_manoeuvre(State& s, const Received& received, procedures::Facts& facts, procedures::Effects& effects);
+void run_manoeuvre(State& s, bool desk_open, const Received& received, procedures::Facts& facts,
+                   procedures::Effects& effects);
 void run_reversing(const State& s, DirectionController controller, Decided& out);
 /// After the mode transition.
 void run_train_trip(State& s, bool desk_open, const Received& received, std::optional<Mode> profile_at_front,

@@ -62,6 +62,7 @@ void receive_consist_length(Reception& r) {
 }
 
 bool answers_manoeuvre_request(const State& s, std::uint32_t T_TRAIN_REF) {
+  if (s.mode == Mode::SM) return true;
   return s.manoeuvre.request.waits_for_answer && s.radio.manoeuvre_request_stamp == T_TRAIN_REF;
 }
 

@@ -19,7 +19,8 @@ struct ManoeuvreAuthorisation {
 ManoeuvreAuthorisation judge_manoeuvre(const Reception& r, const Information& information,
                                        const lang::MessageToTrainView& view);
 
-/// Whether an answer names the request that waits for one (4.8.4 [14]).
+/// Whether an answer names the request that waits for one (4.8.4 [14]). In SM it need not: the RBC may authorise more
+/// than was asked for.
 bool answers_manoeuvre_request(const State& state, std::uint32_t T_TRAIN_REF);
 
 }  // namespace evc::kernel
