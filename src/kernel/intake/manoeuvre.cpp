@@ -14,8 +14,8 @@ namespace {
 /// Lengths that can be, and for which packet 10 has room (12 bits, m). Others, and no numbers, are those of a source
 /// that does not work.
 bool possible(const ConsistEnd& end) {
-  constexpr Distance kLongest{4095.0};
-  return end.min >= Distance{} && end.min <= end.nominal && end.nominal <= end.max && end.max <= kLongest;
+  constexpr Distance kLongestConsist{4095.0};
+  return end.min >= Distance{} && end.min <= end.nominal && end.nominal <= end.max && end.max <= kLongestConsist;
 }
 
 /// 3.18.3.8: the track under what was joined to the rear end of a train without valid train data.
