@@ -371,7 +371,8 @@ void add_sweep(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<sweep::Options>();
   auto format = std::make_shared<std::string>("sqlite");
   CLI::App* command = app.add_subcommand("sweep", "Many journeys, curves or replays from one description, into SQLite");
-  CLI::Option* spec = command->add_option("spec", options->spec, "description (evc-sweep/1); - for standard input");
+  CLI::Option* spec =
+      command->add_option("description", options->spec, "description (evc-sweep/1); - for standard input");
   command->add_option("-j,--threads", options->threads, "number of threads; default: one for each processor")
       ->check(whole_number_between(1, 1024));
   command->add_flag("--resume", options->resume, "compute what the results do not have yet");
@@ -383,7 +384,7 @@ void add_sweep(CLI::App& app, int& exit_code) {
                       "results; default: the name of the description with .sqlite, or standard output for csv");
   command->callback([command, spec, options, format, &exit_code] {
     if (!command->get_subcommands().empty()) return;
-    if (spec->count() == 0) throw CLI::RequiredError("spec");
+    if (spec->count() == 0) throw CLI::RequiredError("description");
     options->format = *format == "csv" ? sweep::Format::csv : sweep::Format::sqlite;
     exit_code = sweep::sweep(*options);
   });
@@ -402,7 +403,9 @@ void add_sweep(CLI::App& app, int& exit_code) {
   auto one = std::make_shared<sweep::CaseOptions>();
   CLI::App* again = command->add_subcommand("case", "Compute one case again and leave its files in a folder");
   again->add_option("results", one->results, "results of a sweep")->required();
-  again->add_option("number", one->number, "number of the case, from 0")->required();
+  again->add_option("number", one->number, "number of the case, from 0")
+      ->check(whole_number_between(0, 999999999))
+      ->required();
   again->add_option("-o,--output", one->output, "folder")->required();
   again->callback([one, &exit_code] { exit_code = sweep::again(*one); });
 }

@@ -6,7 +6,10 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <system_error>
 #include <thread>
+#include <utility>
 
 #include "io/file.h"
 #include "run/stop_signals.h"
@@ -47,24 +50,22 @@ std::string cell(const std::string& text) {
   return out + '"';
 }
 
-io::Result<bool> write_csv(const Store& store, const std::string& file) {
-  auto out = io::WholeFile::create(file);
-  if (!out) return tl::unexpected(out.error());
+io::Result<bool> write_csv(const Store& store, io::WholeFile& out) {
   std::string line;
   for (const std::string& name : store.columns()) line += (line.empty() ? "" : ",") + cell(name);
-  out->write(line + "\n");
+  out.write(line + "\n");
   const auto read = store.each([&](const std::vector<Value>& values) {
     line.clear();
     for (std::size_t i = 0; i < values.size(); ++i) line += (i == 0 ? "" : ",") + cell(cell_text(values[i]));
-    out->write(line + "\n");
+    out.write(line + "\n");
   });
   if (!read) return read;
-  return out->commit();
+  return out.commit();
 }
 
 void describe(const Plan& plan) {
   const Spec& spec = plan.spec();
-  fmt::print("{} cases\n", spec.cases);
+  fmt::print("{} case{}\n", spec.cases, spec.cases == 1 ? "" : "s");
   for (const std::uint64_t number : {std::uint64_t{0}, spec.cases / 2, spec.cases - 1}) {
     std::string line = fmt::format("case {}", number);
     const auto values = plan.values(number);
@@ -114,8 +115,9 @@ class Writer {
   io::Result<bool> written_ = true;
 };
 
-/// To the end, or until a signal stops it.
-int compute_into(Store& store, const Plan& plan, const Options& options, const std::string& output) {
+/// To the end, or until a signal stops it. `csv` is the table that is written of all rows, nullptr for none.
+int compute_into(Store& store, const Plan& plan, const Options& options, const std::string& output,
+                 io::WholeFile* csv) {
   const auto missing = store.missing();
   if (!missing) return complain(missing.error());
   const auto before = store.counts();
@@ -138,14 +140,13 @@ int compute_into(Store& store, const Plan& plan, const Options& options, const s
   const double seconds = writer.progress().seconds();
   if (done == all)
     if (const auto finished = store.finish(); !finished) return complain(finished.error());
-  if (options.format == Format::csv && done == all)
-    if (const auto written = write_csv(store, output); !written) return complain(written.error());
+  if (csv != nullptr && done == all)
+    if (const auto written = write_csv(store, *csv); !written) return complain(written.error());
   std::string line = fmt::format("{} of {} cases, {} failed; {} computed in {:.1f} s", done, all, failed,
                                  done - before->done, seconds);
-  if (done < all) line += options.format == Format::csv ? "; stopped" : "; stopped, --resume goes on";
+  if (done < all) line += csv != nullptr ? "; stopped" : "; stopped, --resume goes on";
   // CSV may be on standard output.
-  fmt::print(options.format == Format::csv ? stderr : stdout, "{}{}\n", line,
-             options.format == Format::csv ? "" : " -> " + output);
+  fmt::print(csv != nullptr ? stderr : stdout, "{}{}\n", line, csv != nullptr ? "" : " -> " + output);
   return failed > 0 || done < all ? 1 : 0;
 }
 
@@ -162,11 +163,18 @@ int sweep(const Options& options) {
   if (csv && options.resume) return complain({"evc sweep", "", "--resume with --format csv", "--format sqlite"});
   const std::string output = !options.output.empty() ? options.output : csv ? "-" : results_of(options.spec);
   if (const auto apart = io::not_the_input(options.spec, output); !apart) return complain(apart.error());
-  if (!csv && output == "-") return complain({"-o", "", "standard output", "a file: SQLite"});
+  if (!csv && output == "-") return complain({"evc sweep", "-o", "standard output", "a file: SQLite"});
+  // Where the table cannot be written is said before anything is computed.
+  std::optional<io::WholeFile> table;
+  if (csv) {
+    auto created = io::WholeFile::create(output);
+    if (!created) return complain(created.error());
+    table.emplace(*std::move(created));
+  }
   const auto how = csv ? Store::Open::in_memory : options.resume ? Store::Open::resumed : Store::Open::created;
   const auto store = Store::open(output, how, **plan, EVC_VERSION);
   if (!store) return complain(store.error());
-  return compute_into(**store, **plan, options, output);
+  return compute_into(**store, **plan, options, output, table ? &*table : nullptr);
 }
 
 int hash(const std::string& results) {
@@ -189,9 +197,20 @@ int again(const CaseOptions& options) {
   if (!plan) return complain(plan.error());
   if ((*plan)->identity() != header.identity)
     return complain({options.results, "", "other files than those of the sweep", "those that it was computed from"});
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(options.output, ignored);
   if (const auto folder = run::prepare_folder(options.output); !folder) return complain(folder.error());
   const auto recorded = (*plan)->record(options.number, options.output);
-  if (!recorded) return complain(recorded.error());
+  if (!recorded) {
+    // A folder made for nothing does not stay; one with a file in it does.
+    if (!there) std::filesystem::remove(options.output, ignored);
+    io::Diagnostic why = recorded.error();
+    if (why.file.empty()) {  // of the case, which is in no file
+      why.file = options.results;
+      why.where = fmt::format("case {} {}", options.number, why.where);
+    }
+    return complain(why);
+  }
   fmt::print("case {} -> {}\n", options.number, options.output);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/file.h"
 #include "io/number.h"
 
 namespace evc::sweep {
@@ -253,7 +254,7 @@ struct Store::Database {
   /// Whether the results are of this plan.
   io::Result<bool> belongs_to(const Plan& plan, const std::string& version) const {
     if (header.identity != plan.identity())
-      return tl::unexpected(io::Diagnostic{file, "", "results of another spec, or of other files",
+      return tl::unexpected(io::Diagnostic{file, "", "results of another description, or of other files",
                                            "those of " + plan.spec().file + ", or a file that does not exist"});
     if (header.cases != plan.spec().cases || varied != places_of(plan) || measures != plan.measures())
       return tl::unexpected(broken());
@@ -278,18 +279,18 @@ io::Result<std::unique_ptr<Store>> Store::open(const std::string& file, Open how
   auto d = std::make_unique<Database>();
   std::error_code error;
   const bool there = how != Open::in_memory && std::filesystem::exists(file, error);
+  if (there && std::filesystem::is_directory(file, error))
+    return tl::unexpected(io::Diagnostic{file, "", "a directory", "a file that can be written"});
   if (there && how == Open::created)
     return tl::unexpected(io::Diagnostic{file, "", "a file", "a new name, or --resume to go on with it"});
-  if (there && std::filesystem::is_directory(file, error))
-    return tl::unexpected(io::Diagnostic{file, "", "a folder", "a file"});
+  // Why a file cannot be made: SQLite tries again without writing, and then knows that there is none.
+  if (how != Open::in_memory && !there)
+    if (const auto can_be = io::WholeFile::create(file); !can_be) return tl::unexpected(can_be.error());
   if (how != Open::in_memory) d->file = file;
   if (const auto opened = d->open(SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); !opened)
     return tl::unexpected(opened.error());
-  // The lock is kept from the first transaction to the end: a second sweep finds it. With the write-ahead log a commit
-  // is one append; a process that is killed loses what was not committed, and nothing else.
-  for (const char* sql :
-       {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA journal_mode = WAL", "PRAGMA synchronous = NORMAL"})
-    if (const auto set = d->run(sql); !set) return tl::unexpected(set.error());
+  // The lock is kept from the first transaction to the end: a second sweep finds it.
+  if (const auto set = d->run("PRAGMA locking_mode = EXCLUSIVE"); !set) return tl::unexpected(set.error());
   // A process that was killed at the very begin has left a file without tables.
   std::int64_t tables = 0;
   {
@@ -299,7 +300,14 @@ io::Result<std::unique_ptr<Store>> Store::open(const std::string& file, Open how
   }
   if (tables > 0) {
     if (const auto read = d->read_header(); !read) return tl::unexpected(read.error());
+    // A file that is refused stays as it is.
     if (const auto same = d->belongs_to(plan, version); !same) return tl::unexpected(same.error());
+  }
+  // With the write-ahead log a commit is one append; a process that is killed loses what was not committed, and
+  // nothing else.
+  for (const char* sql : {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = NORMAL"})
+    if (const auto set = d->run(sql); !set) return tl::unexpected(set.error());
+  if (tables > 0) {
     if (const auto mine = d->run("BEGIN EXCLUSIVE; COMMIT"); !mine) return tl::unexpected(mine.error());
   } else if (const auto created = d->create(plan, version); !created) {
     return tl::unexpected(created.error());

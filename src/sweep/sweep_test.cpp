@@ -368,12 +368,14 @@ TEST_F(Program, refusals_are_one_sentence_and_lose_nothing) {
   const std::string spec = write("spec.json", curves_spec(50));
   ASSERT_LE(ended("sweep " + spec + " -o " + file("r.sqlite")).exit_code, 1);
   const std::string before = hash("r.sqlite");
+  const std::string bytes = text_of(folder_ / "r.sqlite");
   const Ended again = ended("sweep " + spec + " -o " + file("r.sqlite"));
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.errors.find("found a file, expected a new name, or --resume"), std::string::npos);
   const std::string other = write("other.json", curves_spec(51));
   EXPECT_EQ(ended("sweep " + other + " --resume -o " + file("r.sqlite")).exit_code, 2);
   EXPECT_EQ(hash("r.sqlite"), before);
+  EXPECT_EQ(text_of(folder_ / "r.sqlite"), bytes) << "a file that is refused stays as it is";
   (void)write("text.sqlite", "no database, but longer than the header of one: " + std::string(200, 'x'));
   for (const char* command : {"sweep hash ", "sweep report ", "sweep case "}) {
     const std::string rest = std::string(command) == "sweep case " ? " 0 -o /tmp" : "";
@@ -387,6 +389,40 @@ TEST_F(Program, refusals_are_one_sentence_and_lose_nothing) {
   EXPECT_EQ(ended("sweep " + write("bad.json", "{}") + " -o " + file("bad.sqlite")).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bad.sqlite"));
   EXPECT_EQ(ended("sweep").exit_code, 2);
+}
+
+// File, place, found, expected; and nothing is left of what could not be made.
+TEST_F(Program, what_is_wrong_is_named) {
+  const std::string spec = write("spec.json", curves_spec(50));
+  const auto errors = [](const Ended& wrong) {
+    EXPECT_EQ(wrong.exit_code, 2);
+    return wrong.errors;
+  };
+  EXPECT_EQ(errors(ended("sweep " + spec + " -o " + file("absent/r.sqlite"))),
+            folder_ / "absent/r.sqlite" + ": found No such file or directory, expected a file that can be written\n");
+  EXPECT_EQ(errors(ended("sweep " + spec + " -o " + file("."))),
+            folder_ / "." + ": found a directory, expected a file that can be written\n");
+  EXPECT_EQ(errors(ended("sweep " + spec + " -o -")),
+            "evc sweep: -o: found standard output, expected a file: SQLite\n");
+  // Before a million cases are computed for a table that cannot be written.
+  EXPECT_EQ(
+      errors(ended("sweep " + write("many.json", curves_spec(1000000)) + " --format csv -o " + file("absent/r.csv"))),
+      folder_ / "absent/r.csv" + ": found No such file or directory, expected a file that can be written\n");
+  EXPECT_EQ(errors(ended("sweep case " + file("r.sqlite") + " -1 -o " + file("case"))),
+            "evc sweep case: number: found -1, expected a whole number from 0 to 999999999\n");
+}
+
+TEST_F(Program, a_case_that_failed_is_named_with_its_results) {
+  const std::string spec = write("spec.json", R"({"schema": "evc-sweep/1", "kind": "run", "base": {},
+    "vary": [{"at": "/driver", "list": ["hasty"]}], "measure": ["duration_s"]})");
+  EXPECT_EQ(ended("sweep " + spec + " --dry-run").output.substr(0, 7), "1 case\n");
+  ASSERT_EQ(ended("sweep " + spec + " -o " + file("r.sqlite")).exit_code, 1);
+  const Ended wrong = ended("sweep case " + file("r.sqlite") + " 0 -o " + file("case"));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.errors, (folder_ / "r.sqlite") +
+                              ": case 0 /driver: found \"hasty\", expected one of \"perfect\", "
+                              "\"late\", \"reckless\"\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "case"));
 }
 
 TEST_F(Program, a_full_disk_is_a_sentence_and_resume_goes_on) {
