@@ -27,7 +27,7 @@ using io::JsonPlace;
 
 using Measure = std::function<Value(const CurvesResult&)>;
 
-Value value_of(const curves::Value& value) { return value ? Value(*value) : Value(); }
+Value or_none(const curves::Value& value) { return value ? Value(*value) : Value(); }
 
 template <class Row>
 using Cell = std::function<curves::Value(const Row&)>;
@@ -54,7 +54,7 @@ std::optional<Measure> measure_of_rows(const std::string& rest, std::vector<Row>
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + dot, index);
   if (error != std::errc{} || end != rest.data() + dot) return std::nullopt;
   return [rows, index, of = cell->second](const CurvesResult& r) {
-    return index < (r.*rows).size() ? value_of(of((r.*rows)[index])) : Value();
+    return index < (r.*rows).size() ? or_none(of((r.*rows)[index])) : Value();
   };
 }
 
@@ -72,7 +72,7 @@ std::optional<Measure> measure_of(const std::string& name) {
   const std::string rest = dot == std::string::npos ? "" : name.substr(dot + 1);
   if (first == "scalars")
     for (const auto& c : curves::scalar_columns())
-      if (rest == c.name) return [member = c.value](const CurvesResult& r) { return value_of(r.scalars.*member); };
+      if (rest == c.name) return [member = c.value](const CurvesResult& r) { return or_none(r.scalars.*member); };
   if (first == "by_speed")
     return measure_of_rows<SpeedRow>(rest, &CurvesResult::by_speed,
                                      cells_of("v_kmh", &SpeedRow::v_kmh, curves::speed_columns(true)));
