@@ -114,8 +114,13 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
   if (waits && !waited) {
     state.waiting_since = state.awaited.on ? state.awaited.since : display.now;
     const WindowId window = waits_in(state);
-    if (window != state.window && (display.start_of_mission || state.awaited.on)) open_window(state, window);
+    const bool follows = display.start_of_mission || state.awaited.on || display.waiting == Waiting::network_list;
+    if (window != state.window && follows) open_window(state, window);
   }
+  // The list of networks has come: the driver chooses (015560 11.7.2 S3-2-2); with an empty one the window stays.
+  const bool listed = waited && before.waiting == Waiting::network_list && display.waiting != Waiting::network_list;
+  if (listed && state.window == WindowId::radio_data && !display.data.networks.empty())
+    open_window(state, WindowId::network_id);
   Awaited& awaited = state.awaited;
   if (!awaited.on) return;
   if (waits) awaited.seen = true;
