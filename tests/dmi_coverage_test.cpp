@@ -23,6 +23,7 @@
 #include "dmi/labels.h"
 #include "dmi/test_display.h"
 #include "dmi/windows.h"
+#include "dmi_sequences.h"
 #include "driver/buttons.h"
 #include "terms/dialogue.h"
 #include "texts/texts.h"
@@ -574,6 +575,47 @@ TEST(DmiCoverage, EveryConditionOfAButtonIsSeenTrueAndFalse) {
   }
 }
 
+// The sequences of dialogues: 11.7.
+
+std::string joined(const std::set<std::string>& items);
+
+/// Presses one place after the other; false with a failure where one is not there or not enabled.
+void press_each(State& state, std::string_view names, double& at) {
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find('|'), names.size());
+    const std::string one(names.substr(0, end));
+    EXPECT_TRUE(dmi::test::tap(state, one, at)) << one << " in " << dmi::row_of(state.window).title;
+    names.remove_prefix(std::min(end + 1, names.size()));
+    at += 0.3;
+    dmi::tick(state, Duration{at});
+  }
+}
+
+TEST(DmiCoverage, EverySequenceOfDialoguesIsGoneThrough) {
+  for (const test::Sequence& sequence : test::kSequences) {
+    Display display = rich();
+    auto state = std::make_unique<State>();
+    double at = display.now.si;
+    for (const test::SequenceStep& step : sequence.steps) {
+      if (step.step == nullptr) break;
+      SCOPED_TRACE(std::string(sequence.clause) + " " + sequence.name + ": " + step.step + " " + step.presses);
+      at += 0.2;
+      display.now = Duration{at};
+      if (step.onboard.change != nullptr) step.onboard.change(display);
+      dmi::show(*state, display);
+      dmi::take(*state);
+      press_each(*state, step.presses, at);
+      std::set<std::string> given = sent(dmi::take(*state));
+      given.erase("`main`");
+      EXPECT_EQ(dmi::row_of(state->window).title, std::string(dmi::row_of(step.window).title));
+      const bool with_hour_glass = state->window == WindowId::main || state->window == WindowId::radio_data;
+      EXPECT_EQ(with_hour_glass && dmi::is_waiting(*state), step.waits);
+      EXPECT_EQ(dmi::close_enabled(*state), step.closes);
+      EXPECT_EQ(joined(given), step.given);
+    }
+  }
+}
+
 // The page.
 
 std::string joined(const std::set<std::string>& items) {
@@ -624,6 +666,25 @@ void append_steps(std::string& page) {
             record().steps.at(row.value) + " |\n";
 }
 
+void append_sequences(std::string& page) {
+  page +=
+      "\n## Sequences of dialogues\nGone through by presses; after each step the window, its hour glass, its button "
+      "Close and what the on-board gets\nare compared with these rows (`tests/dmi_sequences.h`).\n";
+  for (const test::Sequence& sequence : test::kSequences) {
+    page += std::string("\n### ") + sequence.clause + ": " + sequence.name +
+            "\n| step | the on-board | pressed | window | given |\n|---|---|---|---|---|\n";
+    for (const test::SequenceStep& step : sequence.steps) {
+      if (step.step == nullptr) break;
+      std::string presses = step.presses;
+      for (std::size_t n = presses.find('|'); n != std::string::npos; n = presses.find('|'))
+        presses.replace(n, 1, ", ");
+      page += std::string("| ") + step.step + " | " + step.onboard.what + " | " + presses + " | " +
+              dmi::row_of(step.window).title + (step.waits ? ", waits" : "") + (step.closes ? "" : ", no Close") +
+              " | " + step.given + " |\n";
+    }
+  }
+}
+
 std::string page() {
   std::string text =
       "# What of the driver-machine interface is touched by tests\nMade by `EVC_WRITE=1 dmi_coverage_test` of the rows "
@@ -635,6 +696,7 @@ std::string page() {
   append_windows(text);
   append_conditions(text);
   append_steps(text);
+  append_sequences(text);
   return text;
 }
 
