@@ -170,7 +170,7 @@ Set<Input> enabled(const ActionContext& context) {
   Set<Input> out;
   // 015560 5.4: the menus are closed while an acknowledgement is asked for.
   if (context.desk_open) {
-    out = acknowledgements(context.requests);
+    if (!context.requests.empty()) out = acknowledgements(context.requests);
     if (context.requests.empty() || context.start_up) out |= choices(context);
   }
   out.add(Input::isolation);
