@@ -88,8 +88,7 @@ inline constexpr OnBoard kLevel2{"is in level 2, in a session", [](Display& d) {
                                    d.level = Level::L2;
                                    d.radio = RadioIndication::up;
                                  }};
-inline constexpr OnBoard kUnknownRbc{"has no RBC",
-                                     [](Display& d) { d.data.stored.rbc_status = DataStatus::unknown; }};
+inline constexpr OnBoard kUnknownRbc{"has no RBC", [](Display& d) { d.data.stored.rbc_status = DataStatus::unknown; }};
 inline constexpr OnBoard kSendsTrainData{"waits until the RBC has acknowledged",
                                          [](Display& d) { d.waiting = Waiting::train_data_acknowledged; }};
 inline constexpr OnBoard kAsksForAuthority{"waits for the answer of the RBC",
