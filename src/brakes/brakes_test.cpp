@@ -68,12 +68,14 @@ TEST(Brakes, Every_cause_is_released_by_its_own_rule_and_by_nothing_less) {
 }
 
 TEST(Brakes, A_released_command_comes_back_with_a_new_occurrence_only) {
-  State state;
-  command(state, {Cause::linking}, moving());
-  EXPECT_TRUE(command(state, {Cause::linking}, standing()).reasons.empty());
-  EXPECT_TRUE(command(state, {Cause::linking}, moving()).reasons.empty());
-  command(state, {}, moving());
-  EXPECT_TRUE(command(state, {Cause::linking}, moving()).sb);
+  for (const Cause cause : {Cause::linking, Cause::consist_length}) {
+    State state;
+    command(state, {cause}, moving());
+    EXPECT_TRUE(command(state, {cause}, standing()).reasons.empty());
+    EXPECT_TRUE(command(state, {cause}, moving()).reasons.empty());
+    command(state, {}, moving());
+    EXPECT_TRUE(command(state, {cause}, moving()).sb);
+  }
 }
 
 TEST(Brakes, Beyond_a_distance_every_further_movement_brakes_again) {
