@@ -208,9 +208,9 @@ inline constexpr auto srs_4_8_4 = [] {
     {lssma_toggle_on,                    "NR R       R    R    A[9] A  A[9] A[9] R  R  A[9] R  R       NR NR A[9] R R A[9]"},
     {lssma_toggle_off,                   "NR R       R    R    R    A  R    R    R  R  R    R  R       NR NR R    R R R"},
     {external_application_data,          "NR A       A    A    A    A  A    A    A  A  A    A  A       NR NR A    A A A"},
-    {movement_authority_sm,               "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
-    {sm_refused,                          "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
-    {safe_consist_length_ack,             "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
+    {movement_authority_sm,              "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
+    {sm_refused,                         "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
+    {safe_consist_length_ack,            "NR R       R    R    R    R  R    R    R  R  R    R  R       NR NR R    R R R"},
     {stm_max_speed,                      "NR A[2]    R    R    A    A  A    A    R  R  A    A  A[1]    NR NR A    R R A"},
     {stm_system_speed_distance,          "NR A[2]    R    R    A    A  A    A    R  R  A    A  A[1]    NR NR R    R R A"},
   });

@@ -198,6 +198,31 @@ TEST(Acceptance, By_mode_is_4_8_4) {
   EXPECT_EQ(compared + kOf_4_0_0, srs_4_8_4.size());
 }
 
+/// No trackside sends it to a unit of 3.x: where its text has no row, it is refused as what the mode does not know.
+TEST(Acceptance, Of_a_manoeuvre_nothing_counts_in_3_x) {
+  std::set<Information> rows;
+  for (const auto& row : srs_4_8_4) {
+    if (!of_manoeuvre(row.what)) continue;
+    EXPECT_TRUE(rows.insert(row.what).second) << name(row.what);
+    for (std::size_t m = 0; m < kModes; ++m) {
+      const auto mode = static_cast<Mode>(m);
+      const bool never = mode == Mode::NP || mode == Mode::SF || mode == Mode::IS;
+      EXPECT_EQ(text(row.modes[m]), never ? "NR" : "R") << name(row.what) << " in " << name(mode);
+    }
+  }
+  EXPECT_EQ(rows.size(), kOf_4_0_0);
+  rows.clear();
+  for (const auto& row : srs_4_8_3) {
+    if (!of_manoeuvre(row.what)) continue;
+    EXPECT_TRUE(rows.insert(row.what).second) << name(row.what);
+    for (std::size_t l = 0; l < kLevels; ++l) {
+      EXPECT_EQ(text(row.not_rbc[l]), "-") << name(row.what);
+      EXPECT_EQ(text(row.rbc[l]), "R") << name(row.what);
+    }
+  }
+  EXPECT_EQ(rows.size(), kOf_4_0_0);
+}
+
 /// Read from the pages of 4.0.0: where they differ from 3.6.0, the exceptions left out that acceptance_tables_v400.h
 /// names.
 TEST(Acceptance, Of_4_0_0_differs_in_these_cells_only) {
