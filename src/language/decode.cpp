@@ -17,6 +17,7 @@
 #include "io/pcapng.h"
 #include "io/telegram_explain.h"
 #include "io/telegram_json.h"
+#include "io/terminal_line.h"
 #include "language/airgap.h"
 
 namespace evc::language {
@@ -139,25 +140,19 @@ class Decoder {
 /// Progress of a long file, on standard error if that is a terminal.
 class Share {
  public:
-  explicit Share(std::uint64_t bytes) : bytes_(bytes), terminal_(bytes > 4'000'000 && ::isatty(2) != 0) {}
-  ~Share() {
-    if (shown_ >= 0) fmt::print(stderr, "\r\033[K");
-  }
-  Share(const Share&) = delete;
-  Share& operator=(const Share&) = delete;
+  explicit Share(std::uint64_t bytes) : bytes_(bytes), seen_(bytes > 4'000'000 && line_.is_seen()) {}
   void reach(std::uint64_t done, std::uint64_t lines) {
-    if (!terminal_) return;
+    if (!seen_) return;
     const int percent = static_cast<int>(100 * done / bytes_);
     if (percent == shown_) return;
     shown_ = percent;
-    fmt::print(stderr, "\rdecode [{:40}] {:3} %  {} lines ",
-               std::string(static_cast<std::size_t>(percent * 2 / 5), '#'), percent, lines);
-    std::fflush(stderr);
+    line_.show(fmt::format("decode [{}] {:3} %  {} lines", io::bar_of(percent / 100.0, 40), percent, lines));
   }
 
  private:
   std::uint64_t bytes_;
-  bool terminal_;
+  io::TerminalLine line_;
+  bool seen_;
   int shown_ = -1;
 };
 
