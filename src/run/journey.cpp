@@ -42,33 +42,10 @@ void Journey::record(const sim::CycleInputs& inputs, const Outputs& outputs, con
   if (keep_ == Keep::measures) samples_.clear();
   samples_.push_back(sample_of(t_s, truth.front_m, outputs));
   telegrams_in_cycle_ = !inputs.balises.empty();
-  note_changes(outputs);
+  course_.record(outputs);
   if (truth.reached) note_position(outputs, truth.front_m);
   note_events(outputs);
   count_messages(outputs, truth.deliveries);
-  if (outputs.V_EBI) {
-    const double margin = (outputs.V_EBI->si - outputs.v.si) * 3.6;
-    min_margin_ = min_margin_ ? std::min(*min_margin_, margin) : margin;
-  }
-}
-
-void Journey::note_changes(const Outputs& o) {
-  if (o.tco && !tco_) ++interventions_.tco;
-  if (o.sb && !sb_) ++interventions_.sb;
-  if (o.eb && !eb_) ++interventions_.eb;
-  tco_ = o.tco;
-  sb_ = o.sb;
-  eb_ = o.eb;
-  // Before start of mission the level is that of the last mission: the first level entered is the first that counts.
-  if (mode_ != o.mode) {
-    if (o.mode == Mode::TR) ++interventions_.trip;
-    if (o.mode != Mode::NP) modes_.emplace_back(name(o.mode));
-    mode_ = o.mode;
-  }
-  if (level_ != o.level && o.mode != Mode::NP && o.mode != Mode::SB) {
-    levels_.emplace_back(name(o.level));
-    level_ = o.level;
-  }
 }
 
 /// The true position compared with that of the on-board, both measured from its reference group.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/evc.h"
+#include "run/course.h"
 #include "sim/world.h"
 
 namespace evc::run {
@@ -45,9 +46,6 @@ class Journey {
   /// After every cycle.
   void record(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
 
-  struct Interventions {
-    int tco = 0, sb = 0, eb = 0, trip = 0;
-  };
   struct Counts {
     int groups_linked_ok = 0, groups_missed = 0, groups_rejected = 0;
     int telegrams_rejected = 0;
@@ -57,17 +55,16 @@ class Journey {
   std::size_t cycles() const { return cycles_; }
   const std::vector<Sample>& samples() const { return samples_; }
   const std::vector<JourneyEvent>& events() const { return events_; }
-  const std::vector<std::string>& modes() const { return modes_; }
-  const std::vector<std::string>& levels() const { return levels_; }
-  const Interventions& interventions() const { return interventions_; }
+  const std::vector<std::string>& modes() const { return course_.modes(); }
+  const std::vector<std::string>& levels() const { return course_.levels(); }
+  const Course::Interventions& interventions() const { return course_.interventions(); }
   const Counts& counts() const { return counts_; }
-  std::optional<double> min_margin_to_EBI_kmh() const { return min_margin_; }
+  std::optional<double> min_margin_to_EBI_kmh() const { return course_.min_margin_to_EBI_kmh(); }
   double max_position_error_m() const { return max_position_error_; }
   int confidence_interval_violations() const { return violations_; }
   std::optional<double> svl_overrun_m() const { return svl_overrun_; }
 
  private:
-  void note_changes(const kernel::Outputs& outputs);
   void note_position(const kernel::Outputs& outputs, double front_m);
   void note_events(const kernel::Outputs& outputs);
   void count(const kernel::Event& event);
@@ -78,13 +75,9 @@ class Journey {
   std::size_t cycles_ = 0;
   std::vector<Sample> samples_;
   std::vector<JourneyEvent> events_;
-  std::vector<std::string> modes_, levels_;
-  Interventions interventions_;
+  Course course_;
   Counts counts_;
-  bool tco_ = false, sb_ = false, eb_ = false;
-  std::optional<Mode> mode_;
-  std::optional<Level> level_;
-  std::optional<double> min_margin_, svl_overrun_;
+  std::optional<double> svl_overrun_;
   std::optional<double> svl_m_;  // true place of the current supervised location
   double max_position_error_ = 0.0;
   int violations_ = 0;

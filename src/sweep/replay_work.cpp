@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "io/file.h"
 #include "io/input_stream.h"
 #include "io/output_lines.h"
+#include "run/course.h"
 #include "run/on_board.h"
 #include "run/sha256.h"
 #include "sweep/document.h"
@@ -32,57 +32,36 @@ constexpr const char* kMeasures[] = {"duration_s",
                                      "max_speed_kmh",
                                      "output_hash"};
 
-/// What the outputs of a stream were.
+/// What the outputs of a stream were, as the summary of a run has it.
 class Measured {
  public:
   void record(std::int64_t t_ms, const kernel::Outputs& o) {
     ++cycles_;
     last_ms_ = t_ms;
-    if (o.tco && !tco_) ++tco_commands_;
-    if (o.sb && !sb_) ++sb_commands_;
-    if (o.eb && !eb_) ++eb_commands_;
-    tco_ = o.tco;
-    sb_ = o.sb;
-    eb_ = o.eb;
-    if (mode_ != o.mode) {
-      if (o.mode == Mode::TR) ++trips_;
-      if (o.mode != Mode::NP) modes_.push_back(name(o.mode));
-      mode_ = o.mode;
-    }
-    // As in the summary of a run: before start of mission the level is that of the last mission.
-    if (level_ != o.level && o.mode != Mode::NP && o.mode != Mode::SB) {
-      levels_.push_back(name(o.level));
-      level_ = o.level;
-    }
+    course_.record(o);
     max_speed_kmh_ = std::max(max_speed_kmh_, o.v.si * 3.6);
-    if (!o.V_EBI) return;
-    const double margin = (o.V_EBI->si - o.v.si) * 3.6;
-    margin_ = margin_ ? std::min(*margin_, margin) : margin;
   }
 
   Value of(const std::string& measure, const std::string& outputs) const {
+    const run::Course::Interventions& interventions = course_.interventions();
     if (measure == "duration_s") return static_cast<double>(last_ms_) / 1000.0;
     if (measure == "cycles") return cycles_;
-    if (measure == "modes") return value_of(modes_);
-    if (measure == "levels") return value_of(levels_);
-    if (measure == "interventions.tco") return tco_commands_;
-    if (measure == "interventions.sb") return sb_commands_;
-    if (measure == "interventions.eb") return eb_commands_;
-    if (measure == "interventions.trip") return trips_;
+    if (measure == "modes") return value_of(Json(course_.modes()));
+    if (measure == "levels") return value_of(Json(course_.levels()));
+    if (measure == "interventions.tco") return std::int64_t{interventions.tco};
+    if (measure == "interventions.sb") return std::int64_t{interventions.sb};
+    if (measure == "interventions.eb") return std::int64_t{interventions.eb};
+    if (measure == "interventions.trip") return std::int64_t{interventions.trip};
     if (measure == "max_speed_kmh") return max_speed_kmh_;
     if (measure == "output_hash") return run::sha256(outputs);
-    return margin_ ? Value(*margin_) : Value();
+    const auto margin = course_.min_margin_to_EBI_kmh();
+    return margin ? Value(*margin) : Value();
   }
 
  private:
   std::int64_t cycles_ = 0, last_ms_ = 0;
-  std::int64_t tco_commands_ = 0, sb_commands_ = 0, eb_commands_ = 0, trips_ = 0;
-  bool tco_ = false, sb_ = false, eb_ = false;
-  std::optional<Mode> mode_;
-  std::optional<Level> level_;
-  Json modes_ = Json::array(), levels_ = Json::array();
+  run::Course course_;
   double max_speed_kmh_ = 0.0;
-  std::optional<double> margin_;
 };
 
 /// Lines of a text that lives as long as the sweep.
