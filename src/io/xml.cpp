@@ -19,4 +19,9 @@ std::string escaped_xml(std::string_view text) {
   return out;
 }
 
+std::string json_in_script(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) json.replace(at, 1, "\\u003c");
+  return json;
+}
+
 }  // namespace evc::io

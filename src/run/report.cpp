@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/number.h"
+#include "io/xml.h"
 #include "run/rounded.h"
 
 namespace evc::run {
@@ -152,12 +153,6 @@ void append_names(std::string& out, const char* key, std::size_t count) {
   append_list(out, key, codes, [&](std::size_t i) { io::append_string(out, name(static_cast<Enum>(i))); });
 }
 
-/// Inside <script> a "</" would end the element.
-std::string safe_in_script(std::string text) {
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.replace(at, 2, "<\\/");
-  return text;
-}
-
 std::string data_of(const Journey& journey, const sim::World& world, const sim::Line& line,
                     const std::string& train_name, const std::string& driver_name, const std::string& summary) {
   std::string out = "{";
@@ -192,7 +187,7 @@ std::string report_page(const Journey& journey, const sim::World& world, const s
   const auto put = [&page](std::string_view place, const std::string& text) {
     page.replace(page.find(place), place.size(), text);
   };
-  put("/*DATA*/null", safe_in_script(data_of(journey, world, line, train_name, driver_name, summary)));
+  put("/*DATA*/null", io::json_in_script(data_of(journey, world, line, train_name, driver_name, summary)));
   put("/*DISPLAY*/null", displays.json(kLargestReport - std::min(kLargestReport, page.size())));
   return page;
 }

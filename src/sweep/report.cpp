@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "io/number.h"
+#include "io/xml.h"
 
 namespace evc::sweep {
 
@@ -32,12 +33,6 @@ std::string shell_word(const std::string& name) {
   std::string out = "'";
   for (const char c : name) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
-}
-
-/// Inside <script> a "</" would end the element, and "<!--" would begin a comment.
-std::string safe_in_script(std::string text) {
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 6) text.replace(at, 1, "\\u003c");
-  return text;
 }
 
 }  // namespace
@@ -81,7 +76,7 @@ io::Result<std::string> report_page(const Store& store, const std::string& resul
   data += "]}";
   std::string page = report_template;
   constexpr std::string_view place = "/*DATA*/null";
-  page.replace(page.find(place), place.size(), safe_in_script(std::move(data)));
+  page.replace(page.find(place), place.size(), io::json_in_script(std::move(data)));
   return page;
 }
 
