@@ -32,11 +32,7 @@ openevc_result read_train_data(std::optional<train::TrainData>& data, const char
   return OPENEVC_OK;
 }
 
-/// False: not min <= nominal <= max, from 0 to 4095 m.
-bool take_consist_end(ConsistEnd& to, const openevc_consist_end& end) {
-  to = {{end.nominal}, {end.min}, {end.max}};
-  return end.min >= 0.0 && end.min <= end.nominal && end.nominal <= end.max && end.max <= 4095.0;
-}
+ConsistEnd of(const openevc_consist_end& end) { return {{end.nominal}, {end.min}, {end.max}}; }
 
 /// False: not all of them are given, or not as they have to be.
 bool take_consist(std::optional<ConsistLength>& to, const openevc_inputs& in) {
@@ -45,8 +41,8 @@ bool take_consist(std::optional<ConsistLength>& to, const openevc_inputs& in) {
   };
   to.reset();
   if (absent(in.consist_front) && absent(in.consist_rear)) return true;
-  to.emplace();
-  return take_consist_end(to->front, in.consist_front) && take_consist_end(to->rear, in.consist_rear);
+  to = ConsistLength{of(in.consist_front), of(in.consist_rear)};
+  return is_possible(to->front) && is_possible(to->rear);
 }
 
 const char* take_signals(kernel::TrainSignals& s, const openevc_inputs& in) {

@@ -341,7 +341,7 @@ ConsistEnd read_consist_end(const JsonPlace& lengths) {
   if (lengths.size() != 3) lengths.fail("[nominal, min, max]");
   const ConsistEnd end{
       {lengths[0].number(0.0, 4095.0)}, {lengths[1].number(0.0, 4095.0)}, {lengths[2].number(0.0, 4095.0)}};
-  if (end.min > end.nominal || end.max < end.nominal) lengths.fail("min <= nominal <= max");
+  if (!is_possible(end)) lengths.fail("min <= nominal <= max");
   return end;
 }
 

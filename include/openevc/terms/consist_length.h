@@ -10,6 +10,13 @@ struct ConsistEnd {
   friend constexpr bool operator==(const ConsistEnd&, const ConsistEnd&) = default;
 };
 
+/// Whether a source that works gives such lengths: in order, and with room for them in packet 10 (12 bits, m). No
+/// number is none of them.
+constexpr bool is_possible(const ConsistEnd& end) {
+  constexpr Distance kGreatest{4095.0};
+  return end.min >= Distance{} && end.min <= end.nominal && end.nominal <= end.max && end.max <= kGreatest;
+}
+
 /// Safe consist length of 4.0.0 (3.18.3.2 b): what is in front of the engine, and what is in rear of its front end, the
 /// engine included.
 struct ConsistLength {

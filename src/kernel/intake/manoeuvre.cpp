@@ -11,13 +11,6 @@
 namespace evc::kernel {
 namespace {
 
-/// Lengths that can be, and for which packet 10 has room (12 bits, m). Others, and no numbers, are those of a source
-/// that does not work.
-bool possible(const ConsistEnd& end) {
-  constexpr Distance kLongestConsist{4095.0};
-  return end.min >= Distance{} && end.min <= end.nominal && end.nominal <= end.max && end.max <= kLongestConsist;
-}
-
 /// 3.18.3.8: the track under what was joined to the rear end of a train without valid train data.
 void forget_track_behind(State& s, const ConsistLength& now) {
   const auto before = consist_of_train(s);
@@ -32,7 +25,7 @@ void store(Reception& r, const ConsistLength& consist) {
   State& s = r.state;
   Manoeuvre& m = s.manoeuvre;
   const bool was_in_front = m.consist && m.consist->front.max > Distance{};
-  const bool changed = !m.available || !m.consist || !(*m.consist == consist);
+  const bool changed = !m.available || m.consist != consist;
   m.available = true;
   if (!changed) return;
   forget_track_behind(s, consist);
@@ -49,7 +42,8 @@ void receive_consist_length(Reception& r) {
   State& s = r.state;
   if (s.srs != SrsVersion::v4_0_0) return;
   const std::optional<ConsistLength>& consist = r.in.train.consist;
-  if (consist && possible(consist->front) && possible(consist->rear)) {
+  // Others are those of a source that does not work.
+  if (consist && is_possible(consist->front) && is_possible(consist->rear)) {
     store(r, *consist);
   } else if (s.manoeuvre.available) {
     s.manoeuvre.available = false;
