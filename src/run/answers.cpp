@@ -30,8 +30,7 @@ void Answers::append(std::string& text, sim::CycleInputs& cycle) {
   if (dmi != nullptr) listen(*dmi);
   std::string at_rest;
   if (printed_.changes && dmi != nullptr) at_rest = io::motionless(*dmi);
-  const bool changed = n == 0 || !sounds_.empty() || differs(outputs, planning, at_rest);
-  const bool wanted = printed_.changes ? changed : in_turn;
+  const bool wanted = printed_.changes ? n == 0 || !sounds_.empty() || differs(outputs, planning, at_rest) : in_turn;
   if (wanted) {
     io::append_output(text, cycle.t_ms, outputs, planning, names_, dmi, sounds_);
     sounds_.clear();
