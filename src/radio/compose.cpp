@@ -1,5 +1,6 @@
 #include "radio/compose.h"
 
+#include <algorithm>
 #include <array>
 
 #include "lang/encode.h"
@@ -399,8 +400,7 @@ bool put(const Composer& c) {
 std::size_t compose(const Intent& intent, const PositionReport& position, const TrainDataReport& train,
                     const OnBoard& unit, std::uint8_t M_VERSION, std::span<std::uint8_t> bytes) {
   BitWriter out(bytes);
-  const lang::SystemVersion of_partner = lang::system_version(M_VERSION);
-  const Composer composer{intent, position, train, unit, of_partner < unit.newest ? of_partner : unit.newest, out};
+  const Composer composer{intent, position, train, unit, std::min(lang::system_version(M_VERSION), unit.newest), out};
   if (!put(composer)) return 0;
   lang::end_message(out);
   return out.faulty() ? 0 : out.bytes().size();

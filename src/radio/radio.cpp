@@ -1,5 +1,7 @@
 #include "radio/radio.h"
 
+#include <algorithm>
+
 namespace evc::radio {
 namespace {
 
@@ -235,8 +237,7 @@ void receive_inconsistent(State& s, Peer from) {
 
 lang::SystemVersion common_version(const State& s, const Session& session) {
   if (session.M_VERSION == 0) return lang::kNewest_of_baseline_3;
-  const lang::SystemVersion of_partner = lang::system_version(session.M_VERSION);
-  return of_partner < s.newest ? of_partner : s.newest;
+  return std::min(lang::system_version(session.M_VERSION), s.newest);
 }
 
 bool receive_version(State& s, std::uint8_t M_VERSION, Duration now, Outbox& out, Peer from) {
