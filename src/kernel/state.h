@@ -182,7 +182,7 @@ struct SupervisionBasis {
 };
 
 /// The whole memory of the unit. Trivially copyable.
-struct State {
+struct State {  // NOLINT(clang-analyzer-optin.performance.Padding): fields that belong together are together
   Duration now{};
   SrsVersion srs = SrsVersion::v3_6_0;
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
