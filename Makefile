@@ -112,7 +112,7 @@ campaign-mutants:
 campaign-cab: evc
 	@tools/setup cab
 	@tools/build_cab test
-	SECONDS_EACH=$(or $(SECONDS_EACH),60) SEED=$(or $(SEED),1) node --test build/web/campaign/*.mjs
+	SECONDS_EACH=$(or $(SECONDS_EACH),60) SEED=$(or $(SEED),1) node --test build/web/campaign/*.mjs build/web/test/random.test.mjs
 
 clean:
 	rm -rf build out

@@ -5,11 +5,10 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { test } from "node:test";
 
-import puppeteer, { type Page } from "puppeteer-core";
+import type { Page } from "puppeteer-core";
 
-import { EVC, folder } from "./page.js";
-
-const CHROMIUM = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
+import { browserOf } from "./cabin.js";
+import { EVC } from "./page.js";
 
 /// What of `window.evc` is used here; it runs in the page.
 interface Evc {
@@ -58,11 +57,7 @@ async function press(page: Page, what: string): Promise<string> {
 }
 
 async function withPage(address: string, act: (page: Page, errors: string[]) => Promise<void>): Promise<void> {
-  const browser = await puppeteer.launch({
-    executablePath: CHROMIUM,
-    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
-    userDataDir: folder(),
-  });
+  const browser = await browserOf("chrome");
   try {
     const page = await browser.newPage();
     const errors: string[] = [];
