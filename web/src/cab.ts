@@ -3,9 +3,10 @@
 import { DESK_KEYS, DeskView } from "./desk.js";
 import { CYCLE_S, Journey, lastValue } from "./journey.js";
 import { DRIVERS, type Desk, type Direction, type Driver, type Ride, type Summary } from "./module.js";
+import { element, followHand, showLamp } from "./page.js";
 import { Painter } from "./painter.js";
 import { Strip } from "./strip.js";
-import { brakeText, timeText, Why } from "./why.js";
+import { timeText, Why } from "./why.js";
 
 export const SPEEDS = [1, 2, 5, 10, 20] as const;
 /// Cycles of a step of `speed=max` between two pictures.
@@ -48,12 +49,6 @@ export interface Evc {
   desk(part: { lever?: number; direction?: Direction; key?: boolean; emergency?: boolean }): void;
   advance(seconds: number): void;
   inputs(): string;
-}
-
-function element<T extends Element>(selector: string): T {
-  const found = document.querySelector<T>(selector);
-  if (found === null) throw new Error(`the page has no ${selector}`);
-  return found;
 }
 
 export class Cab implements Evc {
@@ -192,9 +187,7 @@ export class Cab implements Evc {
     const now = `${clock} ${brakes} ${this.journey.colour} ${this.paused} ${this.speed}`;
     if (now === this.shown) return;
     this.shown = now;
-    const lamp = element<HTMLElement>("#lamp");
-    lamp.textContent = brakes === 0 ? "no brake command" : brakeText(brakes);
-    lamp.dataset["on"] = `${brakes !== 0}`;
+    showLamp(brakes);
     element("#clock").textContent = clock;
     element<HTMLElement>("#clock").style.color = this.journey.colour;
     element("#pause").textContent = this.paused ? "▶" : "❚❚";
@@ -208,18 +201,7 @@ export class Cab implements Evc {
   }
 
   private connect(): void {
-    const dmi = element<HTMLCanvasElement>("#dmi");
-    dmi.addEventListener("pointerdown", (event) => {
-      dmi.setPointerCapture(event.pointerId);
-      const cell = this.painter.cellOf(event);
-      this.journey.touch(cell.x, cell.y);
-    });
-    dmi.addEventListener("pointermove", (event) => {
-      if (event.buttons === 0) return;
-      const cell = this.painter.cellOf(event);
-      this.journey.slide(cell.x, cell.y);
-    });
-    for (const kind of ["pointerup", "pointercancel"]) dmi.addEventListener(kind, () => this.journey.lift());
+    followHand(this.painter, this.journey);
     element("#pause").addEventListener("click", () => this.pause());
     element("#back").addEventListener("click", () => this.goBack(this.journey.seconds - BACK_S));
     for (const button of document.querySelectorAll<HTMLButtonElement>("[data-speed]"))

@@ -1,6 +1,7 @@
 // The desk: combined lever, direction controller, cab key, emergency push button, and their keys.
 
 import type { Desk, Direction } from "./module.js";
+import { element } from "./page.js";
 
 /// Notches of the lever on each side of coasting.
 const NOTCHES = 10;
@@ -18,12 +19,6 @@ export const DESK_KEYS: readonly DeskKeys[] = [
   { keys: "space", does: "emergency push button: press, release" },
 ];
 
-function element<T extends HTMLElement>(root: ParentNode, selector: string): T {
-  const found = root.querySelector<T>(selector);
-  if (found === null) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
 export class DeskView {
   private readonly lever: HTMLInputElement;
   private readonly leverText: HTMLElement;
@@ -38,10 +33,10 @@ export class DeskView {
     desk: Desk,
     private readonly change: (desk: Desk) => void,
   ) {
-    this.lever = element(root, "#lever");
-    this.leverText = element(root, "#lever-text");
-    this.key = element(root, "#key");
-    this.emergency = element(root, "#emergency");
+    this.lever = element("#lever", root);
+    this.leverText = element("#lever-text", root);
+    this.key = element("#key", root);
+    this.emergency = element("#emergency", root);
     this.directions = [...root.querySelectorAll<HTMLButtonElement>("[data-direction]")];
     this.lever.addEventListener("input", () => this.set({ lever: Number(this.lever.value) / NOTCHES }));
     this.key.addEventListener("click", () => this.set({ key: !this.desk.key }));

@@ -3,8 +3,9 @@
 
 import { DeskView } from "./desk.js";
 import type { Desk, Remote } from "./module.js";
+import { element, followHand, showLamp } from "./page.js";
 import { Painter } from "./painter.js";
-import { timeText } from "./why.js";
+import { line, timeText } from "./why.js";
 
 const CYCLE_MS = 100;
 /// Cycles that are asked for without an answer; then the page waits for the unit.
@@ -141,11 +142,7 @@ export class Live {
 
   private tell(output: Output): void {
     element("#clock").textContent = timeText(output.t_ms / 1000);
-    const brakes = [output.tco && "traction cut-off", output.sb && "service brake", output.eb && "emergency brake"];
-    const commands = brakes.filter((brake) => brake !== false);
-    const lamp = element<HTMLElement>("#lamp");
-    lamp.textContent = commands.length === 0 ? "no brake command" : commands.join(", ");
-    lamp.dataset["on"] = `${commands.length !== 0}`;
+    showLamp((output.tco ? 1 : 0) | (output.sb ? 2 : 0) | (output.eb ? 4 : 0));
     element("#cause").replaceChildren(...output.brake_reasons.map((reason) => line("p", `• ${reason}`)));
     const events = element("#events");
     for (const event of output.events) events.prepend(line("li", `${timeText(output.t_ms / 1000)}  ${event}`));
@@ -161,24 +158,18 @@ export class Live {
   }
 
   private listen(): void {
-    const dmi = element<HTMLCanvasElement>("#dmi");
-    dmi.addEventListener("pointerdown", (event) => {
-      dmi.setPointerCapture(event.pointerId);
-      const cell = this.painter.cellOf(event);
-      this.remote.touch(cell.x, cell.y);
-      this.finger = "down";
-      this.paint();
-    });
-    dmi.addEventListener("pointermove", (event) => {
-      if (event.buttons === 0) return;
-      const cell = this.painter.cellOf(event);
-      this.remote.slide(cell.x, cell.y);
-    });
-    // A finger lies on the display for a cycle at least, as a held button is one that time passes over.
-    for (const kind of ["pointerup", "pointercancel"])
-      dmi.addEventListener(kind, () => {
+    followHand(this.painter, {
+      touch: (x, y) => {
+        this.remote.touch(x, y);
+        this.finger = "down";
+        this.paint();
+      },
+      slide: (x, y) => this.remote.slide(x, y),
+      // A finger lies on the display for a cycle at least, as a held button is one that time passes over.
+      lift: () => {
         if (this.finger === "down") this.finger = "to lift";
-      });
+      },
+    });
     document.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLTextAreaElement) return;
       const key = event.key.toLowerCase();
@@ -188,16 +179,4 @@ export class Live {
     element("#give").addEventListener("click", () => this.give(lines.value));
     window.addEventListener("resize", () => this.paint());
   }
-}
-
-function element<T extends Element>(selector: string): T {
-  const found = document.querySelector<T>(selector);
-  if (found === null) throw new Error(`the page has no ${selector}`);
-  return found;
-}
-
-function line<K extends keyof HTMLElementTagNameMap>(tag: K, text: string): HTMLElementTagNameMap[K] {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  return made;
 }

@@ -54,7 +54,7 @@ export class Why {
   }
 }
 
-function line<K extends keyof HTMLElementTagNameMap>(tag: K, text: string): HTMLElementTagNameMap[K] {
+export function line<K extends keyof HTMLElementTagNameMap>(tag: K, text: string): HTMLElementTagNameMap[K] {
   const made = document.createElement(tag);
   made.textContent = text;
   return made;
