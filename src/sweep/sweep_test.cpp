@@ -10,6 +10,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -434,7 +435,10 @@ TEST_F(Program, a_full_disk_is_a_sentence_and_resume_goes_on) {
   (void)write("full.sh", command);
   const int status = std::system(("bash " + file("full.sh")).c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
-  const std::string errors = text_of(folder_ / "errors");
+  std::string errors;
+  std::istringstream said(text_of(folder_ / "errors"));
+  for (std::string line; std::getline(said, line);)
+    if (line.rfind("libgcov", 0) != 0) errors += line + '\n';  // its files cannot grow either
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
   EXPECT_NE(errors.find("expected room for the results"), std::string::npos) << errors;
   EXPECT_EQ(ended("sweep " + spec + " --resume -o " + file("full.sqlite")).exit_code, 1);
