@@ -58,13 +58,13 @@ std::string text_of(const lang::FaultAt& at) {
   return text;
 }
 
-/// Packets that a train skips: their numbers are unknown in the version (3.17.3.11).
-void check_known(const lang::PacketViews& packets, const Where& where, Findings& out) {
+/// Packets that a train skips: their numbers are unknown in the version `sv` of trackside (3.17.3.11).
+void check_known(const lang::PacketViews& packets, lang::SystemVersion sv, const Where& where, Findings& out) {
   for (const lang::PacketView& packet : packets)
     if (!packet.known)
       out.add(warning, where, "3.17.3.11"_srs,
-              fmt::format("packet {} is unknown in system version {}.{}: a train ignores it", packet.NID_PACKET,
-                          packet.sv.x, packet.sv.y));
+              fmt::format("packet {} is unknown in system version {}.{}: a train ignores it", packet.NID_PACKET, sv.x,
+                          sv.y));
 }
 
 void check_telegrams(const Group& group, Findings& out) {
@@ -72,7 +72,7 @@ void check_telegrams(const Group& group, Findings& out) {
     if (t.view.fault != lang::Fault::none)
       out.add(error, group.where(t), clause_of(t.view.fault), "telegram rejected, " + text_of(t.view.at));
     else
-      check_known(t.view.packets, group.where(t), out);
+      check_known(t.view.packets, lang::system_version(t.view.M_VERSION.raw), group.where(t), out);
   }
 }
 
@@ -223,7 +223,7 @@ void check_messages(const Trackside& trackside, Findings& out) {
       out.add(error, message.where(), clause_of(message.view.fault), "message rejected, " + text_of(message.view.at));
       continue;
     }
-    check_known(message.view.packets, message.where(), out);
+    check_known(message.view.packets, message.view.sv, message.where(), out);
     check_reference(trackside, message, out);
   }
 }

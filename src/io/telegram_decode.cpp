@@ -172,8 +172,8 @@ tl::expected<std::size_t, FaultAt> put_packet(std::string& out, std::span<const 
   return inside.position();
 }
 
-/// Header variables of telegrams of balises and loops.
-/// The whole of a balise telegram or loop message that is consistent.
+/// The whole of a balise telegram or loop message that is consistent; `sv`: that of its M_VERSION, also a later Y that
+/// is read as the newest known one.
 tl::expected<void, FaultAt> put_telegram(std::string& out, std::span<const std::uint8_t> bytes, std::size_t bits,
                                          std::span<const HeaderField> header, SystemVersion sv) {
   put(out, "{\"schema\":\"evc-telegram/1\",\"system_version\":\"");
@@ -235,7 +235,8 @@ tl::expected<void, TelegramError> append_balise_json(std::string& out, std::span
   const lang::TelegramView view =
       lang::scan_telegram(bytes, bits, spare == Spare::refuse ? lang::Check::reading : lang::Check::structure);
   if (view.fault != Fault::none) return tl::unexpected(error_of(view.at));
-  return guarded(out, [&] { return put_telegram(out, bytes, bits, balise_header, view.sv); });
+  return guarded(
+      out, [&] { return put_telegram(out, bytes, bits, balise_header, lang::system_version(view.M_VERSION.raw)); });
 }
 
 tl::expected<void, TelegramError> append_loop_json(std::string& out, std::span<const std::uint8_t> bytes,
@@ -243,7 +244,8 @@ tl::expected<void, TelegramError> append_loop_json(std::string& out, std::span<c
   const lang::LoopMessageView view =
       lang::scan_loop_message(bytes, bits, spare == Spare::refuse ? lang::Check::reading : lang::Check::structure);
   if (view.fault != Fault::none) return tl::unexpected(error_of(view.at));
-  return guarded(out, [&] { return put_telegram(out, bytes, bits, loop_header, view.sv); });
+  return guarded(out,
+                 [&] { return put_telegram(out, bytes, bits, loop_header, lang::system_version(view.M_VERSION.raw)); });
 }
 
 tl::expected<void, TelegramError> append_radio_json(std::string& out, std::span<const std::uint8_t> bytes,

@@ -182,6 +182,21 @@ TEST(TelegramJson, SaysWhatIsWrong) {
   EXPECT_EQ(balise_error("9002FFB540B00"), R"({"error":{"bit":52,"variable":"NID_PACKET","why":"no packet 255"}})");
 }
 
+TEST(TelegramJson, KeepsALaterYThatIsReadAsTheNewestKnownOne) {
+  for (const unsigned M_VERSION : {0x12u, 0x1Fu, 0x31u, 0x35u, 0x3Fu}) {
+    Json telegram = Json::parse(R"({"schema":"evc-telegram/1","header":{"Q_UPDOWN":1,"M_VERSION":0,"Q_MEDIA":0,
+      "N_PIG":0,"N_TOTAL":0,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},
+      "packets":[{"NID_PACKET":0,"NID_VBCMK":63}]})");
+    telegram["header"]["M_VERSION"] = M_VERSION;
+    telegram["system_version"] = std::to_string(M_VERSION >> 4) + "." + std::to_string(M_VERSION & 15);
+    const auto encoded = encode_balise_json(telegram);
+    ASSERT_TRUE(encoded) << error_json(encoded.error());
+    std::string text;
+    ASSERT_TRUE(append_balise_json(text, encoded->bytes, encoded->bits, Spare::accept));
+    EXPECT_EQ(Json::parse(text), telegram);
+  }
+}
+
 TEST(TelegramJson, KeepsTheFilling) {
   // The same telegram without filling, filled with ones to 830, and with other bits after packet 255.
   Json short_form = Json::parse(R"({"schema":"evc-telegram/1","system_version":"2.1","header":{"Q_UPDOWN":1,
