@@ -57,6 +57,8 @@ export class Live {
     this.socket = socket;
     socket.addEventListener("open", () => {
       this.say("connected");
+      // Without a word of it the direction controller of a unit is forward.
+      this.remote.setDesk(this.desk);
       this.send(this.remote.acts());
       this.cycle();
       setInterval(() => this.beat(), CYCLE_MS);
