@@ -183,10 +183,10 @@ TEST(TelegramJson, SaysWhatIsWrong) {
 }
 
 TEST(TelegramJson, KeepsALaterYThatIsReadAsTheNewestKnownOne) {
-  for (const unsigned M_VERSION : {0x12u, 0x1Fu, 0x31u, 0x35u, 0x3Fu}) {
+  for (const unsigned M_VERSION : {0x30u, 0x31u, 0x35u, 0x3Fu}) {
     Json telegram = Json::parse(R"({"schema":"evc-telegram/1","header":{"Q_UPDOWN":1,"M_VERSION":0,"Q_MEDIA":0,
       "N_PIG":0,"N_TOTAL":0,"M_DUP":0,"M_MCOUNT":255,"NID_C":1,"NID_BG":2,"Q_LINK":1},
-      "packets":[{"NID_PACKET":0,"NID_VBCMK":63}]})");
+      "packets":[{"NID_PACKET":254,"Q_DIR":1,"L_PACKET":23}]})");
     telegram["header"]["M_VERSION"] = M_VERSION;
     telegram["system_version"] = std::to_string(M_VERSION >> 4) + "." + std::to_string(M_VERSION & 15);
     const auto encoded = encode_balise_json(telegram);
