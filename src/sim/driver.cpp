@@ -33,10 +33,25 @@ double braking_from(double v, double a, double d) { return std::sqrt(v * v + 2.0
 
 }  // namespace
 
+Seen::Seen(const Outputs& o)
+    : mode(o.mode),
+      level(o.level),
+      monitoring(o.monitoring),
+      V_P(o.V_P),
+      V_target(o.V_target),
+      V_release(o.V_release),
+      d_target(o.d_target),
+      tco(o.tco),
+      sb(o.sb),
+      eb(o.eb),
+      requests(o.requests),
+      entries(o.entries),
+      start_offered(o.start_offered) {}
+
 Driver::Driver(DriverKind kind, const Line& line, const train::TrainData& train)
     : kind_(kind), line_(line), train_(train) {}
 
-void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+void Driver::act(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs) {
   if (seen.level == Level::L2 || seen.level == Level::L3) level_2_entered_ = true;
   inputs.levels.train.desk_open = true;
   inputs.levels.train.direction_controller = port::DirectionController::forward;
@@ -45,7 +60,7 @@ void Driver::act(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
 }
 
 /// Start of mission (5.4.3): the data asked for are entered, then Start is selected.
-void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+void Driver::start_mission(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs) {
   if (seen.mode != Mode::SB || t_ms < next_entry_ms_) return;
   auto& driver = inputs.levels.driver;
   next_entry_ms_ = t_ms + (kind_ == DriverKind::late ? 2 * kEntry_ms : kEntry_ms);
@@ -68,7 +83,7 @@ void Driver::start_mission(const Outputs& seen, std::int64_t t_ms, CycleInputs& 
   }
 }
 
-void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& inputs) {
+void Driver::acknowledge(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs) {
   // The limit is 5 s (T_ACK, A.3.1).
   const std::int64_t delay = kind_ == DriverKind::late ? 3500 : 1000;
   for (std::size_t n = 0; n < asked_since_.size(); ++n) {
@@ -85,7 +100,7 @@ void Driver::acknowledge(const Outputs& seen, std::int64_t t_ms, CycleInputs& in
 
 double Driver::margin() const { return kind_ == DriverKind::late ? kMarginLate : kMargin; }
 
-bool Driver::must_stand(const Outputs& seen) const {
+bool Driver::must_stand(const Seen& seen) const {
   switch (seen.mode) {
     case Mode::NP:
     case Mode::SB:
@@ -121,7 +136,7 @@ double Driver::speed_of_line(const Motion& motion) const {
 }
 
 /// The speed at which no limit is ever exceeded.
-double Driver::permitted(const Outputs& seen, const Motion& motion) const {
+double Driver::permitted(const Seen& seen, const Motion& motion) const {
   if (!seen.V_P) return speed_of_line(motion);
   double limit = seen.V_P->si;
   const bool to_stop = seen.V_target && seen.V_target->si == 0.0;
@@ -140,7 +155,7 @@ double Driver::permitted(const Outputs& seen, const Motion& motion) const {
 }
 
 /// As fast as the train can run; after an intervention before a stop it continues below the release speed.
-double Driver::reckless_speed(const Outputs& seen, const Motion& motion) {
+double Driver::reckless_speed(const Seen& seen, const Motion& motion) {
   if (!seen.V_P) {
     creeping_ = false;
     return speed_of_line(motion);
@@ -153,7 +168,7 @@ double Driver::reckless_speed(const Outputs& seen, const Motion& motion) {
   return 100.0;
 }
 
-Handle Driver::handle(const Outputs& seen, const Motion& motion, double step_s) {
+Handle Driver::handle(const Seen& seen, const Motion& motion, double step_s) {
   Handle handle;
   if (must_stand(seen)) {
     last_wanted_.reset();

@@ -15,6 +15,22 @@
 
 namespace evc::sim {
 
+/// What a driver reads of the display and the desk: a few of the outputs, which are much larger.
+struct Seen {
+  Seen() = default;
+  explicit Seen(const port::Outputs& outputs);
+
+  Mode mode = Mode::NP;
+  Level level = Level::L0;
+  Monitoring monitoring = Monitoring::none;
+  std::optional<Speed> V_P, V_target, V_release;
+  std::optional<Distance> d_target;
+  bool tco = false, sb = false, eb = false;
+  Set<Ack> requests;
+  Set<Entry> entries;
+  bool start_offered = false;
+};
+
 /// The driver: starts the mission, follows or ignores the permitted speed, acknowledges. Where the on-board gives no
 /// Permitted speed, the driver uses the speeds of the line, 40 km/h where there are none, and at most 60 km/h until
 /// level 2 is entered.
@@ -23,17 +39,17 @@ class Driver {
   Driver(DriverKind kind, const Line& line, const train::TrainData& train);
 
   /// The driver sees the outputs of the last cycle and acts in the inputs of this one.
-  void act(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void act(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs);
   /// The position of the handle until the next cycle.
-  Handle handle(const port::Outputs& seen, const Motion& motion, double step_s);
+  Handle handle(const Seen& seen, const Motion& motion, double step_s);
 
  private:
-  void start_mission(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
-  void acknowledge(const port::Outputs& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void start_mission(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs);
+  void acknowledge(const Seen& seen, std::int64_t t_ms, CycleInputs& inputs);
   double speed_of_line(const Motion& motion) const;
-  double permitted(const port::Outputs& seen, const Motion& motion) const;
-  double reckless_speed(const port::Outputs& seen, const Motion& motion);
-  bool must_stand(const port::Outputs& seen) const;
+  double permitted(const Seen& seen, const Motion& motion) const;
+  double reckless_speed(const Seen& seen, const Motion& motion);
+  bool must_stand(const Seen& seen) const;
   double margin() const;
 
   DriverKind kind_;

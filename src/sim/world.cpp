@@ -108,7 +108,7 @@ void World::read_balises(double antenna_before, double antenna_after, double nom
 }
 
 void World::observe(const port::Outputs& outputs) {
-  seen_ = outputs;
+  seen_ = Seen(outputs);
   radio_.hear(outputs, inputs_.t_ms);
 }
 

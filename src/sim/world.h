@@ -90,7 +90,7 @@ class World {
   Driver driver_;
   Desk desk_;
   CycleInputs inputs_;
-  port::Outputs seen_;
+  Seen seen_;
   bool first_ = true;
   double start_m_, end_m_;
   std::int64_t moved_at_ms_ = 0;  // last time when the train was a metre away from its place of rest
