@@ -1,5 +1,5 @@
 // Counted by callgrind (tools/count_instructions.py): one scenario, counted only in the relevant part. Prints the
-// number of repetitions. Usage: instructions busy|change|telegram|gamma|worst|journey|last [INPUT.jsonl]
+// number of repetitions. Usage: instructions busy|change|telegram|gamma|worst|plain|swept|journey|last [INPUT.jsonl]
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -10,6 +10,10 @@
 #include "curves_work.h"
 #include "io/input_stream.h"
 #include "ride.h"
+#include "run/drive.h"
+#include "run/load.h"
+#include "sweep/plan.h"
+#include "sweep/store.h"
 #include "telegram_work.h"
 #include "worst_cycle.h"
 
@@ -118,6 +122,49 @@ int last_cycle(const char* file) {
   return cycles > 0 ? 1 : -1;
 }
 
+constexpr int kJourneys = 4;
+
+/// The reckless journeys of swept() in a loop that does nothing but simulate and step.
+int plain() {
+  const auto line = evc::run::load_line(evc::run::line_file(""));
+  if (!line) return -1;
+  evc::io::Configuration configuration;
+  configuration.document = evc::io::configuration_document(configuration);
+  for (int n = 0; n < kJourneys; ++n) {
+    evc::sim::World::Settings settings;
+    settings.driver = evc::sim::DriverKind::reckless;
+    settings.seed = static_cast<std::uint64_t>(n) + 1;
+    counted([&] {
+      evc::sim::World world(*line, configuration.train.data, configuration.train.dynamics, settings);
+      evc::run::OnBoard on_board(configuration.for_kernel());
+      do world.observe(on_board.step(world.advance().view()));
+      while (!world.finished());
+    });
+  }
+  return kJourneys;
+}
+
+/// The same with their measures, kept in a file of results.
+int swept() {
+  const std::string file = std::tmpnam(nullptr);  // NOLINT: nobody waits for it
+  const auto plan = evc::sweep::Plan::make(R"({"schema":"evc-sweep/1","kind":"run",
+      "base":{"line":"brunnental","driver":"reckless"},"vary":[{"at":"/seed","count":4}],
+      "measure":["duration_s","interventions.sb","interventions.eb","svl_overrun_m","min_margin_to_EBI_kmh","energy_kwh"]})",
+                                           "spec");
+  if (!plan) return -1;
+  auto store = evc::sweep::Store::open(file, evc::sweep::Store::Open::created, **plan, "bench");
+  if (!store) return -1;
+  const auto scratch = (*plan)->scratch();
+  bool kept = true;
+  counted([&] {
+    for (std::uint64_t n = 0; n < kJourneys; ++n) kept = kept && (*store)->add({(*plan)->compute(n, *scratch)}).has_value();
+    kept = kept && (*store)->commit().has_value();
+  });
+  store->reset();
+  std::remove(file.c_str());
+  return kept ? kJourneys : -1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -127,6 +174,8 @@ int main(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], "telegram") == 0) cycles = telegram();
   if (argc == 2 && std::strcmp(argv[1], "gamma") == 0) cycles = gamma();
   if (argc == 2 && std::strcmp(argv[1], "worst") == 0) cycles = worst();
+  if (argc == 2 && std::strcmp(argv[1], "plain") == 0) cycles = plain();
+  if (argc == 2 && std::strcmp(argv[1], "swept") == 0) cycles = swept();
   if (argc == 3 && std::strcmp(argv[1], "last") == 0) cycles = last_cycle(argv[2]);
   if (argc == 3 && std::strcmp(argv[1], "journey") == 0) cycles = journey(argv[2]);
   std::printf("%d\n", cycles);
