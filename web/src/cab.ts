@@ -224,6 +224,10 @@ export class Cab implements Evc {
     );
     document.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("resize", () => this.show());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.strip.recolour();
+      this.show();
+    });
   }
 
   private key(event: KeyboardEvent): void {

@@ -8,7 +8,8 @@ export const CYCLE_S = 0.1;
 const BETWEEN_SNAPSHOTS = 600;
 /// Cycles of one call of the module: its memory has to hold what they give.
 const CYCLES_OF_CALL = 100;
-const COLOURS = ["#4aa3ff", "#ffb14a", "#7bd88f", "#d58cff", "#ff7d7d", "#6fe0e0"] as const;
+/// Of the branches: they can be seen on a light ground and on a dark one.
+const COLOURS = ["#2d82dc", "#cf7a10", "#2e9a4f", "#a463e0", "#e0524f", "#1a97a0"] as const;
 
 /// What the driver did before a cycle.
 type Act =

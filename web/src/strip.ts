@@ -4,17 +4,21 @@ import { lastValue, type Journey } from "./journey.js";
 import { AT, POINT_SIZE, type PointField, type Scene } from "./module.js";
 import { fitToPixels } from "./painter.js";
 
-const COLOURS = {
-  ground: "#141a22", grid: "#2a3440", text: "#93a1b0", line: "#3c4a59", group: "#8fa3b8", train: "#e8eef5",
-  V_P: "#c9d4df", V_SBI: "#e6a04a", V_EBI: "#e0564f", SvL: "#e0564f", EOA: "#f0d060", target: "#f0d060",
-} as const;
+/// The colours of the strip: properties of the page's style, which has them for light and for dark surroundings.
+const COLOURS = [
+  "ground", "grid", "text", "line", "group", "train", "V_P", "V_SBI", "V_EBI", "SvL", "EOA", "target",
+] as const;
+type Colours = Record<(typeof COLOURS)[number], string>;
+
+function coloursOf(canvas: HTMLCanvasElement): Colours {
+  const style = getComputedStyle(canvas);
+  return Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--strip-${name}`).trim()])) as Colours;
+}
+
 const LEFT = 46;
 const BELOW = 92;
-const CURVES: readonly [PointField, string, number][] = [
-  ["V_EBI", COLOURS.V_EBI, 1],
-  ["V_SBI", COLOURS.V_SBI, 1],
-  ["V_P", COLOURS.V_P, 1],
-];
+/// The supervised speeds that are drawn, the last one on top.
+const CURVES = ["V_EBI", "V_SBI", "V_P"] as const;
 /// What moves on the strip.
 const NOW: readonly PointField[] = ["x_m", "v", "V_P", "EOA_m", "SvL_m", "target_m", "V_target"];
 
@@ -29,6 +33,7 @@ interface Frame {
 
 export class Strip {
   private readonly context: CanvasRenderingContext2D;
+  private colours: Colours;
   private from: number;
   private to: number;
   /// What was driven, as far as it is drawn: it only grows, until something else is to be looked at.
@@ -43,10 +48,18 @@ export class Strip {
     const context = canvas.getContext("2d", { alpha: false });
     if (context === null) throw new Error("no canvas");
     this.context = context;
+    this.colours = coloursOf(canvas);
     this.from = Math.min(scene.start_m - scene.train_length_m, 0);
     this.to = scene.end_m;
     canvas.addEventListener("wheel", (event) => this.zoom(event), { passive: false });
     canvas.addEventListener("dblclick", () => this.show(Math.min(scene.start_m - scene.train_length_m, 0), scene.end_m));
+  }
+
+  /// The surroundings have become light or dark: the next drawing is in their colours.
+  recolour(): void {
+    this.colours = coloursOf(this.canvas);
+    this.drawn.of = "";
+    this.shown = "";
   }
 
   /// The place under a pointer, in metres.
@@ -96,7 +109,7 @@ export class Strip {
       this.driven.width = this.canvas.width;
       this.driven.height = this.canvas.height;
       c.setTransform(ratio, 0, 0, ratio, 0, 0);
-      c.fillStyle = COLOURS.ground;
+      c.fillStyle = this.colours.ground;
       c.fillRect(0, 0, f.width, f.height);
       this.drawGrid(c, f);
       this.drawTrack(c, f);
@@ -107,7 +120,7 @@ export class Strip {
     const chunks = points.slice(Math.max(0, this.drawn.chunks - 1));
     const known = points[this.drawn.chunks - 1];
     const skip = known === undefined ? 0 : known.length / POINT_SIZE - 1;
-    for (const [field, colour, line] of CURVES) drawCurve(c, f, chunks, field, colour, line, skip);
+    for (const field of CURVES) drawCurve(c, f, chunks, field, this.colours[field], 1, skip);
     drawCurve(c, f, chunks, "v", journey.colour, 2, skip);
     this.drawn.chunks = points.length;
   }
@@ -129,8 +142,8 @@ export class Strip {
 
   private drawGrid(c: CanvasRenderingContext2D, f: Frame): void {
     c.font = "11px sans-serif";
-    c.fillStyle = COLOURS.text;
-    c.strokeStyle = COLOURS.grid;
+    c.fillStyle = this.colours.text;
+    c.strokeStyle = this.colours.grid;
     c.lineWidth = 1;
     c.beginPath();
     c.textAlign = "right";
@@ -143,7 +156,8 @@ export class Strip {
     c.fillText("km/h", LEFT - 6, f.y(f.fastest) + 16);
     c.textAlign = "center";
     const step = niceStep((this.to - this.from) / Math.max(2, f.width / 90));
-    for (let m = Math.ceil(this.from / step) * step; m <= this.to; m += step)
+    // A number whose end would be beyond the strip is left out.
+    for (let m = Math.ceil(this.from / step) * step; f.x(m) < f.width - 16; m += step)
       c.fillText(step >= 1000 ? `${m / 1000} km` : `${(m / 1000).toFixed(step >= 100 ? 1 : 2)} km`, f.x(m), f.height - 4);
   }
 
@@ -159,7 +173,7 @@ export class Strip {
       course.push([to, height]);
       top = Math.max(top, Math.abs(height));
     }
-    c.strokeStyle = COLOURS.line;
+    c.strokeStyle = this.colours.line;
     c.lineWidth = 2;
     c.beginPath();
     for (const [m, h] of course) c.lineTo(f.x(m), base - (h / top) * 16);
@@ -168,12 +182,12 @@ export class Strip {
       c.lineTo(f.width, base);
     }
     c.stroke();
-    c.fillStyle = COLOURS.text;
+    c.fillStyle = this.colours.text;
     c.font = "10px sans-serif";
     c.textAlign = "center";
     for (const [from, to, permille] of this.scene.gradient)
       if (f.x(to) - f.x(from) > 26) c.fillText(`${permille > 0 ? "+" : ""}${permille} ‰`, f.x((from + to) / 2), base + 22);
-    c.fillStyle = COLOURS.group;
+    c.fillStyle = this.colours.group;
     for (const m of this.scene.groups) {
       c.beginPath();
       c.moveTo(f.x(m) - 3, f.height - 60 + 46);
@@ -182,7 +196,7 @@ export class Strip {
       c.fill();
     }
     // The speeds of the line.
-    c.strokeStyle = COLOURS.line;
+    c.strokeStyle = this.colours.line;
     c.setLineDash([4, 3]);
     c.lineWidth = 1;
     c.beginPath();
@@ -202,22 +216,22 @@ export class Strip {
     const c = this.context;
     const front = value("x_m");
     const base = f.height - 36;
-    c.fillStyle = COLOURS.train;
+    c.fillStyle = this.colours.train;
     const rear = f.x(front - this.scene.train_length_m);
     c.fillRect(Math.min(rear, f.x(front) - 6), base - 26, Math.max(6, f.x(front) - rear), 6);
-    c.strokeStyle = COLOURS.train;
+    c.strokeStyle = this.colours.train;
     c.beginPath();
     c.moveTo(f.x(front), 4);
     c.lineTo(f.x(front), base - 20);
     c.globalAlpha = 0.35;
     c.stroke();
     c.globalAlpha = 1;
-    this.mark(f, value("SvL_m"), COLOURS.SvL, "SvL");
-    this.mark(f, value("EOA_m"), COLOURS.EOA, "EOA");
+    this.mark(f, value("SvL_m"), this.colours.SvL, "SvL");
+    this.mark(f, value("EOA_m"), this.colours.EOA, "EOA");
     const target = value("target_m");
     if (!Number.isNaN(target)) {
       const speed = value("V_target");
-      c.fillStyle = COLOURS.target;
+      c.fillStyle = this.colours.target;
       c.beginPath();
       c.arc(f.x(target), f.y(Number.isNaN(speed) ? 0 : speed), 4, 0, 2 * Math.PI);
       c.fill();
@@ -231,7 +245,8 @@ export class Strip {
     c.fillStyle = colour;
     c.setLineDash([2, 3]);
     c.beginPath();
-    c.moveTo(f.x(m), 16);
+    // Below both labels: EOA and SvL are often near.
+    c.moveTo(f.x(m), 30);
     c.lineTo(f.x(m), f.height - 56);
     c.stroke();
     c.setLineDash([]);
