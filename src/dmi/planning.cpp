@@ -173,39 +173,59 @@ void draw_gradient(const Drawing& to, const Ahead& ahead, const port::PlannedGra
 
 /// A speed discontinuity (015560 8.3.6) with its symbol.
 struct Change {
-  double at;
-  Speed V;
-  Picture picture;
+  double at = 0.0;
+  Speed V{};
+  Picture picture{};
+  bool increase() const { return picture == Picture::PL21; }
+  /// PL21 lies under PL22, that under the target of the indication marker (8.3.6.9).
+  int layer() const { return picture == Picture::PL21 ? 0 : picture == Picture::PL22 ? 1 : 2; }
 };
+using Changes = InplaceVector<Change, 130>;
 
-void draw_change(const Drawing& to, const Ahead& ahead, const Change& change) {
+/// Of one symbol the nearer is on top, as for orders (8.3.4.24), at one place the lower speed.
+bool lies_under(const Change& a, const Change& b) {
+  if (a.layer() != b.layer()) return a.layer() < b.layer();
+  return a.at > b.at || (!(a.at < b.at) && a.V > b.V);
+}
+
+/// The upper row of the number: above the bar of an increase, else below.
+std::int16_t number_row(const Ahead& ahead, const Change& change) {
   const std::int16_t row = ahead.row(change.at);
-  const bool up = change.picture == Picture::PL21;
+  return change.increase() ? static_cast<std::int16_t>(row - 10) : row;
+}
+
+/// `with_number`: no number on top of this one covers it.
+void draw_change(const Drawing& to, const Ahead& ahead, const Change& change, bool with_number) {
+  const std::int16_t row = ahead.row(change.at);
   // The lowest row of the symbol's bar is at the place: row 18 of PL21, row 4 of the others.
-  Item symbol =
-      to.item(Kind::symbol, Area::D6_D7, Colour::none, {4, static_cast<std::int16_t>(row - (up ? 18 : 4)), 20, 20});
+  Item symbol = to.item(Kind::symbol, Area::D6_D7, Colour::none,
+                        {4, static_cast<std::int16_t>(row - (change.increase() ? 18 : 4)), 20, 20});
   symbol.picture = change.picture;
   to.add(symbol);
+  if (!with_number) return;
   const Colour colour = change.picture == Picture::PL23   ? Colour::yellow
                         : change.picture == Picture::PL37 ? Colour::white
                                                           : Colour::grey;
-  Item text = to.item(Kind::text, Area::D7, colour, {11, static_cast<std::int16_t>(up ? row - 10 : row), 40, 10});
+  Item text = to.item(Kind::text, Area::D7, colour, {11, number_row(ahead, change), 40, 10});
   text.text = number_words(whole_kmh(change.V));
   text.height = 10;
   to.add(text);
 }
 
-void draw_changes(const Drawing& to, const Ahead& ahead) {
-  const port::Display& display = to.display;
+/// Every change of the MRSP, and the end of the authority, in drawing order.
+Changes changes_ahead(const port::Display& display, const Ahead& ahead) {
   const port::Planning& planning = display.planning;
-  InplaceVector<Change, 130> changes;
+  Changes changes;
   const auto put = [&](double at, Speed V, bool increase) {
     if (!(at >= 0.0) || !(at <= ahead.end)) return;
     const double away = display.indication_target ? at - display.indication_target->si : 1.0;
     const bool target =
         !increase && display.indication_target && display.monitoring == Monitoring::CSM && away < 0.5 && away > -0.5;
     const Picture aimed = display.mode == Mode::AD ? Picture::PL37 : Picture::PL23;
-    if (!changes.push_back({at, V, increase ? Picture::PL21 : target ? aimed : Picture::PL22})) return;  // they all fit
+    const Change change{at, V, increase ? Picture::PL21 : target ? aimed : Picture::PL22};
+    std::size_t place = changes.size();
+    while (place > 0 && lies_under(change, changes[place - 1])) --place;
+    if (!changes.insert(place, change)) return;  // they all fit
   };
   Speed before = planning.speeds.empty() ? Speed{} : planning.speeds[0].V;
   for (std::size_t i = 1; i < planning.speeds.size(); ++i) {
@@ -215,11 +235,22 @@ void draw_changes(const Drawing& to, const Ahead& ahead) {
   }
   if (planning.EOA) put(planning.EOA->si, Speed{}, false);
   if (planning.LOA) put(planning.LOA->si, planning.V_LOA, false);
-  for (const bool aimed : {false, true})
-    for (const Picture kind : {Picture::PL21, Picture::PL22, Picture::PL23, Picture::PL37})
-      for (const Change& change : changes)
-        if (change.picture == kind && (kind == Picture::PL23 || kind == Picture::PL37) == aimed)
-          draw_change(to, ahead, change);
+  return changes;
+}
+
+/// Symbols may overlap; of numbers that would, only the one on top can be read, so the others are left out.
+void draw_changes(const Drawing& to, const Ahead& ahead) {
+  constexpr int kApart = 11;  // rows from one number to the next: its height and a free one
+  const Changes changes = changes_ahead(to.display, ahead);
+  InplaceVector<std::int16_t, 130> taken;  // the rows of numbers, from the top layer down
+  std::array<bool, 130> numbered{};
+  for (std::size_t i = changes.size(); i-- > 0;) {
+    const std::int16_t row = number_row(ahead, changes[i]);
+    const bool covered = std::any_of(
+        taken.begin(), taken.end(), [row](std::int16_t other) { return row - other < kApart && other - row < kApart; });
+    numbered[i] = !covered && taken.push_back(row);
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) draw_change(to, ahead, changes[i], numbered[i]);
 }
 
 }  // namespace

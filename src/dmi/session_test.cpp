@@ -604,5 +604,42 @@ TEST_F(Session, DiscontinuitiesOverlapByImportance) {
   EXPECT_EQ(drawn_in_order, (std::vector<std::string>{"PL21", "PL22", "PL23"}));
 }
 
+// Numbers of the planning area are legible: none is drawn over another one, what is on top keeps its number.
+TEST_F(Session, NumbersOfDiscontinuitiesDoNotOverlap) {
+  const auto numbers = [&] {
+    std::vector<std::pair<std::string, std::int16_t>> found;
+    const Screen screen = drawn(state);
+    for (const Item& item : screen.items)
+      if (item.kind == Kind::text && item.area == Area::D7)
+        found.emplace_back(std::string{item.text.view()}, absolute(item).y);
+    return found;
+  };
+  // Decreases near the end of the authority: the nearer is on top.
+  for (const auto& [metres, kmh] : {std::pair{0.0, 160.0}, std::pair{3400.0, 100.0}, std::pair{3900.0, 60.0}})
+    EXPECT_TRUE(display.planning.speeds.push_back({Distance{metres}, Speed{kmh / 3.6}, {}}));
+  display.planning.EOA = Distance{4000.0};
+  at(0);
+  const auto shown = numbers();
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_EQ(shown[0].first, "100");
+  // The target of the indication marker is on top of a nearer one.
+  display.indication_target = Distance{4000.0};
+  display.monitoring = Monitoring::CSM;
+  display.planning.speeds.erase(1);
+  at(1);
+  ASSERT_EQ(numbers().size(), 1U);
+  EXPECT_EQ(numbers()[0].first, "0");
+  // At one place the lower speed.
+  display.indication_target.reset();
+  display.planning.speeds[1].at = Distance{4000.0};
+  at(2);
+  ASSERT_EQ(numbers().size(), 1U);
+  EXPECT_EQ(numbers()[0].first, "0");
+  // Far enough from one another each has its number.
+  display.planning.speeds[1].at = Distance{2000.0};
+  at(3);
+  EXPECT_EQ(numbers().size(), 2U);
+}
+
 }  // namespace
 }  // namespace evc::dmi
