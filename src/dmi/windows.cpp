@@ -109,8 +109,15 @@ bool takes_place(const port::Display& display, Button instead) {
   }
 }
 
+/// The lines of a value, the label before the first one: a value has eight characters on a line (015560 5.1.5.4).
 void add_item(ViewItems& items, std::string_view label_text, const Words& value) {
-  if (!items.push_back({Words{label_text}, value})) return;
+  std::string_view rest = value.view();
+  do {
+    const std::size_t end = rest.find('\n');
+    if (!items.push_back({Words{label_text}, Words{part_of(rest, 0, end)}})) return;
+    rest = end == std::string_view::npos ? std::string_view{} : part_of(rest, end + 1);
+    label_text = {};
+  } while (!rest.empty());
 }
 
 /// The value of stored data, as the entry window would show it.
@@ -119,11 +126,7 @@ Words stored_words(const State& state, FieldId id, DataStatus status) {
   Field field;
   field.id = id;
   field.value = stored_value(state, id);
-  const Words shown = shown_value(state, field);
-  Words words;
-  // A view has one line for a value.
-  for (const char c : shown.view()) words.append(c == '\n' ? ' ' : c);
-  return words;
+  return shown_value(state, field);
 }
 
 void add_stored(ViewItems& items, const State& state, FieldId id, DataStatus status) {

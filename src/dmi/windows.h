@@ -59,7 +59,7 @@ void choose(State&, Button, Duration now);
 /// The on-board's dialogue opens windows and waits (015560 11.7).
 void follow_dialogue(State&, const port::Display& before);
 
-/// A line of a view window: an empty label separates topics.
+/// A line of a view window. Without a label it goes on with the value before, without both it separates topics.
 struct ViewItem {
   Words label, value;
 };

@@ -65,12 +65,18 @@ void draw_window_buttons(const Drawing& to, Area area) {
   to.add(button);
 }
 
-/// The hour glass in the title: ten places, one a second (015560 11.2.1.8).
+/// The hour glass in the title, every second at the next of ten places (015560 11.2.1.6). It begins at the first one
+/// behind the words of the title: of Main at the first of all, of Radio data, whose title is longer, at the third.
 void draw_hour_glass(const Drawing& to) {
   if (!is_waiting(to.state)) return;
+  constexpr std::int32_t kFirst = 42, kStep = 26, kPlaces = 10;
+  const double title_end = 3.0 + width_of(row_of(to.state.window).title, 12, false);
+  std::int32_t begin = 0;
+  while (begin + 1 < kPlaces && kFirst + kStep * begin < title_end) ++begin;
   const double passed = (to.now - to.state.waiting_since).si;
-  const std::int32_t step = whole(passed - 0.5, 0, 2000000000) % 10;
-  Item glass = to.item(Kind::symbol, Area::half, Colour::none, {static_cast<std::int16_t>(42 + 26 * step), 2, 20, 20});
+  const std::int32_t place = begin + whole(passed - 0.5, 0, 2000000000) % (kPlaces - begin);
+  Item glass =
+      to.item(Kind::symbol, Area::half, Colour::none, {static_cast<std::int16_t>(kFirst + kStep * place), 2, 20, 20});
   glass.picture = Picture::ST05;
   to.add(glass);
 }
@@ -97,7 +103,7 @@ void draw_view(const Drawing& to) {
   const std::size_t first = kViewLines * to.state.page;
   for (std::size_t line = 0; line < kViewLines && first + line < items.size(); ++line) {
     const ViewItem& shown = items[first + line];
-    if (shown.label.empty()) continue;
+    if (shown.label.empty() && shown.value.empty()) continue;
     Item item = to.item(Kind::view_item, Area::half, Colour::grey);
     item.name.append(shown.label.view());
     item.text = shown.value;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,29 @@ TEST_F(Windows, HourGlassWanders) {
     EXPECT_EQ(absolute(*glass).y, 17);
   }
   for (const Touch& touch : last.touch) EXPECT_FALSE(touch.enabled) << touch.name.view();
+}
+
+TEST_F(Windows, HourGlassNeverCoversTheTitle) {
+  for (const WindowId window : {WindowId::main, WindowId::radio_data}) {
+    open(window);
+    display.waiting = Waiting::radio_registration;
+    cycle(0.0);
+    const double begin = when;
+    const double title_end = 334.0 + 3.0 + width_of(item(Kind::rect, "title").text.view(), 12, false);
+    std::set<std::int16_t> places;
+    for (int second = 0; second < 30; ++second) {
+      when = begin + second + 0.2;
+      last = drawn(state, Duration{when});
+      const Item* glass = test::find_symbol(last, Picture::ST05);
+      ASSERT_NE(glass, nullptr);
+      EXPECT_GE(absolute(*glass).x, title_end);
+      EXPECT_LE(absolute(*glass).x + 20, 640);
+      places.insert(absolute(*glass).x);
+    }
+    EXPECT_EQ(places.size(), window == WindowId::main ? 10U : 8U);
+    display.waiting = Waiting::nothing;
+    cycle(0.1);
+  }
 }
 
 TEST_F(Windows, DisabledButtonsDoNothing) {
@@ -318,6 +342,26 @@ TEST_F(Windows, DataViewHasTheCodesOfCovers) {
   for (const ViewItem& line : view_items(state))
     if (line.label.view().substr(0, 3) == "VBC") codes.emplace_back(line.value.view());
   EXPECT_EQ(codes, (std::vector<std::string>{"321456", std::to_string((255 << 16) | (1 << 6) | 2)}));
+}
+
+// Sixteen digits are two lines of eight (015560 5.1.5.4), and each fits beside its label.
+TEST_F(Windows, DataViewHasLongNumbersOnLinesThatFit) {
+  display.data.stored.rbc_status = DataStatus::valid;
+  display.data.stored.rbc = {.NID_C = 1000, .NID_RBC = 1, .NID_RADIO = 0x0041790000000001};
+  cycle(0.1);
+  open(WindowId::data_view);
+  ASSERT_TRUE(tap("next"));
+  last = drawn(state, Duration{when});
+  std::vector<std::string> lines;
+  std::int16_t baseline = 0;
+  for (const Item& line : last.items) {
+    if (line.kind != Kind::view_item) continue;
+    EXPECT_LT(line.data_left + width_of(line.text.view(), 12, false), 640.0) << line.text.view();
+    EXPECT_GT(line.baseline, baseline);
+    baseline = line.baseline;
+    if (line.name.view() == "RBC phone number" || !lines.empty()) lines.emplace_back(line.text.view());
+  }
+  EXPECT_EQ(lines, (std::vector<std::string>{"0041 7900", "0000 0001"}));
 }
 
 TEST_F(Windows, RbcContact) {

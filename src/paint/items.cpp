@@ -81,10 +81,10 @@ std::vector<std::string_view> lines_of(std::string_view text, double width, doub
 }
 
 /// Lines one below the other, two heights apart (015560 5.1.2), as a whole vertically centred; closer where they do not
-/// fit.
+/// fit. The indent is that of one side: eight digits fit into the data part of a field (10.3.2.6).
 void write_lines_in(Shapes& shapes, const Rect& box, std::string_view text, const Style& style) {
-  const double margin = std::max(style.indent, 3.0);
-  const auto lines = lines_of(text, box.w - 2.0 * margin, style.height, style.bold);
+  constexpr double margin = 3.0;
+  const auto lines = lines_of(text, box.w - std::max(style.indent, margin) - margin, style.height, style.bold);
   if (lines.empty()) return;
   const auto count = static_cast<double>(lines.size());
   const double spacing = std::min(2.0 * style.height, box.h / count);

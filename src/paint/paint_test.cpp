@@ -300,6 +300,33 @@ TEST(Drawing, LongLabelsAreBrokenBetweenWordsInsideTheButton) {
   EXPECT_LE(bounds.most.y, 150.0);
 }
 
+// Eight digits in two groups are one line of the data part of a field, sixteen are two (015560 5.1.5.4, 10.3.1).
+TEST(Drawing, SixteenDigitsAreTwoLinesInsideTheField) {
+  Item item = item_of(Kind::field);
+  item.name.clear();
+  item.at = {100, 100, 102, 50};
+  item.data_at = item.at;
+  item.background = dmi::Colour::none;
+  item.border = dmi::Border::none;
+  item.height = 12;
+  item.text = "1638 4001";
+  const auto digits = [](const Drawing& drawing) {
+    std::vector<Bounds> bounds;
+    for (const Shape& shape : drawing.at(0).shapes)
+      if (shape.colour != dmi::Colour::medium_grey) bounds.push_back(bounds_of({shape}));
+    return bounds;
+  };
+  const auto one = digits(draw(*screen_with({item})));
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_LT(one[0].most.x, 202.0);
+  item.text = "0041 7900\n0000 0001";
+  const auto two = digits(draw(*screen_with({item})));
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_LT(two[0].most.y, two[1].least.y);
+  EXPECT_GE(two[0].least.y, 100.0);
+  EXPECT_LE(two[1].most.y, 150.0);
+}
+
 TEST(Drawing, ALabelIsBrokenAtItsHyphen) {
   Item item = item_of(Kind::button);
   item.at = {100, 100, 60, 50};
