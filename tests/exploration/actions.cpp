@@ -42,13 +42,19 @@ void acknowledge(Runner& r, bool all) {
   r.inputs().driver.acknowledged = static_cast<std::uint32_t>(all ? asked : asked & (~asked + 1));
   r.run(kAnswered);
 }
-void connected(Runner& r) {
+void connected_with(Runner& r, std::uint64_t M_VERSION) {
   if (r.world().calling) {
     r.inputs().radio_link = RadioLink::connected;
     r.world().calling = false;
   }
   r.run(kAnswered);
-  r.receive(32, {{"M_VERSION", 33}});
+  r.receive(32, {{"M_VERSION", M_VERSION}});
+}
+void connected(Runner& r) { connected_with(r, 33); }
+/// An RBC of version 2.3 acknowledges the session too (3.5.3.7.4 of 4.0.0).
+void connected_2_3(Runner& r) {
+  connected_with(r, 35);
+  r.receive(38);
 }
 Act link(RadioLink what) {
   return [what](Runner& r) {
@@ -267,10 +273,49 @@ void add_groups(std::vector<Action>& a) {
                })});
 }
 
+/// A consist of 200 m, of which `in_front` are in front of the engine.
+Act consist(double in_front) {
+  const auto exactly = [](double metres) { return ConsistEnd{Distance{metres}, Distance{metres}, Distance{metres}}; };
+  return with([=](port::Inputs& in) {
+    in.train.consist = ConsistLength{.front = exactly(in_front), .rear = exactly(200.0 - in_front)};
+  });
+}
+/// The reference is D_REF beyond the LRBG, so that an authority in either direction begins beyond the train.
+Act authorises_manoeuvre(std::uint64_t Q_DIR, std::uint64_t D_REF) {
+  const auto packets = [=] {
+    BitList p;
+    put(p, 15, {{"Q_DIR", Q_DIR}, {"L_ENDSECTION", 3000}});
+    put(p, 21, {{"Q_DIR", Q_DIR}});
+    put(p, 27, {{"Q_DIR", Q_DIR}});
+    return p;
+  };
+  return message(4, packets, {{"D_REF", D_REF}, {"V_SM", 8}}, 131);
+}
+
+/// What only the supervised manoeuvre of 4.0.0 has, under an RBC of 2.3 (3.18.3.2 b, 4.4.21, 5.21).
+void add_manoeuvre(std::vector<Action>& a) {
+  const Act data = all_of({enter_train_data, enter_train_running_number});
+  a.push_back({"session established with an RBC of 2.3", connected_2_3});
+  a.push_back(
+      {"enters a manoeuvre beyond a group, under an RBC of 2.3",
+       all_of({group([] { return BitList{}; }), moves(0.0, 10), [](Runner& r) { acknowledge(r, true); },
+               enter_driver_id, level(Level::L2), contact(), connected_2_3, message(41), data, message(8, {}, {}, 129),
+               consist(0.0), message(7, {}, {}, 133), select(port::Select::sm), authorises_manoeuvre(1, 0)})});
+  a.push_back({"consist behind the engine", consist(0.0)});
+  a.push_back({"consist in front of the engine", consist(60.0)});
+  a.push_back({"consist not known", with([](port::Inputs& in) { in.train.consist.reset(); })});
+  a.push_back({"asks for a further manoeuvre", select(port::Select::continue_sm)});
+  a.push_back({"leaves the manoeuvre", select(port::Select::exit_sm)});
+  a.push_back({"SM authorised", authorises_manoeuvre(1, 0)});
+  a.push_back({"SM authorised in the other direction", authorises_manoeuvre(0, 800)});
+  a.push_back({"SM refused", message(5, {}, {}, 131)});
+  a.push_back({"consist length acknowledged", message(7, {}, {}, 133)});
+}
+
 }  // namespace
 
-const std::vector<Action>& actions() {
-  static const std::vector<Action> all = [] {
+const std::vector<Action>& actions(SrsVersion srs) {
+  static const std::vector<Action> of_all = [] {
     std::vector<Action> a;
     add_train(a);
     add_driver(a);
@@ -278,7 +323,12 @@ const std::vector<Action>& actions() {
     add_groups(a);
     return a;
   }();
-  return all;
+  static const std::vector<Action> of_4_0_0 = [] {
+    std::vector<Action> a = of_all;
+    add_manoeuvre(a);
+    return a;
+  }();
+  return srs == SrsVersion::v4_0_0 ? of_4_0_0 : of_all;
 }
 
 namespace {
@@ -338,6 +388,7 @@ bool goes_on(Runner& r) {
   in.train.sleeping = in.train.non_leading = in.train.passive_shunting = false;
   in.train.direction_controller = port::DirectionController::forward;
   in.national_system.available = 2;
+  in.train.consist.reset();  // with vehicles in front of the engine there are no train data (3.18.3.5)
   for (int desk = 0; desk < kDesks; ++desk) {
     in.train.desk_open = false;
     r.run(20);

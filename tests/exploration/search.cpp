@@ -16,6 +16,12 @@ namespace {
 /// What distinguishes two states: all that the driver, the train and the RBC can see but places, speeds and times.
 using View = std::vector<std::uint64_t>;
 
+/// No consist known, one behind the engine, one in front of it too.
+std::uint64_t consist_of(const port::TrainSignals& t) {
+  if (!t.consist) return 0;
+  return t.consist->front.max > Distance{} ? 2 : 1;
+}
+
 View view_of(const World& w) {
   const port::Outputs& o = w.out;
   const port::TrainSignals& t = w.in.levels.train;
@@ -41,6 +47,7 @@ View view_of(const World& w) {
     flags = flags << 1 | (b ? 1u : 0u);
   v.push_back(flags);
   v.push_back(static_cast<std::uint64_t>(t.direction_controller));
+  v.push_back(consist_of(t));
   for (const Symbol s : o.symbols) v.push_back(static_cast<std::uint64_t>(s));
   for (const auto& s : o.sessions)
     v.push_back(static_cast<std::uint64_t>(s.phase) * 8 + static_cast<std::uint64_t>(s.role));
@@ -51,7 +58,7 @@ View view_of(const World& w) {
 using Class = std::tuple<Mode, Level, std::uint64_t, std::uint64_t>;
 Class class_of(const World& w) {
   const port::TrainSignals& t = w.in.levels.train;
-  std::uint64_t signals = static_cast<std::uint64_t>(t.direction_controller);
+  std::uint64_t signals = static_cast<std::uint64_t>(t.direction_controller) * 3 + consist_of(t);
   const bool reversing = std::find(w.out.symbols.begin(), w.out.symbols.end(), Symbol::ST06) != w.out.symbols.end();
   for (const bool b : {t.desk_open, t.sleeping, t.non_leading, t.passive_shunting, reversing, w.out.EOA.has_value()})
     signals = signals << 1 | (b ? 1u : 0u);
@@ -66,7 +73,7 @@ struct Node {
 
 class Search {
  public:
-  Search(SrsVersion srs, Bounds bounds) : bounds_(bounds), watch_(srs), runner_(srs, watch_) {}
+  Search(SrsVersion srs, Bounds bounds) : bounds_(bounds), actions_(actions(srs)), watch_(srs), runner_(srs, watch_) {}
 
   Found run() {
     add(runner_.power_up(), 0, 0, 0);
@@ -113,12 +120,12 @@ class Search {
     ++times_[class_of(*world)];
     ++times_of_mode_[world->out.mode];
     ++found_.expanded;
-    for (std::size_t a = 0; a < actions().size(); ++a) {
+    for (std::size_t a = 0; a < actions_.size(); ++a) {
       auto after = std::make_unique<World>(*world);
       runner_.go_on_with(*after);
-      actions()[a].act(runner_);
+      actions_[a].act(runner_);
       ++found_.inputs;
-      note(n, actions()[a].name);
+      note(n, actions_[a].name);
       add(std::move(after), n, a, nodes_[n].depth + 1);
     }
     // From SF, IS and NP there is no way on without the power (4.6.2).
@@ -136,13 +143,14 @@ class Search {
     for (const std::string& fault : watch_.faults) {
       if (!noted_.insert(fault).second) continue;
       std::string way = last;
-      for (std::size_t at = n; at != 0; at = nodes_[at].parent) way = actions()[nodes_[at].action].name + "; " + way;
+      for (std::size_t at = n; at != 0; at = nodes_[at].parent) way = actions_[nodes_[at].action].name + "; " + way;
       found_.faults.push_back(fault + ": " + way);
     }
     watch_.faults.clear();
   }
 
   Bounds bounds_;
+  const std::vector<Action>& actions_;
   Watch watch_;
   Runner runner_;
   Found found_;
@@ -176,8 +184,9 @@ void print_way(SrsVersion srs, const std::string& way) {
       print(goes_on(runner) ? "goes on" : "does not go on");
       continue;
     }
-    const auto a = std::find_if(actions().begin(), actions().end(), [&](const Action& x) { return x.name == name; });
-    if (a == actions().end()) throw std::runtime_error("no action " + name);
+    const std::vector<Action>& all = actions(srs);
+    const auto a = std::find_if(all.begin(), all.end(), [&](const Action& x) { return x.name == name; });
+    if (a == all.end()) throw std::runtime_error("no action " + name);
     a->act(runner);
     print(name);
   }

@@ -143,8 +143,9 @@ void Runner::receive(unsigned NID_MESSAGE, Codes codes, const BitList& packets) 
   codes.try_emplace("T_TRAIN", static_cast<std::uint64_t>(world_->in.t_ms / 10));
   codes.try_emplace("NID_LRBG", lrbg ? std::uint64_t{lrbg->NID_C} << 14 | lrbg->NID_BG : 0xFFFFFFu);
   sim::CycleInputs::RadioMessage m;
-  m.bytes =
-      through_step::message_bits(*through_step::find_message("to_train", NID_MESSAGE, "2.1"), codes, packets).bytes();
+  const through_step::Json* layout = through_step::find_message("to_train", NID_MESSAGE, "2.1");
+  if (layout == nullptr) layout = through_step::find_message("to_train", NID_MESSAGE, "2.3");
+  m.bytes = through_step::message_bits(*layout, codes, packets).bytes();
   world_->in.radio.push_back(m);
   run(3);
 }

@@ -64,7 +64,8 @@ class Runner {
   void run(int cycles);
   /// A group of two balises under the antenna, the packets in the first one. A train that stands is moved over it.
   void pass(const BitList& packets, bool spoiled = false);
-  /// A message of the RBC that was called last. `codes` beside T_TRAIN and NID_LRBG.
+  /// A message of the RBC that was called last, as version 2.1 has it, or 2.3 if only that does. `codes` beside T_TRAIN
+  /// and NID_LRBG.
   void receive(unsigned NID_MESSAGE, Codes codes = {}, const BitList& packets = {});
   /// The T_TRAIN of the last message of the unit with this number, or 0.
   std::uint64_t asked(unsigned NID_MESSAGE) const;
