@@ -378,6 +378,16 @@ void driver_enters(Runner& r) {
   if (out.start_offered) select(port::Select::start)(r);
 }
 
+/// The way out of NP and SF (4.6.2).
+void switches_off_and_on(Runner& r) {
+  r.inputs().train.powered = false;
+  r.run(kAnswered);
+  r.inputs().train.powered = true;
+  r.inputs().moved = false;
+  r.world().failed = false;
+  r.run(kAnswered);
+}
+
 }  // namespace
 
 bool goes_on(Runner& r) {
@@ -385,6 +395,7 @@ bool goes_on(Runner& r) {
   constexpr int kTries = 150;  // seconds; the longest wait is that for the end of a session
   port::Inputs& in = r.inputs();
   moves(0.0, 10)(r);
+  if (r.world().failed || r.world().out.mode == Mode::SF || r.world().out.mode == Mode::NP) switches_off_and_on(r);
   in.train.sleeping = in.train.non_leading = in.train.passive_shunting = false;
   in.train.direction_controller = port::DirectionController::forward;
   in.national_system.available = 2;

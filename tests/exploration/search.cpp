@@ -128,10 +128,8 @@ class Search {
       note(n, actions_[a].name);
       add(std::move(after), n, a, nodes_[n].depth + 1);
     }
-    // From SF, IS and NP there is no way on without the power (4.6.2).
-    const Mode mode = world->out.mode;
-    if (world->failed || mode == Mode::SF || mode == Mode::IS || mode == Mode::NP || world->in.levels.train.isolated)
-      return;
+    // Out of IS no input leads (4.6.2).
+    if (world->out.mode == Mode::IS || world->in.levels.train.isolated) return;
     World after = *world;
     runner_.go_on_with(after);
     ++found_.ways_on;

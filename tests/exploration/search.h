@@ -19,7 +19,7 @@ struct Found {
   std::size_t expanded = 0, states = 0, inputs = 0, ways_on = 0;
   int depth = 0;  ///< longest way
   std::map<std::pair<std::string, std::string>, std::uint64_t> cells;
-  std::map<std::string, std::uint64_t> cycles;  ///< of each mode
+  std::map<std::string, std::uint64_t> cycles;  ///< of each mode that was visited
   std::vector<std::string> modes;               ///< of the edition
   std::vector<std::string> faults;              ///< each kind once, with the actions from power-up that lead to it
 };

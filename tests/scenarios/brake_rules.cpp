@@ -104,6 +104,12 @@ std::vector<Rule> read_rules() {
   return all;
 }
 
+/// The orientation of the train changed.
+bool train_turned(const port::Outputs& now) {
+  return std::any_of(now.events.begin(), now.events.end(),
+                     [](const port::Event& e) { return e.what == What::train_turned; });
+}
+
 /// The faults and what is seen of one cycle.
 class Look {
  public:
@@ -124,6 +130,7 @@ class Look {
       const bool late = before_.entering.has(cause);
       entered_ = late ? before_.mode : cycle_.now.mode;
       from_ = late ? before_.from : before_.mode;
+      turned_ = late ? before_.turned : train_turned(cycle_.now);
       if (changed && !late && now.has(cause) && !rule_->grey_revoked)
         entering.add(cause);  // what asks for it sees the mode in the next cycle
       else if (changed || late)
@@ -145,6 +152,7 @@ class Look {
   bool revokes() const {
     const char mark = rule_->marks[terms::index(entered_)];
     if (mark == '-' && rule_->grey_revoked) return rule_->grey_revoked->has(entered_);
+    if (mark == 'O') return turned_;
     return mark == 'R' || (mark == 'P' && from_ == Mode::PT);
   }
 
@@ -224,6 +232,7 @@ class Look {
   const std::string& place_;
   const Rule* rule_ = nullptr;  // looked at, and the mode entry that is judged
   Mode entered_ = Mode::NP, from_ = Mode::NP;
+  bool turned_ = false;
   std::vector<std::string> faults_;
 };
 
@@ -270,6 +279,7 @@ std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port
   memory.commanded = now.brake_reasons;
   memory.entering = entering;
   memory.from = memory.mode;
+  memory.turned = train_turned(now);
   memory.mode = now.mode;
   memory.level = now.level;
   memory.V_P = now.V_P;

@@ -61,6 +61,7 @@ struct Memory {
   Level level = Level::L0;
   Set<Cause> entering;  ///< commanded when `mode` was entered from mode `from`, and not judged yet
   Mode from = Mode::NP;
+  bool turned = false;  ///< the train, in the cycle in which `mode` was entered
   std::optional<Duration> standing_since;
   std::optional<Speed> V_P;  ///< displayed
 };

@@ -58,6 +58,14 @@ struct Sender {
   bool infill_unit() const { return radio::is_infill_unit(peer); }
 };
 
+/// 4.12 [2]: what braked against a movement in the orientation that the train had is revoked when SM is entered, and so
+/// is what asked for it. In SM no mode is entered: the driver acknowledges.
+void revoke_brakes_of_orientation(State& s) {
+  if (s.mode == Mode::SM) return;
+  s.guards.roll_away = s.guards.reverse_movement = {};
+  brakes::on_turn(s.brakes);
+}
+
 /// Whether the authority of an authorisation was accepted; if not, everything is as it was before, but what turning
 /// deleted.
 void tell_manoeuvre(Reception& r, const ManoeuvreBefore& before) {
@@ -68,7 +76,7 @@ void tell_manoeuvre(Reception& r, const ManoeuvreBefore& before) {
     r.out.here = here(s);
   } else if (turned) {
     r.out.train_turned = true;
-    brakes::on_turn(s.brakes);
+    revoke_brakes_of_orientation(s);
     r.log.note({.what = What::train_turned, .clause = "4.4.21"_srs});
   }
 }
