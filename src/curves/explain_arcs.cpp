@@ -9,8 +9,9 @@
 namespace evc::curves {
 namespace {
 
-/// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 for track with unknown gradient.
-std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place front) {
+/// "min(0, -5)": gradients of the profile between `rear` and `front`; 0 for track with unknown gradient, and `also`,
+/// which counts beside them.
+std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place front, const std::optional<double>& also) {
   const sdm::KnownPart k = sdm::known_part(p);
   std::string all;
   const auto add = [&](double permille) { all += (all.empty() ? "" : ", ") + short_number(permille); };
@@ -21,6 +22,7 @@ std::string gradients_under(const sdm::GradientProfile& p, Place rear, Place fro
     if (from < to && from < front && to >= rear) add(p.permille.steps[i].value);
   }
   if (k.from < front && k.to < front) add(0.0);
+  if (also) add(*also);
   return "min(" + all + ")";
 }
 
@@ -36,10 +38,14 @@ void gradient_at(ExplainPage& page, const Approached& a, const sdm::Segment& s, 
               s.grad, "o/oo", "3.13.4.1.3");
   } else {
     const Place rear = x - in.train.L_TRAIN;
-    page.step(
-        "grad",
-        fmt::format("lowest under the train: {} - L_TRAIN = {:.3f} m to {} = {:.3f} m", place, m(rear), place, m(x)),
-        gradients_under(p, rear, x), s.grad, "o/oo", "3.13.4.2.1");
+    // The default of a TSR counts under a rear that the profile does not cover, where it is a fall.
+    std::optional<double> under_rear;
+    if (a.target().due_to_TSR && p.default_for_TSR && *p.default_for_TSR < 0.0 && rear < k.from)
+      under_rear = p.default_for_TSR;
+    page.step("grad",
+              fmt::format("lowest under the train: {} - L_TRAIN = {:.3f} m to {} = {:.3f} m{}", place, m(rear), place,
+                          m(x), under_rear ? ";\nthe default gradient for TSR under its rear" : ""),
+              gradients_under(p, rear, x, under_rear), s.grad, "o/oo", under_rear ? "3.13.4.1.3" : "3.13.4.2.1");
   }
   const auto& nominal = in.train.M_rotating_nom;
   const double M = nominal ? *nominal : s.grad > 0.0 ? f.M_rotating_max : f.M_rotating_min;

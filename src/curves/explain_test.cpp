@@ -285,6 +285,22 @@ TEST(CurvesExplain, ReducedAdhesionAndTheDefaultGradient) {
   EXPECT_NEAR(value_of(unknown, "grad"), -5.0, 1e-9);
 }
 
+/// The front on the profile, the rear in rear of it: the default counts there (3.13.4.1.3), and the page says so.
+TEST(CurvesExplain, TheDefaultGradientUnderTheRear) {
+  json document = load_json(kCurves + "regional_restriction.json");
+  document["target"] = {{"type", "MRSP"}, {"location_m", 5000}, {"speed_kmh", 60}, {"due_to_TSR", true}};
+  document["track"] = {{"gradient", {{4800, 3, 5200}}}, {"default_gradient", -10}, {"mrsp", {{0, 120}}}};
+  document["train"] = {{"length_m", 400}};
+  document["query"] = {{"speeds_kmh", {80}}};
+  const std::string page = explain_text(approached(document), 80);
+  EXPECT_NE(page.find("the default gradient for TSR under its rear"), std::string::npos) << page;
+  EXPECT_NE(page.find("= min(0, 3, -10)"), std::string::npos) << page;
+  EXPECT_NEAR(value_of(page, "grad"), -10.0, 1e-9);
+  // A rise is no safe side: unknown track counts as level.
+  document["track"]["default_gradient"] = 7;
+  EXPECT_NE(explain_text(approached(document), 80).find("= min(0, 3)"), std::string::npos);
+}
+
 /// 4.0.0: every branch of A.3.12, each step computed again.
 TEST(CurvesExplain, ReducedBuildUpTimes) {
   json base = load_json(kCurves + "passenger_eoa.json");
