@@ -260,17 +260,15 @@ bool target_passed(const Cycle& c) {
   return c.s.has_MRDT && c.s.MRDT.kind == TargetKind::MRSP && c.m.max_safe_front > c.s.MRDT.d_target;
 }
 
-void use_feedback(Cycle& c) {
-  if (!c.d.time_config.feedback_available || !c.d.time_config.service_brake_available) return;
+/// In target speed monitoring, with 4.0.0 in release speed monitoring too.
+bool feedback_counts(const Cycle& c) {
+  const bool in_RSM = c.d.rules.feedback_until_CSM && c.s.monitoring == Monitoring::RSM;
+  return c.s.active && (c.s.monitoring == Monitoring::TSM || in_RSM);
+}
+
+void take_feedback(Cycle& c) {
   Supervision& s = c.s;
-  follow_pressure(s.feedback, c.m.brake_pressure_kpa, c.m.now);
   const bool until_CSM = c.d.rules.feedback_until_CSM;
-  const bool supervised =
-      s.active && (s.monitoring == Monitoring::TSM || (until_CSM && s.monitoring == Monitoring::RSM));
-  if (!supervised || (!until_CSM && target_passed(c))) {
-    reset_feedback(s.feedback, c.d.cm0.T_bs);
-    return;  // T_bs counts
-  }
   const bool may_begin = until_CSM || s.feedback.approaching;
   c.feedback.cm0 = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cm0.T_bs, c.d.fixed, may_begin);
   c.feedback.cmt = feedback_times(s.feedback, c.m.brake_pressure_kpa, c.d.cmt.T_bs, c.d.fixed, may_begin);
@@ -279,6 +277,15 @@ void use_feedback(Cycle& c) {
     s.hold_SBI = until_CSM;
   }
   s.feedback.T_bs1_previous = c.feedback.cm0->T_bs1;
+}
+
+void use_feedback(Cycle& c) {
+  if (!c.d.time_config.feedback_available || !c.d.time_config.service_brake_available) return;
+  follow_pressure(c.s.feedback, c.m.brake_pressure_kpa, c.m.now);
+  if (feedback_counts(c) && (c.d.rules.feedback_until_CSM || !target_passed(c)))
+    take_feedback(c);
+  else
+    reset_feedback(c.s.feedback, c.d.cm0.T_bs);  // T_bs counts
 }
 
 /// The state for the feedback of the next cycle.
@@ -293,6 +300,30 @@ void follow_feedback(Cycle& c, const Seen* seen, Monitoring before) {
     reset_feedback(s.feedback, c.d.cm0.T_bs);
     s.hold_P = s.hold_SBI = s.hold_target_distance = false;
   }
+}
+
+void find_times(Cycle& c) {
+  const Derived& d = c.d;
+  c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
+  c.cmt = times(d.time_config, d.cmt, c.feedback.cmt, d.rules, d.fixed);
+  c.longest_cm0 = longest_times(c.cm0, d, d.cm0);
+  c.longest_cmt = longest_times(c.cmt, d, d.cmt);
+  c.ahead = ahead_of(c, c.m.V_est);
+  if (!d.rules.reduced_build_up) return;
+  c.full_below_cm0 = full_build_up_below(d, d.cm0, c.a, c.cm0);
+  c.full_below_cmt = full_build_up_below(d, d.cmt, c.a, c.cmt);
+}
+
+/// A.3.10.4 in the cycle in which target or release speed monitoring is entered, when the driver brakes already: the
+/// values shown first are those with the feedback. Those of T_bs would be held from the next cycle on, lower than any
+/// that follow. The monitoring of this cycle was done with T_bs, the safe side.
+void show_with_feedback(Cycle& c, Seen* seen) {
+  if (!c.d.time_config.feedback_available || !c.d.time_config.service_brake_available || !feedback_counts(c)) return;
+  take_feedback(c);
+  if (!c.s.feedback.started) return;
+  find_times(c);
+  c.V_I = c.V_W = c.V_SBI = c.V_EBI = kFar;
+  for (std::size_t i = c.first; i < c.d.targets.size(); ++i) evaluate(c, i, seen[i]);
 }
 
 bool MA_request(const Cycle& c) {
@@ -335,15 +366,7 @@ void begin(Cycle& c) {
   c.list_updated = c.s.list_revision != d.revision || c.s.list_passed != c.first;
   c.V_MRSP_updated = !(c.s.V_MRSP == c.M);
   use_feedback(c);
-  c.cm0 = times(d.time_config, d.cm0, c.feedback.cm0, d.rules, d.fixed);
-  c.cmt = times(d.time_config, d.cmt, c.feedback.cmt, d.rules, d.fixed);
-  c.longest_cm0 = longest_times(c.cm0, d, d.cm0);
-  c.longest_cmt = longest_times(c.cmt, d, d.cmt);
-  c.ahead = ahead_of(c, m.V_est);
-  if (d.rules.reduced_build_up) {
-    c.full_below_cm0 = full_build_up_below(d, d.cm0, c.a, c.cm0);
-    c.full_below_cmt = full_build_up_below(d, d.cmt, c.a, c.cmt);
-  }
+  find_times(c);
   for (const Target& t : d.targets) {
     if (t.kind != TargetKind::EOA_SvL || !release(c).exists) continue;
     c.d_SvL = t.d_target;
@@ -373,6 +396,7 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
 
   const Monitoring before = s.monitoring;
   const Status status_before = s.status;
+  const bool from_ceiling = !s.active || before == Monitoring::CSM;
   const Monitoring next = next_monitoring(c, transition_conditions(c, seen.data()));
   if (s.active)
     enter(s, next);
@@ -395,6 +419,7 @@ Result supervise(Supervision& s, const Derived& d, const Motion& m) {
   out.sb = s.sb;
   out.eb = s.eb || s.eb_for_sb;
   out.highest = {s.monitoring, t.highest};
+  if (from_ceiling && s.monitoring != Monitoring::CSM) show_with_feedback(c, seen.data());
   display(c, seen.data(), out);
   out.MA_request = MA_request(c);
   out.truncated = d.truncated;

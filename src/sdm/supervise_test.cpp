@@ -976,6 +976,38 @@ TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
   }
 }
 
+/// A.3.10.4: the driver brakes already when target speed monitoring is entered. Nothing was shown of the target before,
+/// so nothing can stay: the values shown are those with the feedback, and they fall as the train runs on.
+TEST(Feedback, OnEntryTheFirstValuesShownAreThoseWithTheFeedback) {
+  for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = with_feedback(srs);
+    u.in.authority = {};
+    u.in.mrsp = {};
+    ASSERT_TRUE(u.in.mrsp.append({{-1000.0}}, {40.0}));
+    ASSERT_TRUE(u.in.mrsp.append({{5000.0}}, {15.0}));
+    u.build();
+    u.s.feedback.p0_known = true;
+    u.s.feedback.p0 = 500.0;
+    const auto cycle = [&](double x) {
+      Motion m = at(x, 30.0);
+      m.brake_pressure_kpa = 430.0;
+      return u.cycle(m);
+    };
+    double x = 1000.0;
+    for (; u.r.monitoring != Monitoring::TSM && x < 5000.0; x += 1.0) cycle(x);
+    ASSERT_EQ(u.r.monitoring, Monitoring::TSM) << "at " << x;
+    ASSERT_TRUE(u.r.d_target.has_value());
+    EXPECT_TRUE(u.s.feedback.locked);
+    const double first = u.r.d_target->si;
+    const Speed P = u.r.V_P;
+    cycle(x);
+    EXPECT_NEAR(u.r.d_target->si, first - 1.0, 1e-9) << "a value of T_bs was held";
+    EXPECT_LE(u.r.V_P, P);
+    cycle(x + 9.0);
+    EXPECT_NEAR(u.r.d_target->si, first - 10.0, 1e-9);
+  }
+}
+
 TEST(Feedback, HeldValuesAreFreeAgainOnceTheyFall) {
   for (const SrsVersion srs : {SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
     Unit u = with_feedback(srs);

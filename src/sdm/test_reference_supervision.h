@@ -77,6 +77,7 @@ class ReferenceSupervision {
   TimesAsked asked(const Target& t) const;
   TargetLimits limits_for(const Target& t, Speed V) const;
   void follow_feedback();
+  void take_pressure();
   void follow_p();
   FeedbackTimes times_by_pressure(Duration T_bs, bool may_begin);
   bool target_passed() const;
@@ -256,6 +257,11 @@ inline void ReferenceSupervision::follow_feedback() {
     feedback.cmt = FeedbackTimes{d_->cmt.T_bs, d_->cmt.T_bs};
     return;
   }
+  take_pressure();
+}
+
+inline void ReferenceSupervision::take_pressure() {
+  const Duration T_bs = d_->cm0.T_bs;
   const bool may_begin = v400() || s.feedback.approaching;
   feedback.cm0 = times_by_pressure(T_bs, may_begin);
   feedback.cmt = times_by_pressure(d_->cmt.T_bs, may_begin);
@@ -347,6 +353,7 @@ inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& 
   Result out;
   const Monitoring before = s.monitoring;
   const Status status_before = s.status;
+  const bool was_supervising_a_target = s.active && before != Monitoring::CSM;
   const Monitoring next = next_monitoring();
   if (!s.active) {
     const FeedbackState kept = s.feedback;
@@ -389,6 +396,13 @@ inline Result ReferenceSupervision::cycle(const Derived& derived, const Motion& 
   out.highest = {s.monitoring, static_cast<std::uint8_t>(met.condition)};
   out.monitoring_changed = s.monitoring != before;
   out.status_changed = s.status != status_before;
+  // A.3.10.4: on entry the first values shown are those by the pressure; the monitoring of this cycle used T_bs.
+  const bool pressure_counts = next == Monitoring::TSM || (v400() && next == Monitoring::RSM);
+  if (!was_supervising_a_target && pressure_counts && d_->time_config.feedback_available &&
+      d_->time_config.service_brake_available) {
+    take_pressure();
+    see_targets();
+  }
   show(out);
   out.MA_request = MA_request();
   out.truncated = d_->truncated;
