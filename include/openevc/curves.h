@@ -43,10 +43,27 @@ struct Explanation {
   /// are drawn.
   Place d_FLOI{}, d_W{}, d_P{}, d_I{};
 };
+/// The state of the service brake feedback (A.3.10): pressures in kPa.
+struct BrakePressure {
+  double p0 = 500.0;     // before braking
+  double p = 500.0;      // now
+  bool started = false;  // the count of a falling pressure has begun
+  bool locked = false;   // T_bs1 = 0, T_bs2 = 2 s
+  friend constexpr bool operator==(const BrakePressure&, const BrakePressure&) = default;
+};
+/// What limits may be asked for beside a given V_ura and A_est.
+struct Assumed {
+  bool V_ura_of_041 = false;  // f41 of the speed (SUBSET-041 5.3.1.2) instead of the given V_ura
+  std::optional<BrakePressure> brake_pressure;
+};
+/// T_bs1 and T_bs2 towards a target by the assumed pressure; none without a pressure and where the feedback is not
+/// available.
+std::optional<FeedbackTimes> assumed_feedback(const Derived& derived, const Target& target, const Assumed& assumed);
+
 /// Limits at speed `V`. The reduced build-up times of 4.0.0 depend on the train's front end, given by `motion`; without
 /// it, the times are those of a train about to reach its first limit.
 Explanation explain(const Derived& derived, const Inputs& in, const Target& target, Speed V, Speed V_ura,
-                    Acceleration A_est, const Motion* motion = nullptr);
+                    Acceleration A_est, const Motion* motion = nullptr, const Assumed& assumed = {});
 
 /// Speeds of one target's curves and limits at a place (3.13.9.3.3.7 ff., not iterated: the supervision
 /// limits invert to these only when V_est equals them): the speed V whose limit location is `x`, found by
@@ -57,7 +74,8 @@ struct PositionRow {
   Speed EBD, SBD, EBI, SBI, W, P, I;
 };
 PositionRow speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
-                      Acceleration A_est, Distance under_reading = {}, Distance over_reading = {});
+                      Acceleration A_est, Distance under_reading = {}, Distance over_reading = {},
+                      const Assumed& assumed = {});
 
 /// The MRSP at a place, beyond a limit of authority not above its speed (3.13.9.2.7).
 Speed ceiling_at(const Derived& derived, Place x);
@@ -65,6 +83,7 @@ Speed ceiling_at(const Derived& derived, Place x);
 /// them: never below V_target with its margins (3.13.9.3.3.7, 3.13.9.3.5.7), none for a target speed of 0; up to the
 /// SvL never below the release speed (3.13.10.4.4).
 PositionRow supervised_speeds_at(const Derived& derived, const Inputs& in, const Target& target, Place x, Speed V_ura,
-                                 Acceleration A_est, Distance under_reading = {}, Distance over_reading = {});
+                                 Acceleration A_est, Distance under_reading = {}, Distance over_reading = {},
+                                 const Assumed& assumed = {});
 
 }  // namespace evc::sdm

@@ -27,6 +27,7 @@ struct openevc_curves {
   Speed V_ura{};
   Acceleration A_est{};
   std::optional<sdm::Motion> motion;
+  sdm::Assumed assumed;
 };
 static_assert(std::is_trivially_copyable_v<openevc_curves>);
 static_assert(alignof(openevc_curves) <= evc::capi::kAlignment);
@@ -67,6 +68,7 @@ openevc_result openevc_curves_build(void* memory, size_t memory_size, const char
     c.V_ura = read->V_ura;
     c.A_est = read->A_est;
     c.motion = read->motion;
+    c.assumed = read->assumed;
     c.tag = openevc_curves::kTag;
     *curves = &c;
     return OPENEVC_OK;
@@ -77,8 +79,8 @@ openevc_result openevc_curves_at_speed(const openevc_curves* curves, double spee
                                        openevc_distances* distances) noexcept {
   if (!usable(curves) || !(speed >= 0.0 && speed <= 1000.0)) return OPENEVC_BAD_ARGUMENT;
   const openevc_curves& c = *curves;
-  const sdm::Explanation e =
-      sdm::explain(c.derived, c.inputs, c.target, Speed{speed}, c.V_ura, c.A_est, c.motion ? &*c.motion : nullptr);
+  const sdm::Explanation e = sdm::explain(c.derived, c.inputs, c.target, Speed{speed}, c.V_ura, c.A_est,
+                                          c.motion ? &*c.motion : nullptr, c.assumed);
   openevc_distances d{};
   d.A_safe = e.A_safe.si;
   d.A_expected = e.d_SBD ? e.A_expected.si : kNone;
@@ -102,7 +104,7 @@ openevc_result openevc_curves_at_position(const openevc_curves* curves, double p
   const Distance under_reading = c.motion ? c.motion->est_front - c.motion->min_safe_front : Distance{0.0};
   const Distance over_reading = c.motion ? c.motion->max_safe_front - c.motion->est_front : Distance{0.0};
   const sdm::PositionRow p = sdm::supervised_speeds_at(c.derived, c.inputs, c.target, Place{{position}}, c.V_ura,
-                                                       c.A_est, under_reading, over_reading);
+                                                       c.A_est, under_reading, over_reading, c.assumed);
   const double SBD = c.target.kind == sdm::TargetKind::EOA_SvL ? p.SBD.si : kNone;
   const openevc_speeds s{0, 0, p.EBD.si, SBD, p.EBI.si, p.SBI.si, p.W.si, p.P.si, p.I.si};
   return evc::capi::give(speeds, s) ? OPENEVC_OK : OPENEVC_BAD_ARGUMENT;

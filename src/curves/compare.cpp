@@ -114,8 +114,8 @@ Comparison compare_curves(const Approached& a, const Approached& b, const std::v
   Comparison c;
   c.name_a = a.input().name;
   c.name_b = b.input().name;
-  c.a = curves_result(a).scalars;
-  c.b = curves_result(b).scalars;
+  c.a = scalars_of(a);
+  c.b = scalars_of(b);
   for (const double v : speeds_kmh) {
     c.rows_a.push_back(speed_row(a, v));
     c.rows_b.push_back(speed_row(b, v));

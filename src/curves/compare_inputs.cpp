@@ -101,9 +101,12 @@ bool same_release_speed(const Approached& a, const Approached& b) {
   if (a.target().kind != sdm::TargetKind::EOA_SvL || b.target().kind != sdm::TargetKind::EOA_SvL) return true;
   return p.release_speed == q.release_speed && p.V_release == q.V_release && p.level_1_at_EOA == q.level_1_at_EOA;
 }
+bool same_assumed(const sdm::Assumed& a, const sdm::Assumed& b) {
+  return a.V_ura_of_041 == b.V_ura_of_041 && a.brake_pressure == b.brake_pressure;
+}
 bool same_state(const io::CurvesInput& a, const io::CurvesInput& b) {
-  return a.A_est == b.A_est && a.V_ura == b.V_ura && a.inputs.brakes == b.inputs.brakes &&
-         a.motion.has_value() == b.motion.has_value();
+  return a.A_est == b.A_est && a.V_ura == b.V_ura && same_assumed(a.assumed, b.assumed) &&
+         a.inputs.brakes == b.inputs.brakes && a.motion.has_value() == b.motion.has_value();
 }
 
 }  // namespace

@@ -56,11 +56,26 @@ bool nowhere(ExplainPage& page, const char* speed, Place place) {
 }
 
 /// T_bs1, T_bs2 and T_indication of one curve: with 4.0.0 those of EBD and SBD may differ.
-void service_brake_times(ExplainPage& page, const sdm::Derived& d, const sdm::Times& t) {
+void service_brake_times(ExplainPage& page, const Approached& a, const sdm::Times& t) {
+  const sdm::Derived& d = a.derived();
   const sdm::TimeConfig& config = d.time_config;
   const train::FixedValues& f = d.fixed;
   if (!config.service_brake_available) {
     page.step("T_bs1 = T_bs2", "0: the service brake command is not available", "", t.T_bs2.si, "s", "3.13.9.3.3.5");
+  } else if (const auto fed_back = sdm::assumed_feedback(d, a.target(), a.input().assumed)) {
+    const sdm::BrakePressure& b = *a.input().assumed.brake_pressure;
+    if (fed_back->T_bs1 < t.T_bs && fed_back->T_bs1.si > 0.0)
+      page.step("T_bs1", "T_bs * (p - p3) / (p0 - p3), p3 = p0 - 150 kPa",
+                fmt::format("{} * ({} - {}) / ({} - {})", n4(t.T_bs.si), short_number(b.p), short_number(b.p0 - 150.0),
+                            short_number(b.p0), short_number(b.p0 - 150.0)),
+                t.T_bs1.si, "s", "A.3.10.3");
+    else
+      page.step("T_bs1",
+                fed_back->T_bs1.si > 0.0 ? "T_bs: the pressure shows no braking"
+                                         : "0: locked, the pressure was p0 - 60 kPa or less",
+                "", t.T_bs1.si, "s", "A.3.10.3");
+    page.step("T_bs2", "max(T_bs1, 2 s)", fmt::format("max({}, {})", n4(t.T_bs1.si), short_number(f.T_bs2_min.si)),
+              t.T_bs2.si, "s", "A.3.10.3");
   } else if (config.feedback_available) {
     page.step("T_bs1", "T_bs: feedback available, brake not yet applied", "", t.T_bs1.si, "s", "3.13.9.3.3.4");
     page.step("T_bs2", "max(T_bs, 2 s)", fmt::format("max({}, {})", n4(t.T_bs.si), short_number(f.T_bs2_min.si)),
@@ -91,7 +106,7 @@ void times(ExplainPage& page, const Approached& a, const sdm::Explanation& e, co
   page.heading("Times");
   explain_build_up_times(page, a, e);
   if (d.rules.reduced_build_up) explain_T_bs_reduced(page, a, e, a.target().d_target, fronts_of(e).est, t.T_bs);
-  service_brake_times(page, d, t);
+  service_brake_times(page, a, t);
   if (config.traction_cut_off_interface)
     page.step("T_traction", "max(T_traction_cut_off - (T_warning + T_bs2), 0)",
               fmt::format("max({} - ({} + {}), 0)", short_number(config.T_traction_cut_off.si),
@@ -110,8 +125,11 @@ void build_up(ExplainPage& page, const Approached& a, const sdm::Explanation& e)
   const sdm::BuildUpLoss& l = e.EBD.loss;
   const std::string V_target = n4(a.target().V_target.si);
   page.heading("Speed and distance until the emergency brake has its full effort");
-  page.step("V_delta0", a.derived().Q_NVINHSMICPERM ? "0: Q_NVINHSMICPERM" : "V_ura", "", p.V_delta0.si, "m/s",
-            "3.13.9.3.2.1");
+  page.step("V_delta0",
+            a.derived().Q_NVINHSMICPERM      ? "0: Q_NVINHSMICPERM"
+            : a.input().assumed.V_ura_of_041 ? "V_ura = f41(V), SUBSET-041 5.3.1.2"
+                                             : "V_ura",
+            "", p.V_delta0.si, "m/s", "3.13.9.3.2.1");
   page.step("A_est1", "max(A_est, 0)", fmt::format("max({}, 0)", short_number(a.input().A_est.si)), p.A_est1.si, "m/s2",
             "3.13.9.3.2.8");
   page.step("A_est2", "min(A_est1, 0.4 m/s2)",
@@ -174,7 +192,12 @@ void chain(ExplainPage& page, const Approached& a, const sdm::Explanation& e, co
     with = fmt::format("min({}, {})", with, n4(a.target().d_target.from_origin.si));
   }
   page.step("d_P", formula, with, l.d_P.from_origin.si, "m", l.d_GUI ? "3.13.9.3.5.4" : "3.13.9.3.5.1");
-  page.step("d_I", "d_P - V * T_indication", minus(l.d_P, t.T_indication), l.d_I.from_origin.si, "m", "3.13.9.3.6.1");
+  if (a.derived().rules.indication_ignores_feedback &&
+      sdm::assumed_feedback(a.derived(), a.target(), a.input().assumed))
+    page.step("d_I", "as d_P - V * T_indication with T_bs1 = T_bs2 = T_bs in all its terms", "", l.d_I.from_origin.si,
+              "m", "3.13.9.3.6.5");
+  else
+    page.step("d_I", "d_P - V * T_indication", minus(l.d_P, t.T_indication), l.d_I.from_origin.si, "m", "3.13.9.3.6.1");
 }
 
 void EBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& e) {
@@ -201,7 +224,7 @@ void SBD_limits(ExplainPage& page, const Approached& a, const sdm::Explanation& 
   // If its end differs from that of the EBD, so does the time (A.3.12.2.4-5).
   if (a.derived().rules.reduced_build_up && a.target().d_EOA != a.target().d_target) {
     explain_T_bs_reduced(page, a, e, a.target().d_EOA, fronts_of(e).est, t.T_bs);
-    service_brake_times(page, a.derived(), t);
+    service_brake_times(page, a, t);
   }
   explain_arcs(page, a, sdm::CurveKind::SBD, SBD, e.approach.V);
   if (nowhere(page, "V", e.SBD->d_curve)) return;
@@ -230,14 +253,6 @@ void results(ExplainPage& page, const Approached& a, double v_kmh) {
   for (const std::string& note : a.notes()) page.line("note: " + note);
 }
 
-/// The times of both curves, as in `sdm::explain`.
-sdm::TargetTimes times_of(const Approached& a, const sdm::Explanation& e) {
-  const sdm::Derived& d = a.derived();
-  sdm::TimesAsked asked;
-  if (d.rules.reduced_build_up) asked.reduced_from = fronts_of(e);
-  return sdm::times_of(d, a.target(), e.approach, asked);
-}
-
 }  // namespace
 
 std::string explain_text(const Approached& a, double v_kmh) {
@@ -250,7 +265,7 @@ std::string explain_text(const Approached& a, double v_kmh) {
                       target.V_target.si * kKmh, c.target_location.from_origin.si);
   if (e.SBD && target.d_EOA != target.d_target)
     head += fmt::format(", SvL at {:.3f} m", target.d_target.from_origin.si);
-  const sdm::TargetTimes both = times_of(a, e);
+  const sdm::TargetTimes both = a.times_of(e);
   ExplainPage page;
   explain_brakes(page, a, e);
   explain_decelerations(page, a, e);

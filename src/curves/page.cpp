@@ -106,7 +106,7 @@ State state_at(const Approached& a, double x_m, double v_kmh) {
     m.min_safe_front = m.est_front - (given->est_front - given->min_safe_front);
   }
   m.V_est = {v_kmh / kKmh};
-  m.V_ura = a.input().V_ura;
+  m.V_ura = a.V_ura_at(Speed{v_kmh / kKmh});
   m.A_est = a.input().A_est;
   m.standstill = v_kmh <= 0.0;
   sdm::Supervision fresh;
@@ -148,7 +148,7 @@ void append_map(std::string& out, const Approached& a, const Picture& p) {
 
 std::string data_of(const Approached& a) {
   const Picture p = picture_of(a);
-  const Scalars scalars = curves_result(a).scalars;
+  const Scalars scalars = scalars_of(a);
   const io::CurvesInput& c = a.input();
   std::string out = "{";
   append_key(out, "name");

@@ -142,7 +142,7 @@ void add_marks(Picture& p, const Approached& a) {
   const bool separate = t.kind == sdm::TargetKind::EOA_SvL && t.d_EOA != t.d_target;
   p.marks.push_back({location, t.kind == sdm::TargetKind::EOA_SvL && !separate ? "EOA = SvL" : name});
   if (separate) p.marks.push_back({m(t.d_target), "SvL"});
-  const Scalars s = curves_result(a).scalars;
+  const Scalars s = scalars_of(a);
   if (s.d_perturbation_m) p.marks.push_back({location - *s.d_perturbation_m, "perturbation"});
   if (s.d_preindication_m) p.marks.push_back({location - *s.d_preindication_m, "pre-indication"});
   p.V_release_kmh = s.V_release_kmh;

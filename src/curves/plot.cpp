@@ -150,7 +150,7 @@ void legend(Svg& svg, const Picture& p, const Strip& strip) {
 
 std::string subtitle(const Approached& a) {
   const io::CurvesInput& c = a.input();
-  const Scalars s = curves_result(a).scalars;
+  const Scalars s = scalars_of(a);
   std::string text = fmt::format("{}, L_TRAIN {:g} m   |   SUBSET-026 {}   |   T_be {} s, T_bs {} s", c.train_name,
                                  c.inputs.train.L_TRAIN.si, name(c.inputs.srs), fixed(s.T_be_s, 2), fixed(s.T_bs_s, 2));
   if (c.A_est.si != 0.0) text += fmt::format("   |   A_est {:g} m/s\u00B2", c.A_est.si);

@@ -40,6 +40,7 @@ std::vector<QueryRow> LX_rows(const Approached& a) {
   std::vector<QueryRow> rows;
   const auto scratch = std::make_unique<sdm::Derived>();
   for (const io::LxQuery& q : c.LX) {
+    if (c.assumed.V_ura_of_041) motion.V_ura = train::f41(q.V_LX);
     const sdm::LxSubstitution lx = sdm::lx_substitution(c.inputs, a.derived(), q.D_LX, q.V_LX, motion, *scratch);
     rows.push_back({{"D_LX", q.D_LX.from_origin.si},
                     {"V_LX_kmh", rounded_kmh(q.V_LX)},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curves/details.h"
 #include "io/number.h"
 
 namespace evc::curves {
@@ -66,6 +67,7 @@ std::string as_json(const CurvesResult& r) {
   append_rows(out, "by_position", "position_m", &PositionRow::position_m, r.by_position, position_columns());
   append_queries_json(out, "PBD", r.PBD);
   append_queries_json(out, "LX", r.LX);
+  for (const ResultTable& table : r.details) append_json(out, table);
   if (!r.notes.empty()) {
     out += ",\n  \"notes\": [";
     for (std::size_t i = 0; i < r.notes.size(); ++i) {
@@ -100,6 +102,7 @@ std::string as_csv(const CurvesResult& r) {
   }
   append_queries_csv(out, r.PBD);
   append_queries_csv(out, r.LX);
+  for (const ResultTable& table : r.details) append_csv(out, table);
   return out;
 }
 
@@ -135,6 +138,7 @@ std::string as_table(const CurvesResult& r) {
   }
   append_queries_table(out, "permitted braking distances", r.PBD);
   append_queries_table(out, "level crossings: metres before them where their speed replaces the stop", r.LX);
+  for (const ResultTable& table : r.details) append_text(out, table);
   for (const std::string& note : r.notes) out += "note: " + note + "\n";
   return out;
 }
@@ -152,14 +156,32 @@ Approached::Approached(io::CurvesInput input, std::unique_ptr<sdm::Derived> memo
 
 sdm::Explanation Approached::explain(Speed V, const sdm::Target& target) const {
   return sdm::explain(*derived_, input_.inputs, target, V, input_.V_ura, input_.A_est,
-                      input_.motion ? &*input_.motion : nullptr);
+                      input_.motion ? &*input_.motion : nullptr, input_.assumed);
+}
+
+sdm::TargetTimes Approached::times_of(const sdm::Explanation& e) const {
+  sdm::TimesAsked asked;
+  asked.feedback = sdm::assumed_feedback(*derived_, *target_, input_.assumed);
+  if (derived_->rules.reduced_build_up) asked.reduced_from = sdm::Fronts{e.est_front, e.min_safe_front};
+  return sdm::times_of(*derived_, *target_, e.approach, asked);
 }
 
 std::optional<Place> Approached::start_of_RSM() const {
+  return start_of_RSM_at(input_.motion ? input_.motion->max_safe_front - input_.motion->est_front : Distance{0.0});
+}
+
+std::optional<Place> Approached::start_of_RSM_at(Distance over_reading) const {
   const sdm::ReleaseSpeed& r = derived_->release_speed;
   if (!r.exists || input_.target != sdm::TargetKind::EOA_SvL) return std::nullopt;
-  const Distance room = input_.motion ? input_.motion->max_safe_front - input_.motion->est_front : Distance{0.0};
-  return r.d_SBI2 - r.d_SBI1 >= room ? r.d_SBI1 : r.d_SBI2;
+  sdm::RsmStart start{r.d_SBI1, r.d_SBI2};
+  if (const auto times = sdm::assumed_feedback(*derived_, *target_, input_.assumed)) {
+    // Between trip location and SvL there may be targets with a speed above 0.
+    sdm::Feedback feedback{times, times};
+    for (const sdm::Target& t : derived_->targets)
+      (t.zero ? feedback.cm0 : feedback.cmt) = sdm::assumed_feedback(*derived_, t, input_.assumed);
+    start = sdm::rsm_start(*derived_, *target_, r.V_release, r.d_trip, r.on_board, feedback);
+  }
+  return start.d_SBI2 - start.d_SBI1 >= over_reading ? start.d_SBI1 : start.d_SBI2;
 }
 
 std::vector<std::string> Approached::notes() const {
@@ -170,6 +192,10 @@ std::vector<std::string> Approached::notes() const {
         "in rear of the SvL (3.13.9.4.8)");
   if (target_->warnings.no_deceleration)
     notes.emplace_back("the train does not decelerate everywhere (A <= 0): the curve is level there, on the safe side");
+  if (input_.assumed.brake_pressure && !sdm::assumed_feedback(*derived_, *target_, input_.assumed))
+    notes.emplace_back(
+        "the service brake feedback has no effect: it needs service_brake_feedback and service_brake_interface of the "
+        "train, Q_NVSBFBPERM and Q_NVSBTSMPERM (3.13.10.4.9)");
   if (derived_->truncated) notes.emplace_back("more elements than fit: handled on the safe side");
   return notes;
 }
@@ -228,9 +254,9 @@ const std::vector<Column<Scalars>>& scalar_columns() {
   return columns;
 }
 
-SpeedRow speed_row(const Approached& a, double v_kmh) {
-  const sdm::Explanation e = a.explain(Speed{v_kmh / kKmh});
-  const auto distance = [&](Place place) { return is_somewhere(place) ? Value(a.before_target(place)) : std::nullopt; };
+SpeedRow speed_row(const Approached& a, double v_kmh, const sdm::Target& t, Place location) {
+  const sdm::Explanation e = a.explain(Speed{v_kmh / kKmh}, t);
+  const auto distance = [&](Place place) { return is_somewhere(place) ? Value((location - place).si) : std::nullopt; };
   SpeedRow row;
   row.v_kmh = v_kmh;
   row.A_safe = e.A_safe.si;
@@ -255,44 +281,60 @@ SpeedRow speed_row(const Approached& a, double v_kmh) {
     row.P_EOA = distance(e.SBD->d_P);
     row.I_EOA = distance(e.SBD->d_I);
   }
+  return row;
+}
+
+SpeedRow speed_row(const Approached& a, double v_kmh) {
+  SpeedRow row = speed_row(a, v_kmh, a.target(), a.input().target_location);
   if (a.derived().rules.pre_indication) draw_as_the_tool(row, a);
   return row;
 }
 
-CurvesResult curves_result(const Approached& a) {
+PositionRow position_row(const Approached& a, double x_m, bool with_interval) {
   const io::CurvesInput& input = a.input();
+  const bool interval = with_interval && input.motion;
+  const Distance under_reading = interval ? input.motion->est_front - input.motion->min_safe_front : Distance{0.0};
+  const Distance over_reading = interval ? input.motion->max_safe_front - input.motion->est_front : Distance{0.0};
+  const sdm::PositionRow p = sdm::supervised_speeds_at(a.derived(), input.inputs, a.target(), Place{{x_m}}, input.V_ura,
+                                                       input.A_est, under_reading, over_reading, input.assumed);
+  PositionRow row;
+  row.position_m = x_m;
+  row.EBD = p.EBD.si * kKmh;
+  if (a.target().kind == sdm::TargetKind::EOA_SvL) row.SBD = p.SBD.si * kKmh;
+  row.EBI = p.EBI.si * kKmh;
+  row.SBI = p.SBI.si * kKmh;
+  row.W = p.W.si * kKmh;
+  row.P = p.P.si * kKmh;
+  row.I = p.I.si * kKmh;
+  return row;
+}
+
+Scalars scalars_of(const Approached& a) {
   const sdm::Derived& d = a.derived();
   const sdm::Target& t = a.target();
-  CurvesResult r;
+  Scalars s;
   const sdm::Explanation e = a.explain(Speed{0.0});
-  r.scalars.T_be_s = e.build_up.T_be.si;
-  r.scalars.T_bs_s = e.build_up.T_bs.si;
+  s.T_be_s = e.build_up.T_be.si;
+  s.T_bs_s = e.build_up.T_bs.si;
   if (t.kind == sdm::TargetKind::EOA_SvL && d.release_speed.exists)
-    r.scalars.V_release_kmh = rounded_kmh(d.release_speed.V_release);
-  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start))
-    r.scalars.d_start_RSM_m = a.before_target(*start);
-  r.scalars.d_preindication_m = least(t.d_preindication_EBD, t.d_preindication_SBD, a);
-  if (input.target != sdm::TargetKind::MRSP && !d.rules.pre_indication)
-    r.scalars.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);
+    s.V_release_kmh = rounded_kmh(d.release_speed.V_release);
+  if (const auto start = a.start_of_RSM(); start && is_somewhere(*start)) s.d_start_RSM_m = a.before_target(*start);
+  s.d_preindication_m = least(t.d_preindication_EBD, t.d_preindication_SBD, a);
+  if (a.input().target != sdm::TargetKind::MRSP && !d.rules.pre_indication)
+    s.d_perturbation_m = least(d.perturbation.from_EBD, d.perturbation.from_SBD, a);
+  return s;
+}
+
+CurvesResult curves_result(const Approached& a) {
+  const io::CurvesInput& input = a.input();
+  const sdm::Target& t = a.target();
+  CurvesResult r;
+  r.scalars = scalars_of(a);
   for (const double v : input.speeds_kmh) r.by_speed.push_back(speed_row(a, v));
-  const Distance under_reading = input.motion ? input.motion->est_front - input.motion->min_safe_front : Distance{0.0};
-  const Distance over_reading = input.motion ? input.motion->max_safe_front - input.motion->est_front : Distance{0.0};
-  for (const double x : input.positions_m) {
-    const sdm::PositionRow p = sdm::supervised_speeds_at(d, input.inputs, t, Place{{x}}, input.V_ura, input.A_est,
-                                                         under_reading, over_reading);
-    PositionRow row;
-    row.position_m = x;
-    row.EBD = p.EBD.si * kKmh;
-    if (t.kind == sdm::TargetKind::EOA_SvL) row.SBD = p.SBD.si * kKmh;
-    row.EBI = p.EBI.si * kKmh;
-    row.SBI = p.SBI.si * kKmh;
-    row.W = p.W.si * kKmh;
-    row.P = p.P.si * kKmh;
-    row.I = p.I.si * kKmh;
-    r.by_position.push_back(row);
-  }
+  for (const double x : input.positions_m) r.by_position.push_back(position_row(a, x, true));
   r.PBD = PBD_rows(a);
   r.LX = LX_rows(a);
+  r.details = detail_tables(a);
   r.separate_EOA = t.kind == sdm::TargetKind::EOA_SvL && t.d_EOA != t.d_target;
   r.notes = a.notes();
   return r;

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "curves/tables.h"
 #include "io/curves_file.h"
 #include "openevc/curves.h"
+#include "sdm/evaluate.h"
 
 namespace evc::curves {
 
@@ -27,8 +29,14 @@ class Approached {
   sdm::Explanation explain(Speed V, const sdm::Target& target) const;
   /// Metres before the target location.
   double before_target(Place place) const { return (input_.target_location - place).si; }
+  /// The speed under-reading amount at a speed: as given, or f41.
+  Speed V_ura_at(Speed V) const { return input_.assumed.V_ura_of_041 ? train::f41(V) : input_.V_ura; }
+  /// The times of both curves, as in `e`.
+  sdm::TargetTimes times_of(const sdm::Explanation& e) const;
   /// Start of release speed monitoring (3.13.9.4.9).
   std::optional<Place> start_of_RSM() const;
+  /// The same for a max safe front end this far in advance of the estimated one.
+  std::optional<Place> start_of_RSM_at(Distance over_reading) const;
   /// Notes on cases that the standard does not cover and on data that did not fit.
   std::vector<std::string> notes() const;
 
@@ -70,6 +78,7 @@ struct CurvesResult {
   std::vector<SpeedRow> by_speed;
   std::vector<PositionRow> by_position;
   std::vector<QueryRow> PBD, LX;
+  std::vector<ResultTable> details;
   std::vector<std::string> notes;
   bool separate_EOA = false;  // EOA and SvL differ: the rows have the limits of both
 };
@@ -87,6 +96,11 @@ const std::vector<Column<Scalars>>& scalar_columns();
 const std::vector<Column<SpeedRow>>& curve_columns();
 
 SpeedRow speed_row(const Approached& approached, double v_kmh);
+/// The same towards any of the targets, in metres before `location`.
+SpeedRow speed_row(const Approached& approached, double v_kmh, const sdm::Target& target, Place location);
+/// At a place of the line; with the confidence interval of the train, if it has one, or with an exactly known position.
+PositionRow position_row(const Approached& approached, double x_m, bool with_interval);
+Scalars scalars_of(const Approached& approached);
 CurvesResult curves_result(const Approached& approached);
 
 /// Speed restrictions of the permitted braking distances (3.11.11), km/h.

@@ -48,7 +48,7 @@ void beside(Workbook& w, const Approached& a) {
     Speed EBI = top;
     for (const sdm::Target& t : d.targets) {
       if (t.d_target < x) continue;
-      const sdm::PositionRow p = sdm::speeds_at(d, c.inputs, t, x, c.V_ura, c.A_est);
+      const sdm::PositionRow p = sdm::speeds_at(d, c.inputs, t, x, c.V_ura, c.A_est, {}, {}, c.assumed);
       const Speed margin = t.zero ? Speed{0.0} : sdm::dV_ebi(t.V_target, d.fixed);
       EBD = std::min(EBD, allowed(p.EBD, t.V_target, margin));
       EBI = std::min(EBI, allowed(p.EBI, t.V_target, margin));

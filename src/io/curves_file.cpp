@@ -229,11 +229,33 @@ void read_target(CurvesInput& out, const JsonPlace& target) {
   if (const auto p = target.find("Q_LOCACC_m")) a.Q_LOCACC_reference = {p->number(0.0, 63.0, "7.5.1.115"_srs)};
 }
 
+/// The state of the service brake feedback: "locked", or its pressures.
+sdm::BrakePressure read_feedback(const JsonPlace& place) {
+  sdm::BrakePressure b;
+  if (place.is_string()) {
+    if (place.string() != "locked") place.fail("\"locked\", or the pressures p0_kpa and p_kpa");
+    b.locked = true;
+    return b;
+  }
+  place.know_only({"p0_kpa", "p_kpa", "started"});
+  if (const auto p = place.find("p0_kpa")) b.p0 = p->number(400.0, 550.0, "A.3.10.2"_srs);
+  b.p = place["p_kpa"].number(0.0, 1000.0);
+  if (const auto p = place.find("started")) b.started = p->boolean();
+  return b;
+}
+
 void read_state(CurvesInput& out, const JsonPlace& state) {
   state.know_only({"A_est", "V_ura_kmh", "est_front_m", "max_safe_front_m", "min_safe_front_m", "slippery_rail",
-                   "special_brakes_active"});
+                   "special_brakes_active", "service_brake_feedback"});
+  if (const auto p = state.find("service_brake_feedback"); p && !p->is_null())
+    out.assumed.brake_pressure = read_feedback(*p);
   if (const auto p = state.find("A_est")) out.A_est = {p->number(-10.0, 10.0)};
-  if (const auto p = state.find("V_ura_kmh")) out.V_ura = {p->number(0.0, 100.0) / kKmh};
+  if (const auto p = state.find("V_ura_kmh")) {
+    if (p->is_string())
+      out.assumed.V_ura_of_041 = p->one_of({"f41"}) == 0;
+    else
+      out.V_ura = {p->number(0.0, 100.0) / kKmh};
+  }
   if (const auto p = state.find("slippery_rail")) out.inputs.conditions.slippery_rail = p->boolean();
   if (const auto p = state.find("special_brakes_active")) {
     p->know_only({"regenerative", "eddy current", "magnetic shoe", "ep", "adhesion independent"});
@@ -309,8 +331,18 @@ void read_all(std::vector<Query>& out, const JsonPlace& list, Query (*read)(cons
   for (std::size_t i = 0; i < list.size(); ++i) out.push_back(read(list[i]));
 }
 
+void read_details(CurvesInput& out, const JsonPlace& list) {
+  if (!list.is_array()) list.fail("a list");
+  CurvesDetails& d = out.details;
+  bool* const flags[] = {&d.ceilings, &d.times, &d.locations, &d.arcs, &d.targets, &d.confidence_interval};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    *flags[list[i].one_of({"ceilings", "times", "locations", "arcs", "targets", "confidence_interval"})] = true;
+  if (d.confidence_interval && !out.motion) list.fail("confidence_interval", "state.est_front_m as well");
+}
+
 void read_query(CurvesInput& out, const JsonPlace& query) {
-  query.know_only({"speeds_kmh", "positions_m", "PBD", "LX"});
+  query.know_only({"speeds_kmh", "positions_m", "PBD", "LX", "details"});
+  if (const auto p = query.find("details")) read_details(out, *p);
   if (const auto p = query.find("PBD")) read_all(out.PBD, *p, read_PBD);
   if (const auto p = query.find("LX")) read_all(out.LX, *p, read_LX);
   if (const auto p = query.find("speeds_kmh")) out.speeds_kmh = read_list(*p, 0.0, 600.0);
@@ -371,7 +403,8 @@ CurvesInput read(const JsonPlace& root) {
   in.authority.V_ura = out.V_ura;
   // Curves reach the highest V_bec of any speed asked for (3.13.9.3.2.10).
   const Acceleration A_est = std::max(out.A_est, Acceleration{0.0});
-  in.V_top = fastest(out) + out.V_ura + A_est * Duration{120.0} + Speed{100.0 / kKmh};
+  const Speed V_ura = out.assumed.V_ura_of_041 ? train::f41(fastest(out)) : out.V_ura;
+  in.V_top = fastest(out) + V_ura + A_est * Duration{120.0} + Speed{100.0 / kKmh};
   if (out.speeds_kmh.empty() && out.positions_m.empty()) {
     double top = 0.0;
     for (const auto& step : in.mrsp.steps) top = std::max(top, step.value.si * kKmh);

@@ -22,6 +22,12 @@ struct LxQuery {
   Speed V_LX{};
 };
 
+/// Tables that are computed on request (`query.details`).
+struct CurvesDetails {
+  bool ceilings = false, times = false, locations = false, arcs = false, targets = false, confidence_interval = false;
+  friend constexpr bool operator==(const CurvesDetails&, const CurvesDetails&) = default;
+};
+
 /// The query about one target: an `evc-curves/1` document.
 struct CurvesInput {
   std::string name;        // of the case: the key `name`, else the file's name
@@ -31,12 +37,15 @@ struct CurvesInput {
   Place target_location{};  // reference of distances: EOA, LOA or start of the restriction
   Acceleration A_est{};
   Speed V_ura{};
+  /// V_ura as a function of speed, and the state of the service brake feedback.
+  sdm::Assumed assumed;
   /// The train's place, if `state` gives one (the reduced build-up times of 4.0.0 depend on it).
   std::optional<sdm::Motion> motion;
   std::vector<double> speeds_kmh;
   std::vector<double> positions_m;
   std::vector<PbdQuery> PBD;
   std::vector<LxQuery> LX;
+  CurvesDetails details;
   /// Constants of the workbook model, if the document gives them (`--model workbook`).
   std::optional<WorkbookInputs> workbook;
 };

@@ -47,12 +47,26 @@ Speed speed_of(PlaceOf place, Place x, Speed V_top) {
 
 }  // namespace
 
+std::optional<FeedbackTimes> assumed_feedback(const Derived& d, const Target& t, const Assumed& assumed) {
+  if (!assumed.brake_pressure || !d.time_config.feedback_available || !d.time_config.service_brake_available)
+    return std::nullopt;
+  const BrakePressure& b = *assumed.brake_pressure;
+  FeedbackState s;
+  s.p0_known = true;
+  s.p0 = b.p0;
+  s.started = b.started;
+  s.locked = b.locked;
+  return feedback_times(s, b.p, (t.zero ? d.cm0 : d.cmt).T_bs, d.fixed);
+}
+
 Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V, Speed V_ura, Acceleration A_est,
-                    const Motion* motion) {
+                    const Motion* motion, const Assumed& assumed) {
   Explanation e;
+  if (assumed.V_ura_of_041) V_ura = train::f41(V);
   e.approach = approach(V, d.Q_NVINHSMICPERM ? Speed{0.0} : V_ura, A_est, d.fixed);
   e.build_up = t.zero ? d.cm0 : d.cmt;
   TimesAsked asked;
+  asked.feedback = assumed_feedback(d, t, assumed);
   if (d.rules.reduced_build_up) {
     if (motion != nullptr) {
       e.est_front = motion->est_front;
@@ -92,7 +106,7 @@ Explanation explain(const Derived& d, const Inputs& in, const Target& t, Speed V
 }
 
 PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura, Acceleration A_est,
-                      Distance under_reading, Distance over_reading) {
+                      Distance under_reading, Distance over_reading, const Assumed& assumed) {
   PositionRow row{};
   Motion here;
   here.est_front = x;
@@ -102,7 +116,7 @@ PositionRow speeds_at(const Derived& d, const Inputs& in, const Target& t, Place
   row.EBD = d.view(t.EBD).speed_at(x);
   if (t.kind == TargetKind::EOA_SvL) row.SBD = d.view(t.SBD).speed_at(x);
   const auto speed = [&](auto pick) {
-    return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est, &here)); }, x, top);
+    return speed_of([&](Speed V) { return pick(explain(d, in, t, V, V_ura, A_est, &here, assumed)); }, x, top);
   };
   // The limits of the EBD against the max safe front end, those of the SBD against the estimated one.
   const auto nearest = [&](const Explanation& e, Place Limits::*limit) {
@@ -129,8 +143,9 @@ Speed ceiling_at(const Derived& d, Place x) {
 }
 
 PositionRow supervised_speeds_at(const Derived& d, const Inputs& in, const Target& t, Place x, Speed V_ura,
-                                 Acceleration A_est, Distance under_reading, Distance over_reading) {
-  PositionRow row = speeds_at(d, in, t, x, V_ura, A_est, under_reading, over_reading);
+                                 Acceleration A_est, Distance under_reading, Distance over_reading,
+                                 const Assumed& assumed) {
+  PositionRow row = speeds_at(d, in, t, x, V_ura, A_est, under_reading, over_reading, assumed);
   const Speed M = ceiling_at(d, x);
   const auto within = [&](Speed limit, Speed floor, Speed ceiling) {
     return std::min(std::max(limit, floor), ceiling);

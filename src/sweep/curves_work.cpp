@@ -152,6 +152,7 @@ class CurvesWork final : public Work {
     if (!positions_) input->positions_m.clear();
     input->PBD.clear();
     input->LX.clear();
+    input->details = {};
     auto& memory = dynamic_cast<Memory&>(scratch);
     Approached approached(*std::move(input), std::move(memory.derived));
     const CurvesResult result = curves::curves_result(approached);
