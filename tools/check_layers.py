@@ -31,7 +31,9 @@ MAY_INCLUDE = {
     "sim": BELOW_KERNEL | {"texts"},
     # A line and a train file are values of the simulated world (docs/decisions): io reads them into sim's types.
     "io": BELOW_KERNEL | {"kernel", "texts", "sim"},
-    "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io"},
+    # Curves and limits of many trains at once, vectorised.
+    "batch": {"base", "terms", "train", "sdm"},
+    "curves": {"base", "terms", "train", "track", "position", "sdm", "texts", "io", "batch"},
     # Cycles by the clock and hand-over between threads, of values of any type.
     "realtime": set(),
     "run": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "realtime", "dmi", "paint"},

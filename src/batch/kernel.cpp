@@ -1,0 +1,401 @@
+#include "batch/kernel.h"
+
+#include <limits>
+
+#include "batch/tables.h"
+
+// Each set of instructions is a compilation of this file: foreach_target.h includes it again and again. SSE4 and the
+// variants of AVX-512 would bring nothing for numbers of 64 bits.
+#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "batch/kernel.cpp"
+#include <hwy/foreach_target.h>
+// It must come after it.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace evc::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<double>;
+using DI = hn::RebindToSigned<D>;
+using V = hn::Vec<D>;
+using VI = hn::Vec<DI>;
+using M = hn::Mask<D>;
+
+/// Groups of lanes that are computed in turn, so that one waits while another one is computed.
+constexpr std::size_t kUnrolled = 4;
+
+HWY_INLINE V number(double x) { return hn::Set(D(), x); }
+HWY_INLINE V at(const double* numbers, VI index) { return hn::GatherIndex(D(), numbers, index); }
+HWY_INLINE VI index_at(const double* numbers, VI index) { return hn::BitCast(DI(), at(numbers, index)); }
+HWY_INLINE VI plus(VI index, std::int64_t n) { return hn::Add(index, hn::Set(DI(), n)); }
+HWY_INLINE VI choose(M which, VI yes, VI no) { return hn::IfThenElse(hn::RebindMask(DI(), which), yes, no); }
+HWY_INLINE V choose(M which, V yes, V no) { return hn::IfThenElse(which, yes, no); }
+// The bits of std::min and std::max, also for zeros of both signs.
+HWY_INLINE V least(V a, V b) { return choose(hn::Lt(b, a), b, a); }
+HWY_INLINE V greatest(V a, V b) { return choose(hn::Lt(a, b), b, a); }
+HWY_INLINE bool any(M m) { return !hn::AllFalse(D(), m); }
+HWY_INLINE M flag(const double* of) { return hn::Gt(hn::Load(D(), of), number(0.5)); }
+
+/// A value of each case's train, or of its class of targets.
+HWY_INLINE V value_of(const Block& b, const std::int64_t* index, std::int64_t which) {
+  if (b.alike) return number(b.numbers[index[0] + which]);
+  return at(b.numbers, plus(hn::Load(DI(), index), which));
+}
+HWY_INLINE VI index_of(const Block& b, const std::int64_t* index, std::int64_t which) {
+  return hn::BitCast(DI(), value_of(b, index, which));
+}
+
+/// A curve of each lane.
+struct Curve {
+  V x, w;         // the anchor
+  VI row, first;  // rows of cells: of the segment upstream of the anchor, of the first segment
+  VI stride;      // from row to row
+  V w_top;        // the curve ends here
+};
+
+/// segment_upstream_of: the last segment that begins in rear of `x`, or the first one.
+HWY_INLINE VI segment_upstream(const Block& b, VI segments, VI count, V x) {
+  VI low = segments;
+  VI high = hn::Add(segments, hn::ShiftLeft<2>(count));
+  static_assert(kSegmentValues == 4);
+  for (std::size_t i = 0; i < b.bisections; ++i) {
+    const VI middle = hn::Add(low, hn::ShiftLeft<2>(hn::ShiftRight<3>(hn::Sub(high, low))));
+    const M in_rear = hn::Lt(at(b.numbers, middle), x);
+    low = choose(in_rear, middle, low);
+    high = choose(in_rear, high, middle);
+  }
+  return low;
+}
+
+/// The first band with an upper speed above `w`, as an offset in a row.
+HWY_INLINE VI band_above(const Block& b, VI row, V w) {
+  VI offset = hn::Set(DI(), 1);
+  for (;;) {
+    const M below = hn::Le(at(b.numbers, plus(hn::Add(row, offset), 1)), w);
+    if (!any(below)) return offset;
+    offset = choose(below, plus(offset, 2), offset);
+  }
+}
+
+/// d(V) of the curves upstream of their anchors, for the square `wanted` of the speed; the anchor for a speed not above
+/// its own. The same arcs as those of sdm::trace, and place_at on the last one: no knots are stored.
+HWY_INLINE void place_upstream(const Block& b, const Curve* curves, const V* wanted, const M* asked, V* place) {
+  V x[kUnrolled];
+  V w[kUnrolled];
+  VI row[kUnrolled];
+  VI offset[kUnrolled];
+  M open[kUnrolled];
+  const V two = number(2.0);
+  bool more = false;
+  for (std::size_t u = 0; u < kUnrolled; ++u) {
+    x[u] = curves[u].x;
+    w[u] = curves[u].w;
+    row[u] = curves[u].row;
+    offset[u] = band_above(b, row[u], w[u]);
+    place[u] = x[u];
+    open[u] = hn::And(asked[u], hn::Gt(wanted[u], w[u]));
+    more = more || any(open[u]);
+  }
+  while (more) {
+    M left = hn::Lt(two, two);
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      const V border = at(b.numbers, row[u]);
+      const VI cell = hn::Add(row[u], offset[u]);
+      const V A = at(b.numbers, cell);
+      const V upto = at(b.numbers, plus(cell, 1));
+      const V upper = least(curves[u].w_top, upto);
+      const V at_border = hn::Add(w[u], hn::Mul(two, hn::Mul(A, hn::Sub(x[u], border))));
+      const M inside = hn::Lt(at_border, upper);
+      const V w_next = choose(inside, at_border, upper);
+      // Beyond the top speed the last arc is continued.
+      const M last = hn::Or(hn::Ge(w[u], curves[u].w_top), hn::Ge(w_next, wanted[u]));
+      const V to = choose(last, wanted[u], upper);
+      const V there = hn::Sub(x[u], hn::Div(hn::Sub(to, w[u]), hn::Mul(two, A)));
+      const V x_next = choose(inside, border, greatest(border, there));
+      place[u] = choose(hn::And(open[u], last), there, place[u]);
+      open[u] = hn::AndNot(last, open[u]);
+      // Upstream of the first segment no higher speed is allowed.
+      const M crossed = hn::And(open[u], hn::Le(x_next, border));
+      const M ended = hn::And(crossed, hn::RebindMask(D(), hn::Eq(row[u], curves[u].first)));
+      place[u] = choose(ended, number(kNotAllowed), place[u]);
+      open[u] = hn::AndNot(ended, open[u]);
+      row[u] = choose(hn::AndNot(ended, crossed), hn::Sub(row[u], curves[u].stride), row[u]);
+      offset[u] = choose(hn::And(open[u], hn::Ge(w_next, upto)), plus(offset[u], 2), offset[u]);
+      x[u] = x_next;
+      w[u] = w_next;
+      left = hn::Or(left, open[u]);
+    }
+    more = any(left);
+  }
+}
+
+/// Of curves with their foot beyond the target: d(V) for speeds up to that at the anchor. `place` keeps its value for
+/// higher speeds.
+HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_foot, V wanted, V& place) {
+  const V two = number(2.0);
+  V x = c.x;
+  V w = c.w;
+  // segment_index: the segment that begins at the anchor counts.
+  const VI next_row = hn::Add(c.row, c.stride);
+  VI row = choose(hn::Le(at(b.numbers, next_row), x), next_row, c.row);
+  // band_below: the band that includes the speed.
+  VI offset = hn::Set(DI(), 1);
+  for (;;) {
+    const M below = hn::Lt(at(b.numbers, plus(hn::Add(row, offset), 1)), w);
+    if (!any(below)) break;
+    offset = choose(below, plus(offset, 2), offset);
+  }
+  const M here = hn::Le(wanted, w);
+  M open = hn::Gt(w, w_foot);
+  for (int arcs = 0; any(open) && arcs < 31; ++arcs) {
+    const VI cell = hn::Add(row, offset);
+    const V A = at(b.numbers, cell);
+    const V border = at(b.numbers, hn::Add(row, c.stride));
+    // In the lowest band this reads the begin of the segment, which is not used.
+    const V below = at(b.numbers, plus(cell, -1));
+    const M has_below = hn::RebindMask(D(), hn::Gt(offset, hn::Set(DI(), 1)));
+    const V lower = choose(has_below, greatest(w_foot, below), w_foot);
+    const V to_band = hn::Add(x, hn::Div(hn::Sub(w, lower), hn::Mul(two, A)));
+    const M in_segment = hn::Lt(to_band, border);
+    const V at_border = greatest(lower, hn::Sub(w, hn::Mul(two, hn::Mul(A, hn::Sub(border, x)))));
+    const V w_next = choose(in_segment, lower, at_border);
+    const V x_next = choose(in_segment, to_band, border);
+    const M hit = hn::And(hn::And(open, here), hn::And(hn::Gt(wanted, w_next), hn::Le(wanted, w)));
+    place = choose(hit, hn::Sub(x_next, hn::Div(hn::Sub(wanted, w_next), hn::Mul(two, A))), place);
+    row = choose(hn::AndNot(in_segment, open), hn::Add(row, c.stride), row);
+    const M band_left = hn::And(hn::And(open, has_below), hn::Le(w_next, below));
+    offset = choose(band_left, plus(offset, -2), offset);
+    x = choose(open, x_next, x);
+    w = choose(open, w_next, w);
+    open = hn::And(open, hn::Gt(w, w_foot));
+  }
+  place = choose(hn::Le(wanted, w_foot), x, place);
+  hn::Store(choose(open, number(1.0), hn::Load(D(), b.left_out.data() + i)), D(), b.left_out.data() + i);
+}
+
+HWY_INLINE void put(const Block& b, Output which, std::size_t i, M exists, V location, V place) {
+  if (b.out[which] == nullptr) return;
+  const M somewhere = hn::And(exists, hn::Gt(place, number(-1e8)));
+  const V none = number(std::numeric_limits<double>::quiet_NaN());
+  hn::Store(choose(somewhere, hn::Sub(location, place), none), D(), b.out[which] + i);
+}
+
+/// Whether one of the outputs is wanted.
+HWY_INLINE bool wanted(const Block& b, Output from, Output to) {
+  for (std::size_t k = from; k <= to; ++k)
+    if (b.out[k] != nullptr) return true;
+  return false;
+}
+
+/// The limits of an EBD or an SBD (limits_of_EBD, limits_of_SBD) from d_SBI on.
+struct Places {
+  V SBI, W, P, I;
+};
+
+/// One group of lanes: cases `i` to `i + kUnrolled * lanes`.
+HWY_INLINE void compute_group(Block& b, std::size_t i) {
+  const std::size_t N = hn::Lanes(D());
+  Curve EBD[kUnrolled];
+  V squared[kUnrolled];
+  V bec_squared[kUnrolled];
+  V D_bec[kUnrolled];
+  V w_foot[kUnrolled];
+  V d_curve[kUnrolled];
+  V d_EBD[kUnrolled];
+  V d_SBD[kUnrolled];
+  V d_GUI[kUnrolled];
+  V d_GUI_EOA[kUnrolled];
+  V d_P_foot[kUnrolled];
+  M all[kUnrolled];
+  M has_SBD[kUnrolled];
+  M has_GUI[kUnrolled];
+  const V two = number(2.0);
+  const bool limits = wanted(b, kEBI, kI_SvL);
+  const bool SBD = b.out[kSBD] != nullptr || wanted(b, kSBI1, kSBI1) || wanted(b, kFLOI, kI_EOA);
+  (void)two;
+  for (std::size_t u = 0; u < kUnrolled; ++u) {
+    const std::size_t k = i + u * N;
+    const V speed = hn::Load(D(), b.V.data() + k);
+    const V V_target = hn::Load(D(), b.V_target.data() + k);
+    all[u] = hn::Eq(speed, speed);
+    has_SBD[u] = flag(b.has_SBD.data() + k);
+    has_GUI[u] = flag(b.has_GUI.data() + k);
+    squared[u] = hn::Mul(speed, speed);
+    w_foot[u] = hn::Mul(V_target, V_target);
+    const VI first = hn::Load(DI(), b.segments.data() + k);
+    EBD[u].x = hn::Load(D(), b.d_target.data() + k);
+    EBD[u].w = hn::Load(D(), b.anchor_squared.data() + k);
+    const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), EBD[u].x);
+    EBD[u].row = index_at(b.numbers, plus(segment, kRowEBD));
+    EBD[u].first = index_at(b.numbers, plus(first, kRowEBD));
+    EBD[u].stride = index_of(b, b.values.data() + k, kStrideEBD);
+    EBD[u].w_top = value_of(b, b.values.data() + k, kTopSquared);
+    // before_emergency_effort.
+    const std::int64_t* times = b.times.data() + k;
+    const V T_traction = value_of(b, times, kTTraction);
+    const V T_berem = value_of(b, times, kTBerem);
+    const V with_error = hn::Add(speed, value_of(b, b.values.data() + k, kVDelta0));
+    const V after_traction = greatest(hn::Add(with_error, value_of(b, times, kVDelta1)), V_target);
+    const V V_bec = hn::Add(after_traction, value_of(b, times, kVDelta2));
+    bec_squared[u] = hn::Mul(V_bec, V_bec);
+    const V meanwhile = greatest(hn::Add(with_error, value_of(b, times, kHalfVDelta1)), V_target);
+    D_bec[u] = hn::Add(hn::Mul(meanwhile, T_traction),
+                       hn::Mul(hn::Add(after_traction, value_of(b, times, kHalfVDelta2)), T_berem));
+  }
+  if (limits) {
+    place_upstream(b, EBD, bec_squared, all, d_curve);
+    if (b.at_speed)
+      for (std::size_t u = 0; u < kUnrolled; ++u)
+        place_downstream(b, i + u * N, EBD[u], w_foot[u], bec_squared[u], d_curve[u]);
+  }
+  if (b.out[kEBD] != nullptr) {
+    place_upstream(b, EBD, squared, all, d_EBD);
+    if (b.at_speed)
+      for (std::size_t u = 0; u < kUnrolled; ++u)
+        place_downstream(b, i + u * N, EBD[u], w_foot[u], squared[u], d_EBD[u]);
+    for (std::size_t u = 0; u < kUnrolled; ++u)
+      put(b, kEBD, i + u * N, all[u], hn::Load(D(), b.location.data() + i + u * N), d_EBD[u]);
+  }
+  if (SBD) {
+    Curve curves[kUnrolled];
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      const std::size_t k = i + u * N;
+      const VI first = hn::Load(DI(), b.segments_EOA.data() + k);
+      curves[u] = EBD[u];
+      curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
+      curves[u].w = number(0.0);
+      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
+      curves[u].row = index_at(b.numbers, plus(segment, kRowSBD));
+      curves[u].first = index_at(b.numbers, plus(first, kRowSBD));
+      curves[u].stride = index_of(b, b.values.data() + k, kStrideSBD);
+    }
+    place_upstream(b, curves, squared, has_SBD, d_SBD);
+  }
+  if (b.guided && (b.out[kGUI] != nullptr || wanted(b, kFLOI, kI_SvL))) {
+    // 3.13.8.5.2: foot at EOA and SvL, else where P has the target speed.
+    V V_foot_squared[kUnrolled];
+    M elsewhere[kUnrolled];
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      const V V_foot = hn::Load(D(), b.V_foot.data() + i + u * N);
+      V_foot_squared[u] = hn::Mul(V_foot, V_foot);
+      elsewhere[u] = hn::AndNot(has_SBD[u], has_GUI[u]);
+    }
+    place_upstream(b, EBD, V_foot_squared, elsewhere, d_P_foot);
+    Curve curves[kUnrolled];
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      const std::size_t k = i + u * N;
+      if (b.at_speed) place_downstream(b, k, EBD[u], w_foot[u], V_foot_squared[u], d_P_foot[u]);
+      const V V_target = hn::Load(D(), b.V_target.data() + k);
+      const V V_foot = hn::Load(D(), b.V_foot.data() + k);
+      // d_P_at_target_speed.
+      const V d_EBI = hn::Sub(d_P_foot[u], hn::Mul(V_foot, value_of(b, b.times.data() + k, kTBeFoot)));
+      const V d_P = hn::Sub(d_EBI, hn::Mul(V_target, value_of(b, b.times.data() + k, kTPFoot)));
+      const VI first = hn::Load(DI(), b.segments.data() + k);
+      curves[u] = EBD[u];
+      curves[u].x = choose(elsewhere[u], d_P, EBD[u].x);
+      curves[u].w = w_foot[u];
+      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), curves[u].x);
+      // A train without guidance has no such rows: those of its EBD, for nothing.
+      curves[u].row = choose(has_GUI[u], index_at(b.numbers, plus(segment, kRowGUI)), EBD[u].row);
+      curves[u].first = choose(has_GUI[u], index_at(b.numbers, plus(first, kRowGUI)), EBD[u].first);
+      curves[u].stride = choose(has_GUI[u], index_of(b, b.values.data() + k, kStrideGUI), EBD[u].stride);
+    }
+    place_upstream(b, curves, squared, has_GUI, d_GUI);
+    M with_EOA[kUnrolled];
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      const std::size_t k = i + u * N;
+      with_EOA[u] = hn::And(has_GUI[u], has_SBD[u]);
+      const VI first = hn::Load(DI(), b.segments_EOA.data() + k);
+      curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
+      curves[u].w = number(0.0);
+      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
+      curves[u].row = choose(has_GUI[u], index_at(b.numbers, plus(segment, kRowGUI)), EBD[u].row);
+      curves[u].first = choose(has_GUI[u], index_at(b.numbers, plus(first, kRowGUI)), EBD[u].first);
+    }
+    place_upstream(b, curves, squared, with_EOA, d_GUI_EOA);
+  }
+  for (std::size_t u = 0; u < kUnrolled; ++u) {
+    const std::size_t k = i + u * N;
+    const V location = hn::Load(D(), b.location.data() + k);
+    const M guided = b.guided ? has_GUI[u] : hn::Lt(location, location);
+    put(b, kSBD, k, has_SBD[u], location, SBD ? d_SBD[u] : location);
+    if (b.guided)
+      put(b, kGUI, k, guided, location, choose(has_SBD[u], least(d_GUI[u], d_GUI_EOA[u]), d_GUI[u]));
+    else
+      put(b, kGUI, k, guided, location, location);
+    if (!limits) continue;
+    const V speed = hn::Load(D(), b.V.data() + k);
+    const std::int64_t* times = b.times.data() + k;
+    const std::int64_t* values = b.values.data() + k;
+    const V run_warning = hn::Mul(speed, value_of(b, values, kTWarning));
+    const V run_driver = hn::Mul(speed, value_of(b, values, kTDriver));
+    const V run_indication = hn::Mul(speed, value_of(b, times, kTIndication));
+    const V d_EBI = hn::Sub(d_curve[u], D_bec[u]);
+    Places e;
+    e.SBI = hn::Sub(d_EBI, hn::Mul(speed, value_of(b, times, kTBs2)));
+    e.W = hn::Sub(e.SBI, run_warning);
+    e.P = hn::Sub(e.SBI, run_driver);
+    if (b.guided) e.P = choose(guided, least(e.P, d_GUI[u]), e.P);
+    e.I = hn::Sub(e.P, run_indication);
+    put(b, kEBI, k, all[u], location, d_EBI);
+    put(b, kSBI2, k, all[u], location, e.SBI);
+    put(b, kW_SvL, k, all[u], location, e.W);
+    put(b, kP_SvL, k, all[u], location, e.P);
+    put(b, kI_SvL, k, all[u], location, e.I);
+    Places nearer = e;
+    const M capped = hn::Gt(value_of(b, values, kCapPAtTarget), number(0.5));
+    nearer.P = choose(capped, least(e.P, hn::Load(D(), b.d_target.data() + k)), e.P);
+    if (SBD) {
+      Places s;
+      s.SBI = hn::Sub(d_SBD[u], hn::Mul(speed, value_of(b, times, kTBs1)));
+      s.W = hn::Sub(s.SBI, run_warning);
+      s.P = hn::Sub(s.SBI, run_driver);
+      if (b.guided) s.P = choose(guided, least(s.P, d_GUI_EOA[u]), s.P);
+      s.I = hn::Sub(s.P, run_indication);
+      put(b, kSBI1, k, has_SBD[u], location, s.SBI);
+      put(b, kW_EOA, k, has_SBD[u], location, s.W);
+      put(b, kP_EOA, k, has_SBD[u], location, s.P);
+      put(b, kI_EOA, k, has_SBD[u], location, s.I);
+      nearer.SBI = choose(has_SBD[u], least(nearer.SBI, s.SBI), nearer.SBI);
+      nearer.W = choose(has_SBD[u], least(nearer.W, s.W), nearer.W);
+      nearer.P = choose(has_SBD[u], least(nearer.P, s.P), nearer.P);
+      nearer.I = choose(has_SBD[u], least(nearer.I, s.I), nearer.I);
+    }
+    put(b, kFLOI, k, all[u], location, nearer.SBI);
+    put(b, kW, k, all[u], location, nearer.W);
+    put(b, kP, k, all[u], location, nearer.P);
+    put(b, kI, k, all[u], location, nearer.I);
+  }
+}
+
+void compute_block(Block& b) {
+  const std::size_t group = kUnrolled * hn::Lanes(D());
+  static_assert(Block::kGroup % (kUnrolled * hn::MaxLanes(D())) == 0);
+  for (std::size_t i = 0; i < b.size; i += group) compute_group(b, i);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace evc::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace evc::batch {
+
+HWY_EXPORT(compute_block);
+
+void compute(Block& block) { HWY_DYNAMIC_DISPATCH(compute_block)(block); }
+
+std::size_t instructions(std::array<Instructions, 8>& found) {
+  std::size_t n = 0;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    if (n < found.size()) found[n++] = {target, hwy::TargetName(target)};
+  return n;
+}
+
+void use_only(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+
+}  // namespace evc::batch
+#endif

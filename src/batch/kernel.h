@@ -1,0 +1,68 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace evc::batch {
+
+/// Where each limit of a case goes.
+enum Output : std::size_t {
+  kEBD,
+  kSBD,
+  kGUI,
+  kEBI,
+  kSBI1,
+  kSBI2,
+  kFLOI,
+  kW,
+  kP,
+  kI,
+  kW_EOA,
+  kP_EOA,
+  kI_EOA,
+  kW_SvL,
+  kP_SvL,
+  kI_SvL,
+  kOutputs
+};
+
+/// Cases computed together, in arrays: of each its train, target and speed as the kernels need them. The number is
+/// rounded up to whole groups; what is behind `size` repeats a case.
+struct Block {
+  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kGroup = 32;  // the lanes of the widest vectors, unrolled, are a divisor of it
+
+  const double* numbers = nullptr;  // the tables of the trains
+  std::size_t size = 0;
+  bool alike = false;          // all have the same train and the same class of targets: `values` and `times` are equal
+  bool at_speed = false;       // some targets have a foot beyond them
+  bool guided = false;         // some have a guidance curve
+  std::size_t bisections = 0;  // steps of the search for a segment that always suffice
+
+  alignas(64) std::array<std::int64_t, kMost> values, times;    // indices in `numbers`
+  alignas(64) std::array<std::int64_t, kMost> segments, count;  // of the EBD; index of the first one, number
+  alignas(64) std::array<std::int64_t, kMost> segments_EOA, count_EOA;
+  alignas(64) std::array<double, kMost> V, V_target;
+  alignas(64) std::array<double, kMost> location;  // distances count from here
+  alignas(64) std::array<double, kMost> d_target, d_EOA;
+  alignas(64) std::array<double, kMost> anchor_squared;    // of the speed of the EBD at the target
+  alignas(64) std::array<double, kMost> has_SBD, has_GUI;  // 1 or 0
+  alignas(64) std::array<double, kMost> V_foot;            // V_target + V_delta0 of d_P(V_target), for guidance
+
+  std::array<double*, kOutputs> out{};             // of kMost values; null: not wanted
+  alignas(64) std::array<double, kMost> left_out;  // 1: more arcs than the curve may have; not computed
+};
+
+/// Computes the block with the widest instructions that the processor has.
+void compute(Block& block);
+
+/// The sets of instructions (Highway's names) that the program contains and this processor has, the widest first.
+/// `use_only` forces one of them (one bit of Highway's targets) for tests; 0: the widest one again.
+struct Instructions {
+  std::int64_t target;
+  const char* name;
+};
+std::size_t instructions(std::array<Instructions, 8>& found);
+void use_only(std::int64_t target);
+
+}  // namespace evc::batch

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <utility>
+
+#include "batch/tables.h"
+#include "sdm/limits.h"
+
+namespace evc::batch {
+namespace {
+
+constexpr Speed kMargin{100.0 / kKmh};  // of curves above the speeds of train and MRSP, as in src/sdm
+/// A curve from its foot to the anchor has at most this many arcs (src/sdm).
+constexpr std::size_t kMostArcsDownstream = 31;
+
+Speed V_top_of(const sdm::Inputs& in) {
+  Speed top = in.train.V_MAXTRAIN;
+  for (const auto& step : in.mrsp.steps) top = std::max(top, step.value);
+  return in.V_top.value_or(top + kMargin);
+}
+
+/// The same special brakes everywhere: then there is one table of bands.
+bool one_stage(const sdm::Segments& segments) {
+  return std::all_of(segments.begin(), segments.end(),
+                     [](const sdm::Segment& s) { return s.emergency == 0 && s.service == 0; });
+}
+
+bool decelerates(const sdm::Bands& bands, const sdm::Segments& segments) {
+  for (const sdm::Segment& s : segments)
+    for (const sdm::Band& b : bands)
+      if (!(sdm::deceleration(b, s).si > 0.0)) return false;
+  return true;
+}
+
+class Layout {
+ public:
+  explicit Layout(std::vector<double>& numbers) : numbers_(numbers) {}
+
+  std::int64_t here() const { return static_cast<std::int64_t>(numbers_.size()); }
+  void number(double value) { numbers_.push_back(value); }
+  void index(std::int64_t value) { numbers_.push_back(as_number(value)); }
+
+  static std::int64_t stride(const sdm::Bands& bands) { return 1 + 2 * static_cast<std::int64_t>(bands.size()); }
+
+  /// The rows of cells of all segments; returns the index of the first one.
+  std::int64_t rows(const sdm::Bands& bands, const sdm::Segments& segments) {
+    const std::int64_t first = here();
+    for (const sdm::Segment& s : segments) {
+      number(s.from.from_origin.si);
+      for (const sdm::Band& b : bands) {
+        number(sdm::deceleration(b, s).si);
+        number(b.w_upto.si);
+      }
+    }
+    number(kNowhere);
+    return first;
+  }
+
+  /// The segments with their rows; returns the index of the first one.
+  std::int64_t segments(const sdm::Decelerations& d, const sdm::Segments& segments, bool guidance) {
+    const std::int64_t EBD = rows(d.safe[0], segments);
+    const std::int64_t SBD = rows(d.expected[0], segments);
+    const std::int64_t GUI = guidance ? rows(d.normal_service[0], segments) : 0;
+    const std::int64_t first = here();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const auto n = static_cast<std::int64_t>(i);
+      number(segments[i].from.from_origin.si);
+      index(EBD + n * stride(d.safe[0]));
+      index(SBD + n * stride(d.expected[0]));
+      index(GUI + n * (guidance ? stride(d.normal_service[0]) : 0));
+    }
+    return first;
+  }
+
+ private:
+  std::vector<double>& numbers_;
+};
+
+/// In the order of TimesValue.
+void lay_times(Layout& out, const sdm::Times& t, const sdm::Approach& a, const train::FixedValues& fixed) {
+  const Speed V_delta1 = a.A_est1 * t.T_traction;
+  const Speed V_delta2 = a.A_est2 * t.T_berem;
+  for (const double value :
+       {t.T_traction.si, t.T_berem.si, t.T_bs1.si, t.T_bs2.si, t.T_indication.si, V_delta1.si, (V_delta1 / 2.0).si,
+        V_delta2.si, (V_delta2 / 2.0).si, (t.T_berem + t.T_traction).si, (fixed.T_driver + t.T_bs2).si})
+    out.number(value);
+}
+
+}  // namespace
+
+Trains::Trains() : tables_(std::make_unique<Tables>()) {}
+Trains::~Trains() = default;
+Trains::Trains(Trains&&) noexcept = default;
+Trains& Trains::operator=(Trains&&) noexcept = default;
+
+std::size_t Trains::size() const { return tables_->trains.size(); }
+bool Trains::vectorised(std::uint32_t train) const { return tables_->trains.at(train).vectorised; }
+void Trains::clear() {
+  tables_->numbers.clear();
+  tables_->trains.clear();
+}
+
+std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
+  sdm::Decelerations& d = *tables_->scratch;
+  sdm::determine(d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
+  const sdm::Rules rules = sdm::rules_of(in.srs);
+  TrainEntry entry;
+  entry.guidance = in.national_values.Q_NVGUIPERM && !d.normal_service[0].empty();
+  entry.Q_NVINHSMICPERM = in.national_values.Q_NVINHSMICPERM;
+  entry.fixed = in.fixed;
+  const sdm::Segments& TSR = d.segments_of(true);
+  const std::size_t bands = std::max({d.safe[0].size(), d.expected[0].size(), d.normal_service[0].size()});
+  const std::size_t arcs = std::max(d.segments.size(), TSR.size()) + bands;
+  entry.vectorised = !rules.reduced_build_up && arcs + kMostArcsDownstream < sdm::kMaxKnots;
+  for (const sdm::Segments* segments : {&std::as_const(d).segments, &TSR})
+    entry.vectorised = entry.vectorised && one_stage(*segments) && decelerates(d.safe[0], *segments) &&
+                       decelerates(d.expected[0], *segments) &&
+                       (!entry.guidance || decelerates(d.normal_service[0], *segments));
+  const Speed V_top = V_top_of(in);
+  if (!entry.vectorised || arcs > kMostArcsDownstream) {
+    auto whole = std::make_unique<Whole>(Whole{in, state});
+    whole->in.V_top = V_top;
+    entry.whole = std::move(whole);
+  }
+  if (entry.vectorised) {
+    Layout out(tables_->numbers);
+    entry.segments = entry.TSR = out.segments(d, d.segments, entry.guidance);
+    entry.count = entry.count_TSR = static_cast<std::int64_t>(d.segments.size());
+    if (&TSR != &d.segments) {
+      entry.TSR = out.segments(d, TSR, entry.guidance);
+      entry.count_TSR = static_cast<std::int64_t>(TSR.size());
+    }
+    entry.values = out.here();
+    const sdm::Approach a = sdm::approach({}, entry.Q_NVINHSMICPERM ? Speed{0.0} : state.V_ura, state.A_est, in.fixed);
+    // In the order of TrainValue.
+    for (const double value : {a.V_delta0.si, (V_top * V_top).si, in.fixed.T_warning.si, in.fixed.T_driver.si,
+                               rules.pre_indication ? 1.0 : 0.0})
+      out.number(value);
+    out.index(Layout::stride(d.safe[0]));
+    out.index(Layout::stride(d.expected[0]));
+    out.index(entry.guidance ? Layout::stride(d.normal_service[0]) : 0);
+    const sdm::TimeConfig config = sdm::time_config(in.train, in.national_values);
+    for (const bool zero : {true, false}) {
+      const train::BuildUpTimes build_up = train::build_up_times(in.train, in.national_values, in.brakes, zero);
+      lay_times(out, sdm::times(config, build_up, std::nullopt, rules, in.fixed), a, in.fixed);
+    }
+  }
+  tables_->trains.push_back(std::move(entry));
+  return static_cast<std::uint32_t>(tables_->trains.size() - 1);
+}
+
+}  // namespace evc::batch
