@@ -50,11 +50,49 @@ HWY_INLINE VI index_of(const Block& b, const std::int64_t* index, std::int64_t w
 
 /// A curve of each lane.
 struct Curve {
-  V x, w;         // the anchor
-  VI row, first;  // rows of cells: of the segment upstream of the anchor, of the first segment
-  VI stride;      // from row to row
-  V w_top;        // the curve ends here
+  V x, w;     // the anchor
+  VI cell;    // first one of the segment upstream of the anchor
+  VI second;  // first one of the second segment: those before it are the end of the track
+  VI stride;  // from the cells of a segment to those of the next one
+  V w_top;    // the curve ends here
 };
+
+/// What is known of a cell.
+struct Cell {
+  V A, upto, begin;
+};
+
+/// The cells of all lanes. A cell is loaded at once, and those of the lanes are transposed: gathering value by value
+/// takes twice the time of everything else.
+HWY_INLINE Cell cells_at(const double* numbers, VI cell) {
+  static_assert(kA == 0 && kUpto == 1 && kBegin == 2 && kCellValues == 4);
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+  alignas(64) std::int64_t index[hn::MaxLanes(D())];
+  hn::Store(cell, DI(), index);
+  const hn::FixedTag<double, 4> quarter;
+#if HWY_TARGET == HWY_AVX3
+  const auto load = [&](int k) HWY_ATTR {
+    return hn::Combine(D(), hn::LoadU(quarter, numbers + index[k + 4]), hn::LoadU(quarter, numbers + index[k]));
+  };
+#else
+  const auto load = [&](int k) HWY_ATTR { return hn::LoadU(quarter, numbers + index[k]); };
+#endif
+  const V c0 = load(0);
+  const V c1 = load(1);
+  const V c2 = load(2);
+  const V c3 = load(3);
+  // In blocks of two lanes: A of 0 and 1, begin of 0 and 1 (and of 4 and 5), and so on.
+  const V A_begin_01 = hn::InterleaveLower(D(), c0, c1);
+  const V A_begin_23 = hn::InterleaveLower(D(), c2, c3);
+  const V upto_01 = hn::InterleaveUpper(D(), c0, c1);
+  const V upto_23 = hn::InterleaveUpper(D(), c2, c3);
+  return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(A_begin_23), A_begin_01),
+          hn::OddEvenBlocks(hn::SwapAdjacentBlocks(upto_23), upto_01),
+          hn::OddEvenBlocks(A_begin_23, hn::SwapAdjacentBlocks(A_begin_01))};
+#else
+  return {at(numbers, cell), at(numbers, plus(cell, kUpto)), at(numbers, plus(cell, kBegin))};
+#endif
+}
 
 /// segment_upstream_of: the last segment that begins in rear of `x`, or the first one.
 HWY_INLINE VI segment_upstream(const Block& b, VI segments, VI count, V x) {
@@ -70,13 +108,14 @@ HWY_INLINE VI segment_upstream(const Block& b, VI segments, VI count, V x) {
   return low;
 }
 
-/// The first band with an upper speed above `w`, as an offset in a row.
-HWY_INLINE VI band_above(const Block& b, VI row, V w) {
-  VI offset = hn::Set(DI(), 1);
+/// The cell of the segment that begins with `cell` for the first band with an upper speed above `w`.
+HWY_INLINE VI cell_above(const Block& b, VI cell, V w) {
+  // Each band ends above 0.
+  if (hn::AllTrue(D(), hn::Le(w, number(0.0)))) return cell;
   for (;;) {
-    const M below = hn::Le(at(b.numbers, plus(hn::Add(row, offset), 1)), w);
-    if (!any(below)) return offset;
-    offset = choose(below, plus(offset, 2), offset);
+    const M below = hn::Le(at(b.numbers, plus(cell, kUpto)), w);
+    if (!any(below)) return cell;
+    cell = choose(below, plus(cell, kCellValues), cell);
   }
 }
 
@@ -85,16 +124,14 @@ HWY_INLINE VI band_above(const Block& b, VI row, V w) {
 HWY_INLINE void place_upstream(const Block& b, const Curve* curves, const V* wanted, const M* asked, V* place) {
   V x[kUnrolled];
   V w[kUnrolled];
-  VI row[kUnrolled];
-  VI offset[kUnrolled];
+  VI cell[kUnrolled];
   M open[kUnrolled];
   const V two = number(2.0);
   bool more = false;
   for (std::size_t u = 0; u < kUnrolled; ++u) {
     x[u] = curves[u].x;
     w[u] = curves[u].w;
-    row[u] = curves[u].row;
-    offset[u] = band_above(b, row[u], w[u]);
+    cell[u] = cell_above(b, curves[u].cell, w[u]);
     place[u] = x[u];
     open[u] = hn::And(asked[u], hn::Gt(wanted[u], w[u]));
     more = more || any(open[u]);
@@ -102,28 +139,25 @@ HWY_INLINE void place_upstream(const Block& b, const Curve* curves, const V* wan
   while (more) {
     M left = hn::Lt(two, two);
     for (std::size_t u = 0; u < kUnrolled; ++u) {
-      const V border = at(b.numbers, row[u]);
-      const VI cell = hn::Add(row[u], offset[u]);
-      const V A = at(b.numbers, cell);
-      const V upto = at(b.numbers, plus(cell, 1));
-      const V upper = least(curves[u].w_top, upto);
-      const V at_border = hn::Add(w[u], hn::Mul(two, hn::Mul(A, hn::Sub(x[u], border))));
+      const Cell c = cells_at(b.numbers, cell[u]);
+      const V upper = hn::Min(curves[u].w_top, c.upto);  // both above 0
+      const V at_border = hn::Add(w[u], hn::Mul(two, hn::Mul(c.A, hn::Sub(x[u], c.begin))));
       const M inside = hn::Lt(at_border, upper);
       const V w_next = choose(inside, at_border, upper);
       // Beyond the top speed the last arc is continued.
       const M last = hn::Or(hn::Ge(w[u], curves[u].w_top), hn::Ge(w_next, wanted[u]));
       const V to = choose(last, wanted[u], upper);
-      const V there = hn::Sub(x[u], hn::Div(hn::Sub(to, w[u]), hn::Mul(two, A)));
-      const V x_next = choose(inside, border, greatest(border, there));
+      const V there = hn::Sub(x[u], hn::Div(hn::Sub(to, w[u]), hn::Mul(two, c.A)));
+      const V x_next = choose(inside, c.begin, greatest(c.begin, there));
       place[u] = choose(hn::And(open[u], last), there, place[u]);
       open[u] = hn::AndNot(last, open[u]);
       // Upstream of the first segment no higher speed is allowed.
-      const M crossed = hn::And(open[u], hn::Le(x_next, border));
-      const M ended = hn::And(crossed, hn::RebindMask(D(), hn::Eq(row[u], curves[u].first)));
+      const M crossed = hn::And(open[u], hn::Le(x_next, c.begin));
+      const M ended = hn::And(crossed, hn::RebindMask(D(), hn::Lt(cell[u], curves[u].second)));
       place[u] = choose(ended, number(kNotAllowed), place[u]);
       open[u] = hn::AndNot(ended, open[u]);
-      row[u] = choose(hn::AndNot(ended, crossed), hn::Sub(row[u], curves[u].stride), row[u]);
-      offset[u] = choose(hn::And(open[u], hn::Ge(w_next, upto)), plus(offset[u], 2), offset[u]);
+      const VI upstream = choose(hn::AndNot(ended, crossed), hn::Sub(cell[u], curves[u].stride), cell[u]);
+      cell[u] = choose(hn::And(open[u], hn::Ge(w_next, c.upto)), plus(upstream, kCellValues), upstream);
       x[u] = x_next;
       w[u] = w_next;
       left = hn::Or(left, open[u]);
@@ -139,25 +173,21 @@ HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_fo
   V x = c.x;
   V w = c.w;
   // segment_index: the segment that begins at the anchor counts.
-  const VI next_row = hn::Add(c.row, c.stride);
-  VI row = choose(hn::Le(at(b.numbers, next_row), x), next_row, c.row);
+  const VI next = hn::Add(c.cell, c.stride);
+  VI cell = choose(hn::Le(at(b.numbers, plus(next, kBegin)), x), next, c.cell);
   // band_below: the band that includes the speed.
-  VI offset = hn::Set(DI(), 1);
   for (;;) {
-    const M below = hn::Lt(at(b.numbers, plus(hn::Add(row, offset), 1)), w);
+    const M below = hn::Lt(at(b.numbers, plus(cell, kUpto)), w);
     if (!any(below)) break;
-    offset = choose(below, plus(offset, 2), offset);
+    cell = choose(below, plus(cell, kCellValues), cell);
   }
   const M here = hn::Le(wanted, w);
   M open = hn::Gt(w, w_foot);
-  for (int arcs = 0; any(open) && arcs < 31; ++arcs) {
-    const VI cell = hn::Add(row, offset);
+  for (std::size_t arcs = 0; any(open) && arcs < kMostArcsDownstream; ++arcs) {
     const V A = at(b.numbers, cell);
-    const V border = at(b.numbers, hn::Add(row, c.stride));
-    // In the lowest band this reads the begin of the segment, which is not used.
-    const V below = at(b.numbers, plus(cell, -1));
-    const M has_below = hn::RebindMask(D(), hn::Gt(offset, hn::Set(DI(), 1)));
-    const V lower = choose(has_below, greatest(w_foot, below), w_foot);
+    const V border = at(b.numbers, plus(hn::Add(cell, c.stride), kBegin));
+    const V above = at(b.numbers, plus(cell, kAbove));
+    const V lower = greatest(w_foot, above);
     const V to_band = hn::Add(x, hn::Div(hn::Sub(w, lower), hn::Mul(two, A)));
     const M in_segment = hn::Lt(to_band, border);
     const V at_border = greatest(lower, hn::Sub(w, hn::Mul(two, hn::Mul(A, hn::Sub(border, x)))));
@@ -165,9 +195,8 @@ HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_fo
     const V x_next = choose(in_segment, to_band, border);
     const M hit = hn::And(hn::And(open, here), hn::And(hn::Gt(wanted, w_next), hn::Le(wanted, w)));
     place = choose(hit, hn::Sub(x_next, hn::Div(hn::Sub(wanted, w_next), hn::Mul(two, A))), place);
-    row = choose(hn::AndNot(in_segment, open), hn::Add(row, c.stride), row);
-    const M band_left = hn::And(hn::And(open, has_below), hn::Le(w_next, below));
-    offset = choose(band_left, plus(offset, -2), offset);
+    const VI downstream = choose(hn::AndNot(in_segment, open), hn::Add(cell, c.stride), cell);
+    cell = choose(hn::And(open, hn::Le(w_next, above)), plus(downstream, -kCellValues), downstream);
     x = choose(open, x_next, x);
     w = choose(open, w_next, w);
     open = hn::And(open, hn::Gt(w, w_foot));
@@ -229,9 +258,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     EBD[u].x = hn::Load(D(), b.d_target.data() + k);
     EBD[u].w = hn::Load(D(), b.anchor_squared.data() + k);
     const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), EBD[u].x);
-    EBD[u].row = index_at(b.numbers, plus(segment, kRowEBD));
-    EBD[u].first = index_at(b.numbers, plus(first, kRowEBD));
+    EBD[u].cell = index_at(b.numbers, plus(segment, kCellEBD));
     EBD[u].stride = index_of(b, b.values.data() + k, kStrideEBD);
+    EBD[u].second = hn::Add(index_at(b.numbers, plus(first, kCellEBD)), EBD[u].stride);
     EBD[u].w_top = value_of(b, b.values.data() + k, kTopSquared);
     // before_emergency_effort.
     const std::int64_t* times = b.times.data() + k;
@@ -268,9 +297,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
       curves[u].w = number(0.0);
       const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
-      curves[u].row = index_at(b.numbers, plus(segment, kRowSBD));
-      curves[u].first = index_at(b.numbers, plus(first, kRowSBD));
+      curves[u].cell = index_at(b.numbers, plus(segment, kCellSBD));
       curves[u].stride = index_of(b, b.values.data() + k, kStrideSBD);
+      curves[u].second = hn::Add(index_at(b.numbers, plus(first, kCellSBD)), curves[u].stride);
     }
     place_upstream(b, curves, squared, has_SBD, d_SBD);
   }
@@ -299,9 +328,10 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       curves[u].w = w_foot[u];
       const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), curves[u].x);
       // A train without guidance has no such rows: those of its EBD, for nothing.
-      curves[u].row = choose(has_GUI[u], index_at(b.numbers, plus(segment, kRowGUI)), EBD[u].row);
-      curves[u].first = choose(has_GUI[u], index_at(b.numbers, plus(first, kRowGUI)), EBD[u].first);
+      curves[u].cell = choose(has_GUI[u], index_at(b.numbers, plus(segment, kCellGUI)), EBD[u].cell);
       curves[u].stride = choose(has_GUI[u], index_of(b, b.values.data() + k, kStrideGUI), EBD[u].stride);
+      curves[u].second =
+          choose(has_GUI[u], hn::Add(index_at(b.numbers, plus(first, kCellGUI)), curves[u].stride), EBD[u].second);
     }
     place_upstream(b, curves, squared, has_GUI, d_GUI);
     M with_EOA[kUnrolled];
@@ -312,8 +342,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
       curves[u].w = number(0.0);
       const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
-      curves[u].row = choose(has_GUI[u], index_at(b.numbers, plus(segment, kRowGUI)), EBD[u].row);
-      curves[u].first = choose(has_GUI[u], index_at(b.numbers, plus(first, kRowGUI)), EBD[u].first);
+      curves[u].cell = choose(has_GUI[u], index_at(b.numbers, plus(segment, kCellGUI)), EBD[u].cell);
+      curves[u].second =
+          choose(has_GUI[u], hn::Add(index_at(b.numbers, plus(first, kCellGUI)), curves[u].stride), EBD[u].second);
     }
     place_upstream(b, curves, squared, with_EOA, d_GUI_EOA);
   }

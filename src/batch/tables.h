@@ -22,7 +22,7 @@ enum TrainValue : std::int64_t {
   kTWarning,
   kTDriver,
   kCapPAtTarget,  // 1 where d_P is drawn not beyond the target (3.4.0)
-  kStrideEBD,     // bits: from a row of cells to the next one
+  kStrideEBD,     // bits: from a segment's cells to those of the next one
   kStrideSBD,
   kStrideGUI,
   kTimesZero,  // the times for V_target = 0
@@ -45,13 +45,23 @@ enum TimesValue : std::int64_t {
 };
 inline constexpr std::int64_t kTrainValues = std::int64_t{kTimesZero} + 2 * kTimesValues;
 
-/// One segment: where it begins, and its rows of cells (bits).
-enum SegmentValue : std::int64_t { kFrom, kRowEBD, kRowSBD, kRowGUI, kSegmentValues };
-// A row of cells: where its segment begins, then for each speed band the deceleration and the square of the band's
-// upper speed. Behind the last row follows the begin of one more segment, which is never reached.
+/// One segment: where it begins, and its first cells (bits).
+enum SegmentValue : std::int64_t { kFrom, kCellEBD, kCellSBD, kCellGUI, kSegmentValues };
+/// One cell of constant deceleration: a speed band of a segment. Those of a segment follow one another as the bands do,
+/// the segments as on the track; a row of cells that is never reached is behind them.
+enum CellValue : std::int64_t {
+  kA,      // deceleration
+  kUpto,   // the square of the band's upper speed
+  kBegin,  // of the segment
+  kAbove,  // the square of the band's lower speed; of the lowest band minus infinity
+  kCellValues
+};
 
 inline constexpr double kNowhere = 1e9;      // as in src/sdm: beyond every track
 inline constexpr double kNotAllowed = -1e9;  // the place of a speed that is allowed nowhere
+
+/// A curve from its foot to the anchor has at most this many arcs (src/sdm).
+inline constexpr std::size_t kMostArcsDownstream = 31;
 
 /// The inputs of a train whose limits `sdm::explain` may have to compute.
 struct Whole {

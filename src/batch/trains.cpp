@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "batch/tables.h"
@@ -8,8 +9,6 @@ namespace evc::batch {
 namespace {
 
 constexpr Speed kMargin{100.0 / kKmh};  // of curves above the speeds of train and MRSP, as in src/sdm
-/// A curve from its foot to the anchor has at most this many arcs (src/sdm).
-constexpr std::size_t kMostArcsDownstream = 31;
 
 Speed V_top_of(const sdm::Inputs& in) {
   Speed top = in.train.V_MAXTRAIN;
@@ -38,27 +37,23 @@ class Layout {
   void number(double value) { numbers_.push_back(value); }
   void index(std::int64_t value) { numbers_.push_back(as_number(value)); }
 
-  static std::int64_t stride(const sdm::Bands& bands) { return 1 + 2 * static_cast<std::int64_t>(bands.size()); }
+  static std::int64_t stride(const sdm::Bands& bands) { return kCellValues * static_cast<std::int64_t>(bands.size()); }
 
-  /// The rows of cells of all segments; returns the index of the first one.
-  std::int64_t rows(const sdm::Bands& bands, const sdm::Segments& segments) {
+  /// The cells of all segments; returns the index of the first one.
+  std::int64_t cells(const sdm::Bands& bands, const sdm::Segments& segments) {
     const std::int64_t first = here();
-    for (const sdm::Segment& s : segments) {
-      number(s.from.from_origin.si);
-      for (const sdm::Band& b : bands) {
-        number(sdm::deceleration(b, s).si);
-        number(b.w_upto.si);
-      }
-    }
-    number(kNowhere);
+    for (const sdm::Segment& s : segments) row(bands, s);
+    sdm::Segment never = segments.back();
+    never.from = {{kNowhere}};
+    row(bands, never);
     return first;
   }
 
-  /// The segments with their rows; returns the index of the first one.
+  /// The segments with their cells; returns the index of the first one.
   std::int64_t segments(const sdm::Decelerations& d, const sdm::Segments& segments, bool guidance) {
-    const std::int64_t EBD = rows(d.safe[0], segments);
-    const std::int64_t SBD = rows(d.expected[0], segments);
-    const std::int64_t GUI = guidance ? rows(d.normal_service[0], segments) : 0;
+    const std::int64_t EBD = cells(d.safe[0], segments);
+    const std::int64_t SBD = cells(d.expected[0], segments);
+    const std::int64_t GUI = guidance ? cells(d.normal_service[0], segments) : 0;
     const std::int64_t first = here();
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const auto n = static_cast<std::int64_t>(i);
@@ -71,6 +66,15 @@ class Layout {
   }
 
  private:
+  /// In the order of CellValue.
+  void row(const sdm::Bands& bands, const sdm::Segment& s) {
+    double above = -std::numeric_limits<double>::infinity();
+    for (const sdm::Band& b : bands) {
+      for (const double value : {sdm::deceleration(b, s).si, b.w_upto.si, s.from.from_origin.si, above}) number(value);
+      above = b.w_upto.si;
+    }
+  }
+
   std::vector<double>& numbers_;
 };
 
