@@ -4,7 +4,7 @@
 namespace evc::io {
 
 /// The folder of the shipped data (`lines/`, `trains/`): $OPENEVC_DATA, else the one of the
-/// installed program, else that of the source tree.
+/// installed program or library that this code is in, else that of the source tree.
 std::string data_folder();
 
 /// The name of a file of this folder, from its path there.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/date_time.h"
+#include "io/input_object.h"
 #include "io/rbc_contact.h"
 #include "texts/texts.h"
 
@@ -180,22 +181,6 @@ void read_radio(CycleInputs& cycle, InputStream::Radio& radio, const JsonPlace& 
 void read_radio_infill(InputStream::Radio& radio, const JsonPlace& place) {
   place.know_only({"message", "session", "to"});
   read_radio(radio, place, true);
-}
-
-/// A cycle has room for one report of the bearer: a second one, and radio messages after it, are left for the next
-/// cycle.
-void deliver_radio(CycleInputs& cycle, InputStream::Radio& radio) {
-  for (; !radio.empty(); radio.pop_front()) {
-    if (auto* message = std::get_if<CycleInputs::RadioMessage>(&radio.front())) {
-      cycle.radio.push_back(std::move(*message));
-      continue;
-    }
-    if (cycle.levels.radio_link != RadioLink::unchanged) return;
-    const InputStream::Report& report = std::get<InputStream::Report>(radio.front());
-    cycle.levels.radio_link = report.link;
-    cycle.levels.radio_link_with = report.with;
-    cycle.levels.radio_link_of_infill_unit = report.infill_unit;
-  }
 }
 
 /// Decimal digits as BCD, left aligned, padded with F (7.5.1.92 NID_OPERATIONAL).
@@ -490,6 +475,28 @@ void read_object(CycleInputs& cycle, std::int64_t t_ms, InputStream::Radio& radi
 
 }  // namespace
 
+void read_inputs(const JsonPlace& object, std::int64_t t_ms, const Configuration& configuration,
+                 InputStream::Radio& radio, std::optional<Train>& entered, sim::CycleInputs& cycle) {
+  read_object(cycle, t_ms, radio, entered, object);
+  if (configuration.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
+    object["train"]["cab"].fail("A: the engine has one cab");
+  if (!configuration.cold_movement_detection) cycle.levels.moved.reset();
+}
+
+void deliver_radio(sim::CycleInputs& cycle, InputStream::Radio& radio) {
+  for (; !radio.empty(); radio.pop_front()) {
+    if (auto* message = std::get_if<CycleInputs::RadioMessage>(&radio.front())) {
+      cycle.radio.push_back(std::move(*message));
+      continue;
+    }
+    if (cycle.levels.radio_link != RadioLink::unchanged) return;
+    const InputStream::Report& report = std::get<InputStream::Report>(radio.front());
+    cycle.levels.radio_link = report.link;
+    cycle.levels.radio_link_with = report.with;
+    cycle.levels.radio_link_of_infill_unit = report.infill_unit;
+  }
+}
+
 Result<Configuration> read_configuration(std::string_view text, const std::string& file) {
   return guarded([&] {
     const Json document = parse_json(text, file);
@@ -558,10 +565,7 @@ void InputStream::read_ahead() {
 
 void InputStream::consume(sim::CycleInputs& cycle) {
   const JsonPlace object(pending_->object, file_, place_of_line());
-  read_object(cycle, pending_->t_ms, radio_, entered_, object);
-  if (configuration_.cabs == 1 && cycle.levels.train.cab == kernel::Cab::B)
-    object["train"]["cab"].fail("A: the engine has one cab");
-  if (!configuration_.cold_movement_detection) cycle.levels.moved.reset();
+  read_inputs(object, pending_->t_ms, configuration_, radio_, entered_, cycle);
 }
 
 Result<bool> InputStream::next(sim::CycleInputs& cycle) {

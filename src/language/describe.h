@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "io/diagnostic.h"
+
 namespace evc::language {
 
 struct DescribeOptions {
@@ -15,5 +17,10 @@ int describe_packets(const DescribeOptions& options);
 int describe_variables(const DescribeOptions& options);
 int describe_messages(const DescribeOptions& options);
 int describe_schema();
+
+/// The same texts. The error is that of the command.
+io::Result<std::string> packets_text(const DescribeOptions& options);
+io::Result<std::string> variables_text(const DescribeOptions& options);
+io::Result<std::string> messages_text(const DescribeOptions& options);
 
 }  // namespace evc::language

@@ -102,11 +102,12 @@ void Recorder::add(const sim::CycleInputs& inputs, const kernel::Outputs& output
   journey_.record(inputs, outputs, truth);
   io::append_output(records_.outputs, inputs.t_ms, outputs);
   io::append_trace(records_.trace, inputs.t_ms, outputs);
-  progress_.show((truth.front_m - world_.start_m()) / (world_.end_m() - world_.start_m()), inputs.t_ms,
-                 world_.motion().speed() * 3.6);
+  if (!progress_) return;
+  progress_->show((truth.front_m - world_.start_m()) / (world_.end_m() - world_.start_m()), inputs.t_ms,
+                  world_.motion().speed() * 3.6);
 }
 
-void drive(sim::World& world, OnBoard& on_board, Recorder& recorder) {
+void drive(sim::World& world, OnBoard& on_board, Recorder& recorder, const std::function<bool()>& stopped) {
   do {
     sim::CycleInputs& inputs = world.advance();
     const Truth truth{world.front_m(), world.radio().deliveries().size()};
@@ -114,7 +115,7 @@ void drive(sim::World& world, OnBoard& on_board, Recorder& recorder) {
     world.observe(outputs);
     recorder.add(inputs, outputs, truth);
     if (recorder.keeps_displays()) recorder.show(inputs, on_board.show());
-  } while (!world.finished());
+  } while (!world.finished() && !(stopped && stopped()));
 }
 
 RealTime drive_in_real_time(sim::World& world, OnBoard& on_board, Recorder& recorder, std::int64_t cycle_ms,

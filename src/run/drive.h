@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "io/input_stream.h"
@@ -26,10 +27,14 @@ struct Records {
 /// Keeps what every cycle of a run had and gave. `inputs.jsonl` begins with the configuration of the on-board.
 class Recorder {
  public:
+  /// Whether a terminal shows how far the run has come.
+  enum class Shows : std::uint8_t { nothing, progress };
   /// `displays`: where the display of each cycle is kept too; none for a run without a report.
   Recorder(const sim::World& world, Journey& journey, const io::Configuration& configuration,
-           DisplayLists* displays = nullptr)
-      : world_(world), journey_(journey), writer_(configuration), displays_(displays) {}
+           DisplayLists* displays = nullptr, Shows shows = Shows::progress)
+      : world_(world), journey_(journey), writer_(configuration), displays_(displays) {
+    if (shows == Shows::progress) progress_.emplace("driving");
+  }
   void add(const sim::CycleInputs& inputs, const kernel::Outputs& outputs, const Truth& truth);
   Records& records() { return records_; }
 
@@ -45,11 +50,12 @@ class Recorder {
   io::InputWriter writer_;
   DisplayLists* displays_;
   Records records_;
-  Progress progress_{"driving"};
+  std::optional<Progress> progress_;
 };
 
-/// Drives to the end: the world waits for the on-board and the on-board for the world.
-void drive(sim::World& world, OnBoard& on_board, Recorder& recorder);
+/// Drives to the end, or until `stopped` says so, which is asked after each cycle: the world waits for the on-board and
+/// the on-board for the world.
+void drive(sim::World& world, OnBoard& on_board, Recorder& recorder, const std::function<bool()>& stopped = {});
 
 /// Brake orders have to come within 1 s (SUBSET-041 5.2.1.1, 5.2.1.6, 5.2.1.13). A unit that begins a cycle later than
 /// that does not supervise any more: it has failed (4.4.5).
