@@ -51,6 +51,8 @@ MAY_INCLUDE = {
     "cab": {"base", "run", "io", "ride"},
     # Many cases of one description: threads that compute, one that writes.
     "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves"},
+    # The commands as functions of Python.
+    "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep"},
     "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},

@@ -1,0 +1,84 @@
+"""Limits of many trains, speeds and targets."""
+import os
+
+import numpy as np
+
+from . import _native
+from ._errors import end, refused
+
+DEFAULT = ("EBI", "SBI1", "SBI2", "FLOI", "W", "P", "I")
+
+
+def _table(values, what):
+    """The different trains or targets, and an array of their numbers."""
+    if isinstance(values, (str, dict, os.PathLike)) or not hasattr(values, "__len__"):
+        return [values], np.zeros((), np.uint32)
+    try:
+        objects = np.ascontiguousarray(np.array(values, dtype=object))
+    except ValueError:  # lists of different lengths
+        raise refused("limits", what, "lists of different lengths", "an array of one shape") from None
+    different, numbers = _native.table(objects)
+    return different, numbers.reshape(objects.shape)
+
+
+def _speeds(speeds):
+    try:
+        array = np.asarray(speeds)
+        if array.dtype.kind not in "fiu":
+            raise ValueError
+        array = array.astype(np.float64, copy=False)
+    except (ValueError, TypeError):
+        raise refused("limits", "speeds", f"an array of {getattr(speeds, 'dtype', type(speeds).__name__)}",
+                      "numbers, km/h") from None
+    wrong = ~((array >= 0.0) & (array <= 600.0))
+    if wrong.any():
+        place = tuple(int(i) for i in np.argwhere(wrong)[0])
+        where = f"speeds[{', '.join(map(str, place))}]" if place else "speeds"
+        raise refused("limits", where, array[place], "a number from 0.0 to 600.0")
+    return array
+
+
+def _arrays(columns, shape, out):
+    """The arrays for the results."""
+    columns = (columns,) if isinstance(columns, str) else tuple(columns)
+    arrays = {}
+    for name in columns:
+        array = None if out is None else out.get(name)
+        if array is None:
+            array = np.empty(shape)
+        elif not (isinstance(array, np.ndarray) and array.dtype == np.float64 and array.shape == shape
+                  and array.flags.c_contiguous and array.flags.writeable):
+            raise refused("limits", f"out[{name!r}]", f"{array.dtype if hasattr(array, 'dtype') else type(array).__name__}"
+                          f" {getattr(array, 'shape', '')}", f"a contiguous, writable array of float64 {shape}")
+        arrays[name] = array
+    return arrays
+
+
+def limits(trains, speeds, targets, *, columns=DEFAULT, track=None, national_values=None, fixed_values=None, state=None,
+           srs=None, out=None):
+    """Places of the supervision limits of trains that run at speeds (km/h) and approach targets, by broadcasting.
+
+    `trains`: a train (a dictionary, a file, or the name of a shipped one), or an array of them; `targets`: a target as in
+    `evc curves`, or an array of them; `track`, `national_values`, `fixed_values`, `state`, `srs`: as there, of all trains.
+    Returns an array for each name of `columns`: metres before the target, negative beyond it, not a number where there is
+    no such limit. `out`: arrays to be filled, by name. The lock of the interpreter is released meanwhile.
+    """
+    train_table, train_numbers = _table(trains, "trains")
+    target_table, target_numbers = _table(targets, "targets")
+    array = _speeds(speeds)
+    try:
+        train_numbers, array, target_numbers = np.broadcast_arrays(train_numbers, array, target_numbers)
+    except ValueError:
+        raise refused("limits", "shapes", f"trains {train_numbers.shape}, speeds {array.shape}, targets "
+                      f"{target_numbers.shape}", "shapes that NumPy broadcasts together") from None
+    arrays = _arrays(columns, array.shape, out)
+    members = {"track": track, "national_values": national_values, "fixed_values": fixed_values, "state": state,
+               "srs": srs}
+    common = {name: value for name, value in members.items() if value is not None}
+    highest = float(array.max()) if array.size else 0.0
+    done, interruption = _native.limits(train_table, train_numbers, array, target_table, target_numbers, common, arrays,
+                                        highest)
+    if done < array.size:
+        for values in arrays.values():
+            values.reshape(-1)[done:] = np.nan
+    return end(interruption, arrays)

@@ -1,0 +1,263 @@
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "io/curves_file.h"
+#include "python/bind.h"
+#include "python/interruption.h"
+#include "python/one_by_one.h"
+#include "python/values.h"
+
+// `openevc.limits`: limits of many trains, speeds and targets, with the broadcasting of NumPy.
+namespace evc::python {
+namespace {
+
+namespace batch = one_by_one;
+
+constexpr double kHighest_kmh = 600.0;
+/// Cases computed without looking for a signal: few enough for the cache, and to be done within a few milliseconds.
+constexpr std::size_t kLargestBlock = 8192;
+
+struct Column {
+  const char* name;
+  std::span<double> batch::LimitsOut::*out;
+};
+using Out = batch::LimitsOut;
+constexpr std::array<Column, 16> kColumns{{{"EBD", &Out::EBD},
+                                           {"SBD", &Out::SBD},
+                                           {"GUI", &Out::GUI},
+                                           {"EBI", &Out::EBI},
+                                           {"SBI1", &Out::SBI1},
+                                           {"SBI2", &Out::SBI2},
+                                           {"FLOI", &Out::FLOI},
+                                           {"W", &Out::W},
+                                           {"P", &Out::P},
+                                           {"I", &Out::I},
+                                           {"W_EOA", &Out::W_EOA},
+                                           {"P_EOA", &Out::P_EOA},
+                                           {"I_EOA", &Out::I_EOA},
+                                           {"W_SvL", &Out::W_SvL},
+                                           {"P_SvL", &Out::P_SvL},
+                                           {"I_SvL", &Out::I_SvL}}};
+
+/// An array of the broadcast, read element by element: its strides are 0 where it is repeated.
+template <class T>
+class Element {
+ public:
+  explicit Element(const py::array_t<T>& array)
+      : at_(reinterpret_cast<const char*>(array.data())), strides_(array.strides(), array.strides() + array.ndim()) {}
+  T value() const {
+    T value;
+    std::memcpy(&value, at_, sizeof value);
+    return value;
+  }
+  void step(std::size_t dimension, py::ssize_t count) { at_ += strides_[dimension] * count; }
+
+ private:
+  const char* at_;
+  std::vector<py::ssize_t> strides_;
+};
+
+/// The cases in the order of the memory of the results.
+class Cursor {
+ public:
+  Cursor(const py::array_t<std::uint32_t>& train, const py::array_t<double>& speed,
+         const py::array_t<std::uint32_t>& target)
+      : train_(train),
+        target_(target),
+        speed_(speed),
+        shape_(speed.shape(), speed.shape() + speed.ndim()),
+        index_(shape_.size(), 0) {}
+
+  void take(std::span<std::uint32_t> train, std::span<std::uint32_t> target, std::span<double> V) {
+    for (std::size_t i = 0; i < V.size(); ++i) {
+      train[i] = train_.value();
+      target[i] = target_.value();
+      V[i] = speed_.value() / kKmh;
+      advance();
+    }
+  }
+
+ private:
+  void step(std::size_t dimension, py::ssize_t count) {
+    train_.step(dimension, count);
+    target_.step(dimension, count);
+    speed_.step(dimension, count);
+  }
+  void advance() {
+    for (std::size_t d = shape_.size(); d-- > 0;) {
+      step(d, 1);
+      if (++index_[d] < shape_[d]) return;
+      step(d, -shape_[d]);
+      index_[d] = 0;
+    }
+  }
+
+  Element<std::uint32_t> train_, target_;
+  Element<double> speed_;
+  std::vector<py::ssize_t> shape_, index_;
+};
+
+/// Different objects of an array of objects, and for each element the number of its one.
+py::tuple table_of(const py::array& objects) {
+  if (objects.dtype().kind() != 'O' || (objects.flags() & py::array::c_style) == 0)
+    throw py::type_error("a contiguous array of objects");
+  const auto count = static_cast<std::size_t>(objects.size());
+  py::array_t<std::uint32_t> numbers(objects.size());
+  std::uint32_t* const number = numbers.mutable_data();
+  std::unordered_map<PyObject*, std::uint32_t> known;
+  py::list different;
+  PyObject* const* const object = static_cast<PyObject* const*>(objects.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0 && object[i] == object[i - 1]) {
+      number[i] = number[i - 1];
+      continue;
+    }
+    const auto [entry, is_new] = known.try_emplace(object[i], static_cast<std::uint32_t>(known.size()));
+    if (is_new) different.append(py::reinterpret_borrow<py::object>(object[i] != nullptr ? object[i] : Py_None));
+    number[i] = entry->second;
+  }
+  return py::make_tuple(different, numbers);
+}
+
+/// One query for each train and each target: what is common to all, and the train or target.
+io::CurvesInput read_query(io::Json document, const std::string& file) {
+  document["schema"] = "evc-curves/1";
+  const std::string train_file = put_named(document, "train", "trains", file);
+  put_named(document, "national_values", "national_values", file);
+  return value_of(io::curves_of(document, train_file.empty() ? file : train_file));
+}
+
+std::string place_of(const char* what, std::size_t number) {
+  return std::string(what) + "[" + std::to_string(number) + "]";
+}
+
+batch::Trains trains_of(const py::list& trains, const io::Json& common, double highest_kmh) {
+  batch::Trains table;
+  for (std::size_t i = 0; i < trains.size(); ++i) {
+    const std::string name = place_of("trains", i);
+    io::Json document = common;
+    const io::Json train = json_of(trains[i], "limits", "train", name);
+    document["train"] = train;
+    document["target"] = {{"type", "EOA_SvL"}, {"location_m", 0}};
+    document["query"] = {{"speeds_kmh", {highest_kmh}}};
+    const io::CurvesInput input = read_query(std::move(document), "limits: " + name);
+    (void)table.add(input.inputs, {input.V_ura, input.A_est, input.motion});
+  }
+  return table;
+}
+
+batch::Target target_of(const io::CurvesInput& input) {
+  batch::Target target;
+  target.kind = input.target;
+  target.location = target.SvL = input.target_location;
+  const sdm::Inputs& in = input.inputs;
+  if (target.kind == sdm::TargetKind::EOA_SvL) target.SvL = in.authority.SvL;
+  if (target.kind == sdm::TargetKind::LOA) target.V_target = in.authority.V_LOA;
+  if (target.kind != sdm::TargetKind::MRSP) return target;
+  for (std::size_t i = 0; i < in.mrsp.size(); ++i) {
+    if (in.mrsp.steps[i].from != target.location) continue;
+    target.V_target = in.mrsp.steps[i].value;
+    target.due_to_TSR = in.mrsp_due_to_TSR[i];
+  }
+  return target;
+}
+
+std::vector<batch::Target> targets_of(const py::list& targets) {
+  std::vector<batch::Target> table;
+  table.reserve(targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const std::string name = place_of("targets", i);
+    // Where every restriction is lower than the speed before it: the target alone is read.
+    table.push_back(target_of(read_query({{"train", io::Json::object()},
+                                          {"track", {{"mrsp", {{-1e7, kHighest_kmh}}}}},
+                                          {"target", json_of(targets[i], "limits", "target", name)},
+                                          {"query", {{"speeds_kmh", {0.0}}}}},
+                                         "limits: " + name)));
+  }
+  return table;
+}
+
+/// Columns to compute, with their arrays: of the shape of the broadcast, contiguous.
+std::vector<std::pair<Column, std::span<double>>> columns_of(const py::dict& out, std::size_t count) {
+  std::vector<std::pair<Column, std::span<double>>> columns;
+  for (const auto& [key, value] : out) {
+    const auto name = key.cast<std::string>();
+    const auto column = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& c) { return c.name == name; });
+    if (column == kColumns.end()) {
+      std::string all;
+      for (const Column& c : kColumns) all += (all.empty() ? "" : ", ") + std::string(c.name);
+      throw io::ReadError{{"limits", "columns", "\"" + name + "\"", "one of " + all}};
+    }
+    auto array = py::reinterpret_borrow<py::array_t<double>>(value);
+    columns.emplace_back(*column, std::span<double>(array.mutable_data(), count));
+  }
+  return columns;
+}
+
+/// Computes blocks until all cases are done or a signal ends it; returns how many are done.
+std::size_t compute(const batch::Trains& trains, std::span<const batch::Target> targets, Cursor& cursor,
+                    std::size_t count, const std::vector<std::pair<Column, std::span<double>>>& columns,
+                    Interruption& interruption) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<std::uint32_t> train(kLargestBlock), target(kLargestBlock);
+  std::vector<double> V(kLargestBlock);
+  std::size_t done = 0;
+  // Some trains are a hundred times slower than others: the first block is small.
+  for (std::size_t size = 64; done < count && !interruption.seen();) {
+    const auto begin = Clock::now();
+    const std::size_t block = std::min(size, count - done);
+    cursor.take({train.data(), block}, {target.data(), block}, {V.data(), block});
+    batch::LimitsOut out;
+    for (const auto& [column, values] : columns) out.*column.out = values.subspan(done, block);
+    batch::limits(trains, targets, {{train.data(), block}, {target.data(), block}, {V.data(), block}}, out);
+    done += block;
+    const bool fast = Clock::now() - begin < std::chrono::milliseconds(5);
+    size = fast ? std::min(2 * size, kLargestBlock) : std::max<std::size_t>(size / 2, 1);
+  }
+  return done;
+}
+
+/// `speeds` (km/h, from 0 to `highest_kmh`) and the numbers of trains and targets have the shape of the broadcast; so
+/// have the arrays of `out`. `common`: members of the query of each train. Returns how many cases are done, in the
+/// order of the memory, and the exception of a signal.
+py::tuple limits(const py::list& trains, const py::array_t<std::uint32_t>& train_numbers,
+                 const py::array_t<double>& speeds, const py::list& targets,
+                 const py::array_t<std::uint32_t>& target_numbers, const py::dict& common, const py::dict& out,
+                 double highest_kmh) {
+  const auto count = static_cast<std::size_t>(speeds.size());
+  const auto columns = columns_of(out, count);
+  const batch::Trains train_table = trains_of(trains, json_of(common, "limits"), highest_kmh);
+  const std::vector<batch::Target> target_table = targets_of(targets);
+  Cursor cursor(train_numbers, speeds, target_numbers);
+  Interruption interruption;
+  std::size_t done = 0;
+  {
+    const py::gil_scoped_release unlocked;
+    done = compute(train_table, target_table, cursor, count, columns, interruption);
+  }
+  return py::make_tuple(done, interruption.error());
+}
+
+}  // namespace
+
+void bind_limits(py::module_& module) {
+  module.def("table", table_of);
+  module.def("limits", limits);
+  py::list names;
+  for (const Column& column : kColumns) names.append(column.name);
+  module.attr("limit_names") = py::tuple(names);
+}
+
+}  // namespace evc::python

@@ -1,0 +1,46 @@
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <string_view>
+
+#include "io/json.h"
+#include "io/telegram_json.h"
+
+// Values of Python as the JSON that the readers of io take, and what they give as values of Python.
+namespace evc::python {
+
+namespace py = pybind11;
+
+/// A value of Python as JSON: None, numbers, texts, lists, tuples, dictionaries and other mappings, arrays and numbers
+/// of NumPy, names of files. `file` and the place in it are named by the error where it has something that JSON does
+/// not have. Throws io::ReadError.
+io::Json json_of(py::handle value, const std::string& file);
+/// One of several values that make one document: `key` is its member. `place`: where in the file the document is.
+io::Json json_of(py::handle value, const std::string& file, std::string_view key, const std::string& place = "");
+
+/// The text of JSON as dictionaries and lists, in the order of the text.
+py::object object_of(const std::string& json);
+
+/// The value of a result; its error becomes an InputError.
+template <class T>
+T value_of(io::Result<T> result) {
+  if (!result) throw io::ReadError{std::move(result.error())};
+  return *std::move(result);
+}
+
+/// A member that is an object or names a document: a file, relative to that of `place`, or, without a folder and
+/// without
+/// ".json", a shipped one of `folder`. The document is put in its place. The name of the file is returned, empty for an
+/// object that is given. Throws io::ReadError.
+std::string put_named(io::Json& document, const char* member, const char* folder, const std::string& file);
+
+/// An error of the ETCS language: what `evc decode` and `evc encode` print.
+struct LanguageError {
+  io::TelegramError error;
+};
+
+/// From now on the errors of readers are exceptions of Python: openevc.InputError.
+void translate_errors();
+
+}  // namespace evc::python
