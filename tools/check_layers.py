@@ -52,7 +52,7 @@ MAY_INCLUDE = {
     # Many cases of one description: threads that compute, one that writes.
     "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves"},
     # The commands as functions of Python.
-    "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep"},
+    "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep", "batch"},
     "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},

@@ -13,17 +13,15 @@
 #include <utility>
 #include <vector>
 
+#include "batch/limits.h"
 #include "io/curves_file.h"
 #include "python/bind.h"
 #include "python/interruption.h"
-#include "python/one_by_one.h"
 #include "python/values.h"
 
 // `openevc.limits`: limits of many trains, speeds and targets, with the broadcasting of NumPy.
 namespace evc::python {
 namespace {
-
-namespace batch = one_by_one;
 
 constexpr double kHighest_kmh = 600.0;
 /// Cases computed without looking for a signal: few enough for the cache, and to be done within a few milliseconds.
