@@ -54,6 +54,8 @@ MAY_INCLUDE = {
     # The commands as functions of Python.
     "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep", "batch"},
     "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
+    # The sweep by the ranks of a cluster: the program evc-mpi.
+    "cluster": {"app", "sweep", "run", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

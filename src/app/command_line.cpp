@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/standard_streams.h"
 #include "io/diagnostic.h"
 #include "io/file.h"
 
@@ -133,10 +136,9 @@ Diagnostic explain(const CLI::App& command, const std::string& name, const std::
 }
 
 /// The error of the command line, in one line. `arguments` are those of the program, without its name.
-std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error,
+std::string wrong_command_line(std::string name, const CLI::App& app, const CLI::ParseError& error,
                                const std::vector<std::string>& arguments) {
   const CLI::App* command = &app;
-  std::string name = "evc";
   std::size_t used = 0;
   // Commands are first: `evc decode radio ...`.
   for (; used < arguments.size(); ++used) {
@@ -168,21 +170,41 @@ int answer(const CLI::App& app, const CLI::ParseError& asked) {
 
 }  // namespace
 
-int run_command(int argc, char** argv, const char* version) {
-  CLI::App app{"openevc: an open ETCS on-board unit. It claims no safety integrity."};
-  app.set_version_flag("--version", version);
+int run_command(const Program& program, int argc, char** argv) {
+  CLI::App app{program.description};
+  app.set_version_flag("--version", program.version);
   app.require_subcommand(1);
   int exit_code = 0;
-  add_commands(app, exit_code);
+  program.add_commands(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are not errors; anything else is a wrong command line: one line and exit status 2.
     if (error.get_exit_code() == 0) return answer(app, error);
-    std::fputs(wrong_command_line(app, error, {argv + (argc > 0 ? 1 : 0), argv + argc}).c_str(), stderr);
+    std::fputs(wrong_command_line(program.name, app, error, {argv + (argc > 0 ? 1 : 0), argv + argc}).c_str(), stderr);
     return 2;
   }
   return exit_code;
+}
+
+int run_guarded(const char* program, const std::function<int()>& command) {
+  int exit_code = 2;
+  int write_error = 0;
+  try {
+    exit_code = command();
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: found not enough memory, expected enough for the input\n", program);
+  } catch (const std::exception& error) {
+    // fmt throws this when standard output cannot be written; anything else is a different failure.
+    const auto* failed = dynamic_cast<const std::system_error*>(&error);
+    if (failed != nullptr && std::ferror(stdout) != 0) {
+      exit_code = 0;
+      write_error = failed->code().value();
+    } else {
+      std::fprintf(stderr, "%s: found %s, expected no failure\n", program, error.what());
+    }
+  }
+  return with_all_written(exit_code, write_error);
 }
 
 }  // namespace evc::app

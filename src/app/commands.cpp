@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -367,14 +368,15 @@ void add_dmi(CLI::App& app, int& exit_code) {
   });
 }
 
-void add_sweep(CLI::App& app, int& exit_code) {
+/// `sweep` itself, without the commands below it; `begin` computes.
+CLI::App* add_sweep_itself(CLI::App& app, int& exit_code, const char* usual_threads,
+                           const std::function<int(const sweep::Options&)>& begin) {
   auto options = std::make_shared<sweep::Options>();
   auto format = std::make_shared<std::string>("sqlite");
   CLI::App* command = app.add_subcommand("sweep", "Many journeys, curves or replays from one description, into SQLite");
   CLI::Option* spec =
       command->add_option("description", options->spec, "description (evc-sweep/1); - for standard input");
-  command->add_option("-j,--threads", options->threads, "number of threads; default: one for each processor")
-      ->check(whole_number_between(1, 1024));
+  command->add_option("-j,--threads", options->threads, usual_threads)->check(whole_number_between(1, 1024));
   command->add_flag("--resume", options->resume, "compute what the results do not have yet");
   command->add_flag("--dry-run", options->dry_run, "check the description and say what would be computed");
   command->add_option("--format", *format, "sqlite or csv")
@@ -382,12 +384,18 @@ void add_sweep(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output,
                       "results; default: the name of the description with .sqlite, or standard output for csv");
-  command->callback([command, spec, options, format, &exit_code] {
+  command->callback([command, spec, options, format, begin, &exit_code] {
     if (!command->get_subcommands().empty()) return;
     if (spec->count() == 0) throw CLI::RequiredError("description");
     options->format = *format == "csv" ? sweep::Format::csv : sweep::Format::sqlite;
-    exit_code = sweep::sweep(*options);
+    exit_code = begin(*options);
   });
+  return command;
+}
+
+void add_sweep(CLI::App& app, int& exit_code) {
+  CLI::App* command = add_sweep_itself(app, exit_code, "number of threads; default: one for each processor",
+                                       [](const sweep::Options& options) { return sweep::sweep(options); });
 
   auto hashed = std::make_shared<std::string>();
   CLI::App* hash = command->add_subcommand("hash", "A hash of the rows: the same for whoever computed them");
@@ -448,6 +456,15 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_dmi(app, exit_code);
   add_cab(app, exit_code);
   add_sweep(app, exit_code);
+  refuse_empty_arguments(app);
+}
+
+void add_commands_of_ranks(CLI::App& app, int& exit_code, sweep::Computers& ranks) {
+  add_sweep_itself(app, exit_code, "number of threads of each rank; default: 1", [&ranks](const sweep::Options& given) {
+    sweep::Options options = given;
+    options.command = "evc-mpi sweep";
+    return sweep::sweep(options, ranks);
+  });
   refuse_empty_arguments(app);
 }
 

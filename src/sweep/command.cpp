@@ -8,15 +8,14 @@
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "io/file.h"
 #include "run/stop_signals.h"
 #include "run/summary.h"
+#include "sweep/computers.h"
 #include "sweep/plan.h"
 #include "sweep/progress.h"
-#include "sweep/queue.h"
 #include "sweep/report.h"
 #include "sweep/store.h"
 
@@ -116,7 +115,7 @@ class Writer {
 };
 
 /// To the end, or until a signal stops it. `csv` is the table that is written of all rows, nullptr for none.
-int compute_into(Store& store, const Plan& plan, const Options& options, const std::string& output,
+int compute_into(Store& store, const Plan& plan, Computers& computers, unsigned threads, const std::string& output,
                  io::WholeFile* csv) {
   const auto missing = store.missing();
   if (!missing) return complain(missing.error());
@@ -124,14 +123,17 @@ int compute_into(Store& store, const Plan& plan, const Options& options, const s
   if (!before) return complain(before.error());
   const std::uint64_t all = plan.spec().cases;
   Todo todo(*missing);
-  const auto most = static_cast<unsigned>(std::min<std::uint64_t>(todo.left(), 1024));
-  const unsigned wanted = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   Writer writer(store, *before, all);
   {
     const run::StopSignals signals;
-    if (most > 0)
-      compute(plan, todo, std::min(wanted, most),
-              [&](std::vector<Row>&& rows) { return writer.take(rows) && !signals.seen(); });
+    // After a signal what is finished is kept at once: who asked for the end may not wait long.
+    const auto take = [&](std::vector<Row>&& rows) {
+      const bool written = writer.take(rows);
+      if (!signals.seen()) return written;
+      (void)writer.commit();
+      return false;
+    };
+    if (todo.left() > 0) computers.compute(plan, todo, threads, take);
     (void)writer.commit();
   }
   writer.progress().clear();
@@ -153,6 +155,11 @@ int compute_into(Store& store, const Plan& plan, const Options& options, const s
 }  // namespace
 
 int sweep(const Options& options) {
+  Threads threads;
+  return sweep(options, threads);
+}
+
+int sweep(const Options& options, Computers& computers) {
   const auto plan = load(options.spec);
   if (!plan) return complain(plan.error());
   if (options.dry_run) {
@@ -160,10 +167,11 @@ int sweep(const Options& options) {
     return 0;
   }
   const bool csv = options.format == Format::csv;
-  if (csv && options.resume) return complain({"evc sweep", "", "--resume with --format csv", "--format sqlite"});
+  if (csv && options.resume) return complain({options.command, "", "--resume with --format csv", "--format sqlite"});
   const std::string output = !options.output.empty() ? options.output : csv ? "-" : results_of(options.spec);
   if (const auto apart = io::not_the_input(options.spec, output); !apart) return complain(apart.error());
-  if (!csv && output == "-") return complain({"evc sweep", "-o", "standard output", "a file: SQLite"});
+  if (!csv && output == "-") return complain({options.command, "-o", "standard output", "a file: SQLite"});
+  if (const auto prepared = computers.prepare(**plan); !prepared) return complain(prepared.error());
   // Where the table cannot be written is said before anything is computed.
   std::optional<io::WholeFile> table;
   if (csv) {
@@ -174,7 +182,7 @@ int sweep(const Options& options) {
   const auto how = csv ? Store::Open::in_memory : options.resume ? Store::Open::resumed : Store::Open::created;
   const auto store = Store::open(output, how, **plan, EVC_VERSION);
   if (!store) return complain(store.error());
-  return compute_into(**store, **plan, options, output, table ? &*table : nullptr);
+  return compute_into(**store, **plan, computers, options.threads, output, table ? &*table : nullptr);
 }
 
 int hash(const std::string& results) {

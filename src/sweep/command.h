@@ -6,6 +6,8 @@
 // for wrong input or a file that cannot be written, with one line on standard error.
 namespace evc::sweep {
 
+class Computers;
+
 enum class Format : std::uint8_t { sqlite, csv };
 
 struct Options {
@@ -15,9 +17,11 @@ struct Options {
   bool resume = false;   ///< goes on with the results that are there
   bool dry_run = false;  ///< checks the spec and says what would be computed
   Format format = Format::sqlite;
+  std::string command = "evc sweep";  ///< its name in messages
 };
-/// Computes the cases that are missing.
+/// Computes the cases that are missing: by threads of this process, or by others.
 int sweep(const Options& options);
+int sweep(const Options& options, Computers& computers);
 
 /// Prints the hash of the rows: the same for the same spec, whoever computed them in whatever order.
 int hash(const std::string& results);

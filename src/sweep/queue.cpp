@@ -42,25 +42,39 @@ void work_through(const Plan& plan, Todo& todo, Rows& rows) {
 }  // namespace
 
 Todo::Todo(const std::vector<Range>& ranges) {
-  for (const Range& range : ranges)
-    if (range.first < range.end) ranges_.push_back(range);
+  for (const Range& range : ranges) add(range);
+  close();
+}
+
+void Todo::add(Range range) {
+  if (range.first >= range.end) return;
+  const std::lock_guard lock(mutex_);
+  ranges_.push_back(range);
+  left_ += range.end - range.first;
+  changed_.notify_all();
+}
+
+void Todo::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+  changed_.notify_all();
 }
 
 std::optional<Range> Todo::take(std::uint64_t most) {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return closed_ || !ranges_.empty(); });
   if (ranges_.empty() || most == 0) return std::nullopt;
   Range& next = ranges_.front();
   const Range taken{next.first, next.first + std::min(most, next.end - next.first)};
   next.first = taken.end;
+  left_ -= taken.end - taken.first;
   if (next.first == next.end) ranges_.pop_front();
   return taken;
 }
 
 std::uint64_t Todo::left() const {
   const std::lock_guard lock(mutex_);
-  std::uint64_t left = 0;
-  for (const Range& range : ranges_) left += range.end - range.first;
-  return left;
+  return left_;
 }
 
 bool Rows::put(std::vector<Row>&& rows) {
@@ -72,9 +86,9 @@ bool Rows::put(std::vector<Row>&& rows) {
   return true;
 }
 
-std::optional<std::vector<Row>> Rows::take() {
+std::optional<std::vector<Row>> Rows::take(std::chrono::milliseconds wait) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return closed_ || !blocks_.empty(); });
+  changed_.wait_for(lock, wait, [this] { return closed_ || !blocks_.empty(); });
   if (blocks_.empty()) return std::nullopt;
   std::vector<Row> rows = std::move(blocks_.front());
   blocks_.pop_front();
@@ -88,7 +102,7 @@ void Rows::close() {
   changed_.notify_all();
 }
 
-void compute(const Plan& plan, Todo& todo, unsigned threads, const std::function<bool(std::vector<Row>&&)>& take) {
+void compute(const Plan& plan, Todo& todo, unsigned threads, const Take& take, std::chrono::milliseconds idle) {
   Rows rows(4 * threads);
   std::atomic<unsigned> working = threads;
   std::mutex failing;
@@ -100,6 +114,7 @@ void compute(const Plan& plan, Todo& todo, unsigned threads, const std::function
       const std::lock_guard lock(failing);
       failure = std::current_exception();
       rows.close();
+      todo.close();
     }
     if (--working == 0) (void)rows.put({});  // wakes the caller
   };
@@ -107,15 +122,19 @@ void compute(const Plan& plan, Todo& todo, unsigned threads, const std::function
     std::vector<std::jthread> pool;
     struct Closing {  // before the threads are waited for, also when `take` throws
       Rows& rows;
-      ~Closing() { rows.close(); }
+      Todo& todo;
+      ~Closing() {
+        rows.close();
+        todo.close();
+      }
     };
     pool.reserve(threads);
-    const Closing closing{rows};
+    const Closing closing{rows, todo};
     for (unsigned i = 0; i < threads; ++i) pool.emplace_back(thread);
     bool wanted = true;
     for (bool last = false; wanted && !last;) {
       last = working == 0;  // what is finished is there now
-      auto block = rows.take();
+      auto block = rows.take(idle);
       if (block && !block->empty()) last = false;
       wanted = take(block ? *std::move(block) : std::vector<Row>());
     }

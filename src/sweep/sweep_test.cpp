@@ -82,6 +82,34 @@ TEST(Todo, every_number_is_handed_out_once) {
   EXPECT_EQ(todo.take(1), std::nullopt);
 }
 
+// A rank of a cluster gets its numbers while its threads compute.
+TEST(Todo, numbers_that_come_later_are_waited_for) {
+  Todo todo;
+  std::vector<Range> taken;
+  {
+    const std::jthread taking([&] {
+      while (const auto range = todo.take(10)) taken.push_back(*range);
+    });
+    todo.add({0, 15});
+    todo.add({20, 20});  // none
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    todo.add({30, 31});
+    todo.close();
+  }
+  EXPECT_EQ(taken, (std::vector<Range>{{0, 10}, {10, 15}, {30, 31}}));
+  EXPECT_EQ(todo.left(), 0U);
+}
+
+TEST(Compute, threads_that_wait_for_numbers_end_with_the_caller) {
+  const auto plan = plan_of(curves_spec(100));
+  ASSERT_TRUE(plan);
+  Todo todo;  // none ever come
+  int calls = 0;
+  compute(
+      *plan, todo, 3, [&](std::vector<Row>&&) { return ++calls < 3; }, std::chrono::milliseconds(1));
+  EXPECT_EQ(calls, 3);
+}
+
 TEST(Compute, the_same_table_for_any_number_of_threads) {
   for (const std::string& spec : {curves_spec(2000), run_spec()}) {
     const auto plan = plan_of(spec);
