@@ -33,11 +33,6 @@ struct Composer {
   bool since(std::uint8_t X, std::uint8_t Y) const { return version >= lang::SystemVersion{X, Y}; }
 };
 
-/// X = 1 has no passive shunting, versions up to 2.1 no automatic driving (6.6.3.4.5 [1a], 6.6.5.3.7 [1a]).
-std::uint8_t M_MODE_for(std::uint8_t M_MODE, const Composer& c) {
-  if (c.version_1() && M_MODE == evc::M_MODE(Mode::PS)) return evc::M_MODE(Mode::SH);
-  return !c.since(2, 2) && M_MODE == kAutomaticDriving ? evc::M_MODE(Mode::FS) : M_MODE;
-}
 /// X = 3 has no level 3: what was ordered as such is level 2 (6.6.3.4.5 [1b]).
 std::uint8_t M_LEVEL_for(std::uint8_t M_LEVEL, const Composer& c) {
   return c.since(3, 0) && M_LEVEL == evc::M_LEVEL(Level::L3) ? evc::M_LEVEL(Level::L2) : M_LEVEL;
@@ -63,7 +58,7 @@ P position_packet(const Composer& c) {
   constexpr std::uint8_t kStandstill = 127;
   p.V_TRAIN.raw = c.since(2, 3) && r.standstill ? kStandstill : r.V_TRAIN;  // 6.6.3.4.5 [1c]
   p.Q_DIRTRAIN.raw = r.Q_DIRTRAIN;
-  p.M_MODE.raw = M_MODE_for(r.M_MODE, c);
+  p.M_MODE.raw = M_MODE(r.mode, c.version.x, c.version.y);
   p.M_LEVEL.raw = M_LEVEL_for(r.M_LEVEL, c);
   p.NID_NTC.raw = r.NID_NTC;
   return p;
@@ -94,16 +89,23 @@ void put_position(const Composer& c) {
   put_position_as<lang::TrainPacket0_v1_0, lang::TrainPacket1_v1_0>(c);
 }
 
-/// Packets 4 and 5 of 136 and 157; X = 1 has no packet 5 and fewer error codes (6.6.3.4.5 [2]).
+/// Packet 4, if the version has the error: X = 1 fewer and other codes, 2.0 and 2.1 none of the odometer (6.6.3.4.5
+/// [2], 6.6.5.3.7 [3], 6.6.5.4.6 [2]).
+void put_error(const Composer& c, ErrorReport error) {
+  const auto code = static_cast<std::uint8_t>(error);
+  if (c.since(2, 2)) return lang::encode(c.out, lang::TrainPacket4_v2_2{{code}});
+  const ErrorReport last = c.version_1() ? ErrorReport::safety_critical_fault : ErrorReport::double_repositioning;
+  if (error > last) return;
+  const lang::TrainPacket4 p{{code}};
+  if (c.version_1())
+    lang::encode(c.out, lang::for_version_1(p));
+  else
+    lang::encode(c.out, p);
+}
+
+/// Packets 4 and 5 of 136 and 157; X = 1 has no packet 5.
 void put_error_and_number(const Composer& c) {
-  if (c.intent.M_ERROR) {
-    lang::TrainPacket4 p;
-    p.M_ERROR.raw = static_cast<std::uint8_t>(*c.intent.M_ERROR);
-    if (!c.version_1())
-      lang::encode(c.out, p);
-    else if (*c.intent.M_ERROR <= ErrorReport::safety_critical_fault)
-      lang::encode(c.out, lang::for_version_1(p));
-  }
+  if (c.intent.M_ERROR) put_error(c, *c.intent.M_ERROR);
   if (!c.version_1() && c.intent.running_number && c.train.NID_OPERATIONAL) {
     lang::TrainPacket5 p;
     p.NID_OPERATIONAL.raw = *c.train.NID_OPERATIONAL;

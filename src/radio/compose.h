@@ -13,9 +13,6 @@
 // Messages to the RBC as bits (8.6), in the version that the RBC gave in its message 32 (6.6.3.4).
 namespace evc::radio {
 
-/// M_MODE of the modes that only versions from 2.2 and 2.3 on have (7.5.1.72).
-inline constexpr std::uint8_t kAutomaticDriving = 16, kSupervisedManoeuvre = 17;
-
 /// The codes of packet 0, of packet 1 when NID_PRVLRBG is present (7.4.3.1-2).
 struct PositionReport {
   std::uint8_t Q_SCALE = 1;
@@ -28,7 +25,8 @@ struct PositionReport {
   std::uint16_t L_TRAININT = 0;
   std::uint8_t V_TRAIN = 0, Q_DIRTRAIN = 2;
   bool standstill = false;  ///< V_TRAIN says so from 2.3 on
-  std::uint8_t M_MODE = evc::M_MODE(Mode::SB), M_LEVEL = evc::M_LEVEL(Level::L0), NID_NTC = 0;
+  Mode mode = Mode::SB;     ///< M_MODE is that of the version
+  std::uint8_t M_LEVEL = evc::M_LEVEL(Level::L0), NID_NTC = 0;
 };
 
 /// Packets 10 to 12 (7.4.3.4.3 to 7.4.3.5.1).

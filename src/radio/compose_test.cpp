@@ -104,7 +104,7 @@ TEST(Compose, PositionReport) {
   r.L_TRAININT = 210;
   r.V_TRAIN = 28;
   r.Q_DIRTRAIN = 1;
-  r.M_MODE = 15;
+  r.mode = Mode::PS;
   r.M_LEVEL = 1;
   r.NID_NTC = 6;
   const auto p = Sent(intent_of(136), 0x21, r).packet<lang::TrainPacket0>();
@@ -132,6 +132,18 @@ TEST(Compose, ErrorsAndRunningNumber) {
   i.M_ERROR = ErrorReport::double_repositioning;
   EXPECT_FALSE(Sent(i, 0x10, {}, train).has(4)) << "X = 1 has no such error";
   EXPECT_TRUE(Sent(i, 0x20, {}, train).has(4));
+}
+
+// 7.5.1.64 of 4.0.0, 6.6.3.4.5 [2], 6.6.5.3.7 [3], 6.6.5.4.6 [2].
+TEST(Compose, ErrorsOfTheOdometerByVersion) {
+  for (const ErrorReport error : {ErrorReport::odometer_impaired, ErrorReport::odometer_beyond_safety}) {
+    Intent i = intent_of(136);
+    i.M_ERROR = error;
+    for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 4>{0x10, 0x11, 0x20, 0x21})
+      EXPECT_FALSE(Sent(i, M_VERSION).has(4));
+    for (const std::uint8_t M_VERSION : std::array<std::uint8_t, 3>{0x22, 0x23, 0x30})
+      EXPECT_EQ(Sent(i, M_VERSION).packet<lang::TrainPacket4_v2_2>().M_ERROR.raw, static_cast<std::uint8_t>(error));
+  }
 }
 
 TEST(Compose, EmergencyStopAnswers) {
@@ -226,7 +238,7 @@ TEST(Compose, InTheOlderOfBothVersions) {
 // 6.6.3.4.5 [1], 6.6.5.3.7 [1], 6.6.5.5.6 [1], 6.6.5.6.3 [1].
 TEST(Compose, ModeLevelAndStandstillByVersion) {
   PositionReport r;
-  r.M_MODE = kAutomaticDriving;
+  r.mode = Mode::AD;
   r.M_LEVEL = evc::M_LEVEL(Level::L3);  // level 2, ordered as level 3
   r.standstill = true;
   const auto of_2_1 = Sent(intent_of(136), 0x21, r).packet<lang::TrainPacket0>();
@@ -237,7 +249,7 @@ TEST(Compose, ModeLevelAndStandstillByVersion) {
   EXPECT_EQ(of_2_2.M_MODE.raw, 16);
   EXPECT_EQ(of_2_2.M_LEVEL.raw, 4);
   EXPECT_EQ(of_2_2.V_TRAIN.raw, 0);
-  r.M_MODE = kSupervisedManoeuvre;
+  r.mode = Mode::SM;
   r.Q_LENGTH = 2;
   r.L_TRAININT = 77;
   const auto of_2_3 = Sent(intent_of(136), 0x23, r).packet<lang::TrainPacket0_v2_3>();

@@ -14,6 +14,8 @@ enum class ErrorReport : std::uint8_t {
   safety_critical_fault = 6,
   double_linking = 7,
   double_repositioning = 8,
+  odometer_impaired = 9,  // from 2.2 on, as the next
+  odometer_beyond_safety = 10,
   none = 255
 };
 

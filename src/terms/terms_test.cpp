@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "terms/data_status.h"
 #include "terms/information.h"
@@ -18,21 +21,35 @@
 namespace evc {
 namespace {
 
-// 7.5.1.72, transcribed in the order of the codes.
-constexpr const char* kByCode[] = {"FS", "OS", "SR", "SH", "UN", "SL", "SB", "TR",
-                                   "PT", "SF", "IS", "NL", "LS", "SN", "RV", "PS"};
+// 7.5.1.72 of 4.0.0, transcribed in the order of the codes.
+constexpr const char* kByCode[] = {"FS", "OS", "SR", "SH", "UN", "SL", "SB", "TR", "PT",
+                                   "SF", "IS", "NL", "LS", "SN", "RV", "PS", "AD", "SM"};
 
 TEST(Terms, ModesHaveTheCodesOfMMode) {
-  std::size_t compared = 0;
-  for (std::uint8_t code = 0; code < 16; ++code, ++compared) {
+  static_assert(std::size(kByCode) == kModes - 1, "all but NP");
+  for (std::uint8_t code = 0; code < std::size(kByCode); ++code) {
     EXPECT_STREQ(name(mode_of(code)), kByCode[code]);
-    EXPECT_EQ(M_MODE(mode_of(code)), code);
+    EXPECT_EQ(M_MODE(mode_of(code), 2, 3), code);
+    EXPECT_EQ(M_MODE(mode_of(code), 3, 0), code);
   }
-  EXPECT_EQ(compared, kModesOf3 - 1) << "all but NP";
-  EXPECT_EQ(M_MODE(Mode::NP), M_MODE(Mode::SB)) << "NP is never reported";
-  EXPECT_EQ(M_MODE(Mode::AD), M_MODE(Mode::FS)) << "6.6.5.3.7 [1a]";
-  EXPECT_EQ(M_MODE(Mode::SM), M_MODE(Mode::SH)) << "not with an RBC of a version up to 2.1";
-  EXPECT_EQ(mode_of(16), Mode::NP) << "a code that names no mode";
+  EXPECT_EQ(M_MODE(Mode::NP, 3, 0), M_MODE(Mode::SB, 3, 0)) << "NP is never reported";
+  EXPECT_EQ(mode_of(18), Mode::NP) << "a code that names no mode";
+}
+
+// 6.6.3.4.5 [1a], 6.6.5.3.7 [1a]: the code of 3.0, and what an older version has instead. SM is not reported to it.
+TEST(Terms, ModesHaveOtherCodesInOlderVersions) {
+  for (std::size_t m = 0; m < kModes; ++m) {
+    const Mode mode = static_cast<Mode>(m);
+    const std::uint8_t newest = M_MODE(mode, 3, 0);
+    if (mode == Mode::SM) continue;
+    EXPECT_EQ(M_MODE(mode, 2, 2), newest) << name(mode);
+    for (const std::uint8_t Y : {std::uint8_t{0}, std::uint8_t{1}}) {
+      EXPECT_EQ(M_MODE(mode, 2, Y), newest == 16 ? 0 : newest) << name(mode);
+      EXPECT_EQ(M_MODE(mode, 1, Y), newest == 16 ? 0 : newest == 15 ? 3 : newest) << name(mode);
+    }
+  }
+  for (const auto& [X, Y] : std::initializer_list<std::pair<std::uint8_t, std::uint8_t>>{{1, 0}, {2, 1}, {2, 2}})
+    EXPECT_EQ(M_MODE(Mode::SM, X, Y), M_MODE(Mode::SH, X, Y)) << "6.6.4.3.1: it cannot authorise SM";
 }
 
 TEST(Terms, ModesOfAreas) {  // 7.5.1.70

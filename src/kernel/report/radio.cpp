@@ -65,9 +65,7 @@ radio::PositionReport position_report(const State& s, const position::Report& p)
   r.V_TRAIN = p.V_TRAIN;
   r.Q_DIRTRAIN = p.Q_DIRTRAIN;
   r.standstill = position::at_standstill(s.position);
-  r.M_MODE = s.mode == Mode::AD   ? radio::kAutomaticDriving
-             : s.mode == Mode::SM ? radio::kSupervisedManoeuvre
-                                  : M_MODE(s.mode);
+  r.mode = s.mode;
   r.M_LEVEL = M_LEVEL_of(s);
   r.NID_NTC = s.level.nid_ntc;
   return r;
@@ -159,6 +157,12 @@ void note_contact(State& s) {
     s.contact_status = DataStatus::valid;
 }
 
+/// The report of the change to SF has the error of the odometer that led to it (3.16.4.2 of 4.0.0).
+bool reports_error(const State& s) {
+  if (s.mode == Mode::SF) return s.odometer_accuracy.beyond_safety_threshold;
+  return modes::active(Function::report_data_consistency_error, s.mode);
+}
+
 std::uint8_t request_reasons(const State& s, const Received& received, const Decided& decided,
                              bool before_perturbation) {
   std::uint8_t reasons = 0;
@@ -237,7 +241,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   const bool border = run_handover(s, here, outbox, log);
   run_radio_infill(s, here, decided.mission_ended, outbox, log);
   in.report_due = due != 0 || border || out.effects.send.has(procedures::Send::position_report);
-  in.errors_reported = modes::active(Function::report_data_consistency_error, s.mode);
+  in.errors_reported = reports_error(s);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
   in.Q_STATUS = Q_STATUS(s.position.status);
   in.running_number_valid = valid(s.data.train_running_number_status);

@@ -117,7 +117,7 @@ TEST_F(RadioReport, HasTheTrainData) {  // 7.4.3.5, 7.5.1
   ASSERT_TRUE(t.traction_systems.push_back({300, 1}));
   ASSERT_TRUE(t.traction_systems.push_back({0, 0}));
   radio::PositionReport p;
-  p.M_MODE = 0;   // FS
+  p.mode = Mode::FS;
   p.M_LEVEL = 3;  // level 2
   radio::TrainDataReport r;
   r.NC_CDTRAIN = 3;
@@ -171,7 +171,7 @@ TEST_F(RadioReport, HasThePosition) {  // 7.4.3.1
   p.Q_LENGTH = from.Q_LENGTH;
   p.V_TRAIN = from.V_TRAIN;
   p.Q_DIRTRAIN = from.Q_DIRTRAIN;
-  p.M_MODE = 13;
+  p.mode = Mode::SN;
   p.M_LEVEL = 1;
   p.NID_NTC = 22;
   EXPECT_EQ(composed(136), expected(136, p, {}));
@@ -195,7 +195,7 @@ TEST_F(RadioReport, HasTheLengthOfATrainThatIsComplete) {  // 3.6.5.2.4, 7.5.1.5
     p.L_DOUBTOVER = from.L_DOUBTOVER;
     p.L_DOUBTUNDER = from.L_DOUBTUNDER;
     p.Q_DIRTRAIN = from.Q_DIRTRAIN;
-    p.M_MODE = 0;
+    p.mode = Mode::FS;
     p.M_LEVEL = M_LEVEL(Level::L2);
     if (integrity == position::Integrity::by_device) {
       p.Q_LENGTH = 1;
