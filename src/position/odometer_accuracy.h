@@ -30,6 +30,8 @@ struct OdometerAccuracy {
   bool begun = false;
   bool impaired = false;                 // 3.6.8.5, .6: at the last check
   bool beyond_safety_threshold = false;  // [84]: at the last check
+  bool impairment_reported = false;      // to the RBC (3.16.4.2), while impaired
+  bool safety_threshold_reported = false;
 };
 
 /// Accumulates the movement since the cycle before and checks it at the end of each interval (3.6.8.2 to 3.6.8.7).

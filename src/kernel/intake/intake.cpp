@@ -118,6 +118,18 @@ bool acts(State& s, bool fault, Received& out) {
   return false;
 }
 
+/// 3.16.4.1, 3.16.4.2 of 4.0.0: each threshold once, in level 2, also when it was exceeded in another level.
+void report_odometer(State& s) {
+  position::OdometerAccuracy& a = s.odometer_accuracy;
+  const auto report = [&s](bool exceeded, bool& reported, ErrorReport error) {
+    if (exceeded && !reported && !level_2_or_3(s.level.level)) return;
+    if (exceeded && !reported) radio::report_error(s.radio, error);
+    reported = exceeded;
+  };
+  report(a.impaired, a.impairment_reported, ErrorReport::odometer_impaired);
+  report(a.beyond_safety_threshold, a.safety_threshold_reported, ErrorReport::odometer_beyond_safety);
+}
+
 /// 4.5.1.4: without power nothing is received. Each telegram and message is an event all the same.
 void lose_without_power(const Reception& r) {
   const std::size_t lost = r.in.balise_telegrams.size() + r.in.loop_messages.size() + r.in.radio_messages.size();
@@ -167,6 +179,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   out.here = here(s);
   advance_track(r);
   run_level_transition(r);
+  report_odometer(s);
   advance_national_values(r);
   return out;
 }
