@@ -13,10 +13,17 @@ void measure_train(Manoeuvre& manoeuvre) {
   if (manoeuvre.consist) manoeuvre.train.L_TRAIN = manoeuvre.consist->front.max + manoeuvre.consist->rear.max;
 }
 
+/// With X = 1, and under an RBC up to 2.2, the ends of the train in SB are those of the engine (6.6.2.1.2, 6.6.2.2.3,
+/// 6.6.4.1.1, 6.6.4.2.1).
+bool ends_of_engine(const State& s) {
+  const radio::Session& session = s.radio.supervising.session;
+  return s.operated_X == 1 || (session.established() && !radio::knows_manoeuvres(session));
+}
+
 }  // namespace
 
 std::optional<ConsistOfTrain> consist_of_train(const State& s) {
-  const bool standing_by = s.mode == Mode::SB && !valid(s.data.train_data_status);
+  const bool standing_by = s.mode == Mode::SB && !valid(s.data.train_data_status) && !ends_of_engine(s);
   if (!s.manoeuvre.consist || !(s.manoeuvre.active || standing_by)) return std::nullopt;
   const ConsistLength& consist = *s.manoeuvre.consist;
   return s.manoeuvre.opposite ? ConsistOfTrain{consist.rear, consist.front}
