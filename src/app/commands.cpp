@@ -152,6 +152,16 @@ void add_cab(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = cab::cab(*options); });
 }
 
+/// `--set`, once for every member of a query that is replaced.
+void add_set(CLI::App& command, std::vector<std::string>& replaced) {
+  command
+      .add_option("--set", replaced,
+                  "a member of the query, by its keys or a JSON pointer: train.brake_percentage=120; may be repeated")
+      ->type_name("PLACE=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_curves(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<curves::Options>();
   CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
@@ -164,6 +174,7 @@ void add_curves(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--explain", options->explain_kmh, "the computation for this speed (km/h), step by step")
       ->check(number_between(0.0, 600.0));
+  add_set(*command, options->replaced);
   command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html, interactive");
   command->add_option("-o,--output", options->output, "file to write to instead of standard output");
   command->callback([command, options, &exit_code] {
@@ -178,6 +189,8 @@ void add_curves(CLI::App& app, int& exit_code) {
   comparison->add_option("--format", two->format, "json, csv or table")
       ->check(CLI::IsMember({"json", "csv", "table"}))
       ->capture_default_str();
+  comparison->add_option("more", two->more, "further inputs, each compared with A");
+  add_set(*comparison, two->replaced);
   comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html, interactive");
   comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
   comparison->callback([two, &exit_code] { exit_code = curves::compare(*two); });

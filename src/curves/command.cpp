@@ -6,6 +6,7 @@
 
 #include "curves/compare.h"
 #include "curves/explain.h"
+#include "curves/overrides.h"
 #include "curves/plot.h"
 #include "curves/result.h"
 #include "curves/workbook.h"
@@ -28,10 +29,19 @@ bool ends_with(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-io::Result<Approached> load(const std::string& file) {
+/// The query in a file, with members of it replaced.
+io::Result<Approached> load(const std::string& file, const std::vector<std::string>& replaced) {
   const auto text = io::read_text(file);
   if (!text) return tl::unexpected(text.error());
-  auto input = io::read_curves(*text, file);
+  std::vector<Override> overrides;
+  for (const std::string& one : replaced) {
+    auto read = read_override(one);
+    if (!read) return tl::unexpected(read.error());
+    overrides.push_back(*std::move(read));
+  }
+  const auto document = overridden(*text, file, overrides);
+  if (!document) return tl::unexpected(document.error());
+  auto input = io::curves_of(*document, file);
   if (!input) return tl::unexpected(input.error());
   return Approached(std::move(*input));
 }
@@ -65,7 +75,8 @@ int show(const Options& o) {
   const bool workbook = o.model == "workbook";
   if (workbook && o.explain_kmh >= 0.0) return complain({"--explain", "", "--model workbook", "--model srs"});
   if (const int wrong = check_outputs({o.input}, o.output, o.plot); wrong != 0) return wrong;
-  const auto approached = load(!o.input.empty() ? o.input : io::data_file(workbook ? kShippedWorkbook : kShippedInput));
+  const auto approached =
+      load(!o.input.empty() ? o.input : io::data_file(workbook ? kShippedWorkbook : kShippedInput), o.replaced);
   if (!approached) return complain(approached.error());
   const bool svg = ends_with(o.plot, ".svg");
   if (!o.plot.empty() && !svg && (workbook || !ends_with(o.plot, ".html")))
@@ -88,9 +99,9 @@ int show(const Options& o) {
 
 int compare(const CompareOptions& o) {
   if (const int wrong = check_outputs({o.a, o.b}, o.output, o.plot); wrong != 0) return wrong;
-  const auto a = load(o.a);
+  const auto a = load(o.a, o.replaced);
   if (!a) return complain(a.error());
-  const auto b = load(o.b);
+  const auto b = load(o.b, o.replaced);
   if (!b) return complain(b.error());
   const bool svg = ends_with(o.plot, ".svg");
   if (!o.plot.empty() && !svg && !ends_with(o.plot, ".html")) return wrong_plot(o.plot, ".svg or .html");

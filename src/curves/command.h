@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 // `evc curves` and `evc curves compare`. Both return the exit status: 0, or 2 when the input cannot be read or the
 // output not written, which is reported in one line.
@@ -11,18 +12,21 @@ struct Options {
   std::string model = "srs";    ///< srs or workbook
   std::string plot;             ///< FILE.svg or FILE.html; empty: no chart
   std::string output = "-";
-  double explain_kmh = -1.0;  ///< below 0: no explanation
+  double explain_kmh = -1.0;          ///< below 0: no explanation
+  std::vector<std::string> replaced;  ///< PLACE=VALUE: members of the query that are replaced, in this order
 };
 /// Braking curves and supervision limits of one train and one target.
 int show(const Options& options);
 
 struct CompareOptions {
   std::string a, b;
+  std::vector<std::string> more;  ///< further inputs, compared with A as B is
   std::string format = "table";
   std::string plot;
   std::string output = "-";
+  std::vector<std::string> replaced;  ///< as above, in every input
 };
-/// Difference between two trains, sets of national values or SRS versions.
+/// Difference between trains, sets of national values or SRS versions.
 int compare(const CompareOptions& options);
 
 }  // namespace evc::curves
