@@ -13,6 +13,7 @@
 
 #include "cab/command.h"
 #include "check/command.h"
+#include "curves/batch.h"
 #include "curves/command.h"
 #include "explain/command.h"
 #include "explain/modes.h"
@@ -177,8 +178,25 @@ void add_curves(CLI::App& app, int& exit_code) {
   add_set(*command, options->replaced);
   command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html, interactive");
   command->add_option("-o,--output", options->output, "file to write to instead of standard output");
-  command->callback([command, options, &exit_code] {
-    if (command->get_subcommands().empty()) exit_code = curves::show(*options);
+  auto many = std::make_shared<curves::BatchOptions>();
+  CLI::Option* batch = command->add_option(
+      "--batch", many->input, "limits of many: a query a line, or a query with a table; - for standard input");
+  command->add_option("-j,--threads", many->threads, "of --batch: number of threads; default: one for each processor")
+      ->check(whole_number_between(1, 1024))
+      ->needs(batch);
+  command->add_option("--columns", many->columns, "of --batch: columns by speed, separated by commas")
+      ->needs(batch)
+      ->capture_default_str();
+  for (const char* other : {"input", "--format", "--model", "--explain", "--plot"})
+    batch->excludes(command->get_option(other));
+  command->callback([command, options, many, batch, &exit_code] {
+    if (!command->get_subcommands().empty()) return;
+    if (batch->count() == 0) {
+      exit_code = curves::show(*options);
+      return;
+    }
+    many->output = options->output;
+    exit_code = curves::limits_of_many(*many);
   });
 
   auto two = std::make_shared<curves::CompareOptions>();
