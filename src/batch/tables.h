@@ -27,7 +27,7 @@ enum TrainValue : std::int64_t {
   kStrideGUI,
   kTimesZero,  // the times for V_target = 0
 };
-/// The times of one class of targets and what follows from them, from `kTimesZero` on, and the same once more for
+/// The times of one class of targets and what follows from them, from `kTimesZero` on, and behind them those for
 /// V_target > 0.
 enum TimesValue : std::int64_t {
   kTTraction,

@@ -30,7 +30,7 @@ struct BatchRows {
 io::Result<std::vector<Column<SpeedRow>>> batch_columns(const std::string& names);
 
 /// Computes the queries in `text` with this number of threads. `take` gets the rows in the order of queries, trains,
-/// targets and speeds, in blocks. The error is the first one in that order; what was taken before is of no use then.
+/// targets and speeds, in blocks. The error is the first one in that order; what was taken before is not valid then.
 io::Result<bool> compute_batch(std::string_view text, const std::string& file,
                                const std::vector<Column<SpeedRow>>& columns, unsigned threads,
                                const std::function<void(const BatchRows&)>& take);

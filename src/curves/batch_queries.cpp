@@ -11,7 +11,7 @@ using io::JsonPlace;
 
 constexpr std::size_t kMostInTable = 1000000;
 
-/// What stands in place of `base`: the entry, if it is whole (it has the key that says what it is, or it names a file);
+/// What is read instead of `base`: the entry, if it is whole (it has the key that says what it is, or it names a file);
 /// else `base` with the members of the entry.
 Json laid_over(const Json* base, const Json& entry, const char* says_what) {
   if (base == nullptr || !base->is_object() || !entry.is_object() || entry.contains(says_what)) return entry;

@@ -34,7 +34,7 @@ class BatchQuery {
 
   std::string file_, where_;
   io::Json document_;                       // without the table
-  std::vector<io::Json> trains_, targets_;  // as they stand in place of those of the document
+  std::vector<io::Json> trains_, targets_;  // read instead of those of the document
   io::Json table_ = io::Json::object();     // as given
   std::vector<batch::Target> read_targets_;
   bool has_mrsp_ = false;
