@@ -12,6 +12,7 @@
 #include "io/curves_file.h"
 #include "io/file.h"
 #include "python/bind.h"
+#include "python/blank.h"
 #include "python/values.h"
 
 // `openevc.curves`: the answer of `evc curves` as arrays.
@@ -77,18 +78,25 @@ io::Json document_of(const py::object& given, const py::dict& members) {
   return document;
 }
 
-class Curves {
+class Curves : public Blank {
  public:
   Curves(const py::object& given, const py::dict& members)
       : Curves(value_of(io::curves_of(document_of(given, members), "curves"))) {}
 
-  const curves::CurvesResult& result() const { return result_; }
-  std::string json() const { return curves::curves_text(result_, curves::Format::json); }
+  const curves::CurvesResult& result() const {
+    require(approached_ != nullptr);
+    return result_;
+  }
+  std::string json() const { return curves::curves_text(result(), curves::Format::json); }
   std::string explain(double v_kmh) const {
+    require(approached_ != nullptr);
     const io::Json argument{{"v_kmh", json_of(py::float_(v_kmh), "explain", "v_kmh")}};
     return curves::explain_text(*approached_, io::JsonPlace(argument, "explain")["v_kmh"].number(0.0, 600.0));
   }
-  curves::Picture picture() const { return curves::picture_of(*approached_); }
+  curves::Picture picture() const {
+    require(approached_ != nullptr);
+    return curves::picture_of(*approached_);
+  }
 
  private:
   explicit Curves(io::CurvesInput input) {

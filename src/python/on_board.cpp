@@ -17,6 +17,7 @@
 #include "kernel/port.h"
 #include "openevc/evc.h"
 #include "python/bind.h"
+#include "python/blank.h"
 #include "python/values.h"
 #include "sim/cycle_inputs.h"
 
@@ -25,7 +26,7 @@ namespace evc::python {
 namespace {
 
 /// What a cycle gave. It becomes text, and values of Python, when it is looked at.
-class Outputs {
+class Outputs : public Blank {
  public:
   kernel::Outputs values;
   kernel::Planning planning;
@@ -35,6 +36,7 @@ class Outputs {
 
   /// The line of `evc replay`, without its end.
   std::string json() const {
+    require(configuration != nullptr);
     std::string line;
     io::append_output(line, t_ms, values, planned ? &planning : nullptr, configuration->ntc_names);
     line.pop_back();
@@ -52,7 +54,7 @@ class Outputs {
 };
 
 /// What a unit remembers, and the signals that keep their value from cycle to cycle.
-struct Snapshot {
+struct Snapshot : Blank {
   std::vector<std::byte> unit;
   sim::CycleInputs inputs;
   io::InputStream::Radio radio;
@@ -63,7 +65,7 @@ struct Snapshot {
 constexpr std::int64_t kNever = -1;
 constexpr std::int64_t kLongestGap_ms = 24LL * 3600 * 1000;
 
-class OnBoard {
+class OnBoard : public Blank {
  public:
   OnBoard(const py::object& configuration, const py::object& persistent, bool planning)
       : configuration_(read(configuration)), unit_(std::make_unique<kernel::Unit>()), planning_(planning) {
@@ -77,11 +79,17 @@ class OnBoard {
 
   /// One cycle at `t_ms`, None: a cycle after the last one. With an error nothing has changed.
   std::shared_ptr<Outputs> step(const py::object& t_ms, const py::kwargs& inputs) {
+    require(unit_ != nullptr);
     const std::int64_t now = time_of(t_ms);
     if (inputs.empty() && radio_.empty()) {
       cycle_.clear();
     } else {
+      const std::int64_t before = last_ms_;
       auto [cycle, radio] = read(now, inputs);
+      // Reading may run code of Python, and with it other threads.
+      if (last_ms_ != before)
+        throw io::ReadError{
+            {"step", "t_ms " + std::to_string(now), "a step of another thread meanwhile", "one thread"}};
       cycle_ = std::move(cycle);
       radio_ = std::move(radio);
     }
@@ -95,13 +103,20 @@ class OnBoard {
   }
 
   Snapshot snapshot() const {
-    Snapshot s{std::vector<std::byte>(kernel::snapshot_size()), cycle_, radio_, last_ms_, configuration_};
+    require(unit_ != nullptr);
+    Snapshot s;
+    s.unit.resize(kernel::snapshot_size());
+    s.inputs = cycle_;
+    s.radio = radio_;
+    s.last_ms = last_ms_;
+    s.configuration = configuration_;
     if (!kernel::snapshot(*unit_, s.unit)) throw std::bad_alloc();
     s.inputs.clear();
     return s;
   }
 
   void restore(const Snapshot& s) {
+    require(unit_ != nullptr);
     if (const auto fault = kernel::restore(*unit_, s.unit); fault != kernel::SnapshotFault::none)
       throw io::ReadError{{"snapshot", "", kernel::name(fault), "one of this program"}};
     cycle_ = s.inputs;
@@ -111,8 +126,14 @@ class OnBoard {
   }
 
   /// What is kept without power: `evc-persistent/1`.
-  py::object retained() const { return object_of(io::retained_text(kernel::retained(*unit_))); }
-  std::int64_t cycle_ms() const { return configuration_->cycle_ms; }
+  py::object retained() const {
+    require(unit_ != nullptr);
+    return object_of(io::retained_text(kernel::retained(*unit_)));
+  }
+  std::int64_t cycle_ms() const {
+    require(unit_ != nullptr);
+    return configuration_->cycle_ms;
+  }
   std::optional<std::int64_t> t_ms() const { return last_ms_ == kNever ? std::nullopt : std::optional(last_ms_); }
 
  private:
