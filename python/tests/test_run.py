@@ -72,7 +72,7 @@ def test_arguments_have_an_effect(late):
 WRONG = [
     ({"line": "no_such_line"}, "/line", "a shipped one"),
     ({"line": {"schema": "etcs-line/1"}}, "", ""),
-    ({"line": 3}, "/line", "a string"),
+    ({"line": 3}, "/line", "an object"),
     ({"line": "a\0b"}, "/line", ""),
     ({"train": "x/y.json"}, "/train", "a shipped one"),
     ({"train": {"brake_percentage": float("nan")}}, "/train/brake_percentage", "finite"),

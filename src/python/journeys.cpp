@@ -79,9 +79,12 @@ Asked read_asked(const py::dict& arguments) {
   if (const auto p = root.find("last_ma")) asked.settings.last_ma = static_cast<int>(p->integer(0, 1000000));
   if (const auto p = root.find("output")) asked.output = p->string();
   asked.configuration.cycle_ms = asked.settings.cycle_ms;
-  io::Json configuration = io::parse_json(io::configuration_document(asked.configuration), kFile);
-  if (document.contains("national_values")) configuration["national_values"] = document["national_values"];
-  asked.configuration.document = configuration.dump();
+  asked.configuration.document = io::configuration_document(asked.configuration);
+  if (document.contains("national_values")) {
+    io::Json configuration = io::parse_json(asked.configuration.document, kFile);
+    configuration["national_values"] = document["national_values"];
+    asked.configuration.document = configuration.dump();
+  }
   return asked;
 }
 

@@ -1,0 +1,146 @@
+"""Limits of many trains, speeds and targets: the doubles of `curves`, broadcasting, errors, threads."""
+import threading
+
+import numpy as np
+import pytest
+
+import openevc as evc
+from openevc import _native
+
+TRAINS = ["standard", "regional_multiple_unit", "freight_P_loaded", {"brake_percentage": 90}]
+TARGETS = [{"type": "EOA_SvL", "location_m": 3000},
+           {"type": "EOA_SvL", "location_m": 3000, "svl_location_m": 3200},
+           {"type": "LOA", "location_m": 2500, "speed_kmh": 60},
+           {"type": "MRSP", "location_m": 2000, "speed_kmh": 40},
+           {"type": "SR", "location_m": 1000}]
+TRACK = {"gradient": [[-1000, -4], [500, 8], [2200, -12]]}
+SPEEDS = [10.0, 55.5, 99.9]
+ALL = _native.limit_names
+
+
+@pytest.mark.parametrize("srs", ["3.6.0", "4.0.0", "3.4.0"])
+@pytest.mark.parametrize("state", [None, {"A_est": 0.3, "V_ura_kmh": 2.0}])
+def test_every_limit_is_that_of_curves(srs, state):
+    some = evc.limits(np.array(TRAINS, dtype=object)[:, None, None], np.array(SPEEDS)[:, None], TARGETS, columns=ALL,
+                      track=TRACK, srs=srs, state=state)
+    assert all(array.shape == (4, 3, 5) for array in some.values()) and tuple(some) == ALL
+    compared = 0
+    for i, train in enumerate(TRAINS):
+        for k, target in enumerate(TARGETS):
+            one = evc.curves(train=train, target=target, track=TRACK, srs=srs, state=state, speeds_kmh=SPEEDS)
+            for name in ("EBD", "SBD", "GUI", "EBI", "SBI1", "SBI2", "FLOI", "W", "P", "I"):
+                if srs == "3.4.0" and name in ("EBI", "P", "I"):
+                    continue  # `evc curves` draws these as the official tool of that issue does
+                assert np.array_equal(some[name][i, :, k], one[name], equal_nan=True), (name, train, target)
+                compared += np.isfinite(one[name]).sum()
+    assert compared > 300
+
+
+def test_shapes_are_broadcast():
+    target = TARGETS[0]
+    assert evc.limits("standard", 100.0, target)["EBI"].shape == ()
+    assert evc.limits("standard", [100.0, 50.0], target)["EBI"].shape == (2,)
+    assert evc.limits(TRAINS, 100, TARGETS[:4])["P"].shape == (4,)
+    assert evc.limits(TRAINS, np.zeros((7, 1)), TARGETS[0])["P"].shape == (7, 4)
+    assert evc.limits([], 100.0, target)["EBI"].shape == (0,)
+    assert evc.limits("standard", np.zeros((0, 3)), target)["EBI"].shape == (0, 3)
+    assert tuple(evc.limits("standard", 100.0, target, columns="EBI")) == ("EBI",)
+
+
+def test_an_array_of_any_layout_is_read_as_it_is():
+    speeds = np.arange(240.0).reshape(12, 20) / 2
+    straight = evc.limits("standard", speeds, TARGETS[0])["EBI"]
+    for other in (np.asfortranarray(speeds), speeds.astype(np.float32), np.repeat(speeds, 2, axis=1)[:, ::2],
+                  speeds[::-1][::-1], speeds.astype(">f8")):
+        assert np.array_equal(evc.limits("standard", other, TARGETS[0])["EBI"], straight)
+    assert np.array_equal(evc.limits("standard", speeds.T, TARGETS[0])["EBI"], straight.T)
+    whole = np.arange(120)
+    assert np.array_equal(evc.limits("standard", whole, TARGETS[0])["P"],
+                          evc.limits("standard", whole.astype(float), TARGETS[0])["P"])
+
+
+def test_a_large_array_is_that_of_its_parts():
+    random = np.random.default_rng(1)
+    speeds = random.uniform(0.0, 160.0, 50_000)
+    trains = np.array(TRAINS, dtype=object)[random.integers(0, len(TRAINS), speeds.size)]
+    targets = np.array(TARGETS, dtype=object)[random.integers(0, len(TARGETS), speeds.size)]
+    whole = evc.limits(trains, speeds, targets, track=TRACK)
+    for i in random.integers(0, speeds.size, 50):
+        one = evc.limits(trains[i], speeds[i], targets[i], track=TRACK)
+        assert all(np.array_equal(whole[name][i], one[name], equal_nan=True) for name in whole)
+
+
+def test_arrays_of_the_caller_are_filled():
+    out = {"EBI": np.full(3, -1.0), "unused": None}
+    result = evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out=out)
+    assert result["EBI"] is out["EBI"] and np.all(out["EBI"] > 0) and result["P"].shape == (3,)
+    for wrong in (np.zeros(2), np.zeros(3, np.float32), np.zeros(6)[::2], [0.0] * 3, np.broadcast_to(0.0, 3)):
+        with pytest.raises(evc.InputError, match="out"):
+            evc.limits("standard", SPEEDS, TARGETS[0], columns="EBI", out={"EBI": wrong})
+
+
+WRONG = [
+    (("standard", [1.0, float("nan")], TARGETS[0]), {}, "speeds[1]", "600"),
+    (("standard", [[1.0, 2.0], [3.0, -0.1]], TARGETS[0]), {}, "speeds[1, 1]", "600"),
+    (("standard", np.inf, TARGETS[0]), {}, "speeds", "600"),
+    (("standard", ["fast"], TARGETS[0]), {}, "speeds", "numbers"),
+    (("standard", [1j], TARGETS[0]), {}, "speeds", "numbers"),
+    (("standard", None, TARGETS[0]), {}, "speeds", "numbers"),
+    (("standard", [[1.0], [1.0, 2.0]], TARGETS[0]), {}, "speeds", "numbers"),
+    ((["standard"] * 3, [1.0, 2.0], TARGETS[0]), {}, "shapes", "broadcasts"),
+    (("standard", 1.0, [TARGETS[0], {"type": "EOA"}]), {}, "/target/type", "one of"),
+    (("standard", 1.0, [TARGETS[0], None]), {}, "/target", "an object"),
+    (("standard", 1.0, {"type": "EOA_SvL", "location_m": float("inf")}), {}, "location_m", "finite"),
+    ((["standard", "no_such_train"], 1.0, TARGETS[0]), {}, "/train", "a shipped one"),
+    ((["standard", 7], 1.0, TARGETS[0]), {}, "/train", "an object"),
+    (([["a"], ["b", "c"]], 1.0, TARGETS[0]), {}, "", ""),
+    (("standard", 1.0, TARGETS[0]), {"columns": ("EBI", "XYZ")}, "columns", "one of EBD"),
+    (("standard", 1.0, TARGETS[0]), {"track": {"gradients": []}}, "/track/gradients", "one of"),
+    (("standard", 1.0, TARGETS[0]), {"srs": "9"}, "/srs", "one of"),
+    (("standard", 1.0, TARGETS[0]), {"state": {"A_est": float("nan")}}, "/state/A_est", "finite"),
+]
+
+
+@pytest.mark.parametrize("arguments,members,where,expected", WRONG)
+def test_a_wrong_argument_is_an_error(arguments, members, where, expected):
+    with pytest.raises(evc.InputError) as error:
+        evc.limits(*arguments, **members)
+    assert where in error.value.where and expected in error.value.expected
+
+
+def test_an_error_names_the_element():
+    with pytest.raises(evc.InputError, match=r"targets\[1\]"):
+        evc.limits("standard", 1.0, [TARGETS[0], {"type": "EOA"}])
+
+
+def test_threads_compute_at_the_same_time():
+    speeds = np.linspace(0.0, 160.0, 20_000)
+    expected = evc.limits(TRAINS, speeds[:, None], TARGETS[2])
+    results = [None] * 4
+
+    def work(i):
+        results[i] = evc.limits(TRAINS, speeds[:, None], TARGETS[2])
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(result[name], expected[name], equal_nan=True) for result in results for name in expected)
+
+
+def test_the_lock_is_released():
+    counted = 0
+    done = threading.Event()
+
+    def work():
+        # One case at a time: the reduced build-up times of 4.0.0.
+        evc.limits("standard", np.linspace(1.0, 140.0, 20_000), TARGETS[0], srs="4.0.0", state={"est_front_m": 0})
+        done.set()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while not done.is_set():
+        counted += 1
+    thread.join()
+    assert counted > 1000
