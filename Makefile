@@ -5,6 +5,8 @@
 #   make test-cab the tests of that page: node, and whole journeys by presses in headless Chromium and Firefox
 #   make bench-cab  what that page costs: size, times real time, the main thread for each frame
 #   make pictures the pictures of the display and of the cab in docs/images/
+#   make cluster  evc-mpi, the sweep by the ranks of a cluster (Open MPI): build/cluster/evc-mpi
+#   make test-cluster  its tests: mpirun on this machine, and a Slurm of one node that the test starts and ends
 #   make bench    benchmarks and instruction counts
 #   make reactions  reaction times in simulated and in real time, with their margins to SUBSET-041
 #   make real-time  a run by the clock beside a busy core: SECONDS_EACH=600 at CYCLES="100 10" ms; no cycle of 100 ms missed
@@ -19,7 +21,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run cab test-cab pictures bench-cab campaign-cab test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
+.PHONY: help run cab test-cab pictures bench-cab campaign-cab cluster test-cluster test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -49,6 +51,15 @@ bench-cab: evc
 	@tools/setup cab
 	@tools/build_cab test
 	node --test build/web/bench/*.mjs
+
+cluster:
+	@tools/setup build cluster
+	@tools/build cluster evc evc-mpi
+
+test-cluster:
+	@tools/setup build test cluster
+	@tools/build cluster evc evc-mpi cluster_test
+	ctest --preset cluster
 
 pictures: cab
 	@tools/setup report

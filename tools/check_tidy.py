@@ -108,8 +108,8 @@ def written(clean, now):
 
 
 def configure():
-    """The commands of the dev build, but clang-tidy cannot read the precompiled headers of g++."""
-    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DEVC_PRECOMPILE=OFF"], cwd=ROOT, check=True,
+    """The commands of the dev build with evc-mpi, but clang-tidy cannot read the precompiled headers of g++."""
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DEVC_PRECOMPILE=OFF", "-DEVC_MPI=ON"], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
 
 
