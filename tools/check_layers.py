@@ -49,8 +49,10 @@ MAY_INCLUDE = {
     # A journey driven from outside: the page of `evc cab`.
     "ride": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "dmi", "paint", "screen"},
     "cab": {"base", "run", "io", "ride"},
+    # Random numbers: functions of a counter, without state.
+    "random": set(),
     # Many cases of one description: threads that compute, one that writes.
-    "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves"},
+    "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "random"},
     # The commands as functions of Python.
     "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep", "batch"},
     "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "sweep/draws.h"
+#include "random/draws.h"
 #include "sweep/spec.h"
 
 namespace evc::sweep {
@@ -25,7 +25,7 @@ class Cases {
 
  private:
   const Spec& spec_;
-  Sobol sobol_;
+  random::Sobol sobol_;
 };
 
 }  // namespace evc::sweep

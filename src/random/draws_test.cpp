@@ -1,4 +1,4 @@
-#include "sweep/draws.h"
+#include "random/draws.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "sweep/philox.h"
+#include "random/philox.h"
 
-namespace evc::sweep {
+namespace evc::random {
 namespace {
 
 using Counter = std::array<std::uint32_t, 4>;
@@ -87,4 +87,4 @@ TEST(Sobol, every_axis_is_even) {
 }
 
 }  // namespace
-}  // namespace evc::sweep
+}  // namespace evc::random

@@ -1,12 +1,12 @@
-#include "sweep/draws.h"
+#include "random/draws.h"
 
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <span>
 
-#include "sweep/philox.h"
+#include "random/philox.h"
 
-namespace evc::sweep {
+namespace evc::random {
 namespace {
 
 /// The upper 53 bits as a share of 1.
@@ -94,4 +94,4 @@ double Sobol::at(std::uint64_t number, std::size_t dimension) const {
   return share_of(bits);
 }
 
-}  // namespace evc::sweep
+}  // namespace evc::random

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace evc::sweep {
+namespace evc::random {
 
 /// The number in [0, 1) that entry `entry` of `vary` has in case `number`. It depends on these and the seed alone.
 double uniform_draw(std::uint64_t seed, std::uint64_t number, std::uint32_t entry);
@@ -27,4 +27,4 @@ class Sobol {
   std::vector<std::array<std::uint64_t, kBits>> directions_;
 };
 
-}  // namespace evc::sweep
+}  // namespace evc::random

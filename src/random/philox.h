@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-namespace evc::sweep {
+namespace evc::random {
 
 /// Philox4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as 1, 2, 3; SC11): a function from a
 /// counter and a key to 128 random bits. It has no state: any draw of any case can be computed by anybody, in any
@@ -21,4 +21,4 @@ inline std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
   return counter;
 }
 
-}  // namespace evc::sweep
+}  // namespace evc::random
