@@ -55,9 +55,11 @@ MAY_INCLUDE = {
     "sweep": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "random"},
     # The commands as functions of Python.
     "python": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "run", "curves", "language", "sweep", "batch"},
-    "app": {"cab", "sweep", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # The sweep by the ranks of a cluster: the program evc-mpi.
     "cluster": {"app", "sweep", "run", "io"},
+    # The guaranteed deceleration of a train by the Monte Carlo method: its charts are drawn as those of curves.
+    "deceleration": {"base", "terms", "train", "io", "curves", "random"},
+    "app": {"cab", "sweep", "deceleration", "screen", "check", "curves", "explain", "matrix", "run", "serve", "language", "io"},
     # Interfaces for hosts in C++ and C in addition to the kernel and the curves.
     "embed": BELOW_KERNEL | {"kernel", "texts", "sim", "io"},
     "capi": BELOW_KERNEL | {"kernel", "texts", "sim", "io", "embed"},

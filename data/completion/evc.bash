@@ -3,7 +3,7 @@ _evc() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} kind=${COMP_WORDS[2]}
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "run replay serve curves decode encode describe make-line check track explain dmi cab sweep --help --version" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "run replay serve curves decode encode describe make-line check track explain dmi cab sweep brakes --help --version" -- "$word")
     return
   fi
   case $before in

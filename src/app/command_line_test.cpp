@@ -52,7 +52,7 @@ TEST(CommandLine, SaysWhatWasFoundAndWhatWasExpected) {
 TEST(CommandLine, NamesTheCommandsThereAre) {
   const std::string all =
       "expected one of run, replay, serve, curves, decode, encode, describe, make-line, check, track, explain, dmi, "
-      "cab, sweep\n";
+      "cab, sweep, brakes\n";
   EXPECT_EQ(refused(""), "evc: found no command, " + all);
   EXPECT_EQ(refused("sing"), "evc: found \"sing\", " + all);
   EXPECT_EQ(refused("decode"), "evc decode: found no command, expected one of balise, airgap, radio, packet\n");

@@ -15,6 +15,7 @@
 #include "check/command.h"
 #include "curves/batch.h"
 #include "curves/command.h"
+#include "deceleration/command.h"
 #include "explain/command.h"
 #include "explain/modes.h"
 #include "io/file.h"
@@ -449,6 +450,24 @@ void add_sweep(CLI::App& app, int& exit_code) {
   again->callback([one, &exit_code] { exit_code = sweep::again(*one); });
 }
 
+void add_brakes(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<deceleration::Options>();
+  CLI::App* command = app.add_subcommand("brakes", "The guaranteed deceleration of a train from its brake units");
+  command->add_option("description", options->spec, "brake units (evc-brakes/1); - for standard input")->required();
+  command->add_option("-j,--threads", options->threads, "number of threads; default: one for each processor")
+      ->check(whole_number_between(1, 1024));
+  command->add_option("--format", options->format, "table or json")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->capture_default_str();
+  command
+      ->add_option("--plain", options->plain,
+                   "compare with a plain run of this many samples, without stratification and importance sampling")
+      ->check(whole_number_between(1000, 10000000000));
+  command->add_option("--plot", options->plot, "a chart: FILE.svg");
+  command->add_option("-o,--output", options->output, "train file (etcs-train/1)");
+  command->callback([options, &exit_code] { exit_code = deceleration::brakes(*options); });
+}
+
 int make(const std::string& input, const std::string& output) {
   using io::complain;
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
@@ -487,6 +506,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_dmi(app, exit_code);
   add_cab(app, exit_code);
   add_sweep(app, exit_code);
+  add_brakes(app, exit_code);
   refuse_empty_arguments(app);
 }
 

@@ -154,7 +154,8 @@ std::string use_of(const std::string& schema) {
                                    {"evc-persistent/1", "what a unit kept: evc replay --persistent reads it"},
                                    {"evc-telegram/1", "a telegram: evc encode encodes it"},
                                    {"evc-summary/1", "the summary of a run"},
-                                   {"evc-sweep/1", "a sweep: evc sweep computes its cases"}};
+                                   {"evc-sweep/1", "a sweep: evc sweep computes its cases"},
+                                   {"evc-brakes/1", "brake units: evc brakes computes the deceleration"}};
   for (const Kind& kind : kinds)
     if (schema == kind.schema) return kind.use;
   return "";

@@ -15,7 +15,8 @@ io::Json drawn(const Entry& entry, double share) {
   if (entry.how == Entry::How::uniform) return entry.first + (entry.second - entry.first) * share;
   // 0 is drawn once in 2^53 times; its quantile would be without an end.
   constexpr double kLeast = 1.0 / 18014398509481984.0;
-  if (entry.how == Entry::How::normal) return entry.first + entry.second * random::normal_quantile(std::max(share, kLeast));
+  if (entry.how == Entry::How::normal)
+    return entry.first + entry.second * random::normal_quantile(std::max(share, kLeast));
   const auto choices = entry.choices();
   const auto i = static_cast<std::uint64_t>(share * static_cast<double>(choices));
   return choice(entry, std::min(i, choices - 1));
@@ -49,9 +50,9 @@ std::vector<io::Json> Cases::values(std::uint64_t number) const {
       values[i] = choice(entry, rest % entry.choices());
       rest /= entry.choices();
     } else {
-      values[i] =
-          drawn(entry, spec_.sample == Sample::sobol ? sobol_.at(number, i)
-                                                     : random::uniform_draw(spec_.seed, number, static_cast<std::uint32_t>(i)));
+      values[i] = drawn(entry, spec_.sample == Sample::sobol
+                                   ? sobol_.at(number, i)
+                                   : random::uniform_draw(spec_.seed, number, static_cast<std::uint32_t>(i)));
     }
   }
   return values;

@@ -1,0 +1,234 @@
+#include "deceleration/quantiles.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "deceleration/tilt.h"
+
+namespace evc::deceleration {
+namespace {
+
+/// Of a normal variable 95 % lie within so many deviations.
+constexpr double kNormal95 = 1.959963984540054;
+/// Strata so unlikely, compared with the probability that is looked for, get no samples.
+constexpr double kLeftOut = 1e-3;
+constexpr std::size_t kFewestSamples = 32;
+constexpr std::size_t kBlock = 512;
+
+/// The samples of one level of confidence.
+struct Level {
+  double below = 0.5;
+  double left_out = 0.0;
+  std::vector<Tilt> tilts;         // of strata 0, 1, ... failed units
+  std::vector<std::size_t> sizes;  // how many samples of each
+  std::vector<Weighted> samples;
+};
+
+/// The mean of L under the tilt of all strata together that brings the bound of Chernoff down to this probability: a
+/// place not far from the quantile.
+double first_guess(const Quantity& quantity, double below) {
+  const auto mean = [&](double theta) {
+    const double step = 1e-4 * (1.0 + theta);
+    return -(log_transform(quantity, theta + step) - log_transform(quantity, std::max(theta - step, 0.0))) /
+           (theta > step ? 2.0 * step : theta + step);
+  };
+  const auto bound = [&](double theta) { return log_transform(quantity, theta) + theta * mean(theta); };
+  double low = 0.0, high = 1.0;
+  // A median needs no tilt; the bound is above the tail by an order of magnitude.
+  const double wanted = below >= 0.5 ? 0.0 : std::log(below);
+  for (int i = 0; i < 40; ++i) {
+    const double at = bound(high);
+    if (!(std::isfinite(at) && at > wanted)) break;
+    low = high;
+    high *= 2.0;
+  }
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double at = bound(middle);
+    (std::isfinite(at) && at > wanted ? low : high) = middle;
+  }
+  return mean(low);
+}
+
+/// Tilts towards `target`, and the samples where the most of the probability is.
+Level level_of(const Quantity& quantity, const std::vector<double>& strata, double below, double target,
+               std::size_t samples) {
+  Level level;
+  level.below = below;
+  std::size_t count = strata.size();
+  while (count > 1 && level.left_out + strata[count - 1] <= kLeftOut * below) level.left_out += strata[--count];
+  std::vector<double> parts;
+  double all = 0.0;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double theta = theta_for(quantity, n, target);
+    level.tilts.emplace_back(quantity, n, theta);
+    parts.push_back(std::min(strata[n], std::exp(level.tilts.back().log_transform() + theta * target)));
+    all += parts.back();
+  }
+  const std::size_t fewest = std::max(kFewestSamples, samples / (8 * count));
+  for (const double part : parts) {
+    const double share = all > 0.0 ? part / all : 1.0 / static_cast<double>(count);
+    level.sizes.push_back(fewest + static_cast<std::size_t>(share * static_cast<double>(samples)));
+  }
+  for (std::size_t n = 0; n < count; ++n)
+    level.samples.insert(level.samples.end(), level.sizes[n], {0.0, 0.0, static_cast<std::uint32_t>(n)});
+  return level;
+}
+
+/// Draws the samples of all levels; `purpose` tells them apart.
+void draw(std::vector<Level>& levels, std::uint32_t purpose, const Effort& effort,
+          const std::function<void(double)>& progress) {
+  struct Block {
+    std::size_t level, first, end, begin_of_stratum;
+  };
+  std::vector<Block> blocks;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (std::size_t n = 0, begin = 0; n < levels[k].sizes.size(); begin += levels[k].sizes[n++])
+      for (std::size_t first = 0; first < levels[k].sizes[n]; first += kBlock)
+        blocks.push_back({k, begin + first, begin + std::min(first + kBlock, levels[k].sizes[n]), begin});
+  const auto job = [&](std::size_t i) {
+    const Block& block = blocks[i];
+    Level& level = levels[block.level];
+    Tilt::Flags flags;
+    for (std::size_t s = block.first; s < block.end; ++s) {
+      Weighted& sample = level.samples[s];
+      const Source source{effort.seed, purpose + static_cast<std::uint32_t>(block.level), sample.stratum,
+                          static_cast<std::uint32_t>(s - block.begin_of_stratum)};
+      const Drawn drawn = level.tilts[sample.stratum].draw(source, flags);
+      sample.value = drawn.value;
+      sample.weight = drawn.weight;
+    }
+  };
+  in_threads(effort.threads, blocks.size(), job, progress);
+}
+
+/// Sums of the weights of one stratum.
+struct Sums {
+  double first = 0.0, second = 0.0;
+  double variance(std::size_t size) const {
+    const auto n = static_cast<double>(size);
+    const double mean = first / n;
+    return std::max(0.0, second / n - mean * mean) / (n - 1.0);
+  }
+};
+
+}  // namespace
+
+Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::size_t> sizes, double left_out,
+                           double below, double lowest) {
+  std::sort(samples.begin(), samples.end(), [](const Weighted& a, const Weighted& b) {
+    return a.value != b.value ? a.value < b.value : a.stratum < b.stratum;
+  });
+  std::vector<Sums> sums(sizes.size());
+  Quantile found;
+  bool low = false, value = false;
+  double probability = left_out, variance = 0.0;
+  found.low = found.value = found.high = samples.back().value;
+  for (std::size_t i = 0; i < samples.size();) {
+    const double at = samples[i].value;
+    const bool first = i == 0;
+    for (; i < samples.size() && samples[i].value == at; ++i) {
+      const std::size_t n = samples[i].stratum;
+      const double w = samples[i].weight;
+      probability += w / static_cast<double>(sizes[n]);
+      variance -= sums[n].variance(sizes[n]);
+      sums[n].first += w;
+      sums[n].second += w * w;
+      variance += sums[n].variance(sizes[n]);
+    }
+    const double error = kNormal95 * std::sqrt(std::max(variance, 0.0));
+    if (!low && probability + error >= below) {
+      found.low = first ? lowest : at;
+      low = true;
+    }
+    if (!value && probability >= below) {
+      found.value = at;
+      value = true;
+    }
+    if (probability - error >= below) {
+      found.high = at;
+      break;
+    }
+  }
+  return found;
+}
+
+Quantiles quantiles(const Quantity& quantity, std::uint32_t number, const Effort& effort) {
+  std::vector<double> failure;
+  for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
+  const std::vector<double> strata = probabilities_of_failures(failure);
+  const double lowest = quantity.kind == Quantity::Kind::deceleration ? 0.0 : -std::numeric_limits<double>::infinity();
+  const auto levels_at = [&](const std::array<double, kLevels>& targets, std::size_t samples) {
+    std::vector<Level> levels;
+    for (std::size_t k = 0; k < kLevels; ++k)
+      levels.push_back(level_of(quantity, strata, kBelow[k], targets[k], samples));
+    return levels;
+  };
+  const auto found_in = [&](std::vector<Level>& levels) {
+    Quantiles found;
+    for (std::size_t k = 0; k < kLevels; ++k)
+      found[k] =
+          weighted_quantile(std::move(levels[k].samples), levels[k].sizes, levels[k].left_out, kBelow[k], lowest);
+    return found;
+  };
+  std::array<double, kLevels> targets{};
+  for (std::size_t k = 0; k < kLevels; ++k) targets[k] = first_guess(quantity, kBelow[k]);
+  // The pilot finds the place; its samples are not used again, or the bounds would be too narrow.
+  constexpr double kPilot = 1.0 / 9.0;
+  auto pilot = levels_at(targets, effort.samples / 8);
+  draw(pilot, number * 32, effort, [&](double share) { effort.progress(kPilot * share); });
+  const Quantiles place = found_in(pilot);
+  // The linear form of a build-up time is without its mean.
+  double offset = 0.0;
+  if (quantity.kind == Quantity::Kind::build_up_time)
+    for (const auto& group : quantity.groups)
+      offset += static_cast<double>(group.units) * group.weight * group.first_mean;
+  for (std::size_t k = 0; k < kLevels; ++k) targets[k] = place[k].value + offset;
+  auto levels = levels_at(targets, effort.samples);
+  draw(levels, number * 32 + 16, effort, [&](double share) { effort.progress(kPilot + (1.0 - kPilot) * share); });
+  return found_in(levels);
+}
+
+void in_threads(unsigned threads, std::size_t jobs, const std::function<void(std::size_t)>& job,
+                const std::function<void(double)>& progress) {
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::mutex mutex;
+  std::condition_variable ended;
+  unsigned working = std::max(1U, threads);
+  std::exception_ptr failure;
+  const auto thread = [&] {
+    try {
+      for (std::size_t i = next++; i < jobs; i = next++) {
+        job(i);
+        ++done;
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      next = jobs;
+    }
+    const std::lock_guard lock(mutex);
+    --working;
+    ended.notify_all();
+  };
+  {
+    std::vector<std::jthread> pool;
+    for (unsigned i = working; i > 0; --i) pool.emplace_back(thread);
+    std::unique_lock lock(mutex);
+    while (!ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return working == 0; })) {
+      const double share = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(jobs, 1));
+      lock.unlock();
+      progress(share);
+      lock.lock();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace evc::deceleration
