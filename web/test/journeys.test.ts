@@ -66,19 +66,8 @@ inBrowser("chrome", (open) => {
     await cab.advance(1);
     assert.ok(!(await reads(cab, "Works")), JSON.stringify((await cab.see()).texts));
 
-    // Adhesion by the driver, at a stand, where the national values allow it (3.18.4.6).
     await cab.stop();
-    await cab.press("Special");
-    await cab.press("Adhesion");
-    await cab.enter("Adhesion", "Slippery rail");
-    await cab.advance(1);
-    assert.equal((await cab.line()).data["adhesion"]?.value, "slippery rail");
-    assert.ok((await cab.see()).symbols.some((symbol) => symbol.id === "ST02"));
-    await cab.press("Adhesion");
-    await cab.enter("Adhesion", "Non slippery rail");
-    await cab.advance(1);
-    assert.ok(!(await cab.see()).symbols.some((symbol) => symbol.id === "ST02"));
-    await cab.press("close");
+    await selectSlipperyRail(cab);
 
     // The speed restriction, then on sight with its acknowledgement (5.9.3).
     await cab.drive({ run_m: ahead(770) });
@@ -88,15 +77,9 @@ inBrowser("chrome", (open) => {
     await cab.drive({ mode: "OS" });
     await cab.drive({ mode: "FS" });
 
-    // The signal at danger: override at a stand, and past it in SR (5.8).
+    // The signal at danger, and past it in SR.
     await cab.drive({ stands: true }, 60);
-    await cab.stop();
-    await cab.press("Override");
-    await cab.press("EOA");
-    await cab.wait({ mode: "SR" }, 5);
-    assert.ok((await cab.see()).symbols.some((symbol) => symbol.id === "MO03"));
-    await cab.drive({ run_m: ahead(2080) }, 30);
-    await cab.expect({ mode: "SR" });
+    await override(cab, 2080);
     await cab.drive({ mode: "FS" }, 30);
 
     // The shunting area with its acknowledgement, and out of it at a stand (5.6).
@@ -115,13 +98,9 @@ inBrowser("chrome", (open) => {
     await cab.enterTrainData();
     await cab.startInSR();
 
-    // The order to stop in SR trips the train (4.4.11, 4.6.3 [49]); acknowledged at a stand, then from post trip on (5.11).
+    // The order to stop in SR trips the train (4.4.11, 4.6.3 [49]); from post trip on in SR.
     await cab.drive({ mode: "TR" }, 30);
-    assert.ok((await cab.line()).eb);
-    await cab.wait({ stands: true }, 60);
-    await cab.acknowledge("trip");
-    await cab.wait({ mode: "PT" }, 5);
-    assert.equal((await cab.line()).eb, false);
+    await toPostTrip(cab);
     await cab.openMenu("Main");
     await cab.startInSR();
     await cab.drive({ run_m: ahead(3400) }, 30);
@@ -223,6 +202,37 @@ inBrowser("chrome", (open) => {
     await cab.close();
   });
 
+  test("a journey in level 2: adhesion, override, emergency stop, trip, post trip", async () => {
+    const cab = await open([madeLine("level_2_trip")]);
+    await prepareLevel2(cab);
+    await cab.startInSR();
+    await cab.drive({ mode: "FS" }, 40);
+    await cab.stop();
+    await selectSlipperyRail(cab);
+
+    // No new authority comes at the end of this one: override, and past it in SR until the next one has come.
+    await cab.drive({ run_m: ahead(1850) }, 60);
+    await override(cab, 2080);
+    await cab.drive({ mode: "FS" }, 30);
+    assert.equal((await cab.line()).level, "2");
+
+    // The unconditional emergency stop trips the train (4.6.3 [20], 3.10.2). There is no Start before
+    // the RBC has recognised the exit from trip and revoked the emergency stop (015560 11.2.1).
+    await cab.drive({ mode: "TR" }, 60);
+    await toPostTrip(cab);
+    await cab.openMenu("Main");
+    assert.equal((await cab.see()).places.find((place) => place.name === "Start")?.enabled, false);
+    await cab.wait({ offers: "Start" }, 120);
+    // From post trip on with the authority that the RBC gives for it (5.11.2.2 S150).
+    await cab.press("Start");
+    await cab.wait({ mode: "FS" }, 30);
+    await cab.drive({ run_m: ahead(4500) }, 60);
+    await cab.expect({ mode: "FS", level: "2" });
+    await cab.stop();
+    await cab.replayed();
+    await cab.close();
+  });
+
   test("shunting in level 2 asks the RBC (5.6.2)", async () => {
     const cab = await open([madeLine("level_2")]);
     await prepareLevel2(cab);
@@ -234,6 +244,42 @@ inBrowser("chrome", (open) => {
     await cab.close();
   });
 });
+
+/// Adhesion by the driver, at a stand, where the national values allow it, and back again (3.18.4.6).
+async function selectSlipperyRail(cab: Cabin): Promise<void> {
+  const shown = async (): Promise<boolean> => (await cab.see()).symbols.some((symbol) => symbol.id === "ST02");
+  await cab.press("Special");
+  await cab.press("Adhesion");
+  await cab.enter("Adhesion", "Slippery rail");
+  await cab.advance(1);
+  assert.equal((await cab.line()).data["adhesion"]?.value, "slippery rail");
+  assert.ok(await shown());
+  await cab.press("Adhesion");
+  await cab.enter("Adhesion", "Non slippery rail");
+  await cab.advance(1);
+  assert.ok(!(await shown()));
+  await cab.press("close");
+}
+
+/// Override at a stand, and in SR past the end of the authority up to a place of the line (5.8).
+async function override(cab: Cabin, past_m: number): Promise<void> {
+  await cab.stop();
+  await cab.press("Override");
+  await cab.press("EOA");
+  await cab.wait({ mode: "SR" }, 5);
+  assert.ok((await cab.see()).symbols.some((symbol) => symbol.id === "MO03"));
+  await cab.drive({ run_m: ahead(past_m) }, 30);
+  await cab.expect({ mode: "SR" });
+}
+
+/// The trip, acknowledged when the train stands (5.11); then the driver's brake holds it.
+async function toPostTrip(cab: Cabin): Promise<void> {
+  assert.ok((await cab.line()).eb);
+  await cab.stop();
+  await cab.acknowledge("trip");
+  await cab.wait({ mode: "PT" }, 5);
+  assert.equal((await cab.line()).eb, false);
+}
 
 async function prepareLevel2(cab: Cabin): Promise<void> {
   await cab.openDesk();
