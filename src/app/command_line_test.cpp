@@ -285,9 +285,9 @@ TEST(Signals, EndARunInRealTime) {
 TEST(StandardOutput, WhatIsLostIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const std::string make_line = "make-line '" + evc::test::source_folder() + "/data/lines/brunnental.description.json'";
-  for (const std::string arguments :
-       {"--help", "--version", "describe packets", "describe packets 27", "describe schema", "run --help",
-        "decode packet 41408E838352032020 --to-train", make_line.c_str(), "curves", "run", "check", "track --at 100"}) {
+  for (const std::string arguments : {"--help", "--version", "describe packets", "describe packets 27",
+                                      "describe schema", "run --help", "decode packet 41408E838352032020 --to-train",
+                                      make_line.c_str(), "curves", "run", "check", "track --at 100", "serve"}) {
     const Ended run = ended(arguments + " >/dev/full");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_NE(run.errors.find("found No space left on device, expected space for the whole file"), std::string::npos)
