@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 #include "deceleration/tilt.h"
@@ -17,15 +18,22 @@ namespace {
 /// Of a normal variable 95 % lie within so many deviations.
 constexpr double kNormal95 = 1.959963984540054;
 /// Strata so unlikely, compared with the probability that is looked for, get no samples.
-constexpr double kLeftOut = 1e-3;
+constexpr double kLeftOut = 1e-6;
 constexpr std::size_t kFewestSamples = 32;
+/// Of the search for the place: samples as a share of those of the estimate, and rounds.
+constexpr std::size_t kPilotShare = 16;
+constexpr std::uint32_t kMostRounds = 14;
+/// The number of the round that estimates.
+constexpr std::uint32_t kLastRound = 15;
 constexpr std::size_t kBlock = 512;
 
 /// The samples of one level of confidence.
 struct Level {
   double below = 0.5;
+  std::uint32_t purpose = 0;  // of its draws
   double left_out = 0.0;
   std::vector<Tilt> tilts;         // of strata 0, 1, ... failed units
+  std::vector<char> tilted;        // whether the tilt of a stratum is one
   std::vector<std::size_t> sizes;  // how many samples of each
   std::vector<Weighted> samples;
 };
@@ -68,6 +76,7 @@ Level level_of(const Quantity& quantity, const std::vector<double>& strata, doub
   for (std::size_t n = 0; n < count; ++n) {
     const double theta = theta_for(quantity, n, target);
     level.tilts.emplace_back(quantity, n, theta);
+    level.tilted.push_back(theta > 0.0 ? 1 : 0);
     parts.push_back(std::min(strata[n], std::exp(level.tilts.back().log_transform() + theta * target)));
     all += parts.back();
   }
@@ -81,9 +90,8 @@ Level level_of(const Quantity& quantity, const std::vector<double>& strata, doub
   return level;
 }
 
-/// Draws the samples of all levels; `purpose` tells them apart.
-void draw(std::vector<Level>& levels, std::uint32_t purpose, const Effort& effort,
-          const std::function<void(double)>& progress) {
+/// Draws the samples of all levels.
+void draw(std::vector<Level>& levels, const Effort& effort, const std::function<void(double)>& progress) {
   struct Block {
     std::size_t level, first, end, begin_of_stratum;
   };
@@ -98,7 +106,7 @@ void draw(std::vector<Level>& levels, std::uint32_t purpose, const Effort& effor
     Tilt::Flags flags;
     for (std::size_t s = block.first; s < block.end; ++s) {
       Weighted& sample = level.samples[s];
-      const Source source{effort.seed, purpose + static_cast<std::uint32_t>(block.level), sample.stratum,
+      const Source source{effort.seed, level.purpose, sample.stratum,
                           static_cast<std::uint32_t>(s - block.begin_of_stratum)};
       const Drawn drawn = level.tilts[sample.stratum].draw(source, flags);
       sample.value = drawn.value;
@@ -118,6 +126,98 @@ struct Sums {
   }
 };
 
+/// The smallest standard deviation of the samples within a stratum that is tilted; infinite where none is.
+double spread_of(const Level& level) {
+  double spread = std::numeric_limits<double>::infinity();
+  std::size_t begin = 0;
+  for (std::size_t n = 0; n < level.sizes.size(); begin += level.sizes[n++]) {
+    if (level.tilted[n] == 0) continue;
+    const auto size = static_cast<double>(level.sizes[n]);
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t i = begin; i < begin + level.sizes[n]; ++i) sum += level.samples[i].value;
+    for (std::size_t i = begin; i < begin + level.sizes[n]; ++i)
+      squares += (level.samples[i].value - sum / size) * (level.samples[i].value - sum / size);
+    spread = std::min(spread, std::sqrt(squares / size));
+  }
+  return spread;
+}
+
+/// The quantiles of one quantity: rounds that find their places, and one that estimates them. The samples of the
+/// search are not used again: the bounds would be too narrow.
+class Search {
+ public:
+  Search(const Quantity& quantity, std::uint32_t number, const Effort& effort)
+      : quantity_(quantity), number_(number), effort_(effort) {
+    std::vector<double> failure;
+    for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
+    strata_ = probabilities_of_failures(failure);
+    if (quantity.kind == Quantity::Kind::build_up_time) {
+      lowest_ = -std::numeric_limits<double>::infinity();
+      // The linear form of a build-up time is without its mean.
+      for (const auto& group : quantity.groups)
+        offset_ += static_cast<double>(group.units) * group.weight * group.first_mean;
+    }
+  }
+
+  Quantiles found() {
+    constexpr double kPilot = 0.25;  // of the work, about
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < kLevels; ++k) {
+      targets_[k] = first_guess(quantity_, kBelow[k]);
+      open.push_back(k);
+    }
+    for (std::uint32_t round = 0; round < kMostRounds && !open.empty(); ++round) {
+      improve(open, round);
+      effort_.progress(kPilot * (1.0 - static_cast<double>(open.size()) / kLevels));
+    }
+    std::vector<std::size_t> all(kLevels);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    auto levels = sampled(all, kLastRound, effort_.samples,
+                          [&](double share) { effort_.progress(kPilot + (1.0 - kPilot) * share); });
+    Quantiles found;
+    for (const std::size_t k : all) found[k] = quantile_of(levels[k]);
+    // Of a place that was not found nothing is promised.
+    for (const std::size_t k : open) found[k].low = lowest_;
+    return found;
+  }
+
+ private:
+  std::vector<Level> sampled(const std::vector<std::size_t>& which, std::uint32_t round, std::size_t samples,
+                             const std::function<void(double)>& progress) const {
+    std::vector<Level> levels;
+    for (const std::size_t k : which) {
+      levels.push_back(level_of(quantity_, strata_, kBelow[k], targets_[k], samples));
+      levels.back().purpose = (number_ * 16 + round) * 16 + static_cast<std::uint32_t>(k);
+    }
+    draw(levels, effort_, progress);
+    return levels;
+  }
+
+  Quantile quantile_of(const Level& level) const {
+    return weighted_quantile(level.samples, level.sizes, level.left_out, level.below, lowest_);
+  }
+
+  /// A round for the levels that are open: they get a better target, and are closed where it is as near to the one
+  /// before as the samples lie together: then these reach to both sides of it.
+  void improve(std::vector<std::size_t>& open, std::uint32_t round) {
+    const auto levels = sampled(open, round, std::max<std::size_t>(effort_.samples / kPilotShare, 250), [](double) {});
+    std::vector<std::size_t> still;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const double target = quantile_of(levels[i]).value + offset_;
+      if (!(std::abs(target - targets_[open[i]]) <= 0.5 * spread_of(levels[i]))) still.push_back(open[i]);
+      targets_[open[i]] = target;
+    }
+    open = still;
+  }
+
+  const Quantity& quantity_;
+  std::uint32_t number_;
+  const Effort& effort_;
+  std::vector<double> strata_;
+  double lowest_ = 0.0, offset_ = 0.0;
+  std::array<double, kLevels> targets_{};
+};
+
 }  // namespace
 
 Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::size_t> sizes, double left_out,
@@ -129,7 +229,8 @@ Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::s
   Quantile found;
   bool low = false, value = false;
   double probability = left_out, variance = 0.0;
-  found.low = found.value = found.high = samples.back().value;
+  found.low = lowest;
+  found.value = found.high = samples.back().value;
   for (std::size_t i = 0; i < samples.size();) {
     const double at = samples[i].value;
     const bool first = i == 0;
@@ -147,11 +248,12 @@ Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::s
       found.low = first ? lowest : at;
       low = true;
     }
+    // What has no samples counts as below in the low bound, as above in the high one.
     if (!value && probability >= below) {
       found.value = at;
       value = true;
     }
-    if (probability - error >= below) {
+    if (probability - left_out - error >= below) {
       found.high = at;
       break;
     }
@@ -160,39 +262,7 @@ Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::s
 }
 
 Quantiles quantiles(const Quantity& quantity, std::uint32_t number, const Effort& effort) {
-  std::vector<double> failure;
-  for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
-  const std::vector<double> strata = probabilities_of_failures(failure);
-  const double lowest = quantity.kind == Quantity::Kind::deceleration ? 0.0 : -std::numeric_limits<double>::infinity();
-  const auto levels_at = [&](const std::array<double, kLevels>& targets, std::size_t samples) {
-    std::vector<Level> levels;
-    for (std::size_t k = 0; k < kLevels; ++k)
-      levels.push_back(level_of(quantity, strata, kBelow[k], targets[k], samples));
-    return levels;
-  };
-  const auto found_in = [&](std::vector<Level>& levels) {
-    Quantiles found;
-    for (std::size_t k = 0; k < kLevels; ++k)
-      found[k] =
-          weighted_quantile(std::move(levels[k].samples), levels[k].sizes, levels[k].left_out, kBelow[k], lowest);
-    return found;
-  };
-  std::array<double, kLevels> targets{};
-  for (std::size_t k = 0; k < kLevels; ++k) targets[k] = first_guess(quantity, kBelow[k]);
-  // The pilot finds the place; its samples are not used again, or the bounds would be too narrow.
-  constexpr double kPilot = 1.0 / 9.0;
-  auto pilot = levels_at(targets, effort.samples / 8);
-  draw(pilot, number * 32, effort, [&](double share) { effort.progress(kPilot * share); });
-  const Quantiles place = found_in(pilot);
-  // The linear form of a build-up time is without its mean.
-  double offset = 0.0;
-  if (quantity.kind == Quantity::Kind::build_up_time)
-    for (const auto& group : quantity.groups)
-      offset += static_cast<double>(group.units) * group.weight * group.first_mean;
-  for (std::size_t k = 0; k < kLevels; ++k) targets[k] = place[k].value + offset;
-  auto levels = levels_at(targets, effort.samples);
-  draw(levels, number * 32 + 16, effort, [&](double share) { effort.progress(kPilot + (1.0 - kPilot) * share); });
-  return found_in(levels);
+  return Search(quantity, number, effort).found();
 }
 
 void in_threads(unsigned threads, std::size_t jobs, const std::function<void(std::size_t)>& job,

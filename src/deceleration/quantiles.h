@@ -36,8 +36,9 @@ struct Weighted {
   std::uint32_t stratum = 0;
 };
 /// The quantile for `below` from samples whose weights, summed over a stratum and divided by its number of samples
-/// (`sizes`), estimate its part of the distribution. `left_out` is the probability of strata without samples: all of
-/// it counts as below. Without any sample lower than it the low bound is `lowest`.
+/// (`sizes`), estimate its part of the distribution. `left_out` is the probability of strata without samples: it
+/// counts as below, in the high bound as above. Without any sample lower than it, or where all samples together do not
+/// have the probability, the low bound is `lowest`.
 Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::size_t> sizes, double left_out,
                            double below, double lowest);
 
