@@ -20,7 +20,7 @@ constexpr double kWidth = 1280.0, kHeight = 640.0;
 constexpr double kTop = 84.0, kBottom = 548.0;
 constexpr double kLeft = 74.0, kRight = 760.0;                  // decelerations over speed
 constexpr double kFactorsLeft = 850.0, kFactorsRight = 1256.0;  // factors by level
-/// The levels of the left panel: more lines than these are not told apart.
+/// The levels of the left panel: more lines than these look alike.
 struct Shown {
   std::size_t level;
   Stroke stroke;

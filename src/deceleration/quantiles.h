@@ -26,8 +26,8 @@ struct Effort {
   std::function<void(double)> progress = [](double) {};  ///< gets the share that is done, in the caller's thread
 };
 
-/// The values below which the quantity is with the probabilities kBelow. `number` tells the quantities of one spec
-/// apart: each has draws of its own. The result does not depend on the number of threads.
+/// The values below which the quantity is with the probabilities kBelow. `number` distinguishes the quantities of one
+/// spec: each has draws of its own. The result does not depend on the number of threads.
 Quantiles quantiles(const Quantity& quantity, std::uint32_t number, const Effort& effort);
 
 /// One sample of a stratum.
