@@ -164,6 +164,13 @@ void add_set(CLI::App& command, std::vector<std::string>& replaced) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_picture(CLI::App& command, std::string& plot, std::string& theme) {
+  command.add_option("--plot", plot, "a chart: FILE.svg, FILE.png or FILE.pdf, or FILE.html, interactive");
+  command.add_option("--theme", theme, "of a picture: screen, or print: light, with names at the curves")
+      ->check(CLI::IsMember({"screen", "print"}))
+      ->capture_default_str();
+}
+
 void add_curves(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<curves::Options>();
   CLI::App* command = app.add_subcommand("curves", "Braking curves and supervision limits for a train and a target");
@@ -177,8 +184,9 @@ void add_curves(CLI::App& app, int& exit_code) {
   command->add_option("--explain", options->explain_kmh, "the computation for this speed (km/h), step by step")
       ->check(number_between(0.0, 600.0));
   add_set(*command, options->replaced);
-  command->add_option("--plot", options->plot, "a chart: FILE.svg, or FILE.html, interactive");
-  command->add_option("-o,--output", options->output, "file to write to instead of standard output");
+  add_picture(*command, options->plot, options->theme);
+  command->add_option("-o,--output", options->output,
+                      "file to write to instead of standard output; FILE.xlsx is a workbook");
   auto many = std::make_shared<curves::BatchOptions>();
   CLI::Option* batch = command->add_option(
       "--batch", many->input, "limits of many: a query a line, or a query with a table; - for standard input");
@@ -188,7 +196,7 @@ void add_curves(CLI::App& app, int& exit_code) {
   command->add_option("--columns", many->columns, "of --batch: columns by speed, separated by commas")
       ->needs(batch)
       ->capture_default_str();
-  for (const char* other : {"input", "--format", "--model", "--explain", "--plot"})
+  for (const char* other : {"input", "--format", "--model", "--explain", "--plot", "--theme"})
     batch->excludes(command->get_option(other));
   command->callback([command, options, many, batch, &exit_code] {
     if (!command->get_subcommands().empty()) return;
@@ -210,8 +218,9 @@ void add_curves(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   comparison->add_option("more", two->more, "further inputs, each compared with A");
   add_set(*comparison, two->replaced);
-  comparison->add_option("--plot", two->plot, "a chart: FILE.svg, or FILE.html, interactive");
-  comparison->add_option("-o,--output", two->output, "file to write to instead of standard output");
+  add_picture(*comparison, two->plot, two->theme);
+  comparison->add_option("-o,--output", two->output,
+                         "file to write to instead of standard output; FILE.xlsx is a workbook");
   comparison->callback([two, &exit_code] { exit_code = curves::compare(*two); });
 }
 

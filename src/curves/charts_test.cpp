@@ -6,8 +6,8 @@
 
 #include "curves/compare.h"
 #include "curves/curves_test.h"
+#include "curves/drawing.h"
 #include "curves/plot.h"
-#include "curves/svg.h"
 #include "curves/workbook.h"
 
 namespace evc::curves {
@@ -140,7 +140,7 @@ TEST(CurvesCharts, AComparisonSaysWhatDiffersAndWarnsOfOtherTargets) {
   EXPECT_EQ(shown["warnings"][0], other.warnings[0]);
   EXPECT_EQ(shown["differ"], json(other.differ));
   EXPECT_NE(comparison_text(other, Format::table).find("warning: the targets differ"), std::string::npos);
-  EXPECT_NE(comparison_svg(other).find("Warning: the targets differ"), std::string::npos);
+  EXPECT_NE(svg_of(comparison_drawing({other}, Theme::screen)).find("Warning: the targets differ"), std::string::npos);
   const Scratch file_a("a.json", a.dump()), file_b("b.json", b.dump());
   const Ended csv = run("compare " + file_a.path() + " " + file_b.path() + " --format csv");
   EXPECT_EQ(csv.exit_code, 0);
@@ -152,7 +152,7 @@ TEST(CurvesCharts, ChartsAreWholeAndSelfContained) {
   for (const std::string& file : shipped()) {
     SCOPED_TRACE(file);
     const Approached a = approached(file);
-    const std::string svg = curves_svg(a);
+    const std::string svg = svg_of(curves_drawing(a, Theme::screen));
     EXPECT_EQ(svg.rfind("<svg", 0), 0u);
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
     for (const char* drawn :
@@ -176,7 +176,8 @@ TEST(CurvesCharts, ChartsAreWholeAndSelfContained) {
     EXPECT_EQ(state(300, true)["eb"], true);
   }
   const Approached sheet = approached(kSource + "/data/curves/workbook.json");
-  EXPECT_NE(workbook_svg(workbook_of(sheet), sheet).find("V0 = EBI, sheet"), std::string::npos);
+  EXPECT_NE(svg_of(workbook_drawing(workbook_of(sheet), sheet, Theme::screen)).find("V0 = EBI, sheet"),
+            std::string::npos);
 }
 
 /// Values of a curve of the interactive page at a place, km/h; NaN where there is none.
@@ -217,7 +218,7 @@ TEST(CurvesCharts, ChartsShowWhereAdhesionIsReducedAndBrakesDoNotCount) {
   EXPECT_EQ(zones[1][0], 3500.0);
   EXPECT_EQ(zones[1][2], 1);
   EXPECT_EQ(zones[1][3], "no magnetic shoe brake");
-  EXPECT_NE(curves_svg(gamma).find(">no magnetic shoe brake<"), std::string::npos);
+  EXPECT_NE(svg_of(curves_drawing(gamma, Theme::screen)).find(">no magnetic shoe brake<"), std::string::npos);
   // The adhesion zone counts until the rear end has left it; the conversion model has no special brakes.
   document["track"]["adhesion"] = {{2500, 3000}};
   document["train"] = {{"length_m", 75}};

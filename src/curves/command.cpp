@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "curves/compare.h"
 #include "curves/explain.h"
@@ -10,6 +12,7 @@
 #include "curves/plot.h"
 #include "curves/result.h"
 #include "curves/workbook.h"
+#include "curves/xlsx.h"
 #include "io/data_files.h"
 #include "io/file.h"
 
@@ -47,7 +50,7 @@ io::Result<Approached> load(const std::string& file, const std::vector<std::stri
 }
 
 /// Checks whether outputs would overwrite an input or each other; 0 when not.
-int check_outputs(std::initializer_list<std::string> inputs, const std::string& output, const std::string& plot) {
+int check_outputs(const std::vector<std::string>& inputs, const std::string& output, const std::string& plot) {
   for (const std::string& input : inputs)
     for (const std::string& file : {output, plot})
       if (const auto apart = io::not_the_input(input, file); !apart) return complain(apart.error());
@@ -65,54 +68,103 @@ int deliver(const std::string& output, const std::string& text, const std::strin
   return 0;
 }
 
-int wrong_plot(const std::string& file, const char* expected) {
-  return complain({"--plot", "", file, std::string("a file name that ends in ") + expected});
+/// The kinds of picture, by the end of the file's name.
+constexpr std::string_view kPictures[] = {".svg", ".png", ".pdf"};
+bool is_picture(const std::string& file) {
+  return std::any_of(std::begin(kPictures), std::end(kPictures), [&](auto end) { return ends_with(file, end); });
+}
+bool is_page(const std::string& file) { return ends_with(file, ".html"); }
+bool is_xlsx(const std::string& file) { return ends_with(file, ".xlsx"); }
+
+/// The drawing in the format that the name asks for.
+std::string picture_for(const std::string& file, const Drawing& drawing) {
+  if (ends_with(file, ".png")) return png_of(drawing);
+  return ends_with(file, ".pdf") ? pdf_of(drawing) : svg_of(drawing);
+}
+
+Theme theme_of(const std::string& name) { return name == "print" ? Theme::print : Theme::screen; }
+
+/// With `-o` a name of a chart, that is the chart, and nothing is written to standard output.
+void take_chart_of_output(std::string& output, std::string& plot) {
+  if (plot.empty() && (is_picture(output) || is_page(output))) {
+    plot = output;
+    output = "-";
+  }
+}
+
+/// 0 when the chart's name is one of a picture or, with `page`, of a page.
+int check_plot(const std::string& file, bool page) {
+  if (file.empty() || is_picture(file) || (page && is_page(file))) return 0;
+  return complain({"--plot", "", file,
+                   std::string("a file name that ends in .svg, .png") + (page ? ", .pdf or .html" : " or .pdf")});
+}
+
+int show_workbook(const Options& o, const Approached& approached) {
+  const Workbook sheet = workbook_of(approached);
+  std::string plot;
+  if (!o.plot.empty()) plot = picture_for(o.plot, workbook_drawing(sheet, approached, theme_of(o.theme)));
+  return deliver(o.output, is_xlsx(o.output) ? xlsx_of({table_of(sheet)}) : workbook_text(sheet, format_of(o.format)),
+                 o.plot, plot);
 }
 
 }  // namespace
 
-int show(const Options& o) {
+int show(const Options& options) {
+  Options o = options;
   const bool workbook = o.model == "workbook";
   if (workbook && o.explain_kmh >= 0.0) return complain({"--explain", "", "--model workbook", "--model srs"});
+  if (o.explain_kmh >= 0.0 && (is_xlsx(o.output) || is_picture(o.output) || is_page(o.output)))
+    return complain({"--explain", "", "-o " + o.output, "a file of text"});
+  take_chart_of_output(o.output, o.plot);
   if (const int wrong = check_outputs({o.input}, o.output, o.plot); wrong != 0) return wrong;
   const auto approached =
       load(!o.input.empty() ? o.input : io::data_file(workbook ? kShippedWorkbook : kShippedInput), o.replaced);
   if (!approached) return complain(approached.error());
-  const bool svg = ends_with(o.plot, ".svg");
-  if (!o.plot.empty() && !svg && (workbook || !ends_with(o.plot, ".html")))
-    return wrong_plot(o.plot, workbook ? ".svg" : ".svg or .html");
-  if (workbook) {
-    const Workbook sheet = workbook_of(*approached);
-    return deliver(o.output, workbook_text(sheet, format_of(o.format)), o.plot,
-                   o.plot.empty() ? "" : workbook_svg(sheet, *approached));
-  }
+  if (const int wrong = check_plot(o.plot, !workbook); wrong != 0) return wrong;
+  if (workbook) return show_workbook(o, *approached);
   std::string plot;
-  if (!o.plot.empty()) plot = svg ? curves_svg(*approached) : curves_html(*approached);
+  if (!o.plot.empty())
+    plot = is_page(o.plot) ? curves_html(*approached)
+                           : picture_for(o.plot, curves_drawing(*approached, theme_of(o.theme)));
   if (o.explain_kmh >= 0.0) {
     // The page of --explain is requested separately: a plot does not replace it.
     if (!plot.empty())
       if (const auto written = io::write_whole(o.plot, plot); !written) return complain(written.error());
     return deliver(o.output, explain_text(*approached, o.explain_kmh), "", "");
   }
-  return deliver(o.output, curves_text(curves_result(*approached), format_of(o.format)), o.plot, plot);
+  if (!o.plot.empty() && o.output == "-") return deliver("-", "", o.plot, plot);
+  const CurvesResult result = curves_result(*approached);
+  return deliver(o.output, is_xlsx(o.output) ? xlsx_of(tables_of(result)) : curves_text(result, format_of(o.format)),
+                 o.plot, plot);
 }
 
-int compare(const CompareOptions& o) {
-  if (const int wrong = check_outputs({o.a, o.b}, o.output, o.plot); wrong != 0) return wrong;
-  const auto a = load(o.a, o.replaced);
-  if (!a) return complain(a.error());
-  const auto b = load(o.b, o.replaced);
-  if (!b) return complain(b.error());
-  const bool svg = ends_with(o.plot, ".svg");
-  if (!o.plot.empty() && !svg && !ends_with(o.plot, ".html")) return wrong_plot(o.plot, ".svg or .html");
-  const Comparison comparison = compare_curves(*a, *b);
+int compare(const CompareOptions& options) {
+  CompareOptions o = options;
+  take_chart_of_output(o.output, o.plot);
+  std::vector<std::string> files{o.a, o.b};
+  files.insert(files.end(), o.more.begin(), o.more.end());
+  if (const int wrong = check_outputs(files, o.output, o.plot); wrong != 0) return wrong;
+  std::vector<Approached> inputs;
+  for (const std::string& file : files) {
+    auto input = load(file, o.replaced);
+    if (!input) return complain(input.error());
+    inputs.push_back(*std::move(input));
+  }
+  if (const int wrong = check_plot(o.plot, true); wrong != 0) return wrong;
+  if (is_page(o.plot) && inputs.size() > 2)
+    return complain({"--plot", "", o.plot, "a picture (.svg, .png, .pdf): the page has two inputs"});
+  const std::vector<Comparison> all = compare_all(inputs);
   std::string plot;
   if (!o.plot.empty())
-    plot = svg ? comparison_svg(compare_curves(*a, *b, drawn_speeds(comparison))) : comparison_html(*a, *b);
+    plot = is_page(o.plot)
+               ? comparison_html(inputs[0], inputs[1])
+               : picture_for(o.plot, comparison_drawing(compare_all(inputs, drawn_speeds(all[0])), theme_of(o.theme)));
   // CSV has no field for warnings, and a plot alone prints nothing.
   if (o.format == "csv" || (!o.plot.empty() && o.output == "-"))
-    for (const std::string& warning : comparison.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  return deliver(o.output, comparison_text(comparison, format_of(o.format)), o.plot, plot);
+    for (const Comparison& c : all)
+      for (const std::string& warning : c.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return deliver(o.output, is_xlsx(o.output) ? xlsx_of(tables_of(all)) : comparisons_text(all, format_of(o.format)),
+                 o.plot, plot);
 }
 
 }  // namespace evc::curves

@@ -7,11 +7,12 @@
 namespace evc::curves {
 
 struct Options {
-  std::string input;            ///< evc-curves/1; empty: a shipped example
-  std::string format = "json";  ///< json, csv or table
-  std::string model = "srs";    ///< srs or workbook
-  std::string plot;             ///< FILE.svg or FILE.html; empty: no chart
-  std::string output = "-";
+  std::string input;                  ///< evc-curves/1; empty: a shipped example
+  std::string format = "json";        ///< json, csv or table
+  std::string model = "srs";          ///< srs or workbook
+  std::string plot;                   ///< FILE.svg, .png, .pdf or .html; empty: no chart
+  std::string theme = "screen";       ///< of pictures: screen or print
+  std::string output = "-";           ///< FILE.xlsx is a workbook, a name of a chart is one
   double explain_kmh = -1.0;          ///< below 0: no explanation
   std::vector<std::string> replaced;  ///< PLACE=VALUE: members of the query that are replaced, in this order
 };
@@ -23,6 +24,7 @@ struct CompareOptions {
   std::vector<std::string> more;  ///< further inputs, compared with A as B is
   std::string format = "table";
   std::string plot;
+  std::string theme = "screen";
   std::string output = "-";
   std::vector<std::string> replaced;  ///< as above, in every input
 };

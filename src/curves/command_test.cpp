@@ -268,7 +268,7 @@ TEST(CommandCurves, OneLineAndExitStatusTwo) {
   document["train"]["length_m"] = "long";
   const Scratch input("bad.json", document.dump());
   for (const std::string& arguments :
-       {input.path(), std::string("/nowhere.json"), std::string("--plot picture.png"),
+       {input.path(), std::string("/nowhere.json"), std::string("--plot picture.gif"),
         "compare " + input.path() + " " + input.path(), std::string("--model workbook --plot a.html")}) {
     const Ended ran = run(arguments);
     EXPECT_EQ(ran.exit_code, 2) << arguments;

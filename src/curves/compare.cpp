@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 #include "io/number.h"
 
@@ -20,8 +22,8 @@ void append_strings(std::string& out, const char* key, const std::vector<std::st
   out += ']';
 }
 
-std::string as_json(const Comparison& c) {
-  std::string out = "{\n  \"schema\": \"evc-curves-comparison/1\",\n  \"a\": ";
+std::string members_of(const Comparison& c) {
+  std::string out = "  \"a\": ";
   io::append_string(out, c.name_a);
   out += ",\n  \"b\": ";
   io::append_string(out, c.name_b);
@@ -41,33 +43,58 @@ std::string as_json(const Comparison& c) {
       out += fmt::format(", \"{}\": {}", curve.name, shortest(c.difference[i].*curve.value, "null"));
     out += "}";
   }
-  return out + (c.difference.empty() ? "]\n}\n" : "\n  ]\n}\n");
+  return out + (c.difference.empty() ? "]\n}" : "\n  ]\n}");
 }
 
-std::string as_csv(const Comparison& c) {
-  std::string out = "v_kmh";
-  for (const auto& curve : curve_columns()) out += fmt::format(",{0}_a,{0}_b,{0}_difference", curve.name);
-  out += '\n';
-  for (std::size_t i = 0; i < c.difference.size(); ++i) {
-    out += shortest(c.difference[i].v_kmh, "");
-    for (const auto& curve : curve_columns())
-      for (const SpeedRow* row : {&c.rows_a[i], &c.rows_b[i], &c.difference[i]})
-        out += "," + shortest(row->*curve.value, "");
-    out += '\n';
+std::string as_json(const Comparison& c) {
+  return "{\n  \"schema\": \"evc-curves-comparison/1\",\n" + members_of(c) + "\n";
+}
+
+std::string lower(std::size_t input) {
+  std::string letter = input_letter(input);
+  for (char& c : letter)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return letter;
+}
+
+/// v_kmh, then of every curve the value of A and of each other input its value and its difference.
+ResultTable by_speed(const std::vector<Comparison>& all) {
+  ResultTable table{"by_speed", "by_speed", {{"v_kmh", "km/h"}}, {}};
+  for (const auto& curve : curve_columns()) {
+    table.columns.push_back({curve.name + std::string("_a"), "m"});
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::string own = curve.name + ("_" + lower(k + 1));
+      table.columns.push_back({own, "m"});
+      table.columns.push_back({all.size() == 1 ? curve.name + std::string("_difference") : own + "_difference", "m"});
+    }
   }
-  return out;
+  for (std::size_t i = 0; i < all[0].difference.size(); ++i) {
+    std::vector<Cell> cells{Value(all[0].difference[i].v_kmh)};
+    for (const auto& curve : curve_columns()) {
+      cells.emplace_back(all[0].rows_a[i].*curve.value);
+      for (const Comparison& c : all) {
+        cells.emplace_back(c.rows_b[i].*curve.value);
+        cells.emplace_back(c.difference[i].*curve.value);
+      }
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
 }
 
-std::string as_table(const Comparison& c) {
-  std::string out = fmt::format("A  {}\nB  {}\n{}\n", io::printable(c.name_a), io::printable(c.name_b), differ_text(c));
+/// `letter`: of the other input.
+std::string as_table(const Comparison& c, const std::string& letter) {
+  std::string out =
+      fmt::format("A  {}\n{}  {}\n{}\n", io::printable(c.name_a), letter, io::printable(c.name_b), differ_text(c));
   for (const std::string& warning : c.warnings) out += "warning: " + warning + "\n";
   out += '\n';
-  TextTable scalars({"", "A", "B", "B - A"});
+  TextTable scalars({"", "A", letter, letter + " - A"});
   for (const auto& s : scalar_columns())
     if (c.a.*s.value || c.b.*s.value)
       scalars.add(
           {s.name, fixed(c.a.*s.value, 2), fixed(c.b.*s.value, 2), fixed(minus(c.b.*s.value, c.a.*s.value), 2)});
-  out += scalars.text() + "\nB - A in metres before the target: positive where B has to brake earlier\n";
+  out += scalars.text() +
+         fmt::format("\n{0} - A in metres before the target: positive where {0} has to brake earlier\n", letter);
   std::vector<std::string> names{"km/h"};
   std::vector<Column<SpeedRow>> used;
   for (const auto& curve : curve_columns())
@@ -94,12 +121,33 @@ std::string differ_text(const Comparison& c) {
   return out;
 }
 
-Comparison compare_curves(const Approached& a, const Approached& b) {
-  std::vector<double> speeds = a.input().speeds_kmh;
-  speeds.insert(speeds.end(), b.input().speeds_kmh.begin(), b.input().speeds_kmh.end());
+namespace {
+
+/// Every speed of the inputs once, in order.
+std::vector<double> all_speeds(std::initializer_list<const std::vector<double>*> lists) {
+  std::vector<double> speeds;
+  for (const auto* list : lists) speeds.insert(speeds.end(), list->begin(), list->end());
   std::sort(speeds.begin(), speeds.end());
   speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-  return compare_curves(a, b, speeds);
+  return speeds;
+}
+
+}  // namespace
+
+Comparison compare_curves(const Approached& a, const Approached& b) {
+  return compare_curves(a, b, all_speeds({&a.input().speeds_kmh, &b.input().speeds_kmh}));
+}
+
+std::vector<Comparison> compare_all(const std::vector<Approached>& inputs) {
+  std::vector<double> speeds;
+  for (const Approached& input : inputs) speeds = all_speeds({&speeds, &input.input().speeds_kmh});
+  return compare_all(inputs, speeds);
+}
+
+std::vector<Comparison> compare_all(const std::vector<Approached>& inputs, const std::vector<double>& speeds_kmh) {
+  std::vector<Comparison> all;
+  for (std::size_t i = 1; i < inputs.size(); ++i) all.push_back(compare_curves(inputs[0], inputs[i], speeds_kmh));
+  return all;
 }
 
 std::vector<double> drawn_speeds(const Comparison& c) {
@@ -129,9 +177,52 @@ Comparison compare_curves(const Approached& a, const Approached& b, const std::v
   return c;
 }
 
+std::string input_letter(std::size_t input) {
+  return input < 26 ? std::string(1, static_cast<char>('A' + input)) : std::to_string(input + 1);
+}
+
+std::vector<ResultTable> tables_of(const std::vector<Comparison>& all) {
+  ResultTable scalars{"scalars", "scalars", {{"name"}, {"A"}}, {}};
+  ResultTable inputs{
+      "inputs", "inputs", {{"input"}, {"name"}, {"differ"}, {"warnings"}}, {{"A", all[0].name_a, "", ""}}};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string letter = input_letter(k + 1);
+    scalars.columns.push_back({letter});
+    scalars.columns.push_back({letter + " - A"});
+    std::string warnings;
+    for (const std::string& warning : all[k].warnings) warnings += (warnings.empty() ? "" : "; ") + warning;
+    inputs.rows.push_back({letter, all[k].name_b, differ_text(all[k]), warnings});
+  }
+  for (const auto& s : scalar_columns()) {
+    std::vector<Cell> cells{std::string(s.name), all[0].a.*s.value};
+    for (const Comparison& c : all) {
+      cells.emplace_back(c.b.*s.value);
+      cells.emplace_back(minus(c.b.*s.value, c.a.*s.value));
+    }
+    scalars.rows.push_back(std::move(cells));
+  }
+  return {std::move(inputs), std::move(scalars), by_speed(all)};
+}
+
+std::string comparisons_text(const std::vector<Comparison>& all, Format format) {
+  std::string out;
+  if (format == Format::csv) {
+    append_csv(out, by_speed(all));
+    return out;
+  }
+  if (all.size() == 1) return comparison_text(all[0], format);
+  if (format == Format::table) {
+    for (std::size_t k = 0; k < all.size(); ++k) out += (k == 0 ? "" : "\n") + as_table(all[k], input_letter(k + 1));
+    return out;
+  }
+  out = "{\n\"schema\": \"evc-curves-comparisons/1\",\n\"comparisons\": [";
+  for (std::size_t k = 0; k < all.size(); ++k) out += (k == 0 ? "\n{\n" : ",\n{\n") + members_of(all[k]);
+  return out + "\n]\n}\n";
+}
+
 std::string comparison_text(const Comparison& comparison, Format format) {
-  if (format == Format::csv) return as_csv(comparison);
-  return format == Format::table ? as_table(comparison) : as_json(comparison);
+  if (format == Format::csv) return comparisons_text({comparison}, format);
+  return format == Format::table ? as_table(comparison, "B") : as_json(comparison);
 }
 
 }  // namespace evc::curves

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "curves/compare.h"
-#include "curves/svg.h"
+#include "curves/drawing.h"
 #include "io/number.h"
+#include "io/xml.h"
 
 // The interactive page of `evc curves compare`: both results at every km/h; the page interpolates.
 namespace evc::curves {
@@ -95,9 +96,7 @@ std::string data_of(const Approached& a, const Approached& b) {
 }  // namespace
 
 std::string comparison_html(const Approached& a, const Approached& b) {
-  std::string data = data_of(a, b);
-  // Inside <script> a "</" would end the element.
-  for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; at += 3) data.replace(at, 2, "<\\/");
+  const std::string data = io::json_in_script(data_of(a, b));
   std::string page = compare_page_template;
   const std::string slot = "/*DATA*/null";
   page.replace(page.find(slot), slot.size(), data);

@@ -6,6 +6,7 @@
 #include "curves/picture.h"
 #include "curves/plot.h"
 #include "io/number.h"
+#include "io/xml.h"
 
 // The interactive page: all values are computed here, on a grid; the page interpolates.
 namespace evc::curves {
@@ -159,6 +160,8 @@ std::string data_of(const Approached& a) {
                                      fixed(scalars.T_bs_s, 2)));
   append_key(out, "top");
   append_rounded(out, p.top_kmh);
+  append_key(out, "bottom");
+  append_rounded(out, p.bottom_kmh);
   append_key(out, "target");
   append_rounded(out, c.target_location.from_origin.si);
   const double middle = p.from_m + 0.45 * (p.to_m - p.from_m);
@@ -173,6 +176,8 @@ std::string data_of(const Approached& a) {
     append_rounded(out, *p.start_of_RSM_m);
     out += ',';
     append_rounded(out, *p.V_release_kmh);
+    out += ',';
+    append_rounded(out, p.end_of_RSM_m);
     out += ']';
   } else {
     out += "null";
@@ -185,9 +190,7 @@ std::string data_of(const Approached& a) {
 }  // namespace
 
 std::string curves_html(const Approached& a) {
-  std::string data = data_of(a);
-  // Inside <script> a "</" would end the element.
-  for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; at += 3) data.replace(at, 2, "<\\/");
+  const std::string data = io::json_in_script(data_of(a));
   std::string page = page_template;
   const std::string slot = "/*DATA*/null";
   page.replace(page.find(slot), slot.size(), data);

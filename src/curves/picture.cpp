@@ -96,7 +96,10 @@ void add_braking_curves(Picture& p, const Approached& a) {
       if (before != nullptr && governing != before) lowest = kNaN;
       before = governing;
       any = any || !std::isnan(lowest);
-      c.v.push_back(lowest > p.top_kmh * 1.2 ? kNaN : lowest);
+      // Of several targets, none has a curve that begins in mid-air: all are cut at the ceiling.
+      const Speed M = sdm::ceiling_at(d, Place{{x}});
+      const double highest = d.targets.size() > 1 ? (M + sdm::dV_ebi(M, d.fixed)).si * kKmh : p.top_kmh * 1.2;
+      c.v.push_back(lowest > highest ? kNaN : lowest);
     }
     if (any) p.curves.push_back(std::move(c));
   };
@@ -126,7 +129,9 @@ void add_limits(Picture& p, const Approached& a, const std::vector<LimitTable>& 
         const double v = std::max(LimitTable::speed_at(t.*kind.places, x), floor);
         if (v <= ceiling && !(v >= lowest)) lowest = v;
       }
-      c.v.push_back(lowest);
+      // 3.13.9.4.6: from its start on, release speed monitoring has its own EBI, and no SBI, W and I.
+      const bool replaced = p.start_of_RSM_m && x > *p.start_of_RSM_m && kind.places != &LimitTable::P;
+      c.v.push_back(replaced ? kNaN : lowest);
     }
     p.curves.push_back(std::move(c));
   }
@@ -146,7 +151,10 @@ void add_marks(Picture& p, const Approached& a) {
   if (s.d_perturbation_m) p.marks.push_back({location - *s.d_perturbation_m, "perturbation"});
   if (s.d_preindication_m) p.marks.push_back({location - *s.d_preindication_m, "pre-indication"});
   p.V_release_kmh = s.V_release_kmh;
-  if (s.d_start_RSM_m) p.start_of_RSM_m = location - *s.d_start_RSM_m;
+  if (!s.d_start_RSM_m) return;
+  p.start_of_RSM_m = location - *s.d_start_RSM_m;
+  p.end_of_RSM_m = m(t.d_target);
+  p.marks.push_back({*p.start_of_RSM_m, "start of RSM"});
 }
 
 void add_zones(Picture& p, const sdm::Inputs& in) {
@@ -187,6 +195,30 @@ std::vector<Picture::Step> steps_of(const Function& f) {
   return steps;
 }
 
+/// The start of the chart, earlier where the Indication limit of a target in it would be left of it.
+double with_targets_on_the_way(const Approached& a, double start) {
+  const sdm::Derived& d = a.derived();
+  const double farthest = start - 20000.0;
+  for (std::size_t i = d.targets.size(); i-- > 0;) {
+    const sdm::Target& t = d.targets[i];
+    if (t.kind != sdm::TargetKind::MRSP || m(t.d_target) < start) continue;
+    const Speed before = sdm::ceiling_at(d, t.d_target - Distance{1e-3});
+    if (!(t.V_target < before)) continue;
+    const Place d_I = a.explain(before, t).d_I;
+    if (is_somewhere(d_I) && m(d_I) > farthest) start = std::min(start, m(d_I));
+  }
+  return start;
+}
+
+/// Nothing of the chart is below this speed: a restriction does not need the empty part of the axis.
+double lowest_drawn(const Picture& p) {
+  double lowest = p.V_release_kmh.value_or(p.top_kmh);
+  for (const PictureCurve& c : p.curves)
+    for (const double v : c.v)
+      if (v < lowest) lowest = v;
+  return std::max(std::floor((lowest - 10.0) / 20.0) * 20.0, 0.0);
+}
+
 }  // namespace
 
 Picture picture_of(const Approached& a) {
@@ -199,24 +231,27 @@ Picture picture_of(const Approached& a) {
     p.mrsp.push_back({m(step.from), step.value.si * kKmh});
   }
   const double top = V_max * kKmh + sdm::dV_ebi({V_max}, d.fixed).si * kKmh;
-  p.top_kmh = std::ceil((top + 4.0) / 10.0) * 10.0;
+  p.top_kmh = std::ceil((top * 1.07 + 4.0) / 10.0) * 10.0;  // with room for the names of places
   std::vector<LimitTable> tables;
   for (const sdm::Target& t : d.targets) tables.push_back(table_of(a, t, p.top_kmh + 10.0));
   const double end = m(std::max(a.target().d_target, c.target_location));
   const Place d_I = a.explain({V_max}).d_I;
-  const double start = is_somewhere(d_I) ? std::min(m(d_I), m(c.target_location) - 100.0) : end - 5000.0;
+  const double own = is_somewhere(d_I) ? std::min(m(d_I), m(c.target_location) - 100.0) : end - 5000.0;
+  const double start = with_targets_on_the_way(a, own);
   p.from_m = start - 0.10 * (end - start);
   p.to_m = end + 0.05 * (end - start);
   // A profile that begins at 0 is not drawn far in rear of it.
   if (!d.mrsp.empty() && m(d.mrsp.steps[0].from) > p.from_m && m(d.mrsp.steps[0].from) < start)
     p.from_m = m(d.mrsp.steps[0].from);
   p.x_m = places_of(a, p.from_m, p.to_m);
-  PictureCurve mrsp{"MRSP", "MRSP", {colour::grey, 1.6, ""}, {}};
+  // Wide: the Permitted speed covers its middle.
+  PictureCurve mrsp{"MRSP", "MRSP", {colour::grey, 5.0, ""}, {}};
   for (const double x : p.x_m) mrsp.v.push_back(d.mrsp.at(Place{{x}}).si * kKmh);
   p.curves.push_back(std::move(mrsp));
+  add_marks(p, a);
   add_braking_curves(p, a);
   add_limits(p, a, tables);
-  add_marks(p, a);
+  p.bottom_kmh = lowest_drawn(p);
   add_zones(p, c.inputs);
   p.gradient = steps_of(c.inputs.gradient.permille);
   if (c.inputs.gradient.known_to) p.gradient.push_back({m(*c.inputs.gradient.known_to), 0.0});

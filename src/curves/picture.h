@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "curves/drawing.h"
 #include "curves/result.h"
-#include "curves/svg.h"
 
 namespace evc::curves {
 
@@ -17,7 +17,8 @@ struct PictureCurve {
 /// The contents of both charts: every curve and limit over the line, the most restrictive of all
 /// targets.
 struct Picture {
-  double from_m = 0.0, to_m = 0.0, top_kmh = 0.0;
+  double from_m = 0.0, to_m = 0.0;
+  double bottom_kmh = 0.0, top_kmh = 0.0;  // the lowest speed drawn: above 0 where nothing is below it
   std::vector<double> x_m;
   std::vector<PictureCurve> curves;
   struct Step {
@@ -38,6 +39,7 @@ struct Picture {
   std::vector<Zone> zones;
   std::size_t zone_rows = 0;
   Value V_release_kmh, start_of_RSM_m;
+  double end_of_RSM_m = 0.0;  // the SvL
 };
 Picture picture_of(const Approached& approached);
 

@@ -340,6 +340,70 @@ CurvesResult curves_result(const Approached& a) {
   return r;
 }
 
+namespace {
+
+/// The unit of a name that ends in it: "T_be_s".
+const char* unit_of(const std::string& name) {
+  const std::string end = name.substr(name.rfind('_') + 1);
+  return end == "s" ? "s" : end == "m" ? "m" : end == "kmh" ? "km/h" : "";
+}
+
+template <class Row>
+ResultTable table_of_rows(const char* key, TableColumn first, double Row::*at, const std::vector<Row>& rows,
+                          const std::vector<Column<Row>>& columns, const char* unit) {
+  ResultTable table{key, key, {std::move(first)}, {}};
+  for (const auto& c : columns) table.columns.push_back({c.name, c.name[0] == 'A' ? "m/s2" : unit});
+  for (const Row& row : rows) {
+    std::vector<Cell> cells{Value(row.*at)};
+    for (const auto& c : columns) cells.emplace_back(row.*c.value);
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+void add_queries(std::vector<ResultTable>& tables, const char* key, const std::vector<QueryRow>& rows) {
+  if (rows.empty()) return;
+  ResultTable table{key, key, {}, {}};
+  for (const auto& [name, value] : rows.front()) {
+    const std::string text = name;
+    const char* unit = text == "G_PBDSR"                  ? "per mille"
+                       : text[0] == 'V'                   ? "km/h"
+                       : text[0] == 'Q' || text[0] == 'f' ? ""
+                                                          : "m";
+    table.columns.push_back({text, unit});
+  }
+  for (const QueryRow& row : rows) {
+    std::vector<Cell> cells;
+    for (const auto& [name, value] : row) cells.emplace_back(value);
+    table.rows.push_back(std::move(cells));
+  }
+  tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+std::vector<ResultTable> tables_of(const CurvesResult& r) {
+  ResultTable scalars{"scalars", "scalars", {{"name"}, {"value"}, {"unit"}}, {}};
+  for (const auto& c : scalar_columns())
+    if (const Value& value = r.scalars.*c.value) scalars.rows.push_back({c.name, value, unit_of(c.name)});
+  std::vector<ResultTable> tables{std::move(scalars)};
+  if (!r.by_speed.empty())
+    tables.push_back(
+        table_of_rows("by_speed", {"v_kmh", "km/h"}, &SpeedRow::v_kmh, r.by_speed, speed_columns(r.separate_EOA), "m"));
+  if (!r.by_position.empty())
+    tables.push_back(table_of_rows("by_position", {"position_m", "m"}, &PositionRow::position_m, r.by_position,
+                                   position_columns(), "km/h"));
+  add_queries(tables, "PBD", r.PBD);
+  add_queries(tables, "LX", r.LX);
+  tables.insert(tables.end(), r.details.begin(), r.details.end());
+  if (!r.notes.empty()) {
+    ResultTable notes{"notes", "notes", {{"note"}}, {}};
+    for (const std::string& note : r.notes) notes.rows.push_back({note});
+    tables.push_back(std::move(notes));
+  }
+  return tables;
+}
+
 std::string curves_text(const CurvesResult& result, Format format) {
   if (format == Format::csv) return as_csv(result);
   return format == Format::table ? as_table(result) : as_json(result);

@@ -113,6 +113,8 @@ void append_queries_csv(std::string& out, const std::vector<QueryRow>& rows);
 void append_queries_table(std::string& out, const char* title, const std::vector<QueryRow>& rows);
 
 enum class Format { json, csv, table };
+/// All tables of the result, with the scalars first and the notes last: a sheet for each.
+std::vector<ResultTable> tables_of(const CurvesResult& result);
 /// The result as `evc-curves-result/1`, CSV or a table.
 std::string curves_text(const CurvesResult& result, Format format);
 

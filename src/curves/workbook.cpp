@@ -118,6 +118,25 @@ Workbook workbook_of(const Approached& a) {
   return w;
 }
 
+ResultTable table_of(const Workbook& w) {
+  ResultTable table{"workbook", "workbook", {}, {}};
+  // m, m/s, m/s2, s as in the sheet; b is a speed, c and D are squares.
+  constexpr const char* kUnits[kWorkbookColumns] = {"m",   "m",   "m/s",   "m/s",   "m/s2", "m/s", "",
+                                                    "m/s", "m/s", "m/s",   "m",     "",     "s",   "m",
+                                                    "m/s", "m/s", "m2/s2", "m2/s2", "m/s",  "m/s"};
+  for (std::size_t k = 0; k < kWorkbookColumns; ++k) table.columns.push_back({kWorkbookColumnNames[k], kUnits[k]});
+  table.columns.push_back({"SRS_EBD", "m/s"});
+  table.columns.push_back({"SRS_EBI", "m/s"});
+  for (std::size_t i = 0; i < w.rows.size(); ++i) {
+    std::vector<Cell> cells;
+    for (std::size_t k = 0; k < kWorkbookColumns; ++k) cells.emplace_back(Value(column(w.rows[i], k)));
+    cells.emplace_back(Value(w.SRS_EBD[i]));
+    cells.emplace_back(Value(w.SRS_EBI[i]));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
 std::string workbook_text(const Workbook& workbook, Format format) {
   if (format == Format::csv) return as_csv(workbook);
   return format == Format::table ? as_table(workbook) : as_json(workbook);

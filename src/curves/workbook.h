@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "curves/drawing.h"
 #include "curves/result.h"
 #include "curves/workbook_model.h"
 
@@ -19,6 +20,8 @@ struct Workbook {
 Workbook workbook_of(const Approached& approached);
 /// `evc-workbook-result/1`: the sheet's columns; CSV and table.
 std::string workbook_text(const Workbook& workbook, Format format);
-std::string workbook_svg(const Workbook& workbook, const Approached& approached);
+/// One table with the columns of the sheet and those of the standard.
+ResultTable table_of(const Workbook& workbook);
+Drawing workbook_drawing(const Workbook& workbook, const Approached& approached, Theme theme);
 
 }  // namespace evc::curves
