@@ -5,7 +5,7 @@
 #include <cstdint>
 
 // This file is compiled once for each set of instructions, as batch/kernel.cpp is.
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "../bench/batch_bench.cpp"
 #include <hwy/foreach_target.h>

@@ -4,9 +4,9 @@
 
 #include "batch/tables.h"
 
-// Each set of instructions is a compilation of this file: foreach_target.h includes it again and again. SSE4 and the
-// variants of AVX-512 would bring nothing for numbers of 64 bits.
-#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_AVX3_DL)
+// Each set of instructions is a compilation of this file: foreach_target.h includes it again and again. SSSE3 is slower
+// than one number at a time, and the variants of AVX-512 would bring nothing for numbers of 64 bits.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -144,19 +144,20 @@ HWY_INLINE void place_upstream(const Block& b, const Curve* curves, const V* wan
       const V at_border = hn::Add(w[u], hn::Mul(two, hn::Mul(c.A, hn::Sub(x[u], c.begin))));
       const M inside = hn::Lt(at_border, upper);
       const V w_next = choose(inside, at_border, upper);
+      const V there = hn::Sub(x[u], hn::Div(hn::Sub(upper, w[u]), hn::Mul(two, c.A)));
+      const V x_next = choose(inside, c.begin, greatest(c.begin, there));
+      const M crossed = hn::Le(x_next, c.begin);
+      const M first = hn::RebindMask(D(), hn::Lt(cell[u], curves[u].second));
       // Beyond the top speed the last arc is continued.
       const M last = hn::Or(hn::Ge(w[u], curves[u].w_top), hn::Ge(w_next, wanted[u]));
-      const V to = choose(last, wanted[u], upper);
-      const V there = hn::Sub(x[u], hn::Div(hn::Sub(to, w[u]), hn::Mul(two, c.A)));
-      const V x_next = choose(inside, c.begin, greatest(c.begin, there));
-      place[u] = choose(hn::And(open[u], last), there, place[u]);
-      open[u] = hn::AndNot(last, open[u]);
-      // Upstream of the first segment no higher speed is allowed.
-      const M crossed = hn::And(open[u], hn::Le(x_next, c.begin));
-      const M ended = hn::And(crossed, hn::RebindMask(D(), hn::Lt(cell[u], curves[u].second)));
-      place[u] = choose(ended, number(kNotAllowed), place[u]);
-      open[u] = hn::AndNot(ended, open[u]);
-      const VI upstream = choose(hn::AndNot(ended, crossed), hn::Sub(cell[u], curves[u].stride), cell[u]);
+      const M ended = hn::And(open[u], hn::Or(last, hn::And(crossed, first)));
+      if (any(ended)) {
+        // Upstream of the first segment no higher speed is allowed.
+        const V on_arc = hn::Sub(x[u], hn::Div(hn::Sub(wanted[u], w[u]), hn::Mul(two, c.A)));
+        place[u] = choose(ended, choose(last, on_arc, number(kNotAllowed)), place[u]);
+        open[u] = hn::AndNot(ended, open[u]);
+      }
+      const VI upstream = choose(hn::And(open[u], crossed), hn::Sub(cell[u], curves[u].stride), cell[u]);
       cell[u] = choose(hn::And(open[u], hn::Ge(w_next, c.upto)), plus(upstream, kCellValues), upstream);
       x[u] = x_next;
       w[u] = w_next;

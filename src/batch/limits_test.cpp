@@ -217,4 +217,39 @@ TEST(Batch, LimitsHaveTheBitsOfSdmWithEverySetOfInstructions) {
   EXPECT_GE(static_cast<double>(vectorised), 0.7 * static_cast<double>(compared));
 }
 
+/// More arcs between the target and the foot of its curve than sdm keeps: such a curve begins at the target, and those
+/// of the kernels are computed by sdm.
+TEST(Batch, ACurveWithTooManyArcsBeyondItsTargetIsThatOfSdm) {
+  sdm::Inputs in = sdm::test::simple_inputs();
+  in.gradient.permille = {};
+  for (int i = 0; i < 96; ++i) (void)in.gradient.permille.append({{1000.0 + 1.5 * i}}, i % 2 == 0 ? 0.0 : 1.0);
+  in.train.L_TRAIN = {1.0};  // the lowest gradient under it changes as often
+  in.authority.kind = sdm::Authority::Kind::LOA;
+  in.authority.EOA = {{1000.0}};
+  in.authority.V_LOA = kmh(80.0);
+  const auto d = sdm::test::built(in);
+  ASSERT_TRUE(d->targets.back().warnings.no_deceleration) << "more arcs fit now";
+  Trains trains;
+  (void)trains.add(in);
+  ASSERT_TRUE(trains.vectorised(0));
+  std::vector<double> speed;
+  for (double v = 60.0; v < 100.0; v += 0.5) speed.push_back(kmh(v).si);
+  const std::vector<batch::Target> targets{of(d->targets.back())};
+  for (const Instructions& set : sets_of_instructions()) {
+    use_only(set.target);
+    std::vector<double> EBD(speed.size());
+    std::vector<double> I(speed.size());
+    batch::LimitsOut out;
+    out.EBD = EBD;
+    out.I = I;
+    batch::limits(trains, targets, {{}, {}, speed}, out);
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+      const sdm::Explanation e = sdm::explain(*d, in, d->targets.back(), Speed{speed[i]}, {}, {});
+      ASSERT_EQ(EBD[i], (targets[0].location - e.d_EBD).si) << set.name << " " << speed[i];
+      ASSERT_EQ(I[i], (targets[0].location - e.d_I).si) << set.name << " " << speed[i];
+    }
+  }
+  use_only(0);
+}
+
 }  // namespace
