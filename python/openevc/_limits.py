@@ -14,7 +14,7 @@ def _table(values, what):
     if isinstance(values, (str, dict, os.PathLike)) or not hasattr(values, "__len__"):
         return [values], np.zeros((), np.uint32)
     try:
-        objects = np.ascontiguousarray(np.array(values, dtype=object))
+        objects = np.ascontiguousarray(values, dtype=object)
     except ValueError:  # lists of different lengths
         raise refused("limits", what, "lists of different lengths", "an array of one shape") from None
     different, numbers = _native.table(objects)
@@ -41,6 +41,11 @@ def _speeds(speeds):
 def _arrays(columns, shape, out):
     """The arrays for the results."""
     columns = (columns,) if isinstance(columns, str) else tuple(columns)
+    for name in columns:
+        if not isinstance(name, str) or name not in _native.limit_names:
+            raise refused("limits", "columns", repr(name), f"one of {', '.join(_native.limit_names)}")
+    if not (out is None or isinstance(out, dict)):
+        raise refused("limits", "out", f"a value of type {type(out).__name__}", "a dictionary of arrays")
     arrays = {}
     for name in columns:
         array = None if out is None else out.get(name)

@@ -4,7 +4,9 @@ from ._native import Form as _Form
 
 
 def _decode(form, bits, direction="to_train", sv="2.1", tolerant=False):
-    digits = bits if isinstance(bits, str) else bytes(bits).hex()
+    if not isinstance(bits, (str, bytes, bytearray, memoryview)):
+        raise TypeError(f"hexadecimal digits or bytes, not {type(bits).__name__}")
+    digits = bits if isinstance(bits, str) else bits.hex()
     return _native.decode(form, digits, direction, sv, tolerant)
 
 

@@ -33,7 +33,7 @@ def test_every_limit_is_that_of_curves(srs, state):
                     continue  # `evc curves` draws these as the official tool of that issue does
                 assert np.array_equal(some[name][i, :, k], one[name], equal_nan=True), (name, train, target)
                 compared += np.isfinite(one[name]).sum()
-    assert compared > 300
+    assert compared > 250
 
 
 def test_shapes_are_broadcast():

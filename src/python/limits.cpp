@@ -193,11 +193,7 @@ std::vector<std::pair<Column, std::span<double>>> columns_of(const py::dict& out
   for (const auto& [key, value] : out) {
     const auto name = key.cast<std::string>();
     const auto column = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& c) { return c.name == name; });
-    if (column == kColumns.end()) {
-      std::string all;
-      for (const Column& c : kColumns) all += (all.empty() ? "" : ", ") + std::string(c.name);
-      throw io::ReadError{{"limits", "columns", "\"" + name + "\"", "one of " + all}};
-    }
+    if (column == kColumns.end()) throw py::key_error(name);
     auto array = py::reinterpret_borrow<py::array_t<double>>(value);
     columns.emplace_back(*column, std::span<double>(array.mutable_data(), count));
   }

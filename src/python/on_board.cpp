@@ -229,23 +229,33 @@ std::string brief(const Outputs& out) {
 
 void bind_on_board(py::module_& module) {
   // The lock of the interpreter is kept in every call: that only one thread uses a unit at a time is so certain.
-  py::class_<Outputs, std::shared_ptr<Outputs>>(module, "Outputs")
+  py::class_<Outputs, std::shared_ptr<Outputs>>(
+      module, "Outputs",
+      "What a cycle gave: a mapping with the fields of a line of `evc replay`, made when it is looked at.")
       .def("__getitem__", [](Outputs& o, const py::object& key) { return py::object(o.dict()[key]); })
       .def("__contains__", [](Outputs& o, const py::object& key) { return o.dict().contains(key); })
       .def("__len__", [](Outputs& o) { return o.dict().size(); })
       .def("__iter__", [](Outputs& o) { return py::iter(o.dict()); })
       .def("__repr__", brief)
-      .def_property_readonly("json", &Outputs::json);
-  py::class_<Snapshot>(module, "Snapshot");
-  py::class_<OnBoard>(module, "OnBoard")
+      .def_property_readonly("json", &Outputs::json, "The line of `evc replay`, without its end.");
+  py::class_<Snapshot>(module, "Snapshot", "All that a unit remembers at a moment: of OnBoard.snapshot().");
+  py::class_<OnBoard>(
+      module, "OnBoard",
+      "An on-board unit after power-up.\n\n"
+      "config: the configuration of `evc replay`, a dictionary or a file; persistent: what a unit kept\n"
+      "without power, `retained` of another one; planning: outputs have the advance display.")
       .def(py::init<const py::object&, const py::object&, bool>(), py::arg("config") = py::none(),
            py::arg("persistent") = py::none(), py::arg("planning") = false)
-      .def("step", &OnBoard::step, py::arg("t_ms") = py::none())
-      .def("snapshot", &OnBoard::snapshot)
-      .def("restore", &OnBoard::restore)
-      .def_property_readonly("retained", &OnBoard::retained)
-      .def_property_readonly("cycle_ms", &OnBoard::cycle_ms)
-      .def_property_readonly("t_ms", &OnBoard::t_ms);
+      .def("step", &OnBoard::step, py::arg("t_ms") = py::none(),
+           "One cycle at t_ms, milliseconds since power-up; None: cycle_ms after the last one.\n\n"
+           "Keywords are the inputs of `evc replay`: odometer={...}, balise={...}, radio, driver, train, ...; a list "
+           "has\n"
+           "several of one kind. Signals keep their value. With an InputError nothing has changed.")
+      .def("snapshot", &OnBoard::snapshot, "All that the unit remembers, with the signals that keep their value.")
+      .def("restore", &OnBoard::restore, "The unit goes on from the moment of a snapshot, of this or another unit.")
+      .def_property_readonly("retained", &OnBoard::retained, "What is kept without power: `evc-persistent/1`.")
+      .def_property_readonly("cycle_ms", &OnBoard::cycle_ms, "Length of a cycle.")
+      .def_property_readonly("t_ms", &OnBoard::t_ms, "Time of the last step; None before the first one.");
 }
 
 }  // namespace evc::python

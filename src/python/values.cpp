@@ -57,6 +57,8 @@ class Converter {
   Json whole(py::handle value, const Way& way) const {
     int overflow = 0;
     const long long small = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+    // As the parser of JSON has them: what is not negative has no sign.
+    if (overflow == 0 && small >= 0) return static_cast<std::uint64_t>(small);
     if (overflow == 0) return static_cast<std::int64_t>(small);
     if (overflow > 0) {
       const unsigned long long large = PyLong_AsUnsignedLongLong(value.ptr());
