@@ -4,6 +4,7 @@
 #   make cab      a driver's cab as one page for the browser: out/cab/cab.html
 #   make test-cab the tests of that page: node, and whole journeys by presses in headless Chromium and Firefox
 #   make bench-cab  what that page costs: size, times real time, the main thread for each frame
+#   make python   the Python package: build/python/python, for PYTHONPATH; `make test-python` tests it
 #   make pictures the pictures of the display and of the cab in docs/images/
 #   make cluster  evc-mpi, the sweep by the ranks of a cluster (Open MPI): build/cluster/evc-mpi
 #   make test-cluster  its tests: mpirun on this machine, and a Slurm of one node that the test starts and ends
@@ -21,7 +22,7 @@ LINE ?=
 RUN_ARGS ?=
 export JOBS
 
-.PHONY: help run cab test-cab pictures bench-cab campaign-cab cluster test-cluster test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
+.PHONY: help run cab test-cab pictures bench-cab campaign-cab python test-python cluster test-cluster test bench reactions real-time fuzz clean evc campaign-fuzz campaign-lines campaign-journeys campaign-properties campaign-exploration campaign-mutants
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
@@ -60,6 +61,14 @@ test-cluster:
 	@tools/setup build test cluster
 	@tools/build cluster evc evc-mpi cluster_test
 	ctest --preset cluster
+
+python:
+	@tools/setup build python
+	@tools/build python evc openevc_python
+	@echo "package: PYTHONPATH=$(CURDIR)/build/python/python; cmake --install build/python --component python installs it"
+
+test-python: python
+	@tools/test_python
 
 pictures: cab
 	@tools/setup report

@@ -18,7 +18,8 @@ def draw(picture, ax=None):
     for place, name in picture["marks"]:
         ax.axvline(place, color=INK, linewidth=0.8, linestyle=":")
         ax.annotate(name, (place, 1.0), xycoords=("data", "axes fraction"), xytext=(-3, -4), textcoords="offset points",
-                    rotation=90, ha="right", va="top", color=INK, fontsize=8)
+                    rotation=90, ha="right", va="top", color=INK, fontsize=8, zorder=5,
+                    bbox={"facecolor": GROUND, "edgecolor": "none", "pad": 1.0})
     release, start = picture["V_release_kmh"], picture["start_of_RSM_m"]
     if release is not None and start is not None:
         end = max(place for place, _ in picture["marks"])
