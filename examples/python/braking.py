@@ -54,7 +54,7 @@ for name, label, colour in (("V_EBI", "EBI", "#BF0002"), ("V_SBI", "SBI", "#EA91
     ax.plot(place, trace[name], color=colour, linewidth=1.2, label=label)
 for name, label, colour in (("sb", "service brake", "#EA9100"), ("eb", "emergency brake", "#BF0002")):
     begins = np.flatnonzero(np.diff(trace[name].astype(int)) == 1) + 1
-    ax.plot(place[begins], trace["v_kmh"][begins], "v", color=colour, markersize=9, label=label, zorder=3)
+    ax.plot(place[begins], trace["v_kmh"][begins], "v", color=colour, markersize=6, label=label, zorder=3)
 ax.set(xlabel="estimated front end, km", ylabel="speed, km/h", ylim=(0, 200))
 ax.grid(alpha=0.3)
 ax.legend(ncols=6, fontsize=8, loc="upper center")

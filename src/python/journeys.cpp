@@ -46,7 +46,7 @@ sim::Odometer::Errors read_odometer(const io::JsonPlace& place) {
   }
 }
 
-/// Members that are None have their defaults.
+/// None: the default.
 Asked read_asked(const py::dict& arguments) {
   constexpr const char* kFile = "run";
   io::Json document = json_of(arguments, kFile);
