@@ -104,8 +104,13 @@ def test_anything_is_an_exception_or_an_answer():
 
 
 def test_it_may_be_imported_and_left_at_any_time():
-    script = ("import threading, openevc as evc\n"
-              "threading.Thread(target=lambda: evc.run(cycle_ms=10), daemon=True).start()\n"
-              "unit = evc.OnBoard(); out = unit.step()\n")
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    spec = {"schema": "evc-sweep/1", "kind": "run", "base": {}, "vary": [{"at": "/seed", "count": 1000}]}
+    script = ("import threading, time, openevc as evc\n"
+              "for call in (lambda: evc.run(cycle_ms=1), lambda: evc.run(),\n"
+              f"             lambda: evc.sweep({spec!r}, threads=1)):\n"
+              "    threading.Thread(target=call, daemon=True).start()\n"
+              "unit = evc.OnBoard(); out = unit.step(); time.sleep(%s)\n")
+    # An exit waits for no thread that is a daemon; they ask for the lock then.
+    for seconds in (0.0, 0.15, 0.3):
+        done = subprocess.run([sys.executable, "-c", script % seconds], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr

@@ -13,6 +13,7 @@
 #include "io/file.h"
 #include "python/bind.h"
 #include "python/blank.h"
+#include "python/interruption.h"
 #include "python/values.h"
 
 // `openevc.curves`: the answer of `evc curves` as arrays.
@@ -100,7 +101,7 @@ class Curves : public Blank {
 
  private:
   explicit Curves(io::CurvesInput input) {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     approached_ = std::make_unique<Approached>(std::move(input));
     result_ = curves::curves_result(*approached_);
   }

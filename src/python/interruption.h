@@ -1,22 +1,66 @@
 #pragma once
 #include <pybind11/pybind11.h>
+#include <unistd.h>
 
 #include <chrono>
 
 namespace evc::python {
 
+/// The interpreter works on in other threads, until the end of the scope. The caller has its lock.
+class Unlocked {
+ public:
+  Unlocked() : state_(PyEval_SaveThread()) {}
+  ~Unlocked() { lock(); }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+  /// Does something with the lock.
+  template <class F>
+  auto with_lock(F&& f) {
+    lock();
+    const Again again{*this};
+    return f();
+  }
+
+ private:
+  struct Again {
+    Unlocked& unlocked;
+    ~Again() { unlocked.state_ = PyEval_SaveThread(); }
+  };
+  /// When the interpreter ends, a thread that it does not wait for cannot have the lock any more: the interpreter ends
+  /// the thread instead, by unwinding its stack, which functions of C++ do not allow. It then waits for the end of the
+  /// process.
+  void lock() noexcept {
+    try {
+      PyEval_RestoreThread(state_);
+    } catch (...) {
+      for (;;) ::pause();
+    }
+  }
+
+  PyThreadState* state_;
+};
+
 /// Lets Python act on signals (Ctrl-C) while a long computation runs without its lock: `seen` takes the lock from time
 /// to time. What a signal's handler threw is kept until the computation has left its results whole.
 class Interruption {
  public:
-  /// Whether the computation is to end. To be asked often: it looks ten times a second at most. The caller does not
-  /// have the lock.
-  bool seen() {
+  /// Whether the computation is to end. To be asked often: it looks ten times a second at most.
+  bool seen(Unlocked& unlocked) {
     if (error_) return true;
     const auto now = Clock::now();
     if (now - looked_ < kEvery) return false;
     looked_ = now;
-    const pybind11::gil_scoped_acquire locked;
+    return unlocked.with_lock([this] { return look(); });
+  }
+  /// The exception of the handler; None where there was no signal. With the lock.
+  pybind11::object error() const { return error_ ? error_ : pybind11::object(pybind11::none()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kEvery{100};
+
+  bool look() {
     if (PyErr_CheckSignals() == 0) return false;
     PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
     PyErr_Fetch(&type, &value, &trace);
@@ -27,12 +71,7 @@ class Interruption {
     error_ = pybind11::reinterpret_steal<pybind11::object>(value);
     return true;
   }
-  /// The exception of the handler; None where there was no signal. With the lock.
-  pybind11::object error() const { return error_ ? error_ : pybind11::object(pybind11::none()); }
 
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kEvery{100};
   Clock::time_point looked_ = Clock::now();
   pybind11::object error_;
 };

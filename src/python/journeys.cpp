@@ -95,7 +95,7 @@ struct Driven {
   std::optional<io::Diagnostic> fault;
 };
 
-Driven drive(const Asked& asked, Interruption& interruption) {
+Driven drive(const Asked& asked, Interruption& interruption, Unlocked& unlocked) {
   const io::Train& train = asked.configuration.train;
   const auto world = std::make_unique<sim::World>(asked.line, train.data, train.dynamics, asked.settings);
   run::OnBoard on_board(asked.configuration.for_kernel(), run::OnBoard::Costs::kept);
@@ -104,7 +104,7 @@ Driven drive(const Asked& asked, Interruption& interruption) {
   const bool reported = !asked.output.empty();
   run::Recorder recorder(*world, journey, asked.configuration, reported ? &displays : nullptr,
                          run::Recorder::Shows::nothing);
-  run::drive(*world, on_board, recorder, [&] { return interruption.seen(); });
+  run::drive(*world, on_board, recorder, [&] { return interruption.seen(unlocked); });
   Driven driven;
   driven.summary = run::summary_of(journey, *world, asked.line, on_board, &recorder.records().outputs);
   if (reported) {
@@ -123,8 +123,8 @@ py::dict run_journey(const py::dict& arguments) {
   (void)value_of(run::prepare_folder(asked.output));
   Interruption interruption;
   const Driven driven = [&] {
-    const py::gil_scoped_release unlocked;
-    return drive(asked, interruption);
+    Unlocked unlocked;
+    return drive(asked, interruption, unlocked);
   }();
   const py::object error = interruption.error();
   const bool failed = driven.fault && error.is_none();

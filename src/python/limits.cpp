@@ -203,13 +203,13 @@ std::vector<std::pair<Column, std::span<double>>> columns_of(const py::dict& out
 /// Computes blocks until all cases are done or a signal ends it; returns how many are done.
 std::size_t compute(const batch::Trains& trains, std::span<const batch::Target> targets, Cursor& cursor,
                     std::size_t count, const std::vector<std::pair<Column, std::span<double>>>& columns,
-                    Interruption& interruption) {
+                    Interruption& interruption, Unlocked& unlocked) {
   using Clock = std::chrono::steady_clock;
   std::vector<std::uint32_t> train(kLargestBlock), target(kLargestBlock);
   std::vector<double> V(kLargestBlock);
   std::size_t done = 0;
   // Some trains are a hundred times slower than others: the first block is small.
-  for (std::size_t size = 64; done < count && !interruption.seen();) {
+  for (std::size_t size = 64; done < count && !interruption.seen(unlocked);) {
     const auto begin = Clock::now();
     const std::size_t block = std::min(size, count - done);
     cursor.take({train.data(), block}, {target.data(), block}, {V.data(), block});
@@ -238,8 +238,8 @@ py::tuple limits(const py::list& trains, const py::array_t<std::uint32_t>& train
   Interruption interruption;
   std::size_t done = 0;
   {
-    const py::gil_scoped_release unlocked;
-    done = compute(train_table, target_table, cursor, count, columns, interruption);
+    Unlocked unlocked;
+    done = compute(train_table, target_table, cursor, count, columns, interruption, unlocked);
   }
   return py::make_tuple(done, interruption.error());
 }

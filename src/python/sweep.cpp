@@ -69,12 +69,12 @@ py::dict run_sweep(const py::object& spec, std::int64_t threads) {
   Interruption interruption;
   std::vector<sweep::Row> all;
   {
-    const py::gil_scoped_release unlocked;
+    Unlocked unlocked;
     sweep::Todo todo({{0, cases}});
     const auto most = static_cast<unsigned>(std::min<std::uint64_t>(cases, wanted));
     sweep::compute(*plan, todo, std::max(1u, most), [&](std::vector<sweep::Row>&& rows) {
       for (sweep::Row& row : rows) all.push_back(std::move(row));
-      return !interruption.seen();
+      return !interruption.seen(unlocked);
     });
   }
   return py::dict(py::arg("columns") = columns_of(*plan, std::move(all)), py::arg("cases") = cases,
