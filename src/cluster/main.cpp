@@ -29,9 +29,9 @@ int first_rank(cluster::Messenger& messenger, int argc, char** argv) {
 }
 
 int other_rank(cluster::Messenger& messenger) {
-  std::optional<int> told;
-  const int exit_code = app::run_guarded(kName, [&] { return *(told = cluster::follow(messenger)); });
-  if (!told) cluster::Messenger::abort(exit_code);  // the others would wait for this one
+  std::optional<int> ended;
+  const int exit_code = app::run_guarded(kName, [&] { return *(ended = cluster::follow(messenger)); });
+  if (!ended) cluster::Messenger::abort(exit_code);  // the others would wait for this one
   return exit_code;
 }
 

@@ -8,7 +8,7 @@
 #include "io/diagnostic.h"
 #include "sweep/queue.h"
 
-// What ranks tell one another, as bytes and back. All of them are the same program on computers of one kind: numbers
+// What ranks send one another, as bytes and back. All of them are the same program on computers of one kind: numbers
 // are as they are in memory. Bytes that are not of the kind asked for give nothing.
 namespace evc::cluster {
 

@@ -52,12 +52,12 @@ io::Result<std::unique_ptr<const Plan>> plan_of(const Order& order) {
   return plan;
 }
 
-/// The cases that are granted to a rank that is not 0, to the last one or until it is told to end.
+/// The cases that are granted to a rank that is not 0, to the last one or until rank 0 ends it.
 void work(Messenger& messenger, const Plan& plan, unsigned threads) {
   const run::StopSignals signals;
   Todo todo;
   Supply supply(threads, Supply::Clock::now());
-  bool asked = false, last = false, told = false, ended = false;
+  bool asked = false, last = false, passed_on = false, ended = false;
   const auto take = [&](std::vector<Row>&& rows) {
     supply.finished(rows.size());
     send_rows(messenger, rows);
@@ -73,9 +73,9 @@ void work(Messenger& messenger, const Plan& plan, unsigned threads) {
       todo.add(range);
       if (last) todo.close();
     }
-    if (signals.seen() && !told) {
+    if (signals.seen() && !passed_on) {
       messenger.send(0, Kind::stop, "");
-      told = true;
+      passed_on = true;
     }
     if (!asked && !last)
       if (const std::uint64_t missing = supply.missing(Supply::Clock::now()); missing > 0) {
