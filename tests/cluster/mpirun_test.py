@@ -8,7 +8,7 @@ import subprocess
 import time
 
 import programs
-from programs import CURVES, EVC, EVC_MPI, mpirun, rows, run, table_hash
+from programs import CURVES, EVC, EVC_MPI, has_committed_rows, mpirun, rows, run, table_hash
 
 SMALL = programs.ROOT / "examples/cluster/small.json"
 # What was committed is kept twice a second: each disturbance needs half a second of work that is still to be done.
@@ -38,14 +38,12 @@ class Ranks(programs.InFolder):
     hash_of_many = None
 
     def begin(self, ranks, spec, results, *more):
-        """Ranks that compute; returns when rows are in the file."""
+        """Ranks that compute; returns when rows are committed."""
         job = subprocess.Popen([*mpirun(ranks), EVC_MPI, "sweep", str(spec), "-o", str(results), *more],
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(self.end, job)
-        log = pathlib.Path(f"{results}-wal")
-        begun = log.stat().st_size if log.exists() else 0
         limit = time.monotonic() + 60
-        while not log.exists() or log.stat().st_size < begun + 100_000:
+        while not has_committed_rows(results):
             if job.poll() is not None:
                 self.fail("it ended before it could be disturbed: " + job.communicate()[0])
             self.assertLess(time.monotonic(), limit, "no rows")

@@ -43,6 +43,22 @@ def rows(results):
         return database.execute("SELECT count(*) FROM cases").fetchone()[0]
 
 
+def has_committed_rows(results):
+    """Whether the sweep that writes this file has committed rows since it began. It keeps the file locked; but in the log
+    beside it the last page of each commit is marked (https://www.sqlite.org/fileformat2.html, 4.1). Making the tables
+    takes a few pages."""
+    try:
+        log = pathlib.Path(f"{results}-wal").read_bytes()
+    except OSError:
+        return False
+    if len(log) < 32:
+        return False
+    frame, salts = 24 + int.from_bytes(log[8:12], "big"), log[16:24]
+    frames = [log[at:at + 24] for at in range(32, len(log) - frame + 1, frame)]
+    commits = [n for n, head in enumerate(frames) if head[8:16] == salts and head[4:8] != bytes(4)]
+    return bool(commits) and commits[-1] > 20
+
+
 class InFolder(unittest.TestCase):
     """A test in a scratch folder of its own."""
 

@@ -15,7 +15,7 @@ import time
 import unittest
 
 import programs
-from programs import CURVES, EVC_MPI, rows, run, table_hash
+from programs import CURVES, EVC_MPI, has_committed_rows, rows, run, table_hash
 
 SCRIPT = programs.ROOT / "examples/cluster/sweep.sbatch"
 SMALL = programs.ROOT / "examples/cluster/small.json"
@@ -183,12 +183,11 @@ class UnderSlurm(programs.InFolder):
         spec = self.write("many.json", CURVES % many)
         expected = self.by_threads(spec)
         results = self.folder / "r.sqlite"
-        log = pathlib.Path(f"{results}-wal")
         job = subprocess.Popen(["sbatch", "--wait", "--parsable", f"--output={self.folder}/first.txt", str(SCRIPT), str(spec),
                                 str(results)], stdout=subprocess.PIPE, text=True, cwd=self.folder,
                                env={**os.environ, "EVC_MPI": EVC_MPI})
         limit = time.monotonic() + 60
-        while not log.exists() or log.stat().st_size < 100_000:
+        while not has_committed_rows(results):
             self.assertLess(time.monotonic(), limit, "no rows")
             time.sleep(0.02)
         number = run("squeue", "-h", "-o", "%i").stdout.strip()
@@ -206,12 +205,11 @@ class UnderSlurm(programs.InFolder):
     def test_a_rank_that_is_killed_ends_the_job(self):
         spec = self.write("many.json", CURVES % 2_000_000)
         results = self.folder / "r.sqlite"
-        log = pathlib.Path(f"{results}-wal")
         job = subprocess.Popen(["sbatch", "--wait", "--parsable", f"--output={self.folder}/said.txt", str(SCRIPT), str(spec),
                                 str(results)], stdout=subprocess.DEVNULL, cwd=self.folder,
                                env={**os.environ, "EVC_MPI": EVC_MPI})
         limit = time.monotonic() + 60
-        while not log.exists() or log.stat().st_size < 100_000:
+        while not has_committed_rows(results):
             self.assertLess(time.monotonic(), limit, "no rows")
             time.sleep(0.02)
         ranks = {}
