@@ -27,7 +27,7 @@ std::string release_speed(const track::Release& release) {
 
 /// The end of the stored authority itself, without what replaces it (3.12).
 track::Authority own_end(const kernel::State& s) {
-  return s.track.ma ? track::authority(*s.track.ma, {}, s.mode) : track::Authority{};
+  return s.track.ma ? track::authority(*s.track.ma, {}, s.mode, s.srs) : track::Authority{};
 }
 
 /// What makes an end or a supervised location in rear of that of the authority, and the packet that brought it (3.12).
@@ -141,7 +141,7 @@ std::optional<Step> temporary_step(const Journal& journal, const kernel::State& 
 }  // namespace
 
 std::string end_words(const track::Authority& a, const position::State& position) {
-  if (a.LOA) return fmt::format("LOA at {}, {}", place_words(position, *a.LOA), kmh_words(a.V_LOA));
+  if (a.ends_with_LOA()) return fmt::format("LOA at {}, {}", place_words(position, *a.LOA), kmh_words(a.V_LOA));
   if (!a.EOA) return "";
   const bool together = a.SvL == a.EOA;
   std::string text = (together ? "EOA and SvL at " : "EOA at ") + place_words(position, *a.EOA);

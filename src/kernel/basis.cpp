@@ -102,7 +102,7 @@ bool renew_basis(State& s, const TrainSignals& train, const track::Here& here) {
   if (s.basis.number != 0 && s.basis.key == key) return false;
   track::Authority authority;
   if (supervises(s, modes::Supervision::full))
-    authority = track::authority(s.track, interfaces_of(s.train), s.mode, here.est_front);
+    authority = track::authority(s.track, interfaces_of(s.train), s.mode, here.est_front, s.srs);
   s.basis = basis_of(s, here, key, authority);
   return true;
 }

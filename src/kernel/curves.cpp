@@ -15,7 +15,7 @@ namespace {
 sdm::Authority authority_of(const SupervisionBasis& basis) {
   const track::Authority& a = basis.authority;
   sdm::Authority out;
-  if (a.LOA) {
+  if (a.LOA && !a.EOA) {
     out.kind = sdm::Authority::Kind::LOA;
     out.EOA = *a.LOA;
     out.V_LOA = a.V_LOA;
@@ -35,6 +35,8 @@ sdm::Authority authority_of(const SupervisionBasis& basis) {
   out.confidence_interval = basis.confidence_interval;
   out.V_ura = basis.V_ura;
   out.L_train_doubt = basis.L_train_doubt;
+  out.LOA_besides = a.LOA;
+  out.V_LOA = a.V_LOA;
   return out;
 }
 

@@ -27,8 +27,11 @@ class Planner {
     const track::Authority& a = s_.basis.authority;
     if (end_ < *a.EOA_or_LOA()) return;
     // An EOA is supervised with the estimated front end, an LOA with the max safe one.
-    if (a.EOA) out_.EOA = at_least_0(end_ - here_.est_front);
-    if (a.LOA) out_.LOA = at_least_0(end_ - here_.max_safe_front);
+    if (!a.ends_with_LOA()) {
+      out_.EOA = at_least_0(end_ - here_.est_front);
+      return;
+    }
+    out_.LOA = at_least_0(end_ - here_.max_safe_front);
     out_.V_LOA = a.V_LOA;
   }
 

@@ -71,11 +71,12 @@ class Builder {
 
   void authority() {
     const Authority& a = in_.authority;
-    if (a.kind == Authority::Kind::LOA) {
+    const bool alone = a.kind == Authority::Kind::LOA;
+    if (alone || (a.kind == Authority::Kind::EOA_SvL && a.LOA_besides.has_value())) {
       Target t;
       t.kind = TargetKind::LOA;
       t.V_target = a.V_LOA;
-      t.d_target = a.EOA;
+      t.d_target = alone ? a.EOA : *a.LOA_besides;
       add(t);
     }
     if (a.kind == Authority::Kind::EOA_SvL) {
@@ -244,9 +245,15 @@ void Builder::perturbation() {
       d_.perturbation.passed_at_once = below_MRSP_at_start(t, false);
     }
     if (t.kind == TargetKind::EOA_SvL) {
-      d_.perturbation.from_EBD = reference(t, false, Speed{0.0}).d;
+      // After an LOA, where there is one too: the first of both asks. A place that is not found is passed.
+      const std::optional<Place> of_SvL = reference(t, false, Speed{0.0}).d;
+      if (of_SvL && in_.authority.LOA_besides)
+        d_.perturbation.from_EBD = std::min(*of_SvL, *d_.perturbation.from_EBD);
+      else
+        d_.perturbation.from_EBD = of_SvL;
       d_.perturbation.from_SBD = reference(t, true, Speed{0.0}).d;
-      d_.perturbation.passed_at_once = below_MRSP_at_start(t, false) || below_MRSP_at_start(t, true);
+      d_.perturbation.passed_at_once =
+          d_.perturbation.passed_at_once || below_MRSP_at_start(t, false) || below_MRSP_at_start(t, true);
     }
   }
 }

@@ -329,18 +329,18 @@ void show_with_feedback(Cycle& c, Seen* seen) {
 bool MA_request(const Cycle& c) {
   if (!c.m.T_MAR.has_value()) return false;
   const Perturbation& p = c.d.perturbation;
-  bool has_authority = false;
+  bool EOA = false;
   bool LOA = false;
   for (const Target& t : c.d.targets) {
-    has_authority = has_authority || t.kind == TargetKind::EOA_SvL || t.kind == TargetKind::LOA;
+    EOA = EOA || t.kind == TargetKind::EOA_SvL;
     LOA = LOA || t.kind == TargetKind::LOA;
   }
-  if (!has_authority) return false;
+  if (!EOA && !LOA) return false;
   if (p.passed_at_once) return true;
   const Distance ahead = (c.M + dV_warning(c.M, c.d.fixed)) * *c.m.T_MAR;
   // A location that was not found is before the track description: passed.
   if (!p.from_EBD.has_value() || c.m.max_safe_front > *p.from_EBD - ahead) return true;
-  return !LOA && (!p.from_SBD.has_value() || c.m.est_front > *p.from_SBD - ahead);
+  return EOA && (!p.from_SBD.has_value() || c.m.est_front > *p.from_SBD - ahead);
 }
 
 Speed V_MRSP_with_LOA(const Derived& d, const Motion& m) {

@@ -85,13 +85,15 @@ struct MovementAuthority {
 
 /// What is supervised at the end of the authority: an LOA, or an EOA with its SvL; nothing without an authority. A
 /// temporary EOA (area of a mode profile, unsuitable route, level crossing; 3.12) replaces an EOA or LOA in advance of
-/// it.
+/// it; in 4.0.0 an LOA stays beside it (3.13.1.5).
 struct Authority {
   std::optional<Place> EOA, SvL;
-  std::optional<Place> LOA;  ///< never together with an EOA
+  std::optional<Place> LOA;  ///< with an EOA too: a temporary one of 4.0.0
   Speed V_LOA{};
   Release release{};
-  constexpr std::optional<Place> EOA_or_LOA() const { return LOA ? LOA : EOA; }
+  /// Whether the LOA is the nearer end.
+  constexpr bool ends_with_LOA() const { return LOA && (!EOA || *LOA < *EOA); }
+  constexpr std::optional<Place> EOA_or_LOA() const { return ends_with_LOA() ? LOA : EOA; }
   friend constexpr bool operator==(const Authority&, const Authority&) = default;
 };
 

@@ -20,12 +20,13 @@ struct Temporary {
 
 /// Those of the areas that are not entered yet.
 Temporary temporary_of(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode,
-                       const std::optional<Place>& est_front) {
+                       const std::optional<Place>& est_front, SrsVersion srs) {
   Temporary t;
   for (const ModeArea& area : profile) {
     if (area.accepted || area.mode == mode || (est_front && area.from <= *est_front)) continue;
     nearest(t.EOA, area.from);
-    if (area.also_SvL) {
+    const bool beyond_LOA = srs == SrsVersion::v4_0_0 && ma.limited() && ma.end() < area.from;  // 3.12.4.7 c
+    if (area.also_SvL || beyond_LOA) {
       nearest(t.SvL, area.from);
     } else if (ma.limited()) {
       // With a stop at an area's start there is no LOA: the overlap or danger point counts, else the end.
@@ -36,10 +37,17 @@ Temporary temporary_of(const MovementAuthority& ma, std::span<const ModeArea> pr
 }
 
 /// The authority of `ma` with what replaces its own end. A temporary EOA up to an LOA replaces it; one beyond does not
-/// count.
-Authority with(const Temporary& t, const MovementAuthority& ma) {
+/// count. In 4.0.0 both count: a temporary EOA stands for an EOA only (3.13.1.5).
+Authority with(const Temporary& t, const MovementAuthority& ma, SrsVersion srs) {
   Authority a;
   if (ma.limited()) {
+    if (srs == SrsVersion::v4_0_0) {
+      a.EOA = t.EOA;
+      a.SvL = t.SvL;
+      a.LOA = ma.end();
+      a.V_LOA = ma.V_LOA;
+      return a;
+    }
     if (t.EOA && *t.EOA <= ma.end()) {
       a.EOA = t.EOA;
       a.SvL = t.SvL;
@@ -90,17 +98,17 @@ std::optional<Place> unsuitable_from(const Description& d, const TrainInterfaces
   return first;
 }
 
-Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode) {
-  return with(temporary_of(ma, profile, mode, std::nullopt), ma);
+Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode, SrsVersion srs) {
+  return with(temporary_of(ma, profile, mode, std::nullopt, srs), ma, srs);
 }
 
-Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front) {
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front, SrsVersion srs) {
   if (!d.ma || !supervises_authority(mode)) return {};
-  Temporary temporary = temporary_of(*d.ma, {d.mode_profile.begin(), d.mode_profile.size()}, mode, est_front);
+  Temporary temporary = temporary_of(*d.ma, {d.mode_profile.begin(), d.mode_profile.size()}, mode, est_front, srs);
   if (const std::optional<Place> closed = unsuitable_from(d, train)) temporary.stop_at(*closed);
   for (const LevelCrossing& lx : d.lx)
     if (lx.unprotected && !lx.substituted) temporary.stop_at(lx.from);
-  return with(temporary, *d.ma);
+  return with(temporary, *d.ma, srs);
 }
 
 std::optional<ModeArea> area_due(const Description& d, const Here& here) {

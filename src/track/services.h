@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/set.h"
+#include "terms/srs_version.h"
 #include "track/description.h"
 
 // Queries and updates of the track description by other rooms.
@@ -50,10 +51,12 @@ void gradient(GradientFunction& out, const Description& d, Place from, double un
 /// EOA, SvL, LOA and release speed to supervise now. `mode` is the current one: the start of an area of this mode is no
 /// longer a stop, nor is one that the estimated front end has passed: such an area is entered at once (5.7.2, 5.9.2,
 /// 5.19.2). In SH, SR and other modes there is no authority.
-Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front);
+Authority authority(const Description& d, const TrainInterfaces& train, Mode mode, Place est_front,
+                    SrsVersion srs = SrsVersion::v3_6_0);
 /// The same of an authority with its mode profile alone, wherever the train is: the one that a request to shorten
 /// brings (3.8.6.1).
-Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode);
+Authority authority(const MovementAuthority& ma, std::span<const ModeArea> profile, Mode mode,
+                    SrsVersion srs = SrsVersion::v3_6_0);
 
 /// The area whose mode is due: max safe front end beyond its start, or accepted, and min safe front end not beyond its
 /// end; the farthest such area. Absent: none (3.12.4.5-6).

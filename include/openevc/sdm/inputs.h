@@ -23,8 +23,9 @@ using Mrsp = StepFunction<Place, Speed, kMrspSteps>;
 struct Authority {
   enum class Kind : std::uint8_t { none, EOA_SvL, LOA };
   Kind kind = Kind::none;
-  Place EOA{};  // EOA, or the LOA
-  Place SvL{};  // EOA_SvL only; absent SvL: the EOA
+  Place EOA{};                       // EOA, or the LOA
+  Place SvL{};                       // EOA_SvL only; absent SvL: the EOA
+  std::optional<Place> LOA_besides;  // EOA_SvL only, 4.0.0: an LOA, with V_LOA, whatever lies nearer (3.13.1.5)
   Speed V_LOA{};
   bool temporary = false;
   ReleaseSpeedChoice release_speed = ReleaseSpeedChoice::none;

@@ -16,7 +16,7 @@ bool can_stop_before(const State& s, Derived::Curves& curves, const TrainSignals
   // The start of an area of its mode profile that is not entered yet would also be an end (3.12.4).
   std::span<const track::ModeArea> areas;
   if (proposal.mode_profile) areas = {proposal.mode_profile->begin(), proposal.mode_profile->size()};
-  const track::Authority a = track::authority(*proposal.ma, areas, s.mode);
+  const track::Authority a = track::authority(*proposal.ma, areas, s.mode, s.srs);
   build(curves, s, train, basis_of(s, here, s.basis.key, a));
   // The Indication limit of the proposed end alone counts, whatever else is a target now.
   sdm::Inputs& in = curves.inputs;

@@ -69,7 +69,7 @@ std::optional<Speed> LSSMA(const State& s, const sdm::Derived& in_force, const t
   if (s.mode != Mode::LS || !end) return std::nullopt;
   const bool ordered = s.track.generic_ls_marker;
   if (ordered && !s.lssma.on) return std::nullopt;
-  const Speed at_end = a.LOA ? a.V_LOA : Speed{};
+  const Speed at_end = a.ends_with_LOA() ? a.V_LOA : Speed{};
   if (!ordered && s.basis.key.mode_limit && at_end >= *s.basis.key.mode_limit) return std::nullopt;
   const Speed lowest = sdm::V_MRSP(in_force.mrsp, here.min_safe_front, *end);
   const Speed LSSMA = lowest < at_end ? lowest : at_end;
