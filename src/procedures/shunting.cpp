@@ -22,7 +22,10 @@ Result step(State& state, const Inputs& in) {
     out.effects.send.add(Send::shunting_request);
     return out;
   }
-  if (!state.waits_for_answer) return out;
+  if (!state.waits_for_answer) {
+    out.granted = in.mode == Mode::SM && in.authorised && in.standstill;  // 4.8.4: it needs no request there
+    return out;
+  }
   if (in.authorised || in.refused) {  // E090, E215; a grant received while moving has no effect (4.6.3 [6])
     state.waits_for_answer = false;
     state.repetition.stop();

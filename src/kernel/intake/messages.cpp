@@ -100,8 +100,10 @@ Clause take_coordinate_system(Evaluation& e, const lang::MessageToTrainView& vie
   return position::assign_orientation(e.r.state.position, e.information.group, nominal) ? Clause{} : "3.4.2.3.3.8"_srs;
 }
 
-/// The answer names the request that waits for one (4.6.3 [6]): others come too late, or are another train's.
+/// The answer names the request that waits for one (4.6.3 [6]): others come too late, or are another train's. In SM it
+/// need not (4.8.4, without [14]).
 bool answers_SH_request(const State& s, const lang::var::T_TRAIN& T_TRAIN_REF) {
+  if (s.mode == Mode::SM) return true;
   return s.shunting.waits_for_answer && s.radio.shunting_request_stamp == T_TRAIN_REF.raw;
 }
 Clause take_SH_refused(Evaluation& e, const lang::MessageToTrainView& view) {
