@@ -243,6 +243,20 @@ TEST_F(Show, OnlyTheDriverWhoChoseANetworkWaitsForIt) {
   EXPECT_EQ(shown().waiting, port::Waiting::nothing);
 }
 
+// 015560 11.7.2 S3-2-1, 11.7.3 S5-2-1: the list is there when the sessions that the request for it ends have ended; a
+// network that was entered before that is registered when they have.
+TEST_F(Show, TheDriverWaitsForTheListOfNetworks) {
+  state.position.started = true;
+  state.position.time = Duration{100.0};
+  state.position.rest_since = Duration{50.0};
+  state.network.by_driver = true;
+  EXPECT_EQ(shown().waiting, port::Waiting::network_list);
+  state.radio.session(radio::Peer::supervising).registers_after = std::uint8_t{1};
+  EXPECT_EQ(shown().waiting, port::Waiting::radio_registration);
+  state.network.by_driver = false;
+  EXPECT_EQ(shown().waiting, port::Waiting::nothing);
+}
+
 TEST_F(Show, ABrakePercentageIsAskedForWithTheConversionModel) {
   EXPECT_TRUE(shown().config.asks_brake_percentage);
   state.train.brake_model = train::BrakeModel::gamma;

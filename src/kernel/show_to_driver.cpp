@@ -38,6 +38,17 @@ port::Waiting waiting_in(std::optional<ShownDialogue> dialogue) {
   }
 }
 
+/// 015560 11.7.2 S3-2-1 and -3, 11.7.3 S5-2-1 and -3: the driver changes the network, at standstill. There is a list to
+/// choose from when the sessions that this ends (3.18.4.3.6.1 b) have ended; then he waits for the network that he
+/// chose. Other registrations, of a network of trackside or of a second terminal, close no menu.
+port::Waiting waiting_for_network(const State& s, const track::Here& here) {
+  if (!s.network.by_driver || !here.standstill) return port::Waiting::nothing;
+  bool registers_later = false;
+  for (const radio::Peer peer : radio::kPeers)
+    registers_later = registers_later || s.radio.session(peer).registers_after.has_value();
+  return s.network.awaited || registers_later ? port::Waiting::radio_registration : port::Waiting::network_list;
+}
+
 class Teller {
  public:
   Teller(const State& state, const Outputs& outputs, Set<DriverOutput> may, const track::Here& here, Display& to)
@@ -130,10 +141,8 @@ class Teller {
     to_.enabled = out_.enabled;
     if (out_.dialogue) to_.step = out_.dialogue->step;
     to_.start_of_mission = to_.step && s_.mode == Mode::SB && *to_.step < Dialogue::start_S10;
-    // 015560 11.7.2 S3-2-3, 11.7.3 S5-2-3: the driver waits for the network that he chose, at standstill. The other
-    // registrations, of a network of trackside or of a second terminal, close no menu.
-    const bool registration = s_.network.awaited && s_.network.by_driver && here_.standstill;
-    to_.waiting = registration ? port::Waiting::radio_registration : waiting_in(out_.dialogue);
+    const port::Waiting for_network = waiting_for_network(s_, here_);
+    to_.waiting = for_network != port::Waiting::nothing ? for_network : waiting_in(out_.dialogue);
   }
 
   const State& s_;

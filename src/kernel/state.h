@@ -140,7 +140,7 @@ struct RadioNetwork {
   bool changed = false;                      // in this cycle: a registration is due
   bool registered = true;                    // a terminal is, say the terminals
   bool awaited = false;                      // a call waits for the terminal that has to register
-  bool by_driver = false;                    // the network that is awaited is the driver's choice (3.18.4.3.6)
+  bool by_driver = false;                    // the driver changes it: list or registration is awaited (3.18.4.3.6)
 };
 
 /// Whether a session with an RBC can be set up: a terminal is registered, and trackside has GSM-R (3.5.6.7).

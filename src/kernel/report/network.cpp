@@ -1,5 +1,7 @@
 #include "kernel/report/network.h"
 
+#include <algorithm>
+
 namespace evc::kernel {
 namespace {
 
@@ -30,6 +32,11 @@ bool one_is_free(State& s) {
   return is_free;
 }
 
+bool a_session_ends(const radio::State& radio) {
+  return std::any_of(radio::kPeers.begin(), radio::kPeers.end(),
+                     [&](radio::Peer peer) { return radio.session(peer).phase == radio::Phase::terminating; });
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> register_terminals(State& s, bool powered_up) {
@@ -44,7 +51,8 @@ void await_registration(State& s, bool ordered, radio::Outbox& outbox) {
   RadioNetwork& network = s.network;
   const bool was_awaited = network.awaited;
   network.awaited = ordered || (network.awaited && !network.registered);
-  if (was_awaited && !network.awaited) network.by_driver = false;
+  // Nothing is left to wait for: the terminal is registered, or the sessions before the list of networks have ended.
+  if (!network.awaited && (was_awaited || !a_session_ends(s.radio))) network.by_driver = false;
   if (!network.awaited || !outbox.connect || radio::sessions(s.radio) < s.terminals) return;
   for (const radio::Peer peer : radio::kPeers) {
     radio::Session& session = s.radio.session(peer);

@@ -87,6 +87,7 @@ bool reports_mode(const State& s, const Decided& decided) {
 
 /// 3.18.4.3.6.1 b, 3.5.3.8 i: the driver changes the network.
 void end_for_network(State& s, const Received& received, radio::Outbox& outbox) {
+  if (received.selected.has(Select::radio_network)) s.network.by_driver = true;
   if (!received.selected.has(Select::radio_network) && !received.entered.has(Entered::network)) return;
   radio::terminate_all(s.radio, s.now, outbox);
   radio::abort_set_ups(s.radio, s.now, outbox);
