@@ -146,7 +146,13 @@ std::vector<Comparison> compare_all(const std::vector<Approached>& inputs) {
 
 std::vector<Comparison> compare_all(const std::vector<Approached>& inputs, const std::vector<double>& speeds_kmh) {
   std::vector<Comparison> all;
-  for (std::size_t i = 1; i < inputs.size(); ++i) all.push_back(compare_curves(inputs[0], inputs[i], speeds_kmh));
+  for (std::size_t i = 1; i < inputs.size(); ++i) {
+    all.push_back(compare_curves(inputs[0], inputs[i], speeds_kmh));
+    // Warnings call the other input B: "A 7000 m, B 8000 m".
+    for (std::string& warning : all.back().warnings)
+      if (const std::size_t at = warning.find(", B "); at != std::string::npos)
+        warning.replace(at + 2, 1, input_letter(i));
+  }
   return all;
 }
 

@@ -12,6 +12,7 @@
 namespace evc::curves {
 namespace {
 
+constexpr const char* kPaleGrey = "#C2C9D1";
 constexpr double kWidth = 1280.0;
 constexpr double kLeft = 74.0, kLegend = 1072.0;
 constexpr double kHeight = 496.0;  // of the panel of curves
@@ -127,8 +128,11 @@ void gradient_strip(Drawing& drawing, const Picture& p, const Axis& x, const Lay
   }
   std::vector<std::pair<double, double>> line;
   for (std::size_t i = 0; i < p.under_train.size(); ++i) {
-    const double from = i == 0 ? p.from_m : p.under_train[i].from_m;
-    const double to = i + 1 < p.under_train.size() ? p.under_train[i + 1].from_m : p.to_m;
+    // Known track may go on far beyond the chart; Cairo has no room for such places.
+    const double from = std::clamp(i == 0 ? p.from_m : p.under_train[i].from_m, p.from_m, p.to_m);
+    const double next = i + 1 < p.under_train.size() ? p.under_train[i + 1].from_m : p.to_m;
+    const double to = std::clamp(next, p.from_m, p.to_m);
+    if (!(to > from)) continue;
     line.emplace_back(x.at(from), y.at(p.under_train[i].value));
     line.emplace_back(x.at(to), y.at(p.under_train[i].value));
   }
@@ -199,10 +203,11 @@ void names_at_curves(Drawing& drawing, const Picture& p, const Axis& x, const Ax
     taken.push_back({x.at(p.x_m[best]), y.at(c.v[best]), half});
     drawing.name(taken.back().x, taken.back().y + 4.0, c.key, kSize, c.stroke.colour);
   }
-  if (p.V_release_kmh && p.start_of_RSM_m)
-    drawing.text(x.at(std::max(*p.start_of_RSM_m, p.from_m)) - 5.0, y.at(*p.V_release_kmh) + 4.0,
-                 "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h", 11, colour::grey,
-                 "end");
+  if (!p.V_release_kmh || !p.start_of_RSM_m) return;
+  const double from = std::max(*p.start_of_RSM_m, p.from_m), to = std::min(p.end_of_RSM_m, p.to_m);
+  drawing.text(x.at((from + to) / 2.0), y.at(*p.V_release_kmh) - 6.0,
+               "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h", 10.5, colour::grey,
+               "middle");
 }
 
 std::string subtitle(const Approached& a) {
@@ -234,7 +239,9 @@ Drawing curves_drawing(const Approached& a, Theme theme) {
   for (const PictureCurve& c : p.curves) {
     std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < p.x_m.size(); ++i) points.emplace_back(x.at(p.x_m[i]), y.at(c.v[i]));
-    drawing.polyline(std::move(points), c.stroke);
+    // On paper a wide line is lighter.
+    const bool pale = theme == Theme::print && c.key == "MRSP";
+    drawing.polyline(std::move(points), {pale ? kPaleGrey : c.stroke.colour, c.stroke.width, c.stroke.dash});
   }
   drawing.end_clip();
   zones(drawing, p, x, l);
