@@ -1,5 +1,5 @@
 // Curves and limits of many trains and targets at once, with each set of instructions, beside one at a time and beside
-// the time in which the divider alone does the divisions of the arcs.
+// `divider`: the time in which the divider alone does the divisions of the arcs, one each. There are no square roots.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -99,7 +99,7 @@ struct Work {
   std::vector<double> speed;
   std::array<std::vector<double>, 7> out;
 
-  Work(int different_trains, double least_kmh) {
+  Work(int different_trains, double least_kmh, double most_kmh = kFastest_kmh) {
     for (int i = 0; i < different_trains; ++i) {
       const std::uint32_t n = trains.add(stepped(i));
       if (!trains.vectorised(n)) std::abort();
@@ -112,7 +112,7 @@ struct Work {
     for (std::size_t i = 0; i < kCases; ++i) {
       train.push_back(static_cast<std::uint32_t>(i * 7 % static_cast<std::size_t>(different_trains)));
       target.push_back(static_cast<std::uint32_t>(i % targets.size()));
-      speed.push_back(kmh(least_kmh + (kFastest_kmh - least_kmh) * static_cast<double>(i * 37 % 1000) / 1000.0).si);
+      speed.push_back(kmh(least_kmh + (most_kmh - least_kmh) * static_cast<double>(i * 37 % 1000) / 1000.0).si);
     }
     for (auto& column : out) column.resize(kCases);
   }
@@ -149,11 +149,10 @@ double arcs_of_a_curve(const Work& w) {
   return arcs / kSome;
 }
 
-/// Nanoseconds of one division of one lane, where none waits.
-double division_ns(benchmark::State& state) {
+/// Nanoseconds of one division of one lane, where none waits for another one.
+double division_ns() {
   std::array<double, 64> numbers{};
   numbers.fill(1.5);
-  (void)state;
   double best = 1e9;
   for (int i = 0; i < 20; ++i) {
     const auto begin = std::chrono::steady_clock::now();
@@ -165,12 +164,14 @@ double division_ns(benchmark::State& state) {
   return best;
 }
 
-void report(benchmark::State& state, double divisions) {
+/// `arcs` of a case: each has one division.
+void report(benchmark::State& state, double arcs) {
   const auto cases = static_cast<double>(state.iterations()) * static_cast<double>(kCases);
   state.counters["cases/s"] = benchmark::Counter(cases, benchmark::Counter::kIsRate);
-  state.counters["ns/case"] =
-      benchmark::Counter(cases * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  if (divisions > 0.0) state.counters["ns/case divider alone"] = divisions * division_ns(state);
+  state.counters["case"] = benchmark::Counter(cases, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  if (arcs == 0.0) return;
+  state.counters["arcs"] = arcs;
+  state.counters["divider"] = arcs * division_ns() * 1e-9;
 }
 
 /// The place of the EBD at a speed of 185 to 195 km/h: all 8 bands, up to 20 gradients.
@@ -182,8 +183,19 @@ void curve(benchmark::State& state, std::int64_t set, int trains) {
     batch::limits(work.trains, work.targets, work.cases(), work.curve());
     benchmark::ClobberMemory();
   }
-  state.counters["arcs"] = arcs;
   report(state, arcs);
+  batch::use_only(0);
+}
+
+/// The same at a standstill: what a case costs without an arc.
+void no_arc(benchmark::State& state, std::int64_t set) {
+  batch::use_only(set);
+  Work work(1, 0.0, 0.0);
+  for (auto _ : state) {
+    batch::limits(work.trains, work.targets, work.cases(), work.curve());
+    benchmark::ClobberMemory();
+  }
+  report(state, 0.0);
   batch::use_only(0);
 }
 
@@ -222,6 +234,8 @@ const bool kRegistered = [] {
   const std::size_t n = batch::instructions(found);
   for (std::size_t i = 0; i < n; ++i) {
     const std::int64_t set = found[i].target;
+    benchmark::RegisterBenchmark((std::string("no_arc/") + found[i].name).c_str(),
+                                 [=](benchmark::State& s) { no_arc(s, set); });
     for (const int trains : {1, 100}) {
       const std::string of = std::string(found[i].name) + "/trains:" + std::to_string(trains);
       benchmark::RegisterBenchmark(("curve/" + of).c_str(), [=](benchmark::State& s) { curve(s, set, trains); });
