@@ -76,6 +76,7 @@ WindowId waits_in(const State& state) {
 std::optional<WindowId> opens(Dialogue step) {
   switch (step) {
     case Dialogue::start_S0:
+    case Dialogue::start_S4:
     case Dialogue::start_D31:
     case Dialogue::start_D33:
     case Dialogue::start_A40:

@@ -22,11 +22,12 @@ Steps end_steps(const Journal& journal, const Moment& m, bool level_1) {
   const track::Here here = kernel::here(m.deciding);
   const track::Authority& a = m.deciding.basis.authority;
   const Place passing = level_1 ? here.min_safe_antenna : here.min_safe_front;
-  steps.push_back({m.t_ms,
-                   fmt::format("the min safe {} is {:.2f} m beyond the {} at {}, front end at {}",
-                               level_1 ? "antenna" : "front end", (passing - a.EOA_or_LOA().value_or(passing)).si,
-                               a.ends_with_LOA() ? "LOA" : "EOA", kmh_words(m.outputs.v), place_words(m.deciding, here.est_front)),
-                   level_1 ? "3.13.10.2.7" : "3.13.10.2.6"});
+  steps.push_back(
+      {m.t_ms,
+       fmt::format("the min safe {} is {:.2f} m beyond the {} at {}, front end at {}",
+                   level_1 ? "antenna" : "front end", (passing - a.EOA_or_LOA().value_or(passing)).si,
+                   a.ends_with_LOA() ? "LOA" : "EOA", kmh_words(m.outputs.v), place_words(m.deciding, here.est_front)),
+       level_1 ? "3.13.10.2.7" : "3.13.10.2.6"});
   if (m.before.supervision.monitoring == Monitoring::RSM)
     steps.back().text += fmt::format(", in release speed monitoring{}",
                                      m.before.basis.authority.release.kind == ReleaseSpeedChoice::value

@@ -315,7 +315,9 @@ std::vector<const char*> enabled_keys(const Outputs& o) {
   for (std::size_t i = 0; i < terms::index(DriverInput::count); ++i)
     if (o.enabled.has(static_cast<DriverInput>(i)))
       for (const char* key : texts::keys_of(static_cast<DriverInput>(i)))
-        if (key != nullptr) keys.push_back(key);
+        // 5.4.3.2 S3: the last RBC is offered where its contact is known.
+        if (key != nullptr && (o.data.rbc_status != DataStatus::unknown || std::string_view(key) != "last_rbc"))
+          keys.push_back(key);
   return keys;
 }
 

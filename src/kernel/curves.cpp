@@ -40,6 +40,10 @@ sdm::Authority authority_of(const SupervisionBasis& basis) {
   return out;
 }
 
+/// 3.13.8.2.1 d: the curves are compared with the max safe front end of the position, in 4.0.0 not with that of this
+/// distance (3.6.7.3 b).
+std::optional<Place> SR_end(const StaffResponsible& sr) { return sr.end_of_curves ? sr.end_of_curves : sr.end; }
+
 void earliest(std::optional<Place>& at, Place from) {
   if (!at || from < *at) at = from;
 }
@@ -165,7 +169,7 @@ void build(Derived::Curves& curves, const State& s, const TrainSignals& train, c
   mark_TSR_steps(s, in);
   in.supervise_targets = !supervises(s, modes::Supervision::ceiling);
   in.authority = supervises(s, modes::Supervision::full) ? authority_of(basis) : sdm::Authority{};
-  in.SR_end = supervises(s, modes::Supervision::mrsp_and_sr_distance) ? s.staff_responsible.end : std::nullopt;
+  in.SR_end = supervises(s, modes::Supervision::mrsp_and_sr_distance) ? SR_end(s.staff_responsible) : std::nullopt;
   take_gradient(in.gradient, s.track, basis.min_safe_rear);
   curves.sdm.valid = false;
   (void)sdm::rebuild(curves.sdm, in);

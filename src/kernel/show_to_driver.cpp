@@ -20,6 +20,8 @@ port::Waiting waiting_in(std::optional<ShownDialogue> dialogue) {
     case Dialogue::start_S0:
     case Dialogue::start_A40:
       return port::Waiting::end_of_session;
+    case Dialogue::start_S4:
+      return port::Waiting::radio_registration;
     case Dialogue::start_D31:
       return port::Waiting::session;
     case Dialogue::start_D33:

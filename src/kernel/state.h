@@ -13,6 +13,7 @@
 #include "kernel/displayed.h"
 #include "kernel/evc.h"
 #include "kernel/manoeuvre_state.h"
+#include "kernel/radio_network.h"
 #include "lang/telegram.h"
 #include "modes/acceptance.h"
 #include "modes/levels.h"
@@ -132,24 +133,14 @@ struct LssmaDisplay {
   bool on = false;
 };
 
-/// The radio network of the mobile terminals (3.5.6).
-struct RadioNetwork {
-  InplaceVector<std::uint32_t, 16> offered;  // to the driver, NID_MN; the first is the default
-  std::optional<std::uint32_t> NID_MN;       // the last one of trackside or driver
-  bool frmcs_only = false;                   // the type of trackside: it has no GSM-R (3.5.6.5 of 4.0.0)
-  bool changed = false;                      // in this cycle: a registration is due
-  bool registered = true;                    // a terminal is, say the terminals
-  bool awaited = false;                      // a call waits for the terminal that has to register
-  bool by_driver = false;                    // the driver changes it: list or registration is awaited (3.18.4.3.6)
-};
-
-/// Whether a session with an RBC can be set up: a terminal is registered, and trackside has GSM-R (3.5.6.7).
-constexpr bool callable(const RadioNetwork& network) { return network.registered && !network.frmcs_only; }
-
 /// The distance that may be run in SR, and the entries of the driver (4.4.11).
 struct StaffResponsible {
   std::optional<Place> end;            // absent: infinite
   std::optional<Place> national_from;  // the start of D_NVSTFF; absent: the distance is the RBC's or the driver's
+  /// 4.0.0: the front end at the start of the distance, which no group moves (3.6.7.3); of a loop the end is a place.
+  std::optional<OdometerReading> counter;
+  Distance D{};                        // from there
+  std::optional<Place> end_of_curves;  // where the max safe front end of the position is when that one has run it
   bool by_rbc = false;                 // given by an SR authorisation, even if infinite
   std::optional<Speed> V;
 };

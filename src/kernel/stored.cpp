@@ -176,6 +176,7 @@ void clear_level_buffer(State& s) {
 
 void limit_SR_distance(State& state, const track::Here& here) {
   state.staff_responsible.national_from = here.est_front;
+  state.staff_responsible.counter = virtual_front(state);
   follow_national_SR_distance(state);
 }
 
@@ -183,16 +184,52 @@ void follow_national_SR_distance(State& state) {
   StaffResponsible& sr = state.staff_responsible;
   if (!sr.national_from) return;
   sr.end.reset();
-  if (state.national_values.D_NVSTFF) sr.end = *sr.national_from + *state.national_values.D_NVSTFF;
+  sr.end_of_curves.reset();
+  const std::optional<Distance>& D = state.national_values.D_NVSTFF;
+  if (!D) return;
+  sr.end = *sr.national_from + *D;
+  sr.D = *D;
+  follow_virtual_front(state);
 }
 
 void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D) {
   set_SR_end(state, D ? std::optional(here.est_front + *D) : std::nullopt);
+  if (!D) return;
+  state.staff_responsible.counter = virtual_front(state);
+  state.staff_responsible.D = *D;
+  follow_virtual_front(state);
 }
 
 void set_SR_end(State& state, const std::optional<Place>& end) {
-  state.staff_responsible.national_from.reset();
-  state.staff_responsible.end = end;
+  StaffResponsible& sr = state.staff_responsible;
+  sr.national_from.reset();
+  sr.counter.reset();
+  sr.end_of_curves.reset();
+  sr.end = end;
+}
+
+std::optional<OdometerReading> virtual_front(const State& state) {
+  if (state.srs != SrsVersion::v4_0_0) return std::nullopt;
+  return state.position.now.counter;
+}
+
+void follow_virtual_front(State& state) {
+  constexpr Distance kRounding{0.001};
+  StaffResponsible& sr = state.staff_responsible;
+  const PlaceInterval front = position::front(state.position);
+  if (sr.counter && sr.end) {
+    const position::Way way = position::way_since(state.position, *sr.counter);
+    const Place before = sr.end_of_curves.value_or(*sr.end);
+    sr.end = front.est + (sr.D - way.est);
+    sr.end_of_curves = front.max + (sr.D - way.est - way.under);
+    const Distance moved = *sr.end_of_curves - before;
+    if (moved > kRounding || moved < -kRounding) ++state.revision;
+  }
+  procedures::override_::State& override_ = state.override_;
+  if (override_.virtual_front && override_.former_eoa) {
+    const position::Way way = position::way_since(state.position, *override_.virtual_front);
+    override_.former_eoa = front.min - (way.est - way.over);
+  }
 }
 
 void cut_beyond(State& state, Place beyond, Brought brought) {

@@ -34,6 +34,11 @@ void follow_national_SR_distance(State& state);
 /// The distance for SR of the RBC or the driver, from the estimated front end; absent: infinite (4.4.11.1.3.2, .3).
 void set_SR_distance(State& state, const track::Here& here, const std::optional<Distance>& D);
 
+/// 3.6.7.3 of 4.0.0: the counters at which the supervision of a distance begins that refers to no group.
+std::optional<OdometerReading> virtual_front(const State& state);
+/// Every cycle, after the position: a group that was passed moves no such distance (3.6.7.3.2).
+void follow_virtual_front(State& state);
+
 /// The end of the distance for SR; absent: infinite.
 void set_SR_end(State& state, const std::optional<Place>& end);
 

@@ -148,7 +148,8 @@ Matrix matrix_of(const kernel::State& state, const kernel::Derived& derived, std
     const Place to = !m.cut && i + 1 == rows ? *end : m.front + static_cast<double>(i + 1) * m.quantum;
     m.rows.push_back(row_of(source, m, from, to));
   }
-  if (m.target && !m.cut) m.rows.back().V_LOA = state.basis.authority.ends_with_LOA() ? state.basis.authority.V_LOA : Speed{};
+  if (m.target && !m.cut)
+    m.rows.back().V_LOA = state.basis.authority.ends_with_LOA() ? state.basis.authority.V_LOA : Speed{};
   take_groups(m, source);
   return m;
 }

@@ -139,6 +139,13 @@ PlaceInterval engine_front_at(const State& state, const OdometerReading& counter
   return reference ? interval(state, *reference, counter) : interval(state, reference_of(state), counter);
 }
 
+Way way_since(const State& state, const OdometerReading& from) {
+  Reference start;  // known exactly
+  start.counter = from;
+  const PlaceInterval now = interval(state, start, state.now.counter);
+  return {now.est - in_track(state, from.nominal), now.est - now.min, now.max - now.est};
+}
+
 Distance L_DOUBTOVER(const State& state) {
   const PlaceInterval at = front(state);
   return at.est - at.min;

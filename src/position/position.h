@@ -173,6 +173,12 @@ inline PlaceInterval antenna(const State& state, Distance L_antenna) { return en
 inline PlaceInterval antenna_at(const State& state, const OdometerReading& counter, Distance L_antenna) {
   return engine_front_at(state, counter) - L_antenna;
 }
+/// 3.6.7.3 of 4.0.0: the way of a front end that referred to no group since the counters stood at `from`: forward, and
+/// what the odometer may have read too much or too little of it.
+struct Way {
+  Distance est{}, over{}, under{};
+};
+Way way_since(const State& state, const OdometerReading& from);
 /// Distance from the estimated front end back to the min safe one / ahead to the max safe one.
 Distance L_DOUBTOVER(const State& state);
 Distance L_DOUBTUNDER(const State& state);

@@ -3,6 +3,11 @@
 namespace evc::procedures::override_ {
 namespace {
 
+void forget_former_eoa(State& state) {
+  state.former_eoa.reset();
+  state.virtual_front.reset();  // 3.6.7.4
+}
+
 /// Starts or restarts the supervision of override (5.8.3.1).
 void start(State& state, const Inputs& in) {
   state.active = true;
@@ -15,11 +20,13 @@ void start(State& state, const Inputs& in) {
     case Mode::AD:
     case Mode::LS:
     case Mode::OS:
+      state.virtual_front.reset();
       state.former_eoa = in.eoa_or_loa;
       state.former_eoa_passed = false;
       break;
     case Mode::SB:
     case Mode::PT:
+      state.virtual_front = in.counter;
       state.former_eoa = in.est_front;
       state.former_eoa_passed = false;
       break;
@@ -67,14 +74,14 @@ Result step(State& state, const Inputs& in) {
     if (out.ended_by) state.active = false;
   }
   // 5.8.3.1.3: a "stop if in SR" deletes the former EOA.
-  if (in.stop_if_in_SR) state.former_eoa.reset();
+  if (in.stop_if_in_SR) forget_former_eoa(state);
   return out;
 }
 
 void on_mode_change(State& state, Mode from, Mode to) {
   // 5.8.4.1 i: TR, LS, OS and SH end it. The other modes have no override (4.5.2): entering SB, FS, NL, ... ends it.
   if (to != Mode::SR && to != Mode::UN && to != Mode::SN) state.active = false;
-  if (from == Mode::SR) state.former_eoa.reset();
+  if (from == Mode::SR) forget_former_eoa(state);
 }
 
 }  // namespace evc::procedures::override_

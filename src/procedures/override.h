@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/location.h"
 #include "base/units.h"
 #include "terms/clause.h"
 #include "terms/level.h"
@@ -17,6 +18,9 @@ struct State {
   OdometerPlace start{};              // b: place of the selection
   std::optional<Place> former_eoa;    // c and [43]; stored beyond the end of override, deleted when SR is left
   bool former_eoa_passed = false;
+  /// 4.0.0: the counters at the selection, where there was no valid position; the former EOA is there, whatever
+  /// position later groups give (3.6.7.3). The caller moves `former_eoa` accordingly.
+  std::optional<OdometerReading> virtual_front;
   std::optional<Place> sr_distance_end;  // h: the SR distance supervised before the selection
 };
 
@@ -30,6 +34,7 @@ struct Inputs {
   Duration T_NVOVTRP{60.0};
   std::optional<Distance> D_NVOVTRP{Distance{200.0}};
   // Position
+  std::optional<OdometerReading> counter;  // 4.0.0, without a valid position: the front end counts from here
   Place est_front{};
   Place min_safe_antenna{};
   std::optional<Place> eoa_or_loa;       // in force (FS, LS, OS)

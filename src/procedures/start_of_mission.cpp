@@ -24,6 +24,12 @@ Step after_start(State& state, const Inputs& in) {
   }
 }
 
+/// A31.
+Step call(Effects& out) {
+  out.send.add(Send::open_session);
+  return Step::D31;
+}
+
 /// D2, D3, D7: the next step once the driver identity is known.
 Step after_driver_id(const Inputs& in, Effects& out) {
   if (!valid(in.position) || !valid(in.level_status)) {
@@ -33,34 +39,47 @@ Step after_driver_id(const Inputs& in, Effects& out) {
     return Step::S2;
   }
   if (!level_2_or_3(in.level)) return Step::S10;
-  if (in.mobile_terminal_registered) {
-    out.send.add(Send::open_session);  // A31
-    return Step::D31;
-  }
+  if (in.mobile_terminal_registered) return call(out);
+  if (in.srs == SrsVersion::v4_0_0) return Step::S4;
   out.inform.add(Inform::network_registration_failed);  // A29
   return Step::S10;
 }
 
-/// S3: RBC contact.
+/// S4 of 4.0.0, with GSM-R alone: A42 leads to S10 (D9).
+Step after_registration(const Inputs& in, Effects& out) {
+  if (in.mobile_terminal_registered) return call(out);  // E6
+  if (!in.registration_failed) return Step::S4;
+  out.inform.add(Inform::network_registration_failed);  // E7
+  return Step::S10;
+}
+
+/// S3: RBC contact. Without a network to choose (E3) 3.x goes on at once, 4.0.0 as soon as the registration has failed.
 Step after_level(const Inputs& in, Effects& out) {
   if (in.enters_level && !level_2_or_3(in.level)) return Step::S10;
   if (!in.mobile_terminal_registered) {
-    if (in.network_offered) return Step::S3;
+    const bool registers = in.srs == SrsVersion::v4_0_0 && !in.registration_failed;
+    if (in.network_offered || registers) return Step::S3;
     out.inform.add(Inform::network_registration_failed);
     return Step::S10;
   }
   if (!in.enters_rbc_contact && !in.selects_short_number) return Step::S3;
   out.status.add(Status::rbc_contact_valid, in.enters_rbc_contact);
-  out.send.add(Send::open_session);
-  return Step::D31;
+  return call(out);
 }
 
-/// D31, D32, A32 to A34: the attempt to open the session has ended.
+/// D31, D32, A32 to A34: once the attempt to open the session has ended.
 Step after_session(const Inputs& in, Effects& out) {
+  if (in.session == Session::establishing) return Step::D31;
   if (in.session != Session::open) return Step::S10;  // the driver sees it by the radio indication (ST04)
   out.status.add(Status::rbc_contact_valid);
   out.send.add(Send::start_of_mission_report);
-  return valid(in.position) ? Step::S10 : Step::D33;
+  const bool of_LRBG = in.srs != SrsVersion::v4_0_0 || in.position_refers_to_LRBG;
+  return valid(in.position) && of_LRBG ? Step::S10 : Step::D33;
+}
+
+/// D34, D35 of 4.0.0: a valid position that refers to an unlinked group is no reason for the answer, and stays.
+bool position_stays(const Inputs& in) {
+  return in.srs == SrsVersion::v4_0_0 && valid(in.position) && !in.position_refers_to_LRBG;
 }
 
 /// D33, D22: the RBC has confirmed the position, or accepted or rejected the train.
@@ -70,11 +89,11 @@ Step after_validation(const Inputs& in, Effects& out) {
     return Step::S10;
   }
   if (in.train_accepted) {
-    out.status.add(Status::position_unknown);  // A24
+    out.status.add(Status::position_unknown, !position_stays(in));  // A24
     return Step::S10;
   }
   if (in.train_rejected) {
-    out.status.add(Status::position_unknown);  // A39
+    out.status.add(Status::position_unknown, !position_stays(in));  // A39
     out.send.add(Send::terminate_session);
     return Step::A40;
   }
@@ -159,8 +178,10 @@ Step next(State& state, const Inputs& in, Effects& out) {
       return level_2_or_3(in.level) ? Step::S3 : Step::S10;
     case Step::S3:
       return after_level(in, out);
+    case Step::S4:
+      return after_registration(in, out);
     case Step::D31:
-      return in.session == Session::establishing ? Step::D31 : after_session(in, out);
+      return after_session(in, out);
     case Step::D33:
       return after_validation(in, out);
     case Step::A40:

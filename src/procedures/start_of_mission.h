@@ -19,6 +19,7 @@ enum class Step : std::uint8_t {
   S1,   // driver identity
   S2,   // level
   S3,   // RBC contact
+  S4,   // 4.0.0: a mobile terminal registers with the radio network
   D31,  // the session is being opened
   D33,  // the RBC validates the position or decides (D33, D22)
   A40,  // the train is rejected: the session is being terminated
@@ -50,7 +51,9 @@ struct Inputs {
   bool desk_open = false;
   Session session = Session::none;
   bool mobile_terminal_registered = false;
-  bool network_offered = false;  // the driver may choose another network
+  bool network_offered = false;         // the driver may choose another network
+  bool registration_failed = false;     // none is registered, and the time to wait for it is over (A.3.1 of 4.0.0)
+  bool position_refers_to_LRBG = true;  // not to an unlinked group alone
   // Status of the stored data, entries of this cycle included.
   DataStatus driver_id = DataStatus::unknown;
   DataStatus train_running_number = DataStatus::unknown;

@@ -113,7 +113,7 @@ constexpr auto kEvents = std::to_array<EventText>({
     {What::consist_lost, "safe consist length", Takes::nothing, "no longer available"},
     {What::odometer_out_of_tolerance, "odometer at BG", Takes::id, "out of tolerance: more than 5 m + 5 %"},
     {What::mode_not_of_level, "mode", Takes::nothing, "not possible in the level"},
-    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "virtual front end"},
+    {What::edition_incomplete, "SRS 4.0.0 without", Takes::nothing, "FRMCS"},
     {What::received_without_power, "telegram or message", Takes::nothing, "not received: no power"},
 });
 // clang-format on

@@ -108,6 +108,8 @@ void run_start_of_mission(State& s, bool desk_open, const Received& received, st
   som.desk_open = desk_open;
   som.session = session_of(s);
   som.mobile_terminal_registered = s.fitted_levels[static_cast<std::size_t>(Level::L2)] && s.network.registered;
+  som.registration_failed = registration_failed(s.network, s.now);
+  som.position_refers_to_LRBG = position::lrbg(s.position) != nullptr;
   som.network_offered = !s.network.offered.empty();
   som.driver_id = s.data.driver_id_status;
   som.train_running_number = s.data.train_running_number_status;
@@ -150,6 +152,7 @@ void run_override(State& s, const Received& received, const track::Here& here, p
   in.selected = received.selected.has(Select::override_);
   in.T_NVOVTRP = s.national_values.T_NVOVTRP;
   in.D_NVOVTRP = s.national_values.D_NVOVTRP;
+  if (s.position.status != DataStatus::valid) in.counter = virtual_front(s);  // 3.6.7.1 f
   in.est_front = here.est_front;
   in.min_safe_antenna = here.min_safe_antenna;
   in.eoa_or_loa = s.basis.authority.EOA_or_LOA();

@@ -128,6 +128,8 @@ const position::Reference& locate(Reception& r, const balise::Group& group) {
   // Data of the unlinked group before it move only where it is the reference of the position.
   const position::Relocated by = position::refer_to_unlinked(s.position, passage);
   relocate_stored(s, Anchor::unlinked, Anchor::unlinked, by.unlinked);
+  // 4.0.0 knows a valid position that refers to an unlinked group (3.6.2.2.2.1, 5.4.3.2 D34).
+  if (s.srs == SrsVersion::v4_0_0 && position::lrbg(s.position) == nullptr) s.position.status = DataStatus::valid;
   return *s.position.unlinked;
 }
 

@@ -154,7 +154,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   Reception r{s, scratch, in, outbox, log, out, {}, {}, forwarded};
   // 4.4.5: without valid odometer data or configuration nothing can be supervised. The last position is kept.
   if (s.srs == SrsVersion::v4_0_0 && !s.edition_told)
-    log.note({.what = What::edition_incomplete, .clause = "4.4.21"_srs});
+    log.note({.what = What::edition_incomplete, .clause = "3.5.6.4"_srs});
   s.edition_told = true;
   const bool can_go_on = sound(s, in);
   if (!can_go_on) log.note({.what = What::odometry_not_sound, .clause = "4.4.5"_srs});
@@ -176,6 +176,7 @@ Received intake(State& s, Derived::Scratch& scratch, const Inputs& in, radio::Ou
   receive_driver(r);
   receive_external_train_data(r);
   receive_trackside(r, can_go_on);
+  follow_virtual_front(s);
   out.here = here(s);
   advance_track(r);
   run_level_transition(r);

@@ -43,6 +43,7 @@ std::optional<std::uint32_t> register_terminals(State& s, bool powered_up) {
   bool ordered = one_is_free(s) || powered_up;
   if (s.network.changed) ordered = leave_busy_ones(s) || ordered;
   if (!ordered) return std::nullopt;
+  s.network.ordered = s.now;
   if (s.network.NID_MN) return s.network.NID_MN;
   return s.network.offered.empty() ? port::kDefaultNetwork : s.network.offered[0];  // 3.5.6.3
 }

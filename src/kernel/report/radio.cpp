@@ -243,7 +243,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   in.report_due = due != 0 || border || out.effects.send.has(procedures::Send::position_report);
   in.errors_reported = reports_error(s);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
-  in.Q_STATUS = Q_STATUS(s.position.status);
+  in.Q_STATUS = Q_STATUS(position::lrbg(s.position) ? s.position.status : DataStatus::unknown);  // 5.4.3.2 A34
   in.running_number_valid = valid(s.data.train_running_number_status);
   in.running_number_entered = received.entered.has(Entered::train_running_number);
   in.running_number_from = named_rbc(s.data.train_running_number_from);
