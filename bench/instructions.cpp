@@ -157,7 +157,8 @@ int swept() {
   const auto scratch = (*plan)->scratch();
   bool kept = true;
   counted([&] {
-    for (std::uint64_t n = 0; n < kJourneys; ++n) kept = kept && (*store)->add({(*plan)->compute(n, *scratch)}).has_value();
+    for (std::uint64_t n = 0; n < kJourneys; ++n)
+      kept = kept && (*store)->add({(*plan)->compute(n, *scratch)}).has_value();
     kept = kept && (*store)->commit().has_value();
   });
   store->reset();

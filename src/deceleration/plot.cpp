@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curves/svg.h"
+#include "curves/drawing.h"
 #include "deceleration/train_document.h"
 
 namespace evc::deceleration {
@@ -13,8 +13,8 @@ namespace {
 
 namespace colour = curves::colour;
 using curves::Axis;
+using curves::Drawing;
 using curves::Stroke;
-using curves::Svg;
 
 constexpr double kWidth = 1280.0, kHeight = 640.0;
 constexpr double kTop = 84.0, kBottom = 548.0;
@@ -34,15 +34,15 @@ const char* const kColours[] = {colour::EBD,    colour::SBD,  colour::GUI, colou
 
 using Points = std::vector<std::pair<double, double>>;
 
-void grid(Svg& svg, const Axis& x, const Axis& y, double left, double right) {
-  svg.rect(left, kTop, right - left, kBottom - kTop, colour::dark_blue);
+void grid(Drawing& drawing, const Axis& x, const Axis& y, double left, double right) {
+  drawing.rect(left, kTop, right - left, kBottom - kTop, colour::dark_blue);
   for (const double v : y.ticks(8)) {
-    svg.line(left, y.at(v), right, y.at(v), {colour::pasp_dark, 1.0, ""});
-    svg.text(left - 8, y.at(v) + 4, curves::label(v), 12, colour::ink, "end");
+    drawing.line(left, y.at(v), right, y.at(v), {colour::pasp_dark, 1.0, ""});
+    drawing.text(left - 8, y.at(v) + 4, curves::label(v), 12, colour::ink, "end");
   }
   for (const double v : x.ticks(9)) {
-    svg.line(x.at(v), kTop, x.at(v), kBottom, {colour::pasp_dark, 1.0, ""});
-    svg.text(x.at(v), kBottom + 18, curves::label(v), 12, colour::ink, "middle");
+    drawing.line(x.at(v), kTop, x.at(v), kBottom, {colour::pasp_dark, 1.0, ""});
+    drawing.text(x.at(v), kBottom + 18, curves::label(v), 12, colour::ink, "middle");
   }
 }
 
@@ -58,17 +58,17 @@ Points staircase(const Steps& steps, const Axis& x, const Axis& y, ValueOf value
   return points;
 }
 
-void legend(Svg& svg, double left, double top, const std::vector<std::pair<std::string, Stroke>>& entries,
+void legend(Drawing& drawing, double left, double top, const std::vector<std::pair<std::string, Stroke>>& entries,
             double column) {
   double x = left + 14;
   for (const auto& [name, stroke] : entries) {
-    svg.line(x, top, x + 24, top, stroke);
-    svg.text(x + 30, top + 4, name, 11.5, colour::white);
+    drawing.line(x, top, x + 24, top, stroke);
+    drawing.text(x + 30, top + 4, name, 11.5, colour::white);
     x += column;
   }
 }
 
-void draw_decelerations(Svg& svg, const Spec& spec, const Guaranteed& result) {
+void draw_decelerations(Drawing& drawing, const Spec& spec, const Guaranteed& result) {
   const std::vector<Step> joint = train_steps(spec, result.safe_steps());
   double top = 0.0;
   for (const auto& step : result.steps)
@@ -79,27 +79,27 @@ void draw_decelerations(Svg& svg, const Spec& spec, const Guaranteed& result) {
     to_kmh = std::max(spec.speeds_kmh.back() + 1.0, (*train)["max_speed_kmh"].get<double>());
   const Axis x{0.0, to_kmh, kLeft, kRight};
   const Axis y{0.0, top * 1.18, kBottom, kTop};
-  grid(svg, x, y, kLeft, kRight);
-  svg.text((kLeft + kRight) / 2, kBottom + 40, "speed [km/h]", 12, colour::soft, "middle");
-  svg.vertical_text(20, (kTop + kBottom) / 2, "deceleration [m/s\u00B2]", 12, colour::soft);
+  grid(drawing, x, y, kLeft, kRight);
+  drawing.text((kLeft + kRight) / 2, kBottom + 40, "speed [km/h]", 12, colour::soft, "middle");
+  drawing.vertical_text(20, (kTop + kBottom) / 2, "deceleration [m/s\u00B2]", 12, colour::soft);
   std::vector<std::pair<std::string, Stroke>> entries;
   const Stroke nominal{colour::white, 2.2, ""}, file{colour::SBD, 1.6, "5 3"};
-  svg.polyline(staircase(result.steps, x, y, [](const auto& s) { return s.A_brake_emergency; }), nominal);
+  drawing.polyline(staircase(result.steps, x, y, [](const auto& s) { return s.A_brake_emergency; }), nominal);
   entries.emplace_back("A_brake_emergency", nominal);
   for (const Shown& shown : kShown) {
-    svg.polyline(staircase(result.steps, x, y,
-                           [&](const auto& s) { return s.A_brake_emergency * s.Kdry_rst[shown.level].value; }),
-                 shown.stroke);
+    drawing.polyline(staircase(result.steps, x, y,
+                               [&](const auto& s) { return s.A_brake_emergency * s.Kdry_rst[shown.level].value; }),
+                     shown.stroke);
     entries.emplace_back(fmt::format("level {}", shown.level), shown.stroke);
   }
-  svg.polyline(staircase(joint, x, y, [](const Step& s) { return s.A_brake_emergency * s.Kdry_rst[9]; }), file);
+  drawing.polyline(staircase(joint, x, y, [](const Step& s) { return s.A_brake_emergency * s.Kdry_rst[9]; }), file);
   entries.emplace_back("train file, level 9", file);
-  svg.text(kLeft, kTop - 10, "Deceleration: nominal, and guaranteed by M_NVEBCL", 12.5, colour::ink, "start", true);
-  legend(svg, kLeft, kTop + 18, {entries.front()}, 0.0);
-  legend(svg, kLeft + 170, kTop + 18, {entries.begin() + 1, entries.end()}, 94.0);
+  drawing.text(kLeft, kTop - 10, "Deceleration: nominal, and guaranteed by M_NVEBCL", 12.5, colour::ink, "start", true);
+  legend(drawing, kLeft, kTop + 18, {entries.front()}, 0.0);
+  legend(drawing, kLeft + 170, kTop + 18, {entries.begin() + 1, entries.end()}, 94.0);
 }
 
-void draw_factors(Svg& svg, const Guaranteed& result) {
+void draw_factors(Drawing& drawing, const Guaranteed& result) {
   double low = 1.0, high = 1.0;
   for (const auto& step : result.steps)
     for (const Quantile& q : step.Kdry_rst) {
@@ -109,10 +109,10 @@ void draw_factors(Svg& svg, const Guaranteed& result) {
   const double margin = 0.05 * (high - low) + 0.002;
   const Axis x{-0.4, 9.4, kFactorsLeft, kFactorsRight};
   const Axis y{low - margin, high + 3.0 * margin, kBottom, kTop};
-  grid(svg, x, y, kFactorsLeft, kFactorsRight);
-  svg.text((kFactorsLeft + kFactorsRight) / 2, kBottom + 40, "M_NVEBCL", 12, colour::soft, "middle");
-  svg.vertical_text(kFactorsLeft - 58, (kTop + kBottom) / 2, "Kdry_rst", 12, colour::soft);
-  svg.text(kFactorsLeft, kTop - 10, "Kdry_rst with its 95 % bounds, by speed", 12.5, colour::ink, "start", true);
+  grid(drawing, x, y, kFactorsLeft, kFactorsRight);
+  drawing.text((kFactorsLeft + kFactorsRight) / 2, kBottom + 40, "M_NVEBCL", 12, colour::soft, "middle");
+  drawing.vertical_text(kFactorsLeft - 58, (kTop + kBottom) / 2, "Kdry_rst", 12, colour::soft);
+  drawing.text(kFactorsLeft, kTop - 10, "Kdry_rst with its 95 % bounds, by speed", 12.5, colour::ink, "start", true);
   // With many steps: as many of them as there are colours, evenly.
   const std::size_t n = result.steps.size(), lines = std::min(n, std::size(kColours));
   double row = kBottom - 12.0 - 15.0 * static_cast<double>(lines - 1);
@@ -123,11 +123,11 @@ void draw_factors(Svg& svg, const Guaranteed& result) {
       const Quantile& q = step.Kdry_rst[k];
       const double at = x.at(static_cast<double>(k));
       points.emplace_back(at, y.at(q.value));
-      svg.line(at, y.at(q.low), at, y.at(q.high), {kColours[i], 3.0, ""});
+      drawing.line(at, y.at(q.low), at, y.at(q.high), {kColours[i], 3.0, ""});
     }
-    svg.polyline(points, {kColours[i], 1.3, ""});
-    svg.line(kFactorsLeft + 12, row - 4, kFactorsLeft + 34, row - 4, {kColours[i], 1.6, ""});
-    svg.text(kFactorsLeft + 40, row, fmt::format("from {:g} km/h", step.from_kmh), 11, colour::white);
+    drawing.polyline(points, {kColours[i], 1.3, ""});
+    drawing.line(kFactorsLeft + 12, row - 4, kFactorsLeft + 34, row - 4, {kColours[i], 1.6, ""});
+    drawing.text(kFactorsLeft + 40, row, fmt::format("from {:g} km/h", step.from_kmh), 11, colour::white);
     row += 15.0;
   }
 }
@@ -136,17 +136,17 @@ void draw_factors(Svg& svg, const Guaranteed& result) {
 
 std::string chart(const Spec& spec, const Guaranteed& result) {
   const std::string name = spec.name.empty() ? "Guaranteed deceleration" : spec.name;
-  Svg svg(kWidth, kHeight, name);
-  svg.text(kLeft, 32, curves::shortened(name, 88), 20, colour::ink, "start", true);
+  Drawing drawing(kWidth, kHeight, name);
+  drawing.text(kLeft, 32, curves::shortened(name, 88), 20, colour::ink, "start", true);
   std::string text = fmt::format("{} brake units, {:g} t   |   {} samples for each speed and level", spec.units(),
                                  spec.mass_t, spec.samples);
   if (const auto time = result.build_up_at(spec.response_level))
     text += fmt::format("   |   T_brake_emergency {:.2f} s (level {})", *time, spec.response_level);
-  svg.text(kLeft, 54, text, 13, colour::soft);
-  draw_decelerations(svg, spec, result);
-  draw_factors(svg, result);
-  svg.text(kLeft, kHeight - 14, "openevc: no safety integrity is claimed", 10.5, colour::soft);
-  return svg.finish();
+  drawing.text(kLeft, 54, text, 13, colour::soft);
+  draw_decelerations(drawing, spec, result);
+  draw_factors(drawing, result);
+  drawing.text(kLeft, kHeight - 14, "openevc: no safety integrity is claimed", 10.5, colour::soft);
+  return curves::svg_of(drawing);
 }
 
 }  // namespace evc::deceleration
