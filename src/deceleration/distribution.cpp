@@ -11,6 +11,7 @@ namespace evc::deceleration {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The probability of a standard normal variable above z.
 double above(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
@@ -53,7 +54,7 @@ Tilted::Tilted(const Normal& normal, double theta)
       to_(normal.to) {
   if (!cut_) return;
   const double a = (from_ - mean_) / deviation_, b = (to_ - mean_) / deviation_;
-  upper_ = a > 0.0;
+  upper_ = a + b > 0.0;
   first_ = above(upper_ ? a : -a);
   last_ = above(upper_ ? b : -b);
 }
@@ -71,7 +72,7 @@ Tilted::Tilted(const std::vector<Piece>& pieces, double theta) : theta_(theta) {
 double Tilted::in_part(const Part& part, double share) const {
   const double length = part.to - part.from;
   const double h = theta_ * length;
-  if (std::abs(h) < 1e-9) return part.from + share * length;
+  if (std::abs(h) < 1e-9) return std::min(part.from + share * length, part.to);
   const double step = -std::log1p(share * std::expm1(-std::abs(h))) / std::abs(theta_);
   return h > 0.0 ? std::min(part.from + step, part.to) : std::max(part.to - step, part.from);
 }
@@ -79,7 +80,9 @@ double Tilted::in_part(const Part& part, double share) const {
 double Tilted::at(double share) const {
   if (normal_) {
     if (!cut_) return mean_ + deviation_ * random::normal_quantile(share);
-    const double z = random::normal_quantile(first_ + share * (last_ - first_));
+    // The sum is rounded: it must not become 0 or 1.
+    const double p = std::clamp(first_ + share * (last_ - first_), 1e-300, 1.0 - kEpsilon);
+    const double z = random::normal_quantile(p);
     return std::clamp(mean_ + deviation_ * (upper_ ? -z : z), from_, to_);
   }
   std::size_t i = 0;

@@ -35,7 +35,7 @@ class Tilted {
   bool normal_ = false, cut_ = false;
   double mean_ = 0.0, deviation_ = 0.0;
   double from_ = 0.0, to_ = 0.0;
-  bool upper_ = false;  // the cut part is above the mean: probabilities are counted from above
+  bool upper_ = false;  // most of the cut part is above the mean: probabilities are counted from above
   double first_ = 0.0, last_ = 0.0;
   double theta_ = 0.0;
   std::vector<Part> parts_;

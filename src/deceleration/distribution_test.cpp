@@ -19,6 +19,7 @@ std::vector<Case> cases() {
   return {{"constant", Distribution(0.9), 0.1},
           {"normal", Distribution(Normal{1.0, 0.1, false, 0.0, 0.0}), 0.1},
           {"truncated", Distribution(Normal{1.0, 0.1, true, 0.9, 1.3}), 0.1},
+          {"ends in the middle", Distribution(Normal{0.5, 0.1, true, 0.5, 1.5}), 0.1},
           {"one side", Distribution(Normal{1.0, 0.2, true, 1.2, 2.0}), 0.2},
           {"uniform", Distribution(std::vector<Piece>{{0.8, 1.1, 1.0}}), 0.1},
           {"discrete", Distribution(std::vector<Piece>{{0.5, 0.5, 0.01}, {0.9, 0.9, 0.29}, {1.0, 1.0, 0.7}}), 0.1},
@@ -73,7 +74,7 @@ TEST(Distribution, a_tilt_that_is_too_large_is_told_and_others_stay_in_the_range
       if (!std::isfinite(c.distribution.log_transform(theta))) continue;
       const Tilted tilted = c.distribution.tilted(theta);
       double before = from;
-      for (const double share : {1e-15, 0.1, 0.5, 0.9, 1.0 - 1e-15}) {
+      for (const double share : {1e-16, 0.1, 0.5, 0.9, 1.0 - 1e-16}) {
         const double value = tilted.at(share);
         EXPECT_TRUE(value >= from && value <= to) << c.name << ' ' << theta << ' ' << value;
         if (theta == 0.0) {

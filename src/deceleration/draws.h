@@ -26,8 +26,9 @@ struct Source {
 
  private:
   static double share_of(std::uint32_t low, std::uint32_t high) {
-    const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 11;
-    return (static_cast<double>(bits) + 0.5) / 9007199254740992.0;
+    // 52 bits and a half: exact, so that no share is 1.
+    const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 12;
+    return (static_cast<double>(bits) + 0.5) / 4503599627370496.0;
   }
 };
 
