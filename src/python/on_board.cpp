@@ -238,7 +238,8 @@ void bind_on_board(py::module_& module) {
       .def("__iter__", [](Outputs& o) { return py::iter(o.dict()); })
       .def("__repr__", brief)
       .def_property_readonly("json", &Outputs::json, "The line of `evc replay`, without its end.");
-  py::class_<Snapshot>(module, "Snapshot", "All that a unit remembers at a moment: of OnBoard.snapshot().");
+  const py::class_<Snapshot> snapshot(module, "Snapshot",
+                                      "All that a unit remembers at a moment: of OnBoard.snapshot().");
   py::class_<OnBoard>(
       module, "OnBoard",
       "An on-board unit after power-up.\n\n"

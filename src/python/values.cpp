@@ -169,7 +169,7 @@ std::string put_named(Json& document, const char* member, const char* folder, co
 void translate_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const io::ReadError& e) {
       raise(e.diagnostic);
     } catch (const LanguageError& e) {
