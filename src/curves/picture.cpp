@@ -77,31 +77,44 @@ std::vector<double> places_of(const Approached& a, double from, double to) {
 
 void add_braking_curves(Picture& p, const Approached& a) {
   const sdm::Derived& d = a.derived();
+  // Of several targets, none has a curve that begins in mid-air: each is drawn from where it is at last below the
+  // ceiling.
+  const auto start_of = [&](const sdm::CurveView& view) {
+    double start = -std::numeric_limits<double>::infinity();
+    if (d.targets.size() < 2) return start;
+    for (const double x : p.x_m) {
+      const Speed M = sdm::ceiling_at(d, Place{{x}});
+      if (x <= m(view.foot()) && view.speed_at(Place{{x}}) > M + sdm::dV_ebi(M, d.fixed)) start = x;
+    }
+    return start;
+  };
   const auto curve = [&](const char* key, const char* name, const char* colour, auto ref_of) {
     PictureCurve c{key, name, {colour, 1.6, ""}, {}};
-    bool any = false;
-    const sdm::Target* before = nullptr;
+    struct Drawn {
+      sdm::CurveView view;
+      double start;
+    };
+    std::vector<Drawn> all;
+    for (const sdm::Target& t : d.targets)
+      if (const sdm::CurveView view = d.view(ref_of(t)); view.exists()) all.push_back({view, start_of(view)});
+    if (all.empty()) return;
+    std::size_t before = all.size();
     for (const double x : p.x_m) {
       double lowest = kNaN;
-      const sdm::Target* governing = nullptr;
-      for (const sdm::Target& t : d.targets) {
-        const sdm::CurveView view = d.view(ref_of(t));
-        if (!view.exists() || x > m(view.foot())) continue;
-        const double v = view.speed_at(Place{{x}}).si * kKmh;
+      std::size_t governing = all.size();
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (x > m(all[i].view.foot()) || !(x > all[i].start)) continue;
+        const double v = all[i].view.speed_at(Place{{x}}).si * kKmh;
         if (v >= lowest) continue;
         lowest = v;
-        governing = &t;
+        governing = i;
       }
       // Where the curve of another target becomes the lowest, a new line begins.
-      if (before != nullptr && governing != before) lowest = kNaN;
+      if (before != all.size() && governing != before) lowest = kNaN;
       before = governing;
-      any = any || !std::isnan(lowest);
-      // Of several targets, none has a curve that begins in mid-air: all are cut at the ceiling.
-      const Speed M = sdm::ceiling_at(d, Place{{x}});
-      const double highest = d.targets.size() > 1 ? (M + sdm::dV_ebi(M, d.fixed)).si * kKmh : p.top_kmh * 1.2;
-      c.v.push_back(lowest > highest ? kNaN : lowest);
+      c.v.push_back(lowest > p.top_kmh * 1.2 ? kNaN : lowest);
     }
-    if (any) p.curves.push_back(std::move(c));
+    p.curves.push_back(std::move(c));
   };
   curve("EBD", "EBD  emergency deceleration", colour::EBD, [](const sdm::Target& t) { return t.EBD; });
   curve("SBD", "SBD  service deceleration", colour::SBD, [](const sdm::Target& t) { return t.SBD; });

@@ -193,21 +193,25 @@ void names_at_curves(Drawing& drawing, const Picture& p, const Axis& x, const Ax
     const double half = 4.2 * static_cast<double>(c.key.size());
     std::size_t best = 0;
     double most = -1.0;
-    for (std::size_t i = 0; i < p.x_m.size(); i += 3)
-      if (std::isfinite(c.v[i]))
-        if (const double room = room_at(c, i, half); room > most + 1e-9) {
-          most = room;
-          best = i;
-        }
+    // Not at the end of a line, where the name would stand beside it, unless the line is short.
+    for (const std::size_t inside : {std::size_t{6}, std::size_t{0}}) {
+      for (std::size_t i = inside; i + inside < p.x_m.size() && (inside > 0 || most < 0.0); ++i)
+        if (std::isfinite(c.v[i - inside]) && std::isfinite(c.v[i]) && std::isfinite(c.v[i + inside]))
+          if (const double room = room_at(c, i, half); room > most + 1e-9) {
+            most = room;
+            best = i;
+          }
+    }
     if (most < 0.0) continue;
     taken.push_back({x.at(p.x_m[best]), y.at(c.v[best]), half});
     drawing.name(taken.back().x, taken.back().y + 4.0, c.key, kSize, c.stroke.colour);
   }
   if (!p.V_release_kmh || !p.start_of_RSM_m) return;
   const double from = std::max(*p.start_of_RSM_m, p.from_m), to = std::min(p.end_of_RSM_m, p.to_m);
-  drawing.text(x.at((from + to) / 2.0), y.at(*p.V_release_kmh) - 6.0,
-               "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h", 10.5, colour::grey,
-               "middle");
+  const std::string name = "V_release " + label(std::nearbyint(*p.V_release_kmh * 100.0) / 100.0) + " km/h";
+  const double half = kCharacter * static_cast<double>(name.size()) / 2.0;
+  drawing.name(std::min(x.at((from + to) / 2.0), l.right - half - kMargin), y.at(*p.V_release_kmh) + 18.0, name, kSize,
+               colour::grey);
 }
 
 std::string subtitle(const Approached& a) {
