@@ -150,13 +150,6 @@ void leave_rbc(State& s, bool exit_reported, bool termination_ordered, procedure
   if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.supervising.session, s.now, outbox);
 }
 
-/// 3.18.4.3.4, 5.4.3.3: with the session established its RBC is the stored contact, and valid.
-void note_contact(State& s) {
-  const radio::Partner& p = s.radio.supervising;
-  if (p.established_now && s.radio.contact && s.radio.contact->same_id(p.session.rbc))
-    s.contact_status = DataStatus::valid;
-}
-
 /// The report of the change to SF has the error of the odometer that led to it (3.16.4.2 of 4.0.0).
 bool reports_error(const State& s) {
   if (s.mode == Mode::SF) return s.odometer_accuracy.beyond_safety_threshold;

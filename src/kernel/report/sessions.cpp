@@ -104,6 +104,12 @@ void order_sessions(State& s, const Received& received, const Decided& decided, 
   open_for_driver(s, received, effects, outbox);
 }
 
+void note_contact(State& s) {
+  const radio::Partner& p = s.radio.supervising;
+  if (p.established_now && s.radio.contact && s.radio.contact->same_id(p.session.rbc))
+    s.contact_status = DataStatus::valid;
+}
+
 void end_without_power(State& s, radio::Outbox& outbox) {
   outbox.messages.clear();
   outbox.connect.reset();

@@ -15,6 +15,9 @@ bool reports_mode(const State& state, const Decided& decided);
 void order_sessions(State& state, const Received& received, const Decided& decided, procedures::Effects& effects,
                     radio::Outbox& outbox);
 
+/// 3.18.4.3.4, 5.4.3.3: with the session established its RBC is the stored contact, and valid.
+void note_contact(State& state);
+
 /// 4.4.4: without power there is no session, and nothing is sent.
 void end_without_power(State& state, radio::Outbox& outbox);
 
