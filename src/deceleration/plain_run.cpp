@@ -11,10 +11,9 @@ namespace {
 
 constexpr std::size_t kBins = 200000;
 constexpr double kBinsPerOne = 100000.0;
-constexpr double kNormal95 = 1.959963984540054;
 /// Unlike the purpose of any sample of `quantiles`.
 constexpr std::uint32_t kPurpose = 0xFFFFFFFF;
-constexpr std::uint64_t kBlock = 1 << 16;
+constexpr std::uint64_t kSamples_of_block = 1 << 16;
 
 /// How many values are in each bin, for each step of speed.
 using Counts = std::vector<std::vector<std::uint64_t>>;
@@ -98,13 +97,13 @@ std::vector<PlainQuantiles> plain_run(const Spec& spec, std::uint64_t samples, c
   // A block of a thread counts for itself; sums of whole numbers do not depend on the order.
   Counts all(trains.steps(), std::vector<std::uint64_t>(kBins, 0));
   std::mutex mutex;
-  const std::uint64_t blocks = (samples + kBlock - 1) / kBlock;
+  const std::uint64_t blocks = (samples + kSamples_of_block - 1) / kSamples_of_block;
   const std::uint64_t parts = std::min<std::uint64_t>(blocks, std::uint64_t{effort.threads} * 50);
   const auto job = [&](std::size_t part) {
     Counts counts(trains.steps(), std::vector<std::uint64_t>(kBins, 0));
     std::vector<double> sums;
     for (std::uint64_t block = part; block < blocks; block += parts)
-      for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, samples); ++i)
+      for (std::uint64_t i = block * kSamples_of_block; i < std::min((block + 1) * kSamples_of_block, samples); ++i)
         trains.draw({effort.seed, kPurpose, static_cast<std::uint32_t>(i >> 32), static_cast<std::uint32_t>(i)}, sums,
                     counts);
     const std::lock_guard lock(mutex);

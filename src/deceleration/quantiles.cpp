@@ -15,8 +15,6 @@
 namespace evc::deceleration {
 namespace {
 
-/// Of a normal variable 95 % lie within so many deviations.
-constexpr double kNormal95 = 1.959963984540054;
 /// Strata so unlikely, compared with the probability that is looked for, get no samples.
 constexpr double kLeftOut = 1e-6;
 constexpr std::size_t kFewestSamples = 32;

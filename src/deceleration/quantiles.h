@@ -12,6 +12,8 @@ namespace evc::deceleration {
 inline constexpr std::size_t kLevels = 10;
 /// How likely a value below the quantile is, by M_NVEBCL: confidence of 50 %, 90 %, 99 %, ... 99.9999999 %.
 inline constexpr std::array<double, kLevels> kBelow{0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+/// Of a normal variable 95 % lie within so many deviations.
+inline constexpr double kNormal95 = 1.959963984540054;
 
 /// An estimate with its bounds, which enclose the true value in 95 of 100 cases.
 struct Quantile {
