@@ -193,7 +193,7 @@ void names_at_curves(Drawing& drawing, const Picture& p, const Axis& x, const Ax
     const double half = 4.2 * static_cast<double>(c.key.size());
     std::size_t best = 0;
     double most = -1.0;
-    // Not at the end of a line, where the name would stand beside it, unless the line is short.
+    // Not at the end of a line, where the name would be next to it, unless the line is short.
     for (const std::size_t inside : {std::size_t{6}, std::size_t{0}}) {
       for (std::size_t i = inside; i + inside < p.x_m.size() && (inside > 0 || most < 0.0); ++i)
         if (std::isfinite(c.v[i - inside]) && std::isfinite(c.v[i]) && std::isfinite(c.v[i + inside]))
