@@ -287,9 +287,9 @@ TEST_F(CUnit, BrakeHasACause) {
   EXPECT_STREQ(openevc_output_name(3), "permitted_speed");
   EXPECT_EQ(openevc_output_name(-1), nullptr);
   EXPECT_EQ(openevc_output_name(64), nullptr);
-  EXPECT_STREQ(openevc_dialogue(8).procedure, "start_of_mission");
-  EXPECT_STREQ(openevc_dialogue(8).step, "S12");
-  EXPECT_STREQ(openevc_dialogue(8).waits_for, "train_data");
+  EXPECT_STREQ(openevc_dialogue(9).procedure, "start_of_mission");
+  EXPECT_STREQ(openevc_dialogue(9).step, "S12");
+  EXPECT_STREQ(openevc_dialogue(9).waits_for, "train_data");
   EXPECT_EQ(openevc_dialogue(-1).step, nullptr);
   EXPECT_EQ(openevc_dialogue(64).step, nullptr);
 }

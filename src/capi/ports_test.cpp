@@ -200,7 +200,7 @@ TEST(COutputs, WhatAProcedureWaitsFor) {
   EXPECT_EQ(given(*o)->shown, 2u);
   EXPECT_EQ(given(*o)->dialogue, -1);
   o->dialogue = kernel::ShownDialogue{Dialogue::start_S12, {}};
-  EXPECT_EQ(given(*o)->dialogue, 8);
+  EXPECT_EQ(given(*o)->dialogue, 9);
   EXPECT_EQ(given(*o)->dialogue_acknowledge, -1);
   o->dialogue = kernel::ShownDialogue{Dialogue::start_S24, Ack::SR};
   EXPECT_EQ(given(*o)->dialogue_acknowledge, OPENEVC_ACK_SR);

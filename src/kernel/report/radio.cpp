@@ -126,8 +126,7 @@ position::ReportEvents events_to_report(const State& s, const Received& received
                                                                              : Function::report_level_change_trackside);
   e.session_established = (s.radio.supervising.established_now || s.radio.other.established_now) &&
                           in_mode(Function::report_session_established);
-  e.error_to_report =
-      !s.radio.errors.empty() && modes::active(Function::report_data_consistency_error, s.mode);  // in 3.4.0 too
+  e.error_to_report = !s.radio.errors.empty() && reports_errors(s);
   e.parameters_active = in_mode(Function::report_rbc_requested);
   e.groups_active = in_mode(Function::report_every_bg);
   e.standstill_active = in_mode(Function::report_standstill);
@@ -148,12 +147,6 @@ void leave_rbc(State& s, bool exit_reported, bool termination_ordered, procedure
   const procedures::Effects own = procedures::leaving_rbc::step(s.leaving_rbc, in);
   effects |= own;
   if (own.send.has(procedures::Send::terminate_session)) radio::terminate(s.radio.supervising.session, s.now, outbox);
-}
-
-/// The report of the change to SF has the error of the odometer that led to it (3.16.4.2 of 4.0.0).
-bool reports_error(const State& s) {
-  if (s.mode == Mode::SF) return s.odometer_accuracy.beyond_safety_threshold;
-  return modes::active(Function::report_data_consistency_error, s.mode);
 }
 
 std::uint8_t request_reasons(const State& s, const Received& received, const Decided& decided,
@@ -234,7 +227,7 @@ RadioResult run_radio(State& s, const Inputs& inputs, const Received& received, 
   const bool border = run_handover(s, here, outbox, log);
   run_radio_infill(s, here, decided.mission_ended, outbox, log);
   in.report_due = due != 0 || border || out.effects.send.has(procedures::Send::position_report);
-  in.errors_reported = reports_error(s);
+  in.errors_reported = reports_errors(s);
   in.start_of_mission = out.effects.send.has(procedures::Send::start_of_mission_report);
   in.Q_STATUS = Q_STATUS(position::lrbg(s.position) ? s.position.status : DataStatus::unknown);  // 5.4.3.2 A34
   in.running_number_valid = valid(s.data.train_running_number_status);

@@ -80,6 +80,11 @@ void open_for_driver(State& s, const Received& received, procedures::Effects& ef
 
 }  // namespace
 
+bool reports_errors(const State& s) {
+  if (s.mode == Mode::SF) return s.odometer_accuracy.beyond_safety_threshold;
+  return modes::active(modes::Function::report_data_consistency_error, s.mode);
+}
+
 bool reports_mode(const State& s, const Decided& decided) {
   const bool shunting_goes_on = s.previous_mode == Mode::PS && s.mode == Mode::SH;
   return decided.mode_changed && !shunting_goes_on && modes::active(modes::Function::report_mode_change, s.mode);
