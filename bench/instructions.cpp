@@ -3,7 +3,9 @@
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -146,7 +148,9 @@ int plain() {
 
 /// The same with their measures, kept in a file of results.
 int swept() {
-  const std::string file = std::tmpnam(nullptr);  // NOLINT: nobody waits for it
+  std::string folder = (std::filesystem::temp_directory_path() / "openevc.XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr) return -1;
+  const std::string file = folder + "/results.sqlite";
   const auto plan = evc::sweep::Plan::make(R"({"schema":"evc-sweep/1","kind":"run",
       "base":{"line":"brunnental","driver":"reckless"},"vary":[{"at":"/seed","count":4}],
       "measure":["duration_s","interventions.sb","interventions.eb","svl_overrun_m","min_margin_to_EBI_kmh","energy_kwh"]})",
@@ -162,7 +166,7 @@ int swept() {
     kept = kept && (*store)->commit().has_value();
   });
   store->reset();
-  std::remove(file.c_str());
+  std::filesystem::remove_all(folder);
   return kept ? kJourneys : -1;
 }
 
