@@ -113,9 +113,10 @@ bool takes_place(const port::Display& display, Button instead) {
 void add_item(ViewItems& items, std::string_view label_text, const Words& value) {
   std::string_view rest = value.view();
   do {
-    const std::size_t end = rest.find('\n');
+    std::size_t end = 0;
+    while (end < rest.size() && rest[end] != '\n') ++end;
     if (!items.push_back({Words{label_text}, Words{part_of(rest, 0, end)}})) return;
-    rest = end == std::string_view::npos ? std::string_view{} : part_of(rest, end + 1);
+    rest = part_of(rest, end + 1);
     label_text = {};
   } while (!rest.empty());
 }

@@ -70,7 +70,7 @@ void draw_window_buttons(const Drawing& to, Area area) {
 void draw_hour_glass(const Drawing& to) {
   if (!is_waiting(to.state)) return;
   constexpr std::int32_t kFirst = 42, kStep = 26, kPlaces = 10;
-  const double title_end = 3.0 + width_of(row_of(to.state.window).title, 12, false);
+  const double title_end = 3.0 + width_of(Words{row_of(to.state.window).title}.view(), 12, false);
   std::int32_t begin = 0;
   while (begin + 1 < kPlaces && kFirst + kStep * begin < title_end) ++begin;
   const double passed = (to.now - to.state.waiting_since).si;
