@@ -115,6 +115,8 @@ def interrupted(call):
         pressed.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
+    # A process in the background begins without the handler of Ctrl-C.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.3, press)
     timer.start()
     try:
@@ -123,6 +125,7 @@ def interrupted(call):
         return error, time.monotonic() - pressed[0]
     finally:
         timer.cancel()
+        signal.signal(signal.SIGINT, before)
     return None, 0.0
 
 

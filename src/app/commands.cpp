@@ -196,7 +196,7 @@ void add_curves(CLI::App& app, int& exit_code) {
   command->add_option("--columns", many->columns, "of --batch: columns by speed, separated by commas")
       ->needs(batch)
       ->capture_default_str();
-  for (const char* other : {"input", "--format", "--model", "--explain", "--plot", "--theme"})
+  for (const char* other : {"input", "--format", "--model", "--explain", "--set", "--plot", "--theme"})
     batch->excludes(command->get_option(other));
   command->callback([command, options, many, batch, &exit_code] {
     if (!command->get_subcommands().empty()) return;

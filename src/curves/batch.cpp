@@ -87,11 +87,12 @@ class Worker {
   }
 
  private:
-  /// The drawing conventions of 3.4.0 are those of `speed_row`. With more restrictions than these all targets may not
-  /// fit (sdm::rebuild), which the kernels do not know.
+  /// The drawing conventions of 3.4.0 are those of `speed_row`, as is what `state` assumes of V_ura and of the brake
+  /// pressure. With more restrictions than these all targets may not fit (sdm::rebuild), which the kernels do not know.
   static bool kernels_suffice(const io::CurvesInput& input) {
     constexpr std::size_t kStepsThatFit = 8;
-    return input.inputs.srs != SrsVersion::v3_4_0 && input.inputs.mrsp.size() <= kStepsThatFit;
+    return input.inputs.srs != SrsVersion::v3_4_0 && !input.assumed.V_ura_of_041 && !input.assumed.brake_pressure &&
+           input.inputs.mrsp.size() <= kStepsThatFit;
   }
 
   static void begin_rows(const Task& task, std::size_t target, const std::vector<double>& speeds, BatchRows& rows) {
@@ -229,7 +230,9 @@ class Npy {
   std::size_t rows_ = 0;
 };
 
-bool is_npy(const std::string& file) { return file.size() >= 4 && file.compare(file.size() - 4, 4, ".npy") == 0; }
+bool ends_with(const std::string& file, std::string_view end) {
+  return file.size() >= end.size() && file.compare(file.size() - end.size(), end.size(), end) == 0;
+}
 
 std::string known_columns() {
   std::string names;
@@ -296,6 +299,9 @@ io::Result<bool> compute_batch(std::string_view text, const std::string& file,
 }
 
 int limits_of_many(const BatchOptions& o) {
+  for (const char* other : {".xlsx", ".svg", ".png", ".pdf", ".html"})
+    if (ends_with(o.output, other))
+      return io::complain({"evc curves", "-o", io::printable(o.output, 200), "FILE.npy, or a file of CSV"});
   const auto columns = batch_columns(o.columns);
   if (!columns) return io::complain(columns.error());
   if (const auto apart = io::not_the_input(o.input, o.output); !apart) return io::complain(apart.error());
@@ -305,7 +311,7 @@ int limits_of_many(const BatchOptions& o) {
   auto file = io::WholeFile::create(o.output);
   if (!file) return io::complain(file.error());
   io::Result<bool> done = true;
-  if (is_npy(o.output)) {
+  if (ends_with(o.output, ".npy")) {
     Npy npy;
     done = compute_batch(*text, o.input, *columns, threads, [&](const BatchRows& rows) { npy.take(rows); });
     if (done) npy.write(*file, *columns);

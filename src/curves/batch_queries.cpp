@@ -44,7 +44,7 @@ bool begins_with(const std::string& text, std::string_view begin) {
 void refuse_other_queries(const JsonPlace& root) {
   const auto query = root.find("query");
   if (!query || !query->is_object()) return;
-  for (const char* key : {"positions_m", "PBD", "LX"})
+  for (const char* key : {"positions_m", "PBD", "LX", "details"})
     if (const auto p = query->find(key); p && !(p->is_array() && p->size() == 0))
       p->fail(std::string(key), "speeds_kmh alone: a batch gives limits by speed");
 }

@@ -52,6 +52,17 @@ std::vector<json> queries() {
       query["srs"] = srs;
       all.push_back(query);
     }
+  // What `state` assumes, each alone.
+  json feedback = by_speed_only(shipped().front());
+  feedback["train"] = {{"schema", "etcs-train/1"}, {"service_brake_feedback", true}};
+  feedback["national_values"] = {{"Q_NVSBFBPERM", true}};
+  for (const char* srs : {"3.4.0", "3.6.0", "4.0.0"})
+    for (const json& state : {json{{"V_ura_kmh", "f41"}}, json{{"V_ura_kmh", 4}}, json{{"A_est", 0.3}},
+                              json{{"service_brake_feedback", "locked"}}}) {
+      feedback["srs"] = srs;
+      feedback["state"] = state;
+      all.push_back(feedback);
+    }
   return all;
 }
 

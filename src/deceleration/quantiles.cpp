@@ -140,6 +140,22 @@ double spread_of(const Level& level) {
   return spread;
 }
 
+/// A value that the quantity is never below: 0 or, of a time, minus infinity where variables have no bound.
+double least_of(const Quantity& quantity) {
+  if (quantity.kind == Quantity::Kind::build_up_time) {
+    double longest = 0.0;
+    for (const auto& group : quantity.groups) longest = std::max(longest, group.first.range().second);
+    return -longest;
+  }
+  double sum = 0.0;  // of the units that cannot fail
+  for (const auto& group : quantity.groups) {
+    const double first = group.first.range().first, second = group.second.range().first;
+    if (!(first > 0.0 && second > 0.0)) return 0.0;
+    if (group.failure == 0.0) sum += static_cast<double>(group.units) * group.weight * first * second;
+  }
+  return std::max(0.0, quantity.common.range().first) * sum;
+}
+
 /// The quantiles of one quantity: rounds that find their places, and one that estimates them. The samples of the
 /// search are not used again: the bounds would be too narrow.
 class Search {
@@ -149,8 +165,8 @@ class Search {
     std::vector<double> failure;
     for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
     strata_ = probabilities_of_failures(failure);
+    lowest_ = least_of(quantity);
     if (quantity.kind == Quantity::Kind::build_up_time) {
-      lowest_ = -std::numeric_limits<double>::infinity();
       // The linear form of a build-up time is without its mean.
       for (const auto& group : quantity.groups)
         offset_ += static_cast<double>(group.units) * group.weight * group.first_mean;
@@ -243,7 +259,7 @@ Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::s
     }
     const double error = kNormal95 * std::sqrt(std::max(variance, 0.0));
     if (!low && probability + error >= below) {
-      found.low = first ? lowest : at;
+      found.low = first ? std::min(lowest, at) : at;
       low = true;
     }
     // What has no samples counts as below in the low bound, as above in the high one.

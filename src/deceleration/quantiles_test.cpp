@@ -158,6 +158,20 @@ Spec shipped(const char* name) {
 }
 
 // Everything together: all kinds of distributions, unequal units that fail, a common factor, products of factors.
+// All samples of a constant are the same: its bounds are the value, as no other one can be.
+TEST(Quantiles, of_a_constant_are_known) {
+  Quantity quantity = equal_units(8, 0.1, 0.0);
+  quantity.groups[0].first = Distribution(0.9);
+  quantity.groups[0].first_mean = 0.9;
+  for (const Quantile& q : quantiles(quantity, 0, {1, 1000, 1, [](double) {}})) {
+    EXPECT_NEAR(q.low, 0.9, 1e-9);
+    EXPECT_NEAR(q.high, 0.9, 1e-9);
+  }
+  quantity.kind = Quantity::Kind::build_up_time;
+  quantity.groups[0].first = Distribution(1.5);
+  for (const Quantile& q : quantiles(quantity, 0, {1, 1000, 1, [](double) {}})) EXPECT_NEAR(q.low, -1.5, 1e-9);
+}
+
 TEST(Guaranteed, a_plain_run_agrees) {
   for (const char* name : {"locomotive_and_wagons.json", "high_speed_set.json"}) {
     Spec spec = shipped(name);

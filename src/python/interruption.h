@@ -2,15 +2,36 @@
 #include <pybind11/pybind11.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <thread>
 
 namespace evc::python {
+
+/// The end of the process: data of the library is gone then, so nothing may compute any more. Python waits for no
+/// thread that is a daemon.
+struct ProcessEnd {
+  inline static std::atomic<bool> near{false};
+  inline static std::atomic<int> computations{0};
+
+  /// Called by Python before it ends, with the lock: whatever computes ends soon.
+  static void come() {
+    near = true;
+    const pybind11::gil_scoped_release unlocked;
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (computations > 0 && std::chrono::steady_clock::now() < latest)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+};
 
 /// The interpreter works on in other threads, until the end of the scope. The caller has its lock.
 class Unlocked {
  public:
-  Unlocked() : state_(PyEval_SaveThread()) {}
-  ~Unlocked() { lock(); }
+  Unlocked() : state_((++ProcessEnd::computations, PyEval_SaveThread())) {}
+  ~Unlocked() {
+    --ProcessEnd::computations;
+    lock();
+  }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
 
@@ -47,7 +68,7 @@ class Interruption {
  public:
   /// Whether the computation is to end. To be asked often: it looks ten times a second at most.
   bool seen(Unlocked& unlocked) {
-    if (error_) return true;
+    if (error_ || ProcessEnd::near) return true;
     const auto now = Clock::now();
     if (now - looked_ < kEvery) return false;
     looked_ = now;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "batch/limits.h"
+#include "curves/batch_queries.h"
 #include "io/curves_file.h"
 #include "python/bind.h"
 #include "python/interruption.h"
@@ -151,25 +152,13 @@ batch::Trains trains_of(const py::list& trains, const io::Json& common, double h
     document["target"] = {{"type", "EOA_SvL"}, {"location_m", 0}};
     document["query"] = {{"speeds_kmh", {highest_kmh}}};
     const io::CurvesInput input = read_query(std::move(document), "limits: " + name);
+    if (input.assumed.V_ura_of_041)
+      throw io::ReadError{{"limits", "/state/V_ura_kmh", "\"f41\"", "a number: f41 is for curves"}};
+    if (input.assumed.brake_pressure)
+      throw io::ReadError{{"limits", "/state/service_brake_feedback", "a state", "none: it is for curves"}};
     (void)table.add(input.inputs, {input.V_ura, input.A_est, input.motion});
   }
   return table;
-}
-
-batch::Target target_of(const io::CurvesInput& input) {
-  batch::Target target;
-  target.kind = input.target;
-  target.location = target.SvL = input.target_location;
-  const sdm::Inputs& in = input.inputs;
-  if (target.kind == sdm::TargetKind::EOA_SvL) target.SvL = in.authority.SvL;
-  if (target.kind == sdm::TargetKind::LOA) target.V_target = in.authority.V_LOA;
-  if (target.kind != sdm::TargetKind::MRSP) return target;
-  for (std::size_t i = 0; i < in.mrsp.size(); ++i) {
-    if (in.mrsp.steps[i].from != target.location) continue;
-    target.V_target = in.mrsp.steps[i].value;
-    target.due_to_TSR = in.mrsp_due_to_TSR[i];
-  }
-  return target;
 }
 
 std::vector<batch::Target> targets_of(const py::list& targets) {
@@ -178,11 +167,11 @@ std::vector<batch::Target> targets_of(const py::list& targets) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const std::string name = place_of("targets", i);
     // Where every restriction is lower than the speed before it: the target alone is read.
-    table.push_back(target_of(read_query({{"train", io::Json::object()},
-                                          {"track", {{"mrsp", {{-1e7, kHighest_kmh}}}}},
-                                          {"target", json_of(targets[i], "limits", "target", name)},
-                                          {"query", {{"speeds_kmh", {0.0}}}}},
-                                         "limits: " + name)));
+    table.push_back(curves::batch_target(read_query({{"train", io::Json::object()},
+                                                     {"track", {{"mrsp", {{-1e7, kHighest_kmh}}}}},
+                                                     {"target", json_of(targets[i], "limits", "target", name)},
+                                                     {"query", {{"speeds_kmh", {0.0}}}}},
+                                                    "limits: " + name)));
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "python/bind.h"
+#include "python/interruption.h"
 #include "python/values.h"
 
 PYBIND11_MODULE(_native, module) {
@@ -13,4 +14,5 @@ PYBIND11_MODULE(_native, module) {
   evc::python::bind_language(module);
   evc::python::bind_sweep(module);
   module.attr("version") = EVC_VERSION;
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&evc::python::ProcessEnd::come));
 }

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -119,6 +120,7 @@ class CurvesWork final : public Work {
     load(spec);
     places_ =
         places_of(spec, [](const auto& tokens) { return tokens[0] == "query" && is_member_of_document(tokens[1]); });
+    load_named(spec);
     require_places(spec, places_, document_,
                    [&](const JsonPlace& root) {
                      if (const auto read = io::curves_of(root.value(), root.file()); !read)
@@ -133,16 +135,18 @@ class CurvesWork final : public Work {
     }
   }
 
-  std::string documents() const override { return document_.dump(); }
+  std::string documents() const override {
+    std::string documents = document_.dump();
+    for (const auto& [name, read] : named_) documents += read.dump();
+    return documents;
+  }
 
   std::unique_ptr<Scratch> scratch() const override { return std::make_unique<Memory>(); }
 
   Outcome compute(const std::vector<Json>& values, Scratch& scratch) const override {
     Outcome outcome;
     outcome.measures.resize(measures_.size());
-    Json document = document_;
-    places_.put(document, values);
-    auto input = io::curves_of(document, "");
+    auto input = io::curves_of(document_of(values), "");
     if (!input) {
       outcome.error = reason_of(input.error());
       return outcome;
@@ -162,8 +166,7 @@ class CurvesWork final : public Work {
   }
 
   io::Result<bool> record(const std::vector<Json>& values, const std::string& folder) const override {
-    Json document = document_;
-    places_.put(document, values);
+    const Json document = document_of(values);
     auto input = io::curves_of(document, "");
     const std::string query = document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (const auto written = io::write_whole(folder + "/query.json", query); !written) return written;
@@ -187,7 +190,34 @@ class CurvesWork final : public Work {
     if (!document_.contains("srs")) document_["srs"] = "3.6.0";
   }
 
+  /// The files that a list at `train` or `national_values` names, with the key of the entry's pointer and the name.
+  void load_named(const Spec& spec) {
+    const Json whole = io::parse_json(spec.text, spec.file);
+    const JsonPlace root(whole, spec.file);
+    for (const Entry& entry : spec.vary)
+      for (const auto& [member, folder] : {std::pair{"train", "trains"}, {"national_values", "national_values"}}) {
+        if (entry.at != std::string("/") + member && entry.at != std::string("/query/") + member) continue;
+        for (std::size_t i = 0; i < entry.list.size(); ++i) {
+          if (!entry.list[i].is_string()) continue;
+          const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
+          named_[member + ("/" + entry.list[i].get<std::string>())] = io::parse_json(named.text, named.file);
+        }
+      }
+  }
+
+  /// The query of a case, with its files in place.
+  Json document_of(const std::vector<Json>& values) const {
+    Json document = document_;
+    places_.put(document, values);
+    for (const char* member : {"train", "national_values"})
+      if (Json& part = document[member]; part.is_string())
+        if (const auto named = named_.find(member + ("/" + part.get<std::string>())); named != named_.end())
+          part = Json(named->second);
+    return document;
+  }
+
   Json document_;
+  std::map<std::string, Json> named_;
   Places places_;
   std::vector<Measure> asked_;
   bool speeds_ = false, positions_ = false;

@@ -33,7 +33,7 @@ void read_range(Entry& entry, const JsonPlace& place) {
     place[2].fail("a step that gives at most " + std::to_string(kMostValues) + " values");
   const bool whole = place[0].value().is_number_integer() && place[2].value().is_number_integer();
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i) {
-    const double value = from + static_cast<double>(i) * step;
+    const double value = std::min(from + static_cast<double>(i) * step, to);
     entry.list.push_back(whole ? Json(static_cast<std::int64_t>(value)) : Json(value));
   }
 }

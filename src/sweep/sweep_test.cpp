@@ -208,6 +208,30 @@ TEST(Case, trains_by_name) {
   EXPECT_NE(row.outcome.measures, named->compute(0, *named->scratch()).outcome.measures);
 }
 
+// In a query too; a name without a file is an error of the description, and the files are part of what a plan is.
+TEST(Case, trains_of_a_query_by_name) {
+  const std::string begin = R"({"schema":"evc-sweep/1","kind":"curves","base":{"query":"passenger_eoa"},)"
+                            R"("measure":["scalars.T_be_s"],)";
+  const auto named =
+      plan_of(begin + R"("vary":[{"at":"/train","list":["standard","../../data/trains/freight_P.json"]}]})");
+  ASSERT_TRUE(named);
+  const Row first = named->compute(0, *named->scratch()), second = named->compute(1, *named->scratch());
+  EXPECT_EQ(first.outcome.error + second.outcome.error, "");
+  EXPECT_NE(first.outcome.measures, second.outcome.measures);
+  EXPECT_FALSE(Plan::make(begin + R"("vary":[{"at":"/train","list":["nope"]}]})", "spec.json"));
+  const Folder folder("sweep_trains");
+  std::string identity;
+  for (const char* percentage : {"100", "140"}) {
+    ASSERT_TRUE(io::write_whole(folder / "t.json",
+                                std::string(R"({"schema":"etcs-train/1","brake_percentage":)") + percentage + "}"));
+    const auto plan = Plan::make(begin + R"("vary":[{"at":"/train","list":["t.json"]}]})", folder / "spec.json");
+    ASSERT_TRUE(plan);
+    EXPECT_NE((*plan)->identity(), identity);
+    identity = (*plan)->identity();
+    EXPECT_EQ((*plan)->compute(0, *(*plan)->scratch()).outcome.error, "");
+  }
+}
+
 // The odometer of a case declares what covers its error: the true front end stays in the interval.
 TEST(Case, odometer_errors_are_covered_by_what_is_declared) {
   const auto plan = plan_of(
