@@ -230,10 +230,6 @@ class Npy {
   std::size_t rows_ = 0;
 };
 
-bool ends_with(const std::string& file, std::string_view end) {
-  return file.size() >= end.size() && file.compare(file.size() - end.size(), end.size(), end) == 0;
-}
-
 std::string known_columns() {
   std::string names;
   for (const auto& c : speed_columns(true)) names += (names.empty() ? "" : ", ") + std::string(c.name);
@@ -300,7 +296,7 @@ io::Result<bool> compute_batch(std::string_view text, const std::string& file,
 
 int limits_of_many(const BatchOptions& o) {
   for (const char* other : {".xlsx", ".svg", ".png", ".pdf", ".html"})
-    if (ends_with(o.output, other))
+    if (o.output.ends_with(other))
       return io::complain({"evc curves", "-o", io::printable(o.output, 200), "FILE.npy, or a file of CSV"});
   const auto columns = batch_columns(o.columns);
   if (!columns) return io::complain(columns.error());
@@ -311,7 +307,7 @@ int limits_of_many(const BatchOptions& o) {
   auto file = io::WholeFile::create(o.output);
   if (!file) return io::complain(file.error());
   io::Result<bool> done = true;
-  if (ends_with(o.output, ".npy")) {
+  if (o.output.ends_with(".npy")) {
     Npy npy;
     done = compute_batch(*text, o.input, *columns, threads, [&](const BatchRows& rows) { npy.take(rows); });
     if (done) npy.write(*file, *columns);

@@ -28,10 +28,6 @@ Format format_of(const std::string& name) {
   return name == "csv" ? Format::csv : name == "table" ? Format::table : Format::json;
 }
 
-bool ends_with(const std::string& text, std::string_view end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// The query in a file, with members of it replaced.
 io::Result<Approached> load(const std::string& file, const std::vector<std::string>& replaced) {
   const auto text = io::read_text(file);
@@ -71,15 +67,15 @@ int deliver(const std::string& output, const std::string& text, const std::strin
 /// The kinds of picture, by the end of the file's name.
 constexpr std::string_view kPictures[] = {".svg", ".png", ".pdf"};
 bool is_picture(const std::string& file) {
-  return std::any_of(std::begin(kPictures), std::end(kPictures), [&](auto end) { return ends_with(file, end); });
+  return std::any_of(std::begin(kPictures), std::end(kPictures), [&](auto end) { return file.ends_with(end); });
 }
-bool is_page(const std::string& file) { return ends_with(file, ".html"); }
-bool is_xlsx(const std::string& file) { return ends_with(file, ".xlsx"); }
+bool is_page(const std::string& file) { return file.ends_with(".html"); }
+bool is_xlsx(const std::string& file) { return file.ends_with(".xlsx"); }
 
 /// The drawing in the format that the name asks for.
 std::string picture_for(const std::string& file, const Drawing& drawing) {
-  if (ends_with(file, ".png")) return png_of(drawing);
-  return ends_with(file, ".pdf") ? pdf_of(drawing) : svg_of(drawing);
+  if (file.ends_with(".png")) return png_of(drawing);
+  return file.ends_with(".pdf") ? pdf_of(drawing) : svg_of(drawing);
 }
 
 Theme theme_of(const std::string& name) { return name == "print" ? Theme::print : Theme::screen; }

@@ -21,17 +21,13 @@ using io::complain;
 
 constexpr std::size_t kBarWidth = 30;
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// The files that are to be written: opened before anything is computed, so that an error comes first.
 struct Files {
   std::optional<io::WholeFile> plot, train;
 };
 io::Result<Files> open(const Options& options) {
   Files files;
-  if (!options.plot.empty() && !ends_with(options.plot, ".svg"))
+  if (!options.plot.empty() && !options.plot.ends_with(".svg"))
     return tl::unexpected(io::Diagnostic{"evc brakes", "--plot", options.plot, "FILE.svg"});
   if (!options.plot.empty() && !options.output.empty() && io::same_file(options.plot, options.output))
     return tl::unexpected(io::Diagnostic{"evc brakes", "--plot", options.plot, "another file than -o"});
