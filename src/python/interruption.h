@@ -8,13 +8,13 @@
 
 namespace evc::python {
 
-/// The end of the process: data of the library is gone then, so nothing may compute any more. Python waits for no
-/// thread that is a daemon.
+/// The end of the process: static data is deleted then, so nothing may compute any more. Python waits for no thread that
+/// is a daemon.
 struct ProcessEnd {
   inline static std::atomic<bool> near{false};
   inline static std::atomic<int> computations{0};
 
-  /// Called by Python before it ends, with the lock: whatever computes ends soon.
+  /// Called by Python before it ends, with the lock: each computation ends soon.
   static void come() {
     near = true;
     const pybind11::gil_scoped_release unlocked;
