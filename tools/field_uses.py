@@ -391,6 +391,8 @@ def is_product(path):
 
 # Rooms that know none of what is looked at but base.
 LEFT_OUT = {"lang", "airgap"}
+# Built on request only, with headers of their own libraries (Python, MPI) that may not be installed.
+ON_REQUEST = {"python", "cluster"}
 
 
 def room_of(path, folder):
@@ -400,11 +402,11 @@ def room_of(path, folder):
 def headers():
     """Of all rooms but app, whose headers are not made to stand together."""
     return [p for folder in ("src", "include/openevc") for p in sorted((ROOT / folder).rglob("*/*.h"))
-            if is_product(p) and room_of(p, folder) != "app" and p.parent.parent.name != "lang"]
+            if is_product(p) and room_of(p, folder) not in {"app", *ON_REQUEST} and p.parent.parent.name != "lang"]
 
 
 def sources():
-    return [p for p in sorted((ROOT / "src").rglob("*/*.cpp")) if is_product(p) and room_of(p, "src") not in LEFT_OUT]
+    return [p for p in sorted((ROOT / "src").rglob("*/*.cpp")) if is_product(p) and room_of(p, "src") not in LEFT_OUT | ON_REQUEST]
 
 
 RULES = "6"  # a new number where what is found in a source changes

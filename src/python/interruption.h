@@ -8,8 +8,8 @@
 
 namespace evc::python {
 
-/// The end of the process: static data is deleted then, so nothing may compute any more. Python waits for no thread that
-/// is a daemon.
+/// The end of the process: static data is deleted then, so nothing may compute any more. Python waits for no thread
+/// that is a daemon.
 struct ProcessEnd {
   inline static std::atomic<bool> near{false};
   inline static std::atomic<int> computations{0};
