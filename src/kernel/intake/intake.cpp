@@ -121,13 +121,12 @@ bool acts(State& s, bool fault, Received& out) {
 /// 3.16.4.1, 3.16.4.2 of 4.0.0: each threshold once, in level 2, also when it was exceeded in another level.
 void report_odometer(State& s) {
   position::OdometerAccuracy& a = s.odometer_accuracy;
-  const auto report = [&s](bool exceeded, bool& reported, ErrorReport error) {
-    if (exceeded && !reported && !level_2_or_3(s.level.level)) return;
-    if (exceeded && !reported) radio::report_error(s.radio, error);
-    reported = exceeded;
-  };
-  report(a.impaired, a.impairment_reported, ErrorReport::odometer_impaired);
-  report(a.beyond_safety_threshold, a.safety_threshold_reported, ErrorReport::odometer_beyond_safety);
+  const bool in_level_2 = level_2_or_3(s.level.level);
+  if (in_level_2 && a.impaired && !a.impairment_reported) radio::report_error(s.radio, ErrorReport::odometer_impaired);
+  if (in_level_2 && a.beyond_safety_threshold && !a.safety_threshold_reported)
+    radio::report_error(s.radio, ErrorReport::odometer_beyond_safety);
+  if (in_level_2 || !a.impaired) a.impairment_reported = a.impaired;
+  if (in_level_2 || !a.beyond_safety_threshold) a.safety_threshold_reported = a.beyond_safety_threshold;
 }
 
 /// 4.5.1.4: without power nothing is received. Each telegram and message is an event all the same.
