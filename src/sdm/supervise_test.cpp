@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "openevc/curves.h"
 #include "sdm/evaluate.h"
 #include "sdm/test_cases.h"
 
@@ -940,6 +941,28 @@ Unit with_feedback(SrsVersion srs) {
   set_EOA(u.in, 4900.0, 5000.0);
   u.build();
   return u;
+}
+
+/// A.3.10 for a pressure that is given: T_bs falls with it, and with it the distance of the service brake intervention.
+TEST(Feedback, OfAnAssumedPressureTheLimitsAreNearer) {
+  for (const SrsVersion srs : {SrsVersion::v3_4_0, SrsVersion::v3_6_0, SrsVersion::v4_0_0}) {
+    Unit u = with_feedback(srs);
+    const Target& target = u.d->targets[0];
+    const auto limits = [&](const Assumed& assumed) {
+      return explain(*u.d, u.in, target, Speed{25.0}, Speed{0.0}, Acceleration{0.0}, nullptr, assumed).d_W;
+    };
+    const Assumed released{false, BrakePressure{}};
+    const Assumed braking{false, BrakePressure{500.0, 470.0, true, false}};
+    const Assumed locked{false, BrakePressure{500.0, 350.0, true, true}};
+    EXPECT_FALSE(assumed_feedback(*u.d, target, {}).has_value());
+    EXPECT_EQ(limits(released), limits({}));
+    EXPECT_GT(limits(braking), limits(released));
+    EXPECT_GT(limits(locked), limits(braking));
+    EXPECT_EQ(assumed_feedback(*u.d, target, locked)->T_bs1, Duration{0.0});
+    u.in.train.service_brake_feedback = false;
+    u.build();
+    EXPECT_FALSE(assumed_feedback(*u.d, u.d->targets[0], locked).has_value());
+  }
 }
 
 TEST(Feedback, MovesTheLimitsButNotTheShownSpeedUp) {
