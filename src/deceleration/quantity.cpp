@@ -3,6 +3,18 @@
 #include <cmath>
 
 namespace evc::deceleration {
+namespace {
+
+/// Without its variables.
+Quantity::Group group_of(const UnitGroup& units, double weight) {
+  Quantity::Group group;
+  group.units = units.units;
+  group.failure = units.failure;
+  group.weight = weight;
+  return group;
+}
+
+}  // namespace
 
 std::size_t Quantity::units() const {
   std::size_t units = 0;
@@ -23,10 +35,7 @@ Quantity deceleration_of(const Spec& spec, double from_kmh) {
   quantity.common_mean = spec.all_units.mean();
   const double nominal = nominal_deceleration(spec, from_kmh);
   for (const UnitGroup& unit : spec.groups) {
-    Quantity::Group group;
-    group.units = unit.units;
-    group.failure = unit.failure;
-    group.weight = at_speed(unit.nominal, from_kmh) / nominal;
+    Quantity::Group group = group_of(unit, at_speed(unit.nominal, from_kmh) / nominal);
     group.first = unit.friction;
     group.second = unit.pressure;
     group.first_mean = unit.friction.mean();
@@ -46,10 +55,7 @@ Quantity build_up_time_of(const Spec& spec, double from_kmh) {
   quantity.kind = Quantity::Kind::build_up_time;
   const double nominal = nominal_deceleration(spec, from_kmh);
   for (const UnitGroup& unit : spec.groups) {
-    Quantity::Group group;
-    group.units = unit.units;
-    group.failure = unit.failure;
-    group.weight = at_speed(unit.nominal, from_kmh) / nominal;
+    Quantity::Group group = group_of(unit, at_speed(unit.nominal, from_kmh) / nominal);
     group.first = *unit.response_s;
     group.first_mean = unit.response_s->mean();
     group.second_mean = 1.0;
