@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cstring>
-#include <exception>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <thread>
 
 #include "batch/limits.h"
 #include "curves/batch_queries.h"
+#include "curves/parallel.h"
 #include "io/file.h"
 #include "io/number.h"
 
@@ -22,28 +20,6 @@ namespace {
 
 /// Queries, and trains of them, that a thread takes at once; each is a task.
 constexpr std::size_t kTogether = 64;
-
-/// Does `task(worker, n)` for n = 0 to `count`, each once, with a number of workers. An exception is thrown here.
-void in_parallel(unsigned workers, std::size_t count, const std::function<void(unsigned, std::size_t)>& task) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex failing;
-  std::exception_ptr failure;
-  const auto work = [&](unsigned worker) {
-    try {
-      for (std::size_t n = next++; n < count; n = next++) task(worker, n);
-    } catch (...) {
-      const std::lock_guard lock(failing);
-      failure = std::current_exception();
-      next = count;
-    }
-  };
-  {
-    std::vector<std::jthread> pool;
-    for (unsigned i = 1; i < workers && i < count; ++i) pool.emplace_back(work, i);
-    work(0);
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 /// Where the kernels write the column; none for those that they do not compute.
 std::span<double> batch::LimitsOut::*span_of(std::string_view name) {
@@ -265,7 +241,7 @@ io::Result<bool> compute_batch(std::string_view text, const std::string& file,
   for (std::size_t first = 0; first < all.documents.size(); first += round) {
     const std::size_t count = std::min(round, all.documents.size() - first);
     std::vector<std::optional<io::Result<BatchQuery>>> queries(count);
-    in_parallel(threads, count, [&](unsigned, std::size_t n) {
+    in_threads(threads, count, [&](unsigned, std::size_t n) {
       const BatchText::Document& document = all.documents[first + n];
       queries[n] = BatchQuery::read(document.text, file, document.where);
     });
@@ -282,8 +258,8 @@ io::Result<bool> compute_batch(std::string_view text, const std::string& file,
     for (std::size_t done = 0; done < tasks.size(); done += round) {
       const std::size_t now = std::min(round, tasks.size() - done);
       std::vector<std::optional<io::Result<BatchRows>>> rows(now);
-      in_parallel(threads, now,
-                  [&](unsigned worker, std::size_t n) { rows[n] = workers[worker]->compute(tasks[done + n]); });
+      in_threads(threads, now,
+                 [&](unsigned worker, std::size_t n) { rows[n] = workers[worker]->compute(tasks[done + n]); });
       for (const auto& one : rows) {
         if (!one->has_value()) return tl::unexpected(one->error());
         take(**one);

@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
+#include <vector>
 
 #include "curves/curves_test.h"
+#include "curves/parallel.h"
 
 namespace evc::curves {
 namespace {
@@ -67,6 +72,28 @@ std::vector<json> queries() {
 }
 
 const std::string kColumns = "EBD,SBD,GUI,EBI,SBI1,SBI2,FLOI,W,P,I,W_EOA,P_EOA,I_EOA,W_SvL,P_SvL,I_SvL";
+
+TEST(InThreads, an_exception_comes_to_the_caller) {
+  const auto job = [](unsigned, std::size_t i) {
+    if (i == 17) throw std::runtime_error("17");
+  };
+  EXPECT_THROW(in_threads(3, 100, job, [](double) {}), std::runtime_error);
+  EXPECT_THROW(in_threads(3, 100, job), std::runtime_error);
+}
+
+TEST(InThreads, every_job_is_done_once) {
+  for (const unsigned threads : {0U, 1U, 3U})
+    for (const std::size_t jobs : {0U, 1U, 50U}) {
+      std::vector<std::atomic<int>> done(jobs);
+      const auto job = [&](unsigned worker, std::size_t i) {
+        EXPECT_LT(worker, std::max(1U, threads));
+        ++done[i];
+      };
+      in_threads(threads, jobs, job);
+      in_threads(threads, jobs, job, [](double share) { EXPECT_LE(share, 1.0); });
+      for (const auto& times : done) EXPECT_EQ(times, 2);
+    }
+}
 
 TEST(BatchOfCurves, EveryValueIsThatOfOneQuery) {
   std::string lines;

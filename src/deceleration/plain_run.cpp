@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "curves/parallel.h"
 #include "deceleration/draws.h"
 
 namespace evc::deceleration {
@@ -99,7 +100,7 @@ std::vector<PlainQuantiles> plain_run(const Spec& spec, std::uint64_t samples, c
   std::mutex mutex;
   const std::uint64_t blocks = (samples + kSamples_of_block - 1) / kSamples_of_block;
   const std::uint64_t parts = std::min<std::uint64_t>(blocks, std::uint64_t{effort.threads} * 50);
-  const auto job = [&](std::size_t part) {
+  const auto job = [&](unsigned, std::size_t part) {
     Counts counts(trains.steps(), std::vector<std::uint64_t>(kBins, 0));
     std::vector<double> sums;
     for (std::uint64_t block = part; block < blocks; block += parts)
@@ -110,7 +111,7 @@ std::vector<PlainQuantiles> plain_run(const Spec& spec, std::uint64_t samples, c
     for (std::size_t s = 0; s < all.size(); ++s)
       for (std::size_t bin = 0; bin < kBins; ++bin) all[s][bin] += counts[s][bin];
   };
-  in_threads(effort.threads, parts, job, effort.progress);
+  curves::in_threads(effort.threads, parts, job, effort.progress);
   std::vector<PlainQuantiles> found;
   for (const auto& counts : all) found.push_back(quantiles_of(counts, samples));
   return found;

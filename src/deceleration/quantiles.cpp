@@ -1,15 +1,11 @@
 #include "deceleration/quantiles.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <condition_variable>
-#include <exception>
 #include <limits>
-#include <mutex>
 #include <numeric>
-#include <thread>
 
+#include "curves/parallel.h"
 #include "deceleration/tilt.h"
 
 namespace evc::deceleration {
@@ -98,7 +94,7 @@ void draw(std::vector<Level>& levels, const Effort& effort, const std::function<
     for (std::size_t n = 0, begin = 0; n < levels[k].sizes.size(); begin += levels[k].sizes[n++])
       for (std::size_t first = 0; first < levels[k].sizes[n]; first += kBlock)
         blocks.push_back({k, begin + first, begin + std::min(first + kBlock, levels[k].sizes[n]), begin});
-  const auto job = [&](std::size_t i) {
+  const auto job = [&](unsigned, std::size_t i) {
     const Block& block = blocks[i];
     Level& level = levels[block.level];
     Tilt::Flags flags;
@@ -111,7 +107,7 @@ void draw(std::vector<Level>& levels, const Effort& effort, const std::function<
       sample.weight = drawn.weight;
     }
   };
-  in_threads(effort.threads, blocks.size(), job, progress);
+  curves::in_threads(effort.threads, blocks.size(), job, progress);
 }
 
 /// Sums of the weights of one stratum.
@@ -277,42 +273,6 @@ Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::s
 
 Quantiles quantiles(const Quantity& quantity, std::uint32_t number, const Effort& effort) {
   return Search(quantity, number, effort).found();
-}
-
-void in_threads(unsigned threads, std::size_t jobs, const std::function<void(std::size_t)>& job,
-                const std::function<void(double)>& progress) {
-  std::atomic<std::size_t> next = 0, done = 0;
-  std::mutex mutex;
-  std::condition_variable ended;
-  unsigned working = std::max(1U, threads);
-  std::exception_ptr failure;
-  const auto thread = [&] {
-    try {
-      for (std::size_t i = next++; i < jobs; i = next++) {
-        job(i);
-        ++done;
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      next = jobs;
-    }
-    const std::lock_guard lock(mutex);
-    --working;
-    ended.notify_all();
-  };
-  {
-    std::vector<std::jthread> pool;
-    for (unsigned i = working; i > 0; --i) pool.emplace_back(thread);
-    std::unique_lock lock(mutex);
-    while (!ended.wait_for(lock, std::chrono::milliseconds(100), [&] { return working == 0; })) {
-      const double share = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(jobs, 1));
-      lock.unlock();
-      progress(share);
-      lock.lock();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace evc::deceleration

@@ -44,9 +44,4 @@ struct Weighted {
 Quantile weighted_quantile(std::vector<Weighted> samples, std::span<const std::size_t> sizes, double left_out,
                            double below, double lowest);
 
-/// Calls `job` with the numbers 0 to `jobs` - 1, in these threads; an exception of a job is thrown here. `progress`
-/// gets the share that is done.
-void in_threads(unsigned threads, std::size_t jobs, const std::function<void(std::size_t)>& job,
-                const std::function<void(double)>& progress);
-
 }  // namespace evc::deceleration

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "deceleration/guaranteed.h"
 #include "io/program_test.h"
@@ -143,13 +142,6 @@ TEST(Quantiles, nothing_below_the_first_sample_is_known) {
   EXPECT_EQ(weighted_quantile(samples, sizes, 0.2, 0.5, -1.0).value, 0.8);
 }
 
-TEST(InThreads, an_exception_comes_to_the_caller) {
-  const auto job = [](std::size_t i) {
-    if (i == 17) throw std::runtime_error("17");
-  };
-  EXPECT_THROW(in_threads(3, 100, job, [](double) {}), std::runtime_error);
-}
-
 Spec shipped(const char* name) {
   const std::string file = evc::test::source_folder() + "/examples/brakes/" + name;
   auto spec = read_spec(text_of(file), file);
@@ -157,7 +149,6 @@ Spec shipped(const char* name) {
   return *spec;
 }
 
-// Everything together: all kinds of distributions, unequal units that fail, a common factor, products of factors.
 // All samples of a constant are the same: its bounds are the value, as no other one can be.
 TEST(Quantiles, of_a_constant_are_known) {
   Quantity quantity = equal_units(8, 0.1, 0.0);
@@ -172,6 +163,7 @@ TEST(Quantiles, of_a_constant_are_known) {
   for (const Quantile& q : quantiles(quantity, 0, {1, 1000, 1, [](double) {}})) EXPECT_NEAR(q.low, -1.5, 1e-9);
 }
 
+// Everything together: all kinds of distributions, unequal units that fail, a common factor, products of factors.
 TEST(Guaranteed, a_plain_run_agrees) {
   for (const char* name : {"locomotive_and_wagons.json", "high_speed_set.json"}) {
     Spec spec = shipped(name);
