@@ -1,35 +1,27 @@
 #include "curves/overrides.h"
 
-#include <charconv>
 #include <utility>
 
 #include "io/curves_file.h"
+#include "io/json_pointer.h"
 
 namespace evc::curves {
 namespace {
 
 using io::Json;
+using io::pointer_of;
 
-std::vector<std::string> tokens_of(const std::string& place) {
-  const bool pointer = !place.empty() && place.front() == '/';
-  const char between = pointer ? '/' : '.';
-  std::vector<std::string> tokens;
-  if (!pointer) tokens.emplace_back();
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] == between)
+/// By its keys with dots between, or a JSON pointer.
+std::vector<std::string> tokens_of_place(const std::string& place) {
+  if (place.empty() || place.front() == '/') return io::tokens_of(place.empty() ? "/" : place);
+  std::vector<std::string> tokens(1);
+  for (const char c : place) {
+    if (c == '.')
       tokens.emplace_back();
-    else if (pointer && place[i] == '~' && i + 1 < place.size())
-      tokens.back() += place[++i] == '1' ? '/' : '~';
     else
-      tokens.back() += place[i];
+      tokens.back() += c;
   }
   return tokens;
-}
-
-std::string pointer_of(const std::vector<std::string>& tokens, std::size_t count) {
-  std::string pointer;
-  for (std::size_t i = 0; i < count; ++i) pointer += "/" + io::reference_token(tokens[i]);
-  return pointer;
 }
 
 [[noreturn]] void leads_nowhere(const Override& o, const std::string& expected) {
@@ -42,10 +34,8 @@ Json& below(Json& at, const Override& o, std::size_t i) {
   if (at.is_null()) at = Json::object();  // made on the way
   if (at.is_object()) return at[o.place[i]];
   if (!at.is_array()) leads_nowhere(o, here + " to be an object or a list");
-  const std::string& token = o.place[i];
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  if (error != std::errc{} || end != token.data() + token.size() || index >= at.size())
+  const std::size_t index = io::index_of(o.place[i]);
+  if (index >= at.size())
     leads_nowhere(o, "an index of " + here + ", which has " + std::to_string(at.size()) + " elements");
   return at[index];
 }
@@ -56,7 +46,7 @@ io::Result<Override> read_override(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string place = text.substr(0, equals);
   Override o;
-  if (equals != std::string::npos) o.place = tokens_of(place);
+  if (equals != std::string::npos) o.place = tokens_of_place(place);
   bool empty = o.place.empty() || o.place.size() > io::kDeepestJson;
   for (const std::string& token : o.place) empty = empty || token.empty();
   if (empty)

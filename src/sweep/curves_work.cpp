@@ -2,7 +2,6 @@
 #include <charconv>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,6 +109,8 @@ bool is_member_of_document(const std::string& token) {
   return std::find(std::begin(kMembers), std::end(kMembers), token) != std::end(kMembers);
 }
 
+constexpr File kFilesOfQuery[] = {{"train", "trains"}, {"national_values", "national_values"}};
+
 struct Memory final : Scratch {
   std::unique_ptr<sdm::Derived> derived = std::make_unique<sdm::Derived>();
 };
@@ -120,7 +121,7 @@ class CurvesWork final : public Work {
     load(spec);
     places_ =
         places_of(spec, [](const auto& tokens) { return tokens[0] == "query" && is_member_of_document(tokens[1]); });
-    load_named(spec);
+    named_ = named_documents(spec, places_, kFilesOfQuery);
     require_places(spec, places_, document_,
                    [&](const JsonPlace& root) {
                      if (const auto read = io::curves_of(root.value(), root.file()); !read)
@@ -137,7 +138,7 @@ class CurvesWork final : public Work {
 
   std::string documents() const override {
     std::string documents = document_.dump();
-    for (const auto& [name, read] : named_) documents += read.dump();
+    for (const auto& [name, named] : named_) documents += named.document.dump();
     return documents;
   }
 
@@ -190,34 +191,16 @@ class CurvesWork final : public Work {
     if (!document_.contains("srs")) document_["srs"] = "3.6.0";
   }
 
-  /// The files that a list at `train` or `national_values` names, with the key of the entry's pointer and the name.
-  void load_named(const Spec& spec) {
-    const Json whole = io::parse_json(spec.text, spec.file);
-    const JsonPlace root(whole, spec.file);
-    for (const Entry& entry : spec.vary)
-      for (const auto& [member, folder] : {std::pair{"train", "trains"}, {"national_values", "national_values"}}) {
-        if (entry.at != std::string("/") + member && entry.at != std::string("/query/") + member) continue;
-        for (std::size_t i = 0; i < entry.list.size(); ++i) {
-          if (!entry.list[i].is_string()) continue;
-          const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
-          named_[member + ("/" + entry.list[i].get<std::string>())] = io::parse_json(named.text, named.file);
-        }
-      }
-  }
-
   /// The query of a case, with its files in place.
   Json document_of(const std::vector<Json>& values) const {
     Json document = document_;
     places_.put(document, values);
-    for (const char* member : {"train", "national_values"})
-      if (Json& part = document[member]; part.is_string())
-        if (const auto named = named_.find(member + ("/" + part.get<std::string>())); named != named_.end())
-          part = Json(named->second);
+    for (const File& file : kFilesOfQuery) put_named(document, file.member, named_);
     return document;
   }
 
   Json document_;
-  std::map<std::string, Json> named_;
+  NamedDocuments named_;
   Places places_;
   std::vector<Measure> asked_;
   bool speeds_ = false, positions_ = false;

@@ -1,34 +1,20 @@
 #include "sweep/document.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
 #include "io/data_files.h"
 #include "io/file.h"
+#include "io/json_pointer.h"
 
 namespace evc::sweep {
 namespace {
 
+using io::index_of;
 using io::Json;
 using io::JsonPlace;
-
-constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
-
-/// A token as the index of a list (RFC 6901: without leading zeros).
-std::size_t index_of(const std::string& token) {
-  std::size_t index = kNoIndex;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  const bool whole = error == std::errc{} && end == token.data() + token.size();
-  return whole && (token.size() == 1 || token.front() != '0') ? index : kNoIndex;
-}
-
-std::string pointer_of(const std::vector<std::string>& tokens, std::size_t count) {
-  std::string pointer;
-  for (std::size_t i = 0; i < count; ++i) pointer += "/" + io::reference_token(tokens[i]);
-  return pointer;
-}
+using io::pointer_of;
 
 [[noreturn]] void leads_nowhere(const Spec& spec, std::size_t entry, const std::string& expected) {
   throw io::ReadError{
@@ -85,7 +71,7 @@ void Places::put(Json& document, const std::vector<Json>& values) const {
 Places places_of(const Spec& spec, const std::function<bool(const std::vector<std::string>&)>& left_out) {
   std::vector<std::vector<std::string>> places;
   for (const Entry& entry : spec.vary) {
-    std::vector<std::string> tokens = tokens_of(entry.at);
+    std::vector<std::string> tokens = io::tokens_of(entry.at);
     if (tokens.size() > 1 && left_out(tokens)) tokens.erase(tokens.begin());
     for (const auto& other : places) {
       const auto [mine, theirs] = std::mismatch(tokens.begin(), tokens.end(), other.begin(), other.end());
@@ -129,6 +115,30 @@ Named read_named(const JsonPlace& place, const std::string& folder) {
   auto text = io::read_text(file, io::kLargestDocument);
   if (!text) place.fail("\"" + name + "\" (" + text.error().found + ")", "a file, or the name of a shipped one");
   return {file, *std::move(text)};
+}
+
+NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files) {
+  const Json whole = io::parse_json(spec.text, spec.file);
+  const JsonPlace root(whole, spec.file);
+  NamedDocuments documents;
+  for (std::size_t e = 0; e < places.size(); ++e)
+    for (const auto& [member, folder] : files) {
+      if (places[e].size() != 1 || places[e].front() != member) continue;
+      const Entry& entry = spec.vary[e];
+      for (std::size_t i = 0; i < entry.list.size(); ++i) {
+        if (!entry.list[i].is_string()) continue;
+        const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
+        documents[{member, entry.list[i].get<std::string>()}] = {named.file, io::parse_json(named.text, named.file)};
+      }
+    }
+  return documents;
+}
+
+void put_named(Json& document, const std::string& member, const NamedDocuments& named) {
+  Json& part = document[member];
+  if (!part.is_string()) return;
+  if (const auto one = named.find({member, part.get<std::string>()}); one != named.end())
+    part = Json(one->second.document);
 }
 
 std::string reason_of(const io::Diagnostic& d) {

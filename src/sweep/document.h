@@ -1,6 +1,9 @@
 #pragma once
 #include <functional>
+#include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/json.h"
@@ -48,6 +51,22 @@ struct Named {
   std::string text;
 };
 Named read_named(const io::JsonPlace& place, const std::string& folder);
+
+/// A member of a case that may be the name of a file, and the folder of the data in which the shipped ones are.
+struct File {
+  const char* member;
+  const char* folder;
+};
+/// The documents that elements of lists name, by member and name.
+struct NamedDocument {
+  std::string file;
+  io::Json document;
+};
+using NamedDocuments = std::map<std::pair<std::string, std::string>, NamedDocument>;
+/// Those of the lists in the places of whole `files`; each name counts as in `base`. Throws ReadError.
+NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files);
+/// Puts the document where its name is, if the member is a name.
+void put_named(io::Json& document, const std::string& member, const NamedDocuments& named);
 
 /// "PLACE: found X, expected Y": the reason of a case that cannot be.
 std::string reason_of(const io::Diagnostic& diagnostic);

@@ -8,6 +8,7 @@
 
 #include "io/file.h"
 #include "io/input_writer.h"
+#include "io/json_pointer.h"
 #include "io/line_file.h"
 #include "io/train_file.h"
 #include "run/display_lists.h"
@@ -31,11 +32,6 @@ using nlohmann::ordered_json;
 /// What of a summary depends on the machine, or on nothing: no measure.
 constexpr const char* kNoMeasures[] = {"schema", "line", "cycle_us", "real_time_factor"};
 
-/// The members of `base` that are files, and where the shipped ones are.
-struct File {
-  const char* member;
-  const char* folder;
-};
 constexpr File kFiles[] = {{"line", "lines"}, {"train", "trains"}, {"national_values", "national_values"}};
 
 /// The leaves of a summary, with the names of the members on the way joined by dots.
@@ -99,9 +95,13 @@ class RunWork final : public Work {
     load(spec);
     places_ = places_of(spec, [](const auto&) { return false; });
     require_places(spec, places_, document_, [](const JsonPlace& root) { read_small(root); }, {"line"});
-    load_named(spec);
+    named_ = named_documents(spec, places_, kFiles);
     documents_ = document_.dump();
-    for (const auto& [name, read] : named_) documents_ += read.dump();
+    for (const auto& [key, named] : named_) {
+      documents_ += named.document.dump();
+      if (key.first == "line")
+        lines_[key.second] = std::make_shared<const sim::Line>(io::read_line(JsonPlace(named.document, named.file)));
+    }
     // What no entry varies is read once; an error of it is one of the sweep.
     const Json whole{{"base", document_}};
     const auto place = [&](const char* key, const std::string& file) {
@@ -193,38 +193,16 @@ class RunWork final : public Work {
     read_scalars(base, spec);
   }
 
-  /// The files that lists of lines, trains or national values name, as in `base`.
-  void load_named(const Spec& spec) {
-    const Json whole = io::parse_json(spec.text, spec.file);
-    const JsonPlace root(whole, spec.file);
-    for (const Entry& entry : spec.vary) {
-      for (const auto& [member, folder] : kFiles) {
-        if (entry.at != std::string("/") + member) continue;
-        for (std::size_t i = 0; i < entry.list.size(); ++i) {
-          if (!entry.list[i].is_string()) continue;
-          const std::string key = entry.at + entry.list[i].get<std::string>();
-          const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
-          Json read = io::parse_json(named.text, named.file);
-          if (entry.at == "/line")
-            lines_[key] = std::make_shared<const sim::Line>(io::read_line(JsonPlace(read, named.file)));
-          named_[key] = std::move(read);
-        }
-      }
-    }
-  }
-
   /// The document of a case; of a line that is named the name alone.
   Json document_of(const std::vector<Json>& values) const {
     Json document = document_;
     places_.put(document, values);
-    for (const char* member : {"train", "national_values"})
-      if (Json& part = document[member]; part.is_string())
-        part = named_.at(std::string("/") + member + part.get<std::string>());
+    for (const char* member : {"train", "national_values"}) put_named(document, member, named_);
     return document;
   }
 
   std::shared_ptr<const sim::Line> line_of(const JsonPlace& place) const {
-    if (place.is_string()) return lines_.at("/line" + place.string());
+    if (place.is_string()) return lines_.at(place.string());
     return std::make_shared<const sim::Line>(io::read_line(place));
   }
 
@@ -232,7 +210,7 @@ class RunWork final : public Work {
   static void read_scalars(const JsonPlace& root, const Spec& spec) {
     const auto varied = [&](const std::string& member) {
       return std::any_of(spec.vary.begin(), spec.vary.end(),
-                         [&](const Entry& entry) { return tokens_of(entry.at).front() == member; });
+                         [&](const Entry& entry) { return io::tokens_of(entry.at).front() == member; });
     };
     if (!varied("srs")) (void)io::read_srs_version(root["srs"]);
     if (!varied("driver")) (void)read_driver(root["driver"]);
@@ -295,7 +273,7 @@ class RunWork final : public Work {
   std::shared_ptr<const sim::Line> line_;
   std::optional<io::Train> train_;
   std::optional<train::NationalValues> national_values_;
-  std::map<std::string, Json> named_;  // by place and name
+  NamedDocuments named_;
   std::map<std::string, std::shared_ptr<const sim::Line>> lines_;
   bool hashed_ = false;
 };

@@ -169,18 +169,4 @@ io::Result<Spec> read_spec(std::string_view text, const std::string& file) {
   return io::guarded([&] { return read(io::parse_json(text, file), file); });
 }
 
-std::vector<std::string> tokens_of(const std::string& pointer) {
-  std::vector<std::string> tokens;
-  for (std::size_t i = 0; i < pointer.size(); ++i) {
-    if (pointer[i] == '/') {
-      tokens.emplace_back();
-    } else if (pointer[i] == '~' && i + 1 < pointer.size()) {
-      tokens.back() += pointer[++i] == '1' ? '/' : '~';
-    } else {
-      tokens.back() += pointer[i];
-    }
-  }
-  return tokens;
-}
-
 }  // namespace evc::sweep

@@ -49,7 +49,4 @@ inline constexpr std::size_t kMostEntries = 64;
 /// Reads it. The files of `base` are not opened: see make_work.
 io::Result<Spec> read_spec(std::string_view text, const std::string& file);
 
-/// The tokens of a JSON pointer (RFC 6901), unescaped.
-std::vector<std::string> tokens_of(const std::string& pointer);
-
 }  // namespace evc::sweep
