@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "io/json_pointer.h"
 #include "sweep/cases.h"
 #include "sweep/spec.h"
 
@@ -17,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         cases.values(number) != cases.values(number))
       std::abort();
   for (const auto& entry : spec->vary)
-    if (evc::sweep::tokens_of(entry.at).empty()) std::abort();
+    if (evc::io::tokens_of(entry.at).empty()) std::abort();
   return 0;
 }
