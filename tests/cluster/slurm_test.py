@@ -178,40 +178,45 @@ class UnderSlurm(programs.InFolder):
             self.assertEqual(said.count("40 of 40 cases, 0 failed; 40 computed"), 1, said)
             self.assertEqual(table_hash(results), expected, launcher)
 
-    def test_a_job_that_is_cancelled_is_submitted_again(self):
-        many = 400_000
-        spec = self.write("many.json", CURVES % many)
-        expected = self.by_threads(spec)
-        results = self.folder / "r.sqlite"
-        job = subprocess.Popen(["sbatch", "--wait", "--parsable", f"--output={self.folder}/first.txt", str(SCRIPT), str(spec),
-                                str(results)], stdout=subprocess.PIPE, text=True, cwd=self.folder,
-                               env={**os.environ, "EVC_MPI": EVC_MPI})
+    def begin_job(self, spec, results, said):
+        """Submits the shipped batch script and waits for the first rows. Returns (process of sbatch, number of the job)."""
+        job = subprocess.Popen(["sbatch", "--wait", "--parsable", f"--output={said}", str(SCRIPT), str(spec), str(results)],
+                               stdout=subprocess.DEVNULL, cwd=self.folder, env={**os.environ, "EVC_MPI": EVC_MPI})
         limit = time.monotonic() + 60
         while not has_committed_rows(results):
             self.assertLess(time.monotonic(), limit, "no rows")
             time.sleep(0.02)
-        number = run("squeue", "-h", "-o", "%i").stdout.strip()
-        self.assertEqual(run("scancel", number).returncode, 0)
-        job.communicate(timeout=60)
-        self.assertIn("; stopped, --resume goes on", (self.folder / "first.txt").read_text("utf-8"))
+        return job, run("squeue", "-h", "-o", "%i").stdout.strip()
+
+    def test_a_job_that_is_cancelled_is_submitted_again(self):
+        many = 1_000_000
+        spec = self.write("many.json", CURVES % many)
+        expected = self.by_threads(spec)
+        results, said = self.folder / "r.sqlite", self.folder / "said.txt"
+        # To the ranks alone, as --signal of the script does before the end of the time: they end by themselves.
+        job, number = self.begin_job(spec, results, said)
+        self.assertEqual(run("scancel", "--signal=TERM", number).returncode, 0)
+        self.assertNotEqual(job.wait(timeout=60), 0)
+        self.assertIn("; stopped, --resume goes on", said.read_text("utf-8"))
         there = rows(results)
         self.assertGreater(there, 0)
         self.assertLess(there, many)
-        status, said = self.submit(spec, results, "srun", "--ntasks=2")
-        self.assertEqual(status, 1, said)  # some cases fail
+        # To all of the job: srun, which gets it too, may kill the ranks before they have told anything.
+        job, number = self.begin_job(spec, results, said)
+        self.assertEqual(run("scancel", number).returncode, 0)
+        self.assertNotEqual(job.wait(timeout=60), 0)
+        more = rows(results)
+        self.assertGreater(more, there)
+        self.assertLess(more, many)
+        status, told = self.submit(spec, results, "srun", "--ntasks=2")
+        self.assertEqual(status, 1, told)  # some cases fail
         self.assertEqual(rows(results), many)
         self.assertEqual(table_hash(results), expected)
 
     def test_a_rank_that_is_killed_ends_the_job(self):
         spec = self.write("many.json", CURVES % 2_000_000)
         results = self.folder / "r.sqlite"
-        job = subprocess.Popen(["sbatch", "--wait", "--parsable", f"--output={self.folder}/said.txt", str(SCRIPT), str(spec),
-                                str(results)], stdout=subprocess.DEVNULL, cwd=self.folder,
-                               env={**os.environ, "EVC_MPI": EVC_MPI})
-        limit = time.monotonic() + 60
-        while not has_committed_rows(results):
-            self.assertLess(time.monotonic(), limit, "no rows")
-            time.sleep(0.02)
+        job, _ = self.begin_job(spec, results, self.folder / "said.txt")
         ranks = {}
         for process in self.slurm.others():
             with contextlib.suppress(OSError):
