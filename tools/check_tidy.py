@@ -108,9 +108,9 @@ def written(clean, now):
 
 
 def configure():
-    """The commands of the dev build with evc-mpi, but clang-tidy cannot read the precompiled headers of g++."""
-    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DEVC_PRECOMPILE=OFF", "-DEVC_MPI=ON"], cwd=ROOT, check=True,
-                   stdout=subprocess.DEVNULL)
+    """The commands of the dev build with evc-mpi and the Python package, but clang-tidy cannot read the precompiled headers of g++."""
+    subprocess.run(["cmake", "--preset", "dev", "-B", str(BUILD), "-DEVC_PRECOMPILE=OFF", "-DEVC_MPI=ON",
+                    "-DEVC_PYTHON=ON"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
 
 
 def commands():
