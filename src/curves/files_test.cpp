@@ -66,6 +66,9 @@ TEST(CurvesFiles, AWorkbookHasASheetForEachTable) {
   for (std::size_t i = 1; i <= tables.size(); ++i)
     EXPECT_NE(bytes.find("xl/worksheets/sheet" + std::to_string(i) + ".xml"), std::string::npos);
   EXPECT_EQ(bytes.find("xl/worksheets/sheet" + std::to_string(tables.size() + 1) + ".xml"), std::string::npos);
+  // Beside the tables by speed and by position.
+  EXPECT_NE(bytes.find("xl/charts/chart2.xml"), std::string::npos);
+  EXPECT_EQ(bytes.find("xl/charts/chart3.xml"), std::string::npos);
 }
 
 TEST(CurvesFiles, ForPrintTheChartIsLightWithNamesAtTheCurves) {

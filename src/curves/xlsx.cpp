@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 // libxlsxwriter writes to a name: that of a file in memory, so that the result gets its name as all files do.
@@ -48,6 +49,52 @@ void require(lxw_error error) {
   if (error != LXW_NO_ERROR) throw std::runtime_error(lxw_strerror(error));
 }
 
+/// Cells of a column without its head, as a formula has them.
+std::string range_of(const std::string& sheet, const ResultTable& table, lxw_col_t column) {
+  std::array<char, LXW_MAX_CELL_RANGE_LENGTH> cells{};
+  lxw_rowcol_to_range_abs(cells.data(), 1, column, static_cast<lxw_row_t>(table.rows.size()), column);
+  return "='" + sheet + "'!" + cells.data();
+}
+
+bool is_empty(const ResultTable& table, std::size_t column) {
+  return std::ranges::none_of(table.rows, [&](const auto& row) {
+    const auto* number = std::get_if<std::optional<double>>(&row[column]);
+    return number != nullptr && *number;
+  });
+}
+
+/// Speed over distance, a line for each curve, beside a table of distances by speed or of speeds by place. Other tables
+/// have no chart.
+void add_chart(lxw_workbook* book, lxw_worksheet* sheet, const std::string& name, const ResultTable& table) {
+  const bool by_speed = table.key == "by_speed", by_position = table.key == "by_position";
+  if ((!by_speed && !by_position) || table.rows.empty()) return;
+  lxw_chart* chart = workbook_add_chart(book, LXW_CHART_SCATTER_STRAIGHT);
+  if (chart == nullptr) throw std::runtime_error("no chart of " + name);
+  const std::string first = range_of(name, table, 0);
+  const auto columns = static_cast<lxw_col_t>(table.columns.size());
+  for (lxw_col_t k = 1; k < columns; ++k) {
+    const TableColumn& column = table.columns[k];
+    if (std::string_view(column.unit) != (by_speed ? "m" : "km/h") || is_empty(table, k)) continue;
+    const std::string values = range_of(name, table, k);
+    lxw_chart_series* series =
+        chart_add_series(chart, (by_speed ? values : first).c_str(), (by_speed ? first : values).c_str());
+    if (series == nullptr) throw std::runtime_error("no chart of " + name);
+    chart_series_set_name(series, column.name.c_str());
+  }
+  chart_title_set_name(chart, by_speed ? "Curves and limits by speed" : "Speeds by position");
+  chart_axis_set_name(chart->x_axis, by_speed ? "metres before the target" : "position [m]");
+  chart_axis_set_name(chart->y_axis, "km/h");
+  // From left to right as the train runs.
+  if (by_speed) {
+    chart_axis_set_reverse(chart->x_axis);
+    chart_axis_set_crossing_max(chart->x_axis);
+  }
+  lxw_chart_options place{};
+  place.x_scale = 2.0;
+  place.y_scale = 2.0;
+  require(worksheet_insert_chart_opt(sheet, 1, static_cast<lxw_col_t>(columns + 1), chart, &place));
+}
+
 void add_sheet(lxw_workbook* book, const ResultTable& table, lxw_format* bold) {
   const std::string name = table.key.substr(0, kLongestSheetName);
   lxw_worksheet* sheet = workbook_add_worksheet(book, name.c_str());
@@ -71,6 +118,7 @@ void add_sheet(lxw_workbook* book, const ResultTable& table, lxw_format* bold) {
       }
     }
   }
+  add_chart(book, sheet, name, table);
 }
 
 }  // namespace
