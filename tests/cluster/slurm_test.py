@@ -201,15 +201,15 @@ class UnderSlurm(programs.InFolder):
         there = rows(results)
         self.assertGreater(there, 0)
         self.assertLess(there, many)
-        # To all of the job: srun, which gets it too, may kill the ranks before they have told anything.
+        # To all of the job: srun, which gets it too, may kill the ranks before they have reported anything.
         job, number = self.begin_job(spec, results, said)
         self.assertEqual(run("scancel", number).returncode, 0)
         self.assertNotEqual(job.wait(timeout=60), 0)
         more = rows(results)
         self.assertGreater(more, there)
         self.assertLess(more, many)
-        status, told = self.submit(spec, results, "srun", "--ntasks=2")
-        self.assertEqual(status, 1, told)  # some cases fail
+        status, output = self.submit(spec, results, "srun", "--ntasks=2")
+        self.assertEqual(status, 1, output)  # some cases fail
         self.assertEqual(rows(results), many)
         self.assertEqual(table_hash(results), expected)
 
