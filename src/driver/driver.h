@@ -91,15 +91,15 @@ Set<Output> shown(Set<Output> given, Mode mode, SrsVersion srs, bool desk_open, 
 /// output_of.
 std::optional<Output> output_of(Symbol symbol);
 
-/// The symbol of a track condition (5.18): where the driver may have to act, the one that asks for it (3.12.1.5.1: what
-/// the train does by itself is not known here). None in the phases ahead and over.
-std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase);
+/// The symbol of a track condition (5.18): where an action is due, the one that asks the driver for it or announces
+/// what the train does (3.12.1.5.1). None in the phases ahead and over.
+std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase, const ByTrain& by_train);
 /// The symbol of a change of traction system to M_VOLTAGE (7.5.1.78), none for a spare code.
-std::optional<Symbol> symbol_of_traction(std::uint8_t M_VOLTAGE, ConditionPhase phase);
+std::optional<Symbol> symbol_of_traction(std::uint8_t M_VOLTAGE, ConditionPhase phase, const ByTrain& by_train);
 /// The symbols of the advance display (3.15.10): of the start of a condition, of its end; none for those without one.
-std::optional<Symbol> planning_symbol(TrackConditionKind kind, bool end);
+std::optional<Symbol> planning_symbol(TrackConditionKind kind, bool end, const ByTrain& by_train);
 /// The same of a change of traction system.
-std::optional<Symbol> planning_symbol_of_traction(std::uint8_t M_VOLTAGE);
+std::optional<Symbol> planning_symbol_of_traction(std::uint8_t M_VOLTAGE, const ByTrain& by_train);
 /// The row of 4.7.2 in which the condition is.
 constexpr Output output_of(TrackConditionKind kind) {
   return horn_or_stopping(kind) ? Output::track_cond_horn_stopping : Output::track_cond_general;

@@ -308,10 +308,11 @@ TEST(Driver, Status_symbols_appear_in_the_modes_that_have_them) {
 TEST(Driver, Track_conditions_have_the_symbols_of_015560) {
   using enum TrackConditionKind;
   using enum ConditionPhase;
-  const auto named = [](TrackConditionKind kind) {
+  ByTrain by_train;
+  const auto named = [&](TrackConditionKind kind) {
     Symbols symbols;
     for (const ConditionPhase phase : {ahead, announced, active, ending, over})
-      if (const auto s = symbol(kind, phase)) symbols.push_back(name(*s));
+      if (const auto s = symbol(kind, phase, by_train)) symbols.push_back(name(*s));
     return symbols;
   };
   EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"TC03", "TC01", "TC05"}));
@@ -325,21 +326,41 @@ TEST(Driver, Track_conditions_have_the_symbols_of_015560) {
   EXPECT_EQ(named(air_tightness), (Symbols{"TC21", "TC19", "TC22"}));
   EXPECT_EQ(named(sound_horn), (Symbols{"TC35"}));
   EXPECT_EQ(named(tunnel_stopping_area), (Symbols{"TC37", "TC36"}));
-  Symbols traction;
-  for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
-    for (const ConditionPhase phase : {announced, active, ending})
-      if (const auto s = symbol_of_traction(M_VOLTAGE, phase)) traction.push_back(name(*s));
-  EXPECT_EQ(traction,
+  const auto traction = [&] {
+    Symbols symbols;
+    for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
+      for (const ConditionPhase phase : {announced, active, ending})
+        if (const auto s = symbol_of_traction(M_VOLTAGE, phase, by_train)) symbols.push_back(name(*s));
+    return symbols;
+  };
+  EXPECT_EQ(traction(),
             (Symbols{"TC24", "TC23", "TC26", "TC25", "TC28", "TC27", "TC30", "TC29", "TC32", "TC31", "TC34", "TC33"}));
+  // What the train does by itself is announced in grey.
+  by_train.conditions.fill(true);
+  by_train.traction_system = true;
+  EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"TC02", "TC01", "TC04"}));
+  EXPECT_EQ(named(powerless_main_switch_off), (Symbols{"TC06", "TC06", "TC08"}));
+  EXPECT_EQ(named(non_stopping_area), (Symbols{"TC11", "TC10"}));
+  EXPECT_EQ(named(radio_hole), (Symbols{"TC12"}));
+  EXPECT_EQ(named(switch_off_magnetic_shoe_brake), (Symbols{"TC13", "TC13"}));
+  EXPECT_EQ(named(switch_off_eddy_current_service_brake), (Symbols{"TC15", "TC15"}));
+  EXPECT_EQ(named(switch_off_eddy_current_emergency_brake), (Symbols{"TC15", "TC15"}));
+  EXPECT_EQ(named(switch_off_regenerative_brake), (Symbols{"TC17", "TC17"}));
+  EXPECT_EQ(named(air_tightness), (Symbols{"TC19", "TC19", "TC20"}));
+  EXPECT_EQ(named(sound_horn), (Symbols{"TC35"}));
+  EXPECT_EQ(named(tunnel_stopping_area), (Symbols{"TC37", "TC36"}));
+  EXPECT_EQ(traction(),
+            (Symbols{"TC23", "TC23", "TC25", "TC25", "TC27", "TC27", "TC29", "TC29", "TC31", "TC31", "TC33", "TC33"}));
 }
 
-/// 015560 8.3.4, where the driver has to act.
+/// 015560 8.3.4
 TEST(Driver, Symbols_of_the_advance_display) {
   using enum TrackConditionKind;
-  const auto named = [](TrackConditionKind kind) {
+  ByTrain by_train;
+  const auto named = [&](TrackConditionKind kind) {
     Symbols names;
     for (const bool end : {false, true})
-      if (const auto s = planning_symbol(kind, end)) names.push_back(name(*s));
+      if (const auto s = planning_symbol(kind, end, by_train)) names.push_back(name(*s));
     return names;
   };
   EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"PL02", "PL04"}));
@@ -353,10 +374,27 @@ TEST(Driver, Symbols_of_the_advance_display) {
   EXPECT_EQ(named(air_tightness), (Symbols{"PL19", "PL20"}));
   EXPECT_EQ(named(sound_horn), (Symbols{"PL24"}));
   EXPECT_EQ(named(tunnel_stopping_area), Symbols{});
-  Symbols traction;
-  for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
-    if (const auto s = planning_symbol_of_traction(M_VOLTAGE)) traction.push_back(name(*s));
-  EXPECT_EQ(traction, (Symbols{"PL26", "PL28", "PL30", "PL32", "PL34", "PL36"}));
+  const auto traction = [&] {
+    Symbols symbols;
+    for (std::uint8_t M_VOLTAGE = 0; M_VOLTAGE < 7; ++M_VOLTAGE)
+      if (const auto s = planning_symbol_of_traction(M_VOLTAGE, by_train)) symbols.push_back(name(*s));
+    return symbols;
+  };
+  EXPECT_EQ(traction(), (Symbols{"PL26", "PL28", "PL30", "PL32", "PL34", "PL36"}));
+  by_train.conditions.fill(true);
+  by_train.traction_system = true;
+  EXPECT_EQ(named(powerless_lower_pantograph), (Symbols{"PL01", "PL03"}));
+  EXPECT_EQ(named(powerless_main_switch_off), (Symbols{"PL05", "PL07"}));
+  EXPECT_EQ(named(non_stopping_area), (Symbols{"PL09"}));
+  EXPECT_EQ(named(radio_hole), (Symbols{"PL10"}));
+  EXPECT_EQ(named(switch_off_magnetic_shoe_brake), (Symbols{"PL11"}));
+  EXPECT_EQ(named(switch_off_eddy_current_service_brake), (Symbols{"PL13"}));
+  EXPECT_EQ(named(switch_off_eddy_current_emergency_brake), (Symbols{"PL13"}));
+  EXPECT_EQ(named(switch_off_regenerative_brake), (Symbols{"PL15"}));
+  EXPECT_EQ(named(air_tightness), (Symbols{"PL17", "PL18"}));
+  EXPECT_EQ(named(sound_horn), (Symbols{"PL24"}));
+  EXPECT_EQ(named(tunnel_stopping_area), Symbols{});
+  EXPECT_EQ(traction(), (Symbols{"PL25", "PL27", "PL29", "PL31", "PL33", "PL35"}));
 }
 
 TEST(Driver, Trip_reasons) {

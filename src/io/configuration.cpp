@@ -21,6 +21,7 @@ kernel::Config Configuration::for_kernel() const {
     if (!config.ntc_names.push_back(short_name)) break;  // read_ntc_names takes no more
   }
   config.terminals = terminals.value_or(config.terminals);
+  config.by_train = by_train;
   config.local_time_offset_min = local_time_offset_min;
   return config;
 }

@@ -32,6 +32,26 @@ NationalSystemNames read_ntc_names(const JsonPlace& place) {
   return names;
 }
 
+/// Names of track conditions, as in `track_conditions` of the outputs, and of the change of traction system.
+ByTrain read_by_train(const JsonPlace& place) {
+  constexpr const char* kTraction = "change of traction system";
+  ByTrain by_train;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::string name = place[i].string();
+    bool known = name == kTraction;
+    by_train.traction_system = by_train.traction_system || known;
+    std::string expected;
+    for (const auto& row : kTrackConditionRows) {
+      if (!may_be_by_train(row.value)) continue;
+      expected += std::string("\"") + row.name + "\", ";
+      if (name != row.name) continue;
+      by_train.conditions[terms::index(row.value)] = known = true;
+    }
+    if (!known) place[i].fail("one of " + expected + '"' + kTraction + '"');
+  }
+  return by_train;
+}
+
 /// The ranges of the speed dial (015560 8.2.1.1).
 Speed read_dial(const JsonPlace& place) {
   const std::int64_t kmh = place.integer(140, 400);
@@ -44,7 +64,7 @@ Configuration read_configuration(const JsonPlace& place) {
     p->fail(quoted_kind(p->string()), "a configuration");
   place.know_only({"schema", "cycle_ms", "srs", "train", "levels", "national_values", "engine_length_m", "NID_ENGINE",
                    "telephone_numbers", "terminals", "cabs", "rbc", "local_time_offset_min", "networks",
-                   "cold_movement_detection", "dial_kmh", "ntc_names"});
+                   "cold_movement_detection", "dial_kmh", "ntc_names", "by_train"});
   Configuration c;
   if (const auto p = place.find("cycle_ms")) c.cycle_ms = p->integer(1, 10000);
   if (const auto p = place.find("srs")) c.srs = read_srs_version(*p);
@@ -63,6 +83,7 @@ Configuration read_configuration(const JsonPlace& place) {
     for (std::size_t i = 0; i < p->size(); ++i)
       if (!c.networks.push_back(read_NID_MN((*p)[i]))) p->fail("at most 16 networks");
   if (const auto p = place.find("ntc_names")) c.ntc_names = read_ntc_names(*p);
+  if (const auto p = place.find("by_train")) c.by_train = read_by_train(*p);
   if (const auto p = place.find("dial_kmh")) c.dial = read_dial(*p);
   if (const auto p = place.find("rbc")) c.contact = read_address(*p);
   if (const auto p = place.find("local_time_offset_min"))

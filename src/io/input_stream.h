@@ -28,6 +28,7 @@ struct Configuration {
   port::Identity identity;
   std::optional<kernel::RbcAddress> contact = std::nullopt;
   InplaceVector<std::uint32_t, 16> networks;
+  ByTrain by_train;
   Speed dial = kernel::Config{}.dial;
   NationalSystemNames ntc_names = {};
   std::optional<std::uint8_t> terminals = std::nullopt;  // as given

@@ -622,6 +622,21 @@ TEST(InputStream, RefusesWhatIsNoDriverIdOrLanguage) {
     EXPECT_FALSE(reads(bad)) << bad;
 }
 
+TEST(InputStream, WhatTheTrainDoesByItself) {
+  const auto c = read_configuration(R"({"by_train":["air tightness","change of traction system"]})", "c");
+  ASSERT_TRUE(c);
+  const ByTrain by_train = c->for_kernel().by_train;
+  EXPECT_TRUE(by_train.traction_system);
+  for (const auto& row : kTrackConditionRows)
+    EXPECT_EQ(by_train.conditions[terms::index(row.value)], row.value == TrackConditionKind::air_tightness) << row.name;
+  // The driver alone sounds the horn, and nobody acts at the others.
+  for (const char* wrong : {"sound horn", "radio hole", "non stopping area", "tunnel stopping area", "brakes", ""}) {
+    const auto refused = read_configuration(std::string(R"({"by_train":[")") + wrong + "\"]}", "c");
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().where, "/by_train/0");
+  }
+}
+
 TEST(OutputLines, NamesOfNationalSystems) {
   const auto c = read_configuration(R"({"ntc_names":{"1":"PZB","255":"ASFA"}})", "c");
   ASSERT_TRUE(c);

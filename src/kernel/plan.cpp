@@ -110,11 +110,12 @@ class Planner {
   void plan_conditions() {
     for (const track::TrackCondition& c : s_.track.conditions) {
       if (!driver::allowed(driver::output_of(c.kind), s_.mode, s_.srs)) continue;
-      add_condition(driver::planning_symbol(c.kind, false), c.kind, c.from, track::passes_start(c.kind, here_));
-      add_condition(driver::planning_symbol(c.kind, true), c.kind, c.to, track::passes_end(c.kind, here_));
+      add_condition(driver::planning_symbol(c.kind, false, s_.by_train), c.kind, c.from,
+                    track::passes_start(c.kind, here_));
+      add_condition(driver::planning_symbol(c.kind, true, s_.by_train), c.kind, c.to, track::passes_end(c.kind, here_));
     }
     if (const auto& traction = s_.track.traction)
-      add_condition(driver::planning_symbol_of_traction(traction->M_VOLTAGE), std::nullopt, traction->at,
+      add_condition(driver::planning_symbol_of_traction(traction->M_VOLTAGE, s_.by_train), std::nullopt, traction->at,
                     here_.max_safe_front);
   }
 

@@ -161,7 +161,7 @@ class Shower {
 
   void show_conditions() {
     for (const track::TrackCondition& c : s_.track.conditions) {
-      const auto symbol = driver::symbol(c.kind, c.progress.phase);
+      const auto symbol = driver::symbol(c.kind, c.progress.phase, s_.by_train);
       if (c.progress.shown_as == 0 || !symbol) continue;
       if (c.kind == TrackConditionKind::tunnel_stopping_area)
         to_.tunnel = {c.progress.phase == ConditionPhase::active, c.from - here_.est_front};
@@ -169,7 +169,7 @@ class Shower {
         show_condition(c.progress.shown_as, *symbol, c.progress.phase);
     }
     if (const auto& t = s_.track.traction; t && t->progress.shown_as != 0)
-      if (const auto symbol = driver::symbol_of_traction(t->M_VOLTAGE, t->progress.phase))
+      if (const auto symbol = driver::symbol_of_traction(t->M_VOLTAGE, t->progress.phase, s_.by_train))
         show_condition(t->progress.shown_as, *symbol, t->progress.phase);
     if (s_.displayed.level_crossing != 0)
       show_condition(s_.displayed.level_crossing, Symbol::LX01, ConditionPhase::active);

@@ -179,6 +179,7 @@ struct State {  // NOLINT(clang-analyzer-optin.performance.Padding): fields that
   std::array<bool, kLevels> fitted_levels{true, true, true, true, true};
   port::Identity identity;
   std::uint8_t terminals = 2;
+  ByTrain by_train;
   track::SpeedCode V_SH = track::kNoSpeed;  // of the area that led to SH, deleted by 4.10 (3.11.7.1.1)
   std::int16_t local_time_offset_min = 0;
   Mode mode = Mode::NP;

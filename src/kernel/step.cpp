@@ -19,6 +19,7 @@ void power_up(State& state, Derived& derived, const Config& config) noexcept {
   state.radio.newest = lang::newest_version(config.srs);
   state.identity = config.identity;
   state.terminals = config.terminals;
+  state.by_train = config.by_train;
   state.dial = config.dial;
   state.displayed.ntc_names = config.ntc_names;
   if (config.contact) {

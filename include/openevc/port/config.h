@@ -8,6 +8,7 @@
 #include "openevc/port/outputs.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/srs_version.h"
+#include "openevc/terms/track_condition.h"
 #include "openevc/train/national_values.h"
 #include "openevc/train/train_data.h"
 
@@ -36,6 +37,7 @@ struct Config {
   Speed dial{400.0 / 3.6};                 // the highest speed on the dial of the display (015560 8.2.1.1)
   InplaceVector<NtcName, 16> ntc_names;    // of the national systems, for the display
   std::uint8_t terminals = 2;              // mobile terminals, 1 or 2: sessions at the same time (3.15.1.3.2)
+  ByTrain by_train;                        // what the train does by itself at track conditions
 };
 
 }  // namespace evc::port

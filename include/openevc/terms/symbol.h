@@ -20,7 +20,7 @@ enum class Symbol : std::uint8_t {
   LS01,  ///< lowest supervised speed within the MA
   LX01,  ///< level crossing not protected
   DR02,  ///< track ahead free asked for
-  // Track conditions; where an action is due, the symbol that asks the driver for it.
+  // Track conditions; where an action is due, the symbol that asks the driver for it (for the train: below).
   TC01, TC03, TC05,  ///< pantograph: lowered, to be lowered, to be raised
   TC06, TC07, TC09,  ///< neutral section: inside, announced, its end
   TC10, TC11,        ///< non stopping area: inside, announced
@@ -34,7 +34,7 @@ enum class Symbol : std::uint8_t {
   TC23, TC24, TC25, TC26, TC27, TC28, TC29, TC30, TC31, TC32, TC33, TC34,
   TC35,        ///< sound horn
   TC36, TC37,  ///< tunnel stopping area: inside, announced
-  // The advance display (3.15.10); where an action is due, the symbol that asks the driver for it.
+  // The advance display (3.15.10); where an action is due, the symbol that asks the driver for it (for the train: below).
   PL02, PL04,  ///< pantograph: to be lowered, to be raised
   PL06, PL08,  ///< neutral section: begins, ends
   PL09, PL10,  ///< non stopping area, radio hole
@@ -44,6 +44,17 @@ enum class Symbol : std::uint8_t {
   PL24,        ///< sound horn
   // Change of traction system, as above.
   PL26, PL28, PL30, PL32, PL34, PL36,
+  // Where the train acts by itself; of the other announcements the symbol is that of being inside.
+  TC02, TC04,  ///< pantograph: to be lowered, to be raised
+  TC08,        ///< neutral section: its end
+  TC20,        ///< air conditioning intake: to be opened
+  PL01, PL03,  ///< pantograph: to be lowered, to be raised
+  PL05, PL07,  ///< neutral section: begins, ends
+  PL11, PL13,  ///< magnetic shoe brake, eddy current brake: inhibited
+  PL15,        ///< regenerative brake: inhibited
+  PL17, PL18,  ///< air conditioning intake: to be closed, to be opened
+  // Change of traction system, as above.
+  PL25, PL27, PL29, PL31, PL33, PL35,
   count
 };
 
@@ -67,7 +78,10 @@ inline constexpr auto kSymbolRows = std::to_array<terms::Row<Symbol>>({
     {Symbol::PL06, "PL06"}, {Symbol::PL08, "PL08"}, {Symbol::PL09, "PL09"}, {Symbol::PL10, "PL10"}, {Symbol::PL12, "PL12"},
     {Symbol::PL14, "PL14"}, {Symbol::PL16, "PL16"}, {Symbol::PL19, "PL19"}, {Symbol::PL20, "PL20"}, {Symbol::PL24, "PL24"},
     {Symbol::PL26, "PL26"}, {Symbol::PL28, "PL28"}, {Symbol::PL30, "PL30"}, {Symbol::PL32, "PL32"}, {Symbol::PL34, "PL34"},
-    {Symbol::PL36, "PL36"},
+    {Symbol::PL36, "PL36"}, {Symbol::TC02, "TC02"}, {Symbol::TC04, "TC04"}, {Symbol::TC08, "TC08"}, {Symbol::TC20, "TC20"},
+    {Symbol::PL01, "PL01"}, {Symbol::PL03, "PL03"}, {Symbol::PL05, "PL05"}, {Symbol::PL07, "PL07"}, {Symbol::PL11, "PL11"},
+    {Symbol::PL13, "PL13"}, {Symbol::PL15, "PL15"}, {Symbol::PL17, "PL17"}, {Symbol::PL18, "PL18"}, {Symbol::PL25, "PL25"},
+    {Symbol::PL27, "PL27"}, {Symbol::PL29, "PL29"}, {Symbol::PL31, "PL31"}, {Symbol::PL33, "PL33"}, {Symbol::PL35, "PL35"},
 });
 // clang-format on
 static_assert(terms::in_order(kSymbolRows) && kSymbolRows.size() == terms::index(Symbol::count));

@@ -44,6 +44,20 @@ constexpr std::optional<TrackConditionKind> track_condition_of(std::uint64_t M_T
   return terms::of_code<TrackConditionKind, kTrackConditionRows>(M_TRACKCOND);
 }
 
+/// Track conditions that the train executes by itself, so that they are announced and the driver is not asked to act
+/// (5.18.2.2.2 and others).
+struct ByTrain {
+  std::array<bool, kTrackConditionRows.size()> conditions{};  ///< by kind
+  bool traction_system = false;                               ///< its change (5.18.10.4)
+};
+/// Whether the train may execute it by itself: pantograph, main switch, air intake, special brakes.
+constexpr bool may_be_by_train(TrackConditionKind kind) {
+  using enum TrackConditionKind;
+  return kind == powerless_lower_pantograph || kind == powerless_main_switch_off || kind == air_tightness ||
+         kind == switch_off_regenerative_brake || kind == switch_off_eddy_current_service_brake ||
+         kind == switch_off_magnetic_shoe_brake || kind == switch_off_eddy_current_emergency_brake;
+}
+
 /// Non stopping area, tunnel stopping area, sound horn: a row of their own in 4.8.3, 4.8.4 and 4.10.1.3.
 constexpr bool horn_or_stopping(TrackConditionKind kind) {
   return kind == TrackConditionKind::non_stopping_area || kind == TrackConditionKind::tunnel_stopping_area ||

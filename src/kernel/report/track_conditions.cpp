@@ -25,10 +25,11 @@ void show_to_driver(State& s, Outputs& out) {
         {*symbol, kind, position::counter_of(s.position, from), position::counter_of(s.position, to), progress.phase});
   };
   for (track::TrackCondition& c : s.track.conditions)
-    show(c.progress, driver::output_of(c.kind), driver::symbol(c.kind, c.progress.phase), c.kind, c.from, c.to);
+    show(c.progress, driver::output_of(c.kind), driver::symbol(c.kind, c.progress.phase, s.by_train), c.kind, c.from,
+         c.to);
   if (auto& t = s.track.traction)
-    show(t->progress, driver::Output::track_cond_general, driver::symbol_of_traction(t->M_VOLTAGE, t->progress.phase),
-         std::nullopt, t->at, t->at);
+    show(t->progress, driver::Output::track_cond_general,
+         driver::symbol_of_traction(t->M_VOLTAGE, t->progress.phase, s.by_train), std::nullopt, t->at, t->at);
   s.displayed.conditions = !out.track_conditions.empty();
 }
 
