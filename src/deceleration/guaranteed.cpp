@@ -66,7 +66,7 @@ Guaranteed guaranteed(const Spec& spec, unsigned threads, std::uint64_t plain,
   const auto factors = by_speed(spec, 0, effort, deceleration_of, [&](double done) { progress(share * done); });
   for (std::size_t s = 0; s < spec.speeds_kmh.size(); ++s)
     result.steps.push_back(
-        {spec.speeds_kmh[s], nominal_deceleration(spec, spec.speeds_kmh[s]), factors[s], std::nullopt, std::nullopt});
+        {spec.speeds_kmh[s], nominal_deceleration(spec, spec.speeds_kmh[s]), factors[s], std::nullopt});
   if (spec.has_response()) {
     const auto times = by_speed(spec, kMostSpeeds, effort, build_up_time_of,
                                 [&](double done) { progress(share + (1.0 - share) * done); });
@@ -76,8 +76,7 @@ Guaranteed guaranteed(const Spec& spec, unsigned threads, std::uint64_t plain,
   if (plain > 0) {
     Effort counting = effort;
     counting.progress = progress;
-    const auto counted = plain_run(spec, plain, counting);
-    for (std::size_t s = 0; s < counted.size(); ++s) result.steps[s].plain = counted[s];
+    result.plain = plain_run(spec, plain, counting);
   }
   return result;
 }

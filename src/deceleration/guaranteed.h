@@ -15,10 +15,10 @@ struct Guaranteed {
     double A_brake_emergency = 0.0;       ///< nominal, m/s2
     Quantiles Kdry_rst;                   ///< by M_NVEBCL; not rounded, above 1 where it is so
     std::optional<Quantiles> build_up_s;  ///< exceeded with these probabilities; its low bound is the shorter time
-    std::optional<PlainQuantiles> plain;  ///< of the plain run, if there is one
   };
   std::vector<AtSpeed> steps;
-  double seconds = 0.0;  ///< the computation took, without the plain run
+  std::optional<PlainRun> plain;  ///< its steps are those above
+  double seconds = 0.0;           ///< the computation took, without the plain run
 
   /// The steps with the low bound of each factor: what can be promised.
   std::vector<Step> safe_steps() const;

@@ -1,8 +1,9 @@
 #include "deceleration/plain_run.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
-#include <mutex>
 
 #include "curves/parallel.h"
 #include "deceleration/draws.h"
@@ -10,14 +11,38 @@
 namespace evc::deceleration {
 namespace {
 
-constexpr std::size_t kBins = 200000;
-constexpr double kBinsPerOne = 100000.0;
+constexpr std::size_t kCells = 200000;
+/// The first samples, of which the largest ends the cells.
+constexpr std::uint64_t kFirst = 4096;
 /// Unlike the purpose of any sample of `quantiles`.
 constexpr std::uint32_t kPurpose = 0xFFFFFFFF;
-constexpr std::uint64_t kSamples_of_block = 1 << 16;
+constexpr std::uint64_t kSamplesOfBlock = 1 << 16;
 
-/// How many values are in each bin, for each step of speed.
-using Counts = std::vector<std::vector<std::uint64_t>>;
+/// How many values of one step of speed are in each cell. All threads count in it: sums of whole numbers do not depend
+/// on the order.
+class Histogram {
+ public:
+  explicit Histogram(double end) : width_(end / static_cast<double>(kCells)), counts_(kCells) {}
+  void count(double value) {
+    const double cell = std::clamp(value / width_, 0.0, static_cast<double>(kCells - 1));
+    counts_[static_cast<std::size_t>(cell)].fetch_add(1, std::memory_order_relaxed);
+  }
+  double width() const { return width_; }
+  /// The lower edge of the cell in which the value of this rank is, from 1.
+  double value_of_rank(double rank) const {
+    double sum = 0.0;
+    std::size_t cell = 0;
+    for (; cell + 1 < kCells; ++cell) {
+      sum += static_cast<double>(counts_[cell].load(std::memory_order_relaxed));
+      if (sum >= rank) break;
+    }
+    return static_cast<double>(cell) * width_;
+  }
+
+ private:
+  double width_;
+  std::vector<std::atomic<std::uint64_t>> counts_;
+};
 
 struct Group {
   std::size_t units;
@@ -38,7 +63,8 @@ class Trains {
     }
   }
 
-  void draw(const Source& source, std::vector<double>& sums, Counts& counts) const {
+  /// The values of one train, by steps of speed. `sums` is room of the caller.
+  void draw(const Source& source, std::vector<double>& sums, std::vector<double>& values) const {
     const auto first = static_cast<std::uint32_t>(units_);
     const double common = common_.at(source.shares(first)[0]);
     sums.assign(groups_.size(), 0.0);
@@ -51,11 +77,11 @@ class Trains {
         const auto shares = source.shares(unit);
         sums[g] += groups_[g].friction.at(shares[0]) * groups_[g].pressure.at(shares[1]);
       }
+    values.resize(weights_.size());
     for (std::size_t s = 0; s < weights_.size(); ++s) {
       double value = 0.0;
       for (std::size_t g = 0; g < sums.size(); ++g) value += weights_[s][g] * sums[g];
-      const double bin = std::clamp(common * value * kBinsPerOne, 0.0, static_cast<double>(kBins - 1));
-      ++counts[s][static_cast<std::size_t>(bin)];
+      values[s] = common * value;
     }
   }
   std::size_t steps() const { return weights_.size(); }
@@ -67,54 +93,59 @@ class Trains {
   std::vector<std::vector<double>> weights_;
 };
 
-/// The lower edge of the bin in which the value of this rank is, from 1.
-double value_of_rank(const std::vector<std::uint64_t>& counts, double rank) {
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < counts.size(); ++bin) {
-    sum += static_cast<double>(counts[bin]);
-    if (sum >= rank) return static_cast<double>(bin) / kBinsPerOne;
-  }
-  return static_cast<double>(kBins) / kBinsPerOne;
+Source source_of(std::uint64_t sample, std::uint64_t seed) {
+  return {seed, kPurpose, static_cast<std::uint32_t>(sample >> 32), static_cast<std::uint32_t>(sample)};
 }
 
-PlainQuantiles quantiles_of(const std::vector<std::uint64_t>& counts, std::uint64_t samples) {
+/// Empty cells for each step of speed, as wide as the first samples ask for.
+std::vector<Histogram> cells_for(const Trains& trains, std::uint64_t samples, std::uint64_t seed) {
+  std::vector<double> ends(trains.steps(), 0.0), sums, values;
+  for (std::uint64_t i = 0; i < std::min(samples, kFirst); ++i) {
+    trains.draw(source_of(i, seed), sums, values);
+    for (std::size_t s = 0; s < ends.size(); ++s) ends[s] = std::max(ends[s], values[s]);
+  }
+  std::vector<Histogram> cells;
+  for (const double end : ends) cells.emplace_back(end > 0.0 ? end : 1.0);  // 0: in no sample a unit works
+  return cells;
+}
+
+PlainQuantiles quantiles_of(const Histogram& cells, std::uint64_t samples) {
   PlainQuantiles found;
   const auto n = static_cast<double>(samples);
   for (std::size_t k = 0; k < kLevels; ++k) {
     const double rank = n * kBelow[k];
     if (rank < kFewestBelow) continue;
     const double error = kNormal95 * std::sqrt(rank * (1.0 - kBelow[k]));
-    constexpr double kBin = 1.0 / kBinsPerOne;
-    found[k] = Quantile{value_of_rank(counts, rank) + 0.5 * kBin, value_of_rank(counts, std::max(rank - error, 1.0)),
-                        value_of_rank(counts, std::min(rank + error + 1.0, n)) + kBin};
+    found[k] =
+        Quantile{cells.value_of_rank(rank) + 0.5 * cells.width(), cells.value_of_rank(std::max(rank - error, 1.0)),
+                 cells.value_of_rank(std::min(rank + error + 1.0, n)) + cells.width()};
   }
   return found;
 }
 
 }  // namespace
 
-std::vector<PlainQuantiles> plain_run(const Spec& spec, std::uint64_t samples, const Effort& effort) {
+PlainRun plain_run(const Spec& spec, std::uint64_t samples, const Effort& effort) {
+  const auto begin = std::chrono::steady_clock::now();
   const Trains trains(spec);
-  // A block of a thread counts for itself; sums of whole numbers do not depend on the order.
-  Counts all(trains.steps(), std::vector<std::uint64_t>(kBins, 0));
-  std::mutex mutex;
-  const std::uint64_t blocks = (samples + kSamples_of_block - 1) / kSamples_of_block;
-  const std::uint64_t parts = std::min<std::uint64_t>(blocks, std::uint64_t{effort.threads} * 50);
-  const auto job = [&](unsigned, std::size_t part) {
-    Counts counts(trains.steps(), std::vector<std::uint64_t>(kBins, 0));
-    std::vector<double> sums;
-    for (std::uint64_t block = part; block < blocks; block += parts)
-      for (std::uint64_t i = block * kSamples_of_block; i < std::min((block + 1) * kSamples_of_block, samples); ++i)
-        trains.draw({effort.seed, kPurpose, static_cast<std::uint32_t>(i >> 32), static_cast<std::uint32_t>(i)}, sums,
-                    counts);
-    const std::lock_guard lock(mutex);
-    for (std::size_t s = 0; s < all.size(); ++s)
-      for (std::size_t bin = 0; bin < kBins; ++bin) all[s][bin] += counts[s][bin];
+  std::vector<Histogram> cells = cells_for(trains, samples, effort.seed);
+  const auto job = [&](unsigned, std::size_t block) {
+    std::vector<double> sums, values;
+    const std::uint64_t first = block * kSamplesOfBlock;
+    for (std::uint64_t i = first; i < std::min(first + kSamplesOfBlock, samples); ++i) {
+      trains.draw(source_of(i, effort.seed), sums, values);
+      for (std::size_t s = 0; s < values.size(); ++s) cells[s].count(values[s]);
+    }
   };
-  curves::in_threads(effort.threads, parts, job, effort.progress);
-  std::vector<PlainQuantiles> found;
-  for (const auto& counts : all) found.push_back(quantiles_of(counts, samples));
-  return found;
+  curves::in_threads(effort.threads, (samples + kSamplesOfBlock - 1) / kSamplesOfBlock, job, effort.progress);
+  PlainRun run;
+  run.samples = samples;
+  for (const Histogram& step : cells) {
+    run.steps.push_back(quantiles_of(step, samples));
+    run.resolution = std::max(run.resolution, step.width());
+  }
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return run;
 }
 
 }  // namespace evc::deceleration

@@ -171,9 +171,11 @@ TEST(Guaranteed, a_plain_run_agrees) {
     spec.speeds_kmh.resize(2);
     const Guaranteed result = guaranteed(spec, 2, 100000, [](double) {});
     int compared = 0, in_common = 0;
-    for (const auto& step : result.steps)
+    ASSERT_TRUE(result.plain);
+    for (std::size_t s = 0; s < result.steps.size(); ++s)
       for (std::size_t k = 0; k < kLevels; ++k) {
-        const auto& plain = (*step.plain)[k];
+        const auto& step = result.steps[s];
+        const auto& plain = result.plain->steps[s][k];
         ASSERT_EQ(plain.has_value(), k <= 4) << k;  // 100 000 samples have ten below 1e-4
         if (!plain) continue;
         ++compared;
@@ -182,6 +184,39 @@ TEST(Guaranteed, a_plain_run_agrees) {
       }
     // One train has a value in both steps: they miss together.
     EXPECT_GE(in_common, compared - 2) << name;
+  }
+}
+
+// Brakes better than nominal, up to 5 times: no value is cut.
+TEST(PlainRun, large_values_are_counted) {
+  Spec spec = shipped("normal_units.json");
+  spec.all_units = Distribution(5.0);
+  const PlainRun run = plain_run(spec, 100000, {1, 1000, 2, {}});
+  ASSERT_TRUE(run.steps[0][0] && run.steps[0][2]);
+  EXPECT_NEAR(run.steps[0][0]->value, 5.0, 0.002);
+  EXPECT_NEAR(run.steps[0][2]->value, 5.0 * (1.0 - 0.02 * 2.32635), 0.005);
+  EXPECT_LT(run.resolution, 5e-5);
+  EXPECT_GT(run.steps[0][0]->high, run.steps[0][0]->low);
+}
+
+// Small ones as finely as large ones.
+TEST(PlainRun, small_values_have_their_digits) {
+  Spec spec = shipped("normal_units.json");
+  spec.all_units = Distribution(1e-4);
+  const PlainRun run = plain_run(spec, 20000, {1, 1000, 2, {}});
+  EXPECT_LT(run.resolution, 1e-9);
+  EXPECT_NEAR(run.steps[0][0]->value, 1e-4, 1e-7);
+}
+
+// The first samples end the cells: their number may be that of all samples, or less than one.
+TEST(PlainRun, few_samples_are_all_in_cells) {
+  const Spec spec = shipped("normal_units.json");
+  for (const std::uint64_t samples : {std::uint64_t{1}, std::uint64_t{20}, std::uint64_t{4096}, std::uint64_t{4097}}) {
+    const PlainRun run = plain_run(spec, samples, {1, 1000, 2, {}});
+    EXPECT_EQ(run.steps[0][0].has_value(), samples >= 20) << samples;
+    if (samples >= 20) {
+      EXPECT_NEAR(run.steps[0][0]->value, 1.0, 0.02) << samples;
+    }
   }
 }
 

@@ -29,13 +29,13 @@ struct Agreement {
   std::size_t compared = 0, equal = 0;
   double farthest = 0.0;  // largest difference of the two estimates
 };
-Agreement agreement(const Guaranteed& result) {
+Agreement agreement(const Guaranteed& result, const PlainRun& run) {
   Agreement agreement;
-  for (const auto& step : result.steps)
-    for (std::size_t k = 0; step.plain && k < kLevels; ++k) {
-      if (!(*step.plain)[k]) continue;
-      const Quantile& plain = *(*step.plain)[k];
-      const Quantile& estimate = step.Kdry_rst[k];
+  for (std::size_t s = 0; s < result.steps.size(); ++s)
+    for (std::size_t k = 0; k < kLevels; ++k) {
+      if (!run.steps[s][k]) continue;
+      const Quantile& plain = *run.steps[s][k];
+      const Quantile& estimate = result.steps[s].Kdry_rst[k];
       ++agreement.compared;
       if (plain.low <= estimate.high && estimate.low <= plain.high) ++agreement.equal;
       agreement.farthest = std::max(agreement.farthest, std::abs(plain.value - estimate.value));
@@ -52,14 +52,14 @@ Json list_of(const List& list) {
   return out;
 }
 
-Json json_of(const Guaranteed::AtSpeed& step) {
+Json json_of(const Guaranteed::AtSpeed& step, const PlainQuantiles* plain) {
   Json out{{"from_kmh", step.from_kmh},
            {"A_brake_emergency_mps2", step.A_brake_emergency},
            {"Kdry_rst", list_of(step.Kdry_rst)}};
   if (step.build_up_s) out["T_brake_emergency_s"] = list_of(*step.build_up_s);
-  if (step.plain) {
+  if (plain != nullptr) {
     out["plain_run"] = Json::array();
-    for (const auto& q : *step.plain) out["plain_run"].push_back(q ? json_of(*q) : Json(nullptr));
+    for (const auto& q : *plain) out["plain_run"].push_back(q ? json_of(*q) : Json(nullptr));
   }
   return out;
 }
@@ -90,10 +90,12 @@ std::string table(const Spec& spec, const Guaranteed& result) {
     for (std::size_t k = 0; k < kLevels; ++k) out += fmt::format("  {:6.2f}", *result.build_up_at(k));
     out += '\n';
   }
-  if (result.steps.front().plain) {
-    const Agreement a = agreement(result);
-    out += fmt::format("\nplain run: bounds in common in {} of {} cases, largest difference {:.5f}\n", a.equal,
-                       a.compared, a.farthest);
+  if (result.plain) {
+    const Agreement a = agreement(result, *result.plain);
+    out += fmt::format(
+        "\nplain run: {} samples in {:.1f} s, values to {:.6f}\n"
+        "plain run: bounds in common in {} of {} cases, largest difference {:.5f}\n",
+        result.plain->samples, result.plain->seconds, result.plain->resolution, a.equal, a.compared, a.farthest);
   }
   return out + fmt::format("\ncomputed in {:.1f} s\n", result.seconds);
 }
@@ -108,13 +110,18 @@ std::string json(const Spec& spec, const Guaranteed& result) {
            {"samples", spec.samples},
            {"steps", Json::array()},
            {"train_steps", Json::array()}};
-  for (const auto& step : result.steps) out["steps"].push_back(json_of(step));
+  for (std::size_t s = 0; s < result.steps.size(); ++s)
+    out["steps"].push_back(json_of(result.steps[s], result.plain ? &result.plain->steps[s] : nullptr));
   for (const Step& step : train_steps(spec, result.safe_steps()))
     out["train_steps"].push_back(
         {{"from_kmh", step.from_kmh}, {"A_brake_emergency_mps2", step.A_brake_emergency}, {"Kdry_rst", step.Kdry_rst}});
-  if (result.steps.front().plain) {
-    const Agreement a = agreement(result);
-    out["plain_run"] = {{"compared", a.compared}, {"in_common", a.equal}, {"largest_difference", a.farthest}};
+  if (result.plain) {
+    const Agreement a = agreement(result, *result.plain);
+    out["plain_run"] = {{"samples", result.plain->samples},
+                        {"resolution", result.plain->resolution},
+                        {"compared", a.compared},
+                        {"in_common", a.equal},
+                        {"largest_difference", a.farthest}};
   }
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
