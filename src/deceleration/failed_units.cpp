@@ -25,13 +25,18 @@ void FailedUnits::draw(const Source& source, std::uint32_t place, std::vector<ch
   }
 }
 
+std::vector<double> sums_by_failed(std::span<const double> fails, std::span<const double> works, std::size_t count) {
+  std::vector<double> sums(count + 1, 0.0);
+  sums[0] = 1.0;
+  for (std::size_t u = fails.size(); u-- > 0;)  // as FailedUnits does, so that they are finite in the same cases
+    for (std::size_t n = count + 1; n-- > 0;) sums[n] = sums[n] * works[u] + (n == 0 ? 0.0 : sums[n - 1] * fails[u]);
+  return sums;
+}
+
 std::vector<double> probabilities_of_failures(std::span<const double> failure) {
-  std::vector<double> probabilities(failure.size() + 1, 0.0);
-  probabilities[0] = 1.0;
-  for (std::size_t u = 0; u < failure.size(); ++u)
-    for (std::size_t n = u + 2; n-- > 0;)
-      probabilities[n] = probabilities[n] * (1.0 - failure[u]) + (n == 0 ? 0.0 : probabilities[n - 1] * failure[u]);
-  return probabilities;
+  std::vector<double> works;
+  for (const double f : failure) works.push_back(1.0 - f);
+  return sums_by_failed(failure, works, failure.size());
 }
 
 }  // namespace evc::deceleration

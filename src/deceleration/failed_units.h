@@ -28,6 +28,9 @@ class FailedUnits {
   std::vector<double> sums_;  // over the sets of units from `unit` on, of 0 to `count_` units
 };
 
+/// The sums of the weights of all sets of 0, 1, ... `count` units.
+std::vector<double> sums_by_failed(std::span<const double> fails, std::span<const double> works, std::size_t count);
+
 /// The probability of 0, 1, 2, ... failed units, each of which fails with its probability.
 std::vector<double> probabilities_of_failures(std::span<const double> failure);
 

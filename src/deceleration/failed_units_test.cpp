@@ -25,6 +25,7 @@ TEST(FailedUnits, the_sum_is_that_over_all_sets) {
     for (unsigned set = 0; set < 1u << kUnits; ++set)
       if (static_cast<std::size_t>(std::popcount(set)) == count) sum += weight_of(set);
     EXPECT_NEAR(FailedUnits(kFails, kWorks, count).sum() / sum, 1.0, 1e-13) << count;
+    EXPECT_NEAR(sums_by_failed(kFails, kWorks, kUnits)[count] / sum, 1.0, 1e-13) << count;
   }
 }
 

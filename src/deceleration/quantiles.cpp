@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "curves/parallel.h"
 #include "deceleration/tilt.h"
@@ -58,17 +59,25 @@ double first_guess(const Quantity& quantity, double below) {
   return mean(low);
 }
 
+/// How many strata, from that without a failure on, get samples, and the probability of the others.
+std::pair<std::size_t, double> strata_with_samples(const std::vector<double>& strata, double below) {
+  std::size_t count = strata.size();
+  double left_out = 0.0;
+  while (count > 1 && left_out + strata[count - 1] <= kLeftOut * below) left_out += strata[--count];
+  return {count, left_out};
+}
+
 /// Tilts towards `target`, and the samples where the most of the probability is.
-Level level_of(const Quantity& quantity, const std::vector<double>& strata, double below, double target,
-               std::size_t samples) {
+Level level_of(const Quantity& quantity, const Tilts& tilts, const std::vector<double>& strata, double below,
+               double target, std::size_t samples) {
   Level level;
   level.below = below;
-  std::size_t count = strata.size();
-  while (count > 1 && level.left_out + strata[count - 1] <= kLeftOut * below) level.left_out += strata[--count];
+  std::size_t count = 0;
+  std::tie(count, level.left_out) = strata_with_samples(strata, below);
   std::vector<double> parts;
   double all = 0.0;
   for (std::size_t n = 0; n < count; ++n) {
-    const double theta = theta_for(quantity, n, target);
+    const double theta = tilts.theta_for(n, target);
     level.tilts.emplace_back(quantity, n, theta);
     level.tilted.push_back(theta > 0.0 ? 1 : 0);
     parts.push_back(std::min(strata[n], std::exp(level.tilts.back().log_transform() + theta * target)));
@@ -152,15 +161,22 @@ double least_of(const Quantity& quantity) {
   return std::max(0.0, quantity.common.range().first) * sum;
 }
 
+std::vector<double> strata_of(const Quantity& quantity) {
+  std::vector<double> failure;
+  for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
+  return probabilities_of_failures(failure);
+}
+
 /// The quantiles of one quantity: rounds that find their places, and one that estimates them. The samples of the
 /// search are not used again: the bounds would be too narrow.
 class Search {
  public:
   Search(const Quantity& quantity, std::uint32_t number, const Effort& effort)
-      : quantity_(quantity), number_(number), effort_(effort) {
-    std::vector<double> failure;
-    for (const auto& group : quantity.groups) failure.insert(failure.end(), group.units, group.failure);
-    strata_ = probabilities_of_failures(failure);
+      : quantity_(quantity),
+        number_(number),
+        effort_(effort),
+        strata_(strata_of(quantity)),
+        tilts_(quantity, strata_with_samples(strata_, kBelow.back()).first) {
     lowest_ = least_of(quantity);
     if (quantity.kind == Quantity::Kind::build_up_time) {
       // The linear form of a build-up time is without its mean.
@@ -196,7 +212,7 @@ class Search {
                              const std::function<void(double)>& progress) const {
     std::vector<Level> levels;
     for (const std::size_t k : which) {
-      levels.push_back(level_of(quantity_, strata_, kBelow[k], targets_[k], samples));
+      levels.push_back(level_of(quantity_, tilts_, strata_, kBelow[k], targets_[k], samples));
       levels.back().purpose = (number_ * 16 + round) * 16 + static_cast<std::uint32_t>(k);
     }
     draw(levels, effort_, progress);
@@ -224,6 +240,7 @@ class Search {
   std::uint32_t number_;
   const Effort& effort_;
   std::vector<double> strata_;
+  Tilts tilts_;
   double lowest_ = 0.0, offset_ = 0.0;
   std::array<double, kLevels> targets_{};
 };

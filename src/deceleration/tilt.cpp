@@ -92,26 +92,39 @@ Drawn Tilt::draw(const Source& source, Flags& flags) const {
   return {working > 0.0 ? -sum / working : -all, weight};
 }
 
-double theta_for(const Quantity& quantity, std::size_t failed, double target) {
+Tilts::Tilts(const Quantity& quantity, std::size_t strata) : log_transforms_(strata) {
+  constexpr double kLeast = 1e-3, kMost = 1e9, kStepsOfOctave = 6.0;
+  const double step = std::exp2(1.0 / kStepsOfOctave);
+  const auto units = static_cast<double>(quantity.units());
+  bool any = strata > 0;
+  for (double theta = 0.0; any && theta < kMost; theta = theta == 0.0 ? kLeast : theta * step) {
+    const Terms terms = terms_of(quantity, theta);
+    const std::vector<double> sums = sums_by_failed(terms.fails, terms.works, strata - 1);
+    any = false;
+    for (std::size_t n = 0; n < strata; ++n) {
+      if (log_transforms_[n].size() != thetas_.size()) continue;  // it has ended
+      const double log_transform = log_common(quantity, theta, common_slope_of(quantity, n)) +
+                                   (units - static_cast<double>(n)) * terms.log_scale + std::log(sums[n]);
+      if (!std::isfinite(log_transform)) continue;
+      log_transforms_[n].push_back(log_transform);
+      any = true;
+    }
+    thetas_.push_back(theta);
+  }
+}
+
+double Tilts::theta_for(std::size_t failed, double target) const {
+  const std::vector<double>& logs = log_transforms_[failed];
   // Convex in theta; its derivative is the target less the mean of L.
-  const auto height = [&](double theta) { return Tilt(quantity, failed, theta).log_transform() + theta * target; };
-  double low = 0.0, middle = 1e-3, at_low = height(0.0), at_middle = height(middle);
-  if (!(at_middle < at_low)) return 0.0;
-  double high = 2.0 * middle, at_high = height(high);
-  while (std::isfinite(at_high) && at_high < at_middle && high < 1e9) {
-    low = middle;
-    middle = high;
-    at_middle = at_high;
-    high *= 2.0;
-    at_high = height(high);
-  }
-  if (!std::isfinite(at_high) || !(high < 1e9)) return middle;
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  for (int i = 0; i < 20; ++i) {
-    const double left = high - golden * (high - low), right = low + golden * (high - low);
-    (height(left) < height(right) ? high : low) = height(left) < height(right) ? right : left;
-  }
-  return 0.5 * (low + high);
+  const auto height = [&](std::size_t i) { return logs[i] + thetas_[i] * target; };
+  std::size_t i = 0;
+  while (i + 1 < logs.size() && height(i + 1) < height(i)) ++i;
+  if (i == 0 || i + 1 == logs.size()) return i == 0 ? 0.0 : thetas_[i];
+  // The vertex of the parabola through the lowest and its neighbours: between these, as it is convex.
+  const double left = (height(i) - height(i - 1)) / (thetas_[i] - thetas_[i - 1]);
+  const double right = (height(i + 1) - height(i)) / (thetas_[i + 1] - thetas_[i]);
+  const double from = 0.5 * (thetas_[i - 1] + thetas_[i]), to = 0.5 * (thetas_[i] + thetas_[i + 1]);
+  return right > left ? from + (to - from) * -left / (right - left) : thetas_[i];
 }
 
 double log_transform(const Quantity& quantity, double theta) {

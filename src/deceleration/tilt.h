@@ -38,9 +38,21 @@ class Tilt {
   std::vector<Tilted> common_;
 };
 
-/// The theta >= 0 with which the mean of L in the stratum is `target`; 0 where it is below without a tilt. Where no
-/// theta leads so far, the largest that can be computed.
-double theta_for(const Quantity& quantity, std::size_t failed, double target);
+/// How strong a tilt brings the mean of a stratum to a place. The transforms of all strata are computed once, at tilts
+/// that are a sixth of an octave apart: one pass over the units gives those of all strata, and a place is then found
+/// without the units. Between two of these tilts it is interpolated: any tilt gives right estimates.
+class Tilts {
+ public:
+  /// For the strata of 0, 1, ... `strata` - 1 failed units.
+  Tilts(const Quantity& quantity, std::size_t strata);
+  /// The theta >= 0 with which the mean of L in the stratum is about `target`; 0 where it is below without a tilt.
+  /// Where no theta leads so far, the largest of those computed.
+  double theta_for(std::size_t failed, double target) const;
+
+ private:
+  std::vector<double> thetas_;                       // 0 and then rising
+  std::vector<std::vector<double>> log_transforms_;  // by stratum, at each theta; it ends where it is not finite
+};
 
 /// log E(exp(-theta L)), over all strata.
 double log_transform(const Quantity& quantity, double theta);
