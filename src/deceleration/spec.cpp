@@ -12,6 +12,8 @@ constexpr double kLargestForce_kN = 1000.0;
 constexpr double kLargestDeceleration = 10.0;  // m/s2, as in a train file (3.13.2.2.3.1)
 constexpr double kLargestFactor = 10.0;
 constexpr double kLongestResponse_s = 60.0;
+/// Below that a normal variable is with a probability of 9.9e-10.
+constexpr double kDeviationsAboveZero = 6.0;
 constexpr std::size_t kMostPieces = 1000;
 /// Of the probabilities of a table: decimals that are added.
 constexpr double kRounding = 1e-9;
@@ -25,6 +27,11 @@ Normal read_normal(const JsonPlace& place, double largest, bool cut) {
   normal.deviation = place[1].number(0.0, largest);
   if (!(normal.deviation >= 1e-6)) place[1].fail("a deviation of at least 0.000001");
   normal.is_cut = cut;
+  // No friction, pressure or time is negative. Where the last level of confidence does not see such values the curve is
+  // taken as it is; otherwise its tail is a matter of the measurement, which the description has to say.
+  if (!cut && !(normal.mean >= kDeviationsAboveZero * normal.deviation))
+    place.fail("a normal variable that is negative in more than 1 of 1e9 cases",
+               "a mean of at least 6 deviations, or {\"truncated\": [mean, deviation, 0, to]}");
   if (!cut) return normal;
   normal.from = place[2].number(0.0, largest);
   normal.to = place[3].number(normal.from, largest);

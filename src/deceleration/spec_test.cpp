@@ -65,7 +65,12 @@ TEST(Spec, what_is_wrong_is_told_with_its_place) {
       {unit + "/friction", "\"normal\"", unit + "/friction: found \"normal\", expected a number, or one of"},
       {unit + "/friction", "{}", unit + "/friction: found 0 kinds, expected"},
       {unit + "/friction", "{\"normal\": [1, 0]}", unit + "/friction/normal/1: found 0, expected a deviation"},
-      {unit + "/friction", "{\"normal\": [0, 1]}", unit + "/friction: found"},
+      {unit + "/friction", "{\"normal\": [1, 0.2]}",
+       unit +
+           "/friction/normal: found a normal variable that is negative in more than 1 of 1e9 cases, expected a mean of "
+           "at least 6 deviations, or {\"truncated\": [mean, deviation, 0, to]}"},
+      {unit + "/response_s", "{\"normal\": [1, 0.5]}", unit + "/response_s/normal: found a normal variable"},
+      {unit + "/friction", "0", unit + "/friction: found 0, expected a mean above 0"},
       {unit + "/friction", "{\"truncated\": [1, 0.1, 1.2, 1.1]}", unit + "/friction/truncated/3: found 1.1, expected"},
       {unit + "/friction", "{\"truncated\": [1, 0.1, 3, 4]}", unit + "/friction/truncated: found"},
       {unit + "/friction", "{\"discrete\": [[1, 0.5], [2, 0.4]]}",
