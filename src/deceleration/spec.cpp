@@ -165,6 +165,7 @@ void read_vehicles(Spec& spec, const JsonPlace& vehicles) {
     if (units && !units->is_array()) units->fail("a list of brake units");
     for (std::size_t u = 0; units && u < units->size(); ++u) {
       read.push_back(read_group((*units)[u], count));
+      read.back().group.place = "/vehicles/" + std::to_string(i) + "/brake_units/" + std::to_string(u);
       all += read.back().group.units;
       if (all > kMostUnits)
         (*units)[u].fail(std::to_string(all) + " brake units", "at most " + std::to_string(kMostUnits));

@@ -15,6 +15,7 @@ namespace evc::deceleration {
 /// of `vehicles`.
 struct UnitGroup {
   std::string name;
+  std::string place;  ///< in the description: a JSON pointer
   std::size_t units = 1;
   /// What one unit brakes with nominally, in m/s2 of the train, by speed: [from km/h, m/s2], the first from 0.
   std::vector<std::pair<double, double>> nominal;

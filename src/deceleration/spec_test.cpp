@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "deceleration/train_document.h"
 
 namespace evc::deceleration {
@@ -105,6 +107,24 @@ TEST(Spec, a_train_that_misses_what_is_not_computed_is_refused) {
   const auto train = check_train(*spec);
   ASSERT_FALSE(train);
   EXPECT_EQ(train.error().found, "no key \"T_brake_service_s\"");
+}
+
+// The key that was written is named: T_brake_emergency_s is computed.
+TEST(TrainDocument, a_build_up_time_without_a_bound_is_told_at_the_response_of_the_unit) {
+  Json document = right();
+  document["vehicles"][0]["brake_units"][1]["response_s"] = Json::parse(R"({"normal": [2, 0.2]})");
+  const auto spec = read_spec(document.dump(), "a.json");
+  ASSERT_TRUE(spec);
+  Step step;
+  step.A_brake_emergency = 1.0;
+  step.Kdry_rst.fill(0.9);
+  const auto train = train_document(*spec, {&step, 1}, std::numeric_limits<double>::infinity());
+  ASSERT_FALSE(train);
+  EXPECT_EQ(
+      train.error().text(),
+      "a.json: /vehicles/0/brake_units/1/response_s: found no upper bound of the build-up time at level 9, expected at "
+      "most 120 s: a truncated variable, more samples, or a lower response_level");
+  EXPECT_TRUE(train_document(*spec, {&step, 1}, 2.5));
 }
 
 // Those of Kwet_rst are in the same steps: at most 7 together.

@@ -41,6 +41,23 @@ Json completed(const Spec& spec, std::span<const Step> steps, std::optional<doub
   return document;
 }
 
+/// The unit that responds last: its key was written, that of the train file was not.
+std::string place_of_response(const Spec& spec) {
+  const auto latest = [](const UnitGroup& group) { return group.response_s->range().second; };
+  const auto last = std::max_element(spec.groups.begin(), spec.groups.end(),
+                                     [&](const auto& a, const auto& b) { return latest(a) < latest(b); });
+  return last->place + "/response_s";
+}
+
+void require_build_up(const Spec& spec, double build_up_s) {
+  if (build_up_s <= kLongestTime_s) return;
+  // Of a variable without an upper bound, where the samples do not reach the level.
+  const std::string found = std::isfinite(build_up_s) ? "a build-up time of " + std::to_string(build_up_s) + " s"
+                                                      : "no upper bound of the build-up time";
+  throw io::ReadError{{spec.file, place_of_response(spec), found + " at level " + std::to_string(spec.response_level),
+                       "at most 120 s: a truncated variable, more samples, or a lower response_level"}};
+}
+
 /// The errors of the reader of train files, at the places of the spec.
 void require_train(const Json& document, const std::string& file) {
   (void)io::read_train(JsonPlace(document, file)["train"]);
@@ -88,6 +105,7 @@ std::vector<Step> train_steps(const Spec& spec, std::span<const Step> steps) {
 io::Result<std::string> train_document(const Spec& spec, std::span<const Step> steps,
                                        std::optional<double> build_up_s) {
   return io::guarded([&] {
+    if (build_up_s) require_build_up(spec, *build_up_s);
     const Json document = completed(spec, steps, build_up_s);
     require_train(document, spec.file);
     return document["train"].dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
