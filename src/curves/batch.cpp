@@ -137,16 +137,16 @@ class Worker {
   std::unique_ptr<sdm::Derived> memory_;
 };
 
-/// The rows as CSV: a header, then one line a row; empty where there is no value.
+/// The rows as CSV: a header, then one line a row; empty where there is no value. The header comes with the first row:
+/// of an input that is refused, standard output has nothing.
 class Csv {
  public:
   Csv(io::WholeFile& file, const std::vector<Column<SpeedRow>>& columns) : file_(file) {
-    std::string header = "query,train,target,v_kmh";
-    for (const auto& c : columns) header += std::string(",") + c.name;
-    file_.write(header + "\n");
+    text_ = "query,train,target,v_kmh";
+    for (const auto& c : columns) text_ += std::string(",") + c.name;
+    text_ += '\n';
   }
   void take(const BatchRows& rows) {
-    text_.clear();
     for (std::size_t i = 0; i < rows.v_kmh.size(); ++i) {
       for (const std::int64_t number : {rows.query[i], rows.train[i], rows.target[i]}) {
         io::append_number(text_, number);
@@ -159,12 +159,17 @@ class Csv {
       }
       text_ += '\n';
     }
+    if (!rows.v_kmh.empty()) write();
+  }
+  /// After the last rows: the header where there was none.
+  void write() {
     file_.write(text_);
+    text_.clear();
   }
 
  private:
   io::WholeFile& file_;
-  std::string text_;
+  std::string text_;  // not yet written
 };
 
 /// The rows as a structured array of NumPy (format version 1.0); NaN where there is no value.
@@ -290,6 +295,7 @@ int limits_of_many(const BatchOptions& o) {
   } else {
     Csv csv(*file, *columns);
     done = compute_batch(*text, o.input, *columns, threads, [&](const BatchRows& rows) { csv.take(rows); });
+    if (done) csv.write();
   }
   if (!done) return io::complain(done.error());
   if (const auto written = file->commit(); !written) return io::complain(written.error());

@@ -278,6 +278,16 @@ TEST(BatchOfCurves, ErrorsNameTheLineAndTheEntryOfTheTable) {
   EXPECT_NE(refused(wrong.dump()).find("/query/positions_m: found"), std::string::npos);
 }
 
+TEST(BatchOfCurves, OfAnInputThatIsRefusedStandardOutputHasNothing) {
+  json query = by_speed_only(shipped().front());
+  query["train"] = 7;
+  const Scratch wrong("wrong.jsonl", query.dump());
+  const Ended refused = run("--batch " + wrong.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.output, "");
+  EXPECT_NE(refused.errors, "");
+}
+
 TEST(BatchOfCurves, ARestrictionNotBelowTheSpeedOfOneOfTheTrainsIsRefused) {
   json query = by_speed_only(kSource + "/data/curves/passenger_eoa.json");
   query["track"].erase("mrsp");
