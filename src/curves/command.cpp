@@ -28,6 +28,19 @@ Format format_of(const std::string& name) {
   return name == "csv" ? Format::csv : name == "table" ? Format::table : Format::json;
 }
 
+/// A name of the case as it is computed: a file says "150 %" of a train whose percentage was set to another one.
+std::string with_replaced(const std::string& name, const std::vector<std::string>& replaced) {
+  constexpr std::size_t kLongest = 60;  // of a place with its value
+  std::string text = name;
+  bool first = true;
+  for (const std::string& one : replaced) {
+    if (one.starts_with("name=") || one.starts_with("/name=")) continue;  // it is in the name
+    text += (first ? ", with " : ", ") + io::printable(one, kLongest);
+    first = false;
+  }
+  return text;
+}
+
 /// The query in a file, with members of it replaced.
 io::Result<Approached> load(const std::string& file, const std::vector<std::string>& replaced) {
   const auto text = io::read_text(file);
@@ -42,6 +55,7 @@ io::Result<Approached> load(const std::string& file, const std::vector<std::stri
   if (!document) return tl::unexpected(document.error());
   auto input = io::curves_of(*document, file);
   if (!input) return tl::unexpected(input.error());
+  input->name = with_replaced(input->name, replaced);
   return Approached(std::move(*input));
 }
 

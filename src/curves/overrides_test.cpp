@@ -47,6 +47,21 @@ TEST(CurvesSet, IsTheSameAsInTheFile) {
   EXPECT_EQ(set.output, written.output);
 }
 
+/// The name of the file's train may say another percentage.
+TEST(CurvesSet, ATitleSaysWhatWasSet) {
+  const std::string query = kSource + "/data/curves/passenger_eoa.json";
+  const Scratch chart("chart.svg", ""), page("page.html", "");
+  for (const Scratch* file : {&chart, &page}) {
+    const Ended ran = run(query + " --set train.brake_percentage=120 --set /srs=4.0.0 --plot " + file->path());
+    ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+    EXPECT_NE(text_of(file->path()).find(", with train.brake_percentage=120, /srs=4.0.0"), std::string::npos)
+        << file->path();
+  }
+  // A name that is set is the name.
+  ASSERT_EQ(run(query + " --set name=Mine --plot " + chart.path()).exit_code, 0);
+  EXPECT_NE(text_of(chart.path()).find(">Mine<"), std::string::npos);
+}
+
 TEST(CurvesSet, ReachesIntoAFileThatTheQueryNames) {
   json document = passenger();
   const Scratch train("train.json", document["train"].dump());
