@@ -11,6 +11,7 @@
 #include "curves/result.h"
 #include "io/curves_file.h"
 #include "io/file.h"
+#include "io/named_document.h"
 #include "python/bind.h"
 #include "python/blank.h"
 #include "python/interruption.h"
@@ -66,15 +67,15 @@ io::Json document_of(const py::object& given, const py::dict& members) {
   io::Json document = given.is_none() ? io::Json::object() : json_of(given, file);
   if (document.is_string()) {
     io::Json named{{"query", document}};
-    file = put_named(named, "query", "curves", file);
+    file = io::put_named(named, "query", "curves", file);
     document = value_of(io::curves_document(named["query"].dump(), file));
   }
   const io::Json more = json_of(members, file);
   if (document.is_object()) {
     if (!document.contains("schema")) document["schema"] = "evc-curves/1";
     document.update(more);
-    put_named(document, "train", "trains", file);
-    put_named(document, "national_values", "national_values", file);
+    io::put_named(document, "train", "trains", file);
+    io::put_named(document, "national_values", "national_values", file);
   }
   return document;
 }

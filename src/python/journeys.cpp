@@ -6,6 +6,7 @@
 
 #include "io/input_writer.h"
 #include "io/line_file.h"
+#include "io/named_document.h"
 #include "io/train_file.h"
 #include "python/bind.h"
 #include "python/interruption.h"
@@ -55,9 +56,9 @@ Asked read_asked(const py::dict& arguments) {
   Asked asked;
   asked.line_name = document.contains("line") && document["line"].is_string() ? document["line"] : "line";
   if (!document.contains("line")) document["line"] = "brunnental";
-  const std::string line_file = put_named(document, "line", "lines", kFile);
-  const std::string train_file = put_named(document, "train", "trains", kFile);
-  const std::string values_file = put_named(document, "national_values", "national_values", kFile);
+  const std::string line_file = io::put_named(document, "line", "lines", kFile);
+  const std::string train_file = io::put_named(document, "train", "trains", kFile);
+  const std::string values_file = io::put_named(document, "national_values", "national_values", kFile);
   const io::JsonPlace root(document, kFile);
   root.know_only(
       {"line", "train", "national_values", "srs", "driver", "odometer", "seed", "cycle_ms", "last_ma", "output"});

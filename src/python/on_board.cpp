@@ -12,6 +12,7 @@
 #include "io/file.h"
 #include "io/input_object.h"
 #include "io/input_stream.h"
+#include "io/named_document.h"
 #include "io/output_lines.h"
 #include "io/retained_file.h"
 #include "kernel/port.h"
@@ -145,8 +146,8 @@ class OnBoard : public Blank {
       document = value_of(io::guarded([&] { return io::parse_json(value_of(io::read_text(file)), file); }));
     }
     if (document.is_object()) {
-      put_named(document, "train", "trains", file);
-      put_named(document, "national_values", "national_values", file);
+      io::put_named(document, "train", "trains", file);
+      io::put_named(document, "national_values", "national_values", file);
     }
     return std::make_shared<const io::Configuration>(value_of(io::read_configuration(document.dump(), file)));
   }

@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "sweep/document.h"
-
 namespace evc::python {
 namespace {
 
@@ -156,15 +154,6 @@ Json json_of(py::handle value, const std::string& file, std::string_view key, co
 }
 
 py::object object_of(const std::string& json) { return py::module_::import("json").attr("loads")(json); }
-
-std::string put_named(Json& document, const char* member, const char* folder, const std::string& file) {
-  const io::JsonPlace root(document, file);
-  const auto place = root.find(member);
-  if (!place || !place->is_string()) return "";
-  const sweep::Named named = sweep::read_named(*place, folder);
-  document[member] = io::parse_json(named.text, named.file);
-  return named.file;
-}
 
 void translate_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {

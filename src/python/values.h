@@ -29,12 +29,6 @@ T value_of(io::Result<T> result) {
   return *std::move(result);
 }
 
-/// A member that is an object or names a document: a file, relative to that of `place`, or, without a folder and
-/// without
-/// ".json", a shipped one of `folder`. The document is put in its place. The name of the file is returned, empty for an
-/// object that is given. Throws io::ReadError.
-std::string put_named(io::Json& document, const char* member, const char* folder, const std::string& file);
-
 /// An error of the ETCS language: what `evc decode` and `evc encode` print.
 struct LanguageError {
   io::TelegramError error;

@@ -11,6 +11,7 @@
 #include "curves/result.h"
 #include "io/curves_file.h"
 #include "io/file.h"
+#include "io/named_document.h"
 #include "io/number.h"
 #include "sweep/document.h"
 #include "sweep/kinds.h"
@@ -181,7 +182,7 @@ class CurvesWork final : public Work {
     const Json given{{"base", spec.base}};
     const JsonPlace base = JsonPlace(given, spec.file)["base"];
     base.know_only({"query"});
-    const Named named = read_named(base["query"], "curves");
+    const io::Named named = io::read_named(base["query"], "curves");
     auto document = io::curves_document(named.text, named.file.empty() ? spec.file : named.file);
     if (!document) throw io::ReadError{document.error()};
     document_ = *std::move(document);

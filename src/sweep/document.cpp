@@ -1,12 +1,10 @@
 #include "sweep/document.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
-#include "io/data_files.h"
-#include "io/file.h"
 #include "io/json_pointer.h"
+#include "io/named_document.h"
 
 namespace evc::sweep {
 namespace {
@@ -105,16 +103,28 @@ void require_places(const Spec& spec, const Places& places, const Json& document
   }
 }
 
-Named read_named(const JsonPlace& place, const std::string& folder) {
-  if (place.is_object()) return {"", place.value().dump(-1, ' ', false, Json::error_handler_t::replace)};
-  const std::string& name = place.string();
-  const bool shipped = name.find('/') == std::string::npos && name.find('.') == std::string::npos && !name.empty();
-  const std::string file = shipped ? io::data_file(folder + "/" + name + ".json")
-                                   : (std::filesystem::path(place.file()).parent_path() / name).string();
-  if (name.empty() || name == "-") place.fail("the name of a file");
-  auto text = io::read_text(file, io::kLargestDocument);
-  if (!text) place.fail("\"" + name + "\" (" + text.error().found + ")", "a file, or the name of a shipped one");
-  return {file, *std::move(text)};
+void require_values(const Spec& spec, const Places& places, const std::string& member, const Reader& reader) {
+  const Json whole = io::parse_json(spec.text, spec.file);
+  const JsonPlace root(whole, spec.file);
+  // The error of the reader for a value that the spec does not have itself, at the place that gives it.
+  const auto require = [&](const Json& value, const JsonPlace& place) {
+    try {
+      reader(JsonPlace(value, spec.file));
+    } catch (const io::ReadError& e) {
+      place.fail(e.diagnostic.found + " among the values", e.diagnostic.expected);
+    }
+  };
+  for (std::size_t e = 0; e < places.size(); ++e) {
+    if (places[e].size() != 1 || places[e].front() != member) continue;
+    const Entry& entry = spec.vary[e];
+    const JsonPlace place = root["vary"][entry.place];
+    if (const auto list = place.find("list"))
+      for (std::size_t i = 0; i < list->size(); ++i) reader((*list)[i]);
+    else if (const auto range = place.find("range"))
+      for (const Json& value : entry.list) require(value, *range);
+    else if (entry.is_drawn())
+      require(entry.first + 0.5, place[entry.how == Entry::How::uniform ? "uniform" : "normal"]);
+  }
 }
 
 NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files) {
@@ -127,7 +137,7 @@ NamedDocuments named_documents(const Spec& spec, const Places& places, std::span
       const Entry& entry = spec.vary[e];
       for (std::size_t i = 0; i < entry.list.size(); ++i) {
         if (!entry.list[i].is_string()) continue;
-        const Named named = read_named(root["vary"][entry.place]["list"][i], folder);
+        const io::Named named = io::read_named(root["vary"][entry.place]["list"][i], folder);
         documents[{member, entry.list[i].get<std::string>()}] = {named.file, io::parse_json(named.text, named.file)};
       }
     }

@@ -44,13 +44,9 @@ using Reader = std::function<void(const io::JsonPlace&)>;
 void require_places(const Spec& spec, const Places& places, const io::Json& document, const Reader& reader,
                     const std::vector<std::string>& complete);
 
-/// The document that a member of `base` is, or names: a file beside the spec, or a name without a folder and without
-/// ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
-struct Named {
-  std::string file;  ///< empty: in place
-  std::string text;
-};
-Named read_named(const io::JsonPlace& place, const std::string& folder);
+/// Refuses an entry for the whole of a member whose values the reader of the member refuses: a number that is drawn, or
+/// an element of its list. Throws ReadError with the place in the spec.
+void require_values(const Spec& spec, const Places& places, const std::string& member, const Reader& reader);
 
 /// A member of a case that may be the name of a file, and the folder of the data in which the shipped ones are.
 struct File {
@@ -65,7 +61,7 @@ struct NamedDocument {
 using NamedDocuments = std::map<std::pair<std::string, std::string>, NamedDocument>;
 /// Those of the lists in the places of whole `files`; each name counts as in `base`. Throws ReadError.
 NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files);
-/// Puts the document where its name is, if the member is a name.
+/// Puts a document that was read where its name is, if the member is a name.
 void put_named(io::Json& document, const std::string& member, const NamedDocuments& named);
 
 /// "PLACE: found X, expected Y": the reason of a case that cannot be.

@@ -6,6 +6,7 @@
 
 #include "io/file.h"
 #include "io/input_stream.h"
+#include "io/named_document.h"
 #include "io/output_lines.h"
 #include "run/course.h"
 #include "run/on_board.h"
@@ -126,7 +127,7 @@ class ReplayWork final : public Work {
     base.know_only({"inputs"});
     const JsonPlace inputs = base["inputs"];
     if (!inputs.is_string()) inputs.fail("the name of a file (JSON Lines of inputs)");
-    Named named = read_named(inputs, "inputs");
+    io::Named named = io::read_named(inputs, "inputs");
     file_ = named.file;
     text_ = std::move(named.text);
     const Json first = io::parse_json(std::string_view(text_).substr(0, text_.find('\n')), file_, "line 1");

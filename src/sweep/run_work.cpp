@@ -10,6 +10,7 @@
 #include "io/input_writer.h"
 #include "io/json_pointer.h"
 #include "io/line_file.h"
+#include "io/named_document.h"
 #include "io/train_file.h"
 #include "run/display_lists.h"
 #include "run/drive.h"
@@ -95,6 +96,9 @@ class RunWork final : public Work {
     load(spec);
     places_ = places_of(spec, [](const auto&) { return false; });
     require_places(spec, places_, document_, [](const JsonPlace& root) { read_small(root); }, {"line"});
+    // A number with a fraction is none in any case; a driver that there is not is a case that failed.
+    require_values(spec, places_, "seed", [](const JsonPlace& place) { (void)read_seed(place); });
+    require_values(spec, places_, "last_ma", [](const JsonPlace& place) { (void)read_last_ma(place); });
     named_ = named_documents(spec, places_, kFiles);
     documents_ = document_.dump();
     for (const auto& [key, named] : named_) {
@@ -182,14 +186,12 @@ class RunWork final : public Work {
       document_["odometer"]["error"] = nullptr;
     const Json whole{{"base", document_}};
     const JsonPlace base = JsonPlace(whole, spec.file)["base"];
-    const auto in_place = [&](const char* key, const char* folder) {
-      const Named named = read_named(base[key], folder);
-      document_[key] = io::parse_json(named.text, named.file);
-      return named.file;
+    const auto in_place = [&](const File& file) {
+      return io::put_named(document_, file.member, file.folder, base[file.member]);
     };
-    line_file_ = in_place(kFiles[0].member, kFiles[0].folder);
-    train_file_ = in_place(kFiles[1].member, kFiles[1].folder);
-    values_file_ = in_place(kFiles[2].member, kFiles[2].folder);
+    line_file_ = in_place(kFiles[0]);
+    train_file_ = in_place(kFiles[1]);
+    values_file_ = in_place(kFiles[2]);
     read_scalars(base, spec);
   }
 

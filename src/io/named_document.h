@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "io/json.h"
+
+// Members of a document that are a document or name one. Errors have the place of the name.
+namespace evc::io {
+
+/// A document that is there or that a file has.
+struct Named {
+  std::string file;  ///< empty: in place
+  std::string text;
+};
+/// The document that a value is, or names: a file, relative to that of the place, or a name without a folder and
+/// without
+/// ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
+Named read_named(const JsonPlace& place, const std::string& folder);
+
+/// Puts the document that a member of an object names in the place of the name. `place`: the member, for errors and as
+/// the folder of files. Returns the name of the file; empty where the member is the document. Throws ReadError.
+std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place);
+/// The same for a member of the document `file`. One that is absent, or neither a document nor a name, stays as it is:
+/// its reader tells.
+std::string put_named(Json& document, const std::string& member, const std::string& folder, const std::string& file);
+
+}  // namespace evc::io
