@@ -16,11 +16,11 @@ struct Named {
 /// ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
 Named read_named(const JsonPlace& place, const std::string& folder);
 
-/// Puts the document that a member of an object names in the place of the name. `place`: the member, for errors and as
+/// Replaces the name that a member of an object has by the document. `place`: the member, for errors and as
 /// the folder of files. Returns the name of the file; empty where the member is the document. Throws ReadError.
 std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place);
 /// The same for a member of the document `file`. One that is absent, or neither a document nor a name, stays as it is:
-/// its reader tells.
+/// its reader refuses it.
 std::string put_named(Json& document, const std::string& member, const std::string& folder, const std::string& file);
 
 }  // namespace evc::io
