@@ -1,4 +1,4 @@
-# `cmake --install`: the command with its data, the libraries with their headers, the CMake package and pkg-config's file.
+# `cmake --install`: the commands with their data, the libraries with their headers, the CMake package and pkg-config's file.
 include(CMakePackageConfigHelpers)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/openevc)
@@ -27,4 +27,11 @@ endif()
 if(TARGET evc)
   install(TARGETS evc)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/openevc)
+endif()
+# Alone by `--component cluster`; with it the data come along, which a whole installation has anyway.
+if(TARGET evc-mpi)
+  install(TARGETS evc-mpi COMPONENT cluster)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/cluster/sweep.sbatch DESTINATION ${CMAKE_INSTALL_DATADIR}/openevc/cluster
+          COMPONENT cluster)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/openevc COMPONENT cluster EXCLUDE_FROM_ALL)
 endif()

@@ -169,6 +169,21 @@ class Ranks(programs.InFolder):
             self.assertIn(expected, said.stderr)
             self.assertFalse(results.exists())
 
+    def test_an_installed_one_has_its_data(self):
+        build, prefix = pathlib.Path(EVC_MPI).parent, self.folder / "prefix"
+        said = run("cmake", "--install", build, "--component", "cluster", "--prefix", prefix)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertTrue(os.access(prefix / "share/openevc/cluster/sweep.sbatch", os.X_OK))
+        self.assertFalse((prefix / "include").exists())
+        # Under another name a query is found in the data of the installation alone.
+        (prefix / "share/openevc/curves/passenger_eoa.json").rename(prefix / "share/openevc/curves/elsewhere.json")
+        spec = self.write("spec.json", (CURVES % 100).replace("passenger_eoa", "elsewhere"))
+        results = self.folder / "r.sqlite"
+        environment = {key: value for key, value in os.environ.items() if key != "OPENEVC_DATA"}
+        said = run(*mpirun(2), prefix / "bin/evc-mpi", "sweep", spec, "-o", results, env=environment)
+        self.assertIn(said.returncode, (0, 1), said.stderr)
+        self.assertEqual(rows(results), 100)
+
     def test_standard_input_csv_and_few_cases(self):
         text = CURVES % 2
         spec = self.write("spec.json", text)
