@@ -319,6 +319,7 @@ class Run {
   void replace_unit() {
     start();
     brakes_ = {};
+    display_ = {};
     const auto kept = io::read_retained(io::retained_text(kernel::retained(unit_->state)), "the file kept");
     if (!kept) fail("a file that can be read", kept.error().text());
     *unit_ = {};
@@ -522,7 +523,7 @@ class Run {
     expect_coherent(unit_->outputs);
     expect_brake_rules(in);
     note_step();
-    if (stream_->configuration().srs == SrsVersion::v3_6_0) watch_display(unit_->outputs, scenario_.at.text());
+    watch_display(display_, unit_->state, unit_->outputs, scenario_.at.text());
     keep();
   }
   /// The line of a cycle whose events, messages and orders may be looked for later is written at once.
@@ -831,6 +832,7 @@ class Run {
   std::unique_ptr<io::InputStream> stream_;
   sim::CycleInputs inputs_of_cycle_;
   brake_rules::Memory brakes_;
+  DisplayMemory display_;
   std::deque<std::string> waiting_;
   std::vector<std::string> queued_;
   std::string inputs_;
