@@ -253,16 +253,12 @@ int main(int argc, char** argv) {
     std::cout << coverage_page(coverage_of(all));
     return 0;
   }
-  if (argc == 2 && std::string_view(argv[1]) == "--display") {
-    for (const auto& [file, scenario] : all.scenarios) (void)run(scenario);
-    std::cout << display_page();
-    return 0;
-  }
-  if (argc >= 2 && std::string_view(argv[1]) == "--brakes") {
+  for (const auto& [option, page] : {std::pair{"--display", &display_page}, std::pair{"--brakes", &brakes_page}}) {
+    if (argc < 2 || std::string_view(argv[1]) != option) continue;
     if (argc == 2)
       for (const auto& [file, scenario] : all.scenarios) (void)run(scenario);
     const int status = argc == 2 ? 0 : run_files({argv + 2, argv + argc});
-    std::cout << brakes_page();
+    std::cout << page();
     return status;
   }
   if (argc > 2 && std::string_view(argv[1]) == "--run") return run_files({argv + 2, argv + argc});
