@@ -105,9 +105,16 @@ void exchange(State& s, Duration now) {
   s.other_called_last = !s.other_called_last;
   const std::optional<std::uint32_t> last = s.supervising.session.last_T_TRAIN;
   s.contact_reference = last ? time_of(*last, now) : now;
-  s.contact_lost = s.contact_brake_released = s.reconnected = false;
+  s.contact_lost = s.contact_brake_released = s.reconnected = s.contact_with_any = false;
   s.shunting_request_stamp.reset();
   s.reasons = 0;
+}
+
+void supervise_contact_with_any(State& s, Duration now) {
+  s.contact_with_any = true;
+  const std::optional<std::uint32_t> last = s.other.session.last_T_TRAIN;
+  if (last && (!s.contact_reference || time_of(*last, now) > *s.contact_reference))
+    s.contact_reference = time_of(*last, now);
 }
 
 void terminate_all(State& s, Duration now, Outbox& out) {

@@ -31,6 +31,15 @@ void supervise_contact(State& s, const Inputs& in, Outbox& out, Result& result) 
   }
 }
 
+/// A message that counts for the contact (3.16.3.4.1, 3.16.3.4.1.2): one of another RBC can be older than the latest.
+void note_contact(State& s, Duration sent) {
+  if (s.contact_with_any && s.contact_reference && sent < *s.contact_reference) return;
+  s.contact_reference = sent;
+  s.contact_lost = false;
+  s.contact_brake_released = false;
+  s.reconnected = false;
+}
+
 /// 3.18.4.5.4: after its entry and after the establishment of the session, but not to the RBC that gave it.
 bool number_due(const Partner& p, const Inputs& in) {
   const bool own = !in.running_number_from || !in.running_number_from->same_id(p.session.rbc);
@@ -211,17 +220,14 @@ Rejected receive(State& s, const Header& header, Duration now, Outbox& out, Peer
     return Rejected::time_stamp;
   }
   session.last_T_TRAIN = header.T_TRAIN;
-  if (header.NID_MESSAGE == message::session_termination_acknowledged) {
+  const bool terminated = header.NID_MESSAGE == message::session_termination_acknowledged;
+  if (s.contact_with_any ? !is_infill_unit(from) : from == Peer::supervising && !terminated)
+    note_contact(s, time_of(header.T_TRAIN, now));
+  if (terminated) {
     end(session, now, out);
     return Rejected::no;
   }
   if (header.NID_MESSAGE == message::session_establishment_acknowledged) note_acknowledged(session);
-  if (from == Peer::supervising) {  // 3.16.3.4.1.2
-    s.contact_reference = time_of(header.T_TRAIN, now);
-    s.contact_lost = false;
-    s.contact_brake_released = false;
-    s.reconnected = false;
-  }
   if (header.M_ACK) {
     Intent intent;
     intent.NID_MESSAGE = message::acknowledgement;

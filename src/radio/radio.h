@@ -76,6 +76,9 @@ struct State {
   bool contact_lost = false;  ///< T_NVCONTACT expired and no new message since
   bool contact_brake_released = false;  ///< the service brake for it was released at standstill
   bool reconnected = false;             ///< the connection was set up again 60 s later
+  /// A message of any RBC counts, not only one of the supervising RBC: a further handover made another RBC the one that
+  /// hands over (3.16.3.4.1.2.1 of 4.0.0).
+  bool contact_with_any = false;
   bool was_in_hole = false, was_level_2_or_3 = false;
   std::optional<std::uint32_t> shunting_request_stamp;   ///< of the last 130
   std::optional<std::uint32_t> manoeuvre_request_stamp;  ///< of the last 131 (4.0.0)
@@ -151,6 +154,8 @@ void call_accepting(State& state, const Rbc& accepting, Duration now, Outbox& ou
 /// The accepting RBC supervises (3.15.1.3.5): the contact is supervised from its last message on (3.16.3.4.1.2), an MA
 /// is requested from it anew.
 void exchange(State& state, Duration now);
+/// 3.16.3.4.1.2.1 of 4.0.0: until the next exchange the contact is supervised from the latest message of any RBC.
+void supervise_contact_with_any(State& state, Duration now);
 /// Both sessions end (3.5.5), or the set-up of one.
 void terminate_all(State& state, Duration now, Outbox& out);
 /// 3.5.3.8: the set-up of either session ends.

@@ -24,6 +24,14 @@ void continue_former(State& s, const track::RbcTransition& former, radio::Outbox
   radio::establish(s.radio.supervising.session, accepting_rbc(former), radio::Cause::trackside_order, s.now, outbox);
 }
 
+/// 3.16.3.4.1.2.1 of 4.0.0: whether a further order makes another RBC the one that hands over: the RBC that supervises
+/// since the border of the handover that goes on (3.15.1.3.2.3), or that was to be called there (3.15.1.3.2.4).
+bool changes_handing_over(const State& s) {
+  if (s.srs != SrsVersion::v4_0_0) return false;
+  const Step step = s.handover.procedure.step;
+  return step == Step::handed_over || (step == Step::at_border && s.terminals < 2);
+}
+
 /// Takes the stored order. Returns whether it begins a handover; one that names the same RBC again only moves the
 /// border, and one that names the RBC that supervises has been executed before its balise group was read.
 bool take_order(State& s, radio::Outbox& outbox, Log log) {
@@ -43,6 +51,8 @@ bool take_order(State& s, radio::Outbox& outbox, Log log) {
     return false;
   }
   h.order = stored;
+  s.radio.contact_with_any = false;
+  if (changes_handing_over(s)) radio::supervise_contact_with_any(s.radio, s.now);
   if (s.mode == Mode::SL && !stored->sleeping_too) return true;
   if (!callable(s.network) || accepting.NID_RADIO == radio::kNoNumber) {
     log.note({.what = What::network_missing, .clause = "3.5.6.7"_srs});
@@ -99,6 +109,7 @@ bool run_handover(State& s, const track::Here& here, radio::Outbox& outbox, Log 
   if (r.over) s.track.rbc_transition.reset();
   if (h.procedure.step == Step::none) {
     h.order.reset();
+    s.radio.contact_with_any = false;
     s.buffer.erase_if([](const BufferedSet& set) { return set.accepting; });  // 4.8.5.4 a
   }
   return r.report;
