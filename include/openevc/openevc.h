@@ -557,7 +557,9 @@ typedef struct openevc_outputs {
   uint8_t sound_horn;      /* the driver is asked for it */
   uint8_t remote_shunting; /* the mode permits it (4.4.8.1.4) */
   uint8_t M_VERSION;       /* operated system version (3.17.2): X in bits 4 to 6, Y in bits 0 to 3 */
-  uint8_t reserved_2;
+  /* 4.0.0, in SM: 1 the engine is oriented as the direction of the authority, -1 opposite to it; 0: not in SM
+   * (4.4.21.1.13) */
+  int8_t engine_orientation;
   /* NID_MN of the network with which free mobile terminals have to register now (3.5.6), 0xFFFFFF: their own default;
    * -1: no order. */
   int32_t radio_register;

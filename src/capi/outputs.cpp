@@ -143,6 +143,7 @@ void give_conditions(openevc_outputs& to, const kernel::Outputs& o) {
   }
   to.sound_horn = o.sound_horn;
   to.remote_shunting = o.remote_shunting;
+  if (o.engine_orientation) to.engine_orientation = *o.engine_orientation == EngineOrientation::same ? 1 : -1;
 }
 
 /// For a member of 32 bits.

@@ -262,7 +262,7 @@ TEST(COutputs, TrackConditionsForTheDriver) {
   EXPECT_TRUE(out->conditions[0].from == 5.0 && out->conditions[0].to == 6.0);
   EXPECT_EQ(out->conditions[1].kind, -1);
   EXPECT_EQ(out->conditions[1].phase, OPENEVC_CONDITION_ANNOUNCED);
-  EXPECT_TRUE(out->sound_horn == 1 && out->remote_shunting == 0);
+  EXPECT_TRUE(out->sound_horn == 1 && out->remote_shunting == 0 && out->engine_orientation == 0);
 }
 
 TEST(COutputs, OrdersForTheTrain) {
@@ -273,6 +273,7 @@ TEST(COutputs, OrdersForTheTrain) {
   o->ordered_traction = kernel::OrderedTraction{{500.0}, 3, 17};
   o->ordered_current = kernel::OrderedCurrent{{600.0}, 250};
   o->remote_shunting = true;
+  o->engine_orientation = EngineOrientation::opposite;
   const auto out = given(*o);
   ASSERT_EQ(out->areas_count, 2u);
   EXPECT_EQ(out->areas[0].kind, OPENEVC_AIR_TIGHTNESS);
@@ -285,7 +286,9 @@ TEST(COutputs, OrdersForTheTrain) {
   EXPECT_TRUE(out->traction.given == 1 && out->traction.M_VOLTAGE == 3 && out->traction.NID_CTRACTION == 17);
   EXPECT_EQ(out->traction.to_start, 500.0);
   EXPECT_TRUE(out->current.given == 1 && out->current.amperes == 250 && out->current.to_start == 600.0);
-  EXPECT_TRUE(out->remote_shunting == 1 && out->sound_horn == 0);
+  EXPECT_TRUE(out->remote_shunting == 1 && out->sound_horn == 0 && out->engine_orientation == -1);
+  o->engine_orientation = EngineOrientation::same;
+  EXPECT_EQ(given(*o)->engine_orientation, 1);
   o->ordered_current->amperes.reset();
   o->ordered_traction.reset();
   EXPECT_EQ(given(*o)->current.amperes, -1);

@@ -454,6 +454,8 @@ void append_train_orders(OutputRow& row, const Outputs& o) {
     out += '}';
   });
   row.flag("remote_shunting", o.remote_shunting);
+  row.text("engine_orientation",
+           o.engine_orientation ? terms::kNames<kEngineOrientationRows>[terms::index(*o.engine_orientation)] : nullptr);
   row.flag("sound_horn", o.sound_horn);
   row.close();
 }
@@ -694,7 +696,7 @@ bool differ_in_second_edition(const Outputs& a, const Outputs& b) {
       alike(a.ordered_platforms, b.ordered_platforms, [](const auto& p) { return p.to_start.has_value(); }) &&
       a.ordered_traction.has_value() == b.ordered_traction.has_value() &&
       a.ordered_current.has_value() == b.ordered_current.has_value() && a.sound_horn == b.sound_horn &&
-      a.remote_shunting == b.remote_shunting;
+      a.remote_shunting == b.remote_shunting && a.engine_orientation == b.engine_orientation;
   return !values || !lists || !conditions || differ_in_data(a, b);
 }
 

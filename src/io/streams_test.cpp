@@ -676,7 +676,7 @@ TEST(OutputLines, Json) {
       "\"train_orders\":{\"pantograph\":[],\"air_tightness\":[],\"regenerative_brake_inhibited\":[],"
       "\"eddy_current_service_brake_inhibited\":[],\"magnetic_shoe_brake_inhibited\":[],\"main_switch\":[],"
       "\"eddy_current_emergency_brake_inhibited\":[],\"traction_system\":null,\"allowed_current_a\":null,"
-      "\"station_platform\":[],\"remote_shunting\":false,\"sound_horn\":false},"
+      "\"station_platform\":[],\"remote_shunting\":false,\"engine_orientation\":null,\"sound_horn\":false},"
       "\"data\":{\"driver_id\":{\"value\":null,\"status\":\"unknown\"},"
       "\"train_running_number\":{\"value\":null,\"status\":\"unknown\"},"
       "\"level\":{\"value\":null,\"status\":\"unknown\"},\"rbc\":{\"value\":null,\"status\":\"unknown\"},"
@@ -730,6 +730,7 @@ kernel::Outputs second_edition() {
   o.ordered_current = {.to_start = Distance{-3.0}, .amperes = 600};
   (void)o.ordered_platforms.push_back({10_m, 310_m, 5, 2});
   o.remote_shunting = o.sound_horn = true;
+  o.engine_orientation = EngineOrientation::opposite;
   o.data.driver_id_status = o.data.level_status = o.data.train_status = o.data.SR.status = DataStatus::valid;
   o.data.train_running_number_status = o.data.rbc_status = DataStatus::invalid;
   o.data.driver_id = DriverId("4711");
@@ -776,7 +777,7 @@ TEST(OutputLines, SecondEdition) {
       "\"traction_system\":{\"to_start_m\":40,\"M_VOLTAGE\":4,\"NID_CTRACTION\":7},"
       "\"allowed_current_a\":{\"to_start_m\":-3,\"current_a\":600},"
       "\"station_platform\":[{\"to_start_m\":10,\"to_end_m\":310,\"M_PLATFORM\":5,\"Q_PLATFORM\":2}],"
-      "\"remote_shunting\":true,\"sound_horn\":true},"
+      "\"remote_shunting\":true,\"engine_orientation\":\"opposite\",\"sound_horn\":true},"
       "\"data\":{\"driver_id\":{\"value\":\"4711\",\"status\":\"valid\"},"
       "\"train_running_number\":{\"value\":\"12\",\"status\":\"invalid\"},"
       "\"level\":{\"value\":\"0\",\"status\":\"valid\"},"
@@ -924,6 +925,7 @@ TEST(OutputLines, ChangesOfTheSecondEdition) {
   EXPECT_TRUE(changed([](Out& o) { o.ordered_current.emplace(); }));
   EXPECT_TRUE(changed([](Out& o) { o.sound_horn = true; }));
   EXPECT_TRUE(changed([](Out& o) { o.remote_shunting = true; }));
+  EXPECT_TRUE(changed([](Out& o) { o.engine_orientation = EngineOrientation::same; }));
   EXPECT_TRUE(changed([](Out& o) { o.M_VERSION = 0x11; }));
   const auto moved = [](double to_start) {
     Out o;

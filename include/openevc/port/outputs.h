@@ -14,6 +14,7 @@
 #include "openevc/terms/driver_id.h"
 #include "openevc/terms/driver_input.h"
 #include "openevc/terms/driver_output.h"
+#include "openevc/terms/engine_orientation.h"
 #include "openevc/terms/level.h"
 #include "openevc/terms/mode.h"
 #include "openevc/terms/monitoring.h"
@@ -228,9 +229,10 @@ struct Outputs {  // NOLINT(clang-analyzer-optin.performance.Padding): the field
   InplaceVector<OrderedPlatform, 40> ordered_platforms;
   std::optional<OrderedTraction> ordered_traction;
   std::optional<OrderedCurrent> ordered_current;
-  InplaceVector<RbcSession, 2> infill_sessions;  // with radio infill units; not those that are idle
-  bool sound_horn = false;                       // the driver is asked for it
-  bool remote_shunting = false;                  // the mode permits it (4.4.8.1.4)
+  InplaceVector<RbcSession, 2> infill_sessions;         // with radio infill units; not those that are idle
+  bool sound_horn = false;                              // the driver is asked for it
+  bool remote_shunting = false;                         // the mode permits it (4.4.8.1.4)
+  std::optional<EngineOrientation> engine_orientation;  // in SM (4.4.21.1.13): how the train reads the orders above
 
   ShownData data;
   InplaceVector<ShownCover, 16> covers;         // stored

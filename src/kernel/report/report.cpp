@@ -180,15 +180,15 @@ void reset(Outputs& out) {
          start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
          MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
          radio_register, enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms,
-         ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock,
-         forwarded, dialogue, shown, set_speed, national_system, language] = out;
+         ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, engine_orientation, data,
+         covers, clock, forwarded, dialogue, shown, set_speed, national_system, language] = out;
   reset_all(now, mode, level, nid_ntc, lrbg, est_front, min_safe_front, max_safe_front, v, monitoring, status, V_P, V_W,
             V_SBI, V_EBI, V_MRSP, V_target, V_release, d_target, EOA, SvL, tco, sb, eb, brake_reasons, requests,
             entries, start_offered, texts, symbols, radio_out, radio_connect, radio_disconnect, events, V_I, TTI, LSSMA,
             MRDT_changed, d_indication, memo_status, level_valid, levels_allowed, trip_reason, geo, rv_left, M_VERSION,
             radio_register, enabled, status_texts, sessions, track_conditions, ordered_areas, ordered_platforms,
-            ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, data, covers, clock,
-            forwarded, dialogue, shown, set_speed, national_system, language);
+            ordered_traction, ordered_current, infill_sessions, sound_horn, remote_shunting, engine_orientation, data,
+            covers, clock, forwarded, dialogue, shown, set_speed, national_system, language);
 }
 
 void report(State& s, const Inputs& in, const Received& received, const Decided& decided, const Supervised& supervised,

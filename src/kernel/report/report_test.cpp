@@ -331,6 +331,11 @@ TEST_F(Report, OrdersTheTrainWithTheDistancesOf_5_20) {
   EXPECT_FALSE(out.remote_shunting);
   state.mode = Mode::SH;
   EXPECT_TRUE(report_now().remote_shunting);
+  EXPECT_FALSE(out.engine_orientation.has_value());
+  state.mode = Mode::SM;
+  EXPECT_EQ(report_now().engine_orientation, EngineOrientation::same) << "4.4.21.1.13";
+  state.manoeuvre.opposite = true;
+  EXPECT_EQ(report_now().engine_orientation, EngineOrientation::opposite);
 }
 
 TEST_F(Report, OrdersTheTrainOnlyWhatIsAnnouncedAndNotOver) {  // 5.20

@@ -78,7 +78,10 @@ void order_train(const State& s, const track::Here& here, Outputs& out) {
 }  // namespace
 
 void show_track_conditions(State& s, bool desk_open, const track::Here& here, Outputs& out) {
-  out.remote_shunting = s.mode == Mode::SH || s.mode == Mode::SM;  // 4.4.21.1.13
+  // 4.4.21.1.13: the orders give distances ahead of the train, behind the engine if that is the other way round.
+  out.remote_shunting = s.mode == Mode::SH || s.mode == Mode::SM;
+  if (s.mode == Mode::SM)
+    out.engine_orientation = s.manoeuvre.opposite ? EngineOrientation::opposite : EngineOrientation::same;
   if (!s.track.watch.shown || !desk_open) take_from_driver(s);
   if (!s.track.watch.shown) return;
   if (desk_open) show_to_driver(s, out);
