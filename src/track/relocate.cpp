@@ -193,6 +193,115 @@ void Mover::profile(Profile<Value, N>& stored) {
   }
 }
 
+// --- New profiles that overlap with the stored ones (3.7.3.1.1 to 3.7.3.1.4 of 4.0.0)
+
+/// Whether both give speeds for the same categories: then the speeds of each category are compared alone.
+bool alike(const StaticSpeed& a, const StaticSpeed& b) {
+  bool same = a.replaces_cd == b.replaces_cd && a.replaces_below == b.replaces_below;
+  for (std::size_t k = 0; k < a.cd.size(); ++k) same = same && (a.cd[k] == kNoSpeed) == (b.cd[k] == kNoSpeed);
+  for (std::size_t k = 0; k < a.other.size(); ++k) same = same && (a.other[k] == kNoSpeed) == (b.other[k] == kNoSpeed);
+  return same;
+}
+
+/// The lower part of two elements; for elements with different categories not above either of them for any train.
+StaticSpeed lower_part(const StaticSpeed& a, const StaticSpeed& b) {
+  const Change how = change(a, b);
+  if (how != Change::mixed) return how == Change::lower ? b : a;
+  if (!alike(a, b)) return below(a, b);
+  const auto lower = [](SpeedCode& V, SpeedCode other) { V = other < V ? other : V; };
+  StaticSpeed element = a;
+  element.Q_FRONT = a.Q_FRONT && b.Q_FRONT;
+  lower(element.V_STATIC, b.V_STATIC);
+  for (std::size_t k = 0; k < a.cd.size(); ++k) lower(element.cd[k], b.cd[k]);
+  for (std::size_t k = 0; k < a.other.size(); ++k) lower(element.other[k], b.other[k]);
+  return element;
+}
+Gradient lower_part(const Gradient& a, const Gradient& b) { return below(a, b); }
+
+template <class P>
+using ValueOf = decltype(P::Step::value);
+
+/// The steps of a profile, place by place.
+template <class P>
+class Walk {
+ public:
+  explicit Walk(const P& profile) : steps_(profile.steps) {}
+  bool over() const { return next_ == steps_.size(); }
+  Place place() const { return steps_[next_].from; }
+  const auto& step() const { return steps_[next_]; }
+  /// The value behind the steps taken.
+  std::optional<ValueOf<P>> value() const {
+    if (next_ == 0 || !steps_[next_ - 1].value.known()) return std::nullopt;
+    return steps_[next_ - 1].value;
+  }
+  void take() { ++next_; }
+  /// Whether another step at its place follows this one: its element has no length.
+  bool without_length() const { return next_ + 1 < steps_.size() && steps_[next_ + 1].from == steps_[next_].from; }
+
+ private:
+  const decltype(P::steps)& steps_;
+  std::size_t next_ = 0;
+};
+
+/// From its start up to `to` the lower parts of `fresh` and of the stored profile, beyond it `fresh` alone.
+template <class Stored, class Fresh>
+class Overlapping {
+ public:
+  Overlapping(const Stored& stored, const Fresh& fresh, Place to, Anchor anchor)
+      : old_(stored), new_(fresh), from_(fresh.steps.front().from), to_(to), anchor_(anchor) {}
+
+  Fresh result() {
+    while (!old_.over() && old_.place() < from_) old_.take();
+    std::optional<Place> at = from_;
+    for (; at && *at < to_; at = next()) at_place(*at);
+    if (new_.over() || new_.place() > to_) append(to_, new_.value(), anchor_);
+    for (; !new_.over(); new_.take()) (void)out_.append(new_.place(), new_.step().value, new_.step().anchor);
+    return out_;
+  }
+
+ private:
+  using Value = ValueOf<Fresh>;
+
+  /// The nearer of the next steps.
+  std::optional<Place> next() const {
+    std::optional<Place> at;
+    if (!old_.over()) at = old_.place();
+    if (!new_.over() && (!at || new_.place() < *at)) at = new_.place();
+    return at;
+  }
+  /// Takes the steps of one profile at a place; what has no length there counts for itself (3.6.3.2.2 e).
+  template <class P, class Other>
+  void take(Walk<P>& walk, const Walk<Other>& other, Place at, Anchor& anchor) {
+    while (!walk.over() && walk.place() == at) {
+      const bool without_length = walk.without_length();
+      anchor = walk.step().anchor;
+      walk.take();
+      if (without_length) append(at, lowest(walk.value(), other.value()), anchor);
+    }
+  }
+  void at_place(Place at) {
+    Anchor anchor = anchor_;
+    take(old_, new_, at, anchor);
+    take(new_, old_, at, anchor);
+    append(at, lowest(old_.value(), new_.value()), anchor);
+  }
+  /// Where one of them has no value the other counts.
+  static std::optional<Value> lowest(const std::optional<Value>& a, const std::optional<Value>& b) {
+    return a && b ? lower_part(*a, *b) : a ? a : b;
+  }
+  void append(Place at, const std::optional<Value>& value, Anchor anchor) {
+    const Value known = value ? *value : Value::unknown();
+    if (!out_.empty() && out_.steps.back().value == known) return;
+    (void)out_.append(at, known, anchor);  // without room the profile ends there: never less restrictive
+  }
+
+  Walk<Stored> old_;
+  Walk<Fresh> new_;
+  Place from_, to_;
+  Anchor anchor_;
+  Fresh out_;
+};
+
 // --- What is marked
 
 struct Marker {
@@ -240,6 +349,24 @@ void hang_on_unlinked(Contents& c) {
   if (!c.geo) return;
   for (GeoReference& reference : *c.geo)
     if (reference.applies_from) mark.item(reference);  // those of groups not yet passed have no place
+}
+
+void overlap(const Description& d, Contents& c, Anchor then, const Relocation& by) {
+  if (!by.any()) return;
+  Mover mover(Anchor::received, then, by);
+  const auto profile = [&](const auto& stored, auto& fresh) {
+    if (!fresh || fresh->empty()) return;
+    const Place to = fresh->steps.front().from + (by.shift + by.farther);
+    mover.profile(*fresh);
+    fresh = Overlapping(stored, *fresh, to, then).result();
+  };
+  profile(d.ssp, c.ssp);
+  profile(d.gradient, c.gradient);
+  const auto areas = [&](auto& fresh) {
+    if (fresh) fresh->from = fresh->from + (by.shift + by.farther);
+  };
+  areas(c.asp);
+  areas(c.pbd);
 }
 
 void relocate(Description& d, Anchor of, Anchor then, const Relocation& by) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "track/testing.h"
 
 namespace evc::track {
@@ -436,6 +439,171 @@ TEST(RelocateData, LaterDataOfLinkedGroupsStayInPlace) {
   (void)store(d, linked, front_at(0));
   relocate(d, Anchor::unlinked, Anchor::travelled, {Distance{150}, {}, {}});
   EXPECT_EQ(steps_of(d.ssp), (Steps{{150, 100}, {600, 80}, {900, 635}}));
+}
+
+// --- 3.7.3.1.1 to 3.7.3.1.4 of 4.0.0
+
+/// The distance to the group was measured: its data begin 20 m nearer at most, and 10 m farther.
+constexpr Relocation kMeasured{{}, 20_m, 10_m};
+
+/// Stored as the message of an unlinked group that was passed before the LRBG.
+void store_measured(Description& d, Contents& c, const Relocation& by = kMeasured) {
+  hang_on_unlinked(c);
+  overlap(d, c, Anchor::travelled, by);
+  (void)store(d, c, front_at(0));
+  relocate(d, Anchor::received, Anchor::travelled, by);
+}
+Description with_speeds(std::initializer_list<testing::SpeedAt> steps) {
+  Description d;
+  Contents c;
+  c.ssp = ssp(steps);
+  (void)store(d, c, front_at(0));
+  return d;
+}
+
+TEST(Overlap, TheLowerSpeedCountsWhereTheNewProfileMayBegin) {  // 3.7.3.1.1
+  Description d = with_speeds({{0, 140}, {505, 40}, {600, 160}, {2000, kEnd}});
+  Contents c;
+  c.ssp = ssp({{500, 100}, {900, 120}, {2000, kEnd}});
+  store_measured(d, c);
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{0, 140}, {480, 100}, {505, 40}, {510, 100}, {910, 120}, {2000, 635}}));
+  EXPECT_EQ(d.ssp.steps[1].anchor, Anchor::travelled);
+  EXPECT_EQ(d.ssp.steps[2].anchor, Anchor::lrbg) << "a step of the stored profile";
+  EXPECT_EQ(d.ssp.steps[3].anchor, Anchor::travelled);
+
+  d = with_speeds({{0, 100}, {495, 40}, {2000, kEnd}});
+  c.ssp = ssp({{500, 60}, {2000, kEnd}});
+  store_measured(d, c);
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{0, 100}, {480, 60}, {495, 40}, {510, 60}, {2000, 635}}));
+
+  d = with_speeds({{0, 100}, {495, kEnd}});
+  c.ssp = ssp({{500, 60}, {505, 120}, {2000, kEnd}});
+  store_measured(d, c);
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{0, 100}, {480, 60}, {515, 120}, {2000, 635}})) << "no stored speed from 495 on";
+}
+
+TEST(Overlap, OfDifferentCategoriesTheLowerSpeedOfEachCounts) {  // 3.7.3.1.1
+  const auto result_of = [](const StaticSpeed& first, const StaticSpeed& second) {
+    Description d;
+    Contents c;
+    c.ssp.emplace();
+    EXPECT_TRUE(c.ssp->append(at(0), first));
+    (void)store(d, c, front_at(0));
+    c.ssp.emplace();
+    EXPECT_TRUE(c.ssp->append(at(500), second));
+    store_measured(d, c);
+    EXPECT_EQ(d.ssp.at(at(479)), first);
+    EXPECT_EQ(d.ssp.at(at(510)), second);
+    return *d.ssp.at(at(500));
+  };
+  EXPECT_EQ(result_of(speeds_of(80, 120, 100), speeds_of(100, 110, 90)), speeds_of(80, 110, 90));
+  EXPECT_EQ(result_of(speeds_of(80, 120, 0), speeds_of(100, 0, 0)), speeds_of(80, 0, 0)) << "not above either";
+  EXPECT_EQ(result_of(speeds_of(80, 0, 0), speeds_of(60, 0, 0)), speeds_of(60, 0, 0));
+  StaticSpeed whole = speeds_of(80, 120, 0), front = speeds_of(100, 110, 0);
+  front.Q_FRONT = true;
+  EXPECT_FALSE(result_of(whole, front).Q_FRONT) << "with the delay of the train length";
+  whole.Q_FRONT = true;
+  EXPECT_TRUE(result_of(whole, front).Q_FRONT);
+}
+
+TEST(Overlap, TheLowerGradientCountsWhereTheNewProfileMayBegin) {  // 3.7.3.1.2
+  Description d;
+  Contents c;
+  c.gradient = slopes({{0, 0}, {505, -10}, {2000, Gradient::kUnknown}});
+  (void)store(d, c, front_at(0));
+  c.gradient = slopes({{500, 5}, {2000, Gradient::kUnknown}});
+  store_measured(d, c);
+  EXPECT_EQ(steps_of(d.gradient), (Steps{{0, 0}, {480, 0}, {505, -10}, {510, 5}, {2000, Gradient::kUnknown}}));
+}
+
+TEST(Overlap, AnElementWithoutLengthCounts) {  // 3.6.3.2.2 e
+  Description d = with_speeds({{0, 100}, {505, 40}, {505, 120}, {2000, kEnd}});
+  Contents c;
+  c.ssp = ssp({{500, 110}, {2000, kEnd}});
+  store_measured(d, c);
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{0, 100}, {480, 100}, {505, 40}, {505, 110}, {2000, 635}}));
+}
+
+TEST(Overlap, StoredAreasCountUpToTheFarthestBegin) {  // 3.7.3.1.3, 3.7.3.1.4
+  Description d;
+  Contents c;
+  AxleLoadRestriction slow;
+  slow.from = at(400);
+  slow.to = at(700);
+  slow.V_AXLELOAD[0] = 8;
+  PermittedBrakingDistance braking;
+  braking.from = at(400);
+  braking.to = at(700);
+  braking.D_PBD = 300_m;
+  const auto offer = [&] {
+    c.asp.emplace().from = slow.from;
+    c.pbd.emplace().from = braking.from;
+    return c.asp->elements.push_back(slow) && c.pbd->elements.push_back(braking);
+  };
+  ASSERT_TRUE(offer());
+  (void)store(d, c, front_at(0));
+  slow.from = braking.from = at(500);
+  slow.to = braking.to = at(900);
+  ASSERT_TRUE(offer());
+  store_measured(d, c);
+  const auto check = [](const auto& areas) {
+    ASSERT_EQ(areas.size(), 2u);
+    EXPECT_EQ(areas[0].from, at(400));
+    EXPECT_EQ(areas[0].to, at(510));
+    EXPECT_EQ(areas[1].from, at(480));
+    EXPECT_EQ(areas[1].to, at(910));
+  };
+  check(d.asp);
+  check(d.pbd);
+}
+
+TEST(Overlap, WithoutAMeasuredDistanceTheNewDataReplace) {  // 3.7.3.1
+  Description d = with_speeds({{0, 140}, {505, 40}, {2000, kEnd}});
+  Contents c;
+  c.ssp = ssp({{500, 100}, {2000, kEnd}});
+  store_measured(d, c, {});
+  EXPECT_EQ(steps_of(d.ssp), (Steps{{0, 140}, {500, 100}, {2000, 635}}));
+}
+
+/// A random profile from `begin` on, of steps of 1 to 40 m.
+template <class Rng>
+NewStaticSpeedProfile random_speeds(Rng& random, double begin) {
+  NewStaticSpeedProfile profile;
+  for (int i = 0; i < 12; ++i, begin += 1.0 + static_cast<double>(random() % 40)) {
+    StaticSpeed element;
+    element.V_STATIC = static_cast<SpeedCode>(4 + random() % 28);
+    profile.append(at(begin), element);
+  }
+  return profile;
+}
+
+TEST(Overlap, IsTheLowestAtEveryPlaceForRandomProfiles) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 100; ++i) {
+    Description d;
+    Contents c;
+    c.ssp = random_speeds(random, 0);
+    (void)store(d, c, front_at(0));
+    const StaticSpeedProfile old = d.ssp;
+    const double begin = 20.0 + static_cast<double>(random() % 150);
+    const Relocation by{{}, {static_cast<double>(random() % 20)}, {1.0 + static_cast<double>(random() % 60)}};
+    c.ssp = random_speeds(random, begin);
+    // Alone, it is where the stored one begins behind its start.
+    Description alone;
+    Contents same;
+    same.ssp = c.ssp;
+    hang_on_unlinked(same);
+    (void)store(alone, same, front_at(0));
+    relocate(alone, Anchor::received, Anchor::travelled, by);
+    store_measured(d, c, by);
+    for (double x = 0.25; x < 700.0; x += 0.5) {
+      const auto before = old.at(at(x)), fresh = alone.ssp.at(at(x)), found = d.ssp.at(at(x));
+      ASSERT_TRUE(found);
+      const int lowest = std::min(before->V_STATIC, fresh ? fresh->V_STATIC : before->V_STATIC);
+      const bool beyond = x >= begin + by.farther.si;
+      EXPECT_EQ(found->V_STATIC, beyond ? fresh->V_STATIC : lowest) << i << ": " << x;
+    }
+  }
 }
 
 }  // namespace

@@ -125,7 +125,10 @@ void store_contents(Evaluation& e) {
   State& s = e.r.state;
   const Anchor anchor = anchor_of(e);
   if (e.information.medium == Medium::rbc && e.contents.geo) place_geo_references(s.position, *e.contents.geo);
-  if (anchor != Anchor::lrbg) track::hang_on_unlinked(e.contents);
+  if (anchor != Anchor::lrbg) {
+    track::hang_on_unlinked(e.contents);
+    if (s.srs == SrsVersion::v4_0_0) track::overlap(s.track, e.contents, anchor, e.information.widening);
+  }
   const track::Stored stored = track::store(s.track, e.contents, out.here);
   if (anchor != Anchor::lrbg) track::relocate(s.track, Anchor::received, anchor, e.information.widening);
   tell_stored(e, stored);
