@@ -76,8 +76,8 @@ struct State {
   bool contact_lost = false;  ///< T_NVCONTACT expired and no new message since
   bool contact_brake_released = false;  ///< the service brake for it was released at standstill
   bool reconnected = false;             ///< the connection was set up again 60 s later
-  /// A message of any RBC counts, not only one of the supervising RBC: a further handover made another RBC the one that
-  /// hands over (3.16.3.4.1.2.1 of 4.0.0).
+  /// A message of any RBC counts, not only one of the supervising RBC: a further order changed the handing over RBC
+  /// (3.16.3.4.1.2.1 of 4.0.0).
   bool contact_with_any = false;
   bool was_in_hole = false, was_level_2_or_3 = false;
   std::optional<std::uint32_t> shunting_request_stamp;   ///< of the last 130

@@ -24,7 +24,7 @@ void continue_former(State& s, const track::RbcTransition& former, radio::Outbox
   radio::establish(s.radio.supervising.session, accepting_rbc(former), radio::Cause::trackside_order, s.now, outbox);
 }
 
-/// 3.16.3.4.1.2.1 of 4.0.0: whether a further order makes another RBC the one that hands over: the RBC that supervises
+/// 3.16.3.4.1.2.1 of 4.0.0: whether a further order changes the handing over RBC: it is then the RBC that supervises
 /// since the border of the handover that goes on (3.15.1.3.2.3), or that was to be called there (3.15.1.3.2.4).
 bool changes_handing_over(const State& s) {
   if (s.srs != SrsVersion::v4_0_0) return false;
