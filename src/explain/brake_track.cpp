@@ -193,8 +193,21 @@ Steps trip_steps(const Journal& journal, const Moment& m, int condition) {
   }
 }
 
+/// The order that made the message of any RBC count.
+Steps any_contact_steps(const Journal& journal, const Moment& m, std::int64_t since) {
+  Steps steps;
+  if (const Note* order = journal.last(What::rbc_handover_ordered, m.t_ms)) {
+    steps.push_back(step_of(*order));
+    steps.back().text += ": the handing over RBC is another one, so that the message of any RBC counts";
+    steps.back().clause = "3.16.3.4.1.2.1";
+  }
+  steps.push_back({since, "the last message of any RBC", "3.16.3.4.1.2.1"});
+  return steps;
+}
+
 /// From when the time without a message counts (3.16.3.4.1), the last message first.
 Steps contact_reference_steps(const Journal& journal, const Moment& m, std::int64_t since) {
+  if (m.deciding.radio.contact_with_any) return any_contact_steps(journal, m, since);
   Steps steps;
   const Contact* last = journal.last_of(m.deciding.radio.supervising.session.rbc);
   const auto message = [](const Contact& contact) {
