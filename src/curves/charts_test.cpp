@@ -51,9 +51,11 @@ TEST(CurvesCharts, TheWorkbookModelStopsAtAnEndOfAuthority) {
 TEST(CurvesCharts, ThePageOfAComparisonHoldsBothSides) {
   const Approached p = approached(kSource + "/data/curves/freight_P.json");
   const Approached g = approached(kSource + "/data/curves/freight_G.json");
-  const std::string page = comparison_html(p, g);
-  const std::size_t from = page.find("const D = ") + 10;
-  const json data = json::parse(page.substr(from, page.find(";\n", from) - from));
+  const std::string page = comparison_html(p, {&g, 1});
+  const std::size_t from = page.find("const ALL = ") + 12;
+  const json all = json::parse(page.substr(from, page.find(", chosen = ", from) - from));
+  ASSERT_EQ(all.size(), 1u);
+  const json& data = all[0];
   EXPECT_EQ(data["name_a"], p.input().name);
   EXPECT_EQ(data["name_b"], g.input().name);
   ASSERT_EQ(data["v"][50], 50);
@@ -238,7 +240,7 @@ TEST(CurvesCharts, LongNamesAreShortenedInCharts) {
 
 TEST(CurvesCharts, PagesHaveTheSharedStyleAndScript) {
   const Approached p = approached(kSource + "/data/curves/freight_P.json");
-  for (const std::string& page : {curves_html(p), comparison_html(p, p)}) {
+  for (const std::string& page : {curves_html(p), comparison_html(p, {&p, 1})}) {
     EXPECT_EQ(page.find("/* include"), std::string::npos);
     EXPECT_NE(page.find("--pasp-light:#294A6B"), std::string::npos);
     EXPECT_NE(page.find("function ticks("), std::string::npos);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "curves/compare.h"
@@ -161,13 +162,11 @@ int compare(const CompareOptions& options) {
     inputs.push_back(*std::move(input));
   }
   if (const int wrong = check_plot(o.plot, true); wrong != 0) return wrong;
-  if (is_page(o.plot) && inputs.size() > 2)
-    return complain({"--plot", "", o.plot, "a picture (.svg, .png, .pdf): the page has two inputs"});
   const std::vector<Comparison> all = compare_all(inputs);
   std::string plot;
   if (!o.plot.empty())
     plot = is_page(o.plot)
-               ? comparison_html(inputs[0], inputs[1])
+               ? comparison_html(inputs[0], std::span(inputs).subspan(1))
                : picture_for(o.plot, comparison_drawing(compare_all(inputs, drawn_speeds(all[0])), theme_of(o.theme)));
   // CSV has no field for warnings, and a plot alone prints nothing.
   if (o.format == "csv" || (!o.plot.empty() && o.output == "-"))

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,8 @@ std::vector<ResultTable> tables_of(const std::vector<Comparison>& all);
 std::string input_letter(std::size_t input);
 /// Of one comparison or several with the same A, at the same speeds, close enough to draw lines between them.
 Drawing comparison_drawing(const std::vector<Comparison>& all, Theme theme);
-/// A self-contained page: both charts with zoom, selection of curves, and the values at a chosen
-/// speed.
-std::string comparison_html(const Approached& a, const Approached& b);
+/// A self-contained page: A with the one of the others that is chosen there, at least one: both charts with zoom,
+/// selection of curves, and the values at a chosen speed.
+std::string comparison_html(const Approached& a, std::span<const Approached> others);
 
 }  // namespace evc::curves

@@ -8,7 +8,7 @@
 #include "io/number.h"
 #include "io/xml.h"
 
-// The interactive page of `evc curves compare`: both results at every km/h; the page interpolates.
+// The interactive page of `evc curves compare`: results at every km/h; the page interpolates.
 namespace evc::curves {
 
 extern const char compare_page_template[];
@@ -95,8 +95,10 @@ std::string data_of(const Approached& a, const Approached& b) {
 
 }  // namespace
 
-std::string comparison_html(const Approached& a, const Approached& b) {
-  const std::string data = io::json_in_script(data_of(a, b));
+std::string comparison_html(const Approached& a, std::span<const Approached> others) {
+  std::string data = "[";
+  for (const Approached& b : others) data += (data.size() > 1 ? "," : "") + io::json_in_script(data_of(a, b));
+  data += ']';
   std::string page = compare_page_template;
   const std::string slot = "/*DATA*/null";
   page.replace(page.find(slot), slot.size(), data);
