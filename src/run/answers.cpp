@@ -9,16 +9,6 @@ bool Answers::differs(const kernel::Outputs& outputs, const kernel::Planning* pl
          io::differ_beyond_motion(last_planning_ ? &*last_planning_ : nullptr, planning) || last_dmi_ != dmi;
 }
 
-/// The sounds that the display orders in the cycle.
-void Answers::listen(const kernel::Display& record) {
-  dmi::show(*display_, record);
-  const dmi::Commands commands = dmi::take(*display_);
-  for (const dmi::SoundOrder& order : commands.sounds)
-    sounds_.push_back({dmi::name(order.sound), order.what == dmi::SoundDo::once   ? nullptr
-                                               : order.what == dmi::SoundDo::loop ? "loop"
-                                                                                  : "stop"});
-}
-
 void Answers::append(std::string& text, sim::CycleInputs& cycle) {
   const kernel::Outputs& outputs = on_board_.step(cycle.view());
   const std::int64_t n = cycles_++;
@@ -27,7 +17,7 @@ void Answers::append(std::string& text, sim::CycleInputs& cycle) {
   const kernel::Planning* const planning = printed_.planning && looked_at ? on_board_.plan() : nullptr;
   // Of every cycle: a sound comes from what changes.
   const kernel::Display* const dmi = printed_.dmi ? &on_board_.show() : nullptr;
-  if (dmi != nullptr) listen(*dmi);
+  if (dmi != nullptr) display_->append(sounds_, *dmi);
   std::string at_rest;
   if (printed_.changes && dmi != nullptr) at_rest = io::motionless(*dmi);
   const bool wanted = printed_.changes ? n == 0 || !sounds_.empty() || differs(outputs, planning, at_rest) : in_turn;

@@ -1,14 +1,13 @@
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "dmi/dmi.h"
 #include "io/output_lines.h"
 #include "run/on_board.h"
+#include "run/sounds.h"
 #include "sim/cycle_inputs.h"
 
 namespace evc::run {
@@ -27,22 +26,21 @@ class Answers {
   /// `names`: of national systems, as the configuration has them.
   Answers(OnBoard& on_board, io::NationalSystemNames names, const Printed& printed = {})
       : on_board_(on_board), names_(std::move(names)), printed_(printed) {
-    if (printed_.dmi) display_ = std::make_unique<dmi::State>();
+    if (printed_.dmi) display_.emplace();
   }
 
   /// One cycle of the unit; its line, if it is to be printed, is appended to `text`.
   void append(std::string& text, sim::CycleInputs& cycle);
 
  private:
-  void listen(const kernel::Display& record);
   bool differs(const kernel::Outputs& outputs, const kernel::Planning* planning, const std::string& dmi) const;
 
   OnBoard& on_board_;
   io::NationalSystemNames names_;
   Printed printed_;
   std::int64_t cycles_ = 0;
-  std::unique_ptr<dmi::State> display_;  ///< that nobody touches: the driver's actions are in the stream
-  std::vector<io::NamedSound> sounds_;   ///< since the line before
+  std::optional<Sounds> display_;
+  std::vector<io::NamedSound> sounds_;  ///< since the line before
   // Of the cycle before, for `changes`.
   kernel::Outputs last_;
   std::optional<kernel::Planning> last_planning_;
