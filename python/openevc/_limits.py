@@ -46,6 +46,9 @@ def _arrays(columns, shape, out):
             raise refused("limits", "columns", repr(name), f"one of {', '.join(_native.limit_names)}")
     if not (out is None or isinstance(out, dict)):
         raise refused("limits", "out", f"a value of type {type(out).__name__}", "a dictionary of arrays")
+    for name in out or ():
+        if name not in columns:
+            raise refused("limits", "out", f"the key {name!r}", f"one of the columns: {', '.join(columns)}")
     arrays = {}
     for name in columns:
         array = None if out is None else out.get(name)

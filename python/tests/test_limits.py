@@ -71,12 +71,19 @@ def test_a_large_array_is_that_of_its_parts():
 
 
 def test_arrays_of_the_caller_are_filled():
-    out = {"EBI": np.full(3, -1.0), "unused": None}
+    out = {"EBI": np.full(3, -1.0), "P": None}
     result = evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out=out)
     assert result["EBI"] is out["EBI"] and np.all(out["EBI"] > 0) and result["P"].shape == (3,)
     for wrong in (np.zeros(2), np.zeros(3, np.float32), np.zeros(6)[::2], [0.0] * 3, np.broadcast_to(0.0, 3)):
         with pytest.raises(evc.InputError, match="out"):
             evc.limits("standard", SPEEDS, TARGETS[0], columns="EBI", out={"EBI": wrong})
+
+
+@pytest.mark.parametrize("key", ["EBl", "W", 3])
+def test_an_array_that_would_not_be_filled_is_an_error(key):
+    with pytest.raises(evc.InputError) as error:
+        evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out={"EBI": np.zeros(3), key: np.zeros(3)})
+    assert str(error.value) == f"limits: out: found the key {key!r}, expected one of the columns: EBI, P"
 
 
 WRONG = [
