@@ -90,7 +90,7 @@ def test_a_wrong_query_is_the_sentence_of_the_command(command, tmp_path):
         evc.curves(3)
 
 
-@pytest.mark.parametrize("v_kmh", [float("nan"), -1.0, 601.0, 1e300])
+@pytest.mark.parametrize("v_kmh", [float("nan"), -1.0, 601.0, 1e300, "a", None, [100]])
 def test_a_wrong_speed_is_not_explained(v_kmh):
     with pytest.raises(evc.InputError, match="v_kmh"):
         evc.curves("passenger_eoa").explain(v_kmh)

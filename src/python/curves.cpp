@@ -90,9 +90,9 @@ class Curves : public Blank {
     return result_;
   }
   std::string json() const { return curves::curves_text(result(), curves::Format::json); }
-  std::string explain(double v_kmh) const {
+  std::string explain(const py::object& v_kmh) const {
     require(approached_ != nullptr);
-    const io::Json argument{{"v_kmh", json_of(py::float_(v_kmh), "explain", "v_kmh")}};
+    const io::Json argument{{"v_kmh", json_of(v_kmh, "explain", "v_kmh")}};
     return curves::explain_text(*approached_, io::JsonPlace(argument, "explain")["v_kmh"].number(0.0, 600.0));
   }
   curves::Picture picture() const {
