@@ -87,6 +87,38 @@ def test_planning_is_there_when_it_is_asked_for(cycles):
     assert seen[0] is None and any(plan is not None and plan["mrsp"] for plan in seen)
 
 
+def test_the_record_of_the_display_is_that_of_replay(late, cycles, command, tmp_path):
+    config, by_time = cycles
+    stream = tmp_path / "inputs.jsonl"
+    last = 120000
+    stream.write_text("".join(line + "\n" for line in late.inputs.splitlines() if json.loads(line).get("t_ms", 0) <= last))
+    status, lines, errors = command("replay", stream, "--dmi")
+    assert status == 0, errors
+    unit, other = evc.OnBoard(config, dmi=True), evc.OnBoard(config, dmi=True)
+    answers = []
+    for number, line in enumerate(lines.splitlines()):
+        t_ms = json.loads(line)["t_ms"]
+        if number == 400:  # with the sounds that were heard until then
+            other.restore(unit.snapshot())
+            unit = other
+        answers.append(unit.step(t_ms, **by_time.get(t_ms, {})).json)
+    assert len(answers) > 600 and answers == lines.splitlines()
+    assert any(json.loads(answer)["dmi"]["sounds"] for answer in answers)
+    assert evc.OnBoard(config).step()["dmi"] is None
+
+
+def test_arguments_of_a_wrong_type_are_told_in_the_words_of_the_package():
+    unit = evc.OnBoard()
+    unit.step()
+    with pytest.raises(evc.InputError, match="restore: snapshot: found a value of type int, expected what snapshot"):
+        unit.restore(5)
+    assert unit.step()["t_ms"] == 100
+    with pytest.raises(evc.InputError, match="OnBoard: planning: found a value of type str, expected True or False"):
+        evc.OnBoard(planning="yes")
+    with pytest.raises(evc.InputError, match="OnBoard: dmi: found a value of type int"):
+        evc.OnBoard(dmi=1)
+
+
 def test_numbers_of_numpy_are_numbers():
     odometer = {key: np.float64(0.0) for key in ("nominal_m", "min_m", "max_m", "speed_mps")}
     unit = evc.OnBoard({"cycle_ms": np.int32(50)})

@@ -20,6 +20,7 @@
 #include "python/bind.h"
 #include "python/blank.h"
 #include "python/values.h"
+#include "run/sounds.h"
 #include "sim/cycle_inputs.h"
 
 // `openevc.OnBoard`: the kernel, one call a cycle, with the keys of `evc replay`.
@@ -32,6 +33,8 @@ class Outputs : public Blank {
   kernel::Outputs values;
   kernel::Planning planning;
   bool planned = false;
+  std::unique_ptr<kernel::Display> display;  // where it is asked for
+  std::vector<io::NamedSound> sounds;
   std::int64_t t_ms = 0;
   std::shared_ptr<const io::Configuration> configuration;
 
@@ -39,7 +42,8 @@ class Outputs : public Blank {
   std::string json() const {
     require(configuration != nullptr);
     std::string line;
-    io::append_output(line, t_ms, values, planned ? &planning : nullptr, configuration->ntc_names);
+    io::append_output(line, t_ms, values, planned ? &planning : nullptr, configuration->ntc_names, display.get(),
+                      sounds);
     line.pop_back();
     return line;
   }
@@ -48,7 +52,10 @@ class Outputs : public Blank {
     return *dict_;
   }
   /// For another cycle.
-  void forget() { dict_.reset(); }
+  void forget() {
+    dict_.reset();
+    sounds.clear();
+  }
 
  private:
   std::optional<py::dict> dict_;
@@ -59,17 +66,30 @@ struct Snapshot : Blank {
   std::vector<std::byte> unit;
   sim::CycleInputs inputs;
   io::InputStream::Radio radio;
+  std::optional<run::Sounds> sounds;  // of a unit whose outputs have the record of the display
   std::int64_t last_ms = 0;
   std::shared_ptr<const io::Configuration> configuration;
 };
+
+std::string type_of(const py::object& value) { return Py_TYPE(value.ptr())->tp_name; }
+
+bool flag_of(const py::object& value, const char* name) {
+  if (!py::isinstance<py::bool_>(value))
+    throw io::ReadError{{"OnBoard", name, "a value of type " + type_of(value), "True or False"}};
+  return value.cast<bool>();
+}
 
 constexpr std::int64_t kNever = -1;
 constexpr std::int64_t kLongestGap_ms = 24LL * 3600 * 1000;
 
 class OnBoard : public Blank {
  public:
-  OnBoard(const py::object& configuration, const py::object& persistent, bool planning)
-      : configuration_(read(configuration)), unit_(std::make_unique<kernel::Unit>()), planning_(planning) {
+  OnBoard(const py::object& configuration, const py::object& persistent, const py::object& planning,
+          const py::object& dmi)
+      : configuration_(read(configuration)),
+        unit_(std::make_unique<kernel::Unit>()),
+        planning_(flag_of(planning, "planning")) {
+    if (flag_of(dmi, "dmi")) sounds_.emplace();
     const kernel::Config config = configuration_->for_kernel();
     if (persistent.is_none())
       kernel::power_up(*unit_, config);
@@ -99,6 +119,11 @@ class OnBoard : public Blank {
     kernel::step(*unit_, cycle_.view(), out->values);
     out->t_ms = now;
     out->planned = planning_ && kernel::plan(*unit_, out->planning);
+    if (sounds_) {
+      if (out->display == nullptr) out->display = std::make_unique<kernel::Display>();
+      kernel::show(*unit_, out->values, *out->display);
+      sounds_->append(out->sounds, *out->display);
+    }
     out->configuration = configuration_;
     return out;
   }
@@ -109,6 +134,7 @@ class OnBoard : public Blank {
     s.unit.resize(kernel::snapshot_size());
     s.inputs = cycle_;
     s.radio = radio_;
+    s.sounds = sounds_;
     s.last_ms = last_ms_;
     s.configuration = configuration_;
     if (!kernel::snapshot(*unit_, s.unit)) throw std::bad_alloc();
@@ -116,12 +142,17 @@ class OnBoard : public Blank {
     return s;
   }
 
-  void restore(const Snapshot& s) {
+  void restore(const py::object& snapshot) {
     require(unit_ != nullptr);
+    if (!py::isinstance<Snapshot>(snapshot))
+      throw io::ReadError{{"restore", "snapshot", "a value of type " + type_of(snapshot), "what snapshot() gave"}};
+    const Snapshot& s = snapshot.cast<const Snapshot&>();
     if (const auto fault = kernel::restore(*unit_, s.unit); fault != kernel::SnapshotFault::none)
       throw io::ReadError{{"snapshot", "", kernel::name(fault), "one of this program"}};
     cycle_ = s.inputs;
     radio_ = s.radio;
+    // Of a unit without the record of the display: as that of a display that is switched on.
+    if (sounds_) sounds_ = s.sounds ? *s.sounds : run::Sounds();
     last_ms_ = s.last_ms;
     configuration_ = s.configuration;
   }
@@ -217,6 +248,7 @@ class OnBoard : public Blank {
   io::InputStream::Radio radio_;  // not delivered yet
   std::int64_t last_ms_ = kNever;
   bool planning_;
+  std::optional<run::Sounds> sounds_;  // where the record of the display is asked for
   std::array<std::shared_ptr<Outputs>, 2> outputs_;
   std::size_t next_ = 0;
 };
@@ -245,16 +277,19 @@ void bind_on_board(py::module_& module) {
       module, "OnBoard",
       "An on-board unit after power-up.\n\n"
       "config: the configuration of `evc replay`, a dictionary or a file; persistent: what a unit kept\n"
-      "without power, `retained` of another one; planning: outputs have the advance display.")
-      .def(py::init<const py::object&, const py::object&, bool>(), py::arg("config") = py::none(),
-           py::arg("persistent") = py::none(), py::arg("planning") = false)
+      "without power, `retained` of another one; planning: outputs have the advance display; dmi: they have\n"
+      "the record of the display.")
+      .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
+           py::arg("config") = py::none(), py::arg("persistent") = py::none(), py::arg("planning") = false,
+           py::arg("dmi") = false)
       .def("step", &OnBoard::step, py::arg("t_ms") = py::none(),
            "One cycle at t_ms, milliseconds since power-up; None: cycle_ms after the last one.\n\n"
            "Keywords are the inputs of `evc replay`: odometer={...}, balise={...}, radio, driver, train, ...; a list "
            "has\n"
            "several of one kind. Signals keep their value. With an InputError nothing has changed.")
       .def("snapshot", &OnBoard::snapshot, "All that the unit remembers, with the signals that keep their value.")
-      .def("restore", &OnBoard::restore, "The unit goes on from the moment of a snapshot, of this or another unit.")
+      .def("restore", &OnBoard::restore, py::arg("snapshot"),
+           "The unit goes on from the moment of a snapshot, of this or another unit.")
       .def_property_readonly("retained", &OnBoard::retained, "What is kept without power: `evc-persistent/1`.")
       .def_property_readonly("cycle_ms", &OnBoard::cycle_ms, "Length of a cycle.")
       .def_property_readonly("t_ms", &OnBoard::t_ms, "Time of the last step; None before the first one.");
