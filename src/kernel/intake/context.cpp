@@ -1,6 +1,10 @@
 #include "kernel/here.h"
 #include "kernel/intake/filter.h"
 #include "kernel/intake/levels.h"
+#include "lang/decode.h"
+#include "lang/packets/packet_65.h"
+#include "lang/packets/packet_72.h"
+#include "lang/packets/packet_76.h"
 #include "terms/message_numbers.h"
 #include "terms/packet_numbers.h"
 
@@ -13,6 +17,30 @@ bool running_number_known(const State& s, const Information& information) {
   if (valid(s.data.train_running_number_status)) return true;
   for (const lang::PacketView& view : information.packets)
     if (view.NID_PACKET == packet::train_running_number_from_rbc) return true;
+  return false;
+}
+
+/// The group was reported with more than one previous LRBG (3.4.2.3.3.8).
+bool reported_with_others(const State& s, GroupId group) {
+  for (const position::Reference& reference : s.position.references)
+    if (reference.id == group) return reference.reported_ambiguously;
+  return false;
+}
+
+/// A restriction that can be revoked: 255 is the identity of all others (3.11.5.9).
+bool is_revocable_restriction(const lang::PacketView& view) {
+  lang::Packet65 p;
+  return view.NID_PACKET == packet::temporary_speed_restriction && lang::decode(view, p) == lang::Fault::none &&
+         p.NID_TSR.raw != 255;
+}
+
+/// A text whose acknowledgement is to be reported, with the identity of one that waits for its own (3.12.3.5.3).
+template <class P>
+bool repeats_text(const State& s, const lang::PacketView& view) {
+  P p;
+  if (lang::decode(view, p) != lang::Fault::none || p.Q_TEXTCONFIRM.raw == 0 || p.Q_TEXTREPORT.raw != 1) return false;
+  for (const track::Text& text : s.track.texts)
+    if (text.report && !text.acknowledged && text.NID_TEXTMESSAGE == p.NID_TEXTMESSAGE.raw) return true;
   return false;
 }
 
@@ -37,10 +65,19 @@ modes::AcceptanceContext context_of(const Reception& r, const Information& infor
   c.desk_open = r.in.train.desk_open;
   c.train_data_valid = valid(s.data.train_data_status) || authorises_manoeuvre(information);  // 4.8.4 [4]
   c.consist_length_unacknowledged = s.radio.supervising.consist_stamp.has_value();
+  c.other_previous_lrbg = information.message != nullptr &&
+                          information.message->NID_MESSAGE == message::coordinate_system_assigned &&
+                          reported_with_others(s, information.group);
   c.override_active = s.override_.active;
   c.srs = s.srs;
   if (c.srs == SrsVersion::v4_0_0) c.train_running_number = running_number_known(s, information);
   return c;
+}
+
+void add_facts_of_stores(modes::AcceptanceContext& c, const State& s, const lang::PacketView& view) {
+  c.revocable_and_inhibited = s.track.revocable_tsr_inhibited && is_revocable_restriction(view);
+  c.text_awaits_acknowledgement = (view.NID_PACKET == packet::plain_text && repeats_text<lang::Packet72>(s, view)) ||
+                                  (view.NID_PACKET == packet::fixed_text && repeats_text<lang::Packet76>(s, view));
 }
 
 }  // namespace evc::kernel

@@ -120,6 +120,7 @@ void add_order_facts(Evaluation& e, const lang::PacketView& view) {
 /// The facts of the packet itself for the exceptions of the tables.
 void add_facts(Evaluation& e, const lang::PacketView& view) {
   add_order_facts(e, view);
+  add_facts_of_stores(e.context, e.r.state, view);
   e.context.network_missing = e.context.srs == SrsVersion::v4_0_0 && calls_without_network(e, view);
 }
 

@@ -5,6 +5,8 @@ namespace evc::kernel {
 
 /// The facts of the exceptions that do not depend on the single packet.
 modes::AcceptanceContext context_of(const Reception& r, const Information& information);
+/// Adds what the packet is to what is stored: 4.8.3 [8], [12].
+void add_facts_of_stores(modes::AcceptanceContext& c, const State& s, const lang::PacketView& view);
 /// Whether it is message 4, an authorisation for a supervised manoeuvre.
 bool authorises_manoeuvre(const Information& information);
 

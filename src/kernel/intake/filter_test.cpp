@@ -18,6 +18,8 @@
 #include "lang/packets/packet_49.h"
 #include "lang/packets/packet_5.h"
 #include "lang/packets/packet_58.h"
+#include "lang/packets/packet_65.h"
+#include "lang/packets/packet_76.h"
 #include "lang/packets/packet_79.h"
 #include "lang/packets/packet_80.h"
 
@@ -55,6 +57,47 @@ TEST_F(Filter, RefusesAnAuthorityDuringAnEmergencyStop) {  // 4.8.3 [5]
   ASSERT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 20}));
   evaluate_now();
   expect(15, What::packet_refused, "4.8.3 [5]"_srs);
+}
+
+TEST_F(Filter, RefusesARevocableRestrictionOfABaliseWhileTheRbcInhibitsThem) {  // 4.8.3 [8]
+  const auto refuses = [this](Medium medium, std::uint8_t NID_TSR) {
+    information.packets.clear();
+    information.medium = medium;
+    lang::Packet65 p;
+    p.NID_TSR.raw = NID_TSR;
+    p.L_TSR.raw = 100;
+    p.V_TSR.raw = 8;
+    add(p);
+    evaluate_now();
+    return told(65).what == What::packet_refused && told(65).clause == "4.8.3 [8]"_srs;
+  };
+  EXPECT_FALSE(refuses(Medium::balise, 7));
+  state.track.revocable_tsr_inhibited = true;
+  EXPECT_TRUE(refuses(Medium::balise, 7));
+  EXPECT_FALSE(refuses(Medium::balise, 255)) << "it cannot be revoked";
+  EXPECT_FALSE(refuses(Medium::rbc, 7));
+}
+
+TEST_F(Filter, RefusesATextOfTheRbcWithTheIdentityOfOneThatIsNotAcknowledged) {  // 4.8.3 [12]
+  const auto refuses = [this](std::uint8_t NID_TEXTMESSAGE, std::uint8_t Q_TEXTREPORT) {
+    information.packets.clear();
+    lang::Packet76 p;
+    p.Q_TEXTCONFIRM.raw = 1;
+    p.Q_TEXTREPORT.raw = Q_TEXTREPORT;
+    p.NID_TEXTMESSAGE.raw = NID_TEXTMESSAGE;
+    add(p);
+    evaluate_now();
+    return told(76).what == What::packet_refused && told(76).clause == "4.8.3 [12]"_srs;
+  };
+  track::Text waiting;
+  waiting.report = true;
+  waiting.NID_TEXTMESSAGE = 9;
+  ASSERT_TRUE(state.track.texts.push_back(waiting));
+  EXPECT_TRUE(refuses(9, 1));
+  EXPECT_FALSE(refuses(10, 1));
+  EXPECT_FALSE(refuses(9, 0)) << "no report is asked for";
+  state.track.texts[0].acknowledged = true;
+  EXPECT_FALSE(refuses(9, 1));
 }
 
 TEST_F(Filter, RefusesTheDistanceOfALoopDuringAnOverride) {  // 4.8.4 [6]
