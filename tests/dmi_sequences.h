@@ -105,6 +105,27 @@ inline constexpr OnBoard kManoeuvres{"is in SM", [](Display& d) {
                                        d.mode = Mode::SM;
                                        d.waiting = Waiting::nothing;
                                      }};
+inline constexpr OnBoard kRegistersFirst{"waits for the registration of its network", [](Display& d) {
+                                           d.start_of_mission = true;
+                                           d.step = Dialogue::start_S4;
+                                           d.waiting = Waiting::radio_registration;
+                                         }};
+inline constexpr OnBoard kGsmrAlone{"uses GSM-R alone",
+                                    [](Display& d) { d.data.radio = port::RadioNetworkType::gsmr; }};
+inline constexpr OnBoard kNoFrmcs{"has no FRMCS network", [](Display& d) { d.data.frmcs_registered = false; }};
+inline constexpr OnBoard kTrips{"is in TR, in level 2", [](Display& d) {
+                                  d.mode = Mode::TR;
+                                  d.level = Level::L2;
+                                  (void)d.acks.push_back({Ack::trip, 0, d.now});
+                                }};
+inline constexpr OnBoard kPostTrip{"is in PT", [](Display& d) {
+                                     d.mode = Mode::PT;
+                                     d.acks.clear();
+                                   }};
+inline constexpr OnBoard kUnfitted{"is in UN, in level 0", [](Display& d) {
+                                     d.mode = Mode::UN;
+                                     d.level = Level::L0;
+                                   }};
 inline constexpr OnBoard kAsksAck{"asks for an acknowledgement", [](Display& d) {
                                     (void)d.acks.push_back({Ack::brake, 0, d.now});
                                   }};
@@ -162,6 +183,20 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"S5", kSame, "key 8|field 1", WindowId::main, true, false, "enters one radio system"},
       {"A31", kOpensSession, "", WindowId::main, true, false, ""},
       {"S10", kReady, "", WindowId::main, false, true, ""}}},
+    {"11.7.2",
+     "start-up, one radio system refused",
+     {{"S5", kAsksOneSystem, "", WindowId::one_radio_system, false, false, ""},
+      {"S5", kSame, "key 7|field 1", WindowId::main, true, false, "enters one radio system"},
+      {"S10", kReady, "", WindowId::main, false, true, ""}}},
+    {"11.7.2",
+     "start-up, level 2 with a valid position, once the network is registered",
+     {{"D7, S4", kRegistersFirst, "", WindowId::main, true, false, ""},
+      {"A31", kOpensSession, "", WindowId::main, true, false, ""},
+      {"D31, A32, S10", kReady, "", WindowId::main, false, true, ""}}},
+    {"11.7.2",
+     "start-up, level 2, the registration failed",
+     {{"D7, S4", kRegistersFirst, "", WindowId::main, true, false, ""},
+      {"A42, D9, S10", kReady, "", WindowId::main, false, true, ""}}},
     {"11.7.3",
      "driver ID, level and running number from the window Main",
      {{"S1", kSame, "F1", WindowId::main, false, true, ""},
@@ -179,8 +214,14 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"S3-2", kSame, kAllTrainData, WindowId::validate_train_data, false, true, ""},
       {"S3-1", kSame, "key 7|field 1", WindowId::train_data, false, true, ""},
       {"S3-2", kSame, "Yes", WindowId::validate_train_data, false, true, ""},
-      {"D6, S3-3", kSame, "field 1", WindowId::train_running_number, false, false, "enters train data"},
+      {"D6, S3-3", kSame, "field 1", WindowId::train_running_number, false, true, "enters train data"},
       {"D1, S1", kSame, "key 4|field 1", WindowId::main, false, true, "enters the running number"}}},
+    {"11.7.3",
+     "train data, the running number left out",
+     {{"S3-1", kNoNumber, "F1|Train data", WindowId::train_data, false, true, "`train_data`"},
+      {"S3-2", kSame, kAllTrainData, WindowId::validate_train_data, false, true, ""},
+      {"D6, S3-3", kSame, "field 1", WindowId::train_running_number, false, true, "enters train data"},
+      {"S1", kSame, "close", WindowId::main, false, true, ""}}},
     {"11.7.3",
      "train data in level 2",
      {{"S1", kLevel2, "F1", WindowId::main, false, true, ""},
@@ -209,6 +250,37 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"S8", kSame, "key 1|field 1|key 2|field 2|Yes", WindowId::main, true, false, "enters the RBC contact"},
       {"S8", kWaitsForSession, "", WindowId::main, true, false, ""},
       {"D3, S1", kAnswered, "", WindowId::main, false, true, ""}}},
+    {"11.7.3",
+     "level 2 without a registered network",
+     {{"S4", kNoFrmcs, "F1|Level", WindowId::level, false, true, ""},
+      {"D5, S5-1", kSame, "key 2|field 1", WindowId::radio_data, false, true, "enters the level"}}},
+    {"11.7.3",
+     "level 2 from level 0, which trips the train",
+     {{"S4", kUnfitted, "F1|Level", WindowId::level, false, true, ""},
+      {"D5", kSame, "key 2|field 1", WindowId::main, true, false, "enters the level"},
+      {"exception", kTrips, "", WindowId::default_, false, true, ""},
+      {"S5-1", kPostTrip, "", WindowId::radio_data, false, true, ""}}},
+    {"11.7.3",
+     "the last RBC, and the short number",
+     {{"S5-1", kSame, "F1|Radio data", WindowId::radio_data, false, true, ""},
+      {"S8", kSame, "Contact last RBC", WindowId::main, true, false, "`last_rbc`"},
+      {"S8", kWaitsForSession, "", WindowId::main, true, false, ""},
+      {"D3, S1", kAnswered, "Radio data", WindowId::radio_data, false, true, ""},
+      {"S8", kSame, "Use short number", WindowId::main, true, false, "`short_number`"}}},
+    {"11.7.3",
+     "no network found, with both radio systems and with GSM-R alone",
+     {{"S5-1", kSame, "F1|Radio data|GSM-R network ID", WindowId::network_id, false, true, "`radio_network`"},
+      {"S5-2-1", kListsNetworks, "", WindowId::radio_data, true, false, ""},
+      {"A5, D9, S5-1", kNoNetworks, "", WindowId::radio_data, false, true, ""},
+      {"S5-1", kGsmrAlone, "GSM-R network ID", WindowId::network_id, false, true, "`radio_network`"},
+      {"S5-2-1", kListsNetworks, "", WindowId::radio_data, true, false, ""},
+      {"A5, D9, S1", kNoNetworks, "", WindowId::main, false, true, ""}}},
+    {"11.7.3",
+     "a radio network type without its network",
+     {{"S5-1", kNoFrmcs, "F1|Radio data|Radio network type", WindowId::radio_type, false, true, ""},
+      {"A6, D9, S5-1", kSame, "key 2|field 1", WindowId::radio_data, false, true, "enters the radio network type"},
+      {"S5-4", kSame, "Radio network type", WindowId::radio_type, false, true, ""},
+      {"A6, D9, S1", kSame, "key 1|field 1", WindowId::main, false, true, "enters the radio network type"}}},
     {"11.7.3",
      "one radio system",
      {{"S5-1", kSame, "F1|Radio data", WindowId::radio_data, false, true, ""},
@@ -250,7 +322,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"S1", kAsksForManoeuvre, "", WindowId::main, true, false, ""},
       {"authorised", kManoeuvres, "", WindowId::default_, false, true, ""},
       {"S1", kSame, "F1|Exit SM", WindowId::default_, false, true, "`exit_sm`"}}},
-    {"11.7",
+    {"11.7.5",
      "override",
      {{"S1", kSame, "F2", WindowId::override_, false, true, ""},
       {"S1", kSame, "close", WindowId::default_, false, true, ""},
@@ -261,7 +333,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"2", kSame, "next", WindowId::data_view, false, true, ""},
       {"1", kSame, "previous", WindowId::data_view, false, true, ""},
       {"1", kSame, "close", WindowId::default_, false, true, ""}}},
-    {"11.7",
+    {"11.7.6",
      "special",
      {{"S1", kSame, "F4", WindowId::special, false, true, ""},
       {"adhesion", kSame, "Adhesion", WindowId::adhesion, false, true, ""},
@@ -270,7 +342,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"S1", kSame, "key 3|key 11|field 1|field 2|Yes", WindowId::special, false, true, "enters SR speed and distance"},
       {"S1", kSame, "Train integrity", WindowId::default_, false, true, "`integrity_confirmed`"},
       {"S1", kSame, "F4|BMM reaction inhibition", WindowId::default_, false, true, "`bmm_inhibit`"}}},
-    {"11.7",
+    {"11.7.7",
      "settings",
      {{"S1", kSame, "F5", WindowId::settings, false, true, ""},
       {"language", kSame, "Language", WindowId::language, false, true, ""},
@@ -284,7 +356,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"ATO", kSame, "ATO", WindowId::ato, false, true, ""},
       {"S1", kSame, "key 2|field 1", WindowId::settings, false, true, "enters the ATO selector"},
       {"S1", kSame, "close", WindowId::default_, false, true, ""}}},
-    {"11.7",
+    {"11.7.7",
      "a virtual balise cover set, its validation refused once",
      {{"entry", kSame, "F5|Set VBC", WindowId::set_vbc, false, true, "`vbc_set`"},
       {"validation", kSame, "key 3|key 2|key 1|key 4|key 5|key 6|field 1|Yes", WindowId::validate_set_vbc, false, true,
@@ -292,7 +364,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
       {"entry", kSame, "key 7|field 1", WindowId::set_vbc, false, true, ""},
       {"validation", kSame, "Yes", WindowId::validate_set_vbc, false, true, ""},
       {"settings", kSame, "field 1", WindowId::settings, false, true, "`vbc_set`, enters a cover"}}},
-    {"11.7",
+    {"11.7.7",
      "a virtual balise cover removed",
      {{"entry", kSame, "F5|Remove VBC", WindowId::remove_vbc, false, true, "`vbc_remove`"},
       {"validation", kSame, "key 5|field 1|Yes", WindowId::validate_remove_vbc, false, true, ""},
@@ -301,7 +373,7 @@ inline constexpr auto kSequences = std::to_array<Sequence>({
      "the condition of the button is lost",
      {{"S6", kSame, "F1|Train running number", WindowId::train_running_number, false, true, ""},
       {"S1", kNothingEnabled, "", WindowId::main, false, true, ""}}},
-    {"11.7.1.8",
+    {"11.7.1.9",
      "an acknowledgement is asked for during entry",
      {{"S3-1", kSame, "F1|Train data|key 1", WindowId::train_data, false, true, "`train_data`"},
       {"S1", kAsksAck, "", WindowId::main, false, true, ""}}},

@@ -23,7 +23,7 @@ bool text_ack_waits(const State&);
 /// Whether the driver has something to acknowledge: the buttons of the menus are disabled then (015560 11.2).
 bool ack_pending(const State&);
 
-/// Takes the queue of the display: withdraws, offers. Data entry windows are left for it (015560 11.7.1.8).
+/// Takes the queue of the display: withdraws, offers. Data entry windows are left for it (015560 11.7.1.9).
 void offer_acks(State&, const port::Display& before);
 /// The driver acknowledges what is on offer.
 void acknowledge(State&, Duration now);

@@ -25,6 +25,16 @@ std::string_view characters_of(const State& state, FieldId id) {
   return value != nullptr ? value->typed.view() : std::string_view{};
 }
 
+/// Whether the networks are registered that the radio network type asks for (015560 11.7.3 D5).
+bool networks_are_registered(const port::Display& display) {
+  const port::DisplayConfig& config = display.config;
+  const port::DisplayedData& data = display.data;
+  const bool both = data.radio == port::RadioNetworkType::frmcs_and_gsmr;
+  const bool by_frmcs = data.radio == port::RadioNetworkType::frmcs || (both && config.frmcs_fitted);
+  const bool by_gsmr = data.radio == port::RadioNetworkType::gsmr || (both && config.gsmr_fitted);
+  return (by_frmcs || by_gsmr) && (!by_frmcs || data.frmcs_registered) && (!by_gsmr || data.gsmr_registered);
+}
+
 void commit_level(State& state, Duration now) {
   const int choice = choice_of(state, FieldId::level);
   if (choice < 0) return;
@@ -37,7 +47,10 @@ void commit_level(State& state, Duration now) {
   if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows
   if (!level_2_or_3(level)) return open_window(state, WindowId::main);
   // 015560 11.7.3 D5
-  if (state.display.data.stored.rbc_status == DataStatus::valid) return await(state, WindowId::main, now);
+  state.level_may_trip = state.display.level == Level::L0 || state.display.level == Level::NTC;
+  const bool can_call =
+      state.display.data.stored.rbc_status == DataStatus::valid && networks_are_registered(state.display);
+  if (can_call) return await(state, WindowId::main, now);
   open_window(state, WindowId::radio_data);
 }
 
@@ -69,13 +82,25 @@ void commit_network(State& state) {
   open_window(state, WindowId::radio_data);
 }
 
+/// 015560 11.7.3 S5-4: a type whose network is not registered is A6, then D9. In the start of mission the on-board says
+/// what follows.
+void commit_radio_type(State& state) {
+  const port::Display& display = state.display;
+  const auto type = static_cast<port::RadioNetworkType>(choice_of(state, FieldId::radio_type) % 3);
+  state.commands.radio = type;
+  const bool failed =
+      type != port::RadioNetworkType::gsmr && display.config.frmcs_fitted && !display.data.frmcs_registered;
+  const bool stays = !failed || display.start_of_mission;
+  open_window(state, stays ? WindowId::radio_data : after_failed_registration(display, type));
+}
+
 void commit_sr(State& state) {
   state.commands.actions.V_sr = Speed{static_cast<double>(number_of(state, FieldId::sr_speed)) / kKmh};
   state.commands.actions.D_sr = Distance{static_cast<double>(number_of(state, FieldId::sr_distance))};
   open_window(state, WindowId::special);
 }
 
-/// The codes of virtual balise covers: the bits have another order to set than to remove (015560 11.3.6, 11.3.7).
+/// The codes of virtual balise covers: the bits have another order to set than to remove (015560 11.3.12.5, 11.3.13.5).
 port::DriverActions::Cover cover_of(std::uint64_t code, bool remove) {
   port::DriverActions::Cover cover{};
   if (remove) {
@@ -166,6 +191,11 @@ void commit_one_system(State& state, Duration now) {
 
 }  // namespace
 
+WindowId after_failed_registration(const port::Display& display, port::RadioNetworkType type) {
+  const bool both = display.config.frmcs_fitted && display.config.gsmr_fitted;
+  return both && type == port::RadioNetworkType::frmcs_and_gsmr ? WindowId::radio_data : WindowId::main;
+}
+
 void complete_entry(State& state, Duration now) {
   switch (state.window) {
     case WindowId::driver_id:
@@ -186,8 +216,7 @@ void complete_entry(State& state, Duration now) {
     case WindowId::network_id:
       return commit_network(state);
     case WindowId::radio_type:
-      state.commands.radio = static_cast<port::RadioNetworkType>(choice_of(state, FieldId::radio_type) % 3);
-      return open_window(state, WindowId::radio_data);
+      return commit_radio_type(state);
     case WindowId::one_radio_system:
       return commit_one_system(state, now);
     case WindowId::train_data:

@@ -118,10 +118,15 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
     const bool follows = display.start_of_mission || state.awaited.on || display.waiting == Waiting::network_list;
     if (window != state.window && follows) open_window(state, window);
   }
-  // The list of networks has come: the driver chooses (015560 11.7.2 S3-2-2); with an empty one the window stays.
+  // The list of networks has come: the driver chooses (015560 11.7.2 S3-2-2); with an empty one the on-board says in
+  // the start of mission what follows.
   const bool listed = waited && before.waiting == Waiting::network_list && display.waiting != Waiting::network_list;
-  if (listed && state.window == WindowId::radio_data && !display.data.networks.empty())
-    open_window(state, WindowId::network_id);
+  if (listed && state.window == WindowId::radio_data) {
+    if (!display.data.networks.empty())
+      open_window(state, WindowId::network_id);
+    else if (!display.start_of_mission)
+      open_window(state, after_failed_registration(display, display.data.radio));  // 015560 11.7.3 A5, D9
+  }
   Awaited& awaited = state.awaited;
   if (!awaited.on) return;
   if (waits) awaited.seen = true;
@@ -136,6 +141,22 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
   // The on-board went no step further, as after data that it did not take: the window of its step is open again.
   const auto window = display.step ? opens(*display.step) : std::nullopt;
   if (window && *window != state.window) open_window(state, *window);
+}
+
+/// Level 2 from level 0 or NTC may trip the train: then the default window asks for the acknowledgement of the trip,
+/// and the radio data come after it (015560 11.7.3 D5).
+void follow_trip(State& state, const port::Display& before) {
+  if (!state.level_may_trip) return;
+  const bool trips = state.display.mode == Mode::TR, tripped = before.mode == Mode::TR;
+  if (trips && !tripped) {
+    state.awaited = Awaited{};
+    return open_window(state, WindowId::default_);
+  }
+  if (trips) return;
+  // One way or the other it is over as soon as the level is taken.
+  if (!tripped && !level_2_or_3(before.level)) return;
+  state.level_may_trip = false;
+  if (tripped && state.display.mode == Mode::PT) open_window(state, WindowId::radio_data);
 }
 
 /// Windows close when the condition of their button is lost, after the start-up dialogue (015560 11.7.1.7).
@@ -157,6 +178,7 @@ void await(State& state, WindowId then, Duration now, bool needs_mode) {
 
 void choose(State& state, Button button, Duration now) {
   if (!button_enabled(state, button)) return;
+  state.level_may_trip = false;
   if (state.window == WindowId::main) give(state, Select::main);
   const Effect& effect = kEffects[terms::index(button)];
   if (effect.select != Select::count) give(state, effect.select);
@@ -181,6 +203,7 @@ void follow_dialogue(State& state, const port::Display& before) {
   const bool first = !state.shown_once;
   follow_step(state, before, first);
   follow_waiting(state, before, first);
+  if (!first) follow_trip(state, before);
   close_lost(state);
 }
 

@@ -43,7 +43,7 @@ constexpr auto kFieldRows = std::to_array<FieldRow>({
     FieldRow{WindowId::validate_remove_vbc, FieldId::validation},
 });
 
-constexpr Duration kTapTime{2.0};  // of a multi-tap (015560 10.3.3.4)
+constexpr Duration kTapTime{2.0};  // of a multi-tap (015560 10.3.2.5)
 constexpr int kDeleteKey = 10, kZeroKey = 11, kLastKey = 12, kNoKey = 7, kYesKey = 8;
 constexpr std::array<std::string_view, 9> kLetters{"1",    "2abc",  "3def", "4ghi", "5jkl",
                                                    "6mno", "7pqrs", "8tuv", "9wxyz"};
@@ -71,12 +71,13 @@ const port::EntryRange* range_of(const State& state, FieldId id) {
   }
 }
 
-/// The check of a value at Enter (015560 10.3.4.1).
+/// The check of a value at Enter (015560 10.3.4.2, 10.3.4.3, 10.3.4.5).
 Check check_range(const State& state, const Field& field) {
   const auto number = typed_number(field.value);
-  if (field.id == FieldId::rbc_id) return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
-  // Validity period, country and identity: 8, 10 and 6 bits (015560 11.3.8).
-  if (field.id == FieldId::vbc_to_set) return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
+  // Three codes have 24 bits: country and RBC (015560 11.3.5.3.1); validity period, country and identity of a virtual
+  // balise cover (11.3.12.5), of which the code to remove it does not need the period (11.3.13.5).
+  if (field.id == FieldId::rbc_id || field.id == FieldId::vbc_to_set || field.id == FieldId::vbc_to_remove)
+    return number && *number < (1u << 24) ? Check::passed : Check::technical_range;
   const port::EntryRange* range = range_of(state, field.id);
   if (range == nullptr) return Check::passed;
   if (!number) return Check::technical_range;
@@ -110,7 +111,7 @@ void changed(State& state, Field& field) {
 }
 
 /// The first key since the field was selected, or since a check rejected the value, replaces what is shown
-/// (015560 10.3.2.3).
+/// (015560 10.3.1.19).
 bool replaces(const Field& field) {
   return !field.typed || field.check == Check::technical_range || field.check == Check::operational_range;
 }
@@ -120,7 +121,7 @@ void type_character(Field& field, char c) {
   if (field.value.typed.length < most_characters(field.id)) field.value.typed.append(c);
 }
 
-/// A key with letters: pressed again in time it changes the last character (015560 10.3.3.4).
+/// A key with letters: pressed again in time it changes the last character (015560 10.3.2.5).
 void tap(State& state, Field& field, int number, Duration now) {
   Entry& entry = state.entry;
   const std::string_view letters = kLetters[static_cast<std::size_t>(number - 1) % kLetters.size()];
@@ -145,7 +146,7 @@ void select(State& state, std::size_t place) {
   state.page = static_cast<std::uint8_t>(place / kFieldsPerPage);
 }
 
-/// A check of train data across fields (015560 10.3.4.2): whether the train is too fast for its category.
+/// A check of train data across fields (015560 10.3.4.4, 10.3.4.6): whether the train is too fast for its category.
 bool fails(const port::CrossCheck& check, const port::ShownTrainData& train, std::optional<std::size_t> category) {
   if (!category || !check.categories.has(static_cast<TrainCategory>(*category))) return false;
   return train.V_MAXTRAIN > check.V_most;
@@ -202,7 +203,7 @@ std::uint8_t most_characters(FieldId id) {
 
 bool is_entered(const port::Display& display, FieldId id) {
   switch (id) {
-    case FieldId::rbc_phone:  // where GSM-R is used (015560 11.3.12)
+    case FieldId::rbc_phone:  // where GSM-R is used (015560 11.3.5.4)
       return display.data.radio != port::RadioNetworkType::frmcs && display.config.gsmr_fitted;
     case FieldId::brake_percentage:
       return display.config.asks_brake_percentage;
@@ -257,7 +258,7 @@ Key key_at(const State& state, int number) {
     if (key.choice < 0 || static_cast<std::size_t>(key.choice) >= choices_of(state, field->id)) return key;
     key.label = choice_label(state, field->id, static_cast<std::size_t>(key.choice));
     key.enabled = choice_enabled(state, field->id, static_cast<std::size_t>(key.choice));
-    // The key of level 3 exists up to 3.6.0 (015560 11.3.3).
+    // The key of level 3 exists up to 3.6.0 (015560 11.3.2.5).
     if (field->id == FieldId::level && key.choice == 2 && !key.enabled &&
         state.display.config.srs == SrsVersion::v4_0_0)
       key.label.clear();
@@ -330,7 +331,7 @@ bool touch_field(State& state, std::size_t place) {
   if (place >= entry.fields.size()) return false;
   Field& current = entry.fields[entry.selected % entry.fields.size()];
   if (place != entry.selected) {
-    // A new value that was not accepted is erased, and the old one is deleted (015560 10.3.2.9).
+    // A new value that was not accepted is erased, and the old one is deleted (015560 10.3.1.20).
     if (current.typed && !current.accepted) current.value = Value{};
     if (current.check == Check::technical_range || current.check == Check::operational_range)
       current.check = Check::passed;

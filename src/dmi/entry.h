@@ -56,7 +56,7 @@ bool check_across(State&);
 /// The number of choices of a dedicated keyboard, and their labels.
 std::size_t choices_of(const State&, FieldId);
 Words choice_label(const State&, FieldId, std::size_t choice);
-/// The first choices of the level window (015560 11.3.3); the national systems follow.
+/// The first choices of the level window (015560 11.3.2); the national systems follow.
 inline constexpr std::array<Level, 4> kLevelChoices{Level::L1, Level::L2, Level::L3, Level::L0};
 /// NID_NTC of a choice of the level window; none where it is another level.
 std::optional<std::uint8_t> system_of_choice(const port::Display&, std::size_t choice);

@@ -134,7 +134,7 @@ Value stored_sr(const Display& display, FieldId id) {
   const port::ShownSR& sr = display.data.stored.SR;
   if (sr.status == DataStatus::unknown) return {};
   if (id == FieldId::sr_speed) return typed(static_cast<std::uint64_t>(whole_kmh(sr.V)));
-  // A distance that is infinite or longer than can be entered: the longest one (015560 11.7.5).
+  // A distance that is infinite or longer than can be entered: the longest one (015560 11.7.6 S3).
   const double most = display.data.D_sr_most ? display.data.D_sr_most->si : display.config.D_sr.most;
   return typed(static_cast<std::uint64_t>(whole(sr.D && sr.D->si < most ? sr.D->si : most, 0, 999999)));
 }

@@ -28,7 +28,7 @@ constexpr std::array<WindowRow, kWindows> kWindowRows{{
     {system_version, "System version", Layout::view, settings, Button::system_version, false},
     {set_vbc, "Set VBC", Layout::entry_full, settings, Button::set_vbc, false},
     {remove_vbc, "Remove VBC", Layout::entry_full, settings, Button::remove_vbc, false},
-    {ato, "ATO", Layout::entry_half, settings, Button::ato, true},
+    {ato, "ATO selector", Layout::entry_half, settings, Button::ato, true},
     {adhesion, "Adhesion", Layout::entry_half, special, Button::adhesion, true},
     {sr_data, "SR speed / distance", Layout::entry_full, special, Button::sr_speed_distance, true},
     {rbc_data, "RBC data", Layout::entry_full, radio_data, Button::enter_rbc_data, true},
@@ -158,7 +158,7 @@ void add_covers(ViewItems& items, const State& state) {
     Words label_words{"VBC #"};
     append_number(label_words, ++number);
     label_words.append(" set code");
-    // As it is entered (015560 11.3.6): NID_VBCMK in the low 6 bits, then NID_C, then T_VBC.
+    // As it is entered (015560 11.3.12.5): NID_VBCMK in the low 6 bits, then NID_C, then T_VBC.
     const std::int64_t code =
         (std::int64_t{cover.T_VBC} << 16) | (std::int64_t{cover.NID_C & 0x3FFu} << 6) | (cover.NID_VBCMK & 0x3F);
     add_item(items, label_words.view(), number_words(code));
@@ -195,7 +195,7 @@ bool button_enabled(const State& state, Button button) {
 
 bool close_enabled(const State& state) {
   if (waits_here(state) && is_waiting(state)) return false;
-  if (!state.display.start_of_mission) return !state.running_number_next;
+  if (!state.display.start_of_mission) return true;  // 015560 11.7.3.2
   switch (state.window) {
     case settings:
     case network_id:

@@ -52,7 +52,7 @@ std::uint8_t pages_of(const State&);
 void open_window(State&, WindowId);
 /// To the parent.
 void close_window(State&);
-/// Leaves data entry for an acknowledgement or because its condition is lost (015560 11.7.1.6, .8).
+/// Leaves data entry for an acknowledgement or because its condition is lost (015560 11.7.1.7, .9).
 void abort_entry(State&);
 /// A button of a menu acts.
 void choose(State&, Button, Duration now);

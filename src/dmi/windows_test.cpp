@@ -211,6 +211,25 @@ TEST_F(Windows, RangesAreChecked) {
   EXPECT_EQ(item(Kind::field, "Length (m)").state, FieldState::accepted);
 }
 
+// A code has 24 bits, whether a cover is set with it or removed (015560 11.3.12.5, 11.3.13.5).
+TEST_F(Windows, CodesOfCoversHaveTheirRange) {
+  for (const WindowId window : {WindowId::set_vbc, WindowId::remove_vbc}) {
+    open(window);
+    keys("16777216");
+    ASSERT_TRUE(tap("field 1"));
+    EXPECT_EQ(item(Kind::echo, "VBC code").text.view(), "++++") << row_of(window).title;
+    EXPECT_FALSE(tap("Yes")) << row_of(window).title;
+    keys("16777215");
+    ASSERT_TRUE(tap("field 1"));
+    EXPECT_TRUE(tap("Yes")) << row_of(window).title;
+  }
+}
+
+TEST_F(Windows, TheSelectorOfAutomaticDrivingHasItsTitle) {  // 015560 11.3.14.2
+  open(WindowId::ato);
+  EXPECT_EQ(drawn(state).window.view(), "ATO selector");
+}
+
 class TrainData : public Windows {
  protected:
   void enter_all() {
@@ -332,7 +351,7 @@ TEST_F(Windows, CodesOfCovers) {
   EXPECT_TRUE(commands.actions.has(port::Select::vbc_remove));
 }
 
-// The code with which a cover was set, whatever is left of its time (015560 11.4, 11.3.6).
+// The code with which a cover was set, whatever is left of its time (015560 11.5.1, 11.3.12.5).
 TEST_F(Windows, DataViewHasTheCodesOfCovers) {
   (void)display.data.covers.push_back({.NID_C = 926, .NID_VBCMK = 48, .left = Duration{3.0 * 86400.0}, .T_VBC = 4});
   (void)display.data.covers.push_back({.NID_C = 1, .NID_VBCMK = 2, .left = Duration{1.0}, .T_VBC = 255});

@@ -332,7 +332,7 @@ export class Cabin {
       const key = keys.find((candidate) => candidate.label.replace(" ", "").includes(character));
       assert.ok(key !== undefined, `no key for ${character}`);
       const letters = key.label.replace(" ", "");
-      // The same key at once would change the letter (015560 10.3.3.4).
+      // The same key at once would change the letter (015560 10.3.2.5).
       if (key.n === before && letters.length > 1) await this.advance(2.2);
       for (let n = 0; n <= letters.indexOf(character); ++n) await this.press(`key ${key.n}`);
       before = key.n;

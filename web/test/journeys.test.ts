@@ -287,7 +287,7 @@ async function prepareLevel2(cab: Cabin): Promise<void> {
   await cab.enter("Level", "Level 2");
   await cab.wait({ window: "Radio data" }, 60);
   await cab.press("Enter RBC data");
-  // NID_C 1000 and NID_RBC 1 in one number (015560 11.3.12).
+  // NID_C 1000 and NID_RBC 1 in one number (015560 11.3.5.3.1).
   await cab.enter("RBC data", { "RBC ID": `${1000 * 16384 + 1}`, "RBC phone number": "0041790000000001" });
   await cab.enterTrainData();
 }
