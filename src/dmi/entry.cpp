@@ -409,7 +409,7 @@ Words shown_value(const State& state, const Field& field) {
   if (field.value.choice >= 0) return choice_label(state, field.id, static_cast<std::size_t>(field.value.choice));
   const std::string_view typed = field.value.typed.view();
   Words words;
-  // More than five characters of a line: two groups with a blank; a line has eight (015560 5.1.5.4).
+  // More than five characters of a line: two groups with a blank; a line has eight (015560 5.1.5.2).
   for (std::size_t line = 0; line < typed.size(); line += 8) {
     const std::string_view part = part_of(typed, line, 8);
     if (line > 0) words.append('\n');

@@ -109,7 +109,7 @@ bool takes_place(const port::Display& display, Button instead) {
   }
 }
 
-/// The lines of a value, the label before the first one: a value has eight characters on a line (015560 5.1.5.4).
+/// The lines of a value, the label before the first one: a value has eight characters on a line (015560 5.1.5.2).
 void add_item(ViewItems& items, std::string_view label_text, const Words& value) {
   std::string_view rest = value.view();
   do {

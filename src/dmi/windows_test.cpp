@@ -363,7 +363,7 @@ TEST_F(Windows, DataViewHasTheCodesOfCovers) {
   EXPECT_EQ(codes, (std::vector<std::string>{"321456", std::to_string((255 << 16) | (1 << 6) | 2)}));
 }
 
-// Sixteen digits are two lines of eight (015560 5.1.5.4), and each fits beside its label.
+// Sixteen digits are two lines of eight (015560 5.1.5.2), and each fits beside its label.
 TEST_F(Windows, DataViewHasLongNumbersOnLinesThatFit) {
   display.data.stored.rbc_status = DataStatus::valid;
   display.data.stored.rbc = {.NID_C = 1000, .NID_RBC = 1, .NID_RADIO = 0x0041790000000001};

@@ -3,6 +3,7 @@
 #include "kernel/evc.h"
 #include "kernel/here.h"
 #include "kernel/reset.h"
+#include "track/indication.h"
 #include "train/fixed_values.h"
 
 // The record of the display (ERA_ERTMS_015560) from what a cycle has put out.
@@ -181,8 +182,28 @@ class Shower {
     if (!has(eoa_loa) || to_.track_ahead_free || !plan(s_, d_, to_.planning)) return;
     if (!has(gradient)) to_.planning.gradients.clear();
     if (!has(mrsp)) to_.planning.speeds.clear();
-    for (const PlannedCondition& c : to_.planning.conditions)
-      (void)to_.orders.push_back({picture_of(c.symbol), c.at});  // as many
+    for (const PlannedCondition& c : to_.planning.conditions) show_order(c);
+  }
+  /// An order stands where its symbol will appear in B3 to B5 (015560 8.3.4.22), in rear of the condition by the way to
+  /// it at this speed; what has appeared is no order any more.
+  void show_order(const PlannedCondition& c) {
+    const bool ends = c.kind && driver::planning_symbol(*c.kind, true, s_.by_train) == c.symbol;
+    const Duration lead = !c.kind ? track::lead_of_traction() : ends ? Duration{} : track::lead_of(*c.kind);
+    const Speed V = out_.v > Speed{} ? out_.v : Speed{};
+    const Distance appears = c.at - V * lead;
+    if (!(appears > Distance{}) || (!ends && has_appeared(c))) return;
+    std::size_t i = to_.orders.size();
+    while (i > 0 && appears < to_.orders[i - 1].at) --i;
+    (void)to_.orders.insert(i, {picture_of(c.symbol), appears});  // as many
+  }
+  /// An announcement is not taken back when the train gets slower.
+  bool has_appeared(const PlannedCondition& order) const {
+    if (!order.kind) return s_.track.traction && s_.track.traction->progress.phase != ConditionPhase::ahead;
+    for (const track::TrackCondition& c : s_.track.conditions)
+      if (c.kind == *order.kind && c.progress.phase != ConditionPhase::ahead &&
+          c.from - track::passes_start(c.kind, here_) == order.at)
+        return true;
+    return false;
   }
   /// As the advance display has it: to an EOA from the estimated front end.
   Distance distance_to(const sdm::TargetId& target) const {

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/test_units.h"
+#include "kernel/basis.h"
+#include "kernel/curves.h"
 #include "kernel/evc.h"
 #include "kernel/state.h"
 
@@ -282,6 +286,36 @@ TEST_F(Show, EveryConditionThatIsStoredHasARow) {
   state.displayed.level_crossing = ++id;
   ASSERT_EQ(shown().conditions.size(), id);
   EXPECT_EQ(shown().conditions.back().id, id);
+}
+
+/// 015560 8.3.4.22: the announcement of 15 s at this speed lies in rear of the start (5.18.2.2), and is no order any
+/// more once it was shown, whatever the speed. What ends is shown at its end.
+TEST_F(Show, OrdersStandWhereTheirSymbolsWillAppear) {
+  state.train.L_TRAIN = 100_m;
+  state.train.V_MAXTRAIN = kmh(140.0);
+  state.basis.number = 1;
+  state.basis.min_safe_rear = at(890.0);
+  state.basis.authority.EOA = state.basis.authority.SvL = at(4000.0);
+  EXPECT_TRUE(state.track.ssp.append(at(0.0), {.V_STATIC = 28}));
+  EXPECT_TRUE(state.track.gradient.append(at(0.0), {0}));
+  build(derived->in_force, state, {}, state.basis);
+  derived->built = state.basis.number;
+  ASSERT_TRUE(
+      state.track.conditions.push_back({at(2000.0), at(2500.0), TrackConditionKind::powerless_lower_pantograph}));
+  ASSERT_TRUE(state.track.conditions.push_back({at(1800.0), at(1900.0), TrackConditionKind::radio_hole}));
+  const auto orders = [&] {
+    std::vector<std::pair<Picture, double>> all;
+    for (const port::PlannedOrder& order : shown().orders) all.emplace_back(order.picture, order.at.si);
+    return all;
+  };
+  using Orders = std::vector<std::pair<Picture, double>>;
+  outputs->v = kmh(72.0);
+  // From the max safe front end at 1010 m, 300 m before the start; from the min safe front end at 990 m.
+  EXPECT_EQ(orders(), (Orders{{Picture::PL02, 690.0}, {Picture::PL10, 790.0}, {Picture::PL04, 1510.0}}));
+  outputs->v = Speed{};
+  EXPECT_EQ(orders(), (Orders{{Picture::PL10, 790.0}, {Picture::PL02, 990.0}, {Picture::PL04, 1510.0}}));
+  state.track.conditions[0].progress.phase = ConditionPhase::announced;
+  EXPECT_EQ(orders(), (Orders{{Picture::PL10, 790.0}, {Picture::PL04, 1510.0}}));
 }
 
 TEST_F(Show, InReversingTheDistanceIsThatLeftToRun) {

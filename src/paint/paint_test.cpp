@@ -300,7 +300,7 @@ TEST(Drawing, LongLabelsAreBrokenBetweenWordsInsideTheButton) {
   EXPECT_LE(bounds.most.y, 150.0);
 }
 
-// Eight digits in two groups are one line of the data part of a field, sixteen are two (015560 5.1.5.4, 10.3.1).
+// Eight digits in two groups are one line of the data part of a field, sixteen are two (015560 5.1.5.2, 10.3.1).
 TEST(Drawing, SixteenDigitsAreTwoLinesInsideTheField) {
   Item item = item_of(Kind::field);
   item.name.clear();

@@ -131,6 +131,13 @@ Place passes_end(TrackConditionKind kind, const Here& here) {
   return place_of(course != nullptr ? course->at_E : End::min_safe_rear, here);
 }
 
+Duration lead_of(TrackConditionKind kind) {
+  const Course* course = course_of(kind);
+  return course != nullptr ? course->lead : Duration{};
+}
+
+Duration lead_of_traction() { return kTraction.lead; }
+
 void advance_conditions(Description& d, const Here& here, Speed V) {
   d.watch = {.changed = false, .shown = false, .stopping = false, .quiet_to = kNowhere};
   Runner runner(d.watch, here, V);

@@ -19,6 +19,11 @@ constexpr bool same(const CurrentChange& a, const CurrentChange& b) { return a.a
 Place passes_start(TrackConditionKind kind, const Here& here);
 Place passes_end(TrackConditionKind kind, const Here& here);
 
+/// How long before the start of a condition, or before a change of the traction system, its first indication begins
+/// (point C of 5.18). Zero for the stopping areas, whose indication begins by the braking curves.
+Duration lead_of(TrackConditionKind kind);
+Duration lead_of_traction();
+
 /// What is known of a condition that is sent again: an announcement is not taken back (A.3.5.1).
 constexpr Progress sent_again(const Progress& before) {
   Progress again;
