@@ -305,8 +305,14 @@ bool end_before(Description& d, Place place, const Here& here) {
 }
 
 void turn(Description& d) {
+  auto texts = d.texts;
+  // A text that waits for a place is ahead of the former front end.
+  texts.erase_if([](const Text& text) { return text.state == Text::State::waiting && text.start_at; });
+  for (Text& text : texts)
+    if (text.end_at) text.end_at = Place{-text.end_at->from_origin};
   const std::optional<GroupList> sh_list = d.sh_list;
   delete_all(d);
+  d.texts = texts;
   d.sh_list = sh_list;
   d.geo.erase_if([](const GeoReference& reference) { return !reference.applicable; });
   for (GeoReference& reference : d.geo) {

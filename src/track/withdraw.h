@@ -52,7 +52,8 @@ struct Elapsed {
 Elapsed advance(Description& d, const Here& here);
 
 /// The train has the other orientation: everything ahead of it is deleted, but for the list of groups that may be
-/// passed in SH; the geographical position goes on (3.6.6.4.3, 3.11.5.10, 5.12).
+/// passed in SH; the geographical position goes on (3.6.6.4.3, 3.11.5.10, 5.12), and so do texts that do not wait for a
+/// place ahead, with the brake that one asks for (4.10 and 4.12, entry of SM); where they end lies in rear now.
 void turn(Description& d);
 
 /// Deletes (resets to the initial state) the data of a row of 4.10.1.3, as required by the tables of 4.9 and 4.10 in

@@ -426,5 +426,35 @@ TEST(Forget, EachRow) {  // 4.10.1.3
   EXPECT_EQ(stored_here, 27u);
 }
 
+/// 4.10 and 4.12 of the entry of SM: the driver acknowledges a text in the other orientation too.
+TEST(Turn, TextsThatAreShownStay) {
+  Description d = full();
+  d.texts.clear();
+  Text shown, waiting;
+  shown.state = Text::State::shown;
+  shown.id = 7;
+  shown.start_at = at(100.0);
+  shown.end_at = at(900.0);
+  waiting.start_at = at(500.0);
+  ASSERT_TRUE(d.texts.push_back(shown));
+  ASSERT_TRUE(d.texts.push_back(waiting));
+  const std::uint32_t revision = d.revision;
+  turn(d);
+  ASSERT_EQ(d.texts.size(), 1u);
+  EXPECT_EQ(d.texts[0].id, 7);
+  EXPECT_EQ(d.texts[0].end_at, at(-900.0));
+  EXPECT_NE(d.revision, revision);
+  EXPECT_FALSE(d.ma);
+}
+
+TEST(Turn, ATextThatWaitsForAModeStays) {
+  Description d;
+  Text text;
+  text.start_mode = Mode::OS;
+  ASSERT_TRUE(d.texts.push_back(text));
+  turn(d);
+  EXPECT_EQ(d.texts.size(), 1u);
+}
+
 }  // namespace
 }  // namespace evc::track
