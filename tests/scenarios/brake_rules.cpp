@@ -210,8 +210,6 @@ class Look {
     }
   }
   void kept() {
-    // The national system goes on to order it: that only the one in charge may is left to its interface.
-    if (rule_->ways[0][0].name == "not ordered" && !*rule_->ways[0][0].holds(cycle_)) return;
     if (rule_->of_level && before_.level != *rule_->of_level) return;
     note("kept " + entry());
     if (revokes()) fault("is not revoked by the entry of " + entry());

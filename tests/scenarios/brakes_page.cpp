@@ -190,10 +190,10 @@ std::string brakes_page() {
   add_rules(page);
   page +=
       "\n## Mode entries\n"
-      "4.12 of 4.0.0, which the unit applies in every edition: `r` seen revoked, `m` seen maintained (both: `r` from "
-      "PT), "
-      "`t` seen\n"
-      "evaluated again, `?` not seen, see below; empty: not relevant or not defined by the table.\n\n";
+      "4.12 of 4.0.0, which the unit applies in every edition (of a national system: SUBSET-035 5.3.1.1): `r` seen "
+      "revoked, `m` seen\n"
+      "maintained (both: `r` from PT), `t` seen evaluated again, `?` not seen, see below; empty: not relevant or not "
+      "defined by the table.\n\n";
   add_entries(page, absent);
   page += "\n## Not seen\n| what | why |\n|---|---|\n";
   for (const auto& [key, why] : absent) page += "| " + key + " | " + why + " |\n";

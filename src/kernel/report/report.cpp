@@ -19,20 +19,12 @@
 namespace evc::kernel {
 namespace {
 
-/// Brakes ordered by the national system (3.14.1.7.7), in the modes in which the unit handles brake commands of others
-/// than the train's power and failure (4.12).
+/// Brakes ordered by the national system: it has access to them in SN alone (SUBSET-035 5.3.1.1); of what it still
+/// orders when another mode is entered nothing is left (4.12, 3.14.1.7.7).
 void ask_for_national_system(Mode mode, const NationalSystem& national_system, brakes::CauseSet& asked) {
-  switch (mode) {
-    case Mode::NP:
-    case Mode::PS:
-    case Mode::SL:
-    case Mode::NL:
-    case Mode::IS:
-      return;
-    default:
-      asked.add(brakes::Cause::national_system_service, national_system.service_brake);
-      asked.add(brakes::Cause::national_system_emergency, national_system.emergency_brake);
-  }
+  if (mode != Mode::SN) return;
+  asked.add(brakes::Cause::national_system_service, national_system.service_brake);
+  asked.add(brakes::Cause::national_system_emergency, national_system.emergency_brake);
 }
 
 /// Of a train that reports on its service brake: the signal, and the pressure (3.14.1.2).
