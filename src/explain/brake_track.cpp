@@ -283,6 +283,8 @@ Steps unacknowledged_steps(Cause cause, const Journal& journal, const Moment& m)
       steps.push_back(step_of(*note));
       if (const auto area = track::area_due(m.after.track, kernel::here(m.after)); area && area->mode == m.after.mode)
         steps.back().text += fmt::format(": an area of {} from {}", name(area->mode), place_words(m.after, area->from));
+      else if (m.after.mode == Mode::SH)  // its area is deleted (4.10)
+        steps.back().text += ": an area of SH";
       steps.back().clause = "3.12.4";
     }
     if (const Note* note = journal.last(What::mode_changed, m.t_ms)) steps.push_back(step_of(*note));

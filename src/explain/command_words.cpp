@@ -84,7 +84,7 @@ std::optional<std::string> release_words(const Command& c, const Moment& now) {
       return "when the driver acknowledges it";
     case Cause::national_system_service:
     case Cause::national_system_emergency:
-      return "when the national system withdraws its order";
+      return "when the national system withdraws its order, or SN is left";
     case Cause::balise_antenna:
       return "when the alarm ends";
     default:

@@ -153,7 +153,7 @@ Step step_of(const Note& note) {
     clause = text.substr(bracket + 2, text.size() - bracket - 3);
     text.resize(bracket);
   }
-  if (note.event.what == What::trip_ordered) text += " (V_MAIN 0, signal at danger)";
+  if (note.event.what == What::trip_ordered) text += " (packet 12, V_MAIN 0: signal at danger)";
   if (note.event.what == What::authority_timer_elapsed) text = timer_words(clause);
   if (note.event.what == What::mode_changed) {
     text += fmt::format(": {}", modes::meaning(note.event.id));

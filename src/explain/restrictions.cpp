@@ -7,6 +7,7 @@
 #include "kernel/curves.h"
 #include "kernel/here.h"
 #include "kernel/train_category.h"
+#include "terms/message_numbers.h"
 #include "terms/packet_numbers.h"
 
 // The parts of the MRSP and the targets of a moment.
@@ -129,7 +130,8 @@ bool of_area(const kernel::State& s) {
   return area && area->mode == s.mode && area->V_MAMODE != track::kNoSpeed;
 }
 
-/// The speed of the mode: of its area, of reversing, entered by the driver, or the national one.
+/// The speed of the mode: of its area, of reversing, of the authorisation for SM, entered by the driver, or the
+/// national one.
 Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
   const Mode mode = m.after.mode;
   Restriction r{MrspSource::mode, V, fmt::format("{} of mode {}", kmh_words(V), name(mode)), {}};
@@ -139,6 +141,9 @@ Restriction mode_limit(const Journal& journal, const Moment& m, Speed V) {
     r.from = note != nullptr ? step_of(*note) : packet_step(journal, m, packet::mode_profile);
   }
   if (mode == Mode::RV) r.from = packet_step(journal, m, packet::reversing_supervision);
+  if (const Note* note = journal.last(What::message_accepted, m.t_ms, std::int32_t{message::sm_authorised});
+      mode == Mode::SM && note != nullptr)
+    r.from = Step{note->t_ms, message_words(message::sm_authorised), ""};
   const Act* entered = journal.last(Act::Kind::SR_speed, m.t_ms);
   if (mode == Mode::SR && m.after.staff_responsible.V && entered != nullptr) r.from = step_of(*entered);
   if (r.from || mode == Mode::RV) return r;
@@ -187,8 +192,11 @@ Restriction of_source(const Journal& journal, const Moment& m, MrspSource source
     case MrspSource::mode:
       return mode_limit(journal, m, V);
     default:
+      // 3.11.10: a national value, as long as override is active.
       r.text = fmt::format("{} of override", kmh_words(V));
-      if (const Note* note = journal.last(What::override_active, m.t_ms)) r.from = step_of(*note);
+      if (const Note* note = journal.last(What::override_active, m.t_ms))
+        r.text += fmt::format(" since {}", time_words(note->t_ms));
+      r.from = national_values_step(journal, m.t_ms, "V_NVSUPOVTRP", "A.3.2");
       return r;
   }
 }

@@ -80,7 +80,7 @@ void fits_a_screen(const std::string& text) {
 
 TEST(Explain, why_the_brake_of_each_journey) {
   ASSERT_EQ(answered().size(), 66u);
-  ASSERT_EQ(answered("explain_read.scenario").size(), 27u);
+  ASSERT_EQ(answered("explain_read.scenario").size(), 45u);
   for (const char* file : kFiles)
     for (const Answered& each : answered(file)) {
       EXPECT_EQ(each.why.exit_code, 0) << each.why.errors;
