@@ -124,11 +124,11 @@ class Reader {
 
   File read(std::string_view text) {
     const std::vector<Line> lines = joined_lines(cut(text));
-    std::string also;
+    std::vector<std::string> also;
     for (std::size_t i = 0; i < lines.size();) {
       const std::string& head = lines[i][0].text;
       if (head == "also") {
-        also = issue_of(lines[i++]);
+        also.push_back(issue_of(lines[i++]));
         continue;
       }
       std::size_t end = i + 1;
@@ -143,7 +143,7 @@ class Reader {
         throw ReadError{lines[i][0].line, "\"" + head + "\"", "scenario, block or also"};
       i = end;
     }
-    if (!also.empty()) repeat(also);
+    for (const std::string& issue : also) repeat(issue);
     return std::move(out_);
   }
 
@@ -154,16 +154,19 @@ class Reader {
     throw ReadError{line[0].line, name_of(line, 0, line.size()), "also and an issue: 3.4.0, 3.6.0 or 4.0.0"};
   }
 
-  /// Each scenario again, in another issue. What it covers is of the issue of its `config`.
+  /// Each scenario again, in another issue.
   void repeat(const std::string& srs) {
     const std::size_t n = out_.scenarios.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      Scenario again = out_.scenarios[i];
-      again.name += " in " + srs;
-      again.srs = srs;
-      again.covers.clear();
-      out_.scenarios.push_back(std::move(again));
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      if (out_.scenarios[i].srs.empty()) out_.scenarios.push_back(again_in(out_.scenarios[i], srs));
+  }
+  /// What it covers is of the issue of its `config`.
+  static Scenario again_in(const Scenario& scenario, const std::string& srs) {
+    Scenario again = scenario;
+    again.name += " in " + srs;
+    again.srs = srs;
+    again.covers.clear();
+    return again;
   }
 
   /// Packets and balises on separate lines belong to the line before.
@@ -297,9 +300,12 @@ class Reader {
     for (const Scenario& other : out_.scenarios)
       if (other.name == s.name) throw ReadError{head[0].line, "scenario " + s.name + " again", "each name once"};
     std::vector<Line> steps;
+    std::vector<std::string> issues;
     for (const Line& line : body) {
       Words words(line);
-      if (words.take("covers"))
+      if (line[0].text == "also")
+        issues.push_back(issue_of(line));
+      else if (words.take("covers"))
         read_covers(words, s);
       else if (words.take("open"))
         s.open = words.text("\"finding\"");
@@ -310,7 +316,8 @@ class Reader {
     if (std::none_of(s.statements.begin(), s.statements.end(),
                      [](const Statement& x) { return x.kind == Statement::Kind::then && !x.in_block; }))
       throw ReadError{head[0].line, "a scenario that expects nothing", "at least one then"};
-    out_.scenarios.push_back(std::move(s));
+    out_.scenarios.push_back(s);
+    for (const std::string& issue : issues) out_.scenarios.push_back(again_in(s, issue));
   }
 
   static void read_covers(Words& words, Scenario& s) {
@@ -389,8 +396,9 @@ class Reader {
     s.action.same_cycle = same_cycle;
     if (!same_cycle) return;
     const bool shared = !before.empty() && before.back().kind != Statement::Kind::then &&
-                        gives_inputs(before.back().action) && gives_inputs(s.action);
-    if (!shared) words.fail("a message, a loop message or an input after another of them");
+                        gives_inputs(before.back().action) &&
+                        (gives_inputs(s.action) || s.action.what == Action::What::drive);
+    if (!shared) words.fail("a message, a loop message, an input or drives after one of the first three");
   }
 
   void read_action(Words& words, Action& a) {
