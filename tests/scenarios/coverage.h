@@ -23,7 +23,7 @@ struct Shown {
 };
 using Coverage = std::map<std::string, std::vector<Shown>>;  ///< by "kind name"
 
-/// The page docs/scenario-coverage.md.
+/// The page docs/scenario-coverage.md; all scenarios have been run.
 std::string coverage_page(const Coverage& coverage);
 
 }  // namespace evc::scenario

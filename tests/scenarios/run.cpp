@@ -20,7 +20,9 @@
 #include "io/retained_file.h"
 #include "io/telegram_json.h"
 #include "kernel/evc.h"
+#include "kernel/examine.h"
 #include "kernel/state.h"
+#include "mode_coverage.h"
 #include "modes/mode_properties.h"
 #include "openevc/terms/dialogue.h"
 #include "sim/cycle_inputs.h"
@@ -178,6 +180,14 @@ class Run {
     }
   }
 
+  /// As whole(); what was seen of the mode table counts with that of all scenarios.
+  std::string watched() {
+    std::string failure = whole();
+    const std::size_t from = scenario_.at.file.rfind('/') + 1;
+    const std::string file = scenario_.at.file.substr(from, scenario_.at.file.rfind('.') - from);
+    if (stream_) modes_.add_to_all(file + ": " + scenario_.name);
+    return failure;
+  }
   std::string whole() {
     try {
       const std::vector<Statement>& all = scenario_.statements;
@@ -190,7 +200,7 @@ class Run {
           !scenario_.open.empty() && f.of_the_unit && !f.at->in_block && f.at->kind == Statement::Kind::then;
       return expected ? "" : report(f);
     }
-    if (scenario_.open.empty()) return steps_not_seen();
+    if (scenario_.open.empty()) return steps_not_seen() + cells_not_seen();
     return scenario_.at.text() + ": scenario " + scenario_.name + "\n  is open (" + scenario_.open +
            ") and holds now: move it to the others and delete its line `open`\n";
   }
@@ -215,6 +225,19 @@ class Run {
                 " was not seen" + (step == to ? " after " + from : "") + "\n";
         break;
       }
+    }
+    return text;
+  }
+
+  /// `covers cell FROM>TO`: the transition has been seen.
+  std::string cells_not_seen() const {
+    std::string text;
+    for (const Cover& c : scenario_.covers) {
+      const std::size_t arrow = c.name.find('>');
+      if (c.kind != "cell" || arrow == std::string::npos) continue;
+      if (modes_.has(c.name.substr(0, arrow), c.name.substr(arrow + 1))) continue;
+      text += scenario_.at.text() + ": scenario " + scenario_.name + "\n  covers cell " + c.name +
+              ", and the transition was not seen\n";
     }
     return text;
   }
@@ -519,7 +542,11 @@ class Run {
     const auto more = stream_->next(inputs_of_cycle_);
     if (!more) fail("inputs that can be read", more.error().text(), false);
     const port::Inputs& in = inputs_of_cycle_.view();
-    kernel::step(unit_->state, unit_->derived, in, unit_->outputs);
+    const Mode mode_before = unit_->state.mode;
+    const bool SH_was_asked_for = unit_->state.shunting.waits_for_answer;
+    kernel::examine(unit_->state, unit_->derived, in, unit_->outputs, unit_->examined);
+    modes_.watch(stream_->configuration().srs, mode_before, {in, unit_->examined.facts, unit_->state, SH_was_asked_for},
+                 unit_->outputs);
     expect_coherent(unit_->outputs);
     expect_brake_rules(in);
     note_step();
@@ -812,6 +839,7 @@ class Run {
     kernel::State state;
     kernel::Derived derived;
     kernel::Outputs outputs;
+    kernel::Examined examined;
   };
   /// The outputs of one of the last cycles.
   struct Kept {
@@ -833,6 +861,7 @@ class Run {
   sim::CycleInputs inputs_of_cycle_;
   brake_rules::Memory brakes_;
   DisplayMemory display_;
+  ModeWatch modes_;
   std::deque<std::string> waiting_;
   std::vector<std::string> queued_;
   std::string inputs_;
@@ -852,11 +881,11 @@ class Run {
 
 }  // namespace
 
-std::string run(const Scenario& scenario) { return Run(scenario).whole(); }
+std::string run(const Scenario& scenario) { return Run(scenario).watched(); }
 
 std::string run(const Scenario& scenario, std::string& inputs) {
   Run one(scenario);
-  std::string failure = one.whole();
+  std::string failure = one.watched();
   inputs = one.inputs();
   return failure;
 }

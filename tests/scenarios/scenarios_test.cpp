@@ -15,6 +15,7 @@
 #include "brakes_page.h"
 #include "coverage.h"
 #include "display.h"
+#include "mode_coverage.h"
 #include "openevc/terms/dialogue.h"
 #include "run.h"
 #include "through_c.h"
@@ -32,6 +33,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMissingAtMost = 2;
 /// Rows of brakes_missing.txt, one of each cause: the list can only become shorter.
 constexpr std::size_t kBrakesMissingAtMost = 7;
+/// Rows of modes_missing.txt, one of each edition: the list can only become shorter.
+constexpr std::size_t kModesMissingAtMost = 27;
 /// The rows of tests/reference/procedure_steps.txt.
 constexpr std::size_t kSteps = 355;
 
@@ -195,6 +198,7 @@ TEST(ScenarioCoverage, every_brake_cause_is_required) {
 }
 
 TEST(ScenarioCoverage, the_page_is_up_to_date) {
+  for (const auto& [file, scenario] : collection().scenarios) (void)result_of(scenario);
   EXPECT_EQ(text_of(fs::path(evc::test::source_folder()) / "docs/scenario-coverage.md"),
             coverage_page(coverage_of(collection())))
       << "scenarios_test --coverage > docs/scenario-coverage.md";
@@ -215,6 +219,15 @@ TEST(Display, every_cell_of_4_7_2) {
       << "delete from display_missing.txt:" << lines_of(not_missing_on_display());
   EXPECT_EQ(text_of(fs::path(evc::test::source_folder()) / "docs/display-coverage.md"), display_page())
       << "scenarios_test --display > docs/display-coverage.md";
+}
+
+/// 4.6.2 and 4.6.3 of every edition: every cell, every term of every condition, in all scenarios.
+TEST(Modes, every_cell_and_every_term_of_every_condition) {
+  for (const auto& [file, scenario] : collection().scenarios) (void)result_of(scenario);
+  EXPECT_TRUE(wrong_of_modes().empty()) << "table and unit differ:" << lines_of(wrong_of_modes());
+  EXPECT_TRUE(missing_of_modes().empty()) << "in no scenario:" << lines_of(missing_of_modes());
+  EXPECT_TRUE(not_missing_of_modes().empty()) << "delete from modes_missing.txt:" << lines_of(not_missing_of_modes());
+  EXPECT_LE(known_missing_of_modes(), kModesMissingAtMost);
 }
 
 /// 3.14.1 and 4.12: every cause of a brake command, in all scenarios.
@@ -250,6 +263,7 @@ int main(int argc, char** argv) {
   using namespace evc::scenario;
   const Collection& all = collection();
   if (argc == 2 && std::string_view(argv[1]) == "--coverage") {
+    for (const auto& [file, scenario] : all.scenarios) (void)run(scenario);
     std::cout << coverage_page(coverage_of(all));
     return 0;
   }

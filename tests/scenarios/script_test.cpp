@@ -34,7 +34,7 @@ TEST(Script, refuses_what_is_misspelt_and_says_where) {
   constexpr Wrong cases[] = {
       {"scenario a\n  when desk opend\n", "x.scenario: line 2: found \"opend\", expected one of closed, opened"},
       {"also 3.5.0\nscenario a\n  then mode SB [4.6.3]\n", "line 1: found also 3.5.0, expected also and an issue"},
-      {"scenario a\n  then mode SB [4.6.3]\nalso 4.0.0\n", "line 3: found \"also\", expected given, when, then or and"},
+      {"scenario a\n  then mode SB [4.6.3]\n  also 3.5.0\n", "line 3: found also 3.5.0, expected also and an issue"},
       {"scenario a\n  if desk opened\n", "line 2: found \"if\", expected given, when, then or and"},
       {"scenario a\n  when desk opened\n", "line 1: found a scenario that expects nothing"},
       {"scenario a\n  then mode FX [4.6.3]\n", "line 2: found \"FX\", expected one of NP, SB"},
@@ -73,7 +73,7 @@ TEST(Script, refuses_what_is_misspelt_and_says_where) {
        "line 4: found \"w\", expected a parameter of b"},
       {"scenario a\n  then mode SB [4.6.3]\nscenario a\n", "line 3: found scenario a again"},
       {"scenario a\n  when waits 1 s\n  and in the same cycle message 6\n",
-       "line 3: found the end of the statement, expected a message, a loop message or an input after another of them"},
+       "line 3: found the end of the statement, expected a message, a loop message, an input or drives"},
       {"something\n", "line 1: found \"something\", expected scenario, block or also"},
       {"scenario a\n  when input { t \"unclosed }\n", "line 2: found the end of the line, expected \" that closes"},
   };
@@ -216,6 +216,41 @@ TEST(Script, each_scenario_once_more_in_another_issue) {
   EXPECT_TRUE(again.covers.empty());
   EXPECT_TRUE(contains(inputs_of(again), "\"srs\":\"4.0.0\"")) << inputs_of(again);
   EXPECT_TRUE(contains(inputs_of(file->scenarios[0]), "\"srs\":\"3.6.0\""));
+}
+
+TEST(Script, one_scenario_once_more_in_other_issues) {
+  const auto file = read(
+      "also 3.6.0\nscenario a\n  also 3.4.0\n  also 4.0.0\n  then mode SB [4.6.2]\nscenario b\n  then mode SB "
+      "[4.6.2]\n",
+      "x.scenario");
+  ASSERT_TRUE(file.has_value());
+  std::string names;
+  for (const Scenario& s : file->scenarios) names += s.name + " (" + s.srs + "), ";
+  EXPECT_EQ(names, "a (), a in 3.4.0 (3.4.0), a in 4.0.0 (4.0.0), b (), a in 3.6.0 (3.6.0), b in 3.6.0 (3.6.0), ");
+}
+
+TEST(Script, the_train_starts_in_the_cycle_of_an_input) {
+  const auto cycles = [](const std::string& how) {
+    const auto file = read("scenario a\n  given desk opened\n  when driver selects start\n  and " + how +
+                               "drives at 3.6 km/h with 10 m/s2 for 0.1 s\n  then v_kmh is 3.6 [3.6.1]\n",
+                           "x.scenario");
+    const std::string inputs = file ? inputs_of(file->scenarios.front()) : "";
+    int n = 0;
+    for (std::size_t at = inputs.find("odometer"); at != std::string::npos; at = inputs.find("odometer", at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(cycles(""), 3);
+  EXPECT_EQ(cycles("in the same cycle "), 2);
+}
+
+TEST(Script, a_cell_that_is_covered_has_to_be_seen) {
+  const std::string covering = "scenario a\n  covers cell $\n  given desk opened\n  then mode SB [4.6.2]\n";
+  const auto with = [&](const std::string& cell) {
+    std::string text = covering;
+    return failure_of(text.replace(text.find('$'), 1, cell));
+  };
+  EXPECT_EQ(with("NP>SB"), "");
+  EXPECT_TRUE(contains(with("SB>NP"), "covers cell SB>NP, and the transition was not seen")) << with("SB>NP");
 }
 
 TEST(Script, a_step_that_is_covered_has_to_be_seen) {
