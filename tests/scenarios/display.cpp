@@ -47,8 +47,8 @@ Marks rows_of_3_6_0(const nlohmann::json& file, const std::string& kind) {
   return out;
 }
 
-/// The rows of 4.0.0 by our names. The shade of SN is lost in the text read: what 3.6.0 leaves to the national system is
-/// left to it.
+/// The rows of 4.0.0 by our names. The shade of SN is lost in the text read: what 3.6.0 leaves to the national system
+/// is left to it.
 Marks rows_of_4_0_0(const nlohmann::json& file, const std::string& kind) {
   std::map<std::string, std::string> ours{{"radio_network", "radio_network_id"}};
   if (kind == "inputs")
@@ -203,7 +203,8 @@ const std::map<std::string, std::string>& known_missing() {
       for (const std::string& issue : list_of(r.issues))
         for (const std::string& row : list_of(r.row))
           for (const std::string& mode : list_of(r.modes))
-            cells[issue + " " + r.kind + " " + row + " " + mode] = r.why;  // NOLINT(performance-inefficient-string-concatenation)
+            cells[issue + " " + r.kind + " " + row + " " + mode] =
+                r.why;  // NOLINT(performance-inefficient-string-concatenation)
     return cells;
   }();
   return all;
@@ -318,6 +319,8 @@ std::vector<std::string> missing_on_display() {
   return all;
 }
 
+std::size_t known_missing_on_display() { return known_missing().size(); }
+
 std::vector<std::string> not_missing_on_display() {
   const std::set<std::string> unseen = all_unseen();
   std::vector<std::string> all;
@@ -363,8 +366,9 @@ brake 4.12, of a speed 4.5.2, of a status text ERA_ERTMS_015560 15.1.1.2).
   add_table(page, display().outputs, k3_6);
   page += "\n## 3.4.0 and 3.6.0: inputs\n";
   add_table(page, display().inputs, k3_6);
-  page += "\n## Where 3.4.0 differs\nIn the tables above these are the cells of 3.6.0. Rows that are new in 3.6.0 have no "
-          "cell in 3.4.0.\n\n| row | mode | 3.4.0 | 3.6.0 |\n|---|---|---|---|\n";
+  page +=
+      "\n## Where 3.4.0 differs\nIn the tables above these are the cells of 3.6.0. Rows that are new in 3.6.0 have no "
+      "cell in 3.4.0.\n\n| row | mode | 3.4.0 | 3.6.0 |\n|---|---|---|---|\n";
   add_differences(page, display().outputs);
   add_differences(page, display().inputs);
   page += "\n## 4.0.0: outputs\n";

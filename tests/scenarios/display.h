@@ -1,5 +1,5 @@
 #pragma once
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,6 +25,8 @@ void watch_display(DisplayMemory& memory, const kernel::State& state, const kern
 std::vector<std::string> wrong_on_display();
 /// Cells that no scenario shows, or shows masked, as "4.0.0 output NAME MODE"; those of display_missing.txt left out.
 std::vector<std::string> missing_on_display();
+/// How many cells display_missing.txt names.
+std::size_t known_missing_on_display();
 /// Rows of display_missing.txt that are seen, or that the table does not have, or without a reason.
 std::vector<std::string> not_missing_on_display();
 

@@ -58,8 +58,7 @@ void add_track(const kernel::State& s, const track::Here& here, Set<DriverOutput
   held.add(lx_not_protected, std::any_of(s.track.lx.begin(), s.track.lx.end(), [&](const track::LevelCrossing& lx) {
              return lx.informed && here.min_safe_front < lx.to;
            }));
-  held.add(level_announcement,
-           s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level));
+  held.add(level_announcement, s.level_transition.pending && !s.level_transition.pending->to.same_level(s.level));
   held.add(taf_request, s.track_ahead_free.asking);
   held.add(DriverOutput::slippery_rail,
            s.slippery_rail || track::slippery(s.track, here.est_front, kernel::supervised_train(s).L_TRAIN));

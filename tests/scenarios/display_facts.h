@@ -5,9 +5,9 @@
 
 namespace evc::scenario {
 
-/// The outputs of 4.7.2 for which the unit has something to show, whatever mode it is in: from its memory where it keeps
-/// the fact, from the outputs of the cycle where it does not. An output that was shown and is not any more, while its
-/// fact is held, is masked.
+/// The outputs of 4.7.2 for which the unit has something to show, whatever mode it is in: from its memory where it
+/// keeps the fact, from the outputs of the cycle where it does not. An output that was shown and is not any more, while
+/// its fact is held, is masked.
 Set<DriverOutput> held(const kernel::State& state, const kernel::Outputs& out);
 
 }  // namespace evc::scenario
