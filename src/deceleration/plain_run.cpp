@@ -105,6 +105,7 @@ std::vector<Histogram> cells_for(const Trains& trains, std::uint64_t samples, st
     for (std::size_t s = 0; s < ends.size(); ++s) ends[s] = std::max(ends[s], values[s]);
   }
   std::vector<Histogram> cells;
+  cells.reserve(ends.size());
   for (const double end : ends) cells.emplace_back(end > 0.0 ? end : 1.0);  // 0: in no sample a unit works
   return cells;
 }
