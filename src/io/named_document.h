@@ -12,12 +12,11 @@ struct Named {
   std::string text;
 };
 /// The document that a value is, or names: a file, relative to that of the place, or a name without a folder and
-/// without
-/// ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
+/// without ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
 Named read_named(const JsonPlace& place, const std::string& folder);
 
-/// Replaces the name that a member of an object has by the document. `place`: the member, for errors and as
-/// the folder of files. Returns the name of the file; empty where the member is the document. Throws ReadError.
+/// Replaces the name that a member of an object has by the document. `place`: the member, for errors and the folder of
+/// files. Returns the name of the file; empty where the member is the document. Throws ReadError.
 std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place);
 /// The same for a member of the document `file`. One that is absent, or neither a document nor a name, stays as it is:
 /// its reader refuses it.
