@@ -1,6 +1,7 @@
 // Joins the page of `evc cab`: node join.mjs SCRIPT.js MODULE.wasm PAGE.html. Script, style and module go to their places in
-// index.html; the place of the line and the train stays, for `evc cab`.
+// index.html, the module packed with gzip; the place of the line and the train stays, for `evc cab`.
 import { readFileSync, writeFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
 
 const [script, module, page] = process.argv.slice(2);
 if (page === undefined) throw new Error("usage: node join.mjs SCRIPT.js MODULE.wasm PAGE.html");
@@ -13,5 +14,5 @@ const put = (place, what) => {
 put("/*@style@*/", readFileSync(new URL("style.css", here), "utf8"));
 // A script ends at the first "</script".
 put("/*@script@*/", readFileSync(script, "utf8").replaceAll("</script", "<\\/script"));
-put("@module@", readFileSync(module).toString("base64"));
+put("@module@", gzipSync(readFileSync(module), { level: 9 }).toString("base64"));
 writeFileSync(page, text);

@@ -2,7 +2,7 @@
 
 import { Cab, wantedOf, type Evc } from "./cab.js";
 import { Live } from "./live.js";
-import { bytesOfBase64, Remote, Ride } from "./module.js";
+import { bytesOfBase64, Remote, Ride, unpacked } from "./module.js";
 
 /// `window.evc` at a unit elsewhere: time passes there, so `advance` waits for it.
 interface LiveEvc extends Omit<Evc, "advance"> {
@@ -19,10 +19,11 @@ declare global {
 
 async function begin(): Promise<void> {
   const bytesIn = (id: string) => bytesOfBase64(document.getElementById(id)?.textContent ?? "");
+  const module = await unpacked(bytesIn("module"));
   // Without a line the page is that of a unit which runs elsewhere: of `evc serve`.
-  if (document.getElementById("given")?.textContent === "") return beginLive(await Remote.begin(bytesIn("module")));
+  if (document.getElementById("given")?.textContent === "") return beginLive(await Remote.begin(module));
   const wanted = wantedOf(location.search);
-  const cab = new Cab(await Ride.begin(bytesIn("module"), bytesIn("given"), wanted.driver), wanted);
+  const cab = new Cab(await Ride.begin(module, bytesIn("given"), wanted.driver), wanted);
   window.evc = {
     state: () => cab.state(),
     screen: () => cab.screen(),

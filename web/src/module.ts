@@ -223,3 +223,9 @@ export function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
   for (let i = 0; i < characters.length; ++i) bytes[i] = characters.charCodeAt(i);
   return bytes;
 }
+
+/// What was packed with gzip.
+export async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<ArrayBuffer> {
+  const packed = new Blob([bytes]).stream();
+  return new Response(packed.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}

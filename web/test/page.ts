@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { promisify } from "node:util";
 
-import { bytesOfBase64, Ride, type Driver } from "../src/module.js";
+import { bytesOfBase64, Ride, unpacked, type Driver } from "../src/module.js";
 
 export const EVC = process.env["EVC"] ?? "build/release/evc";
 export const CHROMIUM = process.env["CHROMIUM"] ?? "chromium";
@@ -42,5 +42,5 @@ export async function rideOf(words: string[], driver?: Driver): Promise<Ride> {
   const file = join(folder(), "cab.html");
   evc("cab", ...words, "-o", file);
   const page = readFileSync(file, "utf8");
-  return Ride.begin(bytesOfBase64(contentOf(page, "module")), bytesOfBase64(contentOf(page, "given")), driver);
+  return Ride.begin(await unpacked(bytesOfBase64(contentOf(page, "module"))), bytesOfBase64(contentOf(page, "given")), driver);
 }
