@@ -67,7 +67,6 @@ void show_by_mode(const State& s, bool desk_open, const Supervised& supervised, 
   given.add(target_distance, out.rv_left.has_value());
   given.add(lssma, out.LSSMA.has_value());
   given.add(trip_reason, out.trip_reason.has_value());
-  given.add(authorised_direction, s.mode == Mode::SM);
   given.add(geo_position, out.geo.has_value());
   given.add(local_time, out.clock.has_value());
   add_planning(s, out, given);
