@@ -140,6 +140,8 @@ TEST(Spec, errors_name_the_place) {
        "spec.json: /vary/0/at: found /line/balise_groups/999/balises, which leads nowhere, expected an index"},
       {R"({"schema":"evc-sweep/1","kind":"curves","base":{"query":"passenger_eoa"},"vary":[{"at":"/schema","list":["x"]}]})",
        "spec.json: /vary/0/at: found \"/schema\", expected a place other than a schema"},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/schema/x","list":["x"]}]})",
+       "spec.json: /vary/0/at: found \"/train/schema/x\", expected a place other than a schema"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/schema","list":["x"]}]})",
        "spec.json: /vary/0/at: found \"/train/schema\", expected a place other than a schema"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","list":[1,1.5]}]})",
