@@ -34,8 +34,13 @@ std::string with_replaced(const std::string& name, const std::vector<std::string
   constexpr std::size_t kLongest = 60;  // of a place with its value
   std::string text = name;
   bool first = true;
-  for (const std::string& one : replaced) {
-    if (one.starts_with("name=") || one.starts_with("/name=")) continue;  // it is in the name
+  for (std::size_t i = 0; i < replaced.size(); ++i) {
+    const std::string& one = replaced[i];
+    const std::string place = one.substr(0, one.find('=') + 1);
+    if (place == "name=" || place == "/name=") continue;  // it is in the name
+    const auto later = replaced.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    if (std::any_of(later, replaced.end(), [&](const std::string& other) { return other.starts_with(place); }))
+      continue;
     text += (first ? ", with " : ", ") + io::printable(one, kLongest);
     first = false;
   }

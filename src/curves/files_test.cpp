@@ -69,6 +69,10 @@ TEST(CurvesFiles, AWorkbookHasASheetForEachTable) {
   // Beside the tables by speed and by position.
   EXPECT_NE(bytes.find("xl/charts/chart2.xml"), std::string::npos);
   EXPECT_EQ(bytes.find("xl/charts/chart3.xml"), std::string::npos);
+  ResultTable bare = tables[1];
+  for (auto& row : bare.rows)
+    for (std::size_t k = 1; k < row.size(); ++k) row[k] = Value();
+  EXPECT_EQ(xlsx_of({bare}).find("xl/charts/"), std::string::npos) << "no curve, no chart";
 }
 
 TEST(CurvesFiles, ForPrintTheChartIsLightWithNamesAtTheCurves) {

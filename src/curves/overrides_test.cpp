@@ -57,6 +57,10 @@ TEST(CurvesSet, ATitleSaysWhatWasSet) {
     EXPECT_NE(text_of(file->path()).find(", with train.brake_percentage=120, /srs=4.0.0"), std::string::npos)
         << file->path();
   }
+  // Of a place that is set twice the last value counts.
+  ASSERT_EQ(run(query + " --set srs=3.4.0 --set srs=4.0.0 --plot " + chart.path()).exit_code, 0);
+  EXPECT_NE(text_of(chart.path()).find(", with srs=4.0.0"), std::string::npos);
+  EXPECT_EQ(text_of(chart.path()).find("srs=3.4.0"), std::string::npos);
   // A name that is set is the name.
   ASSERT_EQ(run(query + " --set name=Mine --plot " + chart.path()).exit_code, 0);
   EXPECT_NE(text_of(chart.path()).find(">Mine<"), std::string::npos);

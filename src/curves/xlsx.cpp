@@ -59,7 +59,7 @@ std::string range_of(const std::string& sheet, const ResultTable& table, lxw_col
 bool is_empty(const ResultTable& table, std::size_t column) {
   return std::ranges::none_of(table.rows, [&](const auto& row) {
     const auto* number = std::get_if<std::optional<double>>(&row[column]);
-    return number != nullptr && *number;
+    return number != nullptr && *number && std::isfinite(**number);
   });
 }
 
@@ -67,14 +67,20 @@ bool is_empty(const ResultTable& table, std::size_t column) {
 /// have no chart.
 void add_chart(lxw_workbook* book, lxw_worksheet* sheet, const std::string& name, const ResultTable& table) {
   const bool by_speed = table.key == "by_speed", by_position = table.key == "by_position";
-  if ((!by_speed && !by_position) || table.rows.empty()) return;
+  if (!by_speed && !by_position) return;
+  const auto is_curve = [&](std::size_t k) {
+    return std::string_view(table.columns[k].unit) == (by_speed ? "m" : "km/h") && !is_empty(table, k);
+  };
+  const auto columns = static_cast<lxw_col_t>(table.columns.size());
+  bool drawn = false;
+  for (lxw_col_t k = 1; k < columns; ++k) drawn = drawn || is_curve(k);
+  if (!drawn) return;  // a chart without a curve is refused
   lxw_chart* chart = workbook_add_chart(book, LXW_CHART_SCATTER_STRAIGHT);
   if (chart == nullptr) throw std::runtime_error("no chart of " + name);
   const std::string first = range_of(name, table, 0);
-  const auto columns = static_cast<lxw_col_t>(table.columns.size());
   for (lxw_col_t k = 1; k < columns; ++k) {
     const TableColumn& column = table.columns[k];
-    if (std::string_view(column.unit) != (by_speed ? "m" : "km/h") || is_empty(table, k)) continue;
+    if (!is_curve(k)) continue;
     const std::string values = range_of(name, table, k);
     lxw_chart_series* series =
         chart_add_series(chart, (by_speed ? values : first).c_str(), (by_speed ? first : values).c_str());
