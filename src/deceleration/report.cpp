@@ -93,8 +93,8 @@ std::string table(const Spec& spec, const Guaranteed& result) {
   if (result.plain) {
     const Agreement a = agreement(result, *result.plain);
     out += fmt::format(
-        "\nplain run: {} samples in {:.1f} s, values to {:.6f}\n"
-        "plain run: bounds in common in {} of {} cases, largest difference {:.5f}\n",
+        "\nplain run: {} samples in {:.1f} s, values to {:.2g}\n"
+        "plain run: bounds in common in {} of {} cases, largest difference {:.2g}\n",
         result.plain->samples, result.plain->seconds, result.plain->resolution, a.equal, a.compared, a.farthest);
   }
   return out + fmt::format("\ncomputed in {:.1f} s\n", result.seconds);

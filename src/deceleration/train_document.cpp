@@ -55,7 +55,8 @@ void require_build_up(const Spec& spec, double build_up_s) {
   const std::string found = std::isfinite(build_up_s) ? "a build-up time of " + std::to_string(build_up_s) + " s"
                                                       : "no upper bound of the build-up time";
   throw io::ReadError{{spec.file, place_of_response(spec), found + " at level " + std::to_string(spec.response_level),
-                       "at most 120 s: a truncated variable, more samples, or a lower response_level"}};
+                       "at most " + std::to_string(static_cast<int>(kLongestTime_s)) +
+                           " s: a truncated variable, more samples, or a lower response_level"}};
 }
 
 /// The errors of the reader of train files, at the places of the spec.

@@ -36,7 +36,7 @@ struct ConditionRow {
   bool is_of(SrsVersion srs) const { return srs == SrsVersion::v4_0_0 ? of_4 : of_3; }
 };
 
-/// Every condition of every edition, in the order of the standard; one whose wording differs has a row of each.
+/// Every condition of every edition, in the order of the standard.
 const std::vector<ConditionRow>& condition_rows();
 
 /// The row of an edition; null: the edition has no such condition.

@@ -3,7 +3,6 @@
 #include <bitset>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "condition_terms.h"
