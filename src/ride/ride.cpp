@@ -14,6 +14,8 @@ namespace evc::ride {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+/// A journey by hand begins at 08:00 (UTC) of 2026-01-01, always: the same touches give the same bytes.
+constexpr std::int64_t kBegin_utc = 1767254400;
 
 double kmh(const std::optional<Speed>& v) { return v ? v->si * 3.6 : kNone; }
 
@@ -102,6 +104,8 @@ void Ride::cycle() {
   sim::CycleInputs& inputs = w.outside.advance();
   const dmi::Commands commands = panel_->take();
   if (by_hand_) obey(commands, inputs);
+  // Without a clock the display has no local time (area G13). Journeys of a simulated driver are those of `evc run`.
+  if (by_hand_ && cycles_ == 0) inputs.levels.utc = kBegin_utc;
   w.writer.append(inputs_, inputs);
   kernel::step(w.state, w.derived, inputs.view(), w.outputs);
   w.outside.observe(w.outputs);

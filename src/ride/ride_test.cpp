@@ -99,6 +99,8 @@ TEST(Ride, DrivenByHandTheTrainObeysTheDeskAndTheJournalReplays) {
   (void)run(1200);
   EXPECT_FALSE(ride.finished());
   EXPECT_EQ(replayed(inputs), outputs);
+  // The display has a local time: 160 s after the begin.
+  EXPECT_NE(outputs.find(R"("clock":{"utc":"2026-01-01T08:02:39)"), std::string::npos);
 }
 
 /// Touches the place with this name for as long as its type needs; false: it is not there or disabled.
