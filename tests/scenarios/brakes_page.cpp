@@ -1,11 +1,6 @@
 #include "brakes_page.h"
 
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
-
-#include "base/test_paths.h"
+#include "missing_list.h"
 
 namespace evc::scenario {
 namespace {
@@ -55,19 +50,6 @@ std::string without(const Way& way, const brake_rules::NamedCondition& c) {
   return "without " + c.name + " (" + name_of(way) + ")";
 }
 
-template <class Take>
-void each_required(Take take) {
-  for (const Rule& rule : brake_rules::rules()) {
-    take(rule.id + " commanded");
-    for (const Way& way : rule.ways) {
-      for (const auto& c : way) take(rule.id + " " + without(way, c));
-      take(rule.id + " by " + name_of(way));
-    }
-    for (std::size_t m = 0; m < evc::kModes; ++m)
-      for (const std::string& key : keys_of(rule, m)) take(key);
-  }
-}
-
 std::string modes_of(const Rule& rule) {
   std::string modes;
   for (std::size_t m = 0; m < evc::kModes; ++m)
@@ -84,21 +66,30 @@ bool is_shown(const std::string& key) {
   return false;
 }
 
-/// The rows of brakes_missing.txt, `CAUSE,CAUSE WHAT...: why`, a key each.
-std::map<std::string, std::string> brakes_not_shown() {
-  std::map<std::string, std::string> rows;
-  std::ifstream in(evc::test::source_folder() + "/tests/scenarios/brakes_missing.txt");
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    const std::size_t colon = line.find(": "), space = line.find(' ');
-    const std::string why = colon == std::string::npos ? "" : line.substr(colon + 2);
-    const std::string what = line.substr(space, colon == std::string::npos ? colon : colon - space);
-    std::istringstream causes(line.substr(0, space));
-    for (std::string id; std::getline(causes, id, ',');) {
-      const std::size_t last = what.rfind(' ');
-      std::istringstream modes(what.substr(last + 1));  // KEPT|REVOKED MODE,MODE
-      for (std::string mode; std::getline(modes, mode, ',');) rows[id + what.substr(0, last + 1) + mode] = why;
+/// What the rules have and no scenario shows.
+std::vector<std::string> unseen_of_brakes() {
+  std::vector<std::string> keys;
+  const auto want = [&](const std::string& key) {
+    if (!is_shown(key)) keys.push_back(key);
+  };
+  for (const Rule& rule : brake_rules::rules()) {
+    want(rule.id + " commanded");
+    for (const Way& way : rule.ways) {
+      for (const auto& c : way) want(rule.id + " " + without(way, c));
+      want(rule.id + " by " + name_of(way));
     }
+    for (std::size_t m = 0; m < evc::kModes; ++m)
+      for (const std::string& key : keys_of(rule, m)) want(key);
+  }
+  return keys;
+}
+
+/// A key for each mode of a row, whose last word is MODE,MODE.
+MissingList brakes_not_shown() {
+  MissingList rows;
+  for (const auto& [key, why] : missing_list("brakes_missing.txt")) {
+    const std::size_t modes = key.rfind(' ') + 1;
+    for (const std::string& mode : items_of(key.substr(modes))) rows[key.substr(0, modes) + mode] = why;
   }
   return rows;
 }
@@ -120,7 +111,7 @@ void add_rules(std::string& page) {
   }
 }
 
-void add_entries(std::string& page, const std::map<std::string, std::string>& absent) {
+void add_entries(std::string& page, const MissingList& absent) {
   page += "| cause |";
   for (std::size_t m = 0; m < evc::kModes; ++m) page += " " + std::string(name(static_cast<Mode>(m))) + " |";
   page += "\n|---|";
@@ -149,26 +140,8 @@ std::vector<std::string> watch_brakes(brake_rules::Memory& memory, const port::I
   return brake_rules::look(memory, in, out, emergency_until_standstill, &seen(), scenario);
 }
 
-std::vector<std::string> missing_of_brakes() {
-  std::vector<std::string> all;
-  const auto absent = brakes_not_shown();
-  each_required([&](const std::string& key) {
-    if (!is_shown(key) && !absent.contains(key)) all.push_back(key);
-  });
-  return all;
-}
-
-std::vector<std::string> not_missing_of_brakes() {
-  std::set<std::string> unseen;
-  each_required([&](const std::string& key) {
-    if (!is_shown(key)) unseen.insert(key);
-  });
-  std::vector<std::string> all;
-  for (const auto& [key, why] : brakes_not_shown())
-    if (!unseen.contains(key) || why.empty()) all.push_back(key);
-  return all;
-}
-
+std::vector<std::string> missing_of_brakes() { return without_row(brakes_not_shown(), unseen_of_brakes()); }
+std::vector<std::string> not_missing_of_brakes() { return wrong_rows(brakes_not_shown(), unseen_of_brakes()); }
 std::size_t known_missing_of_brakes() { return brakes_not_shown().size(); }
 
 std::string brakes_page() {

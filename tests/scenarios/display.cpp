@@ -10,6 +10,7 @@
 #include "base/test_paths.h"
 #include "display_facts.h"
 #include "kernel/state.h"
+#include "missing_list.h"
 #include "terms/driver_input.h"
 #include "terms/driver_output.h"
 #include "terms/mode.h"
@@ -188,21 +189,14 @@ const std::vector<Reason>& reasons() {
   return all;
 }
 
-std::vector<std::string> list_of(const std::string& text) {
-  std::vector<std::string> out;
-  std::istringstream in(text);
-  for (std::string item; std::getline(in, item, ',');) out.push_back(item);
-  return out;
-}
-
 /// By cell: why no scenario shows it.
 const std::map<std::string, std::string>& known_missing() {
   static const std::map<std::string, std::string> all = [] {
     std::map<std::string, std::string> cells;
     for (const Reason& r : reasons())
-      for (const std::string& issue : list_of(r.issues))
-        for (const std::string& row : list_of(r.row))
-          for (const std::string& mode : list_of(r.modes))
+      for (const std::string& issue : items_of(r.issues))
+        for (const std::string& row : items_of(r.row))
+          for (const std::string& mode : items_of(r.modes))
             cells[issue + " " + r.kind + " " + row + " " + mode] =
                 r.why;  // NOLINT(performance-inefficient-string-concatenation)
     return cells;
@@ -378,7 +372,7 @@ brake 4.12, of a speed 4.5.2, of a status text ERA_ERTMS_015560 15.1.1.2).
   page += "\n## Not seen\n| issue | row | modes | why |\n|---|---|---|---|\n";
   const auto spaced = [](const std::string& list) {
     std::string out;
-    for (const std::string& item : list_of(list)) out += (out.empty() ? "" : ", ") + item;
+    for (const std::string& item : items_of(list)) out += (out.empty() ? "" : ", ") + item;
     return out;
   };
   for (const Reason& r : reasons())

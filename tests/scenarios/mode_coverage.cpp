@@ -4,9 +4,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "base/test_paths.h"
+#include "missing_list.h"
 #include "modes/next_mode.h"
 
 namespace evc::scenario {
@@ -64,33 +64,26 @@ std::vector<CellRow> every_cell() {
   return rows;
 }
 
-template <class Take>
-void each_wanted(Take take) {
+/// Cells and terms that no scenario shows.
+std::vector<std::string> unseen_of_modes() {
+  std::vector<std::string> keys;
+  const auto want = [&](const std::string& key) {
+    if (!all().shown.contains(key)) keys.push_back(key);
+  };
   for (const SrsVersion srs : kEditions) {
     for (const CellRow& c : cells_of(srs)) {
-      take(of(srs, cell_key(c.from, c.to, c.number)));
-      if (condition_row(c.number, srs) == nullptr) take(of(srs, "a row of " + bracket(c.number)));
+      want(of(srs, cell_key(c.from, c.to, c.number)));
+      if (condition_row(c.number, srs) == nullptr) want(of(srs, "a row of " + bracket(c.number)));
     }
     for (const ConditionRow& row : condition_rows())
       for (const Term& term : row.terms)
-        if (row.is_of(srs)) take(of(srs, term_key(row.number, term.text)));
+        if (row.is_of(srs)) want(of(srs, term_key(row.number, term.text)));
   }
+  return keys;
 }
 
-/// The rows of modes_missing.txt, `EDITION,EDITION KEY: why`, one for each edition.
-std::map<std::string, std::string> modes_not_shown() {
-  std::map<std::string, std::string> rows;
-  std::ifstream in(evc::test::source_folder() + "/tests/scenarios/modes_missing.txt");
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    const std::size_t space = line.find(' '), colon = line.find(": ");
-    const std::string why = colon == std::string::npos ? "" : line.substr(colon + 2);
-    const std::string key = line.substr(space, colon == std::string::npos ? colon : colon - space);
-    std::istringstream editions(line.substr(0, space));
-    for (std::string edition; std::getline(editions, edition, ',');) rows[edition + key] = why;
-  }
-  return rows;
-}
+/// Each edition for itself.
+MissingList modes_not_shown() { return missing_list("modes_missing.txt"); }
 
 /// The scenario that shows it: one that shows the condition true as well, if there is any; of these the first by name.
 std::string example(SrsVersion srs, const std::string& key, int number) {
@@ -103,8 +96,7 @@ std::string example(SrsVersion srs, const std::string& key, int number) {
   return *found->second.begin();
 }
 
-std::string shown_or_why(SrsVersion srs, const std::string& key, int number,
-                         const std::map<std::string, std::string>& absent) {
+std::string shown_or_why(SrsVersion srs, const std::string& key, int number, const MissingList& absent) {
   const std::string scenario = example(srs, key, number);
   if (!scenario.empty()) return scenario;
   const auto why = absent.find(of(srs, key));
@@ -113,7 +105,7 @@ std::string shown_or_why(SrsVersion srs, const std::string& key, int number,
 
 constexpr const char* kColumns = " 3.4.0 | 3.6.0 | 4.0.0 |\n";
 
-void add_cells(std::string& page, const std::map<std::string, std::string>& absent) {
+void add_cells(std::string& page, const MissingList& absent) {
   page += std::string("| from | to | condition |") + kColumns + "|---|---|---|---|---|---|\n";
   for (const CellRow& c : every_cell()) {
     page += "| " + c.from + " | " + c.to + " | " + bracket(c.number) + " |";
@@ -126,7 +118,7 @@ void add_cells(std::string& page, const std::map<std::string, std::string>& abse
   }
 }
 
-void add_conditions(std::string& page, const std::map<std::string, std::string>& absent) {
+void add_conditions(std::string& page, const MissingList& absent) {
   page += std::string("| condition | |") + kColumns + "|---|---|---|---|---|\n";
   const auto add_row = [&](const ConditionRow& row, const std::string& text, const std::string& key) {
     page += "| " + bracket(row.number) + " | " + text + " |";
@@ -223,26 +215,8 @@ void ModeWatch::add_to_all(const std::string& scenario) const {
 
 std::vector<std::string> wrong_of_modes() { return {all().wrong.begin(), all().wrong.end()}; }
 
-std::vector<std::string> missing_of_modes() {
-  std::vector<std::string> keys;
-  const auto absent = modes_not_shown();
-  each_wanted([&](const std::string& key) {
-    if (!all().shown.contains(key) && !absent.contains(key)) keys.push_back(key);
-  });
-  return keys;
-}
-
-std::vector<std::string> not_missing_of_modes() {
-  std::set<std::string> unseen;
-  each_wanted([&](const std::string& key) {
-    if (!all().shown.contains(key)) unseen.insert(key);
-  });
-  std::vector<std::string> keys;
-  for (const auto& [key, why] : modes_not_shown())
-    if (!unseen.contains(key) || why.empty()) keys.push_back(key);
-  return keys;
-}
-
+std::vector<std::string> missing_of_modes() { return without_row(modes_not_shown(), unseen_of_modes()); }
+std::vector<std::string> not_missing_of_modes() { return wrong_rows(modes_not_shown(), unseen_of_modes()); }
 std::size_t known_missing_of_modes() { return modes_not_shown().size(); }
 
 std::string modes_page() {
