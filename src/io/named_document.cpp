@@ -21,8 +21,9 @@ Named read_named(const JsonPlace& place, const std::string& folder) {
 }
 
 std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place) {
+  if (place.is_object()) return "";
   const Named named = read_named(place, folder);
-  if (!named.file.empty()) document[member] = parse_json(named.text, named.file);
+  document[member] = parse_json(named.text, named.file);
   return named.file;
 }
 
