@@ -68,24 +68,20 @@ bool is_empty(const ResultTable& table, std::size_t column) {
 void add_chart(lxw_workbook* book, lxw_worksheet* sheet, const std::string& name, const ResultTable& table) {
   const bool by_speed = table.key == "by_speed", by_position = table.key == "by_position";
   if (!by_speed && !by_position) return;
-  const auto is_curve = [&](std::size_t k) {
-    return std::string_view(table.columns[k].unit) == (by_speed ? "m" : "km/h") && !is_empty(table, k);
-  };
-  const auto columns = static_cast<lxw_col_t>(table.columns.size());
-  bool drawn = false;
-  for (lxw_col_t k = 1; k < columns; ++k) drawn = drawn || is_curve(k);
-  if (!drawn) return;  // a chart without a curve is refused
+  std::vector<lxw_col_t> curves;
+  for (std::size_t k = 1; k < table.columns.size(); ++k)
+    if (std::string_view(table.columns[k].unit) == (by_speed ? "m" : "km/h") && !is_empty(table, k))
+      curves.push_back(static_cast<lxw_col_t>(k));
+  if (curves.empty()) return;  // a chart without a curve is refused
   lxw_chart* chart = workbook_add_chart(book, LXW_CHART_SCATTER_STRAIGHT);
   if (chart == nullptr) throw std::runtime_error("no chart of " + name);
   const std::string first = range_of(name, table, 0);
-  for (lxw_col_t k = 1; k < columns; ++k) {
-    const TableColumn& column = table.columns[k];
-    if (!is_curve(k)) continue;
+  for (const lxw_col_t k : curves) {
     const std::string values = range_of(name, table, k);
     lxw_chart_series* series =
         chart_add_series(chart, (by_speed ? values : first).c_str(), (by_speed ? first : values).c_str());
     if (series == nullptr) throw std::runtime_error("no chart of " + name);
-    chart_series_set_name(series, column.name.c_str());
+    chart_series_set_name(series, table.columns[k].name.c_str());
   }
   chart_title_set_name(chart, by_speed ? "Curves and limits by speed" : "Speeds by position");
   chart_axis_set_name(chart->x_axis, by_speed ? "metres before the target" : "position [m]");
@@ -98,7 +94,7 @@ void add_chart(lxw_workbook* book, lxw_worksheet* sheet, const std::string& name
   lxw_chart_options place{};
   place.x_scale = 2.0;
   place.y_scale = 2.0;
-  require(worksheet_insert_chart_opt(sheet, 1, static_cast<lxw_col_t>(columns + 1), chart, &place));
+  require(worksheet_insert_chart_opt(sheet, 1, static_cast<lxw_col_t>(table.columns.size() + 1), chart, &place));
 }
 
 void add_sheet(lxw_workbook* book, const ResultTable& table, lxw_format* bold) {
