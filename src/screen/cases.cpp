@@ -280,16 +280,29 @@ int cases(const std::string& input, const std::string& output) {
   if (const auto apart = io::not_the_input(input, output); !apart) return complain(apart.error());
   const auto text = io::read_text(input);
   if (!text) return complain(text.error());
-  const auto lines = io::guarded([&] {
+  struct Answers {
+    std::string lines;
+    std::vector<io::Diagnostic> refused;
+  };
+  const auto answers = io::guarded([&] {
     const io::Json file = io::parse_json(*text, input);
     const JsonPlace list = JsonPlace(file, input)["cases"];
-    std::string out;
-    for (std::size_t i = 0; i < list.size(); ++i) out += answer(list[i]).dump() + '\n';
+    Answers out;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string id = list[i]["id"].string();
+      const auto answered = io::guarded([&] { return answer(list[i]).dump(); });
+      // A case that cannot be set takes nothing from the others.
+      out.lines += answered ? *answered : OrderedJson{{"id", id}, {"error", answered.error().text()}}.dump();
+      out.lines += '\n';
+      if (!answered) out.refused.push_back(answered.error());
+    }
     return out;
   });
-  if (!lines) return complain(lines.error());
-  const auto written = io::write_whole(output, *lines);
-  return written ? 0 : complain(written.error());
+  if (!answers) return complain(answers.error());
+  const auto written = io::write_whole(output, answers->lines);
+  if (!written) return complain(written.error());
+  for (const io::Diagnostic& refused : answers->refused) (void)complain(refused);
+  return answers->refused.empty() ? 0 : 1;
 }
 
 }  // namespace evc::screen

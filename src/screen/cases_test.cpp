@@ -12,6 +12,9 @@
 
 #include "base/test_paths.h"
 #include "dmi/screen.h"
+#include "dmi/windows.h"
+#include "driver/status_texts.h"
+#include "screen/condition_names.h"
 
 // The 495 cases of tests/data/dmi_test_cases.json against their `expect`, as the head of that file explains it.
 namespace evc::screen {
@@ -312,6 +315,71 @@ TEST(Cases, WithAnotherExpectationFail) {
     change->second(one["expect"]);
     EXPECT_NE(faults_of(one), "") << one["id"];
   }
+}
+
+/// The answer to a case with this `given`.
+Json answer_to(const Json& given, const Json& expect) {
+  const Json one{{"id", "made"}, {"given", given}, {"expect", expect}};
+  return Json::parse(answer(io::JsonPlace(one, "made")).dump());
+}
+
+// A case may name what the cases of the file do not: every track condition, by its words and by its symbol.
+TEST(Cases, NameEveryTrackCondition) {
+  std::set<Picture> named;
+  for (const ConditionName& row : kConditionNames) {
+    named.insert(row.picture);
+    for (const std::string& called : {std::string(row.words), std::string(name(row.picture))}) {
+      const Json items =
+          answer_to({{"mode", "FS"}, {"track_conditions", {called}}}, {{"must", Json::array()}})["items"];
+      EXPECT_TRUE(std::any_of(items.begin(), items.end(), [&](const Json& item) {
+        return item["kind"] == "symbol" && item["id"] == name(row.picture) && item["area"] == "B3";
+      })) << called;
+    }
+  }
+  // TC36 and TC37 are those of area C2.
+  for (auto i = terms::index(Picture::TC01); i < terms::index(Picture::TC36); ++i)
+    EXPECT_TRUE(named.count(static_cast<Picture>(i))) << name(static_cast<Picture>(i));
+}
+
+TEST(Cases, NameEveryStatusText) {
+  for (const auto& row : kStatusTextRows) {
+    const Json lines = answer_to({{"system_status", {row.name}}}, {{"lines", Json::array()}})["lines"];
+    EXPECT_FALSE(lines.empty()) << row.name;
+    const Json ended =
+        answer_to({{"system_status", {row.name, "first end condition met"}}}, {{"lines", Json::array()}})["lines"];
+    // The reason of a trip is shown until PT is left (4.4.14.1.2.1); the other two wait for the driver and the train.
+    const bool stays = std::none_of(driver::srs_status_texts.begin(), driver::srs_status_texts.end(),
+                                    [&](const auto& text) { return text.text == row.value; }) ||
+                       row.value == StatusText::NL_no_longer_permitted || row.value == StatusText::train_data_changed;
+    EXPECT_EQ(!ended.empty(), stays) << row.name;
+  }
+}
+
+TEST(Cases, OpenEveryWindow) {
+  for (std::size_t i = 0; i < dmi::kWindows; ++i) {
+    const dmi::WindowRow& row = dmi::row_of(static_cast<dmi::WindowId>(i));
+    if (row.id == dmi::WindowId::default_) continue;
+    EXPECT_FALSE(answer_to({{"window", row.title}}, {{"must", Json::array()}})["items"].empty()) << row.title;
+  }
+}
+
+TEST(Cases, RefuseWordsThatSayNothing) {
+  const Json none{{"must", Json::array()}};
+  for (const Json& given : std::initializer_list<Json>{{{"track_conditions", {"snow"}}},
+                                                       {{"system_status", {"All is well"}}},
+                                                       {{"system_status", {"SR distance exceeded [4.6.3 20]"}}},
+                                                       {{"fields", {{"2", "long"}}}},
+                                                       {{"fields", {{"1", "200"}}}},
+                                                       {{"value", "12a"}},
+                                                       {{"window", "Train data"}, {"events", {"key x"}}},
+                                                       {{"window", "Train data"}, {"events", {"touch nothing"}}},
+                                                       {{"events", {{{"t", 0}, {"request", "level 1"}}}}},
+                                                       {{"window", "Kitchen"}}})
+    EXPECT_THROW((void)answer_to(given, given.contains("events") && given["events"][0].is_object()
+                                            ? Json{{"timeline", {{{"t", 1}}}}}
+                                            : none),
+                 io::ReadError)
+        << given.dump();
 }
 
 }  // namespace

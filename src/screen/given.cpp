@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "dmi/geometry.h"
 #include "dmi/windows.h"
+#include "screen/condition_names.h"
 #include "screen/scene.h"
 
 namespace evc::screen {
@@ -51,25 +52,29 @@ constexpr std::array<std::pair<const char*, port::AtoStatus>, 5> kAtoStatuses{
 constexpr std::array<std::pair<const char*, port::AtoSkip>, 3> kSkips{{{"inactive", port::AtoSkip::inactive},
                                                                        {"by trackside", port::AtoSkip::by_trackside},
                                                                        {"by driver", port::AtoSkip::by_driver}}};
+constexpr std::array<std::pair<const char*, port::AtoStop>, 3> kAtoStops{{{"overshoot", port::AtoStop::overshoot},
+                                                                          {"undershoot", port::AtoStop::undershoot},
+                                                                          {"accurate", port::AtoStop::accurate}}};
+constexpr std::array<std::pair<const char*, port::AtoDoors>, 7> kAtoDoors{
+    {{"open both sides", port::AtoDoors::open_both},
+     {"open left", port::AtoDoors::open_left},
+     {"open right", port::AtoDoors::open_right},
+     {"are open", port::AtoDoors::are_open},
+     {"close", port::AtoDoors::close},
+     {"closing", port::AtoDoors::closing},
+     {"closed", port::AtoDoors::closed}}};
 constexpr std::array<std::pair<const char*, port::RadioNetworkType>, 3> kNetworkTypes{
     {{"FRMCS", port::RadioNetworkType::frmcs},
      {"FRMCS+GSM-R", port::RadioNetworkType::frmcs_and_gsmr},
      {"GSM-R", port::RadioNetworkType::gsmr}}};
-constexpr std::array<std::pair<const char*, Picture>, 14> kConditions{
-    {{"pantograph lowered", Picture::TC01},
-     {"lower pantograph, automatic", Picture::TC02},
-     {"lower pantograph, driver", Picture::TC03},
-     {"raise pantograph, driver", Picture::TC05},
-     {"in neutral section", Picture::TC06},
-     {"neutral section announcement, driver", Picture::TC07},
-     {"end of neutral section, driver", Picture::TC09},
-     {"in non stopping area", Picture::TC10},
-     {"non stopping area announcement", Picture::TC11},
-     {"radio hole", Picture::TC12},
-     {"regenerative brake inhibited", Picture::TC17},
-     {"change to DC 3 kV, driver", Picture::TC30},
-     {"sound horn", Picture::TC35},
-     {"level crossing not protected", Picture::LX01}}};
+/// By its words, or by the name of its symbol.
+Picture condition_named(const JsonPlace& p) {
+  for (const ConditionName& row : kConditionNames)
+    if (p.string() == row.words) return row.picture;
+  for (const PictureRow& row : kPictureRows)
+    if (p.string() == row.name) return row.value;
+  p.fail("a track condition that docs/dmi.md lists, or the name of a symbol, as TC03");
+}
 
 Level level_named(const JsonPlace& p) {
   constexpr std::array<std::pair<const char*, Level>, 4> levels{
@@ -85,6 +90,15 @@ void name_ntc(Display& display, std::string_view name) {
   display.config.ntc_names.clear();
   (void)display.config.ntc_names.push_back(row);
   display.nid_ntc = kNtc;
+}
+
+/// A string of at most eight digits.
+double number_in(const JsonPlace& p) {
+  const std::string& text = p.string();
+  const bool digits = !text.empty() && text.size() <= 8 &&
+                      std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!digits) p.fail("a string of 1 to 8 digits");
+  return std::stod(text);
 }
 
 std::uint32_t second_of(const JsonPlace& p) {
@@ -210,7 +224,7 @@ void set_geo(Setting& s, const JsonPlace& p) {
 void set_conditions(Setting& s, const JsonPlace& list) {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (!s.display.conditions.push_back(
-            {static_cast<std::uint16_t>(i + 1), named(list[i], kConditions), ConditionPhase::active}))
+            {static_cast<std::uint16_t>(i + 1), condition_named(list[i]), ConditionPhase::active}))
       list.fail("fewer conditions");
 }
 
@@ -246,16 +260,26 @@ void set_failing_check(Setting& s, const JsonPlace&) {
   (void)s.display.config.cross_checks.push_back({Set<TrainCategory>::of_bits(~std::uint64_t{0}), kmh(1.0), false});
 }
 
+/// Fields of the train data with a number, by their place in the window (015560 11.3.9).
 void set_fields(Setting& s, const JsonPlace& p) {
-  for (const auto& [number, value] : p.value().items()) {
-    const JsonPlace field = p[number];
-    if (number != "2") field.fail("field 2");  // the length
-    s.display.data.stored.train.L_TRAIN = Distance{std::stod(field.string())};
+  port::ShownTrainData& train = s.display.data.stored.train;
+  for (const auto& [place, value] : p.value().items()) {
+    const JsonPlace field = p[place];
+    const double number = number_in(field);
+    if (place == "2")
+      train.L_TRAIN = Distance{number};
+    else if (place == "3")
+      train.brake_percentage = number;
+    else if (place == "4")
+      train.V_MAXTRAIN = kmh(number);
+    else
+      field.fail("field 2 (length), 3 (brake percentage) or 4 (maximum speed)");
   }
 }
 
 void set_running_number(Setting& s, const JsonPlace& p) {
   std::uint32_t bcd = 0;
+  (void)number_in(p);
   const std::string& digits = p.string();
   for (std::size_t i = 0; i < 8; ++i)
     bcd = (bcd << 4U) | (i < digits.size() ? static_cast<std::uint32_t>(digits[i] - '0') : 0xFU);
@@ -290,6 +314,7 @@ void nothing(Setting&, const JsonPlace&) {}
 
 const std::map<std::string, Setter, std::less<>>& train_setters() {
   static const std::map<std::string, Setter, std::less<>> all{
+      {"srs", [](Setting& s, const JsonPlace& p) { s.display.config.srs = p.term<kSrsVersionRows>(); }},
       {"mode", [](Setting& s, const JsonPlace& p) { s.display.mode = p.term<kModeRows>(); }},
       {"level", [](Setting& s, const JsonPlace& p) { s.display.level = level_named(p); }},
       {"level_valid", flag(&Display::level_valid)},
@@ -332,7 +357,7 @@ const std::map<std::string, Setter, std::less<>>& train_setters() {
       {"acknowledged", [](Setting& s, const JsonPlace& p) { s.level_acknowledged = p.boolean(); }},
       {"mode_ack",
        [](Setting& s, const JsonPlace& p) {
-         (void)s.display.acks.push_back({p.term<kAckRows>(), 0, Duration{}});
+         (void)s.display.acks.push_back({ack_named(p), 0, Duration{}});
        }},
       {"track_conditions", set_conditions},
       {"tsa", set_tunnel},
@@ -347,6 +372,10 @@ const std::map<std::string, Setter, std::less<>>& train_setters() {
       {"dwell_s",
        [](Setting& s, const JsonPlace& p) { s.display.ato.dwell_s = static_cast<std::uint16_t>(p.integer(0, 5999)); }},
       {"at_stopping_point", nothing},
+      {"ato_stop", [](Setting& s, const JsonPlace& p) { s.display.ato.stop = named(p, kAtoStops); }},
+      {"ato_hold", [](Setting& s, const JsonPlace& p) { s.display.ato.hold = p.boolean(); }},
+      {"ato_doors", [](Setting& s, const JsonPlace& p) { s.display.ato.doors = named(p, kAtoDoors); }},
+      {"coasting_advice", [](Setting& s, const JsonPlace& p) { s.display.ato.coasting_advice = p.boolean(); }},
       {"advice_speed", [](Setting& s, const JsonPlace& p) { s.display.ato.advice_speed = speed_or_none(p); }},
   };
   return all;

@@ -54,6 +54,19 @@ bool key(Scene& scene, int number) {
   return true;
 }
 
+/// The number behind "key " or "field ", 1 to 99.
+int number_behind(std::string_view digits, const JsonPlace& event) {
+  int number = 0;
+  for (const char digit : digits.substr(0, 2)) {
+    const bool one = digit >= '0' && digit <= '9';
+    if (one) number = 10 * number + (digit - '0');
+    if (!one && number > 0) break;  // "key 5 (choice)"
+    if (!one) event.fail("a number");
+  }
+  if (number == 0) event.fail("a number from 1");
+  return number;
+}
+
 /// Types digits on the keyboard of the selected field.
 void type(Scene& scene, std::string_view digits) {
   for (const char digit : digits) {
@@ -155,6 +168,13 @@ bool happen(Scene& scene, std::string_view event) {
     display.status = Status::Indication;
     return then([&] { ++display.MRDT; });
   }
+  if (event == "ack request displayed") return then([&] { (void)display.acks.push_back({Ack::OS, 0, player.now()}); });
+  if (event == "brake commanded") return then([&] { display.brake = true; });
+  if (event == "TTI disappears") {
+    display.monitoring = Monitoring::CSM;
+    display.TTI = Duration{8.0};
+    return then([&] { display.TTI.reset(); });
+  }
   if (event == "TTI appears") {
     display.monitoring = Monitoring::CSM;
     return then([&] { display.TTI = Duration{8.0}; });
@@ -228,70 +248,6 @@ void play_sequence(Scene& scene, const JsonPlace& sequence) {
       start_or_end_condition(scene, sequence[i]);
     }
   }
-}
-
-// ---- System status texts: the on-board starts and ends them ----------------------------------------------
-
-void step_status_texts(Scene& scene, Set<Inform> inform, bool main_window) {
-  driver::StatusFacts facts;
-  facts.now = scene.player.now();
-  facts.mode = scene.player.display().mode;
-  facts.srs = scene.player.display().config.srs;
-  facts.inform = inform;
-  facts.main_window_selection = main_window;
-  driver::step(scene.status_texts, facts);
-  Display& display = scene.player.display();
-  display.texts.erase_if([](const port::DisplayedText& text) { return text.kind == port::TextKind::status; });
-  for (const auto& row : kStatusTextRows) {
-    if (!scene.status_texts.shown.has(row.value)) continue;
-    port::DisplayedText text;
-    text.id = static_cast<std::uint16_t>(port::kFirstStatusId + terms::index(row.value));
-    text.kind = port::TextKind::status;
-    text.status = row.value;
-    text.important = true;
-    text.acknowledge = row.value == StatusText::NL_no_longer_permitted;
-    text.since = scene.status_texts.since[terms::index(row.value)];
-    text.minute_of_day = std::uint16_t{12 * 60};
-    (void)display.texts.push_back(text);
-    if (text.acknowledge) (void)display.acks.push_back({Ack::text, text.id, facts.now});
-  }
-}
-
-void play_status_texts(Scene& scene, const JsonPlace& list, const JsonPlace& given) {
-  Set<Inform> inform;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string& text = list[i].string();
-    if (begins(text, "SH refused [5.6.2]"))
-      inform.add(Inform::SH_refused);
-    else if (begins(text, "SH refused [4.6.3 35]"))
-      driver::enter_trip(scene.status_texts, 35);
-    else if (text == "NL no longer permitted")
-      inform.add(Inform::NL_no_longer_permitted);
-    else if (text == "Trackside malfunction")
-      inform.add(Inform::trackside_malfunction);
-    else if (text == "Train is rejected")
-      inform.add(Inform::train_rejected);
-    else if (text != "first end condition met")
-      list[i].fail("a status text that docs/dmi.md lists");
-  }
-  if (scene.status_texts.trip_reason) scene.player.display().mode = Mode::TR;
-  if (inform.has(Inform::NL_no_longer_permitted)) scene.player.display().mode = Mode::NL;
-  step_status_texts(scene, inform, false);
-  scene.player.show();
-  if (const auto after = given.find("t_after_start_s")) {
-    scene.player.run_to(ms_of(*after));
-    step_status_texts(scene, {}, false);
-  }
-  if (list[list.size() - 1].string() == "first end condition met" || given.find("press")) {
-    if (given.find("press")) {
-      (void)open_window(scene, "Main");
-      (void)scene.player.touch(Action{ActionKind::button, static_cast<std::uint8_t>(Button::driver_id)});
-    }
-    const bool selected = std::any_of(scene.player.sent().begin(), scene.player.sent().end(),
-                                      [](const auto& sent) { return sent.actions.has(port::Select::main); });
-    step_status_texts(scene, {}, selected || !given.find("press"));
-  }
-  scene.player.run_to(scene.player.now_ms() + kBegin);
 }
 
 // ---- Buttons (015560 5.3.2.6) -----------------------------------------------------------------------------------
@@ -378,15 +334,16 @@ void play_in_window(Scene& scene, const JsonPlace& event) {
     text.remove_prefix(text.find(' ') + 1);
   }
   if (const auto number = behind(text, "key ")) {
-    (void)key(scene, std::atoi(number->data()));
+    (void)key(scene, number_behind(*number, event));
   } else if (const auto field = behind(text, "touch data field ")) {
-    (void)touch_field(scene, static_cast<std::size_t>(std::atoi(field->data()) - 1));
+    (void)touch_field(scene, static_cast<std::size_t>(number_behind(*field, event) - 1));
   } else if (const auto selected = behind(text, "select field ")) {
-    (void)touch_field(scene, static_cast<std::size_t>(std::atoi(selected->data()) - 1));
+    (void)touch_field(scene, static_cast<std::size_t>(number_behind(*selected, event) - 1));
   } else if (const auto touched = behind(text, "touch field ")) {
-    (void)touch_field(scene, static_cast<std::size_t>(std::atoi(touched->data()) - 1));
-  } else if (text == "touch A" || text == "touch B") {
-    (void)scene.player.press(middle_of(dmi::rect_of(text == "touch A" ? Area::A : Area::B)));
+    (void)touch_field(scene, static_cast<std::size_t>(number_behind(*touched, event) - 1));
+  } else if (const auto area = behind(text, "touch ")) {
+    const io::Json name = std::string(*area);
+    (void)scene.player.press(middle_of(dmi::rect_of(area_named(JsonPlace(name, event.file())))));
     scene.player.release();
     scene.toggled.push_back(scene.player.state().toggles.speed);
   } else {
@@ -488,7 +445,8 @@ void revoke(Scene& scene, const JsonPlace& request) {
   const auto mode = behind(name, "mode ");
   display.acks.erase_if([&](const port::AskedAck& asked) {
     if (asked.what == Ack::text) return scene.names[asked.id] == name;
-    return mode && *mode == terms::kNames<kAckRows>[terms::index(asked.what)];
+    const io::Json ack = std::string(mode.value_or("level"));
+    return mode && asked.what == ack_named(JsonPlace(ack, request.file()));
   });
 }
 
@@ -529,14 +487,17 @@ std::uint16_t add_text(Scene& scene, std::string_view words, bool important, boo
   return text.id;
 }
 
+Ack ack_named(const JsonPlace& mode) { return mode.string() == "TR" ? Ack::trip : mode.term<kAckRows>(); }
+
 void add_request(Scene& scene, const JsonPlace& request) {
   const std::string& name = request.string();
   Display& display = scene.player.display();
   port::AskedAck asked{Ack::text, 0, scene.player.now()};
   if (const auto mode = behind(name, "mode ")) {
     const io::Json ack = std::string(*mode);
-    asked.what = JsonPlace(ack, request.file()).term<kAckRows>();
+    asked.what = ack_named(JsonPlace(ack, request.file()));
   } else if (const auto level = behind(name, "level ")) {
+    if (*level != "0" && *level != "NTC") request.fail("level 0 or level NTC (5.10.4.1)");
     asked.what = Ack::level;
     display.announced_level = {*level == "0" ? Level::L0 : Level::NTC, 0};
   } else if (name == "brake release") {
@@ -577,11 +538,13 @@ bool open_window(Scene& scene, std::string_view title) {
     const dmi::WindowRow& row = dmi::row_of(static_cast<dmi::WindowId>(i));
     if (row.title != title) continue;
     if (player.state().window == row.id) return true;
-    if (row.id == dmi::WindowId::default_) return false;
+    if (row.id == dmi::WindowId::default_) return false;  // another window is open
     if (row.layout == dmi::Layout::validation) {
-      if (!open_window(scene,
-                       title.substr(std::string_view("Validate ").size()) == "train data" ? "Train data" : "Settings"))
-        return false;
+      // What is validated is entered before: the stored train data, or a code of a cover (NID_C 926, number 48).
+      const std::string_view entered = title.substr(std::string_view("Validate ").size());
+      const bool set = entered == "set VBC", removed = entered == "remove VBC";
+      if (!open_window(scene, set ? "Set VBC" : removed ? "Remove VBC" : "Train data")) return false;
+      if (set || removed) type(scene, set ? "321456" : "50078");
       complete(scene);
       return player.state().window == row.id;
     }
@@ -628,7 +591,7 @@ void play(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   if (const auto layout = given.find("layout");
       layout && layout->one_of({"flexible", "fixed"}) == 1 && !scene.player.state().fixed_train_entry)
     (void)scene.player.touch(Action{ActionKind::switch_entry});
-  if (const auto texts = given.find("system_status")) return play_status_texts(scene, *texts, given);
+  if (given.find("system_status")) return play_status_texts(scene, given);
   play_entry(scene, given);
   if (const auto sequence = given.find("sequence")) play_sequence(scene, *sequence);
   if (const auto modes = given.find("mode_sequence")) play_modes(scene, *modes);

@@ -43,7 +43,10 @@ void set_given(Scene& scene, const io::JsonPlace& given, const io::JsonPlace& ex
 /// Plays what happens: `events`, `event`, `sequence`, `press`, `presses` and what a window is given. Throws ReadError.
 void play(Scene& scene, const io::JsonPlace& given, const io::JsonPlace& expect);
 
-// Shared by the two.
+/// Plays `system_status`: the on-board starts these texts, and ends them where the case says so. Throws ReadError.
+void play_status_texts(Scene& scene, const io::JsonPlace& given);
+
+// Shared by the three.
 /// Opens a window by touching buttons; false: it cannot be reached.
 bool open_window(Scene& scene, std::string_view title);
 /// The events of a case with times, up to `ms`. `next`: the first that is not played yet.
@@ -52,6 +55,8 @@ void play_events_to(Scene& scene, const io::JsonPlace& events, std::size_t& next
 std::uint16_t add_text(Scene& scene, std::string_view words, bool important, bool acknowledge);
 /// What the driver acknowledges: "mode OS", "level 0", "text X", "brake release". Throws ReadError.
 void add_request(Scene& scene, const io::JsonPlace& request);
+/// What is acknowledged of a mode, "OS"; "TR" is the trip. Throws ReadError.
+Ack ack_named(const io::JsonPlace& mode);
 /// The symbol or text whose acknowledgement is on offer; none.
 std::optional<std::string> shown_request(const Scene& scene);
 /// The picture with this name, "PL21". Throws ReadError.

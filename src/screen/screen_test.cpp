@@ -159,10 +159,16 @@ TEST(Command, AnswersCasesOneLineEach) {
   EXPECT_EQ(Json::parse(a)["id"], "A");
   EXPECT_FALSE(Json::parse(a)["items"].empty());
   EXPECT_EQ(Json::parse(b)["result"], Json::parse(R"({"toggle_after":[true]})"));
-  std::ofstream(folder / "wrong.json") << R"({"cases":[{"id":"A","given":{"moode":"FS"},"expect":{"must":[]}}]})";
+  // A case that cannot be set is a line with its reason, and takes nothing from the others.
+  std::ofstream(folder / "wrong.json") << R"({"cases":[{"id":"A","given":{"moode":"FS"},"expect":{"must":[]}},)"
+                                       << R"({"id":"B","given":{"mode":"FS"},"expect":{"must":[]}}]})";
   const Ended wrong = ended("dmi --cases " + (folder / "wrong.json"));
-  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.errors.find("/cases/0/given/moode"), std::string::npos) << wrong.errors;
+  std::istringstream answers(wrong.output);
+  ASSERT_TRUE(std::getline(answers, a) && std::getline(answers, b));
+  EXPECT_NE(Json::parse(a)["error"].get<std::string>().find("/cases/0/given/moode"), std::string::npos) << a;
+  EXPECT_FALSE(Json::parse(b)["items"].empty());
 }
 
 }  // namespace
