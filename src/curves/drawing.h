@@ -65,27 +65,27 @@ class Drawing {
  public:
   Drawing(double width, double height, std::string title) : width_(width), height_(height), title_(std::move(title)) {}
   void rect(double x, double y, double w, double h, const char* fill) {
-    elements_.push_back(DrawnRect{x, y, w, h, fill});
+    elements_.emplace_back(DrawnRect{x, y, w, h, fill});
   }
   void line(double x1, double y1, double x2, double y2, const Stroke& stroke) {
-    elements_.push_back(DrawnLine{{{x1, y1}, {x2, y2}}, stroke});
+    elements_.emplace_back(DrawnLine{{{x1, y1}, {x2, y2}}, stroke});
   }
   void polyline(std::vector<std::pair<double, double>> points, const Stroke& stroke) {
-    elements_.push_back(DrawnLine{std::move(points), stroke});
+    elements_.emplace_back(DrawnLine{std::move(points), stroke});
   }
   void text(double x, double y, const std::string& text, double size, const char* fill, const char* anchor = "start",
             bool bold = false) {
-    elements_.push_back(DrawnText{x, y, text, size, fill, anchor, bold, false, false});
+    elements_.emplace_back(DrawnText{x, y, text, size, fill, anchor, bold, false, false});
   }
   /// A name on a curve: with the page's white around it.
   void name(double x, double y, const std::string& text, double size, const char* fill) {
-    elements_.push_back(DrawnText{x, y, text, size, fill, "middle", true, false, true});
+    elements_.emplace_back(DrawnText{x, y, text, size, fill, "middle", true, false, true});
   }
   void vertical_text(double x, double y, const std::string& text, double size, const char* fill) {
-    elements_.push_back(DrawnText{x, y, text, size, fill, "middle", false, true, false});
+    elements_.emplace_back(DrawnText{x, y, text, size, fill, "middle", false, true, false});
   }
-  void clip(double x, double y, double w, double h) { elements_.push_back(Clip{x, y, w, h}); }
-  void end_clip() { elements_.push_back(EndOfClip{}); }
+  void clip(double x, double y, double w, double h) { elements_.emplace_back(Clip{x, y, w, h}); }
+  void end_clip() { elements_.emplace_back(EndOfClip{}); }
 
   /// Replaces the colours by those of the theme for paper.
   void for_paper();

@@ -39,6 +39,7 @@ double log_of_sum(const std::vector<double>& logarithms) {
 
 std::vector<double> logarithms_of(const std::vector<Piece>& pieces, double theta) {
   std::vector<double> logarithms;
+  logarithms.reserve(pieces.size());
   for (const Piece& piece : pieces) logarithms.push_back(std::log(piece.probability) + log_transform_of(piece, theta));
   return logarithms;
 }
