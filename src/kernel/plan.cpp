@@ -100,23 +100,27 @@ class Planner {
     }
   }
 
-  void add_condition(const std::optional<Symbol>& symbol, std::optional<TrackConditionKind> kind, Place at, Place by) {
+  /// `planned`: all but the symbol and the distance, which is that from `by` to `at`.
+  void add_condition(const std::optional<Symbol>& symbol, PlannedCondition planned, Place at, Place by) {
     if (!symbol || !(by < at) || !(at < end_)) return;
+    planned.symbol = *symbol;
+    planned.at = at - by;
     std::size_t i = out_.conditions.size();
-    while (i > 0 && at - by < out_.conditions[i - 1].at) --i;
-    (void)out_.conditions.insert(i, {*symbol, kind, at - by});  // two of each that is stored
+    while (i > 0 && planned.at < out_.conditions[i - 1].at) --i;
+    (void)out_.conditions.insert(i, planned);  // two of each that is stored
   }
 
   void plan_conditions() {
     for (const track::TrackCondition& c : s_.track.conditions) {
       if (!driver::allowed(driver::output_of(c.kind), s_.mode, s_.srs)) continue;
-      add_condition(driver::planning_symbol(c.kind, false, s_.by_train), c.kind, c.from,
-                    track::passes_start(c.kind, here_));
-      add_condition(driver::planning_symbol(c.kind, true, s_.by_train), c.kind, c.to, track::passes_end(c.kind, here_));
+      for (const bool end : {false, true})
+        add_condition(driver::planning_symbol(c.kind, end, s_.by_train),
+                      {.kind = c.kind, .end = end, .phase = c.progress.phase}, end ? c.to : c.from,
+                      end ? track::passes_end(c.kind, here_) : track::passes_start(c.kind, here_));
     }
     if (const auto& traction = s_.track.traction)
-      add_condition(driver::planning_symbol_of_traction(traction->M_VOLTAGE, s_.by_train), std::nullopt, traction->at,
-                    here_.max_safe_front);
+      add_condition(driver::planning_symbol_of_traction(traction->M_VOLTAGE, s_.by_train),
+                    {.phase = traction->progress.phase}, traction->at, here_.max_safe_front);
   }
 
   const State& s_;

@@ -185,25 +185,17 @@ class Shower {
     for (const PlannedCondition& c : to_.planning.conditions) show_order(c);
   }
   /// An order stands where its symbol will appear in B3 to B5 (015560 8.3.4.22), in rear of the condition by the way to
-  /// it at this speed; what has appeared is no order any more.
+  /// it at this speed; what has appeared is no order any more, and an announcement is not taken back when the train
+  /// gets slower.
   void show_order(const PlannedCondition& c) {
-    const bool ends = c.kind && driver::planning_symbol(*c.kind, true, s_.by_train) == c.symbol;
-    const Duration lead = !c.kind ? track::lead_of_traction() : ends ? Duration{} : track::lead_of(*c.kind);
+    const Duration lead = !c.kind ? track::lead_of_traction() : c.end ? Duration{} : track::lead_of(*c.kind);
     const Speed V = out_.v > Speed{} ? out_.v : Speed{};
     const Distance appears = c.at - V * lead;
-    if (!(appears > Distance{}) || (!ends && has_appeared(c))) return;
+    const bool has_appeared = !c.end && c.phase != ConditionPhase::ahead;
+    if (has_appeared || !(appears > Distance{})) return;
     std::size_t i = to_.orders.size();
     while (i > 0 && appears < to_.orders[i - 1].at) --i;
     (void)to_.orders.insert(i, {picture_of(c.symbol), appears});  // as many
-  }
-  /// An announcement is not taken back when the train gets slower.
-  bool has_appeared(const PlannedCondition& order) const {
-    if (!order.kind) return s_.track.traction && s_.track.traction->progress.phase != ConditionPhase::ahead;
-    for (const track::TrackCondition& c : s_.track.conditions)
-      if (c.kind == *order.kind && c.progress.phase != ConditionPhase::ahead &&
-          c.from - track::passes_start(c.kind, here_) == order.at)
-        return true;
-    return false;
   }
   /// As the advance display has it: to an EOA from the estimated front end.
   Distance distance_to(const sdm::TargetId& target) const {

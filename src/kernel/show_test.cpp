@@ -316,6 +316,11 @@ TEST_F(Show, OrdersStandWhereTheirSymbolsWillAppear) {
   EXPECT_EQ(orders(), (Orders{{Picture::PL10, 790.0}, {Picture::PL02, 990.0}, {Picture::PL04, 1510.0}}));
   state.track.conditions[0].progress.phase = ConditionPhase::announced;
   EXPECT_EQ(orders(), (Orders{{Picture::PL10, 790.0}, {Picture::PL04, 1510.0}}));
+  // Of two alike that begin at one place each stands by its own phase.
+  ASSERT_TRUE(
+      state.track.conditions.push_back({at(2000.0), at(2600.0), TrackConditionKind::powerless_lower_pantograph}));
+  EXPECT_EQ(orders(),
+            (Orders{{Picture::PL10, 790.0}, {Picture::PL02, 990.0}, {Picture::PL04, 1510.0}, {Picture::PL04, 1610.0}}));
 }
 
 TEST_F(Show, InReversingTheDistanceIsThatLeftToRun) {

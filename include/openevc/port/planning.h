@@ -25,11 +25,13 @@ struct PlannedGradient {
   Distance from, to;
   std::int16_t permille = 0;  // positive uphill
 };
-/// A place at which a track condition asks for something.
+/// A place at which a track condition asks for something: its start, or its end.
 struct PlannedCondition {
   Symbol symbol{};
-  std::optional<TrackConditionKind> kind;  // absent: change of traction system
-  Distance at;
+  std::optional<TrackConditionKind> kind = {};  // absent: change of traction system
+  Distance at{};
+  bool end = false;                              // of the condition; else its start
+  ConditionPhase phase = ConditionPhase::ahead;  // how far the condition has come for the driver (5.18)
 };
 
 struct Planning {
