@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "dmi/entry.h"
 #include "dmi/geometry.h"
@@ -41,6 +42,27 @@ template <class Bits>
 Value choice_among(Bits bits, std::size_t place) {
   if (((bits >> place) & 1u) == 0) return {};
   return chosen(count_offered(bits, place));
+}
+
+/// The loading gauges in the order of their keys (015560 Table 42), other than that of their codes.
+constexpr std::array<LoadingGauge, kGauges> kGaugeKeys{LoadingGauge::G1, LoadingGauge::GA, LoadingGauge::GB,
+                                                       LoadingGauge::GC, LoadingGauge::none};
+bool is_offered(const Display& display, LoadingGauge gauge) {
+  return ((display.config.loading_gauges >> terms::index(gauge)) & 1u) != 0;
+}
+std::optional<LoadingGauge> gauge_of(const Display& display, std::size_t choice) {
+  for (const LoadingGauge gauge : kGaugeKeys)
+    if (is_offered(display, gauge) && choice-- == 0) return gauge;
+  return std::nullopt;
+}
+Value choice_of(const Display& display, LoadingGauge stored) {
+  std::size_t choice = 0;
+  for (const LoadingGauge gauge : kGaugeKeys) {
+    if (!is_offered(display, gauge)) continue;
+    if (gauge == stored) return chosen(choice);
+    ++choice;
+  }
+  return {};
 }
 
 constexpr auto kCategories = static_cast<std::size_t>(TrainCategory::count);
@@ -102,7 +124,7 @@ Value stored_train(const Display& display, FieldId id) {
     case FieldId::airtight:
       return chosen(train.airtight ? 1 : 0);
     case FieldId::gauge:
-      return choice_among(display.config.loading_gauges, static_cast<std::size_t>(train.loading_gauge) % kGauges);
+      return choice_of(display, train.loading_gauge);
     default:
       return {};
   }
@@ -171,9 +193,9 @@ Words train_label(const Display& display, FieldId id, std::size_t choice) {
     const auto place = nth_offered(display.config.axle_loads, choice, kAxleLoads);
     return place ? Words{terms::kNames<kAxleLoadRows>[*place]} : Words{};
   }
-  const auto place = nth_offered(display.config.loading_gauges, choice, kGauges);
-  if (!place) return {};
-  return Words{*place == terms::index(LoadingGauge::none) ? "Out of GC" : terms::kNames<kLoadingGaugeRows>[*place]};
+  const auto gauge = gauge_of(display, choice);
+  if (!gauge) return {};
+  return Words{*gauge == LoadingGauge::none ? "Out of GC" : terms::kNames<kLoadingGaugeRows>[terms::index(*gauge)]};
 }
 
 Words two(std::string_view first, std::string_view second, std::size_t choice) {
@@ -359,8 +381,9 @@ port::ShownTrainData entered_train_data(const State& state, const Entry& entry) 
   }
   if (const auto place = choice(FieldId::axle_load, config.axle_loads, kAxleLoads))
     train.axle_load = static_cast<AxleLoad>(*place);
-  if (const auto place = choice(FieldId::gauge, config.loading_gauges, kGauges))
-    train.loading_gauge = static_cast<LoadingGauge>(*place);
+  if (const Value* value = value_of(entry, FieldId::gauge); value != nullptr && value->choice >= 0)
+    if (const auto gauge = gauge_of(state.display, static_cast<std::size_t>(value->choice)))
+      train.loading_gauge = *gauge;
   if (const Value* airtight = value_of(entry, FieldId::airtight)) train.airtight = airtight->choice == 1;
   return train;
 }

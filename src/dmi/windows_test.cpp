@@ -261,7 +261,7 @@ TEST_F(TrainData, GoToTheOnBoardAfterValidation) {
   EXPECT_EQ(commands.train_data->other_categories, train::kPassenger);
   EXPECT_EQ(commands.train_data->axle_load, train::AxleLoad::B2);
   EXPECT_TRUE(commands.train_data->airtight);
-  EXPECT_EQ(commands.train_data->loading_gauge, train::LoadingGauge::G1);
+  EXPECT_EQ(commands.train_data->loading_gauge, train::LoadingGauge::GA);
   EXPECT_EQ(state.window, WindowId::train_running_number) << "it is not valid";
   const train::TrainData data = with_entered(train::TrainData{}, *commands.train_data);
   EXPECT_EQ(data.L_TRAIN, Distance{400.0});
@@ -432,6 +432,53 @@ TEST_F(Windows, MoreChoicesThanKeys) {
   EXPECT_TRUE(key_at(state, 8).label.empty());
   ASSERT_TRUE(tap("key 12"));
   EXPECT_EQ(key_at(state, 1).label.view(), "PASS 1");
+}
+
+/// The labels of the keys of a field, up to the first without one.
+std::vector<std::string> keys_of(State& state, WindowId window, std::size_t field) {
+  open_window(state, window);
+  state.entry.selected = static_cast<std::uint8_t>(field);
+  std::vector<std::string> labels;
+  for (std::size_t choice = 0; choice < choices_of(state, state.entry.fields[field].id); ++choice)
+    labels.emplace_back(choice_label(state, state.entry.fields[field].id, choice).view());
+  return labels;
+}
+
+// Keyboards with fixed choices, in the order of the tables of 015560 11.3.
+TEST_F(Windows, FixedChoicesAreInTheOrderOfTheTables) {
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(keys_of(state, WindowId::train_data, 0),  // Table 41
+            (Labels{"PASS 1", "PASS 2", "PASS 3", "TILT 1", "TILT 2", "TILT 3", "TILT 4", "TILT 5", "TILT 6", "TILT 7",
+                    "FP 1", "FP 2", "FP 3", "FP 4", "FG 1", "FG 2", "FG 3", "FG 4"}));
+  EXPECT_EQ(keys_of(state, WindowId::train_data, 4),  // SUBSET-026 A.3.11
+            (Labels{"A", "HS17", "B1", "B2", "C2", "C3", "C4", "D2", "D3", "D4", "D4XL", "E4", "E5"}));
+  EXPECT_EQ(keys_of(state, WindowId::train_data, 5), (Labels{"No", "Yes"}));                            // Table 40
+  EXPECT_EQ(keys_of(state, WindowId::train_data, 6), (Labels{"G1", "GA", "GB", "GC", "Out of GC"}));    // Table 42
+  EXPECT_EQ(keys_of(state, WindowId::adhesion, 0), (Labels{"Non slippery rail", "Slippery rail"}));     // Table 43
+  EXPECT_EQ(keys_of(state, WindowId::ato, 0), (Labels{"Stand-by", "On"}));                              // Table 43a
+  EXPECT_EQ(keys_of(state, WindowId::radio_type, 0), (Labels{"FRMCS", "FRMCS+GSM-R", "GSM-R"}));        // Table 43b
+  EXPECT_EQ(keys_of(state, WindowId::level, 0), (Labels{"Level 1", "Level 2", "Level 3", "Level 0"}));  // Table 38
+}
+
+// Each gauge that is offered is proposed as it is stored, and entered as its key says.
+TEST_F(Windows, GaugesAreWhatTheirKeysSay) {
+  for (const int offered : {0x1F, 0x1B, 0x09, 0x10}) {
+    display.config.loading_gauges = static_cast<std::uint8_t>(offered);
+    display.data.stored.train_status = DataStatus::valid;
+    for (const auto& row : kLoadingGaugeRows) {
+      display.data.stored.train.loading_gauge = row.value;
+      cycle(0.1);
+      open(WindowId::train_data);
+      const bool is_offered = ((offered >> terms::index(row.value)) & 1) != 0;
+      const Value* value = value_of(state.entry, FieldId::gauge);
+      ASSERT_NE(value, nullptr);
+      ASSERT_EQ(value->given(), is_offered) << row.name;
+      if (!is_offered) continue;
+      EXPECT_EQ(choice_label(state, FieldId::gauge, static_cast<std::size_t>(value->choice)).view(),
+                row.value == LoadingGauge::none ? "Out of GC" : row.name);
+      EXPECT_EQ(entered_train_data(state, state.entry).loading_gauge, row.value);
+    }
+  }
 }
 
 TEST_F(Windows, SrProposesTheLongestForInfinite) {
