@@ -256,6 +256,7 @@ Key key_at(const State& state, int number) {
     }
     key.choice = static_cast<std::int16_t>(choice_of_key(state, field->id, number));
     if (key.choice < 0 || static_cast<std::size_t>(key.choice) >= choices_of(state, field->id)) return key;
+      key.type = ButtonType::up;  // as every button that turns pages, other than keys (015560 5.3.2.7.4)
     key.label = choice_label(state, field->id, static_cast<std::size_t>(key.choice));
     key.enabled = choice_enabled(state, field->id, static_cast<std::size_t>(key.choice));
     // The key of level 3 exists up to 3.6.0 (015560 11.3.2.5).
@@ -265,7 +266,7 @@ Key key_at(const State& state, int number) {
     return key;
   }
   key.enabled = number != kLastKey;
-  key.repeats = number == kDeleteKey;
+  if (number == kDeleteKey) key.type = ButtonType::down_repeat;
   key.bold = number == kLastKey;
   if (number == kDeleteKey) {
     key.picture = Picture::NA21;

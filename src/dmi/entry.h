@@ -34,7 +34,7 @@ struct Key {
   std::optional<Picture> picture;
   bool enabled = false;
   bool bold = false;
-  bool repeats = false;
+  ButtonType type = ButtonType::down;
   std::int16_t choice = -1;  ///< with a dedicated keyboard
 };
 Key key_at(const State&, int number);

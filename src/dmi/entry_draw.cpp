@@ -112,7 +112,7 @@ void draw_keys(const Drawing& to) {
     key.bold = made.bold;
     if (letters) key.height = 16;
     if (!made.enabled) key.colour = Colour::dark_grey;
-    if (made.repeats) key.type = ButtonType::down_repeat;
+    key.type = made.type;
     to.add(key);
   }
 }

@@ -42,8 +42,7 @@ void aim_keys(Targets& all, const State& state) {
   for (std::uint8_t number = 1; number <= 12; ++number) {
     const Key key = key_at(state, number);
     if (key.label.empty() && !key.picture) continue;
-    aim(all, key_place(number), ActionKind::key, number, key.enabled,
-        key.repeats ? ButtonType::down_repeat : ButtonType::down);
+    aim(all, key_place(number), ActionKind::key, number, key.enabled, key.type);
   }
 }
 

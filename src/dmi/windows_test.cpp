@@ -434,6 +434,21 @@ TEST_F(Windows, MoreChoicesThanKeys) {
   EXPECT_EQ(key_at(state, 1).label.view(), "PASS 1");
 }
 
+// 015560 5.3.2.7.4: [More] is an up-type button on every keyboard, beside keys of the down type (10.3.5.13).
+TEST_F(Windows, MoreActsOnRelease) {
+  open(WindowId::train_data);
+  const Cell more = test::middle(key_place(12));
+  EXPECT_EQ(item(Kind::key, "").type, ButtonType::down);
+  ASSERT_TRUE(press(state, more, Duration{when}));
+  EXPECT_EQ(key_at(state, 1).label.view(), "PASS 1") << "held";
+  slide(state, {0, 0}, Duration{when});
+  release(state, Duration{when});
+  EXPECT_EQ(key_at(state, 1).label.view(), "PASS 1") << "slid out";
+  ASSERT_TRUE(press(state, more, Duration{when}));
+  release(state, Duration{when});
+  EXPECT_EQ(key_at(state, 1).label.view(), "FP 2");
+}
+
 /// The labels of the keys of a field, up to the first without one.
 std::vector<std::string> keys_of(State& state, WindowId window, std::size_t field) {
   open_window(state, window);
