@@ -131,11 +131,11 @@ void commit_validation(State& state, Duration now) {
   const bool yes = choice_of(state, FieldId::validation) == 1;
   const Entry entered = state.validated;
   if (!yes) {
-    // Back to the entry, which proposes the values of before; its process begins again (015560 11.7.3 S3-2).
+    // Back to the entry with the values of before (015560 11.7.3 S3-2). Its process goes on (10.6.1.3): what was
+    // accepted in it stays so.
     open_window(state, validated_window(window));
     state.entry = entered;
-    state.entry.selected = 0;
-    for (Field& field : state.entry.fields) field.accepted = field.typed = false;
+    state.entry.selected = state.entry.choices_from = state.entry.tap_key = 0;
     return;
   }
   state.entry = entered;

@@ -292,6 +292,17 @@ TEST_F(TrainData, AreNotStoredAfterNo) {
   EXPECT_EQ(field_text(2), "400");
 }
 
+// The process goes on until the validation is left with Yes (015560 10.6.1.3): what was accepted stays white.
+TEST_F(TrainData, StayAcceptedAfterNo) {
+  enter_all();
+  ASSERT_TRUE(tap("Yes") && tap("key 7") && tap("field 1"));
+  EXPECT_EQ(item(Kind::field, "Train category").state, FieldState::selected);
+  EXPECT_EQ(item(Kind::field, "Length (m)").state, FieldState::accepted);
+  EXPECT_EQ(item(Kind::echo, "Length (m)").colour, Colour::white);
+  ASSERT_TRUE(tap("close") && tap("Train data"));
+  EXPECT_EQ(item(Kind::field, "Length (m)").state, FieldState::not_selected) << "another process";
+}
+
 TEST_F(TrainData, AreCheckedAcross) {
   port::CrossCheck check{.categories = Set<TrainCategory>{TrainCategory::PASS1}, .V_most = Speed{120.0 / 3.6}};
   EXPECT_TRUE(display.config.cross_checks.push_back(check));
