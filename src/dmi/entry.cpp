@@ -99,15 +99,19 @@ int choice_of_key(const State& state, FieldId id, int number) {
   return state.entry.choices_from + number - 1;
 }
 
+/// The echo texts of fields that a rule across them has rejected show their values again.
+void end_cross_check(Entry& entry) {
+  entry.cross = Check::passed;
+  for (Field& field : entry.fields)
+    if (field.check == Check::technical_cross || field.check == Check::operational_cross) field.check = Check::passed;
+}
+
 void changed(State& state, Field& field) {
   field.typed = true;
   field.accepted = false;
   field.check = Check::passed;
-  if (state.entry.cross != Check::passed) {
-    state.entry.cross = Check::passed;
-    for (Field& other : state.entry.fields)
-      if (other.check == Check::technical_cross || other.check == Check::operational_cross) other.check = Check::passed;
-  }
+  state.entry.overruled = 0;
+  end_cross_check(state.entry);
 }
 
 /// The first key since the field was selected, or since a check rejected the value, replaces what is shown
@@ -252,11 +256,11 @@ Key key_at(const State& state, int number) {
         choices_of(state, field->id) > static_cast<std::size_t>(kLastKey)) {
       key.picture = Picture::NA23;
       key.enabled = true;
+      key.type = ButtonType::up;  // as every button that turns pages, other than keys (015560 5.3.2.7.4)
       return key;
     }
     key.choice = static_cast<std::int16_t>(choice_of_key(state, field->id, number));
     if (key.choice < 0 || static_cast<std::size_t>(key.choice) >= choices_of(state, field->id)) return key;
-      key.type = ButtonType::up;  // as every button that turns pages, other than keys (015560 5.3.2.7.4)
     key.label = choice_label(state, field->id, static_cast<std::size_t>(key.choice));
     key.enabled = choice_enabled(state, field->id, static_cast<std::size_t>(key.choice));
     // The key of level 3 exists up to 3.6.0 (015560 11.3.2.5).
@@ -382,7 +386,10 @@ bool complete_is_delayed(const State& state) { return state.entry.cross == Check
 
 bool check_across(State& state) {
   if (state.window != WindowId::train_data) return true;
-  const bool insisted = state.entry.cross == Check::operational_cross;
+  Entry& entry = state.entry;
+  // The driver insists: this rule is overruled, the others are not (015560 10.3.4.6.5).
+  if (entry.cross == Check::operational_cross) entry.overruled |= static_cast<std::uint8_t>(1u << entry.failed);
+  end_cross_check(entry);
   const port::ShownTrainData train = entered_train_data(state, state.entry);
   std::optional<std::size_t> category;
   for (const TrainCategoryRow& row : kTrainCategoryRows) {
@@ -392,14 +399,16 @@ bool check_across(State& state) {
     if (!category && row.cant_deficiency_mm == train.cant_deficiency_mm && (train.other_categories & other) != 0)
       category = terms::index(row.value);
   }
+  const auto& rules = state.display.config.cross_checks;
   for (const bool operational : {false, true}) {
-    if (operational && insisted) continue;
-    for (const port::CrossCheck& check : state.display.config.cross_checks) {
-      if (check.operational != operational || !fails(check, train, category)) continue;
-      state.entry.cross = operational ? Check::operational_cross : Check::technical_cross;
-      for (Field& field : state.entry.fields)
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      if (rules[i].operational != operational || !fails(rules[i], train, category)) continue;
+      if (operational && ((entry.overruled >> i) & 1u) != 0) continue;
+      entry.cross = operational ? Check::operational_cross : Check::technical_cross;
+      entry.failed = static_cast<std::uint8_t>(i);
+      for (Field& field : entry.fields)
         if (field.id == FieldId::category || field.id == FieldId::maximum_speed || field.id == FieldId::train_type)
-          field.check = state.entry.cross;
+          field.check = entry.cross;
       return false;
     }
   }

@@ -112,6 +112,8 @@ struct Entry {
   std::uint8_t tap_count = 0;
   Duration tap_at{};
   Check cross = Check::passed;  ///< of the last Yes
+  std::uint8_t failed = 0;      ///< place of the rule in DisplayConfig::cross_checks that `cross` is about
+  std::uint8_t overruled = 0;   ///< bit n: the driver has insisted on values against rule n
 };
 
 enum class ActionKind : std::uint8_t {

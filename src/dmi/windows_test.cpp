@@ -320,6 +320,30 @@ TEST_F(TrainData, AreCheckedAcross) {
   EXPECT_EQ(state.window, WindowId::validate_train_data);
 }
 
+// 015560 10.3.4.6.5: who insists overrules the rule that was shown, not another one that was not reached.
+TEST_F(TrainData, EachOperationalRuleIsOverruledAlone) {
+  const Set<TrainCategory> first{TrainCategory::PASS1};
+  for (const double kmh : {120.0, 130.0})
+    EXPECT_TRUE(
+        display.config.cross_checks.push_back({.categories = first, .V_most = Speed{kmh / 3.6}, .operational = true}));
+  cycle(0.1);
+  enter_all();
+  for (int rule = 0; rule < 2; ++rule) {
+    ASSERT_TRUE(tap("Yes"));
+    EXPECT_EQ(state.window, WindowId::train_data) << rule;
+    EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "????") << rule;
+    EXPECT_EQ(item(Kind::button, "Yes").type, ButtonType::delay) << rule;
+  }
+  ASSERT_TRUE(tap("Yes"));
+  EXPECT_EQ(state.window, WindowId::validate_train_data);
+  EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "PASS 1") << "permitted now";
+  EXPECT_EQ(item(Kind::echo, "Train category").colour, Colour::white);
+  // A value that changes is checked again.
+  ASSERT_TRUE(tap("key 7") && tap("field 1") && tap("key 1") && tap("field 1") && tap("Yes"));
+  EXPECT_EQ(state.window, WindowId::train_data);
+  EXPECT_EQ(item(Kind::echo, "Train category").text.view(), "????");
+}
+
 TEST_F(TrainData, CloseWhenTheTrainMoves) {
   enter_all();
   display.buttons.remove(Button::train_data);
