@@ -61,21 +61,6 @@ Content content_of(const port::Display& display, const port::DisplayedText& text
   return content;
 }
 
-/// The octets of the next line: broken at blanks, or within a word that is longer than a line.
-std::size_t line_length(std::string_view rest, bool bold) {
-  std::size_t fits = 0, blank = 0;
-  while (fits < rest.size()) {
-    std::size_t next = fits + 1;
-    while (next < rest.size() && (static_cast<unsigned char>(rest[next]) & 0xC0) == 0x80) ++next;
-    if (next > 60 || width_of(part_of(rest, 0, next), kTextHeight, bold) > kTextRoom) break;
-    if (rest[fits] == ' ') blank = fits;
-    fits = next;
-  }
-  if (fits == rest.size() || fits == 0) return rest.empty() || fits > 0 ? fits : 1;
-  if (rest[fits] == ' ') return fits;
-  return blank > 0 ? blank : fits;
-}
-
 struct TextLine {
   const port::DisplayedText* text;
   bool first;
@@ -89,7 +74,7 @@ void each_line(const port::Display& display, const port::DisplayedText& text, F 
   std::string_view rest = content.view();
   bool first = true;
   do {
-    const std::size_t length = line_length(rest, text.important);
+    const std::size_t length = line_length(rest, kTextHeight, text.important, kTextRoom);
     f(TextLine{&text, first, part_of(rest, 0, length)});
     rest.remove_prefix(length);
     while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);

@@ -5,6 +5,7 @@
 #include "dmi/acks.h"
 #include "dmi/entry.h"
 #include "dmi/labels.h"
+#include "dmi/words.h"
 
 namespace evc::dmi {
 
@@ -109,14 +110,18 @@ bool takes_place(const port::Display& display, Button instead) {
   }
 }
 
-/// The lines of a value, the label before the first one: a value has eight characters on a line (015560 5.1.5.2).
+/// The lines of a value, the label before the first one: it has eight characters on a line (015560 5.1.5.2), and fewer
+/// where they would not fit beside the label.
 void add_item(ViewItems& items, std::string_view label_text, const Words& value) {
+  constexpr double kRoom = 640.0 - 543.0 - 3.0;
   std::string_view rest = value.view();
   do {
     std::size_t end = 0;
     while (end < rest.size() && rest[end] != '\n') ++end;
+    end = line_length(part_of(rest, 0, end), 12, false, kRoom);
     if (!items.push_back({Words{label_text}, Words{part_of(rest, 0, end)}})) return;
-    rest = part_of(rest, end + 1);
+    const bool separated = end < rest.size() && (rest[end] == '\n' || rest[end] == ' ');
+    rest = part_of(rest, separated ? end + 1 : end);
     label_text = {};
   } while (!rest.empty());
 }
@@ -229,7 +234,9 @@ ViewItems view_items(const State& state) {
     add_item(items, "Operated system version", version_words(data.M_VERSION));
     return items;
   }
+  // An empty line between topics (015560 10.5.1.6, Tables 44 and 45).
   add_stored(items, state, FieldId::driver_id, data.stored.driver_id_status);
+  add_item(items, {}, {});
   add_stored(items, state, FieldId::train_running_number, data.stored.train_running_number_status);
   add_item(items, {}, {});
   add_train_items(items, state);
@@ -237,7 +244,7 @@ ViewItems view_items(const State& state) {
   const bool is_400 = state.display.config.srs == SrsVersion::v4_0_0;
   if (is_400) add_stored(items, state, FieldId::radio_type, DataStatus::valid);
   add_stored(items, state, FieldId::network, data.stored.network ? DataStatus::valid : DataStatus::unknown);
-  add_item(items, {}, {});
+  if (!is_400) add_item(items, {}, {});  // radio data are one topic since 4.0.0
   add_stored(items, state, FieldId::rbc_id, data.stored.rbc_status);
   if (is_entered(state.display, FieldId::rbc_phone))
     add_stored(items, state, FieldId::rbc_phone, data.stored.rbc_status);

@@ -556,6 +556,36 @@ TEST_F(Windows, DataViewHasPages) {
   EXPECT_EQ(state.window, WindowId::default_);
 }
 
+// Topics have an empty line between them (015560 10.5.1.6, Table 45): radio data are one of them since 4.0.0.
+TEST_F(Windows, DataViewSeparatesTopics) {
+  const auto labels = [&] {
+    std::string all;
+    for (const ViewItem& line : view_items(state)) all += std::string(line.label.view()) + '|';
+    return all;
+  };
+  open(WindowId::data_view);
+  EXPECT_EQ(labels().substr(0, 54), "Driver ID||Train running number||Train category|Length");
+  EXPECT_NE(labels().find("|Radio network type|GSM-R network ID|RBC ID|RBC phone number|"), std::string::npos);
+  display.config.srs = SrsVersion::v3_6_0;
+  cycle(0.1);
+  EXPECT_NE(labels().find("GSM-R network ID||RBC ID|"), std::string::npos);
+}
+
+// All that the driver can enter ends on the screen: the two radio systems as in Figure 134 of 015560.
+TEST_F(Windows, DataViewHasValuesOnLinesThatFit) {
+  display.data.stored.driver_id_status = DataStatus::valid;
+  display.data.stored.driver_id = DriverId{"mmmmmmmmwwwwwwww"};
+  display.data.radio = port::RadioNetworkType::frmcs_and_gsmr;
+  cycle(0.1);
+  open(WindowId::data_view);
+  std::vector<std::string> values;
+  for (const ViewItem& line : view_items(state)) {
+    EXPECT_LE(543.0 + width_of(line.value.view(), 12, false), 640.0) << line.value.view();
+    if (!line.value.empty()) values.emplace_back(line.value.view());
+  }
+  EXPECT_EQ(values, (std::vector<std::string>{"mmmm", "mmmm", "wwww", "wwww", "FRMCS+", "GSM-R"}));
+}
+
 TEST_F(Windows, FromTheMainWindowNoStepIsStartUpAgain) {
   display.start_of_mission = true;
   display.step = Dialogue::start_S1;

@@ -13,6 +13,7 @@ constexpr std::array<std::uint16_t, 95> kAdvance{
 constexpr double kOther = 600.0;          // of every other character
 constexpr double kCapitalsPerEm = 0.718;  // height of capital letters
 constexpr double kBoldPerRegular = 1.08;
+constexpr std::size_t kMostOctets = 60;  // of a line: as many as Words holds
 
 }  // namespace
 
@@ -25,6 +26,22 @@ double width_of(std::string_view text, int height, bool bold) {
     thousandths += ascii ? static_cast<double>(kAdvance[code - 0x20u]) : kOther;
   }
   return thousandths / 1000.0 * height / kCapitalsPerEm * (bold ? kBoldPerRegular : 1.0);
+}
+
+std::size_t line_length(std::string_view text, int height, bool bold, double width) {
+  std::size_t fits = 0, whole_words = 0;
+  while (fits < text.size()) {
+    std::size_t next = fits + 1;
+    while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0) == 0x80) ++next;
+    if (next > kMostOctets || width_of(part_of(text, 0, next), height, bold) > width) break;
+    if (text[fits] == ' ') whole_words = fits;
+    if (text[fits] == '+') whole_words = next;
+    fits = next;
+  }
+  if (fits == text.size()) return fits;
+  if (fits == 0) return 1;
+  if (text[fits] == ' ') return fits;
+  return whole_words > 0 ? whole_words : fits;
 }
 
 }  // namespace evc::dmi

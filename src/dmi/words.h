@@ -63,4 +63,8 @@ constexpr std::string_view part_of(std::string_view text, std::size_t from, std:
 /// painter's face must not exceed by much.
 double width_of(std::string_view text, int height, bool bold);
 
+/// The octets of the first line of a UTF-8 text that is broken into lines of a width: at blanks, behind a plus, or
+/// within a word that is longer than a line. Of a blank at the break the next line begins.
+std::size_t line_length(std::string_view text, int height, bool bold, double width);
+
 }  // namespace evc::dmi
