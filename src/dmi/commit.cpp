@@ -25,14 +25,27 @@ std::string_view characters_of(const State& state, FieldId id) {
   return value != nullptr ? value->typed.view() : std::string_view{};
 }
 
-/// Whether the networks are registered that the radio network type asks for (015560 11.7.3 D5).
+/// Whether a radio network type asks for a system: a type of one system for it, that of both for those that are fitted.
+bool asks_for_frmcs(const port::DisplayConfig& config, port::RadioNetworkType type) {
+  return type == port::RadioNetworkType::frmcs ||
+         (type == port::RadioNetworkType::frmcs_and_gsmr && config.frmcs_fitted);
+}
+bool asks_for_gsmr(const port::DisplayConfig& config, port::RadioNetworkType type) {
+  return type == port::RadioNetworkType::gsmr || (type == port::RadioNetworkType::frmcs_and_gsmr && config.gsmr_fitted);
+}
+
+/// Whether the networks are registered that the stored radio network type asks for (015560 11.7.3 D5).
 bool networks_are_registered(const port::Display& display) {
-  const port::DisplayConfig& config = display.config;
   const port::DisplayedData& data = display.data;
-  const bool both = data.radio == port::RadioNetworkType::frmcs_and_gsmr;
-  const bool by_frmcs = data.radio == port::RadioNetworkType::frmcs || (both && config.frmcs_fitted);
-  const bool by_gsmr = data.radio == port::RadioNetworkType::gsmr || (both && config.gsmr_fitted);
+  const bool by_frmcs = asks_for_frmcs(display.config, data.radio), by_gsmr = asks_for_gsmr(display.config, data.radio);
   return (by_frmcs || by_gsmr) && (!by_frmcs || data.frmcs_registered) && (!by_gsmr || data.gsmr_registered);
+}
+
+/// Whether the choice of a radio network type ends as a failed registration (015560 11.7.3 S5-4, E1). Other than D5 it
+/// asks for FRMCS alone, and where this is fitted: to GSM-R the train registers later, with the network that the driver
+/// chooses (S5-2).
+bool registration_has_failed(const port::Display& display, port::RadioNetworkType type) {
+  return asks_for_frmcs(display.config, type) && display.config.frmcs_fitted && !display.data.frmcs_registered;
 }
 
 void commit_level(State& state, Duration now) {
@@ -82,15 +95,12 @@ void commit_network(State& state) {
   open_window(state, WindowId::radio_data);
 }
 
-/// 015560 11.7.3 S5-4: a type whose network is not registered is A6, then D9. In the start of mission the on-board says
-/// what follows.
+/// 015560 11.7.3 S5-4: a failed registration is A6, then D9. In the start of mission the on-board says what follows.
 void commit_radio_type(State& state) {
   const port::Display& display = state.display;
   const auto type = static_cast<port::RadioNetworkType>(choice_of(state, FieldId::radio_type) % 3);
   state.commands.radio = type;
-  const bool failed =
-      type != port::RadioNetworkType::gsmr && display.config.frmcs_fitted && !display.data.frmcs_registered;
-  const bool stays = !failed || display.start_of_mission;
+  const bool stays = !registration_has_failed(display, type) || display.start_of_mission;
   open_window(state, stays ? WindowId::radio_data : after_failed_registration(display, type));
 }
 

@@ -586,6 +586,39 @@ TEST_F(Windows, DataViewHasValuesOnLinesThatFit) {
   EXPECT_EQ(values, (std::vector<std::string>{"mmmm", "mmmm", "wwww", "wwww", "FRMCS+", "GSM-R"}));
 }
 
+// 015560 11.7.3 S5-4 and D5, over all that can be fitted and registered. Other than D5, S5-4 asks for FRMCS alone.
+TEST_F(Windows, RadioTypesByWhatIsFittedAndRegistered) {
+  using port::RadioNetworkType;
+  for (unsigned n = 0; n < 16; ++n)
+    for (const RadioNetworkType type :
+         {RadioNetworkType::frmcs, RadioNetworkType::frmcs_and_gsmr, RadioNetworkType::gsmr}) {
+      const bool frmcs = (n & 1u) != 0, gsmr = (n & 2u) != 0, on_frmcs = (n & 4u) != 0, on_gsmr = (n & 8u) != 0;
+      display.config.frmcs_fitted = frmcs;
+      display.config.gsmr_fitted = gsmr;
+      display.data.frmcs_registered = on_frmcs;
+      display.data.gsmr_registered = on_gsmr;
+      display.data.radio = type;
+      display.data.stored.rbc_status = DataStatus::valid;
+      state.awaited = Awaited{};
+      cycle(0.1);
+      const std::string what = std::to_string(n) + ' ' + std::to_string(static_cast<int>(type));
+
+      open(WindowId::radio_type);
+      ASSERT_TRUE(tap("key " + std::to_string(static_cast<int>(type) + 1)) && tap("field 1"));
+      const bool failed = type != RadioNetworkType::gsmr && frmcs && !on_frmcs;
+      const bool both = type == RadioNetworkType::frmcs_and_gsmr && frmcs && gsmr;
+      EXPECT_EQ(state.window, !failed || both ? WindowId::radio_data : WindowId::main) << what;
+
+      open(WindowId::level);
+      ASSERT_TRUE(tap("key 2") && tap("field 1"));
+      const bool only_frmcs = type == RadioNetworkType::frmcs || (type != RadioNetworkType::gsmr && frmcs && !gsmr);
+      const bool only_gsmr = type == RadioNetworkType::gsmr || (type != RadioNetworkType::frmcs && gsmr && !frmcs);
+      const bool registered = (only_frmcs && on_frmcs) || (only_gsmr && on_gsmr) || (both && on_frmcs && on_gsmr);
+      EXPECT_EQ(state.awaited.on, registered) << what;
+      EXPECT_EQ(state.window, registered ? WindowId::main : WindowId::radio_data) << what;
+    }
+}
+
 TEST_F(Windows, FromTheMainWindowNoStepIsStartUpAgain) {
   display.start_of_mission = true;
   display.step = Dialogue::start_S1;
