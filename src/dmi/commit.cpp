@@ -60,7 +60,7 @@ void commit_level(State& state, Duration now) {
   if (state.display.start_of_mission) return await(state, WindowId::main, now);  // the on-board says what follows
   if (!level_2_or_3(level)) return open_window(state, WindowId::main);
   // 015560 11.7.3 D5
-  state.level_may_trip = state.display.level == Level::L0 || state.display.level == Level::NTC;
+  if (state.display.level == Level::L0 || state.display.level == Level::NTC) state.trip_awaited_since = now;
   const bool can_call =
       state.display.data.stored.rbc_status == DataStatus::valid && networks_are_registered(state.display);
   if (can_call) return await(state, WindowId::main, now);

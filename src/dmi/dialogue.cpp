@@ -144,19 +144,22 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
 }
 
 /// Level 2 from level 0 or NTC may trip the train: then the default window asks for the acknowledgement of the trip,
-/// and the radio data come after it (015560 11.7.3 D5).
+/// and the radio data come after it (015560 11.7.3 D5). This is so for the trip that follows the entry, not for a later
+/// one: nothing is awaited any more as soon as the level was taken without a trip, or if it is not taken at all.
 void follow_trip(State& state, const port::Display& before) {
-  if (!state.level_may_trip) return;
-  const bool trips = state.display.mode == Mode::TR, tripped = before.mode == Mode::TR;
+  if (!state.trip_awaited_since) return;
+  const port::Display& display = state.display;
+  const bool taken = level_2_or_3(display.level);
+  const bool trips = display.mode == Mode::TR && taken, tripped = before.mode == Mode::TR;
   if (trips && !tripped) {
     state.awaited = Awaited{};
     return open_window(state, WindowId::default_);
   }
   if (trips) return;
-  // One way or the other it is over as soon as the level is taken.
-  if (!tripped && !level_2_or_3(before.level)) return;
-  state.level_may_trip = false;
-  if (tripped && state.display.mode == Mode::PT) open_window(state, WindowId::radio_data);
+  const bool may_be_taken = !taken && display.now - *state.trip_awaited_since <= kAnswerBegins;
+  if (!tripped && (may_be_taken || (taken && !level_2_or_3(before.level)))) return;
+  state.trip_awaited_since.reset();
+  if (tripped && display.mode == Mode::PT) open_window(state, WindowId::radio_data);
 }
 
 /// Windows close when the condition of their button is lost, after the start-up dialogue (015560 11.7.1.7).
@@ -178,7 +181,7 @@ void await(State& state, WindowId then, Duration now, bool needs_mode) {
 
 void choose(State& state, Button button, Duration now) {
   if (!button_enabled(state, button)) return;
-  state.level_may_trip = false;
+  state.trip_awaited_since.reset();
   if (state.window == WindowId::main) give(state, Select::main);
   const Effect& effect = kEffects[terms::index(button)];
   if (effect.select != Select::count) give(state, effect.select);

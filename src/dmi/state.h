@@ -216,8 +216,9 @@ struct State {
   Entry validated;                 ///< the entry that a validation window asks about
   bool fixed_train_entry = false;  ///< switchable entry: the layout used last
   bool running_number_next =
-      false;                    ///< the train running number belongs to the entry of train data (015560 11.7.3 S3-3)
-  bool level_may_trip = false;  ///< level 2 was entered from level 0 or NTC (015560 11.7.3 D5)
+      false;  ///< the train running number belongs to the entry of train data (015560 11.7.3 S3-3)
+  /// Since level 2 was entered from level 0 or NTC, as long as the train may trip for it (015560 11.7.3 D5).
+  std::optional<Duration> trip_awaited_since;
   Awaited awaited;
   Duration waiting_since{};  ///< of Display::waiting
   Toggles toggles;

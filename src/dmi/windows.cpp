@@ -269,6 +269,7 @@ void close_window(State& state) {
     state.from_driver_id = false;
   }
   state.running_number_next = false;
+  state.trip_awaited_since.reset();
   open_window(state, parent);
 }
 

@@ -619,6 +619,62 @@ TEST_F(Windows, RadioTypesByWhatIsFittedAndRegistered) {
     }
 }
 
+/// Level 2 entered from level 0, without a contact to call: the Radio data window is open (015560 11.7.3 D5).
+class LevelFrom0 : public Windows {
+ protected:
+  LevelFrom0() {
+    display.mode = Mode::UN;
+    display.level = Level::L0;
+    cycle(0.1);
+    open(WindowId::level);
+    EXPECT_TRUE(tap("key 2") && tap("field 1"));
+    EXPECT_EQ(state.window, WindowId::radio_data);
+  }
+  void trip(Level level, double seconds) {
+    display.mode = Mode::TR;
+    display.level = level;
+    cycle(seconds);
+  }
+  void post_trip() {
+    display.mode = Mode::PT;
+    cycle(1.0);
+  }
+};
+
+TEST_F(LevelFrom0, TripsAndGoesOnWithTheRadioData) {
+  trip(Level::L2, 0.2);
+  EXPECT_EQ(state.window, WindowId::default_);
+  cycle(60.0);
+  EXPECT_EQ(state.window, WindowId::default_) << "until the trip is acknowledged";
+  post_trip();
+  EXPECT_EQ(state.window, WindowId::radio_data);
+}
+
+TEST_F(LevelFrom0, ThatIsNotTakenIsForgotten) {
+  cycle(0.1);
+  cycle(2.0);
+  trip(Level::L2, 60.0);  // ordered by the trackside
+  EXPECT_EQ(state.window, WindowId::radio_data) << "this trip is none of the entry";
+  ASSERT_TRUE(tap("close") && tap("close"));
+  post_trip();
+  EXPECT_EQ(state.window, WindowId::default_);
+}
+
+TEST_F(LevelFrom0, IsForgottenWhenTheDriverGoesElsewhere) {
+  ASSERT_TRUE(tap("close") && tap("close"));
+  trip(Level::L2, 0.2);
+  post_trip();
+  EXPECT_EQ(state.window, WindowId::default_);
+}
+
+TEST_F(LevelFrom0, TakenWithoutATripIsForgotten) {
+  display.level = Level::L2;
+  cycle(0.2);
+  cycle(0.2);
+  trip(Level::L2, 0.2);
+  EXPECT_EQ(state.window, WindowId::radio_data);
+}
+
 TEST_F(Windows, FromTheMainWindowNoStepIsStartUpAgain) {
   display.start_of_mission = true;
   display.step = Dialogue::start_S1;
