@@ -131,6 +131,7 @@ TEST_F(Session, TextsScrollByLinesAndStop) {
 
 TEST_F(Session, TextToAcknowledgeStandsAlone) {
   text(1, "Old", 600, true);
+  at(-1);
   text(2, "X", 1053, true, true);
   ask(Ack::text, 2);
   at(0);
@@ -156,6 +157,34 @@ TEST_F(Session, TextsWaitWhileOneIsToBeAcknowledged) {
   at(0.1);
   EXPECT_EQ(offered(), "MO08");
   EXPECT_TRUE(lines().empty());
+}
+
+// 015560 8.2.3.4.7 h, 5.4.1.10: it is heard when it is displayed for the first time.
+TEST_F(Session, AHiddenTextIsHeardWhenItAppears) {
+  text(1, "hide", 1, true, true);
+  ask(Ack::text, 1);
+  at(0);
+  EXPECT_EQ(sounds(), (std::vector<std::string>{"Sinfo"})) << "the acknowledgement";
+  text(2, "hidden", 2, true);
+  text(3, "gone", 3, true);
+  at(1);
+  EXPECT_TRUE(sounds().empty());
+  display.texts.erase(2);
+  at(2);
+  withdraw(Ack::text, 1);
+  display.texts.erase(0);
+  at(3);
+  EXPECT_EQ(lines(), (std::vector<std::string>{"b 00:02 hidden"}));
+  EXPECT_EQ(sounds(), (std::vector<std::string>{"Sinfo"}));
+  text(4, "gone before it is seen", 4, true);
+  text(5, "hide", 5, true, true);
+  ask(Ack::text, 5);
+  at(4);
+  (void)sounds();
+  display.texts.erase(1, 3);
+  withdraw(Ack::text, 5);
+  at(6);
+  EXPECT_TRUE(sounds().empty());
 }
 
 TEST_F(Session, TextOfAnyBytesIsDrawn) {

@@ -33,18 +33,24 @@ void assign_slots(State& state) {
   }
 }
 
-bool same_text(const port::DisplayedText& a, const port::DisplayedText& b) {
-  return a.id == b.id && a.since == b.since && a.kind == b.kind;
+TextKey key_of(const port::DisplayedText& text) { return {text.id, text.kind, text.since}; }
+bool is_among(const TextKey& key, const port::Display& display) {
+  return std::any_of(display.texts.begin(), display.texts.end(),
+                     [&](const port::DisplayedText& text) { return key_of(text) == key; });
 }
 
-/// Texts that are new: a sound with the important ones (015560 14.2), and scrolling begins again.
+/// Texts that are new: scrolling begins again. The important ones are heard when they are displayed for the first time
+/// (015560 8.2.3.4.7 h): not while a text to be acknowledged hides them (5.4.1.10).
 void take_texts(State& state, const port::Display& before, bool first) {
+  state.unheard.erase_if([&](const TextKey& key) { return !is_among(key, state.display); });
   for (const port::DisplayedText& text : state.display.texts) {
-    const bool known = !first && std::any_of(before.texts.begin(), before.texts.end(),
-                                             [&](const auto& old) { return same_text(old, text); });
-    if (known) continue;
+    if (!first && is_among(key_of(text), before)) continue;
     state.scroll = 0;
-    if (text.important && !text.acknowledge) order_sound(state, Sound::Sinfo);
+    if (text.important && !text.acknowledge && !state.unheard.push_back(key_of(text))) break;  // as many as texts
+  }
+  if (!state.unheard.empty() && !text_ack_waits(state)) {
+    order_sound(state, Sound::Sinfo);
+    state.unheard.clear();
   }
   while (state.scroll > 0 && !can_scroll(state, false)) {
     --state.scroll;

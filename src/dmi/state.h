@@ -200,6 +200,14 @@ struct Awaited {
   Mode mode = Mode::SB;
 };
 
+/// What distinguishes a text from others.
+struct TextKey {
+  std::uint16_t id = 0;
+  port::TextKind kind{};
+  Duration since{};
+  friend constexpr bool operator==(const TextKey&, const TextKey&) = default;
+};
+
 struct Toggles {
   bool speed = false, tunnel = false, geo = false;
 };
@@ -224,6 +232,7 @@ struct State {
   Toggles toggles;
   std::uint8_t zoom = 2;                      ///< place in kRanges
   std::uint16_t scroll = 0;                   ///< lines
+  InplaceVector<TextKey, 32> unheard;         ///< important texts that were not displayed yet
   std::array<std::uint16_t, 3> slots{};       ///< ids of the conditions in B3 to B5, 0: free
   std::uint8_t volume = 60, brightness = 60;  ///< percent
   std::optional<Offered> offered;
