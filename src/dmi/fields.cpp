@@ -50,12 +50,29 @@ void draw_level(const Drawing& to) {
   to.symbol(Area::C8, picture_of(symbol(display.level)));
 }
 
+/// A symbol of C1. In that of level NTC the abbreviation of the national system replaces the letters NTC, where the
+/// display knows one (015560 8.2.3.2.9).
+void draw_in_C1(const Drawing& to, Picture picture) {
+  const port::Display& display = to.display;
+  const std::uint8_t nid_ntc = display.announced_level ? display.announced_level->nid_ntc : display.nid_ntc;
+  if ((picture != Picture::LE08 && picture != Picture::LE09) || !has_ntc_name(display, nid_ntc))
+    return to.symbol(Area::C1, picture);
+  const Rect area = rect_of(Area::C1);
+  Item item = to.item(Kind::text_symbol, Area::C1, picture == Picture::LE09 ? Colour::yellow : Colour::grey,
+                      {0, 0, area.w, area.h});
+  item.picture = picture;
+  item.text = ntc_label(display, nid_ntc);
+  item.height = 12;
+  item.align = Align::centre;
+  to.add(item);
+}
+
 void draw_announcements(const Drawing& to) {
   const State& state = to.state;
   if (state.offered && place_of(state.offered->ack.what).frame == Area::C1) {
-    if (const auto picture = ack_picture(state.display, state.offered->ack.what)) to.symbol(Area::C1, *picture);
+    if (const auto picture = ack_picture(state.display, state.offered->ack.what)) draw_in_C1(to, *picture);
   } else if (to.display.announced_level) {
-    to.symbol(Area::C1, picture_of(announcement_symbol(to.display.announced_level->level, false)));
+    draw_in_C1(to, picture_of(announcement_symbol(to.display.announced_level->level, false)));
   }
   const bool brake_ack = state.offered && state.offered->ack.what == Ack::brake;
   if (to.display.brake || brake_ack) to.symbol(Area::C9, Picture::ST01);

@@ -47,6 +47,12 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(FieldId::count)>
 
 }  // namespace
 
+bool has_ntc_name(const port::Display& display, std::uint8_t nid_ntc) {
+  for (const port::NtcName& named : display.config.ntc_names)
+    if (named.nid_ntc == nid_ntc && !until_zero(named.characters).empty()) return true;
+  return false;
+}
+
 Words ntc_label(const port::Display& display, std::uint8_t nid_ntc) {
   Words words;
   for (const port::NtcName& named : display.config.ntc_names)

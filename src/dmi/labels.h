@@ -8,7 +8,9 @@
 // The words of the display that are no terms of the standard's tables elsewhere: in English, in one place.
 namespace evc::dmi {
 
-/// The abbreviation of a national system (015560 8.2.3.1.2), or its number.
+/// Whether the display has the abbreviation of a national system.
+bool has_ntc_name(const port::Display&, std::uint8_t nid_ntc);
+/// The abbreviation of a national system (015560 8.2.3.2.9), or its number.
 Words ntc_label(const port::Display&, std::uint8_t nid_ntc);
 /// A fixed text of the trackside (A.3.4 of SUBSET-026, Q_TEXT).
 std::string_view fixed_text(std::uint8_t Q_TEXT);

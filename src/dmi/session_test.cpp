@@ -187,6 +187,30 @@ TEST_F(Session, AHiddenTextIsHeardWhenItAppears) {
   EXPECT_TRUE(sounds().empty());
 }
 
+// 015560 8.2.3.2.9: the abbreviation of the system instead of the letters NTC, with and without acknowledgement.
+TEST_F(Session, AnAnnouncedSystemHasItsAbbreviation) {
+  const auto in_C1 = [&] {
+    const Screen screen = drawn(state);
+    for (const Item& item : screen.items)
+      if (item.area == Area::C1 && (item.kind == Kind::symbol || item.kind == Kind::text_symbol))
+        return std::string(name(*item.picture)) + ' ' + std::string(item.text.view());
+    return std::string();
+  };
+  port::NtcName pzb{.nid_ntc = 6};
+  pzb.characters = {'P', 'Z', 'B'};
+  EXPECT_TRUE(display.config.ntc_names.push_back(pzb));
+  display.announced_level = port::AnnouncedLevel{Level::NTC, 6};
+  at(0);
+  EXPECT_EQ(in_C1(), "LE08 PZB");
+  ask(Ack::level);
+  at(1);
+  EXPECT_EQ(in_C1(), "LE09 PZB");
+  withdraw(Ack::level);
+  display.announced_level->nid_ntc = 9;
+  at(2);
+  EXPECT_EQ(in_C1(), "LE08 ") << "without a name the letters of the symbol stand";
+}
+
 TEST_F(Session, TextOfAnyBytesIsDrawn) {
   for (int round = 0; round < 4; ++round) {
     std::string words;
