@@ -9,8 +9,8 @@ namespace {
 constexpr Duration kGap{1.0};         // between two acknowledgements
 constexpr Duration kAnswerLost{5.0};  // an answer that the on-board did not take by then is asked for again
 
-/// The order of requests of the same moment (015560 5.4.1): level, mode, fixed text, plain text, system status, brake,
-/// NTC text.
+/// The order of requests of the same moment (015560 5.4.1.9.1): level, mode, fixed text, plain text, system status,
+/// brake, NTC text.
 int rank_of(const port::Display& display, const port::AskedAck& ack) {
   switch (ack.what) {
     case Ack::level:

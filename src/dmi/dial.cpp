@@ -113,7 +113,7 @@ constexpr double sine(double deg) {
   return 4.0 * product / (40500.0 - product);
 }
 
-/// The radius of the centre of a number of so many digits at the inner end of a long line (8.2.1.1.11 gives the line,
+/// The radius of the centre of a number of so many digits at the inner end of a long line (8.2.1.1.5 gives the line,
 /// no place for its number): the box of the number ends short of the line, at whichever side the line comes.
 constexpr double number_radius(double deg, int digits) {
   constexpr double kClear = 4.0, kHalfHeight = 8.0, kHalfDigit = 6.2;

@@ -24,7 +24,7 @@ void draw_borders(const Drawing& to, bool whole_default) {
     draw_border(to, area);
 }
 
-/// The flashing frame of what is to be acknowledged: half a second, of which it is visible half (015560 5.4.1.3).
+/// The flashing frame of what is to be acknowledged: half a second, of which it is visible half (015560 5.1.1.3.2).
 void draw_frame(const Drawing& to) {
   const State& state = to.state;
   if (!state.offered || is_full(state.window)) return;

@@ -22,7 +22,7 @@ FieldState field_state(const State& state, std::size_t place) {
   return field.accepted ? FieldState::accepted : FieldState::not_selected;
 }
 
-/// The cursor: half of half a second (015560 10.3.2.4).
+/// The cursor: half of half a second (015560 10.3.2.3).
 void draw_cursor(const Drawing& to, const Item& field) {
   if (whole(to.now.si / 0.25 - 0.5, 0, 2000000000) % 2 != 0) return;
   const Rect data = field.data_at;
@@ -128,7 +128,7 @@ void draw_validation_keys(const Drawing& to) {
   to.add(key);
 }
 
-/// "Train data entry complete?" with its answer (015560 10.3.5).
+/// "Train data entry complete?" with its answer (015560 10.3.5.7).
 void draw_question(const Drawing& to) {
   Words question{row_of(to.state.window).title};
   question.append(" entry complete?");
@@ -164,7 +164,7 @@ void draw_extra(const Drawing& to) {
   };
   if (has_switch(to.state)) {
     const bool types = !to.state.entry.fields.empty() && to.state.entry.fields[0].id == FieldId::train_type;
-    to.add(button(kSwitchPlace, {ActionKind::switch_entry, 0}, "switch", types ? "Enter data" : "Select type", 10));
+    to.add(button(kSwitchPlace, {ActionKind::switch_entry, 0}, "switch", types ? "Enter data" : "Select type", 12));
   }
   if (!has_shortcuts(to.state)) return;
   to.add(button(kNumberPlace, {ActionKind::open, static_cast<std::uint8_t>(WindowId::train_running_number)}, "TRN",

@@ -88,7 +88,7 @@ Words time_words(std::uint32_t second_of_day) {
   return time;
 }
 
-/// Geographical position (015560 8.2.3.5); its metres are 10 high.
+/// Geographical position (015560 8.4.4); its metres are 10 high.
 void draw_geo(const Drawing& to) {
   if (!to.display.geo) return;
   if (!to.state.toggles.geo) return to.symbol(Area::G12, Picture::DR03);

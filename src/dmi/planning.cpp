@@ -18,7 +18,7 @@ struct Ahead {
   }
 };
 
-/// The end of what is shown in metres: MA end or first target of zero speed (015560 8.3.2).
+/// The end of what is shown in metres: MA end or first target of zero speed (015560 8.3.6.2).
 double planning_end(const port::Planning& planning, double range) {
   double end = range;
   if (planning.EOA) end = std::min(end, planning.EOA->si);
@@ -52,7 +52,7 @@ void draw_scale(const Drawing& to, std::int32_t range) {
   }
 }
 
-/// The quarters of the width for a speed below the ceiling speed at the front end (015560 8.3.7.4).
+/// The quarters of the width for a speed below the ceiling speed at the front end (015560 8.3.7.7).
 int quarters_of(Speed V, Speed ceiling) {
   if (!(V > Speed{}) || !(ceiling > Speed{})) return 0;
   const double part = V.si / ceiling.si + 1e-9;
@@ -99,7 +99,7 @@ void draw_profile(const Drawing& to, const Ahead& ahead) {
 void draw_marker(const Drawing& to, const Ahead& ahead) {
   const port::Display& display = to.display;
   if (is_400(display) && display.ato.on && display.ato.advice_change && display.ato.advice_change->si <= ahead.end) {
-    // Dashes of 5 to 10 cells with gaps of 10 (015560 8.5.11).
+    // Five dashes of ten cells, ten apart (015560 8.5.11.3).
     for (std::int16_t x = 0; x < 93; x = static_cast<std::int16_t>(x + 20))
       to.rect(Area::D7, Colour::grey,
               {x, static_cast<std::int16_t>(ahead.row(display.ato.advice_change->si) - 1),

@@ -14,7 +14,7 @@
 // down; angles are degrees, 0 up, clockwise positive.
 namespace evc::dmi {
 
-/// The colours of 015560 5.2.1.3, and 8.3.6 for the planning area.
+/// The colours of 015560 5.2.1.3.
 enum class Colour : std::uint8_t {
   none,
   white,
@@ -243,7 +243,7 @@ struct SoundOrder {
   friend constexpr bool operator==(const SoundOrder&, const SoundOrder&) = default;
 };
 
-/// The shape of the pointer (015560 8.2.1.2), in cells.
+/// The shape of the pointer (015560 8.2.1.2.4), in cells.
 struct PointerShape {
   std::int16_t hub_radius = 25, tip_radius = 105, tip_width = 3, base_width = 9, taper_from = 82, taper_to = 90;
 };

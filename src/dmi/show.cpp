@@ -15,8 +15,8 @@ bool has_no_windows(Mode mode) {
   return mode == Mode::NP || mode == Mode::PS || mode == Mode::SL || mode == Mode::SF || mode == Mode::IS;
 }
 
-/// B3 to B5 (015560 8.2.3.7): a symbol takes the first free place and keeps it; when all are taken the others wait in
-/// the order of their appearance.
+/// B3 to B5 (015560 8.2.3.5.3, 8.2.3.8.3): a symbol takes the first free place and keeps it; when all are taken the
+/// others wait in the order of their appearance.
 void assign_slots(State& state) {
   const auto& conditions = state.display.conditions;
   const auto shown = [&](std::uint16_t id) {
@@ -61,7 +61,7 @@ void take_texts(State& state, const port::Display& before, bool first) {
   }
 }
 
-/// Sounds of speed and distance monitoring (015560 14.2, 14.3).
+/// Sounds of speed and distance monitoring (015560 7.2.3.3, 7.4, 7.5.1.1, 14.3).
 void monitoring_sounds(State& state, const port::Display& before) {
   const port::Display& display = state.display;
   const bool silent = display.mode == Mode::LS || display.mode == Mode::AD;
@@ -114,7 +114,7 @@ void show(State& state, const port::Display& display) {
   state.main_reached =
       display.mode == Mode::SB && (state.main_reached || (display.step && *display.step >= Dialogue::start_S10));
   if (state.main_reached) state.display.start_of_mission = false;
-  if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (015560 8.2.2.4.3)
+  if (first || before.mode != display.mode) state.toggles.speed = false;  // off at every entry (015560 8.2.2.4.5)
   if (!may_toggle(display.mode)) state.toggles.speed = false;
 
   if (has_no_windows(display.mode) && state.window != WindowId::default_) {

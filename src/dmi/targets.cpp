@@ -78,7 +78,7 @@ void aim_default(Targets& all, const State& state) {
   if (display.track_ahead_free) {
     aim(all, {496, 65, 82, 50}, ActionKind::track_ahead_free);
   } else if (shows_planning(state)) {
-    // The touched places are larger than the symbols by 15 cells (015560 8.3.3.5).
+    // The touched places are larger than the symbols by 15 cells (015560 8.3.10.4, 8.3.10.5).
     aim(all, {334, 285, 40, 30}, ActionKind::zoom_in, 0, state.zoom > 0);
     aim(all, {334, 15, 40, 30}, ActionKind::zoom_out, 0, state.zoom + 1u < kRanges.size());
   }

@@ -8,7 +8,7 @@ namespace evc::dmi {
 namespace {
 
 constexpr std::uint8_t kTextHeight = 12, kTimeHeight = 10;
-constexpr double kTextFrom = 3 + 36 + 10;  // indent, time, gap (015560 8.2.3.4.3)
+constexpr double kTextFrom = 3 + 36 + 10;  // indent, time, gap (015560 8.2.3.4.6)
 constexpr double kTextRoom = 234.0 - kTextFrom - 3.0;
 constexpr std::size_t kLines = 5;
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "dmi/state.h"
 
-// Where the parts of windows are (4.1 of 015560 5.3.1 and 10), for drawing and touch alike: absolute.
+// Where the parts of windows are (015560 5.3.1 and 10), for drawing and touch alike: absolute.
 namespace evc::dmi {
 
 /// The place of menu button 1 to 12 of a half window.

@@ -35,7 +35,8 @@ struct EntryRange {
   std::optional<double> operational_least = {}, operational_most = {};
 };
 
-/// A check across fields of the train data: a train of one of these categories is at most this fast (015560 10.3.4.2).
+/// A check across fields of the train data: a train of one of these categories is at most this fast (015560 10.3.4.4,
+/// 10.3.4.6).
 struct CrossCheck {
   Set<TrainCategory> categories;
   Speed V_most;
@@ -75,7 +76,7 @@ struct DisplayConfig {
 };
 
 /// What the driver has to acknowledge, in order of arrival. `since` separates requests of one moment, which the display
-/// orders by their kind (015560 5.4.1), from those that came one after another.
+/// orders by their kind (015560 5.4.1.9.1), from those that came one after another.
 struct AskedAck {
   Ack what{};
   std::uint16_t id = 0;  ///< with Ack::text: id of the text
