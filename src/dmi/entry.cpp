@@ -129,8 +129,7 @@ void type_character(Field& field, char c) {
 void tap(State& state, Field& field, int number, Duration now) {
   Entry& entry = state.entry;
   const std::string_view letters = kLetters[static_cast<std::size_t>(number - 1) % kLetters.size()];
-  const bool again =
-      entry.tap_key == number && now - entry.tap_at < kTapTime && field.typed && !field.value.typed.empty();
+  const bool again = entry.tap_key == number && tap_runs(entry, now) && field.typed && !field.value.typed.empty();
   if (again) {
     entry.tap_count = static_cast<std::uint8_t>((entry.tap_count + 1u) % letters.size());
     field.value.typed.characters[field.value.typed.length - 1u] = letters[entry.tap_count];
@@ -284,6 +283,7 @@ Key key_at(const State& state, int number) {
     if (keyboard == Keyboard::alphanumeric && letters.size() > 1) {
       key.label.append(' ');
       key.label.append(part_of(letters, 1));
+      key.type = ButtonType::down_repeat;  // held it goes on to the next character (015560 10.3.2.5 b)
     }
   }
   return key;
@@ -317,8 +317,10 @@ void press_key(State& state, int number, Duration now) {
   changed(state, *field);
 }
 
+bool tap_runs(const Entry& entry, Duration now) { return entry.tap_key != 0 && now - entry.tap_at < kTapTime; }
+
 void end_tap(State& state, Duration now) {
-  if (state.entry.tap_key != 0 && now - state.entry.tap_at >= kTapTime) state.entry.tap_key = 0;
+  if (!tap_runs(state.entry, now)) state.entry.tap_key = 0;
 }
 
 bool enter_enabled(const State& state) {

@@ -39,6 +39,8 @@ struct Key {
 };
 Key key_at(const State&, int number);
 void press_key(State&, int number, Duration now);
+/// Whether the same key would change the last character (015560 10.3.2.5): the cursor waits below it.
+bool tap_runs(const Entry&, Duration now);
 /// Closes a multi-tap whose time is over.
 void end_tap(State&, Duration now);
 

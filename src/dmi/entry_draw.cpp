@@ -29,7 +29,10 @@ void draw_cursor(const Drawing& to, const Item& field) {
   const std::string_view shown = field.text.view();
   const std::size_t line = shown.rfind('\n');  // the end of the last line
   const bool lower = line != std::string_view::npos;
-  const std::int16_t end = cells(data.x + 10 + width_of(lower ? part_of(shown, line + 1) : shown, 12, false));
+  std::string_view before = lower ? part_of(shown, line + 1) : shown;
+  // Below the character that another press of its key would change (10.3.2.5 a), else where the next one will be.
+  if (tap_runs(to.state.entry, to.now) && !before.empty()) before.remove_suffix(1);
+  const std::int16_t end = cells(data.x + 10 + width_of(before, 12, false));
   const auto last = static_cast<std::int16_t>(data.x + data.w - 10);
   to.add(to.item(Kind::cursor, field.area, Colour::black,
                  {std::min(end, last), static_cast<std::int16_t>(data.y + (lower ? 44 : 34)), 9, 2}));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -161,6 +162,38 @@ TEST_F(Windows, RunningNumberIsTyped) {
   ASSERT_TRUE(tap("field 1"));
   EXPECT_EQ(take(state).actions.train_running_number, 0x9102345Fu);
   EXPECT_EQ(state.window, WindowId::main);
+}
+
+// 015560 10.3.2.5: held, a key with letters goes on to the next one; meanwhile the cursor waits below the character.
+TEST_F(Windows, LettersByAHeldKey) {
+  open(WindowId::driver_id);
+  const auto typed = [&] { return std::string(state.entry.fields[0].value.typed.view()); };
+  const auto cursor = [&](double at) {
+    last = drawn(state, Duration{at});
+    for (const Item& item : last.items)
+      if (item.kind == Kind::cursor) return static_cast<int>(absolute(item).x);
+    return 0;
+  };
+  const int begin = cursor(200.0);
+  ASSERT_TRUE(press(state, test::middle(key_place(2)), Duration{200.0}));
+  EXPECT_EQ(typed(), "2");
+  EXPECT_EQ(cursor(201.0), begin);
+  for (const auto& [at, expected] : {std::pair{201.4, "2"}, {201.6, "a"}, {201.9, "b"}, {202.2, "c"}, {202.5, "2"}}) {
+    tick(state, Duration{at});
+    EXPECT_EQ(typed(), expected) << at;
+  }
+  release(state, Duration{202.5});
+  tick(state, Duration{204.6});
+  EXPECT_GT(cursor(205.0), begin);
+  // A key with one character is none to hold, nor are those of numbers.
+  ASSERT_TRUE(press(state, test::middle(key_place(1)), Duration{206.0}));
+  tick(state, Duration{209.0});
+  EXPECT_EQ(typed(), "21");
+  release(state, Duration{209.0});
+  open(WindowId::train_running_number);
+  ASSERT_TRUE(press(state, test::middle(key_place(2)), Duration{210.0}));
+  tick(state, Duration{213.0});
+  EXPECT_EQ(typed(), "2");
 }
 
 TEST_F(Windows, LettersByMultiTap) {
