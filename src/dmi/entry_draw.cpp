@@ -47,10 +47,7 @@ void draw_field(const Drawing& to, std::size_t place, std::size_t line) {
   const FieldState field_is = field_state(state, place);
   Item field = to.item(Kind::field, area, Colour::grey, within(area, at));
   field.data_at = field.at;
-  if (layout == Layout::entry_full) {
-    field.data_at.x = static_cast<std::int16_t>(field.at.x + 204);
-    field.data_at.w = 102;
-  }
+  if (layout == Layout::entry_full) field.data_at = data_part(field.at);
   if (layout != Layout::validation) field.name.append(label(entered.id));
   field.text = shown_value(state, entered);
   field.state = field_is;

@@ -27,7 +27,10 @@ void aim_fields(Targets& all, const State& state) {
   const Shown shown = shown_fields(state);
   for (std::size_t i = shown.first; i < shown.last; ++i) {
     const bool selected = i == state.entry.selected;
-    const Rect place = full ? full_field(static_cast<int>(i - shown.first) + 1) : kHalfField;
+    Rect place = full ? full_field(static_cast<int>(i - shown.first) + 1) : kHalfField;
+    // [Enter] is the data part; the label selects the field, as the data part does, while another one is selected
+    // (015560 10.3.1.22, 10.3.1.26).
+    if (selected && layout_of(state.window) == Layout::entry_full) place = data_part(place);
     aim(all, place, ActionKind::field, static_cast<std::uint8_t>(i), !selected || enter_enabled(state),
         selected && enter_is_delayed(state) ? ButtonType::delay : ButtonType::up);
   }

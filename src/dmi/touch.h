@@ -18,6 +18,10 @@ inline constexpr Rect kClosePlace{334, 415, 82, 50}, kPreviousPlace{416, 415, 82
 inline constexpr Rect kHalfField{334, 65, 306, 50};
 /// The place of input field 1 to 4 of a full window.
 constexpr Rect full_field(int number) { return {334, static_cast<std::int16_t>(15 + 50 * (number - 1)), 306, 50}; }
+/// The data part of a field with a label.
+constexpr Rect data_part(const Rect& field) {
+  return {static_cast<std::int16_t>(field.x + 204), field.y, 102, field.h};
+}
 inline constexpr Rect kNoPlace{334, 315, 102, 50}, kYesPlace{436, 315, 102, 50};
 /// "entry complete?" with its answer: the question belongs to the touched place.
 inline constexpr Rect kCompletePlace{0, 365, 334, 100};

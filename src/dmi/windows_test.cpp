@@ -196,6 +196,21 @@ TEST_F(Windows, LettersByAHeldKey) {
   EXPECT_EQ(typed(), "2");
 }
 
+// 015560 10.3.1.22: the data part of the field that is selected is [Enter], its label is not.
+TEST_F(Windows, TheLabelDoesNotAccept) {
+  open(WindowId::sr_data);
+  keys("40");
+  const Rect field = full_field(1);
+  EXPECT_FALSE(press(state, {field.x + 100, field.y + 25}, Duration{when}));
+  EXPECT_FALSE(state.entry.fields[0].accepted);
+  ASSERT_TRUE(tap("field 1"));
+  EXPECT_TRUE(state.entry.fields[0].accepted);
+  EXPECT_EQ(state.entry.selected, 1);
+  ASSERT_TRUE(press(state, {field.x + 100, field.y + 25}, Duration{when})) << "it selects (10.3.1.26)";
+  release(state, Duration{when});
+  EXPECT_EQ(state.entry.selected, 0);
+}
+
 TEST_F(Windows, LettersByMultiTap) {
   open(WindowId::driver_id);
   const auto key = [&](int number, double at) {
