@@ -88,11 +88,11 @@ void commit_rbc(State& state, Duration now) {
   await(state, WindowId::main, now);
 }
 
-void commit_network(State& state) {
+void commit_network(State& state, Duration now) {
   const int choice = choice_of(state, FieldId::network);
   if (choice >= 0 && static_cast<std::size_t>(choice) < state.display.data.networks.size())
     state.commands.actions.network = state.display.data.networks[static_cast<std::size_t>(choice)];
-  open_window(state, WindowId::radio_data);
+  await_network(state, WindowId::radio_data, now);  // until it is registered (015560 11.7.3 S5-2-3)
 }
 
 /// 015560 11.7.3 S5-4: a failed registration is A6, then D9. In the start of mission the on-board says what follows.
@@ -224,7 +224,7 @@ void complete_entry(State& state, Duration now) {
     case WindowId::rbc_data:
       return commit_rbc(state, now);
     case WindowId::network_id:
-      return commit_network(state);
+      return commit_network(state, now);
     case WindowId::radio_type:
       return commit_radio_type(state);
     case WindowId::one_radio_system:

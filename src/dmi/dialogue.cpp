@@ -39,7 +39,7 @@ constexpr auto kEffects = std::to_array<Effect>({
     Effect{Button::use_short_number, Select::short_number, WindowId::count},
     Effect{Button::enter_rbc_data, Select::count, WindowId::rbc_data},
     Effect{Button::radio_network_type, Select::count, WindowId::radio_type},
-    Effect{Button::gsmr_network_id, Select::radio_network, WindowId::network_id},
+    Effect{Button::gsmr_network_id, Select::radio_network, WindowId::count},
     Effect{Button::one_radio_system, Select::count, WindowId::one_radio_system},
     Effect{Button::eoa, Select::override_, WindowId::default_},
     Effect{Button::adhesion, Select::count, WindowId::adhesion},
@@ -108,6 +108,17 @@ void follow_step(State& state, const port::Display& before, bool first) {
   open_window(state, *window);
 }
 
+/// The list of networks has come: the driver chooses (015560 11.7.2 S3-2-2). With an empty one the on-board says in the
+/// start of mission what follows.
+void take_list(State& state) {
+  const port::Display& display = state.display;
+  state.awaited = Awaited{};
+  if (!display.data.networks.empty())
+    open_window(state, WindowId::network_id);
+  else if (!display.start_of_mission)
+    open_window(state, after_failed_registration(display, display.data.radio));  // 015560 11.7.3 A5, D9
+}
+
 void follow_waiting(State& state, const port::Display& before, bool first) {
   const port::Display& display = state.display;
   const bool waits = display.waiting != Waiting::nothing;
@@ -118,15 +129,8 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
     const bool follows = display.start_of_mission || state.awaited.on || display.waiting == Waiting::network_list;
     if (window != state.window && follows) open_window(state, window);
   }
-  // The list of networks has come: the driver chooses (015560 11.7.2 S3-2-2); with an empty one the on-board says in
-  // the start of mission what follows.
   const bool listed = waited && before.waiting == Waiting::network_list && display.waiting != Waiting::network_list;
-  if (listed && state.window == WindowId::radio_data) {
-    if (!display.data.networks.empty())
-      open_window(state, WindowId::network_id);
-    else if (!display.start_of_mission)
-      open_window(state, after_failed_registration(display, display.data.radio));  // 015560 11.7.3 A5, D9
-  }
+  if (listed && state.window == WindowId::radio_data) take_list(state);
   Awaited& awaited = state.awaited;
   if (!awaited.on) return;
   if (waits) awaited.seen = true;
@@ -136,7 +140,7 @@ void follow_waiting(State& state, const port::Display& before, bool first) {
   const bool refused = awaited.then == WindowId::default_ && display.mode == awaited.mode && awaited.needs_mode;
   const WindowId then = refused ? WindowId::main : awaited.then;
   awaited = Awaited{};
-
+  if (then == WindowId::network_id) return take_list(state);
   if (!display.start_of_mission) return open_window(state, then);
   // The on-board went no step further, as after data that it did not take: the window of its step is open again.
   const auto window = display.step ? opens(*display.step) : std::nullopt;
@@ -162,6 +166,11 @@ void follow_trip(State& state, const port::Display& before) {
   if (tripped && display.mode == Mode::PT) open_window(state, WindowId::radio_data);
 }
 
+void begin_to_wait(State& state, WindowId then, Duration now, bool needs_mode) {
+  state.awaited = Awaited{true, state.display.waiting != Waiting::nothing, now, then, needs_mode, state.display.mode};
+  state.waiting_since = now;
+}
+
 /// Windows close when the condition of their button is lost, after the start-up dialogue (015560 11.7.1.7).
 void close_lost(State& state) {
   const port::Display& display = state.display;
@@ -175,8 +184,11 @@ void close_lost(State& state) {
 
 void await(State& state, WindowId then, Duration now, bool needs_mode) {
   open_window(state, WindowId::main);
-  state.awaited = Awaited{true, state.display.waiting != Waiting::nothing, now, then, needs_mode, state.display.mode};
-  state.waiting_since = now;
+  begin_to_wait(state, then, now, needs_mode);
+}
+void await_network(State& state, WindowId then, Duration now) {
+  open_window(state, WindowId::radio_data);
+  begin_to_wait(state, then, now, false);
 }
 
 void choose(State& state, Button button, Duration now) {
@@ -194,6 +206,9 @@ void choose(State& state, Button button, Duration now) {
     case Button::shunting:
       if (level_2_or_3(state.display.level)) return await(state, WindowId::default_, now, true);
       return open_window(state, WindowId::default_);
+    case Button::gsmr_network_id:
+      // 015560 11.7.3 S5-2-1: without a session, which the choice of a network ends, the list is there at once.
+      return session_open(state) ? await_network(state, WindowId::network_id, now) : take_list(state);
     case Button::initiate_sm:
     case Button::continue_sm:
       return await(state, WindowId::default_, now, true);

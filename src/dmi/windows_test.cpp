@@ -211,6 +211,45 @@ TEST_F(Windows, TheLabelDoesNotAccept) {
   EXPECT_EQ(state.entry.selected, 0);
 }
 
+// 015560 11.7.3 S5-2: the hour glass until there is a list, then until the network is registered.
+TEST_F(Windows, NetworksAreAwaitedInTheRadioDataWindow) {
+  display.radio = RadioIndication::up;
+  for (const std::uint32_t network : {0x26210Fu, 0x23414Fu}) EXPECT_TRUE(display.data.networks.push_back(network));
+  cycle(0.1);
+  const auto disabled = [&] {
+    last = drawn(state, Duration{when});
+    return std::none_of(last.touch.begin(), last.touch.end(), [](const Touch& touch) { return touch.enabled; });
+  };
+  ASSERT_TRUE(tap("F1") && tap("Radio data") && tap("GSM-R network ID"));
+  EXPECT_EQ(state.window, WindowId::radio_data);
+  EXPECT_TRUE(disabled());
+  EXPECT_TRUE(take(state).actions.has(port::Select::radio_network));
+  display.waiting = Waiting::network_list;
+  cycle(0.1);
+  EXPECT_TRUE(disabled());
+  display.waiting = Waiting::nothing;
+  cycle(5.0);
+  EXPECT_EQ(state.window, WindowId::network_id);
+  ASSERT_TRUE(tap("key 2") && tap("field 1"));
+  EXPECT_EQ(take(state).actions.network, 0x23414Fu);
+  EXPECT_EQ(state.window, WindowId::radio_data);
+  EXPECT_TRUE(disabled());
+  display.waiting = Waiting::radio_registration;
+  cycle(0.1);
+  EXPECT_TRUE(disabled());
+  display.waiting = Waiting::nothing;
+  display.radio = RadioIndication::none;  // the choice has ended the session
+  cycle(5.0);
+  EXPECT_EQ(state.window, WindowId::radio_data);
+  ASSERT_TRUE(tap("GSM-R network ID"));
+  EXPECT_EQ(state.window, WindowId::network_id) << "the list is there at once";
+  display.data.networks.clear();
+  cycle(0.1);
+  open(WindowId::radio_data);
+  ASSERT_TRUE(tap("GSM-R network ID"));
+  EXPECT_EQ(state.window, WindowId::main) << "an empty list: A5, D9";
+}
+
 TEST_F(Windows, LettersByMultiTap) {
   open(WindowId::driver_id);
   const auto key = [&](int number, double at) {
