@@ -187,6 +187,18 @@ TEST_F(Session, AHiddenTextIsHeardWhenItAppears) {
   EXPECT_TRUE(sounds().empty());
 }
 
+// 015560 Table 68: since 4.0.0 the text names the radio system.
+TEST_F(Session, AFailedRegistrationNamesItsSystem) {
+  port::DisplayedText failed{.id = 1, .kind = port::TextKind::status, .important = true};
+  failed.status = StatusText::network_registration_failed;
+  EXPECT_TRUE(display.texts.push_back(failed));
+  at(0);
+  EXPECT_EQ(lines().front().substr(0, 13), "b GSM-R netwo");
+  display.config.srs = SrsVersion::v3_6_0;
+  at(1);
+  EXPECT_EQ(lines().front().substr(0, 13), "b Radio netwo");
+}
+
 // 015560 8.2.3.2.9: the abbreviation of the system instead of the letters NTC, with and without acknowledgement.
 TEST_F(Session, AnAnnouncedSystemHasItsAbbreviation) {
   const auto in_C1 = [&] {

@@ -36,10 +36,12 @@ Content content_of(const port::Display& display, const port::DisplayedText& text
       return content;
     case port::TextKind::status: {
       if (text.status >= StatusText::count) return content;
-      // 4.0.0 names the network, and GSM-R alone is fitted (Table 70; 3.5.6.4).
-      const bool names_network =
-          text.status == StatusText::network_registration_failed && display.config.srs == SrsVersion::v4_0_0;
-      const Words named{names_network ? "GSM-R network registration failed" : name(text.status)};
+      // Since 4.0.0 each radio system has its own text (015560 Table 68); FRMCS is none of this on-board.
+      if (text.status == StatusText::network_registration_failed && is_400(display)) {
+        content.append("GSM-R network registration failed");
+        return content;
+      }
+      const Words named{name(text.status)};
       const std::string_view words = named.view();
       constexpr std::string_view kNational = "National system";
       if (names_national_system(text.status) && part_of(words, 0, kNational.size()) == kNational) {
