@@ -29,169 +29,165 @@ constexpr Mark kFourBlocks = surface(
     "M4 12 L11 12 L11 20 L4 20 Z M17 12 L24 12 L24 20 L17 20 Z M29 12 L36 12 L36 20 L29 20 Z M41 12 L48 12 L48 20 L41 "
     "20 Z");
 constexpr Mark kSixBlocks = surface(
-    "M2 15 L8 15 L8 20 L2 20 Z M10 15 L16 15 L16 20 L10 20 Z M19 15 L25 15 L25 20 L19 20 Z M27 15 L33 15 L33 20 L27 20 "
-    "Z "
-    "M36 15 L42 15 L42 20 L36 20 Z M44 15 L50 15 L50 20 L44 20 Z");
+    "M2 14.5 L7.5 14.5 L7.5 19.5 L2 19.5 Z M10.5 14.5 L16 14.5 L16 19.5 L10.5 19.5 Z "
+    "M19 14.5 L24.5 14.5 L24.5 19.5 L19 19.5 Z M27.5 14.5 L33 14.5 L33 19.5 L27.5 19.5 Z "
+    "M36 14.5 L41.5 14.5 L41.5 19.5 L36 19.5 Z M44.5 14.5 L50 14.5 L50 19.5 L44.5 19.5 Z");
 constexpr Mark kBeam = surface("M3 12 L49 12 L49 20 L3 20 Z");
-constexpr Mark kLowBox = line(2, "M5 15 L47 15 L47 19.5 L5 19.5 Z");
-constexpr Mark kLowBeam = surface("M2 14.5 L50 14.5 L50 20 L2 20 Z");
-constexpr Mark kAhead = surface("M4 5 L20 5 L20 1.5 L29 6.5 L20 11.5 L20 8 L4 8 Z");
-
+constexpr Mark kLowBeam = surface("M2 14.5 L50 14.5 L50 19.5 L2 19.5 Z");
+constexpr Mark kAhead = surface("M3 5.5 L20.5 5.5 L20.5 2 L27.5 7 L20.5 12 L20.5 8.5 L3 8.5 Z");
 constexpr std::array kLevel0{letters("0", 26, 10, 9), kBox};
 constexpr std::array kLevelNtc{letters("NTC", 26, 16, 11)};
 constexpr std::array kLevel1{letters("1", 26, 10, 9), kFourBlocks};
 constexpr std::array kLevel2{letters("2", 26, 10, 9), kBeam};
 constexpr std::array kLevel3{letters("3", 26, 10, 9), kBeam};
-constexpr std::array kTo0{kAhead, letters("0", 40, 11, 10), kLowBox};
+constexpr std::array kTo0{surface("M5 4 L25 4 L25 1 L31 5.5 L25 10 L25 7 L5 7 Z"), letters("0", 43.5, 10, 9), kBox};
 constexpr std::array kToNtc{surface("M2 9 L11 9 L11 5.5 L19 10.5 L11 15.5 L11 12 L2 12 Z"),
                             letters("NTC", 36, 14.5, 8)};
-constexpr std::array kTo1{kAhead, letters("1", 40, 12, 11), kSixBlocks};
-constexpr std::array kTo2{kAhead, letters("2", 40, 12, 11), kLowBeam};
-constexpr std::array kTo3{kAhead, letters("3", 40, 12, 11), kLowBeam};
+constexpr std::array kTo1{kAhead, letters("1", 43, 12.5, 11), kSixBlocks};
+constexpr std::array kTo2{kAhead, letters("2", 43, 12.5, 11), kLowBeam};
+constexpr std::array kTo3{kAhead, letters("3", 43, 12.5, 11), kLowBeam};
 
 // Modes, 32 x 32.
-constexpr Mark kShunter = surface("M3 13 L14 13 L14 6 L26 6 L26 13 L29 13 L29 21 L31 21 L31 24 L1 24 L1 21 L3 21 Z");
-constexpr Mark kWheels = surface("O 8 24.5 3.3 O 24 24.5 3.3");
+constexpr Mark kShunter = surface(
+    "M3 13 L15 13 L15 7 L26 7 L26 13 L29 13 L29 22 L30 22 L30 21 L31 21 L31 24 L1 24 L1 21 L2 21 L2 22 L3 22 Z");
+constexpr Mark kWheels = surface("O 7.5 23.4 3.6 O 24.5 23.4 3.6");
 constexpr std::array kShunting{kShunter, kWheels,
-                               surface("M5 17.5 L10 13.5 L10 16.5 L14 16.5 L14 18.5 L10 18.5 L10 21.5 Z "
-                                       "M27 17.5 L22 13.5 L22 16.5 L18 16.5 L18 18.5 L22 18.5 L22 21.5 Z",
+                               surface("M5.3 18.5 L9.2 15 L9.2 17.2 L15 17.2 L15 19.8 L9.2 19.8 L9.2 22 Z "
+                                       "M26.7 18.5 L22.8 15 L22.8 17.2 L17 17.2 L17 19.8 L22.8 19.8 L22.8 22 Z",
                                        Colour::dark_blue)};
-constexpr Mark kMast = surface(
-    "M11 1 L21 1 L22 2 L22 26 L21 27 L17.5 27 L17.5 29 L21 29 L21 31 L11 31 L11 29 L14.5 29 "
-    "L14.5 27 L11 27 L10 26 L10 2 Z");
-constexpr Mark kLights = surface("O 16 6 3.2 O 16 14 3.2 O 16 22 3.2", Colour::dark_blue);
-constexpr std::array kOverride{kMast, kLights, surface("M1 12 L8 14.5 L8 17.5 L1 20 L3 16 Z"),
-                               surface("M23.5 14.5 L26 14.5 L26 11 L31.5 16 L26 21 L26 17.5 L23.5 17.5 Z")};
-constexpr std::array kTrip{
-    surface("M0 0 L32 0 L32 32 L0 32 Z", Colour::grey),
-    surface("M11 1 L21 1 L22 2 L22 26 L21 27 L17.5 27 L17.5 29 L21 29 L21 31 L11 31 L11 29 L14.5 29 L14.5 27 L11 27 "
-            "L10 26 L10 2 Z",
-            Colour::red),
-    surface("O 16 6 3.2 O 16 14 3.2 O 16 22 3.2", Colour::grey)};
+constexpr const char* kMastShape =
+    "M11 1 L19 1 L20.5 2.5 L20.5 25.5 L19 27 L16.5 27 L16.5 29 L19.5 29 L19.5 31 L10.5 31 L10.5 29 L13.5 29 L13.5 27 "
+    "L11 27 L9.5 25.5 L9.5 2.5 Z";
+constexpr const char* kLightShapes = "O 15 6 3.6 O 15 14 3.6 O 15 22 3.6";
+constexpr Mark kMast = surface(kMastShape);
+constexpr Mark kLights = surface(kLightShapes, Colour::dark_blue);
+constexpr std::array kOverride{kMast, kLights, surface("M1 14 L8 14 L8 18 L4.5 18 Z"),
+                               surface("M22 14 L24.5 14 L24.5 10 L30.5 16 L24.5 22 L24.5 18 L22 18 Z")};
+constexpr std::array kTrip{surface("M0 0 L32 0 L32 32 L0 32 Z", Colour::grey), surface(kMastShape, Colour::red),
+                           surface(kLightShapes, Colour::grey)};
 constexpr std::array kSignal{kMast, kLights};
-constexpr std::array kOnSight{line(2.6, "M28 3 L3 16 L28 29"),
-                              surface("M25 8 C 28 12 28 20 25 24 L23.5 24 C 20.5 20 20.5 12 23.5 8 Z")};
-constexpr std::array kStaffResponsible{line(2.5, "M4 4 L28 4 L28 28 L4 28 Z"), line(2, "M4 4 L28 28 M28 4 L4 28"),
-                                       line(2, "O 16 16 8.5"),
-                                       line(2, "M6 16 C 11 9.5 21 9.5 26 16 C 21 22.5 11 22.5 6 16 Z")};
-constexpr std::array kFullSupervision{line(2.5, "M4 4 L28 4 L28 28 L4 28 Z"),
-                                      line(2.5, "M6.5 16 C 11 8 21 8 25.5 16 C 21 24 11 24 6.5 16 Z")};
-constexpr std::array kNonLeading{line(2.5, "M2 2.5 L5.5 3.5 L12 11 L12 20 L6.5 25"),
-                                 line(2.5, "M30 2.5 L26.5 3.5 L20 11 L20 20 L25.5 25"),
-                                 surface("M2.5 7.5 L6.5 11 L6.5 13 L2.5 13 Z M29.5 7.5 L25.5 11 L25.5 13 L29.5 13 Z"),
-                                 surface("O 4.5 27 3.2 O 27.5 27 3.2"), line(3, "M12 17.5 L20 17.5")};
-constexpr std::array kStandBy{line(3, "A 16 18 12.2 28 332"), line(4, "M16 2.5 L16 14")};
-constexpr std::array kReversing{line(2.8, "M18 3 L22 4 L28 11 L28 20 L23.5 25"),
-                                surface("M20.5 8.5 L25 12 L25 14 L20.5 14 Z"), surface("O 21.5 27 3.6"),
-                                surface("M1.5 16 L8 10 L8 14 L16 14 L14 16 L16 18 L8 18 L8 22 Z")};
-constexpr std::array kUnfitted{line(1.7, "M2 29 L24 4.5 M8 29 L30 4.5"),
-                               line(1.5,
-                                    "M3.5 27.5 L9.5 27.5 M7 23.5 L13 23.5 M11 19 L17 19 M15 14.5 L21 14.5 "
-                                    "M19 10 L25 10 M23 5.5 L29 5.5")};
+constexpr std::array kOnSight{line(2.3, "M29.5 3 L3.5 16 L29.5 29"),
+                              surface("M23.6 6.5 C 28.4 9.5 28.4 22.5 23.6 25.5 C 18.8 22.5 18.8 9.5 23.6 6.5 Z")};
+constexpr Mark kMovementFrame = line(2, "M4 4 L29 4 L29 29 L4 29 Z");
+constexpr const char* kEye = "M5.5 16.5 C 11 7.5 22 7.5 27.5 16.5 C 22 25.5 11 25.5 5.5 16.5 Z";
+constexpr std::array kStaffResponsible{kMovementFrame, line(2, "M4.5 4.5 L28.5 28.5 M28.5 4.5 L4.5 28.5"),
+                                       line(2, "O 16.5 16.5 7"), line(2, kEye)};
+constexpr std::array kFullSupervision{kMovementFrame, line(2.3, kEye)};
+constexpr std::array kNonLeading{line(2.2, "M1 3 L5 3 L13 11 L13 21.5 L7 27.5 M31 3 L27 3 L19 11 L19 21.5 L25 27.5"),
+                                 surface("M2 8 L3.5 8 L8 12.5 L8 14 L2 14 Z M30 8 L28.5 8 L24 12.5 L24 14 L30 14 Z"),
+                                 surface("O 4.3 26.6 3.4 O 27.7 26.6 3.4"), surface("M13 17 L19 17 L19 21 L13 21 Z")};
+constexpr std::array kStandBy{line(2.9, "A 16 17.2 12 27 333"), line(4, "M16 1 L16 13")};
+constexpr std::array kReversing{line(2.2, "M16 3 L21 3 L29 11 L29 22.5 L23 28.5"),
+                                surface("M18 8 L19.5 8 L24 12.5 L24 14 L18 14 Z"), surface("O 20 26.8 3.7"),
+                                surface("M1 15 L7 9 L7 12 L16 12 L11.5 17 L7 17 L7 21 Z")};
+constexpr std::array kUnfitted{line(1.4, "M1.5 28 L22.5 5.5 M12.5 28 L29 5.5"),
+                               line(1.2,
+                                    "M21.5 5.5 L30 5.5 M19 8.5 L27.5 8.5 M15 12.5 L24.5 12.5 "
+                                    "M11 16.5 L21.5 16.5 M7 20.5 L18.5 20.5 M2 25.5 L14.5 25.5")};
 constexpr std::array kSystemFailure{
     surface("M0 0 L32 0 L32 32 L0 32 Z", Colour::grey), surface("M16 1.5 L31 30.5 L1 30.5 Z", Colour::red),
     surface("M14 10 L18 10 L18 22 L14 22 Z M14 24.5 L18 24.5 L18 28 L14 28 Z", Colour::grey)};
 constexpr std::array kNationalSystem{
-    line(3.2, "M12 4.5 L20 4.5 L27.5 12 L27.5 20 L20 27.5 L12 27.5 L4.5 20 L4.5 12 Z")};
+    line(3.6, "M12.7 4 L18.3 4 L27 12.7 L27 18.3 L18.3 27 L12.7 27 L4 18.3 L4 12.7 Z")};
 constexpr std::array kLimitedSupervision{
-    line(2.2, "M3.5 3.5 L28.5 3.5 L28.5 28.5 L3.5 28.5 Z"),
-    surface("M6.5 6.5 L10 6.5 L10 10 L6.5 10 Z M22 6.5 L25.5 6.5 L25.5 10 L22 10 Z M6.5 22 L10 22 L10 25.5 L6.5 25.5 Z "
-            "M22 22 L25.5 22 L25.5 25.5 L22 25.5 Z"),
-    surface("M6 16 C 10 7 22 7 26 16 C 22 25 10 25 6 16 Z"),
-    surface("M14.8 10.5 L17.2 10.5 L17.2 13 L14.8 13 Z M14.8 14.8 L17.2 14.8 L17.2 17.2 L14.8 17.2 Z "
-            "M14.8 19 L17.2 19 L17.2 21.5 L14.8 21.5 Z",
+    kMovementFrame,
+    surface("M6 6 L10 6 L10 10 L6 10 Z M23 6 L27 6 L27 10 L23 10 Z M6 23 L10 23 L10 27 L6 27 Z "
+            "M23 23 L27 23 L27 27 L23 27 Z"),
+    surface("M5 16.5 C 11 6.5 22 6.5 28 16.5 C 22 26.5 11 26.5 5 16.5 Z"),
+    surface("M15 10.2 L18 10.2 L18 13 L15 13 Z M15 15 L18 15 L18 18 L15 18 Z M15 20 L18 20 L18 22.8 L15 22.8 Z",
             Colour::dark_blue)};
-constexpr std::array kAutomaticDriving{line(3, "M3.5 29 L16 3.5 L28.5 29")};
+constexpr std::array kAutomaticDriving{line(2.7, "M3.7 30 L16 3.8 L28.3 30")};
 constexpr std::array kSupervisedManoeuvre{
-    line(2, "M1.5 16 C 8 1 24 1 30.5 16 C 24 31 8 31 1.5 16 Z"),
-    surface("M7.5 14.5 L14.5 14.5 L14.5 9.5 L21 9.5 L21 14.5 L24.5 14.5 L24.5 19 L26 19 L26 21 L6 21 L6 19 L7.5 19 Z"),
-    surface("O 10.5 21 2 O 21.5 21 2"),
-    surface("M9 17 L12 14.8 L12 16.3 L14 16.3 L14 17.7 L12 17.7 L12 19.2 Z M23 17 L20 14.8 L20 16.3 L18 16.3 L18 17.7 "
-            "L20 17.7 "
-            "L20 19.2 Z",
+    line(2.4,
+         "M1.2 16.5 C 7.5 8 11.5 5.2 16 5.2 C 20.5 5.2 24.5 8 30.8 16.5 C 24.5 25 20.5 27.8 16 27.8 "
+         "C 11.5 27.8 7.5 25 1.2 16.5 Z"),
+    surface("M8 13 L15 13 L15 10 L21 10 L21 13 L24 13 L24 18 L26 18 L26 20 L6 20 L6 18 L8 18 Z"),
+    surface("O 12 19.8 2.1 O 20 19.8 2.1"),
+    surface("M8.8 16 L11.5 13.7 L11.5 15.2 L15 15.2 L15 16.8 L11.5 16.8 L11.5 18.3 Z "
+            "M23.2 16 L20.5 13.7 L20.5 15.2 L17 15.2 L17 16.8 L20.5 16.8 L20.5 18.3 Z",
             Colour::dark_blue)};
 
 // Statuses, 52 x 21.
-constexpr std::array kBrake{surface("M2 1 L6 1 L6 20 L2 20 Z M46 1 L50 1 L50 20 L46 20 Z", Colour::grey),
-                            surface("M6 1 L46 1 L46 20 L6 20 Z", Colour::red), line(2, "O 26 10.5 7.5", Colour::grey),
-                            line(2, "A 26 10.5 11 225 315", Colour::grey),
-                            line(2, "A 26 10.5 11 45 135", Colour::grey)};
-constexpr std::array kSlippery{line(2, "O 26 7.5 6"), line(1.5, "M10 15.5 L42 15.5"),
-                               surface("M5 15.5 L11 12.5 L11 18.5 Z M47 15.5 L41 12.5 L41 18.5 Z"),
-                               line(2, "M1 19.5 L51 19.5")};
-constexpr std::array kRadioUp{line(2.2, "M11 2.5 L14.5 6 L14.5 15 L11 18.5"), line(2.5, "M14.5 10.5 L42 10.5"),
-                              surface("M40.5 2 L44 2 L44 19 L40.5 19 Z")};
-constexpr std::array kRadioLost{surface("M0 0 L52 0 L52 21 L0 21 Z", Colour::grey),
-                                line(2.6, "M9 2.5 L14 6.5 L14 14.5 L9 18.5", Colour::red),
-                                surface("M14 7.5 L21 10.5 L14 13.5 Z", Colour::red),
-                                surface("M38.5 2 L42 2 L42 19 L38.5 19 Z M39 7.5 L32 10.5 L39 13.5 Z", Colour::red)};
-constexpr std::array kHourGlass{line(1.8, "M2 2 L18 2 M2 18 L18 18"), line(1.5, "M4 2.5 L4 5 L9.2 10 L4 15 L4 17.5"),
-                                line(1.5, "M16 2.5 L16 5 L10.8 10 L16 15 L16 17.5"),
-                                surface("M6.5 6 L13.5 6 L10 9.5 Z M10 12.5 L14.5 17 L5.5 17 Z")};
+constexpr std::array kBrake{
+    surface("M2 1 L6 1 L6 20 L2 20 Z M46 1 L50 1 L50 20 L46 20 Z", Colour::grey),
+    surface("M6 1 L46 1 L46 20 L6 20 Z", Colour::red), line(2.6, "A 26 10.5 11.6 43 137", Colour::grey),
+    line(2.6, "A 26 10.5 11.6 223 317", Colour::grey),
+    surface("M17.5 1 L34.5 1 L34.5 2.3 L17.5 2.3 Z M17.5 18.7 L34.5 18.7 L34.5 20 L17.5 20 Z", Colour::grey)};
+constexpr std::array kSlippery{line(2, "O 25.5 8 6.9"), line(1.4, "M9 15.5 L42 15.5"),
+                               surface("M6.8 15.5 L11 12 L11 18 Z M44.2 15.5 L40 12 L40 18 Z"),
+                               line(2, "M2 19 L50 19")};
+constexpr const char* kHook = "M10.3 2.2 L14 5.6 L14 15.4 L10.3 18.8";
+constexpr std::array kRadioUp{line(3.5, kHook), line(3, "M14 10.5 L39 10.5"), surface("M38 2 L42 2 L42 19 L38 19 Z")};
+constexpr std::array kRadioLost{
+    surface("M0 0 L52 0 L52 21 L0 21 Z", Colour::grey), line(3.5, kHook, Colour::red),
+    surface("M15 9 L19.8 9 L22 12 L15 12 Z M38 2 L42 2 L42 19 L38 19 L38 12 L34 12 L31.8 9 L38 9 Z", Colour::red)};
+constexpr std::array kHourGlass{line(2, "M2 2 L18 2 M2 18 L18 18"), line(2, "M3 2 L3 5 L8 9.8 L3 14.8 L3 18"),
+                                line(2, "M17 2 L17 5 L12 9.8 L17 14.8 L17 18"),
+                                surface("M3.5 5.6 L16.5 5.6 L12 9.8 L10.6 13 L9.4 13 L8 9.8 Z"),
+                                surface("M4.5 17.5 L7 15.7 L10 14.7 L13 15.7 L15.5 17.5 Z")};
 constexpr std::array kReversingPermitted{
-    line(2.2, "M2 6 L5.5 7 L11 13 L11 22 L7 26"), surface("M3.5 11.5 L8 15 L8 17 L3.5 17 Z"),
-    surface("M13 11 L19.5 5.5 L19.5 9 L25 9 L30.5 14 L30.5 22 L26 26 L22 26 L22 23.5 L25 23.5 "
-            "L28 21 L28 15 L24 12.5 L19.5 12.5 L19.5 16.5 Z")};
+    line(2.2, "M0.3 6 L4.2 6 L10 11.8 L10 21.3 L5 25.7"), surface("M1 11 L2.5 11 L7 15.5 L7 17 L1 17 Z"),
+    surface("M11.7 11.5 L17 6.5 L17 16.5 Z"),
+    line(2.8, "M16 11.5 L25 11.5 C 28.5 11.5 30.5 14 30.5 17 C 30.5 20 28 22.6 24 22.6")};
 constexpr std::array kBmmInhibited{surface("M5 23 L27 23 L27 29 L5 29 Z"), line(2.5, "M10 19 L10 9 M22 19 L22 9"),
                                    line(2.5, "A 16 9 6 270 450"), line(2.5, "M3 3 L29 29 M29 3 L3 29")};
 
 // Track conditions, 32 x 32.
 constexpr Mark kWire = surface("M3 2 L30 2 L30 5 L3 5 Z");
-constexpr Mark kRoof = surface("M3 26 L30 26 L30 29.5 L3 29.5 Z");
-constexpr Mark kFolded = line(2.4, "M6 18 L23 18 L11 22 L18 22 L10 25");
-constexpr std::array kPantographDown{kWire, kRoof, kFolded};
-constexpr std::array kLowerPantograph{kWire, kRoof, kFolded,
-                                      surface("M19.5 6.5 L22.5 6.5 L22.5 10 L26 10 L21 15 L16 10 L19.5 10 Z")};
-constexpr std::array kRaisePantograph{kWire, kRoof, line(2, "M7 7.5 L27 7.5"), line(1.8, "M16 8 L5 15.5 L16 25"),
-                                      surface("M20.5 24 L23.5 24 L23.5 19.5 L27 19.5 L22 14.5 L17 19.5 L20.5 19.5 Z")};
+constexpr Mark kRoof = surface("M3 25 L30 25 L30 29 L3 29 Z");
+constexpr Mark kFoldedHead = surface("M6 17 L23 17 L23 20 L6 20 Z");
+constexpr Mark kFoldedArms = line(1.9, "M16.5 19.5 L9.5 22.7 L14 25.5");
+constexpr std::array kPantographDown{kWire, kRoof, kFoldedHead, kFoldedArms};
+constexpr std::array kLowerPantograph{kWire, kRoof, kFoldedHead, kFoldedArms,
+                                      surface("M19 7 L22 7 L22 10 L25.3 10 L20.5 14.7 L15.7 10 L19 10 Z")};
+constexpr std::array kRaisePantograph{kWire, kRoof, surface("M8 6 L28 6 L28 9 L8 9 Z"),
+                                      line(1.9, "M21.5 8.5 L6.3 18.5 L18.5 25.5"),
+                                      surface("M23 22 L26 22 L26 19 L28.5 19 L24.5 14.3 L20.5 19 L23 19 Z")};
 constexpr std::array kNeutralSection{
     surface("M5 4 L10 4 L10 18 L5 18 Z M22 4 L27 4 L27 18 L22 18 Z M5 23 L27 23 L27 28 L5 28 Z")};
 constexpr std::array kNeutralSectionEnd{surface("M5 4 L10 4 L10 23 L22 23 L22 4 L27 4 L27 28 L5 28 Z")};
-constexpr std::array kNoStopping{line(2, "M5.3 7.5 C 1 7.5 1 19.5 5.3 19.5 C 9.6 19.5 9.6 7.5 5.3 7.5 Z"),
-                                 line(1.9, "M7.5 24 L29.5 2 M9.5 2 L29.5 24"),
-                                 surface("M3 26.5 L30 26.5 L30 29.5 L3 29.5 Z")};
+constexpr std::array kNoStopping{line(2.1, "M6.5 8 C 1.9 8 1.9 18 6.5 18 C 11.1 18 11.1 8 6.5 8 Z"),
+                                 line(2.1, "M7.7 1.5 L28.3 24.5 M28.3 1.5 L7.7 24.5"),
+                                 surface("M3 26 L30 26 L30 29 L3 29 Z")};
 constexpr std::array kRadioHole{surface("O 8 13 3.6"),         line(1.6, "M8 16 L8 29 M4 29 L12 29"),
                                 line(1.5, "A 8 13 8 50 130"),  line(1.5, "A 8 13 13 50 130"),
                                 line(1.5, "A 8 13 18 50 130"), line(1.5, "M3 29 L29 3 M3 3 L29 29")};
-constexpr Mark kCross = line(2.2, "M3 2.5 L29 29 M29 2.5 L3 29");
-constexpr Mark kOnRail = line(3, "M16 2 L16 17");
-constexpr std::array kMagneticShoe{
-    kOnRail, line(2.2, "M3 2.5 L16 16 L29 2.5 M10 23 L4 29.5 M22 23 L28 29.5"),
-    surface("M4 17 L28 17 L28 23.5 L24.5 23.5 L24.5 21 L19 21 L19 23.5 L13 23.5 L13 21 L7.5 21 "
-            "L7.5 23.5 L4 23.5 Z"),
-    line(2.4, "M4 26.5 L28 26.5")};
-constexpr std::array kEddyCurrent{kOnRail, line(2.2, "M3 2.5 L16 16 L29 2.5 M11 21 L4 29.5 M21 21 L28 29.5"),
-                                  surface("M3 17 L29 17 L29 20.5 L3 20.5 Z"),
-                                  line(1.8, "M11 26 L14 23 L16 25 L18 23 L21 26"), line(2, "M6 28 L26 28")};
-constexpr std::array kRegenerative{line(2, "O 16 16 11"), line(1.8, "O 16 16 6"),
-                                   surface("M1.5 9 L5 9 L5 23 L1.5 23 Z M27 9 L30.5 9 L30.5 23 L27 23 Z"), kCross,
-                                   line(1.6, "M13 18.5 L13 13.5 L19 18.5 L19 13.5")};
-constexpr Mark kHousing = line(2.6, "M3 4.5 L20 4.5 L28 12.5 L28 20 L21 27 L3 27");
-constexpr Mark kHousingFoot = surface("M9 27 L19 27 L16 30.5 L12 30.5 Z");
-constexpr std::array kAirIntakeClosed{kHousing, kHousingFoot,
-                                      line(2, "M8 11 L18 11 L21.5 13.5 L21.5 17.5 L18 19.5 L10 19.5"),
-                                      surface("M4.5 19.5 L10.5 15.5 L10.5 23.5 Z")};
-constexpr std::array kAirIntakeOpen{line(2.6, "M3 4.5 L19 4.5 L22.5 8"), line(2.6, "M28 16 L28 20 L21 27 L3 27"),
-                                    kHousingFoot, line(2.2, "M30.5 10 L25 10 L20 16.5 L12 16.5"),
-                                    surface("M5.5 16.5 L12.5 12 L12.5 21 Z")};
-constexpr std::array kNoTractionSystem{line(1.8, "M16 3 L29 16 L16 29 L3 16 Z"),
-                                       line(1.8, "M16 9 L23 16 L16 23 L9 16 Z")};
+constexpr Mark kCross = line(2.2, "M2 2 L30 30 M30 2 L2 30");
+// A brake above the rail, crossed out.
+constexpr std::array kMagneticShoe{line(3, "M16.5 2 L16.5 18"), line(2.1, "M2.7 2.7 L30.3 30.3 M30.3 2.7 L2.7 30.3"),
+                                   surface("M3 18 L30 18 L30 23 L27 23 L27 21 L18 21 L18 23 L15 23 L15 21 L6 21 "
+                                           "L6 23 L3 23 Z M3 25 L30 25 L30 28 L3 28 Z")};
+constexpr std::array kEddyCurrent{line(3, "M16.5 1 L16.5 17"), line(2.1, "M2.7 1.7 L30.3 29.3 M30.3 1.7 L2.7 29.3"),
+                                  surface("M3 17 L30 17 L30 20 L3 20 Z M3 25 L30 25 L30 28 L3 28 Z"),
+                                  line(1.6, "M11.3 24 L13.8 21.5 L16.5 24 L19.2 21.5 L21.7 24")};
+constexpr std::array kRegenerative{line(2.2, "O 16 16 11.8"), line(2, "O 16 16 6.8"),
+                                   surface("M1 10 L5 10 L5 22 L1 22 Z M27 10 L31 10 L31 22 L27 22 Z"), kCross,
+                                   line(1.6, "M13 19 L13 13 L19 19 L19 13")};
+constexpr Mark kHousingFoot = surface("M8 27.5 L16 27.5 L16 28.5 L14 31 L10 31 L8 28.5 Z");
+constexpr std::array kAirIntakeClosed{line(3, "M1 2.5 L20.3 2.5 L27.5 9.8 L27.5 21.5 L22.5 26.5 L1 26.5"), kHousingFoot,
+                                      line(2.3, "M5 9 L16 9 L19 12 L19 15.7 L15.7 19 L7 19"),
+                                      surface("M3.3 19 L8.2 14.5 L8.2 23.5 Z")};
+constexpr std::array kAirIntakeOpen{
+    line(3, "M1 2.5 L20.3 2.5 L23 6.5"), line(3, "M27.5 13 L27.5 21.5 L22.5 26.5 L1 26.5"), kHousingFoot,
+    line(2.7, "M31 9.7 L25.5 9.7 L19 16.5 L10 16.5"), surface("M6.3 16.5 L11.7 11.5 L11.7 21.5 Z")};
+constexpr std::array kNoTractionSystem{line(1.5, "M16 3.8 L28.2 16 L16 28.2 L3.8 16 Z"),
+                                       line(1.5, "M16 9.6 L22.4 16 L16 22.4 L9.6 16 Z")};
 constexpr std::array k25kV{letters("25", 16, 15, 10), letters("kV", 16, 27, 9)};
 constexpr std::array k15kV{letters("15", 16, 15, 10), letters("kV", 16, 27, 9)};
 constexpr std::array k3000V{letters("3000", 16, 15, 9), letters("V", 16, 27, 9)};
 constexpr std::array k1500V{letters("1500", 16, 15, 9), letters("V", 16, 27, 9)};
 constexpr std::array k750V{letters("750", 16, 15, 10), letters("V", 16, 27, 9)};
 constexpr std::array kHorn{
-    surface("M6 10 L13 10 L13 14 L16 14 L23 9 L26 9 L26 23 L23 23 L16 18 L13 18 L13 22 L6 22 Z")};
-constexpr Mark kArch = surface("A 16 14 12 270 450 L22 14 C 22 7 10 7 10 14 Z");
+    surface("M7 11 L14 11 L14 15 L15.5 15 L25 10 L27 10 L27 23 L25 23 L15.5 18 L14 18 L14 22 L7 22 Z")};
+constexpr Mark kArch = surface("A 16 14 11 270 450 L21.5 14 C 21.5 7.5 10.5 7.5 10.5 14 Z");
 constexpr std::array kTunnel{kArch, surface("M4 22 L11 22 L11 29.5 L4 29.5 Z M21 22 L28 22 L28 29.5 L21 29.5 Z"),
                              surface("M1 18 L4.5 15 L4.5 17 L13 17 L13 19 L4.5 19 L4.5 21 Z "
                                      "M31 18 L27.5 15 L27.5 17 L19 17 L19 19 L27.5 19 L27.5 21 Z")};
 
 // Planning, 20 x 20, where they are not those of the track conditions, smaller. The bars of the speed changes are in
 // rows 3 and 4, or 17 and 18, from column 2 to 18.
-constexpr std::array kSpeedUp{surface("M2 17 L19 17 L19 19 L2 19 Z M14.5 7 L18 16 L11 16 Z")};
-constexpr std::array kSpeedDown{surface("M2 3 L19 3 L19 5 L2 5 Z M14.5 15 L18 6 L11 6 Z")};
+constexpr std::array kSpeedUp{surface("M2 17 L19 17 L19 19 L2 19 Z M14.5 7.5 L18 16 L11 16 Z")};
+constexpr std::array kSpeedDown{surface("M2 3 L19 3 L19 5 L2 5 Z M14.5 14.5 L18 6 L11 6 Z")};
 
 // Navigation.
 constexpr std::array kPlus12{surface("M5 1 L7 1 L7 5 L11 5 L11 7 L7 7 L7 11 L5 11 L5 7 L1 7 L1 5 L5 5 Z")};
@@ -207,7 +203,7 @@ constexpr std::array kPrevious{surface("M25 6 L6 16 L25 26 Z")};
 constexpr std::array kEnter{surface("M2 19 L13 13 L13 17.5 L27 17.5 L27 8 L30 8 L30 20.5 L13 20.5 L13 25 Z")};
 constexpr std::array kDelete{letters("Del", 16, 21.5, 12)};
 constexpr std::array kMore{
-    surface("M6 17 L10 17 L10 21 L6 21 Z M14 17 L18 17 L18 21 L14 21 Z M22 17 L26 17 L26 21 L22 21 Z")};
+    surface("M8 15 L11 15 L11 18 L8 18 Z M15 15 L18 15 L18 18 L15 18 Z M22 15 L25 15 L25 18 L22 18 Z")};
 
 // Settings.
 constexpr std::array kBrightness{line(2, "O 16 16 8"),
@@ -217,16 +213,19 @@ constexpr std::array kBrightness{line(2, "O 16 16 8"),
 constexpr std::array kVolume{line(2, "M8 11 L16 11 L16 21 L8 21 Z"), line(2, "M16 11 L27 3.5 L27 28.5 L16 21"),
                              line(1.8, "M4 4.5 L10 4.5 M7 1.5 L7 7.5 M4 27.5 L10 27.5")};
 constexpr std::array kLanguage{
-    surface("M5 4 L8 4 L8 28 L5 28 Z"),
-    line(2, "M9 6 C 14 2 17 9 22 6.5 C 25 5 27 5.5 28 6 L28 18 C 24 16 22 21 17 19.5 C 13 18 11 18.5 9 20 Z")};
-constexpr std::array kSettings{line(3.6, "M10.5 21.5 L21.5 10.5"), line(3, "A 24 8 4.5 40 320"),
-                               line(3, "A 8 24 4.5 -140 140")};
+    surface("M3 4 L6 4 L6 26 L3 26 Z"),
+    line(2,
+         "M8 8 C 10.5 4.5 14 4 17 6.2 C 20 8.4 23 8.4 25.5 6 L28 6 L28 17 L25.5 17 C 23 19.4 20 19.4 17 17 "
+         "C 14 14.8 10.5 15 8 18.5 Z")};
+constexpr std::array kSettings{line(3.7, "M10.5 21.5 L21.5 10.5"),
+                               line(2.8, "M22.5 2.5 L20.3 5 L20.5 8.5 L23.5 11.5 L27 11.7 L29.8 9.2"),
+                               line(2.8, "M9.5 29.5 L11.7 27 L11.5 23.5 L8.5 20.5 L5 20.3 L2.2 22.8")};
 
 // Driver's requests.
-constexpr std::array kToggle{line(1.6, "A 16 14 11 318 402"),
-                             surface("M6.5 6.5 L10.5 3.5 L11 8.5 Z M25.5 6.5 L21.5 3.5 L21 8.5 Z"),
-                             line(3.4, "M15 23 L4.5 12"), line(1.4, "M17.5 21 L26 11.5 L28 13.5 L20 22.5"),
-                             surface("M11 22 L21 22 L23 26 L28.5 28.5 L3.5 28.5 L9 26 Z")};
+constexpr std::array kToggle{line(1.8, "A 16 19 13 322 398"),
+                             surface("M7 5.8 L10.7 9.2 L7 9.2 Z M25 5.8 L25 9.2 L21.3 9.2 Z"),
+                             line(3.5, "M3.3 11.3 L14.5 22.3"), line(1.2, "M16.5 19.3 L27 10.2 L30 12.3 L20.5 21.3"),
+                             surface("M12 20.5 L20 20.5 L28 25 L28 26.5 L4 26.5 L4 25 Z")};
 constexpr std::array kTrackAheadFree{surface("M0 0 L75 0 L75 46 L0 46 Z", Colour::dark_grey),
                                      line(2, "M1 23 L74 41 M1 32 L40 45"), line(2, "M50 5.5 L71 16 L50 26.5"),
                                      surface("M51.5 9 C 56 12 56 20 51.5 23 C 47 20 47 12 51.5 9 Z")};
@@ -238,14 +237,16 @@ constexpr std::array kGeographicalPosition{
     line(2,
          "M18 4 L18 10 L22 14 L28 14 M28 18 L22 18 L18 22 L18 28 M14 28 L14 22 L10 18 L4 18 "
          "M4 14 L10 14 L14 10 L14 4"),
-    surface("O 16 16 2.5")};
+    surface("O 16 16 2.2")};
 constexpr std::array kAcknowledge{letters("Ack", 16, 21.5, 11)};
-constexpr std::array kTunnelToggle{surface("A 16 13 11 270 450 L22.5 13 C 22.5 6 9.5 6 9.5 13 Z"),
-                                   surface("M4 21 L9 21 L9 29 L4 29 Z M23 21 L28 21 L28 29 L23 29 Z"),
-                                   letters("?", 16, 29.5, 15)};
+constexpr std::array kTunnelToggle{
+    line(3.8, "A 16 15 10 272 448"),
+    surface("M4 22 L8 22 L8 29 L3 29 L3 24 L4 24 Z M28 22 L24 22 L24 29 L29 29 L29 24 L28 24 Z"),
+    letters("?", 16, 28, 15.5)};
 constexpr std::array kLevelCrossing{
-    surface("M14.5 3 L17.5 3 L17.5 29 L20.5 29 L20.5 31 L11.5 31 L11.5 29 L14.5 29 Z"),
-    line(2.4, "M5 4.5 L27 15.5 M27 4.5 L5 15.5 M8 13 L5 19 M24 13 L27 19 M5 4.5 L9 3 M27 4.5 L23 3")};
+    surface("M14 6 L17 6 L17 28 L21 28 L21 29.5 L10 29.5 L10 28 L14 28 Z"),
+    line(2.8, "M5 6.2 L26 18.8 M26 6.2 L5 18.8"),
+    surface("M4 5 L7 5 L7 8 L4 8 Z M24 5 L27 5 L27 8 L24 8 Z M4 17 L7 17 L7 20 L4 20 Z M24 17 L27 17 L27 20 L24 20 Z")};
 constexpr std::array kLssma{line(3, "M3.5 3.5 L46.5 3.5 L46.5 46.5 L3.5 46.5 Z"),
                             surface("M8.5 8.5 L14 8.5 L14 14 L8.5 14 Z M36 8.5 L41.5 8.5 L41.5 14 L36 14 Z "
                                     "M8.5 36 L14 36 L14 41.5 L8.5 41.5 Z M36 36 L41.5 36 L41.5 41.5 L36 41.5 Z")};
