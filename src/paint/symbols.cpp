@@ -73,10 +73,11 @@ constexpr const char* kEye = "M5.5 16.5 C 11 7.5 22 7.5 27.5 16.5 C 22 25.5 11 2
 constexpr std::array kStaffResponsible{kMovementFrame, line(2, "M4.5 4.5 L28.5 28.5 M28.5 4.5 L4.5 28.5"),
                                        line(2, "O 16.5 16.5 7"), line(2, kEye)};
 constexpr std::array kFullSupervision{kMovementFrame, line(2.3, kEye)};
-constexpr std::array kNonLeading{line(2.2, "M1 3 L5 3 L13 11 L13 21.5 L7 27.5 M31 3 L27 3 L19 11 L19 21.5 L25 27.5"),
-                                 surface("M2 8 L3.5 8 L8 12.5 L8 14 L2 14 Z M30 8 L28.5 8 L24 12.5 L24 14 L30 14 Z"),
-                                 surface("O 4.3 26.6 3.4 O 27.7 26.6 3.4"), surface("M13 17 L19 17 L19 21 L13 21 Z")};
-constexpr std::array kStandBy{line(2.9, "A 16 17.2 12 27 333"), line(4, "M16 1 L16 13")};
+constexpr std::array kNonLeading{
+    line(2.2, "M1.1 3 L5 3 L13 11 L13 21.5 L7 27.5 M30.9 3 L27 3 L19 11 L19 21.5 L25 27.5"),
+    surface("M2 8 L3.5 8 L8 12.5 L8 14 L2 14 Z M30 8 L28.5 8 L24 12.5 L24 14 L30 14 Z"),
+    surface("O 4.3 26.6 3.4 O 27.7 26.6 3.4"), surface("M13 17 L19 17 L19 21 L13 21 Z")};
+constexpr std::array kStandBy{line(2.9, "A 16 17.2 12 27 333"), surface("M14 1 L18 1 L18 13 L14 13 Z")};
 constexpr std::array kReversing{line(2.2, "M16 3 L21 3 L29 11 L29 22.5 L23 28.5"),
                                 surface("M18 8 L19.5 8 L24 12.5 L24 14 L18 14 Z"), surface("O 20 26.8 3.7"),
                                 surface("M1 15 L7 9 L7 12 L16 12 L11.5 17 L7 17 L7 21 Z")};
@@ -126,7 +127,7 @@ constexpr std::array kHourGlass{line(2, "M2 2 L18 2 M2 18 L18 18"), line(2, "M3 
                                 surface("M3.5 5.6 L16.5 5.6 L12 9.8 L10.6 13 L9.4 13 L8 9.8 Z"),
                                 surface("M4.5 17.5 L7 15.7 L10 14.7 L13 15.7 L15.5 17.5 Z")};
 constexpr std::array kReversingPermitted{
-    line(2.2, "M0.3 6 L4.2 6 L10 11.8 L10 21.3 L5 25.7"), surface("M1 11 L2.5 11 L7 15.5 L7 17 L1 17 Z"),
+    line(2.2, "M1.1 6 L4.2 6 L10 11.8 L10 21.3 L5 25.7"), surface("M1 11 L2.5 11 L7 15.5 L7 17 L1 17 Z"),
     surface("M11.7 11.5 L17 6.5 L17 16.5 Z"),
     line(2.8, "M16 11.5 L25 11.5 C 28.5 11.5 30.5 14 30.5 17 C 30.5 20 28 22.6 24 22.6")};
 constexpr std::array kBmmInhibited{surface("M5 23 L27 23 L27 29 L5 29 Z"), line(2.5, "M10 19 L10 9 M22 19 L22 9"),
@@ -157,19 +158,19 @@ constexpr Mark kCross = line(2.2, "M2 2 L30 30 M30 2 L2 30");
 constexpr std::array kMagneticShoe{line(3, "M16.5 2 L16.5 18"), line(2.1, "M2.7 2.7 L30.3 30.3 M30.3 2.7 L2.7 30.3"),
                                    surface("M3 18 L30 18 L30 23 L27 23 L27 21 L18 21 L18 23 L15 23 L15 21 L6 21 "
                                            "L6 23 L3 23 Z M3 25 L30 25 L30 28 L3 28 Z")};
-constexpr std::array kEddyCurrent{line(3, "M16.5 1 L16.5 17"), line(2.1, "M2.7 1.7 L30.3 29.3 M30.3 1.7 L2.7 29.3"),
+constexpr std::array kEddyCurrent{line(3, "M16.5 1.5 L16.5 17"), line(2.1, "M2.7 1.7 L30.3 29.3 M30.3 1.7 L2.7 29.3"),
                                   surface("M3 17 L30 17 L30 20 L3 20 Z M3 25 L30 25 L30 28 L3 28 Z"),
                                   line(1.6, "M11.3 24 L13.8 21.5 L16.5 24 L19.2 21.5 L21.7 24")};
 constexpr std::array kRegenerative{line(2.2, "O 16 16 11.8"), line(2, "O 16 16 6.8"),
                                    surface("M1 10 L5 10 L5 22 L1 22 Z M27 10 L31 10 L31 22 L27 22 Z"), kCross,
                                    line(1.6, "M13 19 L13 13 L19 19 L19 13")};
 constexpr Mark kHousingFoot = surface("M8 27.5 L16 27.5 L16 28.5 L14 31 L10 31 L8 28.5 Z");
-constexpr std::array kAirIntakeClosed{line(3, "M1 2.5 L20.3 2.5 L27.5 9.8 L27.5 21.5 L22.5 26.5 L1 26.5"), kHousingFoot,
-                                      line(2.3, "M5 9 L16 9 L19 12 L19 15.7 L15.7 19 L7 19"),
+constexpr std::array kAirIntakeClosed{line(3, "M1.5 2.5 L20.3 2.5 L27.5 9.8 L27.5 21.5 L22.5 26.5 L1.5 26.5"),
+                                      kHousingFoot, line(2.3, "M5 9 L16 9 L19 12 L19 15.7 L15.7 19 L7 19"),
                                       surface("M3.3 19 L8.2 14.5 L8.2 23.5 Z")};
 constexpr std::array kAirIntakeOpen{
-    line(3, "M1 2.5 L20.3 2.5 L23 6.5"), line(3, "M27.5 13 L27.5 21.5 L22.5 26.5 L1 26.5"), kHousingFoot,
-    line(2.7, "M31 9.7 L25.5 9.7 L19 16.5 L10 16.5"), surface("M6.3 16.5 L11.7 11.5 L11.7 21.5 Z")};
+    line(3, "M1.5 2.5 L20.3 2.5 L23 6.5"), line(3, "M27.5 13 L27.5 21.5 L22.5 26.5 L1.5 26.5"), kHousingFoot,
+    line(2.7, "M30.6 9.7 L25.5 9.7 L19 16.5 L10 16.5"), surface("M6.3 16.5 L11.7 11.5 L11.7 21.5 Z")};
 constexpr std::array kNoTractionSystem{line(1.5, "M16 3.8 L28.2 16 L16 28.2 L3.8 16 Z"),
                                        line(1.5, "M16 9.6 L22.4 16 L16 22.4 L9.6 16 Z")};
 constexpr std::array k25kV{letters("25", 16, 15, 10), letters("kV", 16, 27, 9)};
