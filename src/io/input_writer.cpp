@@ -353,7 +353,14 @@ std::string configuration_document(const Configuration& c) {
     out += std::string(first ? "\"" : ",\"") + name(static_cast<Level>(n)) + "\"";
     first = false;
   }
-  return out + (c.terminals ? "],\"terminals\":" + std::to_string(*c.terminals) + '}' : "]}");
+  out += ']';
+  if (c.terminals) out += ",\"terminals\":" + std::to_string(*c.terminals);
+  first = true;
+  for (const std::uint32_t NID_MN : c.networks) {
+    out += (first ? ",\"networks\":[\"" : ",\"") + digits_of_NID_MN(NID_MN) + '"';
+    first = false;
+  }
+  return out + (first ? "}" : "]}");
 }
 
 }  // namespace evc::io

@@ -10,7 +10,7 @@ namespace evc::ride {
 namespace {
 
 /// Of the order of fields below: a change of that is a new version.
-constexpr std::uint32_t kVersion = 0x45564301;
+constexpr std::uint32_t kVersion = 0x45564302;
 
 /// A byte is one, every other number is eight: a std::size_t is not as wide everywhere.
 template <class Number>
@@ -188,8 +188,12 @@ void exchange(Archive& a, sim::Line& l) {
          l.absent_messages, l.gradient, l.ssp);
 }
 template <class Archive>
+void exchange(Archive& a, sim::Networks& n) {
+  fields(a, n.offered, n.along_line);
+}
+template <class Archive>
 void exchange(Archive& a, Given& g) {
-  fields(a, g.line, g.train_name, g.train, g.dynamics, g.train_document);
+  fields(a, g.line, g.train_name, g.train, g.dynamics, g.train_document, g.networks);
 }
 
 template <class Archive, class T>

@@ -5,6 +5,7 @@
 
 #include "sim/dynamics.h"
 #include "sim/line.h"
+#include "sim/networks.h"
 #include "train/train_data.h"
 
 namespace evc::ride {
@@ -15,7 +16,8 @@ struct Given {
   std::string train_name;
   train::TrainData train;
   sim::Dynamics dynamics;
-  std::string train_document;  ///< the train file on one line, for the journal
+  std::string train_document;   ///< the train file on one line, for the journal
+  sim::Networks networks = {};  ///< they count in a journey by hand
   friend bool operator==(const Given& a, const Given& b);
 };
 

@@ -19,13 +19,19 @@ constexpr std::int64_t kBegin_utc = 1767254400;
 
 double kmh(const std::optional<Speed>& v) { return v ? v->si * 3.6 : kNone; }
 
-io::Configuration configuration_of(const Given& given, std::int64_t cycle_ms) {
+/// The networks of a journey that the simulated driver drives: those of `evc run`, where he does not choose one.
+sim::Networks networks_of(const Given& given, const Ride::Settings& settings) {
+  return settings.driver ? sim::Networks{} : given.networks;
+}
+
+io::Configuration configuration_of(const Given& given, const Ride::Settings& settings) {
   io::Configuration configuration;
-  configuration.cycle_ms = cycle_ms;
+  configuration.cycle_ms = settings.cycle_ms;
   configuration.train.name = given.train_name;
   configuration.train.data = given.train;
   configuration.train.dynamics = given.dynamics;
   configuration.train.document = given.train_document;
+  configuration.networks = networks_of(given, settings).offered;
   configuration.document = io::configuration_document(configuration);
   return configuration;
 }
@@ -68,19 +74,22 @@ void append_triple(std::string& out, double a, double b, double c) {
 /// The on-board and what is around it.
 struct Ride::World {
   World(const Given& given, const io::Configuration& configuration, const Settings& settings)
-      : writer(configuration), outside(given.line, given.train, given.dynamics, world_of(settings)) {
+      : writer(configuration),
+        outside(given.line, given.train, given.dynamics, world_of(settings)),
+        terminals(networks_of(given, settings)) {
     kernel::power_up(state, derived, configuration.for_kernel());
   }
 
   io::InputWriter writer;
   sim::World outside;
+  sim::Terminals terminals;
   kernel::State state;
   kernel::Derived derived;
   kernel::Outputs outputs;
 };
 
 Ride::Ride(Given given, const Settings& settings) : given_(std::move(given)), by_hand_(!settings.driver) {
-  world_ = std::make_unique<World>(given_, configuration_of(given_, settings.cycle_ms), settings);
+  world_ = std::make_unique<World>(given_, configuration_of(given_, settings), settings);
 }
 
 Ride::~Ride() = default;
@@ -102,6 +111,7 @@ int Ride::advance(int cycles) {
 void Ride::cycle() {
   World& w = *world_;
   sim::CycleInputs& inputs = w.outside.advance();
+  inputs.levels.train.radio_registered = w.terminals.registered(inputs.t_ms);
   const dmi::Commands commands = panel_->take();
   if (by_hand_) obey(commands, inputs);
   // Without a clock the display has no local time (area G13). Journeys of a simulated driver are those of `evc run`.
@@ -109,6 +119,7 @@ void Ride::cycle() {
   w.writer.append(inputs_, inputs);
   kernel::step(w.state, w.derived, inputs.view(), w.outputs);
   w.outside.observe(w.outputs);
+  w.terminals.hear(w.outputs, inputs.t_ms);
   kernel::show(w.state, w.derived, w.outputs, panel_->record_at(inputs.levels.now));
   panel_->shown();
   const std::size_t before = outputs_.size();

@@ -150,6 +150,33 @@ TEST(Ride, WhatIsEnteredAtTheDisplayIsInTheJournal) {
   EXPECT_NE(drawing.find("],[\"#"), std::string::npos);
 }
 
+/// SUBSET-026-3 3.5.6.3: the first of the networks is that of the terminals. Here it is not there.
+TEST(Ride, TheTerminalsFindTheNetworkOfTheLine) {
+  Given given = shipped();
+  (void)given.networks.offered.push_back(0x26202F);
+  (void)given.networks.offered.push_back(0x26201F);
+  given.networks.along_line = 0x26201F;
+  const auto journal_of = [&](const Ride::Settings& settings) {
+    Ride ride(given, settings);
+    (void)ride.advance(100);
+    EXPECT_EQ(replayed(ride.inputs()), ride.outputs());
+    return ride.inputs() + ride.outputs();
+  };
+  const std::string by_hand = journal_of({});
+  EXPECT_NE(by_hand.find("\"networks\":[\"26202\",\"26201\"]"), std::string::npos) << by_hand.substr(0, 2000);
+  EXPECT_NE(by_hand.find("\"radio_register\":\"26202\""), std::string::npos);
+  EXPECT_NE(by_hand.find("\"radio_registered\":false"), std::string::npos);
+  EXPECT_EQ(by_hand.find("\"radio_registered\":true"), std::string::npos);
+  std::swap(given.networks.offered[0], given.networks.offered[1]);
+  EXPECT_NE(journal_of({}).find("\"radio_registered\":true"), std::string::npos);
+  // The simulated driver drives as in `evc run`.
+  Ride::Settings simulated;
+  simulated.driver = sim::DriverKind::perfect;
+  const std::string with = journal_of(simulated);
+  given.networks = {};
+  EXPECT_EQ(with, journal_of(simulated));
+}
+
 TEST(Given, IsTheSameAfterItsBytes) {
   const std::string folder = test::source_folder() + "/data/trains";
   int files = 0;
