@@ -2,7 +2,7 @@
 // it shows. So a test reads as a script of what happens in the cab.
 
 import assert from "node:assert/strict";
-import { existsSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -32,10 +32,11 @@ export async function browserOf(browser: BrowserName): Promise<Browser> {
   return launch({ browser, executablePath, headless: true, args, userDataDir: folder(), protocolTimeout: 600_000 });
 }
 
-/// A line that `evc make-line` makes of tests/data/cab/NAME.description.json.
-export function madeLine(name: string): string {
+/// A line that `evc make-line` makes of tests/data/cab/NAME.description.json, with `more` keys of a line (docs/line.md).
+export function madeLine(name: string, more: Record<string, unknown> = {}): string {
   const file = join(folder(), `${name}.json`);
   evc("make-line", `tests/data/cab/${name}.description.json`, "-o", file);
+  writeFileSync(file, JSON.stringify({ ...JSON.parse(readFileSync(file, "utf8")), ...more }));
   return file;
 }
 
@@ -185,6 +186,14 @@ export class Cabin {
           .map((item) => ({ area: item.area ?? "", id: item.id ?? "" })),
         texts: list.items.filter((item) => item.kind === "text").map((item) => item.value ?? ""),
       };
+    });
+  }
+
+  /// The values of a window of data view.
+  async viewed(): Promise<string[]> {
+    return this.page.evaluate(() => {
+      const list = (window.evc as Evc).screen() as { items: { kind: string; value?: string }[] };
+      return list.items.filter((item) => item.kind === "view_item").map((item) => item.value ?? "");
     });
   }
 

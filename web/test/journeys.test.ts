@@ -202,6 +202,47 @@ inBrowser("chrome", (open) => {
     await cab.close();
   });
 
+  test("start of mission in level 2 where the terminals have to register with another network (3.5.6, 015560 11.7.1 S3-2)", async () => {
+    // The first network is that of the terminals; along the line there is the second one.
+    const radio_networks = { offered: ["26202", "26201"], along_line: "26201" };
+    const cab = await open([madeLine("level_2", { radio_networks })], "mouse");
+    const shows = async (id: string): Promise<boolean> => (await cab.see()).symbols.some((symbol) => symbol.id === id);
+    await cab.openDesk();
+    await cab.enter("Driver ID", "1234");
+    await cab.enter("Level", "Level 2");
+    await cab.wait({ window: "Radio data", offers: "GSM-R network ID" }, 60);
+    // Nobody can be called before a terminal is registered.
+    const isOffered = async (name: string): Promise<boolean | undefined> =>
+      (await cab.see()).places.find((place) => place.name === name)?.enabled;
+    assert.equal(await isOffered("Enter RBC data"), false);
+    assert.equal(await isOffered("Use short number"), false);
+    await cab.press("GSM-R network ID");
+    await cab.wait({ window: "GSM-R network ID" }, 30);
+    assert.deepEqual((await cab.see()).keys.map((key) => key.label), ["26202", "26201"]);
+    // The display waits for the registration.
+    await cab.enter("GSM-R network ID", "26201");
+    await cab.wait({ window: "Radio data" }, 5);
+    assert.ok(await shows("ST05"));
+    assert.equal(await isOffered("Enter RBC data"), false);
+    await cab.wait({ offers: "Enter RBC data" }, 10);
+    assert.ok(!(await shows("ST05")));
+    assert.equal((await cab.line()).data["network"]?.value, "26201");
+    await enterRbcData(cab);
+    await cab.enterTrainData();
+    assert.ok(await shows("ST03"));
+    await cab.startInSR();
+    await cab.drive({ mode: "FS" }, 40);
+    await cab.drive({ run_m: ahead(700) });
+    await cab.expect({ mode: "FS", level: "2" });
+    await cab.stop();
+    // The network is in the view of the data (015560 11.5.1).
+    await cab.press("Data view");
+    await cab.press("next");
+    assert.ok((await cab.viewed()).includes("26201"));
+    await cab.replayed();
+    await cab.close();
+  });
+
   test("a journey in level 2: adhesion, override, emergency stop, trip, post trip", async () => {
     const cab = await open([madeLine("level_2_trip")]);
     await prepareLevel2(cab);
@@ -286,10 +327,14 @@ async function prepareLevel2(cab: Cabin): Promise<void> {
   await cab.enter("Driver ID", "1234");
   await cab.enter("Level", "Level 2");
   await cab.wait({ window: "Radio data" }, 60);
+  await enterRbcData(cab);
+  await cab.enterTrainData();
+}
+
+async function enterRbcData(cab: Cabin): Promise<void> {
   await cab.press("Enter RBC data");
   // NID_C 1000 and NID_RBC 1 in one number (015560 11.3.5.3.1).
   await cab.enter("RBC data", { "RBC ID": `${1000 * 16384 + 1}`, "RBC phone number": "0041790000000001" });
-  await cab.enterTrainData();
 }
 
 inBrowser("firefox", (open) => {
