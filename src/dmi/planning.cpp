@@ -163,12 +163,15 @@ void draw_gradient(const Drawing& to, const Ahead& ahead, const port::PlannedGra
     text.name.append(position);
     to.add(text);
   };
-  const bool signs = height > 14 && element.permille != 0;
-  if (signs) write(down ? "-" : "+", static_cast<std::int16_t>(top + 2), "top");
+  // Where two signs would touch one another there is room for one (8.3.5.7).
+  const bool signs = height > 14 && element.permille != 0, both = signs && height >= 24;
+  const char* sign = down ? "-" : "+";
+  if (both) write(sign, static_cast<std::int16_t>(top + 2), "top");
+  if (signs && !both) write(sign, static_cast<std::int16_t>(top + height / 2 - 5), "middle");
   if (height > 44 || (height > 14 && element.permille == 0))
     write(number_words(down ? -std::int32_t{element.permille} : element.permille),
           static_cast<std::int16_t>(top + height / 2 - 5), "middle");
-  if (signs) write(down ? "-" : "+", static_cast<std::int16_t>(bottom - 12), "bottom");
+  if (both) write(sign, static_cast<std::int16_t>(bottom - 12), "bottom");
 }
 
 /// A speed discontinuity (015560 8.3.6) with its symbol.

@@ -19,6 +19,7 @@ using dmi::Rect;
 using Shapes = std::vector<Shape>;
 
 constexpr double kDefaultHeight = 12.0;  // 015560 5.1.2
+constexpr double kMargin = 3.0;          // between a text and the border beside it, the indent of 5.1.2
 constexpr Point kDial{dmi::kDialX, dmi::kDialY};
 
 void fill(Shapes& shapes, double x, double y, double w, double h, Colour colour) {
@@ -49,7 +50,7 @@ struct Style {
 void write_in(Shapes& shapes, const Rect& box, std::string_view text, Style style) {
   double width = width_of(text, style.height, style.bold);
   // The time fills G13: a text in the middle that is wider than its box is less high, so that it stays inside.
-  const double room = box.w - 2.0;  // without the border
+  const double room = box.w - 2.0 * std::min(kMargin, 0.05 * box.w);  // the number in D5 has less
   if (style.align == dmi::Align::centre && width > room && room > 0.0) {
     style.height *= room / width;
     width = room;
@@ -83,8 +84,9 @@ std::vector<std::string_view> lines_of(std::string_view text, double width, doub
 /// Lines one below the other, two heights apart (015560 5.1.2), as a whole vertically centred; closer where they do not
 /// fit. The indent is that of one side: eight digits fit into the data part of a field (10.3.2.6).
 void write_lines_in(Shapes& shapes, const Rect& box, std::string_view text, const Style& style) {
-  constexpr double margin = 3.0;
-  const auto lines = lines_of(text, box.w - std::max(style.indent, margin) - margin, style.height, style.bold);
+  // A text in the middle keeps its distance from the two lines of a button's border.
+  const double others = style.align == dmi::Align::centre ? kMargin + 2.0 : kMargin;
+  const auto lines = lines_of(text, box.w - std::max(style.indent, others) - others, style.height, style.bold);
   if (lines.empty()) return;
   const auto count = static_cast<double>(lines.size());
   const double spacing = std::min(2.0 * style.height, box.h / count);

@@ -285,6 +285,24 @@ TEST(Drawing, AHookExtendsTowardsZeroFromItsLeadingEdge) {
   EXPECT_NEAR(bounds.most.y, 165 - 117, 1e-9);
 }
 
+TEST(Drawing, LabelsOfTheMenusKeepTheirDistanceFromTheBorder) {
+  // Of the width of a button of a menu (015560 Table 22), and of F1 to F5.
+  for (const auto& [label, width] : {std::pair{"GSM-R network ID", 153}, std::pair{"Maintain Shunting", 153},
+                                     std::pair{"Use short number", 153}, std::pair{"Over-ride", 60}}) {
+    Item item = item_of(Kind::button);
+    item.name.clear();
+    item.at = {100, 100, static_cast<std::int16_t>(width), 50};
+    item.background = dmi::Colour::none;
+    item.border = dmi::Border::none;
+    item.text = label;
+    const Bounds bounds = bounds_of(draw(*screen_with({item}))[0].shapes);
+    EXPECT_GE(bounds.least.x, 105.0) << label;
+    EXPECT_LE(bounds.most.x, 95.0 + width) << label;
+    EXPECT_GE(bounds.least.y, 102.0) << label;
+    EXPECT_LE(bounds.most.y, 148.0) << label;
+  }
+}
+
 TEST(Drawing, LongLabelsAreBrokenBetweenWordsInsideTheButton) {
   Item item = item_of(Kind::button);
   item.name.clear();
@@ -354,8 +372,8 @@ TEST(Drawing, ATextInTheMiddleStaysInItsArea) {
   item.at = {0, 0, area.w, area.h};
   item.align = dmi::Align::centre;
   const Bounds bounds = bounds_of(draw(*screen_with({item}))[0].shapes);
-  EXPECT_GE(bounds.least.x, area.x);
-  EXPECT_LE(bounds.most.x, area.x + area.w);
+  EXPECT_GE(bounds.least.x, area.x + 3);
+  EXPECT_LE(bounds.most.x, area.x + area.w - 3);
   EXPECT_NEAR((bounds.least.x + bounds.most.x) / 2.0, area.x + area.w / 2.0, 1.0);
   EXPECT_NEAR((bounds.least.y + bounds.most.y) / 2.0, area.y + area.h / 2.0, 0.5);
 }

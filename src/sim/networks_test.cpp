@@ -7,7 +7,7 @@
 namespace evc::sim {
 namespace {
 
-/// SUBSET-026-3 3.5.6: registered is who was told to register with a network that is there, and after some time.
+/// SUBSET-026-3 3.5.6: registered are the terminals some time after the order for a network that is there.
 TEST(Terminals, RegisterWithTheNetworkAlongTheLineAlone) {
   Networks networks;
   networks.along_line = 0x26201F;
