@@ -1,6 +1,5 @@
 // Pressing at random, seeded: whatever a hand does on the page, nothing fails, and the journal still says what happened.
 
-import assert from "node:assert/strict";
 import type { Browser } from "puppeteer-core";
 
 import { Cabin } from "./cabin.js";
@@ -28,7 +27,8 @@ const KEYS = [
   "ArrowLeft", "Backspace", "?", "Escape", "Tab", "Enter", "j",
 ] as const;
 
-/// Presses for so many seconds by the clock, at a time that passes twenty times as fast; `inMission`: of a train that drives.
+/// Presses for so many seconds by the clock, at a time that passes twenty times as fast, and on where the machine was too busy
+/// for a place each second; `inMission`: of a train that drives.
 export async function pressAtRandom(
   browser: Browser, words: string[], seed: number, seconds: number, inMission: boolean,
 ): Promise<string> {
@@ -53,7 +53,7 @@ export async function pressAtRandom(
     if (chance.below(8) === 0) await cab.page.mouse.move(at.x + chance.below(60) - 30, at.y + chance.below(60) - 30);
     await cab.page.mouse.up();
   };
-  while (Date.now() < end) {
+  while (Date.now() < end || counts.places <= seconds) {
     const what = chance.below(20);
     if (what < 14) {
       ++counts.places;
@@ -74,7 +74,6 @@ export async function pressAtRandom(
     // Gone back to the begin there is no cycle yet, and none is said.
     modes.add((await cab.line())?.mode ?? "");
   }
-  assert.ok(counts.places > seconds, JSON.stringify(counts));
   await cab.advance(1);
   await cab.replayed();
   await cab.close();
