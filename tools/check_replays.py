@@ -5,8 +5,10 @@ tests/replays/expected.json names each file, why its outcome is right (`why`, wi
   modes   of a stream: every mode with the time from which it holds, "SB 0, SR 2900, FS 11000"
   then    facts of single cycles: `t_ms`, and outputs of `evc replay` by their JSON pointer. A list of events holds at
           least those that are named; of another list every element counts
-  never   events that occur in no cycle; `from` and `to` limit the cycles
+  never   outputs that have the value in no cycle, events that occur in none; `from` and `to` limit the cycles. An event has
+          to occur in a stream of the folder, so that one that the unit calls otherwise is noticed
   always  outputs that have the same value in all cycles; `from` and `to` limit them
+          An output that is named has to be there; `null` is a value. Either needs a cycle, and an output
   command of another file: what reads it, and `result`, members of its output by JSON pointer, or `error`, its message
 Every file of the folder has to be named.
 
@@ -65,17 +67,26 @@ def filled(lines):
     return [line for _, line in sorted(kept + added, key=lambda pair: pair[0])]
 
 
+ABSENT = object()
+
+
 def member(value, pointer):
-    """Of a JSON pointer; None where there is no such member."""
+    """Of a JSON pointer; ABSENT where there is no such member, which is another one than a null."""
     for key in pointer.strip("/").split("/"):
         if isinstance(value, list):
-            value = value[int(key)] if int(key) < len(value) else None
+            value = value[int(key)] if key.isdecimal() and int(key) < len(value) else ABSENT
         else:
-            value = value.get(key) if isinstance(value, dict) else None
+            value = value.get(key, ABSENT) if isinstance(value, dict) else ABSENT
     return value
 
 
+def shown(value):
+    return "nothing" if value is ABSENT else json.dumps(value)
+
+
 def same(pointer, found, expected):
+    if found is ABSENT:
+        return False
     if pointer == "events":
         return all(event in found for event in expected)
     if isinstance(expected, float):
@@ -91,12 +102,36 @@ def facts_of(fact):
     return {key: value for key, value in fact.items() if key not in ("t_ms", "from", "to")}
 
 
-def check_stream(evc, path, expected):
-    lines = filled(lines_of(path))
-    ran = subprocess.run([evc, "replay", "-"], input="\n".join(lines) + "\n", capture_output=True, text=True, check=False)
-    if ran.returncode:
-        return [f"evc replay ends with {ran.returncode}: {ran.stderr.strip()}"]
-    outputs = [json.loads(line) for line in ran.stdout.splitlines()]
+def limits_of(fact):
+    return f"from {fact.get('from', 'the beginning')} to {fact.get('to', 'the end')}"
+
+
+def judge(outputs, fact, word, is_wrong):
+    """`never` and `always`: the first cycle within the limits that is wrong, of each output."""
+    cycles, facts, faults = within(outputs, fact), facts_of(fact), []
+    if not cycles:
+        faults.append(f"{word}: no cycle {limits_of(fact)}")
+    if not facts:
+        faults.append(f"{word}: no output is named {limits_of(fact)}")
+    for pointer, value in facts.items():
+        for o in cycles:
+            found = member(o, pointer)
+            if found is ABSENT or is_wrong(pointer, found, value):
+                faults.append(f"{o['t_ms']}: {pointer}: found {shown(found)}, expected {word} {json.dumps(value)}")
+                break
+    return faults
+
+
+def occurs(pointer, found, value):
+    """What `never` forbids: one of several events, or the value."""
+    return any(event in found for event in value) if pointer == "events" else same(pointer, found, value)
+
+
+def differs(pointer, found, value):
+    return not same(pointer, found, value)
+
+
+def judge_stream(outputs, expected):
     faults, modes = [], []
     for output in outputs:
         if not modes or modes[-1].split()[0] != output["mode"]:
@@ -108,26 +143,34 @@ def check_stream(evc, path, expected):
         if fact["t_ms"] not in at:
             faults.append(f"no cycle at {fact['t_ms']}")
             continue
+        if not facts_of(fact):
+            faults.append(f"{fact['t_ms']}: no output is named")
         for pointer, value in facts_of(fact).items():
             found = member(at[fact["t_ms"]], pointer)
             if not same(pointer, found, value):
-                faults.append(f"{fact['t_ms']}: {pointer}: found {json.dumps(found)}, expected {json.dumps(value)}")
+                faults.append(f"{fact['t_ms']}: {pointer}: found {shown(found)}, expected {json.dumps(value)}")
     for fact in expected.get("never", []):
-        faults += [f"{o['t_ms']}: {event}, expected never" for o in within(outputs, fact) for event in fact["events"]
-                   if event in o["events"]]
+        faults += judge(outputs, fact, "never", occurs)
     for fact in expected.get("always", []):
-        cycles = within(outputs, fact)
-        if not cycles:
-            faults.append(f"no cycle from {fact.get('from')} to {fact.get('to')}")
-        for pointer, value in facts_of(fact).items():
-            wrong = [o for o in cycles if not same(pointer, member(o, pointer), value)]
-            if wrong:
-                faults.append(f"{wrong[0]['t_ms']}: {pointer}: found {json.dumps(member(wrong[0], pointer))}, "
-                              f"expected always {json.dumps(value)}")
+        faults += judge(outputs, fact, "always", differs)
     return faults
 
 
+def check_stream(evc, path, expected):
+    """The faults, and the events that occurred."""
+    lines = filled(lines_of(path))
+    ran = subprocess.run([evc, "replay", "-"], input="\n".join(lines) + "\n", capture_output=True, text=True, check=False)
+    if ran.returncode:
+        return [f"evc replay ends with {ran.returncode}: {ran.stderr.strip()}"], set()
+    outputs = [json.loads(line) for line in ran.stdout.splitlines()]
+    return judge_stream(outputs, expected), {event for output in outputs for event in output["events"]}
+
+
 def check_command(evc, path, expected):
+    return faults_of_command(evc, path, expected), set()
+
+
+def faults_of_command(evc, path, expected):
     ran = subprocess.run([evc, expected["command"], path.name], cwd=path.parent, capture_output=True, text=True, check=False)
     if "error" in expected:
         if ran.returncode != 2 or expected["error"] not in ran.stderr:
@@ -136,16 +179,23 @@ def check_command(evc, path, expected):
     if ran.returncode:
         return [f"evc {expected['command']} ends with {ran.returncode}: {ran.stderr.strip()}"]
     result = json.loads(ran.stdout)
-    return [f"{pointer}: found {json.dumps(member(result, pointer))}, expected {json.dumps(value)}"
+    return [f"{pointer}: found {shown(member(result, pointer))}, expected {json.dumps(value)}"
             for pointer, value in expected["result"].items() if not same(pointer, member(result, pointer), value)]
 
 
 def check_file(evc, name, expected):
     path = FOLDER / name
     if not path.is_file():
-        return [f"{name}: is not there"]
+        return [f"{name}: is not there"], set()
     check_it = check_command if "command" in expected else check_stream
-    return [f"{name}: {fault}" for fault in check_it(evc, path, expected)]
+    faults, events = check_it(evc, path, expected)
+    return [f"{name}: {fault}" for fault in faults], events
+
+
+def never_seen(expected, seen):
+    """Events that `never` names and that no stream has: the unit has no such event, or calls it otherwise now."""
+    return [f"{name}: never {event}: it occurs in no stream of the folder" for name, one in expected.items()
+            for fact in one.get("never", []) for event in fact.get("events", []) if event not in seen]
 
 
 def check(evc):
@@ -153,8 +203,10 @@ def check(evc):
     files = {p.relative_to(FOLDER).as_posix() for p in FOLDER.rglob("*") if p.is_file()} - {"expected.json", "README.md"}
     faults = [f"{name}: expected.json does not name it" for name in sorted(files - set(expected))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for found in pool.map(lambda item: check_file(evc, *item), expected.items()):
-            faults += found
+        checked = list(pool.map(lambda item: check_file(evc, *item), expected.items()))
+    for found, _ in checked:
+        faults += found
+    faults += never_seen(expected, set().union(*(events for _, events in checked)))
     return faults, len(expected)
 
 

@@ -48,9 +48,43 @@ class Same(unittest.TestCase):
         self.assertFalse(check_replays.same("V_P", 40.6, 40.5))
         self.assertFalse(check_replays.same("V_P", None, 40.5))
 
-    def test_a_member_that_is_not_there_is_none(self):
+    def test_a_member_that_is_not_there_is_no_null(self):
         self.assertEqual(check_replays.member({"a": [{"b": 1}]}, "a/0/b"), 1)
-        self.assertIsNone(check_replays.member({"a": []}, "a/0/b"))
+        self.assertIsNone(check_replays.member({"a": None}, "a"))
+        for absent in ("a/0/b", "a/b", "b", "a/0"):
+            self.assertIs(check_replays.member({"a": []}, absent), check_replays.ABSENT, absent)
+        self.assertFalse(check_replays.same("a", check_replays.ABSENT, None))
+
+
+class Judged(unittest.TestCase):
+    OUTPUTS = [{"t_ms": t, "mode": "SB", "eb": t == 200, "EOA_m": None, "events": ["a"] if t == 100 else []} for t in (0, 100, 200)]
+
+    def faults(self, **expected):
+        return check_replays.judge_stream(self.OUTPUTS, {"modes": "SB 0", **expected})
+
+    def test_never_and_always_are_judged_within_their_limits(self):
+        self.assertEqual(self.faults(never=[{"events": ["b"]}, {"from": 101, "events": ["a"]}, {"to": 100, "eb": True}]), [])
+        self.assertEqual(self.faults(always=[{"to": 100, "eb": False}, {"EOA_m": None}]), [])
+        self.assertEqual(len(self.faults(never=[{"events": ["a"]}, {"from": 100, "eb": True}])), 2)
+        self.assertEqual(len(self.faults(never=[{"events": ["b", "a"]}])), 1, "one of several is enough")
+        self.assertEqual(len(self.faults(always=[{"eb": False}])), 1)
+
+    def test_neither_holds_of_no_cycle_or_of_no_output(self):
+        for word in ("never", "always"):
+            self.assertEqual(len(self.faults(**{word: [{"from": 300, "eb": True}]})), 1, word)
+            self.assertEqual(len(self.faults(**{word: [{"from": 0}]})), 1, word)
+            self.assertEqual(len(self.faults(**{word: [{"ebb": None}]})), 1, word)
+            self.assertEqual(len(self.faults(**{word: [{"EOA_m/0": 5}]})), 1, word)
+
+    def test_a_fact_of_a_cycle_names_an_output_that_is_there(self):
+        self.assertEqual(self.faults(then=[{"t_ms": 0, "EOA_m": None}]), [])
+        self.assertEqual(len(self.faults(then=[{"t_ms": 0, "EOA": None}])), 1)
+        self.assertEqual(len(self.faults(then=[{"t_ms": 0}])), 1)
+
+    def test_an_event_that_never_occurs_has_to_be_one_that_the_unit_has(self):
+        expected = {"one": {"never": [{"events": ["a", "b"]}]}, "two": {"modes": "SB 0"}}
+        self.assertEqual(check_replays.never_seen(expected, {"a", "b"}), [])
+        self.assertEqual(len(check_replays.never_seen(expected, {"a"})), 1)
 
 
 if __name__ == "__main__":
