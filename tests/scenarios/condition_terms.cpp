@@ -17,7 +17,7 @@ Term signal(const char* text, bool port::TrainSignals::*member, bool wanted = tr
   return {text, [=](const Moment& m) { return m.in.train.*member == wanted; }};
 }
 Term selects(const char* text, port::Select what) {
-  return {text, [=](const Moment& m) { return m.in.driver.has(what); }};
+  return {text, [=](const Moment& m) { return m.in.driver.has(what); }, what};
 }
 Term requested(Ack what) {
   return {std::string(kAckRows[terms::index(what)].name) + " is requested",
@@ -25,7 +25,9 @@ Term requested(Ack what) {
 }
 Term acknowledges(Ack what) {
   return {std::string("driver acknowledges ") + kAckRows[terms::index(what)].name,
-          [=](const Moment& m) { return m.in.driver.has(what); }};
+          [=](const Moment& m) { return m.in.driver.has(what); },
+          {},
+          what};
 }
 Term in_level(const char* text, std::initializer_list<Level> levels) {
   const std::vector<Level> all = levels;
@@ -92,7 +94,7 @@ std::vector<ConditionRow> rows() {
   const Term no_profile_here = {"no mode profile in force",
                                 [](const Moment& m) { return !m.facts.profile_in_force && !m.facts.SM_authorised; }};
   const Term selects_SH = selects("driver selects shunting", Select::shunting);
-  const Term granted = {"the RBC grants the shunting asked for", is_granted};
+  const Term granted = {"the RBC grants the shunting asked for", is_granted, {}, {}, 28};
   const Term slow = {"at most V_NVALLOWOVTRP",
                      [](const Moment& m) { return m.in.odometry.V_est <= m.state.national_values.V_NVALLOWOVTRP; }};
   const Term no_contact = {"T_NVCONTACT passed", [](const Moment& m) {
@@ -176,7 +178,7 @@ std::vector<ConditionRow> rows() {
     {50, y, y, {requested(Ack::SH), acknowledges(Ack::SH)}},
     {51, y, y, {in_SH}},
     {52, y, y, {fact("a group that is not in the SH list", &F::group_passed_not_in_SH_list), no_override}},
-    {53, n, y, {described, {"driver disengages, or the selector is in stand-by", [](const Moment& m) { return m.in.driver.has(Select::ato_disengage) || !m.in.automatic_operation.active; }}}},
+    {53, n, y, {described, {"driver disengages, or the selector is in stand-by", [](const Moment& m) { return m.in.driver.has(Select::ato_disengage) || !m.in.automatic_operation.active; }, Select::ato_disengage}}},
     {54, y, y, {fact("stop if in SR", &F::stop_if_in_SR), fact("no list, or not in it", &F::group_passed_in_SR_list, false), no_override}},
     {56, y, y, {to_NTC}},
     {58, y, y, {in_level("level NTC", {NTC}), requested(Ack::SN), acknowledges(Ack::SN)}},

@@ -1,11 +1,13 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kernel/state.h"
 #include "port/inputs.h"
 #include "procedures/observe.h"
+#include "terms/requests.h"
 #include "terms/srs_version.h"
 
 // The conditions of SUBSET-026-4 4.6.3 as rows to be laid beside the page: a condition is true when all its terms are.
@@ -25,6 +27,10 @@ struct Moment {
 struct Term {
   std::string text;
   std::function<bool(const Moment&)> holds;
+  // What the term reads from the inputs and the unit may refuse (4.7.2, 4.8): the condition does not hold then.
+  std::optional<port::Select> selection = {};
+  std::optional<Ack> acknowledgement = {};
+  std::optional<int> NID_MESSAGE = {};
 };
 
 /// One row: `[number]` in the editions named.

@@ -136,7 +136,36 @@ void add_conditions(std::string& page, const MissingList& absent) {
 
 }  // namespace
 
-void ModeWatch::compare(int number, Mode from, bool by_it, bool stays, const Moment& moment) {
+namespace {
+
+/// What a term reads from the inputs was refused: the driver's selection or acknowledgement was not enabled (4.7.2), or
+/// the RBC's message was refused (4.8). The event of an acknowledgement does not say which one it was: one that the
+/// unit does not count.
+bool is_refused(const Term& term, const Moment& moment, const port::Event& event) {
+  switch (event.what) {
+    case What::selection_not_enabled:
+      return term.selection && event.id == static_cast<std::int32_t>(*term.selection);
+    case What::acknowledgement_not_enabled:
+      return term.acknowledgement && !moment.facts.acknowledged.has(*term.acknowledgement);
+    case What::message_refused:
+      return term.NID_MESSAGE && event.id == *term.NID_MESSAGE;
+    default:
+      return false;
+  }
+}
+
+bool is_refused(const ConditionRow& row, const Moment& moment, const kernel::Outputs& out) {
+  return std::any_of(row.terms.begin(), row.terms.end(), [&](const Term& term) {
+    return std::any_of(out.events.begin(), out.events.end(),
+                       [&](const port::Event& event) { return is_refused(term, moment, event); });
+  });
+}
+
+}  // namespace
+
+/// `by`: the condition by which the mode was left, 0 if it stays.
+void ModeWatch::compare(int number, Mode from, int by, const Moment& moment, const kernel::Outputs& out) {
+  const bool by_it = number == by;
   const ConditionRow* row = condition_row(number, srs_);
   const std::string mode = std::string(name(from));
   if (row == nullptr) {
@@ -150,22 +179,10 @@ void ModeWatch::compare(int number, Mode from, bool by_it, bool stays, const Mom
     missing = i;
   }
   if (by_it && n != 0) wrong_.insert(mode + " is left by " + bracket(number) + " without " + row->terms[missing].text);
-  if (stays && n == 0) wrong_.insert(mode + " stays although " + bracket(number) + " holds");
+  if (by == 0 && n == 0 && !is_refused(*row, moment, out))
+    wrong_.insert(mode + " stays although " + bracket(number) + " holds");
   if (n == 1 && !by_it) only_missing_[static_cast<std::size_t>(number)].set(missing);
 }
-
-namespace {
-
-/// What the driver gave was not enabled (4.7.2), or the RBC's message was refused (4.8): a condition with it does not
-/// hold.
-bool is_refused(const kernel::Outputs& out) {
-  return std::any_of(out.events.begin(), out.events.end(), [](const port::Event& event) {
-    return event.what == What::selection_not_enabled || event.what == What::acknowledgement_not_enabled ||
-           event.what == What::message_refused;
-  });
-}
-
-}  // namespace
 
 void ModeWatch::watch(SrsVersion srs, Mode from, const Moment& moment, const kernel::Outputs& out) {
   srs_ = srs;
@@ -178,10 +195,9 @@ void ModeWatch::watch(SrsVersion srs, Mode from, const Moment& moment, const ker
     caused_[event.from][event.to].set(by);
     caused_by_.set(by);
   }
-  const bool stays = by == 0 && !is_refused(out);
   for (const auto& cell : modes::cells_leaving(from, srs))
     for (const int number : cell.when)
-      if (number != 0) compare(number, from, number == by, stays, moment);
+      if (number != 0) compare(number, from, by, moment, out);
 }
 
 bool ModeWatch::has(const std::string& from, const std::string& to) const {

@@ -28,7 +28,7 @@ class ModeWatch {
   /// [from][to]: the conditions that caused the transition.
   using Caused = std::array<std::array<modes::Conditions, evc::kModes>, evc::kModes>;
 
-  void compare(int number, Mode from, bool by_it, bool stays, const Moment& moment);
+  void compare(int number, Mode from, int by, const Moment& moment, const kernel::Outputs& out);
 
   SrsVersion srs_ = SrsVersion::v3_6_0;
   Caused caused_{};
