@@ -16,6 +16,9 @@ namespace {
 /// A train that is slower stands (the standard gives no figure), after a second at the latest.
 constexpr double kSlow = 0.05;
 constexpr Duration kSurely{1.0};
+/// A.3.1: for how long an alarm of the balise antenna is ignored in levels 0 and NTC, and how near to it the unit may
+/// see either.
+constexpr Distance kIgnored{300.0}, kUnclear{1.0};
 
 std::optional<bool> stands(const Cycle& c) {
   if (c.between_moving_and_standing()) return {};
@@ -45,6 +48,17 @@ std::optional<bool> alarm_inhibited(const Cycle& c) {
   if (!c.now.requests.empty()) return {};
   return c.now.enabled.has(DriverInput::bmm_revoke);
 }
+/// 3.15.7.2: from where the alarm began, in whatever level that was.
+std::optional<bool> alarm_is_short(const Cycle& c) {
+  if (level_1_2_3(c.now.level)) return false;
+  if (!c.run_with_alarm) return true;
+  if (*c.run_with_alarm > kIgnored - kUnclear && *c.run_with_alarm < kIgnored + kUnclear) return {};
+  return *c.run_with_alarm <= kIgnored;
+}
+/// 3.15.7.4 of 4.0.0.
+std::optional<bool> ignored_in_SB(const Cycle& c) {
+  return c.srs == SrsVersion::v4_0_0 && c.now.mode == Mode::SB && level_1_2_3(c.now.level);
+}
 std::optional<bool> distance_extended(const Cycle& c) { return !c.now.rv_left || *c.now.rv_left > Distance{}; }
 
 Condition condition_of(const std::string& name, const std::string& brake) {
@@ -60,6 +74,8 @@ Condition condition_of(const std::string& name, const std::string& brake) {
       {"distance extended", distance_extended},
       {"alarm over", [](const Cycle& c) { return std::optional(!c.in.train.antenna_alarm); }},
       {"alarm inhibited", alarm_inhibited},
+      {"less than 300 m in level 0 or NTC", alarm_is_short},
+      {"SB in level 1 or 2 of 4.0.0", ignored_in_SB},
       {"not ordered SB", [](const Cycle& c) { return std::optional(!c.in.national_system.service_brake); }},
       {"not ordered EB", [](const Cycle& c) { return std::optional(!c.in.national_system.emergency_brake); }},
   };
@@ -78,6 +94,13 @@ Mode mode_of_name(const std::string& abbreviation) {
   throw std::runtime_error("tests/reference/brake_causes.json: no mode " + abbreviation);
 }
 
+Marks read_marks(const nlohmann::json& columns, const std::string& text) {
+  Marks marks{};
+  std::istringstream cells(text);
+  for (const std::string column : columns) cells >> marks[terms::index(mode_of_name(column))];
+  return marks;
+}
+
 std::vector<Rule> read_rules() {
   std::ifstream in(evc::test::source_folder() + "/tests/reference/brake_causes.json");
   const auto file = nlohmann::json::parse(in);
@@ -93,8 +116,9 @@ std::vector<Rule> read_rules() {
       Way& way = rule.ways.emplace_back();
       for (const std::string name : conditions) way.push_back({name, condition_of(name, rule.brake)});
     }
-    std::istringstream marks(cause.value("on_entry", ""));
-    for (const std::string column : file["_meta"]["columns"]) marks >> rule.marks[terms::index(mode_of_name(column))];
+    rule.marks = read_marks(file["_meta"]["columns"], cause.value("on_entry", ""));
+    if (cause.contains("on_entry_4_0_0"))
+      rule.marks_4_0_0 = read_marks(file["_meta"]["columns"], cause["on_entry_4_0_0"].get<std::string>());
     if (cause.contains("grey_revoked")) {
       rule.grey_revoked.emplace();
       for (const std::string mode : cause["grey_revoked"]) rule.grey_revoked->add(mode_of_name(mode));
@@ -130,6 +154,7 @@ class Look {
       const bool late = before_.entering.has(cause);
       entered_ = late ? before_.mode : cycle_.now.mode;
       from_ = late ? before_.from : before_.mode;
+      level_ = late ? before_.level : cycle_.now.level;
       turned_ = late ? before_.turned : train_turned(cycle_.now);
       if (changed && !late && now.has(cause) && !rule_->grey_revoked)
         entering.add(cause);  // what asks for it sees the mode in the next cycle
@@ -147,12 +172,16 @@ class Look {
   void note(const std::string& what) {
     if (seen_ != nullptr) seen_->try_emplace(rule_->id + " " + what, place_);
   }
+  void note_entry(const std::string& what) {
+    if (seen_ != nullptr) seen_->try_emplace(rule_->entries_in(before_.srs) + " " + what + " " + entry(), place_);
+  }
   void fault(const std::string& what) { faults_.push_back("brake " + rule_->id + " " + what); }
   std::string entry() const { return std::string(name(entered_)) + (from_ == Mode::PT ? " from PT" : ""); }
   bool revokes() const {
-    const char mark = rule_->marks[terms::index(entered_)];
+    const char mark = rule_->marks_in(before_.srs)[terms::index(entered_)];
     if (mark == '-' && rule_->grey_revoked) return rule_->grey_revoked->has(entered_);
     if (mark == 'O') return turned_;
+    if (mark == 'L') return level_1_2_3(level_);
     return mark == 'R' || (mark == 'P' && from_ == Mode::PT);
   }
 
@@ -181,6 +210,7 @@ class Look {
           return false;
       return cycle_.in.train.desk_open;
     }
+    if (rule_->id == "balise_antenna") return true;  // it lasts as long as the alarm that is not ignored
     return way.front().name == "standstill" && way.size() == 1 && rule_->id != "overspeed_emergency";
   }
 
@@ -211,15 +241,15 @@ class Look {
   }
   void kept() {
     if (rule_->of_level && before_.level != *rule_->of_level) return;
-    note("kept " + entry());
+    note_entry("kept");
     if (revokes()) fault("is not revoked by the entry of " + entry());
   }
   void revoked() {
-    const char mark = rule_->marks[terms::index(entered_)];
+    const char mark = rule_->marks_in(before_.srs)[terms::index(entered_)];
     const bool outside = entered_ == Mode::IS || entered_ == Mode::SF || entered_ == Mode::SL || entered_ == Mode::PS;
     const bool undefined = entered_ == Mode::IS || (outside && mark == '-' && !rule_->grey_revoked);
     if (revokes() || mark == 'T' || undefined)
-      note("revoked " + entry());
+      note_entry("revoked");
     else
       released(" on the entry of " + entry() + " from " + name(from_));
   }
@@ -230,6 +260,7 @@ class Look {
   const std::string& place_;
   const Rule* rule_ = nullptr;  // looked at, and the mode entry that is judged
   Mode entered_ = Mode::NP, from_ = Mode::NP;
+  Level level_ = Level::L0;  // in which it was entered
   bool turned_ = false;
   std::vector<std::string> faults_;
 };
@@ -244,6 +275,14 @@ bool Rule::acknowledged_at_standstill() const {
 
 const std::string& Rule::clause_in(SrsVersion srs) const {
   return srs == SrsVersion::v4_0_0 && !clause_4_0_0.empty() ? clause_4_0_0 : clause;
+}
+
+const Marks& Rule::marks_in(SrsVersion srs) const {
+  return srs == SrsVersion::v4_0_0 && marks_4_0_0 ? *marks_4_0_0 : marks;
+}
+
+std::string Rule::entries_in(SrsVersion srs) const {
+  return srs == SrsVersion::v4_0_0 && marks_4_0_0 ? id + " of 4.0.0" : id;
 }
 
 const std::vector<Rule>& rules() {
@@ -262,12 +301,18 @@ std::vector<std::string> look(Memory& memory, const port::Inputs& in, const port
   const bool slow = std::abs(in.odometry.V_est.si) < kSlow;
   if (!slow) memory.standing_since.reset();
   if (slow && !memory.standing_since) memory.standing_since = in.now;
+  const OdometerReading here{in.odometry.nominal, in.odometry.min, in.odometry.max};
+  if (!in.train.antenna_alarm) memory.alarm_since.reset();
+  if (in.train.antenna_alarm && !memory.alarm_since) memory.alarm_since = here;
   std::vector<std::string> faults;
   Set<Cause> entering;
   if (!memory.commanded.empty() || !now.brake_reasons.empty()) {
     Cycle cycle{in, now, memory.level, {}, emergency_until_standstill && now.mode != Mode::RV};
     cycle.shown_speed_held =
         memory.srs == SrsVersion::v4_0_0 && now.monitoring == Monitoring::TSM && now.V_P && memory.V_P == now.V_P;
+    cycle.srs = memory.srs;
+    if (const auto& then = memory.alarm_since)
+      cycle.run_with_alarm = std::max(here.max - then->max, then->min - here.min);
     if (slow) cycle.standing = in.now - *memory.standing_since + Duration{0.001};
     Look one(memory, cycle, seen, place);
     faults = one.all();

@@ -107,6 +107,51 @@ TEST(BrakeRules, A_mode_entry_does_what_4_12_says) {
   EXPECT_EQ(unit.cycle(Mode::SH, {Cause::text_service}).size(), 1u);
 }
 
+/// The faults of a unit of `srs` whose alarm of the balise antenna brakes in SH of `level` after `run` metres, and that
+/// commands `after` once it is in mode `to`.
+std::size_t faults_of_alarm(SrsVersion srs, Level level, Mode to, Set<Cause> after, double run = 0.0) {
+  Unit unit;
+  unit.memory.srs = srs;
+  unit.out.level = level;
+  (void)unit.cycle(Mode::SH, {});
+  unit.in.train.antenna_alarm = true;
+  (void)unit.cycle(Mode::SH, {});
+  unit.in.odometry.max = unit.in.odometry.max + Distance{run};
+  (void)unit.cycle(Mode::SH, {Cause::balise_antenna});
+  const std::size_t at_once = unit.cycle(to, after).size();
+  return at_once + unit.cycle(to, after).size();
+}
+
+TEST(BrakeRules, An_alarm_that_lasts_brakes_in_the_mode_that_is_entered_if_the_edition_says_so) {
+  using enum SrsVersion;
+  const Set<Cause> alarm{Cause::balise_antenna};
+  for (const Mode ignored : {Mode::NP, Mode::SL, Mode::NL, Mode::RV})
+    for (const SrsVersion srs : {v3_6_0, v4_0_0}) {
+      EXPECT_EQ(faults_of_alarm(srs, Level::L1, ignored, {}), 0u);
+      EXPECT_GT(faults_of_alarm(srs, Level::L1, ignored, alarm), 0u);
+    }
+  for (const Mode edition : {Mode::SB, Mode::PS}) {
+    EXPECT_EQ(faults_of_alarm(v3_6_0, Level::L1, edition, alarm), 0u);
+    EXPECT_GT(faults_of_alarm(v3_6_0, Level::L1, edition, {}), 0u);
+    EXPECT_EQ(faults_of_alarm(v4_0_0, Level::L1, edition, {}), 0u);
+    EXPECT_GT(faults_of_alarm(v4_0_0, Level::L1, edition, alarm), 0u);
+  }
+  EXPECT_EQ(faults_of_alarm(v4_0_0, Level::L0, Mode::SB, alarm, 310.0), 0u);  // 3.15.7.4: of levels 1 and 2
+  EXPECT_GT(faults_of_alarm(v4_0_0, Level::L0, Mode::SB, {}, 310.0), 0u);
+  EXPECT_EQ(faults_of_alarm(v3_6_0, Level::L1, Mode::FS, alarm), 0u);
+  EXPECT_GT(faults_of_alarm(v3_6_0, Level::L1, Mode::FS, {}), 0u);
+}
+
+TEST(BrakeRules, An_alarm_is_ignored_for_300_m_in_level_0) {  // 3.15.7.2
+  const auto faults = [](double run, Set<Cause> after) {
+    return faults_of_alarm(SrsVersion::v3_6_0, Level::L0, Mode::SH, after, run);
+  };
+  EXPECT_EQ(faults(290.0, {}), 0u);
+  EXPECT_GT(faults(290.0, {Cause::balise_antenna}), 0u);
+  EXPECT_EQ(faults(310.0, {Cause::balise_antenna}), 0u);
+  EXPECT_GT(faults(310.0, {}), 0u);
+}
+
 TEST(BrakeRules, The_release_is_asked_of_a_train_that_stands) {
   Unit unit = in_FS_with(Cause::roll_away);
   unit.out.requests.add(Ack::brake);

@@ -13,21 +13,33 @@ brake_rules::Seen& seen() {
   return all;
 }
 
+/// The marks of a cause for mode entries, of one issue where they are of one.
+struct Entries {
+  std::string name;
+  brake_rules::Marks marks{};
+};
+std::vector<Entries> entries_of(const Rule& rule) {
+  std::vector<Entries> all{{rule.entries_in(SrsVersion::v3_6_0), rule.marks}};
+  if (rule.marks_4_0_0) all.push_back({rule.entries_in(SrsVersion::v4_0_0), *rule.marks_4_0_0});
+  return all;
+}
+
 /// What has to be seen of one cell of 4.12; nothing of a grey one. What is evaluated again has to be commanded when the
 /// mode is entered.
-std::vector<std::string> keys_of(const Rule& rule, std::size_t mode) {
+std::vector<std::string> keys_of(const Entries& row, std::size_t mode) {
   const std::string entered = name(static_cast<Mode>(mode));
-  switch (rule.marks[mode]) {
+  switch (row.marks[mode]) {
     case 'R':
-      return {rule.id + " revoked " + entered};
+      return {row.name + " revoked " + entered};
     case 'M':
-      return {rule.id + " kept " + entered};
+      return {row.name + " kept " + entered};
     case 'P':
-      return {rule.id + " kept " + entered, rule.id + " revoked " + entered + " from PT"};
+      return {row.name + " kept " + entered, row.name + " revoked " + entered + " from PT"};
     case 'O':
-      return {rule.id + " kept " + entered, rule.id + " revoked " + entered};
+    case 'L':
+      return {row.name + " kept " + entered, row.name + " revoked " + entered};
     case 'T':
-      return {rule.id + " evaluated " + entered};
+      return {row.name + " evaluated " + entered};
     default:
       return {};
   }
@@ -78,8 +90,9 @@ std::vector<std::string> unseen_of_brakes() {
       for (const auto& c : way) want(rule.id + " " + without(way, c));
       want(rule.id + " by " + name_of(way));
     }
-    for (std::size_t m = 0; m < evc::kModes; ++m)
-      for (const std::string& key : keys_of(rule, m)) want(key);
+    for (const Entries& row : entries_of(rule))
+      for (std::size_t m = 0; m < evc::kModes; ++m)
+        for (const std::string& key : keys_of(row, m)) want(key);
   }
   return keys;
 }
@@ -111,6 +124,16 @@ void add_rules(std::string& page) {
   }
 }
 
+std::string cell_of(const Entries& row, std::size_t mode, const MissingList& absent) {
+  std::string cell;
+  for (const std::string& key : keys_of(row, mode)) {
+    const char what = key[row.name.size() + 1];
+    const char* letter = what == 'k' ? "m" : what == 'r' ? "r" : "t";
+    cell += is_shown(key) ? letter : absent.contains(key) ? "?" : "missing";
+  }
+  return cell;
+}
+
 void add_entries(std::string& page, const MissingList& absent) {
   page += "| cause |";
   for (std::size_t m = 0; m < evc::kModes; ++m) page += " " + std::string(name(static_cast<Mode>(m))) + " |";
@@ -118,18 +141,12 @@ void add_entries(std::string& page, const MissingList& absent) {
   for (std::size_t m = 0; m < evc::kModes; ++m) page += "---|";
   page += "\n";
   for (const Rule& rule : brake_rules::rules()) {
-    if (rule.marks[0] == 0) continue;
-    page += "| `" + rule.id + "` |";
-    for (std::size_t m = 0; m < evc::kModes; ++m) {
-      std::string cell;
-      for (const std::string& key : keys_of(rule, m)) {
-        const std::string what = key.substr(rule.id.size() + 1);
-        const char* letter = what[0] == 'k' ? "m" : what[0] == 'r' ? "r" : "t";
-        cell += is_shown(key) ? letter : absent.contains(key) ? "?" : "missing";
-      }
-      page += " " + cell + " |";
+    for (const Entries& row : entries_of(rule)) {
+      if (row.marks[0] == 0) continue;
+      page += "| `" + rule.id + "`" + row.name.substr(rule.id.size()) + " |";
+      for (std::size_t m = 0; m < evc::kModes; ++m) page += " " + cell_of(row, m, absent) + " |";
+      page += "\n";
     }
-    page += "\n";
   }
 }
 
@@ -163,10 +180,12 @@ std::string brakes_page() {
   add_rules(page);
   page +=
       "\n## Mode entries\n"
-      "4.12 of 4.0.0, which the unit applies in every edition (of a national system: SUBSET-035 5.3.1.1): `r` seen "
-      "revoked, `m` seen\n"
-      "maintained (both: `r` from PT), `t` seen evaluated again, `?` not seen, see below; empty: not relevant or not "
-      "defined by the table.\n\n";
+      "4.12 of 4.0.0, which the unit applies in every edition (of a national system: SUBSET-035 5.3.1.1; of the balise "
+      "antenna, which\n"
+      "4.12 does not have: 3.15.7 and 4.4 of each edition): `r` seen revoked, `m` seen maintained (both: `r` from PT; "
+      "in "
+      "SB: in levels 1\n"
+      "and 2), `t` seen evaluated again, `?` not seen, see below; empty: not relevant or not defined by the table.\n\n";
   add_entries(page, absent);
   page += "\n## Not seen\n| what | why |\n|---|---|\n";
   for (const auto& [key, why] : absent) page += "| " + key + " | " + why + " |\n";
