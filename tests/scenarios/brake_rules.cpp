@@ -151,7 +151,8 @@ class Look {
         entering.add(cause, changed && now.has(cause) && !rule_->grey_revoked);
         continue;
       }
-      const bool late = before_.entering.has(cause);
+      // A command that ends when another mode is entered at once is ended by that entry.
+      const bool late = before_.entering.has(cause) && !(changed && !now.has(cause));
       entered_ = late ? before_.mode : cycle_.now.mode;
       from_ = late ? before_.from : before_.mode;
       level_ = late ? before_.level : cycle_.now.level;

@@ -142,6 +142,16 @@ TEST(BrakeRules, An_alarm_that_lasts_brakes_in_the_mode_that_is_entered_if_the_e
   EXPECT_GT(faults_of_alarm(v3_6_0, Level::L1, Mode::FS, {}), 0u);
 }
 
+TEST(BrakeRules, A_mode_that_is_left_at_once_does_not_end_the_brake_of_an_alarm) {
+  Unit unit;
+  unit.out.level = Level::L1;
+  (void)unit.cycle(Mode::RV, {});
+  unit.in.train.antenna_alarm = true;
+  (void)unit.cycle(Mode::RV, {}, 0.0);
+  EXPECT_TRUE(unit.cycle(Mode::SB, {Cause::balise_antenna}, 0.0).empty());
+  EXPECT_TRUE(unit.cycle(Mode::SL, {}, 0.0).empty());
+}
+
 TEST(BrakeRules, An_alarm_is_ignored_for_300_m_in_level_0) {  // 3.15.7.2
   const auto faults = [](double run, Set<Cause> after) {
     return faults_of_alarm(SrsVersion::v3_6_0, Level::L0, Mode::SH, after, run);
