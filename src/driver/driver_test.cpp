@@ -95,8 +95,8 @@ TEST(Driver, Inputs_are_4_7_2) {
 }
 
 TEST(Driver, Outputs_are_4_7_2) {
-  expect_rows(srs_4_7_2_outputs, rows_of_3_4_0("outputs"), SrsVersion::v3_4_0, kModesOf3, 16);
-  expect_rows(srs_4_7_2_outputs, rows_of_3_6_0("outputs"), SrsVersion::v3_6_0, kModesOf3, 6);
+  expect_rows(srs_4_7_2_outputs, rows_of_3_4_0("outputs"), SrsVersion::v3_4_0, kModesOf3, 17);
+  expect_rows(srs_4_7_2_outputs, rows_of_3_6_0("outputs"), SrsVersion::v3_6_0, kModesOf3, 7);
   expect_rows(srs_4_7_2_outputs, rows_of_4_0_0("outputs"), SrsVersion::v4_0_0, kModes, 0);
 }
 

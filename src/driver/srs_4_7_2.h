@@ -205,6 +205,7 @@ inline constexpr auto srs_4_7_2_outputs = [] {
     {sm_no_answer,                "-  A  -  -  A  A  A  A  -  -  -  -  A  NA NA -  - A A"},
     {entry_sm,                    "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - A -"},
     {authorised_direction,        "-  -  -  -  -  -  -  -  -  -  -  -  -  NA NA -  - X -"},
+    {bmm_inhibition,              "-  A  -  A  -  -  A  -  -  -  -  -  -  NA NA -  - - -"},
   });
 }();
 // clang-format on

@@ -135,7 +135,7 @@ class Shower {
       to_.sm = s_.manoeuvre.opposite ? port::SmDirection::backward : port::SmDirection::forward;
     to_.override_active = out_.shown.has(override_status);
     to_.reversing_permitted = out_.shown.has(reversing_allowed);
-    to_.bmm_inhibited = s_.srs == SrsVersion::v4_0_0 && s_.antenna_alarm.inhibited.has_value();
+    to_.bmm_inhibited = out_.shown.has(bmm_inhibition);
     to_.brake = out_.shown.has(brake_indication);
     Set<Cause> others = out_.brake_reasons;
     others.remove(kMissingAcknowledgement);

@@ -346,10 +346,9 @@ TEST_F(Show, BackwardsTheSpeedIsAnAmount) {
   EXPECT_EQ(shown().v, kmh(20.0));
 }
 
-TEST_F(Show, AnInhibitedAlarmIsShownIn400) {
-  state.antenna_alarm.inhibited.emplace();
+TEST_F(Show, AnInhibitedAlarmIsShown) {
   EXPECT_FALSE(shown().bmm_inhibited);
-  state.srs = SrsVersion::v4_0_0;
+  outputs->shown.add(DriverOutput::bmm_inhibition);
   EXPECT_TRUE(shown().bmm_inhibited);
 }
 

@@ -88,6 +88,7 @@ Set<DriverOutput> held(const kernel::State& s, const kernel::Outputs& o) {
   held.add(DriverOutput::trip_reason, s.status_texts.trip_reason.has_value());
   held.add(brake_indication, o.sb || o.eb);
   held.add(override_status, s.override_.active);
+  held.add(bmm_inhibition, s.antenna_alarm.inhibited.has_value());
   held.add(radio_link_status, kernel::indicated_session(s).indication != RadioIndication::none);
   for (std::size_t i = 0; i < driver::srs_status_texts.size(); ++i) {
     const driver::StatusRow& row = driver::srs_status_texts[i];

@@ -64,6 +64,7 @@ enum class DriverOutput : std::uint8_t {
   sm_no_answer,
   entry_sm,
   authorised_direction,
+  bmm_inhibition,
   count
 };
 
@@ -126,6 +127,7 @@ inline constexpr auto kDriverOutputRows = std::to_array<terms::Row<DriverOutput>
     {DriverOutput::sm_no_answer, "sm_no_answer"},
     {DriverOutput::entry_sm, "entry_sm"},
     {DriverOutput::authorised_direction, "authorised_direction"},
+    {DriverOutput::bmm_inhibition, "bmm_inhibition"},
 });
 static_assert(terms::in_order(kDriverOutputRows) && kDriverOutputRows.size() == terms::index(DriverOutput::count));
 

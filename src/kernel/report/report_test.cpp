@@ -148,6 +148,21 @@ TEST_F(Report, ShowsTheSymbolsOfWhatHolds) {  // 4.7.2, 015560
   only_when(Symbol::DR02, [&] { state.track_ahead_free.asking = true; });
 }
 
+TEST_F(Report, ShowsThatTheAntennaAlarmIsInhibited) {  // 5.22.4.1 of 4.0.0
+  const auto shows_inhibition = [&](Mode mode, SrsVersion srs) {
+    state.mode = mode;
+    state.srs = srs;
+    return report_now().shown.has(DriverOutput::bmm_inhibition);
+  };
+  EXPECT_FALSE(shows_inhibition(Mode::SR, SrsVersion::v4_0_0));
+  state.antenna_alarm.inhibited.emplace();
+  for (const Mode mode : {Mode::SB, Mode::SH, Mode::SR}) {
+    EXPECT_TRUE(shows_inhibition(mode, SrsVersion::v4_0_0));
+    EXPECT_FALSE(shows_inhibition(mode, SrsVersion::v3_6_0));
+  }
+  EXPECT_FALSE(shows_inhibition(Mode::FS, SrsVersion::v4_0_0));
+}
+
 TEST_F(Report, ShowsSlipperyRailOfTheTrackside) {  // 3.13.5.3
   state.train.L_TRAIN = {200.0};
   ASSERT_TRUE(state.track.adhesion.push_back({at(1000.0), at(1100.0), true}));

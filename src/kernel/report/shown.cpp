@@ -74,7 +74,8 @@ void show_by_mode(const State& s, bool desk_open, const Supervised& supervised, 
   add_texts(s, out, given);
   add_symbols(out, given);
   given.add(DriverOutput::set_speed, s.set_speed.has_value());
-  given.add(authorised_direction, s.manoeuvre.active);  // 4.4.21.1.9
+  given.add(authorised_direction, s.manoeuvre.active);                                              // 4.4.21.1.9
+  given.add(bmm_inhibition, s.srs == SrsVersion::v4_0_0 && s.antenna_alarm.inhibited.has_value());  // 5.22.4.1
   out.shown = driver::shown(given, s.mode, s.srs, desk_open, s.toggled_on);
   if (out.shown.has(DriverOutput::set_speed)) out.set_speed = s.set_speed;
 }
