@@ -139,6 +139,8 @@ bool only_of_supervising_rbc(Information information, SrsVersion srs) {
     case Information::lssma_toggle_on:
     case Information::lssma_toggle_off:
       return srs != SrsVersion::v3_4_0;
+    case Information::rbc_transition_order:
+      return srs == SrsVersion::v4_0_0;
     default:
       return false;
   }

@@ -234,6 +234,10 @@ TEST(Accept, The_accepting_RBC_is_heard_at_the_border) {
   expect(accept(Information::session_management, c), Verdict::accepted, {});
   expect(accept(Information::emergency_stop_revocation, c), Verdict::rejected, "4.8.2.1"_srs);
   expect(accept(Information::ma_shortening_request, c), Verdict::rejected, "4.8.2.1"_srs);
+  expect(accept(Information::rbc_transition_order, c), Verdict::buffered, "4.8.2.1"_srs);
+  c.srs = SrsVersion::v4_0_0;
+  expect(accept(Information::rbc_transition_order, c), Verdict::rejected, "4.8.2.1"_srs);
+  c.srs = SrsVersion::v3_6_0;
   c.mode = Mode::LS;
   expect(accept(Information::lssma_toggle_off, c), Verdict::rejected, "4.8.2.1"_srs);
   c.srs = SrsVersion::v3_4_0;

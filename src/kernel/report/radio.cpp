@@ -98,6 +98,10 @@ void send_wishes(State& s, const Decided& decided, bool desk_open, radio::Outbox
 }
 
 position::IntegrityEvents supervise_integrity(State& s, const Received& received) {
+  if (s.mode == Mode::NL && s.srs == SrsVersion::v4_0_0) {  // 4.4.15.1.3: nothing is reported, whatever is known
+    s.integrity = {};
+    return {};
+  }
   position::IntegrityFacts facts;
   facts.device = received.integrity;
   facts.driver_confirms = received.selected.has(Select::integrity_confirmed);
