@@ -22,7 +22,7 @@ static_assert(
 constexpr Clause k483 = "4.8.3"_srs;
 constexpr Clause k484 = "4.8.4"_srs;
 constexpr std::size_t kNotes483 = 18;  // one more than the number of the last exception
-constexpr std::size_t kNotes484 = 12;
+constexpr std::size_t kNotes484 = 13;
 
 constexpr Acceptance kAccepted{Verdict::accepted, {}};
 
@@ -104,6 +104,8 @@ bool mode_exception_rejects(std::size_t n, const AcceptanceContext& c) {
       return !c.front_in_ls_area_of_message || c.front_in_OS_ack_area;
     case 11:
       return !c.train_running_number;
+    case 12:
+      return c.orders_establishment;
     default:
       return false;
   }

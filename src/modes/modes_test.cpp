@@ -207,6 +207,11 @@ TEST(Accept, Every_exception_of_4_8_4_decides) {
   expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [9]"_srs);
   c.front_in_ls_area_of_message = true;
   expect(accept(Information::lssma_toggle_on, c), Verdict::accepted, {});
+  c = prepared(Mode::SM, Level::L2, Medium::balise);
+  c.srs = SrsVersion::v4_0_0;
+  expect(accept(Information::session_management, c), Verdict::accepted, {});
+  c.orders_establishment = true;
+  expect(accept(Information::session_management, c), Verdict::rejected, "4.8.4 [12]"_srs);
   c = prepared(Mode::OS, Level::L1, Medium::balise);
   c.srs = SrsVersion::v4_0_0;
   expect(accept(Information::lssma_toggle_on, c), Verdict::rejected, "4.8.4 [10]"_srs);
