@@ -31,6 +31,12 @@ bool shunting_possible(const ActionContext& c) {
   return c.driver_id_valid && (c.mode != Mode::SB || c.offers.has(Offer::shunting));
 }
 
+/// In SB and PT in the steps that offer shunting as well (5.4.3.2 S10, 5.4.5.3 k, 5.11.2.2 S140).
+bool manoeuvre_possible(const ActionContext& c) {
+  const bool by_step = c.mode == Mode::SB || c.mode == Mode::PT;
+  return c.standstill && c.manoeuvre_possible && (!by_step || c.offers.has(Offer::shunting));
+}
+
 bool override_possible(const ActionContext& c) {
   if (!c.slow_enough_for_override) return false;
   switch (c.mode) {
@@ -155,7 +161,7 @@ Set<Input> choices(const ActionContext& c) {
   out.add(Input::track_ahead_free, c.track_ahead_free_asked);
   out.add(Input::ato_engage, c.automatic_driving_asked);
   out.add(Input::ato_disengage);
-  out.add(Input::sm, c.standstill && c.manoeuvre_possible);
+  out.add(Input::sm, manoeuvre_possible(c));
   out.add(Input::exit_sm, c.standstill);
   // 5.4.5.3 l, 5.22.2.1
   out.add(Input::bmm_inhibit,

@@ -208,6 +208,17 @@ TEST(Driver, Override_in_standby_needs_level_2_or_3) {  // 5.8.2.1 b
   }
 }
 
+TEST(Driver, A_manoeuvre_is_offered_with_shunting_in_standby_and_post_trip) {  // 5.4.3.2 S10, 5.11.2.2 S140
+  for (const Mode mode : {Mode::SB, Mode::PT, Mode::FS}) {
+    ActionContext c = everything(mode, Level::L2);
+    c.srs = SrsVersion::v4_0_0;
+    c.manoeuvre_possible = true;
+    EXPECT_TRUE(enabled(c).has(Input::sm)) << name(mode);
+    c.offers = {};
+    EXPECT_EQ(enabled(c).has(Input::sm), mode == Mode::FS) << name(mode);
+  }
+}
+
 TEST(Driver, Start_of_mission_opens_the_choices_of_standby) {
   ActionContext c = everything(Mode::SB, Level::L1);
   c.offers = {};
