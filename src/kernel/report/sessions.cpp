@@ -59,8 +59,9 @@ void open_for_fault(State& s, const Received& received, radio::Outbox& outbox) {
     establish(s, radio::Cause::mode_report, outbox);
 }
 
-/// 3.5.3.4 d, h, 5.10.3.15.2: outside start of mission, with a valid contact at once, else when the driver has entered
-/// one. He is asked in the modes in which he may enter it (4.7.2): after a change of level that led to TR, in PT.
+/// 3.5.3.4 d, h, 5.10.3.15.2: outside start of mission, with a valid contact and a registered terminal at once, else
+/// when the driver has chosen one. He is asked as in S3 (5.4.3.2), once a terminal is registered, and in the modes in
+/// which he may enter it (4.7.2): after a change of level that led to TR, in PT.
 void open_for_driver(State& s, const Received& received, procedures::Effects& effects, radio::Outbox& outbox) {
   if (s.mode == Mode::SB || !level_2_or_3(s.level.level)) {
     s.asks_for_contact = false;
@@ -70,12 +71,15 @@ void open_for_driver(State& s, const Received& received, procedures::Effects& ef
   if (changed_level) s.asks_for_contact = !s.radio.supervising.session.established();
   const bool entered = received.entered.has(Entered::rbc_contact);
   const bool chosen = entered || received.selected.has(Select::short_number);
-  if (chosen || (s.asks_for_contact && valid(s.contact_status))) {
-    s.asks_for_contact = false;
-    call(s, received, radio::Cause::driver_level, outbox);
-  }
-  effects.entries.add(Entry::rbc_contact,
-                      s.asks_for_contact && driver::allowed(driver::Input::rbc_contact, s.mode, s.srs));
+  const bool at_once = changed_level && s.asks_for_contact && valid(s.contact_status) && callable(s.network);
+  const bool calls = chosen || at_once;
+  if (calls) call(s, received, radio::Cause::driver_level, outbox);
+  // He is asked until he has chosen, or the trackside has ordered a session.
+  const radio::Phase phase = s.radio.supervising.session.phase;
+  const bool ordered = phase != radio::Phase::idle && phase != radio::Phase::terminating;
+  if (calls || ordered) s.asks_for_contact = false;
+  const bool may_answer = callable(s.network) && driver::allowed(driver::Input::rbc_contact, s.mode, s.srs);
+  effects.entries.add(Entry::rbc_contact, s.asks_for_contact && may_answer);
 }
 
 }  // namespace

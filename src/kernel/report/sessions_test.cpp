@@ -190,6 +190,29 @@ TEST_F(OwnSessions, WithoutAValidContactTheDriverIsAsked) {
   EXPECT_FALSE(effects.entries.has(Entry::rbc_contact));
 }
 
+TEST_F(OwnSessions, WithoutARegisteredTerminalTheDriverChoosesWhenThereIsOne) {
+  state.network.registered = false;
+  received.level_switched_to = Level::L2;
+  received.level_changed_by_driver = true;
+  EXPECT_FALSE(calls());
+  EXPECT_FALSE(effects.entries.has(Entry::rbc_contact));
+  received = {};
+  state.network.registered = true;
+  EXPECT_FALSE(calls()) << "at once only with the change of level (5.10.3.15.2 a)";
+  EXPECT_TRUE(effects.entries.has(Entry::rbc_contact));
+  received.entered.add(Entered::rbc_contact);
+  EXPECT_TRUE(calls());
+  EXPECT_FALSE(state.asks_for_contact);
+}
+
+TEST_F(OwnSessions, AnOrderOfTheTracksideEndsTheQuestion) {
+  state.asks_for_contact = true;
+  session().phase = radio::Phase::connecting;
+  run();
+  EXPECT_FALSE(state.asks_for_contact);
+  EXPECT_FALSE(effects.entries.has(Entry::rbc_contact));
+}
+
 TEST_F(OwnSessions, ADriverWithASessionIsNotAsked) {
   state.contact_status = DataStatus::unknown;
   received.level_switched_to = Level::L2;
