@@ -23,23 +23,37 @@ bool ignored_by_mode(const AntennaSituation& s) {
   }
 }
 
+bool over(const track::BigMetalMass& mass, Place min_safe_antenna, Place max_safe_antenna) {
+  return max_safe_antenna >= mass.from && min_safe_antenna <= mass.to;
+}
+
+/// 5.22.5.2.1: an area has begun on the way `run` since the inhibition began, which may have been over another one.
+bool metal_begins(const track::Description& d, const AntennaSituation& s, Distance run) {
+  for (const track::BigMetalMass& mass : d.big_metal) {
+    const bool there = over(mass, s.min_safe_antenna, s.max_safe_antenna);
+    if (there && s.max_safe_antenna - mass.from <= run) return true;
+  }
+  return false;
+}
+
 /// 5.22.5.1, 5.22.5.2.1: whether the inhibition is over.
-bool inhibition_ends(const OdometerReading& from, const AntennaSituation& s, bool in_metal) {
+bool inhibition_ends(const OdometerReading& from, const AntennaSituation& s, const track::Description& d) {
   const bool of_mode = s.mode == Mode::SB || s.mode == Mode::SH || s.mode == Mode::SR;
-  return !of_mode || in_metal || run_since(from, s.counter) > D_METAL;
+  const Distance run = run_since(from, s.counter);
+  return !of_mode || run > D_METAL || metal_begins(d, s, run);
 }
 
 }  // namespace
 
 bool over_metal(const track::Description& d, Place min_safe_antenna, Place max_safe_antenna) {
   for (const track::BigMetalMass& mass : d.big_metal)
-    if (max_safe_antenna >= mass.from && min_safe_antenna <= mass.to) return true;
+    if (over(mass, min_safe_antenna, max_safe_antenna)) return true;
   return false;
 }
 
 bool asks_for_brake(AntennaAlarm& state, const AntennaSituation& s, const track::Description& d) {
   const bool in_metal = over_metal(d, s.min_safe_antenna, s.max_safe_antenna);
-  if (state.inhibited && inhibition_ends(*state.inhibited, s, in_metal)) state.inhibited.reset();
+  if (state.inhibited && inhibition_ends(*state.inhibited, s, d)) state.inhibited.reset();
   const bool reacted = state.reacts;
   state.reacts = false;
   if (!s.alarm) {

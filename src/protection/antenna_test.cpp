@@ -95,6 +95,7 @@ TEST(Antenna, Its_inhibition_ends_a_reaction_that_goes_on) {
   EXPECT_TRUE(a.brakes());
   a.state.inhibited = a.s.counter;
   EXPECT_FALSE(a.brakes());
+  a.run_to(115.0);
   a.s.min_safe_antenna = Place{110.0};
   a.s.max_safe_antenna = Place{120.0};
   EXPECT_FALSE(a.brakes());
@@ -102,6 +103,24 @@ TEST(Antenna, Its_inhibition_ends_a_reaction_that_goes_on) {
   a.s.min_safe_antenna = Place{160.0};
   a.s.max_safe_antenna = Place{170.0};
   EXPECT_TRUE(a.brakes());
+}
+
+TEST(Antenna, Its_inhibition_goes_on_over_the_metal_that_it_begins_in) {  // 5.22.5.2.1 is for an area ahead
+  Antenna a(Level::L1);
+  a.s.srs = SrsVersion::v4_0_0;
+  ASSERT_TRUE(a.track->big_metal.push_back({Place{100.0}, Place{150.0}}));
+  a.s.min_safe_antenna = Place{110.0};
+  a.s.max_safe_antenna = Place{120.0};
+  a.state.inhibited = a.s.counter;
+  for (const double way : {0.0, 20.0, 60.0, 290.0}) {
+    a.run_to(way);
+    a.s.min_safe_antenna = Place{110.0 + way};
+    a.s.max_safe_antenna = Place{120.0 + way};
+    EXPECT_FALSE(a.brakes()) << way;
+    EXPECT_TRUE(a.state.inhibited.has_value()) << way;
+  }
+  a.run_to(301.0);
+  EXPECT_TRUE(a.brakes()) << "5.22.5.1 a";
 }
 
 TEST(Antenna, It_is_ignored_in_reversing_and_where_the_unit_does_not_work) {
