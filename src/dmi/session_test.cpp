@@ -620,6 +620,30 @@ TEST_F(Session, ToggleIsOffAtEveryEntry) {
   EXPECT_FALSE(state.toggles.speed);
 }
 
+// 5.18.8.2: of a tunnel stopping area of the outputs the driver sees a place to touch, until he asks for it.
+TEST_F(Session, ATunnelStoppingAreaIsShownOnRequest) {
+  display.mode = Mode::FS;
+  display.tunnel = port::TunnelStoppingArea{false, Distance{500.0}};
+  at(0);
+  EXPECT_TRUE(shows(Picture::DR05));
+  EXPECT_FALSE(shows(Picture::TC37));
+  double when = now;
+  EXPECT_TRUE(test::tap(state, "C2+C3+C4", when));
+  EXPECT_FALSE(shows(Picture::DR05));
+  EXPECT_TRUE(shows(Picture::TC37));
+  display.tunnel->inside = true;
+  at(10);
+  EXPECT_TRUE(shows(Picture::TC36));
+  when = now;
+  EXPECT_TRUE(test::tap(state, "C2+C3+C4", when));
+  EXPECT_TRUE(shows(Picture::DR05));
+  EXPECT_FALSE(shows(Picture::TC36));
+  EXPECT_FALSE(take(state).actions.has(port::Select::toggle));  // that of speeds
+  display.tunnel.reset();
+  at(20);
+  EXPECT_FALSE(shows(Picture::DR05));
+}
+
 // The on-board has a toggle of its own (4.7.2): both stay in step, however often the driver touches in a cycle.
 TEST_F(Session, TheOnBoardTogglesAsTheDisplayDoes) {
   display.mode = Mode::SR;

@@ -354,6 +354,34 @@ TEST_F(TrainData, GoToTheOnBoardAfterValidation) {
   EXPECT_EQ(data.L_TRAIN, Distance{400.0});
 }
 
+// SUBSET-026-3 3.18.3.2.2: traction systems and axles are never entered by the driver; they stay those of the train, as
+// all that is no field of the window.
+TEST_F(TrainData, LeaveWhatTheDriverNeverEnters) {
+  train::TrainData before;
+  ASSERT_TRUE(before.traction_systems.push_back({3, 77}));
+  before.axles = 64;
+  before.M_rotating_nom = 6.5;
+  display.data.stored.train_status = DataStatus::valid;
+  cycle(0.1);
+  enter_all();
+  ASSERT_TRUE(tap("Yes") && tap("field 1"));
+  const auto commands = take(state);
+  ASSERT_TRUE(commands.train_data);
+  const train::TrainData after = with_entered(before, *commands.train_data);
+  EXPECT_FALSE(after == before);
+  train::TrainData rest = after;  // with the fields of the window as they were
+  rest.L_TRAIN = before.L_TRAIN;
+  rest.V_MAXTRAIN = before.V_MAXTRAIN;
+  rest.brake_percentage = before.brake_percentage;
+  rest.cant_deficiency_mm = before.cant_deficiency_mm;
+  rest.other_categories = before.other_categories;
+  rest.brake_position = before.brake_position;
+  rest.axle_load = before.axle_load;
+  rest.loading_gauge = before.loading_gauge;
+  rest.airtight = before.airtight;
+  EXPECT_TRUE(rest == before);
+}
+
 // SUBSET-026-3 3.18.3.2: with brake model gamma the train has no brake percentage that anybody could enter.
 TEST_F(TrainData, HaveABrakePercentageWithTheConversionModelAlone) {
   display.config.asks_brake_percentage = false;

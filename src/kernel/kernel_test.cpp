@@ -654,9 +654,9 @@ TEST_F(Unit, takes_no_SR_speed_that_is_none) {
     EXPECT_NEAR(out.V_P->si * 3.6, 40.0, 1e-9);
     events.clear();
   }
-  in.driver.V_sr = Speed{5.0};
+  in.driver.V_sr = Speed{25.0 / 3.6};
   cycle();
-  EXPECT_NEAR(out.V_P->si, 5.0, 1e-9);
+  EXPECT_NEAR(out.V_P->si * 3.6, 25.0, 1e-9);
 }
 
 /// Group 102 gives the train an on sight area 300 m on in its own authority, and behind packet 136 one 800 m beyond
@@ -767,7 +767,7 @@ TEST_F(Unit, the_default_gradient_counts_for_a_restriction_on_unknown_track) {
     front = doubt = speed = t = 0.0;
     events.clear();
     start_of_mission(Level::L1, 0, Ack::SR);
-    in.driver.V_sr = Speed{30.0};
+    in.driver.V_sr = Speed{110.0 / 3.6};
     for (int i = 0; i < 50; ++i) cycle(0.0);
     for (int i = 0; i < 50; ++i) cycle(8.0);
     lang::Packet65 tsr;

@@ -31,10 +31,15 @@ procedures::start_of_mission::Session session_of(const State& s) {
 
 procedures::mode_profile::Result run_areas(State& s, procedures::mode_profile::Inputs in) {
   InplaceVector<procedures::mode_profile::Area, 32> areas;
-  for (const track::ModeArea& a : s.track.mode_profile) {
+  for (track::ModeArea& a : s.track.mode_profile) {
+    // With the area entered the window ahead of it is over. The entry is undone neither by a correction of the position
+    // nor by rolling back (A.3.5.1): without a window, the area of this mode reaches back to the train.
+    const bool in_its_mode = a.accepted && a.mode == s.mode;
+    if (in_its_mode && in.max_safe_front >= a.from) a.ack_from = a.from;
+    const bool entered = in_its_mode && a.ack_from >= a.from;
     procedures::mode_profile::Area area;
     area.mode = a.mode;
-    area.start = a.from;
+    area.start = entered && in.max_safe_front < a.from ? in.max_safe_front : a.from;
     area.end = a.to;
     const Speed national = area.mode == Mode::OS   ? s.national_values.V_NVONSIGHT
                            : area.mode == Mode::LS ? s.national_values.V_NVLIMSUPERV

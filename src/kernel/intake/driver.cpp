@@ -3,6 +3,7 @@
 #include "driver/driver.h"
 #include "kernel/driver_inputs.h"
 #include "kernel/here.h"
+#include "kernel/intake/entry_checks.h"
 #include "kernel/stored.h"
 #include "kernel/train_data.h"
 
@@ -97,8 +98,13 @@ Set<Ack> acknowledgements(Reception& r) {
 }
 
 /// Whether the data were accepted.
-bool enter_train_data(Reception& r, const train::TrainData& data) {
+bool enter_train_data(Reception& r, const train::TrainData& data, bool typed) {
   if (!acceptable(data, r.log)) return false;
+  const train::Fault fault = typed ? off_resolution(data, r.state.train) : train::Fault::none;
+  if (fault != train::Fault::none) {
+    r.log.note({.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = "A.3.11"_srs});
+    return false;
+  }
   change_train_data(r.state, data, r.out.here, r.log);
   return true;
 }
@@ -113,7 +119,7 @@ void receive_train_data(Reception& r) {
   const train::TrainData& data = driver.train_data != nullptr  ? *driver.train_data
                                  : s.train_data_change.pending ? *s.train_data_change.pending
                                                                : s.train;
-  r.out.entered.add(Entered::train_data, enter_train_data(r, data));
+  r.out.entered.add(Entered::train_data, enter_train_data(r, data, driver.train_data != nullptr));
 }
 
 /// 3.18.3.3.1, 4.4.11.1.5.1: movement while the driver enters, changes or revalidates data. An entry that arrives
@@ -138,21 +144,11 @@ void enter_SR_data(Reception& r) {
   State& s = r.state;
   if (!r.in.driver.V_sr && !r.in.driver.D_sr) return;
   if (!may_enter(r, driver::Input::sr_speed_distance, Entered::SR_speed_distance)) return;
-  // A.3.11: a speed up to 600 km/h, a distance up to 100 km.
-  const auto in_range = [](double v, double limit) { return v >= 0.0 && v <= limit; };
-  if ((r.in.driver.V_sr && !in_range(r.in.driver.V_sr->si, 600.0 / 3.6)) ||
-      (r.in.driver.D_sr && !in_range(r.in.driver.D_sr->si, 100000.0)))
+  if (!is_SR_entry(r.in.driver.V_sr, r.in.driver.D_sr))
     return r.log.note({.what = What::SR_data_out_of_range, .clause = "A.3.11"_srs});
   if (r.in.driver.V_sr) s.staff_responsible.V = r.in.driver.V_sr;
   if (r.in.driver.D_sr) set_SR_distance(s, r.out.here, r.in.driver.D_sr);
   ++s.revision;
-}
-
-/// A.3.11: an identity of 24 bits; all ones name no RBC.
-bool is_rbc(const DriverActions::RbcContact& contact) {
-  constexpr std::uint32_t kLast = 16777214, kCountries = 1024, kRbcs = 16384;
-  if (contact.NID_C >= kCountries || contact.NID_RBC >= kRbcs) return false;
-  return contact.NID_C * kRbcs + contact.NID_RBC <= kLast;
 }
 
 /// 5.4.3.2 S3, 3.18.4.3.2: the contact is entered, or the stored one is used.
