@@ -32,14 +32,16 @@ NationalSystemNames read_ntc_names(const JsonPlace& place) {
   return names;
 }
 
-/// Names of track conditions, as in `track_conditions` of the outputs, and of the change of traction system.
+/// Names of track conditions, as in `track_conditions` of the outputs, and of the change of traction system; each once.
 ByTrain read_by_train(const JsonPlace& place) {
   constexpr const char* kTraction = "change of traction system";
   ByTrain by_train;
   for (std::size_t i = 0; i < place.size(); ++i) {
-    const std::string name = place[i].string();
+    const std::string& name = place[i].string();
     bool known = name == kTraction;
     by_train.traction_system = by_train.traction_system || known;
+    for (std::size_t before = 0; before < i; ++before)
+      if (place[before].string() == name) place[i].fail("each name once");
     std::string expected;
     for (const auto& row : kTrackConditionRows) {
       if (!may_be_by_train(row.value)) continue;

@@ -635,6 +635,13 @@ TEST(InputStream, WhatTheTrainDoesByItself) {
     ASSERT_FALSE(refused) << wrong;
     EXPECT_EQ(refused.error().where, "/by_train/0");
   }
+  for (const char* name : {"air tightness", "change of traction system"}) {
+    const std::string twice = std::string("\"") + name + '"';
+    const auto refused =
+        read_configuration("{\"by_train\":[" + twice + ",\"switch off magnetic shoe brake\"," + twice + "]}", "c");
+    ASSERT_FALSE(refused) << name;
+    EXPECT_EQ(refused.error().text(), "c: /by_train/2: found " + twice + ", expected each name once");
+  }
 }
 
 TEST(OutputLines, NamesOfNationalSystems) {
