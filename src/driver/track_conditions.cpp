@@ -64,6 +64,16 @@ static_assert(
     }(),
     "every kind of track condition has its row, in the order of the codes");
 
+static_assert(
+    [] {
+      const auto differs = [](const Due& due) { return due.driver != due.train; };
+      for (const SymbolRow& row : srs_5_18_symbols)
+        if (may_be_by_train(row.kind) != (differs(row.announced) || differs(row.ending) || differs(row.planned)))
+          return false;
+      return true;
+    }(),
+    "what the train may execute by itself has a symbol of its own for that");
+
 }  // namespace
 
 std::optional<Symbol> symbol(TrackConditionKind kind, ConditionPhase phase, const ByTrain& by_train) {
