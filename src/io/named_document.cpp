@@ -20,17 +20,12 @@ Named read_named(const JsonPlace& place, const std::string& folder) {
   return {file, *std::move(text)};
 }
 
-std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place) {
-  if (place.is_object()) return "";
-  const Named named = read_named(place, folder);
+std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& owner) {
+  const auto place = owner.find(member);
+  if (!place || !place->is_string()) return "";
+  const Named named = read_named(*place, folder);
   document[member] = parse_json(named.text, named.file);
   return named.file;
-}
-
-std::string put_named(Json& document, const std::string& member, const std::string& folder, const std::string& file) {
-  const JsonPlace root(document, file);
-  const auto place = root.find(member);
-  return place && place->is_string() ? put_named(document, member, folder, *place) : "";
 }
 
 }  // namespace evc::io

@@ -15,11 +15,9 @@ struct Named {
 /// without ".json" for a shipped one (NAME.json in `folder` of the data). Throws ReadError.
 Named read_named(const JsonPlace& place, const std::string& folder);
 
-/// Replaces the name that a member of an object has by the document. `place`: the member, for errors and the folder of
-/// files. Returns the name of the file; empty where the member is the document. Throws ReadError.
-std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& place);
-/// The same for a member of the document `file`. One that is absent, or neither a document nor a name, stays as it is:
-/// its reader refuses it.
-std::string put_named(Json& document, const std::string& member, const std::string& folder, const std::string& file);
+/// Replaces the name that a member of an object has by the document. `owner`: the object, for errors and the folder of
+/// files; it may be `document`. A member that is absent, or neither a document nor a name, stays as it is: its reader
+/// refuses it. Returns the name of the file; empty where none was read. Throws ReadError.
+std::string put_named(Json& document, const std::string& member, const std::string& folder, const JsonPlace& owner);
 
 }  // namespace evc::io

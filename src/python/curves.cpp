@@ -67,15 +67,15 @@ io::Json document_of(const py::object& given, const py::dict& members) {
   io::Json document = given.is_none() ? io::Json::object() : json_of(given, file);
   if (document.is_string()) {
     io::Json named{{"query", document}};
-    file = io::put_named(named, "query", "curves", file);
+    file = io::put_named(named, "query", "curves", {named, file});
     document = value_of(io::curves_document(named["query"].dump(), file));
   }
   const io::Json more = json_of(members, file);
   if (document.is_object()) {
     if (!document.contains("schema")) document["schema"] = "evc-curves/1";
     document.update(more);
-    io::put_named(document, "train", "trains", file);
-    io::put_named(document, "national_values", "national_values", file);
+    io::put_named(document, "train", "trains", {document, file});
+    io::put_named(document, "national_values", "national_values", {document, file});
   }
   return document;
 }

@@ -56,9 +56,9 @@ Asked read_asked(const py::dict& arguments) {
   Asked asked;
   asked.line_name = document.contains("line") && document["line"].is_string() ? document["line"] : "line";
   if (!document.contains("line")) document["line"] = "brunnental";
-  const std::string line_file = io::put_named(document, "line", "lines", kFile);
-  const std::string train_file = io::put_named(document, "train", "trains", kFile);
-  const std::string values_file = io::put_named(document, "national_values", "national_values", kFile);
+  const std::string line_file = io::put_named(document, "line", "lines", {document, kFile});
+  const std::string train_file = io::put_named(document, "train", "trains", {document, kFile});
+  const std::string values_file = io::put_named(document, "national_values", "national_values", {document, kFile});
   const io::JsonPlace root(document, kFile);
   root.know_only(
       {"line", "train", "national_values", "srs", "driver", "odometer", "seed", "cycle_ms", "last_ma", "output"});

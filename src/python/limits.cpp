@@ -134,8 +134,8 @@ py::tuple table_of(const py::array& objects) {
 /// One query for each train and each target: what is common to all, and the train or target.
 io::CurvesInput read_query(io::Json document, const std::string& file) {
   document["schema"] = "evc-curves/1";
-  const std::string train_file = io::put_named(document, "train", "trains", file);
-  io::put_named(document, "national_values", "national_values", file);
+  const std::string train_file = io::put_named(document, "train", "trains", {document, file});
+  io::put_named(document, "national_values", "national_values", {document, file});
   return value_of(io::curves_of(document, train_file.empty() ? file : train_file));
 }
 

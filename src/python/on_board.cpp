@@ -177,8 +177,8 @@ class OnBoard : public Blank {
       document = value_of(io::guarded([&] { return io::parse_json(value_of(io::read_text(file)), file); }));
     }
     if (document.is_object()) {
-      io::put_named(document, "train", "trains", file);
-      io::put_named(document, "national_values", "national_values", file);
+      io::put_named(document, "train", "trains", {document, file});
+      io::put_named(document, "national_values", "national_values", {document, file});
     }
     return std::make_shared<const io::Configuration>(value_of(io::read_configuration(document.dump(), file)));
   }

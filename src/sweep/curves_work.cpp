@@ -123,12 +123,13 @@ class CurvesWork final : public Work {
     places_ =
         places_of(spec, [](const auto& tokens) { return tokens[0] == "query" && is_member_of_document(tokens[1]); });
     named_ = named_documents(spec, places_, kFilesOfQuery);
-    require_places(spec, places_, document_,
-                   [&](const JsonPlace& root) {
-                     if (const auto read = io::curves_of(root.value(), root.file()); !read)
-                       throw io::ReadError{read.error()};
-                   },
-                   {});
+    const auto read = [](const JsonPlace& root) {
+      if (const auto query = io::curves_of(root.value(), root.file()); !query) throw io::ReadError{query.error()};
+    };
+    require_places(spec, places_, document_, read, {});
+    require_values(
+        spec, places_, document_, named_, [&](const std::string&, const JsonPlace& root) { read(root); },
+        [](const std::string&) { return Judged::form; });
     measures_ = chosen(spec, all_measures(), [](const std::string& name) { return measure_of(name).has_value(); });
     for (const std::string& name : measures_) {
       asked_.push_back(*measure_of(name));
@@ -196,7 +197,7 @@ class CurvesWork final : public Work {
   Json document_of(const std::vector<Json>& values) const {
     Json document = document_;
     places_.put(document, values);
-    for (const File& file : kFilesOfQuery) put_named(document, file.member, named_);
+    for (const File& file : kFilesOfQuery) put_document(document, file.member, named_);
     return document;
   }
 

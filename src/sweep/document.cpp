@@ -1,6 +1,9 @@
 #include "sweep/document.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "io/json_pointer.h"
@@ -51,6 +54,122 @@ bool leads_to_a_value(const Spec& spec, const Places& places, std::size_t entry,
   }
   return true;
 }
+
+/// Whether a reader that expected this takes no value of the kind of this one, whatever it is. The words are those of
+/// JsonPlace.
+bool is_of_another_kind(const Json& value, const std::string& expected) {
+  const auto begins = [&](const char* words) { return expected.rfind(words, 0) == 0; };
+  if (begins("a number")) return !value.is_number();
+  if (begins("an integer")) return !value.is_number_integer();
+  if (begins("true or false")) return !value.is_boolean();
+  if (begins("a string") || begins("one of \"") || begins("hexadecimal digits")) return !value.is_string();
+  if (begins("an array")) return !value.is_array();
+  if (begins("an object")) return !value.is_object();
+  return false;
+}
+
+/// Whether an error of a document is one of its form, not of the size of a number in it.
+bool is_of_form(const io::Diagnostic& error, const Json& document) {
+  if (error.found == "an unknown key" || error.found.rfind("no key ", 0) == 0) return true;
+  const Json* at = &document;
+  for (const std::string& token : io::tokens_of(error.where == "/" ? "" : error.where)) {
+    if (token == "schema") return true;
+    if (at->is_array() && index_of(token) < at->size())
+      at = &(*at)[index_of(token)];
+    else if (at->is_object() && at->contains(token))
+      at = &(*at)[token];
+    else
+      return false;
+  }
+  return is_of_another_kind(*at, error.expected);
+}
+
+/// Values of an entry that stand for all of it, by their index in its list: of numbers, texts and flags that are
+/// judged by their form, one of each kind; of names of files each.
+std::vector<std::pair<std::size_t, Json>> values_to_judge(const Entry& entry, Judged judged, bool may_be_files) {
+  if (entry.how == Entry::How::count) return {{0, Json(1)}, {0, Json(static_cast<std::int64_t>(entry.count))}};
+  if (entry.is_drawn()) return {{0, Json(entry.first + 0.5)}};
+  std::vector<std::pair<std::size_t, Json>> values;
+  std::set<Json::value_t> seen;
+  for (std::size_t i = 0; i < entry.list.size(); ++i) {
+    const Json& value = entry.list[i];
+    const bool each = judged == Judged::whole || value.is_structured() || (may_be_files && value.is_string());
+    if (seen.insert(value.type()).second || each) values.emplace_back(i, value);
+  }
+  return values;
+}
+
+/// What is written in the spec for numbers that an entry makes.
+std::string as_written(const Entry& entry, const Json& values) {
+  const std::string text = values.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (entry.how == Entry::How::count) return text + ", the numbers from 1 on";
+  if (entry.is_drawn()) return text + ", numbers with a fraction";
+  return text + (entry.list.front().is_number_integer() ? ", numbers" : ", numbers with a fraction");
+}
+
+/// An error of a reader that is one of the value at `where`: the place of it in the value, "" for the whole of it. None
+/// where the reader stopped before it came to the value.
+std::optional<std::string> place_in_value(const io::Diagnostic& error, const std::string& where) {
+  if (error.where.compare(0, where.size(), where) != 0) return std::nullopt;
+  const std::string rest = error.where.substr(where.size());
+  return rest.empty() || rest.front() == '/' ? std::optional(rest) : std::nullopt;
+}
+
+/// Judges one value of an entry after the other.
+class Judge {
+ public:
+  Judge(const Spec& spec, const NamedDocuments& named, const MemberReader& reader)
+      : spec_(spec), named_(named), reader_(reader), text_(io::parse_json(spec.text, spec.file)) {}
+
+  /// Throws what is wrong with the values of an entry in its place in one of the documents: the first that the reader
+  /// can read up to there.
+  void judge(const Entry& entry, const std::vector<std::string>& tokens, Judged how,
+             std::array<Json, 2>& documents) const {
+    for (const auto& [i, value] : values_to_judge(entry, how, tokens.size() == 1))
+      for (Json& document : documents)
+        if (was_read(entry, i, value, tokens, how, document)) break;
+  }
+
+ private:
+  bool was_read(const Entry& entry, std::size_t i, const Json& value, const std::vector<std::string>& tokens,
+                Judged how, Json document) const {
+    const std::string& member = tokens.front();
+    Json* at = &document;
+    for (const std::string& token : tokens) at = at->is_array() ? &at->at(index_of(token)) : &(*at)[token];
+    *at = value;
+    const bool may_be_file = tokens.size() == 1 && value.is_string();
+    const auto file = may_be_file ? named_.find({member, value.get<std::string>()}) : named_.end();
+    if (file != named_.end()) *at = Json(file->second.document);
+    try {
+      reader_(member, JsonPlace(document, spec_.file));
+      return true;
+    } catch (const io::ReadError& e) {
+      const auto rest = place_in_value(e.diagnostic, pointer_of(tokens, tokens.size()));
+      if (rest && (how == Judged::whole || is_of_form(e.diagnostic, document)))
+        refuse(entry, i, *rest, e.diagnostic, file != named_.end() ? file->second.file : "");
+      return rest.has_value();
+    }
+  }
+
+  /// `rest`: the place in the value; `file`: that which the value names, or "".
+  [[noreturn]] void refuse(const Entry& entry, std::size_t i, const std::string& rest, const io::Diagnostic& error,
+                           const std::string& file) const {
+    if (!file.empty()) throw io::ReadError{{file, rest.empty() ? "/" : rest, error.found, error.expected}};
+    const JsonPlace in_spec = JsonPlace(text_, spec_.file)["vary"][entry.place];
+    if (in_spec.find("list")) {
+      const std::string place = "/vary/" + std::to_string(entry.place) + "/list/" + std::to_string(i);
+      throw io::ReadError{{spec_.file, place + rest, error.found, error.expected}};
+    }
+    for (const char* how : {"range", "uniform", "normal", "count"})
+      if (const auto values = in_spec.find(how)) values->fail(as_written(entry, values->value()), error.expected);
+    throw io::ReadError{error};  // read_spec wants one of them
+  }
+
+  const Spec& spec_;
+  const NamedDocuments& named_;
+  const MemberReader& reader_;
+  Json text_;
+};
 
 }  // namespace
 
@@ -103,30 +222,6 @@ void require_places(const Spec& spec, const Places& places, const Json& document
   }
 }
 
-void require_values(const Spec& spec, const Places& places, const std::string& member, const Reader& reader) {
-  const Json whole = io::parse_json(spec.text, spec.file);
-  const JsonPlace root(whole, spec.file);
-  // The error of the reader for a value that the spec does not have itself, at the place that gives it.
-  const auto require = [&](const Json& value, const JsonPlace& place) {
-    try {
-      reader(JsonPlace(value, spec.file));
-    } catch (const io::ReadError& e) {
-      place.fail(e.diagnostic.found + " among the values", e.diagnostic.expected);
-    }
-  };
-  for (std::size_t e = 0; e < places.size(); ++e) {
-    if (places[e].size() != 1 || places[e].front() != member) continue;
-    const Entry& entry = spec.vary[e];
-    const JsonPlace place = root["vary"][entry.place];
-    if (const auto list = place.find("list"))
-      for (std::size_t i = 0; i < list->size(); ++i) reader((*list)[i]);
-    else if (const auto range = place.find("range"))
-      for (const Json& value : entry.list) require(value, *range);
-    else if (entry.is_drawn())
-      require(entry.first + 0.5, place[entry.how == Entry::How::uniform ? "uniform" : "normal"]);
-  }
-}
-
 NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files) {
   const Json whole = io::parse_json(spec.text, spec.file);
   const JsonPlace root(whole, spec.file);
@@ -144,11 +239,25 @@ NamedDocuments named_documents(const Spec& spec, const Places& places, std::span
   return documents;
 }
 
-void put_named(Json& document, const std::string& member, const NamedDocuments& named) {
+void put_document(Json& document, const std::string& member, const NamedDocuments& named) {
   Json& part = document[member];
   if (!part.is_string()) return;
   if (const auto one = named.find({member, part.get<std::string>()}); one != named.end())
     part = Json(one->second.document);
+}
+
+void require_values(const Spec& spec, const Places& places, const Json& document, const NamedDocuments& named,
+                    const MemberReader& reader, const std::function<Judged(const std::string& member)>& judged) {
+  // `base` may lack what an entry gives: so with the first values of all entries too.
+  std::array<Json, 2> documents{document, document};
+  std::vector<Json> first;
+  for (const Entry& entry : spec.vary)
+    first.push_back(!entry.list.empty() ? entry.list.front() : entry.is_drawn() ? Json(entry.first) : Json(1));
+  places.put(documents[1], first);
+  for (const auto& [key, one] : named) put_document(documents[1], key.first, named);
+  const Judge judge(spec, named, reader);
+  for (std::size_t e = 0; e < places.size(); ++e)
+    judge.judge(spec.vary[e], places[e], judged(places[e].front()), documents);
 }
 
 std::string reason_of(const io::Diagnostic& d) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -44,10 +45,6 @@ using Reader = std::function<void(const io::JsonPlace&)>;
 void require_places(const Spec& spec, const Places& places, const io::Json& document, const Reader& reader,
                     const std::vector<std::string>& complete);
 
-/// Refuses an entry for the whole of a member whose values the reader of the member refuses: a number that is drawn, or
-/// an element of its list. Throws ReadError with the place in the spec.
-void require_values(const Spec& spec, const Places& places, const std::string& member, const Reader& reader);
-
 /// A member of a case that may be the name of a file, and the folder of the data in which the shipped ones are.
 struct File {
   const char* member;
@@ -62,7 +59,23 @@ using NamedDocuments = std::map<std::pair<std::string, std::string>, NamedDocume
 /// Those of the lists in the places of whole `files`; each name counts as in `base`. Throws ReadError.
 NamedDocuments named_documents(const Spec& spec, const Places& places, std::span<const File> files);
 /// Puts a document that was read where its name is, if the member is a name.
-void put_named(io::Json& document, const std::string& member, const NamedDocuments& named);
+void put_document(io::Json& document, const std::string& member, const NamedDocuments& named);
+
+/// How the values of an entry are judged before anything is computed.
+enum class Judged : std::uint8_t {
+  /// By their form: no case can have a value of another kind than its reader takes (a number instead of a name), or one
+  /// with keys that the reader does not know. One that is out of range is a case that cannot be.
+  form,
+  /// In full: one that is out of range too.
+  whole,
+};
+/// Reads the member of a case, that is the first token of a place, and whatever else; throws ReadError.
+using MemberReader = std::function<void(const std::string& member, const io::JsonPlace& document)>;
+
+/// Refuses an entry with a value that its place cannot have. `document`: that of `base`; `judged`: by member.
+/// Throws ReadError with the place in the spec and what is written there, or with that in a file that a list names.
+void require_values(const Spec& spec, const Places& places, const io::Json& document, const NamedDocuments& named,
+                    const MemberReader& reader, const std::function<Judged(const std::string& member)>& judged);
 
 /// "PLACE: found X, expected Y": the reason of a case that cannot be.
 std::string reason_of(const io::Diagnostic& diagnostic);

@@ -81,7 +81,11 @@ class ReplayWork final : public Work {
   explicit ReplayWork(const Spec& spec) {
     load(spec);
     places_ = places_of(spec, [](const auto& tokens) { return tokens[0] == "inputs"; });
-    require_places(spec, places_, document_, [](const JsonPlace& root) { (void)read_configuration(root.value()); }, {});
+    const auto read = [](const JsonPlace& root) { (void)read_configuration(root.value()); };
+    require_places(spec, places_, document_, read, {});
+    require_values(
+        spec, places_, document_, {}, [&](const std::string&, const JsonPlace& root) { read(root); },
+        [](const std::string&) { return Judged::form; });
     const std::vector<std::string> all(std::begin(kMeasures), std::end(kMeasures));
     measures_ = chosen(spec, all,
                        [&](const std::string& name) { return std::find(all.begin(), all.end(), name) != all.end(); });

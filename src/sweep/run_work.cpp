@@ -96,10 +96,11 @@ class RunWork final : public Work {
     load(spec);
     places_ = places_of(spec, [](const auto&) { return false; });
     require_places(spec, places_, document_, [](const JsonPlace& root) { read_small(root); }, {"line"});
-    // A number with a fraction is none in any case; a driver that there is not is a case that failed.
-    require_values(spec, places_, "seed", [](const JsonPlace& place) { (void)read_seed(place); });
-    require_values(spec, places_, "last_ma", [](const JsonPlace& place) { (void)read_last_ma(place); });
     named_ = named_documents(spec, places_, kFiles);
+    // A number with a fraction is none in any case; a driver that there is not is a case that failed.
+    require_values(spec, places_, document_, named_, read_member, [](const std::string& member) {
+      return member == "seed" || member == "last_ma" ? Judged::whole : Judged::form;
+    });
     documents_ = document_.dump();
     for (const auto& [key, named] : named_) {
       documents_ += named.document.dump();
@@ -186,9 +187,7 @@ class RunWork final : public Work {
       document_["odometer"]["error"] = nullptr;
     const Json whole{{"base", document_}};
     const JsonPlace base = JsonPlace(whole, spec.file)["base"];
-    const auto in_place = [&](const File& file) {
-      return io::put_named(document_, file.member, file.folder, base[file.member]);
-    };
+    const auto in_place = [&](const File& file) { return io::put_named(document_, file.member, file.folder, base); };
     line_file_ = in_place(kFiles[0]);
     train_file_ = in_place(kFiles[1]);
     values_file_ = in_place(kFiles[2]);
@@ -199,7 +198,7 @@ class RunWork final : public Work {
   Json document_of(const std::vector<Json>& values) const {
     Json document = document_;
     places_.put(document, values);
-    for (const char* member : {"train", "national_values"}) put_named(document, member, named_);
+    for (const char* member : {"train", "national_values"}) put_document(document, member, named_);
     return document;
   }
 
@@ -219,6 +218,21 @@ class RunWork final : public Work {
     if (!varied("seed")) (void)read_seed(root["seed"]);
     if (!varied("last_ma")) (void)read_last_ma(root["last_ma"]);
     if (!varied("odometer")) (void)read_odometer(root["odometer"]);
+  }
+
+  /// One member of the case.
+  static void read_member(const std::string& member, const JsonPlace& root) {
+    if (member == "line") {
+      (void)io::read_line(root["line"]);
+    } else if (member == "train") {
+      (void)io::read_train(root["train"]);
+    } else if (member == "national_values") {
+      (void)io::read_national_values(root["national_values"]);
+    } else if (member == "srs") {
+      (void)io::read_srs_version(root["srs"]);
+    } else {
+      (void)read_settings(root);
+    }
   }
 
   /// All but the line.

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/test_paths.h"
 #include "sweep/cases.h"
 #include "sweep/plan.h"
 
@@ -147,11 +148,13 @@ TEST(Spec, errors_name_the_place) {
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","list":[1,1.5]}]})",
        "spec.json: /vary/0/list/1: found 1.5, expected an integer from 0 to 9223372036854775807"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","range":[1,2,0.5]}]})",
-       "spec.json: /vary/0/range: found 1.0 among the values, expected an integer from 0 to 9223372036854775807"},
+       "spec.json: /vary/0/range: found [1,2,0.5], numbers with a fraction, expected an integer from 0 to "
+       "9223372036854775807"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed","uniform":[1,9]}]})",
-       "spec.json: /vary/0/uniform: found 1.5 among the values, expected an integer from 0 to 9223372036854775807"},
+       "spec.json: /vary/0/uniform: found [1,9], numbers with a fraction, expected an integer from 0 to "
+       "9223372036854775807"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/driver","list":["late"]},{"at":"/last_ma","normal":[9,1]}]})",
-       "spec.json: /vary/1/normal: found 9.5 among the values, expected an integer from 0 to 1000000"},
+       "spec.json: /vary/1/normal: found [9,1], numbers with a fraction, expected an integer from 0 to 1000000"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/seed/x","list":[100]}]})",
        "spec.json: /vary/0/at: found /seed/x, which leads nowhere, expected a place: /seed has no members"},
       {R"({"schema":"evc-sweep/1","kind":"run","measure":["duration"],"vary":[{"at":"/seed","count":2}]})",
@@ -172,6 +175,102 @@ TEST(Spec, errors_name_the_place) {
     const std::string error = error_of(wrong.text);
     EXPECT_EQ(error.substr(0, std::string(wrong.error).size()), wrong.error) << error;
     EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+/// A spec of a kind that varies one place.
+std::string varied(const std::string& kind, const std::string& base, const std::string& at, const std::string& values) {
+  return R"({"schema":"evc-sweep/1","kind":")" + kind + R"(","base":)" + base + R"(,"vary":[{"at":")" + at + R"(",)" +
+         values + "}]}";
+}
+
+// Where a name, a document, a flag or a list stands no number can be, drawn or not: all cases would fail.
+TEST(Spec, values_of_another_kind_are_refused) {
+  const std::string query = R"({"query":"passenger_eoa"})";
+  const std::string inputs =
+      R"({"inputs":")" + evc::test::source_folder() + R"(/tests/replays/repositioning_without_unknown_group.jsonl"})";
+  const struct {
+    const char* kind;
+    std::string base;
+    const char* at;
+    std::vector<std::string> other_kinds;  // elements of a list
+    const char* expected;
+  } places[] = {
+      {"run", "{}", "/driver", {"1", "null", "true", "[]", "{}"}, "one of \"perfect\", "},
+      {"run", "{}", "/srs", {"3.6", "null", "[]"}, "one of \"3.4.0\", "},
+      {"run", "{}", "/line", {"1", "null", "[1]"}, "an object"},
+      {"run", "{}", "/train", {"1.5", "null", "true", "[1]"}, "an object"},
+      {"run", "{}", "/national_values", {"1", "null", "[1]"}, "an object"},
+      {"run", "{}", "/odometer", {"1", "\"x\"", "null"}, "an object"},
+      {"run", "{}", "/train/brake_model", {"1", "null"}, "one of \"lambda\""},
+      {"run", "{}", "/train/traction_cut_off_interface", {"1", "\"x\""}, "true or false"},
+      {"run", "{}", "/train/dynamics", {"1", "\"x\"", "[]"}, "an object"},
+      {"run", "{}", "/line/physical_track/ssp", {"1", "\"x\"", "{}"}, "an array"},
+      {"curves", query, "/train", {"1", "null", "[1]"}, "an object"},
+      {"curves", query, "/query/national_values", {"1", "null"}, "an object"},
+      {"curves", query, "/srs", {"3.6", "null"}, "one of \"3.4.0\""},
+      {"curves", query, "/target", {"1", "\"x\""}, "an object"},
+      {"curves", query, "/target/type", {"1", "null"}, "one of \"EOA_SvL\""},
+      {"curves", query, "/track/gradient", {"1", "\"x\""}, "an array"},
+      {"replay", inputs, "/config", {"1", "\"x\"", "null"}, "an object"},
+      {"replay", inputs, "/config/srs", {"3.6", "null"}, "one of \"3.4.0\""},
+      {"replay", inputs, "/config/train", {"1", "\"x\""}, "an object"},
+  };
+  for (const auto& place : places) {
+    const auto refused = [&](const std::string& values, const std::string& where, const std::string& found) {
+      const std::string error = error_of(varied(place.kind, place.base, place.at, values));
+      const std::string begin = "spec.json: /vary/0/" + where + ": found " + found + ", expected " + place.expected;
+      EXPECT_EQ(error.substr(0, begin.size()), begin) << place.kind << place.at << ' ' << values;
+    };
+    refused(R"("uniform":[1,9])", "uniform", "[1,9], numbers with a fraction");
+    refused(R"("normal":[5,0.5])", "normal", "[5,0.5], numbers with a fraction");
+    refused(R"("range":[2,3,0.25])", "range", "[2,3,0.25], numbers with a fraction");
+    refused(R"("range":[2,3,1])", "range", "[2,3,1], numbers");
+    refused(R"("count":4)", "count", "4, the numbers from 1 on");
+    for (const std::string& element : place.other_kinds) {
+      const std::string error = error_of(varied(place.kind, place.base, place.at, "\"list\":[" + element + "]"));
+      EXPECT_EQ(error.substr(0, 28), "spec.json: /vary/0/list/0: f") << place.at << ' ' << element << ": " << error;
+    }
+  }
+}
+
+// Wherever the value is in the list and whatever the other entries are.
+TEST(Spec, a_value_of_another_kind_is_found_among_others) {
+  EXPECT_EQ(error_of(varied("run", "{}", "/driver", R"("list":["late","reckless",7])")),
+            "spec.json: /vary/0/list/2: found 7, expected one of \"perfect\", \"late\", \"reckless\"");
+  EXPECT_EQ(error_of(varied("run", "{}", "/train", R"("list":["push_pull",{"length_m":100},{"lenght_m":100}])"))
+                .substr(0, 66),
+            "spec.json: /vary/0/list/2/lenght_m: found an unknown key, expected");
+  EXPECT_EQ(error_of(varied("run", "{}", "/train/brake_percentage", R"("list":[100,120.5,"high"])")),
+            "spec.json: /vary/0/list/2: found \"high\", expected a number");
+  // With what `base` has instead of the first entry the reader does not come to the second.
+  EXPECT_EQ(error_of(R"({"schema":"evc-sweep/1","kind":"run","base":{"train":{"brake_percentage":5}},"vary":[
+                         {"at":"/train/brake_percentage","list":[110]},
+                         {"at":"/train/traction_cut_off_interface","uniform":[0,1]}]})"),
+            "spec.json: /vary/1/uniform: found [0,1], numbers with a fraction, expected true or false");
+}
+
+// A case that cannot be is a row: a number out of range, a name that there is not.
+TEST(Spec, values_out_of_range_are_cases) {
+  for (const char* values : {R"("list":[5,110])", R"("uniform":[1,300])", R"("normal":[100,80])", R"("count":40)"})
+    EXPECT_EQ(error_of(varied("run", "{}", "/train/brake_percentage", values)), "none") << values;
+  EXPECT_EQ(error_of(varied("run", "{}", "/driver", R"("list":["late","asleep"])")), "none");
+  EXPECT_EQ(error_of(varied("run", "{}", "/train", R"("list":[{"length_m":-3},"push_pull"])")), "none");
+  EXPECT_EQ(error_of(varied("run", "{}", "/last_ma", R"("list":[null,3])")), "none");
+  EXPECT_EQ(error_of(varied("run", "{}", "/last_ma", R"("count":1000001)")).substr(0, 62),
+            "spec.json: /vary/0/count: found 1000001, the numbers from 1 on");
+}
+
+// A file that a list names has an error of its own.
+TEST(Spec, a_file_of_a_list_is_read_as_its_reader_does) {
+  for (const char* kind : {"run", "curves"}) {
+    const std::string base = kind == std::string("run") ? "{}" : R"({"query":"passenger_eoa"})";
+    const std::string values = R"("list":["push_pull","../../data/lines/brunnental.json"])";
+    const std::string spec = varied(kind, base, "/train", values);
+    const auto plan = Plan::make(spec, evc::test::source_folder() + "/examples/sweep/spec.json");
+    ASSERT_FALSE(plan) << kind;
+    EXPECT_NE(plan.error().text().find("brunnental.json: /"), std::string::npos) << plan.error().text();
+    EXPECT_NE(plan.error().text().find("found "), std::string::npos) << plan.error().text();
   }
 }
 
