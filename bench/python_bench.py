@@ -2,6 +2,7 @@
 """Costs of the package: `OnBoard.step` in an idle cycle, and `limits` over a million triples, beside the batch in C++.
 Usage: PYTHONPATH=build/python/python bench/python_bench.py [build/release/benches/batch_bench]"""
 import json
+import os
 import subprocess
 import sys
 import time
@@ -73,6 +74,9 @@ def batch(program):
 
 
 def main():
+    if sys.argv[2:] or not all(os.access(name, os.X_OK) for name in sys.argv[1:]):
+        print("python_bench.py: found", *sys.argv[1:], "- expected the program batch_bench, or nothing", file=sys.stderr)
+        return 2
     print(f"1 000 000 idle steps          {idle_steps():6.2f} s")
     broadcast, single = limits()
     print(f"limits, 100 x 200 x 50 cases  {1e3 * broadcast:6.1f} ms")
@@ -81,7 +85,8 @@ def main():
         alone = batch(sys.argv[1])
         print(f"batch in C++, as many cases   {1e3 * alone:6.1f} ms; {broadcast / alone:.2f} and {single / alone:.2f} times"
               " as long")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

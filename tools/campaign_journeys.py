@@ -7,7 +7,6 @@ that they declare, lines with balises missing. Checked for every journey:
   - nobody passes the supervised location, unless a release speed given by trackside let him;
   - no allocation in a step, every journey ends, and the replay of its inputs gives its outputs, byte for byte.
 Usage: tools/campaign_journeys.py [--journeys 3000] [--seed 1] [--keep DIR]"""
-import argparse
 import collections
 import concurrent.futures
 import json
@@ -20,6 +19,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
+import command_line
 from random_line import Dice, RandomLine  # noqa: E402
 
 EVC = pathlib.Path(os.environ.get("EVC", ROOT / "build/release/evc"))
@@ -131,13 +131,13 @@ def too_little(seen, journeys):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--journeys", type=int, default=3000)
-    parser.add_argument("--seed", type=int, default=1)
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--journeys", type=command_line.whole(1), default=3000)
+    parser.add_argument("--seed", type=command_line.whole(0), default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the files of every journey")
     options = parser.parse_args()
     failed, seen = 0, collections.Counter()
-    with concurrent.futures.ThreadPoolExecutor(max_workers=int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(max_workers=command_line.jobs()) as pool:
         jobs = [pool.submit(travel, seed, options.keep) for seed in range(options.seed, options.seed + options.journeys)]
         for job in concurrent.futures.as_completed(jobs):
             seed, faults, summary = job.result()
@@ -159,4 +159,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

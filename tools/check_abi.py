@@ -7,8 +7,9 @@ Usage: tools/check_abi.py LIBRARY [--write]   --write updates the list."""
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEADER = ROOT / "include/openevc/openevc.h"
@@ -66,11 +67,12 @@ def layout():
 
 
 def main():
-    words = [w for w in sys.argv[1:] if w != "--write"]
-    if len(words) != 1:
-        sys.exit(__doc__)
-    found = symbols(words[0]) + prototypes(HEADER.read_text(encoding="utf-8")) + layout()
-    if "--write" in sys.argv:
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("library", type=command_line.file)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    found = symbols(options.library) + prototypes(HEADER.read_text(encoding="utf-8")) + layout()
+    if options.write:
         LIST.write_text("\n".join(found) + "\n", encoding="utf-8")
     listed = LIST.read_text(encoding="utf-8").splitlines() if LIST.exists() else []
     faults = [f"abi: gone or changed: {line.strip()}" for line in listed if line not in found]
@@ -80,4 +82,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

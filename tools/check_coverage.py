@@ -9,7 +9,6 @@ an object has code for it depends on what was compiled together.
 
 Usage: tools/check_coverage.py [--build FOLDER] [--write-floors]
   --write-floors  raises the floors to today's figures (none falls)"""
-import argparse
 import json
 import math
 import os
@@ -19,6 +18,7 @@ import subprocess
 import sys
 
 import check_layers
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLOORS = ROOT / "tests/gates/coverage.txt"
@@ -126,8 +126,8 @@ def floors_before():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/asan")
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--build", type=command_line.folder, default=ROOT / "build/asan")
     parser.add_argument("--write-floors", action="store_true")
     options = parser.parse_args()
     build = options.build.resolve()
@@ -167,4 +167,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -6,10 +6,9 @@ CAVEATS.md, with its clause and the reason; a row that is no longer needed fails
 A row is `room::Struct::field` or `room::Enumeration::enumerator`, or `room::Name::*` for all of one.
 
 Usage: tools/check_ends.py [--list]   --list prints what is loose, as rows for CAVEATS.md"""
-import argparse
 import re
-import sys
 
+import command_line
 from field_uses import ROOT, loose_ends
 
 CAVEATS = ROOT / "CAVEATS.md"
@@ -35,7 +34,7 @@ def faults(loose, named):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     found, looked_at = loose_ends()
@@ -53,4 +52,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

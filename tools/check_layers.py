@@ -3,7 +3,8 @@
 standard library. Usage: tools/check_layers.py [SOURCE_ROOT]; prints FILE:LINE: reason, exit 1."""
 import pathlib
 import re
-import sys
+
+import command_line
 
 KERNEL_ROOMS = ("base terms lang airgap train position modes port brakes balise track radio sdm protection procedures "
                 "driver kernel").split()
@@ -167,8 +168,9 @@ def check(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
-    root = root if len(sys.argv) > 1 else root.parent.parent
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("root", nargs="?", type=command_line.folder, default=pathlib.Path(__file__).resolve().parent.parent)
+    root = parser.parse_args().root.resolve()
     breaches = check(root)
     for breach in breaches:
         print(breach)
@@ -177,4 +179,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -3,8 +3,9 @@
 is reached from README.md. Usage: tools/check_links.py [ROOT]."""
 import pathlib
 import re
-import sys
 import urllib.parse
+
+import command_line
 
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
 
@@ -70,7 +71,9 @@ def check(root):
 
 
 def main():
-    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("root", nargs="?", type=command_line.folder, default=pathlib.Path(__file__).resolve().parent.parent)
+    root = parser.parse_args().root
     broken = check(root)
     for line in broken:
         print(line)
@@ -79,4 +82,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -2,13 +2,13 @@
 """Code that the types must reject: every tests/must_not_compile/*.cpp compiles unchanged and does not with -DMISTAKE; then
 the error has to be in the file's own part behind `#ifdef MISTAKE`, or contain the text of its line `// expected: TEXT`.
 Usage: tools/check_must_not_compile.py [--folder FOLDER] COMPILER..."""
-import argparse
 import concurrent.futures
 import os
 import pathlib
 import re
 import subprocess
-import sys
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDES = ("src", "include/openevc", "include")
@@ -55,14 +55,14 @@ def faults_of(compiler, file):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "tests/must_not_compile")
-    parser.add_argument("--fewest", type=int, default=FEWEST)
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--folder", type=command_line.folder, default=ROOT / "tests/must_not_compile")
+    parser.add_argument("--fewest", type=command_line.whole(0), default=FEWEST)
     parser.add_argument("compilers", nargs="+")
     options = parser.parse_args()
     files = sorted(options.folder.glob("*.cpp"))
     jobs = [(compiler, file) for file in files for compiler in options.compilers]
-    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", "2"))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(command_line.jobs(2)) as pool:
         found = [fault for faults in pool.map(lambda job: faults_of(*job), jobs) for fault in faults]
     for fault in found:
         print(f"must not compile: {fault}")
@@ -74,4 +74,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

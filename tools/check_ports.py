@@ -5,8 +5,8 @@ nothing uses is found too: every member of openevc_inputs and openevc_outputs is
 display (port::Display) is openevc_display, taken there by src/capi/display.cpp; what a host configures of it is not, and
 src/io/display_json_test.cpp holds that all of it is in `evc replay --dmi`.
 Usage: tools/check_ports.py"""
-import sys
 
+import command_line
 import field_uses
 from field_uses import ROOT, K
 
@@ -94,6 +94,7 @@ def faults(ports=PORTS):
 
 
 def main():
+    command_line.Parser(__doc__).parse_args()
     wrong, looked_at = faults()
     for sentence in wrong:
         print(f"ports: {sentence}")
@@ -102,4 +103,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -8,13 +8,13 @@ examples/ of the project are available and `evc` is in the PATH.
 
 Usage: tools/check_readme.py [--command build/dev/evc] [--update] [PAGE...]
 --update writes the actual output into the pages, in examples without wildcards."""
-import argparse
 import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -80,14 +80,12 @@ def run_page(page, command, update=False):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--command", default=ROOT / "build/dev/evc", type=pathlib.Path)
     parser.add_argument("--update", action="store_true")
-    parser.add_argument("pages", nargs="*", type=pathlib.Path)
+    parser.add_argument("pages", nargs="*", type=command_line.file)
     options = parser.parse_args()
-    command = options.command.resolve()
-    if not command.exists():
-        sys.exit(f"{command} does not exist: build it first")
+    command = command_line.program(options.command)
     pages = [p.resolve() for p in options.pages] or [ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md"))]
     total, failures = 0, []
     for page in pages:
@@ -101,4 +99,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

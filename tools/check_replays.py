@@ -17,14 +17,14 @@ odometer for failed after 1 s without a reading, so such a gap is filled: in eac
 proportion to the time, from the reading before the gap to the one after it, or, after the last one, by its speeds; the
 speeds are those of the reading before. A train that stands needs no readings (docs/replay.md).
 Usage: tools/check_replays.py --command EVC [--filled FILE]; --filled prints a stream as it is replayed."""
-import argparse
 import concurrent.futures
 import gzip
 import json
 import os
 import pathlib
 import subprocess
-import sys
+
+import command_line
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "tests" / "replays"
 LONGEST_MS = 1000  # a reading of the odometer that is older counts as failed
@@ -211,12 +211,14 @@ def check(evc):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--command", type=lambda name: pathlib.Path(name).resolve())
-    parser.add_argument("--filled", type=pathlib.Path)
+    parser = command_line.Parser(__doc__.splitlines()[0])
+    parser.add_argument("--command", type=command_line.program)
+    parser.add_argument("--filled", type=command_line.file)
     args = parser.parse_args()
     if args.filled:
-        print("\n".join(filled(lines_of(args.filled))))
+        with command_line.reading(args.filled, "a stream of inputs"):
+            lines = filled(lines_of(args.filled))
+        print("\n".join(lines))
         return 0
     if not args.command:
         parser.error("--command names the program evc")
@@ -228,4 +230,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -8,14 +8,14 @@ Usage: tools/check_requirements.py [--write | --fix-places | --add-scenarios | -
   --add-scenarios  adds to the rows `done` and `part` exactly the scenarios that name their clause
   --missing      the on-board clauses of SUBSET-026-9 without a row, one a line
 """
-import argparse
 import collections
 import csv
 import fnmatch
 import io
 import pathlib
 import re
-import sys
+
+import command_line
 
 COLUMNS = ["clause", "requirement", "status", "method", "where", "test", "note"]
 STATUSES = ["done", "part", "wrong", "missing", "4.0.0 only", "deliberately otherwise", "not applicable"]
@@ -548,8 +548,8 @@ def write(root):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--root", default=pathlib.Path(__file__).resolve().parent.parent)
+    parser = command_line.Parser(__doc__.splitlines()[0])
+    parser.add_argument("--root", type=command_line.folder, default=pathlib.Path(__file__).resolve().parent.parent)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--write", action="store_true")
     what.add_argument("--fix-places", action="store_true")
@@ -576,4 +576,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -8,7 +8,8 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 EVC = ROOT / "build/release/evc"
@@ -90,6 +91,7 @@ def judge(name, folder, expected):
 
 
 def main():
+    command_line.Parser(__doc__).parse_args()
     subprocess.run(["make", "--no-print-directory", "run"], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
     faults = judge("shipped line", ROOT / "out/run", ALWAYS)
     for train in sorted((ROOT / "data/trains").glob("*.json")):
@@ -107,4 +109,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -4,12 +4,11 @@
 the line deleted), never rise. Tables are listed with the word `table`: they may grow by rows. A branch is an if, for,
 while, case, ?, && or ||; lambdas count with the function around them.
 Usage: tools/check_size.py [--root FOLDER] [--list]; prints FILE:LINE: reason, exit 1."""
-import argparse
 import pathlib
 import re
-import sys
 
 import check_layers
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LINES, BRANCHES, FILE_LINES = 60, 25, 300
@@ -121,8 +120,8 @@ def check(root):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=pathlib.Path, default=ROOT)
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--root", type=command_line.folder, default=ROOT)
     parser.add_argument("--list", action="store_true", help="print what is over the limits, as tools/sizes.txt has it")
     args = parser.parse_args()
     if args.list:
@@ -137,4 +136,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -8,13 +8,13 @@ the deepest of all functions whose address is taken.
 Usage: tools/check_stack.py [--build FOLDER] [--root FUNCTION] [--write] [--top N]
   --write  writes today's figure into tests/gates/stack.txt
   --top    also prints the N largest frames on any path"""
-import argparse
 import pathlib
 import re
 import subprocess
 import sys
 
 import check_layers
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIMIT = ROOT / "tests/gates/stack.txt"
@@ -300,11 +300,11 @@ def judged(size, allowed, ceiling):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--build", type=command_line.folder, default=ROOT / "build/release")
     parser.add_argument("--root", default="evc::kernel::step")
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--top", type=int, default=0)
+    parser.add_argument("--top", type=command_line.whole(0), default=0)
     options = parser.parse_args()
     archives = [a for room in check_layers.KERNEL_ROOMS
                 if (a := options.build / f"src/{room}/libevc_{room}.a").exists()]
@@ -341,4 +341,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -9,16 +9,15 @@ Usage: tools/check_table_mutants.py [--write [--unseen]] [ROOM...]
   --write  looks at all mutants of the new rows, and records the rows that have no survivor without a reason;
            rows that do not exist any more leave the list
   --unseen records all rows without a look"""
-import argparse
 import concurrent.futures
 import hashlib
-import os
 import random
 import re
 import resource
 import sys
 
 import check_layers
+import command_line
 from mutate import MEMORY, listed
 from mutation.room import Room
 from mutation.sources import ROOT, SRC, mutants_of_room
@@ -96,7 +95,7 @@ def survivors(name, wanted, jobs, largest=None):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--unseen", action="store_true")
     parser.add_argument("rooms", nargs="*")
@@ -105,7 +104,7 @@ def main(arguments=None):
     unknown = set(options.rooms) - set(rooms)
     if unknown:
         sys.exit(f"table mutants: no room with tests: {' '.join(sorted(unknown))}")
-    jobs = int(os.environ.get("JOBS", os.cpu_count()))
+    jobs = command_line.jobs()
     seen = read(LIST.read_text(encoding="utf-8")) if LIST.exists() else {}
     there = {}
     total = new = failed = 0
@@ -137,4 +136,4 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

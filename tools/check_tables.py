@@ -3,14 +3,14 @@
 tools/generate_language.py writes from the reference data, and if the recorded line is available no test was
 skipped in the last test run (build/ci/cases, if it exists).
 Usage: tools/check_tables.py [--write]   --write updates the pages."""
-import argparse
 import os
 import pathlib
 import shutil
 import subprocess
-import sys
 import tempfile
 import xml.etree.ElementTree
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Tests that lay a table beside the reference data, or drive the recorded line.
@@ -63,7 +63,7 @@ def skipped_comparisons():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--write", action="store_true")
     write = parser.parse_args().write
     faults = []
@@ -82,4 +82,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

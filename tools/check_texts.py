@@ -8,6 +8,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import check_layers  # noqa: E402
+import command_line
 
 HAVE_TEXTS = {"lang", "airgap"}
 
@@ -33,7 +34,9 @@ def literals(archive):
 
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
-    builds = sys.argv[1:] or [root / "build/release"]
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("builds", nargs="*", type=command_line.folder, default=[root / "build/release"])
+    builds = parser.parse_args().builds
     texts = archives = 0
     for build in builds:
         for room in check_layers.KERNEL_ROOMS:
@@ -53,4 +56,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -13,16 +13,15 @@ Usage: tools/check_tidy.py [--write] [--all] [--list] [FILE...]
            sources that do not exist any more leave the list
   --all    also what is known to be clean;  FILE: these sources, or the owners of these headers, known or not
   --list   prints each source with its headers, and looks at nothing"""
-import argparse
 import concurrent.futures
 import hashlib
 import json
-import os
 import pathlib
 import re
 import subprocess
 import sys
 
+import command_line
 from included import made_of, text_and_includes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -132,7 +131,7 @@ def look(source, headers):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--list", action="store_true")
@@ -169,7 +168,7 @@ def main(arguments=None):
     layout.write_text("#pragma once\n#define EVC_STATE_LAYOUT 0u\n", encoding="utf-8")
 
     failed = 0
-    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(command_line.jobs()) as pool:
         ways = {pool.submit(look, s, own[s]): s for s in open_}
         for way in concurrent.futures.as_completed(ways):
             source, (good, said, mark) = ways[way], way.result()
@@ -190,4 +189,4 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -5,7 +5,8 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
+
+import command_line
 
 LARGEST = 1_500_000
 # Written in pieces so that this file does not find itself.
@@ -46,7 +47,9 @@ def check(root):
 
 
 def main():
-    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("root", nargs="?", type=command_line.folder, default=pathlib.Path(__file__).resolve().parent.parent)
+    root = parser.parse_args().root
     faults = check(root)
     for fault in faults:
         print(fault)
@@ -55,4 +58,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

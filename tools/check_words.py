@@ -6,8 +6,9 @@ import io
 import pathlib
 import re
 import subprocess
-import sys
 import tokenize
+
+import command_line
 
 # Pattern and replacement. Every row is a phrase that readers did not understand at once.
 PHRASES = [
@@ -146,7 +147,9 @@ def check(root):
 
 
 def main():
-    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("root", nargs="?", type=command_line.folder, default=pathlib.Path(__file__).resolve().parent.parent)
+    root = parser.parse_args().root
     faults, looked_at = check(root)
     for fault in faults:
         print(fault)
@@ -155,4 +158,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -9,7 +9,6 @@ radio messages, a lost session, a driver with random actions, a national system,
 The first difference of every comparison is printed; exit status 1 when there is one, or when the lines exercised too
 little to prove anything.
 Usage: tools/compare_lines.py --before EVC --after EVC [--lines 100] [--seed 1] [--keep DIR]"""
-import argparse
 import collections
 import concurrent.futures
 import json
@@ -22,6 +21,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
+import command_line
 from random_line import Dice, RandomLine  # noqa: E402
 
 DRIVERS = ("perfect", "reckless")
@@ -402,11 +402,11 @@ def compare_seed(seed, options, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--before", required=True, type=pathlib.Path)
-    parser.add_argument("--after", required=True, type=pathlib.Path)
-    parser.add_argument("--lines", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=1, help="the first one")
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--before", required=True, type=command_line.program)
+    parser.add_argument("--after", required=True, type=command_line.program)
+    parser.add_argument("--lines", type=command_line.whole(1), default=100)
+    parser.add_argument("--seed", type=command_line.whole(0), default=1, help="the first one")
     parser.add_argument("--keep", help="folder for the inputs of replays that differ")
     options = parser.parse_args()
     seen, differences = Seen(), []
@@ -415,7 +415,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix="evc-compare-") as folder:
             return compare_seed(seed, options, pathlib.Path(folder))
 
-    with concurrent.futures.ThreadPoolExecutor(max_workers=int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(max_workers=command_line.jobs()) as pool:
         for found, what in pool.map(one, range(options.seed, options.seed + options.lines)):
             seen.add(what)
             for difference in found:
@@ -430,4 +430,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -8,13 +8,14 @@ Usage: tools/count_instructions.py [--check | --write] [INPUT.jsonl...]
   --check  compares with tests/gates/instructions.txt: 2 % more fails, and so does 2 % less: the new figure is committed
            with the change that made it. Figures of another compiler are not compared: that fails too
   --write  writes today's figures there"""
-import argparse
 import lzma
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+
+import command_line
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build/release/benches/instructions"
@@ -94,10 +95,10 @@ def faults(committed, found):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("journeys", nargs="*", metavar="INPUT.jsonl")
+    parser.add_argument("journeys", nargs="*", type=command_line.file, metavar="INPUT.jsonl")
     options = parser.parse_args()
     if options.check or options.write:
         subprocess.run([ROOT / "tools/build", "release", "instructions"], check=True, stdout=sys.stderr)
@@ -123,4 +124,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

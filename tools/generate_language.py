@@ -11,7 +11,8 @@ the reference data field by field. Run clang-format afterwards.
 import json
 import os
 import re
-import sys
+
+import command_line
 
 VERSIONS = ["1.0", "1.1", "2.0", "2.1", "2.2", "2.3", "3.0"]
 # The forms of this version have names without a suffix: the others are translated into them.
@@ -377,12 +378,14 @@ def write_message_table(rows, out):
 
 
 def main():
-    reference = sys.argv[1]
-    root = sys.argv[2] if len(sys.argv) > 2 else os.path.join(os.path.dirname(__file__), "..")
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("reference", type=command_line.folder)
+    parser.add_argument("root", nargs="?", type=command_line.folder, default=os.path.join(os.path.dirname(__file__), ".."))
+    options = parser.parse_args()
+    root = options.root
 
     def load(name):
-        with open(os.path.join(reference, name + ".json"), encoding="utf-8") as f:
-            return json.load(f)
+        return command_line.json_of(options.reference / (name + ".json"))
 
     def out(path, text):
         path = os.path.join(root, path)
@@ -427,4 +430,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    command_line.run(main)

@@ -7,8 +7,14 @@ fonts-liberation2 2.1.5 (SIL Open Font License 1.1, licenses/OFL-1.1.txt). Needs
 import re
 import sys
 
-from fontTools.pens.basePen import BasePen
-from fontTools.ttLib import TTFont
+import command_line
+
+try:
+    from fontTools.pens.basePen import BasePen
+    from fontTools.ttLib import TTFont, TTLibError
+except ImportError:
+    print("make_font.py: found no fontTools, expected the package python3-fonttools", file=sys.stderr)
+    sys.exit(2)
 
 # The printable characters of ISO 8859-1 and of Latin Extended-A, Cyrillic letters, and the dash of the status texts:
 # kRanges of font.cpp.
@@ -40,7 +46,10 @@ class Outline(BasePen):
 
 
 def table(name, file):
-    font = TTFont(file)
+    try:
+        font = TTFont(file)
+    except TTLibError as wrong:
+        raise command_line.Refused(f"{file}: found {wrong}, expected a TrueType font") from None
     names, glyphs = font.getBestCmap(), font.getGlyphSet()
     if font["head"].unitsPerEm != 2048:
         sys.exit(f"{file}: found {font['head'].unitsPerEm} units in an em, expected 2048")
@@ -62,8 +71,10 @@ def table(name, file):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("regular", type=command_line.file)
+    parser.add_argument("bold", type=command_line.file)
+    options = parser.parse_args()
     print('''// Written by tools/make_font.py: outlines of LiberationSans-Regular.ttf and LiberationSans-Bold.ttf 2.1.5.
 // Digitized data copyright (c) 2010 Google Corporation with Reserved Font Arimo, Tinos and Cousine.
 // Copyright (c) 2012 Red Hat, Inc. with Reserved Font Name Liberation.
@@ -73,13 +84,13 @@ def main():
 namespace evc::paint {
 
 // clang-format off''')
-    table("kRegular", sys.argv[1])
+    table("kRegular", options.regular)
     print()
-    table("kBold", sys.argv[2])
+    table("kBold", options.bold)
     print('''// clang-format on
 
 }  // namespace evc::paint''')
 
 
 if __name__ == "__main__":
-    main()
+    command_line.run(main)

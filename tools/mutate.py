@@ -22,7 +22,6 @@ Usage: tools/mutate.py ROOM [--rows | --rest] [--sample N] [--alone N] [--seed S
   --page       writes docs/ROOM-mutants.md from this run; the reasons that are in it are kept
   --check      builds each mutant alone as well and prints where the verdicts differ
 Exit status 1 where a mutant survives that the document does not list."""
-import argparse
 import collections
 import concurrent.futures
 import json
@@ -32,6 +31,7 @@ import resource
 import sys
 import time
 
+import command_line
 from mutation.page import NO_REASON, reasons, write_page
 from mutation.room import Room
 from mutation.sources import ROOT, changed_lines, in_order
@@ -141,19 +141,19 @@ def judge_all(room, mutants, options):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("room")
     parser.add_argument("--rows", action="store_true")
     parser.add_argument("--rest", action="store_true")
-    parser.add_argument("--sample", type=int, default=0)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--alone", type=int)
+    parser.add_argument("--sample", type=command_line.whole(0), default=0)
+    parser.add_argument("--seed", type=command_line.whole(0), default=1)
+    parser.add_argument("--alone", type=command_line.whole(0))
     parser.add_argument("--files")
     parser.add_argument("--changed", metavar="COMMIT")
     parser.add_argument("--behaviour", action="store_true")
     parser.add_argument("--survivors", action="store_true")
     parser.add_argument("--resume", action="store_true")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=command_line.whole(1), default=os.cpu_count())
     parser.add_argument("--build")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--list", action="store_true")
@@ -199,4 +199,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command_line.run(main)

@@ -6,11 +6,12 @@ A line starts in level 0, 1 or NTC and changes its level up to four times; level
 radio block centre that extends, shortens and withdraws authorities. It has gradients, speed profiles, temporary speed
 restrictions, mode profiles (OS, LS, SH), track conditions, texts, emergency messages and rarer packets, some of which
 the on-board has to reject. Usage: tools/random_line.py --seed N"""
-import argparse
 import dataclasses
 import json
 import random
 import sys
+
+import command_line
 
 NID_C = 1000
 RBC = {"NID_RBC": 1, "NID_RADIO": "0041790000000001"}
@@ -459,12 +460,12 @@ class RandomLine:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seed", type=int, required=True)
+    parser = command_line.Parser(__doc__)
+    parser.add_argument("--seed", type=command_line.whole(0), required=True)
     options = parser.parse_args()
     json.dump(RandomLine(options.seed).description(), sys.stdout, indent=1)
     print()
 
 
 if __name__ == "__main__":
-    main()
+    command_line.run(main)

@@ -125,20 +125,42 @@ def drive(unit, line, stop_at_m):
     raise SystemExit(f"bridge: found the train at {train.front_m:.1f} m after an hour, expected it at {stop_at_m:.1f} m")
 
 
+def read_line(name):
+    """A line file; SystemExit with what is wrong."""
+    try:
+        with open(name, encoding="utf-8") as file:
+            line = json.load(file)
+    except ValueError as wrong:
+        raise SystemExit(f"bridge: {name}: found {wrong}, expected JSON") from None
+    if not isinstance(line, dict) or line.get("schema") != "etcs-line/1":
+        raise SystemExit(f"bridge: {name}: /schema: found another document, expected \"etcs-line/1\"")
+    return line
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line."""
+
+    def error(self, message):
+        self.exit(2, f"bridge: {message}\n")
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser = Parser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("line", help="line file (etcs-line/1)")
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--port", type=int, default=8026, help="port of a server that runs")
     where.add_argument("--start", metavar="COMMAND", help="starts this evc with a port of its own, and ends it")
     parser.add_argument("--stop-at", type=float, default=3500.0, help="place of the front end, m along the line")
     given = parser.parse_args()
-    with open(given.line, encoding="utf-8") as file:
-        line = json.load(file)
+    line = read_line(given.line)
     server = None
     if given.start:
         server = subprocess.Popen([given.start, "serve", "--port", "0"], stdout=subprocess.PIPE, text=True)
-        given.port = int(server.stdout.readline().rstrip("/\n").rpartition(":")[2])
+        port = server.stdout.readline().rstrip("/\n").rpartition(":")[2]
+        if not port.isdigit():  # it has said why
+            server.wait()
+            return 2
+        given.port = int(port)
     try:
         modes, braked = drive(Unit(given.port, {"cycle_ms": round(1000 * CYCLE_S)}), line, given.stop_at)
     finally:
@@ -151,5 +173,18 @@ def main():
     return 0 if "FS" in modes and braked == 0 else 1
 
 
+def ended():
+    """The exit status: 2 for what is wrong with the command line, a file, or the connection, with a sentence."""
+    try:
+        return main()
+    except OSError as wrong:
+        print("bridge:", ": ".join(str(part) for part in (wrong.filename, wrong.strerror or wrong) if part), file=sys.stderr)
+    except SystemExit as wrong:
+        if not isinstance(wrong.code, str):
+            raise
+        print(wrong.code, file=sys.stderr)
+    return 2
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(ended())

@@ -11,7 +11,14 @@ import numpy as np
 import openevc as evc
 
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "plots")
-folder.mkdir(parents=True, exist_ok=True)
+if len(sys.argv) > 2 or str(folder).startswith("-"):
+    print("braking.py: found", *sys.argv[1:], "- expected the name of a folder", file=sys.stderr)
+    sys.exit(2)
+try:
+    folder.mkdir(parents=True, exist_ok=True)
+except OSError as wrong:
+    print(f"braking.py: {folder}: {wrong.strerror}, expected a folder", file=sys.stderr)
+    sys.exit(2)
 
 
 def save(figure, name):

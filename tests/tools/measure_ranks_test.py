@@ -2,10 +2,12 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import sys
 import unittest
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
 
 
 def loaded():
