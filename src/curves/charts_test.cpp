@@ -54,22 +54,22 @@ TEST(CurvesCharts, ThePageOfAComparisonHoldsBothSides) {
   const std::string page = comparison_html(p, {&g, 1});
   const std::size_t from = page.find("const ALL = ") + 12;
   const json all = json::parse(page.substr(from, page.find(", chosen = ", from) - from));
-  ASSERT_EQ(all.size(), 1u);
-  const json& data = all[0];
-  EXPECT_EQ(data["name_a"], p.input().name);
-  EXPECT_EQ(data["name_b"], g.input().name);
-  ASSERT_EQ(data["v"][50], 50);
-  std::set<std::string> keys;
-  for (const json& curve : data["curves"]) {
-    keys.insert(curve["key"]);
-    ASSERT_EQ(curve["a"].size(), data["v"].size());
-    ASSERT_EQ(curve["b"].size(), data["v"].size());
-    if (curve["key"] == "EBI") {
-      EXPECT_NEAR(curve["a"][50].get<double>(), *speed_row(p, 50).EBI, 0.005);
-      EXPECT_NEAR(curve["b"][50].get<double>(), *speed_row(g, 50).EBI, 0.005);
+  ASSERT_EQ(all["others"].size(), 1u);
+  const json &a = all["a"], &b = all["others"][0];
+  EXPECT_EQ(a["name"], p.input().name);
+  EXPECT_EQ(b["name"], g.input().name);
+  EXPECT_EQ(all["step"], 1);
+  for (const json* side : {&a, &b}) {
+    std::set<std::string> keys;
+    for (const auto& [key, rows] : (*side)["curves"].items()) {
+      keys.insert(key);
+      EXPECT_EQ(rows.size(), b["rows"]) << key;
     }
+    EXPECT_EQ(keys, (std::set<std::string>{"EBD", "SBD", "EBI", "SBI", "W", "P", "I"}));
   }
-  EXPECT_EQ(keys, (std::set<std::string>{"EBD", "SBD", "EBI", "SBI", "W", "P", "I"}));
+  EXPECT_NEAR(a["curves"]["EBI"][50].get<double>(), *speed_row(p, 50).EBI, 0.005);
+  EXPECT_NEAR(b["curves"]["EBI"][50].get<double>(), *speed_row(g, 50).EBI, 0.005);
+  EXPECT_NEAR(b["scalars"]["T_be_s"].get<double>(), *scalars_of(g).T_be_s, 0.005);
   EXPECT_EQ(page.find("http"), std::string::npos);  // nothing is loaded from other files
 }
 
@@ -236,6 +236,26 @@ TEST(CurvesCharts, LongNamesAreShortenedInCharts) {
   EXPECT_EQ(shortened("abcde", 4), "abc\u2026");
   EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df", 4), "\u00e4\u00f6\u00fc\u00df");
   EXPECT_EQ(shortened("\u00e4\u00f6\u00fc\u00df!", 4), "\u00e4\u00f6\u00fc\u2026");
+}
+
+// A once, with as many rows as the longest of the others has.
+TEST(CurvesCharts, ThePageOfAComparisonHoldsAOnce) {
+  const Approached p = approached(kSource + "/data/curves/freight_P.json");
+  std::vector<Approached> others;
+  for (const char* name : {"freight_G", "passenger_eoa", "freight_P"})
+    others.push_back(approached(kSource + "/data/curves/" + name + ".json"));
+  const std::string one = comparison_html(p, {&others[1], 1}), three = comparison_html(p, others);
+  const std::size_t from = three.find("const ALL = ") + 12;
+  const json all = json::parse(three.substr(from, three.find(", chosen = ", from) - from));
+  ASSERT_EQ(all["others"].size(), 3u);
+  std::size_t longest = 0, data = 0;
+  for (const json& other : all["others"]) {
+    longest = std::max(longest, other["rows"].get<std::size_t>());
+    data += other.dump().size() + 1;
+  }
+  EXPECT_EQ(all["a"]["curves"]["EBI"].size(), longest);
+  EXPECT_GT(longest, all["others"][0]["rows"].get<std::size_t>());  // the passenger train is faster
+  EXPECT_EQ(three.size() - one.size(), data - (all["others"][1].dump().size() + 1));
 }
 
 TEST(CurvesCharts, PagesHaveTheSharedStyleAndScript) {

@@ -37,31 +37,41 @@ void append_rounded(std::string& out, const Value& v) {
   else
     out += "null";
 }
-void append_rows(std::string& out, const char* key, const std::vector<SpeedRow>& rows, Value SpeedRow::*value) {
-  out += fmt::format(",\"{}\":[", key);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0) out += ',';
-    append_rounded(out, rows[i].*value);
-  }
-  out += ']';
-}
-bool exists(const std::vector<SpeedRow>& rows, Value SpeedRow::*value) {
-  return std::any_of(rows.begin(), rows.end(), [&](const SpeedRow& row) { return (row.*value).has_value(); });
-}
-
 std::string side(const Approached& a) {
   const io::CurvesInput& c = a.input();
   return fmt::format("{}, L_TRAIN {:g} m, SUBSET-026 {}", c.train_name, c.inputs.train.L_TRAIN.si, name(c.inputs.srs));
 }
 
-std::string data_of(const Approached& a, const Approached& b) {
-  const Comparison asked = compare_curves(a, b);
-  const std::vector<double> speeds = drawn_speeds(asked);
-  const Comparison c = compare_curves(a, b, speeds);
-  std::string out = "{\"name_a\":";
-  io::append_string(out, c.name_a);
-  out += ",\"name_b\":";
-  io::append_string(out, c.name_b);
+/// `"curves":{"EBD":[...],...},"scalars":{...}`: the curves that it has, at every km/h up to the highest of so many
+/// rows.
+void append_results(std::string& out, const Approached& a, std::size_t count) {
+  std::vector<SpeedRow> rows;
+  for (std::size_t i = 0; i < count; ++i) rows.push_back(speed_row(a, static_cast<double>(i) * kDrawn_kmh));
+  out += "\"curves\":{";
+  for (const Shown& s : kShown) {
+    if (std::none_of(rows.begin(), rows.end(), [&](const SpeedRow& row) { return (row.*s.value).has_value(); }))
+      continue;
+    out += fmt::format("{}\"{}\":[", out.back() == '{' ? "" : ",", s.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i > 0) out += ',';
+      append_rounded(out, rows[i].*s.value);
+    }
+    out += ']';
+  }
+  out += "},\"scalars\":{";
+  const Scalars scalars = scalars_of(a);
+  for (const auto& s : scalar_columns()) {
+    if (!(scalars.*s.value)) continue;
+    out += fmt::format("{}\"{}\":", out.back() == '{' ? "" : ",", s.name);
+    append_rounded(out, scalars.*s.value);
+  }
+  out += '}';
+}
+
+/// What the page has of an input that is compared with A.
+std::string other_of(const Approached& a, const Approached& b, const Comparison& asked, std::size_t count) {
+  std::string out = "{\"name\":";
+  io::append_string(out, asked.name_b);
   out += ",\"subtitle\":";
   io::append_string(out, "A: " + side(a) + "; B: " + side(b) + "; " + differ_text(asked));
   out += ",\"warnings\":[";
@@ -69,39 +79,40 @@ std::string data_of(const Approached& a, const Approached& b) {
     if (out.back() != '[') out += ',';
     io::append_string(out, warning);
   }
-  out += ']';
-  out += fmt::format(",\"step\":{:g},\"v\":[", kDrawn_kmh);
-  for (std::size_t i = 0; i < speeds.size(); ++i) out += fmt::format("{}{:g}", i == 0 ? "" : ",", speeds[i]);
-  out += "],\"scalars\":[";
-  for (const auto& s : scalar_columns()) {
-    if (!(c.a.*s.value) && !(c.b.*s.value)) continue;
-    out += fmt::format("{}{{\"name\":\"{}\",\"a\":", out.back() == '[' ? "" : ",", s.name);
-    append_rounded(out, c.a.*s.value);
-    out += ",\"b\":";
-    append_rounded(out, c.b.*s.value);
-    out += '}';
+  out += fmt::format("],\"rows\":{},", count);
+  append_results(out, b, count);
+  return out + '}';
+}
+
+/// A once, and the others: the page compares them.
+std::string data_of(const Approached& a, std::span<const Approached> others) {
+  std::string list;
+  std::size_t longest = 0;
+  for (const Approached& b : others) {
+    const Comparison asked = compare_curves(a, b);
+    const std::size_t count = drawn_speeds(asked).size();
+    longest = std::max(longest, count);
+    list += (list.empty() ? "" : ",") + other_of(a, b, asked, count);
   }
-  out += "],\"curves\":[";
-  for (const Shown& s : kShown) {
-    if (!exists(c.rows_a, s.value) && !exists(c.rows_b, s.value)) continue;
-    out += fmt::format("{}{{\"key\":\"{}\",\"colour\":\"{}\",\"width\":{:g}", out.back() == '[' ? "" : ",", s.key,
+  std::string out = fmt::format("{{\"step\":{:g},\"shown\":[", kDrawn_kmh);
+  for (const Shown& s : kShown)
+    out += fmt::format("{}{{\"key\":\"{}\",\"colour\":\"{}\",\"width\":{:g}}}", out.back() == '[' ? "" : ",", s.key,
                        s.colour, s.width);
-    append_rows(out, "a", c.rows_a, s.value);
-    append_rows(out, "b", c.rows_b, s.value);
-    out += '}';
-  }
-  return out + "]}";
+  out += "],\"scalars\":[";
+  for (const auto& s : scalar_columns()) out += fmt::format("{}\"{}\"", out.back() == '[' ? "" : ",", s.name);
+  out += "],\"a\":{\"name\":";
+  io::append_string(out, a.input().name);
+  out += ',';
+  append_results(out, a, longest);
+  return out + "},\"others\":[" + list + "]}";
 }
 
 }  // namespace
 
 std::string comparison_html(const Approached& a, std::span<const Approached> others) {
-  std::string data = "[";
-  for (const Approached& b : others) data += (data.size() > 1 ? "," : "") + io::json_in_script(data_of(a, b));
-  data += ']';
   std::string page = compare_page_template;
   const std::string slot = "/*DATA*/null";
-  page.replace(page.find(slot), slot.size(), data);
+  page.replace(page.find(slot), slot.size(), io::json_in_script(data_of(a, others)));
   return page;
 }
 

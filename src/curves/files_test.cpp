@@ -134,9 +134,9 @@ TEST(CurvesFiles, MoreThanTwoInputsAreComparedWithTheFirst) {
   const std::string page = written("compare " + p + " " + g + " " + d + " 2>/dev/null -o", "three.html");
   const std::size_t from = page.find("const ALL = ") + 12;
   const json shown = json::parse(page.substr(from, page.find(", chosen = ", from) - from));
-  ASSERT_EQ(shown.size(), 2u);
-  EXPECT_EQ(shown[0]["name_a"], shown[1]["name_a"]);
-  EXPECT_EQ(shown[1]["name_b"], all["comparisons"][1]["b"]);
+  ASSERT_EQ(shown["others"].size(), 2u);
+  EXPECT_EQ(shown["a"]["name"], all["comparisons"][1]["a"]);
+  EXPECT_EQ(shown["others"][1]["name"], all["comparisons"][1]["b"]);
 }
 
 TEST(CurvesFiles, LongTitlesAreWrapped) {

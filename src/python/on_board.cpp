@@ -73,10 +73,12 @@ struct Snapshot : Blank {
 
 std::string type_of(const py::object& value) { return Py_TYPE(value.ptr())->tp_name; }
 
+/// A flag of Python or of NumPy.
 bool flag_of(const py::object& value, const char* name) {
-  if (!py::isinstance<py::bool_>(value))
+  const py::object plain = py::hasattr(value, "tolist") ? py::object(value.attr("tolist")()) : value;
+  if (!py::isinstance<py::bool_>(plain))
     throw io::ReadError{{"OnBoard", name, "a value of type " + type_of(value), "True or False"}};
-  return value.cast<bool>();
+  return plain.cast<bool>();
 }
 
 constexpr std::int64_t kNever = -1;
