@@ -130,7 +130,31 @@ class Judge {
         if (was_read(entry, i, value, tokens, how, document)) break;
   }
 
+  /// Throws what is wrong in the form of the member itself, beside the places of the entries: so are all cases.
+  void judge_base(const Places& places, const std::string& member, const Json& document) const {
+    try {
+      reader_(member, JsonPlace(document, spec_.file));
+    } catch (const io::ReadError& e) {
+      if (!is_of_form(e.diagnostic, document)) return;
+      const std::string where = e.diagnostic.where + '/';
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::string varied = pointer_of(places[i], places[i].size()) + '/';
+        if (where.compare(0, varied.size(), varied) == 0 || varied.compare(0, where.size(), where) == 0) return;
+      }
+      throw io::ReadError{{spec_.file, place_in_base(e.diagnostic.where), e.diagnostic.found, e.diagnostic.expected}};
+    }
+  }
+
  private:
+  /// A place of the document as one of `base`: "/base/odometer/x"; in a file "/base/train /length_m".
+  std::string place_in_base(const std::string& where) const {
+    if (spec_.kind != Kind::run) return (spec_.kind == Kind::curves ? "/base/query " : "/base/inputs ") + where;
+    const std::string member = io::tokens_of(where).front();
+    const auto given = spec_.base.find(member);
+    const bool is_file = given != spec_.base.end() && given->is_string();
+    return is_file ? "/base/" + member + ' ' + where.substr(member.size() + 1) : "/base" + where;
+  }
+
   bool was_read(const Entry& entry, std::size_t i, const Json& value, const std::vector<std::string>& tokens,
                 Judged how, Json document) const {
     const std::string& member = tokens.front();
@@ -216,8 +240,11 @@ void require_places(const Spec& spec, const Places& places, const Json& document
     } catch (const io::ReadError& e) {
       const std::string& where = e.diagnostic.where;
       const std::string whole = pointer_of(places[i], places[i].size());
-      if (e.diagnostic.found == "an unknown key" && whole.compare(0, where.size(), where) == 0)
-        leads_nowhere(spec, i, e.diagnostic.expected);
+      if (whole.compare(0, where.size(), where) != 0) continue;
+      if (e.diagnostic.found == "an unknown key") leads_nowhere(spec, i, e.diagnostic.expected);
+      // The members below a number or a text were made.
+      if (where.size() < whole.size() && is_of_another_kind(Json::object(), e.diagnostic.expected))
+        leads_nowhere(spec, i, "a place: " + where + " has no members");
     }
   }
 }
@@ -258,6 +285,7 @@ void require_values(const Spec& spec, const Places& places, const Json& document
   const Judge judge(spec, named, reader);
   for (std::size_t e = 0; e < places.size(); ++e)
     judge.judge(spec.vary[e], places[e], judged(places[e].front()), documents);
+  for (std::size_t e = 0; e < places.size(); ++e) judge.judge_base(places, places[e].front(), documents[1]);
 }
 
 std::string reason_of(const io::Diagnostic& d) {

@@ -133,6 +133,9 @@ TEST(Spec, errors_name_the_place) {
        "spec.json: /vary/0/at: found /sed, which leads nowhere, expected one of "},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/brake_precentage","list":[100]}]})",
        "spec.json: /vary/0/at: found /train/brake_precentage, which leads nowhere, expected one of schema, name, "},
+      {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/length_m/x/y","list":[100]}]})",
+       "spec.json: /vary/0/at: found /train/length_m/x/y, which leads nowhere, expected a place: /train/length_m has "
+       "no members"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/train/dynamics/mass","list":[100]}]})",
        "spec.json: /vary/0/at: found /train/dynamics/mass, which leads nowhere, expected one of mass_t"},
       {R"({"schema":"evc-sweep/1","kind":"run","vary":[{"at":"/line/lenght_m","list":[100]}]})",
@@ -248,6 +251,17 @@ TEST(Spec, a_value_of_another_kind_is_found_among_others) {
                          {"at":"/train/brake_percentage","list":[110]},
                          {"at":"/train/traction_cut_off_interface","uniform":[0,1]}]})"),
             "spec.json: /vary/1/uniform: found [0,1], numbers with a fraction, expected true or false");
+}
+
+// What `base` has beside the places that vary is the same in all cases.
+TEST(Spec, a_base_of_which_no_case_can_be_is_refused) {
+  EXPECT_EQ(error_of(varied("run", R"({"odometer":{"x":5}})", "/odometer/error", R"("list":[0])")),
+            "spec.json: /base/odometer/x: found an unknown key, expected one of error");
+  EXPECT_EQ(error_of(varied("run", R"({"train":{"length_m":"long"}})", "/train/brake_percentage", R"("list":[110])")),
+            "spec.json: /base/train/length_m: found \"long\", expected a number");
+  // Out of range: one case after the other says it, as the place may depend on what varies.
+  EXPECT_EQ(error_of(varied("run", R"({"train":{"length_m":-1}})", "/train/brake_percentage", R"("list":[110])")),
+            "none");
 }
 
 // A case that cannot be is a row: a number out of range, a name that there is not.
