@@ -50,22 +50,20 @@ HWY_INLINE VI index_of(const Block& b, const std::int64_t* index, std::int64_t w
 
 /// A curve of each lane.
 struct Curve {
-  V x, w;     // the anchor
-  VI cell;    // first one of the segment upstream of the anchor
-  VI second;  // first one of the second segment: those before it are the end of the track
-  VI stride;  // from the cells of a segment to those of the next one
-  V w_top;    // the curve ends here
+  V x, w;      // the anchor
+  VI segment;  // index of the segment upstream of it
+  V w_top;     // the curve ends here
 };
 
 /// What is known of a cell.
 struct Cell {
-  V A, upto, begin;
+  V twice_A, upto, begin;
 };
 
 /// The cells of all lanes. A cell is loaded at once, and those of the lanes are transposed: gathering value by value
 /// takes twice the time of everything else.
 HWY_INLINE Cell cells_at(const double* numbers, VI cell) {
-  static_assert(kA == 0 && kUpto == 1 && kBegin == 2 && kCellValues == 4);
+  static_assert(kTwiceA == 0 && kUpto == 1 && kBegin == 2 && kCellValues == 4);
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
   alignas(64) std::int64_t index[hn::MaxLanes(D())];
   hn::Store(cell, DI(), index);
@@ -94,11 +92,27 @@ HWY_INLINE Cell cells_at(const double* numbers, VI cell) {
 #endif
 }
 
-/// segment_upstream_of: the last segment that begins in rear of `x`, or the first one.
-HWY_INLINE VI segment_upstream(const Block& b, VI segments, VI count, V x) {
-  VI low = segments;
-  VI high = hn::Add(segments, hn::ShiftLeft<2>(count));
+/// The number of `values`, `step` apart, of which `below(value)` holds.
+template <class Below>
+HWY_INLINE VI count_of(const double* values, std::int64_t number_of_values, std::int64_t step, Below below) {
+  VI n = hn::Zero(DI());
+  for (std::int64_t i = 0; i < number_of_values; ++i) n = choose(below(number(values[i * step])), plus(n, 1), n);
+  return n;
+}
+
+/// segment_upstream_of: the last segment that begins in rear of `x`, or the first one. `k` is the first lane's case.
+HWY_INLINE VI segment_upstream(const Block& b, std::size_t k, V x) {
   static_assert(kSegmentValues == 4);
+  const VI first = hn::Load(DI(), b.segments.data() + k);
+  if (b.alike && b.count[0] <= kLookUpSegments) {
+    // All lanes have the same segments: comparing with each one is faster than bisecting.
+    const double* second = b.numbers + b.segments[0] + kSegmentValues;
+    const VI in_rear =
+        count_of(second, b.count[0] - 1, kSegmentValues, [&](V from) HWY_ATTR { return hn::Lt(from, x); });
+    return hn::Add(first, hn::ShiftLeft<2>(in_rear));
+  }
+  VI low = first;
+  VI high = hn::Add(first, hn::ShiftLeft<2>(hn::Load(DI(), b.count.data() + k)));
   for (std::size_t i = 0; i < b.bisections; ++i) {
     const VI middle = hn::Add(low, hn::ShiftLeft<2>(hn::ShiftRight<3>(hn::Sub(high, low))));
     const M in_rear = hn::Lt(at(b.numbers, middle), x);
@@ -108,74 +122,179 @@ HWY_INLINE VI segment_upstream(const Block& b, VI segments, VI count, V x) {
   return low;
 }
 
-/// The cell of the segment that begins with `cell` for the first band with an upper speed above `w`.
-HWY_INLINE VI cell_above(const Block& b, VI cell, V w) {
-  // Each band ends above 0.
-  if (hn::AllTrue(D(), hn::Le(w, number(0.0)))) return cell;
-  for (;;) {
-    const M below = hn::Le(at(b.numbers, plus(cell, kUpto)), w);
-    if (!any(below)) return cell;
-    cell = choose(below, plus(cell, kCellValues), cell);
+// Where each lane is on the track and in the bands of speed, and what holds there: for any trains, and for one train
+// with few segments and bands. Both have the same functions.
+
+/// The lanes have any trains: a place is the index of a cell.
+class AnyTrains {
+ public:
+  struct Place {
+    VI cell, stride;
+  };
+
+  AnyTrains(const Block& b, SegmentValue kind) : b_(b), kind_(kind) {}
+
+  /// Of the lanes from case `k` on, upstream of the anchor: the first band that ends above its speed.
+  HWY_INLINE Place upstream_of(const Curve& c, std::size_t k) const {
+    static_assert(kStrideSBD - kStrideEBD == kCellSBD - kCellEBD && kStrideGUI - kStrideEBD == kCellGUI - kCellEBD);
+    Place p;
+    p.cell = index_at(b_.numbers, plus(c.segment, kind_));
+    p.stride = index_of(b_, b_.values.data() + k, kStrideEBD + (kind_ - kCellEBD));
+    // Each band ends above 0.
+    if (hn::AllTrue(D(), hn::Le(c.w, number(0.0)))) return p;
+    for (;;) {
+      const M below = hn::Le(at(b_.numbers, plus(p.cell, kUpto)), c.w);
+      if (!any(below)) return p;
+      p.cell = choose(below, plus(p.cell, kCellValues), p.cell);
+    }
   }
+  HWY_INLINE Cell at_place(const Place& p) const { return cells_at(b_.numbers, p.cell); }
+  /// To the next segment upstream, where `crossed`, and to the next band, where `risen`.
+  HWY_INLINE Place next(const Place& p, M crossed, M risen) const {
+    const VI upstream = choose(crossed, hn::Sub(p.cell, p.stride), p.cell);
+    return {choose(risen, plus(upstream, kCellValues), upstream), p.stride};
+  }
+
+ private:
+  const Block& b_;
+  SegmentValue kind_;
+};
+
+#if HWY_TARGET == HWY_AVX3
+/// All lanes have the same train: its look-up tables are in registers, or at least in the cache of the first level. A
+/// permutation with the number of the segment or band as index replaces eight loads from different places.
+class OneTrain {
+ public:
+  /// Numbers of segment, from that upstream of the first one on, and band.
+  struct Place {
+    VI segment, band;
+  };
+
+  OneTrain(const Block& b, SegmentValue kind) : b_(b) {
+    static_assert(kLookUpBands == 8 && kLookUpSegments == 32);
+    table_ = b.numbers + b.segments[0] - (kSegmentValues - kind) * kLookUpValues;
+    upto_ = hn::LoadU(D(), table_ + kLookUpUpto);
+    twice_A_ = hn::LoadU(D(), table_ + kLookUpTwiceA);
+    for (int i = 0; i < 4; ++i) {
+      begin_[i] = hn::LoadU(D(), table_ + kLookUpBegin + 8 * i);
+      twice_gradient_[i] = hn::LoadU(D(), table_ + kLookUpTwiceGradient + 8 * i);
+    }
+  }
+
+  HWY_INLINE Place upstream_of(const Curve& c, std::size_t) const {
+    const VI first = hn::Set(DI(), b_.segments[0]);
+    Place p{plus(hn::ShiftRight<2>(hn::Sub(c.segment, first)), 1), hn::Zero(DI())};
+    if (hn::AllTrue(D(), hn::Le(c.w, number(0.0)))) return p;
+    p.band = count_of(table_ + kLookUpUpto, kLookUpBands, 1, [&](V upto) HWY_ATTR { return hn::Le(upto, c.w); });
+    return p;
+  }
+  HWY_INLINE Cell at_place(const Place& p) const {
+    const auto band = hn::IndicesFromVec(D(), p.band);
+    const M beyond_16 = hn::RebindMask(D(), hn::TestBit(p.segment, hn::Set(DI(), 16)));
+    const V twice_A = hn::TableLookupLanes(twice_A_, band);
+    return {hn::Add(twice_A, of_segment(twice_gradient_, p.segment, beyond_16)), hn::TableLookupLanes(upto_, band),
+            of_segment(begin_, p.segment, beyond_16)};
+  }
+  HWY_INLINE Place next(const Place& p, M crossed, M risen) const {
+    return {choose(crossed, plus(p.segment, -1), p.segment), choose(risen, plus(p.band, 1), p.band)};
+  }
+
+ private:
+  HWY_INLINE V of_segment(const V (&table)[4], VI segment, M beyond_16) const {
+    // This version of Highway has no permutation of two vectors.
+    const V low{_mm512_permutex2var_pd(table[0].raw, segment.raw, table[1].raw)};
+    const V high{_mm512_permutex2var_pd(table[2].raw, segment.raw, table[3].raw)};
+    return choose(beyond_16, high, low);
+  }
+
+  const Block& b_;
+  const double* table_;
+  V upto_, twice_A_;                // of each band
+  V begin_[4], twice_gradient_[4];  // of each segment
+};
+#endif
+
+/// An arc from `x`, `w` upstream, to the border of the segment or to the speed `upper`.
+struct Arc {
+  V x_next, w_next;
+};
+HWY_INLINE Arc arc_upstream(V x, V w, const Cell& c, V upper) {
+  const V at_border = hn::Add(w, hn::Mul(c.twice_A, hn::Sub(x, c.begin)));
+  const V there = hn::Sub(x, hn::Div(hn::Sub(upper, w), c.twice_A));
+  return {choose(hn::Lt(at_border, upper), c.begin, hn::Max(c.begin, there)), hn::Min(at_border, upper)};
 }
 
 /// d(V) of the curves upstream of their anchors, for the square `wanted` of the speed; the anchor for a speed not above
-/// its own. The same arcs as those of sdm::trace, and place_at on the last one: no knots are stored.
-HWY_INLINE void place_upstream(const Block& b, const Curve* curves, const V* wanted, const M* asked, V* place) {
+/// its own. The same arcs as those of sdm::trace, and place_at on the last one: no knots are stored. A lane whose arc
+/// reaches the speed stays there while others go on: it computes that arc again and again.
+template <class Track>
+HWY_INLINE void place_upstream_on(const Track& track, std::size_t k, const Curve* curves, const V* wanted,
+                                  const M* asked, V* place) {
   V x[kUnrolled];
   V w[kUnrolled];
-  VI cell[kUnrolled];
-  M open[kUnrolled];
-  const V two = number(2.0);
-  bool more = false;
+  V goal[kUnrolled];
+  typename Track::Place p[kUnrolled];
+  M beyond_top = hn::Lt(number(0.0), number(0.0));
   for (std::size_t u = 0; u < kUnrolled; ++u) {
     x[u] = curves[u].x;
     w[u] = curves[u].w;
-    cell[u] = cell_above(b, curves[u].cell, w[u]);
-    place[u] = x[u];
-    open[u] = hn::And(asked[u], hn::Gt(wanted[u], w[u]));
-    more = more || any(open[u]);
+    p[u] = track.upstream_of(curves[u], k + u * hn::Lanes(D()));
+    // The others stay at their anchor.
+    goal[u] = choose(asked[u], hn::Min(wanted[u], curves[u].w_top), w[u]);
+    beyond_top = hn::Or(beyond_top, hn::And(asked[u], hn::Gt(wanted[u], curves[u].w_top)));
   }
-  while (more) {
-    M left = hn::Lt(two, two);
+  M more;
+  do {
+    more = hn::Lt(number(0.0), number(0.0));
     for (std::size_t u = 0; u < kUnrolled; ++u) {
-      const Cell c = cells_at(b.numbers, cell[u]);
-      const V upper = hn::Min(curves[u].w_top, c.upto);  // both above 0
-      const V at_border = hn::Add(w[u], hn::Mul(two, hn::Mul(c.A, hn::Sub(x[u], c.begin))));
-      const M inside = hn::Lt(at_border, upper);
-      const V w_next = choose(inside, at_border, upper);
-      const V there = hn::Sub(x[u], hn::Div(hn::Sub(upper, w[u]), hn::Mul(two, c.A)));
-      const V x_next = choose(inside, c.begin, greatest(c.begin, there));
-      const M crossed = hn::Le(x_next, c.begin);
-      const M first = hn::RebindMask(D(), hn::Lt(cell[u], curves[u].second));
-      // Beyond the top speed the last arc is continued.
-      const M last = hn::Or(hn::Ge(w[u], curves[u].w_top), hn::Ge(w_next, wanted[u]));
-      const M ended = hn::And(open[u], hn::Or(last, hn::And(crossed, first)));
-      if (any(ended)) {
-        // Upstream of the first segment no higher speed is allowed.
-        const V on_arc = hn::Sub(x[u], hn::Div(hn::Sub(wanted[u], w[u]), hn::Mul(two, c.A)));
-        place[u] = choose(ended, choose(last, on_arc, number(kNotAllowed)), place[u]);
-        open[u] = hn::AndNot(ended, open[u]);
-      }
-      const VI upstream = choose(hn::And(open[u], crossed), hn::Sub(cell[u], curves[u].stride), cell[u]);
-      cell[u] = choose(hn::And(open[u], hn::Ge(w_next, c.upto)), plus(upstream, kCellValues), upstream);
-      x[u] = x_next;
-      w[u] = w_next;
-      left = hn::Or(left, open[u]);
+      const Cell c = track.at_place(p[u]);
+      const Arc arc = arc_upstream(x[u], w[u], c, c.upto);
+      const M on = hn::Lt(arc.w_next, goal[u]);
+      x[u] = choose(on, arc.x_next, x[u]);
+      w[u] = choose(on, arc.w_next, w[u]);
+      // Not so where a lane stays: it is in its cell.
+      p[u] = track.next(p[u], hn::Le(x[u], c.begin), hn::Ge(w[u], c.upto));
+      more = hn::Or(more, on);
     }
-    more = any(left);
+  } while (any(more));
+  if (any(beyond_top))
+    for (std::size_t u = 0; u < kUnrolled; ++u) {
+      // Beyond the top speed the arc that begins there is continued.
+      const Cell c = track.at_place(p[u]);
+      const Arc arc = arc_upstream(x[u], w[u], c, hn::Min(curves[u].w_top, c.upto));
+      const M on = hn::And(hn::And(asked[u], hn::Gt(wanted[u], curves[u].w_top)), hn::Lt(w[u], curves[u].w_top));
+      x[u] = choose(on, arc.x_next, x[u]);
+      w[u] = choose(on, arc.w_next, w[u]);
+      p[u] = track.next(p[u], hn::Le(x[u], c.begin), hn::Ge(w[u], c.upto));
+    }
+  for (std::size_t u = 0; u < kUnrolled; ++u) {
+    const Cell c = track.at_place(p[u]);
+    const V on_arc = hn::Sub(x[u], hn::Div(hn::Sub(wanted[u], w[u]), c.twice_A));
+    // Upstream of the first segment no higher speed is allowed.
+    const V there = choose(hn::Lt(c.begin, number(-kEverywhere)), number(kNotAllowed), on_arc);
+    place[u] = choose(hn::Gt(wanted[u], curves[u].w), there, curves[u].x);
   }
+}
+
+/// The same for curves of one kind; `k` is the first lane's case.
+HWY_NOINLINE void place_upstream(const Block& b, SegmentValue kind, std::size_t k, const Curve* curves, const V* wanted,
+                                 const M* asked, V* place) {
+#if HWY_TARGET == HWY_AVX3
+  if (b.alike && b.looked_up) return place_upstream_on(OneTrain(b, kind), k, curves, wanted, asked, place);
+#endif
+  place_upstream_on(AnyTrains(b, kind), k, curves, wanted, asked, place);
 }
 
 /// Of curves with their foot beyond the target: d(V) for speeds up to that at the anchor. `place` keeps its value for
 /// higher speeds.
 HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_foot, V wanted, V& place) {
-  const V two = number(2.0);
   V x = c.x;
   V w = c.w;
+  const VI stride = index_of(b, b.values.data() + i, kStrideEBD);
+  VI cell = index_at(b.numbers, plus(c.segment, kCellEBD));
   // segment_index: the segment that begins at the anchor counts.
-  const VI next = hn::Add(c.cell, c.stride);
-  VI cell = choose(hn::Le(at(b.numbers, plus(next, kBegin)), x), next, c.cell);
+  const VI next = hn::Add(cell, stride);
+  cell = choose(hn::Le(at(b.numbers, plus(next, kBegin)), x), next, cell);
   // band_below: the band that includes the speed.
   for (;;) {
     const M below = hn::Lt(at(b.numbers, plus(cell, kUpto)), w);
@@ -185,18 +304,18 @@ HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_fo
   const M here = hn::Le(wanted, w);
   M open = hn::Gt(w, w_foot);
   for (std::size_t arcs = 0; any(open) && arcs < kMostArcsDownstream; ++arcs) {
-    const V A = at(b.numbers, cell);
-    const V border = at(b.numbers, plus(hn::Add(cell, c.stride), kBegin));
+    const V twice_A = at(b.numbers, plus(cell, kTwiceA));
+    const V border = at(b.numbers, plus(hn::Add(cell, stride), kBegin));
     const V above = at(b.numbers, plus(cell, kAbove));
     const V lower = greatest(w_foot, above);
-    const V to_band = hn::Add(x, hn::Div(hn::Sub(w, lower), hn::Mul(two, A)));
+    const V to_band = hn::Add(x, hn::Div(hn::Sub(w, lower), twice_A));
     const M in_segment = hn::Lt(to_band, border);
-    const V at_border = greatest(lower, hn::Sub(w, hn::Mul(two, hn::Mul(A, hn::Sub(border, x)))));
+    const V at_border = greatest(lower, hn::Sub(w, hn::Mul(twice_A, hn::Sub(border, x))));
     const V w_next = choose(in_segment, lower, at_border);
     const V x_next = choose(in_segment, to_band, border);
     const M hit = hn::And(hn::And(open, here), hn::And(hn::Gt(wanted, w_next), hn::Le(wanted, w)));
-    place = choose(hit, hn::Sub(x_next, hn::Div(hn::Sub(wanted, w_next), hn::Mul(two, A))), place);
-    const VI downstream = choose(hn::AndNot(in_segment, open), hn::Add(cell, c.stride), cell);
+    place = choose(hit, hn::Sub(x_next, hn::Div(hn::Sub(wanted, w_next), twice_A)), place);
+    const VI downstream = choose(hn::AndNot(in_segment, open), hn::Add(cell, stride), cell);
     cell = choose(hn::And(open, hn::Le(w_next, above)), plus(downstream, -kCellValues), downstream);
     x = choose(open, x_next, x);
     w = choose(open, w_next, w);
@@ -242,10 +361,8 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
   M all[kUnrolled];
   M has_SBD[kUnrolled];
   M has_GUI[kUnrolled];
-  const V two = number(2.0);
   const bool limits = wanted(b, kEBI, kI_SvL);
   const bool SBD = b.out[kSBD] != nullptr || wanted(b, kSBI1, kSBI1) || wanted(b, kFLOI, kI_EOA);
-  (void)two;
   for (std::size_t u = 0; u < kUnrolled; ++u) {
     const std::size_t k = i + u * N;
     const V speed = hn::Load(D(), b.V.data() + k);
@@ -255,14 +372,11 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     has_GUI[u] = flag(b.has_GUI.data() + k);
     squared[u] = hn::Mul(speed, speed);
     w_foot[u] = hn::Mul(V_target, V_target);
-    const VI first = hn::Load(DI(), b.segments.data() + k);
     EBD[u].x = hn::Load(D(), b.d_target.data() + k);
     EBD[u].w = hn::Load(D(), b.anchor_squared.data() + k);
-    const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), EBD[u].x);
-    EBD[u].cell = index_at(b.numbers, plus(segment, kCellEBD));
-    EBD[u].stride = index_of(b, b.values.data() + k, kStrideEBD);
-    EBD[u].second = hn::Add(index_at(b.numbers, plus(first, kCellEBD)), EBD[u].stride);
+    EBD[u].segment = segment_upstream(b, k, EBD[u].x);
     EBD[u].w_top = value_of(b, b.values.data() + k, kTopSquared);
+    if (!limits) continue;
     // before_emergency_effort.
     const std::int64_t* times = b.times.data() + k;
     const V T_traction = value_of(b, times, kTTraction);
@@ -276,34 +390,29 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
                        hn::Mul(hn::Add(after_traction, value_of(b, times, kHalfVDelta2)), T_berem));
   }
   if (limits) {
-    place_upstream(b, EBD, bec_squared, all, d_curve);
+    place_upstream(b, kCellEBD, i, EBD, bec_squared, all, d_curve);
     if (b.at_speed)
       for (std::size_t u = 0; u < kUnrolled; ++u)
         place_downstream(b, i + u * N, EBD[u], w_foot[u], bec_squared[u], d_curve[u]);
   }
   if (b.out[kEBD] != nullptr) {
-    place_upstream(b, EBD, squared, all, d_EBD);
+    place_upstream(b, kCellEBD, i, EBD, squared, all, d_EBD);
     if (b.at_speed)
       for (std::size_t u = 0; u < kUnrolled; ++u)
         place_downstream(b, i + u * N, EBD[u], w_foot[u], squared[u], d_EBD[u]);
     for (std::size_t u = 0; u < kUnrolled; ++u)
       put(b, kEBD, i + u * N, all[u], hn::Load(D(), b.location.data() + i + u * N), d_EBD[u]);
   }
-  if (SBD) {
-    Curve curves[kUnrolled];
+  // The curves whose foot is the EOA; for other targets they are not asked for.
+  Curve EOA[kUnrolled];
+  if (SBD || b.guided)
     for (std::size_t u = 0; u < kUnrolled; ++u) {
-      const std::size_t k = i + u * N;
-      const VI first = hn::Load(DI(), b.segments_EOA.data() + k);
-      curves[u] = EBD[u];
-      curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
-      curves[u].w = number(0.0);
-      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
-      curves[u].cell = index_at(b.numbers, plus(segment, kCellSBD));
-      curves[u].stride = index_of(b, b.values.data() + k, kStrideSBD);
-      curves[u].second = hn::Add(index_at(b.numbers, plus(first, kCellSBD)), curves[u].stride);
+      EOA[u].x = hn::Load(D(), b.location.data() + i + u * N);
+      EOA[u].w = number(0.0);
+      EOA[u].segment = segment_upstream(b, i + u * N, EOA[u].x);
+      EOA[u].w_top = EBD[u].w_top;
     }
-    place_upstream(b, curves, squared, has_SBD, d_SBD);
-  }
+  if (SBD) place_upstream(b, kCellSBD, i, EOA, squared, has_SBD, d_SBD);
   if (b.guided && (b.out[kGUI] != nullptr || wanted(b, kFLOI, kI_SvL))) {
     // 3.13.8.5.2: foot at EOA and SvL, else where P has the target speed.
     V V_foot_squared[kUnrolled];
@@ -313,8 +422,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       V_foot_squared[u] = hn::Mul(V_foot, V_foot);
       elsewhere[u] = hn::AndNot(has_SBD[u], has_GUI[u]);
     }
-    place_upstream(b, EBD, V_foot_squared, elsewhere, d_P_foot);
+    place_upstream(b, kCellEBD, i, EBD, V_foot_squared, elsewhere, d_P_foot);
     Curve curves[kUnrolled];
+    M with_EOA[kUnrolled];
     for (std::size_t u = 0; u < kUnrolled; ++u) {
       const std::size_t k = i + u * N;
       if (b.at_speed) place_downstream(b, k, EBD[u], w_foot[u], V_foot_squared[u], d_P_foot[u]);
@@ -323,31 +433,14 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       // d_P_at_target_speed.
       const V d_EBI = hn::Sub(d_P_foot[u], hn::Mul(V_foot, value_of(b, b.times.data() + k, kTBeFoot)));
       const V d_P = hn::Sub(d_EBI, hn::Mul(V_target, value_of(b, b.times.data() + k, kTPFoot)));
-      const VI first = hn::Load(DI(), b.segments.data() + k);
-      curves[u] = EBD[u];
       curves[u].x = choose(elsewhere[u], d_P, EBD[u].x);
       curves[u].w = w_foot[u];
-      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count.data() + k), curves[u].x);
-      // A train without guidance has no such rows: those of its EBD, for nothing.
-      curves[u].cell = choose(has_GUI[u], index_at(b.numbers, plus(segment, kCellGUI)), EBD[u].cell);
-      curves[u].stride = choose(has_GUI[u], index_of(b, b.values.data() + k, kStrideGUI), EBD[u].stride);
-      curves[u].second =
-          choose(has_GUI[u], hn::Add(index_at(b.numbers, plus(first, kCellGUI)), curves[u].stride), EBD[u].second);
-    }
-    place_upstream(b, curves, squared, has_GUI, d_GUI);
-    M with_EOA[kUnrolled];
-    for (std::size_t u = 0; u < kUnrolled; ++u) {
-      const std::size_t k = i + u * N;
+      curves[u].segment = segment_upstream(b, k, curves[u].x);
+      curves[u].w_top = EBD[u].w_top;
       with_EOA[u] = hn::And(has_GUI[u], has_SBD[u]);
-      const VI first = hn::Load(DI(), b.segments_EOA.data() + k);
-      curves[u].x = hn::Load(D(), b.d_EOA.data() + k);
-      curves[u].w = number(0.0);
-      const VI segment = segment_upstream(b, first, hn::Load(DI(), b.count_EOA.data() + k), curves[u].x);
-      curves[u].cell = choose(has_GUI[u], index_at(b.numbers, plus(segment, kCellGUI)), EBD[u].cell);
-      curves[u].second =
-          choose(has_GUI[u], hn::Add(index_at(b.numbers, plus(first, kCellGUI)), curves[u].stride), EBD[u].second);
     }
-    place_upstream(b, curves, squared, with_EOA, d_GUI_EOA);
+    place_upstream(b, kCellGUI, i, curves, squared, has_GUI, d_GUI);
+    place_upstream(b, kCellGUI, i, EOA, squared, with_EOA, d_GUI_EOA);
   }
   for (std::size_t u = 0; u < kUnrolled; ++u) {
     const std::size_t k = i + u * N;

@@ -34,17 +34,17 @@ struct Block {
 
   const double* numbers = nullptr;  // the tables of the trains
   std::size_t size = 0;
-  bool alike = false;          // all have the same train and the same class of targets: `values` and `times` are equal
+  bool alike = false;          // all have the same train and class of targets: `values`, `times`, `segments` are equal
+  bool looked_up = false;      // of all trains there are look-up tables
   bool at_speed = false;       // some targets have a foot beyond them
   bool guided = false;         // some have a guidance curve
   std::size_t bisections = 0;  // steps of the search for a segment that always suffice
 
   alignas(64) std::array<std::int64_t, kMost> values, times;    // indices in `numbers`
-  alignas(64) std::array<std::int64_t, kMost> segments, count;  // of the EBD; index of the first one, number
-  alignas(64) std::array<std::int64_t, kMost> segments_EOA, count_EOA;
+  alignas(64) std::array<std::int64_t, kMost> segments, count;  // index of the first one, number
   alignas(64) std::array<double, kMost> V, V_target;
-  alignas(64) std::array<double, kMost> location;  // distances count from here
-  alignas(64) std::array<double, kMost> d_target, d_EOA;
+  alignas(64) std::array<double, kMost> location;          // distances count from here; of an EOA and SvL the EOA
+  alignas(64) std::array<double, kMost> d_target;          // of an EOA and SvL the SvL
   alignas(64) std::array<double, kMost> anchor_squared;    // of the speed of the EBD at the target
   alignas(64) std::array<double, kMost> has_SBD, has_GUI;  // 1 or 0
   alignas(64) std::array<double, kMost> V_foot;            // V_target + V_delta0 of d_P(V_target), for guidance

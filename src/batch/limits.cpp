@@ -136,13 +136,10 @@ class Filling {
     block_.times[k] = train.values + kTimesZero + (zero ? std::int64_t{0} : std::int64_t{kTimesValues});
     block_.segments[k] = TSR ? train.TSR : train.segments;
     block_.count[k] = TSR ? train.count_TSR : train.count;
-    block_.segments_EOA[k] = train.segments;
-    block_.count_EOA[k] = train.count;
     block_.V[k] = speed;
     block_.V_target[k] = V_target.si;
     block_.location[k] = t.location.from_origin.si;
     block_.d_target[k] = d_target.from_origin.si;
-    block_.d_EOA[k] = t.location.from_origin.si;
     const Speed V_anchor = at_speed ? V_target + sdm::dV_ebi(V_target, train.fixed) : Speed{};
     block_.anchor_squared[k] = (V_anchor * V_anchor).si;
     block_.has_SBD[k] = EOA ? 1.0 : 0.0;
@@ -150,7 +147,8 @@ class Filling {
     block_.V_foot[k] = 0.0;
     if (train.guidance) block_.V_foot[k] = (V_target + (train.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V_target))).si;
     block_.left_out[k] = 0.0;
-    alike_ = alike_ && block_.times[k] == block_.times[0];
+    alike_ = alike_ && block_.times[k] == block_.times[0] && block_.segments[k] == block_.segments[0];
+    looked_up_ = looked_up_ && train.looked_up;
     at_speed_ = at_speed_ || at_speed;
     guided_ = guided_ || train.guidance;
     segments_ = std::max({segments_, train.count, train.count_TSR});
@@ -161,6 +159,7 @@ class Filling {
     const std::size_t whole = block_.size;
     fill_up();
     block_.alike = alike_;
+    block_.looked_up = looked_up_;
     block_.at_speed = at_speed_;
     block_.guided = guided_;
     block_.bisections = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(segments_)));
@@ -186,7 +185,7 @@ class Filling {
 
   void clear() {
     block_.size = 0;
-    alike_ = true;
+    alike_ = looked_up_ = true;
     at_speed_ = guided_ = false;
     segments_ = 1;
   }
@@ -195,12 +194,11 @@ class Filling {
   void fill_up() {
     const std::size_t last = block_.size - 1;
     const std::size_t end = (block_.size + Block::kGroup - 1) / Block::kGroup * Block::kGroup;
-    for (auto* const all :
-         {&block_.values, &block_.times, &block_.segments, &block_.count, &block_.segments_EOA, &block_.count_EOA})
+    for (auto* const all : {&block_.values, &block_.times, &block_.segments, &block_.count})
       std::fill(all->begin() + static_cast<std::ptrdiff_t>(block_.size),
                 all->begin() + static_cast<std::ptrdiff_t>(end), (*all)[last]);
-    for (auto* const all : {&block_.V, &block_.V_target, &block_.location, &block_.d_target, &block_.d_EOA,
-                            &block_.anchor_squared, &block_.has_SBD, &block_.has_GUI, &block_.V_foot, &block_.left_out})
+    for (auto* const all : {&block_.V, &block_.V_target, &block_.location, &block_.d_target, &block_.anchor_squared,
+                            &block_.has_SBD, &block_.has_GUI, &block_.V_foot, &block_.left_out})
       std::fill(all->begin() + static_cast<std::ptrdiff_t>(block_.size),
                 all->begin() + static_cast<std::ptrdiff_t>(end), (*all)[last]);
     block_.size = end;
@@ -209,7 +207,7 @@ class Filling {
   Block block_;
   alignas(64) std::array<std::array<double, Block::kMost>, kOutputs> results_;
   std::array<std::size_t, Block::kMost> number_;
-  bool alike_ = true, at_speed_ = false, guided_ = false;
+  bool alike_ = true, looked_up_ = true, at_speed_ = false, guided_ = false;
   std::int64_t segments_ = 1;
 };
 

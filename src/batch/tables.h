@@ -48,17 +48,33 @@ inline constexpr std::int64_t kTrainValues = std::int64_t{kTimesZero} + 2 * kTim
 /// One segment: where it begins, and its first cells (bits).
 enum SegmentValue : std::int64_t { kFrom, kCellEBD, kCellSBD, kCellGUI, kSegmentValues };
 /// One cell of constant deceleration: a speed band of a segment. Those of a segment follow one another as the bands do,
-/// the segments as on the track; a row of cells that is never reached is behind them.
+/// the segments as on the track. Before those of the first segment is a row with the same decelerations that begins
+/// nowhere (minus infinity): a curve that comes there is above what is allowed. A row of cells that is never reached is
+/// behind the last one.
 enum CellValue : std::int64_t {
-  kA,      // deceleration
-  kUpto,   // the square of the band's upper speed
-  kBegin,  // of the segment
-  kAbove,  // the square of the band's lower speed; of the lowest band minus infinity
+  kTwiceA,  // twice the deceleration, as the arcs need it; a factor of 2 changes no bit of what is computed
+  kUpto,    // the square of the band's upper speed
+  kBegin,   // of the segment
+  kAbove,   // the square of the band's lower speed; of the lowest band minus infinity
   kCellValues
 };
 
-inline constexpr double kNowhere = 1e9;      // as in src/sdm: beyond every track
-inline constexpr double kNotAllowed = -1e9;  // the place of a speed that is allowed nowhere
+/// The same of one kind of curve in the form of two tables, if they suffice: those of the segments, from the one before
+/// the first on, and those of the bands. The deceleration is the sum of both. The three of a list of segments, in the
+/// order of SegmentValue, are just before it.
+inline constexpr std::int64_t kLookUpBands = 8;
+inline constexpr std::int64_t kLookUpSegments = 32;
+enum LookUpValue : std::int64_t {
+  kLookUpUpto,
+  kLookUpTwiceA = kLookUpUpto + kLookUpBands,  // of the brakes
+  kLookUpBegin = kLookUpTwiceA + kLookUpBands,
+  kLookUpTwiceGradient = kLookUpBegin + kLookUpSegments,  // twice the deceleration due to gradient
+  kLookUpValues = kLookUpTwiceGradient + kLookUpSegments
+};
+
+inline constexpr double kEverywhere = 1e300;  // every segment begins ahead of minus that
+inline constexpr double kNowhere = 1e9;       // as in src/sdm: beyond every track
+inline constexpr double kNotAllowed = -1e9;   // the place of a speed that is allowed nowhere
 
 /// A curve from its foot to the anchor has at most this many arcs (src/sdm).
 inline constexpr std::size_t kMostArcsDownstream = 31;
@@ -74,6 +90,7 @@ struct TrainEntry {
   std::int64_t segments = 0, TSR = 0;     // of the first segment; for targets due to a TSR
   std::int64_t count = 0, count_TSR = 0;  // segments
   bool vectorised = false;
+  bool looked_up = false;  // the look-up tables are there, also those for targets due to a TSR
   bool guidance = false;
   bool Q_NVINHSMICPERM = false;
   train::FixedValues fixed;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -29,6 +30,20 @@ bool decelerates(const sdm::Bands& bands, const sdm::Segments& segments) {
   return true;
 }
 
+/// The deceleration of every cell is the sum of one of its band and one of its segment, as it is without reduced
+/// adhesion and corrections for gradients, and the tables suffice.
+bool can_be_looked_up(const sdm::Bands& bands, const sdm::Segments& segments) {
+  if (bands.size() > static_cast<std::size_t>(kLookUpBands)) return false;
+  if (segments.size() + 1 > static_cast<std::size_t>(kLookUpSegments)) return false;
+  for (const sdm::Segment& s : segments)
+    for (const sdm::Band& b : bands) {
+      const double sum = 2.0 * b.A[0].si + 2.0 * s.A_gradient.si;
+      if (std::bit_cast<std::uint64_t>(sum) != std::bit_cast<std::uint64_t>(2.0 * sdm::deceleration(b, s).si))
+        return false;
+    }
+  return true;
+}
+
 class Layout {
  public:
   explicit Layout(std::vector<double>& numbers) : numbers_(numbers) {}
@@ -41,6 +56,7 @@ class Layout {
 
   /// The cells of all segments; returns the index of the first one.
   std::int64_t cells(const sdm::Bands& bands, const sdm::Segments& segments) {
+    row(bands, before(segments));
     const std::int64_t first = here();
     for (const sdm::Segment& s : segments) row(bands, s);
     sdm::Segment never = segments.back();
@@ -49,11 +65,14 @@ class Layout {
     return first;
   }
 
-  /// The segments with their cells; returns the index of the first one.
-  std::int64_t segments(const sdm::Decelerations& d, const sdm::Segments& segments, bool guidance) {
+  /// The segments with their cells and look-up tables; returns the index of the first one.
+  std::int64_t segments(const sdm::Decelerations& d, const sdm::Segments& segments, bool guidance, bool looked_up) {
     const std::int64_t EBD = cells(d.safe[0], segments);
     const std::int64_t SBD = cells(d.expected[0], segments);
     const std::int64_t GUI = guidance ? cells(d.normal_service[0], segments) : 0;
+    if (looked_up)
+      for (const sdm::Bands* bands : {&d.safe[0], &d.expected[0], guidance ? &d.normal_service[0] : &d.expected[0]})
+        look_up(*bands, segments);
     const std::int64_t first = here();
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const auto n = static_cast<std::int64_t>(i);
@@ -66,11 +85,33 @@ class Layout {
   }
 
  private:
+  static sdm::Segment before(const sdm::Segments& segments) {
+    sdm::Segment none = segments.front();
+    none.from = {{-std::numeric_limits<double>::infinity()}};
+    return none;
+  }
+
+  /// In the order of LookUpValue; what is behind the last value is never looked at.
+  void look_up(const sdm::Bands& bands, const sdm::Segments& segments) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const auto values = [&](const auto& of, std::int64_t most, auto value) {
+      for (const auto& one : of) number(value(one));
+      for (auto i = static_cast<std::int64_t>(of.size()); i < most; ++i) number(kNone);
+    };
+    values(bands, kLookUpBands, [](const sdm::Band& b) { return b.w_upto.si; });
+    values(bands, kLookUpBands, [](const sdm::Band& b) { return 2.0 * b.A[0].si; });
+    number(before(segments).from.from_origin.si);
+    values(segments, kLookUpSegments - 1, [](const sdm::Segment& s) { return s.from.from_origin.si; });
+    number(2.0 * before(segments).A_gradient.si);
+    values(segments, kLookUpSegments - 1, [](const sdm::Segment& s) { return 2.0 * s.A_gradient.si; });
+  }
+
   /// In the order of CellValue.
   void row(const sdm::Bands& bands, const sdm::Segment& s) {
     double above = -std::numeric_limits<double>::infinity();
     for (const sdm::Band& b : bands) {
-      for (const double value : {sdm::deceleration(b, s).si, b.w_upto.si, s.from.from_origin.si, above}) number(value);
+      for (const double value : {2.0 * sdm::deceleration(b, s).si, b.w_upto.si, s.from.from_origin.si, above})
+        number(value);
       above = b.w_upto.si;
     }
   }
@@ -118,6 +159,11 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
     entry.vectorised = entry.vectorised && one_stage(*segments) && decelerates(d.safe[0], *segments) &&
                        decelerates(d.expected[0], *segments) &&
                        (!entry.guidance || decelerates(d.normal_service[0], *segments));
+  entry.looked_up = entry.vectorised;
+  for (const sdm::Segments* segments : {&std::as_const(d).segments, &TSR})
+    entry.looked_up = entry.looked_up && can_be_looked_up(d.safe[0], *segments) &&
+                      can_be_looked_up(d.expected[0], *segments) &&
+                      (!entry.guidance || can_be_looked_up(d.normal_service[0], *segments));
   const Speed V_top = V_top_of(in);
   if (!entry.vectorised || arcs > kMostArcsDownstream) {
     auto whole = std::make_unique<Whole>(Whole{in, state});
@@ -126,10 +172,10 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
   }
   if (entry.vectorised) {
     Layout out(tables_->numbers);
-    entry.segments = entry.TSR = out.segments(d, d.segments, entry.guidance);
+    entry.segments = entry.TSR = out.segments(d, d.segments, entry.guidance, entry.looked_up);
     entry.count = entry.count_TSR = static_cast<std::int64_t>(d.segments.size());
     if (&TSR != &d.segments) {
-      entry.TSR = out.segments(d, TSR, entry.guidance);
+      entry.TSR = out.segments(d, TSR, entry.guidance, entry.looked_up);
       entry.count_TSR = static_cast<std::int64_t>(TSR.size());
     }
     entry.values = out.here();
