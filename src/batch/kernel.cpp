@@ -39,13 +39,21 @@ HWY_INLINE V greatest(V a, V b) { return choose(hn::Lt(a, b), b, a); }
 HWY_INLINE bool any(M m) { return !hn::AllFalse(D(), m); }
 HWY_INLINE M flag(const double* of) { return hn::Gt(hn::Load(D(), of), number(0.5)); }
 
-/// A value of each case's train, or of its class of targets.
-HWY_INLINE V value_of(const Block& b, const std::int64_t* index, std::int64_t which) {
-  if (b.alike) return number(b.numbers[index[0] + which]);
-  return at(b.numbers, plus(hn::Load(DI(), index), which));
+HWY_INLINE std::size_t cases_of_a_group() { return kUnrolled * hn::Lanes(D()); }
+
+/// Whether the group of case `k` has one train and class of targets.
+HWY_INLINE bool alike(const Block& b, std::size_t k) { return b.alike[k / cases_of_a_group()]; }
+/// A value of the train and its class of targets, of the lanes from case `k` on.
+HWY_INLINE V value_of(const Block& b, std::size_t k, TrainValue which) {
+  if (alike(b, k)) return number(b.numbers[b.values[k] + which]);
+  return at(b.numbers, plus(hn::Load(DI(), b.values.data() + k), which));
 }
-HWY_INLINE VI index_of(const Block& b, const std::int64_t* index, std::int64_t which) {
-  return hn::BitCast(DI(), value_of(b, index, which));
+HWY_INLINE VI index_of(const Block& b, std::size_t k, TrainValue which) {
+  return hn::BitCast(DI(), value_of(b, k, which));
+}
+/// Where all lanes have the same one.
+HWY_INLINE std::int64_t only_index_of(const Block& b, std::size_t k, TrainValue which) {
+  return as_index(b.numbers[b.values[k] + which]);
 }
 
 /// A curve of each lane.
@@ -103,16 +111,17 @@ HWY_INLINE VI count_of(const double* values, std::int64_t number_of_values, std:
 /// segment_upstream_of: the last segment that begins in rear of `x`, or the first one. `k` is the first lane's case.
 HWY_INLINE VI segment_upstream(const Block& b, std::size_t k, V x) {
   static_assert(kSegmentValues == 4);
-  const VI first = hn::Load(DI(), b.segments.data() + k);
-  if (b.alike && b.count[0] <= kLookUpSegments) {
-    // All lanes have the same segments: comparing with each one is faster than bisecting.
-    const double* second = b.numbers + b.segments[0] + kSegmentValues;
-    const VI in_rear =
-        count_of(second, b.count[0] - 1, kSegmentValues, [&](V from) HWY_ATTR { return hn::Lt(from, x); });
+  const VI first = index_of(b, k, kFirstSegment);
+  if (hn::Lanes(D()) > 1 && alike(b, k) && only_index_of(b, k, kSegments) <= kLookUpSegments) {
+    // All lanes have the same segments: comparing with each one is faster than bisecting, which loads from different
+    // places.
+    const double* second = b.numbers + only_index_of(b, k, kFirstSegment) + kSegmentValues;
+    const VI in_rear = count_of(second, only_index_of(b, k, kSegments) - 1, kSegmentValues,
+                                [&](V from) HWY_ATTR { return hn::Lt(from, x); });
     return hn::Add(first, hn::ShiftLeft<2>(in_rear));
   }
   VI low = first;
-  VI high = hn::Add(first, hn::ShiftLeft<2>(hn::Load(DI(), b.count.data() + k)));
+  VI high = hn::Add(first, hn::ShiftLeft<2>(index_of(b, k, kSegments)));
   for (std::size_t i = 0; i < b.bisections; ++i) {
     const VI middle = hn::Add(low, hn::ShiftLeft<2>(hn::ShiftRight<3>(hn::Sub(high, low))));
     const M in_rear = hn::Lt(at(b.numbers, middle), x);
@@ -122,24 +131,24 @@ HWY_INLINE VI segment_upstream(const Block& b, std::size_t k, V x) {
   return low;
 }
 
-// Where each lane is on the track and in the bands of speed, and what holds there: for any trains, and for one train
-// with few segments and bands. Both have the same functions.
+// The track of each lane's train and the bands of speed: for any trains, and for one train with few segments and bands.
+// Both have the same functions.
 
-/// The lanes have any trains: a place is the index of a cell.
+/// The lanes have any trains: a position is the index of a cell.
 class AnyTrains {
  public:
-  struct Place {
+  struct Position {
     VI cell, stride;
   };
 
   AnyTrains(const Block& b, SegmentValue kind) : b_(b), kind_(kind) {}
 
   /// Of the lanes from case `k` on, upstream of the anchor: the first band that ends above its speed.
-  HWY_INLINE Place upstream_of(const Curve& c, std::size_t k) const {
+  HWY_INLINE Position upstream_of(const Curve& c, std::size_t k) const {
     static_assert(kStrideSBD - kStrideEBD == kCellSBD - kCellEBD && kStrideGUI - kStrideEBD == kCellGUI - kCellEBD);
-    Place p;
+    Position p;
     p.cell = index_at(b_.numbers, plus(c.segment, kind_));
-    p.stride = index_of(b_, b_.values.data() + k, kStrideEBD + (kind_ - kCellEBD));
+    p.stride = index_of(b_, k, static_cast<TrainValue>(kStrideEBD + (kind_ - kCellEBD)));
     // Each band ends above 0.
     if (hn::AllTrue(D(), hn::Le(c.w, number(0.0)))) return p;
     for (;;) {
@@ -148,9 +157,9 @@ class AnyTrains {
       p.cell = choose(below, plus(p.cell, kCellValues), p.cell);
     }
   }
-  HWY_INLINE Cell at_place(const Place& p) const { return cells_at(b_.numbers, p.cell); }
-  /// To the next segment upstream, where `crossed`, and to the next band, where `risen`.
-  HWY_INLINE Place next(const Place& p, M crossed, M risen) const {
+  HWY_INLINE Cell at_position(const Position& p) const { return cells_at(b_.numbers, p.cell); }
+  /// The next segment upstream, where `crossed`, and the next band, where `risen`.
+  HWY_INLINE Position next(const Position& p, M crossed, M risen) const {
     const VI upstream = choose(crossed, hn::Sub(p.cell, p.stride), p.cell);
     return {choose(risen, plus(upstream, kCellValues), upstream), p.stride};
   }
@@ -161,18 +170,19 @@ class AnyTrains {
 };
 
 #if HWY_TARGET == HWY_AVX3
-/// All lanes have the same train: its look-up tables are in registers, or at least in the cache of the first level. A
-/// permutation with the number of the segment or band as index replaces eight loads from different places.
+/// All lanes have the same train, whose look-up tables are in registers: a permutation with the numbers of the lanes'
+/// segments or bands as index takes the place of eight loads from different places.
 class OneTrain {
  public:
-  /// Numbers of segment, from that upstream of the first one on, and band.
-  struct Place {
+  /// Numbers of segment and band; segment 0 is what is upstream of the first one.
+  struct Position {
     VI segment, band;
   };
 
-  OneTrain(const Block& b, SegmentValue kind) : b_(b) {
+  /// The train of case `k`.
+  OneTrain(const Block& b, SegmentValue kind, std::size_t k) : first_(only_index_of(b, k, kFirstSegment)) {
     static_assert(kLookUpBands == 8 && kLookUpSegments == 32);
-    table_ = b.numbers + b.segments[0] - (kSegmentValues - kind) * kLookUpValues;
+    table_ = b.numbers + first_ - (kSegmentValues - kind) * kLookUpValues;
     upto_ = hn::LoadU(D(), table_ + kLookUpUpto);
     twice_A_ = hn::LoadU(D(), table_ + kLookUpTwiceA);
     for (int i = 0; i < 4; ++i) {
@@ -181,21 +191,21 @@ class OneTrain {
     }
   }
 
-  HWY_INLINE Place upstream_of(const Curve& c, std::size_t) const {
-    const VI first = hn::Set(DI(), b_.segments[0]);
-    Place p{plus(hn::ShiftRight<2>(hn::Sub(c.segment, first)), 1), hn::Zero(DI())};
+  HWY_INLINE Position upstream_of(const Curve& c, std::size_t) const {
+    static_assert(kSegmentValues == 4);
+    Position p{plus(hn::ShiftRight<2>(plus(c.segment, -first_)), 1), hn::Zero(DI())};
     if (hn::AllTrue(D(), hn::Le(c.w, number(0.0)))) return p;
     p.band = count_of(table_ + kLookUpUpto, kLookUpBands, 1, [&](V upto) HWY_ATTR { return hn::Le(upto, c.w); });
     return p;
   }
-  HWY_INLINE Cell at_place(const Place& p) const {
+  HWY_INLINE Cell at_position(const Position& p) const {
     const auto band = hn::IndicesFromVec(D(), p.band);
     const M beyond_16 = hn::RebindMask(D(), hn::TestBit(p.segment, hn::Set(DI(), 16)));
     const V twice_A = hn::TableLookupLanes(twice_A_, band);
     return {hn::Add(twice_A, of_segment(twice_gradient_, p.segment, beyond_16)), hn::TableLookupLanes(upto_, band),
             of_segment(begin_, p.segment, beyond_16)};
   }
-  HWY_INLINE Place next(const Place& p, M crossed, M risen) const {
+  HWY_INLINE Position next(const Position& p, M crossed, M risen) const {
     return {choose(crossed, plus(p.segment, -1), p.segment), choose(risen, plus(p.band, 1), p.band)};
   }
 
@@ -207,14 +217,14 @@ class OneTrain {
     return choose(beyond_16, high, low);
   }
 
-  const Block& b_;
+  std::int64_t first_;  // segment
   const double* table_;
   V upto_, twice_A_;                // of each band
   V begin_[4], twice_gradient_[4];  // of each segment
 };
 #endif
 
-/// An arc from `x`, `w` upstream, to the border of the segment or to the speed `upper`.
+/// The end of the arc from `x`, `w` upstream: at the border of the segment, or where it has the speed `upper`.
 struct Arc {
   V x_next, w_next;
 };
@@ -224,55 +234,66 @@ HWY_INLINE Arc arc_upstream(V x, V w, const Cell& c, V upper) {
   return {choose(hn::Lt(at_border, upper), c.begin, hn::Max(c.begin, there)), hn::Min(at_border, upper)};
 }
 
+/// Curves that are followed upstream along `Track`, each lane one.
+template <class Track>
+struct Followed {
+  V x, w;  // where the arc begins
+  typename Track::Position position;
+
+  /// To the end of the arc, in the lanes `on`. The others are inside their segment and band, and stay there.
+  HWY_INLINE void go(const Track& track, const Cell& c, const Arc& arc, M on) {
+    x = choose(on, arc.x_next, x);
+    w = choose(on, arc.w_next, w);
+    position = track.next(position, hn::Le(x, c.begin), hn::Ge(w, c.upto));
+  }
+};
+
 /// d(V) of the curves upstream of their anchors, for the square `wanted` of the speed; the anchor for a speed not above
 /// its own. The same arcs as those of sdm::trace, and place_at on the last one: no knots are stored. A lane whose arc
-/// reaches the speed stays there while others go on: it computes that arc again and again.
+/// reaches the speed computes that arc again until the last lane is there: a branch for each lane would cost more.
 template <class Track>
 HWY_INLINE void place_upstream_on(const Track& track, std::size_t k, const Curve* curves, const V* wanted,
                                   const M* asked, V* place) {
-  V x[kUnrolled];
-  V w[kUnrolled];
+  const M none = hn::Lt(number(0.0), number(0.0));
+  Followed<Track> f[kUnrolled];
   V goal[kUnrolled];
-  typename Track::Place p[kUnrolled];
-  M beyond_top = hn::Lt(number(0.0), number(0.0));
+  M beyond_top[kUnrolled];
+  M more = none;
   for (std::size_t u = 0; u < kUnrolled; ++u) {
-    x[u] = curves[u].x;
-    w[u] = curves[u].w;
-    p[u] = track.upstream_of(curves[u], k + u * hn::Lanes(D()));
-    // The others stay at their anchor.
-    goal[u] = choose(asked[u], hn::Min(wanted[u], curves[u].w_top), w[u]);
-    beyond_top = hn::Or(beyond_top, hn::And(asked[u], hn::Gt(wanted[u], curves[u].w_top)));
+    place[u] = curves[u].x;
+    more = hn::Or(more, hn::And(asked[u], hn::Gt(wanted[u], curves[u].w)));
   }
-  M more;
+  if (!any(more)) return;
+  more = none;
+  for (std::size_t u = 0; u < kUnrolled; ++u) {
+    f[u] = {curves[u].x, curves[u].w, track.upstream_of(curves[u], k + u * hn::Lanes(D()))};
+    // Up to V_top it is of no importance where the curve ends. Lanes that are not asked stay at their anchor.
+    goal[u] = choose(asked[u], hn::Min(wanted[u], curves[u].w_top), curves[u].w);
+    beyond_top[u] = hn::And(asked[u], hn::Gt(wanted[u], curves[u].w_top));
+    more = hn::Or(more, beyond_top[u]);
+  }
+  const bool any_beyond_top = any(more);
   do {
-    more = hn::Lt(number(0.0), number(0.0));
+    more = none;
     for (std::size_t u = 0; u < kUnrolled; ++u) {
-      const Cell c = track.at_place(p[u]);
-      const Arc arc = arc_upstream(x[u], w[u], c, c.upto);
+      const Cell c = track.at_position(f[u].position);
+      const Arc arc = arc_upstream(f[u].x, f[u].w, c, c.upto);
       const M on = hn::Lt(arc.w_next, goal[u]);
-      x[u] = choose(on, arc.x_next, x[u]);
-      w[u] = choose(on, arc.w_next, w[u]);
-      // Not so where a lane stays: it is in its cell.
-      p[u] = track.next(p[u], hn::Le(x[u], c.begin), hn::Ge(w[u], c.upto));
+      f[u].go(track, c, arc, on);
       more = hn::Or(more, on);
     }
   } while (any(more));
-  if (any(beyond_top))
+  if (any_beyond_top)
     for (std::size_t u = 0; u < kUnrolled; ++u) {
-      // Beyond the top speed the arc that begins there is continued.
-      const Cell c = track.at_place(p[u]);
-      const Arc arc = arc_upstream(x[u], w[u], c, hn::Min(curves[u].w_top, c.upto));
-      const M on = hn::And(hn::And(asked[u], hn::Gt(wanted[u], curves[u].w_top)), hn::Lt(w[u], curves[u].w_top));
-      x[u] = choose(on, arc.x_next, x[u]);
-      w[u] = choose(on, arc.w_next, w[u]);
-      p[u] = track.next(p[u], hn::Le(x[u], c.begin), hn::Ge(w[u], c.upto));
+      // To V_top: beyond it the arc that begins there is continued.
+      const Cell c = track.at_position(f[u].position);
+      const Arc arc = arc_upstream(f[u].x, f[u].w, c, hn::Min(curves[u].w_top, c.upto));
+      f[u].go(track, c, arc, hn::And(beyond_top[u], hn::Lt(f[u].w, curves[u].w_top)));
     }
   for (std::size_t u = 0; u < kUnrolled; ++u) {
-    const Cell c = track.at_place(p[u]);
-    const V on_arc = hn::Sub(x[u], hn::Div(hn::Sub(wanted[u], w[u]), c.twice_A));
-    // Upstream of the first segment no higher speed is allowed.
-    const V there = choose(hn::Lt(c.begin, number(-kEverywhere)), number(kNotAllowed), on_arc);
-    place[u] = choose(hn::Gt(wanted[u], curves[u].w), there, curves[u].x);
+    const Cell c = track.at_position(f[u].position);
+    const V on_arc = hn::Sub(f[u].x, hn::Div(hn::Sub(wanted[u], f[u].w), c.twice_A));
+    place[u] = choose(hn::Gt(wanted[u], curves[u].w), on_arc, place[u]);
   }
 }
 
@@ -280,7 +301,8 @@ HWY_INLINE void place_upstream_on(const Track& track, std::size_t k, const Curve
 HWY_NOINLINE void place_upstream(const Block& b, SegmentValue kind, std::size_t k, const Curve* curves, const V* wanted,
                                  const M* asked, V* place) {
 #if HWY_TARGET == HWY_AVX3
-  if (b.alike && b.looked_up) return place_upstream_on(OneTrain(b, kind), k, curves, wanted, asked, place);
+  if (alike(b, k) && b.numbers[b.values[k] + kLookedUp] > 0.5)
+    return place_upstream_on(OneTrain(b, kind, k), k, curves, wanted, asked, place);
 #endif
   place_upstream_on(AnyTrains(b, kind), k, curves, wanted, asked, place);
 }
@@ -290,7 +312,7 @@ HWY_NOINLINE void place_upstream(const Block& b, SegmentValue kind, std::size_t 
 HWY_INLINE void place_downstream(Block& b, std::size_t i, const Curve& c, V w_foot, V wanted, V& place) {
   V x = c.x;
   V w = c.w;
-  const VI stride = index_of(b, b.values.data() + i, kStrideEBD);
+  const VI stride = index_of(b, i, kStrideEBD);
   VI cell = index_at(b.numbers, plus(c.segment, kCellEBD));
   // segment_index: the segment that begins at the anchor counts.
   const VI next = hn::Add(cell, stride);
@@ -369,25 +391,24 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     const V V_target = hn::Load(D(), b.V_target.data() + k);
     all[u] = hn::Eq(speed, speed);
     has_SBD[u] = flag(b.has_SBD.data() + k);
-    has_GUI[u] = flag(b.has_GUI.data() + k);
+    has_GUI[u] = hn::Gt(value_of(b, k, kGuided), number(0.5));
     squared[u] = hn::Mul(speed, speed);
     w_foot[u] = hn::Mul(V_target, V_target);
     EBD[u].x = hn::Load(D(), b.d_target.data() + k);
     EBD[u].w = hn::Load(D(), b.anchor_squared.data() + k);
     EBD[u].segment = segment_upstream(b, k, EBD[u].x);
-    EBD[u].w_top = value_of(b, b.values.data() + k, kTopSquared);
+    EBD[u].w_top = value_of(b, k, kTopSquared);
     if (!limits) continue;
     // before_emergency_effort.
-    const std::int64_t* times = b.times.data() + k;
-    const V T_traction = value_of(b, times, kTTraction);
-    const V T_berem = value_of(b, times, kTBerem);
-    const V with_error = hn::Add(speed, value_of(b, b.values.data() + k, kVDelta0));
-    const V after_traction = greatest(hn::Add(with_error, value_of(b, times, kVDelta1)), V_target);
-    const V V_bec = hn::Add(after_traction, value_of(b, times, kVDelta2));
+    const V T_traction = value_of(b, k, kTTraction);
+    const V T_berem = value_of(b, k, kTBerem);
+    const V with_error = hn::Add(speed, value_of(b, k, kVDelta0));
+    const V after_traction = greatest(hn::Add(with_error, value_of(b, k, kVDelta1)), V_target);
+    const V V_bec = hn::Add(after_traction, value_of(b, k, kVDelta2));
     bec_squared[u] = hn::Mul(V_bec, V_bec);
-    const V meanwhile = greatest(hn::Add(with_error, value_of(b, times, kHalfVDelta1)), V_target);
+    const V meanwhile = greatest(hn::Add(with_error, value_of(b, k, kHalfVDelta1)), V_target);
     D_bec[u] = hn::Add(hn::Mul(meanwhile, T_traction),
-                       hn::Mul(hn::Add(after_traction, value_of(b, times, kHalfVDelta2)), T_berem));
+                       hn::Mul(hn::Add(after_traction, value_of(b, k, kHalfVDelta2)), T_berem));
   }
   if (limits) {
     place_upstream(b, kCellEBD, i, EBD, bec_squared, all, d_curve);
@@ -431,8 +452,8 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       const V V_target = hn::Load(D(), b.V_target.data() + k);
       const V V_foot = hn::Load(D(), b.V_foot.data() + k);
       // d_P_at_target_speed.
-      const V d_EBI = hn::Sub(d_P_foot[u], hn::Mul(V_foot, value_of(b, b.times.data() + k, kTBeFoot)));
-      const V d_P = hn::Sub(d_EBI, hn::Mul(V_target, value_of(b, b.times.data() + k, kTPFoot)));
+      const V d_EBI = hn::Sub(d_P_foot[u], hn::Mul(V_foot, value_of(b, k, kTBeFoot)));
+      const V d_P = hn::Sub(d_EBI, hn::Mul(V_target, value_of(b, k, kTPFoot)));
       curves[u].x = choose(elsewhere[u], d_P, EBD[u].x);
       curves[u].w = w_foot[u];
       curves[u].segment = segment_upstream(b, k, curves[u].x);
@@ -453,14 +474,12 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
       put(b, kGUI, k, guided, location, location);
     if (!limits) continue;
     const V speed = hn::Load(D(), b.V.data() + k);
-    const std::int64_t* times = b.times.data() + k;
-    const std::int64_t* values = b.values.data() + k;
-    const V run_warning = hn::Mul(speed, value_of(b, values, kTWarning));
-    const V run_driver = hn::Mul(speed, value_of(b, values, kTDriver));
-    const V run_indication = hn::Mul(speed, value_of(b, times, kTIndication));
+    const V run_warning = hn::Mul(speed, value_of(b, k, kTWarning));
+    const V run_driver = hn::Mul(speed, value_of(b, k, kTDriver));
+    const V run_indication = hn::Mul(speed, value_of(b, k, kTIndication));
     const V d_EBI = hn::Sub(d_curve[u], D_bec[u]);
     Places e;
-    e.SBI = hn::Sub(d_EBI, hn::Mul(speed, value_of(b, times, kTBs2)));
+    e.SBI = hn::Sub(d_EBI, hn::Mul(speed, value_of(b, k, kTBs2)));
     e.W = hn::Sub(e.SBI, run_warning);
     e.P = hn::Sub(e.SBI, run_driver);
     if (b.guided) e.P = choose(guided, least(e.P, d_GUI[u]), e.P);
@@ -471,11 +490,11 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     put(b, kP_SvL, k, all[u], location, e.P);
     put(b, kI_SvL, k, all[u], location, e.I);
     Places nearer = e;
-    const M capped = hn::Gt(value_of(b, values, kCapPAtTarget), number(0.5));
+    const M capped = hn::Gt(value_of(b, k, kCapPAtTarget), number(0.5));
     nearer.P = choose(capped, least(e.P, hn::Load(D(), b.d_target.data() + k)), e.P);
     if (SBD) {
       Places s;
-      s.SBI = hn::Sub(d_SBD[u], hn::Mul(speed, value_of(b, times, kTBs1)));
+      s.SBI = hn::Sub(d_SBD[u], hn::Mul(speed, value_of(b, k, kTBs1)));
       s.W = hn::Sub(s.SBI, run_warning);
       s.P = hn::Sub(s.SBI, run_driver);
       if (b.guided) s.P = choose(guided, least(s.P, d_GUI_EOA[u]), s.P);
@@ -497,10 +516,11 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
 }
 
 void compute_block(Block& b) {
-  const std::size_t group = kUnrolled * hn::Lanes(D());
-  static_assert(Block::kGroup % (kUnrolled * hn::MaxLanes(D())) == 0);
-  for (std::size_t i = 0; i < b.size; i += group) compute_group(b, i);
+  static_assert(kUnrolled % Block::kLeastGroup == 0 && Block::kMost % (kUnrolled * hn::MaxLanes(D())) == 0);
+  for (std::size_t i = 0; i < b.size; i += cases_of_a_group()) compute_group(b, i);
 }
+
+std::size_t group_size() { return cases_of_a_group(); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace evc::batch
@@ -509,7 +529,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace evc::batch {
 
+HWY_EXPORT(group_size);
 HWY_EXPORT(compute_block);
+
+std::size_t group() { return HWY_DYNAMIC_DISPATCH(group_size)(); }
 
 void compute(Block& block) { HWY_DYNAMIC_DISPATCH(compute_block)(block); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "batch/kernel.h"
 #include "batch/tables.h"
@@ -116,62 +118,59 @@ class Filling {
  public:
   Filling(const Trains::Tables& tables, const Pointers& wanted) {
     block_.numbers = tables.numbers.data();
+    group_ = group();
+    block_.bisections = static_cast<std::size_t>(std::bit_width(tables.most_segments));
+    block_.V_foot.fill(0.0);
     for (std::size_t k = 0; k < kOutputs; ++k) block_.out[k] = wanted[k] != nullptr ? results_[k].data() : nullptr;
   }
 
-  bool full() const { return block_.size == Block::kMost; }
-
-  /// Case `i` of the caller.
-  void add(const TrainEntry& train, const Target& t, double speed, std::size_t i) {
-    const std::size_t k = block_.size++;
+  /// Adds case `i` of the caller; false: there is no room.
+  bool add(const TrainEntry& train, const Target& t, double speed, std::size_t i) {
     const bool EOA = t.kind == sdm::TargetKind::EOA_SvL;
     const bool at_speed = t.kind == sdm::TargetKind::MRSP || t.kind == sdm::TargetKind::LOA;
     // As sdm::rebuild makes it: the others end with a stop.
     const Speed V_target = at_speed ? t.V_target : Speed{};
-    const bool zero = V_target.si <= 0.0;
     const bool TSR = t.kind == sdm::TargetKind::MRSP && t.due_to_TSR;
-    const Place d_target = EOA ? t.SvL : t.location;
+    const std::int64_t values = train.values + class_of_targets(V_target.si > 0.0, TSR);
+    go_on_with(values);
+    if (block_.size == Block::kMost) return false;
+    const std::size_t k = block_.size++;
+    if (used_ == 0) block_.alike[k / group_] = true;
+    if (++used_ == group_) used_ = 0;
     number_[k] = i;
-    block_.values[k] = train.values;
-    block_.times[k] = train.values + kTimesZero + (zero ? std::int64_t{0} : std::int64_t{kTimesValues});
-    block_.segments[k] = TSR ? train.TSR : train.segments;
-    block_.count[k] = TSR ? train.count_TSR : train.count;
+    block_.values[k] = values;
     block_.V[k] = speed;
     block_.V_target[k] = V_target.si;
     block_.location[k] = t.location.from_origin.si;
-    block_.d_target[k] = d_target.from_origin.si;
+    block_.d_target[k] = (EOA ? t.SvL : t.location).from_origin.si;
     const Speed V_anchor = at_speed ? V_target + sdm::dV_ebi(V_target, train.fixed) : Speed{};
     block_.anchor_squared[k] = (V_anchor * V_anchor).si;
     block_.has_SBD[k] = EOA ? 1.0 : 0.0;
-    block_.has_GUI[k] = train.guidance ? 1.0 : 0.0;
-    block_.V_foot[k] = 0.0;
     if (train.guidance) block_.V_foot[k] = (V_target + (train.Q_NVINHSMICPERM ? Speed{0.0} : train::f41(V_target))).si;
-    block_.left_out[k] = 0.0;
-    alike_ = alike_ && block_.times[k] == block_.times[0] && block_.segments[k] == block_.segments[0];
-    looked_up_ = looked_up_ && train.looked_up;
     at_speed_ = at_speed_ || at_speed;
     guided_ = guided_ || train.guidance;
-    segments_ = std::max({segments_, train.count, train.count_TSR});
+    return true;
   }
 
   void compute(const Pointers& out) {
     if (block_.size == 0) return;
-    const std::size_t whole = block_.size;
-    fill_up();
-    block_.alike = alike_;
-    block_.looked_up = looked_up_;
+    end_group();
     block_.at_speed = at_speed_;
     block_.guided = guided_;
-    block_.bisections = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(segments_)));
+    if (at_speed_) block_.left_out.fill(0.0);
     batch::compute(block_);
-    block_.size = whole;
-    const bool in_a_row = number_[whole - 1] - number_[0] + 1 == whole;
-    for (std::size_t k = 0; k < kOutputs; ++k) {
-      if (out[k] == nullptr) continue;
-      if (in_a_row)
-        std::copy_n(results_[k].data(), whole, out[k] + number_[0]);
-      else
-        for (std::size_t n = 0; n < whole; ++n) out[k][number_[n]] = results_[k][n];
+    for (std::size_t first = 0; first < block_.size;) {
+      // As far as the numbers of the cases are in a row.
+      std::size_t end = first + 1;
+      while (end < block_.size && number_[end] == number_[end - 1] + 1) ++end;
+      for (std::size_t k = 0; k < kOutputs; ++k) {
+        if (out[k] == nullptr) continue;
+        if (end == first + 1)
+          out[k][number_[first]] = results_[k][first];
+        else
+          std::copy_n(results_[k].data() + first, end - first, out[k] + number_[first]);
+      }
+      first = end;
     }
   }
 
@@ -185,30 +184,77 @@ class Filling {
 
   void clear() {
     block_.size = 0;
-    alike_ = looked_up_ = true;
     at_speed_ = guided_ = false;
-    segments_ = 1;
   }
 
  private:
-  void fill_up() {
-    const std::size_t last = block_.size - 1;
-    const std::size_t end = (block_.size + Block::kGroup - 1) / Block::kGroup * Block::kGroup;
-    for (auto* const all : {&block_.values, &block_.times, &block_.segments, &block_.count})
-      std::fill(all->begin() + static_cast<std::ptrdiff_t>(block_.size),
-                all->begin() + static_cast<std::ptrdiff_t>(end), (*all)[last]);
-    for (auto* const all : {&block_.V, &block_.V_target, &block_.location, &block_.d_target, &block_.anchor_squared,
-                            &block_.has_SBD, &block_.has_GUI, &block_.V_foot, &block_.left_out})
-      std::fill(all->begin() + static_cast<std::ptrdiff_t>(block_.size),
-                all->begin() + static_cast<std::ptrdiff_t>(end), (*all)[last]);
+  /// A group of one train and class of targets is faster, so another train begins a new one: where the rest that stays
+  /// empty is no more than half of the group or a fifth of what the train needs.
+  void go_on_with(std::int64_t values) {
+    ++alike_;
+    if (values == values_) return;
+    values_ = values;
+    const std::size_t alike = std::exchange(alike_, 1);
+    if (used_ == 0) return;
+    bool& only = block_.alike[block_.size / group_];
+    if (only && (used_ >= group_ / 2 || alike > 4 * group_))
+      end_group();
+    else
+      only = false;
+  }
+
+  /// Repeats the last case until the group is full.
+  void end_group() {
+    const std::size_t size = block_.size;
+    const std::size_t end = (size + group_ - 1) / group_ * group_;
+    const auto repeat = [&](auto& all) { std::fill(all.begin() + size, all.begin() + end, all[size - 1]); };
+    repeat(number_);
+    repeat(block_.values);
+    for (auto* all : {&block_.V, &block_.V_target, &block_.location, &block_.d_target, &block_.anchor_squared,
+                      &block_.has_SBD, &block_.V_foot})
+      repeat(*all);
     block_.size = end;
+    used_ = 0;
   }
 
   Block block_;
   alignas(64) std::array<std::array<double, Block::kMost>, kOutputs> results_;
   std::array<std::size_t, Block::kMost> number_;
-  bool alike_ = true, looked_up_ = true, at_speed_ = false, guided_ = false;
-  std::int64_t segments_ = 1;
+  std::size_t group_ = 0;
+  std::size_t used_ = 0;      // of the group that is not full
+  std::int64_t values_ = -1;  // of the last case
+  std::size_t alike_ = 0;     // so many of the last cases have the same ones
+  bool at_speed_ = false, guided_ = false;
+};
+
+/// Brings together the cases of each train, where trains come in turn and there are enough cases of each one.
+class ByTrain {
+ public:
+  static constexpr std::size_t kMost = 16384;  // so many results stay in the cache
+  static constexpr std::size_t kEnough = 24;   // cases of a train on average
+
+  explicit ByTrain(std::size_t trains) : trains_(trains), worth_it_(group() >= 16) {}
+
+  /// False: the order may stay as it is.
+  bool sort(std::span<const std::uint32_t> train) {
+    if (!worth_it_ || train.size() < trains_ * kEnough) return false;
+    std::size_t changes = 0;
+    for (std::size_t i = 1; i < train.size(); ++i) changes += train[i] != train[i - 1] ? 1u : 0u;
+    if (changes < 2 * trains_) return false;
+    // By counting: where the cases of each train begin.
+    begin_.assign(trains_ + 1, 0);
+    for (const std::uint32_t t : train) ++begin_[t + 1];
+    for (std::size_t t = 0; t < trains_; ++t) begin_[t + 1] += begin_[t];
+    order_.resize(train.size());
+    for (std::size_t i = 0; i < train.size(); ++i) order_[begin_[train[i]]++] = static_cast<std::uint32_t>(i);
+    return true;
+  }
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
+ private:
+  std::size_t trains_;
+  bool worth_it_;  // narrow vectors load their lanes from different places in about the same time
+  std::vector<std::uint32_t> begin_, order_;
 };
 
 }  // namespace
@@ -226,14 +272,18 @@ void limits(const Trains& trains, std::span<const Target> targets, const Cases& 
     filling->left_out(alone);
     filling->clear();
   };
-  for (std::size_t i = 0; i < cases.speed.size(); ++i) {
-    const TrainEntry& train = tables.trains[train_of(i)];
-    if (!train.vectorised) {
-      alone(i);
-      continue;
+  ByTrain by_train(tables.trains.size());
+  for (std::size_t first = 0; first < cases.speed.size(); first += ByTrain::kMost) {
+    const std::size_t n = std::min(cases.speed.size() - first, ByTrain::kMost);
+    const bool sorted = !cases.train.empty() && by_train.sort(cases.train.subspan(first, n));
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t i = first + (sorted ? by_train.order()[j] : j);
+      const TrainEntry& train = tables.trains[train_of(i)];
+      if (!train.vectorised)
+        alone(i);
+      else
+        while (!filling->add(train, targets[target_of(i)], cases.speed[i], i)) finish();
     }
-    filling->add(train, targets[target_of(i)], cases.speed[i], i);
-    if (filling->full()) finish();
   }
   finish();
 }

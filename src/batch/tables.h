@@ -15,21 +15,22 @@ namespace evc::batch {
 inline double as_number(std::int64_t index) { return std::bit_cast<double>(index); }
 inline std::int64_t as_index(double number) { return std::bit_cast<std::int64_t>(number); }
 
-/// The values of a train that no target changes, from the train's index on.
+/// The values of a train and a class of its targets, from the index of both on. A train has them four times: for
+/// V_target = 0 and V_target > 0, and both again for targets due to a TSR.
 enum TrainValue : std::int64_t {
   kVDelta0,
   kTopSquared,  // of V_top
   kTWarning,
   kTDriver,
   kCapPAtTarget,  // 1 where d_P is drawn not beyond the target (3.4.0)
+  kGuided,        // 1 where there is a guidance curve
+  kLookedUp,      // 1 where there are look-up tables
   kStrideEBD,     // bits: from a segment's cells to those of the next one
   kStrideSBD,
   kStrideGUI,
-  kTimesZero,  // the times for V_target = 0
-};
-/// The times of one class of targets and what follows from them, from `kTimesZero` on, and behind them those for
-/// V_target > 0.
-enum TimesValue : std::int64_t {
+  kFirstSegment,  // bits: its index
+  kSegments,      // bits: their number
+  // The times and what follows from them.
   kTTraction,
   kTBerem,
   kTBs1,
@@ -41,16 +42,19 @@ enum TimesValue : std::int64_t {
   kHalfVDelta2,
   kTBeFoot,  // T_berem + T_traction of d_P(V_target)
   kTPFoot,   // T_driver + T_bs2 of it
-  kTimesValues,
+  kTrainValues,
 };
-inline constexpr std::int64_t kTrainValues = std::int64_t{kTimesZero} + 2 * kTimesValues;
+/// What is added to a train's index.
+constexpr std::int64_t class_of_targets(bool above_zero, bool due_to_TSR) {
+  return ((above_zero ? 1 : 0) + (due_to_TSR ? 2 : 0)) * std::int64_t{kTrainValues};
+}
 
 /// One segment: where it begins, and its first cells (bits).
 enum SegmentValue : std::int64_t { kFrom, kCellEBD, kCellSBD, kCellGUI, kSegmentValues };
 /// One cell of constant deceleration: a speed band of a segment. Those of a segment follow one another as the bands do,
-/// the segments as on the track. Before those of the first segment is a row with the same decelerations that begins
-/// nowhere (minus infinity): a curve that comes there is above what is allowed. A row of cells that is never reached is
-/// behind the last one.
+/// the segments as on the track. Before those of the first segment, which begins at -1e9 m (src/sdm), is a row with the
+/// same decelerations and no border: what is upstream of it is nowhere. Behind those of the last segment is a row that
+/// is never reached.
 enum CellValue : std::int64_t {
   kTwiceA,  // twice the deceleration, as the arcs need it; a factor of 2 changes no bit of what is computed
   kUpto,    // the square of the band's upper speed
@@ -72,9 +76,7 @@ enum LookUpValue : std::int64_t {
   kLookUpValues = kLookUpTwiceGradient + kLookUpSegments
 };
 
-inline constexpr double kEverywhere = 1e300;  // every segment begins ahead of minus that
-inline constexpr double kNowhere = 1e9;       // as in src/sdm: beyond every track
-inline constexpr double kNotAllowed = -1e9;   // the place of a speed that is allowed nowhere
+inline constexpr double kNowhere = 1e9;  // as in src/sdm: beyond every track
 
 /// A curve from its foot to the anchor has at most this many arcs (src/sdm).
 inline constexpr std::size_t kMostArcsDownstream = 31;
@@ -86,11 +88,8 @@ struct Whole {
 };
 
 struct TrainEntry {
-  std::int64_t values = 0;                // its index
-  std::int64_t segments = 0, TSR = 0;     // of the first segment; for targets due to a TSR
-  std::int64_t count = 0, count_TSR = 0;  // segments
+  std::int64_t values = 0;  // their index
   bool vectorised = false;
-  bool looked_up = false;  // the look-up tables are there, also those for targets due to a TSR
   bool guidance = false;
   bool Q_NVINHSMICPERM = false;
   train::FixedValues fixed;
@@ -100,6 +99,7 @@ struct TrainEntry {
 struct Trains::Tables {
   std::vector<double> numbers;
   std::vector<TrainEntry> trains;
+  std::size_t most_segments = 1;  // of all vectorised trains
   std::unique_ptr<sdm::Decelerations> scratch = std::make_unique<sdm::Decelerations>();
 };
 

@@ -17,6 +17,9 @@ Speed V_top_of(const sdm::Inputs& in) {
   return in.V_top.value_or(top + kMargin);
 }
 
+/// No target is upstream of where the track begins, and no limit.
+bool from_nowhere(const sdm::Segments& segments) { return segments.front().from.from_origin.si <= -kNowhere; }
+
 /// The same special brakes everywhere: then there is one table of bands.
 bool one_stage(const sdm::Segments& segments) {
   return std::all_of(segments.begin(), segments.end(),
@@ -119,7 +122,7 @@ class Layout {
   std::vector<double>& numbers_;
 };
 
-/// In the order of TimesValue.
+/// In the order of TrainValue, from `kTTraction` on.
 void lay_times(Layout& out, const sdm::Times& t, const sdm::Approach& a, const train::FixedValues& fixed) {
   const Speed V_delta1 = a.A_est1 * t.T_traction;
   const Speed V_delta2 = a.A_est2 * t.T_berem;
@@ -141,6 +144,7 @@ bool Trains::vectorised(std::uint32_t train) const { return tables_->trains.at(t
 void Trains::clear() {
   tables_->numbers.clear();
   tables_->trains.clear();
+  tables_->most_segments = 1;
 }
 
 std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
@@ -156,14 +160,13 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
   const std::size_t arcs = std::max(d.segments.size(), TSR.size()) + bands;
   entry.vectorised = !rules.reduced_build_up && arcs + kMostArcsDownstream < sdm::kMaxKnots;
   for (const sdm::Segments* segments : {&std::as_const(d).segments, &TSR})
-    entry.vectorised = entry.vectorised && one_stage(*segments) && decelerates(d.safe[0], *segments) &&
-                       decelerates(d.expected[0], *segments) &&
+    entry.vectorised = entry.vectorised && from_nowhere(*segments) && one_stage(*segments) &&
+                       decelerates(d.safe[0], *segments) && decelerates(d.expected[0], *segments) &&
                        (!entry.guidance || decelerates(d.normal_service[0], *segments));
-  entry.looked_up = entry.vectorised;
+  bool looked_up = entry.vectorised;
   for (const sdm::Segments* segments : {&std::as_const(d).segments, &TSR})
-    entry.looked_up = entry.looked_up && can_be_looked_up(d.safe[0], *segments) &&
-                      can_be_looked_up(d.expected[0], *segments) &&
-                      (!entry.guidance || can_be_looked_up(d.normal_service[0], *segments));
+    looked_up = looked_up && can_be_looked_up(d.safe[0], *segments) && can_be_looked_up(d.expected[0], *segments) &&
+                (!entry.guidance || can_be_looked_up(d.normal_service[0], *segments));
   const Speed V_top = V_top_of(in);
   if (!entry.vectorised || arcs > kMostArcsDownstream) {
     auto whole = std::make_unique<Whole>(Whole{in, state});
@@ -172,26 +175,27 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
   }
   if (entry.vectorised) {
     Layout out(tables_->numbers);
-    entry.segments = entry.TSR = out.segments(d, d.segments, entry.guidance, entry.looked_up);
-    entry.count = entry.count_TSR = static_cast<std::int64_t>(d.segments.size());
-    if (&TSR != &d.segments) {
-      entry.TSR = out.segments(d, TSR, entry.guidance, entry.looked_up);
-      entry.count_TSR = static_cast<std::int64_t>(TSR.size());
-    }
+    const std::int64_t first = out.segments(d, d.segments, entry.guidance, looked_up);
+    const std::int64_t first_TSR = &TSR == &d.segments ? first : out.segments(d, TSR, entry.guidance, looked_up);
+    tables_->most_segments = std::max({tables_->most_segments, d.segments.size(), TSR.size()});
     entry.values = out.here();
     const sdm::Approach a = sdm::approach({}, entry.Q_NVINHSMICPERM ? Speed{0.0} : state.V_ura, state.A_est, in.fixed);
-    // In the order of TrainValue.
-    for (const double value : {a.V_delta0.si, (V_top * V_top).si, in.fixed.T_warning.si, in.fixed.T_driver.si,
-                               rules.pre_indication ? 1.0 : 0.0})
-      out.number(value);
-    out.index(Layout::stride(d.safe[0]));
-    out.index(Layout::stride(d.expected[0]));
-    out.index(entry.guidance ? Layout::stride(d.normal_service[0]) : 0);
     const sdm::TimeConfig config = sdm::time_config(in.train, in.national_values);
-    for (const bool zero : {true, false}) {
-      const train::BuildUpTimes build_up = train::build_up_times(in.train, in.national_values, in.brakes, zero);
-      lay_times(out, sdm::times(config, build_up, std::nullopt, rules, in.fixed), a, in.fixed);
-    }
+    for (const bool due_to_TSR : {false, true})
+      for (const bool above_zero : {false, true}) {
+        EVC_REQUIRE(out.here() == entry.values + class_of_targets(above_zero, due_to_TSR));
+        // In the order of TrainValue.
+        for (const double value : {a.V_delta0.si, (V_top * V_top).si, in.fixed.T_warning.si, in.fixed.T_driver.si,
+                                   rules.pre_indication ? 1.0 : 0.0, entry.guidance ? 1.0 : 0.0, looked_up ? 1.0 : 0.0})
+          out.number(value);
+        out.index(Layout::stride(d.safe[0]));
+        out.index(Layout::stride(d.expected[0]));
+        out.index(entry.guidance ? Layout::stride(d.normal_service[0]) : 0);
+        out.index(due_to_TSR ? first_TSR : first);
+        out.index(static_cast<std::int64_t>((due_to_TSR ? TSR : d.segments).size()));
+        const auto build_up = train::build_up_times(in.train, in.national_values, in.brakes, !above_zero);
+        lay_times(out, sdm::times(config, build_up, std::nullopt, rules, in.fixed), a, in.fixed);
+      }
   }
   tables_->trains.push_back(std::move(entry));
   return static_cast<std::uint32_t>(tables_->trains.size() - 1);
