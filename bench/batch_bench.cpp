@@ -1,5 +1,6 @@
 // Curves and limits of many trains and targets at once, with each set of instructions, beside one at a time and beside
-// `divider`: the time in which the divider alone does the divisions of the arcs, one each. There are no square roots.
+// two limits: `arithmetic`, the time of the arithmetic of the arcs alone, its operands in registers, and `divider`,
+// that of their divisions alone, one each. There are no square roots.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,33 @@ std::size_t divide(double* numbers, std::size_t times) {
   return times * 8 * N;
 }
 
+/// The arithmetic of arcs as in batch/kernel.cpp, eight that do not wait for one another, without looking anything up;
+/// returns the number of arcs.
+std::size_t follow(double* numbers, std::size_t times) {
+  const hn::ScalableTag<double> d;
+  constexpr std::size_t kBeside = 8;
+  const auto twice_A = hn::Set(d, 1.0000001);
+  const auto begin = hn::Set(d, -1000.0);
+  const auto upper = hn::Set(d, 1e12);
+  hn::Vec<decltype(d)> x[kBeside];
+  hn::Vec<decltype(d)> w[kBeside];
+  for (std::size_t u = 0; u < kBeside; ++u) {
+    x[u] = hn::LoadU(d, numbers);
+    w[u] = hn::Add(x[u], hn::Set(d, static_cast<double>(u)));
+  }
+  for (std::size_t i = 0; i < times; ++i)
+    for (std::size_t u = 0; u < kBeside; ++u) {
+      const auto at_border = hn::Add(w[u], hn::Mul(twice_A, hn::Sub(x[u], begin)));
+      const auto there = hn::Sub(x[u], hn::Div(hn::Sub(upper, w[u]), twice_A));
+      x[u] = hn::IfThenElse(hn::Lt(at_border, upper), begin, hn::Max(begin, there));
+      w[u] = hn::Min(at_border, upper);
+    }
+  auto sum = hn::Add(x[0], w[0]);
+  for (std::size_t u = 1; u < kBeside; ++u) sum = hn::Add(sum, hn::Add(x[u], w[u]));
+  hn::StoreU(sum, d, numbers);
+  return times * kBeside * hn::Lanes(d);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace evc::bench
 HWY_AFTER_NAMESPACE();
@@ -66,6 +94,7 @@ namespace evc::bench {
 namespace {
 
 HWY_EXPORT(divide);
+HWY_EXPORT(follow);
 
 constexpr std::size_t kCases = 16384;
 constexpr double kFastest_kmh = 195.0;
@@ -149,14 +178,15 @@ double arcs_of_a_curve(const Work& w) {
   return arcs / kSome;
 }
 
-/// Nanoseconds of one division of one lane, where none waits for another one.
-double division_ns() {
+/// Nanoseconds of one of those that `work(numbers, times)` does, where none waits for another one.
+template <class Do>
+double one_ns(Do work) {
   std::array<double, 64> numbers{};
   numbers.fill(1.5);
   double best = 1e9;
   for (int i = 0; i < 20; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    const std::size_t n = HWY_DYNAMIC_DISPATCH(divide)(numbers.data(), 4000);
+    const std::size_t n = work(numbers.data(), std::size_t{4000});
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
     benchmark::DoNotOptimize(numbers);
     best = std::min(best, took.count() / static_cast<double>(n));
@@ -164,14 +194,15 @@ double division_ns() {
   return best;
 }
 
-/// `arcs` of a case: each has one division.
+/// `arcs` of a case.
 void report(benchmark::State& state, double arcs) {
   const auto cases = static_cast<double>(state.iterations()) * static_cast<double>(kCases);
   state.counters["cases/s"] = benchmark::Counter(cases, benchmark::Counter::kIsRate);
   state.counters["case"] = benchmark::Counter(cases, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   if (arcs == 0.0) return;
   state.counters["arcs"] = arcs;
-  state.counters["divider"] = arcs * division_ns() * 1e-9;
+  state.counters["arithmetic"] = arcs * one_ns(HWY_DYNAMIC_DISPATCH(follow)) * 1e-9;
+  state.counters["divider"] = arcs * one_ns(HWY_DYNAMIC_DISPATCH(divide)) * 1e-9;
 }
 
 /// The place of the EBD at a speed of 185 to 195 km/h: all 8 bands, up to 20 gradients.
