@@ -143,6 +143,8 @@ void add_train(std::vector<Action>& a) {
   a.push_back({"non leading", with([](port::Inputs& in) { in.train.non_leading = !in.train.non_leading; })});
   a.push_back(
       {"passive shunting", with([](port::Inputs& in) { in.train.passive_shunting = !in.train.passive_shunting; })});
+  a.push_back({"antenna alarm begins or ends",
+               with([](port::Inputs& in) { in.train.antenna_alarm = !in.train.antenna_alarm; })});
   a.push_back({"stops", moves(0.0, 5)});
   a.push_back({"drives at 5 m/s", moves(5.0, 20)});
   a.push_back({"drives at 40 m/s", moves(40.0, 20)});
@@ -396,7 +398,7 @@ bool goes_on(Runner& r) {
   port::Inputs& in = r.inputs();
   moves(0.0, 10)(r);
   if (r.world().failed || r.world().out.mode == Mode::SF || r.world().out.mode == Mode::NP) switches_off_and_on(r);
-  in.train.sleeping = in.train.non_leading = in.train.passive_shunting = false;
+  in.train.sleeping = in.train.non_leading = in.train.passive_shunting = in.train.antenna_alarm = false;
   in.train.direction_controller = port::DirectionController::forward;
   in.national_system.available = 2;
   in.train.consist.reset();  // with vehicles in front of the engine there are no train data (3.18.3.5)

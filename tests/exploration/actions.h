@@ -16,9 +16,9 @@ struct Action {
 const std::vector<Action>& actions(SrsVersion srs);
 
 /// What a driver does to go on from any state but isolation: stops, switches a unit that is off or failed off and on,
-/// has no consist any more, closes and opens the desk, answers what the unit asks, and starts in the lowest level that
-/// is allowed. The RBC answers calls and ends a session that has to end before a start (5.4.3.2 S0). True: the train
-/// may move.
+/// has no consist and no alarm any more, closes and opens the desk, answers what the unit asks, and starts in the
+/// lowest level that is allowed. The RBC answers calls and ends a session that has to end before a start (5.4.3.2 S0).
+/// True: the train may move.
 bool goes_on(Runner& runner);
 
 }  // namespace evc::exploration

@@ -43,7 +43,7 @@ View view_of(const World& w) {
   std::uint64_t flags = 0;
   for (const bool b : {o.tco, o.sb, o.eb, o.start_offered, o.lrbg.has_value(), o.EOA.has_value(), o.rv_left.has_value(),
                        o.level_valid, t.powered, t.isolated, t.desk_open, t.sleeping, t.non_leading, t.passive_shunting,
-                       V > 0.0, V < 0.0, w.calling, w.in.levels.national_system.available != 0})
+                       t.antenna_alarm, V > 0.0, V < 0.0, w.calling, w.in.levels.national_system.available != 0})
     flags = flags << 1 | (b ? 1u : 0u);
   v.push_back(flags);
   v.push_back(static_cast<std::uint64_t>(t.direction_controller));

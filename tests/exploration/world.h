@@ -43,7 +43,7 @@ struct World {
   port::Outputs out;
   unsigned groups = 0;                       ///< passed; the next one has NID_BG 100 + groups
   std::map<unsigned, std::uint32_t> sent{};  ///< NID_MESSAGE -> T_TRAIN of the last one of the unit
-  bool failed = false;                       ///< SF is or will be entered (4.4.5, in SL and NL later)
+  bool failed = false;                       ///< SF is or may be entered (4.4.5; after SL, NL and PS later)
   bool calling = false;                      ///< a connection was asked for and is not answered
   brake_rules::Memory brakes{};
 };
