@@ -264,9 +264,11 @@ struct Store::Database {
   }
 
   io::Result<bool> prepare() {
+    // The database has the error of the last call alone.
     insert_case = std::make_unique<Statement>(handle, insertion("cases", varied.size() + 3));
+    if (!insert_case->ok()) return tl::unexpected(error());
     insert_result = std::make_unique<Statement>(handle, insertion("results", measures.size() + 1));
-    if (!insert_case->ok() || !insert_result->ok()) return tl::unexpected(error());
+    if (!insert_result->ok()) return tl::unexpected(error());
     return true;
   }
 };
@@ -283,6 +285,9 @@ io::Result<std::unique_ptr<Store>> Store::open(const std::string& file, Open how
     return tl::unexpected(io::Diagnostic{file, "", "a directory", "a file that can be written"});
   if (there && how == Open::created)
     return tl::unexpected(io::Diagnostic{file, "", "a file", "a new name, or --resume to go on with it"});
+  // SQLite would take a device for an empty database, and leave files beside it.
+  if (there && !std::filesystem::is_regular_file(file, error))
+    return tl::unexpected(io::Diagnostic{file, "", "a device or pipe", "a file that can be written"});
   // Why a file cannot be made: SQLite tries again without writing, and then knows that there is none.
   if (how != Open::in_memory && !there)
     if (const auto can_be = io::WholeFile::create(file); !can_be) return tl::unexpected(can_be.error());

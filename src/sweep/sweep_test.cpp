@@ -353,7 +353,8 @@ TEST(Store, a_file_that_was_changed_is_refused) {
   for (const char* sql :
        {"UPDATE sweep SET cases = 0", "UPDATE sweep SET cases = -1", "UPDATE sweep SET cases = 1e12",
         "UPDATE sweep SET spec = 'alert(1)'", "UPDATE sweep SET measures = '[1]'", "UPDATE sweep SET varied = '[]'",
-        "DELETE FROM sweep", "UPDATE cases SET number = -1", "UPDATE cases SET number = 3"}) {
+        "DELETE FROM sweep", "UPDATE cases SET number = -1", "UPDATE cases SET number = 3", "DROP TABLE cases",
+        "DROP TABLE results", "DROP TABLE sweep"}) {
     std::filesystem::remove(file);
     {
       const auto store = Store::open(file, Store::Open::created, *plan, "1");
@@ -363,6 +364,9 @@ TEST(Store, a_file_that_was_changed_is_refused) {
     change(file, sql);
     const auto store = Store::open(file, Store::Open::resumed, *plan, "1");
     EXPECT_TRUE(!store || !(*store)->missing()) << sql;
+    if (!store) {
+      EXPECT_NE(store.error().found, "not an error") << sql;
+    }
   }
 }
 
@@ -455,6 +459,13 @@ TEST_F(Program, what_is_wrong_is_named) {
             folder_ / "absent/r.sqlite" + ": found No such file or directory, expected a file that can be written\n");
   EXPECT_EQ(errors(ended("sweep " + spec + " -o " + file("."))),
             folder_ / "." + ": found a directory, expected a file that can be written\n");
+  // SQLite takes a device for a database without tables, and makes its files beside it.
+  std::filesystem::create_symlink("/dev/full", folder_ / "full.sqlite");
+  for (const char* resume : {"", " --resume"})
+    EXPECT_EQ(ended("sweep " + spec + resume + " -o " + file("full.sqlite")).exit_code, 2);
+  EXPECT_EQ(errors(ended("sweep " + spec + " --resume -o " + file("full.sqlite"))),
+            folder_ / "full.sqlite" + ": found a device or pipe, expected a file that can be written\n");
+  EXPECT_FALSE(std::filesystem::exists("/dev/full-journal"));
   EXPECT_EQ(errors(ended("sweep " + spec + " -o -")),
             "evc sweep: -o: found standard output, expected a file: SQLite\n");
   // Before a million cases are computed for a table that cannot be written.
