@@ -10,6 +10,11 @@ def _decode(form, bits, direction="to_train", sv="2.1", tolerant=False):
     return _native.decode(form, digits, direction, sv, tolerant)
 
 
+def _opposite(flag):
+    """Of True and False; of anything else itself, which is refused."""
+    return not flag if isinstance(flag, bool) or type(flag).__name__ in ("bool_", "bool") else flag
+
+
 def balise(bits, *, tolerant=False):
     """The user bits of a balise telegram: hexadecimal digits, or bytes."""
     return _decode(_Form.balise, bits, tolerant=tolerant)
@@ -32,4 +37,4 @@ def radio(bits, *, direction="to_train", sv="2.1", tolerant=False):
 
 def packet(bits, *, direction="to_train", sv="2.1", strict=False):
     """One packet. Spare codes are shown unless it is `strict`."""
-    return _decode(_Form.packet, bits, direction, sv, not strict)
+    return _decode(_Form.packet, bits, direction, sv, _opposite(strict))

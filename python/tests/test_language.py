@@ -1,6 +1,7 @@
 """Telegrams, messages and packets: what `evc decode`, `evc encode` and `evc describe` print."""
 import json
 
+import numpy as np
 import pytest
 
 import openevc as evc
@@ -103,3 +104,26 @@ def test_what_does_not_exist_is_the_sentence_of_the_command(command):
         with pytest.raises(evc.InputError) as error:
             call(name)
         assert str(error.value) == command("describe", kind, name)[2].strip()
+
+
+def test_arguments_of_another_type_are_errors_of_one_line():
+    radio = {"direction": ["x", 5, None, float("nan")], "sv": ["9", 2.1, None], "tolerant": ["x", 1, None]}
+    for name, values in radio.items():
+        for value in values:
+            with pytest.raises(evc.InputError, match=f"^arguments: /{name}: found ") as error:
+                evc.decode.radio("00", **{name: value})
+            assert "\n" not in str(error.value)
+    for call in (lambda: evc.decode.packet("00", strict="x"), lambda: evc.describe.variable(None), lambda: evc.describe.variable(5),
+                 lambda: evc.describe.packet(5, direction=5), lambda: evc.describe.packet(5, markdown="x"),
+                 lambda: evc.encode.radio({}, sv=2.1), lambda: evc.encode.packet({}, direction=5)):
+        with pytest.raises(evc.InputError, match="^arguments: /") as error:
+            call()
+        assert "\n" not in str(error.value)
+    assert evc.describe.packet(np.int64(5), markdown=np.bool_(False)) == evc.describe.packet(5)
+
+
+def test_digits_that_are_none_are_named_as_far_as_they_can_be():
+    for digits in ("zz", "\u00e9", "\u65e5\u672c", "A1\x00"):
+        with pytest.raises(evc.InputError) as error:
+            evc.decode.balise(digits)
+        assert "\n" not in str(error.value) and error.value.found

@@ -119,6 +119,17 @@ def test_arguments_of_a_wrong_type_are_told_in_the_words_of_the_package():
         evc.OnBoard(dmi=1)
 
 
+def test_flags_of_numpy_are_flags():
+    assert evc.OnBoard(planning=np.bool_(True), dmi=np.bool_(False)).step()["dmi"] is None
+    assert evc.OnBoard(dmi=np.array(True)).step()["dmi"] is not None
+    assert evc.OnBoard().step(0, train={"desk_open": np.bool_(True)})["t_ms"] == 0
+    for wrong in (np.int64(1), np.float64(1.0), float("nan"), None, np.array([True]), np.array([True, False])):
+        with pytest.raises(evc.InputError, match="OnBoard: planning: found a value of type .*, expected True or False$"):
+            evc.OnBoard(planning=wrong)
+        with pytest.raises(evc.InputError, match="desk_open|train"):
+            evc.OnBoard().step(0, train={"desk_open": wrong})
+
+
 def test_numbers_of_numpy_are_numbers():
     odometer = {key: np.float64(0.0) for key in ("nominal_m", "min_m", "max_m", "speed_mps")}
     unit = evc.OnBoard({"cycle_ms": np.int32(50)})

@@ -50,6 +50,18 @@ def test_a_wrong_description_is_an_error(spec):
         evc.sweep(spec)
 
 
+@pytest.mark.parametrize("threads", [np.int64(1), np.uint8(2), np.array(1)])
+def test_numbers_of_numpy_are_numbers_of_threads(threads):
+    assert evc.sweep(CURVES, threads=threads).cases == evc.sweep(CURVES).cases
+
+
+@pytest.mark.parametrize("threads", [1.0, 2.5, float("nan"), "x", None, True, np.bool_(True), np.array([1, 2]), 2**70])
+def test_threads_of_another_type_are_an_error_of_one_line(threads):
+    with pytest.raises(evc.InputError, match="^sweep: /threads.*: found .*, expected .*$") as error:
+        evc.sweep(CURVES, threads=threads)
+    assert "\n" not in str(error.value)
+
+
 @pytest.mark.parametrize("threads", [-1, 5000])
 def test_a_wrong_number_of_threads_is_an_error(threads):
     with pytest.raises(evc.InputError, match="threads"):

@@ -1,8 +1,5 @@
-#include <pybind11/stl.h>
-
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,15 +16,16 @@ namespace {
 
 enum class Form : std::uint8_t { balise, loop, airgap, radio, packet };
 
-lang::Direction direction_of(const std::string& name) {
-  const io::Json value = name;
-  const io::Json document{{"direction", value}};
-  return io::JsonPlace(document, "arguments")["direction"].one_of({"to_train", "to_track"}) == 0
-             ? lang::Direction::to_train
-             : lang::Direction::to_track;
+lang::Direction direction_of(const py::object& name) {
+  const Argument argument(name, "arguments", "direction");
+  return argument.place().one_of({"to_train", "to_track"}) == 0 ? lang::Direction::to_train : lang::Direction::to_track;
 }
 
-lang::SystemVersion version_of(const std::string& text) {
+bool flag_of(const py::object& flag, const char* name) { return Argument(flag, "arguments", name).place().boolean(); }
+
+lang::SystemVersion version_of(const py::object& version) {
+  const Argument argument(version, "arguments", "sv");
+  const std::string text = argument.place().string();
   const auto sv = io::parse_version(text);
   if (!sv || lang::known_version(*sv) == 0)
     throw io::ReadError{{"arguments", "/sv", "\"" + text + "\"", "a system version 1.Y, 2.Y or 3.Y"}};
@@ -40,12 +38,12 @@ T accepted(tl::expected<T, io::TelegramError> result) {
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-py::object decode(Form form, const std::string& hex, const std::string& direction, const std::string& sv,
-                  bool tolerant) {
+py::object decode(Form form, const std::string& hex, const py::object& direction, const py::object& sv,
+                  const py::object& tolerant) {
   const lang::Direction towards = direction_of(direction);
   const lang::SystemVersion version = version_of(sv);
   const io::Bits bits = accepted(io::bits_of_hex(hex));
-  const io::Spare spare = tolerant ? io::Spare::accept : io::Spare::refuse;
+  const io::Spare spare = flag_of(tolerant, "tolerant") ? io::Spare::accept : io::Spare::refuse;
   std::string json;
   switch (form) {
     case Form::balise:
@@ -67,12 +65,11 @@ py::object decode(Form form, const std::string& hex, const std::string& directio
   return object_of(json);
 }
 
-std::string encode(Form form, const py::object& telegram, const std::optional<std::string>& direction,
-                   const std::optional<std::string>& sv) {
+std::string encode(Form form, const py::object& telegram, const py::object& direction, const py::object& sv) {
   const io::Json json = json_of(telegram, "telegram");
   io::EncodeOptions how;
-  if (direction) how.direction = direction_of(*direction);
-  if (sv) how.sv = version_of(*sv);
+  if (!direction.is_none()) how.direction = direction_of(direction);
+  if (!sv.is_none()) how.sv = version_of(sv);
   io::Bits bits;
   switch (form) {
     case Form::balise:
@@ -94,12 +91,12 @@ std::string encode(Form form, const py::object& telegram, const std::optional<st
   return io::hex_of_bits(bits.bytes, bits.bits);
 }
 
-language::DescribeOptions options_of(const std::string& id, const std::optional<std::string>& direction,
-                                     bool markdown) {
+language::DescribeOptions options_of(const py::object& id, const py::object& direction, const py::object& markdown) {
   language::DescribeOptions options;
-  options.id = id;
-  options.markdown = markdown;
-  if (direction) (direction_of(*direction) == lang::Direction::to_train ? options.to_train : options.to_track) = true;
+  options.id = Argument(id, "arguments", "name").place().string();
+  options.markdown = flag_of(markdown, "markdown");
+  if (!direction.is_none())
+    (direction_of(direction) == lang::Direction::to_train ? options.to_train : options.to_track) = true;
   return options;
 }
 
@@ -116,7 +113,7 @@ void bind_language(py::module_& module) {
   module.def("encode", encode);
   using Text = io::Result<std::string> (*)(const language::DescribeOptions&);
   const auto describe = [&module](const char* name, Text text) {
-    module.def(name, [text](const std::string& id, const std::optional<std::string>& direction, bool markdown) {
+    module.def(name, [text](const py::object& id, const py::object& direction, const py::object& markdown) {
       return value_of(text(options_of(id, direction, markdown)));
     });
   };

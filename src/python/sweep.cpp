@@ -48,7 +48,7 @@ py::dict columns_of(const sweep::Plan& plan, std::vector<sweep::Row> rows) {
   return columns;
 }
 
-py::dict run_sweep(const py::object& spec, std::int64_t threads) {
+py::dict run_sweep(const py::object& spec, const py::object& wanted_threads) {
   std::string file = "spec";
   const io::Json document = json_of(spec, file);
   std::string text;
@@ -58,8 +58,7 @@ py::dict run_sweep(const py::object& spec, std::int64_t threads) {
   } else {
     text = document.dump(-1, ' ', false, io::Json::error_handler_t::replace);
   }
-  const io::Json argument{{"threads", threads}};
-  (void)io::JsonPlace(argument, "sweep")["threads"].integer(0, 1024);
+  const std::int64_t threads = Argument(wanted_threads, "sweep", "threads").place().integer(0, 1024);
   const auto plan = value_of(sweep::Plan::make(text, file));
   const std::uint64_t cases = plan->spec().cases;
   if (cases > kMostRows)

@@ -135,10 +135,10 @@ void raise(const io::Diagnostic& d) {
 
 void raise(const io::TelegramError& e) {
   const auto or_none = [](const auto& value, bool given) { return given ? py::object(py::cast(value)) : py::none(); };
-  raise(io::error_json(e),
-        py::dict(py::arg("bit") = e.bit, py::arg("packet") = or_none(e.packet, e.packet >= 0),
-                 py::arg("variable") = or_none(e.variable, !e.variable.empty()),
-                 py::arg("value") = or_none(e.value.value_or(0), e.value.has_value()), py::arg("found") = e.why));
+  raise(io::error_json(e), py::dict(py::arg("bit") = e.bit, py::arg("packet") = or_none(e.packet, e.packet >= 0),
+                                    py::arg("variable") = or_none(io::printable(e.variable), !e.variable.empty()),
+                                    py::arg("value") = or_none(e.value.value_or(0), e.value.has_value()),
+                                    py::arg("found") = io::printable(e.why)));
 }
 
 }  // namespace
@@ -152,6 +152,9 @@ Json json_of(py::handle value, const std::string& file, std::string_view key, co
   const Way root;
   return Converter(file, place).of(value, {&root, key}, 1);
 }
+
+Argument::Argument(py::handle value, std::string from, std::string name)
+    : document_{{name, json_of(value, from, name)}}, from_(std::move(from)), name_(std::move(name)) {}
 
 py::object object_of(const std::string& json) { return py::module_::import("json").attr("loads")(json); }
 

@@ -19,6 +19,19 @@ io::Json json_of(py::handle value, const std::string& file);
 /// One of several values that make one document: `key` is its member. `place`: where in the file the document is.
 io::Json json_of(py::handle value, const std::string& file, std::string_view key, const std::string& place = "");
 
+/// An argument of a function, read as a member of a document is, so that what is of another type is refused with
+/// "sweep: /threads: found 2.5, expected an integer from 0 to 1024". Of Python or of NumPy.
+class Argument {
+ public:
+  /// `from`: the function, or what else the error names. Throws io::ReadError.
+  Argument(py::handle value, std::string from, std::string name);
+  io::JsonPlace place() const { return io::JsonPlace(document_, from_)[name_]; }
+
+ private:
+  io::Json document_;
+  std::string from_, name_;
+};
+
 /// The text of JSON as dictionaries and lists, in the order of the text.
 py::object object_of(const std::string& json);
 
