@@ -77,7 +77,7 @@ def jobs(default=None):
 
 @contextlib.contextmanager
 def reading(path, expected):
-    """Whatever is wrong with the contents of a file is one sentence."""
+    """What is wrong with the contents of a file is one sentence."""
     try:
         yield
     except (ValueError, LookupError, TypeError, AttributeError) as wrong:
