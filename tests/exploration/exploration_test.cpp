@@ -21,9 +21,9 @@ struct Floor {
   std::size_t states = 0, cells = 0;
 };
 constexpr std::array kFloors{
-    Floor{SrsVersion::v3_4_0, 1200, 14000, 121},
-    Floor{SrsVersion::v3_6_0, 1200, 14000, 121},
-    Floor{SrsVersion::v4_0_0, 900, 14000, 140},
+    Floor{SrsVersion::v3_4_0, 1200, 13000, 121},
+    Floor{SrsVersion::v3_6_0, 1200, 13000, 121},
+    Floor{SrsVersion::v4_0_0, 900, 11500, 143},
 };
 
 std::size_t of_environment(const char* name, std::size_t usual) {

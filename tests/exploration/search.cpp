@@ -98,8 +98,8 @@ class Search {
     found_.depth = std::max(found_.depth, depth);
   }
 
-  /// The first state of the class that was expanded least, in the mode that was, of several the newest class;
-  /// nodes_.size() if none is left.
+  /// The first state of the class that was expanded least, in the mode that was, of several the class that was found
+  /// first; nodes_.size() if none is left.
   std::size_t least_seen() {
     auto best = waiting_.end();
     std::tuple<std::size_t, std::size_t, std::size_t> least;
@@ -107,7 +107,7 @@ class Search {
       while (!c->second.empty() && !nodes_[c->second.front()].world) c->second.pop_front();
       if (c->second.empty()) continue;
       const std::tuple now{times_of_mode_[std::get<Mode>(c->first)], times_[c->first],
-                           nodes_.size() - c->second.front()};
+                           c->second.front()};
       if (best != waiting_.end() && least <= now) continue;
       best = c;
       least = now;
