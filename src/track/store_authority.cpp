@@ -74,19 +74,34 @@ bool is_shortening(const MovementAuthority& ma, const Before& old) {
 /// Of the areas of a profile that is replaced: the modes that were entered for one, and those asked for ahead of one.
 struct Answered {
   Set<Mode> accepted, asked;
+  InplaceVector<ModeArea, 32>
+      entered;  ///< those of whose mode the train was inside them: their window is over (A.3.5.1)
 };
 Answered answered(const ModeProfile& profile) {
   Answered out;
   for (const ModeArea& area : profile) {
     out.accepted.add(area.mode, area.accepted);
     out.asked.add(area.mode, area.asked);
+    if (area.accepted && area.ack_from >= area.from) (void)out.entered.push_back(area);  // as many
   }
   return out;
 }
 
+/// The area repeats one that was entered: it begins no farther on.
+bool repeats_entered(const Answered& before, const ModeArea& area) {
+  return std::any_of(before.entered.begin(), before.entered.end(),
+                     [&](const ModeArea& entered) { return entered.mode == area.mode && area.from <= entered.from; });
+}
+
 /// An area that was accepted needs no new acknowledgement in a new MA (5.9.2.7), and a request is not taken back
-/// (5.7.3.3); an area that begins further on is another one.
+/// (5.7.3.3); an area that begins further on is another one. What was entered stays so ahead of its begin too, to which
+/// a correction of the position or rolling back has taken the train (A.3.5.1).
 void carry(const Answered& before, ModeArea& area, const Here& here) {
+  if (repeats_entered(before, area)) {
+    area.accepted = true;
+    area.ack_from = area.from;
+    return;
+  }
   const bool further_on = here.est_front < area.ack_from && here.max_safe_front < area.from;
   area.accepted = !further_on && before.accepted.has(area.mode);
   area.asked = !further_on && before.asked.has(area.mode);
@@ -172,6 +187,16 @@ std::optional<Place> undescribed_from(const Description& d, const Here& here) {
 void carry_acceptance(ModeProfile& fresh, const Description& stored, const Here& here) {
   const Answered before = answered(stored.mode_profile);
   for (ModeArea& area : fresh) carry(before, area, here);
+}
+
+bool forget_acceptance_ahead(ModeProfile& profile, Mode mode, const Here& here) {
+  bool forgotten = false;
+  for (ModeArea& area : profile) {
+    if (!area.accepted || area.mode == mode || here.max_safe_front >= area.from) continue;
+    area.accepted = false;
+    forgotten = true;
+  }
+  return forgotten;
 }
 
 void store_authority(const Filing& f, const AuthorityContents& c, const std::optional<Place>& infill, bool described,

@@ -486,6 +486,44 @@ TEST(Store, AProfileThatIsJudgedBeforeItIsStoredIsAcceptedAsTheStoredOne) {  // 
   EXPECT_FALSE(fresh[2].accepted) << "another mode";
 }
 
+// A.3.5.1: an area that was entered stays so ahead of its begin; one of its mode that begins farther on is another one.
+TEST(Store, AnAreaThatWasEnteredIsRepeatedAsEntered) {
+  for (const double from : {190.0, 200.0, 200.5, 600.0}) {
+    Description d;
+    ModeArea entered;
+    entered.mode = Mode::OS;
+    entered.from = entered.ack_from = at(200);
+    entered.accepted = true;
+    ASSERT_TRUE(d.mode_profile.push_back(entered));
+    ModeArea repeated;
+    repeated.mode = Mode::OS;
+    repeated.from = at(from);
+    repeated.ack_from = at(from - 50);
+    ModeProfile fresh;
+    ASSERT_TRUE(fresh.push_back(repeated));
+    carry_acceptance(fresh, d, front_at(100));
+    EXPECT_EQ(fresh[0].accepted, from <= 200.0) << from;
+    EXPECT_EQ(fresh[0].ack_from, from <= 200.0 ? at(from) : at(from - 50)) << from;
+  }
+}
+
+TEST(Store, AheadOfAnAreaItsAcceptanceEndsWithItsMode) {
+  const Here here = front_at(100);
+  for (const Mode mode : {Mode::OS, Mode::LS, Mode::FS})
+    for (const double beyond : {-1.0, 0.0, 1.0}) {
+      ModeArea area;
+      area.mode = Mode::OS;
+      area.from = here.max_safe_front + Distance{beyond};
+      area.accepted = true;
+      ModeProfile profile;
+      ASSERT_TRUE(profile.push_back(area));
+      const bool kept = mode == Mode::OS || beyond <= 0.0;
+      EXPECT_EQ(forget_acceptance_ahead(profile, mode, here), !kept) << beyond;
+      EXPECT_EQ(profile[0].accepted, kept) << beyond;
+      EXPECT_FALSE(forget_acceptance_ahead(profile, mode, here)) << "once";
+    }
+}
+
 TEST(Store, ShuntingAreaBringsItsList) {
   Description d;
   Contents c = whole(2000);

@@ -100,7 +100,10 @@ Set<Ack> acknowledgements(Reception& r) {
 /// Whether the data were accepted.
 bool enter_train_data(Reception& r, const train::TrainData& data, bool typed) {
   if (!acceptable(data, r.log)) return false;
-  const train::Fault fault = typed ? off_resolution(data, r.state.train) : train::Fault::none;
+  // Values of another source are validated as they are (5.17.2.2 S6).
+  const std::optional<train::TrainData>& changed = r.state.train_data_change.pending;
+  const train::TrainData& before = changed ? *changed : r.state.train;
+  const train::Fault fault = typed ? off_resolution(data, before) : train::Fault::none;
   if (fault != train::Fault::none) {
     r.log.note({.what = What::train_data_refused, .id = static_cast<std::int32_t>(fault), .clause = "A.3.11"_srs});
     return false;

@@ -49,7 +49,10 @@ bool is_closer(const track::MovementAuthority& proposed, const std::optional<tra
 Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   State& s = e.r.state;
   track::AuthorityContents& proposed = e.r.scratch.proposal;
-  if (proposed.mode_profile) track::carry_acceptance(*proposed.mode_profile, s.track, e.r.out.here);
+  if (proposed.mode_profile) {
+    track::carry_acceptance(*proposed.mode_profile, s.track, e.r.out.here);
+    (void)track::forget_acceptance_ahead(*proposed.mode_profile, s.mode, e.r.out.here);
+  }
   const bool granted = e.context.described_over_whole_ma && is_closer(*proposed.ma, s.track.ma) &&
                        can_stop_before(s, e.r.scratch.curves, e.r.in.train, e.r.out.here, proposed);
   radio::answer_shortening(granted, view.T_TRAIN.raw, e.r.outbox);
@@ -57,6 +60,7 @@ Clause take_shortening(Evaluation& e, const lang::MessageToTrainView& view) {
   if (!granted) return "3.8.6.2"_srs;
   proposed.ma_is_shortening_request = true;
   (void)track::store(s.track, proposed, e.r.out.here);
+  (void)track::forget_acceptance_ahead(s.track.mode_profile, s.mode, e.r.out.here);
   cut_beyond(s, proposed.ma->far_end());
   return {};
 }
