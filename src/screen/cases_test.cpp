@@ -363,6 +363,38 @@ TEST(Cases, OpenEveryWindow) {
   }
 }
 
+/// Whether an item has these members.
+bool shows(const Json& items, const Json& wanted) {
+  return std::any_of(items.begin(), items.end(), [&](const Json& item) { return matches(wanted, item); });
+}
+
+// 015560 10.3.5.3, 10.5.1: a window is shown at the page that the case names.
+TEST(Cases, TurnToTheirPage) {
+  const Json any{{"must", Json::array()}};
+  for (const int page : {1, 2}) {
+    const Json items = answer_to({{"window", "Data view"}, {"page", page}}, any)["items"];
+    const std::string title = "Data view (" + std::to_string(page) + "/2)";
+    EXPECT_TRUE(shows(items, {{"kind", "text"}, {"value", title}})) << page;
+    EXPECT_EQ(shows(items, {{"kind", "view_item"}, {"label", "Driver ID"}}), page == 1);
+  }
+  EXPECT_THROW((void)answer_to({{"window", "Data view"}, {"page", 3}}, any), io::ReadError);
+  EXPECT_THROW((void)answer_to({{"mode", "FS"}, {"page", 2}}, any), io::ReadError);
+}
+
+// 015560 8.2.3.4.7 e: E11 shows the next line.
+TEST(Cases, ScrollTheirTexts) {
+  Json texts = Json::array();
+  for (int i = 0; i < 8; ++i)
+    texts.push_back({{"text", "t" + std::to_string(i)}, {"time", "10:0" + std::to_string(i)}, {"group", 2}});
+  const auto first = [&](int lines) {
+    return answer_to({{"texts", texts}, {"scroll_lines", lines}}, {{"lines", Json::array()}})["lines"][0][1];
+  };
+  EXPECT_EQ(first(0), "t7");
+  EXPECT_EQ(first(2), "t5");
+  EXPECT_EQ(first(3), "t4");
+  EXPECT_THROW((void)first(4), io::ReadError);
+}
+
 TEST(Cases, RefuseWordsThatSayNothing) {
   const Json none{{"must", Json::array()}};
   for (const Json& given : std::initializer_list<Json>{{{"track_conditions", {"snow"}}},

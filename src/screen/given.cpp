@@ -582,6 +582,23 @@ std::optional<std::string_view> window_of_keyboard(const JsonPlace& given) {
   return named(*keyboard, windows);
 }
 
+void touch_often(Scene& scene, ActionKind what, const JsonPlace& times, std::int64_t count, const char* expected) {
+  for (std::int64_t i = 0; i < count; ++i)
+    if (!scene.player.touch(dmi::Action{what})) times.fail(expected);
+}
+
+/// Opens the window of the case at its page, and scrolls the texts (015560 10.3.5.3, 10.5.1, 8.2.3.4.7 e).
+void open_wanted(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
+  auto window = window_of(given, expect);
+  if (const auto keyboard = window_of_keyboard(given)) window = std::string(*keyboard);
+  if (given.find("data") || given.find("cursor")) window = "Driver ID";
+  if (window && !open_window(scene, *window)) given.fail("a window that can be opened, found \"" + *window + "\"");
+  if (const auto page = given.find("page"))
+    touch_often(scene, ActionKind::next, *page, page->integer(1, 99) - 1, "a page that the window has");
+  if (const auto lines = given.find("scroll_lines"))
+    touch_often(scene, ActionKind::scroll_down, *lines, lines->integer(0, 99), "no more lines than are below");
+}
+
 }  // namespace
 
 Scene::Scene() {
@@ -637,10 +654,7 @@ void set_given(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   for (const auto& [key, action] : {std::pair{"tsa", ActionKind::toggle_tunnel}, {"geo", ActionKind::toggle_geo}})
     if (const auto p = given.find(key); p && (*p)["toggle"].boolean()) (void)scene.player.touch(dmi::Action{action});
   if (const auto range = given.find("range_m")) set_zoom(scene, *range);
-  auto window = window_of(given, expect);
-  if (const auto keyboard = window_of_keyboard(given)) window = std::string(*keyboard);
-  if (given.find("data") || given.find("cursor")) window = "Driver ID";
-  if (window && !open_window(scene, *window)) given.fail("a window that can be opened, found \"" + *window + "\"");
+  open_wanted(scene, given, expect);
 }
 
 }  // namespace evc::screen
