@@ -395,6 +395,44 @@ TEST(Cases, ScrollTheirTexts) {
   EXPECT_THROW((void)first(4), io::ReadError);
 }
 
+const Json kDriving{{"mode", "SB"},
+                    {"level", "2"},
+                    {"standstill", true},
+                    {"ack_pending", false},
+                    {"driver_id", "valid"},
+                    {"session", true},
+                    {"train_data", "valid"},
+                    {"gsmr_registered", true},
+                    {"v", 0},
+                    {"trn", "valid"},
+                    {"radio_type", "GSM-R"},
+                    {"v_override_limit", 40},
+                    {"level_valid", true},
+                    {"rbc_contact", "valid"}};
+
+/// Whether a button is enabled in its window; none: it is not shown.
+std::optional<bool> enabled_in(const std::string& window, const std::string& button,
+                               const Json& changes = Json::object()) {
+  Json given = kDriving;
+  given.update(changes);
+  given["window"] = window;
+  const Json answered = answer_to(given, {{"must", Json::array()}});
+  for (const Json& item : answered["items"])
+    if (item["kind"] == "button" && item["id"] == button) return item["enabled"].get<bool>();
+  return std::nullopt;
+}
+
+// 015560 11.2.5.4, Table 37: also where Main's button of the window is disabled.
+TEST(Cases, ShowTheRadioDataWindowWhereItsButtonIsDisabled) {
+  const std::string contact = "Contact last RBC";
+  EXPECT_EQ(enabled_in("Radio data", contact), true);
+  EXPECT_EQ(enabled_in("Radio data", contact, {{"mode", "SH"}}), false);
+  EXPECT_EQ(enabled_in("Radio data", contact, {{"standstill", false}}), false);
+  EXPECT_EQ(enabled_in("Radio data", contact, {{"ack_pending", true}}), false);
+  EXPECT_EQ(enabled_in("Radio data", contact, {{"gsmr_registered", false}}), false);
+  EXPECT_EQ(enabled_in("Main", "Radio data", {{"mode", "SH"}}), false);
+}
+
 TEST(Cases, RefuseWordsThatSayNothing) {
   const Json none{{"must", Json::array()}};
   for (const Json& given : std::initializer_list<Json>{{{"track_conditions", {"snow"}}},

@@ -519,11 +519,11 @@ void finish_train(Setting& s) {
     (void)d.acks.push_back({Ack::level, 0, Duration{}});
 }
 
-/// The buttons by Tables 33 to 37, where the case says on what they depend.
-void finish_buttons(Setting& s, const JsonPlace& given) {
+/// The buttons by Tables 33 to 37, where the case says on what they depend; none: all stay enabled.
+std::optional<Set<Button>> buttons_by_tables(Setting& s, const JsonPlace& given) {
   if (!given.find("ack_pending")) {
     s.display.standstill = true;
-    return;
+    return std::nullopt;
   }
   driver::ButtonContext& c = s.context;
   c.action.srs = s.display.config.srs;
@@ -540,7 +540,7 @@ void finish_buttons(Setting& s, const JsonPlace& given) {
   if (const auto capacity = given.find("vbc_capacity"))
     c.covers_full = given["vbc_count"].integer(0, 1000) >= capacity->integer(0, 1000);
   c.inputs = driver::enabled(c.action);
-  s.display.buttons = driver::buttons(c);
+  return driver::buttons(c);
 }
 
 /// Something in every layer of the planning area, for a case that asks for their order.
@@ -645,9 +645,11 @@ void set_given(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   }
   finish_train(setting);
   finish_planning(setting, given);
-  finish_buttons(setting, given);
+  const auto buttons = buttons_by_tables(setting, given);
   const auto order = expect.find("order");
   if (order && order->size() > 0 && (*order)[0].is_string()) fill_layers(setting);
+  const auto asked = setting.display.acks;
+  if (buttons) setting.display.acks.clear();
   scene.player.show();
   if (const auto toggle = given.find("toggle_speed"); toggle && toggle->boolean())
     (void)scene.player.touch(dmi::Action{ActionKind::toggle_speed});
@@ -655,6 +657,11 @@ void set_given(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
     if (const auto p = given.find(key); p && (*p)["toggle"].boolean()) (void)scene.player.touch(dmi::Action{action});
   if (const auto range = given.find("range_m")) set_zoom(scene, *range);
   open_wanted(scene, given, expect);
+  if (!buttons) return;
+  // Only now: the window whose buttons the case asks for may stand behind one that is disabled (015560 11.2.5.4).
+  setting.display.acks = asked;
+  setting.display.buttons = *buttons;
+  scene.player.show();
 }
 
 }  // namespace evc::screen
