@@ -433,6 +433,79 @@ TEST(Cases, ShowTheRadioDataWindowWhereItsButtonIsDisabled) {
   EXPECT_EQ(enabled_in("Main", "Radio data", {{"mode", "SH"}}), false);
 }
 
+// Table 35 #4: what is inhibited can be revoked, and is not inhibited again.
+TEST(Cases, RevokeTheInhibitionOfTheMetalMassReaction) {
+  const Json in_SR{{"mode", "SR"}, {"bmm_inhibited", true}};
+  EXPECT_EQ(enabled_in("Special", "Revoke BMM reaction inhibition", in_SR), true);
+  EXPECT_EQ(enabled_in("Special", "Revoke BMM reaction inhibition", {{"mode", "SR"}}).value_or(false), false);
+  EXPECT_EQ(enabled_in("Special", "BMM reaction inhibition", {{"mode", "SR"}}), true);
+}
+
+// Table 33 #11: the system version of the RBC is above 2.2 unless the case says otherwise; without a session it is not.
+TEST(Cases, EnableTheSupervisedManoeuvre) {
+  Json facts{{"mode", "SM"}, {"safe_consist_length", true}};
+  EXPECT_EQ(enabled_in("Main", "Continue in SM", facts), true);
+  facts["session_above_2_2"] = false;
+  EXPECT_EQ(enabled_in("Main", "Continue in SM", facts), false);
+  facts.erase("session_above_2_2");
+  facts["session"] = false;
+  EXPECT_EQ(enabled_in("Main", "Continue in SM", facts), false);
+  const Json in_FS{{"mode", "FS"}, {"safe_consist_length", true}};
+  EXPECT_EQ(enabled_in("Main", "Initiate SM", in_FS), true);
+  EXPECT_EQ(enabled_in("Main", "Initiate SM", {{"mode", "FS"}}), false);
+}
+
+// What a case does not name is stored and valid.
+TEST(Cases, TakeDataThatTheyDoNotNameAsValid) {
+  const Json given{{"mode", "SB"},    {"level", "2"},         {"level_valid", true},     {"standstill", true},
+                   {"session", true}, {"ack_pending", false}, {"gsmr_registered", true}, {"window", "Radio data"},
+                   {"v", 0},          {"radio_type", "GSM-R"}};
+  const auto contact_enabled = [](const Json& of) {
+    return shows(answer_to(of, {{"must", Json::array()}})["items"],
+                 {{"kind", "button"}, {"id", "Contact last RBC"}, {"enabled", true}});
+  };
+  EXPECT_TRUE(contact_enabled(given));
+  for (const char* member : {"rbc_contact", "driver_id"}) {
+    Json unknown = given;
+    unknown[member] = "unknown";
+    EXPECT_FALSE(contact_enabled(unknown)) << member;
+  }
+}
+
+// Table 34 asks for train data in SB and PT only, where SRS 5.8 asks for it always.
+TEST(Cases, EnableAnOverrideByTheTableAlone) {
+  for (const char* mode : {"FS", "AD", "LS", "SR", "OS", "UN", "SN", "SH"})
+    EXPECT_EQ(enabled_in("Override", "EOA", {{"mode", mode}, {"train_data", "invalid"}}), true) << mode;
+  for (const char* mode : {"SB", "PT"}) {
+    EXPECT_EQ(enabled_in("Override", "EOA", {{"mode", mode}, {"train_data", "invalid"}}), false) << mode;
+    EXPECT_EQ(enabled_in("Override", "EOA", {{"mode", mode}}), true) << mode;
+  }
+}
+
+// 015560 11.7.1.7, Table 48: with the standstill every button is lost that needs it, and windows close with theirs.
+TEST(Cases, LoseTheButtonsThatNeedStandstill) {
+  const auto window_after = [](const char* mode, const char* window) {
+    return answer_to({{"mode", mode}, {"window", window}, {"event", "train moves (not standstill)"}},
+                     {{"result", {{"window", ""}}}})["result"]["window"];
+  };
+  EXPECT_EQ(window_after("SR", "SR speed / distance"), "Special");
+  EXPECT_EQ(window_after("FS", "Level"), "Main");
+  EXPECT_EQ(window_after("SB", "Driver ID"), "Main");
+  EXPECT_EQ(window_after("SB", "Train running number"), "Main");
+  EXPECT_EQ(window_after("SB", "RBC data"), "Radio data");
+  EXPECT_EQ(window_after("SB", "Language"), "Settings");
+  // These do not need it.
+  EXPECT_EQ(window_after("FS", "Train running number"), "Train running number");
+  EXPECT_EQ(window_after("FS", "Language"), "Language");
+  EXPECT_EQ(window_after("SB", "Set VBC"), "Set VBC");
+  const Json moving{{"mode", "FS"}, {"event", "train moves (not standstill)"}};
+  EXPECT_EQ(enabled_in("Main", "Driver ID", moving), false);
+  EXPECT_EQ(enabled_in("Main", "Train running number", moving), true);
+  Json permitted = moving;
+  permitted["nv_driver_id_running"] = true;
+  EXPECT_EQ(enabled_in("Main", "Driver ID", permitted), true);
+}
+
 TEST(Cases, RefuseWordsThatSayNothing) {
   const Json none{{"must", Json::array()}};
   for (const Json& given : std::initializer_list<Json>{{{"track_conditions", {"snow"}}},

@@ -116,7 +116,10 @@ std::uint32_t second_of(const JsonPlace& p) {
 
 /// What is set step by step, and needs more than one member of the case.
 struct Setting {
-  explicit Setting(Scene& of) : scene(of), display(of.player.display()) {}
+  explicit Setting(Scene& of) : scene(of), display(of.player.display()) {
+    context.action.driver_id_valid = context.action.train_data_valid = context.action.train_running_number_valid = true;
+    context.contact_known = context.session_above_2_2 = true;
+  }
 
   Scene& scene;
   Display& display;
@@ -456,6 +459,8 @@ const std::map<std::string, Setter, std::less<>>& button_setters() {
       {"position_valid_lrbg", context(&C::position_valid)},
       {"integrity_range_ok", context(&C::length_in_range)},
       {"safe_consist_length", context(&C::consist_known)},
+      {"session_above_2_2", context(&C::session_above_2_2)},
+      {"consist_acknowledged", context(&C::consist_acknowledged)},
       {"consist_front_m",
        [](Setting& s, const JsonPlace& p) { s.context.consist_in_front = p.number(0.0, 1e5) > 0.0; }},
       {"v_override_limit", [](Setting& s, const JsonPlace& p) { s.override_limit_kmh = p.number(0.0, 600.0); }},
@@ -529,17 +534,16 @@ std::optional<Set<Button>> buttons_by_tables(Setting& s, const JsonPlace& given)
   c.action.srs = s.display.config.srs;
   c.action.mode = s.display.mode;
   c.action.desk_open = true;
+  c.action.alarm_inhibited = s.display.bmm_inhibited;
   c.action.standstill = s.display.standstill;
   c.action.level = s.display.level_valid ? std::optional(s.display.level) : std::nullopt;
   c.action.slow_enough_for_override = s.override_limit_kmh && s.v_kmh <= *s.override_limit_kmh;
-  c.action.network_offered = true;
-  c.action.alarm_may_be_inhibited = s.display.level == Level::L1 || s.display.level == Level::L2;
-  c.action.offers = Set<Offer>::of_bits(~std::uint64_t{0});
   c.gsmr.fitted = true;
   c.frmcs.fitted = s.display.config.frmcs_fitted;
   if (const auto capacity = given.find("vbc_capacity"))
     c.covers_full = given["vbc_count"].integer(0, 1000) >= capacity->integer(0, 1000);
-  c.inputs = driver::enabled(c.action);
+  c.inputs = Set<driver::Input>::of_bits(~std::uint64_t{0});  // the tables alone decide: 4.7.2 asks for more
+  s.scene.tables = c;
   return driver::buttons(c);
 }
 

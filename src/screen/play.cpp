@@ -152,6 +152,22 @@ void change(Scene& scene, std::string_view event) {
   scene.player.run_to(scene.player.now_ms() + kBegin);
 }
 
+/// The buttons that stay when the train moves: by Tables 33 to 37 some row of this mode and level enables them without
+/// standstill.
+Set<Button> buttons_while_moving(Scene& scene) {
+  const Display& display = scene.player.display();
+  if (scene.tables) {
+    scene.tables->action.standstill = false;
+    return driver::buttons(*scene.tables);
+  }
+  Set<Button> stay;
+  for (const driver::ButtonRow& row : driver::dmi_11_2)
+    if (row.modes.has(display.mode) && !row.needs.has(driver::Fact::standstill) &&
+        (row.levels.empty() || row.levels.has(display.level)))
+      stay.add(row.button);
+  return display.buttons & stay;
+}
+
 /// Events that are no change of what is supervised; false: not one of them.
 bool happen(Scene& scene, std::string_view event) {
   Player& player = scene.player;
@@ -200,7 +216,7 @@ bool happen(Scene& scene, std::string_view event) {
   if (event == "train moves (not standstill)")
     return then([&] {
       display.standstill = false;
-      display.buttons.remove(Button::train_data);  // Table 33
+      display.buttons = buttons_while_moving(scene);
     });
   return false;
 }

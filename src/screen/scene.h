@@ -23,8 +23,9 @@ struct Scene {
   driver::StatusTexts status_texts;            ///< the on-board's
   std::map<std::uint16_t, std::string> names;  ///< of texts, as the case calls them
   std::uint16_t next_text = 1;
-  std::map<std::string, std::string> labels;  ///< of choices, as the case calls them
-  std::vector<bool> toggled;                  ///< of the speed toggle, after each touch
+  std::map<std::string, std::string> labels;    ///< of choices, as the case calls them
+  std::optional<driver::ButtonContext> tables;  ///< the facts by which Tables 33 to 37 enable the buttons of the case
+  std::vector<bool> toggled;                    ///< of the speed toggle, after each touch
 
   // How a button behaved (015560 5.3.2.6).
   struct Watched {
