@@ -506,6 +506,57 @@ TEST(Cases, LoseTheButtonsThatNeedStandstill) {
   EXPECT_EQ(enabled_in("Main", "Driver ID", permitted), true);
 }
 
+// 015560 5.4.1.9: what is revoked is no longer on offer, and its symbol goes.
+TEST(Cases, RevokeEachKindOfRequest) {
+  for (const char* request : {"level 0", "level NTC", "brake release", "mode OS", "text Y"}) {
+    Json given{{"mode", "FS"}, {"events", {{{"t", 0}, {"request", request}}}}};
+    const Json expect{{"timeline", {{{"t", 1.5}, {"shown", ""}}, {{"t", 2.5}, {"shown", ""}}}},
+                      {"must", Json::array()}};
+    const Json asked = answer_to(given, expect);
+    EXPECT_TRUE(asked["timeline"][1]["shown"].is_string()) << request;
+    given["events"].push_back({{"t", 2}, {"revoke", request}});
+    const Json revoked = answer_to(given, expect);
+    EXPECT_TRUE(revoked["timeline"][0]["shown"].is_string()) << request;
+    EXPECT_TRUE(revoked["timeline"][1]["shown"].is_null()) << request;
+    for (const char* area : {"C1", "C9"})
+      EXPECT_FALSE(shows(revoked["items"], {{"kind", "symbol"}, {"area", area}})) << request;
+  }
+}
+
+TEST(Cases, RefuseEventsThatCannotHappen) {
+  const Json expect{{"timeline", {{{"t", 3}, {"window", ""}}}}};
+  const auto refused = [&](const Json& events) {
+    try {
+      (void)answer_to({{"mode", "FS"}, {"events", events}}, expect);
+    } catch (const io::ReadError& error) {
+      return error.diagnostic.text();
+    }
+    return std::string();
+  };
+  const Json opened{{"t", 0}, {"window", "Train data"}};
+  EXPECT_EQ(refused(Json::array({opened})), "");
+  EXPECT_NE(refused({opened, {{"t", 1}, {"window", "Settings"}}}).find("from \"Train data\""), std::string::npos);
+  EXPECT_NE(refused({{{"t", 1}, {"revoke", "level 0"}}}).find("level that is announced"), std::string::npos);
+  EXPECT_NE(refused({{{"t", 1}, {"revoke", "text Y"}}}).find("requested before"), std::string::npos);
+  EXPECT_NE(refused({{{"t", 1}, {"revoke", "mode XX"}}}), "");
+}
+
+// A change may be of the mode; with it come its symbol and its sounds.
+TEST(Cases, ChangeTheModeInAnEvent) {
+  const auto mode_symbol = [](const char* event) {
+    const Json items = answer_to({{"event", event}}, {{"must", Json::array()}})["items"];
+    for (const Json& item : items)
+      if (item["kind"] == "symbol" && item["area"] == "B7") return item["id"].get<std::string>();
+    return std::string();
+  };
+  EXPECT_EQ(mode_symbol("mode FS -> OS"), "MO07");
+  EXPECT_EQ(mode_symbol("OS -> FS"), "MO11");
+  EXPECT_EQ(mode_symbol("SR CSM WaS -> FS"), "MO11");
+  EXPECT_NE(mode_symbol("mode FS -> AD"), mode_symbol("mode AD -> FS"));
+  for (const char* event : {"mode FS -> XX", "speed high -> low", "CSM -> TSM now", "direction SM01 -> SM03"})
+    EXPECT_THROW((void)mode_symbol(event), io::ReadError) << event;
+}
+
 TEST(Cases, RefuseWordsThatSayNothing) {
   const Json none{{"must", Json::array()}};
   for (const Json& given : std::initializer_list<Json>{{{"track_conditions", {"snow"}}},

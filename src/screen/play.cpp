@@ -119,35 +119,56 @@ std::optional<Monitoring> monitoring_named(std::string_view word) {
   return std::nullopt;
 }
 
-/// What is supervised, where the words say it.
-void take_words(Display& display, std::string_view words) {
+std::optional<Mode> mode_named(std::string_view word) {
+  for (const ModeRow& row : kModeRows)
+    if (row.name == word) return row.value;
+  return std::nullopt;
+}
+
+/// Mode, monitoring and status, as far as the words say them; a remark in brackets is none of them.
+void take_words(Display& display, std::string_view words, const JsonPlace& event) {
+  words = words.substr(0, words.find(" ("));
   while (!words.empty()) {
     const std::size_t end = std::min(words.find(' '), words.size());
-    if (const auto monitoring = monitoring_named(words.substr(0, end))) display.monitoring = *monitoring;
-    if (const auto status = status_named(words.substr(0, end))) display.status = *status;
+    const std::string_view word = words.substr(0, end);
+    const auto monitoring = monitoring_named(word);
+    const auto status = status_named(word);
+    const auto mode = mode_named(word);
+    if (monitoring) display.monitoring = *monitoring;
+    if (status) display.status = *status;
+    if (mode) display.mode = *mode;
+    if (!monitoring && !status && !mode && word != "mode")
+      event.fail("modes, CSM, TSM, RSM, NoS, IndS, OvS, WaS or IntS before and behind the arrow");
     words.remove_prefix(std::min(end + 1, words.size()));
   }
 }
 
+/// "SM01" or "SM02", the arrows of the directions.
+port::SmDirection direction_named(std::string_view word, const JsonPlace& event) {
+  if (word != "SM01" && word != "SM02") event.fail("direction SM01 -> SM02, or the other way round");
+  return word == "SM01" ? port::SmDirection::forward : port::SmDirection::backward;
+}
+
 /// A change from one state to another: "TSM IndS -> OvS", "direction SM01 -> SM02".
-void change(Scene& scene, std::string_view event) {
+void change(Scene& scene, const JsonPlace& place) {
   constexpr std::string_view arrow = " -> ";
+  const std::string_view event = place.string();
   Display& display = scene.player.display();
   const std::size_t at = event.find(arrow);
   const std::string_view before = event.substr(0, at), after = event.substr(at + arrow.size());
   display.V_P = Speed{40.0};
   display.v = Speed{30.0};
   display.status = Status::Normal;
-  if (begins(event, "direction")) {
-    display.sm = port::SmDirection::forward;
+  if (const auto from = behind(before, "direction ")) {
+    display.sm = direction_named(*from, place);
     scene.player.show();
     scene.player.forget_sounds();
-    display.sm = port::SmDirection::backward;
+    display.sm = direction_named(after, place);
   } else {
-    take_words(display, before);
+    take_words(display, before, place);
     scene.player.show();
     scene.player.forget_sounds();
-    take_words(display, after);
+    take_words(display, after, place);
   }
   scene.player.run_to(scene.player.now_ms() + kBegin);
 }
@@ -223,7 +244,7 @@ bool happen(Scene& scene, std::string_view event) {
 
 void play_event(Scene& scene, const JsonPlace& event) {
   if (event.string().find(" -> ") != std::string::npos)
-    change(scene, event.string());
+    change(scene, event);
   else if (!happen(scene, event.string()))
     event.fail("an event that docs/dmi.md lists");
 }
@@ -455,14 +476,30 @@ void press_or_acknowledge(Scene& scene, const JsonPlace& event, std::int64_t at)
   if (event.find("release")) player.release();
 }
 
+/// Takes back what `add_request` asked for (015560 5.4.1.9).
 void revoke(Scene& scene, const JsonPlace& request) {
   Display& display = scene.player.display();
   const std::string& name = request.string();
-  const auto mode = behind(name, "mode ");
+  const auto asked_once =
+      std::any_of(scene.names.begin(), scene.names.end(), [&](const auto& named) { return named.second == name; });
+  Ack what = Ack::text;
+  if (const auto mode = behind(name, "mode ")) {
+    const io::Json ack = std::string(*mode);
+    what = ack_named(JsonPlace(ack, request.file()));
+  } else if (name == "level 0" || name == "level NTC") {
+    what = Ack::level;
+    const Level level = name == "level 0" ? Level::L0 : Level::NTC;
+    if (!display.announced_level || display.announced_level->level != level)
+      request.fail("the level that is announced");
+    display.announced_level.reset();
+  } else if (name == "brake release") {
+    what = Ack::brake;
+    display.brake = false;
+  } else if (!asked_once) {
+    request.fail("what was requested before");
+  }
   display.acks.erase_if([&](const port::AskedAck& asked) {
-    if (asked.what == Ack::text) return scene.names[asked.id] == name;
-    const io::Json ack = std::string(mode.value_or("level"));
-    return mode && asked.what == ack_named(JsonPlace(ack, request.file()));
+    return asked.what == what && (what != Ack::text || scene.names[asked.id] == name);
   });
 }
 
@@ -472,7 +509,9 @@ void play_timed(Scene& scene, const JsonPlace& event) {
   press_or_acknowledge(scene, event, ms_of(event["t"]));
   if (const auto request = event.find("request")) add_request(scene, *request);
   if (const auto request = event.find("revoke")) revoke(scene, *request);
-  if (const auto window = event.find("window")) (void)open_window(scene, window->string());
+  if (const auto window = event.find("window"); window && !open_window(scene, window->string()))
+    window->fail("a window that can be opened from \"" + std::string(dmi::row_of(scene.player.state().window).title) +
+                 "\"");
   if (const auto running = event.find("start_up")) {
     display.start_of_mission = running->one_of({"ended", "running"}) == 1;
     display.step = display.start_of_mission ? std::optional(Dialogue::start_S1) : std::nullopt;
