@@ -523,6 +523,31 @@ TEST(Cases, RevokeEachKindOfRequest) {
   }
 }
 
+// 015560 Tables 69 and 70: texts of national systems have their names; a failure is to be acknowledged (15.1.1.4.1).
+TEST(Cases, NameTheNationalSystemInItsTexts) {
+  const auto answered = [](const char* text, const Json& changes = Json::object()) {
+    Json given{{"mode", "SN"}, {"level", "NTC"}, {"ntc_name", "PZB"}, {"system_status", {text}}};
+    given.update(changes);
+    return answer_to(given, {{"lines", Json::array()}, {"ack_required", false}});
+  };
+  for (const char* ending : {"is not available", "needs data", "failed", "brake demand"}) {
+    const Json shown = answered((std::string("[name of NTC] ") + ending).c_str());
+    ASSERT_EQ(shown["lines"].size(), 1U) << ending;
+    EXPECT_EQ(shown["lines"][0][1], std::string("PZB ") + ending);
+    EXPECT_EQ(shown["lines"][0][2], "bold");
+    EXPECT_EQ(shown["ack_required"], ending == std::string("failed")) << ending;
+  }
+  EXPECT_EQ(answered("ATO needs data")["lines"][0][1], "ATO needs data");
+  EXPECT_EQ(answered("ATO needs data")["ack_required"], false);
+  EXPECT_TRUE(answered("ATO needs data", {{"srs", "3.6.0"}})["lines"].empty());
+  const auto ended = [&](const char* text) {
+    return answered(text, {{"system_status", {text, "first end condition met"}}})["lines"].empty();
+  };
+  EXPECT_TRUE(ended("[name of NTC] needs data"));
+  EXPECT_TRUE(ended("ATO needs data"));
+  EXPECT_FALSE(ended("[name of NTC] failed"));  // until it is acknowledged
+}
+
 TEST(Cases, RefuseEventsThatCannotHappen) {
   const Json expect{{"timeline", {{{"t", 3}, {"window", ""}}}}};
   const auto refused = [&](const Json& events) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dmi/labels.h"
 #include "dmi/touch.h"
 #include "driver/driver.h"
 #include "screen/scene.h"
@@ -25,6 +26,41 @@ struct Start {
   Set<Suitability> unsuitable;
   bool described_under_train = true;
 };
+
+/// Texts of Tables 69 and 70 that others start than this unit: the interface to national systems (SUBSET-035 10.7.3.4,
+/// 10.14.1) and automatic train operation (SUBSET-125 7.14.2.13).
+struct OtherText {
+  std::string_view name;
+  std::string_view words;  ///< behind the name of the national system
+  bool national;
+  bool acknowledge;  ///< (015560 15.1.1.4.1)
+  SrsVersion since = SrsVersion::v3_4_0;
+};
+constexpr std::array<OtherText, 3> kOtherTexts{
+    {{"[name of NTC] needs data", " needs data", true, false},
+     {"[name of NTC] failed", " failed", true, true},
+     {"ATO needs data", "ATO needs data", false, false, SrsVersion::v4_0_0}}};
+
+/// Shows one of these; false: the words name none.
+bool start_other(Scene& scene, std::string_view name) {
+  Display& display = scene.player.display();
+  const auto* text =
+      std::find_if(kOtherTexts.begin(), kOtherTexts.end(), [&](const OtherText& each) { return each.name == name; });
+  if (text == kOtherTexts.end()) return false;
+  if (display.config.srs < text->since) return true;  // that version does not have it
+  const dmi::Words system = dmi::ntc_label(display, display.nid_ntc);
+  const std::string words = (text->national ? std::string(system.view()) : std::string()) + std::string(text->words);
+  const std::uint16_t id = add_text(scene, words, true, text->acknowledge);
+  display.texts[display.texts.size() - 1].kind = port::TextKind::national;
+  if (text->acknowledge) (void)display.acks.push_back({Ack::text, id, scene.player.now()});
+  return true;
+}
+
+/// What is to be acknowledged stays.
+void end_others(Display& display) {
+  display.texts.erase_if(
+      [](const port::DisplayedText& text) { return text.kind == port::TextKind::national && !text.acknowledge; });
+}
 
 /// The text with whose name the words begin; that of a national system begins with "[name of NTC]", and 4.0.0 names the
 /// network that failed.
@@ -72,6 +108,7 @@ void enter_mode_that_shows(Display& display, driver::Output output) {
 void start(Scene& scene, const JsonPlace& place, Start& facts) {
   Display& display = scene.player.display();
   const std::string& words = place.string();
+  if (start_other(scene, words)) return;
   const auto text = text_named(words);
   if (!text) place.fail("the name of a system status text, or \"first end condition met\"");
   const auto* row = std::find_if(driver::srs_status_texts.begin(), driver::srs_status_texts.end(),
@@ -111,6 +148,7 @@ void step(Scene& scene, const Start& start, bool main_window) {
     text.id = static_cast<std::uint16_t>(port::kFirstStatusId + terms::index(row.value));
     text.kind = port::TextKind::status;
     text.status = row.value;
+    text.nid_ntc = display.nid_ntc;
     text.important = true;
     text.acknowledge = asks_acknowledgement(row.value);
     text.since = scene.status_texts.since[terms::index(row.value)];
@@ -141,6 +179,7 @@ void play_status_texts(Scene& scene, const JsonPlace& given) {
   } else if (ended) {
     // The reason has ended, 30 s have gone by, and a button of the main window was touched: each is the end of some
     // text.
+    end_others(scene.player.display());
     step(scene, {}, false);
     scene.player.run_to(scene.player.now_ms() + 31000);
     step(scene, {}, true);
