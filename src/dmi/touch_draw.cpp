@@ -1,4 +1,5 @@
 #include <array>
+#include <string_view>
 
 #include "dmi/acks.h"
 #include "dmi/dmi.h"
@@ -34,12 +35,15 @@ constexpr auto kTouchRows = std::to_array<TouchRow>({
     TouchRow{ActionKind::skip_stop, "G5", "skip_stop"},
 });
 
-/// "F1" opens "Main".
+/// "F1" does "main": the title in small letters.
 void name_opening(Touch& touch, const Target& target) {
   for (const Area area : {Area::F1, Area::F2, Area::F3, Area::F4, Area::F5})
     if (rect_of(area) == target.abs) touch.name.append(name(area));
   if (touch.name.empty()) touch.name.append(target.abs == kNumberPlace ? "TRN" : "SE04");
-  touch.action.append(row_of(static_cast<WindowId>(target.action.argument)).title);
+  for (const char c : std::string_view(row_of(static_cast<WindowId>(target.action.argument)).title)) {
+    const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    touch.action.append(std::string_view(&small, 1));
+  }
 }
 
 void name_ack(Touch& touch, const State& state) {

@@ -474,7 +474,8 @@ std::string screen_json(const dmi::Screen& screen) {
   OrderedJson flashing = OrderedJson::array();
   for (const dmi::Area area : screen.flashing) flashing.push_back(dmi::name(area));
   OrderedJson sounds = OrderedJson::array();
-  for (const dmi::SoundOrder& order : screen.sounds) sounds.push_back(json_of(order));
+  for (const dmi::SoundOrder& order : screen.sounds)
+    if (order.what != dmi::SoundDo::stop) sounds.push_back(dmi::name(order.sound));
   const OrderedJson head{{"schema", "evc-screen/1"},
                          {"t_ms", static_cast<std::int64_t>(rounded(screen.t_ms))},
                          {"window", utf8(screen.window.view())}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -43,11 +44,13 @@ TEST(ScreenJson, WritesWhatTheContractShows) {
   ASSERT_TRUE(screen->items.push_back(symbol));
   ASSERT_TRUE(screen->flashing.push_back(Area::C1));
   ASSERT_TRUE(screen->sounds.push_back({dmi::Sound::Sinfo, dmi::SoundDo::once}));
+  ASSERT_TRUE(screen->sounds.push_back({dmi::Sound::S2, dmi::SoundDo::loop}));
+  ASSERT_TRUE(screen->sounds.push_back({dmi::Sound::S1, dmi::SoundDo::stop}));
   const Json written = Json::parse(screen_json(*screen));
   EXPECT_EQ(written["schema"], "evc-screen/1");
   EXPECT_EQ(written["t_ms"], 12300);
   EXPECT_EQ(written["flashing"], Json::parse(R"(["C1"])"));
-  EXPECT_EQ(written["sounds"][0]["id"], "Sinfo");
+  EXPECT_EQ(written["sounds"], Json::parse(R"(["Sinfo", "S2"])"));  // those that start
   const Json& a2 = written["items"][0];
   EXPECT_EQ(a2["value"], "810");
   EXPECT_EQ(a2["right_edge"], 44);
@@ -98,6 +101,21 @@ std::string stream_in(const Folder& folder) {
                       << R"({"t_ms":5000})"
                       << "\n";
   return file;
+}
+
+TEST(ScreenJson, NamesTheMenusBehindTheirButtons) {
+  Player player;
+  player.display().mode = Mode::FS;
+  player.display().level = Level::L1;
+  player.show();
+  const Json list = Json::parse(screen_json(*player.screen()));
+  std::map<std::string, std::string> actions;
+  for (const Json& touch : list["touch"]) actions[touch["name"]] = touch["action"];
+  EXPECT_EQ(actions["F1"], "main");
+  EXPECT_EQ(actions["F2"], "override");
+  EXPECT_EQ(actions["F3"], "data view");
+  EXPECT_EQ(actions["F4"], "special");
+  EXPECT_EQ(actions["F5"], "settings");
 }
 
 TEST(Command, WritesTheScreenInEachForm) {

@@ -214,7 +214,8 @@ export class Cabin {
   async press(label: string): Promise<void> {
     await this.wait({ offers: label }, 30);
     const seen = await this.see();
-    const place = seen.places.find((candidate) => candidate.name === label || candidate.action === label);
+    const actions = [label, label.toLowerCase()]; // menus are small
+    const place = seen.places.find((candidate) => candidate.name === label || actions.includes(candidate.action));
     assert.ok(place?.enabled, `${label}: ${await this.situation(seen)}`);
     await this.touch(place);
   }
@@ -392,7 +393,8 @@ export class Cabin {
           const screen = cab.screen() as { window: string; touch: { name: string; action: string; enabled: boolean }[] };
           if (wanted.window !== undefined && screen.window !== wanted.window) return false;
           if (place === undefined) return true;
-          return screen.touch.some((t) => (t.action === place || t.name === place) && t.enabled);
+          const actions = [place, place.toLowerCase()];
+          return screen.touch.some((t) => (actions.includes(t.action) || t.name === place) && t.enabled);
         };
         const STEP_S = 0.3;
         for (let t = 0; t <= most; t += STEP_S) {
