@@ -51,7 +51,7 @@ class Cab : public ::testing::Test {
 };
 
 TEST_F(Cab, ThePageGetsTheLineAndTheTrain) {
-  write("cab/page.html", "<a>@given@</a>");
+  write("cab/page.html", "<a>" + ride::given_place() + "</a>");
   const Options options{"", "", in_folder("cab.html")};
   EXPECT_EQ(said(options), "0 ");
   const std::string page = io::read_text(options.output).value();
@@ -71,9 +71,28 @@ TEST_F(Cab, WithoutTheCompiledPageItSaysHowToGetIt) {
   EXPECT_FALSE(std::filesystem::exists(in_folder("cab.html")));
 }
 
+// A page that was compiled for other bytes could not begin.
+TEST_F(Cab, AnOlderPageIsAnError) {
+  for (const char* page : {"<a>@given@</a>", "<a>@given 45564301@</a>"}) {
+    write("cab/page.html", page);
+    const std::string text = said({"", "", in_folder("cab.html")});
+    EXPECT_EQ(text.rfind("2 ", 0), 0u) << text;
+    EXPECT_NE(text.find("page.html: found the page of another version"), std::string::npos) << text;
+    EXPECT_NE(text.find("`make cab` makes it"), std::string::npos) << text;
+    EXPECT_FALSE(std::filesystem::exists(in_folder("cab.html")));
+  }
+}
+
+TEST(Page, HasThePlaceOfThisVersion) {
+  const std::string page = io::read_text(test::source_folder() + "/web/index.html").value();
+  const std::size_t at = page.find(ride::given_place());
+  ASSERT_NE(at, std::string::npos) << ride::given_place();
+  EXPECT_EQ(page.find("@given", at + 1), std::string::npos);
+}
+
 TEST_F(Cab, WrongFilesAreErrors) {
   write("cab/page.html", "no place for it");
-  EXPECT_NE(said({"", "", in_folder("cab.html")}).find("found no @given@"), std::string::npos);
+  EXPECT_NE(said({"", "", in_folder("cab.html")}).find("found no @given "), std::string::npos);
   EXPECT_EQ(said({in_folder("none.json"), "", in_folder("cab.html")}).rfind("2 ", 0), 0u);
   write("line.json", "{}");
   EXPECT_EQ(said({in_folder("line.json"), "", in_folder("cab.html")}).rfind("2 ", 0), 0u);

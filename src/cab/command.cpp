@@ -16,9 +16,6 @@ namespace {
 
 using io::complain;
 
-/// Where the line and the train go in the page.
-constexpr std::string_view kPlace = "@given@";
-
 /// The page that `make cab` compiles: script and WebAssembly, without a line and a train.
 io::Result<std::string> load_page() {
   const std::string file = io::data_file("cab/page.html");
@@ -26,9 +23,11 @@ io::Result<std::string> load_page() {
   if (!std::filesystem::exists(file, error))
     return tl::unexpected(io::Diagnostic{file, "", "no file", "the compiled page: `make cab` makes it"});
   auto page = io::read_text(file);
-  if (page && page->find(kPlace) == std::string::npos)
-    return tl::unexpected(
-        io::Diagnostic{file, "", "no " + std::string(kPlace), "the compiled page: `make cab` makes it"});
+  if (page && page->find(ride::given_place()) == std::string::npos)
+    return tl::unexpected(io::Diagnostic{
+        file, "",
+        page->find("@given") == std::string::npos ? "no " + ride::given_place() : "the page of another version",
+        "the compiled page of this one: `make cab` makes it"});
   return page;
 }
 
@@ -65,7 +64,8 @@ int cab(const Options& options) {
   if (!given) return complain(given.error());
   auto page = load_page();
   if (!page) return complain(page.error());
-  page->replace(page->find(kPlace), kPlace.size(), base64(ride::bytes_of(*given)));
+  const std::string place = ride::given_place();
+  page->replace(page->find(place), place.size(), base64(ride::bytes_of(*given)));
   if (const auto written = io::write_whole(options.output, *page); !written) return complain(written.error());
   return 0;
 }

@@ -9,7 +9,7 @@
 namespace evc::ride {
 namespace {
 
-/// Of the order of fields below: a change of that is a new version.
+/// Of the order of fields below: a change of that is a new version. web/index.html names it too.
 constexpr std::uint32_t kVersion = 0x45564302;
 
 /// A byte is one, every other number is eight: a std::size_t is not as wide everywhere.
@@ -254,6 +254,12 @@ std::optional<Given> given_of(std::string_view bytes) {
   exchange(in, given);
   if (!in.good() || !in.at_end()) return std::nullopt;
   return given;
+}
+
+std::string given_place() {
+  std::string place = "@given ";
+  for (unsigned digit = 8; digit-- > 0;) place += "0123456789abcdef"[kVersion >> (4 * digit) & 0xFU];
+  return place + "@";
 }
 
 /// By their bytes, which hold every field.

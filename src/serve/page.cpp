@@ -13,8 +13,8 @@ extern const char unit_page_template[];
 
 namespace {
 
-/// Where `evc cab` puts the line and the train.
-constexpr std::string_view kPlace = "@given@";
+/// Where `evc cab` puts the line and the train: "@given 45564302@", with the version of what it puts there.
+constexpr std::string_view kPlace = "@given";
 
 }  // namespace
 
@@ -24,8 +24,9 @@ std::string page() {
   if (!std::filesystem::exists(file, error)) return unit_page_template;
   auto text = io::read_text(file);
   const std::size_t place = text ? text->find(kPlace) : std::string::npos;
-  if (place == std::string::npos) return unit_page_template;
-  return text->replace(place, kPlace.size(), "");
+  const std::size_t end = place == std::string::npos ? place : text->find('@', place + 1);
+  if (end == std::string::npos) return unit_page_template;
+  return text->replace(place, end + 1 - place, "");
 }
 
 }  // namespace evc::serve

@@ -261,7 +261,7 @@ class Served : public ::testing::Test {
 };
 
 TEST_F(Served, ThePageIsThatOfTheCabWithoutALine) {
-  compiled("<a>@given@</a>");
+  compiled("<a>@given 12345678@</a>");
   EXPECT_EQ(page(), "<a></a>");
 }
 
