@@ -662,7 +662,7 @@ void set_given(Scene& scene, const JsonPlace& given, const JsonPlace& expect) {
   if (const auto range = given.find("range_m")) set_zoom(scene, *range);
   open_wanted(scene, given, expect);
   if (!buttons) return;
-  // Only now: the window whose buttons the case asks for may stand behind one that is disabled (015560 11.2.5.4).
+  // Only now: the window whose buttons the case asks for may be opened by one that is disabled (015560 11.2.5.4).
   setting.display.acks = asked;
   setting.display.buttons = *buttons;
   scene.player.show();
