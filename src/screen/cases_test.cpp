@@ -457,9 +457,11 @@ TEST(Cases, EnableTheSupervisedManoeuvre) {
 
 // What a case does not name is stored and valid.
 TEST(Cases, TakeDataThatTheyDoNotNameAsValid) {
-  const Json given{{"mode", "SB"},    {"level", "2"},         {"level_valid", true},     {"standstill", true},
-                   {"session", true}, {"ack_pending", false}, {"gsmr_registered", true}, {"window", "Radio data"},
-                   {"v", 0},          {"radio_type", "GSM-R"}};
+  const Json given{{"mode", "SB"},           {"level", "2"},
+                   {"standstill", true},     {"session", true},
+                   {"ack_pending", false},   {"gsmr_registered", true},
+                   {"window", "Radio data"}, {"v", 0},
+                   {"radio_type", "GSM-R"}};
   const auto contact_enabled = [](const Json& of) {
     return shows(answer_to(of, {{"must", Json::array()}})["items"],
                  {{"kind", "button"}, {"id", "Contact last RBC"}, {"enabled", true}});
@@ -470,6 +472,9 @@ TEST(Cases, TakeDataThatTheyDoNotNameAsValid) {
     unknown[member] = "unknown";
     EXPECT_FALSE(contact_enabled(unknown)) << member;
   }
+  Json no_level = given;
+  no_level["level_valid"] = false;
+  EXPECT_FALSE(contact_enabled(no_level));
 }
 
 // Table 34 asks for train data in SB and PT only, where SRS 5.8 asks for it always.

@@ -536,7 +536,8 @@ std::optional<Set<Button>> buttons_by_tables(Setting& s, const JsonPlace& given)
   c.action.desk_open = true;
   c.action.alarm_inhibited = s.display.bmm_inhibited;
   c.action.standstill = s.display.standstill;
-  c.action.level = s.display.level_valid ? std::optional(s.display.level) : std::nullopt;
+  const bool level_valid = s.display.level_valid || !given.find("level_valid");
+  c.action.level = level_valid ? std::optional(s.display.level) : std::nullopt;
   c.action.slow_enough_for_override = s.override_limit_kmh && s.v_kmh <= *s.override_limit_kmh;
   c.gsmr.fitted = true;
   c.frmcs.fitted = s.display.config.frmcs_fitted;
