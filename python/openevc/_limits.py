@@ -62,6 +62,20 @@ def _arrays(columns, shape, out):
     return arrays
 
 
+def _as_far_as(done, arrays, out):
+    """The arrays when Ctrl-C ended it: memory that was never used is not touched, as that would take seconds."""
+    cut = {}
+    for name, values in arrays.items():
+        if not (out and out.get(name) is not None):
+            axis = next((i for i, length in enumerate(values.shape) if length > 1), None)
+            if axis is not None:
+                entries = -(-done * values.shape[axis] // values.size)
+                values = values[(slice(None),) * axis + (slice(entries),)]
+        values.reshape(-1)[done:] = np.nan
+        cut[name] = values
+    return cut
+
+
 def limits(trains, speeds, targets, *, columns=DEFAULT, track=None, national_values=None, fixed_values=None, state=None,
            srs=None, out=None):
     """Places of the supervision limits of trains that run at speeds (km/h) and approach targets, by broadcasting.
@@ -74,6 +88,7 @@ def limits(trains, speeds, targets, *, columns=DEFAULT, track=None, national_val
     train_table, train_numbers = _table(trains, "trains")
     target_table, target_numbers = _table(targets, "targets")
     array = _speeds(speeds)
+    highest = float(array.max()) if array.size else 0.0  # before it is repeated
     try:
         train_numbers, array, target_numbers = np.broadcast_arrays(train_numbers, array, target_numbers)
     except ValueError:
@@ -83,10 +98,8 @@ def limits(trains, speeds, targets, *, columns=DEFAULT, track=None, national_val
     members = {"track": track, "national_values": national_values, "fixed_values": fixed_values, "state": state,
                "srs": srs}
     common = {name: value for name, value in members.items() if value is not None}
-    highest = float(array.max()) if array.size else 0.0
     done, interruption = _native.limits(train_table, train_numbers, array, target_table, target_numbers, common, arrays,
                                         highest)
     if done < array.size:
-        for values in arrays.values():
-            values.reshape(-1)[done:] = np.nan
+        arrays = _as_far_as(done, arrays, out)
     return end(interruption, arrays)

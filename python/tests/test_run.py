@@ -146,11 +146,35 @@ def test_ctrl_c_ends_limits_within_a_second():
     target = {"type": "EOA_SvL", "location_m": 3000}
     error, seconds = interrupted(lambda: evc.limits("standard", speeds, target, **arguments))
     assert isinstance(error, evc.Interrupted) and seconds < 1.0
-    done = np.isfinite(error.results["EBI"])
-    count = int(done.sum())
-    assert 0 < count < speeds.size and done[:count].all()
+    count = error.results["EBI"].size
+    assert 0 < count < speeds.size and np.isfinite(error.results["EBI"]).all()
     whole = evc.limits("standard", speeds[:count:max(1, count // 50)], target, **arguments)
     assert np.array_equal(error.results["P"][:count:max(1, count // 50)], whole["P"])
+
+
+def test_ctrl_c_ends_limits_of_large_arrays_within_a_second():
+    # 8 GB of results, of which a part is ever used.
+    speeds = np.linspace(1.0, 140.0, 1000)
+    trains = np.full((1, 200_000, 1), {"brake_percentage": 90}, dtype=object)
+    target = {"type": "EOA_SvL", "location_m": 3000}
+    error, seconds = interrupted(lambda: evc.limits(trains, speeds, target, columns=("EBD", "EBI", "SBI1", "P", "I")))
+    assert isinstance(error, evc.Interrupted) and seconds < 1.0
+    some = error.results["P"]
+    done = np.isfinite(some).reshape(-1)
+    assert some.shape[0] == 1 and 0 < some.shape[1] < 200_000 and some.shape[2] == speeds.size
+    assert done[:done.sum()].all() and done.size - done.sum() < speeds.size
+    assert np.array_equal(some[0, 0], evc.limits(trains[0, 0, 0], speeds, target)["P"])
+
+
+def test_ctrl_c_leaves_arrays_of_the_caller_with_nan_behind_the_last_case():
+    speeds = np.linspace(1.0, 140.0, 20_000_000)
+    out = {"EBI": np.full(speeds.size, -1.0)}
+    target = {"type": "EOA_SvL", "location_m": 3000}
+    error, seconds = interrupted(lambda: evc.limits("standard", speeds, target, columns=("EBI", "P"), srs="4.0.0", out=out))
+    assert isinstance(error, evc.Interrupted) and seconds < 1.0
+    done = np.isfinite(out["EBI"])
+    assert error.results["EBI"] is out["EBI"] and error.results["P"].size == done.sum() > 0
+    assert done[:done.sum()].all() and not done[-1]
 
 
 def test_ctrl_c_ends_a_sweep_within_a_second():
