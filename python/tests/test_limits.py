@@ -120,6 +120,20 @@ def test_an_error_names_the_element():
         evc.limits("standard", 1.0, [TARGETS[0], {"type": "EOA"}])
 
 
+def test_the_module_behind_refuses_arrays_of_different_sizes():
+    def call(trains=8, speeds=8, targets=8, out=None):
+        _native.limits(["standard"], np.zeros(trains, np.uint32), np.ones(speeds), TARGETS[:1], np.zeros(targets, np.uint32), {},
+                       {"EBI": np.zeros(8)} if out is None else {"EBI": out}, 1.0)
+
+    call()
+    for wrong in ({"trains": 2}, {"targets": 2}, {"trains": (2, 4)}, {"speeds": (8, 8)}, {"out": np.zeros(7)}):
+        with pytest.raises(ValueError):
+            call(**wrong)
+    for wrong in (np.zeros(8, np.float32), np.zeros(16)[::2], [0.0] * 8):
+        with pytest.raises(TypeError):
+            call(out=wrong)
+
+
 def test_threads_compute_at_the_same_time():
     speeds = np.linspace(0.0, 160.0, 20_000)
     expected = evc.limits(TRAINS, speeds[:, None], TARGETS[2])

@@ -177,6 +177,10 @@ std::vector<batch::Target> targets_of(const py::list& targets) {
   return table;
 }
 
+bool same_shape(const py::array& a, const py::array& b) {
+  return std::equal(a.shape(), a.shape() + a.ndim(), b.shape(), b.shape() + b.ndim());
+}
+
 /// Columns to compute, with their arrays: of the shape of the broadcast, contiguous.
 std::vector<std::pair<Column, std::span<double>>> columns_of(const py::dict& out, std::size_t count) {
   std::vector<std::pair<Column, std::span<double>>> columns;
@@ -184,7 +188,9 @@ std::vector<std::pair<Column, std::span<double>>> columns_of(const py::dict& out
     const auto name = key.cast<std::string>();
     const auto column = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& c) { return c.name == name; });
     if (column == kColumns.end()) throw py::key_error(name);
+    if (!py::isinstance<py::array_t<double, py::array::c_style>>(value)) throw py::type_error(name);
     auto array = py::reinterpret_borrow<py::array_t<double>>(value);
+    if (static_cast<std::size_t>(array.size()) != count) throw py::value_error(name);
     columns.emplace_back(*column, std::span<double>(array.mutable_data(), count));
   }
   return columns;
@@ -220,6 +226,8 @@ py::tuple limits(const py::list& trains, const py::array_t<std::uint32_t>& train
                  const py::array_t<double>& speeds, const py::list& targets,
                  const py::array_t<std::uint32_t>& target_numbers, const py::dict& common, const py::dict& out,
                  double highest_kmh) {
+  if (!same_shape(train_numbers, speeds) || !same_shape(target_numbers, speeds))
+    throw py::value_error("arrays of different shapes");
   const auto count = static_cast<std::size_t>(speeds.size());
   const auto columns = columns_of(out, count);
   const batch::Trains train_table = trains_of(trains, json_of(common, "limits"), highest_kmh);
