@@ -390,8 +390,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     const V speed = hn::Load(D(), b.V.data() + k);
     const V V_target = hn::Load(D(), b.V_target.data() + k);
     all[u] = hn::Eq(speed, speed);
-    has_SBD[u] = flag(b.has_SBD.data() + k);
-    has_GUI[u] = hn::Gt(value_of(b, k, kGuided), number(0.5));
+    // A speed that is not a number has no limits.
+    has_SBD[u] = hn::And(flag(b.has_SBD.data() + k), all[u]);
+    has_GUI[u] = hn::And(hn::Gt(value_of(b, k, kGuided), number(0.5)), all[u]);
     squared[u] = hn::Mul(speed, speed);
     w_foot[u] = hn::Mul(V_target, V_target);
     EBD[u].x = hn::Load(D(), b.d_target.data() + k);

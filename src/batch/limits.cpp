@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -32,6 +33,9 @@ class OneByOne {
       : tables_(tables), targets_(targets), out_(out) {}
 
   void compute(std::uint32_t train, std::uint32_t target, double speed, std::size_t i) {
+    for (double* const one : out_)
+      if (one != nullptr) one[i] = std::numeric_limits<double>::quiet_NaN();
+    if (std::isnan(speed)) return;
     const Whole& whole = *tables_.trains[train].whole;
     const Target& t = targets_[target];
     if (!derived_ || train_ != train || target_ != target) build(whole, t);
@@ -42,8 +46,6 @@ class OneByOne {
                                             whole.state.A_est, whole.state.motion ? &*whole.state.motion : nullptr);
     location_ = t.location;
     at_ = i;
-    for (double* const one : out_)
-      if (one != nullptr) one[i] = std::numeric_limits<double>::quiet_NaN();
     put(kEBD, e.d_EBD);
     if (e.d_SBD) put(kSBD, *e.d_SBD);
     if (e.d_GUI) put(kGUI, *e.d_GUI);

@@ -58,7 +58,8 @@ class Trains {
 };
 
 /// Cases: number `i` is train `train[i]`, target `target[i]` and `speed[i]` in m/s, >= 0. The three have the same size;
-/// each number is less than the size of what it refers to. An empty `train` or `target`: 0 for every case.
+/// each number is less than the size of what it refers to. An empty `train` or `target`: 0 for every case. A speed that
+/// is not a number has no limits.
 struct Cases {
   std::span<const std::uint32_t> train, target;
   std::span<const double> speed;

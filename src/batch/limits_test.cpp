@@ -229,6 +229,47 @@ TEST(Batch, LimitsHaveTheBitsOfSdmWithEverySetOfInstructions) {
   EXPECT_GE(static_cast<double>(vectorised), 0.7 * static_cast<double>(compared));
 }
 
+TEST(Batch, ASpeedThatIsNotANumberHasNoLimits) {
+  Trains trains;
+  sdm::Inputs in = sdm::test::simple_inputs();
+  (void)trains.add(in);
+  in.national_values.Q_NVGUIPERM = true;
+  for (auto& model : in.train.normal_service.A_brake_normal_service) (void)model.append(kmh(0.0), {0.5});
+  in.train.normal_service.A_SB01 = {0.4};
+  in.train.normal_service.A_SB12 = {0.6};
+  (void)trains.add(in);
+  in.train.regenerative = train::SpecialBrakeInterface::both;
+  in.conditions.regenerative_off = Place{{1200.0}};
+  (void)trains.add(in);
+  ASSERT_TRUE(trains.vectorised(1));
+  ASSERT_FALSE(trains.vectorised(2));
+  std::vector<batch::Target> targets(2);
+  targets[0].location = targets[0].SvL = {{2000.0}};
+  targets[1].kind = sdm::TargetKind::MRSP;
+  targets[1].location = {{1500.0}};
+  targets[1].V_target = kmh(40.0);
+  std::vector<std::uint32_t> train, target;
+  std::vector<double> speed;
+  for (std::uint32_t i = 0; i < 192; ++i) {  // whole vectors of them too
+    train.push_back(i % 3);
+    target.push_back(i / 3 % 2);
+    speed.push_back(i < 64 || i % 5 == 0 ? std::numeric_limits<double>::quiet_NaN() : 20.0);
+  }
+  for (const Instructions& set : sets_of_instructions()) {
+    use_only(set.target);
+    Columns limits;
+    for (auto& column : limits) column.assign(speed.size(), -777.0);
+    batch::limits(trains, targets, {train, target, speed}, out_of(limits));
+    for (std::size_t k = 0; k < kOutputs; ++k)
+      for (std::size_t i = 0; i < speed.size(); ++i) {
+        const bool of_EOA = k == kSBD || k == kSBI1 || k == kW_EOA || k == kP_EOA || k == kI_EOA;
+        const bool none = std::isnan(speed[i]) || (of_EOA && target[i] != 0) || (k == kGUI && train[i] == 0);
+        ASSERT_EQ(std::isnan(limits[k][i]), none) << set.name << ", " << kNames[k] << " of case " << i;
+      }
+  }
+  use_only(0);
+}
+
 /// More arcs between the target and the foot of its curve than sdm keeps: such a curve begins at the target, and those
 /// of the kernels are computed by sdm.
 TEST(Batch, ACurveWithTooManyArcsBeyondItsTargetIsThatOfSdm) {
