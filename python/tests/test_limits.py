@@ -155,8 +155,8 @@ def test_the_lock_is_released():
     done = threading.Event()
 
     def work():
-        # One case at a time: the reduced build-up times of 4.0.0.
-        evc.limits("standard", np.linspace(1.0, 140.0, 20_000), TARGETS[0], srs="4.0.0", state={"est_front_m": 0})
+        # One case at a time: build-up times of 4.0.0 that may be reduced.
+        evc.limits("standard", np.linspace(1.0, 60.0, 50_000), TARGETS[2], srs="4.0.0", state={"est_front_m": 0})
         done.set()
 
     thread = threading.Thread(target=work)

@@ -140,10 +140,10 @@ def test_ctrl_c_ends_a_run_within_a_second(late):
 
 
 def test_ctrl_c_ends_limits_within_a_second():
-    # The reduced build-up times of 4.0.0 are computed one case at a time.
-    speeds = np.linspace(0.0, 140.0, 3_000_000)
+    # Build-up times of 4.0.0 that may be reduced are computed one case at a time: below the target speed.
+    speeds = np.linspace(1.0, 140.0, 10_000_000)
     arguments = {"srs": "4.0.0", "state": {"est_front_m": 0}, "columns": ("EBI", "P")}
-    target = {"type": "EOA_SvL", "location_m": 3000}
+    target = {"type": "LOA", "location_m": 3000, "speed_kmh": 140}
     error, seconds = interrupted(lambda: evc.limits("standard", speeds, target, **arguments))
     assert isinstance(error, evc.Interrupted) and seconds < 1.0
     count = error.results["EBI"].size
@@ -169,7 +169,7 @@ def test_ctrl_c_ends_limits_of_large_arrays_within_a_second():
 def test_ctrl_c_leaves_arrays_of_the_caller_with_nan_behind_the_last_case():
     speeds = np.linspace(1.0, 140.0, 20_000_000)
     out = {"EBI": np.full(speeds.size, -1.0)}
-    target = {"type": "EOA_SvL", "location_m": 3000}
+    target = {"type": "LOA", "location_m": 3000, "speed_kmh": 140}
     error, seconds = interrupted(lambda: evc.limits("standard", speeds, target, columns=("EBI", "P"), srs="4.0.0", out=out))
     assert isinstance(error, evc.Interrupted) and seconds < 1.0
     done = np.isfinite(out["EBI"])

@@ -484,6 +484,9 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     e.W = hn::Sub(e.SBI, run_warning);
     e.P = hn::Sub(e.SBI, run_driver);
     if (b.guided) e.P = choose(guided, least(e.P, d_GUI[u]), e.P);
+    const V cap = value_of(b, k, kCapPAtTarget);
+    const V d_target = hn::Load(D(), b.d_target.data() + k);
+    e.P = choose(hn::Gt(cap, number(1.5)), least(e.P, d_target), e.P);
     e.I = hn::Sub(e.P, run_indication);
     put(b, kEBI, k, all[u], location, d_EBI);
     put(b, kSBI2, k, all[u], location, e.SBI);
@@ -491,8 +494,7 @@ HWY_INLINE void compute_group(Block& b, std::size_t i) {
     put(b, kP_SvL, k, all[u], location, e.P);
     put(b, kI_SvL, k, all[u], location, e.I);
     Places nearer = e;
-    const M capped = hn::Gt(value_of(b, k, kCapPAtTarget), number(0.5));
-    nearer.P = choose(capped, least(e.P, hn::Load(D(), b.d_target.data() + k)), e.P);
+    nearer.P = choose(hn::Eq(cap, number(1.0)), least(e.P, d_target), e.P);
     if (SBD) {
       Places s;
       s.SBI = hn::Sub(d_SBD[u], hn::Mul(speed, value_of(b, k, kTBs1)));

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -115,6 +116,17 @@ class OneByOne {
   std::size_t at_ = 0;
 };
 
+bool has_speed(const Target& t) { return t.kind == sdm::TargetKind::MRSP || t.kind == sdm::TargetKind::LOA; }
+
+/// As sdm::rebuild makes it: the others end with a stop.
+Speed V_target_of(const Target& t) { return has_speed(t) ? t.V_target : Speed{}; }
+
+/// Whether a build-up time may be reduced (A.3.12 of 4.0.0): then the limits depend on the track ahead.
+bool may_be_reduced(const TrainEntry& train, const Target& t, double speed) {
+  const double V_target = V_target_of(t).si;
+  return speed <= V_target + train.full_above[V_target > 0.0 ? 1 : 0];
+}
+
 /// A block that is filled case by case.
 class Filling {
  public:
@@ -129,9 +141,8 @@ class Filling {
   /// Adds case `i` of the caller; false: there is no room.
   bool add(const TrainEntry& train, const Target& t, double speed, std::size_t i) {
     const bool EOA = t.kind == sdm::TargetKind::EOA_SvL;
-    const bool at_speed = t.kind == sdm::TargetKind::MRSP || t.kind == sdm::TargetKind::LOA;
-    // As sdm::rebuild makes it: the others end with a stop.
-    const Speed V_target = at_speed ? t.V_target : Speed{};
+    const bool at_speed = has_speed(t);
+    const Speed V_target = V_target_of(t);
     const bool TSR = t.kind == sdm::TargetKind::MRSP && t.due_to_TSR;
     const std::int64_t values = train.values + class_of_targets(V_target.si > 0.0, TSR);
     go_on_with(values);
@@ -275,17 +286,25 @@ void limits(const Trains& trains, std::span<const Target> targets, const Cases& 
     filling->clear();
   };
   ByTrain by_train(tables.trains.size());
+  std::vector<std::size_t> lonely;
   for (std::size_t first = 0; first < cases.speed.size(); first += ByTrain::kMost) {
     const std::size_t n = std::min(cases.speed.size() - first, ByTrain::kMost);
     const bool sorted = !cases.train.empty() && by_train.sort(cases.train.subspan(first, n));
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t i = first + (sorted ? by_train.order()[j] : j);
       const TrainEntry& train = tables.trains[train_of(i)];
-      if (!train.vectorised)
-        alone(i);
+      const Target& target = targets[target_of(i)];
+      if (!train.vectorised || may_be_reduced(train, target, cases.speed[i]))
+        lonely.push_back(i);
       else
-        while (!filling->add(train, targets[target_of(i)], cases.speed[i], i)) finish();
+        while (!filling->add(train, target, cases.speed[i], i)) finish();
     }
+    // Those of a train and target share what is computed first.
+    std::sort(lonely.begin(), lonely.end(), [&](std::size_t a, std::size_t b) {
+      return std::tuple(train_of(a), target_of(a), a) < std::tuple(train_of(b), target_of(b), b);
+    });
+    std::for_each(lonely.begin(), lonely.end(), alone);
+    lonely.clear();
   }
   finish();
 }

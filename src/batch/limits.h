@@ -46,8 +46,9 @@ class Trains {
   std::size_t size() const;
   void clear();
 
-  /// Whether the kernels compute limits of this train; else `sdm::explain` does, with the same result: for the reduced
-  /// build-up times of 4.0.0 (A.3.12), special brakes inhibited on a part of the track, a deceleration <= 0 somewhere.
+  /// Whether the kernels compute limits of this train; else `sdm::explain` does, with the same result: for special
+  /// brakes inhibited on a part of the track, a deceleration <= 0 somewhere, guidance curves of 4.0.0. Of other trains
+  /// of 4.0.0 it computes the cases near the target speed, whose build-up times may be reduced (A.3.12).
   bool vectorised(std::uint32_t train) const;
 
   struct Tables;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -22,7 +23,7 @@ enum TrainValue : std::int64_t {
   kTopSquared,  // of V_top
   kTWarning,
   kTDriver,
-  kCapPAtTarget,  // 1 where d_P is drawn not beyond the target (3.4.0)
+  kCapPAtTarget,  // where d_P is not beyond the target: 1 when it is drawn (3.4.0), 2 in itself (4.0.0), 0 nowhere
   kGuided,        // 1 where there is a guidance curve
   kLookedUp,      // 1 where there are look-up tables
   kStrideEBD,     // bits: from a segment's cells to those of the next one
@@ -93,14 +94,17 @@ struct TrainEntry {
   bool guidance = false;
   bool Q_NVINHSMICPERM = false;
   train::FixedValues fixed;
+  /// No build-up time is reduced (A.3.12 of 4.0.0) at speeds above the target speed by more than this many m/s: of a
+  /// stop, and of other targets.
+  std::array<double, 2> full_above{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   std::unique_ptr<const Whole> whole;  // absent where the kernels always suffice
 };
 
 struct Trains::Tables {
   std::vector<double> numbers;
   std::vector<TrainEntry> trains;
-  std::size_t most_segments = 1;  // of all vectorised trains
-  std::unique_ptr<sdm::Decelerations> scratch = std::make_unique<sdm::Decelerations>();
+  std::size_t most_segments = 1;                                             // of all vectorised trains
+  std::unique_ptr<sdm::Derived> scratch = std::make_unique<sdm::Derived>();  // of the train that is added
 };
 
 }  // namespace evc::batch

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "batch/tables.h"
+#include "sdm/evaluate.h"
 #include "sdm/limits.h"
 
 namespace evc::batch {
@@ -132,6 +133,14 @@ void lay_times(Layout& out, const sdm::Times& t, const sdm::Approach& a, const t
     out.number(value);
 }
 
+/// A.3.12.3 and .4: what the speed before and after the ramp is below the train's speed does not depend on that speed.
+/// A case nearer to the border than rounding reaches counts as one that may be reduced.
+double full_above(const sdm::Derived& d, const train::BuildUpTimes& build_up, sdm::Approach a, const sdm::Times& t) {
+  constexpr double kRounding = 1e-6;
+  a.V = Speed{1000.0};  // no ramp ends with a standstill
+  return (a.V - sdm::full_build_up_below(d, build_up, a, t)).si + kRounding;
+}
+
 }  // namespace
 
 Trains::Trains() : tables_(std::make_unique<Tables>()) {}
@@ -148,9 +157,11 @@ void Trains::clear() {
 }
 
 std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
-  sdm::Decelerations& d = *tables_->scratch;
+  sdm::Decelerations& d = tables_->scratch->decelerations;
   sdm::determine(d, in.train, in.national_values, in.fixed, in.brakes, in.gradient, in.conditions);
   const sdm::Rules rules = sdm::rules_of(in.srs);
+  tables_->scratch->fixed = in.fixed;
+  tables_->scratch->time_config = sdm::time_config(in.train, in.national_values);
   TrainEntry entry;
   entry.guidance = in.national_values.Q_NVGUIPERM && !d.normal_service[0].empty();
   entry.Q_NVINHSMICPERM = in.national_values.Q_NVINHSMICPERM;
@@ -158,7 +169,7 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
   const sdm::Segments& TSR = d.segments_of(true);
   const std::size_t bands = std::max({d.safe[0].size(), d.expected[0].size(), d.normal_service[0].size()});
   const std::size_t arcs = std::max(d.segments.size(), TSR.size()) + bands;
-  entry.vectorised = !rules.reduced_build_up && arcs + kMostArcsDownstream < sdm::kMaxKnots;
+  entry.vectorised = !(rules.reduced_build_up && entry.guidance) && arcs + kMostArcsDownstream < sdm::kMaxKnots;
   for (const sdm::Segments* segments : {&std::as_const(d).segments, &TSR})
     entry.vectorised = entry.vectorised && from_nowhere(*segments) && one_stage(*segments) &&
                        decelerates(d.safe[0], *segments) && decelerates(d.expected[0], *segments) &&
@@ -168,7 +179,7 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
     looked_up = looked_up && can_be_looked_up(d.safe[0], *segments) && can_be_looked_up(d.expected[0], *segments) &&
                 (!entry.guidance || can_be_looked_up(d.normal_service[0], *segments));
   const Speed V_top = V_top_of(in);
-  if (!entry.vectorised || arcs > kMostArcsDownstream) {
+  if (!entry.vectorised || rules.reduced_build_up || arcs > kMostArcsDownstream) {
     auto whole = std::make_unique<Whole>(Whole{in, state});
     whole->in.V_top = V_top;
     entry.whole = std::move(whole);
@@ -180,13 +191,14 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
     tables_->most_segments = std::max({tables_->most_segments, d.segments.size(), TSR.size()});
     entry.values = out.here();
     const sdm::Approach a = sdm::approach({}, entry.Q_NVINHSMICPERM ? Speed{0.0} : state.V_ura, state.A_est, in.fixed);
-    const sdm::TimeConfig config = sdm::time_config(in.train, in.national_values);
+    const sdm::TimeConfig& config = tables_->scratch->time_config;
     for (const bool due_to_TSR : {false, true})
       for (const bool above_zero : {false, true}) {
         EVC_REQUIRE(out.here() == entry.values + class_of_targets(above_zero, due_to_TSR));
+        const double cap = rules.P_not_beyond_target ? 2.0 : rules.pre_indication ? 1.0 : 0.0;
         // In the order of TrainValue.
-        for (const double value : {a.V_delta0.si, (V_top * V_top).si, in.fixed.T_warning.si, in.fixed.T_driver.si,
-                                   rules.pre_indication ? 1.0 : 0.0, entry.guidance ? 1.0 : 0.0, looked_up ? 1.0 : 0.0})
+        for (const double value : {a.V_delta0.si, (V_top * V_top).si, in.fixed.T_warning.si, in.fixed.T_driver.si, cap,
+                                   entry.guidance ? 1.0 : 0.0, looked_up ? 1.0 : 0.0})
           out.number(value);
         out.index(Layout::stride(d.safe[0]));
         out.index(Layout::stride(d.expected[0]));
@@ -194,7 +206,10 @@ std::uint32_t Trains::add(const sdm::Inputs& in, const State& state) {
         out.index(due_to_TSR ? first_TSR : first);
         out.index(static_cast<std::int64_t>((due_to_TSR ? TSR : d.segments).size()));
         const auto build_up = train::build_up_times(in.train, in.national_values, in.brakes, !above_zero);
-        lay_times(out, sdm::times(config, build_up, std::nullopt, rules, in.fixed), a, in.fixed);
+        const sdm::Times times = sdm::times(config, build_up, std::nullopt, rules, in.fixed);
+        lay_times(out, times, a, in.fixed);
+        if (rules.reduced_build_up)
+          entry.full_above[above_zero ? 1 : 0] = full_above(*tables_->scratch, build_up, a, times);
       }
   }
   tables_->trains.push_back(std::move(entry));
