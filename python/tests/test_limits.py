@@ -70,6 +70,20 @@ def test_a_large_array_is_that_of_its_parts():
         assert all(np.array_equal(whole[name][i], one[name], equal_nan=True) for name in whole)
 
 
+def test_many_different_objects_and_any_layout_keep_their_places():
+    random = np.random.default_rng(2)
+    trains = np.array([{"brake_percentage": 60 + i % 90} for i in range(3000)], dtype=object)[random.permutation(3000)]
+    speeds = random.uniform(10.0, 140.0, (2, 3, 3000))
+    targets = np.array(TARGETS, dtype=object)[:3, None]
+    whole = evc.limits(trains, speeds[::-1], targets)
+    turned = evc.limits(trains[::-1][:, None, None], speeds.transpose(2, 0, 1)[::-1, ::-1], targets[:, 0])
+    for name in whole:
+        assert np.array_equal(turned[name].transpose(1, 2, 0)[:, :, ::-1], whole[name], equal_nan=True)
+    for i in random.integers(0, 3000, 30):
+        one = evc.limits(trains[i], speeds[::-1, :, i], targets[:, 0])
+        assert all(np.array_equal(whole[name][:, :, i], one[name], equal_nan=True) for name in whole)
+
+
 def test_arrays_of_the_caller_are_filled():
     out = {"EBI": np.full(3, -1.0), "P": None}
     result = evc.limits("standard", SPEEDS, TARGETS[0], columns=("EBI", "P"), out=out)

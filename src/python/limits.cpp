@@ -57,10 +57,16 @@ class Element {
  public:
   explicit Element(const py::array_t<T>& array)
       : at_(reinterpret_cast<const char*>(array.data())), strides_(array.strides(), array.strides() + array.ndim()) {}
-  T value() const {
-    T value;
-    std::memcpy(&value, at_, sizeof value);
-    return value;
+  /// Calls `f(i, value)` with the `count` values from here on in the last dimension, and stays where it is.
+  template <class F>
+  void row(std::size_t count, F f) const {
+    const char* at = at_;
+    const py::ssize_t stride = strides_.empty() ? 0 : strides_.back();
+    for (std::size_t i = 0; i < count; ++i, at += stride) {
+      T value;
+      std::memcpy(&value, at, sizeof value);
+      f(i, value);
+    }
   }
   void step(std::size_t dimension, py::ssize_t count) { at_ += strides_[dimension] * count; }
 
@@ -81,11 +87,14 @@ class Cursor {
         index_(shape_.size(), 0) {}
 
   void take(std::span<std::uint32_t> train, std::span<std::uint32_t> target, std::span<double> V) {
-    for (std::size_t i = 0; i < V.size(); ++i) {
-      train[i] = train_.value();
-      target[i] = target_.value();
-      V[i] = speed_.value() / kKmh;
-      advance();
+    for (std::size_t first = 0; first < V.size();) {
+      const std::size_t left = shape_.empty() ? 1 : static_cast<std::size_t>(shape_.back() - index_.back());
+      const std::size_t row = std::min(V.size() - first, left);
+      train_.row(row, [&](std::size_t i, std::uint32_t number) { train[first + i] = number; });
+      target_.row(row, [&](std::size_t i, std::uint32_t number) { target[first + i] = number; });
+      speed_.row(row, [&](std::size_t i, double V_kmh) { V[first + i] = V_kmh / kKmh; });
+      advance(static_cast<py::ssize_t>(row));
+      first += row;
     }
   }
 
@@ -95,10 +104,11 @@ class Cursor {
     target_.step(dimension, count);
     speed_.step(dimension, count);
   }
-  void advance() {
-    for (std::size_t d = shape_.size(); d-- > 0;) {
-      step(d, 1);
-      if (++index_[d] < shape_[d]) return;
+  /// By so many cases of the last dimension, at most to its end.
+  void advance(py::ssize_t count) {
+    for (std::size_t d = shape_.size(); d-- > 0; count = 1) {
+      step(d, count);
+      if ((index_[d] += count) < shape_[d]) return;
       step(d, -shape_[d]);
       index_[d] = 0;
     }
@@ -117,16 +127,26 @@ py::tuple table_of(const py::array& objects) {
   py::array_t<std::uint32_t> numbers(objects.size());
   std::uint32_t* const number = numbers.mutable_data();
   std::unordered_map<PyObject*, std::uint32_t> known;
+  // Of the last object with each hash.
+  struct Seen {
+    PyObject* object;
+    std::uint32_t number;
+  };
+  std::array<Seen, 1024> seen;
+  seen.fill({reinterpret_cast<PyObject*>(&seen), 0});
   py::list different;
   PyObject* const* const object = static_cast<PyObject* const*>(objects.data());
   for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0 && object[i] == object[i - 1]) {
-      number[i] = number[i - 1];
+    const auto bits = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object[i]));
+    Seen& last = seen[bits * 0x9e3779b97f4a7c15u >> 54];
+    if (last.object == object[i]) {
+      number[i] = last.number;
       continue;
     }
     const auto [entry, is_new] = known.try_emplace(object[i], static_cast<std::uint32_t>(known.size()));
     if (is_new) different.append(py::reinterpret_borrow<py::object>(object[i] != nullptr ? object[i] : Py_None));
     number[i] = entry->second;
+    last = {object[i], entry->second};
   }
   return py::make_tuple(different, numbers);
 }
